@@ -331,9 +331,7 @@ fn bags_that_teach_nothing_are_refused_by_name() {
     write_bag(&place.join("few.mcap"), "board", [Some(&few), Some(&few)]);
     let err = refused(place, &["few.mcap", "--task", "task.toml"]);
     assert!(
-        err.contains(
-            "particles were touched and looked for in 1 rounds, and at least 10 are needed"
-        ),
+        err.contains("particles were touched and observed in 1 rounds; at least 10 are needed"),
         "{err}"
     );
     fs::create_dir(place.join("empty")).unwrap();

@@ -212,7 +212,7 @@ fn a_posture_of_a_finger_that_is_fixed_absent_or_of_no_group_is_a_note() {
             "joint \"finger\" is fixed",
         ),
         (ARM.urdf(), of_group, "the robot has no joint \"finger\""),
-        (ARM.urdf(), of_none, "it is of no group"),
+        (ARM.urdf(), of_none, "it belongs to no group"),
     ] {
         let folder = folder_with("arm-board.toml");
         fs::write(folder.path().join("arm.urdf"), text).unwrap();

@@ -1,4 +1,4 @@
-//! Kinematics and dynamics of a robot's moving part without allocation, for control loops.
+//! Kinematics and dynamics of the moving part of a robot without allocation, for control loops.
 
 use super::frame::{Frame, z_to};
 use super::model::motion;
@@ -6,11 +6,11 @@ use super::{Body, JointId, JointKind, LinkId, RobotError, RobotModel};
 use crate::geometry::{Pose, Vector3};
 use nalgebra::{DMatrix, Matrix3, Matrix6xX, Point3, Rotation3, Translation3, UnitQuaternion};
 
-/// The joints of a robot that move while the others hold still, as a tree of rigid bodies: links
-/// between them are lumped together.
+/// The joints of a robot that move while all others are locked, as a tree of rigid bodies. Links that do not move
+/// against each other form one body.
 ///
-/// Everything is in the axes of the world. What depends on where the joints are is in an
-/// [`ArticulationState`], which [`Articulation::evaluate`] fills again and again without allocation.
+/// All quantities are in the axes of the world. The configuration-dependent ones are in an [`ArticulationState`], which
+/// [`Articulation::evaluate`] fills repeatedly without allocation.
 ///
 /// ```
 /// # use wisch_robot::{Articulation, RobotModel};
@@ -31,36 +31,36 @@ use nalgebra::{DMatrix, Matrix3, Matrix6xX, Point3, Rotation3, Translation3, Uni
 #[derive(Debug, Clone)]
 pub struct Articulation {
     joints: Vec<ArticulatedJoint>,
-    /// For each own variable its position among the robot's.
+    /// Index of each own variable among the robot's variables.
     variables: Vec<usize>,
-    /// For each link what moves it.
+    /// For each link, the joint that moves it.
     carriers: Vec<Carrier>,
-    /// The root in the world.
+    /// Pose of the root in the world.
     world_from_root: Pose,
 }
 
-/// A joint of an [`Articulation`]: its frame's z axis is the joint's axis.
+/// A joint of an [`Articulation`]; the z axis of its frame is the joint's axis.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ArticulatedJoint {
     /// The joint of the robot.
     pub id: JointId,
-    /// The moving joint before it; `None` if it stands in the world.
+    /// The previous moving joint; `None` if the joint is attached to the world.
     pub parent: Option<usize>,
-    /// From the frame of the parent, after its motion, to this one before its own.
+    /// Transform from the parent's frame, after its motion, to this joint's frame before its own.
     pub parent_from_joint: Pose,
-    /// Whether it slides along z instead of turning about it.
+    /// Whether the joint is prismatic (along z) rather than revolute (about z).
     pub slides: bool,
-    /// Position with all own variables at zero [rad or m].
+    /// Position with all own variables at 0 [rad or m].
     pub offset: f64,
     /// Pairs of an own variable and its factor.
     pub terms: Vec<(usize, f64)>,
-    /// Mass [kg], centre of mass and inertia about it in the joint's frame, of all that it moves up to
-    /// the next moving joints.
+    /// Mass [kg], centre of mass and inertia about it, in the joint's frame, of all links from this joint up to the
+    /// next moving ones.
     pub body: Body,
 }
 
 impl ArticulatedJoint {
-    /// Position at these own variables [rad or m].
+    /// Position at the own variables `q` [rad or m].
     pub fn position(&self, q: &[f64]) -> f64 {
         self.offset + self.terms.iter().map(|&(i, f)| f * q[i]).sum::<f64>()
     }
@@ -69,20 +69,20 @@ impl ArticulatedJoint {
         self.terms.iter().map(|&(i, f)| f * qd[i]).sum()
     }
 
-    /// Whether it is a variable itself rather than following others.
+    /// Whether the joint is a variable itself and does not follow others.
     pub fn is_variable(&self) -> bool {
         self.offset == 0.0 && matches!(self.terms[..], [(_, 1.0)])
     }
 }
 
-/// What moves a link, and where the link is on it.
+/// The joint that moves a link, with the pose of the link in its frame.
 #[derive(Debug, Clone, Copy)]
 struct Carrier {
     joint: Option<usize>,
     carrier_from_link: Pose,
 }
 
-/// Where an [`Articulation`] is, and its dynamics there.
+/// Configuration of an [`Articulation`], with its dynamics.
 #[derive(Debug, Clone)]
 pub struct ArticulationState {
     frames: Vec<Frame>,
@@ -98,11 +98,11 @@ pub struct ArticulationState {
 struct Motion {
     angular_velocity: Vector3,
     angular_acceleration: Vector3,
-    /// Of the frame's origin, less that of a falling body.
+    /// Acceleration of the frame's origin minus that of free fall.
     acceleration: Vector3,
 }
 
-/// Mass, its first moment and inertia about the world's origin.
+/// Mass, its first moment, and inertia about the world's origin.
 #[derive(Debug, Clone, Copy)]
 struct Composite {
     mass: f64,
@@ -111,8 +111,8 @@ struct Composite {
 }
 
 impl Articulation {
-    /// The part of a robot that its `moving` variables (n) move, the others at their positions in
-    /// `posture` (n), with loads in the frames of links.
+    /// Returns the part of a robot that its `moving` variables (n) move. All other variables stay at their positions in
+    /// `posture` (n); `loads` are bodies in the frames of links.
     ///
     /// # Errors
     /// If `posture` or `moving` is not of length n, or a position is not finite.
@@ -123,7 +123,7 @@ impl Articulation {
         moving: &[bool],
         loads: &[(LinkId, Body)],
     ) -> Result<Self, RobotError> {
-        robot.checked("positions", posture)?;
+        robot.check_values("positions", posture)?;
         if moving.len() != robot.dof() {
             return Err(RobotError::Length {
                 what: "moving variables",
@@ -174,7 +174,7 @@ impl Articulation {
             let carrier = carriers[link.index()];
             if let Some(joint) = carrier.joint {
                 let carried = transformed(&body, &carrier.carrier_from_link);
-                joints[joint].body = together(&joints[joint].body, &carried);
+                joints[joint].body = merge_bodies(&joints[joint].body, &carried);
             }
         }
         Ok(Self {
@@ -185,39 +185,39 @@ impl Articulation {
         })
     }
 
-    /// The joints that move, those that follow others included; a parent comes before its children.
+    /// Moving joints, including followers; a parent comes before its children.
     pub fn joints(&self) -> &[ArticulatedJoint] {
         &self.joints
     }
 
-    /// For each own variable its position among the robot's.
+    /// Index of each own variable among the robot's variables.
     pub fn variables(&self) -> &[usize] {
         &self.variables
     }
 
-    /// Number of own variables, n: the length of `q`, `qd` and efforts here, at most that of the robot's.
+    /// Number of own variables n: the length of `q`, `qd` and efforts here, at most that of the robot's.
     pub fn dof(&self) -> usize {
         self.variables.len()
     }
 
-    /// The robot's root in the world.
+    /// Pose of the robot's root in the world.
     pub const fn world_from_root(&self) -> &Pose {
         &self.world_from_root
     }
 
-    /// The moving joint that carries a link, and the link in that joint's frame; without a joint, in the
-    /// world.
+    /// Returns the moving joint that carries a link, and the pose of the link in that joint's frame; without a joint,
+    /// in the world.
     pub fn carrier(&self, link: LinkId) -> (Option<usize>, &Pose) {
         let carrier = &self.carriers[link.index()];
         (carrier.joint, &carrier.carrier_from_link)
     }
 
-    /// Room for one state of this articulation, taken once so that a control loop allocates nothing.
+    /// Returns an empty state of this articulation, allocated once before a control loop.
     pub fn state(&self) -> ArticulationState {
         let count = self.joints.len();
         ArticulationState {
             frames: vec![Frame::identity(); count],
-            motions: vec![Motion::fallen(Vector3::zeros()); count],
+            motions: vec![Motion::in_free_fall(Vector3::zeros()); count],
             wrenches: vec![(Vector3::zeros(), Vector3::zeros()); count],
             composites: vec![Composite::NOTHING; count],
             mass: DMatrix::zeros(self.dof(), self.dof()),
@@ -226,10 +226,10 @@ impl Articulation {
         }
     }
 
-    /// Where all joints are at the own variables `q` [rad or m], without dynamics.
+    /// Computes the poses of all joints at the own variables `q` [rad or m], without dynamics.
     ///
     /// # Panics
-    /// If an array is shorter than the number of own variables, or the state another articulation's.
+    /// If an array is shorter than the number of own variables, or the state is that of another articulation.
     pub fn locate(&self, state: &mut ArticulationState, q: &[f64]) {
         for (i, joint) in self.joints.iter().enumerate() {
             let before = joint
@@ -248,8 +248,8 @@ impl Articulation {
         }
     }
 
-    /// Fills the state at positions `q` and velocities `qd` of the own variables, under an acceleration
-    /// of free fall in the world [m/s²]: places, mass matrix and bias.
+    /// Computes poses, mass matrix and bias at positions `q` and velocities `qd` of the own variables. `gravity` is the
+    /// acceleration of free fall in the world [m/s²].
     ///
     /// Source: Featherstone, *Rigid Body Dynamics Algorithms* (2008), chapters 5 and 6, in the axes of
     /// the world.
@@ -286,8 +286,8 @@ impl Articulation {
         });
     }
 
-    /// Efforts of every moving joint, as if each had a drive of its own, for accelerations `qdd` of the own
-    /// variables where the state is: in [`ArticulationState::joint_efforts`] [Nm or N].
+    /// Computes the efforts of every moving joint, as if each had its own drive, for accelerations `qdd` of the own
+    /// variables in the present state. The result is in [`ArticulationState::joint_efforts`] [Nm or N].
     ///
     /// # Panics
     /// As [`Articulation::locate`].
@@ -301,8 +301,8 @@ impl Articulation {
         self.newton_euler(state, qd, qdd, gravity_in_world);
     }
 
-    /// The mass matrix of the moving joints as if none followed others, where the state is: joints ×
-    /// joints [kg m², kg m or kg].
+    /// Returns the mass matrix of the moving joints as if none followed others, in the present state: joints × joints
+    /// [kg m², kg m or kg].
     pub fn joint_mass_matrix(&self, state: &ArticulationState) -> DMatrix<f64> {
         let count = self.joints.len();
         let mut composites = state.clone();
@@ -339,7 +339,7 @@ impl Articulation {
                     let arm = frame.translation - state.frames[p].translation;
                     (state.motions[p], arm)
                 }
-                None => (Motion::fallen(gravity), Vector3::zeros()),
+                None => (Motion::in_free_fall(gravity), Vector3::zeros()),
             };
             let w = at.angular_velocity;
             at.acceleration += at.angular_acceleration.cross(&arm) + w.cross(&w.cross(&arm));
@@ -377,9 +377,9 @@ impl Articulation {
         }
     }
 
-    /// Hands every pair of a joint and one it hangs on (or itself) to `put`, with their entry in the mass
-    /// matrix of the joints. The state's composites are those of single bodies before, of all that a joint
-    /// carries after.
+    /// Calls `put` for every pair of a joint and one of its ancestors (or itself), with their entry in the joint mass
+    /// matrix. On entry the composites are those of single bodies; on return they include all bodies that a joint
+    /// carries.
     fn composite_bodies(
         &self,
         state: &mut ArticulationState,
@@ -403,7 +403,7 @@ impl Articulation {
         }
     }
 
-    /// Velocity at the world's origin and rotation when only this joint moves, at unit speed.
+    /// Returns the velocity at the world's origin and the angular velocity when only this joint moves, at unit speed.
     fn twist(&self, state: &ArticulationState, joint: usize) -> (Vector3, Vector3) {
         let axis = state.frames[joint].axes[2];
         if self.joints[joint].slides {
@@ -413,16 +413,16 @@ impl Articulation {
         }
     }
 
-    /// Pose in the world of something in the frame of a moving joint.
+    /// Returns the pose in the world of something in the frame of a moving joint.
     pub fn world_from(&self, state: &ArticulationState, joint: usize, in_joint: &Pose) -> Pose {
         state.pose(joint) * in_joint
     }
 
-    /// How a point that a moving joint carries moves with the own variables, 6 × n, linear first, in the
-    /// axes of the world. The point is given in the world [m].
+    /// Computes the Jacobian of a point that a moving joint carries, over the own variables: 6 × n, linear first, in
+    /// the axes of the world. The point is given in the world [m].
     ///
     /// # Panics
-    /// If `jacobian` has not n columns.
+    /// If `jacobian` does not have n columns.
     pub fn jacobian(
         &self,
         state: &ArticulationState,
@@ -468,24 +468,24 @@ impl ArticulationState {
         self.frames[joint].translation
     }
 
-    /// The mass matrix, n × n [kg m², kg m or kg].
+    /// Mass matrix, n × n [kg m², kg m or kg].
     pub const fn mass_matrix(&self) -> &DMatrix<f64> {
         &self.mass
     }
 
-    /// Coriolis and centrifugal forces and weight, n [Nm or N].
+    /// Coriolis, centrifugal and gravity efforts, n [Nm or N].
     pub fn bias(&self) -> &[f64] {
         &self.bias
     }
 
-    /// The bias of every moving joint, as if each had a drive of its own [Nm or N].
+    /// Bias of every moving joint, as if each had its own drive [Nm or N].
     pub fn joint_efforts(&self) -> &[f64] {
         &self.joint_efforts
     }
 }
 
 impl Motion {
-    fn fallen(gravity: Vector3) -> Self {
+    fn in_free_fall(gravity: Vector3) -> Self {
         Self {
             angular_velocity: Vector3::zeros(),
             angular_acceleration: Vector3::zeros(),
@@ -516,7 +516,7 @@ impl Composite {
     }
 }
 
-/// Inertia of a unit mass at a place about the origin.
+/// Inertia of a unit point mass about the origin (parallel axis theorem).
 fn about_origin(at: &Vector3) -> Matrix3<f64> {
     Matrix3::from_diagonal_element(at.norm_squared()) - at * at.transpose()
 }
@@ -527,7 +527,7 @@ const NOTHING: Body = Body {
     inertia_about_center: Matrix3::new(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0),
 };
 
-/// A body in another frame.
+/// Transforms a body into another frame.
 fn transformed(body: &Body, to: &Pose) -> Body {
     let rotation = to.rotation.to_rotation_matrix();
     Body {
@@ -537,8 +537,8 @@ fn transformed(body: &Body, to: &Pose) -> Body {
     }
 }
 
-/// Two bodies of the same frame as one.
-fn together(a: &Body, b: &Body) -> Body {
+/// Merges two bodies of the same frame.
+fn merge_bodies(a: &Body, b: &Body) -> Body {
     let mass = a.mass + b.mass;
     if mass <= 0.0 {
         return *a;

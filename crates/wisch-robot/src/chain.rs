@@ -1,4 +1,4 @@
-//! Kinematics from one link to another without allocation, for loops that solve for positions.
+//! Kinematics between two links without allocation, for numerical solvers.
 
 use super::frame::{Frame, z_to};
 use super::{JointKind, LinkId, RobotError, RobotModel};
@@ -8,9 +8,9 @@ use nalgebra::{Dyn, Matrix3, MatrixView, Rotation3, Translation3, U1, U6, UnitQu
 /// Most moving joints, and most variables, of a [`Chain`].
 pub const MAX_CHAIN: usize = 24;
 
-/// The joints between two links of a robot, with everything constant computed beforehand.
+/// The joints between two links of a robot, with all constants computed in advance.
 ///
-/// A chain's variables are those of the robot's that move its joints, in the robot's order.
+/// The variables of a chain are those variables of the robot that move its joints, in the robot's order.
 ///
 /// ```
 /// # use wisch_robot::RobotModel;
@@ -38,8 +38,8 @@ pub struct Chain {
 
 #[derive(Debug, Clone)]
 struct ChainJoint {
-    /// From the previous moving joint, after its motion, to this one before its own. Its z axis is
-    /// the axis of the joint.
+    /// Transform from the previous moving joint, after its motion, to this one before its own. The z axis is the axis
+    /// of the joint.
     previous_from_this: Frame,
     slides: bool,
     offset: f64,
@@ -47,33 +47,32 @@ struct ChainJoint {
     terms: Vec<(usize, f64)>,
 }
 
-/// Where a chain is at some positions.
+/// Configuration of a chain.
 #[derive(Debug, Clone)]
 pub struct ChainKinematics<'a> {
     chain: &'a Chain,
-    /// Axis and origin of every moving joint in the base.
+    /// Axis of every moving joint in the base.
     axes: [Vector3; MAX_CHAIN],
     origins: [Vector3; MAX_CHAIN],
     base_from_tip: Frame,
 }
 
-/// The velocity of a point of the tip per velocity of the chain's variables, 6 × n, linear first, in
-/// the axes of the base.
+/// Jacobian of a point of the tip over the chain's variables: 6 × n, linear first, in the axes of the base.
 #[derive(Debug, Clone)]
 pub struct ChainJacobian {
-    /// One per variable; zero beyond `count`.
+    /// One column per variable; zero beyond `count`.
     columns: [[f64; 6]; MAX_CHAIN],
     count: usize,
 }
 
 impl RobotModel {
-    /// The chain from `base` out to `tip`.
+    /// Returns the chain from `base` out to `tip`.
     ///
     /// # Errors
-    /// If the tip does not hang on the base, or more than [`MAX_CHAIN`] joints or variables move it.
+    /// If the tip is no descendant of the base, or more than [`MAX_CHAIN`] joints or variables move it.
     ///
     /// # Panics
-    /// If a link is one of another, larger robot.
+    /// If a link belongs to another, larger robot.
     pub fn chain(&self, base: LinkId, tip: LinkId) -> Result<Chain, RobotError> {
         let name = |link: LinkId| self.links()[link.0].name.clone();
         let mut path = Vec::new();
@@ -146,33 +145,33 @@ impl RobotModel {
 }
 
 impl Chain {
-    /// The link that poses and velocities are relative to.
+    /// Link to which poses and velocities are relative.
     pub const fn base(&self) -> LinkId {
         self.base
     }
 
-    /// The link at the end, whose pose and velocity the chain gives.
+    /// Link at the end of the chain.
     pub const fn tip(&self) -> LinkId {
         self.tip
     }
 
-    /// For each variable of the chain its position among the robot's.
+    /// Index of each variable of the chain among the robot's variables.
     pub fn variables(&self) -> &[usize] {
         &self.variables
     }
 
-    /// Number of the robot's variables that move the tip against the base, n.
+    /// Number n of the robot's variables that move the tip relative to the base.
     pub fn dof(&self) -> usize {
         self.variables.len()
     }
 
-    /// Where the chain is at the positions `q` of its n variables [rad or m].
+    /// Computes the configuration at positions `q` of the n variables [rad or m].
     ///
     /// # Errors
-    /// If `q` is of another length or not finite.
+    /// If `q` does not have n finite values.
     #[inline]
     pub fn forward_kinematics(&self, q: &[f64]) -> Result<ChainKinematics<'_>, RobotError> {
-        self.checked(q)?;
+        self.check_positions(q)?;
         let mut kinematics = ChainKinematics {
             chain: self,
             axes: [Vector3::zeros(); MAX_CHAIN],
@@ -200,9 +199,9 @@ impl Chain {
         Ok(kinematics)
     }
 
-    /// Whether an array has n finite values.
+    /// Checks that an array has n finite values.
     #[inline]
-    pub(super) fn checked(&self, q: &[f64]) -> Result<(), RobotError> {
+    pub(super) fn check_positions(&self, q: &[f64]) -> Result<(), RobotError> {
         if q.len() != self.dof() {
             return Err(RobotError::Length {
                 what: "positions of the chain",
@@ -225,7 +224,7 @@ impl ChainKinematics<'_> {
     /// Pose of the tip in the base.
     #[inline]
     pub fn base_from_tip(&self) -> Pose {
-        // A product of rotations is one up to rounding.
+        // The columns are orthonormal up to rounding.
         let rotation =
             Rotation3::from_matrix_unchecked(Matrix3::from_columns(&self.base_from_tip.axes));
         Pose::from_parts(
@@ -234,7 +233,7 @@ impl ChainKinematics<'_> {
         )
     }
 
-    /// How a point of the tip [m] moves with each variable of the chain.
+    /// Returns the Jacobian of a point of the tip [m] over the chain's variables.
     #[inline]
     pub fn jacobian(&self, point_in_tip: Point3) -> ChainJacobian {
         let tip = &self.base_from_tip;
@@ -262,7 +261,7 @@ impl ChainKinematics<'_> {
 }
 
 impl ChainJacobian {
-    /// The columns of the n variables, 6 × n: velocity [m/s], then angular velocity [rad/s].
+    /// Returns the columns of the n variables, 6 × n: linear velocity [m/s], then angular velocity [rad/s].
     pub fn view(&self) -> MatrixView<'_, f64, U6, Dyn, U1, U6> {
         let flat = self.columns[..self.count].as_flattened();
         MatrixView::from_slice_generic(flat, U6, Dyn(self.count))

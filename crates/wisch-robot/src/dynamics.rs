@@ -1,24 +1,23 @@
-//! Forces of the joints: mass matrix, bias, inverse dynamics.
+//! Joint-space dynamics: mass matrix, bias, inverse dynamics.
 
 use super::{JointKind, Kinematics, RobotError, RobotModel};
 use crate::geometry::{Point3, Vector3};
 use nalgebra::{DMatrix, DVector, Matrix3, Matrix6};
 
-/// Least inertia that a variable must move for dynamics to be computed [kg m² or kg].
+/// Least inertia that each variable must move for the dynamics to exist [kg m² or kg].
 pub const MIN_INERTIA: f64 = 1e-9;
 
-/// The dynamics of a robot whose every variable moves some inertia:
-/// `M(q) qdd + bias(q, qd, g) = effort`.
+/// Dynamics of a robot each of whose variables moves some inertia: `M(q) qdd + bias(q, qd, g) = effort`.
 ///
 /// | | meaning | unit |
 /// |---|---|---|
 /// | `mass_matrix` | M, n × n, symmetric, positive definite | kg m², kg m, kg |
-/// | `bias` | Coriolis and centrifugal forces and weight, n | Nm or N |
-/// | `gravity` | the bias at rest, n: what holds the robot still | Nm or N |
-/// | `inverse_dynamics` | effort for an acceleration, n | Nm or N |
+/// | `bias` | Coriolis, centrifugal and gravity efforts, n | Nm or N |
+/// | `gravity` | bias at rest, n: the efforts that hold the robot still | Nm or N |
+/// | `inverse_dynamics` | efforts for an acceleration, n | Nm or N |
 ///
-/// Friction and the inertia of motors are not part of a URDF and not in here. `gravity_in_world` is
-/// the acceleration of a falling body [m/s²], such as (0, 0, −9.81) where the root link stands upright.
+/// Friction and the inertia of motors are not part of a URDF and are not modelled. `gravity_in_world` is the
+/// acceleration of free fall [m/s²], such as (0, 0, −9.81) if the root link stands upright.
 ///
 /// Source: Featherstone, *Rigid Body Dynamics Algorithms* (2008), chapters 5 and 6: recursive
 /// Newton–Euler and composite rigid bodies, here in the axes of the world.
@@ -28,7 +27,7 @@ pub struct Dynamics<'a> {
 }
 
 impl RobotModel {
-    /// The dynamics, if the robot has inertia enough for them.
+    /// Returns the dynamics, if the robot has enough inertia.
     ///
     /// ```
     /// # use wisch_robot::RobotModel;
@@ -68,14 +67,14 @@ impl RobotModel {
 }
 
 impl Dynamics<'_> {
-    /// The mass matrix at the positions `q` (n), n × n [kg m², kg m or kg by the kinds of the joints].
+    /// Returns the mass matrix at positions `q` (n): n × n [kg m², kg m or kg by the kinds of the joints].
     ///
     /// # Errors
-    /// If `q` is of another length or not finite.
+    /// If `q` does not have n finite values.
     pub fn mass_matrix(&self, q: &[f64]) -> Result<DMatrix<f64>, RobotError> {
         let kinematics = self.model.forward_kinematics(q)?;
-        // Inertias in the axes of the world about its origin, and columns of joints for that point:
-        // sums then need no change of frame.
+        // With all inertias about the world's origin in the world's axes, and joint columns for that point, sums need
+        // no change of frame.
         let mut composite: Vec<Matrix6<f64>> = spatial_inertias(&kinematics);
         let joints = self.model.joints();
         let columns: Vec<_> = (0..joints.len())
@@ -107,11 +106,11 @@ impl Dynamics<'_> {
         Ok(mass)
     }
 
-    /// Efforts (n) [Nm or N] that give the accelerations `qdd` (n) [rad/s² or m/s²] at the positions
-    /// `q` (n) [rad or m] and velocities `qd` (n) [rad/s or m/s].
+    /// Returns the efforts (n) [Nm or N] that give the accelerations `qdd` (n) [rad/s² or m/s²] at positions `q` (n)
+    /// [rad or m] and velocities `qd` (n) [rad/s or m/s].
     ///
     /// # Errors
-    /// If an array is of another length or not finite.
+    /// If an array does not have n finite values.
     pub fn inverse_dynamics(
         &self,
         q: &[f64],
@@ -120,17 +119,17 @@ impl Dynamics<'_> {
         gravity_in_world: Vector3,
     ) -> Result<DVector<f64>, RobotError> {
         let kinematics = self.model.forward_kinematics(q)?;
-        self.model.checked("velocities", qd)?;
-        self.model.checked("accelerations", qdd)?;
+        self.model.check_values("velocities", qd)?;
+        self.model.check_values("accelerations", qdd)?;
         let motions = motions(&kinematics, qd, qdd, gravity_in_world);
         Ok(self.efforts(&kinematics, &motions))
     }
 
-    /// Efforts (n) [Nm or N] at no acceleration: Coriolis and centrifugal forces and weight, at the
+    /// Returns the efforts (n) [Nm or N] without acceleration, from Coriolis, centrifugal and gravity terms, at
     /// positions `q` (n) [rad or m] and velocities `qd` (n) [rad/s or m/s].
     ///
     /// # Errors
-    /// If an array is of another length or not finite.
+    /// If an array does not have n finite values.
     pub fn bias(
         &self,
         q: &[f64],
@@ -140,10 +139,10 @@ impl Dynamics<'_> {
         self.inverse_dynamics(q, qd, &vec![0.0; self.model.dof()], gravity_in_world)
     }
 
-    /// Efforts (n) [Nm or N] that hold the robot still at the positions `q` (n) [rad or m].
+    /// Returns the efforts (n) [Nm or N] that hold the robot still at positions `q` (n) [rad or m].
     ///
     /// # Errors
-    /// If `q` is of another length or not finite.
+    /// If `q` does not have n finite values.
     pub fn gravity(
         &self,
         q: &[f64],
@@ -152,10 +151,10 @@ impl Dynamics<'_> {
         self.bias(q, &vec![0.0; self.model.dof()], gravity_in_world)
     }
 
-    /// Newton's and Euler's equations from the tips to the root.
+    /// Recursive Newton–Euler: solves the equations from the tips to the root.
     fn efforts(&self, kinematics: &Kinematics, motions: &[Motion]) -> DVector<f64> {
         let links = self.model.links();
-        // Force and moment about the link's origin that its joint passes on.
+        // Force and moment about the link's origin that its joint transmits.
         let mut wrenches = vec![(Vector3::zeros(), Vector3::zeros()); links.len()];
         let mut efforts = DVector::zeros(self.model.dof());
         for at in (0..links.len()).rev() {
@@ -197,12 +196,12 @@ impl Dynamics<'_> {
     }
 }
 
-/// How a link's frame moves, in the axes of the world.
+/// Motion of a link's frame, in the axes of the world.
 #[derive(Clone, Copy)]
 struct Motion {
     angular_velocity: Vector3,
     angular_acceleration: Vector3,
-    /// Of the link's origin, less that of a falling body.
+    /// Acceleration of the link's origin minus that of free fall.
     acceleration: Vector3,
 }
 

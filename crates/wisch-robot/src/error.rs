@@ -1,88 +1,88 @@
-//! Why a text is no robot, or numbers are no configuration of it.
+//! Errors of robot models.
 
 use super::Diagnostic;
 use crate::source_location::{Place, UnknownName};
 
-/// What can be wrong with a robot or with what it is asked.
+/// A reason why a robot description or an argument of a robot function is rejected.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum RobotError {
-    /// The text is not XML, or no URDF.
+    /// The text is no XML or no URDF.
     #[error("{at}: {problem}")]
     Syntax {
-        /// Where.
+        /// Place of the fault.
         at: Place,
         /// What is wrong there.
         problem: String,
     },
-    /// An attribute that does not hold what it should.
+    /// An attribute has an invalid value.
     #[error("{at}: <{element} {attribute}={text:?}>: expected {expected}")]
     Attribute {
-        /// Where its element starts.
+        /// Place at which the element starts.
         at: Place,
-        /// The element.
+        /// Name of the element.
         element: String,
-        /// The attribute.
+        /// Name of the attribute.
         attribute: &'static str,
-        /// What it holds; empty if it is missing.
+        /// Its text; empty if it is missing.
         text: String,
-        /// What it should hold.
+        /// What was expected.
         expected: &'static str,
     },
-    /// More than is read.
+    /// A text exceeds a limit.
     #[error("{file}: {what}: {value} exceeds the limit of {limit}")]
     TooLarge {
-        /// The name of the text.
+        /// Name of the text.
         file: String,
-        /// What there is too much of.
+        /// The quantity that is too large.
         what: &'static str,
-        /// How much there is.
+        /// Its value.
         value: usize,
-        /// How much there may be.
+        /// Its limit.
         limit: usize,
     },
-    /// The text is a URDF, but describes no tree of links that could move.
+    /// The text is a URDF, but does not describe a tree of links that can move.
     #[error("{file}: {}", first_of(diagnostics))]
     Unusable {
-        /// The name of the text.
+        /// Name of the text.
         file: String,
-        /// The faults, at least one, in the order of the text.
+        /// Its errors, at least one, in the order of the text.
         diagnostics: Vec<Diagnostic>,
     },
-    /// A link or joint that the robot does not have.
+    /// The robot has no such link or joint.
     #[error("robot {robot:?}: {unknown}")]
     Unknown {
-        /// The robot.
+        /// Name of the robot.
         robot: String,
-        /// The name and those near it.
+        /// The unknown name, with the nearest known ones.
         unknown: Box<UnknownName>,
     },
-    /// A text that names something the robot does not have.
+    /// A text names something that the robot does not have.
     #[error("{at}: {unknown}")]
     UnknownAt {
-        /// Where.
+        /// Place of the name.
         at: Place,
-        /// The name and those near it.
+        /// The unknown name, with the nearest known ones.
         unknown: Box<UnknownName>,
     },
-    /// A name that nothing bears: a body of a collision model, or a group or posture of an SRDF.
+    /// No body of a collision model, or no group or posture of an SRDF, has this name.
     #[error("{0}")]
     NoSuch(Box<UnknownName>),
-    /// A link of another robot.
-    #[error("link number {link} is none of the robot's {links} links")]
+    /// A link belongs to another robot.
+    #[error("link number {link} does not exist: the robot has {links} links")]
     ForeignLink {
-        /// The link's position.
+        /// Index of the link.
         link: usize,
-        /// How many links the robot has.
+        /// Number of links of the robot.
         links: usize,
     },
-    /// A name that a link, body or obstacle already has.
-    #[error("body {name:?}: a link, body or obstacle of that name exists")]
+    /// A link, body or obstacle already has this name.
+    #[error("body {name:?}: a link, body or obstacle of this name already exists")]
     NameTaken {
         /// The name.
         name: String,
     },
-    /// A body or obstacle whose geometry cannot be used.
+    /// The geometry of a body or obstacle cannot be used.
     #[error("body {name:?}: {problem}")]
     Obstacle {
         /// Its name.
@@ -90,86 +90,86 @@ pub enum RobotError {
         /// What is wrong with it.
         problem: String,
     },
-    /// A distance that is negative or no number.
+    /// A distance is negative or NaN.
     #[error("{what} is {value} m, expected at least 0 m")]
     Distance {
-        /// Which distance.
+        /// Name of the distance.
         what: &'static str,
         /// Its value [m].
         value: f64,
     },
-    /// An array of another length than the robot has variables.
+    /// An array does not have one value per variable.
     #[error("{what} has {found} values, the robot has {expected} variables")]
     Length {
-        /// Which array.
+        /// Name of the array.
         what: &'static str,
         /// Its length.
         found: usize,
         /// The length it should have.
         expected: usize,
     },
-    /// A value that is infinite or no number.
+    /// A value is infinite or NaN.
     #[error("joint {joint:?}: {what} {value} is not finite")]
     NotFinite {
-        /// The joint.
+        /// Name of the joint.
         joint: String,
-        /// Which array.
+        /// Name of the array.
         what: &'static str,
         /// The value.
         value: f64,
     },
-    /// A value that is not what it may be.
+    /// A value is outside its range.
     #[error("{what} is {value}: it must be {limit}")]
     Value {
-        /// What has the value.
+        /// Name of the value.
         what: &'static str,
         /// The value.
         value: f64,
-        /// What it must be, with its unit.
+        /// Its range, with its unit.
         limit: &'static str,
     },
-    /// The tip is not held by the base.
-    #[error("link {tip:?} does not hang on link {base:?}; it hangs on: {}", ancestors.join(", "))]
+    /// The tip is no descendant of the base.
+    #[error("link {tip:?} is no descendant of link {base:?}; its ancestors: {}", ancestors.join(", "))]
     NoChain {
-        /// Where the chain should begin.
+        /// Base of the chain.
         base: String,
-        /// Where it should end.
+        /// Tip of the chain.
         tip: String,
-        /// The links that hold the tip, the nearest first.
+        /// Ancestors of the tip, the nearest first.
         ancestors: Vec<String>,
     },
-    /// A chain of more joints or variables than fit.
+    /// A chain has too many joints or variables.
     #[error("chain {base:?} to {tip:?}: {value} {what} exceed the limit of {limit}")]
     ChainTooLong {
-        /// Where the chain begins.
+        /// Base of the chain.
         base: String,
-        /// Where it ends.
+        /// Tip of the chain.
         tip: String,
-        /// What there is too much of.
+        /// The quantity that is too large.
         what: &'static str,
-        /// How much there is.
+        /// Its value.
         value: usize,
-        /// How much there may be.
+        /// Its limit.
         limit: usize,
     },
-    /// A joint that moves nothing that has inertia.
+    /// A joint moves no inertia.
     #[error(
-        "joint {joint:?} moves an inertia of {value:e} (kg or kg m2), below the limit of {limit:e}: give link {link:?} or one it holds an <inertial>"
+        "joint {joint:?} moves an inertia of {value:e} (kg or kg m2), below the limit of {limit:e}: give link {link:?} or one of its children an <inertial>"
     )]
     NoInertia {
-        /// The joint.
+        /// Name of the joint.
         joint: String,
-        /// The link that it moves.
+        /// Child link of the joint.
         link: String,
         /// The inertia about, or mass along, the joint's axis [kg m² or kg].
         value: f64,
-        /// What it must exceed [kg m² or kg].
+        /// Least inertia [kg m² or kg].
         limit: f64,
     },
 }
 
 impl RobotError {
-    /// Where it is, what was found there, and what was expected, for a diagnostic; `whole` is what the whole should be.
+    /// Returns place, finding and expectation for a diagnostic; `whole` describes what the whole text should be.
     pub(super) fn parts(&self, whole: &str) -> (Option<&Place>, String, String) {
         match self {
             Self::Syntax { at, problem } => (Some(at), problem.clone(), whole.to_owned()),

@@ -1,9 +1,9 @@
-//! Frames as rotation matrices, for loops, and the frame of a joint's axis.
+//! Frames as rotation matrices for inner loops, and the frame of a joint's axis.
 
 use crate::geometry::{Pose, Vector3};
 use nalgebra::UnitQuaternion;
 
-/// The columns of a rotation matrix, and a translation: composing them costs less than quaternions.
+/// Columns of a rotation matrix, and a translation. Their composition is cheaper than that of quaternions.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Frame {
     pub axes: [Vector3; 3],
@@ -29,7 +29,7 @@ impl Frame {
         x * v.x + y * v.y + z * v.z
     }
 
-    /// `turn` undone.
+    /// Applies the inverse rotation.
     #[inline]
     pub fn turn_back(&self, v: &Vector3) -> Vector3 {
         let [x, y, z] = &self.axes;
@@ -46,7 +46,7 @@ impl Frame {
     }
 }
 
-/// The rotation that takes the z axis to this one.
+/// Returns the rotation that takes the z axis to this one.
 pub fn z_to(axis: &Vector3) -> UnitQuaternion<f64> {
     UnitQuaternion::rotation_between(&Vector3::z(), axis).unwrap_or_else(|| {
         UnitQuaternion::from_axis_angle(&Vector3::x_axis(), std::f64::consts::PI)

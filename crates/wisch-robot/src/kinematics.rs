@@ -1,16 +1,16 @@
-//! Where the links are, and how they move.
+//! Forward kinematics and Jacobians of all links.
 
 use super::model::motion;
 use super::{JointKind, LinkId, RobotError, RobotModel};
 use crate::geometry::{Point3, Pose, Vector3};
 use nalgebra::{Matrix6xX, Vector6};
 
-/// Where every link of a robot is at some positions.
+/// Poses of all links of a robot at a configuration.
 ///
 /// | | meaning | shape |
 /// |---|---|---|
 /// | [`world_from_link`](Self::world_from_link) | pose of a link in the world | pose |
-/// | [`jacobian`](Self::jacobian) | velocity of a point of a link per velocity of the variables | 6 × n |
+/// | [`jacobian`](Self::jacobian) | velocity of a point of a link, per velocity of the variables | 6 × n |
 #[derive(Debug, Clone)]
 pub struct Kinematics<'a> {
     pub(super) model: &'a RobotModel,
@@ -18,7 +18,7 @@ pub struct Kinematics<'a> {
 }
 
 impl RobotModel {
-    /// Where every link is at the positions `q` (n) [rad or m]. Limits are not looked at.
+    /// Computes the poses of all links at positions `q` (n) [rad or m]. Limits are not checked.
     ///
     /// ```
     /// # use wisch_robot::RobotModel;
@@ -32,7 +32,7 @@ impl RobotModel {
     /// let tip_in_rod = Point3::new(2.0, 0.0, 0.0);
     /// let tip_in_world = kinematics.world_from_link(rod) * tip_in_rod;
     /// assert!((tip_in_world - Point3::new(0.0, 2.0, 0.0)).norm() < 1e-12);
-    /// // At 1 rad/s it moves at 2 m/s along −x and turns at 1 rad/s about z.
+    /// // At 1 rad/s it moves at 2 m/s along −x and rotates at 1 rad/s about z.
     /// let per_velocity = kinematics.jacobian(rod, tip_in_rod);
     /// assert!((per_velocity[(0, 0)] + 2.0).abs() < 1e-12);
     /// assert!((per_velocity[(5, 0)] - 1.0).abs() < 1e-12);
@@ -40,9 +40,9 @@ impl RobotModel {
     /// ```
     ///
     /// # Errors
-    /// If `q` is of another length or not finite.
+    /// If `q` does not have n finite values.
     pub fn forward_kinematics(&self, q: &[f64]) -> Result<Kinematics<'_>, RobotError> {
-        self.checked("positions", q)?;
+        self.check_values("positions", q)?;
         let mut world_from_link = Vec::with_capacity(self.links().len());
         world_from_link.push(Pose::identity());
         for joint in self.joints() {
@@ -58,20 +58,20 @@ impl RobotModel {
 }
 
 impl Kinematics<'_> {
-    /// Pose of a link in the world, the frame of the root link.
+    /// Returns the pose of a link in the world, which is the frame of the root link.
     ///
     /// # Panics
-    /// If the link is one of another, larger robot.
+    /// If the link belongs to another, larger robot.
     pub fn world_from_link(&self, link: LinkId) -> Pose {
         self.world_from_link[link.0]
     }
 
-    /// How a point of a link moves, 6 × n: the column of a variable is the velocity of the point
-    /// (rows 0–2) [m/s] and of the link's rotation (rows 3–5) [rad/s] in the world, per unit velocity
-    /// of that variable.
+    /// Returns the Jacobian of a point of a link, 6 × n. The column of a variable is the velocity of the point (rows
+    /// 0–2) [m/s] and the angular velocity of the link (rows 3–5) [rad/s] in the world, per unit velocity of that
+    /// variable.
     ///
     /// # Panics
-    /// If the link is one of another, larger robot.
+    /// If the link belongs to another, larger robot.
     pub fn jacobian(&self, link: LinkId, point_in_link: Point3) -> Matrix6xX<f64> {
         let mut jacobian = Matrix6xX::zeros(self.model.dof());
         let point = self.world_from_link[link.0] * point_in_link;
@@ -93,7 +93,7 @@ impl Kinematics<'_> {
         self.world_from_link[joint.child.0].rotation * joint.axis.into_inner()
     }
 
-    /// Velocity of a point in the world, linear first, when only this joint moves, at unit speed.
+    /// Returns the velocity of a point in the world, linear first, when only this joint moves, at unit speed.
     pub(super) fn joint_column(&self, joint: usize, point: Point3) -> Vector6<f64> {
         let axis = self.world_axis(joint);
         let joint = &self.model.joints()[joint];

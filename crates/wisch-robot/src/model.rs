@@ -8,23 +8,23 @@ use crate::source_location::UnknownName;
 use nalgebra::{Matrix3, Unit, UnitQuaternion};
 use std::collections::BTreeMap;
 
-/// A link of one robot; links are numbered so that a parent comes before its children, the root first.
+/// Index of a link of a robot. A parent comes before its children, the root first.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct LinkId(pub(super) usize);
 
-/// A joint of one robot, numbered along the tree.
+/// Index of a joint of a robot, along the tree.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct JointId(pub(super) usize);
 
 impl LinkId {
-    /// Position of the link in [`RobotModel::links`].
+    /// Index in [`RobotModel::links`].
     pub const fn index(self) -> usize {
         self.0
     }
 }
 
 impl JointId {
-    /// Position of the joint in [`RobotModel::joints`].
+    /// Index in [`RobotModel::joints`].
     pub const fn index(self) -> usize {
         self.0
     }
@@ -33,13 +33,13 @@ impl JointId {
 /// A rigid part of the robot.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Link {
-    /// Its name, which no other link has.
+    /// Name, unique among the links.
     pub name: String,
-    /// The joint that holds it; `None` for the root.
+    /// The joint above the link; `None` for the root.
     pub parent: Option<JointId>,
-    /// Its mass and inertia; `None` if it has none.
+    /// Mass and inertia; `None` for a link without mass.
     pub body: Option<Body>,
-    /// Its shapes for collision checks.
+    /// Shapes for collision checks.
     pub collision: Vec<Collision>,
 }
 
@@ -54,20 +54,20 @@ pub struct Body {
     pub inertia_about_center: Matrix3<f64>,
 }
 
-/// How a joint moves, and by that the unit of its positions; a URDF's planar joint is read as three of them.
+/// Kind of a joint, which determines the unit of its positions. A planar joint of a URDF is read as three joints.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum JointKind {
-    /// Not at all.
+    /// The joint does not move.
     Fixed,
-    /// It turns about its axis, positions are angles [rad]. URDF's `continuous` is one without
+    /// The joint rotates about its axis; positions are angles [rad]. URDF's `continuous` is a revolute joint without
     /// position limits.
     Revolute,
-    /// It slides along its axis, positions are lengths [m].
+    /// The joint slides along its axis; positions are lengths [m].
     Prismatic,
 }
 
 impl JointKind {
-    /// The unit of its positions: "rad" or "m"; empty for a fixed joint.
+    /// Unit of its positions: "rad" or "m"; empty for a fixed joint.
     pub const fn unit(self) -> &'static str {
         match self {
             Self::Fixed => "",
@@ -76,7 +76,7 @@ impl JointKind {
         }
     }
 
-    /// The unit of its efforts: "Nm" or "N"; empty for a fixed joint.
+    /// Unit of its efforts: "Nm" or "N"; empty for a fixed joint.
     pub const fn effort_unit(self) -> &'static str {
         match self {
             Self::Fixed => "",
@@ -91,67 +91,67 @@ impl JointKind {
 /// `parent_from_child = parent_from_joint * motion(axis, position)`.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Joint {
-    /// Its name, which no other joint has.
+    /// Name, unique among the joints.
     pub name: String,
-    /// How it moves.
+    /// Kind of its motion.
     pub kind: JointKind,
-    /// The link that holds it.
+    /// Parent link.
     pub parent: LinkId,
-    /// The link that it holds.
+    /// Child link.
     pub child: LinkId,
-    /// Where the child is at position zero.
+    /// Pose of the child in the parent at position 0.
     pub parent_from_joint: Pose,
-    /// Its axis, the same in the joint's and the child's frame.
+    /// Axis, the same in the joint's and in the child's frame.
     pub axis: Unit<Vector3>,
-    /// What moves it.
+    /// How the variables determine its position.
     pub drive: Drive,
-    /// Its limits; those of a joint that follows several others couple them.
+    /// Limits; for a joint that follows several others they couple those.
     pub limits: SingleJointLimits,
 }
 
-/// Where a joint is, as a linear function of the variables: `offset + Σ factor · q[variable]`.
+/// Position of a joint as a linear function of the variables: `offset + Σ factor · q[variable]`.
 ///
-/// A joint that is a variable itself has the one term (variable, 1), a fixed one has none.
+/// A joint that is a variable has the single term (variable, 1); a fixed joint has none.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Drive {
-    /// Position when all variables are zero [rad or m].
+    /// Position when all variables are 0 [rad or m].
     pub offset: f64,
     /// Pairs of a variable and its factor.
     pub terms: Vec<(usize, f64)>,
 }
 
 impl Drive {
-    /// Position of the joint [rad or m] at these variables.
+    /// Position of the joint [rad or m] at the variables `q`.
     ///
     /// # Panics
-    /// If `q` is shorter than the robot has variables.
+    /// If `q` has fewer values than the robot has variables.
     pub fn position(&self, q: &[f64]) -> f64 {
         self.offset + self.rate(q)
     }
 
-    /// Velocity of the joint at these velocities of the variables; likewise acceleration.
+    /// Velocity of the joint, given those of the variables; the same holds for accelerations.
     ///
     /// # Panics
-    /// If `qd` is shorter than the robot has variables.
+    /// If `qd` has fewer values than the robot has variables.
     pub fn rate(&self, qd: &[f64]) -> f64 {
         self.terms.iter().map(|&(i, factor)| factor * qd[i]).sum()
     }
 }
 
-/// Values from `lower` to `upper`, both included.
+/// A closed range from `lower` to `upper`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Range {
-    /// The least [rad or m].
+    /// Lower end [rad or m].
     pub lower: f64,
-    /// The greatest [rad or m].
+    /// Upper end [rad or m].
     pub upper: f64,
 }
 
 impl Range {
-    /// The share of its width that a range loses at either end at most.
+    /// Largest share of its width that a range may lose at either end [1].
     const MOST_NARROWED: f64 = 0.1;
 
-    /// The same without a margin at either end, which is at most a tenth of the range.
+    /// Returns the range without a margin at either end; the margin is limited to a tenth of the range.
     #[must_use]
     pub fn narrowed(self, margin: f64) -> Self {
         let margin = margin.min(Self::MOST_NARROWED * (self.upper - self.lower));
@@ -162,22 +162,22 @@ impl Range {
     }
 }
 
-/// Velocity [rad/s] and acceleration [rad/s²] that are assumed of a joint that turns and has no such limits: those of the
+/// Velocity [rad/s] and acceleration [rad/s²] that are assumed for a revolute joint without these limits: those of the
 /// paper's arm (§3.4).
 pub const ASSUMED_TURN_RATES: [f64; 2] = [1.0, 10.0];
-/// The same of a joint that slides: those of the paper's mobile base (§3.4) [m/s], [m/s²].
+/// The same for a prismatic joint: those of the paper's mobile base (§3.4) [m/s], [m/s²].
 pub const ASSUMED_SLIDE_RATES: [f64; 2] = [0.5, 1.0];
 
-/// The limits of a joint; what is `None` is not limited.
+/// Limits of a joint; `None` stands for unlimited.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct SingleJointLimits {
     /// Positions [rad or m].
     pub position: Option<Range>,
-    /// Greatest velocity, either direction [rad/s or m/s].
+    /// Largest velocity in either direction [rad/s or m/s].
     pub velocity: Option<f64>,
-    /// Greatest acceleration, either direction [rad/s² or m/s²].
+    /// Largest acceleration in either direction [rad/s² or m/s²].
     pub acceleration: Option<f64>,
-    /// Greatest torque or force, either direction [Nm or N].
+    /// Largest torque or force in either direction [Nm or N].
     pub effort: Option<f64>,
 }
 
@@ -185,17 +185,17 @@ pub struct SingleJointLimits {
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[error("joint {joint:?}: {position} {unit} is outside its limits {} to {} {unit}", limits.lower, limits.upper)]
 pub struct LimitFault {
-    /// The joint's name.
+    /// Name of the joint.
     pub joint: String,
-    /// Where it is [rad or m].
+    /// Its position [rad or m].
     pub position: f64,
-    /// Where it may be [rad or m].
+    /// Its position limits [rad or m].
     pub limits: Range,
     /// "rad" or "m".
     pub unit: &'static str,
 }
 
-/// A robot: a tree of links, with limits, bodies and shapes. Constant once read.
+/// A robot: a tree of links with limits, bodies and shapes. It is constant once it is read.
 ///
 /// ```
 /// use wisch_robot::RobotModel;
@@ -223,12 +223,13 @@ pub struct RobotModel {
 }
 
 impl RobotModel {
-    /// Reads a URDF. `name` is used in messages; `meshes` returns the bytes of a collision mesh by the
-    /// file name that the URDF gives it, or says why it cannot. Visual geometry is not read: [`Appearance`](super::Appearance) has it.
+    /// Reads a URDF. `name` identifies the text in messages. `meshes` returns the bytes of a collision mesh, given its
+    /// file name in the URDF, or an error text. Visual geometry is not read here, but by
+    /// [`Appearance`](super::Appearance).
     ///
     /// # Errors
-    /// If the text is no URDF or larger than is read, or if [`check`](super::check) finds errors:
-    /// all of them are in [`RobotError::Unusable`].
+    /// If the text is no URDF or exceeds a limit, or if [`check`](super::check) finds errors: [`RobotError::Unusable`]
+    /// holds all of them.
     pub fn from_urdf(
         name: &str,
         text: &str,
@@ -244,7 +245,7 @@ impl RobotModel {
             let file = name.to_owned();
             return Err(RobotError::Unusable { file, diagnostics });
         }
-        let (order, parents) = along_the_tree(&urdf);
+        let (order, parents) = tree_order(&urdf);
         let mut links = Vec::with_capacity(order.len());
         let mut id_of = BTreeMap::new();
         for (i, &at) in order.iter().enumerate() {
@@ -279,52 +280,52 @@ impl RobotModel {
         })
     }
 
-    /// The robot's name, as its URDF gives it.
+    /// Name of the robot in its URDF.
     pub fn name(&self) -> &str {
         &self.name
     }
 
-    /// The links, a parent before its children; the first is the root.
+    /// Links, a parent before its children; the first is the root.
     pub fn links(&self) -> &[Link] {
         &self.links
     }
 
-    /// The joints along the tree: joint i holds link i + 1.
+    /// Joints along the tree: joint i is above link i + 1.
     pub fn joints(&self) -> &[Joint] {
         &self.joints
     }
 
-    /// The joints that move by themselves, in the order of every array of positions.
+    /// Joints that move by themselves, in the order of every array of positions.
     pub fn variables(&self) -> &[JointId] {
         &self.variables
     }
 
-    /// Number of variables, n: joints that move by themselves, not those that follow others. The length of every array
-    /// of positions, velocities and efforts.
+    /// Number n of variables: joints that move by themselves, without followers. It is the length of every array of
+    /// positions, velocities and efforts.
     pub fn dof(&self) -> usize {
         self.variables.len()
     }
 
-    /// What was missing or odd in the URDF, none of it an error.
+    /// Warnings and notes on the URDF; errors keep a robot from being made.
     pub fn diagnostics(&self) -> &[Diagnostic] {
         &self.diagnostics
     }
 
-    /// The root, whose frame is the world.
+    /// The root link, whose frame is the world.
     pub const fn root(&self) -> LinkId {
         LinkId(0)
     }
 
-    /// The joints from the one that holds a link up to the root's.
+    /// Iterates over the joints from the one above a link up to the root.
     ///
     /// # Panics
-    /// If the link is one of another, larger robot.
+    /// If the link belongs to another, larger robot.
     pub fn joints_above(&self, link: LinkId) -> impl Iterator<Item = &Joint> {
         let holder = |link: LinkId| Some(&self.joints[self.links[link.0].parent?.0]);
         std::iter::successors(holder(link), move |joint| holder(joint.parent))
     }
 
-    /// The link of a name.
+    /// Returns the link of this name.
     ///
     /// # Errors
     /// If there is none; the error has the nearest names.
@@ -336,7 +337,7 @@ impl RobotModel {
             .ok_or_else(|| self.unknown("link", name, &mut known()))
     }
 
-    /// The joint of a name.
+    /// Returns the joint of this name.
     ///
     /// # Errors
     /// If there is none; the error has the nearest names.
@@ -360,7 +361,7 @@ impl RobotModel {
         }
     }
 
-    /// The joint of variable `i`.
+    /// Returns the joint of variable `i`.
     ///
     /// # Panics
     /// If the robot has no variable `i`.
@@ -368,7 +369,7 @@ impl RobotModel {
         &self.joints[self.variables[i].0]
     }
 
-    /// The joints that move but are no variables: those that follow others.
+    /// Iterates over the joints that follow others.
     pub fn followers(&self) -> impl Iterator<Item = &Joint> {
         let joints = self.joints.iter().enumerate();
         joints
@@ -378,13 +379,13 @@ impl RobotModel {
             .map(|(_, joint)| joint)
     }
 
-    /// Every joint that these positions (n) put outside its limits, in the order of the joints;
-    /// joints that follow others included, which is how coupled limits are checked.
+    /// Returns a fault for every joint that the positions `q` (n) put outside its limits, in the order of the joints.
+    /// Followers are included, which checks coupled limits.
     ///
     /// # Errors
-    /// If `q` is of another length or not finite.
+    /// If `q` does not have n finite values.
     pub fn limit_faults(&self, q: &[f64]) -> Result<Vec<LimitFault>, RobotError> {
-        self.checked("positions", q)?;
+        self.check_values("positions", q)?;
         let fault = |joint: &Joint| {
             let limits = joint.limits.position?;
             let position = joint.drive.position(q);
@@ -399,8 +400,12 @@ impl RobotModel {
         Ok(self.joints.iter().filter_map(fault).collect())
     }
 
-    /// Whether an array has n finite values.
-    pub(super) fn checked(&self, what: &'static str, values: &[f64]) -> Result<(), RobotError> {
+    /// Checks that an array has n finite values.
+    pub(super) fn check_values(
+        &self,
+        what: &'static str,
+        values: &[f64],
+    ) -> Result<(), RobotError> {
         if values.len() != self.dof() {
             return Err(RobotError::Length {
                 what,
@@ -419,8 +424,8 @@ impl RobotModel {
     }
 }
 
-/// The links along the tree, and for each but the root the joint that holds it, as indices.
-fn along_the_tree(urdf: &Urdf) -> (Vec<usize>, Vec<usize>) {
+/// Returns the indices of the links along the tree, and of the joint above each link but the root.
+fn tree_order(urdf: &Urdf) -> (Vec<usize>, Vec<usize>) {
     let link_at: BTreeMap<&str, usize> = urdf
         .links
         .iter()
@@ -496,7 +501,7 @@ fn joint(joint: &UrdfJoint, id_of: &BTreeMap<&str, LinkId>) -> Joint {
     }
 }
 
-/// Writes joints that follow others as sums of variables. The rules are free of circles.
+/// Expresses joints that follow others as sums of variables; the rules have no cycles.
 fn drive_followers(urdf: &Urdf, joints: &mut [Joint]) {
     let at: BTreeMap<String, usize> = joints
         .iter()
@@ -536,7 +541,7 @@ fn drive_followers(urdf: &Urdf, joints: &mut [Joint]) {
     }
 }
 
-/// The motion of a joint from its frame at zero to its frame at a position.
+/// Returns the motion of a joint from its frame at position 0 to its frame at `position`.
 pub(super) fn motion(joint: &Joint, position: f64) -> Pose {
     match joint.kind {
         JointKind::Fixed => Pose::identity(),

@@ -1,12 +1,12 @@
-//! Where a text says something, and what to answer when it names something unknown.
+//! Places in texts, and errors about unknown names.
 
 use std::borrow::Cow;
 use std::fmt;
 
-/// A place in a text that was handed in, printed as `file:line:column`.
+/// A place in a text, printed as `file:line:column`.
 #[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Place {
-    /// The name under which the text was handed in.
+    /// Name of the text.
     pub file: String,
     /// Line, counted from 1.
     pub line: usize,
@@ -15,7 +15,7 @@ pub struct Place {
 }
 
 impl Place {
-    /// The place of the byte at `offset`; beyond the end of the text it is the end.
+    /// Returns the place of the byte at `offset`, or the end of the text if `offset` is beyond it.
     ///
     /// ```
     /// use wisch_robot::source_location::Place;
@@ -39,8 +39,9 @@ impl fmt::Display for Place {
     }
 }
 
-/// A text with its control characters, and those that turn the direction of writing, as `\u` and four hexadecimal digits, but for
-/// line breaks and tabs: what a stranger's file holds moves no cursor and hides nothing. JSON stays the same value.
+/// Returns a text whose control characters, and those that change the writing direction, are written as `\u` and four
+/// hexadecimal digits, except for line breaks and tabs. A file from a stranger can then neither move the cursor nor
+/// hide text. JSON keeps its value.
 ///
 /// ```
 /// use wisch_robot::source_location::visible;
@@ -66,23 +67,23 @@ pub fn visible(text: &str) -> Cow<'_, str> {
     Cow::Owned(shown)
 }
 
-/// A name that nothing known bears, with the nearest that is known.
+/// An unknown name, with the nearest known ones.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 #[error("unknown {kind} {name:?}{}", self.known_names())]
 pub struct UnknownName {
-    /// What the name should have named, such as "tool".
+    /// Kind of the named thing, such as "tool".
     pub kind: &'static str,
-    /// The name as given.
+    /// The unknown name.
     pub name: String,
-    /// Every known name of that kind, nearest first.
+    /// Every known name of that kind, the nearest first.
     pub known: Vec<String>,
 }
 
-/// How many known names a message lists.
+/// Number of known names that a message lists.
 const NAMES_SHOWN: usize = 12;
 
 impl UnknownName {
-    /// Ranks the known names by their edit distance to the given one, ties by alphabet.
+    /// Sorts the known names by their edit distance to the given one, then alphabetically.
     pub fn new<'a>(
         kind: &'static str,
         name: &str,
@@ -100,7 +101,7 @@ impl UnknownName {
         }
     }
 
-    /// The known name nearest to the one given; `None` if nothing of the kind is known.
+    /// The known name nearest to the given one; `None` if no name of the kind is known.
     pub fn nearest(&self) -> Option<&str> {
         self.known.first().map(String::as_str)
     }

@@ -18,7 +18,7 @@ fn robot(text: &str) -> RobotModel {
     RobotModel::from_urdf("test.urdf", text, &mut no_meshes).unwrap()
 }
 
-/// A robot of two links and what is put between.
+/// Returns the URDF of a robot of two links, with `between` between them.
 fn two_links(between: &str) -> String {
     format!(
         r#"<robot name="r"><link name="a"/><link name="b"><inertial><mass value="1"/>
@@ -269,7 +269,7 @@ fn names_and_numbers_that_do_not_fit_are_named() {
     );
     let message = robot.chain(left, right).unwrap_err().to_string();
     assert!(
-        message.starts_with("link \"right_tcp\" does not hang on link \"left_tcp\""),
+        message.starts_with("link \"right_tcp\" is no descendant of link \"left_tcp\""),
         "{message}"
     );
     let text = two_links(HINGE).replace("lower=\"-1\"", "lower=\"-1 rad\"");
@@ -371,8 +371,8 @@ fn a_fixed_joint_may_keep_its_mimic() {
 <joint name="j" type="fixed"><parent link="a"/><child link="b"/><mimic joint="gone"/></joint></robot>"#;
     let robot = RobotModel::from_urdf("r.urdf", text, &mut no_meshes).unwrap();
     assert_eq!(robot.dof(), 0);
-    let told = (robot.diagnostics().iter()).find(|found| found.kind == DiagnosticKind::Mimic);
-    assert_eq!(told.expect("it is told").severity, Severity::Note);
+    let note = (robot.diagnostics().iter()).find(|found| found.kind == DiagnosticKind::Mimic);
+    assert_eq!(note.expect("it is reported").severity, Severity::Note);
 }
 
 proptest! {
@@ -500,7 +500,7 @@ proptest! {
     }
 }
 
-/// Reads a robot and computes what there is to compute.
+/// Reads a robot and computes everything that it has.
 fn use_all(text: &str) -> Result<(), RobotError> {
     let robot = RobotModel::from_urdf("test.urdf", text, &mut no_meshes)?;
     Appearance::from_urdf("test.urdf", text, &robot, &mut no_meshes)?;

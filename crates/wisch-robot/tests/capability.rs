@@ -402,18 +402,18 @@ fn wrong_files_are_refused_with_what_is_wrong() {
     newer[8] = 3;
     assert_eq!(
         refusal(&newer, robot),
-        "a.map: capability map of format 3, this program reads format 2: wisch robot map builds it again"
+        "a.map: capability map of format 3, this program reads format 2: build it again with `wisch robot map`"
     );
     assert_eq!(
         refusal(&bytes[..bytes.len() - 1], robot),
-        "a.map: no capability map: its sum is wrong: it is cut short or damaged"
+        "a.map: no capability map: its checksum is wrong: it is cut short or damaged"
     );
     let other = telescope(1.0);
     let (found, expected) = (RobotHash::of(robot), RobotHash::of(&other));
     assert_eq!(
         refusal(&bytes, &other),
         format!(
-            "a.map: capability map of another robot (it has {found}, the robot is {expected}): build it again"
+            "a.map: capability map of another robot (it has {found}, the robot is {expected}): build it again with `wisch robot map`"
         )
     );
 }
@@ -500,7 +500,7 @@ fn a_slide_without_end_is_refused() {
     let refused = build(&robot, &CONFIG).map(|_| ());
     assert_eq!(
         refused.unwrap_err().to_string(),
-        r#"joint "rail" slides without limits: no map can hold all places it reaches"#
+        r#"joint "rail" slides without limits, so its reach is unbounded: give it position limits"#
     );
 }
 

@@ -267,7 +267,7 @@ fn names_poses_and_arrays_that_are_wrong_are_refused() {
         ),
         (
             model.add_obstacle("a", Pose::identity(), &mesh),
-            "body \"a\": a link, body or obstacle of that name exists",
+            "body \"a\": a link, body or obstacle of this name already exists",
         ),
         (
             model.add_obstacle("wall", nowhere, &mesh),

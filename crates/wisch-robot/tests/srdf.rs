@@ -60,7 +60,7 @@ fn faults_of_an_srdf_are_found_and_placed() {
         (
             "base_link=\"link_0\" tip_link=\"tcp\"",
             "base_link=\"tcp\" tip_link=\"link_0\"",
-            "arm.srdf:2:21: group \"arm\": link \"link_0\" does not hang on link \"tcp\"",
+            "arm.srdf:2:21: group \"arm\": link \"link_0\" is no descendant of link \"tcp\"",
         ),
         (
             "group=\"arm\"",
@@ -95,12 +95,12 @@ fn faults_of_an_srdf_are_found_and_placed() {
         (
             "</group_state>",
             "<joint name=\"joint_1\" value=\"0\"/></group_state>",
-            "arm.srdf:3:75: joint \"joint_1\" is there twice",
+            "arm.srdf:3:75: joint \"joint_1\" is set twice",
         ),
         (
             "  <disable",
             "<group name=\"arm\"/>  <disable",
-            "arm.srdf:4:1: group \"arm\" is there twice",
+            "arm.srdf:4:1: group \"arm\" is defined twice",
         ),
     ];
     for (good, bad, expected) in table {
@@ -131,7 +131,7 @@ fn pairs_and_postures_that_harm_no_group_are_passed_over() {
         (
             "  <disable",
             "<group_state name=\"folded\" group=\"\"/>  <disable",
-            "arm.srdf:4:1: robot: posture \"folded\": it is of no group",
+            "arm.srdf:4:1: robot: posture \"folded\": it belongs to no group",
             Severity::Note,
         ),
     ] {

@@ -15,14 +15,14 @@ pub fn normal(random: &mut impl Rng) -> f64 {
     normal_pair(random).x
 }
 
-/// A number uniform in (0, 1) for a key, an item and a draw: the same whatever else was drawn before.
+/// Returns a number uniform in (0, 1) for a key, an item and a draw, independent of the order of calls.
 pub fn keyed_uniform(key: u64, item: u64, draw: u32) -> f64 {
     let mixed = mix(mix(key ^ mix(item)).wrapping_add(u64::from(draw)));
-    // 53 bits, the middle of each step.
+    // The upper 53 bits, each value at the middle of its step.
     ((mixed >> 11) as f64 + 0.5) * (1.0 / (1_u64 << 53) as f64)
 }
 
-/// The finaliser of SplitMix64 (Steele, Lea and Flood, 2014) after its increment.
+/// SplitMix64's finaliser after its increment (Steele, Lea and Flood, 2014).
 fn mix(value: u64) -> u64 {
     let z = value.wrapping_add(0x9E37_79B9_7F4A_7C15);
     let z = (z ^ (z >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
@@ -35,7 +35,7 @@ mod tests {
     use super::*;
     use rand_chacha::{ChaCha8Rng, rand_core::SeedableRng};
 
-    /// Mean, variance and fourth moment of numbers.
+    /// Returns mean, variance and fourth moment.
     fn moments(numbers: impl Iterator<Item = f64> + Clone) -> [f64; 3] {
         let count = numbers.clone().count() as f64;
         let mean = numbers.clone().sum::<f64>() / count;

@@ -134,21 +134,21 @@ fn goals_that_cannot_be_reached_say_why() {
     );
     assert_eq!(
         resolve_error("(absorbed detergent table)", None, &["broom", "brush"]),
-        "none of the tools at hand (broom, brush) can absorb detergent on table; known to: sponge"
+        "none of the available tools (broom, brush) can absorb detergent on table; tools that can: sponge"
     );
     assert_eq!(
         resolve_error("(absorbed water table)", None, &[]),
-        "none of the tools at hand (none) can absorb water on table; known to: sponge"
+        "none of the available tools (none) can absorb water on table; tools that can: sponge"
     );
     assert_eq!(
         resolve_error("(holding sponge)", None, &["broom"]),
-        "(holding sponge) takes sponge, which is not at hand; at hand: broom"
+        "(holding sponge) needs sponge, which is not available; available: broom"
     );
     for goal in ["(holding sponge)", "(hand-empty)", "(on dust table)"] {
         assert_eq!(
             resolve_error(goal, None, &["sponge"]),
             format!(
-                "goal {goal} takes no wiping action; goals that do: absorbed, collected, emitted, polished, skimmed"
+                "goal {goal} needs no wiping action; goals that do: absorbed, collected, emitted, polished, skimmed"
             )
         );
     }

@@ -338,7 +338,7 @@ fn what_is_no_measurement_is_refused_with_number_field_and_value() {
     interpreter.push(&sample).unwrap();
     assert_eq!(
         interpreter.push(&sample).unwrap_err().to_string(),
-        "sample 1: time 1 s is not after 1 s, the time of the one before"
+        "sample 1: time 1 s is not after 1 s, the time of the sample before it"
     );
     let mut deaf = TouchSample {
         time: 2.0,

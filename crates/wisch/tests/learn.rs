@@ -281,7 +281,7 @@ fn what_teaches_nothing_is_refused_by_name() {
     });
     assert_eq!(
         words,
-        "sponge on breadcrumbs on any, round 0: exposures has 0 entries, but 20 particles were seen before"
+        "sponge on breadcrumbs on any, round 0: exposures has 0 entries, but 20 particles were detected before the round"
     );
     let (words, _) = refused(SeenRound {
         area_m2: f64::NAN,

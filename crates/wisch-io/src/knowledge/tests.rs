@@ -342,7 +342,7 @@ fn a_combination_that_makes_no_sense_is_an_error_that_names_those_that_do() {
         .unwrap_err();
     assert_eq!(
         error.to_string(),
-        "nothing is known of broom on water on windshield; tools known for it: sponge, window_wiper"
+        "no interaction of broom with water on windshield is known; tools known for it: sponge, window_wiper"
     );
 }
 

@@ -1,4 +1,4 @@
-//! The chain that a map is made of: where it may be, and how it gets from one pose to one nearby.
+//! The chain of a capability map: sampling within its limits, and descent from a pose to a nearby one.
 
 use super::{MapError, MapTool};
 use crate::frame::z_to;
@@ -12,35 +12,35 @@ use rand::RngExt;
 use rand_chacha::ChaCha8Rng;
 use std::f64::consts::PI;
 
-/// Positions of a chain's variables [rad or m]; those beyond its number of variables do not count.
+/// Positions of a chain's variables [rad or m]; entries beyond the number of variables are unused.
 pub(super) type Positions = [f64; MAX_CHAIN];
 
 pub(super) struct Arm {
     solver: IkSolver,
     tip_from_tool: Pose,
-    /// Where samples of the chain's variables are from.
+    /// Ranges from which the chain's variables are sampled.
     ranges: Vec<Range>,
-    /// Joints of the robot that move with the chain, and their limits.
+    /// Joints of the robot that follow the chain, with their limits.
     followers: Vec<(Drive, Range)>,
-    /// Farthest that the tool can be from the base [m].
+    /// Largest distance of the tool from the base [m].
     pub(super) reach: f64,
 }
 
-/// Where a tool is and where its z axis points, in the base.
+/// Position of the tool and direction of its z axis, in the base.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct ToolGoal {
     pub(super) point: Point3,
     pub(super) axis: Vector3,
 }
 
-/// Where samples of a joint that turns without limits are from.
+/// Range from which a revolute joint without limits is sampled.
 const ONCE_ROUND: Range = Range {
     lower: -PI,
     upper: PI,
 };
 
-/// One descent to a goal a cell away. Tolerances are far below a cell, and three or four steps are
-/// enough: what takes many is out of reach.
+/// Settings of a descent to a goal one cell away. Tolerances are far below a cell, and three or four steps are enough;
+/// a goal that takes many more is out of reach.
 const DESCENT: IkConfig = IkConfig {
     position_tolerance: 1e-3,
     rotation_tolerance: 5e-3,
@@ -81,12 +81,12 @@ impl Arm {
         })
     }
 
-    /// For each variable of the chain its position among the robot's.
+    /// Index of each variable of the chain among the robot's variables.
     pub(super) fn variables(&self) -> &[usize] {
         self.solver.chain().variables()
     }
 
-    /// Positions anywhere within the limits of the variables; once round if there are none.
+    /// Draws positions within the limits of the variables; a full turn if there are none.
     pub(super) fn sample(&self, random: &mut ChaCha8Rng) -> Positions {
         let mut q = [0.0; MAX_CHAIN];
         for (q, range) in q.iter_mut().zip(&self.ranges) {
@@ -95,15 +95,14 @@ impl Arm {
         q
     }
 
-    /// Whether all joints that move with the chain are within their limits at these positions of the
-    /// robot.
+    /// Whether all joints that follow the chain are within their limits at these positions of the robot.
     pub(super) fn is_within_limits(&self, all: &[f64]) -> bool {
         self.followers
             .iter()
             .all(|(drive, limits)| (limits.lower..=limits.upper).contains(&drive.position(all)))
     }
 
-    /// The tool at these positions.
+    /// Returns the tool at these positions.
     pub(super) fn tool(&self, q: &Positions) -> Option<ToolGoal> {
         let chain = self.solver.chain();
         let kinematics = chain.forward_kinematics(&q[..chain.dof()]).ok()?;
@@ -114,7 +113,7 @@ impl Arm {
         })
     }
 
-    /// Positions that put the tool to a goal, by a descent from positions that put it nearby.
+    /// Returns positions that put the tool at a goal, by a descent from nearby positions.
     pub(super) fn approach(&self, goal: &ToolGoal, start: &Positions) -> Option<Positions> {
         let place = Translation3::from(goal.point.coords);
         let base_from_tool = Pose::from_parts(place, z_to(&goal.axis));
@@ -134,7 +133,7 @@ impl Arm {
     }
 }
 
-/// Sum of the distances between the joints from `base` to `tip`, stretched as far as they slide [m].
+/// Returns the sum of the distances between the joints from `base` to `tip`, with sliding joints fully extended [m].
 fn reach(robot: &RobotModel, base: LinkId, tip: LinkId) -> Result<f64, MapError> {
     let mut reach = 0.0;
     for joint in robot

@@ -1,4 +1,4 @@
-//! Making a map: sample, spread, refine.
+//! Building of a capability map: sample, spread, refine.
 
 use super::arm::{Arm, Positions, ToolGoal};
 use super::cells::{Cell, Cells};
@@ -13,23 +13,22 @@ use rand_chacha::rand_core::SeedableRng;
 use rayon::prelude::*;
 use std::sync::atomic::{AtomicU64, Ordering};
 
-/// Most cells in the box of everything that might be reached.
+/// Most cells in the bounding box of the reachable space.
 pub(super) const MAX_CELLS: usize = 1 << 30;
 
-/// Samples per stream of random numbers: threads take them as they come.
+/// Number of samples per random stream; threads take streams in any order.
 const CHUNK: u64 = 4096;
-/// Chunks before what they found is written down.
+/// Number of chunks between two updates of the cells.
 const BATCH: u64 = 64;
-/// Cells after which progress is reported.
+/// Number of cells between two progress reports.
 const CELLS_PER_REPORT: usize = 4096;
 
 impl CapabilityMap {
-    /// Makes the map of a tool.
+    /// Builds the capability map of a tool.
     ///
-    /// `is_free` says of positions of all variables of the robot (n) whether nothing collides.
-    /// `progress` is called from time to time, from several threads and not always in order, with a
-    /// stage and what is done of what is known to be to do in it. The map is the same on any number of
-    /// threads.
+    /// `is_free` returns whether the positions of all variables of the robot (n) are free of collisions. `progress` is
+    /// called occasionally, from several threads and not always in order, with a stage, the work done and the work
+    /// known so far. The map does not depend on the number of threads.
     ///
     /// ```
     /// # use wisch_robot::{CapabilityMap, MapConfig, MapTool, RobotModel};
@@ -43,7 +42,7 @@ impl CapabilityMap {
     /// #     joint("roll", "rod", "wrist", "1 0 0", ""), joint("bend", "wrist", "tool", "0 1 0", ""));
     /// # let robot = RobotModel::from_urdf("telescope", &text, &mut |_| Err(String::new()))?;
     /// use wisch_robot::geometry::{Point3, Pose};
-    /// // A telescope from 0.3 m to 0.6 m that points anywhere, and so does the tool at its end.
+    /// // A telescope from 0.3 m to 0.6 m that points in any direction, as does the tool at its end.
     /// let tool = MapTool {
     ///     robot: &robot,
     ///     base: robot.root(),
@@ -60,11 +59,11 @@ impl CapabilityMap {
     /// ```
     ///
     /// # Errors
-    /// If a setting is out of range, the posture does not fit the robot, the tip does not hang on the
-    /// base, a sliding joint has no limits, there would be too many cells, or nothing can be reached.
+    /// If a setting is out of range, the posture does not fit the robot, the tip is no descendant of the base, a
+    /// sliding joint has no limits, there are too many cells, or nothing can be reached.
     ///
     /// # Panics
-    /// If a link is one of another, larger robot.
+    /// If a link belongs to another, larger robot.
     pub fn build(
         tool: &MapTool<'_>,
         is_free: impl Fn(&[f64]) -> bool + Sync,
@@ -72,7 +71,7 @@ impl CapabilityMap {
         progress: impl Fn(MapStage, u64, u64) + Sync,
     ) -> Result<Self, MapError> {
         config.check()?;
-        tool.robot.checked("posture", tool.posture)?;
+        tool.robot.check_values("posture", tool.posture)?;
         let arm = Arm::new(tool)?;
         let grid = grid(&arm, config)?;
         let directions = Directions::new(config.frequency as usize);
@@ -104,7 +103,7 @@ impl CapabilityMap {
     }
 }
 
-/// Voxels as far as the arm reaches, and two more, so that every voxel reached has others round it.
+/// Returns voxels up to the reach of the arm plus two, so that every reached voxel has neighbours.
 fn grid(arm: &Arm, config: &MapConfig) -> Result<Grid, MapError> {
     let half = (arm.reach / config.voxel).ceil() + 2.0;
     let voxels = (2.0 * half + 1.0).powi(3);
@@ -133,10 +132,10 @@ struct Builder<'a, F, P> {
     cells: Cells,
 }
 
-/// A cell, and positions of the chain that reach its centre; of a sample: that are somewhere in it.
+/// A cell, and positions of the chain: those that reach its centre, or of a sample somewhere in the cell.
 type Reached = (Cell, Positions);
 
-/// How much of a stage is done.
+/// Progress of a stage.
 struct Stage {
     stage: MapStage,
     done: AtomicU64,
@@ -154,7 +153,7 @@ impl Stage {
 }
 
 impl<F: Fn(&[f64]) -> bool + Sync, P: Fn(MapStage, u64, u64) + Sync> Builder<'_, F, P> {
-    /// Tries random positions; the first that falls into each cell.
+    /// Tries random positions, and returns the first that falls into each cell.
     fn sample(&mut self) -> Vec<Reached> {
         let mut seeds = Vec::new();
         let chunks = self.config.samples.div_ceil(CHUNK);
@@ -176,12 +175,12 @@ impl<F: Fn(&[f64]) -> bool + Sync, P: Fn(MapStage, u64, u64) + Sync> Builder<'_,
                 }
             }
         }
-        // A sample reaches its own pose, not the centre of the cell.
+        // A sample reaches its own pose, and not the centre of the cell.
         self.cells.forget();
         seeds
     }
 
-    /// Samples in cells that had none before this batch, with their voxels and directions.
+    /// Returns samples in cells that had none before this batch, with their voxels and directions.
     fn sample_chunk(&self, chunk: u64, size: u64) -> Vec<(usize, usize, Positions)> {
         let mut random = ChaCha8Rng::seed_from_u64(self.config.seed);
         random.set_stream(chunk);
@@ -200,7 +199,7 @@ impl<F: Fn(&[f64]) -> bool + Sync, P: Fn(MapStage, u64, u64) + Sync> Builder<'_,
         found
     }
 
-    /// Reaches the centres of cells: of those with samples, then of those beside cells reached.
+    /// Reaches the centres of cells: first those with samples, then the neighbours of reached cells.
     fn spread(&mut self, seeds: &[Reached]) {
         let stage = Stage::new(MapStage::Spreading, seeds.len() as u64);
         let mut fresh: Vec<Reached> = self.each(&stage, seeds, |(cell, q), all| {
@@ -211,7 +210,7 @@ impl<F: Fn(&[f64]) -> bool + Sync, P: Fn(MapStage, u64, u64) + Sync> Builder<'_,
             for (cell, q) in &fresh {
                 self.cells.reach(*cell, q);
             }
-            let pairs = self.open_beside(&fresh);
+            let pairs = self.pair_with_neighbours(&fresh);
             let groups: Vec<&[(Cell, Cell)]> = pairs.chunk_by(|a, b| a.0 == b.0).collect();
             stage
                 .total
@@ -227,8 +226,8 @@ impl<F: Fn(&[f64]) -> bool + Sync, P: Fn(MapStage, u64, u64) + Sync> Builder<'_,
         }
     }
 
-    /// Pairs of a cell that is not reached yet and a fresh one beside it, in order.
-    fn open_beside(&mut self, fresh: &[Reached]) -> Vec<(Cell, Cell)> {
+    /// Returns pairs of an unreached cell and a newly reached neighbour, in order.
+    fn pair_with_neighbours(&mut self, fresh: &[Reached]) -> Vec<(Cell, Cell)> {
         let mut pairs = Vec::new();
         for &(from, _) in fresh {
             self.cells.surround(from);
@@ -242,7 +241,8 @@ impl<F: Fn(&[f64]) -> bool + Sync, P: Fn(MapStage, u64, u64) + Sync> Builder<'_,
         pairs
     }
 
-    /// Tries to reach a cell from those paired with it: how often that failed, and positions.
+    /// Tries to reach a cell from its paired neighbours; returns the number of failures, and positions if it was
+    /// reached.
     fn try_group(&self, group: &[(Cell, Cell)], all: &mut [f64]) -> (Cell, u32, Option<Positions>) {
         let cell = group[0].0;
         let center = self.cells.center(cell);
@@ -258,7 +258,7 @@ impl<F: Fn(&[f64]) -> bool + Sync, P: Fn(MapStage, u64, u64) + Sync> Builder<'_,
         (cell, failures, None)
     }
 
-    /// The value of every cell.
+    /// Returns the value of every cell.
     fn refine(&self) -> Vec<u8> {
         let cells = self.cells.all().into_par_iter();
         let boundary: Vec<Cell> = cells.filter(|&cell| self.cells.is_boundary(cell)).collect();
@@ -272,7 +272,7 @@ impl<F: Fn(&[f64]) -> bool + Sync, P: Fn(MapStage, u64, u64) + Sync> Builder<'_,
         values
     }
 
-    /// The share of poses of a cell that can be reached.
+    /// Returns the share of a cell's poses that can be reached.
     fn share(&self, cell: Cell, all: &mut [f64]) -> f64 {
         let center = self.cells.center(cell);
         let itself_and_beside = std::iter::once(cell).chain(self.cells.neighbours(cell));
@@ -291,10 +291,10 @@ impl<F: Fn(&[f64]) -> bool + Sync, P: Fn(MapStage, u64, u64) + Sync> Builder<'_,
         hits as f64 / (count + 1) as f64
     }
 
-    /// A goal in the cell of a centre, by five numbers from 0 to 1.
+    /// Returns a goal in the cell of `center`, given five numbers in [0, 1].
     fn goal_in_cell(&self, center: &ToolGoal, [x, y, z, out, round]: [f64; 5]) -> ToolGoal {
         let shift = self.config.voxel * (Vector3::new(x, y, z) - Vector3::repeat(0.5));
-        // A disc as large as the part of the sphere that a direction has: π r² = 4 π / count.
+        // A disc of the solid angle of one direction: π r² = 4 π / count.
         let radius = 2.0 / (self.cells.directions.count() as f64).sqrt();
         let (sin, cos) = (std::f64::consts::TAU * round).sin_cos();
         let across = Vector3::ith(center.axis.iamin(), 1.0);
@@ -307,13 +307,13 @@ impl<F: Fn(&[f64]) -> bool + Sync, P: Fn(MapStage, u64, u64) + Sync> Builder<'_,
         }
     }
 
-    /// Allowed positions that put the tool to a goal, by a descent from others.
+    /// Returns permitted positions that put the tool at a goal, by a descent from `start`.
     fn reach(&self, goal: &ToolGoal, start: &Positions, all: &mut [f64]) -> Option<Positions> {
         let q = self.arm.approach(goal, start)?;
         self.is_allowed(&q, all).then_some(q)
     }
 
-    /// Whether the chain may be at these positions; `all` is room for those of the robot.
+    /// Whether the chain may be at these positions; `all` is scratch memory for the positions of the robot.
     fn is_allowed(&self, q: &Positions, all: &mut [f64]) -> bool {
         for (&variable, &q) in self.arm.variables().iter().zip(q) {
             all[variable] = q;
@@ -321,8 +321,8 @@ impl<F: Fn(&[f64]) -> bool + Sync, P: Fn(MapStage, u64, u64) + Sync> Builder<'_,
         self.arm.is_within_limits(all) && (self.is_free)(all)
     }
 
-    /// What `work` finds of the items, in their order, on all threads; each gets room for the
-    /// positions of the robot.
+    /// Applies `work` to the items on all threads, and returns the results in their order. Each call gets scratch
+    /// memory for the positions of the robot.
     fn each<T: Sync, R: Send>(
         &self,
         stage: &Stage,
@@ -348,9 +348,8 @@ impl<F: Fn(&[f64]) -> bool + Sync, P: Fn(MapStage, u64, u64) + Sync> Builder<'_,
     }
 }
 
-/// Points of the cube from 0 to 1 in five dimensions that any run of numbers spreads evenly: multiples
-/// of the powers of 1/x, x⁶ = x + 1 (Roberts 2018, *The unreasonable effectiveness of quasirandom
-/// sequences*).
+/// Returns a point of a low-discrepancy sequence in the five-dimensional unit cube: multiples of the powers of 1/x, x⁶
+/// = x + 1 (Roberts 2018, *The unreasonable effectiveness of quasirandom sequences*).
 fn spread_evenly(number: u64) -> [f64; 5] {
     const ROOT: f64 = 1.134_724_138_401_519_4;
     let mut power = 1.0;

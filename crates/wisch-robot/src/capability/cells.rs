@@ -1,4 +1,4 @@
-//! Cells of space and direction while a map is made.
+//! Cells of position and direction while a map is built.
 
 use super::arm::{Positions, ToolGoal};
 use super::directions::Directions;
@@ -6,13 +6,12 @@ use super::{CapabilityMap, Grid, MapOrigin};
 use crate::MAX_CHAIN;
 use std::ops::Range;
 
-/// A voxel with a direction: row times number of directions, plus direction.
+/// Index of a voxel with a direction: row times the number of directions, plus the direction.
 pub(super) type Cell = u32;
 
 const NONE: u32 = u32::MAX;
 
-/// What is known of cells while a map is made. Voxels have rows only once something near them is
-/// reached.
+/// State of the cells while a map is built. A voxel gets a row when something near it is reached.
 pub(super) struct Cells {
     grid: Grid,
     pub(super) directions: Directions,
@@ -20,13 +19,13 @@ pub(super) struct Cells {
     row_of: Vec<u32>,
     /// Voxel of each row.
     voxel_of: Vec<u32>,
-    /// Per cell: number of the positions that reach its centre, or [`NONE`].
+    /// For each cell, the index of positions that reach its centre, or [`NONE`].
     reached: Vec<u32>,
-    /// Per cell: how often reaching its centre has failed.
+    /// For each cell, the number of failed attempts to reach its centre.
     failures: Vec<u8>,
-    /// Positions of `width` variables each; half the digits halve the memory.
+    /// Positions with `width` variables each; single precision halves the memory.
     positions: Vec<f32>,
-    /// Number of variables of the chain, but at least one.
+    /// Number of variables of the chain, at least 1.
     width: usize,
 }
 
@@ -49,7 +48,7 @@ impl Cells {
         0..self.reached.len() as Cell
     }
 
-    /// The voxel and the direction that a tool is in.
+    /// Returns voxel and direction of a tool.
     pub(super) fn at(&self, tool: &ToolGoal) -> Option<(usize, usize)> {
         let voxel = self.grid.at(&tool.point)?;
         Some((voxel, self.directions.nearest(&tool.axis)))
@@ -61,7 +60,7 @@ impl Cells {
         row != NONE && self.is_reached(self.in_row(row, direction))
     }
 
-    /// The cell of a voxel and a direction; the voxel has a row from now on.
+    /// Returns the cell of a voxel and a direction; the voxel gets a row if it has none.
     pub(super) fn cell(&mut self, voxel: usize, direction: usize) -> Cell {
         if self.row_of[voxel] == NONE {
             self.row_of[voxel] = self.voxel_of.len() as u32;
@@ -83,7 +82,7 @@ impl Cells {
         (self.voxel_of[row] as usize, direction)
     }
 
-    /// The tool at the centre of a cell.
+    /// Returns the tool at the centre of a cell.
     pub(super) fn center(&self, cell: Cell) -> ToolGoal {
         let (voxel, direction) = self.voxel_and_direction(cell);
         ToolGoal {
@@ -96,7 +95,7 @@ impl Cells {
         self.reached[cell as usize] != NONE
     }
 
-    /// Positions that reach a cell that is reached.
+    /// Returns the positions that reach a reached cell.
     pub(super) fn positions(&self, cell: Cell) -> Positions {
         let first = self.reached[cell as usize] as usize * self.width;
         let stored = &self.positions[first..first + self.width];
@@ -113,7 +112,7 @@ impl Cells {
         self.positions.extend(stored);
     }
 
-    /// As if nothing were reached yet.
+    /// Marks all cells as not reached.
     pub(super) fn forget(&mut self) {
         self.reached.fill(NONE);
         self.positions.clear();
@@ -136,8 +135,8 @@ impl Cells {
         }
     }
 
-    /// The cells beside a cell that have rows: one voxel further along an axis, or in the next
-    /// directions.
+    /// Iterates over the neighbours of a cell that have rows: one voxel further along an axis, or in an adjacent
+    /// direction.
     pub(super) fn neighbours(&self, cell: Cell) -> impl Iterator<Item = Cell> {
         let (voxel, direction) = self.voxel_and_direction(cell);
         let rows = self.grid.beside(voxel).map(|beside| self.row_of[beside]);
@@ -149,14 +148,14 @@ impl Cells {
         moved.chain(turned.map(move |&other| self.in_row(row, other)))
     }
 
-    /// Whether of a cell and those beside it some are reached and some are not.
+    /// Whether a cell and its neighbours are partly reached.
     pub(super) fn is_boundary(&self, cell: Cell) -> bool {
         let is_reached = self.is_reached(cell);
         self.neighbours(cell)
             .any(|beside| self.is_reached(beside) != is_reached)
     }
 
-    /// The map of the values of all cells, as wide as what is reached.
+    /// Returns the map of the values of all cells, cropped to the reached voxels.
     pub(super) fn into_map(self, values: &[u8], about: MapOrigin) -> CapabilityMap {
         let count = self.directions.count();
         let is_empty = |row: u32| {
@@ -166,7 +165,7 @@ impl Cells {
                     .all(|&v| v == 0)
         };
         let filled = (0..self.grid.voxels()).filter(|&voxel| !is_empty(self.row_of[voxel]));
-        let (grid, shift) = self.grid.round(filled);
+        let (grid, shift) = self.grid.crop(filled);
         let strides = self.grid.strides();
         let mut rows = Vec::with_capacity(grid.voxels());
         let mut kept = vec![0; count];
@@ -192,7 +191,7 @@ impl Cells {
 }
 
 impl Grid {
-    /// The voxels beside a voxel along each axis.
+    /// Iterates over the neighbours of a voxel along each axis.
     fn beside(&self, voxel: usize) -> impl Iterator<Item = usize> + use<> {
         let (place, strides, counts) = (self.place(voxel), self.strides(), self.counts);
         (0..3).flat_map(move |axis| {
@@ -202,9 +201,9 @@ impl Grid {
         })
     }
 
-    /// The part of this grid that has these voxels and, where there are any, one more all round; and
-    /// how many voxels along each axis it begins later.
-    fn round(&self, voxels: impl Iterator<Item = usize>) -> (Self, [usize; 3]) {
+    /// Returns the part of this grid around the given voxels, with a margin of one voxel where the grid has it, and its
+    /// offset along each axis in voxels.
+    fn crop(&self, voxels: impl Iterator<Item = usize>) -> (Self, [usize; 3]) {
         let (mut least, mut most) = (self.counts, [0; 3]);
         for voxel in voxels {
             let place = self.place(voxel);

@@ -1,26 +1,26 @@
-//! What a map is made of, how finely and how carefully.
+//! Settings of a capability map.
 
 use super::MapError;
 use super::directions::FREQUENCIES;
 use crate::geometry::Pose;
 use crate::{LinkId, RobotModel};
 
-/// The tool whose reach is mapped, and the chain of joints that moves it.
+/// The tool whose reach is mapped, and the chain that moves it.
 #[derive(Debug, Clone, Copy)]
 pub struct MapTool<'a> {
     /// The robot.
     pub robot: &'a RobotModel,
-    /// The link round which space is cut into voxels.
+    /// Base link, around which space is divided into voxels.
     pub base: LinkId,
-    /// The link that carries the tool.
+    /// Tip link, which carries the tool.
     pub tip: LinkId,
-    /// The tool in the frame of the tip; its z axis is the one that counts.
+    /// Pose of the tool in the tip; the map is about its z axis.
     pub tip_from_tool: Pose,
-    /// Positions of all variables of the robot (n) [rad or m]; those of the chain do not count.
+    /// Positions of all variables of the robot (n) [rad or m]; those of the chain are ignored.
     pub posture: &'a [f64],
 }
 
-/// How finely and how carefully a map is made.
+/// Resolution and effort of a capability map.
 ///
 /// ```
 /// use wisch_robot::MapConfig;
@@ -31,16 +31,15 @@ pub struct MapTool<'a> {
 pub struct MapConfig {
     /// Edge of a voxel [m].
     pub voxel: f64,
-    /// Into how many parts the edges of an icosahedron are cut to have the grid of directions.
+    /// Number of parts into which each edge of an icosahedron is cut, to give the grid of directions.
     pub frequency: u32,
-    /// How many random positions of the joints are tried.
+    /// Number of random joint positions to try.
     pub samples: u64,
     /// Seed of the random positions.
     pub seed: u64,
-    /// From how many poses reached nearby inverse kinematics starts at most, before a pose counts as
-    /// out of reach.
+    /// Most reached neighbours from which inverse kinematics starts, before a pose counts as out of reach.
     pub starts: u32,
-    /// How many poses are tried of a cell at the boundary, besides its centre.
+    /// Number of poses tried in each boundary cell, besides its centre.
     pub refinements: u32,
 }
 
@@ -68,7 +67,7 @@ impl MapConfig {
             .saturating_add(2)
     }
 
-    /// Whether every setting is in its range.
+    /// Checks that every setting is within its range.
     pub(super) fn check(&self) -> Result<(), MapError> {
         let (coarsest, finest) = (*FREQUENCIES.start() as f64, *FREQUENCIES.end() as f64);
         for (field, value, lower, upper) in [
@@ -91,13 +90,13 @@ impl MapConfig {
     }
 }
 
-/// What building a map is at.
+/// Stage of building a map.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum MapStage {
-    /// Random positions, of all to be tried.
+    /// Random positions; progress counts positions.
     Sampling,
-    /// Inverse kinematics from cell to cell: cells tried, of those known so far to be worth it.
+    /// Inverse kinematics from cell to cell; progress counts cells tried, of those known so far.
     Spreading,
-    /// Inverse kinematics within the cells at the boundary, of all of these.
+    /// Inverse kinematics within boundary cells; progress counts cells.
     Refining,
 }

@@ -3,18 +3,18 @@
 use crate::geometry::Vector3;
 use nalgebra::Matrix3;
 
-/// Fewest and most parts into which the edges of the icosahedron are cut.
+/// Range of the number of parts into which the edges of the icosahedron are cut.
 pub(super) const FREQUENCIES: std::ops::RangeInclusive<usize> = 1..=32;
 
-/// Directions spread nearly evenly: an icosahedron whose edges are cut into `frequency` parts, each of
-/// its faces thus into frequency² flat triangles. 10 frequency² + 2 directions.
+/// Nearly uniform directions: the 10 frequency² + 2 nodes of an icosahedron whose edges are cut into `frequency` parts,
+/// and each face thus into frequency² flat triangles.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Directions {
     frequency: usize,
     nodes: Vec<Vector3>,
-    /// Solid angle that belongs to each node, as a share of the whole sphere.
+    /// Solid angle of each node, as a share of the sphere.
     shares: Vec<f64>,
-    /// The nodes that an edge joins to each node: five or six.
+    /// Nodes that share an edge with each node: five or six.
     neighbours: Vec<Vec<usize>>,
     faces: Vec<Face>,
 }
@@ -23,17 +23,17 @@ pub(super) struct Directions {
 #[derive(Debug, Clone, PartialEq)]
 struct Face {
     center: Vector3,
-    /// Takes a direction to its coordinates in the face's corners, up to a common factor.
+    /// Maps a direction to its coordinates in the face's corners, up to a common factor.
     corners_from_direction: Matrix3<f64>,
-    /// The node at i parts towards the first and j towards the second corner, at `i * stride + j`.
+    /// Node i parts towards the first and j towards the second corner, at index `i * stride + j`.
     nodes: Vec<u32>,
 }
 
-/// The corners of the triangle that a direction lies in, with weights that sum to one.
+/// Corners of the triangle that holds a direction, with weights that sum to 1.
 pub(super) type Corners = [(usize, f64); 3];
 
 impl Directions {
-    /// The grid of a frequency in [`FREQUENCIES`].
+    /// Returns the grid for a frequency within [`FREQUENCIES`].
     pub(super) fn new(frequency: usize) -> Self {
         let corners = icosahedron();
         let stride = frequency + 2;
@@ -64,7 +64,7 @@ impl Directions {
         grid
     }
 
-    /// The number of a node, new if there is none there yet.
+    /// Returns the index of a node; adds it if it does not exist.
     fn node(&mut self, direction: Vector3) -> u32 {
         // Nodes are at least 1/40 apart.
         const SAME: f64 = 1e-6;
@@ -78,7 +78,7 @@ impl Directions {
         }) as u32
     }
 
-    /// Fills in neighbours and shares, triangle by triangle.
+    /// Computes neighbours and solid angles, triangle by triangle.
     fn join(&mut self) {
         let stride = self.frequency + 2;
         let mut triangles = Vec::new();
@@ -101,7 +101,7 @@ impl Directions {
             for k in 0..3 {
                 let (node, next) = (corners[k], corners[(k + 1) % 3]);
                 self.shares[node] += share / 3.0;
-                // Every edge has a triangle on either side, which passes along it the other way.
+                // Each edge has a triangle on either side, which traverses it in the opposite direction.
                 self.neighbours[node].push(next);
             }
         }
@@ -126,7 +126,7 @@ impl Directions {
         &self.neighbours[node]
     }
 
-    /// The nodes round a direction (of any length but zero).
+    /// Returns the nodes around a direction, which may have any length but 0.
     pub(super) fn locate(&self, direction: &Vector3) -> Corners {
         let mut face = &self.faces[0];
         let mut nearest = f64::NEG_INFINITY;
@@ -146,7 +146,7 @@ impl Directions {
         let (i, j) = (a as usize, (b as usize).min(self.frequency - a as usize));
         let (a, b) = (a - i as f64, (b - j as f64).min(1.0));
         let stride = self.frequency + 2;
-        // Nodes beyond the face only ever have weight zero.
+        // Nodes beyond the face have weight 0.
         let at = |i: usize, j: usize| face.nodes[i * stride + j] as usize;
         if a + b <= 1.0 {
             let rest = 1.0 - a - b;
@@ -161,7 +161,7 @@ impl Directions {
         }
     }
 
-    /// The node nearest to a direction, up to ties.
+    /// Returns the node nearest to a direction; ties are broken arbitrarily.
     pub(super) fn nearest(&self, direction: &Vector3) -> usize {
         let [a, b, c] = self.locate(direction);
         let ab = if a.1 >= b.1 { a } else { b };
@@ -169,7 +169,7 @@ impl Directions {
     }
 }
 
-/// The twelve corners of an icosahedron, of length one.
+/// Returns the twelve unit corners of an icosahedron.
 fn icosahedron() -> Vec<Vector3> {
     let golden = (1.0 + 5.0_f64.sqrt()) / 2.0;
     let mut corners = Vec::with_capacity(12);
@@ -183,7 +183,7 @@ fn icosahedron() -> Vec<Vector3> {
     corners.iter().map(Vector3::normalize).collect()
 }
 
-/// The faces of the icosahedron, anticlockwise seen from outside.
+/// Returns the faces of the icosahedron, counter-clockwise as seen from outside.
 fn faces(corners: &[Vector3]) -> Vec<[usize; 3]> {
     // Neighbouring corners are 1.05 apart, all others at least 1.7.
     let near = |a: usize, b: usize| (corners[a] - corners[b]).norm() < 1.3;

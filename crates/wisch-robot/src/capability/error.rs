@@ -1,34 +1,36 @@
-//! Why a map cannot be made or read.
+//! Errors of capability maps.
 
 use super::RobotHash;
 use crate::RobotError;
 
-/// What can be wrong with a map, or with what it should be made from.
+/// A reason why a map cannot be built or read.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum MapError {
     /// The chain or its positions do not fit the robot.
     #[error(transparent)]
     Robot(#[from] RobotError),
-    /// A setting outside its range.
+    /// A setting is outside its range.
     #[error("map.{field}: {value} is outside {lower} to {upper}")]
     Setting {
-        /// Its name.
+        /// Name of the setting.
         field: &'static str,
-        /// What it is.
+        /// Its value.
         value: f64,
-        /// The least it may be.
+        /// Its least value.
         lower: f64,
-        /// The most it may be.
+        /// Its largest value.
         upper: f64,
     },
-    /// A sliding joint that may be anywhere.
-    #[error("joint {joint:?} slides without limits: no map can hold all places it reaches")]
+    /// A sliding joint without limits.
+    #[error(
+        "joint {joint:?} slides without limits, so its reach is unbounded: give it position limits"
+    )]
     Unlimited {
-        /// The joint.
+        /// Name of the joint.
         joint: String,
     },
-    /// More cells than are kept.
+    /// The map would have too many cells.
     #[error(
         "map of {voxels} voxels of {voxel} m (reach {reach:.2} m) in {directions} directions exceeds the limit of {limit} cells"
     )]
@@ -37,51 +39,51 @@ pub enum MapError {
         voxels: f64,
         /// Number of directions.
         directions: usize,
-        /// Farthest that the tool can be from the base [m].
+        /// Reach of the tool from the base [m].
         reach: f64,
         /// Edge of a voxel [m].
         voxel: f64,
-        /// The most cells: voxels times directions.
+        /// Most cells, that is voxels times directions.
         limit: usize,
     },
-    /// No sample was free of collisions and within limits.
+    /// No sample was within limits and free of collision.
     #[error(
-        "none of {samples} random positions of the chain is within limits and free of collision"
+        "none of {samples} random positions of the chain is within limits and free of collision: check the posture and the collision shapes"
     )]
     NothingReached {
-        /// How many were tried.
+        /// Number of samples.
         samples: u64,
     },
-    /// The bytes are no map.
+    /// The bytes are no capability map.
     #[error("{file}: no capability map: {problem}")]
     Format {
-        /// The name of the bytes.
+        /// Name of the file.
         file: String,
         /// What is wrong.
         problem: String,
     },
-    /// The map is of another version of the format.
+    /// The map has another version of the format.
     #[error(
-        "{file}: capability map of format {found}, this program reads format {expected}: wisch robot map builds it again"
+        "{file}: capability map of format {found}, this program reads format {expected}: build it again with `wisch robot map`"
     )]
     Version {
-        /// The name of the bytes.
+        /// Name of the file.
         file: String,
-        /// Its format.
+        /// Version of the file.
         found: u32,
-        /// The one that is read.
+        /// Version that this program reads.
         expected: u32,
     },
-    /// The map is of another robot.
+    /// The map is that of another robot.
     #[error(
-        "{file}: capability map of another robot (it has {found}, the robot is {expected}): build it again"
+        "{file}: capability map of another robot (it has {found}, the robot is {expected}): build it again with `wisch robot map`"
     )]
     OtherRobot {
-        /// The name of the bytes.
+        /// Name of the file.
         file: String,
-        /// Of the robot that the map was made from.
+        /// Hash of the robot for which the map was built.
         found: RobotHash,
-        /// Of the robot at hand.
+        /// Hash of the present robot.
         expected: RobotHash,
     },
 }

@@ -1,4 +1,4 @@
-//! A map as bytes.
+//! File format of a capability map.
 //!
 //! | bytes | content |
 //! |---|---|
@@ -9,11 +9,11 @@
 //! | 7 × 8 | tool in the tip: translation [m], quaternion x, y, z, w |
 //! | 8, 4, 8, 8, 4, 4 | config: voxel [m], frequency, samples, seed, starts, refinements |
 //! | 3 × 4, 3 × 4 | grid: first voxel, numbers of voxels |
-//! | 4 | number of rows that are not empty |
+//! | 4 | number of non-empty rows |
 //! | rest | rows and values, packed |
-//! | 16 | FNV-1a of all before |
+//! | 16 | FNV-1a of all bytes before |
 //!
-//! Numbers are little-endian; how rows and values are coded: `packing.rs`.
+//! Numbers are little-endian; `packing.rs` describes the coding of rows and values.
 
 use super::build::MAX_CELLS;
 use super::directions::Directions;
@@ -26,19 +26,19 @@ use nalgebra::{Quaternion, Translation3, UnitQuaternion};
 const MAGIC: &[u8; 8] = b"wischmap";
 const VERSION: u32 = 2;
 
-/// Most bytes that are read as a map.
+/// Most bytes of a map.
 pub const MAX_MAP_BYTES: usize = 64 << 20;
 
-/// Length of a name that fits its two bytes of length; longer ones do not occur in a URDF that is read.
+/// Longest name that fits its two-byte length; a URDF has no longer ones.
 const MAX_NAME: usize = u16::MAX as usize;
 
-/// How far the norm of a quaternion read may be from one.
+/// Tolerance of a quaternion's norm.
 const QUATERNION_TOLERANCE: f64 = 1e-9;
 
 const HASH_BYTES: usize = 16;
 
 impl CapabilityMap {
-    /// The map as bytes, the same on every machine.
+    /// Returns the map as bytes, which are the same on every machine.
     pub fn to_bytes(&self) -> Vec<u8> {
         let mut bytes = MAGIC.to_vec();
         let about = &self.about;
@@ -80,9 +80,9 @@ impl CapabilityMap {
         bytes
     }
 
-    /// The map that [`to_bytes`](Self::to_bytes) wrote for a robot. `name` is used in messages. What
-    /// else the map depends on, the posture of the other joints and what counts as a collision, is not
-    /// checked; base, tip and tool are in [`origin`](Self::origin).
+    /// Reads the map that [`to_bytes`](Self::to_bytes) wrote for a robot. `name` identifies the bytes in messages. The
+    /// posture of the other joints and the collision model, on which the map depends as well, are not checked;
+    /// [`origin`](Self::origin) has base, tip and tool.
     ///
     /// # Errors
     /// If the bytes are no map, or one of another version or robot.
@@ -117,7 +117,7 @@ impl CapabilityMap {
         hash.bytes(content);
         if hash.sum() != *sum {
             return Err(format(
-                "its sum is wrong: it is cut short or damaged".into(),
+                "its checksum is wrong: it is cut short or damaged".into(),
             ));
         }
         let found = RobotHash(reader.take().map_err(format)?);
@@ -172,7 +172,7 @@ impl Reader<'_> {
         Ok(name.to_owned())
     }
 
-    /// All that follows the robot's hash.
+    /// Reads everything after the robot's hash.
     fn map(&mut self, robot: RobotHash) -> Result<CapabilityMap, String> {
         let (base, tip) = (self.name()?, self.name()?);
         let mut tool = [0.0; 7];
@@ -250,7 +250,7 @@ mod tests {
 
     const ROBOT: RobotHash = RobotHash([42; 16]);
 
-    /// Three voxels in a row; the middle one has values.
+    /// Returns a map of three voxels in a row, the middle one of which has values.
     fn map() -> CapabilityMap {
         let directions = Directions::new(2);
         let count = directions.count();
@@ -277,7 +277,7 @@ mod tests {
         }
     }
 
-    /// Bytes with a sum that fits them.
+    /// Appends a valid checksum to bytes.
     fn sealed(mut bytes: Vec<u8>) -> Vec<u8> {
         bytes.truncate(bytes.len() - HASH_BYTES);
         let mut hash = Fnv::new();
@@ -295,7 +295,7 @@ mod tests {
         assert_eq!(read(&map().to_bytes()), Ok(map()));
     }
 
-    /// Where parts of the bytes of [`map`] begin.
+    /// Offsets of the parts of [`map`]'s bytes.
     const TOOL: usize = 8 + 4 + 16 + (2 + 4) + (2 + 3);
     const CONFIG: usize = TOOL + 7 * 8;
     const GRID: usize = CONFIG + 8 + 4 + 8 + 8 + 4 + 4;
@@ -332,7 +332,7 @@ mod tests {
             (
                 ROWS,
                 &0_u32.to_le_bytes(),
-                "1 rows that are not empty in 3 voxels, expected 0 in 3",
+                "1 non-empty rows in 3 voxels, expected 0 in 3",
             ),
         ];
         for (at, with, message) in cases {

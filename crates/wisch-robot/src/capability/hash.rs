@@ -1,15 +1,15 @@
-//! What tells robots apart whose reach differs.
+//! Hash that identifies robots with the same reach.
 
 use crate::geometry::{Mesh, Pose};
 use crate::{JointKind, RobotModel, Shape};
 use std::fmt;
 
-/// A hash of what the reach of a robot depends on: the tree of links, the frames, axes and position
-/// limits of its joints, and its shapes for collision checks.
+/// Hash of everything on which a robot's reach depends: the tree of links, the frames, axes and position limits of its
+/// joints, and its collision shapes.
 ///
-/// Lengths and rotations count to 1e-9 (m, or of a unit quaternion). Comments, white space, masses,
-/// velocity and effort limits do not count. FNV-1a of 128 bits (Fowler, Noll, Vo; IETF
-/// draft-eastlake-fnv); no protection against somebody who seeks two robots of one hash.
+/// Lengths and rotations are rounded to 1e-9 (m, or of a unit quaternion). Comments, white space, masses, and velocity
+/// and effort limits have no influence. The hash is FNV-1a with 128 bits (Fowler, Noll, Vo; IETF draft-eastlake-fnv);
+/// it does not protect against deliberate collisions.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub struct RobotHash(pub(super) [u8; 16]);
 
@@ -47,14 +47,14 @@ impl Fnv {
         self.bytes(name.as_bytes());
     }
 
-    /// A number to 1e-9, so that sines that differ in the last place on another machine do not count.
+    /// Hashes a number rounded to 1e-9, so that sines that differ in the last place on another machine do not matter.
     fn number(&mut self, value: f64) {
         self.bytes(&((value * 1e9).round() as i64).to_le_bytes());
     }
 
     fn pose(&mut self, pose: &Pose) {
         pose.translation.vector.iter().for_each(|&v| self.number(v));
-        // q and −q are the same rotation, and near w = 0 either may come out: columns do not differ.
+        // q and −q are the same rotation, and near w = 0 either may occur; the columns of the matrix are unique.
         let columns = pose.rotation.to_rotation_matrix();
         columns.matrix().iter().for_each(|&v| self.number(v));
     }
@@ -71,7 +71,7 @@ impl Fnv {
 }
 
 impl RobotHash {
-    /// The hash of a robot.
+    /// Returns the hash of a robot.
     ///
     /// ```
     /// # use wisch_robot::{RobotHash, RobotModel};

@@ -1,16 +1,15 @@
-//! The capability map: which poses a tool can be put to, round the base of the chain that carries it.
+//! Capability map: poses that a tool can reach around the base of its chain.
 //!
-//! After Zacharias, Borst, Hirzinger: *Capturing robot workspace structure: representing robot
-//! capabilities*, IROS 2007 (the paper, §3.3, reference 40). Space round the base is cut into voxels;
-//! at the centre of each the map keeps for a fixed grid of directions whether the tool can be there
-//! with its z axis in that direction, free to turn about it. Between centres and directions the map is
-//! interpolated, and near its boundary it keeps the share of poses of a cell that can be reached, so
-//! that the boundary is sharper than the voxels are coarse.
+//! After Zacharias, Borst, Hirzinger: *Capturing robot workspace structure: representing robot capabilities*, IROS 2007
+//! (the paper, §3.3, reference 40). Space around the base is divided into voxels. At the centre of each, the map stores
+//! for a fixed grid of directions whether the tool can be there with its z axis in that direction, free to rotate about
+//! it. Between centres and directions the map is interpolated. Near its boundary it stores the share of a cell's poses
+//! that can be reached, which makes the boundary sharper than the voxels.
 //!
 //! | step | what | where |
 //! |---|---|---|
-//! | sample | random positions of the joints say where the tool gets at all | `build.rs` |
-//! | spread | from every pose reached, inverse kinematics tries the next cells, until none is new | `build.rs` |
+//! | sample | random joint positions find poses that the tool can reach | `build.rs` |
+//! | spread | from every reached cell, inverse kinematics tries the neighbours until none is new | `build.rs` |
 //! | refine | at the boundary, inverse kinematics tries several poses of each cell | `build.rs` |
 
 mod arm;
@@ -31,40 +30,40 @@ pub use hash::RobotHash;
 use crate::geometry::{Point3, Pose, Vector3};
 use directions::Directions;
 
-/// The value of a cell all of whose poses can be reached; 0 is one of which none can.
+/// Value of a cell all of whose poses can be reached; 0 stands for none.
 const FULL: u8 = 15;
 
-/// Which poses the tool of a chain can be put to, with the tool free to turn about its z axis.
+/// Poses that the tool of a chain can reach, with the tool free to rotate about its z axis.
 ///
-/// Made by [`CapabilityMap::build`], which takes a while, and kept as bytes
-/// ([`to_bytes`](Self::to_bytes), [`from_bytes`](Self::from_bytes)).
+/// [`CapabilityMap::build`] builds it, which takes a while; [`to_bytes`](Self::to_bytes) and
+/// [`from_bytes`](Self::from_bytes) store it.
 #[derive(Debug, Clone, PartialEq)]
 pub struct CapabilityMap {
     about: MapOrigin,
     grid: Grid,
     directions: Directions,
-    /// For each voxel the row of its values; row 0 has only zeros.
+    /// For each voxel, the row of its values; row 0 has only zeros.
     rows: Vec<u32>,
     /// Values from 0 to [`FULL`], one per direction, row by row.
     values: Vec<u8>,
 }
 
-/// What a map was made from.
+/// Robot, chain and settings of a map.
 #[derive(Debug, Clone, PartialEq)]
 pub struct MapOrigin {
-    /// The robot's.
+    /// Hash of the robot.
     pub robot: RobotHash,
-    /// The link round which space is cut into voxels.
+    /// Base link, around which space is divided into voxels.
     pub base: String,
-    /// The link that carries the tool.
+    /// Tip link, which carries the tool.
     pub tip: String,
-    /// The tool in the frame of the tip.
+    /// Pose of the tool in the tip.
     pub tip_from_tool: Pose,
-    /// How the map was made.
+    /// Settings of the map.
     pub config: MapConfig,
 }
 
-/// Voxels in a box. Their centres are at whole multiples of the voxel's edge in the base frame.
+/// A box of voxels, whose centres are at whole multiples of the voxel's edge in the base frame.
 #[derive(Debug, Clone, Copy, PartialEq)]
 struct Grid {
     /// Edge of a voxel [m].
@@ -80,18 +79,18 @@ impl Grid {
         self.counts.iter().product()
     }
 
-    /// Number of voxels from one to the next along each axis.
+    /// Index distance between neighbours along each axis.
     fn strides(&self) -> [usize; 3] {
         let [_, y, z] = self.counts;
         [y * z, z, 1]
     }
 
-    /// The voxel that a point [m] lies in.
+    /// Returns the voxel that holds a point [m].
     fn at(&self, point_in_base: &Point3) -> Option<usize> {
         let mut voxel = 0;
         for axis in 0..3 {
             let along = (point_in_base[axis] / self.voxel).round() - f64::from(self.lowest[axis]);
-            // A number that is none is in no voxel either.
+            // NaN is in no voxel.
             if !(0.0..self.counts[axis] as f64).contains(&along) {
                 return None;
             }
@@ -100,7 +99,7 @@ impl Grid {
         Some(voxel)
     }
 
-    /// The numbers of a voxel along each axis.
+    /// Returns the index of a voxel along each axis.
     fn place(&self, voxel: usize) -> [usize; 3] {
         let [_, y, z] = self.counts;
         [voxel / (y * z), voxel / z % y, voxel % z]
@@ -113,8 +112,7 @@ impl Grid {
         Point3::new(along(0), along(1), along(2)) * self.voxel
     }
 
-    /// The eight voxels whose centres are round a point, with weights that sum to one; a point
-    /// outside has none.
+    /// Returns the eight voxels whose centres surround a point, with weights that sum to 1; `None` outside the grid.
     fn around(&self, point_in_base: &Point3) -> Option<[(usize, f64); 8]> {
         let mut first = 0;
         let mut far = [0.0; 3];
@@ -143,9 +141,9 @@ impl Grid {
 }
 
 impl CapabilityMap {
-    /// How surely the tool can be put to a pose in the base frame, free to turn about its z axis: 0,
-    /// not at all, to 1, amply. It is the share of the poses nearby that can be reached, so that 1/2
-    /// is the boundary. Outside the map it is 0.
+    /// Returns how surely the tool can reach a pose in the base frame, free to rotate about its z axis: from 0 (not at
+    /// all) to 1 (with all neighbouring poses). It is the share of nearby poses that can be reached, so the boundary is
+    /// at 1/2. Outside the map it is 0.
     pub fn reachability(&self, base_from_tool: &Pose) -> f64 {
         let point = Point3::from(base_from_tool.translation.vector);
         let Some(voxels) = self.grid.around(&point) else {
@@ -163,14 +161,14 @@ impl CapabilityMap {
         (sum / f64::from(FULL)).clamp(0.0, 1.0)
     }
 
-    /// Whether the tool can be put to a pose in the base frame, free to turn about its z axis:
-    /// whether its [`reachability`](Self::reachability) is above one half.
+    /// Whether the tool can reach a pose in the base frame, free to rotate about its z axis: whether its
+    /// [`reachability`](Self::reachability) exceeds 1/2.
     pub fn is_reachable(&self, base_from_tool: &Pose) -> bool {
         self.reachability(base_from_tool) > 0.5
     }
 
-    /// The share of all directions of the tool's z axis, 0 to 1, that can be reached at a point [m] of
-    /// the base frame: Zacharias' reachability index.
+    /// Returns the share of directions of the tool's z axis that can be reached at a point [m] of the base frame, in
+    /// [0, 1]: Zacharias' reachability index.
     pub fn index(&self, point_in_base: &Point3) -> f64 {
         let Some(voxels) = self.grid.around(point_in_base) else {
             return 0.0;
@@ -183,12 +181,12 @@ impl CapabilityMap {
         voxels.map(of_voxel).iter().sum()
     }
 
-    /// What the map was made from.
+    /// Robot, chain and settings of the map.
     pub const fn origin(&self) -> &MapOrigin {
         &self.about
     }
 
-    /// The corners of the box [m] in the base frame outside of which nothing can be reached.
+    /// Returns two corners of the box [m] in the base frame outside which nothing can be reached.
     pub fn bounds(&self) -> [Point3; 2] {
         let last = self.grid.voxels().saturating_sub(1);
         [self.grid.center(0), self.grid.center(last)]

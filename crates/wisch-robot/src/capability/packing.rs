@@ -1,10 +1,10 @@
-//! The rows and values of a map in few bytes: a byte for each voxel that says whether it has a row, then the values row by
-//! row, a byte each, packed by Zstandard.
+//! Compact coding of a map's rows and values: a byte for each voxel that says whether it has a row, then the values row
+//! by row, one byte each, compressed by Zstandard.
 
 use super::{CapabilityMap, Grid};
 use std::io::Read;
 
-/// 19 halves what level 3 leaves, in seconds.
+/// Compression level; 19 halves the size of level 3, in seconds.
 const LEVEL: i32 = 19;
 
 pub(super) fn pack(map: &CapabilityMap) -> Vec<u8> {
@@ -14,7 +14,8 @@ pub(super) fn pack(map: &CapabilityMap) -> Vec<u8> {
     zstd::encode_all(&cells[..], LEVEL).expect("neither slice nor vector fails")
 }
 
-/// Rows of the voxels and values of the rows, of `count` directions each, of which as many are expected besides the empty one.
+/// Returns the rows of the voxels and the values of the rows; a row has `count` directions, and the number of non-empty
+/// rows must be the expected one.
 pub(super) fn unpack(
     bytes: &[u8],
     grid: &Grid,
@@ -37,7 +38,7 @@ pub(super) fn unpack(
         .collect();
     if rows.len() != voxels || found as usize != expected {
         return Err(format!(
-            "{found} rows that are not empty in {} voxels, expected {expected} in {voxels}",
+            "{found} non-empty rows in {} voxels, expected {expected} in {voxels}",
             rows.len()
         ));
     }

@@ -1,4 +1,4 @@
-//! Which pairs of bodies may touch.
+//! Pairs of bodies that are excluded from collision checks.
 
 use super::super::{JointKind, LinkId, RobotModel};
 use super::{BodyId, CollisionModel, with_scratch};
@@ -6,31 +6,30 @@ use rand::RngExt;
 use rand_chacha::{ChaCha8Rng, rand_core::SeedableRng};
 use std::f64::consts::PI;
 
-/// Why a pair of bodies is left out of collision checks.
+/// Why a pair of bodies is excluded from collision checks.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Reason {
-    /// One holds the other, with no link that has shapes between.
+    /// One body holds the other, and no link between them has shapes.
     Neighbours,
-    /// They overlap in at least 95 of 100 postures within the limits.
+    /// The bodies overlap in at least 95 % of the postures within the limits.
     AlwaysColliding,
-    /// The SRDF says so.
+    /// The SRDF disables the pair.
     Disabled,
-    /// [`CollisionModel::allow`] was called.
+    /// [`CollisionModel::allow`] was called for the pair.
     Asked,
 }
 
-/// How many postures are looked at to see which pairs always overlap.
+/// Number of postures in which pairs are checked for permanent overlap.
 const POSTURES: usize = 1000;
-/// In how many of them a pair that always overlaps may not: as MoveIt's setup assistant has it, 5 %.
+/// Largest number of these postures in which a permanently overlapping pair may be apart: 5 %, as in MoveIt's setup
+/// assistant.
 const MAX_APART: usize = POSTURES / 20;
-/// Postures are drawn until enough are within the limits of joints that follow others, but no more
-/// than this.
+/// Most postures that are drawn to get enough within the limits of followers.
 const MAX_DRAWS: usize = 20 * POSTURES;
-/// Range of a joint that slides without limits [m].
+/// Range of a sliding joint without limits [m].
 const UNLIMITED_SLIDE: f64 = 1.0;
 
-/// Of each link: itself if it has shapes, and the nearest links with shapes that hold it or that it
-/// holds.
+/// Returns, for each link, itself if it has shapes, and the nearest links with shapes above and below it.
 pub(super) fn neighbours(robot: &RobotModel) -> Vec<Vec<BodyId>> {
     let has_shapes = |link: usize| !robot.links()[link].collision.is_empty();
     let mut near = vec![Vec::new(); robot.links().len()];
@@ -53,7 +52,7 @@ pub(super) fn neighbours(robot: &RobotModel) -> Vec<Vec<BodyId>> {
 }
 
 impl CollisionModel {
-    /// Lets two bodies touch; a reason that is known stays.
+    /// Allows two bodies to touch; the first reason is kept.
     pub(super) fn permit(&mut self, a: BodyId, b: BodyId, reason: Reason) {
         if a != b {
             self.allowed.entry([a.min(b), a.max(b)]).or_insert(reason);
@@ -71,7 +70,7 @@ impl CollisionModel {
         }
     }
 
-    /// Lets those pairs touch that overlap in nearly all postures within the limits.
+    /// Allows pairs to touch that overlap in nearly all postures within the limits.
     pub(super) fn allow_always_colliding(&mut self, robot: &RobotModel) {
         let mut random = ChaCha8Rng::seed_from_u64(0);
         // Each pair with the number of postures in which it was apart.
@@ -107,7 +106,7 @@ impl CollisionModel {
     }
 }
 
-/// A posture within the limits of the variables.
+/// Draws a posture within the limits of the variables.
 fn draw(robot: &RobotModel, random: &mut ChaCha8Rng) -> Vec<f64> {
     let position = |i: usize| {
         let joint = robot.variable(i);

@@ -1,4 +1,4 @@
-//! Which obstacles might be near: a tree of boxes round all of them.
+//! Broad phase of the collision checks: a bounding-volume hierarchy of all obstacles.
 
 use super::BodyId;
 use super::solid::{AxisAlignedBox, vector};
@@ -6,19 +6,19 @@ use parry3d_f64::bounding_volume::Aabb;
 use parry3d_f64::partitioning::{Bvh, BvhBuildStrategy};
 use std::sync::Arc;
 
-/// How much nearer boxes count than they are, that rounding leaves out nothing [m].
+/// Reduction of the distance between boxes [m], so that rounding excludes nothing.
 const ROUNDING: f64 = 1e-9;
 
-/// Everything that stands still, by where it is.
+/// Obstacles, indexed by place.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Obstacles {
     bodies: Arc<[BodyId]>,
-    /// Its leaves are numbered as the bodies.
+    /// Its leaves have the indices of the bodies.
     tree: Arc<Bvh>,
 }
 
 impl Obstacles {
-    /// Obstacles with the boxes round them.
+    /// Builds the hierarchy from obstacles and their bounding boxes.
     pub fn new(obstacles: impl Iterator<Item = (BodyId, AxisAlignedBox)>) -> Self {
         let (bodies, boxes): (Vec<BodyId>, Vec<Aabb>) = obstacles
             .map(|(body, AxisAlignedBox { low, high })| {
@@ -35,10 +35,10 @@ impl Obstacles {
         self.bodies.is_empty()
     }
 
-    /// Adds those whose boxes are at most `up_to` from a box [m], in their order.
+    /// Adds the obstacles whose boxes are at most `up_to` from a box [m], sorted.
     pub fn find_near(&self, bounds: &AxisAlignedBox, up_to: f64, found: &mut Vec<BodyId>) {
         let (low, high) = (vector(&bounds.low), vector(&bounds.high));
-        // What overlaps might overlap more than what is known already.
+        // An overlapping body may overlap more deeply than the one found so far.
         let limit = up_to.max(0.0) + ROUNDING;
         let near = self.tree.leaves(|node| {
             let gap = (node.mins() - high).max(low - node.maxs());

@@ -1,21 +1,21 @@
-//! The frames of a robot that move against each other: links that are fixed to each other share one.
+//! The frames of a robot that move against each other. Links that are fixed to each other share a frame.
 
 use super::super::frame::{Frame, z_to};
 use super::super::{JointKind, RobotModel};
 use crate::geometry::Pose;
 use nalgebra::Translation3;
 
-/// The frames of a robot, a parent before its children. Frame 0 stands still: it is the root link's.
+/// The frames of a robot, a parent before its children. Frame 0 is that of the root link and does not move.
 #[derive(Debug, Clone)]
 pub(super) struct LinkFrames {
-    /// What moves frame i + 1.
+    /// Joint that moves frame i + 1.
     joints: Vec<MovingJoint>,
 }
 
 #[derive(Debug, Clone)]
 struct MovingJoint {
     parent: usize,
-    /// At position zero; its z axis is the axis of the joint.
+    /// Transform from the parent at position 0; the z axis is the joint's axis.
     parent_from_this: Frame,
     slides: bool,
     offset: f64,
@@ -23,7 +23,7 @@ struct MovingJoint {
     terms: Vec<(usize, f64)>,
 }
 
-/// Where a link is: fixed to which frame, and how.
+/// Frame to which a link is fixed, and its pose there.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Mount {
     pub frame: usize,
@@ -41,7 +41,7 @@ impl MovingJoint {
 }
 
 impl LinkFrames {
-    /// The frames of a robot, and where each of its links is.
+    /// Returns the frames of a robot, and the mount of each link.
     pub fn new(robot: &RobotModel) -> (Self, Vec<Mount>) {
         let mut joints: Vec<MovingJoint> = Vec::new();
         let mut mounts = vec![Mount {
@@ -74,18 +74,18 @@ impl LinkFrames {
         (Self { joints }, mounts)
     }
 
-    /// How many there are, the root's included.
+    /// Number of frames, including the root's.
     pub fn count(&self) -> usize {
         self.joints.len() + 1
     }
 
-    /// The frames from this one up to the root's, without the latter.
+    /// Iterates from a frame up to the root's, which is excluded.
     pub fn upward(&self, frame: usize) -> impl Iterator<Item = usize> {
         let above = |frame: &usize| Some(self.joints[frame.checked_sub(1)?].parent);
         std::iter::successors(Some(frame), above).take_while(|&frame| frame > 0)
     }
 
-    /// Places these frames in the world, a parent before its children.
+    /// Computes the poses of these frames in the world; a parent must come before its children.
     pub fn place(&self, wanted: &[usize], q: &[f64], world_from_frame: &mut Vec<Frame>) {
         world_from_frame.resize(self.count(), Frame::identity());
         for &frame in wanted {
@@ -103,10 +103,10 @@ impl LinkFrames {
         }
     }
 
-    /// Calls `visit` with each frame that moves one of two frames but not both, and whether it is the
-    /// first that it moves; from the leaves to where they meet.
+    /// Calls `visit` with each frame that moves one of two frames but not both, and whether it moves the first one,
+    /// from the frames up to their common ancestor.
     fn between(&self, mut a: usize, mut b: usize, mut visit: impl FnMut(usize, bool)) {
-        // A child's number is greater than its parent's.
+        // A child has a greater index than its parent.
         while a != b {
             let first = a > b;
             visit(a.max(b), first);
@@ -115,7 +115,7 @@ impl LinkFrames {
         }
     }
 
-    /// Whether one frame moves in the other when these variables do.
+    /// Whether two frames move against each other when these variables change.
     pub fn moves(&self, a: usize, b: usize, is_moved: &[bool]) -> bool {
         let mut moves = false;
         self.between(a, b, |frame, _| {
@@ -125,11 +125,12 @@ impl LinkFrames {
         moves
     }
 
-    /// Upper bound on how far any two points of two frames, at most `reach` from their origins [m],
-    /// move against each other between two configurations on a straight joint segment [m].
+    /// Returns an upper bound [m] on how far any two points of two frames move against each other between two
+    /// configurations on a straight joint segment. `reach`: largest distance of the points from their frames' origins
+    /// [m].
     ///
-    /// A joint that turns by δ moves a point by at most δ times its distance from the joint, which is
-    /// at most the sum of the lengths between (Schwarzer, Saha, Latombe 2005).
+    /// A joint that rotates by δ moves a point by at most δ times its distance from the joint, which is at most the sum
+    /// of the lengths between them (Schwarzer, Saha, Latombe 2005).
     pub fn motion(&self, [a, b]: [usize; 2], reach: [f64; 2], from: &[f64], to: &[f64]) -> f64 {
         let [mut reach_a, mut reach_b] = reach;
         let mut bound = 0.0;

@@ -1,4 +1,4 @@
-//! What meshes and the shapes of links become: boxes, hulls and surfaces.
+//! Conversion of meshes and link shapes into boxes, hulls and surfaces.
 
 use super::super::{Collision, RobotError, Shape};
 use super::solid::{Core, Solid, Surface, farthest, vector};
@@ -9,23 +9,23 @@ use parry3d_f64::query::details::distance_support_map_support_map as gjk;
 use parry3d_f64::shape::{TriMesh, TriMeshFlags};
 use std::collections::BTreeSet;
 
-/// Most points of a hull. Of more, those farthest in this many directions are kept, and the hull
-/// grows by as much as a dropped point is outside.
+/// Most points of a hull. Of more, those farthest in this many directions are kept, and the hull is inflated by the
+/// largest distance of a dropped point.
 const MAX_HULL_POINTS: usize = 256;
 
-/// How far a corner may be off that of a box, relative to the box: meshes of single precision.
+/// Tolerance of a corner against that of a box, relative to the box; for meshes in single precision.
 const BOX_TOLERANCE: f64 = 1e-6;
 
-/// How far a vertex may be before a face of a convex mesh, relative to the mesh.
+/// Largest distance of a vertex in front of a face of a convex mesh, relative to the mesh.
 const CONVEX_TOLERANCE: f64 = 1e-6;
 
-/// Most products of triangles and vertices to see whether a mesh is convex.
+/// Largest product of triangles and vertices up to which convexity is checked.
 const MAX_CONVEXITY_TESTS: usize = 100_000_000;
 
-/// A solid, and its pose in the frame of what it comes of.
+/// A solid with its pose in the frame of its origin.
 pub(super) type Placed = (Pose, Solid);
 
-/// The solid of a link's shape. A mesh becomes its convex hull.
+/// Returns the solid of a link's shape. A mesh becomes its convex hull.
 pub(super) fn of_shape(collision: &Collision) -> Placed {
     let solid = |half, radius, core| (Pose::identity(), Solid { half, radius, core });
     let (shape_from_solid, solid) = match &collision.shape {
@@ -44,7 +44,7 @@ pub(super) fn of_shape(collision: &Collision) -> Placed {
     (collision.link_from_shape * shape_from_solid, solid)
 }
 
-/// The convex hull of a mesh: a box if it is one.
+/// Returns the convex hull of a mesh, as a box if it is one.
 pub(super) fn hull(mesh: &Mesh) -> Placed {
     let points = distinct(mesh);
     if let Some(found) = as_box(&points) {
@@ -54,17 +54,17 @@ pub(super) fn hull(mesh: &Mesh) -> Placed {
     let mut cloud: Vec<Vector> = points.iter().map(|p| vector(&(p - center))).collect();
     let mut radius = 0.0;
     if cloud.len() > MAX_HULL_POINTS {
-        (cloud, radius) = reduced(&cloud);
+        (cloud, radius) = reduce(&cloud);
     }
     let core = Core::Hull(cloud.into());
     let mesh_from_solid = Translation3::from(center.coords).into();
     (mesh_from_solid, Solid { half, radius, core })
 }
 
-/// A convex mesh as its hull, any other as a surface.
+/// Returns a convex mesh as its hull, and any other mesh as a surface.
 ///
 /// # Errors
-/// If the collision library refuses the mesh.
+/// If the collision library rejects the mesh.
 pub(super) fn obstacle(name: &str, mesh: &Mesh) -> Result<Placed, RobotError> {
     let is_closed = is_closed(mesh);
     if is_closed && is_convex(mesh) {
@@ -98,9 +98,9 @@ pub(super) fn obstacle(name: &str, mesh: &Mesh) -> Result<Placed, RobotError> {
     ))
 }
 
-/// The vertices, each once, in the order of their coordinates.
+/// Returns the distinct vertices, sorted by their coordinates.
 fn distinct(mesh: &Mesh) -> Vec<Point3> {
-    // Adding zero makes -0 to 0.
+    // Adding zero turns −0 into 0.
     let mut points: Vec<[f64; 3]> = mesh
         .vertices()
         .iter()
@@ -111,7 +111,7 @@ fn distinct(mesh: &Mesh) -> Vec<Point3> {
     points.into_iter().map(Point3::from).collect()
 }
 
-/// Center and half extent of the box along the axes.
+/// Returns centre and half extent of the axis-aligned bounding box.
 fn bounds(points: &[Point3]) -> (Point3, Vector3) {
     let first = points.first().map_or_else(Vector3::zeros, |p| p.coords);
     let low = points.iter().fold(first, |low, p| low.inf(&p.coords));
@@ -119,7 +119,7 @@ fn bounds(points: &[Point3]) -> (Point3, Vector3) {
     (Point3::from((low + high) / 2.0), (high - low) / 2.0)
 }
 
-/// The box whose eight corners these are.
+/// Returns the box whose eight corners these points are, if there is one.
 fn as_box(points: &[Point3]) -> Option<Placed> {
     let [corner, others @ ..] = points else {
         return None;
@@ -142,7 +142,7 @@ fn as_box(points: &[Point3]) -> Option<Placed> {
             {
                 continue;
             }
-            // Right-handed axes; the third is made square to the others.
+            // The axes are made right-handed, and the third orthogonal to the others.
             let (x, y) = if x.cross(y).dot(&z) > 0.0 {
                 (x, y)
             } else {
@@ -177,8 +177,8 @@ fn as_box(points: &[Point3]) -> Option<Placed> {
     None
 }
 
-/// Some of the points, and how far any other is outside their hull [m].
-fn reduced(cloud: &[Vector]) -> (Vec<Vector>, f64) {
+/// Returns a subset of the points, and the largest distance of a dropped point from its hull [m].
+fn reduce(cloud: &[Vector]) -> (Vec<Vector>, f64) {
     let golden = std::f64::consts::PI * (3.0 - 5f64.sqrt());
     let count = MAX_HULL_POINTS as f64;
     let direction = |i: usize| {
@@ -207,8 +207,7 @@ fn reduced(cloud: &[Vector]) -> (Vec<Vector>, f64) {
     (kept, radius)
 }
 
-/// Corners of the triangles by their coordinates, so that a vertex that is stored several times
-/// counts as one.
+/// Iterates over the triangles' corners by coordinates, so that repeated vertices count as one.
 fn corners(mesh: &Mesh) -> impl Iterator<Item = [[u64; 3]; 3]> {
     let key = |i: u32| {
         mesh.vertices()[i as usize]
@@ -221,7 +220,7 @@ fn corners(mesh: &Mesh) -> impl Iterator<Item = [[u64; 3]; 3]> {
         .map(move |triangle| triangle.map(key))
 }
 
-/// Whether every edge borders two triangles of one orientation.
+/// Whether every edge belongs to two triangles of consistent orientation.
 fn is_closed(mesh: &Mesh) -> bool {
     let mut open = BTreeSet::new();
     for [a, b, c] in corners(mesh) {
@@ -237,7 +236,7 @@ fn is_closed(mesh: &Mesh) -> bool {
     open.is_empty()
 }
 
-/// Whether all vertices of a closed mesh are behind every triangle.
+/// Whether all vertices of a closed mesh lie behind every triangle.
 fn is_convex(mesh: &Mesh) -> bool {
     let points = distinct(mesh);
     if points.len().saturating_mul(mesh.triangles().len()) > MAX_CONVEXITY_TESTS {
@@ -256,7 +255,7 @@ fn is_convex(mesh: &Mesh) -> bool {
     })
 }
 
-/// What a closed mesh encloses [m³]; below 0 if it is inside out.
+/// Volume that a closed mesh encloses [m³]; negative if it is inside out.
 fn signed_volume(mesh: &Mesh) -> f64 {
     let center = bounds(mesh.vertices()).0;
     let six_volumes = mesh.triangles().iter().map(|triangle| {

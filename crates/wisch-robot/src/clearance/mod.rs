@@ -1,4 +1,4 @@
-//! Which parts of a robot, its tools and its surroundings touch, and how far they are apart.
+//! Collisions and distances between a robot, its tools and its surroundings.
 
 mod allowed;
 mod broad_phase;
@@ -25,23 +25,22 @@ use std::cell::Cell;
 use std::collections::BTreeMap;
 use std::ops::Range;
 
-/// Everything that may touch: the shapes of the links, bodies fixed to links (tools), obstacles.
+/// Collision model of the links, bodies fixed to links (tools) and obstacles.
 ///
-/// It is constant while queried, and every thread may query it. Queries allocate nothing once the
-/// scratch space of the thread has its size. The world is the frame of the root link.
+/// Queries do not change the model, and every thread may query it. They allocate nothing once the scratch memory of the
+/// thread has its size. The world is the frame of the root link.
 ///
-/// Checked are the pairs of links, bodies and obstacles that can move against each other and are not
-/// allowed to touch, see [`allowed_pairs`](Self::allowed_pairs): two obstacles are never a pair, nor
-/// an obstacle and a link that no variable moves (the robot stands on its table), nor two links
-/// that fixed joints connect.
+/// A pair of links, bodies or obstacles is checked if it can move against each other and is not allowed to touch; see
+/// [`allowed_pairs`](Self::allowed_pairs). Two obstacles are never a pair. Neither are an obstacle and a link that no
+/// variable moves (the robot stands on its table), nor two links connected by fixed joints.
 ///
-/// Spheres, capsules and boxes are themselves. The mesh of a link or a body becomes its convex hull;
-/// of more than 256 vertices those farthest in 256 directions are kept, and the hull grows by as much
-/// as any other is outside. Distances among spheres and capsules, and from them to boxes, are exact
-/// to rounding. Others are found by the method of Gilbert, Johnson and Keerthi, which is at most 1e-7
-/// of its value above the distance, and 1e-5 m where a cylinder is involved.
+/// Spheres, capsules and boxes are exact. The mesh of a link or body becomes its convex hull. Of more than 256
+/// vertices, those farthest in 256 directions are kept, and the hull is inflated by the largest distance of a dropped
+/// vertex. Distances between spheres and capsules, and from them to boxes, are exact up to rounding. Other distances
+/// come from the algorithm of Gilbert, Johnson and Keerthi, with a relative error of at most 1e-7, or 1e-5 m if a
+/// cylinder is involved.
 ///
-/// Obstacles are looked up by where they are, so that thousands of them cost little more than those that are near.
+/// A spatial index finds nearby obstacles, so that thousands of distant ones cost little.
 ///
 /// ```
 /// # use wisch_robot::RobotModel;
@@ -71,38 +70,38 @@ pub struct CollisionModel {
     frames: LinkFrames,
     /// Names of the variables.
     variables: Vec<String>,
-    /// Whether each variable moves; pairs that none of them moves are left out.
+    /// Whether each variable moves; pairs that no variable moves are left out.
     is_moved: Vec<bool>,
-    /// Of each link.
+    /// Mount of each link.
     mounts: Vec<Mount>,
-    /// Of each link: itself and the links with shapes next to it along the tree.
+    /// For each link, itself and the adjacent links with shapes.
     neighbours: Vec<Vec<BodyId>>,
-    /// The links, then bodies and obstacles.
+    /// Links first, then bodies and obstacles.
     bodies: Vec<Body>,
     by_name: BTreeMap<String, BodyId>,
     solids: Vec<PlacedSolid>,
-    /// The lower number first.
+    /// Allowed pairs, the lower index first.
     allowed: BTreeMap<[BodyId; 2], Reason>,
     obstacles: Obstacles,
-    /// What follows from all that: what to check, and what must be placed for it.
+    /// Pairs to check, and solids to place for them; derived from the fields above.
     rows: Vec<Row>,
-    /// Of links and bodies, row by row.
+    /// Pairs of links and bodies, row by row.
     pairs: Vec<[BodyId; 2]>,
     placed_frames: Vec<usize>,
     placed_solids: Vec<usize>,
 }
 
-/// What a link or body is checked against.
+/// Pairs of a link or body.
 #[derive(Debug, Clone)]
 struct Row {
     body: BodyId,
-    /// Where its pairs with later links and bodies are.
+    /// Range of its pairs with later links and bodies.
     pairs: Range<usize>,
     /// Whether it moves against the obstacles.
     meets_obstacles: bool,
 }
 
-/// A link, body or obstacle of one [`CollisionModel`].
+/// Index of a link, body or obstacle of one [`CollisionModel`].
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct BodyId(usize);
 
@@ -112,7 +111,7 @@ struct Body {
     frame: usize,
     is_obstacle: bool,
     solids: Range<usize>,
-    /// Farthest that any of its points is from the origin of its frame [m].
+    /// Largest distance of its points from the origin of its frame [m].
     reach: f64,
 }
 
@@ -123,19 +122,19 @@ struct PlacedSolid {
     solid: Solid,
 }
 
-/// How far apart pairs are to stay; a number stands for the same distance for all of them.
+/// Distances that pairs must keep; a number stands for the same distance for all pairs.
 ///
 /// ```
 /// use wisch_robot::Margins;
-/// // Obstacles may not be where they are believed to be.
+/// // Obstacles may be misplaced.
 /// let roomy = Margins { obstacles: 0.03, ..0.005.into() };
 /// assert_eq!(roomy.own, 0.005);
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Margins {
-    /// Of two bodies of the robot [m].
+    /// Distance between two bodies of the robot [m].
     pub own: f64,
-    /// Of the robot's bodies and obstacles [m].
+    /// Distance between the robot's bodies and obstacles [m].
     pub obstacles: f64,
 }
 
@@ -149,34 +148,34 @@ impl From<f64> for Margins {
 }
 
 impl Margins {
-    fn checked(self) -> Result<(), RobotError> {
-        checked_distance("margin", self.own)?;
-        checked_distance("margin to obstacles", self.obstacles)
+    fn check(self) -> Result<(), RobotError> {
+        check_distance("margin", self.own)?;
+        check_distance("margin to obstacles", self.obstacles)
     }
 }
 
-/// How near the nearest pair is.
+/// Distance of the nearest pair.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Clearance {
-    /// The distance of the nearest pair, at most as far as was looked [m]. At most 0 if it overlaps,
-    /// and then no deeper than it does.
+    /// Distance of the nearest pair, at most the searched one [m]. If the pair overlaps, a value of at most 0 that is a
+    /// lower bound on the depth.
     pub distance: f64,
-    /// That pair; `None` if all are as far apart as was looked.
+    /// The nearest pair; `None` if no pair is closer than the searched distance.
     pub pair: Option<Contact>,
 }
 
-/// Two bodies that are near each other; [`CollisionModel::describe`] says it in words.
+/// Two bodies that are close to each other; [`CollisionModel::describe`] states it in words.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Contact {
-    /// One, links before bodies and obstacles.
+    /// First body; links come before bodies and obstacles.
     pub a: BodyId,
-    /// The other.
+    /// Second body.
     pub b: BodyId,
-    /// Their distance [m]. At most 0 if they overlap, and then no deeper than they do.
+    /// Distance [m]. If they overlap, a value of at most 0 that is a lower bound on the depth.
     pub distance: f64,
 }
 
-/// What queries write to.
+/// Scratch memory of a query.
 #[derive(Default)]
 struct Scratch {
     world_from_frame: Vec<Frame>,
@@ -199,11 +198,11 @@ fn with_scratch<T>(query: impl FnOnce(&mut Scratch) -> T) -> T {
 }
 
 impl CollisionModel {
-    /// The links of a robot. Pairs that are neighbours, that the SRDF disables, or that overlap in
-    /// 95 of 100 random postures may touch.
+    /// Returns the collision model of a robot's links. Pairs may touch that are neighbours, that the SRDF disables, or
+    /// that overlap in 95 of 100 random postures.
     ///
     /// # Errors
-    /// If the SRDF is one of another, larger robot.
+    /// If the SRDF is that of another, larger robot.
     pub fn new(robot: &RobotModel, srdf: Option<&Srdf>) -> Result<Self, RobotError> {
         let (frames, mounts) = LinkFrames::new(robot);
         let variables = robot.variables().iter();
@@ -231,7 +230,7 @@ impl CollisionModel {
         }
         model.allow_neighbours();
         for pair in srdf.map_or(&[][..], |srdf| &srdf.disabled) {
-            let [a, b] = [model.checked_link(pair.a)?, model.checked_link(pair.b)?];
+            let [a, b] = [model.body_of_link(pair.a)?, model.body_of_link(pair.b)?];
             model.permit(a, b, Reason::Disabled);
         }
         model.list_pairs();
@@ -239,12 +238,12 @@ impl CollisionModel {
         Ok(model)
     }
 
-    /// Fixes a body to a link, such as a tool. It becomes its convex hull, and is checked neither
-    /// against the link nor the links with shapes next to it along the tree, nor against links that are fixed to the
-    /// link, directly or not, and what those hold: the fingers of a hand hold the tool.
+    /// Fixes a body, such as a tool, to a link. The body becomes its convex hull. It is not checked against the link,
+    /// the adjacent links with shapes, links fixed to that link, or their children: the fingers of a hand hold the
+    /// tool.
     ///
     /// # Errors
-    /// If the name is taken, the pose is not finite, or the link is one of another, larger robot.
+    /// If the name exists already, the pose is not finite, or the link belongs to another, larger robot.
     pub fn attach(
         &mut self,
         name: &str,
@@ -252,7 +251,7 @@ impl CollisionModel {
         link_from_body: Pose,
         mesh: &Mesh,
     ) -> Result<(), RobotError> {
-        let link = self.checked_link(link)?;
+        let link = self.body_of_link(link)?;
         self.check_new(name, &link_from_body)?;
         let Mount {
             frame,
@@ -264,10 +263,10 @@ impl CollisionModel {
         };
         let body = self.push(name, mount, std::iter::once(mesh::hull(mesh)));
         let mut near = self.neighbours[link.0].clone();
-        // A frame is that of all links that are fixed to each other; the root's stands still, as obstacles do.
+        // Links that are fixed to each other share a frame; the root's frame does not move and neither do obstacles.
         let fixed = (0..self.mounts.len()).filter(|&i| frame > 0 && self.mounts[i].frame == frame);
         for part in fixed.map(BodyId) {
-            // Links come after those that hold them.
+            // A child has a greater index than its parent.
             near.extend((self.neighbours[part.0].iter()).filter(|&&held| held >= part));
         }
         for neighbour in near {
@@ -277,12 +276,12 @@ impl CollisionModel {
         Ok(())
     }
 
-    /// Adds something that stands still, in the frame of the root link. A convex mesh is kept as its
-    /// hull, any other as a surface: if that is closed, what is wholly inside touches it, otherwise
-    /// only what meets its triangles does. A mesh whose parts overlap should be added part by part.
+    /// Adds an obstacle, with its pose in the frame of the root link. A convex mesh is kept as its hull, any other mesh
+    /// as a surface. If the surface is closed, bodies inside it collide; otherwise only bodies that meet its triangles
+    /// do. The parts of a mesh that overlap should be added one by one.
     ///
     /// # Errors
-    /// If the name is taken, the pose is not finite, or the collision library refuses the mesh.
+    /// If the name exists already, the pose is not finite, or the collision library rejects the mesh.
     pub fn add_obstacle(
         &mut self,
         name: &str,
@@ -292,8 +291,8 @@ impl CollisionModel {
         self.add_obstacles([(name, root_from_object, mesh)])
     }
 
-    /// The same for several at once, each a name, a pose and a mesh: with many, much faster than one by one. Those
-    /// before one that is refused are added.
+    /// Adds several obstacles, each with name, pose and mesh; for many obstacles this is much faster than one by one.
+    /// Obstacles before a rejected one are added.
     ///
     /// # Errors
     /// As [`CollisionModel::add_obstacle`].
@@ -325,27 +324,27 @@ impl CollisionModel {
         added
     }
 
-    /// Lets two links, bodies or obstacles touch.
+    /// Allows two links, bodies or obstacles to touch.
     ///
     /// # Errors
-    /// If there is none of a name; the error has the nearest names.
+    /// If a name does not exist; the error has the nearest names.
     pub fn allow(&mut self, a: &str, b: &str) -> Result<(), RobotError> {
         let pair = [self.body(a)?, self.body(b)?];
         self.permit(pair[0], pair[1], Reason::Asked);
-        // Pairs with obstacles are not listed.
+        // Pairs with obstacles are not stored.
         if pair.iter().all(|id| !self.bodies[id.0].is_obstacle) {
             self.list_pairs();
         }
         Ok(())
     }
 
-    /// The pairs that may touch, and why. Each is there once, with the first reason that it had.
+    /// Iterates over the pairs that may touch, each once, with the first reason for it.
     pub fn allowed_pairs(&self) -> impl Iterator<Item = (&str, &str, Reason)> {
         let pairs = self.allowed.iter();
         pairs.map(|(&[a, b], &reason)| (self.name(a), self.name(b), reason))
     }
 
-    /// The pairs that are checked.
+    /// Iterates over the pairs that are checked.
     pub fn checked_pairs(&self) -> impl Iterator<Item = (&str, &str)> {
         let all = (0..self.bodies.len()).map(BodyId);
         let obstacles: Vec<BodyId> = all.filter(|id| self.bodies[id.0].is_obstacle).collect();
@@ -360,7 +359,7 @@ impl CollisionModel {
         checked.into_iter().map(named)
     }
 
-    /// The link, body or obstacle of a name.
+    /// Returns the link, body or obstacle of this name.
     ///
     /// # Errors
     /// If there is none; the error has the nearest names.
@@ -375,18 +374,18 @@ impl CollisionModel {
         })
     }
 
-    /// The name of a link, body or obstacle.
+    /// Returns the name of a link, body or obstacle.
     ///
     /// # Panics
-    /// If it is one of another, larger model.
+    /// If it belongs to another, larger model.
     pub fn name(&self, body: BodyId) -> &str {
         &self.bodies[body.0].name
     }
 
-    /// A contact in words.
+    /// Describes a contact in words.
     ///
     /// # Panics
-    /// If it is one of another, larger model.
+    /// If it belongs to another, larger model.
     pub fn describe(&self, contact: &Contact) -> String {
         let (a, b) = (self.name(contact.a), self.name(contact.b));
         match contact.distance {
@@ -395,8 +394,8 @@ impl CollisionModel {
         }
     }
 
-    /// The same model for a loop that moves only these variables: without the pairs that they do not
-    /// move against each other. Positions are still those of all n variables.
+    /// Returns the model for queries that move only these variables, without the pairs that they do not move against
+    /// each other. Positions are still those of all n variables.
     #[must_use]
     pub fn for_variables(&self, variables: &[usize]) -> Self {
         let mut model = self.clone();
@@ -407,14 +406,14 @@ impl CollisionModel {
         model
     }
 
-    /// The smallest distance of all checked pairs at the positions `q` (n) [rad or m]; pairs further
-    /// apart than `up_to` [m] are skipped, which is cheap.
+    /// Returns the smallest distance of all checked pairs at positions `q` (n) [rad or m]. Pairs farther apart than
+    /// `up_to` [m] are skipped, which is cheap.
     ///
     /// # Errors
-    /// If `q` is of another length or not finite, or `up_to` below 0 m.
+    /// If `q` does not have n finite values, or `up_to` is below 0 m.
     pub fn clearance(&self, q: &[f64], up_to: f64) -> Result<Clearance, RobotError> {
-        self.checked(q)?;
-        checked_distance("distance to look up to", up_to)?;
+        self.check_positions(q)?;
+        check_distance("distance to look up to", up_to)?;
         Ok(with_scratch(|scratch| {
             self.place(q, scratch);
             let mut nearest = Clearance {
@@ -441,23 +440,23 @@ impl CollisionModel {
         }))
     }
 
-    /// The first pair found no farther apart than its margin [m] at the positions `q` (n) [rad or m].
+    /// Returns a pair that is not farther apart than its margin [m] at positions `q` (n) [rad or m], if there is one.
     ///
     /// # Errors
-    /// If `q` is of another length or not finite, or a margin below 0 m.
+    /// If `q` does not have n finite values, or a margin is below 0 m.
     pub fn collision(
         &self,
         q: &[f64],
         margins: impl Into<Margins>,
     ) -> Result<Option<Contact>, RobotError> {
         let margins = margins.into();
-        self.checked(q)?;
-        margins.checked()?;
+        self.check_positions(q)?;
+        margins.check()?;
         Ok(with_scratch(|scratch| {
             self.place(q, scratch);
             for row in &self.rows {
                 let contact = |[a, b]: [BodyId; 2], margin: f64, scratch: &Scratch| {
-                    // Zero is below the next greater number.
+                    // At a margin of 0, a distance of exactly 0 must count as well.
                     let distance = self.distance([a, b], scratch, margin.next_up());
                     (distance <= margin).then_some(Contact { a, b, distance })
                 };
@@ -476,12 +475,12 @@ impl CollisionModel {
         }))
     }
 
-    /// Whether a pair of bodies is allowed to touch.
+    /// Whether a pair of bodies may touch.
     fn may_touch(&self, [a, b]: [BodyId; 2]) -> bool {
         self.allowed.contains_key(&[a.min(b), a.max(b)])
     }
 
-    /// Finds the obstacles that a placed body might be nearer to than `up_to` [m], in their order.
+    /// Finds the obstacles that a placed body may be closer to than `up_to` [m], sorted.
     fn find_obstacles_near(&self, row: &Row, up_to: f64, scratch: &mut Scratch) {
         scratch.near.clear();
         if !row.meets_obstacles || self.obstacles.is_empty() {
@@ -511,7 +510,7 @@ impl CollisionModel {
         Ok(())
     }
 
-    fn checked_link(&self, link: LinkId) -> Result<BodyId, RobotError> {
+    fn body_of_link(&self, link: LinkId) -> Result<BodyId, RobotError> {
         let (link, links) = (link.index(), self.mounts.len());
         if link < links {
             Ok(BodyId(link))
@@ -520,7 +519,7 @@ impl CollisionModel {
         }
     }
 
-    fn checked(&self, q: &[f64]) -> Result<(), RobotError> {
+    fn check_positions(&self, q: &[f64]) -> Result<(), RobotError> {
         if q.len() != self.variables.len() {
             return Err(RobotError::Length {
                 what: "positions",
@@ -559,7 +558,7 @@ impl CollisionModel {
         id
     }
 
-    /// Lists what to check and what must be placed for it.
+    /// Lists the pairs to check and the solids to place for them.
     fn list_pairs(&mut self) {
         let is_checked =
             |&i: &usize| !self.bodies[i].is_obstacle && !self.bodies[i].solids.is_empty();
@@ -601,7 +600,7 @@ impl CollisionModel {
         self.pairs = pairs;
     }
 
-    /// Places what is checked and moves in the world.
+    /// Places the checked and moving solids in the world.
     fn place(&self, q: &[f64], scratch: &mut Scratch) {
         self.frames
             .place(&self.placed_frames, q, &mut scratch.world_from_frame);
@@ -616,7 +615,7 @@ impl CollisionModel {
         }
     }
 
-    /// Where a solid is in the world; those that move once they are placed.
+    /// Returns the frame of a solid in the world; moving solids must be placed before.
     #[inline]
     fn frame_of<'a>(&'a self, solid: usize, scratch: &'a Scratch) -> &'a Frame {
         match self.solids[solid].frame {
@@ -625,7 +624,7 @@ impl CollisionModel {
         }
     }
 
-    /// Distance of two placed bodies if below `up_to`, infinite otherwise.
+    /// Returns the distance of two placed bodies if it is below `up_to`, and infinity otherwise.
     #[inline]
     fn distance(&self, pair: [BodyId; 2], scratch: &Scratch, up_to: f64) -> f64 {
         let [a, b] = pair.map(|id| self.bodies[id.0].solids.clone());
@@ -640,7 +639,7 @@ impl CollisionModel {
     }
 }
 
-fn checked_distance(what: &'static str, value: f64) -> Result<(), RobotError> {
+fn check_distance(what: &'static str, value: f64) -> Result<(), RobotError> {
     if value >= 0.0 {
         Ok(())
     } else {

@@ -1,42 +1,46 @@
-//! Straight joint segments: how far things move on them at most, and whether they stay apart.
+//! Collision checks of straight joint segments.
 
 use super::{Body, BodyId, CollisionModel, Contact, Margins, Scratch, with_scratch};
 use crate::RobotError;
 
-/// A segment is bisected until nothing moves further against anything else than this [m]: a pair that
-/// keeps the margin by less may be taken for a contact.
+/// Largest motion of any pair within a span at which bisection ends [m]; a pair that keeps its margin by less may be
+/// reported as a contact.
 pub const SEGMENT_RESOLUTION: f64 = 1e-4;
 
-/// Most postures looked at for one segment; what is not known to be clear by then is a contact.
+/// Most postures examined for one segment; a span that is not known to be clear by then is a contact.
 const MAX_POSTURES: usize = 100_000;
 
-/// A pair that is not known to stay apart.
+/// A pair that is not yet known to stay apart.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct OpenPair {
     pair: [BodyId; 2],
-    /// How far they move against each other on the whole segment at most [m].
+    /// Upper bound on its relative motion over the whole segment [m].
     motion: f64,
-    /// How far apart they are to stay [m].
+    /// Distance that it must keep [m].
     margin: f64,
 }
 
-/// A part of a segment, and the pairs that are not known to stay apart on it.
+/// A part of a segment, with the pairs that are not yet known to stay apart on it.
 pub(super) struct Span {
-    /// From 0 to 1 along the segment.
+    /// Its middle, from 0 to 1 along the segment.
     middle: f64,
     half: f64,
-    /// Where those pairs are among the open ones.
+    /// Index of its first pair among the open ones.
     from: usize,
     to: usize,
 }
 
 impl CollisionModel {
-    /// Upper bound on how far any point of the robot and of the bodies attached to it moves between
-    /// two configurations (n) [rad or m] on a straight joint segment [m].
+    /// Returns an upper bound on how far any point of the robot and of attached bodies moves between two configurations
+    /// (n) [rad or m] on a straight joint segment [m].
     ///
-    /// Infinite if an array is of another length or not finite.
+    /// Infinity if an array does not have n finite values.
     pub fn motion_bound(&self, from: &[f64], to: &[f64]) -> f64 {
-        if self.checked(from).and(self.checked(to)).is_err() {
+        if self
+            .check_positions(from)
+            .and(self.check_positions(to))
+            .is_err()
+        {
             return f64::INFINITY;
         }
         let motion = |body: &Body| {
@@ -46,16 +50,16 @@ impl CollisionModel {
         self.bodies.iter().map(motion).fold(0.0, f64::max)
     }
 
-    /// A pair that comes within its margin [m] on the straight joint segment between two configurations
-    /// (n) [rad or m]; `None` only if every checked pair keeps its margin everywhere on it.
+    /// Returns a pair that comes within its margin [m] on the straight joint segment between two configurations (n)
+    /// [rad or m]. `None` only if every checked pair keeps its margin everywhere on the segment.
     ///
-    /// A span on which a pair moves by no more than it is clear of the margin in the middle is clear
-    /// (Schwarzer, Saha, Latombe 2005); other spans are bisected. A pair may be named that keeps the
-    /// margin by less than [`SEGMENT_RESOLUTION`], or that 100 000 postures did not show to be clear.
-    /// The contact's distance is that at the posture where it was found.
+    /// A span is clear if each pair moves on it by no more than its distance at the middle exceeds its margin
+    /// (Schwarzer, Saha, Latombe 2005); other spans are bisected. A pair may be returned that keeps its margin by less
+    /// than [`SEGMENT_RESOLUTION`], or that 100 000 postures could not prove clear. The distance of the contact is that
+    /// at the posture where it was found.
     ///
     /// # Errors
-    /// If an array is of another length or not finite, or a margin below 0 m.
+    /// If an array does not have n finite values, or a margin is below 0 m.
     pub fn segment_contact(
         &self,
         from: &[f64],
@@ -63,9 +67,9 @@ impl CollisionModel {
         margins: impl Into<Margins>,
     ) -> Result<Option<Contact>, RobotError> {
         let margins = margins.into();
-        self.checked(from)?;
-        self.checked(to)?;
-        margins.checked()?;
+        self.check_positions(from)?;
+        self.check_positions(to)?;
+        margins.check()?;
         Ok(with_scratch(|scratch| {
             self.first_on_segment(from, to, margins, scratch)
         }))
@@ -132,7 +136,7 @@ impl CollisionModel {
         None
     }
 
-    /// Opens the pairs of a segment whose middle is placed; obstacles that a body cannot come near are left out.
+    /// Opens the pairs of a segment whose middle is placed; obstacles out of range of a body are left out.
     fn open_pairs(&self, from: &[f64], to: &[f64], margins: Margins, scratch: &mut Scratch) {
         scratch.open.clear();
         for row in &self.rows {

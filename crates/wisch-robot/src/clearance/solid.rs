@@ -1,7 +1,7 @@
-//! Solids and how far they are apart.
+//! Solids and their distances.
 //!
-//! A solid is everything nearer than a radius to a core. Segments and boxes have closed forms; for
-//! other cores the method of Gilbert, Johnson and Keerthi finds the distance, as parry has it.
+//! A solid is the set of points within a radius of a core. Segments and boxes have closed forms; for other cores,
+//! parry's implementation of the Gilbert, Johnson and Keerthi algorithm computes the distance.
 
 use super::super::frame::Frame;
 use crate::geometry::Vector3;
@@ -11,19 +11,19 @@ use parry3d_f64::query::details::distance_support_map_support_map as gjk;
 use parry3d_f64::shape::{SupportMap, TriMesh};
 use std::sync::Arc;
 
-/// Everything nearer than `radius` to a core.
+/// All points within `radius` of a core.
 #[derive(Debug, Clone)]
 pub(super) struct Solid {
-    /// A box round the core, about the origin of the solid: half its extent along x, y and z [m].
+    /// Half extents along x, y and z of a box around the core, about the origin of the solid [m].
     pub half: Vector3,
     pub radius: f64,
     pub core: Core,
 }
 
-/// A core in the axes of the box round it.
+/// A core, in the axes of its box.
 #[derive(Debug, Clone)]
 pub(super) enum Core {
-    /// Along z, as long as the box; a point if that is 0 m.
+    /// A segment along z, as long as the box; a point if that is 0 m.
     Segment,
     /// The box itself.
     Box,
@@ -31,18 +31,18 @@ pub(super) enum Core {
     Cylinder,
     /// The convex hull of points [m].
     Hull(Arc<[Vector]>),
-    /// A mesh that need not be convex.
+    /// A mesh that may be concave.
     Surface(Arc<Surface>),
 }
 
-/// Triangles, and what they enclose if they are closed.
+/// Triangles, with their interior if they are closed.
 #[derive(Debug)]
 pub(super) struct Surface {
     pub mesh: TriMesh,
     pub is_closed: bool,
 }
 
-/// A box along the axes of the world [m].
+/// An axis-aligned box in the world [m].
 #[derive(Debug, Clone, Copy)]
 pub(super) struct AxisAlignedBox {
     pub low: Vector3,
@@ -50,7 +50,7 @@ pub(super) struct AxisAlignedBox {
 }
 
 impl AxisAlignedBox {
-    /// The box round both.
+    /// Returns the smallest box around both.
     pub fn merged(self, other: Self) -> Self {
         Self {
             low: self.low.inf(&other.low),
@@ -60,12 +60,12 @@ impl AxisAlignedBox {
 }
 
 impl Solid {
-    /// Radius of the ball about the origin that the solid is in [m].
+    /// Radius of the ball about the origin that contains the solid [m].
     pub fn reach(&self) -> f64 {
         self.half.norm() + self.radius
     }
 
-    /// The box round the solid along the axes of the world.
+    /// Returns the axis-aligned box around the solid in the world.
     #[inline]
     pub fn bounds(&self, world_from_solid: &Frame) -> AxisAlignedBox {
         let [x, y, z] = &world_from_solid.axes;
@@ -78,7 +78,7 @@ impl Solid {
         }
     }
 
-    /// The ends of a segment.
+    /// Returns the ends of a segment.
     #[inline]
     fn ends(&self, world_from_solid: &Frame) -> [Vector3; 2] {
         let along = self.half.z * world_from_solid.axes[2];
@@ -99,13 +99,13 @@ impl SupportMap for Solid {
                 across.normalize_or_zero() * half.x + Vector::new(0.0, 0.0, z)
             }
             Core::Hull(points) => farthest(points, dir),
-            // A surface is asked triangle by triangle.
+            // A surface is queried triangle by triangle.
             Core::Surface(_) => Vector::ZERO,
         }
     }
 }
 
-/// The point farthest along a direction.
+/// Returns the point farthest along a direction.
 pub(super) fn farthest(points: &[Vector], dir: Vector) -> Vector {
     let mut best = (f64::NEG_INFINITY, Vector::ZERO);
     for &point in points {
@@ -117,8 +117,8 @@ pub(super) fn farthest(points: &[Vector], dir: Vector) -> Vector {
     best.1
 }
 
-/// How far two solids are apart [m] if that is below `up_to`, and infinite otherwise. If they
-/// intersect, it is at most 0 and no deeper than they do.
+/// Returns the distance of two solids [m] if it is below `up_to`, and infinity otherwise. If they intersect, the value
+/// is at most 0 and a lower bound on the depth.
 #[inline]
 pub(super) fn distance(
     (a, world_from_a): (&Solid, &Frame),
@@ -146,7 +146,7 @@ pub(super) fn distance(
     if apart < up_to { apart } else { f64::INFINITY }
 }
 
-/// Distance of the cores of a segment and something else.
+/// Returns the distance between the core of a segment and another core.
 fn round_and_any(
     (round, world_from_round): (&Solid, &Frame),
     (other, world_from_other): (&Solid, &Frame),
@@ -160,7 +160,7 @@ fn round_and_any(
     cores((other, world_from_other), (round, world_from_round), up_to)
 }
 
-/// Distance of two cores neither of which is a segment.
+/// Returns the distance between two cores neither of which is a segment.
 fn any_and_any(
     (a, world_from_a): (&Solid, &Frame),
     (b, world_from_b): (&Solid, &Frame),
@@ -182,7 +182,7 @@ fn any_and_any(
     }
 }
 
-/// Distance of two cores, the second of which is convex.
+/// Returns the distance between two cores, the second of which is convex.
 fn cores(
     (a, world_from_a): (&Solid, &Frame),
     (b, world_from_b): (&Solid, &Frame),
@@ -202,7 +202,7 @@ fn cores(
 }
 
 impl Surface {
-    /// Distance to a convex core; 0 if it is inside.
+    /// Returns the distance to a convex core; 0 if it is inside.
     fn distance(&self, other: &Solid, self_from_other: &ParryPose, up_to: f64) -> f64 {
         let some_point = self_from_other.transform_point(other.local_support_point(Vector::X));
         if self.is_closed && self.mesh.contains_local_point(some_point) {
@@ -226,13 +226,13 @@ pub(super) fn vector(v: &Vector3) -> Vector {
     Vector::new(v.x, v.y, v.z)
 }
 
-/// From the nearest point of a box about the origin to a point; zero inside.
+/// Returns the vector from the nearest point of a box about the origin to a point; zero inside.
 #[inline]
 fn outside(point: &Vector3, half: &Vector3) -> Vector3 {
     point.zip_map(half, |x, h| x - x.clamp(-h, h))
 }
 
-/// Where a quotient is within 0 to 1; 0 if its divisor is.
+/// Returns a quotient clamped to [0, 1]; 0 if its divisor is 0.
 #[inline]
 fn fraction(over: f64, under: f64) -> f64 {
     if under > 0.0 {
@@ -242,13 +242,13 @@ fn fraction(over: f64, under: f64) -> f64 {
     }
 }
 
-/// Distance of two segments [m], either of which may be a point. Ericson 2005, §5.1.9.
+/// Returns the distance between two segments [m], either of which may be a point. Ericson 2005, §5.1.9.
 #[inline]
 pub(super) fn segment_segment([a, a_end]: [Vector3; 2], [b, b_end]: [Vector3; 2]) -> f64 {
     let (u, v, w) = (a_end - a, b_end - b, a - b);
     let (uu, uv, vv) = (u.norm_squared(), u.dot(&v), v.norm_squared());
-    // Nearest on the lines, then on one segment for the other and back. Cross products keep their
-    // digits where the segments are nearly parallel and u·u v·v − (u·v)² does not.
+    // Nearest points on the lines, then on one segment for the other and back. For nearly parallel segments cross
+    // products keep their precision, whereas u·u v·v − (u·v)² cancels.
     let across = u.cross(&v);
     let s = fraction(across.dot(&v.cross(&w)), across.norm_squared());
     let t = fraction(uv * s + v.dot(&w), vv);
@@ -256,10 +256,10 @@ pub(super) fn segment_segment([a, a_end]: [Vector3; 2], [b, b_end]: [Vector3; 2]
     (w + s * u - t * v).norm()
 }
 
-/// Distance of a segment from a box about the origin [m]; 0 if they intersect.
+/// Returns the distance between a segment and a box about the origin [m]; 0 if they intersect.
 ///
-/// The squared distance is convex along the segment, and its derivative linear between the planes of
-/// the faces: the root lies where the derivative changes its sign.
+/// The squared distance is convex along the segment, and its derivative is linear between the planes of the faces. The
+/// minimum lies where the derivative changes its sign.
 #[inline]
 pub(super) fn segment_box([from, to]: [Vector3; 2], half: &Vector3) -> f64 {
     let along = to - from;

@@ -1,4 +1,4 @@
-//! Distances of solids against parry's own shapes, which share none of the closed forms.
+//! Distances of solids against parry's shapes, which share no closed form with them.
 
 use super::super::frame::Frame;
 use super::super::{Collision, Shape};
@@ -110,7 +110,7 @@ proptest! {
             // Ours may say how deep, but no deeper than it is.
             prop_assert!(found < 1e-7, "{found} though they intersect");
         }
-        // What is not below a limit is not told from infinite.
+        // A distance that is not below the limit counts as infinite.
         prop_assert_eq!(distance((&a.1, &a.0), (&b.1, &b.0), found.max(0.0)).is_finite(), found < 0.0);
     }
 
@@ -179,7 +179,7 @@ fn boxes_are_recognised_however_they_lie() {
             assert!((side - expected).abs() < 1e-12);
         }
     }
-    // A box with one corner pulled out is none.
+    // A box with one corner pulled out is not a box.
     let mut corners = cuboid.vertices().to_vec();
     corners[7] *= 1.1;
     let odd = Mesh::new(corners, cuboid.triangles().to_vec()).unwrap();
@@ -187,7 +187,7 @@ fn boxes_are_recognised_however_they_lie() {
 }
 
 #[test]
-fn the_hull_of_many_points_grows_by_what_was_dropped() {
+fn the_hull_of_many_points_is_inflated_by_the_dropped_ones() {
     let ball = Mesh::sphere(0.1, 60).unwrap();
     let (mesh_from_solid, solid) = mesh::hull(&ball);
     assert!(

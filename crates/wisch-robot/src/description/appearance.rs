@@ -1,4 +1,4 @@
-//! What a robot looks like: its URDF's `<visual>` elements, which nothing is computed from.
+//! Visual geometry of a robot, from the `<visual>` elements of its URDF. It is for display only.
 
 use super::collision::{MAX_MESH_EXTENT, Shape, load};
 use super::diagnostics::Diagnostics;
@@ -9,18 +9,18 @@ use crate::{Diagnostic, DiagnosticKind, LinkId, RobotError, RobotModel, Severity
 use roxmltree::Node;
 use std::collections::BTreeMap;
 
-/// A `<visual>` element of a URDF: a shape that is fixed to a link.
+/// A `<visual>` element of a URDF: a shape fixed to a link.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Visual {
     /// Pose of the shape in the link frame.
     pub link_from_shape: Pose,
     /// The shape in its own frame.
     pub shape: Shape,
-    /// Red, green, blue and opacity of its `<material>`, in [0, 1]; `None` where the URDF gives none.
+    /// Red, green, blue and opacity of its `<material>`, in [0, 1]; `None` if the URDF has none.
     pub color: Option<[f64; 4]>,
 }
 
-/// What a robot looks like.
+/// Visual geometry of a robot.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Appearance {
     links: Vec<Option<Vec<Visual>>>,
@@ -28,12 +28,12 @@ pub struct Appearance {
 }
 
 impl Appearance {
-    /// Reads the visual geometry of a URDF. `name` is used in messages; `meshes` returns the bytes of a mesh by the file
-    /// name that the URDF gives it, or says why it cannot. A link with a `<visual>` that is none, or with a mesh that cannot
-    /// be read or is longer than [`MAX_MESH_EXTENT`], has none, and a diagnostic says so.
+    /// Reads the visual geometry of a URDF. `name` identifies the text in messages. `meshes` returns the bytes of a
+    /// mesh, given its file name in the URDF, or an error text. A link has no visual geometry if any of it is invalid,
+    /// cannot be read, or is longer than [`MAX_MESH_EXTENT`]; a diagnostic reports it.
     ///
     /// # Errors
-    /// If the text is no URDF or larger than is read.
+    /// If the text is no URDF or exceeds a limit.
     ///
     /// ```
     /// use wisch_robot::{Appearance, RobotModel, Shape};
@@ -84,24 +84,24 @@ impl Appearance {
         })
     }
 
-    /// Whether no link has any visual geometry.
+    /// Whether no link has visual geometry.
     pub fn is_empty(&self) -> bool {
         self.links.iter().flatten().all(Vec::is_empty)
     }
 
-    /// What a link looks like: nothing where the URDF shows nothing; `None` where what it shows cannot be read, or where
-    /// the robot has no such link.
+    /// Returns the visual geometry of a link, empty if the URDF has none; `None` if it cannot be read or the robot has
+    /// no such link.
     pub fn of(&self, link: LinkId) -> Option<&[Visual]> {
         self.links.get(link.index())?.as_deref()
     }
 
-    /// What could not be read, none of it an error.
+    /// Notes on visual geometry that could not be read; none is an error.
     pub fn diagnostics(&self) -> &[Diagnostic] {
         &self.diagnostics
     }
 }
 
-/// Takes note of a fault in what is only looked at.
+/// Reports a fault of visual geometry as a note.
 fn note(report: &mut Diagnostics<'_>, subject: Subject, fault: &RobotError) {
     let (at, value, limit) = fault.parts("visual geometry");
     report.diagnostics.push(Diagnostic {
@@ -119,10 +119,10 @@ fn note(report: &mut Diagnostics<'_>, subject: Subject, fault: &RobotError) {
 
 const ADVICE: &str = "until it is corrected, collision geometry is shown instead";
 
-/// Colours by the name of their material.
+/// Colours by the name of their materials.
 type Colors = BTreeMap<String, Option<[f64; 4]>>;
 
-/// Those of the robot's `<material>` elements.
+/// Returns the colours of the robot's `<material>` elements.
 fn materials(reader: &Reader<'_>, root: Node<'_, '_>, report: &mut Diagnostics<'_>) -> Colors {
     let mut colors = BTreeMap::new();
     for material in elements(root, "material") {
@@ -150,7 +150,7 @@ fn color(reader: &Reader<'_>, material: Node<'_, '_>) -> Result<Option<[f64; 4]>
     }
 }
 
-/// What a link shows; `None` where some of it cannot be read.
+/// Returns the visual geometry of a link; `None` if part of it cannot be read.
 fn visuals(
     reader: &Reader<'_>,
     link: &str,
@@ -173,9 +173,9 @@ fn visuals(
             }
         };
         let known = report.diagnostics.len();
-        // What it is drawn with has no part in what the robot does: no limit by its reach.
+        // The reach limit of collision meshes does not apply, as the robot's motions do not depend on it.
         let loaded = load(link, &shape, 0.0, meshes, report);
-        // Nothing is computed from it, so that none of it is more than a note.
+        // As it is for display only, every fault is a note.
         for diagnostic in &mut report.diagnostics[known..] {
             diagnostic.severity = Severity::Note;
             diagnostic.advice += "; ";
@@ -190,12 +190,12 @@ fn visuals(
             color,
         })
     });
-    // All of them are read, so that all that cannot be is told.
+    // All elements are read, so that all faults are reported.
     let visuals: Vec<Option<Visual>> = visuals.collect();
     visuals.into_iter().collect()
 }
 
-/// The colour of a `<visual>`: its own, or that of the material that it names.
+/// Returns the colour of a `<visual>`: its own, or that of the material it names.
 fn color_of(
     reader: &Reader<'_>,
     visual: Node<'_, '_>,
@@ -225,7 +225,7 @@ mod tests {
   <joint name="j" type="fixed"><parent link="base"/><child link="rod"/></joint>
 </robot>"#;
 
-    /// What is read of a URDF where a cube with edges of this length is every mesh.
+    /// Reads a URDF in which every mesh is a cube with edges of this length.
     fn looks(urdf: &str, cube: Option<f64>) -> (RobotModel, Result<Appearance, RobotError>) {
         let robot = RobotModel::from_urdf("arm.urdf", urdf, &mut |_| Err(String::new()))
             .expect("visual geometry keeps no robot from being made");
@@ -261,24 +261,24 @@ mod tests {
     }
 
     #[test]
-    fn a_mesh_that_cannot_be_had_takes_its_links_looks_only() {
+    fn a_missing_mesh_removes_the_appearance_of_its_link_only() {
         let (robot, looks) = looks(ARM, None);
         let looks = looks.unwrap();
         assert_eq!(looks.of(robot.root()), None);
-        let [told] = looks.diagnostics() else {
+        let [note] = looks.diagnostics() else {
             panic!("{:?}", looks.diagnostics());
         };
-        let told = (told.severity, told.at.line, told.to_string());
-        assert_eq!((told.0, told.1), (Severity::Note, 5));
+        let note = (note.severity, note.at.line, note.to_string());
+        assert_eq!((note.0, note.1), (Severity::Note, 5));
         assert!(
-            told.2.contains("no such file") && told.2.contains("collision geometry"),
+            note.2.contains("no such file") && note.2.contains("collision geometry"),
             "{}",
-            told.2
+            note.2
         );
     }
 
     #[test]
-    fn a_mesh_in_millimetres_is_not_drawn_as_large_as_a_house() {
+    fn a_mesh_in_millimetres_is_not_drawn_a_thousand_times_too_large() {
         let (robot, looks) = looks(&ARM.replace("0.001 0.001 0.001", "1 1 1"), Some(100.0));
         let looks = looks.unwrap();
         assert_eq!(looks.of(robot.root()), None);
@@ -287,26 +287,26 @@ mod tests {
 
     #[test]
     fn faults_name_their_place() {
-        let told = |from: &str, to: &str| {
+        let note = |from: &str, to: &str| {
             let (robot, looks) = looks(&ARM.replace(from, to), Some(1.0));
             let looks = looks.unwrap();
-            let [told] = looks.diagnostics() else {
+            let [note] = looks.diagnostics() else {
                 panic!("{:?}", looks.diagnostics());
             };
-            (told.to_string(), looks.of(robot.root()).is_some())
+            (note.to_string(), looks.of(robot.root()).is_some())
         };
-        let (text, _) = told("<geometry><box size=\"0.2 0.2 0.2\"/></geometry>", "");
+        let (text, _) = note("<geometry><box size=\"0.2 0.2 0.2\"/></geometry>", "");
         assert!(
             text.starts_with("arm.urdf:4:") && text.contains("<visual> has no <geometry>"),
             "{text}"
         );
-        let (text, is_shown) = told("1 0.5 0 1", "1 50 0 1");
+        let (text, is_shown) = note("1 0.5 0 1", "1 50 0 1");
         assert!(
             text.starts_with("arm.urdf:2:") && text.contains("1 50 0 1"),
             "{text}"
         );
         assert!(is_shown, "without that colour");
-        let (text, is_shown) = told("0.001 0.001 0.001", "1 NaN 1");
+        let (text, is_shown) = note("0.001 0.001 0.001", "1 NaN 1");
         assert!(text.starts_with("arm.urdf:5:") && !is_shown, "{text}");
     }
 }

@@ -1,4 +1,4 @@
-//! Whether a URDF makes sense: every rule that a robot must or should obey.
+//! Checks of a URDF.
 
 mod limits;
 
@@ -11,20 +11,19 @@ use crate::{Diagnostic, DiagnosticKind, RobotError, Severity, Subject};
 use limits::check_limits;
 use std::collections::{BTreeMap, BTreeSet};
 
-/// Most links between the root and a tip; a deeper URDF is refused.
+/// Most links between the root and a tip; a deeper URDF is rejected.
 pub const MAX_DEPTH: usize = 200;
 
-/// How far the length of an axis may be from one: what six digits leave.
+/// Tolerance of the length of an axis, for six printed digits.
 const AXIS_TOLERANCE: f64 = 1e-5;
 
-/// How far principal inertias may break the triangle inequality, as a share of the greatest: what
-/// four printed digits leave.
+/// Tolerance of the triangle inequality of principal inertias, as a share of the largest, for four printed digits.
 const TRIANGLE_TOLERANCE: f64 = 1e-4;
 
-/// Everything that is missing or odd in a URDF; `name` is used in messages, and `meshes` returns the
-/// bytes of a collision mesh by the file name that the URDF gives it.
+/// Checks a URDF, and returns all findings. `name` identifies the text in messages. `meshes` returns the bytes of a
+/// collision mesh, given its file name in the URDF, or an error text.
 ///
-/// An [`Severity::Error`] means that [`RobotModel::from_urdf`](super::RobotModel::from_urdf) refuses the text.
+/// With an [`Severity::Error`], [`RobotModel::from_urdf`](super::RobotModel::from_urdf) rejects the text.
 ///
 /// ```
 /// use wisch_robot::{DiagnosticKind, check};
@@ -37,7 +36,7 @@ const TRIANGLE_TOLERANCE: f64 = 1e-4;
 /// ```
 ///
 /// # Errors
-/// If the text is no XML or no URDF, or larger than is read.
+/// If the text is no XML or no URDF, or exceeds a limit.
 pub fn check(
     name: &str,
     text: &str,
@@ -46,7 +45,7 @@ pub fn check(
     Ok(Checked::new(name, text, meshes)?.diagnostics)
 }
 
-/// A URDF with what was found in it, and its collision shapes by link.
+/// A URDF with its diagnostics, and its collision shapes by link.
 pub(crate) struct Checked {
     pub urdf: Urdf,
     pub diagnostics: Vec<Diagnostic>,
@@ -68,7 +67,7 @@ impl Checked {
         names(&urdf, &mut report);
         tree(&urdf, &mut report);
         for joint in &urdf.joints {
-            joint_alone(joint, &urdf, &mut report);
+            check_joint(joint, &urdf, &mut report);
         }
         drop_mimics_of_fixed(&mut urdf, &mut report);
         mimics(&urdf, &mut report);
@@ -94,14 +93,14 @@ fn joint(name: &str) -> Subject {
     Subject::Joint(name.to_owned())
 }
 
-/// Duplicate and unknown names.
+/// Checks for duplicate and unknown names.
 fn names(urdf: &Urdf, report: &mut Diagnostics) {
-    let unique = "a name of its own";
+    let unique = "a unique name";
     let mut seen = BTreeSet::new();
     for l in &urdf.links {
         if !seen.insert(&l.name) {
             let w = words(
-                "the name is taken by an earlier link",
+                "an earlier link has the same name",
                 unique,
                 "rename one of them",
             );
@@ -112,7 +111,7 @@ fn names(urdf: &Urdf, report: &mut Diagnostics) {
     for j in &urdf.joints {
         if !joints.insert(&j.name) {
             let w = words(
-                "the name is taken by an earlier joint",
+                "an earlier joint has the same name",
                 unique,
                 "rename one of them",
             );
@@ -132,15 +131,18 @@ fn names(urdf: &Urdf, report: &mut Diagnostics) {
     }
 }
 
-/// One root, one parent per link, no circle, not too deep.
+/// Checks for a single root, one parent per link, no cycles and limited depth.
 fn tree(urdf: &Urdf, report: &mut Diagnostics) {
     let mut parent_of: BTreeMap<&str, &UrdfJoint> = BTreeMap::new();
     for j in &urdf.joints {
         if let Some(first) = parent_of.get(j.child.as_str()) {
             let w = words(
-                format!("link {:?} already hangs on joint {:?}", j.child, first.name),
+                format!(
+                    "link {:?} is already the child of joint {:?}",
+                    j.child, first.name
+                ),
                 "one parent per link",
-                "remove one of the joints; closed loops are not read",
+                "remove one of the joints; closed loops are not supported",
             );
             report.error(DiagnosticKind::SeveralParents, joint(&j.name), j.at, w);
         } else {
@@ -161,7 +163,7 @@ fn tree(urdf: &Urdf, report: &mut Diagnostics) {
         }
         if !referenced.contains(l.name.as_str()) && urdf.links.len() > 1 {
             let w = words(
-                "no joint names it",
+                "it belongs to no joint",
                 "a parent or a child of some joint",
                 "attach it by a joint (type fixed) or remove it",
             );
@@ -169,7 +171,7 @@ fn tree(urdf: &Urdf, report: &mut Diagnostics) {
         } else {
             let root = first_root.map_or("", |first| first.name.as_str());
             let w = words(
-                format!("it has no parent, and neither has link {root:?}"),
+                format!("it has no parent, and link {root:?} has none either"),
                 "one root",
                 "attach it by a joint",
             );
@@ -179,7 +181,7 @@ fn tree(urdf: &Urdf, report: &mut Diagnostics) {
     depth(urdf, &parent_of, report);
 }
 
-/// Walks from each link to its root, stopping where an earlier walk has been.
+/// Walks from each link to its root, and stops where an earlier walk has been.
 fn depth(urdf: &Urdf, parent_of: &BTreeMap<&str, &UrdfJoint>, report: &mut Diagnostics) {
     let mut depth_of: BTreeMap<&str, usize> = BTreeMap::new();
     for l in &urdf.links {
@@ -191,7 +193,11 @@ fn depth(urdf: &Urdf, parent_of: &BTreeMap<&str, &UrdfJoint>, report: &mut Diagn
                 break known;
             }
             if !on_path.insert(at) {
-                let w = words("it holds itself", "a tree", "remove a joint of the circle");
+                let w = words(
+                    "it is its own ancestor",
+                    "a tree",
+                    "remove a joint of the cycle",
+                );
                 report.error(DiagnosticKind::Cycle, link(at), l.at, w);
                 break 0;
             }
@@ -206,21 +212,21 @@ fn depth(urdf: &Urdf, parent_of: &BTreeMap<&str, &UrdfJoint>, report: &mut Diagn
         }
         if base + path.len() > MAX_DEPTH + 1 {
             let w = words(
-                format!("it hangs on {} joints", base + path.len() - 1),
+                format!("there are {} joints above it", base + path.len() - 1),
                 format!("at most {MAX_DEPTH}"),
-                "join links that do not move against each other",
+                "merge links that do not move against each other",
             );
             report.error(DiagnosticKind::Depth, link(&l.name), l.at, w);
         }
     }
 }
 
-/// Type, axis and limits of one joint.
-fn joint_alone(j: &UrdfJoint, urdf: &Urdf, report: &mut Diagnostics) {
+/// Checks type, axis and limits of a joint.
+fn check_joint(j: &UrdfJoint, urdf: &Urdf, report: &mut Diagnostics) {
     let subject = || joint(&j.name);
     match j.kind.as_str() {
         "fixed" => return,
-        // A planar joint that is left has no axis.
+        // A planar joint that could not be split has no axis.
         "revolute" | "continuous" | "prismatic" | "planar" => {}
         "floating" => {
             let w = words(
@@ -254,7 +260,8 @@ fn joint_alone(j: &UrdfJoint, urdf: &Urdf, report: &mut Diagnostics) {
     check_limits(j, follows, report);
 }
 
-/// Robots that were made stiff for some purpose keep the `<mimic>` of joints that are fixed now: it says nothing.
+/// Drops the `<mimic>` of fixed joints, which has no effect; some robots keep it from a version in which the joint
+/// moved.
 fn drop_mimics_of_fixed(urdf: &mut Urdf, report: &mut Diagnostics) {
     let kinds = urdf.joints.iter().map(|j| (&j.name, &j.kind));
     let fixed: BTreeSet<&String> = kinds
@@ -265,7 +272,7 @@ fn drop_mimics_of_fixed(urdf: &mut Urdf, report: &mut Diagnostics) {
         let is_fixed = fixed.contains(&m.joint);
         if is_fixed {
             let w = words(
-                "it is fixed and has a <mimic>, which is passed over",
+                "it is fixed and has a <mimic>, which is ignored",
                 "a joint that moves",
                 "remove the mimic",
             );
@@ -281,7 +288,7 @@ fn drop_mimics_of_fixed(urdf: &mut Urdf, report: &mut Diagnostics) {
     });
 }
 
-/// Joints that follow others: the others exist, can move, and do not follow back.
+/// Checks joints that follow others: those must exist, move, and not follow back.
 fn mimics(urdf: &Urdf, report: &mut Diagnostics) {
     let by_name: BTreeMap<&str, &UrdfJoint> =
         urdf.joints.iter().map(|j| (j.name.as_str(), j)).collect();
@@ -321,11 +328,11 @@ fn mimics(urdf: &Urdf, report: &mut Diagnostics) {
             report.error(DiagnosticKind::Mimic, subject(), m.at, w);
         }
         if m.terms.is_empty() {
-            let w = words("it follows no joint", "a <term>", "add one");
+            let w = words("its mimic has no term", "a <term>", "add one");
             report.error(DiagnosticKind::Mimic, subject(), m.at, w);
         }
     }
-    // Whatever cannot be reduced to joints that follow none follows itself.
+    // A joint that cannot be reduced to independent joints is part of a cycle.
     let mut waiting: Vec<_> = urdf.mimics.iter().collect();
     loop {
         let names: BTreeSet<&str> = waiting.iter().map(|m| m.joint.as_str()).collect();
@@ -341,22 +348,22 @@ fn mimics(urdf: &Urdf, report: &mut Diagnostics) {
     }
     for m in waiting {
         let w = words(
-            "it follows itself, or joints that do",
-            "joints that follow none in the end",
-            "remove a mimic of the circle",
+            "it follows itself, directly or through other joints",
+            "joints that lead to independent ones",
+            "remove a mimic of the cycle",
         );
         report.error(DiagnosticKind::Mimic, joint(&m.joint), m.at, w);
     }
 }
 
-/// Bodies that no matter could form, and joints that move nothing.
+/// Checks for physically impossible bodies, and joints that move no inertia.
 fn inertias(urdf: &Urdf, report: &mut Diagnostics) {
     for l in &urdf.links {
         if let Some(inertial) = &l.inertial {
             impossible_inertia(&l.name, inertial, report);
         }
     }
-    // What a joint moves before the next moving joints: its child and what is fixed to it.
+    // A joint moves its child and everything fixed to it, up to the next moving joints.
     let mut children: BTreeMap<&str, Vec<&UrdfJoint>> = BTreeMap::new();
     for j in &urdf.joints {
         children.entry(j.parent.as_str()).or_default().push(j);
@@ -457,7 +464,7 @@ fn impossible_inertia(name: &str, inertial: &UrdfInertial, report: &mut Diagnost
         warn(
             shown,
             "none greater than the sum of the others (triangle inequality)",
-            "no body has these: compute them from the shape and the mass",
+            "they are physically impossible: compute them from the shape and the mass",
         );
     }
 }

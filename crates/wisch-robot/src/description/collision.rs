@@ -1,4 +1,4 @@
-//! Shapes of links, for collision checks: what the URDF's `<collision>` elements become.
+//! Shapes of links for collision checks, from the `<collision>` elements of a URDF.
 
 use super::diagnostics::{Diagnostics, words};
 use super::elements::{Urdf, UrdfGeometry, UrdfShape};
@@ -6,15 +6,16 @@ use crate::geometry::{LikelyUnit, Mesh, MeshFormat, Point3, Pose, Vector3};
 use crate::{DiagnosticKind, Severity, Subject};
 use nalgebra::{Translation3, UnitQuaternion};
 
-/// Longest a mesh may be before it is taken for one in millimetres, whatever the robot [m].
+/// Longest mesh of any robot [m]; a longer one is probably in millimetres.
 pub const MAX_MESH_EXTENT: f64 = 20.0;
-/// The same over the reach of the robot [1], and the least that this comes to [m]: a cell's walls are part of some URDFs.
+/// Longest mesh over the reach of the robot [1], and the least value of that limit [m]: some URDFs include the walls of
+/// a cell.
 const MESH_PER_REACH: f64 = 3.0;
 const LEAST_MESH_LIMIT: f64 = 2.0;
-/// Shortest a mesh of a link is [m].
+/// Shortest mesh of a link [m].
 const MIN_MESH_EXTENT: f64 = 1e-3;
 
-/// Longest a mesh of a robot of this reach [m] may be [m].
+/// Returns the longest extent of a mesh [m] for a robot of this reach [m].
 fn mesh_limit(reach: f64) -> f64 {
     if reach > 0.0 {
         (MESH_PER_REACH * reach).clamp(LEAST_MESH_LIMIT, MAX_MESH_EXTENT)
@@ -23,10 +24,10 @@ fn mesh_limit(reach: f64) -> f64 {
     }
 }
 
-/// How far a sphere may be from the end of a cylinder, in place and radius, to make it a capsule [m].
+/// Tolerance within which spheres at the ends of a cylinder make it a capsule, in place and radius [m].
 const CAPSULE_TOLERANCE: f64 = 1e-6;
 
-/// A `<collision>` element of a URDF: a shape that is fixed to a link.
+/// A `<collision>` element of a URDF: a shape fixed to a link.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Collision {
     /// Pose of the shape in the link frame.
@@ -38,42 +39,43 @@ pub struct Collision {
 /// A solid in its own frame.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Shape {
-    /// A box about the origin.
+    /// A box centred on the origin.
     Box {
         /// Extent along x, y and z [m].
         size: Vector3,
     },
-    /// A cylinder about the origin along z.
+    /// A cylinder along z, centred on the origin.
     Cylinder {
         /// Radius [m].
         radius: f64,
         /// Extent along z [m].
         length: f64,
     },
-    /// A cylinder about the origin along z with a half ball on either end. In a URDF: a cylinder and
-    /// two balls of its radius at its ends, or `<capsule>`.
+    /// A cylinder along z, centred on the origin, with hemispheres on its ends. In a URDF: a cylinder with two spheres
+    /// of its radius at its ends, or `<capsule>`.
     Capsule {
         /// Radius [m].
         radius: f64,
-        /// Distance of the centres of the half balls [m].
+        /// Distance between the centres of the hemispheres [m].
         length: f64,
     },
-    /// A ball about the origin.
+    /// A sphere about the origin.
     Sphere {
         /// Radius [m].
         radius: f64,
     },
-    /// A mesh, scaled to metres, in its file's axes.
+    /// A mesh, scaled to metres, in the axes of its file.
     Mesh(Mesh),
 }
 
-/// Segments round a shape that is turned into a mesh: a rim of 0.1 m radius is off by 0.5 mm.
+/// Segments of a round shape that is converted to a mesh: a rim of 0.1 m radius is off by 0.5 mm.
 const SEGMENTS: u32 = 32;
-/// Least size of a shape that is turned into a mesh [m]: one without any thickness is still there.
+/// Least size of a shape that is converted to a mesh [m], for shapes without thickness.
 const LEAST_SIZE: f64 = 1e-6;
 
 impl Collision {
-    /// The shape as a mesh in the link frame; round shapes have corners on their surface. `None` for sizes that no mesh has.
+    /// Returns the shape as a mesh in the link frame, inscribed in round shapes; `None` for sizes that no mesh can
+    /// have.
     pub fn mesh_in_link(&self) -> Option<Mesh> {
         let least = |size: f64| size.max(LEAST_SIZE);
         let mesh = match &self.shape {
@@ -91,7 +93,7 @@ impl Collision {
     }
 }
 
-/// The shapes of every link, in the order of the links; what cannot be had is reported. `reach` is the robot's [m].
+/// Reads the shapes of all links, in their order, and reports those that cannot be read. `reach` is the robot's [m].
 pub(crate) fn load_shapes(
     urdf: &Urdf,
     reach: f64,
@@ -103,7 +105,7 @@ pub(crate) fn load_shapes(
         let w = words(
             "no link has collision geometry",
             "<collision> on the links that can touch something",
-            "add capsules or boxes round the links: without them no collision is seen",
+            "add capsules or boxes around the links: without them no collision is detected",
         );
         report.add(
             Severity::Warning,
@@ -213,7 +215,7 @@ pub(super) fn load(
     })
 }
 
-/// A factor as one writes it, without what rounding leaves.
+/// Formats a factor without rounding errors.
 fn rounded(factor: f64) -> f64 {
     format!("{factor:.6e}").parse().unwrap_or(factor)
 }
@@ -235,7 +237,7 @@ fn read_mesh(
         .iter()
         .map(|p| Point3::from(p.coords.component_mul(&scale)))
         .collect();
-    // A mirrored mesh is turned inside out again.
+    // A mirrored mesh is turned right side out again.
     let mirrored = scale.product() < 0.0;
     let triangles = mesh
         .triangles()
@@ -245,7 +247,7 @@ fn read_mesh(
     Mesh::new(vertices, triangles).map_err(|error| format!("scaled by {scale:?}: {error}"))
 }
 
-/// Joins each cylinder with the balls on both its ends.
+/// Merges each cylinder with the spheres at its ends.
 fn with_capsules(mut shapes: Vec<Collision>) -> Vec<Collision> {
     let mut at = 0;
     while at < shapes.len() {
@@ -275,7 +277,7 @@ fn with_capsules(mut shapes: Vec<Collision>) -> Vec<Collision> {
 }
 
 impl Collision {
-    /// A capsule between two points of the link frame [m].
+    /// Returns a capsule between two points of the link frame [m].
     ///
     /// ```
     /// use wisch_robot::geometry::Point3;

@@ -1,21 +1,21 @@
-//! Diagnostics of a robot's descriptions, URDF and SRDF: what a check reports, where and how severe.
+//! Diagnostics of a URDF or an SRDF, with place and severity.
 
 use crate::source_location::Place;
 use std::fmt;
 
-/// How much a diagnostic matters, the least first: [`Severity::Error`] alone keeps a robot from being made.
+/// Severity of a diagnostic, the least first; only [`Severity::Error`] keeps a robot from being made.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Severity {
-    /// Worth knowing; the robot works.
+    /// Worth knowing, without consequences.
     Note,
-    /// Something will go wrong: limits that do not hold, dynamics that cannot be computed.
+    /// Something will go wrong: limits are not kept, or dynamics cannot be computed.
     Warning,
-    /// No robot can be made of this.
+    /// The robot cannot be made.
     Error,
 }
 
 impl Severity {
-    /// The word in reports and JSON: "note", "warning" or "error".
+    /// Name in reports and JSON: "note", "warning" or "error".
     pub const fn as_str(self) -> &'static str {
         match self {
             Self::Note => "note",
@@ -52,54 +52,54 @@ impl fmt::Display for Subject {
     }
 }
 
-/// What is missing or inconsistent in a URDF or an SRDF; reports name it by [`DiagnosticKind::as_str`].
+/// Kind of a diagnostic; reports show it by [`DiagnosticKind::as_str`].
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[non_exhaustive]
 pub enum DiagnosticKind {
-    /// Two links or two joints of one name.
+    /// Two links or two joints of the same name.
     DuplicateName,
-    /// A joint names a link, or a mimic a joint, that does not exist.
+    /// A joint names a link, or a mimic names a joint, that does not exist.
     UnknownName,
-    /// A joint type that is not read.
+    /// An unsupported joint type.
     JointType,
     /// A link is the child of several joints.
     SeveralParents,
     /// More than one link has no parent.
     SeveralRoots,
-    /// Links hold each other in a circle.
+    /// A cycle of links.
     Cycle,
-    /// No joint names the link.
+    /// A link without a joint.
     UnreferencedLink,
-    /// The tree is deeper than is read.
+    /// A tree that is too deep.
     Depth,
-    /// The axis of a joint is not of length one.
+    /// An axis that is not a unit vector.
     Axis,
     /// A limit is missing or infinite.
     LimitMissing,
-    /// A limit that nothing can obey, such as lower above upper or a velocity of zero.
+    /// An impossible limit, such as lower above upper or a velocity of 0.
     Limit,
-    /// A joint follows itself, a fixed joint, or nothing.
+    /// A joint that follows itself, a fixed joint, or no joint.
     Mimic,
-    /// A joint moves what has no mass or inertia.
+    /// A joint that moves no mass or inertia.
     InertiaMissing,
-    /// A mass or inertia that no body has.
+    /// A physically impossible mass or inertia.
     Inertia,
-    /// No shape to check collisions with.
+    /// No shape for collision checks.
     CollisionMissing,
-    /// A mesh cannot be read.
+    /// A mesh that cannot be read.
     Mesh,
-    /// A mesh that was most likely drawn in other units.
+    /// A mesh that is probably in other units.
     MeshScale,
-    /// Lengths, masses or angles that were most likely given in other units.
+    /// Lengths, masses or angles that are probably in other units.
     Units,
     /// Visual geometry that cannot be read.
     Visual,
-    /// An SRDF that is none of this robot's, or says what cannot be.
+    /// An SRDF of another robot, or one that contradicts the URDF.
     Srdf,
 }
 
 impl DiagnosticKind {
-    /// The kind as reports write it, such as "mesh-scale".
+    /// Name of the kind in reports, such as "mesh-scale".
     pub const fn as_str(self) -> &'static str {
         match self {
             Self::DuplicateName => "duplicate-name",
@@ -126,22 +126,22 @@ impl DiagnosticKind {
     }
 }
 
-/// One thing that is missing or odd in the description of a robot.
+/// A finding about the description of a robot.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Diagnostic {
-    /// How much it matters.
+    /// Severity.
     pub severity: Severity,
-    /// Where the text says it.
+    /// Place in the text.
     pub at: Place,
-    /// Whom it concerns.
+    /// Part of the robot concerned.
     pub subject: Subject,
-    /// What kind of thing it is.
+    /// Kind of the finding.
     pub kind: DiagnosticKind,
     /// What was found, with its unit.
     pub value: String,
-    /// What it should be.
+    /// Expected value.
     pub limit: String,
-    /// What to do about it.
+    /// Advice on how to correct it.
     pub advice: String,
 }
 
@@ -155,14 +155,14 @@ impl fmt::Display for Diagnostic {
     }
 }
 
-/// Collects diagnostics with their places.
+/// Collector of diagnostics with their places.
 pub(crate) struct Diagnostics<'a> {
     pub file: &'a str,
     pub text: &'a str,
     pub diagnostics: Vec<Diagnostic>,
 }
 
-/// What was found, what was expected, and what to do.
+/// Finding, expectation and advice of a diagnostic.
 pub(crate) struct Words {
     pub value: String,
     pub limit: String,

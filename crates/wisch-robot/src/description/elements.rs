@@ -7,7 +7,7 @@ pub(crate) struct Urdf {
     pub robot: String,
     pub links: Vec<UrdfLink>,
     pub joints: Vec<UrdfJoint>,
-    /// Of the extension.
+    /// Mimics of several joints, an extension of URDF.
     pub mimics: Vec<UrdfMimic>,
 }
 
@@ -53,7 +53,7 @@ pub(crate) struct UrdfJoint {
     pub parent_from_joint: Pose,
     pub axis: Vector3,
     pub limit: Option<UrdfLimit>,
-    /// The limits of its safety controller, where those are narrower; `limit` has them already.
+    /// Limits of the safety controller, if narrower; `limit` includes them.
     pub soft_limits: Option<[f64; 2]>,
 }
 

@@ -1,4 +1,4 @@
-//! What describes a robot: URDF and SRDF as typed, their check, the shapes of links, and what they look like.
+//! Descriptions of robots: URDF and SRDF as typed, their checks, collision shapes and visual geometry.
 
 mod appearance;
 pub(super) mod check;

@@ -1,19 +1,19 @@
-//! A planar joint of a URDF as the three joints that it is: two slides and a turn.
+//! A planar joint of a URDF, read as three joints: two prismatic ones and a revolute one.
 
 use super::elements::{UrdfJoint, UrdfLimit, UrdfLink};
 use crate::frame::z_to;
 use crate::geometry::{Pose, Vector3};
 
-/// How far a planar joint slides either way; a URDF gives it no range, and no floor is larger [m].
+/// Range of a planar joint in either direction [m]: a URDF gives none, and no floor is larger.
 const EXTENT: f64 = 100.0;
-/// An axis shorter than this has no direction.
+/// Length of an axis below which it has no direction.
 const MIN_AXIS: f64 = 1e-5;
 
-/// What the parts of a joint are called after its name, as in an SRDF.
+/// Suffixes of the parts' names, as in an SRDF.
 const PARTS: [&str; 3] = ["x", "y", "theta"];
 
-/// The joints that a joint consists of, and the links between them. A planar joint's axis is the normal of its
-/// plane; its velocity, acceleration and effort are those of every part [m and rad].
+/// Returns the joints of which a joint consists, and the links between them. The axis of a planar joint is the normal
+/// of its plane; each part has its limits of velocity, acceleration and effort [m and rad].
 pub(crate) fn split(joint: UrdfJoint) -> (Vec<UrdfJoint>, Vec<UrdfLink>) {
     if joint.kind != "planar" || joint.axis.norm() < MIN_AXIS {
         return (vec![joint], Vec::new());

@@ -1,4 +1,4 @@
-//! What a URDF does not say: groups of joints, named postures, links that may touch. MoveIt's format.
+//! Robot semantics beyond the URDF, in MoveIt's SRDF: groups, named postures, and links that may touch.
 
 use super::diagnostics::{Diagnostics, Words, words};
 use super::urdf::{Reader, elements};
@@ -9,14 +9,14 @@ use crate::{
 use roxmltree::Node;
 use std::collections::BTreeSet;
 
-/// Name of the state in which the arm waits and travels. A state of this name with `_` and the tool's name after it goes
-/// before, for tools that need a posture of their own.
+/// Name of the posture in which the arm waits and travels. A posture named `ready_` plus the tool's name takes
+/// precedence, for tools that need their own.
 pub const READY_STATE: &str = "ready";
 
 /// Most groups.
 const MAX_GROUPS: usize = 1000;
 
-/// An SRDF, read for one robot.
+/// An SRDF of one robot.
 ///
 /// ```
 /// # use wisch_robot::RobotModel;
@@ -39,69 +39,68 @@ const MAX_GROUPS: usize = 1000;
 /// ```
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Srdf {
-    /// The groups that are chains, in the order of the text: those of a `<chain>`, and after them those whose joints
-    /// lie one behind the other and of which at least two move by themselves.
+    /// Groups that are chains, in the order of the text: first those with a `<chain>`, then those whose joints form a
+    /// chain with at least two independent joints.
     pub groups: Vec<Group>,
     /// Named postures of groups.
     pub states: Vec<GroupState>,
     /// Pairs of links that are not checked against each other.
     pub disabled: Vec<DisabledPair>,
-    /// Groups that are not read: those of links, of other groups, or of joints that are no chain. Virtual and passive
-    /// joints and end effectors are passed over.
+    /// Groups that are ignored: those of links, of other groups, or of joints that form no chain. Virtual and passive
+    /// joints and end effectors are ignored silently.
     pub ignored: Vec<Ignored>,
-    /// What is passed over without harm to the groups that wipe: pairs with a link that the robot does not have (a warning), and
-    /// postures of joints that are fixed, absent or of no group (a note).
+    /// Diagnostics of elements that are ignored without harm to the groups that wipe: pairs with a link that the robot
+    /// does not have (a warning), and postures of joints that are fixed, absent or in no group (a note).
     pub passed_over: Vec<Diagnostic>,
-    /// The robot that the text says it is of, if that is not this one, and where it says so [byte].
+    /// Name of the robot in the text, if it is another one, and its place [byte].
     other_robot: Option<(usize, String)>,
 }
 
-/// The joints from one link out to another.
+/// A chain of joints from a base link to a tip link.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Group {
-    /// Its name.
+    /// Name of the group.
     pub name: String,
-    /// The link that its poses are relative to.
+    /// Base link, to which poses are relative.
     pub base: LinkId,
-    /// The link at its end.
+    /// Tip link.
     pub tip: LinkId,
 }
 
 /// A named posture: positions of some variables.
 #[derive(Debug, Clone, PartialEq)]
 pub struct GroupState {
-    /// Its name.
+    /// Name of the posture.
     pub name: String,
-    /// The group that it is one of, which need not be a chain.
+    /// Name of its group, which need not be a chain.
     pub group: String,
-    /// Pairs of a variable and its position [rad or m]. Joints that follow others are left out, as
-    /// those say where they are.
+    /// Pairs of a variable and its position [rad or m]; followers are left out, as the variables determine them.
     pub positions: Vec<(usize, f64)>,
 }
 
 /// Two links that may touch: a `<disable_collisions>` element of an SRDF.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct DisabledPair {
-    /// One.
+    /// First link.
     pub a: LinkId,
-    /// The other.
+    /// Second link.
     pub b: LinkId,
-    /// Why, as the text has it, such as "Adjacent"; empty if it does not say.
+    /// Reason as in the text, such as "Adjacent"; empty if it has none.
     pub reason: String,
 }
 
-/// A group that is not read.
+/// A group that is ignored.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Ignored {
-    /// Where it is.
+    /// Place in the text.
     pub at: Place,
-    /// What it is, such as `group "hand" of a joint, not a chain`.
+    /// Description, such as `group "hand" of a joint, not a chain`.
     pub what: String,
 }
 
 impl GroupState {
-    /// The positions `q` (n) with those of this posture put in; variables that `q` does not have are
-    /// passed over.
+    /// Returns the positions `q` (n) with those of this posture inserted; variables beyond the length of `q` are
+    /// skipped.
     pub fn applied_to(&self, q: &[f64]) -> Vec<f64> {
         let mut q = q.to_vec();
         for &(variable, position) in &self.positions {
@@ -114,20 +113,21 @@ impl GroupState {
 }
 
 impl Srdf {
-    /// Reads an SRDF of a robot; `name` is used in messages.
+    /// Reads the SRDF of a robot; `name` identifies the text in messages.
     ///
     /// # Errors
-    /// If the text is no SRDF or larger than is read; if a group names a link, or a posture of a chain a joint, that does not
-    /// exist, or a posture a group; if a chain's tip does not hang on its base; if two groups, or two postures of a group,
-    /// have one name; or if a posture is outside the position limits.
+    /// If the text is no SRDF or exceeds a limit. If a group names an unknown link, a posture of a chain an unknown
+    /// joint, or a posture an unknown group. If a chain's tip is no descendant of its base. If two groups, or two
+    /// postures of a group, have the same name. If a posture is outside the position limits.
     pub fn parse(name: &str, text: &str, robot: &RobotModel) -> Result<Self, RobotError> {
         let (srdf, faults) = Self::read(name, text, robot)?;
         faults.into_iter().next().map_or(Ok(srdf), Err)
     }
 
-    /// Everything that is wrong with an SRDF or odd in it: an error for each reason for which
-    /// [`Srdf::parse`] refuses the text, an unknown name once; a warning if it says that it is another robot's, and on links of
-    /// pairs that the robot does not have; a note on each group and posture that is not read. `name` is used in messages.
+    /// Checks an SRDF, and returns all findings. There is an error for each reason for which [`Srdf::parse`] rejects
+    /// the text; an unknown name counts once. There is a warning if the SRDF is that of another robot, and one for
+    /// links of pairs that the robot does not have. Each ignored group or posture gets a note. `name` identifies the
+    /// text in messages.
     ///
     /// ```
     /// # use wisch_robot::RobotModel;
@@ -177,8 +177,8 @@ impl Srdf {
                 at,
                 subject: Subject::Robot,
                 kind: DiagnosticKind::Srdf,
-                value: format!("{what}: it is not read"),
-                limit: "a group that is one chain, to wipe with it".to_owned(),
+                value: format!("{what}: it is ignored"),
+                limit: "a group that is a single chain, if it is to wipe".to_owned(),
                 advice: "fine if it is for other programs or for postures only".to_owned(),
             });
         }
@@ -186,10 +186,10 @@ impl Srdf {
         report.diagnostics
     }
 
-    /// What can be read, and all that cannot; groups first, then postures, then pairs.
+    /// Reads everything that is valid, and returns all faults: groups first, then postures, then pairs.
     ///
     /// # Errors
-    /// If the text is no SRDF or larger than is read.
+    /// If the text is no SRDF or exceeds a limit.
     fn read(
         name: &str,
         text: &str,
@@ -225,9 +225,9 @@ impl Srdf {
                 let w = words(
                     format!("posture {name:?}: {why}"),
                     "joints that move, of a group",
-                    "fine if it is for other programs: it is passed over",
+                    "fine if it is for other programs: it is ignored here",
                 );
-                let found = noted(Severity::Note, reader.at(node), w);
+                let found = finding(Severity::Note, reader.at(node), w);
                 srdf.passed_over.push(found);
                 continue;
             }
@@ -236,7 +236,7 @@ impl Srdf {
                     srdf.states.push(state);
                 }
                 Ok(GroupState { name, group, .. }) => {
-                    let problem = format!("state {name:?} of group {group:?} is there twice");
+                    let problem = format!("state {name:?} of group {group:?} is defined twice");
                     faults.push(reader.fault(node, problem));
                 }
                 Err(fault) => faults.push(fault),
@@ -256,14 +256,14 @@ impl Srdf {
                         match fault {
                             RobotError::UnknownAt { at, unknown } => {
                                 let is_same = |fault: &RobotError| matches!(fault, RobotError::UnknownAt { unknown: known, .. } if known.name == unknown.name);
-                                let is_told = faults.iter().any(is_same);
-                                if !is_told && stale.insert(unknown.name.clone()) {
+                                let is_reported = faults.iter().any(is_same);
+                                if !is_reported && stale.insert(unknown.name.clone()) {
                                     let w = words(
                                         unknown.to_string(),
                                         format!("a link of robot {:?}", robot.name()),
-                                        "pairs with it are passed over: remove them, or give the SRDF of this robot",
+                                        "pairs with it are ignored: remove them, or give the SRDF of this robot",
                                     );
-                                    let found = noted(Severity::Warning, at, w);
+                                    let found = finding(Severity::Warning, at, w);
                                     srdf.passed_over.push(found);
                                 }
                             }
@@ -276,7 +276,7 @@ impl Srdf {
         Ok((srdf, faults))
     }
 
-    /// The group of a name.
+    /// Returns the group of this name.
     ///
     /// # Errors
     /// If there is none; the error has the nearest names.
@@ -286,7 +286,7 @@ impl Srdf {
         found.ok_or_else(|| unknown("group that is a chain", name, known))
     }
 
-    /// The first posture of a name.
+    /// Returns the first posture of this name.
     ///
     /// # Errors
     /// If there is none; the error has the nearest names.
@@ -296,8 +296,8 @@ impl Srdf {
         found.ok_or_else(|| unknown("group state", name, known))
     }
 
-    /// Why a posture is none of a group that wipes and cannot be taken; `None` where it is to be read. A joint that a chain's
-    /// posture or the ready one names wrongly stays a fault, as the robot would start elsewhere.
+    /// Returns why a posture that belongs to no wiping group is ignored; `None` if it must be read. A wrong joint name
+    /// in a chain's posture or in the ready one remains an error, as the robot would start in another posture.
     fn why_no_posture(&self, node: Node, robot: &RobotModel) -> Option<String> {
         let name = node.attribute("name").map_or("", str::trim);
         let group = node.attribute("group").map_or("", str::trim);
@@ -305,7 +305,7 @@ impl Srdf {
             return None;
         }
         if group.is_empty() {
-            return Some("it is of no group".to_owned());
+            return Some("it belongs to no group".to_owned());
         }
         if self.groups.iter().any(|known| known.name == group) {
             return None;
@@ -327,7 +327,7 @@ impl Srdf {
         self.ignored.push(Ignored { at, what });
     }
 
-    /// Puts a chain among the groups, and returns a group of joints that is one.
+    /// Adds a chain to the groups; returns a group of joints that forms a chain.
     fn read_group(
         &mut self,
         reader: &Reader,
@@ -337,7 +337,7 @@ impl Srdf {
     ) -> Result<Option<Group>, RobotError> {
         let name = reader.name(node, "name")?;
         if !names.insert(name.clone()) {
-            return Err(reader.fault(node, format!("group {name:?} is there twice")));
+            return Err(reader.fault(node, format!("group {name:?} is defined twice")));
         }
         if let Some((base, tip)) = joints_in_line(node, robot) {
             return Ok(Some(Group { name, base, tip }));
@@ -358,9 +358,9 @@ impl Srdf {
         }
         let base = reader.link_of(chain, "base_link", robot)?;
         let tip = reader.link_of(chain, "tip_link", robot)?;
-        if !robot.hangs_on(tip, base) {
+        if !robot.is_descendant(tip, base) {
             let [tip, base] = [tip, base].map(|link| &robot.links()[link.index()].name);
-            let problem = format!("group {name:?}: link {tip:?} does not hang on link {base:?}");
+            let problem = format!("group {name:?}: link {tip:?} is no descendant of link {base:?}");
             return Err(reader.fault(chain, problem));
         }
         self.groups.push(Group { name, base, tip });
@@ -368,8 +368,8 @@ impl Srdf {
     }
 }
 
-/// What is odd in an SRDF and no fault.
-fn noted(severity: Severity, at: Place, words: Words) -> Diagnostic {
+/// Returns a diagnostic of an SRDF that is not an error.
+fn finding(severity: Severity, at: Place, words: Words) -> Diagnostic {
     Diagnostic {
         severity,
         at,
@@ -381,7 +381,8 @@ fn noted(severity: Severity, at: Place, words: Words) -> Diagnostic {
     }
 }
 
-/// The ends of a group that lists joints one behind the other, as most SRDFs of arms do; fixed joints may be left out.
+/// Returns the ends of a group that lists the joints of a chain, as most SRDFs of arms do; fixed joints may be left
+/// out.
 fn joints_in_line(group: Node, robot: &RobotModel) -> Option<(LinkId, LinkId)> {
     let mut line: Option<(LinkId, LinkId)> = None;
     let mut moving = 0;
@@ -407,7 +408,7 @@ fn joints_in_line(group: Node, robot: &RobotModel) -> Option<(LinkId, LinkId)> {
     line.filter(|_| moving >= 2)
 }
 
-/// What keeps an SRDF from being read, as a diagnostic.
+/// Converts a fault of an SRDF into a diagnostic.
 fn diagnostic(fault: &RobotError, file: &str, robot: &RobotModel) -> Diagnostic {
     let (at, value, limit) = fault.parts("an SRDF of this robot");
     let limit = match fault {
@@ -433,8 +434,8 @@ fn unknown<'a>(kind: &'static str, name: &str, known: impl Iterator<Item = &'a s
 }
 
 impl RobotModel {
-    /// Whether joints lead from one link to another, or they are the same.
-    fn hangs_on(&self, tip: LinkId, base: LinkId) -> bool {
+    /// Whether `tip` is `base` or a descendant of it.
+    fn is_descendant(&self, tip: LinkId, base: LinkId) -> bool {
         let mut at = tip;
         while at != base {
             let Some(joint) = self.links()[at.index()].parent else {
@@ -480,7 +481,7 @@ impl Reader<'_> {
                 continue;
             };
             if positions.iter().any(|&(known, _)| known == variable) {
-                let problem = format!("joint {joint_name:?} is there twice");
+                let problem = format!("joint {joint_name:?} is set twice");
                 return Err(self.fault(joint, problem));
             }
             let limits = robot.variable(variable).limits.position;
@@ -510,7 +511,7 @@ impl Reader<'_> {
         })
     }
 
-    /// The variable of a joint; `None` if it follows others.
+    /// Returns the variable of a joint; `None` if it follows others.
     fn variable_of(
         &self,
         node: Node,

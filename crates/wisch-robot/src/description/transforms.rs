@@ -1,49 +1,49 @@
-//! Where the links of a URDF are in one another, whatever else it says.
+//! Transforms between the links of a URDF, independent of everything else in it.
 
 use super::elements::Urdf;
 use crate::RobotError;
 use crate::geometry::{Pose, Vector3};
 use nalgebra::{Translation3, UnitQuaternion, UnitVector3};
 
-/// How a joint moves the link that it holds, in the frame of the joint.
+/// Motion of a joint's child link, in the frame of the joint.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum JointMotion {
-    /// Not at all.
+    /// No motion.
     Fixed,
-    /// It turns it about an axis, by the joint's position [rad].
+    /// Rotation about an axis by the joint's position [rad].
     Revolute(UnitVector3<f64>),
-    /// It slides it along an axis, by the joint's position [m].
+    /// Translation along an axis by the joint's position [m].
     Prismatic(UnitVector3<f64>),
 }
 
-/// Where a link is in the one that it hangs on, by the position of the joint between them.
+/// Transform from a link to its parent, as a function of the joint's position.
 #[derive(Debug, Clone, PartialEq)]
 pub struct JointTransform {
-    /// The joint's name.
+    /// Name of the joint.
     pub joint: String,
-    /// The link that holds the other.
+    /// Parent link.
     pub parent: String,
-    /// The link that is held.
+    /// Child link.
     pub child: String,
-    /// The held link in the frame of the other, where the joint's position is 0.
+    /// Pose of the child in the parent at position 0.
     pub parent_from_joint: Pose,
-    /// How it moves.
+    /// Motion of the joint.
     pub motion: JointMotion,
-    /// How it follows others, if it does.
+    /// Rule by which it follows other joints; `None` if it is independent.
     pub mimic: Option<JointMimic>,
 }
 
-/// A joint's position by those of others: `offset + Σ factor · position`.
+/// Position of a joint as a function of other joints: `offset + Σ factor · position`.
 #[derive(Debug, Clone, PartialEq)]
 pub struct JointMimic {
-    /// Its position where those are 0 [rad or m].
+    /// Position if those are all at 0 [rad or m].
     pub offset: f64,
-    /// The others by name, with their factors.
+    /// Names of the other joints, with their factors.
     pub terms: Vec<(String, f64)>,
 }
 
 impl JointTransform {
-    /// The held link in the frame of the other, at a position of the joint [rad or m].
+    /// Returns the pose of the child in the parent at a position of the joint [rad or m].
     pub fn at(&self, position: f64) -> Pose {
         let moved = match self.motion {
             JointMotion::Fixed => Pose::identity(),
@@ -60,8 +60,8 @@ impl JointTransform {
     }
 }
 
-/// What the joints of a URDF make of their positions, whatever else it says: of a stranger's robot whose meshes are not
-/// at hand, too. Joints of other kinds than fixed, revolute, continuous and prismatic are left out.
+/// Returns the transforms of a URDF's joints, without checking anything else, so that it works without the robot's
+/// meshes. Joints other than fixed, revolute, continuous and prismatic ones are left out.
 ///
 /// ```
 /// let urdf = r#"<robot name="lift"><link name="floor"/><link name="table"/>
@@ -73,7 +73,7 @@ impl JointTransform {
 /// ```
 ///
 /// # Errors
-/// If the text is no URDF or larger than is read.
+/// If the text is no URDF or exceeds a limit.
 pub fn joint_transforms(file: &str, text: &str) -> Result<Vec<JointTransform>, RobotError> {
     let urdf = Urdf::read(file, text)?;
     let axis = |axis: Vector3| UnitVector3::try_new(axis, f64::MIN_POSITIVE);

@@ -1,4 +1,4 @@
-//! Whether lengths, masses and angles of a URDF are in metres, kilograms and radians.
+//! Checks whether lengths, masses and angles of a URDF are in metres, kilograms and radians.
 
 use super::diagnostics::{Diagnostics, words};
 use super::elements::{Urdf, UrdfJoint};
@@ -6,22 +6,22 @@ use crate::geometry::LikelyUnit;
 use crate::{DiagnosticKind, Severity, Subject};
 use std::collections::BTreeMap;
 
-/// Reach of a robot from its root to its farthest link, along its joints [m]: longer and shorter than that of any robot arm
-/// that wipes, and longer than any place that a task has.
+/// Usual range of a robot's reach from its root to its farthest link, along its joints [m], and the largest reach that
+/// is accepted: more than any wiping arm or task needs.
 const USUAL_REACH: [f64; 2] = [0.02, 20.0];
 const MOST_REACH: f64 = 100.0;
-/// Mass over the cube of the reach [kg/m³], of robots of more than so many kilograms: an industrial arm has 150, a mobile
-/// manipulator 1300.
+/// Largest mass over the cube of the reach [kg/m³] for robots above a least mass [kg]; an industrial arm has 150, a
+/// mobile manipulator 1300.
 const MOST_MASS_PER_REACH: f64 = 3000.0;
 const LIGHT: f64 = 500.0;
-/// A limit of a joint that turns is rarely beyond [rad]; and in degrees, hardly ever beyond.
+/// Largest usual limit of a revolute joint [rad], and the largest usual value of one in degrees.
 const MOST_TURN: f64 = 30.0;
 const MOST_DEGREES: f64 = 720.0;
-/// Radius of gyration of a link over the reach of the robot [1], and the least that this comes to [m].
+/// Largest radius of gyration of a link over the reach of the robot [1], and the least value of that limit [m].
 const GYRATION_PER_REACH: f64 = 3.0;
 const LEAST_GYRATION: f64 = 1.0;
 
-/// How far the farthest link is from the root along the origins of the joints [m]; 0 of a single link.
+/// Returns the largest distance of a link from the root along the origins of the joints [m]; 0 for a single link.
 pub(super) fn reach(urdf: &Urdf) -> f64 {
     let parents = urdf
         .joints
@@ -33,14 +33,14 @@ pub(super) fn reach(urdf: &Urdf) -> f64 {
             parent_of.get(joint.parent.as_str())
         });
         let lengths = above.map(|joint| joint.parent_from_joint.translation.vector.norm());
-        // Of links in a circle, which are an error of their own, the way has no end.
+        // The limit ends walks along cycles of links, which another check reports.
         lengths.take(urdf.links.len()).sum::<f64>()
     };
     let links = urdf.links.iter().map(|link| length(&link.name));
     links.fold(0.0, f64::max)
 }
 
-/// Reports what is most likely in other units; `reach` is [`reach`] [m].
+/// Reports values that are probably in other units; `reach` is that of [`reach`] [m].
 pub(super) fn check(urdf: &Urdf, reach: f64, report: &mut Diagnostics) {
     let [least, most] = USUAL_REACH;
     let is_arm = urdf
@@ -56,7 +56,7 @@ pub(super) fn check(urdf: &Urdf, reach: f64, report: &mut Diagnostics) {
         };
         let unit = LikelyUnit::of(reach, 10.0 * least, most / 5.0);
         let advice = match unit {
-            Some(unit) => format!("{unit}, in origins, shapes and limits of joints that slide"),
+            Some(unit) => format!("{unit}, in origins, shapes and limits of sliding joints"),
             None => "give lengths in metres".to_owned(),
         };
         let w = words(
@@ -128,7 +128,7 @@ fn angles(joint: &UrdfJoint, report: &mut Diagnostics) {
         let w = words(
             format!("it turns from {lower} to {upper} rad"),
             format!("within {MOST_TURN} rad"),
-            "its limits are probably in degrees: multiply by 0.0174533; a joint that turns without end is continuous",
+            "its limits are probably in degrees: multiply by 0.0174533; a joint that turns without limits is continuous",
         );
         let subject = Subject::Joint(joint.name.clone());
         report.add(

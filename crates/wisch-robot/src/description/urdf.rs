@@ -1,11 +1,10 @@
-//! A URDF as typed: what the text says, not yet whether it makes sense.
+//! A URDF as typed, before its checks.
 //!
-//! Read with `roxmltree` rather than `urdf-rs`, which fills in what is missing (so that an absent
-//! limit cannot be told from a zero), drops elements it does not know (`<wisch>` below) and keeps
-//! no places for messages.
+//! It is read with `roxmltree` rather than `urdf-rs`, which fills in missing values (so that an absent limit looks like
+//! 0), drops unknown elements (`<wisch>` below) and keeps no places for messages.
 //!
-//! Beyond URDF, `<limit acceleration="…">` of URDF 1.2 and `<capsule>` are read, and an extension
-//! that other readers skip, for a joint that follows several others:
+//! Beyond URDF, `<limit acceleration="…">` of URDF 1.2 and `<capsule>` are supported, as well as an extension for
+//! joints that follow several others, which other readers skip:
 //!
 //! ```xml
 //! <wisch>
@@ -16,7 +15,7 @@
 //! </wisch>
 //! ```
 //!
-//! The limits of such a joint are limits of the sum: this is how coupled limits are written.
+//! The limits of such a joint apply to the sum, which expresses coupled limits.
 
 use super::elements::{
     Urdf, UrdfGeometry, UrdfInertial, UrdfJoint, UrdfLimit, UrdfLink, UrdfMimic, UrdfShape,
@@ -28,20 +27,20 @@ use crate::source_location::Place;
 use nalgebra::{Matrix3, Translation3, UnitQuaternion};
 use roxmltree::{Document, Node, ParsingOptions};
 
-/// Longest text that is read [bytes].
+/// Length of the longest text [bytes].
 pub const MAX_URDF_BYTES: usize = 8 << 20;
-/// Most links a robot may have; a URDF with more is refused.
+/// Most links of a robot.
 pub const MAX_LINKS: usize = 1000;
-/// Most shapes of a robot's collision geometry.
+/// Most collision shapes of a robot.
 pub const MAX_SHAPES: usize = 10_000;
-/// Most nodes (elements, texts, comments) of the XML; bounds the memory a small file can ask for.
+/// Most nodes (elements, texts, comments) of the XML; limits the memory that a small file can demand.
 const MAX_NODES: u32 = 500_000;
-/// Most terms of all joints that follow others.
+/// Most terms of all followers.
 const MAX_TERMS: usize = 10_000;
-/// Greatest number that is read, in any unit.
+/// Largest absolute number, in any unit.
 const MAX_NUMBER: f64 = 1e9;
 
-/// The text of a file, for messages with places.
+/// Text of a file, for messages with places.
 pub(crate) struct Reader<'a> {
     file: &'a str,
     text: &'a str,
@@ -119,7 +118,7 @@ impl<'a> Reader<'a> {
         Self { file, text }
     }
 
-    /// The XML, unless there is more than is read.
+    /// Parses the XML, within the limits.
     pub fn document(&self) -> Result<Document<'a>, RobotError> {
         if self.text.len() > MAX_URDF_BYTES {
             return Err(self.too_large("bytes", self.text.len(), MAX_URDF_BYTES));
@@ -144,7 +143,7 @@ impl<'a> Reader<'a> {
         })
     }
 
-    /// The root element, which URDF and SRDF call robot.
+    /// Returns the root element, which is `<robot>` in URDF and SRDF.
     pub fn robot<'d>(&self, document: &'d Document<'a>) -> Result<Node<'d, 'a>, RobotError> {
         let root = document.root_element();
         if root.tag_name().name() == "robot" {
@@ -155,7 +154,7 @@ impl<'a> Reader<'a> {
     }
 
     /// # Errors
-    /// If some element is one that xacro replaces by others: what it would make is the robot.
+    /// If the text has an element that xacro would expand.
     fn refuse_xacro(&self, root: Node) -> Result<(), RobotError> {
         let is_xacro = |node: &Node| {
             let namespace = node.tag_name().namespace();
@@ -216,7 +215,7 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// As many numbers as asked for; `None` if there is no such attribute.
+    /// Reads N numbers; `None` if the attribute is missing.
     pub fn numbers<const N: usize>(
         &self,
         node: Node,
@@ -244,7 +243,7 @@ impl<'a> Reader<'a> {
         Ok(self.numbers::<1>(node, attribute)?.map(|[value]| value))
     }
 
-    /// A limit, which may be infinite: then there is none.
+    /// Reads a limit; `None` if it is missing or infinite.
     fn limit(&self, node: Node, attribute: &'static str) -> Result<Option<f64>, RobotError> {
         let infinite = node
             .attribute(attribute)
@@ -262,7 +261,7 @@ impl<'a> Reader<'a> {
             .ok_or_else(|| self.attribute_fault(node, attribute, expected(1)))
     }
 
-    /// A size: above zero.
+    /// Reads a size above 0.
     fn size(&self, node: Node, attribute: &'static str) -> Result<f64, RobotError> {
         let value = self.needed(node, attribute)?;
         if value > 0.0 {
@@ -319,7 +318,7 @@ impl<'a> Reader<'a> {
         })
     }
 
-    /// Of a `<collision>` or a `<visual>`.
+    /// Reads the shape of a `<collision>` or a `<visual>`.
     pub fn shape(&self, node: Node) -> Result<UrdfShape, RobotError> {
         let geometry = element(node, "geometry")
             .and_then(|geometry| geometry.children().find(Node::is_element))
@@ -419,8 +418,8 @@ impl<'a> Reader<'a> {
         Ok((joint, mimic))
     }
 
-    /// Narrows position limits to the soft ones of a safety controller, within which a controller keeps the joint; returns those if
-    /// they are narrower. Without a range of its own it has none: absent soft limits count as 0 and 0.
+    /// Narrows position limits to the soft ones of a safety controller, and returns those if they are narrower. A
+    /// safety controller without a range has none, as absent soft limits are 0 and 0.
     fn narrow(&self, limit: &mut UrdfLimit, soft: Node) -> Result<Option<[f64; 2]>, RobotError> {
         let lower = self.limit(soft, "soft_lower_limit")?;
         let upper = self.limit(soft, "soft_upper_limit")?;

@@ -1,7 +1,7 @@
-//! Which things hang together, as pairs of them are joined one after the other.
+//! Connected components under pairwise unions.
 
-/// Sets of the numbers from 0 on, each alone at first (Tarjan, *Efficiency of a Good But Not Linear Set Union
-/// Algorithm*, 1975: union by rank, paths halved).
+/// Disjoint sets of the numbers from 0, each initially alone (Tarjan, *Efficiency of a Good But Not Linear Set Union
+/// Algorithm*, 1975: union by rank, path halving).
 #[derive(Debug, Clone)]
 pub struct DisjointSets {
     parents: Vec<usize>,
@@ -9,7 +9,7 @@ pub struct DisjointSets {
 }
 
 impl DisjointSets {
-    /// `count` sets of one number each.
+    /// Returns `count` sets of one number each.
     pub fn new(count: usize) -> Self {
         Self {
             parents: (0..count).collect(),
@@ -17,7 +17,7 @@ impl DisjointSets {
         }
     }
 
-    /// The number that stands for the set of a number.
+    /// Returns the representative of a number's set.
     pub fn find(&self, mut number: usize) -> usize {
         while self.parents[number] != number {
             number = self.parents[number];
@@ -25,7 +25,7 @@ impl DisjointSets {
         number
     }
 
-    /// Joins the sets of two numbers; whether they were two.
+    /// Merges the sets of two numbers; returns whether they were different.
     pub fn union(&mut self, a: usize, b: usize) -> bool {
         let [a, b] = [a, b].map(|number| self.find_halving(number));
         if a == b {

@@ -1,4 +1,4 @@
-//! The footprint that a tool's mesh leaves on a surface.
+//! Footprint of a tool's mesh on a surface.
 
 use super::mesh::{MAX_COORDINATE, Mesh, Side, crossing, cut};
 use super::{Edge, Point2, Point3, Polygon, Region};
@@ -9,60 +9,66 @@ use i_overlay::float::overlay::FloatOverlay;
 use i_overlay::i_float::adapter::FloatPointAdapter;
 use std::collections::{HashMap, HashSet};
 
-/// Least compression depth [m]: below it a flat face that is tilted by rounding would not lie in the slab.
+/// Least compression depth [m]; below it, a flat face that rounding tilts would not lie within the slab.
 pub const MIN_COMPRESSION_DEPTH: f64 = 1e-5;
-/// Depth within which a tool that does not give way touches [m]: how even an underside is.
+/// Contact depth of a rigid tool [m], for the unevenness of an underside.
 pub const RIGID_DEPTH: f64 = 1e-4;
 
-/// Most edges a footprint may have; a mesh that leaves more is refused.
+/// Most edges of a footprint; a mesh with more is rejected.
 pub const MAX_FOOTPRINT_EDGES: usize = 100_000;
 
-/// Rings that are joined at once, and edges that this may leave: some of a batch are inside those of the next.
+/// Number of rings in a batch of a union.
 const BATCH: usize = 250;
-/// Pairs of rings whose bounds overlap up to which all are joined at once, and pairs that are looked at to find that out.
+/// Number of pairs of rings with overlapping bounds up to which all rings are united at once, and number of pairs
+/// checked to count them.
 const FEW_OVERLAPS: usize = 2_000_000;
 const MOST_COMPARED: usize = 200_000_000;
+/// Largest number of edges that the union of a batch may leave; part of them lies within later batches.
 const MOST_BATCH_EDGES: usize = 4 * MAX_FOOTPRINT_EDGES;
 
-/// Pieces and holes below this area are dropped [m²]: a thousandth of a square millimetre.
+/// Least area of pieces and holes [m²]: a thousandth of a square millimetre.
 const MIN_AREA: f64 = 1e-9;
 
-/// Points nearer than this to the line between their neighbours are dropped [m].
+/// Distance of a point from the line between its neighbours below which it is dropped [m].
 const COLLINEAR_TOLERANCE: f64 = 1e-9;
 
-/// Projected triangles below this area are vertical but for rounding, and are skipped [m²].
+/// Area of a projected triangle below which it counts as vertical and is skipped [m²].
 const SLIVER_AREA: f64 = 1e-15;
 
-/// Grid points per metre on which unions are computed: a pitch of 0.1 nm, far below the tolerances
-/// above, and a power of two, so that scaling rounds nothing.
+/// Grid points per metre on which unions are computed: a pitch of 0.1 nm, far below the tolerances above, and a power
+/// of two, so that scaling is exact.
 const GRID_PER_METRE: f64 = (1u64 << 33) as f64;
 
-/// A closed ring of points; the first is not repeated.
+/// A closed ring of points, without repetition of the first.
 type Ring = Vec<[f64; 2]>;
 
-/// Why a mesh has no footprint.
+/// A reason why a mesh has no footprint.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum FootprintError {
-    /// The compression depth is no depth.
-    #[error("compression depth {value} m is not finite and at least {MIN_COMPRESSION_DEPTH} m")]
+    /// The compression depth is invalid.
+    #[error(
+        "compression depth {value} m is not a finite depth of at least {MIN_COMPRESSION_DEPTH} m"
+    )]
     CompressionDepth {
-        /// Its value [m].
+        /// Compression depth [m].
         value: f64,
     },
-    /// The mesh was moved out of the range of a mesh.
+    /// A transform has moved the mesh beyond the largest coordinate.
     #[error("the mesh reaches out to {value} m, beyond the limit of ±{MAX_COORDINATE} m")]
     OutOfRange {
-        /// The largest coordinate [m].
+        /// Largest coordinate [m].
         value: f64,
     },
-    /// Nothing of the tool covers the surface.
-    #[error("the lowest {depth} m of the mesh cover no piece of at least {MIN_AREA} m²")]
+    /// No part of the tool covers the surface.
+    #[error(
+        "the lowest {depth} m of the mesh cover less than {MIN_AREA} m²: check the mesh's orientation and the compression depth"
+    )]
     Empty {
-        /// The compression depth [m].
+        /// Compression depth [m].
         depth: f64,
     },
-    /// The surface has gaps and does not cover anything by itself.
+    /// The mesh has gaps and covers no area by itself.
     #[error(
         "the mesh is not watertight: its section at z = {height} m ends at {gaps} gaps, \
          and its lowest {depth} m cover nothing"
@@ -70,31 +76,30 @@ pub enum FootprintError {
     Open {
         /// Height of the section in the tool frame [m].
         height: f64,
-        /// How many chains of section edges do not close.
+        /// Number of open chains of section edges.
         gaps: usize,
-        /// The compression depth [m].
+        /// Compression depth [m].
         depth: f64,
     },
-    /// The footprint is too detailed to plan with.
+    /// The footprint has too many edges for planning.
     #[error("{edges} edges exceed the limit of {MAX_FOOTPRINT_EDGES}: simplify the mesh")]
     TooManyEdges {
-        /// How many edges it would have.
+        /// Number of edges.
         edges: usize,
     },
 }
 
-/// What a tool covers of the surface when it is pressed on so that its lowest point gives way by
-/// `compression_depth` [m]: the part of the mesh within that height of its lowest point, projected
-/// along z. The mesh is in the tool frame with z out of the surface, and so is the footprint.
+/// Returns the area of the surface that a tool covers when its lowest point is compressed by `compression_depth` [m]:
+/// the part of the mesh within that height of its lowest point, projected along z. Mesh and footprint are in the tool
+/// frame, with z out of the surface.
 ///
-/// A ray that goes down from inside a solid meets its surface, so the projected surface within the
-/// slab covers everything that the solid's section covers, and the union of the projected
-/// triangles is the footprint exactly. Only where the mesh is not watertight, such as tubes
-/// without end caps, the closed loops of the section on top of the slab are filled (even–odd) and
-/// added; section edges that do not close are left out.
+/// A ray that goes down from inside a solid meets its surface. The projected surface within the slab therefore covers
+/// everything that the solid's section covers, and the union of the projected triangles is exactly the footprint. Only
+/// if the mesh is not watertight, such as a tube without end caps, the closed loops of the section at the top of the
+/// slab are filled (even–odd) and added; open chains of section edges are left out.
 ///
-/// A depth beyond the height of the mesh means the whole mesh. Pieces and holes below 1e-9 m² and
-/// points within 1 nm of the line between their neighbours are dropped.
+/// A depth beyond the height of the mesh covers the whole mesh. Pieces and holes below 1e-9 m² are dropped, as are
+/// points within 1 nm of the line between their neighbours.
 ///
 /// # Errors
 /// If the depth is not finite and at least [`MIN_COMPRESSION_DEPTH`], the footprint is empty, or
@@ -137,7 +142,7 @@ pub fn footprint(mesh: &Mesh, compression_depth: f64) -> Result<Region, Footprin
                 .flatten(),
         );
     }
-    let region = simplified(union_of_many(cover)?);
+    let region = simplify(union_of_many(cover)?);
     let edges = region.edges().count();
     match edges {
         0 if gaps > 0 => Err(FootprintError::Open {
@@ -151,7 +156,7 @@ pub fn footprint(mesh: &Mesh, compression_depth: f64) -> Result<Region, Footprin
     }
 }
 
-/// The projection of a triangle's part at or below `top`, counter-clockwise; `None` for slivers.
+/// Returns the projection of a triangle's part at or below `top`, counter-clockwise; `None` for slivers.
 fn shadow(corners: [Point3; 3], top: f64) -> Option<Ring> {
     if corners.iter().all(|p| p.z > top) {
         return None;
@@ -171,15 +176,15 @@ fn shadow(corners: [Point3; 3], top: f64) -> Option<Ring> {
     (twice_area.abs() > 2.0 * SLIVER_AREA).then_some(ring)
 }
 
-/// The section of a mesh by a horizontal plane.
+/// Section of a mesh by a horizontal plane.
 struct Section {
     loops: Vec<Ring>,
-    /// How many chains of section edges do not close.
+    /// Number of open chains of section edges.
     gaps: usize,
 }
 
-/// Cuts the mesh by the plane z = `height`. Every vertex counts as above or not, so that each
-/// triangle gives one segment or none, and segments join on the mesh edges that triangles share.
+/// Cuts the mesh by the plane z = `height`. Every vertex counts as above it or not, so each triangle gives at most one
+/// segment, and segments join on the mesh edges that triangles share.
 fn section(mesh: &Mesh, height: f64) -> Section {
     let above = |i: u32| mesh.vertices()[i as usize].z >= height;
     let mut segments = Segments::default();
@@ -193,7 +198,7 @@ fn section(mesh: &Mesh, height: f64) -> Section {
             segments.add(one, other);
         }
     }
-    // Chains that do not close first, from one end to the other; what is left are loops.
+    // Open chains first, from end to end; the remaining segments form loops.
     let mut gaps = 0;
     let mut reached: HashSet<MeshEdge> = HashSet::new();
     for end in segments.loose_ends() {
@@ -219,10 +224,10 @@ fn section(mesh: &Mesh, height: f64) -> Section {
     Section { loops, gaps }
 }
 
-/// An edge of the mesh: the smaller vertex index first.
+/// An edge of the mesh, with the smaller vertex index first.
 type MeshEdge = (u32, u32);
 
-/// Segments of a section, each from one edge of the mesh to another.
+/// Segments of a section, each between two edges of the mesh.
 #[derive(Default)]
 struct Segments {
     ends: Vec<[MeshEdge; 2]>,
@@ -239,13 +244,13 @@ impl Segments {
         self.at.entry(other).or_default().push(index);
     }
 
-    /// The edges of the mesh where an odd number of segments end, in the order they were added.
+    /// Returns the mesh edges at which an odd number of segments end, in the order of their addition.
     fn loose_ends(&self) -> Vec<MeshEdge> {
         let odd = |edge: &MeshEdge| self.at[edge].len() % 2 == 1;
         self.ends.iter().flatten().copied().filter(odd).collect()
     }
 
-    /// Follows segments from `start` and takes them, until none goes on.
+    /// Follows segments from `start` and removes them, until the chain ends.
     fn take_chain(&mut self, start: MeshEdge) -> Vec<MeshEdge> {
         let mut chain = vec![start];
         let mut here = start;
@@ -260,13 +265,13 @@ impl Segments {
     }
 }
 
-/// The area that rings fill which run counter-clockwise, holes clockwise, as [`union`].
+/// Returns the union of the rings: counter-clockwise rings fill, clockwise ones are holes, as in [`union`].
 ///
-/// Of many rings that cross each other everywhere, the crossings alone would fill the memory: those of a batch are joined first, then
-/// batches two by two, so that what is covered already no longer counts.
+/// If many rings cross each other everywhere, the crossings alone would fill the memory. The rings are therefore united
+/// in batches, and the batches pairwise, so that covered parts drop out early.
 ///
 /// # Errors
-/// If what a batch leaves has more edges than a footprint may have by far.
+/// If the union of a batch has far more edges than a footprint may have.
 fn union_of_many(rings: Vec<Ring>) -> Result<Vec<Vec<Ring>>, FootprintError> {
     if !overlap_often(&rings) {
         return Ok(union(&rings, FillRule::NonZero));
@@ -292,7 +297,7 @@ fn union_of_many(rings: Vec<Ring>) -> Result<Vec<Vec<Ring>>, FootprintError> {
     }
 }
 
-/// Whether the bounds of more than [`FEW_OVERLAPS`] pairs of rings overlap, or it takes too long to count them.
+/// Whether the bounds of more than [`FEW_OVERLAPS`] pairs of rings overlap, or counting them would take too long.
 fn overlap_often(rings: &[Ring]) -> bool {
     let bounds = |ring: &Ring| {
         let [mut low, mut high] = [[f64::INFINITY; 2], [f64::NEG_INFINITY; 2]];
@@ -322,7 +327,7 @@ fn overlap_often(rings: &[Ring]) -> bool {
     false
 }
 
-/// The area that the rings fill, as shapes of rings: outer ring counter-clockwise, then holes.
+/// Returns the union of the rings as shapes: an outer ring, counter-clockwise, then its holes.
 fn union(rings: &[Ring], fill_rule: FillRule) -> Vec<Vec<Ring>> {
     let points = rings.iter().flatten();
     let Ok(adapter) = FloatPointAdapter::<[f64; 2], i64>::try_with_iter_and_scale_conservative(
@@ -337,8 +342,8 @@ fn union(rings: &[Ring], fill_rule: FillRule) -> Vec<Vec<Ring>> {
         .overlay(OverlayRule::Subject, fill_rule)
 }
 
-/// The region without needless points, tiny pieces and tiny holes.
-fn simplified(shapes: Vec<Vec<Ring>>) -> Region {
+/// Returns the region without collinear points, tiny pieces and tiny holes.
+fn simplify(shapes: Vec<Vec<Ring>>) -> Region {
     let polygons = shapes.into_iter().filter_map(|shape| {
         let mut rings = shape.into_iter().map(|ring| {
             let ring = without_collinear(ring.into_iter().map(Point2::from).collect());
@@ -350,7 +355,7 @@ fn simplified(shapes: Vec<Vec<Ring>>) -> Region {
     Region::new(polygons.collect())
 }
 
-/// The ring without points that lie on the line between their neighbours or stick out as a spike.
+/// Returns the ring without spikes and without points on the line between their neighbours.
 fn without_collinear(ring: Vec<Point2>) -> Vec<Point2> {
     let needless = |before: Point2, here: Point2, after: Point2| {
         let chord = Edge {

@@ -11,19 +11,19 @@ use super::{DisjointSets, Point3, Pose, Vector3};
 use std::collections::{BTreeMap, HashMap};
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
-/// Largest coordinate a mesh may hold, either sign [m].
+/// Largest absolute coordinate of a mesh [m].
 pub const MAX_COORDINATE: f64 = 1e4;
 
-/// Most triangles a mesh may hold.
+/// Most triangles of a mesh.
 pub const MAX_TRIANGLES: usize = 5_000_000;
 
-/// Fewest and most segments round a primitive.
+/// Range of the number of segments of a round primitive.
 const SEGMENTS: std::ops::RangeInclusive<u32> = 3..=1024;
 
-/// A surface made of triangles, in a frame that the owner states.
+/// A triangle mesh, in a frame that its owner states.
 ///
-/// A triangle's corners run counter-clockwise as seen from outside the solid. Every index names a
-/// vertex, every coordinate is finite and at most [`MAX_COORDINATE`], and there is at least one triangle.
+/// The corners of a triangle are counter-clockwise as seen from outside the solid. Every index names a vertex, every
+/// coordinate is finite and at most [`MAX_COORDINATE`], and there is at least one triangle.
 ///
 /// ```
 /// use wisch_robot::geometry::{Mesh, Vector3};
@@ -38,39 +38,39 @@ pub struct Mesh {
     triangles: Vec<[u32; 3]>,
 }
 
-/// Why bytes or arrays are no mesh.
+/// A reason why bytes or arrays are no mesh.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum MeshError {
     /// A fault in the mesh of this name.
     #[error("mesh {name:?}: {fault}")]
     InMesh {
-        /// The name that the reader was given.
+        /// Name of the mesh, as given to the reader.
         name: String,
         /// What is wrong.
         fault: Box<MeshError>,
     },
-    /// Nothing to see.
-    #[error("it holds no triangle")]
+    /// The mesh is empty.
+    #[error("it has no triangle")]
     Empty,
     /// A triangle names a vertex that does not exist.
     #[error(
         "triangle {triangle} names vertex {index}, but there are {vertices} vertices (counted from 0)"
     )]
     IndexOutOfRange {
-        /// Position of the triangle, from 0.
+        /// Index of the triangle.
         triangle: usize,
-        /// The vertex it names.
+        /// Index of the vertex.
         index: u32,
-        /// How many vertices there are.
+        /// Number of vertices.
         vertices: usize,
     },
-    /// A coordinate that is not finite or too large.
+    /// A coordinate is not finite or too large.
     #[error("vertex {vertex}: {axis} = {value} m exceeds the limit of ±{MAX_COORDINATE} m")]
     CoordinateOutOfRange {
-        /// Position of the vertex, from 0.
+        /// Index of the vertex.
         vertex: usize,
-        /// x, y or z.
+        /// Axis: x, y or z.
         axis: char,
         /// The coordinate [m].
         value: f64,
@@ -78,23 +78,23 @@ pub enum MeshError {
     /// More triangles than [`MAX_TRIANGLES`].
     #[error("{count} triangles exceed the limit of {MAX_TRIANGLES}")]
     TooManyTriangles {
-        /// How many triangles there would be.
+        /// Number of triangles.
         count: usize,
     },
-    /// More pieces in one file than the reader takes.
+    /// A file has too many parts.
     #[error("{count} {what} exceed the limit of {limit}")]
     TooManyParts {
-        /// What was counted.
+        /// Kind of the part.
         what: &'static str,
-        /// How many there are.
+        /// Number of the parts.
         count: usize,
-        /// How many are allowed.
+        /// Largest number.
         limit: usize,
     },
-    /// A size of a primitive that is not a length.
+    /// A size of a primitive is no valid length.
     #[error("{what} = {value} m is not above 0 m and at most {MAX_COORDINATE} m")]
     Size {
-        /// The name of the size.
+        /// Name of the size.
         what: &'static str,
         /// Its value [m].
         value: f64,
@@ -102,30 +102,30 @@ pub enum MeshError {
     /// Too few or too many segments round a primitive.
     #[error("{segments} segments are not within {} to {}", SEGMENTS.start(), SEGMENTS.end())]
     Segments {
-        /// How many were asked for.
+        /// Number of segments.
         segments: u32,
     },
-    /// A binary STL that ends before the triangles it announces.
+    /// A binary STL ends before the triangles that its header announces.
     #[error(
         "its header announces {declared} triangles, but its {bytes} bytes have room for {room}"
     )]
     Truncated {
-        /// Triangles announced.
+        /// Number of triangles in the header.
         declared: u32,
-        /// Length of the file.
+        /// Length of the file [bytes].
         bytes: usize,
-        /// Triangles that fit.
+        /// Number of triangles that fit into it.
         room: usize,
     },
-    /// Text that does not follow its format.
+    /// A text does not follow its format.
     #[error("line {line}: {reason}")]
     SyntaxAt {
-        /// Line, from 1.
+        /// Number of the line, from 1.
         line: usize,
         /// What is wrong there.
         reason: String,
     },
-    /// Bytes that do not follow their format; the reason ends in line:column where they are known.
+    /// Bytes do not follow their format; the reason ends in line:column if they are known.
     #[error("{reason}")]
     Syntax {
         /// What is wrong.
@@ -134,12 +134,12 @@ pub enum MeshError {
 }
 
 impl Mesh {
-    /// A mesh from vertices [m] and triangles (three indices into the vertices, counter-clockwise
-    /// seen from outside).
+    /// Returns a mesh of vertices [m] and triangles (three vertex indices each, counter-clockwise as seen from
+    /// outside).
     ///
     /// # Errors
-    /// If there is no triangle or more than [`MAX_TRIANGLES`], an index names no vertex, or a
-    /// coordinate is not finite or beyond [`MAX_COORDINATE`].
+    /// If there is no triangle or more than [`MAX_TRIANGLES`], an index is not that of a vertex, or a coordinate is not
+    /// finite or beyond [`MAX_COORDINATE`].
     pub fn new(vertices: Vec<Point3>, triangles: Vec<[u32; 3]>) -> Result<Self, MeshError> {
         if triangles.is_empty() {
             return Err(MeshError::Empty);
@@ -175,14 +175,14 @@ impl Mesh {
         })
     }
 
-    /// A box centred on the origin, `size` = extent along x, y and z [m].
+    /// Returns a box centred on the origin; `size` is its extent along x, y and z [m].
     ///
     /// # Errors
     /// If a size is not above zero or beyond [`MAX_COORDINATE`].
     pub fn cuboid(size: Vector3) -> Result<Self, MeshError> {
-        checked_size("size along x", size.x)?;
-        checked_size("size along y", size.y)?;
-        checked_size("size along z", size.z)?;
+        check_size("size along x", size.x)?;
+        check_size("size along y", size.y)?;
+        check_size("size along z", size.z)?;
         let vertices = (0..8)
             .map(|i| {
                 let side = |bit: u32| if i & bit == 0 { -0.5 } else { 0.5 };
@@ -204,25 +204,25 @@ impl Mesh {
         Self::new(vertices, triangles)
     }
 
-    /// A cylinder centred on the origin, axis along z; its rim is a regular polygon with a corner
-    /// on the x axis, inscribed in the circle of `radius` [m]; `height` [m].
+    /// Returns a cylinder along z, centred on the origin. Its rim is a regular polygon with a corner on the x axis,
+    /// inscribed in the circle of `radius` [m]; `height` in metres.
     ///
     /// # Errors
     /// If a size is not above zero or beyond [`MAX_COORDINATE`], or `segments` not within 3 to 1024.
     pub fn cylinder(radius: f64, height: f64, segments: u32) -> Result<Self, MeshError> {
-        checked_size("radius", radius)?;
-        checked_size("height", height)?;
+        check_size("radius", radius)?;
+        check_size("height", height)?;
         let z = height / 2.0;
-        Self::turned(&[(radius, -z), (radius, z)], -z, z, segments)
+        Self::revolve(&[(radius, -z), (radius, z)], -z, z, segments)
     }
 
-    /// A sphere of `radius` [m] about the origin, from `segments` meridians and half as many rows;
-    /// its corners, the poles on the z axis among them, lie on the sphere.
+    /// Returns a sphere of `radius` [m] about the origin, of `segments` meridians and half as many rows. Its corners,
+    /// including the poles on the z axis, lie on the sphere.
     ///
     /// # Errors
     /// If the radius is not above zero or beyond [`MAX_COORDINATE`], or `segments` not within 3 to 1024.
     pub fn sphere(radius: f64, segments: u32) -> Result<Self, MeshError> {
-        checked_size("radius", radius)?;
+        check_size("radius", radius)?;
         let rows = (segments / 2).max(2);
         let rings: Vec<_> = (1..rows)
             .map(|row| {
@@ -230,17 +230,17 @@ impl Mesh {
                 (radius * latitude.cos(), radius * latitude.sin())
             })
             .collect();
-        Self::turned(&rings, -radius, radius, segments)
+        Self::revolve(&rings, -radius, radius, segments)
     }
 
-    /// A cylinder with hemispheres on both ends, axis along z, centred on the origin; `height` is
-    /// the distance between the centres of the hemispheres [m], `radius` theirs [m].
+    /// Returns a cylinder along z with hemispheres on both ends, centred on the origin. `height` is the distance
+    /// between the centres of the hemispheres [m], and `radius` their radius [m].
     ///
     /// # Errors
     /// If a size is not above zero or beyond [`MAX_COORDINATE`], or `segments` not within 3 to 1024.
     pub fn capsule(radius: f64, height: f64, segments: u32) -> Result<Self, MeshError> {
-        checked_size("radius", radius)?;
-        checked_size("height", height)?;
+        check_size("radius", radius)?;
+        check_size("height", height)?;
         let rows = (segments / 4).max(1);
         let cap = |row: u32, sign: f64| {
             let latitude = FRAC_PI_2 * f64::from(row) / f64::from(rows);
@@ -252,11 +252,11 @@ impl Mesh {
         let lower = (0..rows).rev().map(|row| cap(row, -1.0));
         let rings: Vec<_> = lower.chain((0..rows).map(|row| cap(row, 1.0))).collect();
         let pole = height / 2.0 + radius;
-        Self::turned(&rings, -pole, pole, segments)
+        Self::revolve(&rings, -pole, pole, segments)
     }
 
-    /// A solid of revolution about z: rings (radius, z) from bottom to top between two poles.
-    fn turned(
+    /// Returns a solid of revolution about z: rings (radius, z) from bottom to top between two poles.
+    fn revolve(
         rings: &[(f64, f64)],
         bottom: f64,
         top: f64,
@@ -289,7 +289,7 @@ impl Mesh {
         Self::new(vertices, triangles)
     }
 
-    /// All given meshes, which share a frame, as one.
+    /// Merges meshes of the same frame.
     ///
     /// # Errors
     /// If there is no mesh, or more than [`MAX_TRIANGLES`] triangles together.
@@ -307,25 +307,25 @@ impl Mesh {
         Self::new(vertices, triangles)
     }
 
-    /// The vertices in the mesh's own frame [m].
+    /// Vertices in the mesh's own frame [m].
     pub fn vertices(&self) -> &[Point3] {
         &self.vertices
     }
 
-    /// The triangles, three indices into the vertices each.
+    /// Triangles, as three vertex indices each.
     pub fn triangles(&self) -> &[[u32; 3]] {
         &self.triangles
     }
 
-    /// The corners of each triangle in turn [m].
+    /// Iterates over the corners of each triangle [m].
     pub fn corners(&self) -> impl Iterator<Item = [Point3; 3]> + '_ {
         self.triangles
             .iter()
             .map(|t| t.map(|i| self.vertices[i as usize]))
     }
 
-    /// The vertices of each part of the mesh that hangs together by its triangles, in the mesh's own frame [m].
-    /// Vertices at one place are one.
+    /// Returns the vertices of each connected part of the mesh, in the mesh's own frame [m]. Coincident vertices count
+    /// as one.
     pub fn parts(&self) -> Vec<Vec<Point3>> {
         let key = |p: &Point3| [p.x, p.y, p.z].map(f64::to_bits);
         let mut places: BTreeMap<[u64; 3], usize> = BTreeMap::new();
@@ -347,9 +347,9 @@ impl Mesh {
         parts.into_values().collect()
     }
 
-    /// The same mesh in another frame: `other_from_mesh` maps this mesh's frame into it.
+    /// Returns the mesh in another frame, to which `other_from_mesh` maps this one.
     ///
-    /// The result is not held against [`MAX_COORDINATE`] again.
+    /// The result is not checked against [`MAX_COORDINATE`].
     pub fn transformed(&self, other_from_mesh: &Pose) -> Self {
         Self {
             vertices: self
@@ -361,7 +361,7 @@ impl Mesh {
         }
     }
 
-    /// Least and greatest coordinates of the triangles' corners [m].
+    /// Least and largest coordinates of the triangles' corners [m].
     pub fn bounds(&self) -> (Point3, Point3) {
         let nowhere = Point3::from(Vector3::repeat(f64::INFINITY));
         self.corners()
@@ -371,16 +371,16 @@ impl Mesh {
             })
     }
 
-    /// The longest side of the bounding box [m].
+    /// Longest side of the bounding box [m].
     ///
-    /// A hand tool longer than some 20 m was most likely drawn in millimetres.
+    /// A hand tool longer than about 20 m is probably in millimetres.
     pub fn extent(&self) -> f64 {
         let (min, max) = self.bounds();
         (max - min).max()
     }
 
-    /// The part of the surface at or above the plane z = `z` [m], as triangles; none if all lies below.
-    /// The cut is left open.
+    /// Returns the part of the surface at or above the plane z = `z` [m], as triangles; empty if all of it is below.
+    /// The cut stays open.
     pub fn clipped_above(&self, z: f64) -> Vec<[Point3; 3]> {
         self.corners()
             .flat_map(|corners| {
@@ -390,8 +390,8 @@ impl Mesh {
             .collect()
     }
 
-    /// Whether the surface encloses a solid: every edge is run through as often one way as the
-    /// other. Vertices at the same place count as one, so it does not matter how a file shares them.
+    /// Whether the surface encloses a solid: every edge is traversed equally often in both directions. Coincident
+    /// vertices count as one, so it does not matter how a file shares them.
     pub fn is_watertight(&self) -> bool {
         let mut balance: HashMap<(u32, u32), i64> = HashMap::new();
         for [a, b, c] in self.welded_triangles() {
@@ -405,7 +405,7 @@ impl Mesh {
         balance.values().all(|&b| b == 0)
     }
 
-    /// The triangles with each index replaced by the first vertex at the same place.
+    /// Iterates over the triangles, with each index replaced by that of the first vertex at the same place.
     pub(super) fn welded_triangles(&self) -> impl Iterator<Item = [u32; 3]> + '_ {
         let mut first_at = HashMap::new();
         let first: Vec<u32> = (0u32..)
@@ -417,8 +417,8 @@ impl Mesh {
             .map(move |t| t.map(|i| first[i as usize]))
     }
 
-    /// The same mesh with vertices at the same place merged and unused ones dropped.
-    fn welded(&self) -> Self {
+    /// Returns the mesh with coincident vertices merged and unused ones dropped.
+    fn weld(&self) -> Self {
         let mut index_at = HashMap::new();
         let mut vertices = Vec::new();
         let triangles = self
@@ -438,7 +438,7 @@ impl Mesh {
         }
     }
 
-    /// The mesh as a binary STL in metres, coordinates rounded to `f32`.
+    /// Returns the mesh as a binary STL in metres, with coordinates rounded to `f32`.
     pub fn to_binary_stl(&self) -> Vec<u8> {
         let mut bytes = b"binary STL, lengths in metres, written by wisch".to_vec();
         bytes.resize(80, b' ');
@@ -457,14 +457,14 @@ impl Mesh {
     }
 }
 
-/// Which side of a horizontal plane is kept.
+/// The side of a horizontal plane that is kept.
 #[derive(Clone, Copy, PartialEq)]
 pub(super) enum Side {
     Above,
     Below,
 }
 
-/// The part of a triangle on one side of the plane z = `z`, as a convex polygon running the same way.
+/// Returns the part of a triangle on one side of the plane z = `z`, as a convex polygon of the same orientation.
 pub(super) fn cut(corners: [Point3; 3], z: f64, side: Side) -> Vec<Point3> {
     let inside = |p: Point3| {
         if side == Side::Above {
@@ -489,8 +489,8 @@ pub(super) fn cut(corners: [Point3; 3], z: f64, side: Side) -> Vec<Point3> {
     kept
 }
 
-/// Where the edge between two points of different height meets the plane z = `z`. The two triangles
-/// that share an edge get the very same point.
+/// Returns where the edge between two points of different height meets the plane z = `z`. The two triangles that share
+/// an edge get exactly the same point.
 pub(super) fn crossing(a: Point3, b: Point3, z: f64) -> Point3 {
     let (low, high) = if a.z < b.z { (a, b) } else { (b, a) };
     let mut point = low + (high - low) * ((z - low.z) / (high.z - low.z));
@@ -498,12 +498,12 @@ pub(super) fn crossing(a: Point3, b: Point3, z: f64) -> Point3 {
     point
 }
 
-/// A key that is equal for equal coordinates (adding zero turns −0 into 0).
+/// Returns a key that is equal for equal coordinates (adding zero turns −0 into 0).
 fn place(point: Point3) -> [u64; 3] {
     [point.x, point.y, point.z].map(|c| (c + 0.0).to_bits())
 }
 
-fn checked_size(what: &'static str, value: f64) -> Result<(), MeshError> {
+fn check_size(what: &'static str, value: f64) -> Result<(), MeshError> {
     if value > 0.0 && value <= MAX_COORDINATE {
         Ok(())
     } else {

@@ -1,4 +1,4 @@
-//! Frames, poses, polygons, meshes, and the footprint that a tool's mesh leaves on a surface.
+//! Frames, poses, polygons, meshes, and the footprint of a tool's mesh on a surface.
 
 mod disjoint_sets;
 mod footprint;
@@ -26,7 +26,7 @@ pub use units::LikelyUnit;
 pub type Point2 = nalgebra::Point2<f64>;
 /// A vector in a plane [m].
 pub type Vector2 = nalgebra::Vector2<f64>;
-/// A point in space [m]; names say in which frame, as in `point_in_tool`.
+/// A point in space [m]; variable names state the frame, as in `point_in_tool`.
 pub type Point3 = nalgebra::Point3<f64>;
-/// A vector in space, in metres unless another unit is said; names say in the axes of which frame.
+/// A vector in space, in metres unless stated otherwise; variable names state the frame of its axes.
 pub type Vector3 = nalgebra::Vector3<f64>;

@@ -1,22 +1,22 @@
-//! Points in square cells, to find those near a place.
+//! Spatial hash of points in square cells, for neighbour queries.
 
 use super::Point2;
 use std::collections::HashMap;
 
-/// Numbered points in the square cells of a plane; finding those near a place costs what lies near it.
+/// Numbered points in the square cells of a plane; a query costs in proportion to the nearby points.
 ///
-/// Answers depend on the points alone, never on the order in which the cells are stored.
+/// Results depend on the points alone, not on the storage order of the cells.
 #[derive(Debug, Clone)]
 pub struct PointGrid {
     cell: f64,
     cells: HashMap<[i64; 2], Vec<(usize, Point2)>>,
-    /// Least and greatest cell that ever held a point.
+    /// Least and largest cell that ever held a point.
     bounds: [[i64; 2]; 2],
     count: usize,
 }
 
 impl PointGrid {
-    /// An empty grid with cells of this side [m], which is best about as long as the distances that are asked for.
+    /// Returns an empty grid with cells of this side [m], which is best near the query distances.
     pub fn new(cell: f64) -> Self {
         Self {
             cell: if cell.is_normal() { cell.abs() } else { 1.0 },
@@ -26,7 +26,7 @@ impl PointGrid {
         }
     }
 
-    /// A grid of these points, numbered from 0.
+    /// Returns a grid of these points, numbered from 0.
     pub fn of(points: &[Point2], cell: f64) -> Self {
         let mut grid = Self::new(cell);
         for (number, &point) in points.iter().enumerate() {
@@ -35,12 +35,12 @@ impl PointGrid {
         grid
     }
 
-    /// How many points it holds.
+    /// Number of points in the grid.
     pub fn len(&self) -> usize {
         self.count
     }
 
-    /// Adds a point under a number.
+    /// Adds a point with its number.
     pub fn insert(&mut self, number: usize, point: Point2) {
         let cell = self.cell_of(point);
         let [low, high] = &mut self.bounds;
@@ -52,7 +52,7 @@ impl PointGrid {
         self.count += 1;
     }
 
-    /// Removes the point of this number, which lies here.
+    /// Removes the point of this number; `point` is its position.
     pub fn remove(&mut self, number: usize, point: Point2) {
         if let Some(held) = self.cells.get_mut(&self.cell_of(point))
             && let Some(at) = held.iter().position(|(known, _)| *known == number)
@@ -62,7 +62,7 @@ impl PointGrid {
         }
     }
 
-    /// Removes every point at most this far from a place [m], and returns their numbers in ascending order.
+    /// Removes every point at most `radius` from a place [m], and returns their numbers in ascending order.
     pub fn remove_within(&mut self, place: Point2, radius: f64) -> Vec<usize> {
         let mut removed = Vec::new();
         for cell in self.cells_within(place, radius) {
@@ -81,7 +81,7 @@ impl PointGrid {
         removed
     }
 
-    /// Whether some point at most this far from a place [m] is one that is asked for.
+    /// Whether a point at most `radius` from a place [m] meets the condition.
     pub fn any_within(
         &self,
         place: Point2,
@@ -94,7 +94,7 @@ impl PointGrid {
             .any(|&(number, point)| (point - place).norm() <= radius && is_asked_for(number, point))
     }
 
-    /// Calls with every point at most this far from a place [m], in no order.
+    /// Calls `call` with every point at most `radius` from a place [m], in arbitrary order.
     pub fn within(&self, place: Point2, radius: f64, mut call: impl FnMut(usize, Point2)) {
         self.any_within(place, radius, |number, point| {
             call(number, point);
@@ -102,8 +102,9 @@ impl PointGrid {
         });
     }
 
-    /// The number of the nearest point at most this far from a place [m], of equally near ones the least. Where more than `most`
-    /// points are so near, the nearest of some `most` of them: crowds cost no more than that.
+    /// Returns the number of the nearest point at most `radius` from a place [m]; the least number among equally near
+    /// points. If more than `most` points are in range, only `most` of them are compared, which bounds the cost of
+    /// crowds.
     pub fn nearest_within(&self, place: Point2, radius: f64, most: usize) -> Option<usize> {
         let mut best: Option<(f64, usize)> = None;
         let mut met = 0;
@@ -118,7 +119,8 @@ impl PointGrid {
         best.map(|(_, number)| number)
     }
 
-    /// The number of the point nearest to a place, of equally near ones the least; `None` without any point.
+    /// Returns the number of the point nearest to a place, the least among equally near ones; `None` if the grid is
+    /// empty.
     pub fn nearest(&self, place: Point2) -> Option<usize> {
         let mut best: Option<(f64, usize)> = None;
         let mut take = |held: &[(usize, Point2)]| {
@@ -138,13 +140,13 @@ impl PointGrid {
             .filter(|_| self.count > 0)?;
         let mut visited = 0;
         for ring in 0..=farthest {
-            // All that is left to look at lies farther than the rings before reach.
+            // All remaining points lie beyond the rings searched so far.
             if let Some((distance, number)) = take(&[])
                 && distance < (ring - 1) as f64 * self.cell
             {
                 return Some(number);
             }
-            // Where most cells are empty, it is shorter to look at those that are not.
+            // In a sparse grid it is faster to visit the occupied cells.
             visited += 8 * ring;
             if visited as usize > self.cells.len() {
                 let held = self.cells.values();
@@ -167,7 +169,7 @@ impl PointGrid {
         take(&[]).map(|(_, number)| number)
     }
 
-    /// The cells that a circle about a place may meet.
+    /// Iterates over the cells that a circle about a place may meet.
     fn cells_within(&self, place: Point2, radius: f64) -> impl Iterator<Item = [i64; 2]> + use<> {
         let [left, bottom] = self.cell_of(Point2::new(place.x - radius, place.y - radius));
         let [right, top] = self.cell_of(Point2::new(place.x + radius, place.y + radius));
@@ -177,7 +179,7 @@ impl PointGrid {
         (left..=right).flat_map(move |column| (bottom..=top).map(move |row| [column, row]))
     }
 
-    /// Beyond what an integer holds, cells are joined; finite places of a surface never are.
+    /// Cells beyond the range of an integer are merged; places on a surface never lie there.
     fn cell_of(&self, point: Point2) -> [i64; 2] {
         const MOST: f64 = 1e15;
         [point.x, point.y].map(|along| (along / self.cell).floor().clamp(-MOST, MOST) as i64)

@@ -2,7 +2,7 @@
 
 use super::{Point2, Vector2};
 
-/// One straight piece of a boundary; the interior lies to its left.
+/// A straight edge of a boundary; the interior lies to its left.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Edge {
     /// Where the edge begins [m].
@@ -12,7 +12,7 @@ pub struct Edge {
 }
 
 impl Edge {
-    /// Distance from a point to the closed edge [m].
+    /// Returns the distance of a point from the closed edge [m].
     pub fn distance(&self, point: Point2) -> f64 {
         let along: Vector2 = self.end - self.start;
         let squared = along.norm_squared();
@@ -25,7 +25,7 @@ impl Edge {
     }
 }
 
-/// A simple polygon with holes. The outer ring runs counter-clockwise, the holes clockwise.
+/// A simple polygon with holes. The outer ring is counter-clockwise, the holes are clockwise.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Polygon {
     outer: Vec<Point2>,
@@ -34,24 +34,24 @@ pub struct Polygon {
 }
 
 impl Polygon {
-    /// Builds a polygon and turns its rings the right way round. Rings are closed implicitly.
+    /// Returns a polygon, with its rings brought into the right orientation. Rings are closed implicitly.
     pub fn new(outer: Vec<Point2>, holes: Vec<Vec<Point2>>) -> Self {
-        let turned = |ring: Vec<Point2>, counter_clockwise: bool| {
+        let orient = |ring: Vec<Point2>, counter_clockwise: bool| {
             if (signed_area(&ring) > 0.0) == counter_clockwise {
                 ring
             } else {
                 ring.into_iter().rev().collect()
             }
         };
-        let outer = turned(outer, true);
+        let outer = orient(outer, true);
         Self {
             is_convex: holes.is_empty() && turns_left_once(&outer),
             outer,
-            holes: holes.into_iter().map(|hole| turned(hole, false)).collect(),
+            holes: holes.into_iter().map(|hole| orient(hole, false)).collect(),
         }
     }
 
-    /// An axis-aligned rectangle centred on the origin, `size` = extent along x and y [m].
+    /// Returns an axis-aligned rectangle centred on the origin; `size` is its extent along x and y [m].
     pub fn rectangle(size: Vector2) -> Self {
         let (x, y) = (size.x / 2.0, size.y / 2.0);
         Self::new(
@@ -65,22 +65,22 @@ impl Polygon {
         )
     }
 
-    /// The outer ring, counter-clockwise [m]; its last vertex joins its first, which is not repeated.
+    /// Outer ring, counter-clockwise [m]; its last vertex joins the first, which is not repeated.
     pub fn outer(&self) -> &[Point2] {
         &self.outer
     }
 
-    /// The rings of the holes, clockwise [m]; empty for a simple polygon.
+    /// Rings of the holes, clockwise [m]; empty for a polygon without holes.
     pub fn holes(&self) -> &[Vec<Point2>] {
         &self.holes
     }
 
-    /// Outer ring first, then the holes.
+    /// Iterates over the outer ring, then the holes.
     pub fn rings(&self) -> impl Iterator<Item = &[Point2]> {
         std::iter::once(self.outer.as_slice()).chain(self.holes.iter().map(Vec::as_slice))
     }
 
-    /// All edges: the outer ring's in order (edge i starts at vertex i), then the holes'.
+    /// Iterates over all edges: those of the outer ring in order (edge i starts at vertex i), then those of the holes.
     pub fn edges(&self) -> impl Iterator<Item = Edge> + '_ {
         self.rings().flat_map(|ring| {
             (0..ring.len()).map(move |i| Edge {
@@ -90,7 +90,7 @@ impl Polygon {
         })
     }
 
-    /// Whether a straight line between any two of its points stays in it.
+    /// Whether the polygon is convex.
     pub fn is_convex(&self) -> bool {
         self.is_convex
     }
@@ -100,13 +100,13 @@ impl Polygon {
         self.rings().map(signed_area).sum()
     }
 
-    /// Whether the point lies inside (even–odd rule; points on the boundary fall to either side).
+    /// Whether the polygon contains a point (even–odd rule; a point on the boundary belongs to either side).
     pub fn contains(&self, point: Point2) -> bool {
         encloses(self.edges(), point)
     }
 }
 
-/// Whether a ring never turns right, and goes around once: along x it changes its direction twice.
+/// Whether a ring never turns right and winds once, that is reverses its direction along x twice.
 fn turns_left_once(ring: &[Point2]) -> bool {
     let count = ring.len();
     let along = |i: usize| ring[(i + 1) % count] - ring[i % count];
@@ -120,7 +120,7 @@ fn turns_left_once(ring: &[Point2]) -> bool {
     turns_left && changes.count() <= 2
 }
 
-/// Whether a point lies inside a boundary of edges in any order (even–odd rule).
+/// Whether a boundary of edges in any order contains a point (even–odd rule).
 pub fn encloses(edges: impl IntoIterator<Item = Edge>, point: Point2) -> bool {
     let mut inside = false;
     for Edge { start, end } in edges {
@@ -139,7 +139,7 @@ pub struct Region {
 }
 
 impl Polygon {
-    /// The same, so many times as large about the origin.
+    /// Returns the polygon scaled by a factor about the origin.
     fn scaled(&self, factor: f64) -> Self {
         let ring = |ring: &Vec<Point2>| ring.iter().map(|corner| corner * factor).collect();
         Self {
@@ -151,24 +151,24 @@ impl Polygon {
 }
 
 impl Region {
-    /// A region from polygons of one frame, which must not overlap: areas are added up.
+    /// Returns a region of polygons in one frame, which must not overlap, as their areas are added.
     pub fn new(polygons: Vec<Polygon>) -> Self {
         Self { polygons }
     }
 
-    /// The disjoint pieces, in the order in which they were given.
+    /// Disjoint pieces, in the order of their creation.
     pub fn polygons(&self) -> &[Polygon] {
         &self.polygons
     }
 
-    /// The same, so many times as large about the origin; a factor above 0.
+    /// Returns the region scaled about the origin by a factor above 0.
     #[must_use]
     pub fn scaled(&self, factor: f64) -> Self {
         let scaled = |polygon: &Polygon| polygon.scaled(factor);
         Self::new(self.polygons.iter().map(scaled).collect())
     }
 
-    /// The same, narrower by a margin on each side of its box [m], but never by more than half.
+    /// Returns the region made narrower by a margin on each side of its bounding box [m], at most to half its extent.
     #[must_use]
     pub fn narrowed(&self, margin: f64) -> Self {
         let Some(bounds) = self.bounds() else {
@@ -188,7 +188,7 @@ impl Region {
         Self::new(self.polygons.iter().map(narrowed).collect())
     }
 
-    /// The edges of all pieces, piece by piece, in the order of [`Polygon::edges`].
+    /// Iterates over the edges of all pieces, piece by piece, in the order of [`Polygon::edges`].
     pub fn edges(&self) -> impl Iterator<Item = Edge> + '_ {
         self.polygons.iter().flat_map(Polygon::edges)
     }
@@ -198,19 +198,19 @@ impl Region {
         self.polygons.iter().map(Polygon::area).sum()
     }
 
-    /// Whether any piece contains the point.
+    /// Whether any piece contains a point.
     pub fn contains(&self, point: Point2) -> bool {
         self.polygons.iter().any(|polygon| polygon.contains(point))
     }
 
-    /// Distance from the point to the nearest boundary [m]; infinite for an empty region.
+    /// Returns the distance of a point from the nearest boundary [m]; infinity for an empty region.
     pub fn boundary_distance(&self, point: Point2) -> f64 {
         self.edges()
             .map(|edge| edge.distance(point))
             .fold(f64::INFINITY, f64::min)
     }
 
-    /// Smallest axis-aligned box round all pieces; `None` for an empty region.
+    /// Returns the smallest axis-aligned box around all pieces; `None` for an empty region.
     pub fn bounds(&self) -> Option<Bounds2> {
         Bounds2::of(self.polygons.iter().flat_map(|p| p.outer().iter().copied()))
     }
@@ -226,7 +226,7 @@ pub struct Bounds2 {
 }
 
 impl Bounds2 {
-    /// The box round the points; `None` if there are none.
+    /// Returns the smallest box around the points; `None` if there are none.
     pub fn of(points: impl IntoIterator<Item = Point2>) -> Option<Self> {
         points.into_iter().fold(None, |bounds, p| {
             Some(match bounds {
@@ -239,7 +239,7 @@ impl Bounds2 {
         })
     }
 
-    /// Whether a point is inside or on the edge.
+    /// Whether a point is inside the box or on its border.
     pub fn contains(&self, point: Point2) -> bool {
         (self.min.x..=self.max.x).contains(&point.x) && (self.min.y..=self.max.y).contains(&point.y)
     }
@@ -249,7 +249,7 @@ impl Bounds2 {
         self.max - self.min
     }
 
-    /// Its corners, counter-clockwise from the smallest x and y [m].
+    /// Corners, counter-clockwise from the smallest x and y [m].
     pub fn corners(&self) -> [Point2; 4] {
         let Self { min, max } = *self;
         [
@@ -260,13 +260,13 @@ impl Bounds2 {
         ]
     }
 
-    /// The middle of the box [m].
+    /// Middle of the box [m].
     pub fn center(&self) -> Point2 {
         nalgebra::center(&self.min, &self.max)
     }
 }
 
-/// Shoelace area of a ring: positive when it runs counter-clockwise [m²].
+/// Shoelace area of a ring [m²]; positive if it is counter-clockwise.
 fn signed_area(ring: &[Point2]) -> f64 {
     let Some(&origin) = ring.first() else {
         return 0.0;
@@ -297,7 +297,7 @@ mod tests {
     }
 
     #[test]
-    fn what_has_a_notch_a_hole_or_goes_around_twice_is_not_convex() {
+    fn notches_holes_and_double_winding_are_not_convex() {
         let ring = |corners: &[[f64; 2]]| corners.iter().map(|&[x, y]| Point2::new(x, y)).collect();
         let polygon = |corners: &[[f64; 2]]| Polygon::new(ring(corners), Vec::new());
         assert!(Polygon::rectangle(Vector2::new(2.0, 1.0)).is_convex());

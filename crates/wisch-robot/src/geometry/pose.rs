@@ -3,13 +3,13 @@
 use super::{Point2, Vector2};
 use std::f64::consts::{PI, TAU};
 
-/// A rigid transform in space; names say what it does: `world_from_surface * point_in_surface`.
+/// A rigid transform in space; variable names state its frames: `world_from_surface * point_in_surface`.
 pub type Pose = nalgebra::Isometry3<f64>;
 
-/// Pose of a tool in the plane of the surface: position of its tool centre point and heading.
+/// Pose of a tool in the plane of the surface: position of its tool centre point, and yaw.
 ///
-/// The heading is the angle [rad] from the surface's x axis to the tool's x axis. The tool's y axis
-/// is its broad side, so a tool with heading `h` wipes best when it moves along direction `h`.
+/// The yaw `heading` is the angle [rad] from the surface's x axis to the tool's x axis. The tool's y axis is its broad
+/// side, so a tool with yaw `h` wipes best when it moves along direction `h`.
 ///
 /// ```
 /// use wisch_robot::geometry::{PlanarPose, Point2};
@@ -21,12 +21,12 @@ pub type Pose = nalgebra::Isometry3<f64>;
 pub struct PlanarPose {
     /// Tool centre point in the surface frame [m].
     pub position: Point2,
-    /// Heading of the tool's x axis in the surface frame [rad].
+    /// Yaw: angle of the tool's x axis in the surface frame [rad].
     pub heading: f64,
 }
 
 impl PlanarPose {
-    /// A pose from position [m] and heading [rad].
+    /// Returns a pose with position [m] and yaw [rad].
     pub const fn new(position: Point2, heading: f64) -> Self {
         Self { position, heading }
     }
@@ -48,7 +48,7 @@ impl PlanarPose {
     }
 }
 
-/// The same angle in (−π, π] [rad].
+/// Returns the equal angle in (−π, π] [rad].
 pub fn wrap_angle(angle: f64) -> f64 {
     let wrapped = angle.rem_euclid(TAU);
     if wrapped > PI { wrapped - TAU } else { wrapped }

@@ -1,14 +1,15 @@
-//! Polygons cut into triangles by ear clipping, by the `earcut` crate: concave ones and ones with holes as well.
+//! Triangulation of polygons by ear clipping with the `earcut` crate; polygons may be concave and have holes.
 
 use super::{Mesh, MeshError, Point2, Point3, Polygon, Vector3};
 use earcut::Earcut;
 
-/// How far the triangles' area may be off the polygon's, relative to it, before the polygon counts as one that crosses itself.
+/// Relative difference between the areas of triangles and polygon from which the polygon counts as self-intersecting
+/// [1].
 const AREA_TOLERANCE: f64 = 1e-6;
-/// How far a corner may turn the wrong way, over the squared size of the polygon: coordinates of single precision.
+/// Tolerance of a corner that turns the wrong way, over the squared size of the polygon [1]; for single precision.
 const TURN_TOLERANCE: f64 = 1e-7;
 
-/// The corners of a polygon, outer ring first, and its triangles, counter-clockwise, as indices of corners.
+/// Returns the corners of a polygon, outer ring first, and its triangles, counter-clockwise, as corner indices.
 fn triangles_of(polygon: &Polygon) -> (Vec<Point2>, Vec<[u32; 3]>) {
     let corners: Vec<Point2> = polygon.rings().flatten().copied().collect();
     let mut holes = Vec::new();
@@ -23,7 +24,7 @@ fn triangles_of(polygon: &Polygon) -> (Vec<Point2>, Vec<[u32; 3]>) {
     (corners, triangles)
 }
 
-/// Triangles of rings of which each but the first begins at one of these corners and is a hole.
+/// Triangulates rings; `holes` has the index of each hole's first corner.
 fn cut_rings(corners: &[Point2], holes: &[u32]) -> Vec<[u32; 3]> {
     let mut indices: Vec<u32> = Vec::new();
     let places = corners.iter().map(|corner| [corner.x, corner.y]);
@@ -42,7 +43,7 @@ fn cut_rings(corners: &[Point2], holes: &[u32]) -> Vec<[u32; 3]> {
         .collect()
 }
 
-/// The prism under a polygon in the plane z = 0, down to `depth` below it [m]: a closed mesh.
+/// Returns the prism under a polygon in the plane z = 0, down to `depth` below it [m]: a closed mesh.
 ///
 /// # Errors
 /// If the polygon has no area.
@@ -65,7 +66,7 @@ pub fn prism_below(polygon: &Polygon, depth: f64) -> Result<Mesh, MeshError> {
         let length = ring.len() as u32;
         for i in 0..length {
             let (a, b) = (first + i, first + (i + 1) % length);
-            // The interior lies left of the edge, so that the side looks out to its right.
+            // The interior lies left of an edge, so the side's outward normal points to its right.
             triangles.extend([[a, a + count, b + count], [a, b + count, b]]);
         }
         first += length;
@@ -73,17 +74,17 @@ pub fn prism_below(polygon: &Polygon, depth: f64) -> Result<Mesh, MeshError> {
     Mesh::new(vertices, triangles)
 }
 
-/// The triangles of a plane face of a mesh, as indices of its corners, running the same way as the face.
+/// Returns the triangles of a plane face of a mesh, as corner indices, with the orientation of the face.
 ///
-/// A convex face becomes a fan about its first corner. So does one that crosses itself or has no area, of which no triangles are
-/// right.
+/// A convex face becomes a fan about its first corner. So does a face that is self-intersecting or has no area, which
+/// has no correct triangles.
 pub(in crate::geometry) fn cut_face(corners: &[Point3]) -> Vec<[usize; 3]> {
     let fan = || (2..corners.len()).map(|i| [0, i - 1, i]).collect();
     if corners.len() < 4 {
         return fan();
     }
     let next = |i: usize| corners[(i + 1) % corners.len()];
-    // Newell's normal: twice the area of the face, along its normal.
+    // Newell's normal: a vector along the normal whose length is twice the area of the face.
     let origin = corners[0];
     let doubled = (0..corners.len()).fold(Vector3::zeros(), |sum, i| {
         sum + (corners[i] - origin).cross(&(next(i) - origin))

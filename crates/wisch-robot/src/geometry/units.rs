@@ -1,15 +1,15 @@
-//! Which unit a length was probably given in that is not in metres.
+//! Guess of the unit of a length that is probably not in metres.
 
-/// A unit of length, and what turns it into metres.
+/// A unit of length.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct LikelyUnit {
-    /// Its name in the plural, such as "millimetres".
+    /// Name in the plural, such as "millimetres".
     pub name: &'static str,
     /// Metres per unit.
     pub metres: f64,
 }
 
-/// Units of drawings, the most usual first; the last two are what a file becomes that is scaled to metres once too often.
+/// Units of drawings, the most common first; the last two result from a file that is scaled to metres once too often.
 const UNITS: [(&str, f64); 6] = [
     ("millimetres", 1e-3),
     ("centimetres", 1e-2),
@@ -20,8 +20,8 @@ const UNITS: [(&str, f64); 6] = [
 ];
 
 impl LikelyUnit {
-    /// The most usual unit in which this number is a length between `least` and `most` [m]; `None` if it is in metres, or in no
-    /// known unit.
+    /// Returns the most common unit in which `number` is a length between `least` and `most` [m]; `None` if it is one
+    /// in metres, or in no known unit.
     ///
     /// ```
     /// use wisch_robot::geometry::LikelyUnit;

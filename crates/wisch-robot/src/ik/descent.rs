@@ -1,4 +1,4 @@
-//! The descent from one start: damped steps, each taken only if it lowers the error.
+//! Descent from one start: damped steps, each accepted only if it lowers the error.
 
 use super::error::{Target, TaskError};
 use super::step::Task;
@@ -7,20 +7,20 @@ use crate::geometry::Vector3;
 use crate::{ChainKinematics, RobotError};
 use nalgebra::Vector6;
 
-/// Least damping: J Jᵀ stays invertible where the arm cannot move in all directions.
+/// Least damping, which keeps J Jᵀ invertible at singularities.
 pub(super) const MIN_DAMPING: f64 = 1e-10;
 
-/// Damping per squared error, at first and in between.
+/// Damping over the squared error: initial value and range.
 const DAMPING: f64 = 1e-2;
 const DAMPING_RANGE: [f64; 2] = [1e-4, 1e4];
 const MORE: f64 = 8.0;
 const LESS: f64 = 0.25;
 
-/// A descent has ended if this many steps have not lowered the squared error to this part.
+/// A descent ends if this many steps have not lowered the squared error by this factor.
 const PATIENCE: usize = 8;
 const PROGRESS: f64 = 0.9;
 
-/// Where a descent has ended.
+/// End of a descent.
 pub(super) struct Descent {
     pub(super) q: JointPositions,
     error: TaskError,
@@ -28,18 +28,18 @@ pub(super) struct Descent {
 }
 
 impl Descent {
-    pub(super) fn reached(&self, config: &IkConfig) -> bool {
+    pub(super) fn has_reached(&self, config: &IkConfig) -> bool {
         self.within_limits && is_small(&self.error, config)
     }
 
-    /// This, unless the other has reached the target or is nearer.
+    /// Returns this descent, unless the other has reached the target or is nearer to it.
     pub(super) fn or_better(self, other: Self, config: &IkConfig) -> Self {
-        let better = other.reached(config) || other.error.squared() < self.error.squared();
+        let better = other.has_reached(config) || other.error.squared() < self.error.squared();
         if better { other } else { self }
     }
 
     pub(super) fn outcome(&self, config: &IkConfig) -> IkOutcome {
-        if self.reached(config) {
+        if self.has_reached(config) {
             return IkOutcome::Solved(self.q);
         }
         IkOutcome::Stuck {
@@ -55,7 +55,7 @@ fn is_small(error: &TaskError, config: &IkConfig) -> bool {
         && error.rotation.norm() <= config.rotation_tolerance
 }
 
-/// The chain at some positions and what is left to do there.
+/// Configuration of the chain, with the remaining error.
 pub(super) struct Place<'a> {
     kinematics: ChainKinematics<'a>,
     tool_axis: Vector3,
@@ -76,7 +76,7 @@ impl IkSolver {
         })
     }
 
-    /// The descent from positions within the limits.
+    /// Descends from positions within the limits.
     pub(super) fn descend(
         &self,
         target: &Target,
@@ -106,7 +106,7 @@ impl IkSolver {
                 max_drift: place.squared.sqrt(),
                 max_step: config.max_step,
             };
-            let next = self.moved(&q, &task.step(&q, &self.limits));
+            let next = self.apply_step(&q, &task.step(&q, &self.limits));
             let there = self.place(target, &next)?;
             if there.squared < place.squared {
                 (q, place) = (next, there);
@@ -123,7 +123,7 @@ impl IkSolver {
         })
     }
 
-    /// J: velocity of the tool centre point and of the tool's rotation, as far as it counts, per variable.
+    /// Columns of J: linear velocity of the tool centre point and the angular velocity that counts, per variable.
     pub(super) fn columns(
         &self,
         goal: RotationGoal,

@@ -1,26 +1,26 @@
-//! How far the tool is from its target.
+//! Task error of the inverse kinematics.
 
 use super::RotationGoal;
 use crate::geometry::{Pose, Vector3};
 use nalgebra::{UnitQuaternion, Vector6};
 
-/// What a descent is for.
+/// Target of a descent.
 pub(super) struct Target {
     pub(super) base_from_tool: Pose,
     pub(super) goal: RotationGoal,
 }
 
-/// What is left to do, in the axes of the base.
+/// Remaining error, in the axes of the base.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct TaskError {
-    /// From the tool centre point to its target [m].
+    /// Vector from the tool centre point to its target [m].
     pub(super) position: Vector3,
-    /// The rotation vector from the tool to its target [rad], of the rotations that count.
+    /// Rotation vector from the tool to its target [rad], of the rotations that count.
     pub(super) rotation: Vector3,
 }
 
 impl Target {
-    /// What is left to do for a tool that is at `base_from_tool`.
+    /// Returns the error of a tool at `base_from_tool`.
     pub(super) fn error(&self, base_from_tool: &Pose) -> TaskError {
         let target = &self.base_from_tool;
         TaskError {
@@ -39,7 +39,7 @@ impl Target {
 }
 
 impl TaskError {
-    /// Position, then rotation.
+    /// Position error, then rotation error.
     pub(super) fn vector(&self) -> Vector6<f64> {
         let (p, r) = (&self.position, &self.rotation);
         Vector6::new(p.x, p.y, p.z, r.x, r.y, r.z)
@@ -50,7 +50,7 @@ impl TaskError {
     }
 }
 
-/// Axis times angle, at most π: the logarithm, accurate for small angles and near π alike.
+/// Returns the rotation vector, axis times angle of at most π: the logarithm, accurate for small angles and near π.
 pub(super) fn rotation_vector(rotation: &UnitQuaternion<f64>) -> Vector3 {
     let half = if rotation.w < 0.0 {
         -rotation.coords
@@ -59,7 +59,7 @@ pub(super) fn rotation_vector(rotation: &UnitQuaternion<f64>) -> Vector3 {
     };
     let (imaginary, real) = (half.xyz(), half.w);
     let sine = imaginary.norm();
-    // 2 atan(x) / x is 2 at zero.
+    // The limit of 2 atan(x) / x at zero is 2.
     let scale = if sine > 0.0 {
         2.0 * sine.atan2(real) / sine
     } else {
@@ -68,10 +68,10 @@ pub(super) fn rotation_vector(rotation: &UnitQuaternion<f64>) -> Vector3 {
     scale * imaginary
 }
 
-/// The shortest rotation vector that turns one unit vector into another.
+/// Returns the shortest rotation vector that takes one unit vector to another.
 pub(super) fn swing(from: &Vector3, to: &Vector3) -> Vector3 {
     let product = from.cross(to);
-    // Of nearly opposite directions the product is mostly rounding: what is along `from` is.
+    // For nearly opposite directions the product is mostly rounding error, so its part along `from` is removed.
     let normal = product - from.dot(&product) * from;
     let (sine, cosine) = (normal.norm(), from.dot(to));
     if sine > 0.0 {
@@ -80,7 +80,7 @@ pub(super) fn swing(from: &Vector3, to: &Vector3) -> Vector3 {
     if cosine > 0.0 {
         return Vector3::zeros();
     }
-    // Opposite: any axis across will do.
+    // For opposite directions any perpendicular axis is correct.
     let across = from.cross(&Vector3::ith(from.iamin(), 1.0));
     across.normalize() * std::f64::consts::PI
 }

@@ -6,19 +6,19 @@ use rand::RngExt;
 use rand_chacha::ChaCha8Rng;
 use std::f64::consts::PI;
 
-/// How far inside its limits a sum of variables is kept, that rounding does not take it out [rad or m].
+/// Distance that a sum of variables keeps from its limits, against rounding [rad or m].
 const SUM_MARGIN: f64 = 1e-9;
 
-/// How far outside its limits a value may be before it counts [rad or m]: far below [`SUM_MARGIN`].
+/// Tolerance of a limit [rad or m]; far below [`SUM_MARGIN`].
 const ROUNDING: f64 = 1e-12;
 
-/// Most rounds of moving positions into one limit after the other.
+/// Most rounds of projecting positions onto one limit after the other.
 const PROJECTION_ROUNDS: usize = 200;
 
-/// How far from a reference random positions of a sliding joint are [m]: a base's range may be wide.
+/// Largest distance of random positions of a sliding joint from a reference [m], as a base may have a wide range.
 const SLIDE_REACH: f64 = 1.0;
 
-/// Part of a range at either end that joints are pushed out of.
+/// Share of a range at either end from which joints are pushed inwards [1].
 const OUTER_PART: f64 = 0.1;
 
 /// The limits of a chain.
@@ -28,13 +28,13 @@ pub(super) struct Limits {
     limits: Vec<Limit>,
 }
 
-/// lower ≤ normal · q ≤ upper; the normal, of unit length, as pairs of a variable and its part.
+/// A limit lower ≤ normal · q ≤ upper; the unit normal is given as pairs of a variable and its component.
 #[derive(Debug, Clone)]
 pub(super) struct Limit {
     normal: Vec<(usize, f64)>,
     lower: f64,
     upper: f64,
-    /// How much of this there is to a radian of the joint; `None` if it slides.
+    /// Change of the value per radian of the joint; `None` if it slides.
     per_rad: Option<f64>,
 }
 
@@ -64,7 +64,7 @@ impl Limits {
         }
     }
 
-    /// Takes a margin off both ends of what turns [rad], at most a tenth of its range.
+    /// Removes a margin at both ends of revolute joints [rad], at most a tenth of their range.
     pub(super) fn narrow(&mut self, margin: f64) {
         for limit in &mut self.limits {
             let range = Range {
@@ -80,7 +80,7 @@ impl Limits {
         self.limits.iter()
     }
 
-    /// The range of each variable by itself, unlimited in a joint without limits.
+    /// Returns the range of each variable alone; infinite for a joint without limits.
     fn range(&self, variable: usize) -> Range {
         let mut range = Range {
             lower: f64::NEG_INFINITY,
@@ -98,7 +98,7 @@ impl Limits {
         range
     }
 
-    /// The middle of the limits of each variable, zero for one without, moved inside coupled limits.
+    /// Returns the middle of each variable's limits (0 without limits), projected into coupled limits.
     pub(super) fn middle(&self) -> JointPositions {
         let mut q = JointPositions::zeros(self.slides.len());
         for (i, value) in q.iter_mut().enumerate() {
@@ -110,8 +110,8 @@ impl Limits {
         q
     }
 
-    /// Positions within the limits: angles from all of their range, or of a turn where that has no ends;
-    /// slides near the reference.
+    /// Draws positions within the limits: angles from their whole range, or from one turn if that is unlimited; slides
+    /// near the reference.
     pub(super) fn random(&self, reference: &[f64], random: &mut ChaCha8Rng) -> JointPositions {
         let mut q = JointPositions::copy_of(reference);
         for (i, value) in q.iter_mut().enumerate() {
@@ -132,7 +132,7 @@ impl Limits {
         q
     }
 
-    /// Moves positions to near ones within the limits.
+    /// Projects positions into the limits.
     pub(super) fn project(&self, q: &mut [f64]) {
         for _ in 0..PROJECTION_ROUNDS {
             let mut moved = false;
@@ -158,7 +158,7 @@ impl Limits {
             .all(|limit| limit.room(limit.value(q), 0.0).is_none())
     }
 
-    /// Puts variables that are a rounding error outside their own limits at these.
+    /// Clamps variables that are outside their own limits by a rounding error.
     pub(super) fn round(&self, q: &mut [f64]) {
         for limit in &self.limits {
             if let [(own, 1.0)] = limit.normal[..] {
@@ -169,7 +169,7 @@ impl Limits {
 }
 
 impl Limit {
-    /// lower ≤ offset + Σ factor · q ≤ upper, with factors of any size.
+    /// Returns the limit lower ≤ offset + Σ factor · q ≤ upper, with factors of any size.
     fn new(mut normal: Vec<(usize, f64)>, offset: f64, range: Range, slides: bool) -> Self {
         let norm = normal
             .iter()
@@ -195,14 +195,14 @@ impl Limit {
         self.normal.iter().map(|&(i, part)| part * q[i]).sum()
     }
 
-    /// Adds a multiple of the normal.
+    /// Adds a multiple of the normal to the positions.
     pub(super) fn add_to(&self, q: &mut [f64], amount: f64) {
         for &(i, part) in &self.normal {
             q[i] += amount * part;
         }
     }
 
-    /// How far from `value` the limit is that moving by `rate` breaks; `None` if it breaks none.
+    /// Returns the distance from `value` to the limit that a motion at `rate` approaches; `None` if it approaches none.
     pub(super) fn room(&self, value: f64, rate: f64) -> Option<f64> {
         let end = value + rate;
         if end > self.upper + ROUNDING {
@@ -214,7 +214,7 @@ impl Limit {
         }
     }
 
-    /// Way out of the outer parts of the range, along the normal.
+    /// Returns the displacement along the normal out of the outer parts of the range.
     pub(super) fn way_inwards(&self, value: f64) -> f64 {
         let width = OUTER_PART * (self.upper - self.lower);
         if !width.is_finite() {

@@ -1,10 +1,9 @@
 //! Inverse kinematics: joint positions that put a tool at a pose, within all limits.
 //!
-//! One descent is the local method, equation (7) of the paper, q̇ = J†ẋ + (1 − J†J) z, with Levenberg and
-//! Marquardt's damping of J† in the manner of Sugihara (2011): it is in proportion to the squared error,
-//! which tames singularities and targets out of reach, yet vanishes at the solution. Limits that a step
-//! would break become equations of the step, so that the other joints make up for them. Descents that
-//! end in a local minimum are followed by others from random positions.
+//! A descent is the local method, equation (7) of the paper, q̇ = J†ẋ + (1 − J†J) z. J† has Levenberg–Marquardt damping
+//! in proportion to the squared error (Sugihara 2011), which handles singularities and targets out of reach and
+//! vanishes at the solution. A limit that a step would break becomes an equation of the step, so that the other joints
+//! compensate. After a descent that ends in a local minimum, further ones start from random positions.
 
 mod descent;
 mod error;
@@ -20,25 +19,25 @@ use rand_chacha::{ChaCha8Rng, rand_core::SeedableRng};
 use std::fmt;
 use std::ops::{Deref, DerefMut};
 
-/// Farthest a target may be from the base [m]: beyond, squares lose their digits.
+/// Largest distance of a target from the base [m], beyond which squares lose precision.
 pub const MAX_TARGET_DISTANCE: f64 = 1e6;
 
-/// How a pose counts as reached, and how hard to try.
+/// Tolerances and effort of the inverse kinematics.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct IkConfig {
-    /// Farthest that the tool centre point may be from its target [m].
+    /// Largest distance of the tool centre point from its target [m].
     pub position_tolerance: f64,
-    /// Largest angle that the tool may be turned from its target [rad].
+    /// Largest angle between the tool and its target [rad].
     pub rotation_tolerance: f64,
     /// Most steps of one descent.
     pub max_iterations: usize,
     /// Most descents from random positions.
     pub max_restarts: usize,
-    /// Part of the way to the posture that a step goes as far as the tool does not move, 0 to 1.
+    /// Share of the distance to the posture that a step covers in the null space [1].
     pub posture_gain: f64,
-    /// Part of the way out of the outer tenths of a joint's range, likewise, 0 to 1.
+    /// Share of the distance out of the outer tenths of a joint's range that a step covers in the null space [1].
     pub limit_gain: f64,
-    /// Farthest that a joint moves in one step [rad or m].
+    /// Largest motion of a joint in one step [rad or m].
     pub max_step: f64,
 }
 
@@ -57,7 +56,7 @@ impl Default for IkConfig {
 }
 
 impl IkConfig {
-    fn checked(&self) -> Result<(), RobotError> {
+    fn check(&self) -> Result<(), RobotError> {
         let positive = |value: f64| value > 0.0 && value < f64::INFINITY;
         let share = |value: f64| (0.0..=1.0).contains(&value);
         let (position, rotation) = (self.position_tolerance, self.rotation_tolerance);
@@ -87,19 +86,19 @@ impl IkConfig {
     }
 }
 
-/// Which rotations of the target count.
+/// Rotations of the target that count.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum RotationGoal {
     /// All three.
     Full,
-    /// The tool's z axis is to point where the target's does; the tool may turn about it.
+    /// The tool's z axis must point as the target's does; the tool may rotate about it.
     AboutToolZFree,
 }
 
-/// Positions of a chain's variables [rad or m], in place: a slice that is copied.
+/// Positions of a chain's variables [rad or m], stored inline.
 #[derive(Clone, Copy)]
 pub struct JointPositions {
-    /// Zero from `count` on.
+    /// Values; zero from `count` on.
     values: [f64; MAX_CHAIN],
     count: usize,
 }
@@ -112,7 +111,7 @@ impl JointPositions {
         }
     }
 
-    /// As many values as there are, at most [`MAX_CHAIN`].
+    /// Copies at most [`MAX_CHAIN`] values.
     fn copy_of(q: &[f64]) -> Self {
         let mut positions = Self::zeros(q.len().min(MAX_CHAIN));
         for (own, value) in positions.values.iter_mut().zip(q) {
@@ -123,7 +122,7 @@ impl JointPositions {
 }
 
 impl FromIterator<f64> for JointPositions {
-    /// As many values as there are, at most [`MAX_CHAIN`].
+    /// Collects at most [`MAX_CHAIN`] values.
     fn from_iter<I: IntoIterator<Item = f64>>(values: I) -> Self {
         let mut positions = Self::zeros(0);
         for value in values.into_iter().take(MAX_CHAIN) {
@@ -159,24 +158,24 @@ impl fmt::Debug for JointPositions {
     }
 }
 
-/// What came of solving for a pose.
+/// Result of the inverse kinematics for a pose.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum IkOutcome {
-    /// Positions at which the tool is at its target within the tolerances, and every joint, those that
-    /// follow others included, within its limits.
+    /// Positions at which the tool is at its target within the tolerances, and every joint, including followers, is
+    /// within its limits.
     Solved(JointPositions),
-    /// The target was not reached.
+    /// No descent reached the target.
     Stuck {
-        /// The positions of least error among those that descents ended at, within the limits.
+        /// The positions within the limits with the least error of all descents.
         best: JointPositions,
-        /// Distance of the tool centre point from its target there [m].
+        /// Distance of the tool centre point from its target at `best` [m].
         position_error: f64,
-        /// Angle between the tool and its target there [rad], of the rotations that count.
+        /// Angle between the tool and its target at `best` [rad], of the rotations that count.
         rotation_error: f64,
     },
 }
 
-/// Solves for the positions of a chain of joints that put a tool at a pose. Constant once made.
+/// Inverse kinematics of a chain of joints that carries a tool. Constant once built.
 ///
 /// ```
 /// # let text = include_str!("../../../../../robots/arm7.urdf");
@@ -208,15 +207,15 @@ pub struct IkSolver {
 }
 
 impl IkSolver {
-    /// A solver for the chain from `base` out to `tip`, with a tool that is rigidly on the tip. Limits are
-    /// those of every joint that only the chain's variables move. The posture is the middle of the limits,
-    /// zero for a joint without.
+    /// Returns a solver for the chain from `base` out to `tip`, with a tool fixed to the tip. The limits are those of
+    /// every joint that only the chain's variables move. The posture is the middle of the limits, and 0 for a joint
+    /// without limits.
     ///
     /// # Errors
     /// If there is no such chain ([`RobotModel::chain`]), or the pose is not finite.
     ///
     /// # Panics
-    /// If a link is one of another, larger robot.
+    /// If a link belongs to another, larger robot.
     pub fn new(
         robot: &RobotModel,
         base: LinkId,
@@ -224,7 +223,7 @@ impl IkSolver {
         tip_from_tool: Pose,
     ) -> Result<Self, RobotError> {
         let chain = robot.chain(base, tip)?;
-        checked_pose("tip_from_tool", &tip_from_tool)?;
+        check_pose("tip_from_tool", &tip_from_tool)?;
         let limits = Limits::new(robot, &chain);
         let posture = limits.middle();
         Ok(Self {
@@ -236,18 +235,18 @@ impl IkSolver {
         })
     }
 
-    /// The same with another posture: positions of the chain's n variables [rad or m] that are drawn near
-    /// as far as the tool does not move. Positions outside the limits are moved inside.
+    /// Returns the solver with another posture: positions of the chain's n variables [rad or m] that attract the
+    /// solution in the null space. Positions outside the limits are projected inside.
     ///
     /// # Errors
-    /// If `q` is of another length or not finite.
+    /// If `q` does not have n finite values.
     pub fn with_posture(mut self, q: &[f64]) -> Result<Self, RobotError> {
         self.posture = self.inside(q)?;
         Ok(self)
     }
 
-    /// The same, which stays so far inside the limits of turning joints [rad], but no further than a tenth of their
-    /// range: a compliant arm is not exactly where it is wanted, and an end stop there would push it.
+    /// Returns the solver with a margin to the limits of revolute joints [rad], at most a tenth of their range. A
+    /// compliant arm deviates from its command, and an end stop there would push it.
     ///
     /// # Errors
     /// If the margin is negative or not finite.
@@ -265,24 +264,23 @@ impl IkSolver {
         Ok(self)
     }
 
-    /// The chain that is solved for.
+    /// The chain of the solver.
     pub const fn chain(&self) -> &Chain {
         &self.chain
     }
 
-    /// The posture that is drawn near [rad or m].
+    /// Posture that attracts the solution [rad or m].
     pub const fn posture(&self) -> &JointPositions {
         &self.posture
     }
 
-    /// One descent from `start`, the chain's n positions [rad or m]; a start outside the limits is first moved
-    /// to near positions inside. Self-motion towards the posture and out of the outer parts of the limits goes
-    /// along, in each step at most as long as the error is [m and rad]: a start that reaches the target is
-    /// the solution.
+    /// Descends once from `start`, the chain's n positions [rad or m]; a start outside the limits is first projected
+    /// inside. Each step includes self-motion towards the posture and out of the outer parts of the limits, at most as
+    /// long as the error [m and rad]. A start that reaches the target is therefore returned unchanged.
     ///
     /// # Errors
-    /// If `start` is of another length, anything is not finite, the target is farther than
-    /// [`MAX_TARGET_DISTANCE`], or a value of `config` is out of range.
+    /// If `start` does not have n values, a value is not finite, the target is farther than [`MAX_TARGET_DISTANCE`], or
+    /// a value of `config` is out of range.
     pub fn solve_from(
         &self,
         base_from_tool: &Pose,
@@ -290,17 +288,17 @@ impl IkSolver {
         start: &[f64],
         config: &IkConfig,
     ) -> Result<IkOutcome, RobotError> {
-        let target = checked_target(base_from_tool, goal, config)?;
+        let target = check_target(base_from_tool, goal, config)?;
         let start = self.inside(start)?;
         Ok(self.descend(&target, start, config)?.outcome(config))
     }
 
-    /// Descents from `starts`, or from the posture if there are none, then from random positions, at most
-    /// [`IkConfig::max_restarts`]; the first that reaches the target ends it. Sliding joints are drawn within
-    /// 1 m of the first start, for a base may have a wide range. The same seed gives the same answer.
+    /// Descends from `starts`, or from the posture if there are none, then from at most [`IkConfig::max_restarts`]
+    /// random positions, until the target is reached. Sliding joints are drawn within 1 m of the first start, as a base
+    /// may have a wide range. The result depends on the arguments and the seed only.
     ///
     /// # Errors
-    /// As for [`solve_from`](Self::solve_from).
+    /// As [`solve_from`](Self::solve_from).
     pub fn solve(
         &self,
         base_from_tool: &Pose,
@@ -309,41 +307,41 @@ impl IkSolver {
         seed: u64,
         config: &IkConfig,
     ) -> Result<IkOutcome, RobotError> {
-        let target = checked_target(base_from_tool, goal, config)?;
+        let target = check_target(base_from_tool, goal, config)?;
         let posture: &[&[f64]] = &[&self.posture];
         let starts = if starts.is_empty() { posture } else { starts };
         let reference = self.inside(starts[0])?;
         let mut best = self.descend(&target, reference, config)?;
         for start in &starts[1..] {
             let start = self.inside(start)?;
-            if !best.reached(config) {
+            if !best.has_reached(config) {
                 best = best.or_better(self.descend(&target, start, config)?, config);
             }
         }
-        if best.reached(config) {
+        if best.has_reached(config) {
             return Ok(best.outcome(config));
         }
         let mut random = ChaCha8Rng::seed_from_u64(seed);
         for _ in 0..config.max_restarts {
             let start = self.limits.random(&reference, &mut random);
             best = best.or_better(self.descend(&target, start, config)?, config);
-            if best.reached(config) {
+            if best.has_reached(config) {
                 break;
             }
         }
         Ok(best.outcome(config))
     }
 
-    /// Near positions within the limits.
+    /// Projects positions into the limits.
     fn inside(&self, q: &[f64]) -> Result<JointPositions, RobotError> {
-        self.chain.checked(q)?;
+        self.chain.check_positions(q)?;
         let mut q = JointPositions::copy_of(q);
         self.limits.project(&mut q);
         Ok(q)
     }
 }
 
-fn checked_pose(what: &'static str, pose: &Pose) -> Result<(), RobotError> {
+fn check_pose(what: &'static str, pose: &Pose) -> Result<(), RobotError> {
     let translation = pose.translation.vector;
     for value in translation.iter().chain(pose.rotation.coords.iter()) {
         if !value.is_finite() || value.abs() > MAX_TARGET_DISTANCE {
@@ -355,13 +353,13 @@ fn checked_pose(what: &'static str, pose: &Pose) -> Result<(), RobotError> {
     Ok(())
 }
 
-fn checked_target(
+fn check_target(
     base_from_tool: &Pose,
     goal: RotationGoal,
     config: &IkConfig,
 ) -> Result<Target, RobotError> {
-    config.checked()?;
-    checked_pose("base_from_tool", base_from_tool)?;
+    config.check()?;
+    check_pose("base_from_tool", base_from_tool)?;
     Ok(Target {
         base_from_tool: *base_from_tool,
         goal,

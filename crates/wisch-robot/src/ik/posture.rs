@@ -1,21 +1,21 @@
-//! What positions are drawn to where the tool leaves a choice.
+//! Posture in the null space of the tool.
 
 use super::error::Target;
 use super::step::Task;
-use super::{IkConfig, IkSolver, JointPositions, RotationGoal, checked_target};
+use super::{IkConfig, IkSolver, JointPositions, RotationGoal, check_target};
 use crate::RobotError;
 
-/// Self-motion has ended when it is this short [rad or m].
+/// Length of self-motion at which it ends [rad or m].
 const SHORTEST: f64 = 1e-6;
 
 impl IkSolver {
-    /// Self-motion: from `start`, the chain's n positions [rad or m], towards the posture and out of the
-    /// outer parts of the limits, while the tool stays where it is within the tolerances, as far as its
-    /// rotations count. It ends when no such motion is left, or after [`IkConfig::max_iterations`] steps.
-    /// A start outside the limits is first moved to near positions inside, and the tool with it.
+    /// Moves the chain from `start`, its n positions [rad or m], towards the posture and out of the outer parts of the
+    /// limits, while the tool keeps its pose within the tolerances, in the rotations that count. It ends when no such
+    /// motion remains, or after [`IkConfig::max_iterations`] steps. A start outside the limits is first projected
+    /// inside, which moves the tool.
     ///
     /// # Errors
-    /// If `start` is of another length or not finite, or a value of `config` is out of range.
+    /// If `start` does not have n finite values, or a value of `config` is out of range.
     pub fn relax(
         &self,
         goal: RotationGoal,
@@ -25,7 +25,7 @@ impl IkSolver {
         let mut q = self.inside(start)?;
         let base_from_tool =
             self.chain.forward_kinematics(&q)?.base_from_tip() * self.tip_from_tool;
-        let target = checked_target(&base_from_tool, goal, config)?;
+        let target = check_target(&base_from_tool, goal, config)?;
         let back_only = IkConfig {
             posture_gain: 0.0,
             limit_gain: 0.0,
@@ -35,7 +35,8 @@ impl IkSolver {
         for _ in 0..config.max_iterations {
             let aside = self.self_motion(&target, &q, longest, config)?;
             let back = self.descend(&target, aside, &back_only)?;
-            if back.reached(config) && self.tension(&back.q, config) < self.tension(&q, config) {
+            if back.has_reached(config) && self.tension(&back.q, config) < self.tension(&q, config)
+            {
                 q = back.q;
                 longest = (2.0 * longest).min(config.max_step);
             } else {
@@ -48,7 +49,7 @@ impl IkSolver {
         Ok(q)
     }
 
-    /// (1 − J†J) z, which moves the tool only in second order.
+    /// Null-space projection (1 − J†J) z, which moves the tool only in second order.
     fn self_motion(
         &self,
         target: &Target,
@@ -65,10 +66,10 @@ impl IkSolver {
             max_drift: longest,
             max_step: config.max_step,
         };
-        Ok(self.moved(q, &task.step(q, &self.limits)))
+        Ok(self.apply_step(q, &task.step(q, &self.limits)))
     }
 
-    /// z, the negative gradient of [`tension`](Self::tension).
+    /// Returns z, the negative gradient of [`tension`](Self::tension).
     pub(super) fn drift(&self, q: &[f64], config: &IkConfig) -> JointPositions {
         let mut drift = JointPositions::zeros(q.len());
         for (i, own) in drift.iter_mut().enumerate() {
@@ -81,7 +82,7 @@ impl IkSolver {
         drift
     }
 
-    /// ½ Σ gain · distance² to the posture and out of the outer parts of the limits.
+    /// Returns ½ Σ gain · distance², for the posture and for the outer parts of the limits.
     fn tension(&self, q: &[f64], config: &IkConfig) -> f64 {
         let apart = self.posture.iter().zip(q).map(|(p, q)| (p - q) * (p - q));
         let inwards = self
@@ -91,8 +92,8 @@ impl IkSolver {
         0.5 * (config.posture_gain * apart.sum::<f64>() + config.limit_gain * inwards.sum::<f64>())
     }
 
-    /// Positions after a step that keeps the limits.
-    pub(super) fn moved(&self, q: &JointPositions, step: &[f64]) -> JointPositions {
+    /// Returns positions after a step that keeps the limits.
+    pub(super) fn apply_step(&self, q: &JointPositions, step: &[f64]) -> JointPositions {
         let mut next = *q;
         for (own, step) in next.iter_mut().zip(step) {
             *own += step;

@@ -4,37 +4,37 @@ use super::limits::Limits;
 use super::{JointPositions, MAX_CHAIN};
 use nalgebra::{Cholesky, Const, Matrix6, Vector6};
 
-/// Part of a limit's normal below which those that already hold prescribe it.
+/// Component of a limit's normal below which the held limits already prescribe it.
 const DEPENDENT: f64 = 1e-6;
 
-/// What a step is for: J Δq = e, as far as damping lets it, and Δq = z where that leaves a choice.
+/// Task of a step: J Δq = e up to damping, and Δq = z in the null space.
 #[derive(Debug, Clone)]
 pub(super) struct Task {
     /// The columns of J, one per variable.
     pub(super) columns: [Vector6<f64>; MAX_CHAIN],
-    /// e, what is left to do.
+    /// e, the remaining error.
     pub(super) residual: Vector6<f64>,
-    /// z, where the variables are drawn.
+    /// z, the desired null-space motion.
     pub(super) drift: JointPositions,
     /// λ of J† = Jᵀ (J Jᵀ + λ)⁻¹.
     pub(super) damping: f64,
-    /// Longest motion that leaves the tool where it is [rad or m].
+    /// Longest null-space motion [rad or m].
     pub(super) max_drift: f64,
-    /// Farthest that a variable moves [rad or m].
+    /// Largest motion of a variable [rad or m].
     pub(super) max_step: f64,
 }
 
-/// Limits that hold as equations of the step.
+/// Limits that are equations of the step.
 struct Held {
-    /// Their normals, made orthogonal.
+    /// Orthonormalised normals of the held limits.
     normals: [JointPositions; MAX_CHAIN],
     count: usize,
-    /// The motion that they prescribe.
+    /// Motion that they prescribe.
     motion: JointPositions,
 }
 
 impl Task {
-    /// J q̇.
+    /// Returns J q̇.
     fn rate(&self, qd: &[f64]) -> Vector6<f64> {
         self.columns
             .iter()
@@ -43,7 +43,7 @@ impl Task {
             .sum()
     }
 
-    /// The step from `q`, scaled to its longest, that keeps all limits that `q` keeps.
+    /// Returns the step from `q`, scaled to the longest one, that keeps all limits that `q` keeps.
     pub(super) fn step(mut self, q: &[f64], limits: &Limits) -> JointPositions {
         let mut step = self.free_step();
         self.shorten(&mut step);
@@ -70,7 +70,7 @@ impl Task {
         step
     }
 
-    /// (7): Δq = J†e + (1 − J†J) z, the second part no longer than wanted.
+    /// Returns the step of (7), Δq = J†e + (1 − J†J) z, with the second part limited in length.
     fn free_step(&self) -> JointPositions {
         let n = self.drift.len();
         let mut step = JointPositions::zeros(n);
@@ -81,6 +81,7 @@ impl Task {
         let Some(normal) = Cholesky::<f64, Const<6>>::new(normal) else {
             return step;
         };
+        // J†e = Jᵀ (J Jᵀ + λ)⁻¹ e, and the null-space part is z − Jᵀ (J Jᵀ + λ)⁻¹ J z.
         let towards = normal.solve(&self.residual);
         let back = normal.solve(&self.rate(&self.drift));
         let mut drift = self.drift;
@@ -108,13 +109,14 @@ impl Task {
         }
     }
 
-    /// Makes a limit an equation of the step: what is left of the task is orthogonal to it. False if the
-    /// limits that hold already prescribe the motion along it.
+    /// Makes a limit an equation of the step, and the remaining task orthogonal to it. Returns false if the held limits
+    /// already prescribe the motion along it.
     fn hold(&mut self, held: &mut Held, broken: &Broken) -> bool {
         let n = self.drift.len();
         if held.count == n {
             return false;
         }
+        // Gram–Schmidt: the part of the normal that is orthogonal to the held ones.
         let mut normal = JointPositions::zeros(n);
         broken.limit.add_to(&mut normal, 1.0);
         let missing = broken.room - broken.limit.value(&held.motion);
@@ -143,11 +145,11 @@ impl Task {
 /// A limit that a step breaks.
 struct Broken<'a> {
     limit: &'a super::limits::Limit,
-    /// How far from it the variables are, along its normal.
+    /// Distance of the variables from the limit, along its normal.
     room: f64,
 }
 
-/// The limit that a step exceeds most.
+/// Returns the limit that a step exceeds most.
 fn worst<'a>(q: &[f64], step: &[f64], limits: &'a Limits) -> Option<Broken<'a>> {
     let mut most = 0.0;
     let mut worst = None;
@@ -179,7 +181,7 @@ fn dot(a: &[f64], b: &[f64]) -> f64 {
     a.iter().zip(b).map(|(a, b)| a * b).sum()
 }
 
-/// Takes the part along a unit vector away.
+/// Subtracts the component along a unit vector.
 fn subtract(from: &mut [f64], unit: &[f64]) {
     let along = dot(from, unit);
     for (own, unit) in from.iter_mut().zip(unit) {

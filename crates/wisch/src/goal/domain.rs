@@ -1,4 +1,4 @@
-//! Domains: types, predicates and actions, with every name checked.
+//! PDDL domains: types, predicates and actions, with every name checked.
 
 use std::collections::HashMap;
 
@@ -6,9 +6,9 @@ use super::GoalError;
 use super::form::{Form, Source, read};
 use super::syntax::{Atom, Listed, OBJECT, Typed, atoms, literals, predicate, typed_list};
 
-/// Most types, constants, predicates or actions, which are found by looking through them.
+/// Most types, constants, predicates or actions, as they are searched linearly.
 const MAX_NAMES: usize = 1000;
-/// Most parameters an action may have; each multiplies the ways to ground it.
+/// Most parameters of an action; each multiplies the number of groundings.
 const MAX_PARAMETERS: usize = 12;
 
 const SECTIONS: [&str; 5] = [
@@ -45,7 +45,7 @@ pub(super) struct Predicate {
     pub(super) parameters: Vec<Typed>,
 }
 
-/// An action with its parameters still open.
+/// An action with unbound parameters.
 #[derive(Debug, Clone)]
 pub(super) struct Schema {
     pub(super) name: String,
@@ -56,17 +56,15 @@ pub(super) struct Schema {
 }
 
 impl Domain {
-    /// Reads a PDDL domain; `name` is what errors call the text.
+    /// Reads a PDDL domain; `name` identifies the text in errors.
     ///
-    /// Typed STRIPS is understood: `:types`, `:constants`, `:predicates`, and `:action`s with
-    /// positive preconditions and effects that add or (`not`) delete atoms. PDDL tells no case, so
-    /// all names come out in small letters.
+    /// The language is typed STRIPS: `:types`, `:constants`, `:predicates`, and `:action`s with positive preconditions
+    /// and effects that add or (`not`) delete atoms. PDDL ignores case, so all names are converted to lower case.
     ///
     /// # Errors
     ///
-    /// [`GoalError::Text`] for anything else, with file, line and column: what was expected, the
-    /// construct that is not supported, or the name that is unknown with the nearest that is not.
-    /// [`GoalError::TooLarge`] for texts beyond 1 MiB or nested deeper than 64.
+    /// [`GoalError::Text`], with file, line and column, for an unexpected or unsupported construct or an unknown name;
+    /// it gives the nearest known name. [`GoalError::TooLarge`] for a text of more than 1 MiB or nested deeper than 64.
     ///
     /// ```
     /// use wisch::goal::Domain;
@@ -119,7 +117,7 @@ impl Domain {
         Ok(domain)
     }
 
-    /// The name that the domain gives itself.
+    /// Name of the domain.
     pub fn name(&self) -> &str {
         &self.name
     }
@@ -139,7 +137,7 @@ impl Domain {
         Ok(())
     }
 
-    /// Reads names of one kind, each only once, with their types.
+    /// Reads distinct names of one kind, with their types.
     fn typed(
         &self,
         source: Source<'_>,
@@ -173,7 +171,7 @@ impl Domain {
             };
             if let Some(first) = parts.insert(word, value) {
                 let what = format!("{word} of action {name}");
-                return Err(defined_twice(source, &what, first.at, value.at));
+                return Err(duplicate_fault(source, &what, first.at, value.at));
             }
             rest = following;
         }
@@ -211,10 +209,9 @@ impl Domain {
         })
     }
 
-    /// Refuses an atom whose predicate is not declared, or does not take such arguments.
+    /// Rejects an atom whose predicate is not declared or does not take its arguments.
     ///
-    /// `known` are the names that there are, with their types; those that are no parameters are
-    /// each a `noun`.
+    /// `known`: the declared names with their types; `noun`: what an unknown name that is no parameter should be.
     pub(super) fn check<'n, I: Iterator<Item = (&'n str, &'n str)>>(
         &self,
         source: Source<'_>,
@@ -239,14 +236,14 @@ impl Domain {
             };
             let expected = &parameter.type_name;
             if !types.any(|(_, found)| self.is_a(found, expected)) {
-                let fault = format!("{argument} is of type {found}, which is no {expected}");
+                let fault = format!("{argument} is of type {found}, not of {expected}");
                 return Err(source.fault(at, fault));
             }
         }
         Ok(())
     }
 
-    /// The parameters of the predicate that an atom names, as many as it has arguments.
+    /// Returns the parameters of an atom's predicate, which are as many as its arguments.
     pub(super) fn parameters(
         &self,
         source: Source<'_>,
@@ -266,7 +263,7 @@ impl Domain {
         Ok(&predicate.parameters)
     }
 
-    /// Refuses types that are not declared.
+    /// Rejects undeclared types.
     fn check_types(&self, source: Source<'_>, list: &[Typed]) -> Result<(), GoalError> {
         let mut unknown = list.iter().filter(|typed| !self.has_type(&typed.type_name));
         unknown.next().map_or(Ok(()), |typed| {
@@ -279,7 +276,7 @@ impl Domain {
         name == OBJECT || self.types.iter().any(|t| t.name == name)
     }
 
-    /// A type, its parent, and so on.
+    /// Iterates over a type, its parent, and so on.
     fn lineage<'n>(&'n self, name: &'n str) -> impl Iterator<Item = &'n str> {
         std::iter::successors(Some(name), |&name| {
             let declared = self.types.iter().find(|t| t.name == name);
@@ -287,18 +284,18 @@ impl Domain {
         })
     }
 
-    /// Whether a type is another or descends from it.
+    /// Whether a type is `ancestor` or descends from it.
     pub(super) fn is_a(&self, name: &str, ancestor: &str) -> bool {
         self.lineage(name).any(|name| name == ancestor)
     }
 }
 
-/// Names with their places.
+/// Names with their positions.
 fn names(list: &[Typed]) -> impl Iterator<Item = (&str, usize)> {
     list.iter().map(|typed| (typed.name.as_str(), typed.at))
 }
 
-/// Refuses names that come twice, and more than can be looked through.
+/// Rejects duplicate names, and more than [`MAX_NAMES`] of them.
 fn define_once<'a>(
     source: Source<'_>,
     kind: &str,
@@ -307,18 +304,23 @@ fn define_once<'a>(
     let mut seen = HashMap::new();
     for (name, at) in names {
         if let Some(first) = seen.insert(name, at) {
-            return Err(defined_twice(source, &format!("{kind} {name}"), first, at));
+            return Err(duplicate_fault(
+                source,
+                &format!("{kind} {name}"),
+                first,
+                at,
+            ));
         }
     }
     source.check_size(&format!("number of {kind}s"), seen.len(), MAX_NAMES)
 }
 
-fn defined_twice(source: Source<'_>, what: &str, first: usize, at: usize) -> GoalError {
+fn duplicate_fault(source: Source<'_>, what: &str, first: usize, at: usize) -> GoalError {
     let first = source.place(first);
     source.fault(at, format!("{what} is already defined at {first}"))
 }
 
-/// Takes `(define (domain name) section ...)` apart.
+/// Returns name and sections of `(define (domain name) section ...)`.
 fn definition<'f>(source: Source<'_>, form: &'f Form) -> Result<(&'f str, &'f [Form]), GoalError> {
     let Some(("define", [title, sections @ ..])) = form.head() else {
         return Err(source.expected("`(define (domain name) ...)`", form));
@@ -331,7 +333,7 @@ fn definition<'f>(source: Source<'_>, form: &'f Form) -> Result<(&'f str, &'f [F
     }
 }
 
-/// The sections of a definition by keyword, each with what stands in it.
+/// The sections of a definition with their contents, by keyword.
 type Sections<'f> = HashMap<&'f str, Vec<(&'f Form, &'f [Form])>>;
 
 fn sections<'f>(source: Source<'_>, forms: &'f [Form]) -> Result<Sections<'f>, GoalError> {
@@ -350,13 +352,13 @@ fn sections<'f>(source: Source<'_>, forms: &'f [Form]) -> Result<Sections<'f>, G
         same.push((form, content));
         if keyword != ":action" && same.len() > 1 {
             let what = format!("section {keyword}");
-            return Err(defined_twice(source, &what, same[0].0.at, form.at));
+            return Err(duplicate_fault(source, &what, same[0].0.at, form.at));
         }
     }
     Ok(sections)
 }
 
-/// Refuses requirements that would not be honoured.
+/// Rejects requirements that are not supported.
 fn requirements(source: Source<'_>, forms: &[Form]) -> Result<(), GoalError> {
     for form in forms {
         match form.word() {

@@ -1,97 +1,97 @@
-//! Why a goal cannot be read, or leads to no action.
+//! Errors of goals and domains.
 
 use crate::represent::{Action, KnowledgeError, Place};
 
-/// Why a goal could not be read or leads to no plan.
+/// A reason why a goal cannot be read or leads to no plan.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum GoalError {
-    /// A text that is not PDDL of the kind that is read here, or does not hold together.
+    /// A text that is not in the supported part of PDDL, or that contradicts itself.
     #[error("{at}: {fault}")]
     Text {
-        /// Where.
+        /// Place of the fault.
         at: Place,
-        /// What was expected, is not supported, is unknown, or fits nothing else.
+        /// The fault: what was expected, is not supported, is unknown or is inconsistent.
         fault: String,
     },
-    /// More than this planner takes on.
+    /// A text or search exceeds a limit.
     #[error("{text}: {what}: {value} exceeds the limit of {limit}")]
     TooLarge {
-        /// The name of the text.
+        /// Name of the text.
         text: String,
-        /// What there is too much of.
+        /// The quantity that is too large.
         what: String,
-        /// How much there is, or how much there was when counting stopped.
+        /// Its value, or its value when counting stopped.
         value: usize,
-        /// How much there may be.
+        /// Its limit.
         limit: usize,
     },
-    /// The goal names something that the knowledge base does not know.
+    /// The goal names something that is not in the knowledge base.
     #[error(transparent)]
     Knowledge(#[from] KnowledgeError),
-    /// No tool at all is known to do what the goal asks for.
+    /// The knowledge base has no tool for the goal.
     #[error(
         "no tool is known that can {action} {medium} on {surface}; known there: {}",
         list(known)
     )]
     NoCapableTool {
-        /// The action that would reach the goal.
+        /// Action that would reach the goal.
         action: Action,
-        /// The medium of the goal.
+        /// Medium of the goal.
         medium: String,
-        /// The surface of the goal.
+        /// Surface of the goal.
         surface: String,
-        /// What else is known for this medium and surface, such as "skim with window_wiper".
+        /// Known actions for this medium and surface, such as "skim with window_wiper".
         known: Vec<String>,
     },
-    /// Tools are known that could do it, but none of them is at hand.
+    /// Known tools could reach the goal, but none of them is available.
     #[error(
-        "none of the tools at hand ({}) can {action} {medium} on {surface}; known to: {}",
+        "none of the available tools ({}) can {action} {medium} on {surface}; tools that can: {}",
         list(available),
         list(capable)
     )]
     CapableToolMissing {
-        /// The action that would reach the goal.
+        /// Action that would reach the goal.
         action: Action,
-        /// The medium of the goal.
+        /// Medium of the goal.
         medium: String,
-        /// The surface of the goal.
+        /// Surface of the goal.
         surface: String,
-        /// The tools at hand.
+        /// Available tools.
         available: Vec<String>,
-        /// The tools that could do it, the best first.
+        /// Tools that can do it, the best first.
         capable: Vec<String>,
     },
-    /// The goal speaks of a tool that is not at hand.
+    /// The goal names a tool that is not available.
     #[error(
-        "{goal} takes {tool}, which is not at hand; at hand: {}",
+        "{goal} needs {tool}, which is not available; available: {}",
         list(available)
     )]
     ToolNotAtHand {
-        /// The goal.
+        /// Goal as written.
         goal: String,
         /// The tool.
         tool: String,
-        /// The tools at hand.
+        /// Available tools.
         available: Vec<String>,
     },
     /// No sequence of actions reaches the goal.
     #[error("no plan reaches {goal}: {}", reasons(unmet))]
     NoPlan {
-        /// The goal.
+        /// Goal as written.
         goal: String,
-        /// Preconditions that nothing can meet, each with the action that has it.
+        /// Preconditions that cannot be met, each with its action.
         unmet: Vec<String>,
     },
-    /// The goal holds or is reached without any wiping.
+    /// The goal holds already or needs no wiping.
     #[error(
-        "goal {goal} takes no wiping action; goals that do: {}",
+        "goal {goal} needs no wiping action; goals that do: {}",
         list(wiping_goals)
     )]
     NoWiping {
-        /// The goal.
+        /// Goal as written.
         goal: String,
-        /// The predicates that wiping brings about.
+        /// Predicates that wiping actions bring about.
         wiping_goals: Vec<String>,
     },
 }

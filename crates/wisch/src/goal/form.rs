@@ -1,16 +1,16 @@
-//! Reads a text as one nested list of words, within limits that no text can talk its way past.
+//! Reads a text as one nested list of words, within limits that hold for any text.
 
 use super::GoalError;
 use crate::represent::{Place, UnknownName};
 
-/// Longest text that is read [bytes].
+/// Length of the longest text [bytes].
 pub(super) const MAX_TEXT_LEN: usize = 1 << 20;
 /// Deepest nesting of parentheses; PDDL domains rarely go beyond 10.
 pub(super) const MAX_DEPTH: usize = 64;
-/// Longest word [bytes].
+/// Length of the longest word [bytes].
 pub(super) const MAX_WORD_LEN: usize = 128;
 
-/// A text with the name under which errors speak of it.
+/// A text with its name in errors.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Source<'a> {
     pub(super) name: &'a str,
@@ -79,7 +79,7 @@ pub(super) struct Form {
 
 #[derive(Debug, Clone)]
 pub(super) enum Content {
-    /// In small letters, PDDL telling no case.
+    /// A word, in lower case as PDDL ignores case.
     Word(String),
     List(Vec<Form>),
 }
@@ -99,19 +99,19 @@ impl Form {
         }
     }
 
-    /// The word, if it can name something.
+    /// Returns the word if it is a valid name.
     pub(super) fn name(&self) -> Option<&str> {
         self.word().filter(|word| is_name(word))
     }
 
-    /// The word that a list begins with, and the rest of the list.
+    /// Returns the first word of a list, and the remainder of the list.
     pub(super) fn head(&self) -> Option<(&str, &[Form])> {
         let (first, rest) = self.list()?.split_first()?;
         Some((first.word()?, rest))
     }
 }
 
-/// Short: a word as it is, a list by what it begins with.
+/// In short: a word as it is, a list by its first word.
 impl std::fmt::Display for Form {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         match (&self.content, self.head()) {
@@ -131,7 +131,7 @@ pub(super) fn is_name(word: &str) -> bool {
             .all(|c| c.is_ascii_alphanumeric() || b"_-".contains(&c))
 }
 
-/// Reads the one list that makes up the text.
+/// Reads the single list of a text.
 pub(super) fn read(source: Source<'_>) -> Result<Form, GoalError> {
     source.check_size("length in bytes", source.text.len(), MAX_TEXT_LEN)?;
     let text = source.text;

@@ -1,8 +1,7 @@
-//! From a goal in PDDL to the wiping action and the tool that reach it, before there is a task (§3.2,
-//! S_g of equation 3).
+//! Resolves a PDDL goal into a wiping action and a tool (§3.2, S_g of equation 3).
 //!
-//! A goal is one fact, such as `(collected breadcrumbs chopping_board)`. A [`Domain`] in typed STRIPS
-//! says which actions bring facts about, the knowledge base which tools can do them where, and
+//! A goal is one fact, such as `(collected breadcrumbs chopping_board)`. A [`Domain`] in typed STRIPS defines which
+//! actions bring facts about. The knowledge base defines which tools can perform them on which surfaces.
 //! [`resolve_goal`] searches for the shortest plan.
 
 mod domain;
@@ -23,10 +22,10 @@ use crate::represent::{Action, KnowledgeBase, RankedTool};
 use form::Source;
 use search::{Fact, Problem};
 
-/// What errors call a goal that was handed in without a name.
+/// Name in errors of a goal without a name of its own.
 const GOAL_TEXT_NAME: &str = "goal";
 
-/// A single fact that is to become true, such as `(collected breadcrumbs chopping_board)`.
+/// A single fact to be made true, such as `(collected breadcrumbs chopping_board)`.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct GoalLiteral {
     /// The predicate, then its arguments.
@@ -34,12 +33,11 @@ pub struct GoalLiteral {
 }
 
 impl GoalLiteral {
-    /// Reads a goal. PDDL tells no case, so names come out in small letters.
+    /// Reads a goal. PDDL ignores case, so names are converted to lower case.
     ///
     /// # Errors
     ///
-    /// [`GoalError::Text`] with line and column if it is not one list of names, or anything but a
-    /// single positive atom.
+    /// [`GoalError::Text`], with line and column, for anything but a list of names that is a single positive atom.
     ///
     /// ```
     /// use wisch::goal::GoalLiteral;
@@ -69,7 +67,7 @@ impl GoalLiteral {
         &self.words[0]
     }
 
-    /// The objects that it is said of.
+    /// Arguments of the predicate.
     pub fn arguments(&self) -> &[String] {
         &self.words[1..]
     }
@@ -81,36 +79,35 @@ impl fmt::Display for GoalLiteral {
     }
 }
 
-/// The wiping action that reaches a goal, with the plan that it is the last wiping step of.
+/// The wiping action that reaches a goal, with the plan whose last wiping step it is.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct ResolvedGoal {
-    /// The action.
+    /// Wiping action.
     pub action: Action,
-    /// The tool that it takes.
+    /// Tool of the action.
     pub tool: String,
-    /// The medium that it moves.
+    /// Medium of the action.
     pub medium: String,
-    /// The surface that it is done on.
+    /// Surface of the action.
     pub surface: String,
-    /// The whole plan, such as `(grasp sponge)`, `(collect sponge breadcrumbs chopping_board)`.
+    /// All steps of the plan, such as `(grasp sponge)`, `(collect sponge breadcrumbs chopping_board)`.
     pub steps: Vec<String>,
 }
 
 /// Finds the action and the tool that reach a goal.
 ///
-/// The goal's medium lies on its surface, the hand holds `tool_in_hand` or nothing, and what each
-/// tool can do there is taken from the knowledge base as facts `(can-<action> tool medium surface)`
-/// for the domain's actions that are named like an [`Action`]. The plan is a shortest one; among
-/// those of the same length it takes the tool with the best prospects at nominal force.
-/// `available_tools` need not repeat the tool in hand.
+/// Initially the goal's medium lies on its surface, and the hand holds `tool_in_hand` or nothing. The knowledge base
+/// provides facts `(can-<action> tool medium surface)` for the domain's actions that are named like an [`Action`]. The
+/// plan is a shortest one; among plans of equal length it uses the tool with the highest probability of success at
+/// nominal force. `available_tools` need not repeat the tool in hand.
 ///
 /// # Errors
 ///
-/// [`GoalError::Text`] for a predicate that the domain does not have and [`GoalError::Knowledge`] for
-/// a medium, surface or tool that the knowledge base does not have: each with the nearest.
-/// [`GoalError::NoCapableTool`], [`GoalError::CapableToolMissing`], [`GoalError::ToolNotAtHand`] or
-/// [`GoalError::NoPlan`] if the goal can't be reached, and [`GoalError::NoWiping`] if no wiping is
-/// needed. [`GoalError::TooLarge`] if the domain leaves more to search than about a second of work.
+/// [`GoalError::Text`] for a predicate that is not in the domain, and [`GoalError::Knowledge`] for a medium, surface or
+/// tool that is not in the knowledge base; both give the nearest name. [`GoalError::NoCapableTool`],
+/// [`GoalError::CapableToolMissing`], [`GoalError::ToolNotAtHand`] or [`GoalError::NoPlan`] if the goal cannot be
+/// reached, and [`GoalError::NoWiping`] if no wiping is needed. [`GoalError::TooLarge`] if the search would take more
+/// than about a second.
 ///
 /// ```
 /// use wisch::goal::{GoalLiteral, resolve_goal};
@@ -173,19 +170,19 @@ fn owned(names: &[&str]) -> Vec<String> {
     names.iter().map(|&name| name.to_owned()).collect()
 }
 
-/// What a goal literal speaks of.
+/// Medium, surface and tool of a goal literal.
 struct Target<'a> {
     domain: &'a Domain,
     knowledge: &'a KnowledgeBase,
     media: Vec<&'a str>,
     surfaces: Vec<&'a str>,
     tools: Vec<&'a str>,
-    /// The wiping actions that bring the goal's predicate about.
+    /// Wiping actions that bring the goal's predicate about.
     actions: Vec<Action>,
 }
 
 impl<'a> Target<'a> {
-    /// Looks the literal's arguments up by the types that its predicate takes.
+    /// Looks up the literal's arguments by the types of its predicate's parameters.
     fn of(
         literal: &'a GoalLiteral,
         domain: &'a Domain,
@@ -211,7 +208,7 @@ impl<'a> Target<'a> {
                 "medium" => knowledge.medium(argument).map(|_| &mut target.media),
                 "surface" => knowledge.surface(argument).map(|_| &mut target.surfaces),
                 "tool" => knowledge.tool(argument).map(|_| &mut target.tools),
-                // Left to the domain, whose constants it may name.
+                // The domain checks the remaining arguments, which may be its constants.
                 _ => continue,
             }?;
             if !known_as.contains(&argument) {
@@ -229,11 +226,11 @@ impl<'a> Target<'a> {
         Ok(target)
     }
 
-    /// The tools at hand, the likeliest to reach it first.
+    /// Returns the available tools, sorted by their probability of success.
     ///
     /// # Errors
     ///
-    /// If wiping one medium on one surface is the goal, and no tool can do that.
+    /// If the goal is to wipe a medium on a surface, and no tool can do that.
     fn ranked_tools(&self, at_hand: &[&'a str]) -> Result<Vec<&'a str>, GoalError> {
         let mut tools: Vec<&str> = Vec::new();
         if let (&[medium], &[surface], &[action, ..]) =
@@ -243,7 +240,7 @@ impl<'a> Target<'a> {
             for &action in &self.actions {
                 capable.extend(self.knowledge.tools_for(medium, surface, action)?);
             }
-            // A stable sort: tools that are alike stay in the order of their names.
+            // A stable sort keeps tools of equal probability in the order of their names.
             capable.sort_by(|a, b| b.probability.total_cmp(&a.probability));
             let capable: Vec<&str> = capable.iter().map(|tool| tool.tool.name.as_str()).collect();
             let (medium, surface) = (medium.to_owned(), surface.to_owned());
@@ -272,7 +269,7 @@ impl<'a> Target<'a> {
         Ok(tools)
     }
 
-    /// The goal with all that is known.
+    /// Returns the planning problem: the goal with all known facts.
     fn problem(
         &self,
         literal: &'a GoalLiteral,
@@ -286,7 +283,7 @@ impl<'a> Target<'a> {
             (&self.media, "medium"),
             (&self.surfaces, "surface"),
         ] {
-            // What the domain knows as a constant is an object already.
+            // A constant of the domain is an object already.
             let is_new = |name: &&&str| self.domain.constants.iter().all(|c| c.name != **name);
             objects.extend(names.iter().filter(is_new).map(|&name| (name, type_name)));
         }
@@ -306,7 +303,7 @@ impl<'a> Target<'a> {
                 }
             }
         }
-        // What the domain has no word for does not matter to it.
+        // The domain ignores facts without a predicate.
         let declared = facts.into_iter().filter_map(|(name, arguments)| {
             let predicate = self.domain.predicates.iter().find(|p| p.name == name)?;
             Some(
@@ -326,7 +323,7 @@ impl<'a> Target<'a> {
     }
 }
 
-/// What is known for a medium on a surface, such as "skim with window_wiper".
+/// Returns the known actions for a medium on a surface, such as "skim with window_wiper".
 fn known_actions(
     knowledge: &KnowledgeBase,
     medium: &str,
@@ -344,7 +341,7 @@ fn known_actions(
     Ok(known)
 }
 
-/// The predicates that the domain's wiping actions bring about.
+/// Returns the predicates that the domain's wiping actions bring about.
 fn wiping_goals(domain: &Domain) -> Vec<String> {
     let mut goals: Vec<String> = (domain.schemas.iter())
         .filter(|schema| schema.name.parse::<Action>().is_ok())
@@ -356,7 +353,7 @@ fn wiping_goals(domain: &Domain) -> Vec<String> {
     goals
 }
 
-/// Action, tool, medium and surface of a step, if it wipes.
+/// Returns action, tool, medium and surface of a step, if it wipes.
 fn wiping_step(step: &Fact<'_>, domain: &Domain) -> Option<(Action, [String; 3])> {
     let action = step[0].parse().ok()?;
     let schema = domain

@@ -1,4 +1,4 @@
-//! Domains and problems of the user's own.
+//! Tests with domains and problems that a user might write.
 
 use super::*;
 use proptest::prelude::*;
@@ -25,7 +25,7 @@ const TOWER: &str = "(define (problem tower)
   (:goal (and (on b c) (on a b))))
 ";
 
-/// Plans for a problem, which only tests state in PDDL.
+/// Plans for a problem in PDDL; only tests write problems as text.
 fn plan(domain: &str, problem: &str) -> Result<Option<Vec<String>>, GoalError> {
     let domain = Domain::parse("domain.pddl", domain)?;
     let source = Source {
@@ -61,7 +61,7 @@ fn plan(domain: &str, problem: &str) -> Result<Option<Vec<String>>, GoalError> {
     Ok(plan.map(|plan| plan.iter().map(|step| search::text(step)).collect()))
 }
 
-/// What planning says after one piece of the domain is replaced.
+/// Returns the planning error after one piece of the domain is replaced.
 fn domain_error(piece: &str, by: &str) -> String {
     assert_eq!(BLOCKS.matches(piece).count(), 1, "{piece} must occur once");
     plan(&BLOCKS.replace(piece, by), TOWER)
@@ -69,7 +69,7 @@ fn domain_error(piece: &str, by: &str) -> String {
         .to_string()
 }
 
-/// The same for the problem.
+/// Returns the planning error after one piece of the problem is replaced.
 fn problem_error(piece: &str, by: &str) -> String {
     assert_eq!(TOWER.matches(piece).count(), 1, "{piece} must occur once");
     plan(BLOCKS, &TOWER.replace(piece, by))
@@ -110,7 +110,7 @@ fn subtypes_and_constants_count_as_objects() {
 }
 
 #[test]
-fn what_an_action_adds_outlasts_what_it_deletes() {
+fn added_facts_outlast_deleted_ones() {
     let domain = "(define (domain d) (:predicates (a) (b))
         (:action go :effect (and (a) (not (a)) (b))))";
     let problem = "(define (problem p) (:domain d) (:init) (:goal (and (a) (b))))";
@@ -121,7 +121,7 @@ fn what_an_action_adds_outlasts_what_it_deletes() {
 }
 
 #[test]
-fn a_broken_domain_is_told_with_its_place() {
+fn a_fault_of_a_domain_is_reported_with_its_place() {
     let cases = [
         (
             "(define",
@@ -296,12 +296,12 @@ fn constructs_beyond_typed_strips_are_named() {
 }
 
 #[test]
-fn facts_that_do_not_fit_the_domain_are_told() {
+fn facts_that_do_not_fit_the_domain_are_reported() {
     let cases = [
         (
             "a b c - block",
             "a b c",
-            "a is of type object, which is no block",
+            "a is of type object, not of block",
         ),
         (
             "(free a)",
@@ -329,7 +329,7 @@ fn facts_that_do_not_fit_the_domain_are_told() {
     }
 }
 
-/// A domain whose states are the numbers of so many binary digits.
+/// Returns a domain whose states are the numbers of `count` binary digits.
 fn switches(count: usize, goal: &str) -> (String, String) {
     let domain = "(define (domain switches) (:predicates (lit ?s) (dark ?s) (never))
         (:action on :parameters (?s) :precondition (dark ?s) :effect (and (lit ?s) (not (dark ?s))))
@@ -354,7 +354,7 @@ fn a_search_is_complete_and_ends_at_its_limit() {
     assert!(error.ends_with(" exceeds the limit of 5000000"), "{error}");
 }
 
-/// What a search says that has reached its limit.
+/// Error of a search that has reached its limit.
 const TOO_LONG: &str = "problem derived from the goal: steps of the search: 500";
 
 #[test]
@@ -378,7 +378,7 @@ fn binding_parameters_ends_at_a_limit() {
     );
 }
 
-/// Applies a plan step by step, with sets of strings for states: an oracle apart from the search.
+/// Checks a plan step by step, with sets of strings as states: an oracle that is independent of the search.
 fn is_blocks_plan(init: &[&str], plan: &[String], goal: &[&str]) -> bool {
     let mut state: std::collections::BTreeSet<String> = init.iter().map(|&f| f.into()).collect();
     for step in plan {

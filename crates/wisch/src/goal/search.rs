@@ -1,4 +1,4 @@
-//! A forward search, breadth first.
+//! Breadth-first forward search.
 
 use std::collections::{BTreeSet, HashSet, VecDeque};
 use std::rc::Rc;
@@ -8,24 +8,24 @@ use super::domain::{Domain, Schema};
 use super::form::Source;
 use super::syntax::Atom;
 
-/// What errors of a search speak of.
+/// Name in errors of the planning problem.
 const DERIVED: &str = "problem derived from the goal";
-/// Most work of a search: objects tried, facts checked and facts copied. About a second.
+/// Most work of a search, in objects tried, facts checked and facts copied; about a second.
 const MAX_WORK: usize = 5_000_000;
 
-/// A predicate or an action with its arguments, all of them objects.
+/// A predicate or an action with its arguments, all of which are objects.
 pub(super) type Fact<'a> = Vec<&'a str>;
 
-/// An action with what its parameters are bound to.
+/// An action with the bindings of its parameters.
 type Bound<'a> = (&'a Schema, Vec<&'a str>);
 
-/// As PDDL prints it: `(name argument ...)`.
+/// Formats a fact as PDDL does: `(name argument ...)`.
 pub(super) fn text(words: &[impl AsRef<str>]) -> String {
     let words: Vec<&str> = words.iter().map(AsRef::as_ref).collect();
     format!("({})", words.join(" "))
 }
 
-/// What there is, what holds at first, and what is to hold.
+/// Objects, initial facts and goal of a planning problem.
 pub(super) struct Problem<'a> {
     pub(super) domain: &'a Domain,
     /// Names with their types, the domain's constants among them.
@@ -35,7 +35,7 @@ pub(super) struct Problem<'a> {
 }
 
 impl<'a> Problem<'a> {
-    /// Refuses facts that the domain's predicates do not take.
+    /// Rejects facts that do not fit the domain's predicates.
     pub(super) fn check(&self) -> Result<(), GoalError> {
         for fact in self.init.iter().chain(&self.goal) {
             let source = Source {
@@ -48,8 +48,8 @@ impl<'a> Problem<'a> {
         Ok(())
     }
 
-    /// The actions of a shortest plan; `None` if there is none. Of several it is the first when
-    /// actions come in the order of the domain and objects in the order of the problem.
+    /// Returns the actions of a shortest plan; `None` if there is none. Among several it is the first in the order of
+    /// the domain's actions and the problem's objects.
     pub(super) fn shortest_plan(&self) -> Result<Option<Vec<Fact<'a>>>, GoalError> {
         let mut work = 0;
         let reached =
@@ -61,7 +61,7 @@ impl<'a> Problem<'a> {
         if reached(&first) {
             return Ok(Some(Vec::new()));
         }
-        // Every state with the one before it and the action between them.
+        // Each state with its predecessor and the action between them.
         let mut came_by: Vec<(usize, Fact<'a>)> = vec![(0, Vec::new())];
         let mut seen = HashSet::from([first.clone()]);
         let mut queue = VecDeque::from([(0, first)]);
@@ -94,7 +94,7 @@ impl<'a> Problem<'a> {
         Ok(None)
     }
 
-    /// What can become true if nothing is ever deleted.
+    /// Returns all facts that can become true if no action deletes any (delete relaxation).
     fn reachable(&self, work: &mut usize) -> Result<BTreeSet<Fact<'a>>, GoalError> {
         let mut facts = self.init.clone();
         loop {
@@ -108,7 +108,7 @@ impl<'a> Problem<'a> {
         }
     }
 
-    /// The actions whose preconditions hold.
+    /// Returns the actions whose preconditions hold.
     fn applicable(
         &self,
         facts: &BTreeSet<Fact<'a>>,
@@ -121,8 +121,7 @@ impl<'a> Problem<'a> {
         Ok(bound)
     }
 
-    /// Binds the parameters of an action from `next` on, turning back as soon as a precondition
-    /// does not hold.
+    /// Binds the parameters of an action from `next` on, and backtracks at the first precondition that does not hold.
     fn bind(
         &self,
         (schema, mut binding): Bound<'a>,
@@ -151,8 +150,7 @@ impl<'a> Problem<'a> {
         Ok(())
     }
 
-    /// For each part of the goal that can't be reached: the preconditions of the actions leading
-    /// there that nothing meets.
+    /// Returns, for each unreachable part of the goal, the unmet preconditions of the actions that lead to it.
     pub(super) fn unmet_preconditions(&self) -> Result<Vec<String>, GoalError> {
         let facts = self.reachable(&mut 0)?;
         let mut unmet = BTreeSet::new();
@@ -177,7 +175,7 @@ impl<'a> Problem<'a> {
         Ok(unmet.into_iter().collect())
     }
 
-    /// Binds parameters so that an effect becomes the goal; the others stay open.
+    /// Binds parameters so that an effect equals the goal; the remaining parameters stay unbound.
     fn unify(&self, schema: &'a Schema, effect: &'a Atom, goal: &Fact<'a>) -> Option<Bound<'a>> {
         let mut binding = open(schema);
         for (word, &object) in effect.words.iter().zip(goal) {
@@ -201,23 +199,23 @@ fn spend(work: &mut usize, more: usize) -> Result<(), GoalError> {
     source.check_size("steps of the search", *work, MAX_WORK)
 }
 
-/// A binding in which every parameter still has its own name.
+/// Returns a binding in which every parameter has its own name.
 fn open(schema: &Schema) -> Vec<&str> {
     schema.parameters.iter().map(|p| p.name.as_str()).collect()
 }
 
-/// Whether a word is a parameter that is still to be bound.
+/// Whether a word is an unbound parameter.
 fn is_open(word: &str) -> bool {
     word.starts_with('?')
 }
 
-/// Whether a fact is a pattern with its open parameters bound.
+/// Whether a fact is an instance of a pattern with unbound parameters.
 fn is_instance(fact: &[&str], pattern: &[&str]) -> bool {
     let mut pairs = fact.iter().zip(pattern);
     fact.len() == pattern.len() && pairs.all(|(found, wanted)| is_open(wanted) || found == wanted)
 }
 
-/// An atom of an action with its parameters replaced by what they are bound to.
+/// Returns an action's atom with its parameters replaced by their bindings.
 fn ground<'a>(atom: &'a Atom, schema: &Schema, binding: &[&'a str]) -> Fact<'a> {
     let words = atom.words.iter().map(|word| {
         let parameter = schema.parameters.iter().position(|p| p.name == *word);

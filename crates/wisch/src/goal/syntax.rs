@@ -60,7 +60,7 @@ impl Atom {
     }
 }
 
-/// What a typed list gives types to.
+/// Kind of the entries of a typed list.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Listed {
     /// Types, constants or objects.
@@ -69,7 +69,7 @@ pub(super) enum Listed {
     Variables,
 }
 
-/// Reads `a b - t c`, in which what has no type is an `object`.
+/// Reads a typed list `a b - t c`; names without a type are of type `object`.
 pub(super) fn typed_list(
     source: Source<'_>,
     forms: &[Form],
@@ -80,7 +80,7 @@ pub(super) fn typed_list(
         Listed::Variables => "a parameter `?name`, or `-` and a type",
     };
     let mut list: Vec<Typed> = Vec::new();
-    // How many names have their type.
+    // Number of names whose type is known.
     let mut typed = 0;
     let mut after_dash = false;
     let mut whole = true;
@@ -93,7 +93,7 @@ pub(super) fn typed_list(
             whole &= !after_dash && typed < list.len();
         } else if after_dash {
             let name = form.name().ok_or_else(|| source.expected("a type", form))?;
-            // One type for all names since the last one.
+            // The type applies to all names since the last type.
             for entry in &mut list[typed..] {
                 entry.type_name = name.to_owned();
                 entry.type_at = form.at;
@@ -126,7 +126,7 @@ fn variable(word: &str) -> Option<&str> {
     word.strip_prefix('?').filter(|name| is_name(name))
 }
 
-/// The predicate that an atom begins with, and what follows.
+/// Returns the predicate of an atom, and its arguments.
 pub(super) fn predicate<'f>(
     source: Source<'_>,
     form: &'f Form,
@@ -156,8 +156,7 @@ pub(super) fn atom(source: Source<'_>, form: &Form) -> Result<Atom, GoalError> {
     Ok(Atom { at: form.at, words })
 }
 
-/// Reads an atom, `(not atom)`, or an `(and ...)` of these; `()` is nothing. Each comes with whether
-/// it is to be true.
+/// Reads an atom, `(not atom)`, or an `(and ...)` of these; `()` is empty. Each atom comes with whether it is positive.
 pub(super) fn literals(source: Source<'_>, form: &Form) -> Result<Vec<(bool, Atom)>, GoalError> {
     match form.head() {
         None if form.list().is_some_and(<[Form]>::is_empty) => Ok(Vec::new()),
@@ -174,7 +173,7 @@ pub(super) fn literals(source: Source<'_>, form: &Form) -> Result<Vec<(bool, Ato
     }
 }
 
-/// The same where nothing may be negated.
+/// Reads a list of atoms, none of which may be negated.
 pub(super) fn atoms(source: Source<'_>, form: &Form, role: &str) -> Result<Vec<Atom>, GoalError> {
     let literals = literals(source, form)?.into_iter();
     let atoms = literals.map(|(holds, atom)| {

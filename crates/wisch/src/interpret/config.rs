@@ -1,83 +1,83 @@
-//! Settings of the interpretation, with where their defaults come from.
+//! Settings of the interpretation, with the sources of their defaults.
 
 use super::error::{InterpretError, within};
 use super::uncertainty::Uncertainty;
 use crate::represent::{LogNormal, Task};
 
-/// Settings of the interpretation. [`InterpretConfig::of`] takes from a task what depends on it.
+/// Settings of the interpretation. [`InterpretConfig::of`] takes the task-dependent ones from a task.
 #[derive(Debug, Clone, PartialEq)]
 pub struct InterpretConfig {
-    /// f_max of (9): normal force above which there is no contact at all [N], 0 in the paper.
+    /// f_max of (9): above this normal force there is no contact [N]; 0 in the paper.
     pub max_normal_force_n: f64,
-    /// f_min of (9): normal force of nominal contact, negative [N]; minus the task's press force.
+    /// f_min of (9): normal force of nominal contact [N], negative; minus the task's press force.
     pub min_normal_force_n: f64,
-    /// Lower bound of f′ of a confident contact (10), 0.9 in the paper.
+    /// Least f′ of a confident contact, the lower bound of (10) [1]; 0.9 in the paper.
     pub confident_share: f64,
-    /// By how much a measured force may be off [N]; widens the upper bound of (10), which is 1.
+    /// Error of a measured force [N]; it widens the upper bound of (10), which is 1.
     pub force_noise_n: f64,
-    /// How far the tool gives way under a force.
+    /// How far the tool compresses under a force.
     pub compliance: ToolCompliance,
-    /// How high the tool hovers over the surface instead of touching it [m]; with 0 it touches. Of one that hovers, f′ is this
-    /// over its clearance from the believed surface.
+    /// Height at which a hovering tool works over the surface [m]; 0 for a tool that touches. The f′ of a hovering tool
+    /// is this gap over its clearance from the believed surface.
     pub gap_m: f64,
-    /// How the plane is found.
+    /// Settings of the plane fit.
     pub plane: PlaneConfig,
-    /// μ and σ of (12).
+    /// μ and σ of the activation likelihood (12).
     pub likelihood: LogNormal,
-    /// What is not known exactly.
+    /// Uncertain parameters and their spreads.
     pub uncertainty: Uncertainty,
-    /// Members that a belief has which begins as a certainty.
+    /// Number of members that replace a certain belief at the first log.
     pub replays: usize,
-    /// ℓ: after this travel in contact a particle's threshold is drawn again [m]; r_s of the tool, unless more is known.
+    /// ℓ: travel in contact after which a particle draws its threshold again [m]; by default r_s of the tool.
     pub redraw_length_m: f64,
-    /// From this tilt on the surface counts as elsewhere [rad].
+    /// Tilt of the fitted plane from which the surface counts as misplaced [rad].
     pub relocalize_tilt: f64,
-    /// From this offset on the surface counts as elsewhere [m].
+    /// Offset of the fitted plane from which the surface counts as misplaced [m].
     pub relocalize_offset_m: f64,
-    /// Raw height over the believed surface from which on the tool is certainly free, so that what is
-    /// felt there is bias [m].
+    /// Height over the believed surface from which the tool is certainly free [m]: a force measured there is bias.
+    /// Compression of the tool is not subtracted.
     pub free_height_m: f64,
-    /// How far the real surface may be from the believed one [m].
+    /// Largest distance of the real surface from the believed one [m].
     pub search_height_m: f64,
-    /// When an event is one.
+    /// Thresholds of the events.
     pub events: EventConfig,
-    /// Most pieces that a log is kept in; beyond it neighbours become one.
+    /// Maximum number of pieces that a log is reduced to; beyond it, neighbouring pieces are merged.
     pub max_pieces: usize,
-    /// Seed of everything random.
+    /// Seed of all random numbers.
     pub seed: u64,
 }
 
-/// How far a tool gives way. Its tool centre point is its underside at nominal force; under less force
-/// the underside has sprung back, so the tool centre point stands higher while it touches.
+/// How far a tool compresses. The tool centre point is the underside at nominal force. Under less force the underside
+/// springs back, so the tool centre point stands higher while the tool touches.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum ToolCompliance {
-    /// Not at all.
+    /// The tool does not compress.
     Rigid,
-    /// Like a spring.
+    /// The tool compresses like a linear spring.
     Spring {
         /// Force per compression [N/m].
         stiffness_n_per_m: f64,
-        /// By which share of itself a computed compression may be wrong [1].
+        /// Relative error of a computed compression [1].
         uncertainty: f64,
     },
 }
 
-/// How a plane is found among points.
+/// Settings of the RANSAC plane fit (11).
 #[derive(Debug, Clone, PartialEq)]
 pub struct PlaneConfig {
-    /// ε of (11): farthest that an inlier may be from the plane [m].
+    /// ε of (11): largest distance of an inlier from the plane [m].
     pub inlier_distance_m: f64,
-    /// How far the normal may lean from the believed one [rad].
+    /// Largest angle between the fitted normal and the believed one [rad].
     pub cone: f64,
-    /// With this probability at least one hypothesis is drawn from inliers alone [1].
+    /// Probability that at least one hypothesis is drawn from inliers alone [1].
     pub confidence: f64,
-    /// Most hypotheses.
+    /// Maximum number of hypotheses.
     pub max_iterations: usize,
-    /// Fewest inliers.
+    /// Minimum number of inliers.
     pub min_points: usize,
-    /// Least share of the points that are inliers: scattered points lie on no plane [1].
+    /// Least share of inliers among the points [1]: scattered points lie on no plane.
     pub min_share: f64,
-    /// Standard deviation of the points along a direction from which on they tell the slope there [m].
+    /// Least standard deviation of the points along a direction at which they determine the slope there [m].
     pub min_spread_m: f64,
 }
 
@@ -95,48 +95,48 @@ impl Default for PlaneConfig {
     }
 }
 
-/// When an event is one. Forces are those of pieces of the log, the bias taken off.
+/// Thresholds of the events. Forces are those of the pieces of a log, with the bias subtracted.
 #[derive(Debug, Clone, PartialEq)]
 pub struct EventConfig {
-    /// f′ at which a contact begins, and that at which it ends [1].
+    /// f′ at which a contact begins, and f′ at which it ends [1].
     pub contact_share: [f64; 2],
-    /// An event lasts at least this long [s].
+    /// Least duration of an event [s].
     pub min_duration_s: f64,
-    /// Interruptions up to this long are part of the event [s].
+    /// Longest interruption that is still part of an event [s].
     pub bridge_s: f64,
-    /// Raw height over the plane up to which the tool counts as near the surface [m].
+    /// Height over the plane up to which the tool counts as near the surface [m], compression not subtracted.
     pub near_height_m: f64,
-    /// Travel along the surface without force that makes a loss of contact [m].
+    /// Travel along the surface without force that makes a contact loss [m].
     pub loss_travel_m: f64,
-    /// How long a tool stands without force, in the midst of a stroke, that has lost its contact [s].
+    /// Time that a tool stands without force during a stroke that makes a contact loss [s].
     pub loss_rest_s: f64,
-    /// Distance from the plane, beyond the inliers' tolerance, that makes a collision [m].
+    /// Distance from the plane, beyond the inlier distance, that makes a push [m].
     pub collision_height_m: f64,
-    /// f′ off the plane at which a collision may begin, and that down to which it lasts [1].
+    /// f′ off the plane at which a push may begin, and f′ down to which it lasts [1].
     pub collision_share: [f64; 2],
-    /// Force along the surface over the normal force that wiping may take [1]; friction of rubber on a dry
-    /// board is about 0.8.
+    /// Friction coefficient that wiping may reach: tangential over normal force [1]. Rubber on a dry board has about
+    /// 0.8.
     pub friction_limit: f64,
-    /// Force along the surface that makes a collision: beyond `friction_limit`; and that down to which it lasts:
-    /// beyond the friction that the log itself shows [N].
+    /// Tangential force that makes a push, beyond `friction_limit`; and the force down to which it lasts, beyond the
+    /// friction that the log itself shows [N].
     pub tangential_margin_n: [f64; 2],
-    /// Normal force over the nominal one that makes an overload, and that down to which it lasts [1].
+    /// Normal force over the nominal force at which an overload begins, and down to which it lasts [1].
     pub overload: [f64; 2],
-    /// Size of a force in free motion that makes a collision, and that down to which it lasts [N]; both beyond
-    /// the noise that the log shows, and above what the inertia of a hand makes believe.
+    /// Force in free motion at which a push begins, and down to which it lasts [N]. Both count beyond the noise of the
+    /// log and lie above the inertial force of a hand.
     pub free_force_n: [f64; 2],
-    /// Interruptions of a collision in free motion up to this long are part of it [s]: a tool that the robot
-    /// lifts runs ahead of the hand that pushes it.
+    /// Longest interruption that is still part of a push in free motion [s]: when the robot lifts, the tool runs ahead
+    /// of the hand that pushes it.
     pub free_bridge_s: f64,
-    /// Two pushes with less time between them are one [s].
+    /// Pushes with less time between them are merged [s].
     pub push_gap_s: f64,
-    /// A push that lasts longer than this is somebody who leads the tool [s].
+    /// Duration from which a push counts as hand guiding [s].
     pub guiding_s: f64,
-    /// How long after a push a tool that was let go of may land [s].
+    /// Longest time after a push within which the released tool may land [s].
     pub landing_s: f64,
-    /// By how long measured forces may lag behind positions [s].
+    /// Largest delay of measured forces behind positions [s].
     pub force_lag_s: f64,
-    /// Stuck and slipping times, one after the other, that make stick-slip [1].
+    /// Number of changes between sticking and slipping that make stick-slip.
     pub stick_slip_turns: usize,
 }
 
@@ -166,7 +166,7 @@ impl Default for EventConfig {
 }
 
 impl InterpretConfig {
-    /// The settings for a task: forces, compliance, likelihood, ℓ and seed are the task's.
+    /// Returns the settings for a task, which provides forces, compliance, likelihood, ℓ and seed.
     pub fn of(task: &Task) -> Self {
         let interaction = &task.interaction;
         let compliance = if interaction.compression_depth_m > 0.0 && !interaction.hovers() {
@@ -206,12 +206,12 @@ impl InterpretConfig {
         }
     }
 
-    /// Whether the numbers make sense.
+    /// Checks that every setting is within its range.
     ///
     /// # Errors
-    /// The first field that does not.
-    pub(super) fn checked(&self) -> Result<(), InterpretError> {
-        self.uncertainty.checked()?;
+    /// The first field that is not.
+    pub(super) fn check(&self) -> Result<(), InterpretError> {
+        self.uncertainty.check()?;
         let (plane, events, likelihood) = (&self.plane, &self.events, &self.likelihood);
         let [metres, seconds] = [(0.0, 1e6, "0 to 1e6 m"), (0.0, 1e6, "0 to 1e6 s")];
         let positive = (1e-6, 1e6, "1e-6 to 1e6");
@@ -276,8 +276,8 @@ impl InterpretConfig {
         Ok(())
     }
 
-    /// The same for a log in which this force counts as the nominal one [N]: the tool gives way under it as far as it does
-    /// under the declared one.
+    /// Returns the settings for a log whose nominal force is `reference` [N]. The tool compresses by the same distance
+    /// under it as under the declared force.
     #[must_use]
     pub(super) fn with_reference_force(&self, reference: f64) -> Self {
         let ratio = reference / self.nominal_force();
@@ -292,7 +292,7 @@ impl InterpretConfig {
         {
             *stiffness_n_per_m *= ratio;
         }
-        // Whatever makes forces larger makes noise and friction larger too.
+        // A larger scale of the forces scales noise and friction as well.
         let larger = ratio.max(1.0);
         config.force_noise_n *= larger;
         for force in [
@@ -304,17 +304,17 @@ impl InterpretConfig {
         config
     }
 
-    /// Force with which the tool is to press [N].
+    /// Nominal press force [N].
     pub(super) fn nominal_force(&self) -> f64 {
         -self.min_normal_force_n
     }
 
-    /// Largest f′ that still counts as confident (10).
+    /// Largest f′ of a confident contact (10) [1].
     pub(super) fn confident_limit(&self) -> f64 {
         1.0 + self.force_noise_n / self.nominal_force()
     }
 
-    /// How far the tool is compressed at nominal force [m].
+    /// Compression of the tool at nominal force [m].
     pub(super) fn nominal_compression(&self) -> f64 {
         match self.compliance {
             ToolCompliance::Rigid => 0.0,
@@ -324,7 +324,7 @@ impl InterpretConfig {
         }
     }
 
-    /// Stiffness of the tool [N/m], if it gives way.
+    /// Stiffness of the tool [N/m]; `None` for a rigid tool.
     pub(super) fn stiffness(&self) -> Option<f64> {
         match self.compliance {
             ToolCompliance::Rigid => None,
@@ -334,22 +334,22 @@ impl InterpretConfig {
         }
     }
 
-    /// f′ of (9) before it is held to at most 1.
+    /// f′ of (9), not yet limited to 1; `normal_force` in newtons, negative where the tool presses.
     pub(super) fn normalized(&self, normal_force: f64) -> f64 {
         normal_force.min(self.max_normal_force_n) / self.min_normal_force_n
     }
 }
 
-/// Members of a belief at most and, unless there are very many particles, at least; the tail on which a claim stands is
-/// told by many only.
+/// Most members of a belief, and fewest unless there are very many particles. A claim rests on the tail of the
+/// distribution, which only many members resolve.
 const MEMBERS: [usize; 2] = [1024, 64];
-/// Particles of all members together at most, unless that leaves too few members.
+/// Most particles of all members together, unless that leaves too few members.
 const MOST_PARTICLES: usize = 1 << 25;
 const FEWEST_MEMBERS: usize = 16;
-/// Particles times edges of the footprint times members, which is what a replay takes time by.
+/// Most products of particles, footprint edges and members; the time of a replay is proportional to it.
 const MOST_WORK: usize = 1 << 20;
 
-/// How many members a belief about this task has: as many as are of use, fewer where a replay takes long.
+/// Returns the number of members of a belief about this task: fewer where a replay takes long.
 pub fn members(task: &Task) -> usize {
     let particles = task.particles.len().max(1);
     let edges = task.tool.footprint.edges().count().max(1);

@@ -1,4 +1,4 @@
-//! Whether a log looks like wiping of this surface, and if not, why.
+//! Whether a log shows wiping of this surface, and if not, why.
 
 use super::config::InterpretConfig;
 use super::contact::{
@@ -9,42 +9,42 @@ use crate::geometry::Point3;
 use crate::represent::Surface;
 use std::fmt;
 
-/// Least time of pressing that shows where the tool pressed [s].
+/// Least time of pressing that shows the height of a surface [s].
 const LEAST_PRESSING: f64 = 0.5;
-/// Most that the heights may differ at which a tool presses on a surface, which may be inclined [m].
+/// Largest spread of the heights at which a tool presses on one surface, which may be inclined [m].
 const MOST_SPREAD: f64 = 0.03;
-/// Pieces further apart than this are none that follow each other [s].
+/// Pieces with more time between them do not follow each other [s].
 const LONGEST_STEP: f64 = 0.1;
-/// Less than this share of the confident contacts on one plane lie on none [1].
+/// Least share of the confident contacts that a plane must hold [1].
 const LEAST_ON_PLANE: f64 = 0.5;
-/// A tool that wipes is in contact for at least this share of its time on or near the surface [1].
+/// Least share of the time on or near the surface that a wiping tool is in contact [1].
 const LEAST_CONTACT: f64 = 0.3;
-/// Most of the contact that may lie beside the surface [1].
+/// Largest share of the contact time that may lie beside the surface [1].
 const MOST_BESIDE: f64 = 0.5;
 
-/// Most of a log that somebody may lead the tool by hand [1].
+/// Largest share of a log that hand guiding may take [1].
 const MOST_LED: f64 = 0.3;
-/// Height over the believed surface within which a tool may have touched where nothing is felt [m].
+/// Height over the believed surface within which a tool without measured force may have touched [m].
 const NEAR: f64 = 0.02;
-/// Height over the lowest plane of the tool's own within which it may have touched [m].
+/// Height over the lowest plane that the tool itself slid on, within which it may have touched [m].
 const LOW: f64 = 5e-3;
-/// Force over the declared one from which on the tool pressed with another [1]; either way.
+/// Ratio of the measured press force to the declared one, in either direction, from which they count as different [1].
 const OTHER_FORCE: f64 = 1.2;
-/// Difference of the performance beyond which the scale of the force decides [1].
+/// Difference of the performance from which the scale of the force is decisive [1].
 const MOST_BY_SCALE: f64 = 0.1;
-/// f′ from which on a tool at the end of a log presses [1].
+/// Least f′ of a tool that presses at the beginning or the end of a log [1].
 const PRESSING: f64 = 0.5;
-/// Longest time between two samples that leaves nothing out [s].
+/// Longest time between two samples within which nothing is missed [s].
 const LONGEST_GAP: f64 = 1.0;
 
-/// Why a log does not look like wiping, or not like wiping of this surface.
+/// A reason why a log may not show wiping, or not wiping of this surface, and what had to be assumed to read it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Doubt {
     /// The tool came near the surface, but its force shows no contact.
     NothingFelt {
         /// Smallest distance of the tool from the believed surface [m].
         closest: f64,
-        /// Size of the force that is not exceeded for nine tenths of the time near the surface [N].
+        /// Size of the force that 90 % of the time near the surface stays below [N].
         force: f64,
     },
     /// The tool never came near the surface.
@@ -52,7 +52,7 @@ pub enum Doubt {
         /// Smallest distance of the tool from the believed surface [m].
         closest: f64,
     },
-    /// The log shows no calm free motion, so what the sensor adds to the force is not known.
+    /// The log shows no calm free motion, so the bias of the force is unknown.
     NoFreeMotion,
     /// The contacts lie on a cylinder rather than on a plane.
     Curved {
@@ -63,60 +63,61 @@ pub enum Doubt {
         /// Whether it bulges towards the tool.
         is_convex: bool,
     },
-    /// The tool pressed with another force than the task declares.
+    /// The tool pressed with a force other than the declared one.
     PressedOtherwise {
-        /// The force with which it mostly pressed [N].
+        /// Force with which the tool pressed for most of the time [N].
         force: f64,
-        /// The declared one [N].
+        /// Declared force [N].
         declared: f64,
-        /// Difference that it makes to the performance whether the tool really pressed so, or the force has another scale [1].
+        /// Difference of the performance between the two explanations [1]: the tool really pressed with this force, or
+        /// the force is measured on another scale.
         matters: f64,
     },
-    /// The force of contact points into the surface: the log has the force of the tool on the surface.
+    /// The force of contact points into the surface: the log holds the force of the tool on the surface.
     SignTurned,
-    /// The force of contact lies along another direction than the surface's normal: its frame is another.
+    /// The force of contact does not lie along the surface's normal: it is given in another frame.
     FrameTurned {
-        /// The direction, a unit vector.
+        /// Its direction, a unit vector.
         direction: [f64; 3],
         /// Whether it is constant in the axes of the tool rather than in those of the surface.
         in_tool: bool,
     },
-    /// The clocks of force and position differ.
+    /// The clocks of force and position differ by a constant.
     ClocksApart {
-        /// By how long the force is late; negative where it is early [s].
+        /// Delay of the force; negative where it is early [s].
         offset: f64,
     },
-    /// The log begins or ends while the tool presses, or has a gap: what was wiped then is not counted.
+    /// The log begins or ends while the tool presses, or has a gap: wiping at that time is not counted.
     Incomplete {
-        /// It begins while the tool presses.
+        /// Whether it begins while the tool presses.
         begins: bool,
-        /// It ends while the tool presses.
+        /// Whether it ends while the tool presses.
         ends: bool,
-        /// Time without a sample [s].
+        /// Time without samples in contact [s].
         missing: f64,
     },
-    /// Somebody led the tool by hand: what it felt was the hand's as much as the surface's.
+    /// A person guided the tool by hand: the force is that of the hand as well as that of the surface.
     LedByHand {
         /// Share of the log [1].
         share: f64,
     },
-    /// The tool pressed as it should, but far from where the surface is believed to be.
+    /// The tool pressed with its nominal force, but far from the believed surface.
     PressedFarOff {
-        /// Median height of the tool over the believed surface as it pressed [m].
+        /// Median height of the pressing tool over the believed surface [m].
         height: f64,
-        /// How far from the believed surface contact is looked for [m].
+        /// Largest distance from the believed surface at which contact is searched [m].
         searched: f64,
     },
-    /// The tool was mostly in contact beside the surface.
+    /// The tool was in contact mostly beside the surface.
     PressedBeside {
-        /// Share of the contact's time beside the outline [1].
+        /// Share of the contact time beside the outline [1].
         share: f64,
     },
-    /// The contacts lie on no plane.
+    /// The contacts lie on no common plane.
     Scattered {
-        /// Confident contacts on the plane that most lie on.
+        /// Number of confident contacts on the plane that holds most of them.
         inliers: usize,
-        /// Confident contacts in all.
+        /// Number of confident contacts.
         confident: usize,
     },
     /// The tool was near the surface, but hardly in contact with it.
@@ -126,7 +127,7 @@ pub enum Doubt {
     },
     /// In contact, the tool hardly moved along the surface.
     HardlySliding {
-        /// Travel in contact [m].
+        /// Travel along the surface in contact [m].
         travel: f64,
         /// Radius of the tool [m].
         radius: f64,
@@ -134,7 +135,7 @@ pub enum Doubt {
 }
 
 impl Doubt {
-    /// Whether with it the log does not say what was wiped. The others say how it was read.
+    /// Whether the log cannot show what was wiped. The remaining doubts state how it was read.
     pub fn is_decisive(&self) -> bool {
         match self {
             Self::PressedOtherwise { matters, .. } => *matters > MOST_BY_SCALE,
@@ -155,7 +156,7 @@ impl Doubt {
         }
     }
 
-    /// Whether the log begins or ends while the tool presses, so that more may have been wiped than it shows.
+    /// Whether the log begins or ends while the tool presses, so that the tool may have wiped more than the log shows.
     pub fn is_cut(&self) -> bool {
         matches!(self, Self::Incomplete { begins, ends, .. } if *begins || *ends)
     }
@@ -166,16 +167,16 @@ impl fmt::Display for Doubt {
         match *self {
             Self::NothingFelt { closest, force } => write!(
                 f,
-                "the tool came within {:.1} mm of the believed surface, but its force shows no contact (it stays below {force:.1} N there): the surface may lie lower than believed, the wrench may be of another link or frame, or the tool did not press",
+                "the tool came within {:.1} mm of the believed surface, but its force shows no contact (it stays below {force:.1} N there): check the height of the surface, and the link and frame of the wrench; or the tool did not press",
                 1e3 * closest
             ),
             Self::StayedAway { closest } => write!(
                 f,
-                "the tool never came within {:.0} mm of the believed surface (closest: {closest:.3} m): the pose of the surface, the frame of the log or its unit of length may be another",
+                "the tool never came within {:.0} mm of the believed surface (closest: {closest:.3} m): check the pose of the surface, the frame of the log and its unit of length",
                 1e3 * NEAR
             ),
             Self::NoFreeMotion => f.write_str(
-                "the log shows no calm free motion, so the bias of the force is not known",
+                "the log shows no calm free motion, so the bias of the force is unknown: record a second of motion above the surface",
             ),
             Self::Curved {
                 radius,
@@ -199,13 +200,13 @@ impl fmt::Display for Doubt {
             } => write_incomplete(f, begins, ends, missing),
             Self::LedByHand { share } => write!(
                 f,
-                "somebody leads the tool by hand for {:.0} % of the log",
+                "a person guides the tool by hand for {:.0} % of the log",
                 100.0 * share
             ),
             Self::PressedFarOff { height, searched } => write_far_off(f, height, searched),
             Self::PressedBeside { share } => write!(
                 f,
-                "{:.0} % of the contact is beside the surface",
+                "{:.0} % of the contact time is beside the surface: check the pose and the outline of the surface",
                 100.0 * share
             ),
             Self::Scattered { inliers, confident } => write!(
@@ -248,7 +249,7 @@ fn write_pressed_otherwise(
     matters: f64,
 ) -> fmt::Result {
     let consequence = if matters > MOST_BY_SCALE {
-        ", and what that wiped depends on whether the declared force or the scale of the measured one is right"
+        ", and the performance depends on whether the tool or the scale of the measured force is off"
     } else {
         ""
     };
@@ -268,7 +269,7 @@ fn write_frame_turned(
     let frame = if in_tool { "tool" } else { "surface" };
     write!(
         f,
-        "the force of contact lies along ({x:.2}, {y:.2}, {z:.2}) in the axes of the {frame}, not along the normal: taken for the normal force (--wrench-frame)"
+        "the force of contact lies along ({x:.2}, {y:.2}, {z:.2}) in the axes of the {frame}, not along the normal: it is read as the normal force (--wrench-frame)"
     )
 }
 
@@ -277,7 +278,7 @@ fn write_clock_offset(f: &mut fmt::Formatter<'_>, offset: f64) -> fmt::Result {
     let late = if offset < 0.0 { "early" } else { "late" };
     write!(
         f,
-        "the force is {:.2} s {late} against the position: aligned",
+        "the force is {:.2} s {late} against the position: the two were aligned",
         offset.abs()
     )
 }
@@ -297,7 +298,7 @@ fn write_incomplete(
     let parts: Vec<String> = parts.into_iter().flatten().collect();
     write!(
         f,
-        "the log {}: what was wiped then is not counted",
+        "the log {}: wiping at that time is not counted",
         parts.join(" and ")
     )
 }
@@ -308,48 +309,50 @@ fn write_far_off(f: &mut fmt::Formatter<'_>, height: f64, searched: f64) -> fmt:
     let height = height.abs();
     write!(
         f,
-        "the tool pressed {height:.3} m {side} the believed surface, and contact is looked for within {searched:.3} m of it"
+        "the tool pressed {height:.3} m {side} the believed surface, beyond the {searched:.3} m within which contact is searched: check the pose of the surface"
     )
 }
 
-/// What a log shows, with which its doubts are found.
+/// Contents of a log from which its doubts are derived.
 pub(super) struct LogEvidence<'a> {
-    /// The pieces with their forces as read.
+    /// Pieces of the log, with their forces as read.
     pub(super) pieces: &'a [MeasuredPiece],
     pub(super) reading: &'a ForceReading,
     pub(super) classified: &'a ClassifiedPath,
     pub(super) events: &'a [Event],
     pub(super) contact_share: f64,
     pub(super) surface: &'a Surface,
-    /// The settings as declared, and those with the log's own nominal force.
+    /// Settings as declared.
     pub(super) declared: &'a InterpretConfig,
+    /// Settings with the log's own nominal force.
     pub(super) config: &'a InterpretConfig,
 }
 
 impl LogEvidence<'_> {
-    /// What speaks against wiping of this surface, and what had to be assumed to read the log, the most likely cause first.
+    /// Returns the reasons against wiping of this surface and the assumptions made to read the log, the most likely
+    /// cause first.
     pub(super) fn doubts(&self) -> Vec<Doubt> {
         let path = &self.classified.path;
-        let led = led(path, self.events);
+        let led = find_hand_guiding(path, self.events);
         let mut doubts: Vec<Doubt> = Vec::new();
         if self.declared.gap_m > 0.0 {
             doubts.extend(led);
             return doubts;
         }
         let Some((_, plane)) = &self.classified.plane else {
-            // What presses at one height for long is a surface, not a hand.
-            let far_off = far_off(path, self.config);
-            let felt = far_off.or(led).or_else(|| self.scattered());
-            doubts.extend(felt.or_else(|| self.nothing_felt()));
+            // A tool that presses at one height for long is on a surface and not guided by hand.
+            let far_off = find_distant_contact(path, self.config);
+            let reason = far_off.or(led).or_else(|| self.find_scatter());
+            doubts.extend(reason.or_else(|| self.explain_missing_contact()));
             return doubts;
         };
         doubts.extend(led);
-        doubts.extend(self.curved());
+        doubts.extend(self.find_curvature());
         if !self.reading.has_free_motion {
             doubts.push(Doubt::NoFreeMotion);
         }
         doubts.extend(self.assumptions());
-        doubts.extend(self.incomplete());
+        doubts.extend(self.find_gaps());
         let Sliding {
             time,
             beside,
@@ -381,7 +384,7 @@ impl LogEvidence<'_> {
         doubts
     }
 
-    /// Pieces at which the tool was so low that it may have touched, if its force is misread.
+    /// Marks the pieces at which the tool was low enough to touch, for the case that its force is misread.
     pub(super) fn is_low(&self) -> Vec<bool> {
         let lowest = (self.reading.lowest.as_ref()).filter(|plane| plane.height.abs() <= NEAR);
         let is_low = |piece: &MeasuredPiece| match lowest {
@@ -394,8 +397,8 @@ impl LogEvidence<'_> {
         self.pieces.iter().map(is_low).collect()
     }
 
-    /// Where the tool pressed as it should near the surface, but its contacts lie on no plane at all.
-    fn scattered(&self) -> Option<Doubt> {
+    /// Returns a doubt if the tool pressed near the surface but its contacts lie on no common plane.
+    fn find_scatter(&self) -> Option<Doubt> {
         let is_pressed = |piece: &&PathPiece| {
             piece.normalized_force >= self.config.confident_share
                 && piece.height.abs() <= self.config.search_height_m
@@ -406,7 +409,8 @@ impl LogEvidence<'_> {
             .then_some(Doubt::Scattered { inliers, confident })
     }
 
-    fn nothing_felt(&self) -> Option<Doubt> {
+    /// Returns why no contact was found: the tool stayed away, or its force shows none.
+    fn explain_missing_contact(&self) -> Option<Doubt> {
         let closest = (self.pieces.iter())
             .map(|piece| piece.mean_height.abs())
             .min_by(f64::total_cmp)?;
@@ -423,7 +427,8 @@ impl LogEvidence<'_> {
         Some(Doubt::NothingFelt { closest, force })
     }
 
-    fn curved(&self) -> Option<Doubt> {
+    /// Returns a doubt if the contacts lie on a cylinder.
+    fn find_curvature(&self) -> Option<Doubt> {
         let Curvature {
             radius,
             axis,
@@ -436,7 +441,7 @@ impl LogEvidence<'_> {
         })
     }
 
-    /// How the forces were read where they are not as declared.
+    /// Returns the assumptions made where the forces are not as declared.
     fn assumptions(&self) -> impl Iterator<Item = Doubt> {
         let reading = self.reading;
         let turned = match reading.direction {
@@ -467,7 +472,8 @@ impl LogEvidence<'_> {
         piece.is_on_plane() && piece.normalized_force >= self.config.events.contact_share[1]
     }
 
-    fn incomplete(&self) -> Option<Doubt> {
+    /// Returns a doubt if the log is cut while the tool presses, or has gaps in contact.
+    fn find_gaps(&self) -> Option<Doubt> {
         let path = &self.classified.path;
         let is_pressing = |piece: Option<&PathPiece>| {
             piece.is_some_and(|piece| piece.is_on_plane() && piece.normalized_force >= PRESSING)
@@ -486,6 +492,7 @@ impl LogEvidence<'_> {
         })
     }
 
+    /// Sums up the time and travel of the tool in contact.
     fn sliding(&self) -> Sliding {
         let mut sliding = Sliding::default();
         for pair in self.classified.path.windows(2) {
@@ -506,17 +513,18 @@ impl LogEvidence<'_> {
     }
 }
 
-/// Contact in all.
+/// Totals of the contact.
 #[derive(Debug, Clone, Copy, Default)]
 struct Sliding {
-    /// Time in contact, and that of it beside the surface [s].
+    /// Time in contact [s].
     time: f64,
+    /// The part of it beside the surface [s].
     beside: f64,
     /// Travel in contact [m].
     travel: f64,
 }
 
-fn led(path: &[PathPiece], events: &[Event]) -> Option<Doubt> {
+fn find_hand_guiding(path: &[PathPiece], events: &[Event]) -> Option<Doubt> {
     let led = (events.iter()).filter(|event| event.kind == EventKind::HandGuiding);
     let led: f64 = led.map(|event| event.end - event.start).sum();
     let all = path.last()?.time[1] - path.first()?.time[0];
@@ -524,9 +532,9 @@ fn led(path: &[PathPiece], events: &[Event]) -> Option<Doubt> {
     (share > MOST_LED).then_some(Doubt::LedByHand { share })
 }
 
-/// Where the tool pressed, if that is too far off to be taken for the surface. Without a plane, heights are those over
-/// the believed surface.
-fn far_off(path: &[PathPiece], config: &InterpretConfig) -> Option<Doubt> {
+/// Returns a doubt if the tool pressed too far from the believed surface. Without a plane, heights are those over the
+/// believed surface.
+fn find_distant_contact(path: &[PathPiece], config: &InterpretConfig) -> Option<Doubt> {
     let is_pressed = |piece: &&PathPiece| piece.normalized_force >= config.confident_share;
     let mut heights: Vec<(f64, f64)> = (path.iter().filter(is_pressed))
         .map(|piece| (piece.height, piece.time[1] - piece.time[0]))

@@ -1,70 +1,72 @@
-//! Why a log cannot be interpreted.
+//! Errors of the interpretation.
 
 use thiserror::Error;
 
-/// Why a log cannot be interpreted. Samples count from 0, in the order in which they were pushed.
+/// A reason why a log cannot be interpreted. Samples are numbered from 0, in the order in which they were pushed.
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum InterpretError {
-    /// A setting makes no sense.
+    /// A setting is out of its range.
     #[error("{name}: {value} is not within {expected}")]
     Config {
         /// Field of [`InterpretConfig`](super::InterpretConfig).
         name: &'static str,
-        /// What it is.
+        /// Its value.
         value: f64,
-        /// What it may be.
+        /// Its range, in words.
         expected: &'static str,
     },
-    /// There is no such uncertainty.
-    #[error("{name}: no field of the uncertainty")]
+    /// No uncertain parameter has this name.
+    #[error("{name} is no field of `Uncertainty`")]
     NoSuchUncertainty {
-        /// What was asked for.
+        /// The requested name.
         name: String,
     },
-    /// A sample does not come after the one before.
-    #[error("sample {sample}: time {time} s is not after {previous} s, the time of the one before")]
+    /// A sample is not later than the one before it.
+    #[error(
+        "sample {sample}: time {time} s is not after {previous} s, the time of the sample before it"
+    )]
     TimeNotIncreasing {
-        /// The offending sample.
+        /// Number of the sample.
         sample: usize,
         /// Its time [s].
         time: f64,
         /// Time of the sample before [s].
         previous: f64,
     },
-    /// A measurement is not a number, or none that a robot measures.
+    /// A measurement is not finite or exceeds every robot's range.
     #[error("sample {sample}: {field} = {value} exceeds the limit of ±{limit:e}")]
     Measurement {
-        /// The offending sample.
+        /// Number of the sample.
         sample: usize,
-        /// Which of its fields.
+        /// Name and unit of the measured quantity.
         field: &'static str,
         /// Its value; NaN where it is not a number.
         value: f64,
-        /// Largest size it may have.
+        /// Largest absolute value.
         limit: f64,
     },
-    /// A belief needs members.
+    /// A belief without members.
     #[error("a belief needs at least 1 member, not 0")]
     NoMembers,
-    /// The cells of a map are too small or too large to count particles in.
+    /// The cells of a density map are too small or too large.
     #[error("cell size {cell_size} m gives {cells} cells, not 1 to {limit}")]
     Cells {
         /// Side of a cell [m].
         cell_size: f64,
-        /// How many cells that makes.
+        /// Resulting number of cells.
         cells: f64,
-        /// How many there may be.
+        /// Largest number of cells.
         limit: usize,
     },
 }
 
-/// Least and largest value, and both in words.
+/// Least value, largest value, and both in words.
 pub(super) type Range = (f64, f64, &'static str);
 
-/// Whether a setting is within its range; what is no number is in none.
+/// Checks that a setting is within its range; NaN is within none.
 ///
 /// # Errors
-/// The setting, if it is not.
+/// The setting, if it is out of its range.
 pub(super) fn within(
     (name, value, range): (&'static str, f64, Range),
 ) -> Result<(), InterpretError> {

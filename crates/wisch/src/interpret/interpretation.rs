@@ -1,4 +1,4 @@
-//! What a log tells.
+//! Result of an interpretation.
 
 use super::belief::{Belief, Estimate, Look, PerformanceDistribution};
 use super::contact::{FittedPlane, PathPiece, ToolStiffness};
@@ -7,70 +7,70 @@ use super::events::Event;
 use crate::geometry::Pose;
 use crate::represent::Observation;
 
-/// What is to be made of the fitted plane.
+/// Conclusion from the fitted plane.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Diagnosis {
-    /// The surface is where it was believed.
+    /// The surface is where it was believed to be.
     Localized,
-    /// The surface is elsewhere: recovery plans on this pose of it.
+    /// The surface is misplaced: recovery plans on the pose found.
     Relocalize {
-        /// Where the surface is.
+        /// Pose of the surface as found.
         world_from_surface: Pose,
     },
-    /// Too few confident contacts for a plane: nothing can be said.
+    /// Too few confident contacts for a plane, so the log gives no conclusion.
     NoContact,
-    /// The tool hovers: nothing can be felt, and the belief goes by where the tool was.
+    /// The tool hovers and has no contact: the belief follows the positions of the tool alone.
     Hovering,
 }
 
-/// What a log of poses and forces says of the contact, the real plane of the surface, and the dirt; paper §4.2.
+/// Contact, real plane of the surface and dirt, as inferred from a log of poses and forces; paper §4.2.
 #[derive(Debug, Clone)]
 pub struct Interpretation {
-    /// The path in pieces.
+    /// The path, in pieces.
     pub path: Vec<PathPiece>,
-    /// The plane, if there were contacts enough.
+    /// The fitted plane; `None` where there were too few contacts.
     pub plane: Option<FittedPlane>,
-    /// Whether the surface is where it was believed.
+    /// Whether the surface is where it was believed to be.
     pub diagnosis: Diagnosis,
-    /// Why the log does not look like wiping of this surface; nothing where it does.
+    /// Reasons why the log may not show wiping of this surface; empty where there are none.
     pub doubts: Vec<Doubt>,
-    /// What happened, by start.
+    /// Detected events, sorted by start.
     pub events: Vec<Event>,
-    /// What the sensor adds to the force on the tool along the surface's outward normal, as found in free motion and
-    /// taken off [N]; 0 where the log shows no free motion.
+    /// Bias of the sensor along the surface's outward normal, as found in free motion and subtracted [N]; 0 where the
+    /// log shows no free motion.
     pub force_bias: f64,
-    /// Force with which the tool mostly pressed while it slid over one plane [N], by the log itself; nothing where no such
-    /// plane was found.
+    /// Force with which the tool pressed for most of its sliding, inferred from the log [N]; `None` where the tool slid
+    /// over no plane.
     pub pressed_force: Option<f64>,
-    /// What is believed of the tool's stiffness after this log and those before it; nothing of a tool that does not give way.
+    /// Belief about the tool's stiffness after this log and those before it; `None` for a rigid tool.
     pub tool_stiffness: Option<ToolStiffness>,
-    /// Time in contact over the time that the tool was on or near the surface.
+    /// Time in contact over the time that the tool was on or near the surface [1].
     pub contact_share: f64,
-    /// Where the dirt now is believed to lie.
+    /// Belief about the dirt after the log.
     pub belief: Belief,
-    /// What is believed of the performance.
+    /// Distribution of the performance.
     pub distribution: PerformanceDistribution,
-    /// The same in short.
+    /// Mean and 90 % interval of `distribution`.
     pub performance: Estimate,
-    /// What touch alone said of it, before anything was seen.
+    /// Estimate of the performance by touch alone, before any observation.
     pub felt: Estimate,
-    /// What was seen afterwards, if anything looked.
+    /// The camera's observation after the log, if there was one.
     pub observation: Option<Observation>,
 }
 
 impl Interpretation {
-    /// Whether the log, or what was seen afterwards, says what was wiped. If not, the belief holds what is possible, and
-    /// the doubts say why, the most likely cause first.
+    /// Whether the log or a later observation shows what was wiped. If not, the belief holds what is possible, and the
+    /// doubts state why, the most likely cause first.
     pub fn can_be_told(&self) -> bool {
         let is_felt =
             self.diagnosis != Diagnosis::NoContact && !self.doubts.iter().any(Doubt::is_decisive);
         is_felt || self.observation.is_some()
     }
 
-    /// Takes in a look at the surface after the log.
+    /// Updates belief and performance by an observation of the surface after the log.
     pub fn look(&mut self, look: &Look<'_>) {
         self.belief = self.belief.seen(look);
-        // What the replays leave out is no part of what is seen.
+        // An observation leaves no model error: what the replays omit does not affect what the camera sees.
         self.distribution = self.belief.performance(look.goal, look.surface, 0.0);
         self.performance = self.distribution.estimate();
         self.observation = Some(look.observation.clone());

@@ -1,4 +1,4 @@
-//! From samples to what was wiped.
+//! Interpretation of a log, from its samples to what was wiped.
 
 use super::belief::{Belief, ContactEvidence, Exposure, Replay};
 use super::config::InterpretConfig;
@@ -14,10 +14,10 @@ use crate::geometry::{PlanarPose, Point2, Pose, Region, Vector3};
 use crate::represent::{Effect, GoalState, ParticleDistribution, ParticleError, Surface, Task};
 use nalgebra::{Translation3, UnitQuaternion};
 
-/// How long before and after a push the force is the hand's as well [s].
+/// Time before and after a push during which the force includes the hand's [s].
 const SETTLING: f64 = 0.5;
 
-/// Takes a log sample by sample, in bounded memory, and interprets at any time what it has so far.
+/// Interpreter of a log that takes sample by sample in bounded memory, and interprets at any time what it has so far.
 ///
 /// ```
 /// use wisch::geometry::{Pose, Vector3};
@@ -66,7 +66,7 @@ const SETTLING: f64 = 0.5;
 /// #     tool_start: Point2::new(0.0, -0.3),
 /// #     seed: 1,
 /// # };
-/// // A board with two crumbs, one of them in the way of a stroke with the 10 N that the task asks for.
+/// // A board with two crumbs, one of them in the path of a stroke with the task's 10 N.
 /// let mut interpreter = Interpreter::new(&task, &InterpretConfig::of(&task))?;
 /// for i in 0..2000 {
 ///     let time = f64::from(i) * 1e-3;
@@ -79,7 +79,7 @@ const SETTLING: f64 = 0.5;
 /// let believed = Belief::certain(task.particles.clone());
 /// let interpretation = interpreter.conclude(&believed, &GoalState::Absorbed)?;
 /// assert_eq!(interpretation.diagnosis, Diagnosis::Localized);
-/// // In hardly any member of the belief, its law is so hard that the crumb stays.
+/// // In hardly any member of the belief is the threshold so high that the crumb stays.
 /// assert!((interpretation.performance.mean - 0.5).abs() < 0.01);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
@@ -92,12 +92,12 @@ pub struct Interpreter {
 }
 
 impl Interpreter {
-    /// An interpreter that has felt nothing yet.
+    /// Returns an interpreter without samples.
     ///
     /// # Errors
-    /// A setting that makes no sense.
+    /// A setting out of its range.
     pub fn new(task: &Task, config: &InterpretConfig) -> Result<Self, InterpretError> {
-        config.checked()?;
+        config.check()?;
         Ok(Self {
             surface: task.surface.clone(),
             footprint: task.tool.footprint.clone(),
@@ -106,21 +106,22 @@ impl Interpreter {
         })
     }
 
-    /// Takes one sample in. A refused one leaves everything as it was.
+    /// Adds one sample. A rejected sample leaves the interpreter unchanged.
     ///
     /// # Errors
-    /// A time not after that of the sample before, a number that is none, or one that no robot measures.
+    /// A time not after that of the sample before, or a value that is not finite or exceeds every robot's range.
     pub fn push(&mut self, sample: &TouchSample) -> Result<(), InterpretError> {
         self.downsampler.push(sample)
     }
 
-    /// What the samples so far tell, and where the dirt lies after them if it lay as `believed` before the
-    /// first.
+    /// Interprets the samples so far: contacts, plane, events and doubts, and where the dirt lies after the log if it
+    /// lay as `believed` before it.
     ///
-    /// Certainty becomes as many members as the settings say, an ensemble is continued member by member. Same samples, settings and belief, same answer, on any number of threads.
+    /// A certain belief becomes an ensemble of as many members as the settings say; an ensemble is continued member by
+    /// member. The result depends on samples, settings and belief only, not on the number of threads.
     ///
     /// # Errors
-    /// A goal that is no place. Too little contact is no error but a diagnosis.
+    /// A goal that is not finite. Too little contact is a diagnosis and no error.
     pub fn conclude(
         &self,
         believed: &Belief,
@@ -140,13 +141,13 @@ impl Interpreter {
                 });
             }
         }
-        let understood = self.understood();
-        let evidence = understood.evidence(self);
+        let analysis = self.analyse();
+        let evidence = analysis.evidence(self);
         let prior = StiffnessBelief::prior(self.config.uncertainty.stiffness_share);
-        let stiffness = (believed.stiffness().unwrap_or(prior)).updated(understood.stiffness);
-        let replay = self.replay(goal.action().effect(), stiffness, &understood);
+        let stiffness = (believed.stiffness().unwrap_or(prior)).update(analysis.stiffness);
+        let replay = self.replay(goal.action().effect(), stiffness, &analysis);
         let belief = replay.run(believed, &evidence);
-        // Without a touch, what was certain stays certain.
+        // A certain belief stays certain if the tool touched nothing.
         let is_untouched = evidence.is_untouched() && believed.is_certain();
         let deviation = if is_untouched {
             0.0
@@ -154,35 +155,35 @@ impl Interpreter {
             self.config.uncertainty.model_share
         };
         let mut distribution = belief.performance(goal, &self.surface, deviation);
-        let mut understood = understood;
-        for doubt in &mut understood.doubts {
+        let mut analysis = analysis;
+        for doubt in &mut analysis.doubts {
             if let Doubt::PressedOtherwise { matters, .. } = doubt {
                 *matters = replay.difference_by_scale(&belief, goal);
             }
         }
         let is_unscaled = |doubt: &Doubt| !matches!(doubt, Doubt::PressedOtherwise { .. });
-        if understood
+        if analysis
             .doubts
             .iter()
             .any(|doubt| doubt.is_decisive() && is_unscaled(doubt))
         {
             distribution = distribution.or_unknown(self.config.uncertainty.misread_share);
         }
-        let Understood {
+        let LogAnalysis {
             classified,
             believed_from_real,
             events,
             contact_share,
             doubts,
             ..
-        } = understood;
+        } = analysis;
         Ok(Interpretation {
             diagnosis: self.diagnosis(&classified, &believed_from_real),
             events,
             contact_share,
             doubts,
-            force_bias: understood.force_bias,
-            pressed_force: understood.pressed,
+            force_bias: analysis.force_bias,
+            pressed_force: analysis.pressed,
             tool_stiffness: self
                 .config
                 .stiffness()
@@ -197,9 +198,11 @@ impl Interpreter {
         })
     }
 
-    /// What the samples so far do to each of these places, in the frame of the believed surface, if it is dirt that does
-    /// not respond. Each has so many guesses of what it feels, as it is known to a deviation along x and along y [m] only,
-    /// and the tool sits in the hand a little differently; the same guesses for the same places, whatever the log.
+    /// Returns the exposure of dirt at `places` (believed surface frame [m]) that does not respond to the tool.
+    ///
+    /// The result has one list per place, with one entry per guess. Each guess shifts the place by a normal error of
+    /// `deviation` along x and along y [m], and draws the grasp of the tool. The guesses depend on the settings' seed
+    /// only, so they are the same for every log.
     ///
     /// # Errors
     /// A place that is not finite.
@@ -211,17 +214,18 @@ impl Interpreter {
         guesses: usize,
     ) -> Result<Vec<Vec<Exposure>>, ParticleError> {
         let particles = ParticleDistribution::new(places)?;
-        let understood = self.understood();
-        let evidence = understood.evidence(self);
+        let analysis = self.analyse();
+        let evidence = analysis.evidence(self);
         let prior = StiffnessBelief::prior(self.config.uncertainty.stiffness_share);
-        let replay = self.replay(effect, prior.updated(understood.stiffness), &understood);
+        let replay = self.replay(effect, prior.update(analysis.stiffness), &analysis);
         Ok(replay.exposures(&particles, &evidence, deviation, guesses))
     }
 
-    fn understood(&self) -> Understood {
+    /// Reads the forces, classifies the pieces and detects the events.
+    fn analyse(&self) -> LogAnalysis {
         let measured = self.downsampler.pieces();
         let reading = ForceReading::of(measured, &self.surface, &self.config);
-        let pieces = &reading.applied(measured, &self.config);
+        let pieces = &reading.apply(measured, &self.config);
         let reference = reading.reference_force(self.config.nominal_force());
         let config = self.config.with_reference_force(reference);
         let classifier = ContactClassifier {
@@ -265,15 +269,15 @@ impl Interpreter {
         let is_other_surface =
             |doubt: &Doubt| matches!(doubt, Doubt::PressedFarOff { .. } | Doubt::Curved { .. });
         if doubts.iter().any(is_other_surface) {
-            // What is felt off the plane is a surface, and no hand.
+            // A force off the plane is that of another surface and not that of a hand.
             events.retain(|event| !event.kind.is_by_hand());
         }
         if self.config.gap_m > 0.0 {
-            // What hovers has no contact to begin or to lose.
+            // A hovering tool has no contact that could begin or be lost.
             events.retain(|event| event.kind.is_by_hand());
         }
         let stiffness = self.stiffness(&classified, &events, &config);
-        Understood {
+        LogAnalysis {
             force_bias: reading.normal_bias(measured),
             pressed: reading.pressed,
             force_ratio: reference / self.config.nominal_force(),
@@ -288,7 +292,7 @@ impl Interpreter {
         }
     }
 
-    /// How stiff the tool is, as far as the log shows it while nobody has a hand on it and all of it is on the surface.
+    /// Measures the tool's stiffness from the pieces in which the whole tool is on the surface and nobody pushes it.
     fn stiffness(
         &self,
         classified: &ClassifiedPath,
@@ -319,10 +323,10 @@ impl Interpreter {
         &self,
         effect: Effect,
         stiffness: StiffnessBelief,
-        understood: &Understood,
+        analysis: &LogAnalysis,
     ) -> Replay<'_> {
         Replay {
-            force_ratio: understood.force_ratio,
+            force_ratio: analysis.force_ratio,
             footprint: &self.footprint,
             effect,
             surface: &self.surface,
@@ -353,13 +357,13 @@ impl Interpreter {
     }
 }
 
-/// What the samples tell before it is asked what they did.
-struct Understood {
-    /// What the sensor adds along the normal [N].
+/// What the samples show before they are replayed.
+struct LogAnalysis {
+    /// Bias of the sensor along the normal [N].
     force_bias: f64,
-    /// With which force the tool mostly pressed [N].
+    /// Force with which the tool pressed for most of the time [N].
     pressed: Option<f64>,
-    /// The force that counts as nominal in this log over the declared one [1].
+    /// Nominal force of this log over the declared one [1].
     force_ratio: f64,
     /// The settings with the log's own nominal force.
     config: InterpretConfig,
@@ -369,13 +373,13 @@ struct Understood {
     contact_share: f64,
     doubts: Vec<Doubt>,
     stiffness: Option<MeasuredStiffness>,
-    /// Where the tool was so low that it may have touched, if no contact was found; empty otherwise.
+    /// Pieces at which the tool was low enough to touch, if no contact was found; empty otherwise.
     is_low: Vec<bool>,
 }
 
-impl Understood {
+impl LogAnalysis {
     fn evidence<'a>(&'a self, interpreter: &'a Interpreter) -> ContactEvidence<'a> {
-        // Without a plane, nothing speaks for contact but the force.
+        // Without a plane, only the force indicates contact.
         let trusted: &[Event] = if self.classified.plane.is_some() {
             &self.events
         } else {
@@ -392,8 +396,8 @@ impl Understood {
     }
 }
 
-/// The frame of the real surface: the believed one turned least, and shifted along its normal so that the
-/// middle of the surface lies on the plane.
+/// Returns the frame of the real surface: the believed one, rotated by the least angle and shifted along its normal so
+/// that the middle of the surface lies on the plane.
 fn believed_from_real(fit: &PlaneFit, surface: &Surface) -> Pose {
     let middle = middle(surface).coords;
     let turn = UnitQuaternion::rotation_between(&Vector3::z(), &fit.normal())

@@ -1,9 +1,9 @@
-//! Inference by touch: from where the tool was and what it felt to what was wiped; paper §4.2, §4.3.
+//! Inference by touch: from the tool's path and its forces to what the tool wiped; paper §4.2, §4.3.
 //!
 //! ```text
 //! contact: samples → pooled samples → bias, f′ (9), confident contacts (10) → plane (11) → contact motions
 //! events:  contacts, losses, pushes, stick-slip, phases
-//! belief:  what is uncertain → replays of the contact motions (12) → where the dirt lies
+//! belief:  uncertain parameters → replays of the contact motions (12) → where the dirt lies
 //! ```
 
 mod belief;

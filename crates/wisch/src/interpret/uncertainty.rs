@@ -1,62 +1,62 @@
-//! What an interpretation does not know exactly.
+//! Parameters that an interpretation does not know exactly.
 
 use super::error::{InterpretError, within};
 
-/// What is not known exactly, as standard deviations. Each replay draws its own, so that the spread of the
-/// replays shows what follows from not knowing it.
+/// Spreads of the uncertain parameters, as standard deviations unless stated otherwise. Each replay draws its own
+/// values, so the spread of the replays shows their consequences.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Uncertainty {
-    /// Where the tool sits in the hand, along its x and along its y [m].
+    /// Position of the tool in the hand, along its x and along its y [m].
     pub grasp_offset_m: f64,
-    /// How it is turned there about its axis [rad].
+    /// Rotation of the tool in the hand about its axis [rad].
     pub grasp_turn: f64,
-    /// How large the footprint is, as a share of its length and width [1].
+    /// Size of the footprint, as a share of its length and width [1].
     pub footprint_share: f64,
-    /// Where each particle lies before the first round, along x and along y [m].
+    /// Position of each particle before the first round, along x and along y [m].
     pub particle_m: f64,
-    /// f′, as a share of itself [1]: what the compliance of the tool and the estimate of the force are off by.
+    /// Relative error of f′ [1], from the tool's compliance and the force estimate.
     pub force_share: f64,
-    /// Stiffness of the tool, as the standard deviation of its logarithm [1]; a log in which the force changes often
-    /// enough shows it better.
+    /// Stiffness of the tool, as the standard deviation of its logarithm [1]; a log whose force changes often enough
+    /// measures it better.
     pub stiffness_share: f64,
-    /// Most of what is pushed that slips past the tool, per drawing of a threshold [1]: a heap before the tool
-    /// spreads, turns about its corners and leaks. No standard deviation: in seven of eight replays nothing
-    /// slips, in the others any share up to this one.
+    /// Largest share of pushed dirt that slips past the tool, per draw of a threshold [1]: a heap before the tool
+    /// spreads, turns about its corners and leaks. In seven of eight replays nothing slips; in the remaining ones the
+    /// share is uniform up to this limit.
     pub slip_share: f64,
-    /// Depth of a heap of all particles before the tool, over the radius r_s of its collision sphere, at most [1]:
-    /// each replay has any depth up to this one.
+    /// Largest depth of a heap of all particles before the tool, over the radius r_s of its collision sphere [1];
+    /// uniform over the replays from 0.
     pub heap_depth: f64,
-    /// Share of the replays that still detect contact by the force where somebody pushes [1]; the others detect it by
-    /// the distance from the plane.
+    /// Share of the replays that detect contact by force also during a push [1]; the remaining ones detect it by the
+    /// distance from the plane.
     pub pushed_by_force: f64,
-    /// Share of the replays in which a tool that is pushed drags what it carried along as long as it is near the
-    /// surface at all [1]: it may tilt, and the hand that holds it takes its force away.
+    /// Share of the replays in which a pushed tool drags the carried material while it is near the surface [1]: the
+    /// tool may tilt, and the hand takes part of its force.
     pub pushed_dragging: f64,
-    /// Share of the replays in which a tool that is pushed hops once over what it carried [1].
+    /// Share of the replays in which a pushed tool hops once over the carried material [1].
     pub hop_share: f64,
-    /// μ of (12), beside what is known of it [1]: it follows from the spread of the interaction's likelihood.
+    /// μ of (12) [1], in addition to the spread of the interaction's likelihood.
     pub law_mu: f64,
     /// σ of (12), as the standard deviation of its logarithm [1].
     pub law_sigma: f64,
-    /// Share of the members in which both are off by three times as much [1]: an estimate may be just wrong.
+    /// Share of the members in which μ and σ deviate three times as much [1], for estimates that are wrong.
     pub law_outlier_share: f64,
-    /// Share of the members in which each particle keeps its threshold for good instead of drawing it again and again [1]:
-    /// what does not give way once never does. Nothing that is felt says which it is.
+    /// Share of the members in which each particle keeps its threshold instead of drawing it again [1]: a particle that
+    /// stays once stays for good. No log shows which of the two holds.
     pub kept_share: f64,
     /// ℓ, as the standard deviation of its logarithm [1].
     pub redraw_share: f64,
-    /// Share of the members in which a tool that pressed with another force than the declared one pressed as it should, and
-    /// the sensor or the declaration has another scale [1]; the others take the force for what it is.
+    /// Share of the members that explain a press force other than the declared one by the scale of the sensor or of the
+    /// declaration [1]; the remaining ones take the force as measured.
     pub rescaled_share: f64,
-    /// Share of the members in which a log is misread that shows no contact although the tool was near the surface [1]: in
-    /// these it touched wherever it was low.
+    /// Share of the members that take a log without contact for misread, although the tool was near the surface [1]: in
+    /// these members the tool touched wherever it was low.
     pub misread_share: f64,
-    /// What all this leaves out, as the standard deviation of a performance [1].
+    /// Standard deviation of a performance that the model does not explain [1].
     pub model_share: f64,
 }
 
 impl Uncertainty {
-    /// Everything is known exactly but the activation of the particles (12).
+    /// All parameters known exactly; only the activation of the particles (12) is random.
     pub const NONE: Self = Self {
         grasp_offset_m: 0.0,
         grasp_turn: 0.0,
@@ -79,10 +79,10 @@ impl Uncertainty {
         model_share: 0.0,
     };
 
-    /// The same with one field set by its name.
+    /// Returns the uncertainty with one field changed, given its name.
     ///
     /// # Errors
-    /// No such field, or a value out of its range.
+    /// An unknown field, or a value out of its range.
     ///
     /// ```
     /// use wisch::interpret::Uncertainty;
@@ -98,15 +98,15 @@ impl Uncertainty {
             name: name.to_owned(),
         })?;
         *field.value = value;
-        self.checked()?;
+        self.check()?;
         Ok(self)
     }
 
-    /// Whether the numbers make sense.
+    /// Checks that every field is within its range.
     ///
     /// # Errors
     /// The first field out of its range, by name and value.
-    pub(super) fn checked(mut self) -> Result<(), InterpretError> {
+    pub(super) fn check(mut self) -> Result<(), InterpretError> {
         let fields = self.fields();
         let mut fields = fields.iter();
         fields.try_for_each(|field| within((field.path, *field.value, field.range)))
@@ -173,10 +173,10 @@ impl Uncertainty {
 
 /// A field of the uncertainty.
 struct Field<'a> {
-    /// As errors name it.
+    /// Its name in errors.
     path: &'static str,
     value: &'a mut f64,
-    /// Least, most, and both in words.
+    /// Least value, largest value, and both in words.
     range: (f64, f64, &'static str),
 }
 
@@ -187,26 +187,28 @@ impl Field<'_> {
 }
 
 impl Default for Uncertainty {
-    /// A tool that was grasped with care, particles seen by a camera, a force estimated from joint torques.
+    /// Values for a tool grasped with care, particles detected by a camera and a force estimated from joint torques.
     ///
     /// `slip_share` and `model_share` were chosen on the scenarios `chopping-board`, `failure-tilted-table` and
-    /// `failure-human-push`, seeds 101 to 110, while the dirt of a world still lay where it was believed: there the interval
-    /// held what the simulated world did in 71 of 76 rounds; without these two, in about two of three.
+    /// `failure-human-push`, seeds 101 to 110, in worlds whose dirt lay where it was believed to lie. There the
+    /// interval held the simulated performance in 71 of 76 rounds, and in about two of three without these two.
     ///
-    /// `grasp_offset_m` and `footprint_share` were chosen by touch on seeds 1100 to 1179 of `wisch eval calibration`, where
-    /// with 1.5 mm and 0 the 90 % interval holds 79 % of 280 rounds, and as variants on 1200 to 1230: of 100 rounds,
-    /// it held 88 and 89 with one or the other, 88 with neither; CRPS 6.0 and 6.1 points instead of 6.2.
+    /// `grasp_offset_m` and `footprint_share` were chosen by touch on seeds 1100 to 1179 of `wisch eval calibration`,
+    /// where with 1.5 mm and 0 the 90 % interval holds 79 % of 280 rounds. As variants on seeds 1200 to 1230, of 100
+    /// rounds, it held 88 and 89 with one or the other, and 88 with neither; the CRPS was 6.0 and 6.1 points instead of
+    /// 6.2.
     ///
-    /// `heap_depth` was looked at on collecting by touch, seeds 1303 to 1359 on the windshield and 1322 to 1386 on the board: with
-    /// 0.06, 0.12, 0.2 and (windshield) 0.35 the CRPS is 18.0, 16.3, 14.9 and 13.5 points on the one, 7.25, 7.27 and 7.34 on the
-    /// other. It stays what it was: deeper heaps make estimates on the board too cautious.
+    /// `heap_depth` was checked on collecting by touch, seeds 1303 to 1359 on the windshield and 1322 to 1386 on the
+    /// board. With 0.06, 0.12, 0.2 and, on the windshield only, 0.35, the CRPS is 18.0, 16.3, 14.9 and 13.5 points on
+    /// the windshield, and 7.25, 7.27 and 7.34 on the board. The default stays, as deeper heaps make estimates on the
+    /// board too cautious.
     ///
-    /// Outliers among the laws let the interval hold two more of these, and leave hardly any goal to be claimed by touch:
-    /// there are none.
+    /// `law_outlier_share` is 0: with outliers the interval held two more of these rounds, but hardly any goal could be
+    /// claimed by touch.
     ///
     /// `pushed_by_force` and `hop_share` were chosen on `failure-human-push`, seeds 101 to 112, and on random
-    /// disturbances, seeds 301 to 331: much less than this, and goals are claimed that are not met; all of it
-    /// by place, and pushes that only lift the tool are thought to have carried something.
+    /// disturbances, seeds 301 to 331. With a much smaller `pushed_by_force`, unmet goals are claimed; with detection
+    /// by distance alone, pushes that only lift the tool seem to have carried dirt.
     fn default() -> Self {
         Self {
             grasp_offset_m: 5e-3,

@@ -1,61 +1,61 @@
-//! Why nothing can be learned.
+//! Errors of the learning.
 
 use super::LEAST_PARTICLES;
 use thiserror::Error;
 
-/// Why a law cannot be fitted.
+/// A reason why a law cannot be fitted.
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum LearnError {
-    /// A setting makes no sense.
+    /// A setting is out of its range.
     #[error("{name}: {value} is not within {expected}")]
     Config {
         /// Field of [`LearnConfig`](super::LearnConfig).
         name: &'static str,
-        /// What it is.
+        /// Its value.
         value: f64,
-        /// What it may be.
+        /// Its range, in words.
         expected: &'static str,
     },
-    /// Exposures of other particles than were seen.
+    /// The number of exposures is not that of the detections.
     #[error(
-        "{law}, round {round}: {field} has {found} entries, but {expected} particles were seen before"
+        "{law}, round {round}: {field} has {found} entries, but {expected} particles were detected before the round"
     )]
     Mismatch {
-        /// Tool, medium and surface.
+        /// Tool, medium and surface of the law.
         law: String,
-        /// The round, from 0.
+        /// Index of the round.
         round: usize,
         /// Field of [`SeenRound`](super::SeenRound).
         field: &'static str,
-        /// Entries.
+        /// Number of entries.
         found: usize,
-        /// Detections before.
+        /// Number of detections before the round.
         expected: usize,
     },
-    /// A number that is none, or out of its range.
+    /// A value is not finite or out of its range.
     #[error("{law}, round {round}: {field} = {value} is not within {expected}")]
     OutOfRange {
-        /// Tool, medium and surface.
+        /// Tool, medium and surface of the law.
         law: String,
-        /// The round, from 0.
+        /// Index of the round.
         round: usize,
-        /// Which number.
+        /// Name of the field.
         field: &'static str,
-        /// What it is.
+        /// Its value.
         value: f64,
-        /// What it may be.
+        /// Its range, in words.
         expected: &'static str,
     },
-    /// Too little to say anything.
+    /// Too few observed particles to fit a law.
     #[error(
-        "{law}: {particles} particles were touched and looked for in {rounds} rounds, and at least {LEAST_PARTICLES} are needed"
+        "{law}: {particles} particles were touched and observed in {rounds} rounds; at least {LEAST_PARTICLES} are needed"
     )]
     TooFew {
-        /// Tool, medium and surface.
+        /// Tool, medium and surface of the law.
         law: String,
-        /// Particles that were touched and looked for.
+        /// Number of particles that were touched and then observed.
         particles: usize,
-        /// Rounds.
+        /// Number of rounds.
         rounds: usize,
     },
 }

@@ -1,75 +1,76 @@
-//! What was seen of particles that were exposed to a tool, and how likely that is.
+//! Likelihood of the camera observations of particles that were exposed to a tool.
 //!
-//! Detections before and after belong together in ways that nobody knows. Where particles lie so close that one
-//! detection may be of several of them, the likelihood is the sum over all ways in which it may be (each detection of one
-//! particle or of none, each particle detected once or not), as in joint probabilistic data association (Bar-Shalom and
-//! Fortmann 1988). A particle of another group, farther off, is as likely as
-//! not to be there still; groups too large to go through all ways are left out.
+//! The association of detections before and after a round is unknown. If particles lie so close that one detection may
+//! be of several of them, the likelihood is the sum over all associations: each detection belongs to one particle or
+//! none, and each particle has at most one detection. This is joint probabilistic data association (Bar-Shalom and
+//! Fortmann 1988). A particle of another group, farther off, is assumed to be still there with probability 0.5. Groups
+//! too large for the sum are left out.
 
 use super::error::LearnError;
 use crate::geometry::Point2;
 use crate::interpret::Exposure;
 use crate::represent::{Observation, Sight};
 
-/// Farthest that the detections of a particle that stays lie apart, in standard deviations of their difference [1].
+/// Largest distance between the detections of a particle that stays, in standard deviations of their difference [1].
 const GATE: f64 = 3.0;
-/// Chance that they lie closer: a Rayleigh distribution.
+/// Probability that they are closer, by a Rayleigh distribution.
 const WITHIN_GATE: f64 = 0.988_891;
-/// Least standard deviation of a place [m].
+/// Least standard deviation of a position [m].
 const LEAST_DEVIATION: f64 = 1e-4;
-/// Most particles that all ways are gone through for.
+/// Largest group of particles for which all associations are summed.
 const MOST_JOINT: usize = 8;
-/// Distance over which detections that belong to no particle say how likely others are [m].
+/// Radius over which detections of no particle give the density of further ones [m].
 const NEIGHBOURHOOD: f64 = 0.02;
-/// Detections of nothing that was there, at least [1/m²].
+/// Least density of clutter, that is of detections of no known particle [1/m²].
 const LEAST_CLUTTER: f64 = 1e-3;
-/// Least share of the detections before that are dirt [1].
+/// Least probability that a detection before the round is dirt [1].
 const LEAST_REAL: f64 = 0.05;
-/// How likely a particle of another group is to be there still [1].
+/// Probability that a particle of another group is still there [1].
 const OTHERS: f64 = 0.5;
-/// Nothing is less likely.
+/// Least likelihood, as its logarithm must be finite.
 const LEAST_LIKELIHOOD: f64 = 1e-300;
 
-/// A round of wiping that was looked at before and after; places in the frame of the believed surface.
+/// A round of wiping with observations before and after it; places in the frame of the believed surface.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SeenRound {
-    /// What was seen before.
+    /// Observation before the round.
     pub before: Observation,
-    /// What was seen afterwards.
+    /// Observation after the round.
     pub after: Observation,
-    /// How well dirt is seen.
+    /// Detection rate and sensor noise.
     pub sight: Sight,
     /// Area of the surface [m²].
     pub area_m2: f64,
-    /// What the tool did to each detection of `before`, in so many guesses;
+    /// Exposure of each detection of `before` to the tool, with one entry per guess; see
     /// [`Interpreter::exposures`](crate::interpret::Interpreter::exposures).
     pub exposures: Vec<Vec<Exposure>>,
-    /// Largest f′ that each of them had felt there in earlier rounds since its dirt came there, by guess [1]; empty where
-    /// there were none. Who keeps a threshold for good and is still there has one above it.
+    /// Largest f′ at each detection of `before` in earlier rounds since its dirt came there, by guess [1]; empty if
+    /// there was none. A particle that keeps its threshold and is still there has a threshold above it.
     pub earlier: Vec<Vec<f64>>,
 }
 
-/// A round as the likelihood takes it.
+/// A round as input of the likelihood.
 pub(super) struct RoundEvidence<'a> {
     pub(super) groups: Vec<Group<'a>>,
 }
 
-/// Particles that detections may be of together.
+/// Particles that may share detections.
 pub(super) struct Group<'a> {
     pub(super) members: Vec<Member<'a>>,
     pub(super) seen: Seen,
 }
 
-/// A particle that was seen before, and looked for.
+/// A particle that was detected before the round and whose place was observed after it.
 pub(super) struct Member<'a> {
     /// Probability that it is dirt, and detected if it stayed [1].
     pub(super) detected: f64,
     pub(super) exposures: &'a [Exposure],
-    /// By guess; empty if there is nothing earlier.
+    /// Largest earlier f′ by guess; empty if there was none.
     pub(super) earlier: &'a [f64],
 }
 
-/// Detections where a group was, each with how much more likely it is to be of each member than of none [1].
+/// Detections after the round near a group. Each has, per member, the ratio of its likelihood as that member to its
+/// likelihood as clutter [1].
 pub(super) struct Seen(Vec<Vec<f64>>);
 
 impl<'a> RoundEvidence<'a> {
@@ -81,17 +82,17 @@ impl<'a> RoundEvidence<'a> {
         round.check_counts(index, law)?;
         round.check_ranges(index, law)?;
         let detections = RoundDetections::of(round);
-        let mut groups = linked(&detections.places, detections.gate());
+        let mut groups = connected_groups(&detections.places, detections.gate());
         groups.retain(|group| group.len() <= MOST_JOINT);
         let groups = groups.iter().map(|group| detections.group(group));
-        // Where nobody was touched, nothing depends on the law.
+        // Groups that the tool did not touch carry no information about the law.
         let groups = groups.filter(|group| group.members.iter().any(Member::is_touched));
         Ok(Self {
             groups: groups.collect(),
         })
     }
 
-    /// How many particles were touched and looked for.
+    /// Number of particles that were touched and then observed.
     pub(super) fn observed(&self) -> usize {
         let members = self.groups.iter().flat_map(|group| &group.members);
         members.filter(|member| member.is_touched()).count()
@@ -99,7 +100,7 @@ impl<'a> RoundEvidence<'a> {
 }
 
 impl SeenRound {
-    /// Checks that each detection before has its exposures, and its earlier f′ where any has one.
+    /// Checks that each detection before the round has its exposures, and an earlier f′ if any detection has.
     fn check_counts(&self, index: usize, law: &dyn Fn() -> String) -> Result<(), LearnError> {
         let expected = self.before.detections.len();
         let found = [
@@ -144,19 +145,19 @@ impl SeenRound {
     }
 }
 
-/// The detections of a round, and how likely those before and after are to be of the same particles.
+/// Detections of a round, with the densities that associate those before with those after.
 struct RoundDetections<'a> {
     round: &'a SeenRound,
-    /// Detections before whose particles were looked for afterwards, and their places.
-    looked_for: Vec<usize>,
+    /// Indices of detections before the round whose places were observed after it.
+    observed_indices: Vec<usize>,
     places: Vec<Point2>,
-    /// Detections afterwards that are of none of them.
+    /// Detections after the round that belong to none of them.
     unrelated: Vec<Point2>,
     /// Standard deviation of the difference of two detections of a particle that stays [m].
     deviation: f64,
-    /// Probability that a detection before is dirt [1].
+    /// Probability that a detection before the round is dirt [1].
     real: f64,
-    /// Mean density of detections of nothing that was detected before [1/m²].
+    /// Mean density of clutter after the round [1/m²].
     base: f64,
 }
 
@@ -166,12 +167,12 @@ impl<'a> RoundDetections<'a> {
         let Sight { sensor, detection } = round.sight;
         let alarms = sensor.false_alarms_per_m2 * round.area_m2;
         let real = (1.0 - alarms / before.len().max(1) as f64).clamp(LEAST_REAL, 1.0);
-        // What was missed before and is seen now.
+        // Expected number of grains that were missed before and are detected now.
         let missed = before.len() as f64 * real * (1.0 - detection);
-        let looked_for: Vec<usize> = (0..before.len())
+        let observed_indices: Vec<usize> = (0..before.len())
             .filter(|&i| !round.after.is_hidden(before[i]) && !round.exposures[i].is_empty())
             .collect();
-        let places: Vec<Point2> = looked_for.iter().map(|&i| before[i]).collect();
+        let places: Vec<Point2> = observed_indices.iter().map(|&i| before[i]).collect();
         let deviation = 2.0_f64.sqrt() * sensor.position_error_m.max(LEAST_DEVIATION);
         let nearest = |place: &Point2| {
             let distances = places.iter().map(|known| (known - place).norm());
@@ -181,7 +182,7 @@ impl<'a> RoundDetections<'a> {
         Self {
             round,
             unrelated: unrelated.collect(),
-            looked_for,
+            observed_indices,
             places,
             deviation,
             real,
@@ -189,16 +190,16 @@ impl<'a> RoundDetections<'a> {
         }
     }
 
-    /// Farthest that the detections of a particle that stays lie apart [m].
+    /// Largest distance between the detections of a particle that stays [m].
     fn gate(&self) -> f64 {
         GATE * self.deviation
     }
 
-    /// The particles at the places of these numbers, with the detections afterwards that may be of them.
+    /// Returns the particles at these indices, with the detections after the round that may be of them.
     fn group(&self, group: &[usize]) -> Group<'a> {
         let round = self.round;
         let members = group.iter().map(|&k| {
-            let i = self.looked_for[k];
+            let i = self.observed_indices[k];
             Member {
                 detected: self.real * round.sight.detection,
                 exposures: &round.exposures[i],
@@ -215,7 +216,7 @@ impl<'a> RoundDetections<'a> {
         }
     }
 
-    /// How much more likely a detection afterwards is to be of each member of a group than of none [1].
+    /// Returns, for each member of a group, the likelihood ratio of a detection as that member against clutter [1].
     fn ratios(&self, place: &Point2, group: &[usize]) -> Vec<f64> {
         let others = (0..self.places.len()).filter(|k| !group.contains(k));
         let others: f64 = others.map(|k| self.density(place, &self.places[k])).sum();
@@ -227,7 +228,7 @@ impl<'a> RoundDetections<'a> {
             .collect()
     }
 
-    /// Density of detections of nothing that was detected before, near a place [1/m²].
+    /// Returns the density of clutter near a place [1/m²].
     fn clutter(&self, place: &Point2) -> f64 {
         let circle = std::f64::consts::PI * NEIGHBOURHOOD * NEIGHBOURHOOD;
         let is_close = |other: &&Point2| (*other - place).norm() <= NEIGHBOURHOOD;
@@ -235,7 +236,7 @@ impl<'a> RoundDetections<'a> {
         (self.base + close as f64 / circle).max(LEAST_CLUTTER)
     }
 
-    /// Probability density of detecting a particle at a place after it was detected at `from` [1/m²].
+    /// Returns the probability density of a detection at `place` of a particle that was detected at `from` [1/m²].
     fn density(&self, place: &Point2, from: &Point2) -> f64 {
         let variance = self.deviation * self.deviation;
         let squared = (place - from).norm_squared() / variance;
@@ -253,8 +254,8 @@ impl Member<'_> {
 }
 
 impl Seen {
-    /// Natural logarithm of how likely this is if each member is dirt, stays and is detected with this probability [1].
-    /// `work` is room to work in.
+    /// Returns the natural logarithm of the likelihood, given for each member the probability that it is dirt, stays
+    /// and is detected [1]. `work` is scratch memory.
     pub(super) fn log_likelihood(&self, detected: &[f64], work: &mut Vec<f64>) -> f64 {
         let likelihood = match detected {
             [one] => {
@@ -267,8 +268,8 @@ impl Seen {
     }
 }
 
-/// Sum over all ways in which detections may be of members, detection by detection; by which members are detected
-/// already.
+/// Returns the sum over all associations of detections with members, by dynamic programming: `ways[set]` is the sum
+/// over those in which exactly the members of `set` are detected.
 fn joint(detections: &[Vec<f64>], detected: &[f64], ways: &mut Vec<f64>) -> f64 {
     let sets = 1 << detected.len();
     ways.clear();
@@ -296,8 +297,8 @@ fn joint(detections: &[Vec<f64>], detected: &[f64], ways: &mut Vec<f64>) -> f64 
     (0..sets).map(|set| ways[set] * unseen(set)).sum()
 }
 
-/// The groups of places that are linked by steps of at most this distance [m].
-fn linked(places: &[Point2], distance: f64) -> Vec<Vec<usize>> {
+/// Returns the connected groups of places, linked by distances of at most `distance` [m].
+fn connected_groups(places: &[Point2], distance: f64) -> Vec<Vec<usize>> {
     let mut is_taken = vec![false; places.len()];
     let mut groups = Vec::new();
     for first in 0..places.len() {
@@ -326,7 +327,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn ways_are_summed_as_if_each_were_written_down() {
+    fn the_sum_over_associations_equals_their_enumeration() {
         // Two members, two detections, the second of which may be of either.
         let ratios = [vec![5.0, 0.0], vec![2.0, 3.0]];
         let [a, b] = [0.7, 0.4];
@@ -344,9 +345,9 @@ mod tests {
     }
 
     #[test]
-    fn what_lies_close_belongs_together() {
+    fn close_places_form_a_group() {
         let at = |x: f64| Point2::new(x, 0.0);
-        let groups = linked(&[at(0.0), at(0.9), at(3.0), at(1.8)], 1.0);
+        let groups = connected_groups(&[at(0.0), at(0.9), at(3.0), at(1.8)], 1.0);
         assert_eq!(groups, [vec![0, 1, 3], vec![2]]);
     }
 }

@@ -1,42 +1,42 @@
-//! How likely what was seen is under each law of a grid.
+//! Likelihood of the observations on a grid of laws.
 
 use super::evidence::{Group, RoundEvidence};
 use crate::represent::{Interaction, LogNormal};
 use rayon::prelude::*;
 
-/// How far from its mean a parameter is looked for, in standard deviations of its prior [1].
+/// Half the range of each parameter on the first grid, in standard deviations of its prior [1].
 const REACH: [f64; 3] = [5.0, 4.0, 3.0];
-/// Nodes of the axes of μ, ln σ and ln ℓ.
+/// Number of nodes of the axes of μ, ln σ and ln ℓ.
 const NODES: [usize; 3] = [31, 13, 13];
-/// A posterior below this share of its peak is not looked at, as a logarithm.
+/// Logarithm of the ratio to the peak below which a posterior is neglected.
 const NEGLIGIBLE: f64 = -11.0;
-/// Grids at most, each within the one before.
+/// Most grids, each within the one before.
 const PASSES: usize = 6;
-/// A grid that would be narrower by less than this is fine enough [1].
+/// Ratio of the widths of a new grid and the last one above which refinement ends [1].
 const NARROWER: f64 = 0.6;
-/// A peak that falls by no more to its neighbours, over all axes, as a logarithm, is resolved; else there are so many times the
-/// nodes in a grid that cannot be narrower.
+/// Fall of the log-posterior from its peak to the neighbouring nodes, over all axes, up to which the peak is resolved.
 const FINE: f64 = 4.0;
+/// Factor on the number of nodes of a grid that is not resolved and cannot be narrower [1].
 const FINER: f64 = 1.4;
-/// Least distance of nodes of μ: much less than what the force is known to [1].
+/// Least distance of the nodes of μ [1]; much less than the uncertainty of the force.
 const LEAST_STEP: f64 = 0.01;
 
-/// Least f′ that is told from none, and bins per unit of ln f′.
+/// Least f′ that differs from no contact [1].
 const LEAST_SHARE: f64 = 0.01;
 const BINS_PER_LOG: f64 = 100.0;
-/// Largest f′ that is told from more [1].
+/// Largest f′ of the bins [1].
 const MOST_SHARE: f64 = 10.0;
 
-/// How far the force of a round may be off, in its standard deviations, and in how many steps [1].
+/// Largest error of a round's force, in standard deviations, and number of steps to it [1].
 const SHIFT_REACH: f64 = 2.5;
 const SHIFTS: i32 = 10;
 
-/// What is known of a law before.
+/// Prior of a law.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct LawPrior {
-    /// Mean and standard deviation of μ, ln σ and ln ℓ.
+    /// Means and standard deviations of μ, ln σ and ln ℓ.
     pub(super) of: [[f64; 2]; 3],
-    /// Probability that thresholds are kept [1].
+    /// Probability that particles keep their thresholds [1].
     pub(super) kept: f64,
 }
 
@@ -55,7 +55,7 @@ impl LawPrior {
         }
     }
 
-    /// By how many spreads a value of μ or ln σ is off.
+    /// Returns the deviation of a value from its prior mean, in standard deviations.
     pub(super) fn score(&self, axis: usize, value: f64) -> f64 {
         let [mean, deviation] = self.of[axis];
         if deviation > 0.0 {
@@ -65,7 +65,7 @@ impl LawPrior {
         }
     }
 
-    /// Logarithms of the probabilities of the nodes of ln ℓ, and last that of kept thresholds.
+    /// Returns the log-probabilities of the nodes of ln ℓ and, last, of kept thresholds.
     fn log_redraw(&self, nodes: &[f64]) -> Vec<f64> {
         let step = match (nodes, self.of[2][1]) {
             ([first, second, ..], deviation) if deviation > 0.0 => (second - first) / deviation,
@@ -79,8 +79,8 @@ impl LawPrior {
     }
 }
 
-/// Log-likelihoods at the nodes of (ln σ, ways to draw, μ), the last fastest; the ways are the nodes of ln ℓ and, last,
-/// thresholds that are kept.
+/// Log-likelihoods at the nodes of (ln σ, redraw mode, μ), the last index fastest. The redraw modes are the nodes of ln
+/// ℓ and, last, kept thresholds.
 #[derive(Debug, Clone)]
 pub(super) struct LikelihoodGrid {
     pub(super) mu: Vec<f64>,
@@ -89,18 +89,14 @@ pub(super) struct LikelihoodGrid {
     log: Vec<f64>,
 }
 
-/// A particle's draws as bins of ln f′, each distinct way of guessing with its weight.
+/// Draws of a particle as bins of ln f′: each distinct sequence among the guesses, with its weight.
 struct Draws {
     guesses: Vec<(f64, Vec<Vec<u16>>, [u16; 2])>,
 }
 
 impl LikelihoodGrid {
-    /// A grid that is as fine as the posterior asks for.
-    pub(super) fn refined(
-        rounds: &[RoundEvidence<'_>],
-        prior: &LawPrior,
-        force_share: f64,
-    ) -> Self {
+    /// Returns a grid as fine as the posterior demands.
+    pub(super) fn refine(rounds: &[RoundEvidence<'_>], prior: &LawPrior, force_share: f64) -> Self {
         let axis = |range: [f64; 2], count: usize, least: f64| -> Vec<f64> {
             let [low, high] = range;
             if high <= low {
@@ -160,7 +156,7 @@ impl LikelihoodGrid {
             })
             .collect();
         let step = if mu.len() > 1 { mu[1] - mu[0] } else { 0.0 };
-        // Beyond the ends, the law of a round whose force is off.
+        // The margin beyond the ends serves rounds whose force is off.
         let (wider, margin) = if step > 0.0 && force_share > 0.0 {
             let margin = (SHIFT_REACH * force_share / step).ceil() as usize + 1;
             let count = mu.len() + 2 * margin;
@@ -170,7 +166,7 @@ impl LikelihoodGrid {
             (mu.clone(), 0)
         };
         let ways = ln_length.len() + 1;
-        // Which σ and μ, each on whatever thread.
+        // Nodes of σ and μ, in parallel.
         let places: Vec<(usize, usize)> = (0..ln_sigma.len())
             .flat_map(|s| (0..wider.len()).map(move |m| (s, m)))
             .collect();
@@ -197,7 +193,7 @@ impl LikelihoodGrid {
                         *sum += if margin == 0 {
                             along[m]
                         } else {
-                            shifted(&along, m + margin, force_share / step)
+                            blur(&along, m + margin, force_share / step)
                         };
                     }
                 }
@@ -212,7 +208,7 @@ impl LikelihoodGrid {
         }
     }
 
-    /// Logarithm of the likelihood at nodes of ln σ and μ, over all ways to draw.
+    /// Returns the log-likelihood at the nodes of ln σ and μ, summed over the redraw modes.
     pub(super) fn log_of_laws(&self, prior: &LawPrior) -> Vec<f64> {
         let ways = prior.log_redraw(&self.ln_length);
         let mut laws = Vec::with_capacity(self.ln_sigma.len() * self.mu.len());
@@ -229,8 +225,8 @@ impl LikelihoodGrid {
         self.log[(s * (self.ln_length.len() + 1) + way) * self.mu.len() + m]
     }
 
-    /// Between which values of each parameter the posterior of the law alone is not negligible, and one step more.
-    /// And by how much it may be higher between nodes than at them, as a logarithm.
+    /// Returns the range of each parameter in which the law's own posterior is not negligible, plus one step, and how
+    /// much higher than the nodes the posterior may be between them, as a logarithm.
     fn supports(&self, prior: &LawPrior) -> ([[f64; 2]; 3], f64) {
         let log_prior = |s: usize, m: usize| {
             let scores = [(0, self.mu[m]), (1, self.ln_sigma[s])];
@@ -256,7 +252,7 @@ impl LikelihoodGrid {
                 }
             }
         }
-        // Between the nodes of a coarse grid, the peak may be higher than at any of them: by less than to the next ones.
+        // On a coarse grid the peak may lie between nodes, above them by less than the fall to the next ones.
         let here =
             |s: usize, way: usize, m: usize| log_prior(s, m) + ways[way] + self.at(s, way, m);
         let slack = self.slack(&here);
@@ -275,8 +271,8 @@ impl LikelihoodGrid {
         (ranges, slack)
     }
 
-    /// By how much a log-posterior falls from its highest node to the neighbours, over all axes: of thresholds that are
-    /// kept, or of those that are drawn again, whichever falls more.
+    /// Returns the fall of the log-posterior from its highest node to the neighbours, over all axes; the larger one of
+    /// kept and of redrawn thresholds.
     fn slack(&self, log: &dyn Fn(usize, usize, usize) -> f64) -> f64 {
         let (sigmas, lengths, mus) = (self.ln_sigma.len(), self.ln_length.len(), self.mu.len());
         let fall = |ways: std::ops::Range<usize>| {
@@ -305,7 +301,7 @@ impl LikelihoodGrid {
         fall(0..lengths).max(fall(lengths..lengths + 1))
     }
 
-    /// Weights of the nodes of μ and of those of ln σ, from weights of both together (ln σ, μ).
+    /// Returns the marginal weights of μ and of ln σ, given the joint weights (ln σ, μ).
     pub(super) fn marginals(&self, weights: &[f64]) -> (Vec<f64>, Vec<f64>) {
         let rows = || weights.chunks(self.mu.len());
         let of_mu = |m: usize| rows().map(|row| row[m]).sum();
@@ -313,7 +309,7 @@ impl LikelihoodGrid {
         (mu, rows().map(|row| row.iter().sum()).collect())
     }
 
-    /// Weights of the nodes of ln ℓ, and the probability that thresholds are kept.
+    /// Returns the weights of the nodes of ln ℓ, and the probability that thresholds are kept.
     pub(super) fn redraw(&self, weights: &[f64], prior: &LawPrior) -> (Vec<f64>, f64) {
         let ways = prior.log_redraw(&self.ln_length);
         let mut sums = vec![0.0; ways.len()];
@@ -330,7 +326,7 @@ impl LikelihoodGrid {
         let whole: f64 = sums.iter().sum();
         let kept = sums.pop().unwrap_or(0.0) / whole;
         if sums.iter().sum::<f64>() <= 0.0 {
-            // Nothing is redrawn: ℓ is as it was known before.
+            // No particle redraws, so ℓ keeps its prior.
             let log = |node: &f64| libm::exp(-0.5 * prior.score(2, *node).powi(2));
             sums = self.ln_length.iter().map(log).collect();
         }
@@ -338,7 +334,7 @@ impl LikelihoodGrid {
     }
 }
 
-/// Logarithm of a sum of exponentials.
+/// Returns the logarithm of a sum of exponentials.
 pub(super) fn log_sum(terms: impl Iterator<Item = f64> + Clone) -> f64 {
     let most = terms.clone().fold(f64::NEG_INFINITY, f64::max);
     if most == f64::NEG_INFINITY {
@@ -347,8 +343,8 @@ pub(super) fn log_sum(terms: impl Iterator<Item = f64> + Clone) -> f64 {
     most + libm::log(terms.map(|term| libm::exp(term - most)).sum())
 }
 
-/// Logarithm of the mean of a likelihood about a node, over laws that are off by a standard deviation of so many nodes.
-fn shifted(along: &[f64], node: usize, deviation: f64) -> f64 {
+/// Returns the log of the mean likelihood about a node, over laws that are off by a normal error of `deviation` nodes.
+fn blur(along: &[f64], node: usize, deviation: f64) -> f64 {
     let shift = |k: i32| SHIFT_REACH * f64::from(k) / f64::from(SHIFTS);
     let terms = (-SHIFTS..=SHIFTS).map(|k| {
         let at = node as f64 + shift(k) * deviation;
@@ -361,7 +357,7 @@ fn shifted(along: &[f64], node: usize, deviation: f64) -> f64 {
     log_sum(terms) - log_sum(whole)
 }
 
-/// Log-likelihood of each round and way to draw, the way fastest.
+/// Returns the log-likelihood of each round and redraw mode, the mode fastest.
 fn log_likelihoods(
     rounds: &[RoundEvidence<'_>],
     draws: &[Vec<Vec<Draws>>],
@@ -387,14 +383,14 @@ fn log_likelihoods(
     logs
 }
 
-/// 1 − Φ((ln f′ − μ)/σ) by bin of ln f′.
+/// Probability 1 − Φ((ln f′ − μ)/σ) of staying, by bin of ln f′.
 struct StayTable(Vec<f64>);
 
 impl StayTable {
     fn of(law: &LogNormal) -> Self {
         let bins = bin(MOST_SHARE) + 1;
         let share = |bin: u16| LEAST_SHARE * libm::exp((f64::from(bin) - 0.5) / BINS_PER_LOG);
-        // Bin 0 is no force at all.
+        // Bin 0 is no contact.
         let of_bin = |bin: u16| match bin {
             0 => 1.0,
             bin => 1.0 - law.probability(share(bin)),
@@ -422,7 +418,7 @@ impl Draws {
         for (guess, exposure) in exposures.iter().enumerate() {
             let draws = lengths.iter().map(|length| {
                 let draws = exposure.draws(*length).into_iter().map(bin);
-                // What is certain to stay changes nothing.
+                // A draw without contact does not change the probability of staying.
                 draws.filter(|bin| *bin > 0).collect()
             });
             let draws: Vec<Vec<u16>> = draws.collect();
@@ -482,7 +478,7 @@ mod tests {
         let along: Vec<f64> = (0..201)
             .map(|i| -0.5 * (f64::from(i - 100) / 5.0).powi(2))
             .collect();
-        let at = |node: usize| shifted(&along, node, 12.0);
+        let at = |node: usize| blur(&along, node, 12.0);
         // Variances add: 5² + 12² = 13².
         let ratio = at(113) - at(100);
         assert!((ratio + 0.5).abs() < 0.02, "{ratio}");

@@ -1,16 +1,16 @@
-//! What wiping teaches of the laws by which tools move dirt: μ, σ and ℓ of (12), from rounds that were looked at before
-//! and after; paper §4.2 (outlook).
+//! Learning of the laws by which tools move dirt: μ, σ and ℓ of (12), from rounds with observations before and after;
+//! paper §4.2 (outlook).
 //!
 //! ```text
-//! evidence: detections before and after, exposures  →  how likely what was seen is, if so many stayed
-//! grid:     over (μ, ln σ, ln ℓ), and thresholds that are kept for good  →  likelihood of one law
+//! evidence: detections before and after, exposures  →  likelihood of the observations
+//! grid:     over (μ, ln σ, ln ℓ) and kept thresholds  →  likelihood of one law
 //! pooling:  laws of the same tool, of the same medium, and of all  →  posterior of each
 //! ```
 //!
-//! A particle that was seen before and then exposed has stayed if each threshold that it drew was higher than the f′
-//! that it felt: with probability Π (1 − Φ((ln f′ − μ)/σ)) over its draws. That holds for absorbing and for pushing, as
-//! a pushed particle leaves its place with its first response. What is seen of that is blurred: grains are missed,
-//! nothing is taken for a grain, and a neighbour or something that came there may lie where the particle lay.
+//! A particle that was detected before and then exposed has stayed if each threshold that it drew was higher than the
+//! f′ at its place. The probability is Π (1 − Φ((ln f′ − μ)/σ)) over its draws. That holds for absorbing and for
+//! pushing, as a pushed particle leaves its place with its first response. The camera blurs it: it misses grains and
+//! gives false alarms, and a neighbour or another grain may lie where the particle lay.
 
 mod error;
 mod evidence;
@@ -26,23 +26,23 @@ use crate::represent::{Interaction, LogNormal, LogNormalSpread, Redraw};
 use evidence::RoundEvidence;
 use grid::{LawPrior, LikelihoodGrid};
 
-/// Fewest particles that were touched and looked for from which a law is fitted.
+/// Least number of touched and observed particles for which a law is fitted.
 pub const LEAST_PARTICLES: usize = 10;
 
-/// Guesses of what each particle felt, as where it lay and how the tool sat in the hand are not known exactly.
+/// Number of guesses of each particle's exposure, as its place and the grasp of the tool are uncertain.
 pub const GUESSES: usize = 8;
 
 /// Settings of the learning.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct LearnConfig {
-    /// What f′ of a round may be off by, the same for all of it, as a standard deviation of its logarithm [1].
+    /// Standard deviation of the logarithm of a round's force scale, common to the whole round [1].
     pub force_share: f64,
-    /// Of everything random.
+    /// Seed of all random numbers.
     pub seed: u64,
 }
 
 impl Default for LearnConfig {
-    /// As an interpretation has it.
+    /// The force error of an interpretation.
     fn default() -> Self {
         Self {
             force_share: crate::interpret::Uncertainty::default().force_share,
@@ -51,36 +51,36 @@ impl Default for LearnConfig {
     }
 }
 
-/// Everything that was seen of one law.
+/// Observations of one law.
 #[derive(Debug, Clone, Copy)]
 pub struct Lesson<'a> {
-    /// What was known of it before, as the knowledge base has it.
+    /// Entry of the knowledge base, from which the prior follows.
     pub interaction: &'a Interaction,
-    /// r_s of the tool, which ℓ is where nothing better is known [m].
+    /// r_s of the tool, the prior mean of ℓ if the entry has none [m].
     pub collision_radius_m: f64,
-    /// The rounds, of whatever episodes.
+    /// Rounds of any episodes.
     pub rounds: &'a [SeenRound],
 }
 
-/// A law as the rounds have it.
+/// Posterior of a law.
 #[derive(Debug, Clone, PartialEq)]
 pub struct LearnedLaw {
     /// μ [1].
     pub mu: PosteriorSummary,
     /// ln σ [1].
     pub ln_sigma: PosteriorSummary,
-    /// ln of ℓ in metres, if thresholds are drawn again.
+    /// ln of ℓ in metres, for thresholds that are drawn again.
     pub ln_redraw_length: PosteriorSummary,
-    /// Probability that a particle keeps its threshold for good [1].
+    /// Probability that a particle keeps its threshold [1].
     pub kept_share: f64,
-    /// Rounds that it was fitted to.
+    /// Number of rounds of the fit.
     pub rounds: usize,
-    /// Particles in them that were touched and looked for.
+    /// Number of touched and observed particles in them.
     pub particles: usize,
 }
 
 impl LearnedLaw {
-    /// As the knowledge base keeps it: the middle of what is believed, and its spread.
+    /// Returns the interaction with the posterior means and spreads, for the knowledge base.
     pub fn applied_to(&self, interaction: &Interaction) -> Interaction {
         Interaction {
             likelihood: LogNormal {
@@ -101,22 +101,21 @@ impl LearnedLaw {
     }
 }
 
-/// Fits the laws of these lessons together, each with its own result, in their order.
+/// Fits the laws of several lessons together, and returns one result per lesson, in their order.
 ///
-/// What is known of a law before is its entry in the knowledge base: the mean of μ and of ln σ with their spreads, ℓ with
-/// its own. Partial pooling: by how many of these spreads two laws are off the entries is correlated, by ρ/3 for any two,
-/// by as much more if they share their tool, and their medium. So a law that is seen often decides for itself, and
-/// one that is seen rarely borrows from the others. ρ is learned too: 0, 0.3, 0.6 and 0.9 are as likely before. ℓ is
-/// each law's own.
+/// The prior of a law is its entry in the knowledge base: the means of μ, ln σ and ln ℓ with their spreads. Laws are
+/// partially pooled: the deviations of two laws from their entries, in these spreads, have correlation ρ/3, and ρ/3
+/// more each for a common tool and a common medium. A law with many observations follows its own data, and a law with
+/// few borrows from the others. ρ has a uniform prior on 0, 0.3, 0.6 and 0.9. ℓ is not pooled.
 ///
-/// How hard the tool pressed is known for each round only up to [`LearnConfig::force_share`].
+/// The force of each round is known up to [`LearnConfig::force_share`].
 ///
-/// A single law is integrated on a grid that is refined where the posterior lies; several are sampled (Gibbs), each from
-/// its grid given the others. Same lessons and seed, same result, on any number of threads.
+/// A single law is integrated on a grid that is refined where the posterior lies. Several laws are sampled (Gibbs),
+/// each from its grid given the others. The result depends on lessons and seed only, not on the number of threads.
 ///
 /// # Errors
-/// Settings that make no sense; rounds whose exposures are not those of their detections; a law of which fewer than
-/// [`LEAST_PARTICLES`] particles were touched and looked for.
+/// Settings out of their range; rounds whose exposures do not match their detections; a law with fewer than
+/// [`LEAST_PARTICLES`] touched and observed particles.
 ///
 /// ```
 /// use wisch::geometry::{Point2, Region};
@@ -138,7 +137,7 @@ impl LearnedLaw {
 /// #     likelihood_spread: LogNormalSpread::default(),
 /// #     redraw: Redraw::default(),
 /// # };
-/// // Forty crumbs in a row, each touched once at f′ = 0.35, of which every second one stays.
+/// // Forty crumbs in a row, each touched once at f′ = 0.35; every second one stays.
 /// let places: Vec<Point2> = (0..40).map(|i| Point2::new(0.02 * f64::from(i), 0.0)).collect();
 /// let stayed: Vec<Point2> = places.iter().copied().step_by(2).collect();
 /// let touch = Exposure::new(vec![Touched { travel: [0.0, 0.01], share: 0.35 }]);
@@ -153,7 +152,7 @@ impl LearnedLaw {
 /// };
 /// let lesson = Lesson { interaction: &interaction, collision_radius_m: 0.065, rounds: &[round] };
 /// let learned = &learn(&[lesson], &LearnConfig::default())?[0];
-/// // Half of them respond at ln f′ = μ.
+/// // Half of them respond, so ln f′ is μ.
 /// assert!((learned.mu.mean - 0.35_f64.ln()).abs() < 0.05);
 /// assert!(learned.mu.deviation < 0.15);
 /// # Ok::<(), wisch::learn::LearnError>(())
@@ -190,7 +189,7 @@ pub fn learn(lessons: &[Lesson<'_>], config: &LearnConfig) -> Result<Vec<Learned
         }
         let prior = LawPrior::of(lesson.interaction, lesson.collision_radius_m);
         fits.push(Fit {
-            grid: LikelihoodGrid::refined(&rounds, &prior, config.force_share),
+            grid: LikelihoodGrid::refine(&rounds, &prior, config.force_share),
             prior,
             rounds: rounds.len(),
             particles,
@@ -204,11 +203,11 @@ pub fn learn(lessons: &[Lesson<'_>], config: &LearnConfig) -> Result<Vec<Learned
         .collect();
     let weights = pooling::posteriors(&fits, &names, config.seed);
     Ok((fits.iter().zip(&weights))
-        .map(|(fit, weights)| fit.learned(weights))
+        .map(|(fit, weights)| fit.summarise(weights))
         .collect())
 }
 
-/// One law's part of a fit.
+/// Fit of a single law, before pooling.
 struct Fit {
     prior: LawPrior,
     grid: LikelihoodGrid,
@@ -217,8 +216,8 @@ struct Fit {
 }
 
 impl Fit {
-    /// What follows from the posterior weights of the grid's nodes of μ and ln σ.
-    fn learned(&self, weights: &[f64]) -> LearnedLaw {
+    /// Returns the posterior of the law, given the weights of the grid's nodes of (ln σ, μ).
+    fn summarise(&self, weights: &[f64]) -> LearnedLaw {
         let grid = &self.grid;
         let (mu, ln_sigma) = grid.marginals(weights);
         let (ln_length, kept_share) = grid.redraw(weights, &self.prior);

@@ -1,4 +1,4 @@
-//! The posteriors of several laws together, each borrowing from the others.
+//! Joint posterior of several laws, each of which borrows from the others.
 
 use super::Fit;
 use super::grid::log_sum;
@@ -6,18 +6,18 @@ use nalgebra::{Cholesky, DMatrix};
 use rand::RngExt;
 use rand_chacha::{ChaCha8Rng, rand_core::SeedableRng};
 
-/// How much laws may have in common [1], each as likely before.
+/// Values of ρ, the correlation of laws [1]; all have the same prior probability.
 const COMMON: [f64; 4] = [0.0, 0.3, 0.6, 0.9];
-/// Sweeps over all laws that are drawn from, after so many that are not.
+/// Number of Gibbs sweeps that count, and of sweeps before them that do not.
 const SWEEPS: usize = 2000;
 const FIRST_SWEEPS: usize = 200;
 
-/// Posterior weights of the nodes of (ln σ, μ) of each law; `names` are its tool and medium.
+/// Returns the posterior weights of each law's nodes of (ln σ, μ); `names`: tool and medium of each law.
 pub(super) fn posteriors(fits: &[Fit], names: &[[&str; 2]], seed: u64) -> Vec<Vec<f64>> {
     let laws: Vec<Law> = fits.iter().map(Law::of).collect();
     if let [law] = &laws[..] {
-        // Nobody to borrow from.
-        return vec![law.given([0.0; 2], 1.0)];
+        // A single law has nothing to borrow.
+        return vec![law.weights_given([0.0; 2], 1.0)];
     }
     let priors: Vec<Common> = COMMON
         .iter()
@@ -25,15 +25,15 @@ pub(super) fn posteriors(fits: &[Fit], names: &[[&str; 2]], seed: u64) -> Vec<Ve
         .collect();
     let mut random = ChaCha8Rng::seed_from_u64(seed);
     let mut sums: Vec<Vec<f64>> = laws.iter().map(|law| vec![0.0; law.log.len()]).collect();
-    // By how many spreads each μ and each ln σ is off its entry.
+    // Deviation of each μ and each ln σ from its entry, in prior standard deviations.
     let mut off = [vec![0.0; laws.len()], vec![0.0; laws.len()]];
     for sweep in 0..FIRST_SWEEPS + SWEEPS {
         let logs: Vec<f64> = priors.iter().map(|prior| prior.log_density(&off)).collect();
-        let prior = &priors[drawn(&weights(&logs), &mut random)];
+        let prior = &priors[draw_index(&weights(&logs), &mut random)];
         for (index, law) in laws.iter().enumerate() {
             let means = [0, 1].map(|axis| prior.mean_of(index, &off[axis]));
-            let given = law.given(means, prior.variance_of(index));
-            let node = drawn(&given, &mut random);
+            let given = law.weights_given(means, prior.variance_of(index));
+            let node = draw_index(&given, &mut random);
             [off[0][index], off[1][index]] = law.scores(node);
             if sweep >= FIRST_SWEEPS {
                 for (sum, weight) in sums[index].iter_mut().zip(given) {
@@ -45,9 +45,9 @@ pub(super) fn posteriors(fits: &[Fit], names: &[[&str; 2]], seed: u64) -> Vec<Ve
     sums
 }
 
-/// A law's likelihood by how many spreads it is off its entry.
+/// Likelihood of a law over its deviations from the entry.
 struct Law {
-    /// Of the nodes of μ and of ln σ.
+    /// Deviations of the nodes of μ and of ln σ, in prior standard deviations.
     scores: [Vec<f64>; 2],
     /// Log-likelihoods of the nodes of (ln σ, μ).
     log: Vec<f64>,
@@ -65,8 +65,8 @@ impl Law {
         }
     }
 
-    /// Weights of the nodes, of sum 1, if the scores of μ and of ln σ are normal about these means.
-    fn given(&self, means: [f64; 2], variance: f64) -> Vec<f64> {
+    /// Returns the weights of the nodes, with sum 1, under normal priors of the two deviations with these means.
+    fn weights_given(&self, means: [f64; 2], variance: f64) -> Vec<f64> {
         let log = |axis: usize| {
             let of = move |score: &f64| -0.5 * (score - means[axis]).powi(2) / variance;
             self.scores[axis].iter().map(of).collect::<Vec<f64>>()
@@ -86,7 +86,7 @@ impl Law {
     }
 }
 
-/// What laws have in common before anything is seen, as a normal distribution of their scores.
+/// Multivariate normal prior of the deviations of all laws.
 struct Common {
     precision: DMatrix<f64>,
     log_determinant: f64,
@@ -110,7 +110,7 @@ impl Common {
         })
     }
 
-    /// Of the scores of all μ and of all ln σ, up to a constant.
+    /// Returns the log-density of the deviations of all μ and all ln σ, up to a constant.
     fn log_density(&self, off: &[Vec<f64>; 2]) -> f64 {
         let squared = |scores: &[f64]| {
             let scores = nalgebra::DVector::from_column_slice(scores);
@@ -119,8 +119,9 @@ impl Common {
         -0.5 * (squared(&off[0]) + squared(&off[1])) - self.log_determinant
     }
 
-    /// Mean of one score given those of the others.
+    /// Returns the conditional mean of one deviation, given those of the other laws.
     fn mean_of(&self, index: usize, scores: &[f64]) -> f64 {
+        // Conditional mean of a zero-mean normal with precision P: −Σⱼ≠ᵢ Pᵢⱼ xⱼ / Pᵢᵢ.
         let others = scores.iter().enumerate().filter(|(i, _)| *i != index);
         let pull: f64 = others
             .map(|(i, score)| self.precision[(index, i)] * score)
@@ -133,14 +134,14 @@ impl Common {
     }
 }
 
-/// Weights of sum 1 from their logarithms.
+/// Returns weights with sum 1 from their logarithms.
 fn weights(logs: &[f64]) -> Vec<f64> {
     let whole = log_sum(logs.iter().copied());
     logs.iter().map(|log| libm::exp(log - whole)).collect()
 }
 
-/// Draws an index by weights of sum 1.
-fn drawn(weights: &[f64], random: &mut ChaCha8Rng) -> usize {
+/// Draws an index by weights with sum 1.
+fn draw_index(weights: &[f64], random: &mut ChaCha8Rng) -> usize {
     let mut left = random.random::<f64>();
     let found = weights.iter().position(|weight| {
         left -= weight;

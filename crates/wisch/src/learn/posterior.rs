@@ -1,18 +1,18 @@
-//! A distribution over the nodes of an axis, in short.
+//! Summary of a distribution over the nodes of an axis.
 
-/// What is believed of a number.
+/// Mean, spread and interval of a posterior.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PosteriorSummary {
-    /// Its mean.
+    /// Mean.
     pub mean: f64,
-    /// Its standard deviation.
+    /// Standard deviation.
     pub deviation: f64,
-    /// Between these it lies with 90 % probability, with 5 % below and 5 % above.
+    /// Central 90 % interval.
     pub interval: [f64; 2],
 }
 
 impl PosteriorSummary {
-    /// Of weights, in any unit, of equally spaced nodes in ascending order.
+    /// Summarises weights, in any unit, of equally spaced nodes in ascending order.
     pub(super) fn of(nodes: &[f64], weights: &[f64]) -> Self {
         let sum: f64 = weights.iter().sum();
         let mean = |of: &dyn Fn(f64) -> f64| {
@@ -29,7 +29,7 @@ impl PosteriorSummary {
     }
 }
 
-/// Where this share of the weight lies below, if the weight of a node is spread evenly halfway to its neighbours.
+/// Returns the quantile at `share`; the weight of a node is spread evenly half way to its neighbours.
 fn quantile(nodes: &[f64], weights: &[f64], share: f64) -> f64 {
     let (&[first, ..], &[.., last]) = (nodes, nodes) else {
         return f64::NAN;

@@ -1,15 +1,15 @@
-//! The one effect model: what a tool in contact does to the particles under it; paper §3.1.
+//! The effect model: the effect of a tool in contact on the particles under it; paper §3.1.
 //!
 //! - *absorb*: a particle that comes under the footprint is deleted.
-//! - *push*: a particle that comes under the footprint is carried along with the tool's motion until
-//!   it is outside: it rides on the footprint's leading boundary as long as that boundary advances
-//!   towards it, and is left behind when the boundary recedes.
-//! - *treat*: a particle is a place of the surface. It stays, and counts how far the footprint slides over it, in passes:
-//!   what the footprint's mean length along the tool is of that. Polishing and painting differ in what they want of it.
+//! - *push*: a particle that comes under the footprint is carried along with the tool's motion until it is outside. It
+//!   rides on the footprint's leading boundary while that boundary advances towards it, and stays behind when the
+//!   boundary recedes.
+//! - *treat*: a particle is a place of the surface. It stays, and counts in passes how far the footprint slides over
+//!   it. A pass is the footprint's mean length along the tool. Polishing and painting use the count differently.
 //!
-//! Particles do not touch each other, so each is computed alone: in closed form for a translation
-//! ([`swept_translation`](super::swept_translation)), by contact events along the way for a motion that also turns
-//! ([`swept_rotation`](super::swept_rotation)). No step size enters either.
+//! Particles do not touch each other, so each is computed alone. A translation has a closed form
+//! ([`swept_translation`](super::swept_translation)); a motion that also turns is followed from one contact event to
+//! the next ([`swept_rotation`](super::swept_rotation)). Neither has a step size.
 
 use super::field::{OrientedBox, ParticleField, Slot};
 use super::heap::Heap;
@@ -20,17 +20,17 @@ use super::{Effect, Fate, Surface};
 use crate::geometry::{Edge, PlanarPose, Point2, Region, Vector2};
 use rayon::prelude::*;
 
-/// From this many particles near a turning tool on, they are followed on all threads.
+/// Number of particles near a turning tool from which they are followed on all threads.
 const PARALLEL_FROM: usize = 1024;
-/// From this many particles of a block before a tool on, it is looked whether any can leave the surface at all.
+/// Number of particles of a block before a tool from which the model first checks whether any can leave the surface.
 const CHECKED_FROM: usize = 8;
 
-/// How many particles one motion absorbed, displaced or lost.
+/// Numbers of particles that one motion absorbed, displaced or lost.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct MotionEffect {
-    /// Particles that the tool took up.
+    /// Particles that the tool absorbed.
     pub absorbed: usize,
-    /// Particles that the tool displaced and that still lie on the surface.
+    /// Particles that the tool displaced and that are still on the surface.
     pub pushed: usize,
     /// Particles that the tool pushed over an edge of the surface.
     pub off_surface: usize,
@@ -38,11 +38,11 @@ pub struct MotionEffect {
     pub treated: usize,
 }
 
-/// Effect of one tool on one kind of medium.
+/// Effect of a tool on the particles of a medium.
 ///
-/// Cost of a motion: proportional to the particles that lie near the swept area or in one block with such. After the first motions have
-/// sized its scratch space, it allocates nothing; only where a turning tool meets so many particles that
-/// they are followed on all threads does the thread pool keep its books.
+/// The cost of a motion is proportional to the number of particles in the blocks near the swept area. Once the first
+/// motions have sized its scratch memory, the model allocates nothing, except for the thread pool when a turning tool
+/// meets very many particles.
 ///
 /// ```
 /// use wisch::geometry::*;
@@ -62,7 +62,7 @@ pub struct MotionEffect {
 /// };
 /// let effect = EffectModel::new(&sponge, Effect::Push).apply(&mut field, &board, &stroke);
 /// assert_eq!(effect.pushed, 1);
-/// // It rides on the leading edge, half the sponge's depth ahead of the tool centre point.
+/// // The crumb rides on the leading edge, half the sponge's depth ahead of the tool centre point.
 /// assert!((field.distribution().position(0).x - 0.135).abs() < 1e-8);
 /// # Ok::<(), ParticleError>(())
 /// ```
@@ -72,17 +72,17 @@ pub struct EffectModel {
     edges: Vec<Edge>,
     /// Largest distance of the footprint from the tool centre point [m].
     reach: f64,
-    /// Way over a place that counts as one pass [m].
+    /// Travel over a place that counts as one pass [m].
     pass_length: f64,
     translation: SweptTranslation,
-    /// Blocks of particles near a motion, and those of their particles that may be touched where the tool turns.
+    /// Blocks of particles near a motion.
     blocks: Vec<u32>,
     near: Vec<Slot>,
     outcomes: Vec<Option<Outcome>>,
     heap: Option<Heap>,
 }
 
-/// What a motion does to one particle that it touches.
+/// Outcome of a motion for a particle that it touches.
 #[derive(Debug, Clone, Copy)]
 enum Outcome {
     Absorbed,
@@ -92,7 +92,7 @@ enum Outcome {
 }
 
 impl EffectModel {
-    /// The effect of a tool with this footprint (tool frame) on a medium with this effect.
+    /// Returns the model of a footprint (tool frame [m]) with this effect.
     pub fn new(footprint: &Region, kind: Effect) -> Self {
         let edges: Vec<Edge> = footprint.edges().collect();
         let reach = edges
@@ -115,12 +115,12 @@ impl EffectModel {
         }
     }
 
-    /// The same with room for what is carried together, as deep as `depth_of_all` [m] where it is all of the
-    /// particles; see [`heap_depth`](super::heap_depth).
+    /// Returns the model with a heap: carried particles take space ahead of the tool, `depth_of_all` [m] deep if it
+    /// holds all particles; see [`heap_depth`](super::heap_depth).
     ///
-    /// At the end of each motion, what lies so far ahead of the tool that it is beyond an edge has fallen; at
-    /// [`EffectModel::lift_off`] the rest stays spread as it lay. Where in the heap a particle lies follows from
-    /// the seed, the particle and the contact alone.
+    /// At the end of each motion, particles whose place in the heap is beyond an edge have fallen; at
+    /// [`EffectModel::lift_off`] the remaining ones stay spread over the heap. The place of a particle in the heap
+    /// depends on `seed`, the particle and the number of the contact only.
     ///
     /// ```
     /// # use wisch::geometry::*;
@@ -134,7 +134,7 @@ impl EffectModel {
     /// # };
     /// let crumbs = ParticleDistribution::new(&[Point2::new(0.05, 0.0); 100])?;
     /// let mut field = ParticleField::new(&crumbs);
-    /// // Pushed to 1 cm before the edge, a heap 2 cm deep has lost about half of itself.
+    /// // Pushed to 1 cm before the edge, a heap 2 cm deep has lost about half of its particles.
     /// let stroke = ToolMotion {
     ///     from: PlanarPose::new(Point2::new(0.0, 0.0), 0.0),
     ///     to: PlanarPose::new(Point2::new(0.155, 0.0), 0.0),
@@ -152,22 +152,22 @@ impl EffectModel {
         }
     }
 
-    /// The tool lifts off, and what it carried since the last motion began comes to rest: spread over the room
-    /// of its heap, or exactly where the motion left it without one.
+    /// Ends the contact. What the tool has carried since the last motion began comes to rest: spread over its heap, or
+    /// exactly where the motion left it if there is no heap.
     pub fn lift_off(&mut self, field: &mut ParticleField, surface: &Surface) {
         if let Some(heap) = &mut self.heap {
             heap.come_to_rest(field, surface);
         }
     }
 
-    /// Goes on as if the tool had lifted off so many times, and carries nothing.
+    /// Sets the number of contacts so far, with nothing carried.
     pub(crate) fn resume_after(&mut self, contacts: u32) {
         if let Some(heap) = &mut self.heap {
             heap.resume(contacts);
         }
     }
 
-    /// Applies one motion in contact to the particles.
+    /// Applies a motion in contact to the particles, and returns the numbers of affected ones.
     pub fn apply(
         &mut self,
         field: &mut ParticleField,
@@ -177,12 +177,11 @@ impl EffectModel {
         self.apply_where(field, surface, motion, |_, _| true)
     }
 
-    /// Applies one motion in contact to those particles that respond to it.
+    /// Applies a motion in contact to the particles that respond to it.
     ///
-    /// `responds` is asked once for each particle that the motion would affect, by its index in the
-    /// distribution that the field was built from and its place before the motion, in the surface frame [m];
-    /// one after the other in an order that depends on the field alone. A particle that does not respond
-    /// stays as it is.
+    /// `responds` is called once for each particle that the motion would affect. It gets the particle's index in the
+    /// original distribution and its place before the motion (surface frame [m]). The order of the calls depends on the
+    /// field alone. A particle that does not respond stays as it is.
     ///
     /// ```
     /// # use wisch::geometry::*;
@@ -276,12 +275,12 @@ impl EffectModel {
         for &block in &self.blocks {
             let slots = field.slots(block);
             let particles = field.coordinates(slots.clone());
-            let met = (self.translation).met(particles, motion.from.position, self.kind);
+            let met = (self.translation).find_met(particles, motion.from.position, self.kind);
             if met >= CHECKED_FROM {
                 stays.get_or_insert_with(|| is_inside(surface, edges, &motion.to));
             }
             let pushed = effect.pushed;
-            // Backwards: what leaves the surface gives its slot to the last of its block.
+            // Backwards, as a particle that leaves the surface gives its slot to the last one of its block.
             for number in (0..met).rev() {
                 let (particle, extent) = self.translation.outcome(number);
                 let slot = slots.start + particle;
@@ -354,7 +353,7 @@ impl EffectModel {
                 }
             }
         };
-        // Each particle is computed alone, so the number of threads changes nothing.
+        // Each particle is computed alone, so the result does not depend on the number of threads.
         if self.near.len() < PARALLEL_FROM {
             self.outcomes.clear();
             let positions = self.near.iter().map(|&slot| field.position(slot));
@@ -364,7 +363,7 @@ impl EffectModel {
             positions.map(outcome).collect_into_vec(&mut self.outcomes);
         }
         let mut effect = MotionEffect::default();
-        // Backwards: what leaves the surface gives its slot to the last of its block.
+        // Backwards, as a particle that leaves the surface gives its slot to the last one of its block.
         for (&slot, outcome) in self.near.iter().zip(&self.outcomes).rev() {
             if let Some(outcome) = *outcome
                 && responds(field.index(slot), field.position(slot))
@@ -379,8 +378,8 @@ impl EffectModel {
     }
 }
 
-/// Whether all that a footprint of these edges carries to a pose is certain to stay on the surface: it is convex, and the
-/// footprint lies on it with what its clearance takes.
+/// Whether everything that the footprint carries to a pose stays on the surface: the surface is convex, and the
+/// footprint with its clearance lies within it.
 fn is_inside(surface: &Surface, footprint: &[Edge], at: &PlanarPose) -> bool {
     let (sin, cos) = at.heading.sin_cos();
     surface.outline.is_convex()
@@ -396,7 +395,7 @@ fn is_inside(surface: &Surface, footprint: &[Edge], at: &PlanarPose) -> bool {
 }
 
 impl MotionEffect {
-    /// Lets a particle meet its outcome, and counts it; the block of one that is pushed is to be refitted.
+    /// Applies the outcome to a particle and counts it; the block of a pushed particle must be refitted afterwards.
     fn settle(&mut self, field: &mut ParticleField, slot: Slot, outcome: Outcome) {
         match outcome {
             Outcome::Absorbed => {
@@ -419,7 +418,7 @@ impl MotionEffect {
     }
 }
 
-/// Where a particle ends that is carried along a way; the surface may end before.
+/// Returns where a particle ends that is carried along `way`, which may cross the border of the surface.
 fn landing(surface: &Surface, way: &[Point2]) -> Outcome {
     let off = way.windows(2).find_map(|leg| {
         let edge = surface.exit_edge(leg[0], leg[1])?;
@@ -433,7 +432,7 @@ fn landing(surface: &Surface, way: &[Point2]) -> Outcome {
     })
 }
 
-/// Mean length of a footprint along the tool's x over all of its width [m]: its area over that.
+/// Mean length of a footprint along the tool's x axis [m]: its area over its width.
 fn mean_length(footprint: &Region) -> f64 {
     let width = footprint.bounds().map_or(0.0, |bounds| bounds.size().y);
     if width > 0.0 {

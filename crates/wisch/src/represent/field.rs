@@ -1,41 +1,42 @@
-//! Particles in blocks of neighbours, so that a stroke only meets the blocks near it.
+//! Particles in blocks of neighbours, so that a motion meets only the blocks near it.
 
 use super::{Fate, ParticleDistribution, Surface};
 use crate::geometry::{Bounds2, Point2, Vector2};
 use std::ops::Range;
 
-/// Particles that are looked at together: enough for the processor to take several at once, few enough to lie close together.
+/// Number of particles per block: enough for vector instructions, and few enough to be close together.
 pub(super) const BLOCK: usize = 32;
-/// Blocks that are passed over together.
+/// Number of blocks per group, which are skipped together.
 const GROUP: usize = 64;
 
-/// A particle's place in the field's own order, in which neighbours in space are neighbours in memory.
+/// Index of a particle in the field's own order, in which neighbours in space are neighbours in memory.
 pub(super) type Slot = u32;
 
-/// Particles of one surface, sorted once into blocks of neighbours (sort-tile-recursive packing), each with the box that they lie
-/// in.
+/// Particles of a surface, sorted once into blocks of neighbours with their bounding boxes (sort-tile-recursive
+/// packing).
 ///
-/// A particle that moves stays in its block, whose box grows with it: that takes constant time and no allocation. The field
-/// keeps its own copy of the positions, sorted by block; [`ParticleField::distribution`] gives them back in the original order.
+/// A particle that moves stays in its block, whose box grows: that takes constant time and no allocation. The field
+/// keeps its own copy of the positions, sorted by block; [`ParticleField::distribution`] returns them in the original
+/// order.
 #[derive(Debug, Clone)]
 pub struct ParticleField {
     x: Vec<f64>,
     y: Vec<f64>,
-    /// Slot → index in the distribution that the field was built from.
+    /// Index in the original distribution, by slot.
     index: Vec<u32>,
-    /// The way back.
+    /// Slot, by index in the original distribution.
     slot: Vec<Slot>,
-    /// By index.
+    /// Fate, by index in the original distribution.
     fate: Vec<Fate>,
-    /// How many particles of each block still lie on the surface: those in its first slots.
+    /// Number of particles of each block that are on the surface; they fill its first slots.
     present: Vec<u32>,
-    /// Round those of each block, and of each group of blocks.
+    /// Bounding box of the particles of each block.
     blocks: Vec<Bounds2>,
     groups: Vec<Bounds2>,
     remaining: usize,
 }
 
-/// A box in which a motion may meet particles: `center ± half` along `axis` and to its left [m].
+/// A rectangle in which a motion may meet particles: `center ± half` along `axis` and to its left [m].
 #[derive(Debug, Clone, Copy)]
 pub(super) struct OrientedBox {
     pub(super) center: Point2,
@@ -44,7 +45,7 @@ pub(super) struct OrientedBox {
 }
 
 impl OrientedBox {
-    /// Whether it shares a point with an upright box: no line along the sides of either parts them.
+    /// Whether the rectangle shares a point with an axis-aligned box (separating axis test).
     fn meets(&self, other: &Bounds2) -> bool {
         let Self { axis, half, .. } = self;
         let apart = other.center() - self.center;
@@ -56,20 +57,20 @@ impl OrientedBox {
             && axis.perp(&apart).abs() <= half.y + size.x * s + size.y * c
     }
 
-    /// Whether a point lies in it.
+    /// Whether a point lies in the rectangle.
     pub(super) fn contains(&self, point: Point2) -> bool {
         let apart = point - self.center;
         (apart.dot(&self.axis).abs() <= self.half.x) & (self.axis.perp(&apart).abs() <= self.half.y)
     }
 }
 
-/// Of no point.
+/// Bounds without a point.
 const NOWHERE: Bounds2 = Bounds2 {
     min: Point2::new(f64::INFINITY, f64::INFINITY),
     max: Point2::new(f64::NEG_INFINITY, f64::NEG_INFINITY),
 };
 
-fn joined(one: &Bounds2, other: &Bounds2) -> Bounds2 {
+fn join(one: &Bounds2, other: &Bounds2) -> Bounds2 {
     Bounds2 {
         min: one.min.inf(&other.min),
         max: one.max.sup(&other.max),
@@ -77,7 +78,7 @@ fn joined(one: &Bounds2, other: &Bounds2) -> Bounds2 {
 }
 
 impl ParticleField {
-    /// Sorts the particles into blocks. Cost: n log n in the number of particles.
+    /// Sorts the particles into blocks. The cost is n log n in the number of particles.
     pub fn new(particles: &ParticleDistribution) -> Self {
         let count = particles.len();
         let (mut order, gone): (Vec<u32>, Vec<u32>) =
@@ -106,7 +107,7 @@ impl ParticleField {
         field
     }
 
-    /// The particles in their original order.
+    /// Returns the particles in their original order.
     pub fn distribution(&self) -> ParticleDistribution {
         let mut particles = ParticleDistribution {
             x: vec![0.0; self.x.len()],
@@ -117,7 +118,7 @@ impl ParticleField {
         particles
     }
 
-    /// Writes the particles into the distribution that the field was built from.
+    /// Writes the particles into the original distribution.
     pub(crate) fn copy_to(&self, particles: &mut ParticleDistribution) {
         for (slot, &i) in self.index.iter().enumerate() {
             particles.x[i as usize] = self.x[slot];
@@ -126,25 +127,25 @@ impl ParticleField {
         particles.fate.copy_from_slice(&self.fate);
     }
 
-    /// Where particle `index` of the distribution is now, and what became of it.
+    /// Returns position and fate of particle `index` of the distribution.
     pub(crate) fn place(&self, index: usize) -> (Point2, Fate) {
         (self.position(self.slot[index]), self.fate[index])
     }
 
-    /// Moves particle `index` of the distribution by a vector, or off the surface if an edge is in the way. What
-    /// is off the surface is left alone.
+    /// Moves particle `index` of the distribution by a vector, or off the surface if the vector crosses an edge. A
+    /// particle that is off the surface stays there.
     pub(super) fn displace(&mut self, index: usize, surface: &Surface, by: Vector2) {
         if self.fate[index].is_on_surface() && !self.drop_beyond_edge(index, surface, by) {
             let slot = self.slot[index];
             let to = self.position(slot) + by;
             self.put(slot, to);
             let block = slot as usize / BLOCK;
-            self.blocks[block] = joined(&self.blocks[block], &Bounds2 { min: to, max: to });
+            self.blocks[block] = join(&self.blocks[block], &Bounds2 { min: to, max: to });
             self.regroup(block);
         }
     }
 
-    /// Takes particle `index` off the surface if a move by a vector leads over an edge, and says so.
+    /// Removes particle `index` from the surface if a move by a vector crosses an edge; returns whether it does.
     pub(super) fn drop_beyond_edge(
         &mut self,
         index: usize,
@@ -164,17 +165,17 @@ impl ParticleField {
         edge.is_some()
     }
 
-    /// How many particles there were at the beginning.
+    /// Number of particles in all, on and off the surface.
     pub(super) fn len(&self) -> usize {
         self.index.len()
     }
 
-    /// How many particles still lie on the surface.
+    /// Number of particles that are still on the surface.
     pub fn remaining(&self) -> usize {
         self.remaining
     }
 
-    /// Index of the particle in `slot` in the distribution that the field was built from.
+    /// Index in the original distribution of the particle in `slot`.
     pub(super) fn index(&self, slot: Slot) -> usize {
         self.index[slot as usize] as usize
     }
@@ -184,13 +185,13 @@ impl ParticleField {
         Point2::new(self.x[slot as usize], self.y[slot as usize])
     }
 
-    /// Moves a particle that stays on the surface; its block is to be refitted.
+    /// Moves a particle that stays on the surface; its block must be refitted afterwards.
     pub(super) fn put(&mut self, slot: Slot, to: Point2) {
         self.x[slot as usize] = to.x;
         self.y[slot as usize] = to.y;
     }
 
-    /// Counts so many more passes of a tool over a place.
+    /// Adds passes of a tool to a place of the surface.
     pub(super) fn treat(&mut self, slot: Slot, more: f64) {
         let index = self.index(slot);
         let fate = &mut self.fate[index];
@@ -198,7 +199,7 @@ impl ParticleField {
         *fate = Fate::Treated { passes };
     }
 
-    /// Takes a particle off the surface; `at` is where it went. The last one of its block takes its slot.
+    /// Removes a particle from the surface, to `at`. The last particle of its block takes its slot.
     pub(super) fn remove(&mut self, slot: Slot, at: Point2, fate: Fate) {
         let slot = slot as usize;
         let block = slot / BLOCK;
@@ -216,7 +217,7 @@ impl ParticleField {
         self.remaining -= 1;
     }
 
-    /// Collects the blocks of which a particle may lie in a box, in ascending order.
+    /// Collects the blocks that may have a particle in the rectangle, in ascending order.
     pub(super) fn blocks_near(&self, near: &OrientedBox, found: &mut Vec<u32>) {
         found.clear();
         for (group, bounds) in self.groups.iter().enumerate() {
@@ -230,19 +231,19 @@ impl ParticleField {
         }
     }
 
-    /// The slots of a block's particles that are on the surface.
+    /// Slots of a block's particles that are on the surface.
     pub(super) fn slots(&self, block: u32) -> Range<Slot> {
         let first = block * BLOCK as u32;
         first..first + self.present[block as usize]
     }
 
-    /// Coordinates of the particles in some slots [m].
+    /// Coordinates of the particles in a range of slots [m].
     pub(super) fn coordinates(&self, slots: Range<Slot>) -> (&[f64], &[f64]) {
         let slots = slots.start as usize..slots.end as usize;
         (&self.x[slots.clone()], &self.y[slots])
     }
 
-    /// Takes in that particles of a block have moved.
+    /// Updates the bounds of a block after particles of it have moved.
     pub(super) fn refit(&mut self, block: usize) {
         let (x, y) = self.coordinates(self.slots(block as u32));
         let [(left, right), (bottom, top)] = [extent(x), extent(y)];
@@ -255,11 +256,11 @@ impl ParticleField {
 
     fn regroup(&mut self, block: usize) {
         let group = &mut self.groups[block / GROUP];
-        *group = joined(group, &self.blocks[block]);
+        *group = join(group, &self.blocks[block]);
     }
 }
 
-/// The smallest and the largest of some numbers; without a branch, so that the compiler takes several at once.
+/// Returns the smallest and the largest of `numbers`, without branches, so that the compiler vectorises it.
 fn extent(numbers: &[f64]) -> (f64, f64) {
     const LANES: usize = 4;
     let mut low = [f64::INFINITY; LANES];
@@ -287,7 +288,7 @@ fn extent(numbers: &[f64]) -> (f64, f64) {
     )
 }
 
-/// Sorts particles so that every [`BLOCK`] of them are neighbours: into slices along x, and each slice along y
+/// Sorts particles so that each run of [`BLOCK`] of them are neighbours: into slices along x, and each slice along y
 /// (Leutenegger, Lopez and Edgington, 1997).
 fn pack(order: &mut [u32], particles: &ParticleDistribution) {
     if order.len() <= BLOCK {
@@ -306,7 +307,7 @@ fn pack(order: &mut [u32], particles: &ParticleDistribution) {
     let bounds = Bounds2::of(order.iter().map(|&i| particles.position(i as usize)));
     let size = bounds.map_or(Vector2::zeros(), |bounds| bounds.size());
     let blocks = order.len().div_ceil(BLOCK);
-    // Blocks about as wide as high.
+    // As many slices as make the blocks about square.
     let slices = (blocks as f64 * size.x / size.y).sqrt().round();
     let slices = (slices as usize).clamp(1, blocks);
     sort(order, &particles.x);

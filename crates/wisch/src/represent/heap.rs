@@ -1,34 +1,35 @@
-//! Room that dirt needs when it is carried together.
+//! Space that dirt takes when a tool carries it together.
 //!
-//! Particles do not touch each other in the effect model, so whatever a tool carries rides on one line. Real
-//! dirt heaps up before the tool: some of it lies ahead of that line, falls over an edge that the tool does not
-//! reach, and comes to rest elsewhere. On a slope it does so farther down.
+//! In the effect model particles do not touch each other, so everything that a tool carries is on one line. Real dirt
+//! heaps up before the tool. Part of it lies ahead of that line, falls over an edge that the tool does not reach, and
+//! comes to rest in other places. On a slope it comes to rest farther down.
 
 use super::{ParticleField, Surface, ToolMotion};
 use crate::geometry::{Pose, Vector2, Vector3};
 use crate::random::keyed_uniform;
 
-/// Usual depth of a heap of all particles before a tool, over the radius r_s of the tool's collision sphere
-/// [1]: what the simulated crumbs need before a sponge that comes at an angle.
+/// Usual depth of a heap of all particles before a tool, over the radius r_s of the tool's collision sphere [1].
+/// Simulated crumbs take this space before a sponge that moves at an angle.
 pub const HEAP_DEPTH: f64 = 0.35;
 
-/// Depth of a heap of a share of the particles, where one of all of them has `depth_of_all` [m]: the ground
-/// that it covers grows with what lies in it.
+/// Returns the depth [m] of a heap that holds this share of the particles, if a heap of all of them has `depth_of_all`
+/// [m]: the covered area is proportional to the number of particles.
 pub fn heap_depth(depth_of_all: f64, share: f64) -> f64 {
+    // The area is proportional to the share, so the depth is to its square root.
     depth_of_all * share.max(0.0).sqrt()
 }
 
-/// Friction of dirt on a surface [1]: what lies on a slope of up to 42° stays there. An assumption; simulated grains have
-/// 0.8.
+/// Friction coefficient of dirt on a surface [1]: dirt rests on a slope of up to 42°. An assumption; simulated grains
+/// have 0.8.
 const FRICTION: f64 = 0.9;
-/// Most of this friction that a slope takes up [1]: what is steeper sheds its dirt by itself.
+/// Largest share of this friction that a slope takes up [1]; a steeper slope sheds its dirt by itself.
 const MAX_SHEDDING: f64 = 0.8;
 
-/// How much farther down a slope a heap comes to rest that a motion carried along, as a multiple of its depth and a
-/// direction in the surface's frame [1].
+/// Returns how much farther down a slope a carried heap comes to rest, as a multiple of its depth, in the surface frame
+/// [1].
 ///
-/// Friction brakes what slides the less, the more of it holds against the slope: of a motion straight down,
-/// 1 − tan θ/μ is left, of one straight up 1 + tan θ/μ.
+/// `along`: direction of the motion, a unit vector in the surface frame. The slope reduces or increases the friction
+/// that stops the heap: 1 − tan θ/μ of it remains for a motion straight down, 1 + tan θ/μ for one straight up.
 ///
 /// ```
 /// # use wisch::geometry::*;
@@ -52,22 +53,22 @@ pub fn heap_slide(world_from_surface: &Pose, along: Vector2) -> Vector2 {
     down * (shedding / (1.0 - shedding * down.dot(&along)))
 }
 
-/// Tell apart the random numbers for the place in a heap, ahead and beside.
+/// Keys of the random numbers for the place in a heap, ahead and beside.
 const PLACES: [u64; 2] = [0x6865_6170_6168_6561, 0x6865_6170_7369_6465];
 
-/// What a tool carries.
+/// The particles that a tool carries.
 #[derive(Debug, Clone)]
 pub(super) struct Heap {
     /// Depth of a heap of all particles [m].
     depth_of_all: f64,
     seed: u64,
-    /// Contacts so far.
+    /// Number of contacts so far.
     contact: u32,
-    /// The particles, by index in the distribution.
+    /// Carried particles, by index in the distribution.
     carried: Vec<usize>,
     /// Direction of the motion.
     along: Vector2,
-    /// How much farther the heap slides down, over its depth.
+    /// Extra slide of the heap down the slope, over its depth [1].
     slide: Vector2,
 }
 
@@ -83,25 +84,25 @@ impl Heap {
         }
     }
 
-    /// Nothing is carried, after so many contacts.
+    /// Sets the number of contacts so far; nothing is carried.
     pub(super) fn resume(&mut self, contacts: u32) {
         self.carried.clear();
         self.contact = contacts;
     }
 
-    /// A motion begins.
+    /// Begins a motion.
     pub(super) fn begin(&mut self, motion: &ToolMotion, surface: &Surface) {
         self.carried.clear();
         self.along = motion.travel().0;
         self.slide = heap_slide(&surface.world_from_surface, self.along);
     }
 
-    /// The motion carries a particle.
+    /// Records a particle that the motion carries.
     pub(super) fn carry(&mut self, particle: usize) {
         self.carried.push(particle);
     }
 
-    /// The motion is over: what lies ahead of the rest may have fallen. Returns how many did.
+    /// Ends a motion: particles ahead of the heap's front edge may have fallen. Returns the number of fallen ones.
     pub(super) fn spill(&self, field: &mut ParticleField, surface: &Surface) -> usize {
         let fallen = self.carried.iter().filter(|&&particle| {
             let ahead = self.offset(particle, field).x;
@@ -110,7 +111,7 @@ impl Heap {
         fallen.count()
     }
 
-    /// The tool has lifted off: the heap stays as it lies.
+    /// Ends the contact: the heap comes to rest in its shape.
     pub(super) fn come_to_rest(&mut self, field: &mut ParticleField, surface: &Surface) {
         let side = Vector2::new(-self.along.y, self.along.x);
         for &particle in &self.carried {
@@ -122,7 +123,7 @@ impl Heap {
         self.contact += 1;
     }
 
-    /// Where in the heap a particle lies, along the motion and beside it [m].
+    /// Returns the place of a particle in the heap, along the motion and beside it [m].
     fn offset(&self, particle: usize, field: &ParticleField) -> Vector2 {
         let share = self.carried.len() as f64 / field.len().max(1) as f64;
         let depth = heap_depth(self.depth_of_all, share);

@@ -1,9 +1,9 @@
-//! Task performance: which share of the particles is where the action wants them; (4), (5), (6).
+//! Task performance: the share of the particles that are where the action wants them; (4), (5), (6).
 
 use super::{Action, Fate, ParticleDistribution, Surface};
 use crate::geometry::Point2;
 
-/// What the particles are measured against.
+/// Goal of a task, against which the particles are measured.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum GoalState {
     /// Every particle deleted (4).
@@ -15,29 +15,29 @@ pub enum GoalState {
         /// r_s [m].
         radius: f64,
     },
-    /// Every particle off the surface, over an edge where that is allowed (6).
+    /// Every particle off the surface, over permitted edges only (6).
     Skimmed,
-    /// Every place passed so often.
+    /// Every place passed this many times.
     Polished {
-        /// Passes, counted whole: the nearest number to what was slid.
+        /// Passes over each place; measured passes are rounded.
         passes: u32,
     },
-    /// Every place so thick, within [`THICKNESS_TOLERANCE`].
+    /// Every place coated to this thickness, within [`THICKNESS_TOLERANCE`].
     Emitted {
-        /// Wanted [m].
+        /// Target thickness [m].
         thickness: f64,
-        /// What one pass leaves [m].
+        /// Thickness that one pass leaves [m].
         per_pass: f64,
     },
 }
 
-/// By how much of the wanted thickness a coat may be off [1].
+/// Tolerance of a coat as a share of the target thickness [1].
 pub const THICKNESS_TOLERANCE: f64 = 0.2;
-/// What is slid of a pass from which on it counts as one [1].
+/// Share of a pass from which it counts as one [1].
 const COUNTED_PASS: f64 = 0.5;
 
 impl GoalState {
-    /// The action that strives for this state.
+    /// Action that reaches this goal.
     pub fn action(&self) -> Action {
         match self {
             Self::Absorbed => Action::Absorb,
@@ -48,7 +48,7 @@ impl GoalState {
         }
     }
 
-    /// How many whole passes a place that has so many still needs: 0 where it is done.
+    /// Returns the number of whole passes that a place with `passes` passes still needs; 0 if it is done.
     pub fn missing_passes(&self, passes: f64) -> u32 {
         let wanted = match *self {
             Self::Polished { passes } => f64::from(passes),
@@ -61,7 +61,7 @@ impl GoalState {
         (wanted - passes).round().max(0.0) as u32
     }
 
-    /// Whether nothing brings a particle back that does not meet the goal: it is over a wrong edge, or under too thick a coat.
+    /// Whether a particle misses the goal for good: it fell over a wrong edge, or its coat is too thick.
     pub fn is_lost(&self, fate: Fate) -> bool {
         match (self, fate) {
             (_, Fate::OffSurface { .. }) => true,
@@ -76,7 +76,7 @@ impl GoalState {
         }
     }
 
-    /// Whether one particle is where the goal wants it.
+    /// Whether a particle is where the goal wants it; `position` in the surface frame [m].
     pub fn is_met_by(&self, position: Point2, fate: Fate, surface: &Surface) -> bool {
         match (self, fate) {
             (Self::Absorbed, Fate::Absorbed) => true,
@@ -99,14 +99,14 @@ impl GoalState {
     }
 }
 
-/// How well a distribution meets a goal.
+/// Counts of particles that meet or miss a goal.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Performance {
-    /// Particles there were at the beginning.
+    /// Number of particles in all.
     pub initial: usize,
-    /// Particles where the goal wants them.
+    /// Number of particles that meet the goal.
     pub achieved: usize,
-    /// Particles pushed over an edge over which they should not go, and places under too thick a coat.
+    /// Number of particles pushed over a wrong edge, or of places with too thick a coat.
     pub lost: usize,
 }
 
@@ -127,7 +127,7 @@ impl Performance {
         performance
     }
 
-    /// Achieved share in [0, 1]; 1 where there was nothing to do.
+    /// Achieved share in [0, 1]; 1 if there are no particles.
     pub fn ratio(&self) -> f64 {
         if self.initial == 0 {
             1.0

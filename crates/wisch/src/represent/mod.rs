@@ -1,4 +1,4 @@
-//! Task, surface, tool, medium, and dirt as particles, with the one model of what wiping does to them.
+//! Task, surface, tool, medium and dirt particles, with the single model of the effect of wiping.
 
 mod effect;
 mod field;

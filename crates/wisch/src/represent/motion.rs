@@ -1,14 +1,13 @@
-//! The motion of a tool in contact.
+//! Motion of a tool in contact.
 
 use crate::geometry::{PlanarPose, Vector2};
 
-/// Distance kept between a carried particle and the footprint, so that rounding never puts it back
-/// under the tool [m].
+/// Distance kept between a carried particle and the footprint [m], so that rounding never puts it back under the tool.
 pub(super) const CLEARANCE: f64 = 1e-9;
 
-/// A motion of the tool in contact: position and heading change linearly from one pose to the other.
+/// A motion of the tool in contact: position and yaw change linearly from one pose to the other.
 ///
-/// The turn is `to.heading - from.heading`, not wrapped: the caller chooses which way round.
+/// The rotation is `to.heading - from.heading`, not wrapped, so the caller chooses its direction.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ToolMotion {
     /// Pose of the tool in the surface frame at the beginning.
@@ -18,7 +17,7 @@ pub struct ToolMotion {
 }
 
 impl ToolMotion {
-    /// Direction of travel (a unit vector; x where there is none) and distance travelled [m].
+    /// Returns the direction of travel (a unit vector; x if there is no travel) and the distance [m].
     pub fn travel(&self) -> (Vector2, f64) {
         let travel: Vector2 = self.to.position - self.from.position;
         let length = travel.norm();
@@ -29,7 +28,7 @@ impl ToolMotion {
         }
     }
 
-    /// How far the tool turns on the way, positive counter-clockwise [rad].
+    /// Rotation of the tool, positive counter-clockwise [rad].
     pub fn turn(&self) -> f64 {
         self.to.heading - self.from.heading
     }

@@ -1,15 +1,14 @@
-//! What a camera sees of the dirt, and how far that can be trusted.
+//! Camera observations of dirt, with the sensor model.
 
 use super::GrainSize;
 use crate::geometry::{Point2, Point3, Polygon, Pose, Region};
 
-/// Most detections that an executor may hand over for one look.
+/// Most detections that an executor may return for one observation.
 pub const MAX_DETECTIONS: usize = 100_000;
 
-/// What was seen of a surface at one moment, in the frame of the believed surface.
+/// Detections of dirt on a surface at one moment, in the frame of the believed surface.
 ///
-/// Nothing is known of what lies in [`Self::hidden`]; elsewhere, a particle that is not among the detections was
-/// missed, or is not there.
+/// Nothing is known about [`Self::hidden`]. Anywhere else, a particle without a detection was missed or is not there.
 ///
 /// ```
 /// use wisch::geometry::Point2;
@@ -19,20 +18,20 @@ pub const MAX_DETECTIONS: usize = 100_000;
 /// ```
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Observation {
-    /// Where dirt was seen [m], each spot once.
+    /// Places of detected dirt [m], each once.
     pub detections: Vec<Point2>,
-    /// Where nothing could be seen, such as behind an arm.
+    /// Occluded area, such as that behind an arm.
     pub hidden: Region,
 }
 
 impl Observation {
-    /// Whether a place could not be seen.
+    /// Whether a place is occluded.
     pub fn is_hidden(&self, place: Point2) -> bool {
         self.hidden.contains(place)
     }
 
-    /// The same in the frame of a surface that is believed elsewhere, projected onto it along its normal; `now_from_then` is
-    /// the pose of the surface it was seen on in the frame of the other.
+    /// Returns the observation in the frame of a surface at another pose, projected onto it along its normal.
+    /// `now_from_then` is the pose of the observed surface in the frame of the other one.
     ///
     /// ```
     /// use wisch::geometry::{Point2, Pose};
@@ -55,36 +54,36 @@ impl Observation {
     }
 }
 
-/// How well dirt is seen.
+/// Detection rate and noise of a camera for dirt.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SensorModel {
     /// Probability that a grain much larger than `half_size_m` is detected [1].
     pub detection: f64,
     /// Diameter at which this probability is halved [m].
     pub half_size_m: f64,
-    /// Detections where nothing lies, per area [1/m²].
+    /// Density of false alarms [1/m²].
     pub false_alarms_per_m2: f64,
-    /// Standard deviation of where a grain is seen, along x and along y [m].
+    /// Standard deviation of a detection's position, along x and along y [m].
     pub position_error_m: f64,
 }
 
-/// Whether and how well a robot sees dirt of a medium.
+/// Detection of a medium's dirt by a robot's camera.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Sight {
-    /// How well dirt is seen.
+    /// Detection rate and noise of the camera.
     pub sensor: SensorModel,
     /// Probability that a grain of this medium is detected where nothing hides it [1]; see
     /// [`SensorModel::mean_detection`].
     pub detection: f64,
 }
 
-/// How steeply detection rises about the half size.
+/// Exponent of the detection rate about the half size.
 const STEEPNESS: i32 = 4;
-/// Diameters over which the mean over a range of sizes is taken.
+/// Number of diameters over which the mean over a range of sizes is taken.
 const SIZES: usize = 16;
 
 impl SensorModel {
-    /// Probability that a grain of this diameter [m] is detected where nothing hides it [1].
+    /// Returns the probability that an unoccluded grain of this diameter [m] is detected [1].
     pub fn detection_of(&self, diameter: f64) -> f64 {
         if self.half_size_m <= 0.0 {
             return self.detection;
@@ -92,7 +91,8 @@ impl SensorModel {
         self.detection / (1.0 + (self.half_size_m / diameter).powi(STEEPNESS))
     }
 
-    /// The same for a grain of unknown size, mean over a medium's sizes; `None` is a liquid, whose drops count as large.
+    /// Returns the mean detection probability over a medium's grain sizes [1]; `None` is a liquid, whose drops count as
+    /// large.
     pub fn mean_detection(&self, sizes: Option<GrainSize>) -> f64 {
         let Some(sizes) = sizes else {
             return self.detection;
@@ -106,7 +106,7 @@ impl SensorModel {
 }
 
 impl Default for SensorModel {
-    /// A camera half a metre above the surface, a grain of half a millimetre on one pixel: an assumption.
+    /// An assumption: a camera 0.5 m above the surface, with a grain of 0.5 mm on one pixel.
     fn default() -> Self {
         Self {
             detection: 0.98,

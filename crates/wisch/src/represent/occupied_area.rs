@@ -1,12 +1,12 @@
-//! Where the objects of a scene stand on the target surface.
+//! Area of the target surface that the objects of a scene occupy.
 
 use crate::geometry::{Bounds2, Edge, Mesh, Point2, Point3, encloses};
 
-/// Geometry closer to the surface's plane than this counts as part of it [m].
+/// Distance from the surface's plane below which geometry counts as part of it [m].
 pub const SURFACE_SKIN: f64 = 1e-4;
 
-/// The part of the surface's plane that the solids of a scene cover: per object, its section just
-/// above the plane.
+/// The part of the surface's plane that the solids of a scene cover. Each object contributes its section just above the
+/// plane.
 ///
 /// ```
 /// use wisch::geometry::{Mesh, Point2, Pose, Vector3};
@@ -19,14 +19,14 @@ pub const SURFACE_SKIN: f64 = 1e-4;
 /// ```
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct OccupiedArea {
-    /// Per object, the outline of its solid in the plane of the surface (unordered edges).
+    /// Outline of each object's section in the plane of the surface, as unordered edges.
     sections: Vec<Vec<Edge>>,
-    /// Of each section the rectangle round it.
+    /// Bounding box of each section.
     bounds: Vec<Bounds2>,
 }
 
 impl OccupiedArea {
-    /// The sections of meshes in the surface frame.
+    /// Cuts meshes, given in the surface frame, just above the plane.
     pub fn of<'a>(scene_in_surface: impl IntoIterator<Item = &'a Mesh>) -> Self {
         let sections = scene_in_surface.into_iter().map(section);
         let bounded = sections.filter_map(|edges| {
@@ -38,12 +38,12 @@ impl OccupiedArea {
         Self { sections, bounds }
     }
 
-    /// Per object that reaches down to the plane, the outline of its section as unordered edges [m].
+    /// Outline of the section of each object that reaches the plane, as unordered edges [m].
     pub fn sections(&self) -> &[Vec<Edge>] {
         &self.sections
     }
 
-    /// Whether an object stands on this point (even–odd rule per object).
+    /// Whether an object covers a point (even–odd rule per object).
     pub fn contains(&self, point: Point2) -> bool {
         let mut sections = self.sections.iter().zip(&self.bounds);
         sections
@@ -51,7 +51,7 @@ impl OccupiedArea {
     }
 }
 
-/// Where a mesh cuts the plane just above the surface.
+/// Returns the section of a mesh just above the plane of the surface.
 fn section(mesh: &Mesh) -> Vec<Edge> {
     let cut = |a: Point3, b: Point3| {
         ((a.z > SURFACE_SKIN) != (b.z > SURFACE_SKIN)).then(|| {

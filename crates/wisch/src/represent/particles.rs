@@ -1,38 +1,38 @@
-//! The particle distribution (1): dirt as points on the surface, and what became of each.
+//! The particle distribution (1): dirt as points on the surface, with the fate of each.
 
 use crate::geometry::Point2;
 
-/// Most particles a distribution may hold: planning and predicting takes some 300 bytes for each.
+/// Most particles of a distribution; planning and prediction take about 300 bytes for each.
 pub const MAX_PARTICLES: usize = 5_000_000;
 
-/// Where a particle is: on the surface, in a tool, or over an edge; or how much a place of the surface was treated. Only the
-/// effect model changes it.
+/// Fate of a particle: on the surface, absorbed by a tool, off the surface, or treated as a place of the surface. Only
+/// the effect model changes it.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub enum Fate {
-    /// It still lies on the surface.
+    /// The particle is on the surface.
     #[default]
     OnSurface,
-    /// A tool took it up.
+    /// A tool absorbed the particle.
     Absorbed,
-    /// It was pushed over an edge of the surface's outline.
+    /// The particle was pushed over an edge of the surface's outline.
     OffSurface {
         /// Index of that edge, see [`crate::geometry::Polygon::edges`].
         edge: u16,
     },
-    /// It is a place of the surface, over which a tool slid.
+    /// The particle is a place of the surface over which a tool slid.
     Treated {
-        /// How often: the way that the tool slid over the place, over the mean length of its footprint along itself [1].
+        /// Number of passes: travel of the tool over the place, over the mean length of its footprint [1].
         passes: f64,
     },
 }
 
 impl Fate {
-    /// Whether the particle is there still.
+    /// Whether the particle is on the surface.
     pub fn is_on_surface(self) -> bool {
         matches!(self, Self::OnSurface | Self::Treated { .. })
     }
 
-    /// How often a tool slid over it [1].
+    /// Number of passes of a tool over the particle [1].
     pub fn passes(self) -> f64 {
         match self {
             Self::Treated { passes } => passes,
@@ -41,7 +41,7 @@ impl Fate {
     }
 }
 
-/// Why positions do not make a [`ParticleDistribution`].
+/// A reason why positions do not make a [`ParticleDistribution`].
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum ParticleError {
     /// A coordinate is NaN or infinite.
@@ -57,14 +57,14 @@ pub enum ParticleError {
     /// More particles than [`MAX_PARTICLES`].
     #[error("{count} particles exceed the limit of {MAX_PARTICLES}")]
     TooMany {
-        /// How many were given.
+        /// Number of particles given.
         count: usize,
     },
 }
 
-/// N points (x, y) in the surface frame [m] and their fates; paper (1).
+/// N points (x, y) in the surface frame [m] with their fates; paper (1).
 ///
-/// The three fates always add up to the initial number: [`ParticleTally::initial`] is constant.
+/// No particle is created or lost: [`ParticleTally::initial`] is constant.
 ///
 /// ```
 /// use wisch::{geometry::Point2, represent::ParticleDistribution};
@@ -79,21 +79,21 @@ pub struct ParticleDistribution {
     pub(super) fate: Vec<Fate>,
 }
 
-/// How many particles met which fate.
+/// Number of particles by fate.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct ParticleTally {
-    /// Particles there were at the beginning.
+    /// Number of particles in all.
     pub initial: usize,
-    /// Particles that still lie on the surface.
+    /// Number of particles on the surface.
     pub remaining: usize,
-    /// Particles that a tool took up.
+    /// Number of particles that a tool absorbed.
     pub absorbed: usize,
-    /// Particles that left the surface over any edge.
+    /// Number of particles that left the surface over any edge.
     pub off_surface: usize,
 }
 
 impl ParticleDistribution {
-    /// Particles lying on the surface at the given points [m].
+    /// Returns particles on the surface at these points (surface frame [m]).
     ///
     /// # Errors
     /// A point that is not finite, or more than [`MAX_PARTICLES`] points.
@@ -121,7 +121,7 @@ impl ParticleDistribution {
         })
     }
 
-    /// Particles with what became of them; for one that is gone, the position is where it went [m].
+    /// Returns particles with their fates; the position of one that is gone is where it went [m].
     ///
     /// # Errors
     /// As [`ParticleDistribution::new`].
@@ -133,14 +133,14 @@ impl ParticleDistribution {
         })
     }
 
-    /// Puts a particle to another place, with another fate.
+    /// Sets position and fate of a particle.
     pub(crate) fn put(&mut self, index: usize, place: Point2, fate: Fate) {
         self.x[index] = place.x;
         self.y[index] = place.y;
         self.fate[index] = fate;
     }
 
-    /// Those with these numbers, in this order.
+    /// Returns the particles with these indices, in their order.
     pub(crate) fn chosen(&self, numbers: &[usize]) -> Self {
         let mut chosen = Self {
             x: Vec::new(),
@@ -155,42 +155,42 @@ impl ParticleDistribution {
         chosen
     }
 
-    /// Number of particles, whatever their fate.
+    /// Number of particles of any fate.
     pub fn len(&self) -> usize {
         self.fate.len()
     }
 
-    /// Whether there are no particles at all.
+    /// Whether there are no particles.
     pub fn is_empty(&self) -> bool {
         self.fate.is_empty()
     }
 
-    /// Position of particle `index` in the surface frame [m]; for one that is gone, where it went.
+    /// Position of particle `index` in the surface frame [m]; for a particle that is gone, where it went.
     pub fn position(&self, index: usize) -> Point2 {
         Point2::new(self.x[index], self.y[index])
     }
 
-    /// Fate of particle `index`, counted as they were given.
+    /// Fate of particle `index`, in the order of creation.
     ///
     /// # Panics
-    /// If there are not so many.
+    /// If `index` is not below [`Self::len`].
     pub fn fate(&self, index: usize) -> Fate {
         self.fate[index]
     }
 
-    /// All particles in order: position [m] and fate.
+    /// Positions [m] and fates of all particles, in order.
     pub fn iter(&self) -> impl Iterator<Item = (Point2, Fate)> + '_ {
         (0..self.len()).map(|i| (self.position(i), self.fate[i]))
     }
 
-    /// Positions of the particles that still lie on the surface [m].
+    /// Positions of the particles on the surface [m].
     pub fn remaining(&self) -> impl Iterator<Item = Point2> + '_ {
         self.iter()
             .filter(|(_, fate)| fate.is_on_surface())
             .map(|(position, _)| position)
     }
 
-    /// Number of particles by fate; they add up to [`Self::len`].
+    /// Returns the number of particles by fate; the numbers sum to [`Self::len`].
     pub fn tally(&self) -> ParticleTally {
         let mut tally = ParticleTally {
             initial: self.len(),

@@ -1,29 +1,29 @@
-//! The geometric environment: the objects of the scene and what each is to the wiping tool.
+//! Objects of the scene, with their roles in the task.
 
 use crate::geometry::{Mesh, Pose};
 
-/// What an object is to the task.
+/// Role of an object in the task.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum ScenePart {
-    /// It stands in the way of robot and tool.
+    /// An obstacle for robot and tool.
     Obstacle,
-    /// Its face is the target surface: in the way of the robot, touched by the tool.
+    /// The object whose face is the target surface: an obstacle for the robot, touched by the tool.
     Carrier,
-    /// It shows where the robot stands.
+    /// A picture of the robot at its place.
     Robot,
-    /// It shows the tool.
+    /// A picture of the tool.
     Tool,
 }
 
-/// One object of the scene, as a mesh in the world frame.
+/// An object of the scene, as a mesh at a pose in the world.
 #[derive(Debug, Clone)]
 pub struct SceneObject {
     /// Name in the task file.
     pub name: String,
-    /// What it is to the task.
+    /// Role in the task.
     pub part: ScenePart,
-    /// Its surface in its own frame [m].
+    /// Its mesh in its own frame [m].
     pub mesh: Mesh,
-    /// Where it stands.
+    /// Its pose in the world.
     pub world_from_object: Pose,
 }

@@ -1,20 +1,21 @@
-//! Dirt that cannot rest on a slope: it slides before anything is wiped.
+//! Loose dirt on a steep surface, which slides before the first round.
 
 use super::{Fate, MediumKind, OccupiedArea, ParticleDistribution, Surface};
 use crate::geometry::{Bounds2, Mesh, Point2, Vector2, Vector3};
 
-/// Step at which a sliding particle looks for an object before it [m], and most steps.
+/// Step at which the path of a sliding particle is checked for objects [m], and most steps.
 const STEP: f64 = 0.002;
 const MAX_STEPS: f64 = 500.0;
-/// How far beyond a border a particle that slid over it is put [m].
+/// Distance beyond a border at which a particle that slid over it is placed [m].
 const BEYOND: f64 = 1e-3;
 
-/// Friction of dirt at rest on a surface, for grains and for what is wet [1].
+/// Friction coefficients of dry grains and of wet dirt at rest on a surface [1].
 const DRY_FRICTION: f64 = 0.8;
 const WET_FRICTION: f64 = 1.5;
 
-/// Coefficient of friction of dirt that lies on a surface [1]: grains hold by their edges and wet dirt by adhesion, at least as well
-/// as a tool slides on the surface, whose friction is `of_surface` [1]. An assumption, the same in prediction and simulation.
+/// Returns the friction coefficient of dirt at rest on a surface [1]. Grains hold by their edges and wet dirt by
+/// adhesion, at least as well as a tool slides on the surface, whose friction is `of_surface` [1]. An assumption, the
+/// same in prediction and simulation.
 pub fn dirt_friction(kind: MediumKind, of_surface: f64) -> f64 {
     let of_dirt = match kind {
         MediumKind::Solid | MediumKind::Powder => DRY_FRICTION,
@@ -23,16 +24,16 @@ pub fn dirt_friction(kind: MediumKind, of_surface: f64) -> f64 {
     of_surface.max(of_dirt)
 }
 
-/// A surface too steep for loose dirt.
+/// A surface too steep for loose dirt to rest on.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SteepSurface {
     /// Angle between the surface's normal and the vertical [rad].
     pub slope: f64,
     /// Coefficient of friction of the dirt on the surface [1], see [`dirt_friction`].
     pub friction: f64,
-    /// Particles that lay on the surface before they slid.
+    /// Number of particles on the surface before they slid.
     pub lay: usize,
-    /// Particles that slid over a border or into a hole.
+    /// Number of particles that slid over a border or into a hole.
     pub left: usize,
 }
 
@@ -54,15 +55,15 @@ impl std::fmt::Display for SteepSurface {
         };
         write!(
             f,
-            "the dirt slides: the surface is too steep, {steep}; {left} of {lay} particles leave the surface before anything is wiped"
+            "the surface is too steep for the dirt to rest, {steep}: {left} of {lay} particles slide off before the first round"
         )
     }
 }
 
-/// Lets loose dirt slide down a surface whose slope exceeds its friction, each particle straight down until it meets an object of
-/// the scene, a hole or a border; `None` where the dirt rests: tan(slope) is at most the friction.
+/// Lets loose dirt slide down a surface whose slope exceeds its friction. Each particle moves straight down until it
+/// meets an object, a hole or a border. `None` if the dirt rests, that is if tan(slope) is at most the friction.
 ///
-/// `obstacles`: meshes in the surface frame. Particles that are gone already stay as they are.
+/// `obstacles`: meshes in the surface frame. Particles that are already gone stay as they are.
 pub fn slide_down(
     particles: &ParticleDistribution,
     surface: &Surface,
@@ -71,13 +72,13 @@ pub fn slide_down(
 ) -> Option<(ParticleDistribution, SteepSurface)> {
     let down = surface.world_from_surface.rotation.inverse() * -Vector3::z();
     let (along, into) = (Vector2::new(down.x, down.y), -down.z);
-    // Gravity along the surface against friction by what presses the dirt on it.
+    // Gravity along the surface against Coulomb friction from gravity into it.
     if along.norm() <= friction * into {
         return None;
     }
     let bounds = Bounds2::of(surface.outline.outer().iter().copied())?;
     let length = bounds.size().norm() + BEYOND;
-    // Under a ceiling it falls, and where to makes no difference.
+    // Under a ceiling dirt falls, in a direction that does not matter.
     let direction = along.try_normalize(1e-9).unwrap_or_else(Vector2::x);
     let occupied = OccupiedArea::of(obstacles);
     let mut slid = particles.clone();
@@ -87,10 +88,10 @@ pub fn slide_down(
             continue;
         }
         lay += 1;
-        let end = off_surface(surface, from, direction, length);
+        let end = exit_point(surface, from, direction, length);
         let way = (end - from).norm();
         let stopped = (!obstacles.is_empty() && into > 0.0)
-            .then(|| stopped_at(&occupied, from, direction, way))
+            .then(|| find_stop(&occupied, from, direction, way))
             .flatten();
         match stopped {
             Some(place) => slid.put(index, place, Fate::OnSurface),
@@ -111,8 +112,8 @@ pub fn slide_down(
     Some((slid, steep))
 }
 
-/// Where a straight way leaves the surface.
-fn off_surface(surface: &Surface, from: Point2, direction: Vector2, length: f64) -> Point2 {
+/// Returns where a straight move leaves the surface.
+fn exit_point(surface: &Surface, from: Point2, direction: Vector2, length: f64) -> Point2 {
     let leaves = |edge: crate::geometry::Edge| {
         let border = edge.end - edge.start;
         let divisor = direction.perp(&border);
@@ -124,8 +125,8 @@ fn off_surface(surface: &Surface, from: Point2, direction: Vector2, length: f64)
     from + direction * ways.fold(length, f64::min)
 }
 
-/// The place before the first object on the way, if there is one.
-fn stopped_at(
+/// Returns the place before the first object on a straight move, if there is one.
+fn find_stop(
     occupied: &OccupiedArea,
     from: Point2,
     direction: Vector2,
@@ -170,7 +171,7 @@ mod tests {
         assert_eq!((steep.lay, steep.left), (3, 3));
         assert!((steep.slope - 0.7).abs() < 1e-12);
         for ((before, _), (after, fate)) in dirt().iter().zip(slid.iter()) {
-            // Straight down to x = −0.3 or 0.3, whichever is lower.
+            // Straight down to x = −0.3 or 0.3, the lower of the two.
             let world_from_surface = leaning(0.7).world_from_surface;
             let lower = |p: Point2| (world_from_surface * nalgebra::Point3::new(p.x, p.y, 0.0)).z;
             assert!(lower(after) < lower(before));

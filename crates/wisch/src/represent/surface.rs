@@ -2,44 +2,44 @@
 
 use crate::geometry::{Edge, Mesh, MeshError, Point2, Polygon, Pose, prism_below};
 
-/// A planar target surface. Its frame has z pointing out of the surface.
+/// A planar target surface. The z axis of its frame points out of the surface.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Surface {
-    /// Name, as the knowledge base and PDDL goals call it.
+    /// Name in the knowledge base and in PDDL goals.
     pub name: String,
     /// Outline in the surface frame [m].
     pub outline: Polygon,
-    /// Where the surface stands in the world.
+    /// Pose of the surface in the world.
     pub world_from_surface: Pose,
     /// Indices of the outline's edges over which a skim may push particles.
     pub skim_edges: Vec<usize>,
 }
 
-/// What is under a point of the surface's plane.
+/// What lies at a point of the surface's plane.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Ground {
     /// The surface.
     Surface,
-    /// One of its holes, by its number.
+    /// A hole of the surface, by its index.
     Hole(usize),
     /// Nothing: the point is beyond the outer border.
     Beyond,
 }
 
-/// A part of a straight way over the plane of a surface.
+/// A part of a straight move over the plane of a surface.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct WayPart {
-    /// What is under it.
+    /// What lies under the part.
     pub ground: Ground,
-    /// Where it begins and ends, as shares of the way.
+    /// Begin and end of the part, as shares of the move [1].
     pub shares: [f64; 2],
 }
 
-/// A part of a way that is shorter than this counts as none [m]: a way along a border stays on the surface.
+/// Least length of a part [m]: a move along a border stays on the surface.
 const LEAST_PART: f64 = 1e-6;
 
 impl Surface {
-    /// What is under a point of the plane. Points on a border fall to either side.
+    /// Returns what lies at a point of the plane (surface frame [m]). A point on a border belongs to either side.
     pub fn ground(&self, point: Point2) -> Ground {
         let ring = |ring: &[Point2]| Polygon::new(ring.to_vec(), Vec::new()).contains(point);
         if self.outline.contains(point) {
@@ -51,7 +51,7 @@ impl Surface {
         }
     }
 
-    /// What a straight way passes over, in order; neighbouring parts differ. A single point is one part.
+    /// Returns the parts of a straight move, in order; adjacent parts differ. A move of length 0 has one part.
     pub fn parts_of_way(&self, from: Point2, to: Point2) -> Vec<WayPart> {
         let along = to - from;
         let length = along.norm();
@@ -64,7 +64,7 @@ impl Surface {
             }
             let share = (edge.start - from).perp(&border) / divisor;
             let on_border = (edge.start - from).perp(&along) / divisor;
-            // An end of an edge belongs to both edges that meet there.
+            // A vertex belongs to both of its edges.
             if (0.0..=1.0).contains(&share) && (-1e-9..=1.0 + 1e-9).contains(&on_border) {
                 shares.push(share);
             }
@@ -94,8 +94,8 @@ impl Surface {
         parts
     }
 
-    /// Whether a tool that is pressed along a straight way stays carried: it passes over no hole, and is beyond the border only
-    /// before it has come on the surface and after it has left it for good.
+    /// Whether the surface carries a tool that is pressed along a straight move. The move crosses no hole, and is
+    /// beyond the border only before it first reaches the surface and after it has left it for good.
     pub fn carries_between(&self, from: Point2, to: Point2) -> bool {
         if self.outline.is_convex() {
             return true;
@@ -109,9 +109,9 @@ impl Surface {
         })
     }
 
-    /// The edge over which a straight move from `from` (on the surface) to `to` leaves it first.
+    /// Returns the edge over which a straight move from `from` (on the surface) to `to` first leaves the surface.
     ///
-    /// A move that ends inside but crosses a notch on its way has left the surface all the same.
+    /// A move that ends inside but crosses a notch has left the surface.
     pub fn exit_edge(&self, from: Point2, to: Point2) -> Option<usize> {
         self.outline
             .edges()
@@ -121,24 +121,25 @@ impl Surface {
             .map(|(_, index)| index)
     }
 
-    /// What lies under the surface down to a depth [m], in the surface frame: the outline with its holes, as a closed mesh.
+    /// Returns the body under the surface down to a depth [m], in the surface frame: the outline with its holes, as a
+    /// closed mesh.
     ///
     /// # Errors
-    /// If the outline has no area.
+    /// An outline without area.
     pub(crate) fn solid_below(&self, depth: f64) -> Result<Mesh, MeshError> {
         prism_below(&self.outline, depth)
     }
 
-    /// Whether edge `index` is one over which a skim may push.
+    /// Whether a skim may push particles over edge `index`.
     pub fn is_skim_edge(&self, index: usize) -> bool {
         self.skim_edges.contains(&index)
     }
 }
 
-/// Where along `from → to` (0..1) the move crosses the edge outwards; `None` if it does not.
+/// Share of the move `from → to` (0..1) at which it crosses the edge outwards; `None` if it does not.
 fn crossing(from: Point2, to: Point2, edge: &Edge) -> Option<f64> {
     let along = edge.end - edge.start;
-    // The interior lies left of the edge: positive side = inside.
+    // The interior lies left of an edge, so a positive side is inside.
     let side_from = along.perp(&(from - edge.start));
     let side_to = along.perp(&(to - edge.start));
     if side_from < 0.0 || side_to >= 0.0 {

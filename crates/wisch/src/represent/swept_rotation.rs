@@ -1,35 +1,35 @@
-//! A particle's encounter with a footprint that moves and turns at once.
+//! Encounter of a particle with a footprint that moves and turns at once.
 //!
-//! In the tool frame a resting particle runs along a smooth curve, and a carried one rests. Entry into
-//! the footprint is found by Newton's method where bounds on the curve say that it comes over one edge
-//! only and at most once, else by bisection with a bound on its deviation from its chord; release from
-//! the leading boundary in closed form. Where a released particle would be touched again at once, it
-//! slides: it follows the point of the edge that moves along itself, neither towards nor away from the
-//! particle. All of this is exact to about 1e-9 m whatever the turn.
+//! In the tool frame a resting particle follows a smooth curve, and a carried one rests. The entry into the footprint
+//! is found by Newton's method if bounds on the curve show that it crosses a single edge at most once, else by
+//! bisection with a bound on the curve's deviation from its chord. The release from the leading boundary has a closed
+//! form. A released particle that would be touched again at once slides instead: it follows the point of the edge that
+//! moves along the edge, neither towards the particle nor away from it. The result is exact to about 1e-9 m for any
+//! rotation.
 
 use super::motion::{CLEARANCE, ToolMotion};
 use crate::geometry::{Bounds2, Edge, Point2, Vector2, encloses};
 
 /// Deviation from the chord below which the curve counts as straight [m].
 const STRAIGHT: f64 = 1e-12;
-/// Shortest piece of the motion that is looked at (share of the whole).
+/// Shortest part of the motion that is examined for an entry, as a share of the motion [1].
 const SHORTEST: f64 = 1e-13;
-/// Shortest piece of the motion that is looked at for when a particle is under the tool (share of the whole): what lies in it
-/// counts as its middle does.
+/// Shortest part of the motion that is examined for sliding, as a share of the motion [1]; it counts as its middle
+/// does.
 const SHORTEST_SLIDE: f64 = 1e-7;
-/// Steps of Newton's method towards an entry, which begin within a share of a millimetre of it.
+/// Most Newton steps towards an entry; they start within a fraction of a millimetre of it.
 const MAX_REFINEMENTS: usize = 8;
-/// Entries and releases of one particle in one motion before it is let go.
+/// Most entries and releases of one particle in one motion.
 const MAX_EVENTS: usize = 64;
-/// Sliding is checked at least once per this turn before its end is bisected [rad].
+/// Largest rotation between two checks of sliding, before its end is bisected [rad].
 const SLIDING_TURN: f64 = 0.02;
-/// A particle this near to the turning point of an edge is at it [m].
+/// Distance from the turning point of an edge within which a particle is at it [m].
 const AT_TURNING_POINT: f64 = 1e-7;
-/// A carried particle's way is sampled at least once per this turn [rad].
+/// Largest rotation between two samples of a carried particle's path [rad].
 const SAMPLED_TURN: f64 = 0.05;
 const MAX_WAY: usize = 64;
 
-/// The way of a carried particle in the surface frame, from where it lay to where it is left.
+/// Path of a carried particle in the surface frame, from its first place to its last.
 pub(super) struct Way {
     points: [Point2; MAX_WAY],
     len: usize,
@@ -46,7 +46,7 @@ impl Way {
         self.points[self.len - 1]
     }
 
-    /// Appends a point; when the way is full the last point gives way, so that the end stays true.
+    /// Appends a point; a full path overwrites its last point, so that its end stays correct.
     fn push(&mut self, point: Point2) {
         self.len = (self.len + 1).min(MAX_WAY);
         self.points[self.len - 1] = point;
@@ -57,22 +57,22 @@ impl Way {
     }
 }
 
-/// Where on the boundary a particle touches the footprint, in the tool frame.
+/// The point of the boundary at which a particle touches the footprint, in the tool frame.
 #[derive(Clone, Copy)]
 struct Touch<'a> {
     point_in_tool: Point2,
     edge: &'a Edge,
 }
 
-/// One motion of a footprint, position and heading linear in t ∈ [0, 1].
+/// A motion of a footprint, with position and yaw linear in t ∈ [0, 1].
 pub(super) struct SweptRotation<'a> {
     edges: &'a [Edge],
     motion: &'a ToolMotion,
     travel: Vector2,
     turn: f64,
-    /// Sine and cosine of the headings at both ends.
+    /// Sine and cosine of the yaw at both ends.
     ends: [(f64, f64); 2],
-    /// The edges in the tool frame.
+    /// Bounds of the edges in the tool frame.
     bounds: Bounds2,
 }
 
@@ -93,14 +93,14 @@ impl<'a> SweptRotation<'a> {
         }
     }
 
-    /// Whether the particle ever comes under the footprint.
+    /// Whether the particle comes under the footprint at any time.
     pub(super) fn touches(&self, particle: Point2) -> bool {
         self.covers(self.in_tool(particle, 0.0)) || self.entry(particle, 0.0, 1.0).is_some()
     }
 
-    /// How far the tool slides over a resting particle, on which it lies [m].
+    /// Returns how far the tool slides over a resting particle [m].
     pub(super) fn slid(&self, particle: Point2) -> f64 {
-        // Velocity of the tool over the particle: linear in time, and so its way has a closed form.
+        // The velocity of the tool at the particle is linear in time, so the travel has a closed form.
         let arm = particle - self.motion.from.position;
         let begin = self.travel + Vector2::new(-arm.y, arm.x) * self.turn;
         let change = -Vector2::new(-self.travel.y, self.travel.x) * self.turn;
@@ -122,10 +122,10 @@ impl<'a> SweptRotation<'a> {
         slid
     }
 
-    /// The way that the tool carries a particle; `None` if it never touches it.
+    /// Returns the path along which the tool carries a particle; `None` if it never touches the particle.
     pub(super) fn ride(&self, particle: Point2) -> Option<Way> {
         let mut t = 0.0;
-        let mut touch = self.lifted_onto_boundary(self.in_tool(particle, 0.0));
+        let mut touch = self.lift_onto_boundary(self.in_tool(particle, 0.0));
         if touch.is_none() {
             let (entry, new) = self.entry(particle, 0.0, 1.0)?;
             (t, touch) = (entry, Some(new));
@@ -157,7 +157,7 @@ impl<'a> SweptRotation<'a> {
         (way.len > 1).then_some(way)
     }
 
-    /// Appends the way of a particle kept at a point of an edge from one time to another.
+    /// Appends the path of a particle that stays at a point of an edge between two times.
     fn follow(
         &self,
         way: &mut Way,
@@ -174,7 +174,7 @@ impl<'a> SweptRotation<'a> {
         }
     }
 
-    /// The point of an edge's line that has no velocity across the edge, in the tool frame.
+    /// Returns the point of an edge's line that has no velocity across the edge, in the tool frame.
     fn turning_point(&self, edge: &Edge, t: f64) -> Point2 {
         let normal = outward(edge);
         let along = Vector2::new(-normal.y, normal.x);
@@ -183,8 +183,8 @@ impl<'a> SweptRotation<'a> {
         edge.start + along * s
     }
 
-    /// Whether a particle at the turning point can neither ride (the boundary there would recede from
-    /// it) nor stay (the boundary would come over it).
+    /// Whether a particle at the turning point slides: the boundary would recede if it rode, and come over it if it
+    /// stayed.
     fn slides(&self, edge: &Edge, t: f64) -> bool {
         let point = self.turning_point(edge, t);
         let normal = outward(edge);
@@ -199,7 +199,7 @@ impl<'a> SweptRotation<'a> {
             && advance_if_resting > 0.0
     }
 
-    /// Until when a particle released at `from` slides along the edge; `from` if it does not.
+    /// Returns the time until which a particle released at `from` slides along the edge; `from` if it does not slide.
     fn slides_until(&self, edge: &Edge, from: f64) -> f64 {
         let (mut sliding, mut over) = (from, from);
         while self.slides(edge, over) {
@@ -222,7 +222,7 @@ impl<'a> SweptRotation<'a> {
         sliding
     }
 
-    /// Sine and cosine of the heading at time t.
+    /// Sine and cosine of the yaw at time t.
     fn heading(&self, t: f64) -> (f64, f64) {
         if t == 0.0 {
             self.ends[0]
@@ -233,7 +233,7 @@ impl<'a> SweptRotation<'a> {
         }
     }
 
-    /// Whether a chord passes the footprint by more than this on one side of its bounds.
+    /// Whether a chord lies outside the footprint's bounds by more than `distance` on one side.
     fn passes(&self, chord: &Edge, distance: f64) -> bool {
         let (low, high) = (chord.start.inf(&chord.end), chord.start.sup(&chord.end));
         let Bounds2 { min, max } = self.bounds;
@@ -243,7 +243,7 @@ impl<'a> SweptRotation<'a> {
             || min.y - high.y > distance
     }
 
-    /// A resting particle at time t, seen from the tool.
+    /// Returns the position of a resting particle at time t in the tool frame.
     fn in_tool(&self, particle: Point2, t: f64) -> Point2 {
         let (sin, cos) = self.heading(t);
         let d = particle - (self.motion.from.position + self.travel * t);
@@ -258,7 +258,7 @@ impl<'a> SweptRotation<'a> {
             + Vector2::new(cos * p.x - sin * p.y, sin * p.x + cos * p.y)
     }
 
-    /// The travel in tool coordinates [m].
+    /// Translation since the beginning, in tool coordinates [m].
     fn travel_in_tool(&self, t: f64) -> Vector2 {
         let (sin, cos) = self.heading(t);
         let v = self.travel;
@@ -278,8 +278,9 @@ impl<'a> SweptRotation<'a> {
         !self.passes(&point, 0.0) && encloses(self.edges.iter().copied(), point_in_tool)
     }
 
-    /// A particle under the footprint when the tool comes down: carried along the motion until outside.
-    fn lifted_onto_boundary(&self, point_in_tool: Point2) -> Option<Touch<'a>> {
+    /// Moves a particle under the footprint at touchdown to the boundary, along the direction in which the motion
+    /// carries it.
+    fn lift_onto_boundary(&self, point_in_tool: Point2) -> Option<Touch<'a>> {
         if !self.covers(point_in_tool) {
             return None;
         }
@@ -301,11 +302,11 @@ impl<'a> SweptRotation<'a> {
             })
     }
 
-    /// First time in [from, to] at which a resting particle comes under the footprint.
+    /// Returns the first time in [from, to] at which a resting particle comes under the footprint.
     fn entry(&self, particle: Point2, from: f64, to: f64) -> Option<(f64, Touch<'a>)> {
         let (a, b) = (self.in_tool(particle, from), self.in_tool(particle, to));
         let span = to - from;
-        // Second derivative of the curve: Coriolis and centripetal parts.
+        // Second derivative of the curve: Coriolis and centripetal terms.
         let radius = a.coords.norm().max(b.coords.norm()) + self.travel.norm() * span;
         let bend = self.turn.abs() * (2.0 * self.travel.norm() + self.turn.abs() * radius);
         let deviation = bend * span * span / 8.0;
@@ -325,7 +326,7 @@ impl<'a> SweptRotation<'a> {
             return self
                 .edges
                 .iter()
-                .filter_map(|edge| enters(&chord, edge).map(|share| (share, edge)))
+                .filter_map(|edge| entry_share(&chord, edge).map(|share| (share, edge)))
                 .min_by(|p, q| p.0.total_cmp(&q.0))
                 .map(|(share, edge)| {
                     let touch = Touch {
@@ -340,7 +341,7 @@ impl<'a> SweptRotation<'a> {
             .or_else(|| self.entry(particle, middle, to))
     }
 
-    /// When a resting particle comes over the one edge whose line it crosses at most once in the span.
+    /// Returns when a resting particle enters over the only edge whose line it crosses, at most once, in the span.
     fn only_entry(
         &self,
         particle: Point2,
@@ -374,8 +375,8 @@ impl<'a> SweptRotation<'a> {
         (0.0..=1.0).contains(&share).then_some((t, touch))
     }
 
-    /// The way of a resting particle, seen from the tool, over a span of time; `radius` is its largest distance from the
-    /// tool centre point meanwhile.
+    /// Returns the path of a resting particle in the tool frame over a span of time; `radius` is its largest distance
+    /// from the tool centre point in that span [m].
     fn curve(&self, start: Point2, from: f64, span: f64, radius: f64) -> Curve {
         let turn = self.turn;
         let travel = self.travel_in_tool(from);
@@ -390,9 +391,9 @@ impl<'a> SweptRotation<'a> {
         }
     }
 
-    /// When the boundary at a touched point stops advancing; infinite if it never does.
+    /// Returns when the boundary at a touched point stops advancing; infinite if it never does.
     ///
-    /// Its advance is |v| cos ψ(t) + c with ψ linear in t, so its zeros are known.
+    /// Its normal velocity is |v| cos ψ(t) + c with ψ linear in t, so its zeros have a closed form.
     fn release(&self, touch: Touch, from: f64) -> f64 {
         let outward = outward(touch.edge);
         if self.velocity(touch.point_in_tool, from).dot(&outward) <= 0.0 {
@@ -419,7 +420,7 @@ impl<'a> SweptRotation<'a> {
     }
 }
 
-/// A curve as start + velocity u + acceleration u²/2 with u in [0, 1], and how far it may be off that [m].
+/// A curve as start + velocity u + acceleration u²/2 with u in [0, 1], and a bound on its error [m].
 struct Curve {
     start: Point2,
     velocity: Vector2,
@@ -428,10 +429,10 @@ struct Curve {
 }
 
 impl Curve {
-    /// Whether it may come from the outer side of an edge's line to the inner one.
+    /// Whether the curve may pass from the outer side of an edge's line to the inner one.
     fn may_enter(&self, edge: &Edge) -> bool {
         let along = edge.end - edge.start;
-        // Distance inside the line, times the edge's length.
+        // Distance inside the line times the edge's length, as a quadratic in u.
         let at_start = along.perp(&(self.start - edge.start));
         let rate = along.perp(&self.velocity);
         let bend = along.perp(&self.acceleration);
@@ -446,7 +447,7 @@ impl Curve {
         low - error <= 0.0 && high + error > 0.0
     }
 
-    /// Whether it goes inwards over an edge's line all the time.
+    /// Whether the curve moves inwards across an edge's line all the time.
     fn rises_over(&self, edge: &Edge) -> bool {
         let along = edge.end - edge.start;
         let at_start = along.perp(&self.velocity);
@@ -454,24 +455,25 @@ impl Curve {
         at_start.min(at_end) > 3.0 * self.error * along.abs().sum()
     }
 
-    /// About when it crosses the line of an edge over which it goes inwards.
+    /// Estimates when the curve crosses the line of an edge inwards.
     fn crossing(&self, edge: &Edge) -> f64 {
         let along = edge.end - edge.start;
         let missing = -along.perp(&(self.start - edge.start));
         let rate = along.perp(&self.velocity);
         let bend = along.perp(&self.acceleration);
+        // Root of bend u²/2 + rate u − missing = 0, in the form that does not cancel.
         let root = (rate * rate + 2.0 * bend * missing).max(0.0).sqrt();
         2.0 * missing / (rate + root)
     }
 }
 
-/// Length of the way with the velocity begin + change t between two times: the arc of a parabola.
+/// Length of a path with velocity begin + change · t between two times: the arc length of a parabola.
 fn arc_length(begin: Vector2, change: Vector2, from: f64, to: f64) -> f64 {
     let rate = change.norm();
     if rate * (to - from) < STRAIGHT {
         return (begin + change * ((from + to) / 2.0)).norm() * (to - from);
     }
-    // Least speed, and when; from there on the speed is that of a right angle.
+    // The speed is least at `least_at`; relative to it, speed² = least² + (rate (t − least_at))².
     let least_at = -begin.dot(&change) / (rate * rate);
     let least = (begin + change * least_at).norm();
     let primitive = |t: f64| {
@@ -493,8 +495,8 @@ fn outward(edge: &Edge) -> Vector2 {
     Vector2::new(along.y, -along.x)
 }
 
-/// Where along a short chord (0..1) it passes the edge from outside to inside.
-fn enters(chord: &Edge, edge: &Edge) -> Option<f64> {
+/// Share of a short chord (0..1) at which it crosses the edge inwards.
+fn entry_share(chord: &Edge, edge: &Edge) -> Option<f64> {
     let along = edge.end - edge.start;
     let before = along.perp(&(chord.start - edge.start));
     let after = along.perp(&(chord.end - edge.start));
@@ -507,7 +509,7 @@ fn enters(chord: &Edge, edge: &Edge) -> Option<f64> {
     (0.0..=1.0).contains(&t).then_some(share)
 }
 
-/// Distance between two segments; zero if they cross [m].
+/// Distance between two segments [m]; 0 if they cross.
 fn segment_distance(a: &Edge, b: &Edge) -> f64 {
     let side = |edge: &Edge, p: Point2| (edge.end - edge.start).perp(&(p - edge.start));
     let crossing =

@@ -1,4 +1,4 @@
-//! Where a line along the motion runs through a translating footprint, and so which particles it meets.
+//! Chords of a translating footprint along the motion, and the particles that they meet.
 
 use super::Effect;
 use super::field::BLOCK;
@@ -6,11 +6,11 @@ use super::motion::CLEARANCE;
 use crate::geometry::{Edge, Point2, Vector2};
 
 const MAX_BINS: usize = 256;
-/// Particles of a block whose chords are computed at once; divides [`BLOCK`].
+/// Number of particles whose chords are computed at once; divides [`BLOCK`].
 const LANES: usize = 4;
 
-/// The footprint's edges in the frame of a stroke (x along the motion, y to its left), sorted into
-/// bins of y so that a particle only meets the edges beside it.
+/// Edges of the footprint in the stroke frame (x along the motion, y to its left), sorted into bins of y, so that a
+/// particle meets only the edges beside it.
 #[derive(Debug, Clone)]
 pub(super) struct SweptTranslation {
     edges: Vec<Edge>,
@@ -20,27 +20,27 @@ pub(super) struct SweptTranslation {
     bin_start: Vec<u32>,
     bin_edges: Vec<u32>,
     crossings: Vec<f64>,
-    /// Whether no line runs through the footprint twice.
+    /// Whether every line meets the footprint in at most one chord.
     is_convex: bool,
     along: Vector2,
     length: f64,
-    /// The particles of a block, in the frame of the stroke [m].
+    /// Coordinates of a block's particles in the stroke frame [m].
     ahead: [f64; BLOCK],
     lateral: [f64; BLOCK],
-    /// How far each is carried, or the tool slides over it, if it is met [m].
+    /// How far each met particle is carried, or the tool slides over it [m].
     extent: [f64; BLOCK],
     is_met: [bool; BLOCK],
-    /// Which are met.
+    /// Whether each particle is met.
     met: [u8; BLOCK],
 }
 
-/// The intervals in which one line along the motion runs inside the footprint, in ascending order.
+/// Intervals in which a line along the motion lies inside the footprint, in ascending order.
 struct Chords<'a> {
     crossings: &'a [f64],
 }
 
 impl SweptTranslation {
-    /// For a footprint of so many edges, through which no line runs twice if it is convex.
+    /// Returns an empty sweep for a footprint of `edges` edges; a convex one has at most one chord per line.
     pub(super) fn new(edges: usize, is_convex: bool) -> Self {
         let bins = (edges / 4).clamp(1, MAX_BINS);
         Self {
@@ -61,7 +61,7 @@ impl SweptTranslation {
         }
     }
 
-    /// Turns the footprint (tool frame, at `heading`) into the frame of a stroke of a length [m] along `along`.
+    /// Transforms the footprint (tool frame, at `heading`) into the frame of a stroke of a length [m] along `along`.
     pub(super) fn fill(&mut self, edges: &[Edge], heading: f64, (along, length): (Vector2, f64)) {
         (self.along, self.length) = (along, length);
         let (sin, cos) = heading.sin_cos();
@@ -80,7 +80,7 @@ impl SweptTranslation {
             };
             self.low = self.low.inf(&edge.start);
             self.high = self.high.sup(&edge.start);
-            // No line along the motion crosses an edge along it.
+            // Lines along the motion do not cross an edge that is parallel to it.
             if !is_convex || edge.start.y != edge.end.y {
                 self.edges.push(edge);
             }
@@ -126,9 +126,14 @@ impl SweptTranslation {
         (self.low.x <= self.high.x).then_some((self.low, self.high))
     }
 
-    /// The particles of a block, at these coordinates [m], that the stroke from `from` affects: which of the block, in ascending
-    /// order, says [`SweptTranslation::outcome`]; returns how many.
-    pub(super) fn met(&mut self, (x, y): (&[f64], &[f64]), from: Point2, kind: Effect) -> usize {
+    /// Finds the particles of a block that the stroke from `from` affects, given their coordinates [m], and returns
+    /// their number. [`SweptTranslation::outcome`] returns each of them, in ascending order.
+    pub(super) fn find_met(
+        &mut self,
+        (x, y): (&[f64], &[f64]),
+        from: Point2,
+        kind: Effect,
+    ) -> usize {
         let (along, side) = (self.along, Vector2::new(-self.along.y, self.along.x));
         let frame = self.ahead.iter_mut().zip(&mut self.lateral);
         for ((x, y), (ahead, lateral)) in x.iter().zip(y).zip(frame) {
@@ -138,20 +143,20 @@ impl SweptTranslation {
         }
         let count = x.len();
         if self.is_convex {
-            self.met_by_convex(count, kind)
+            self.find_met_by_convex(count, kind)
         } else {
-            self.met_by_any(count, kind)
+            self.find_met_by_any(count, kind)
         }
     }
 
-    /// The particle of the block that was met as this one, and how far it is carried or the tool slides over it [m].
+    /// Returns the index in the block of a met particle, and how far it is carried or the tool slides over it [m].
     pub(super) fn outcome(&self, number: usize) -> (u32, f64) {
         let particle = self.met[number];
         (particle.into(), self.extent[particle as usize])
     }
 
-    /// Step by step over all particles, without a branch in any: the compiler takes several at once.
-    fn met_by_convex(&mut self, count: usize, kind: Effect) -> usize {
+    /// Runs branch-free over all particles, so that the compiler vectorises it.
+    fn find_met_by_convex(&mut self, count: usize, kind: Effect) -> usize {
         let length = self.length;
         let (low, high) = self.chords();
         let particles = self.ahead.iter().zip(low.iter().zip(&high));
@@ -184,7 +189,8 @@ impl SweptTranslation {
         met
     }
 
-    /// Where the lines of all particles of a block enter and leave a convex footprint; one that misses it leaves before it enters.
+    /// Returns where the lines of a block's particles enter and leave a convex footprint. A line that misses it leaves
+    /// before it enters.
     fn chords(&self) -> ([f64; BLOCK], [f64; BLOCK]) {
         let mut chords = ([f64::INFINITY; BLOCK], [f64::NEG_INFINITY; BLOCK]);
         for (first, laterals) in self.lateral.as_chunks::<LANES>().0.iter().enumerate() {
@@ -212,7 +218,7 @@ impl SweptTranslation {
         chords
     }
 
-    fn met_by_any(&mut self, count: usize, kind: Effect) -> usize {
+    fn find_met_by_any(&mut self, count: usize, kind: Effect) -> usize {
         let mut met = 0;
         for number in 0..count {
             let (ahead, length) = (self.ahead[number], self.length);
@@ -234,7 +240,7 @@ impl SweptTranslation {
         met
     }
 
-    /// The chords of the line at `lateral` [m] to the left of the tool centre point's line.
+    /// Returns the chords of the line at `lateral` [m] to the left of the tool centre point's line.
     fn at(&mut self, lateral: f64) -> Chords<'_> {
         self.crossings.clear();
         if lateral < self.low.y || lateral > self.high.y {
@@ -269,24 +275,25 @@ impl SweptTranslation {
 }
 
 impl Chords<'_> {
-    /// Whether a particle `ahead` of the tool's start comes under the footprint on a way of `length`.
+    /// Whether a particle `ahead` of the tool's start comes under the footprint during a stroke of `length`.
     fn covers(&self, ahead: f64, length: f64) -> bool {
         self.crossings
             .chunks_exact(2)
             .any(|chord| chord[0] <= ahead && ahead <= chord[1] + length)
     }
 
-    /// How far the footprint slides over a particle `ahead` of the tool's start on a way of `length` [m].
+    /// Returns how far the footprint slides over a particle `ahead` of the tool's start during a stroke of `length`
+    /// [m].
     fn slid(&self, ahead: f64, length: f64) -> f64 {
         let over = |chord: &[f64]| (ahead - chord[0]).min(length) - (ahead - chord[1]).max(0.0);
         let chords = self.crossings.chunks_exact(2);
         chords.map(|chord| over(chord).max(0.0)).sum()
     }
 
-    /// Where a particle `ahead` of the tool's start has been carried to after a way of `length`.
+    /// Returns where a particle `ahead` of the tool's start is carried to by a stroke of `length`.
     ///
-    /// The foremost chord that begins behind the particle is the one that reaches it first: all
-    /// chords move alike, so none of those further back ever catches up.
+    /// The foremost chord that begins behind the particle reaches it first. All chords move alike, so no chord further
+    /// back ever overtakes it.
     fn carried(&self, ahead: f64, length: f64) -> Option<f64> {
         let leading = self
             .crossings

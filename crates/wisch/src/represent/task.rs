@@ -1,4 +1,4 @@
-//! A task as it is meant: everything resolved, checked and in SI units.
+//! A task with all names resolved, all values checked and in SI units.
 
 use super::{
     Action, AngleRange, GoalState, Grip, Interaction, ParticleDistribution, SceneObject, ScenePart,
@@ -6,24 +6,24 @@ use super::{
 };
 use crate::geometry::{Mesh, Point2, Pose, Region, Vector2, Vector3};
 
-/// A tool as the planner sees it.
+/// A tool with its geometry and degrees of freedom.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Tool {
-    /// Its name in the knowledge base.
+    /// Name in the knowledge base.
     pub name: String,
-    /// Its surface in the tool frame [m].
+    /// Mesh in the tool frame [m].
     pub mesh: Mesh,
-    /// Where it touches the surface, in the tool frame.
+    /// Contact area with the surface, in the tool frame [m].
     pub footprint: Region,
     /// Area of effect D_aoe: depth along and width across the motion [m].
     pub area_of_effect: Vector2,
-    /// How it may be turned about the surface normal; 0 is its broad side across the motion.
+    /// Permitted yaw about the surface normal; at 0 the broad side is across the motion.
     pub rotation_about_normal: AngleRange,
-    /// How it may lean, if it may.
+    /// Permitted tilt; `None` for a tool that stays upright.
     pub tilt: Option<TiltFreedom>,
-    /// How the leading hand holds it; `None` for the rear edge of its upper face at the end of the hand.
+    /// Grip of the leading hand; `None` puts the rear edge of the tool's upper face at the end of the hand.
     pub grip: Option<Grip>,
-    /// Where a second hand may hold it.
+    /// Grip of a second hand, if there is one.
     pub second_grip: Option<SecondGrip>,
 }
 
@@ -41,14 +41,14 @@ impl Tool {
 
     /// Distance from the tool centre point within which a particle counts as reached [m].
     ///
-    /// The radius of the largest circle in the area of effect, so that the tool covers the particle
-    /// whichever way it is turned; half of r_s for a tool as narrow as a blade.
+    /// It is the radius of the largest circle in the area of effect, so the tool covers the particle at any yaw; half
+    /// of r_s for a tool as narrow as a blade.
     pub fn reach(&self) -> f64 {
         (self.area_of_effect.min() / 2.0).max(self.collision_radius() / 2.0)
     }
 
-    /// Whether its footprint is a disc about the tool centre point, to a fiftieth of its radius: what it does does not depend
-    /// on how it is turned.
+    /// Whether the footprint is a disc about the tool centre point, within 2 % of its radius, so that its effect does
+    /// not depend on its yaw.
     pub fn is_round(&self) -> bool {
         let [disc] = self.footprint.polygons() else {
             return false;
@@ -62,7 +62,7 @@ impl Tool {
             })
     }
 
-    /// Whether half a turn about the tool centre point maps the footprint onto itself.
+    /// Whether a rotation by π about the tool centre point maps the footprint onto itself.
     pub fn is_half_turn_symmetric(&self) -> bool {
         let corners: Vec<Point2> = self.footprint.edges().map(|edge| edge.start).collect();
         corners
@@ -71,37 +71,37 @@ impl Tool {
     }
 }
 
-/// What is to be wiped, where, with what, and to what end.
+/// A wiping task: action, surface, scene, tool, medium and dirt.
 #[derive(Debug, Clone)]
 pub struct Task {
-    /// Its name.
+    /// Name of the task.
     pub name: String,
-    /// What is to be done.
+    /// The action to perform.
     pub action: Action,
     /// The target surface.
     pub surface: Surface,
-    /// Everything round it, the object that carries it included.
+    /// Objects of the scene, including the one that carries the surface.
     pub scene: Vec<SceneObject>,
     /// The tool.
     pub tool: Tool,
     /// Name of the medium.
     pub medium: String,
-    /// How the tool is used on this medium and surface, and how well that works.
+    /// Press force, controller settings and likelihood of this tool on this medium and surface.
     pub interaction: Interaction,
-    /// The dirt as it is believed to lie.
+    /// Believed places of the dirt.
     pub particles: ParticleDistribution,
-    /// n_goal for a collect, in the surface frame [m]; `None` leaves the choice to the planner.
+    /// n_goal of a collect, in the surface frame [m]; `None` lets the planner choose.
     pub collect_goal: Option<Point2>,
-    /// What a polish or an emit asks for; `None` for what moves dirt.
+    /// Target of a polish or an emit; `None` for actions that move dirt.
     pub treatment: Option<Treatment>,
-    /// Where the tool starts, in the surface frame [m].
+    /// Start of the tool, in the surface frame [m].
     pub tool_start: Point2,
-    /// Seed of everything random in this task.
+    /// Seed of all random numbers of the task.
     pub seed: u64,
 }
 
 impl Task {
-    /// What the particles are to be measured against; `None` where it is left to the planner where to collect.
+    /// Returns the goal of the task; `None` if the planner chooses where to collect.
     pub fn goal(&self) -> Option<GoalState> {
         match (self.action, self.collect_goal) {
             (Action::Absorb, _) => Some(GoalState::Absorbed),
@@ -116,26 +116,25 @@ impl Task {
         }
     }
 
-    /// What one pass with the force that is asked for does to the surface [m]: how much it removes, or leaves; `None` for what
-    /// moves dirt, or where that is not said.
+    /// Returns the depth that one pass at the nominal force removes or leaves [m]; `None` for actions that move dirt,
+    /// or if no coefficient is known.
     pub fn depth_per_pass(&self) -> Option<f64> {
         let force = self.interaction.contact_force();
         self.treatment?.per_pass(self.tool.width(), force)
     }
 
-    /// What a tool feels that is pressed as the task asks for: the force of the surface on it, in the axes of the
-    /// world [N].
+    /// Force of the surface on a tool that presses as the task demands, in the axes of the world [N].
     pub fn surface_reaction(&self) -> Vector3 {
         self.surface.world_from_surface * Vector3::z() * self.interaction.contact_force()
     }
 
-    /// What stands round the surface: without robot, tool and the object that carries the surface.
+    /// Returns the obstacles: the scene without robot, tool and the object that carries the surface.
     pub fn obstacles(&self) -> impl Iterator<Item = &SceneObject> {
         (self.scene.iter()).filter(|object| object.part == ScenePart::Obstacle)
     }
 
-    /// Where the scene shows the robot, facing the surface, on the floor: the pose of its root in the world [m].
-    /// `None` if the scene shows none.
+    /// Returns the pose in the world [m] of the root of the robot that the scene shows: on the floor, facing the
+    /// surface. `None` if the scene shows no robot.
     pub fn robot_before_surface(&self) -> Option<Pose> {
         let mut scene = self.scene.iter();
         let stands = scene.find(|object| object.part == ScenePart::Robot)?;
@@ -147,7 +146,7 @@ impl Task {
         ))
     }
 
-    /// The obstacles' meshes in the surface frame.
+    /// Returns the obstacles' meshes in the surface frame.
     pub fn obstacles_in_surface(&self) -> impl Iterator<Item = Mesh> + '_ {
         let surface_from_world = self.surface.world_from_surface.inverse();
         self.obstacles().map(move |object| {

@@ -1,31 +1,31 @@
-//! What a surface is treated to: polishing and painting, whose particles are places of the surface itself.
+//! Treatments of a surface: polishing and painting, whose particles are places of the surface.
 
 use super::{DirtArea, Fate, GoalState, ParticleDistribution, ParticleError, SourceError};
 use crate::geometry::{Bounds2, Point2};
 
-/// What a treatment asks for.
+/// Target of a treatment.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Treatment {
     /// Passes of a pad under pressure.
     Polish {
-        /// Wanted over every place.
+        /// Passes over each place.
         passes: u32,
-        /// Most over any place, of all rounds together.
+        /// Most passes over any place, over all rounds.
         max_passes: u32,
-        /// What a pass removes by, k_p of Preston's law: depth over pressure and way slid (Preston 1927) [1/Pa].
+        /// Coefficient k_p of Preston's law [1/Pa]: removed depth over pressure and travel (Preston 1927).
         preston: Option<f64>,
     },
     /// A coat of paint.
     Emit {
-        /// Wanted everywhere [m].
+        /// Target thickness [m].
         thickness: f64,
-        /// Paint that the tool leaves on each metre of its way [m³/m].
+        /// Volume of paint per metre of travel [m³/m].
         volume_per_metre: f64,
     },
 }
 
 impl Treatment {
-    /// What the places of the surface are measured against, with a tool of this width [m].
+    /// Returns the goal of the treatment with a tool of this width [m].
     pub fn goal(&self, width: f64) -> GoalState {
         match *self {
             Self::Polish { passes, .. } => GoalState::Polished { passes },
@@ -39,11 +39,11 @@ impl Treatment {
         }
     }
 
-    /// What one pass of a tool of this width [m] with this force [N] does to the surface [m]: how much it removes, or leaves; `None`
-    /// where no coefficient is given.
+    /// Returns the depth that one pass removes or leaves [m], for a tool of this width [m] with this force [N]; `None`
+    /// without a coefficient.
     pub fn per_pass(&self, width: f64, force: f64) -> Option<f64> {
         match *self {
-            // Pressure times the mean length of the footprint: the force over its width.
+            // Preston: depth = k_p · pressure · travel; pressure times the footprint's mean length is force over width.
             Self::Polish { preston, .. } => preston.map(|preston| preston * force / width),
             Self::Emit {
                 volume_per_metre, ..
@@ -51,7 +51,7 @@ impl Treatment {
         }
     }
 
-    /// Mean of what the places were treated with and its standard deviation over them, both in passes [1].
+    /// Returns the mean of the passes over all places and their standard deviation [1].
     ///
     /// ```
     /// use wisch::geometry::Point2;
@@ -70,10 +70,11 @@ impl Treatment {
     }
 }
 
-/// About `count` places of a surface: the middles of square cells, row by row along x; none where an object stands.
+/// Returns about `count` places of a surface: the middles of square cells, row by row along x, except those under an
+/// object.
 ///
 /// # Errors
-/// A count out of its limits, or so few cells for so large a bounding box that none is free.
+/// A count outside its limits, or cells so coarse for the bounding box that none is free.
 ///
 /// ```
 /// use wisch::geometry::{Polygon, Vector2};
@@ -98,7 +99,7 @@ pub fn surface_cells(
         return Err(none);
     };
     let size = bounds.size();
-    // Of the outline's own area, so that about as many lie on it.
+    // The cell size follows from the outline's own area, so that about `count` cells lie on it.
     let side = (area.outline.area() / count as f64).sqrt();
     let cells = |length: f64| ((length / side).round() as usize).max(1);
     let (columns, rows) = (cells(size.x), cells(size.y));

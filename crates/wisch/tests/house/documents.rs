@@ -19,6 +19,11 @@ fn source_of(room: &str) -> Option<PathBuf> {
     if STAGES.contains(&room) {
         return Some(source().join(room));
     }
+    match room {
+        "robot" => return Some(root().join("crates/wisch-robot/src")),
+        "geometry" => return Some(root().join("crates/wisch-robot/src/geometry")),
+        _ => {}
+    }
     let is_called_so = |path: &PathBuf| {
         let name = path.file_name().unwrap_or_default().to_string_lossy();
         name.replace('-', "_") == room

@@ -1,18 +1,18 @@
-//! Whether the limits of a joint make sense: of its position, velocity, effort and acceleration.
+//! Checks of a joint's limits of position, velocity, effort and acceleration.
 
 use super::joint;
 use crate::description::diagnostics::{Diagnostics, Words, words};
 use crate::description::elements::{UrdfJoint, UrdfLimit};
 use crate::{ASSUMED_SLIDE_RATES, ASSUMED_TURN_RATES, DiagnosticKind, Severity};
 
-/// Checks the limits of one joint. One that follows others needs none of its own.
+/// Checks the limits of a joint; a follower needs none.
 pub(super) fn check_limits(j: &UrdfJoint, follows: bool, report: &mut Diagnostics) {
     let unit = if j.kind == "prismatic" { "m" } else { "rad" };
     if let Some([lower, upper]) = j.soft_limits {
         let w = words(
             format!("its safety controller keeps it within {lower} and {upper} {unit}"),
             "soft limits inside the hard ones",
-            "these are its limits here; remove <safety_controller> to use the hard ones",
+            "the soft limits are used; remove <safety_controller> to use the hard ones",
         );
         add_of_joint(report, Severity::Note, DiagnosticKind::Limit, j, w);
     }
@@ -27,7 +27,7 @@ pub(super) fn check_limits(j: &UrdfJoint, follows: bool, report: &mut Diagnostic
     }
 }
 
-/// Checks that a joint has position limits, the lower below the upper.
+/// Checks that a joint has position limits, and that the lower is below the upper.
 fn check_position_limits(
     j: &UrdfJoint,
     limit: &UrdfLimit,
@@ -73,17 +73,17 @@ fn check_position_limits(
 
 /// A limit of velocity, effort or acceleration.
 struct RateLimit {
-    /// The attribute that gives it.
+    /// Name of the attribute.
     what: &'static str,
     value: Option<f64>,
     unit: &'static str,
-    /// How much it matters that it is missing.
+    /// Severity if it is missing.
     severity: Severity,
-    /// What stands in for a missing one.
+    /// Value that is assumed if it is missing.
     assumed: Option<f64>,
 }
 
-/// The limits of a joint's velocity, effort and acceleration.
+/// Returns the limits of a joint's velocity, effort and acceleration.
 fn rate_limits(j: &UrdfJoint, limit: &UrdfLimit) -> [RateLimit; 3] {
     let (units, [velocity, acceleration]) = match j.kind.as_str() {
         "prismatic" => (["m/s", "N", "m/s2"], ASSUMED_SLIDE_RATES),
@@ -111,14 +111,14 @@ fn rate_limits(j: &UrdfJoint, limit: &UrdfLimit) -> [RateLimit; 3] {
     ]
 }
 
-/// Checks that a joint has a limit of velocity, effort or acceleration, above zero.
+/// Checks that a joint has a limit of velocity, effort or acceleration above 0.
 fn check_rate_limit(j: &UrdfJoint, rate: &RateLimit, report: &mut Diagnostics) {
     let RateLimit { what, unit, .. } = rate;
     match rate.value {
         None => {
             let otherwise = match rate.assumed {
                 Some(assumed) => format!("{assumed} {unit} is assumed"),
-                None => "none is kept".to_owned(),
+                None => "there is none".to_owned(),
             };
             let w = words(
                 format!("it has no finite {what} limit"),

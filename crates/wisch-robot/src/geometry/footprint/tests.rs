@@ -132,7 +132,7 @@ fn apart_boxes_are_pieces_and_overlapping_ones_are_one() {
 }
 
 #[test]
-fn what_hangs_above_the_slab_leaves_nothing() {
+fn parts_above_the_slab_leave_no_footprint() {
     let foot = cuboid(0.02, 0.02, 0.04);
     let mesh = merged([foot.clone(), moved(&foot, 0.05, 0.0, 0.005)]);
     assert_eq!(
@@ -182,7 +182,7 @@ fn wrong_input_is_named_with_its_limit() {
         let message = footprint(&mesh, bad).unwrap_err().to_string();
         assert_eq!(
             message,
-            format!("compression depth {bad} m is not finite and at least 0.00001 m")
+            format!("compression depth {bad} m is not a finite depth of at least 0.00001 m")
         );
     }
     let far = moved(&mesh, 1e6, 0.0, 0.0);
@@ -251,7 +251,7 @@ proptest! {
         prop_assert_eq!(before.polygons().len(), after.polygons().len());
     }
 
-    /// What makes the projected surface enough for a closed mesh. A tip that hardly reaches below
+    /// The law by which the projected surface suffices for a closed mesh. A tip that hardly reaches below
     /// the section leaves a piece that is too small to be kept.
     #[test]
     fn the_section_lies_within_the_footprint(mesh in solids(), depth in 0.001..0.03f64) {

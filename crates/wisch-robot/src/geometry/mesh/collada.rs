@@ -7,24 +7,24 @@ use roxmltree::{Document, Error, Node, ParsingOptions};
 use std::collections::HashMap;
 use std::str::FromStr;
 
-/// Deepest nesting of nodes and instanced nodes: a node that instances itself ends here.
+/// Deepest nesting of nodes and instanced nodes, which stops a node that instances itself.
 const MAX_DEPTH: usize = 64;
 
-/// Most nodes visited: instances of instances multiply.
+/// Most nodes visited, as instances of instances multiply.
 const MAX_VISITS: usize = 100_000;
 
 /// Most numbers per vertex of a primitive, and per element of an array.
 const MAX_STRIDE: usize = 64;
 
-/// Most nodes (elements, texts, comments) of the XML; bounds the memory a small file can ask for.
+/// Most nodes (elements, texts, comments) of the XML; limits the memory that a small file can demand.
 const MAX_XML_NODES: u32 = 2_000_000;
 
-/// Most attributes of one element: the parser compares each with every other.
+/// Most attributes of one element, as the parser compares each with all others.
 pub(crate) const MAX_ATTRIBUTES: usize = 5_000;
 
 type Element<'d> = Node<'d, 'd>;
 
-/// The triangles of one `<geometry>`, in its own frame and unit.
+/// Triangles of one `<geometry>`, in its own frame and unit.
 type Soup = Vec<[Point3; 3]>;
 
 /// Reads a document from UTF-8 bytes.
@@ -42,7 +42,7 @@ pub(super) fn parse(bytes: &[u8]) -> Result<Mesh, MeshError> {
     let mut soup = Soup::new();
     match scene.root_nodes()? {
         Some(nodes) => scene.place(nodes, metres_from_file, &mut soup)?,
-        // Without a scene there is nothing to place the geometries with.
+        // Without a scene, nothing places the geometries, so all of them are read as they are.
         None => {
             for own in &scene.geometries {
                 append(&mut soup, own, &metres_from_file)?;
@@ -55,7 +55,7 @@ pub(super) fn parse(bytes: &[u8]) -> Result<Mesh, MeshError> {
     Mesh::new(soup.into_flattened(), triangles)
 }
 
-/// The document, unless there is more than is read.
+/// Parses the XML, within the limits.
 fn read_xml(text: &str) -> Result<Document<'_>, MeshError> {
     let too_many = |what, count, limit| MeshError::TooManyParts { what, count, limit };
     let attributes = most_attributes(text);
@@ -87,19 +87,19 @@ fn read_xml(text: &str) -> Result<Document<'_>, MeshError> {
     })
 }
 
-/// The most attributes that any element can have, by the quotes between angle brackets.
+/// Returns an upper bound on the attributes of any element, from the quotes between angle brackets.
 pub(crate) fn most_attributes(text: &str) -> usize {
     let between = text.split(['<', '>']);
     let quotes = between.map(|piece| piece.bytes().filter(|b| matches!(b, b'"' | b'\'')).count());
     quotes.max().unwrap_or(0) / 2
 }
 
-/// Name without its namespace; empty for what is no element.
+/// Returns the name of an element without its namespace; empty for other nodes.
 fn name<'d>(node: Element<'d>) -> &'d str {
     node.tag_name().name()
 }
 
-/// All elements of a name, in document order.
+/// Iterates over all elements of a name, in document order.
 fn named<'d>(
     document: &'d Document<'d>,
     wanted: &'static str,
@@ -115,7 +115,7 @@ fn child<'d>(parent: Element<'d>, wanted: &'static str) -> Option<Element<'d>> {
     children(parent, wanted).next()
 }
 
-/// An error at an element.
+/// Returns an error at an element.
 fn fault(element: Element<'_>, reason: impl std::fmt::Display) -> MeshError {
     let at = element.document().text_pos_at(element.range().start);
     MeshError::SyntaxAt {
@@ -124,7 +124,7 @@ fn fault(element: Element<'_>, reason: impl std::fmt::Display) -> MeshError {
     }
 }
 
-/// Appends triangles mapped through an affine transform.
+/// Appends triangles, mapped by an affine transform.
 fn append(
     soup: &mut Soup,
     more: &[[Point3; 3]],
@@ -151,7 +151,7 @@ fn metres_per_unit(root: Element) -> Result<f64, MeshError> {
         _ => Err(fault(
             unit,
             format!(
-                "meter={:?} is no length above 0",
+                "meter={:?} is not a length above 0",
                 unit.attribute("meter").unwrap_or_default()
             ),
         )),
@@ -199,7 +199,7 @@ impl<'d> Scene<'d> {
         Ok(scene)
     }
 
-    /// The nodes of the visual scene that `<scene>` names, else of the first; `None` without any.
+    /// Returns the nodes of the visual scene that `<scene>` names, else of the first; `None` if there is none.
     fn root_nodes(&self) -> Result<Option<Element<'d>>, MeshError> {
         let scene = child(self.document.root_element(), "scene");
         let instance = scene.and_then(|scene| child(scene, "instance_visual_scene"));
@@ -210,18 +210,21 @@ impl<'d> Scene<'d> {
         let id = reference(instance, "url")?;
         match scenes.find(|scene| scene.attribute("id") == Some(id)) {
             Some(scene) => Ok(Some(scene)),
-            None => Err(fault(instance, format!("there is no visual scene {id:?}"))),
+            None => Err(fault(
+                instance,
+                format!("visual scene {id:?} does not exist"),
+            )),
         }
     }
 
-    /// Appends every geometry instanced below a visual scene.
+    /// Appends every geometry instanced in a visual scene.
     fn place(
         &self,
         scene: Element<'d>,
         metres_from_scene: Matrix4<f64>,
         soup: &mut Soup,
     ) -> Result<(), MeshError> {
-        // Last in, first out: children are pushed in reverse to come out in document order.
+        // The stack is last in, first out: children are pushed in reverse to be visited in document order.
         let mut waiting = vec![(scene, metres_from_scene, 0)];
         let mut visits = 0;
         while let Some((parent, metres_from_parent, depth)) = waiting.pop() {
@@ -246,7 +249,7 @@ impl<'d> Scene<'d> {
                         nodes.push(*node.ok_or_else(|| {
                             fault(
                                 child,
-                                format!("there is no node {:?}", id().unwrap_or_default()),
+                                format!("node {:?} does not exist", id().unwrap_or_default()),
                             )
                         })?);
                     }
@@ -255,7 +258,7 @@ impl<'d> Scene<'d> {
                         let index = index.ok_or_else(|| {
                             fault(
                                 child,
-                                format!("there is no geometry {:?}", id().unwrap_or_default()),
+                                format!("geometry {:?} does not exist", id().unwrap_or_default()),
                             )
                         })?;
                         append(soup, &self.geometries[*index], &metres_from_parent)?;
@@ -274,7 +277,7 @@ impl<'d> Scene<'d> {
         Ok(())
     }
 
-    /// The product of a node's transforms in document order.
+    /// Returns the product of a node's transforms in document order.
     fn parent_from_node(node: Element) -> Result<Matrix4<f64>, MeshError> {
         let mut product = Matrix4::identity();
         for step in node.children() {
@@ -288,7 +291,7 @@ impl<'d> Scene<'d> {
                     let axis = axis.ok_or_else(|| fault(step, "the axis has no length"))?;
                     Rotation3::from_axis_angle(&axis, degrees.to_radians()).to_homogeneous()
                 }
-                "lookat" | "skew" => return Err(fault(step, "this transform is not read")),
+                "lookat" | "skew" => return Err(fault(step, "this transform is not supported")),
                 _ => continue,
             };
         }
@@ -319,7 +322,7 @@ fn read_mesh(
     };
     let id = reference(input, "source")?;
     let Some(&source) = sources.get(id) else {
-        return Err(fault(input, format!("there is no source {id:?}")));
+        return Err(fault(input, format!("source {id:?} does not exist")));
     };
     let positions = read_positions(source, arrays)?;
     let primitives = mesh.children().filter(|&e| primitives.contains(&name(e)));
@@ -339,7 +342,10 @@ fn read_positions(
     };
     let id = reference(accessor, "source")?;
     let Some(&array) = arrays.get(id) else {
-        return Err(fault(accessor, format!("there is no float_array {id:?}")));
+        return Err(fault(
+            accessor,
+            format!("float_array {id:?} does not exist"),
+        ));
     };
     let offset: usize = number_attribute(accessor, "offset")?.unwrap_or(0);
     let count: usize = number_attribute(accessor, "count")?.unwrap_or(0);
@@ -412,7 +418,7 @@ fn read_primitive(
         match name(primitive) {
             "triangles" => soup.extend(rest.as_chunks().0),
             "tristrips" => soup.extend(rest.windows(3).enumerate().map(|(i, w)| {
-                // Every second triangle of a strip runs the other way.
+                // Every second triangle of a strip has the opposite orientation.
                 if i % 2 == 0 {
                     [w[0], w[1], w[2]]
                 } else {
@@ -444,7 +450,7 @@ fn add_face(soup: &mut Soup, polygon: &[Point3]) {
     soup.extend(triangles.iter().map(|t| t.map(|i| polygon[i])));
 }
 
-/// The target of a reference within the document.
+/// Returns the target of a reference within the document.
 fn reference<'d>(element: Element<'d>, attribute: &str) -> Result<&'d str, MeshError> {
     let target = element
         .attribute(attribute)
@@ -473,7 +479,7 @@ fn numbers<T: FromStr>(element: Element) -> Result<Vec<T>, MeshError> {
         .flat_map(str::split_ascii_whitespace)
         .map(|word| {
             word.parse()
-                .map_err(|_| fault(element, format!("{word:?} is no number that fits here")))
+                .map_err(|_| fault(element, format!("{word:?} is not a valid number here")))
         })
         .collect()
 }
@@ -483,5 +489,5 @@ fn exactly<const N: usize>(element: Element) -> Result<[f64; N], MeshError> {
     let count = found.len();
     found
         .try_into()
-        .map_err(|_| fault(element, format!("{count} numbers where {N} belong")))
+        .map_err(|_| fault(element, format!("{count} numbers, expected {N}")))
 }

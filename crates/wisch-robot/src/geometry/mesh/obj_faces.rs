@@ -1,13 +1,13 @@
-//! The concave faces of a Wavefront OBJ, cut into triangles in its text.
+//! Triangulation of the concave faces of a Wavefront OBJ, in its text.
 
 use super::Point3;
 use crate::geometry::triangulation::cut_face;
 
-/// The text of a valid OBJ with each concave face replaced by its triangles; `None` if it has none.
+/// Returns the text of a valid OBJ with each concave face replaced by its triangles; `None` if it has none.
 pub(super) fn with_concave_faces_cut(bytes: &[u8]) -> Option<Vec<u8>> {
     let mut vertices: Vec<Point3> = Vec::new();
     let mut text: Vec<u8> = Vec::new();
-    // Up to where the bytes are in the text already.
+    // End of the bytes that are in the text already.
     let (mut copied, mut at) = (0, 0);
     for line in bytes.split_inclusive(|b| matches!(b, b'\n' | b'\r')) {
         let begin = at;
@@ -44,7 +44,7 @@ pub(super) fn with_concave_faces_cut(bytes: &[u8]) -> Option<Vec<u8>> {
     Some(text)
 }
 
-/// A vertex, homogeneous if it has four numbers.
+/// Reads a vertex, which is homogeneous if it has four numbers.
 fn position<'a>(words: impl Iterator<Item = &'a [u8]>) -> Option<Point3> {
     let number = |word: &[u8]| std::str::from_utf8(word).ok()?.parse::<f64>().ok();
     let numbers = words.map(number).collect::<Option<Vec<f64>>>()?;
@@ -55,7 +55,8 @@ fn position<'a>(words: impl Iterator<Item = &'a [u8]>) -> Option<Point3> {
     }
 }
 
-/// The triangles of a face, as numbers of its corners; `None` for one that a fan about its first corner gives as well.
+/// Returns the triangles of a concave face, as corner indices; `None` for a face that a fan about its first corner
+/// triangulates.
 fn concave(words: &[&[u8]], vertices: &[Point3]) -> Option<Vec<[usize; 3]>> {
     if words.len() < 4 {
         return None;
@@ -63,7 +64,7 @@ fn concave(words: &[&[u8]], vertices: &[Point3]) -> Option<Vec<[usize; 3]>> {
     let corner = |word: &&[u8]| {
         let index = word.split(|&b| b == b'/').next()?;
         let index: i64 = std::str::from_utf8(index).ok()?.parse().ok()?;
-        // Counted from 1, or backwards from the last vertex so far.
+        // Indices count from 1, or backwards from the last vertex so far.
         let index = match index {
             ..0 => vertices.len() as i64 + index,
             _ => index - 1,

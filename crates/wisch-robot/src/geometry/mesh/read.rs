@@ -1,23 +1,22 @@
 //! Mesh files from bytes in memory: STL, OBJ, COLLADA.
 //!
-//! STL and OBJ are parsed by the `mesh-loader` crate after checks that bound what it allocates.
-//! COLLADA is read here (`collada.rs`): mesh-loader 0.1.13 does not return from a `<Name_array>`,
-//! panics or aborts on inconsistent counts, ignores node transforms under 1 cm and misplaces
-//! nested nodes. Concave faces of an OBJ are cut into triangles before mesh-loader sees them (`obj_faces.rs`): it cuts every
-//! face as a fan.
+//! STL and OBJ are parsed by the `mesh-loader` crate, after checks that limit its allocations. COLLADA is read here
+//! (`collada.rs`): mesh-loader 0.1.13 does not return from a `<Name_array>`, panics or aborts on inconsistent counts,
+//! ignores node transforms under 1 cm and misplaces nested nodes. Concave faces of an OBJ are triangulated before
+//! mesh-loader reads them (`obj_faces.rs`), as it cuts every face into a fan.
 
 use super::{MAX_TRIANGLES, Mesh, MeshError, Point3, collada, obj_faces};
 use std::io;
 use std::path::Path;
 
-/// Most solids, groups or material changes in one file. Each costs the parser about a kilobyte.
+/// Most solids, groups or material changes of one file; each costs the parser about a kilobyte.
 const MAX_PARTS: usize = 100_000;
 
-/// Length of a binary STL's header with the triangle count, and of one triangle [bytes].
+/// Length of a binary STL's header including the triangle count [bytes], and of one triangle.
 const STL_HEADER: usize = 84;
 const STL_TRIANGLE: usize = 50;
 
-/// The mesh formats that [`Mesh::parse`] reads.
+/// Mesh formats that [`Mesh::parse`] reads.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum MeshFormat {
     /// STL, ASCII or binary.
@@ -29,7 +28,7 @@ pub enum MeshFormat {
 }
 
 impl MeshFormat {
-    /// The format by the ending of a file name, in any case: stl, obj or dae.
+    /// Returns the format for the extension of a file name, in any case: stl, obj or dae.
     ///
     /// ```
     /// use wisch_robot::geometry::MeshFormat;
@@ -48,21 +47,21 @@ impl MeshFormat {
 }
 
 impl Mesh {
-    /// A mesh from the bytes of a file; `name` is used in error messages only. Several meshes in
-    /// one file become one; vertices at the same place are merged.
+    /// Reads a mesh from the bytes of a file; `name` is used in error messages only. Several meshes in one file are
+    /// merged, and so are coincident vertices.
     ///
-    /// STL and OBJ carry no unit and are taken as metres. COLLADA's unit and node transforms are
-    /// applied. Its `up_axis` is not, as ROS does it: coordinates stay in the axes they are written in.
+    /// STL and OBJ have no unit and are read in metres. COLLADA's unit and node transforms are applied. As in ROS, its
+    /// `up_axis` is not: coordinates stay in their original axes.
     ///
     /// # Errors
-    /// If the bytes do not follow the format, or hold no mesh by the rules of [`Mesh::new`].
+    /// If the bytes do not follow the format, or their mesh violates the rules of [`Mesh::new`].
     pub fn parse(bytes: &[u8], format: MeshFormat, name: &str) -> Result<Self, MeshError> {
         let mesh = match format {
             MeshFormat::Stl => parse_stl(bytes),
             MeshFormat::Obj => parse_obj(bytes),
             MeshFormat::Collada => collada::parse(bytes),
         };
-        mesh.map(|mesh| mesh.welded())
+        mesh.map(|mesh| mesh.weld())
             .map_err(|fault| MeshError::InMesh {
                 name: name.to_owned(),
                 fault: Box::new(fault),
@@ -79,8 +78,8 @@ fn parse_stl(bytes: &[u8]) -> Result<Mesh, MeshError> {
     from_scene(scene)
 }
 
-/// Whether bytes that begin with "solid" are text. A binary header may begin so too, but only
-/// there do bytes 80 to 84 count triangles that fit: as text they announce at least 9e9 bytes.
+/// Whether bytes that begin with "solid" are text. A binary header may begin so too, but only in a binary file do bytes
+/// 80 to 84 hold a triangle count that fits: as text they would announce at least 9e9 bytes.
 fn is_ascii_stl(bytes: &[u8]) -> bool {
     let room = bytes.len().saturating_sub(STL_HEADER) / STL_TRIANGLE;
     bytes.trim_ascii_start().starts_with(b"solid")
@@ -91,8 +90,8 @@ fn declared_triangles(bytes: &[u8]) -> Option<u32> {
     Some(u32::from_le_bytes(bytes.get(80..84)?.try_into().ok()?))
 }
 
-/// The header and exactly the announced triangles: mesh-loader ignores the count, and takes a
-/// header that begins with "solid" for text.
+/// Returns the header and exactly the announced triangles: mesh-loader ignores the count, and takes a header that
+/// begins with "solid" for text.
 fn exact_binary_stl(bytes: &[u8]) -> Result<Vec<u8>, MeshError> {
     let Some(declared) = declared_triangles(bytes) else {
         let reason = format!(
@@ -119,8 +118,8 @@ fn exact_binary_stl(bytes: &[u8]) -> Result<Vec<u8>, MeshError> {
     Ok(exact)
 }
 
-/// The text with plain solid lines. For a solid without a name, or with one that is not ASCII,
-/// mesh-loader would fall back to reading the text as binary triangles.
+/// Returns the text with plain solid lines. For a solid without a name, or with a name that is not ASCII, mesh-loader
+/// would read the text as binary triangles.
 fn with_plain_solids(bytes: &[u8]) -> Result<Vec<u8>, MeshError> {
     let mut plain = Vec::with_capacity(bytes.len() + 16);
     let mut solids = 0;
@@ -135,14 +134,14 @@ fn with_plain_solids(bytes: &[u8]) -> Result<Vec<u8>, MeshError> {
             plain.extend(line);
         }
     }
-    checked_parts("solids", solids)?;
+    check_parts("solids", solids)?;
     Ok(plain)
 }
 
 fn parse_obj(bytes: &[u8]) -> Result<Mesh, MeshError> {
     if bytes.starts_with(b"\xff\xfe") || bytes.starts_with(b"\xfe\xff") {
-        // mesh-loader would decode it, past the counts below.
-        let reason = "UTF-16 is not read, save it as UTF-8".to_owned();
+        // mesh-loader would decode it, without the checks below.
+        let reason = "UTF-16 is not supported, save it as UTF-8".to_owned();
         return Err(MeshError::Syntax { reason });
     }
     let (mut triangles, mut parts) = (0, 0);
@@ -156,7 +155,7 @@ fn parse_obj(bytes: &[u8]) -> Result<Mesh, MeshError> {
             _ => {}
         }
     }
-    checked_parts("groups and materials", parts)?;
+    check_parts("groups and materials", parts)?;
     if triangles > MAX_TRIANGLES {
         return Err(MeshError::TooManyTriangles { count: triangles });
     }
@@ -166,12 +165,12 @@ fn parse_obj(bytes: &[u8]) -> Result<Mesh, MeshError> {
             no_material_files(path)
         }))
     };
-    // The file as it is first, so that errors name its lines.
+    // The file is parsed as it is first, so that errors name its lines.
     let mesh = read(bytes)?;
     obj_faces::with_concave_faces_cut(bytes).map_or(Ok(mesh), |cut| read(&cut))
 }
 
-fn checked_parts(what: &'static str, count: usize) -> Result<(), MeshError> {
+fn check_parts(what: &'static str, count: usize) -> Result<(), MeshError> {
     if count > MAX_PARTS {
         let limit = MAX_PARTS;
         return Err(MeshError::TooManyParts { what, count, limit });

@@ -36,7 +36,7 @@ fn obj(mesh: &Mesh) -> String {
     text
 }
 
-/// A document whose mesh hangs below the nodes given as XML.
+/// Returns a document whose mesh is instanced by the nodes given as XML.
 fn collada(mesh: &Mesh, metres_per_unit: f64, nodes: &str) -> String {
     let positions: String = mesh
         .vertices()
@@ -100,7 +100,7 @@ fn primitives_are_closed_and_face_outwards() {
 }
 
 #[test]
-fn sizes_that_are_none_are_refused() {
+fn invalid_sizes_are_refused() {
     for bad in [0.0, -1.0, f64::NAN, f64::INFINITY, 2.0 * MAX_COORDINATE] {
         assert!(Mesh::cuboid(Vector3::new(1.0, bad, 1.0)).is_err());
         assert!(Mesh::sphere(bad, 8).is_err());
@@ -150,7 +150,7 @@ fn moving_and_merging_keep_shape_and_count() {
 }
 
 #[test]
-fn clipping_keeps_what_is_above() {
+fn clipping_keeps_the_part_above() {
     let area = |soup: &[[Point3; 3]]| -> f64 {
         soup.iter()
             .map(|[a, b, c]| (b - a).cross(&(c - a)).norm() / 2.0)
@@ -317,7 +317,7 @@ fn l_obj(first: usize, is_relative: bool) -> String {
     text
 }
 
-/// The same in COLLADA, as a list of polygons or as polygons one by one.
+/// Returns the pad in COLLADA, as a list of polygons or as single polygons.
 fn l_collada(first: usize, element: &str) -> String {
     let flat = l_from(first);
     let vertices = [0.0, 0.03]
@@ -513,8 +513,8 @@ proptest! {
     }
 }
 
-/// None of the files above can state a triangle in fewer than two bytes (only nodes that are
-/// instanced over and over in COLLADA could), so memory stays in proportion to the file.
+/// Every valid file above takes at least two bytes per triangle (only nodes that are instanced repeatedly in COLLADA
+/// could take less), so memory stays in proportion to the file.
 fn triangles_fit(mesh: &Mesh, bytes: usize) -> bool {
     2 * mesh.triangles().len() <= bytes
 }

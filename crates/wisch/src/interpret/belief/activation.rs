@@ -1,38 +1,38 @@
-//! Whether a particle responds to a contact (12): the threshold that each has drawn.
+//! Activation of particles (12): the threshold that each particle has drawn, and its response to a contact.
 
 use crate::interpret::contact::{ContactMotion, MAX_LENGTH};
 use crate::random::keyed_uniform;
 use rand::Rng;
 use rand_chacha::{ChaCha8Rng, rand_core::SeedableRng};
 
-/// A particle that is touched again within this travel is still in the same contact [m]: it may have been
-/// out of touch while the tool stood or turned a corner.
+/// Travel within which a particle that is touched again is still in the same contact [m]: it may lose touch while the
+/// tool stands or turns a corner.
 const SAME_CONTACT: f64 = MAX_LENGTH;
 
-/// A level above every probability.
+/// Level of a particle that slips past the tool; above every probability, so that it does not respond.
 const SLIPPED: f64 = 2.0;
-/// Tells apart the random numbers for slipping.
+/// Key that separates the random numbers of slipping from those of the thresholds.
 const SLIPS: u64 = 0x736c_6970;
 
 /// The thresholds of all particles of one member, over all rounds.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Activation {
-    /// Of the member's random numbers.
+    /// Key of the member's random numbers.
     pub(super) key: u64,
     thresholds: Vec<Threshold>,
     travelled: TravelClock,
-    /// Probability that a particle that draws slips past the tool instead [1].
+    /// Probability that a particle slips past the tool instead of drawing a threshold [1].
     slip: f64,
     /// Whether each particle keeps its threshold for good.
     is_kept: bool,
 }
 
-/// Travel in contact before the motion at hand, and after it; an interruption adds a little [m].
+/// Travel in contact before and after the current motion [m]; each interruption adds a little.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(super) struct TravelClock([f64; 2]);
 
 impl TravelClock {
-    /// Goes on to a motion, and says between which travels it is.
+    /// Advances to the next motion, and returns the travel before and after it [m].
     pub(super) fn advance(&mut self, contact: &ContactMotion) -> [f64; 2] {
         if !contact.continues {
             self.interrupt();
@@ -42,7 +42,7 @@ impl TravelClock {
         self.0
     }
 
-    /// What was touched before is touched anew from now on.
+    /// Ends the contact, so that every particle touched later is in a new contact.
     fn interrupt(&mut self) {
         self.0 = [self.0[1] + 2.0 * SAME_CONTACT; 2];
     }
@@ -58,13 +58,13 @@ pub(super) struct DrawClock {
 }
 
 impl DrawClock {
-    /// That of a particle that was never touched.
+    /// Clock of a particle that was never touched.
     pub(super) const NEVER: Self = Self {
         touched: f64::NEG_INFINITY,
         drew: 0.0,
     };
 
-    /// Touches the particle between two travels [m], and says whether it draws as that begins.
+    /// Records a touch between two travels [m], and returns whether the particle draws a threshold at its beginning.
     pub(super) fn touch(&mut self, [begin, end]: [f64; 2], redraw_length: f64) -> bool {
         let is_new_contact = begin - self.touched > SAME_CONTACT;
         let is_due = begin - self.drew >= redraw_length;
@@ -72,7 +72,7 @@ impl DrawClock {
         if is_new_contact {
             self.drew = begin;
         } else if is_due {
-            // Draws are due every so often, whatever the length of the motions between which they fall.
+            // Draws are due at fixed travels, independent of how the travel is split into motions.
             self.drew += redraw_length;
         }
         is_new_contact || is_due
@@ -83,13 +83,13 @@ impl DrawClock {
 struct Threshold {
     clock: DrawClock,
     draws: u32,
-    /// Which of its draws is kept, if one is.
+    /// Number of times that the particle was renewed; it selects the threshold of a particle that keeps it.
     kept: u32,
-    /// Uniform in (0, 1); [`SLIPPED`] responds to nothing.
+    /// Level, uniform in (0, 1); a particle at [`SLIPPED`] never responds.
     level: f64,
 }
 
-/// That of a particle that was never touched.
+/// Threshold of a particle that was never touched.
 const NEVER: Threshold = Threshold {
     clock: DrawClock::NEVER,
     draws: 0,
@@ -110,13 +110,14 @@ impl Activation {
         }
     }
 
-    /// Goes on to another log, in which so much slips: what the tool touched before, it touches anew.
+    /// Begins another log in which the share `slip` of the particles slips past the tool [1]; every touch is a new
+    /// contact.
     pub(super) fn begin_log(&mut self, slip: f64) {
         self.slip = slip;
         self.travelled.interrupt();
     }
 
-    /// Forgets the thresholds of these particles, and has one for every particle of so many.
+    /// Resizes the list to `particles` thresholds, and forgets those of the particles in `renewed`.
     pub(super) fn renew(&mut self, renewed: &[usize], particles: usize) {
         self.thresholds.resize(particles, NEVER);
         for &particle in renewed {
@@ -128,12 +129,12 @@ impl Activation {
         }
     }
 
-    /// Goes on to a motion.
+    /// Advances to the next motion.
     pub(super) fn advance(&mut self, contact: &ContactMotion) {
         self.travelled.advance(contact);
     }
 
-    /// Whether a particle that the motion at hand touches, and that does so with a probability, responds.
+    /// Whether a particle touched by the current motion responds, given the probability of its activation [1].
     pub(super) fn responds(
         &mut self,
         particle: usize,

@@ -1,16 +1,16 @@
-//! How much dirt is believed to lie where.
+//! Maps of the expected dirt.
 
 use crate::geometry::{Bounds2, Point2, Vector2};
 use crate::interpret::error::InterpretError;
 use crate::represent::{ParticleDistribution, Surface};
 
-/// Most cells of a map: a million are a square metre in square millimetres.
+/// Most cells of a map; a square metre has a million square millimetres.
 const MAX_CELLS: usize = 1 << 22;
-/// Share of a cell by which a surface may exceed whole cells through rounding alone.
+/// Share of a cell by which rounding may make a surface exceed whole cells.
 const ROUNDING: f64 = 1e-9;
 
-/// Remaining particles per cell, over the members of a belief. Cells are squares that cover the bounds of
-/// the surface, row by row, both from below.
+/// Expected number of remaining particles per cell, with its standard deviation over the members of a belief. Square
+/// cells cover the bounds of the surface, row by row from the least x and y.
 #[derive(Debug, Clone, PartialEq)]
 pub struct DensityMap {
     origin: Point2,
@@ -74,11 +74,11 @@ impl DensityMap {
         self.mean = sums;
     }
 
-    /// The cell of a place; `None` off the map.
+    /// Returns the index of the cell at a place; `None` off the map.
     fn cell(&self, place: Point2) -> Option<usize> {
         let offset = place - self.origin;
         let inside = |value: f64, cells: usize| {
-            // The far border belongs to the last cell.
+            // The upper border belongs to the last cell.
             let whole = (value / self.cell_size).floor();
             (whole >= 0.0 && value <= cells as f64 * self.cell_size)
                 .then(|| (whole as usize).min(cells - 1))
@@ -86,17 +86,17 @@ impl DensityMap {
         Some(inside(offset.y, self.rows)? * self.columns + inside(offset.x, self.columns)?)
     }
 
-    /// Columns (along x) and rows (along y).
+    /// Number of columns (along x) and of rows (along y).
     pub fn shape(&self) -> (usize, usize) {
         (self.columns, self.rows)
     }
 
-    /// Side of a square cell [m], along x as along y of the surface.
+    /// Side of a cell [m], the same along x and y of the surface.
     pub fn cell_size(&self) -> f64 {
         self.cell_size
     }
 
-    /// Middle of a cell in the surface frame [m].
+    /// Returns the middle of a cell in the surface frame [m].
     pub fn center(&self, column: usize, row: usize) -> Point2 {
         self.origin + Vector2::new(column as f64 + 0.5, row as f64 + 0.5) * self.cell_size
     }
@@ -104,15 +104,15 @@ impl DensityMap {
     /// Mean number of particles that remain in a cell.
     ///
     /// # Panics
-    /// Where there is no such cell.
+    /// If the cell is not on the map.
     pub fn mean(&self, column: usize, row: usize) -> f64 {
         self.mean[self.index(column, row)]
     }
 
-    /// Standard deviation, over the members, of the number of particles that remain in a cell.
+    /// Standard deviation over the members of the number of particles that remain in a cell.
     ///
     /// # Panics
-    /// Where there is no such cell.
+    /// If the cell is not on the map.
     pub fn standard_deviation(&self, column: usize, row: usize) -> f64 {
         self.deviation[self.index(column, row)]
     }

@@ -1,4 +1,4 @@
-//! What the robot believes of the dirt: many worlds that may be, each with its own dirt and its own laws.
+//! The robot's belief about the dirt: an ensemble of possible worlds, each with its own dirt and parameters.
 
 use super::activation::Activation;
 use super::density::DensityMap;
@@ -10,20 +10,20 @@ use crate::represent::{Fate, GoalState, ParticleDistribution, ParticleError, Sur
 use rand::RngExt;
 use rand_chacha::{ChaCha8Rng, rand_core::SeedableRng};
 
-/// An ensemble of worlds that may be. Each member has dirt of its own, as many particles as it believes in, and, from
-/// the first log on, parameters of its own, which it keeps.
+/// A weighted ensemble of possible worlds. Each member has its own number and places of particles. From the first log
+/// on it also has its own parameters, which it keeps.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Belief {
     replays: Vec<ParticleDistribution>,
-    /// Of the members; they add up to 1.
+    /// Weights of the members; they sum to 1.
     weights: Vec<f64>,
-    /// What each member takes for real; nothing before the first log.
+    /// Parameters and thresholds of each member; empty before the first log.
     pub(super) states: Vec<MemberState>,
-    /// What the logs said of the tool's stiffness; nothing before the first.
+    /// Belief about the tool's stiffness after the logs so far; `None` before the first.
     stiffness: Option<StiffnessBelief>,
 }
 
-/// What a member takes for real beside where its dirt lies.
+/// Parameters and thresholds of a member.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct MemberState {
     pub(super) parameters: MemberParameters,
@@ -31,7 +31,7 @@ pub(super) struct MemberState {
 }
 
 impl Belief {
-    /// Certainty: the dirt lies like this.
+    /// Returns the belief of a single member, whose dirt is known.
     pub fn certain(particles: ParticleDistribution) -> Self {
         Self {
             replays: vec![particles],
@@ -41,10 +41,10 @@ impl Belief {
         }
     }
 
-    /// Members of equal weight.
+    /// Returns a belief of members of equal weight.
     ///
     /// # Errors
-    /// No member at all.
+    /// An empty list of members.
     pub fn of(members: Vec<ParticleDistribution>) -> Result<Self, InterpretError> {
         if members.is_empty() {
             return Err(InterpretError::NoMembers);
@@ -52,7 +52,7 @@ impl Belief {
         Ok(Self::ensemble(members))
     }
 
-    /// Members of equal weight, at least one.
+    /// Returns a belief of members of equal weight; `members` must not be empty.
     pub(super) fn ensemble(members: Vec<ParticleDistribution>) -> Self {
         let weights = vec![1.0 / members.len() as f64; members.len()];
         Self {
@@ -63,8 +63,8 @@ impl Belief {
         }
     }
 
-    /// The same members after a log.
-    pub(super) fn continued(
+    /// Returns the belief after a log.
+    pub(super) fn continue_with(
         members: Vec<(ParticleDistribution, MemberState)>,
         weights: Vec<f64>,
         stiffness: StiffnessBelief,
@@ -78,21 +78,21 @@ impl Belief {
         }
     }
 
-    /// The same members with other weights.
-    pub(super) fn reweighted(&self, weights: Vec<f64>) -> Self {
+    /// Returns the same members with new weights.
+    pub(super) fn with_weights(&self, weights: Vec<f64>) -> Self {
         Self {
             weights,
             ..self.clone()
         }
     }
 
-    /// What the logs so far said of the tool's stiffness.
+    /// Belief about the tool's stiffness after the logs so far.
     pub(in crate::interpret) fn stiffness(&self) -> Option<StiffnessBelief> {
         self.stiffness
     }
 
-    /// Members after a look; states only if all have some.
-    pub(super) fn after_look(
+    /// Returns the belief after an observation; it keeps the states only if every member has one.
+    pub(super) fn with_observed(
         &self,
         members: Vec<(ParticleDistribution, Option<MemberState>)>,
         weights: Vec<f64>,
@@ -109,28 +109,28 @@ impl Belief {
         }
     }
 
-    /// The members' dirt; there is at least one.
+    /// Dirt of each member; at least one.
     pub fn replays(&self) -> &[ParticleDistribution] {
         &self.replays
     }
 
-    /// How likely each member is; the weights add up to 1.
+    /// Weights of the members; they sum to 1.
     pub fn weights(&self) -> &[f64] {
         &self.weights
     }
 
-    /// Whether it says exactly where the dirt lies.
+    /// Whether there is a single member, whose dirt counts as known.
     pub fn is_certain(&self) -> bool {
         self.replays.len() == 1
     }
 
-    /// How many members of equal weight would say as much.
+    /// Effective number of members: the inverse of the sum of the squared weights (Kish).
     pub fn effective_members(&self) -> f64 {
         let squares: f64 = self.weights.iter().map(|weight| weight * weight).sum();
         1.0 / squares
     }
 
-    /// The belief about the performance; `deviation` is what the model leaves out, as a standard deviation [1].
+    /// Returns the distribution of the performance; `deviation` is the standard deviation of the model error [1].
     pub fn performance(
         &self,
         goal: &GoalState,
@@ -140,7 +140,8 @@ impl Belief {
         PerformanceDistribution::of(&self.replays, &self.weights, goal, surface, deviation)
     }
 
-    /// Fewer members, each as often as its weight says, give or take one; all of equal weight. At least one is kept.
+    /// Resamples `count` members of equal weight, at least one. Each member occurs as often as its weight says, rounded
+    /// up or down.
     ///
     /// ```
     /// use wisch::geometry::Point2;
@@ -166,20 +167,20 @@ impl Belief {
         }
     }
 
-    /// The dirt of one member, drawn by weight.
+    /// Returns the dirt of one member, drawn by weight.
     ///
     /// # Errors
-    /// None today: the members' dirt is known to be finite.
+    /// None at present: the members' dirt is finite.
     pub fn sample(&self, seed: u64) -> Result<ParticleDistribution, ParticleError> {
         let mut random = ChaCha8Rng::seed_from_u64(seed);
         Ok(self.replays[self.at(random.random())].clone())
     }
 
-    /// The dirt of several members, drawn by weight, one on top of the other: all that the dirt may be like, for plans
-    /// that are to be good on average. A single member has dirt where there is none and none where there is some.
+    /// Returns the dirt of `count` members, drawn by weight, in one distribution. It represents all possible dirt, for
+    /// plans that are good on average. A single member has dirt in clean places and none in some dirty ones.
     ///
     /// # Errors
-    /// More than [`MAX_PARTICLES`](crate::represent::MAX_PARTICLES) in all.
+    /// More than [`MAX_PARTICLES`](crate::represent::MAX_PARTICLES) particles in total.
     ///
     /// ```
     /// use wisch::geometry::Point2;
@@ -198,8 +199,8 @@ impl Belief {
         ParticleDistribution::with_fates(&particles)
     }
 
-    /// The places of a surface that is treated, each with the median over the members of its passes: what is as likely as
-    /// not to be missing is missing. `None` where members disagree on where the places are.
+    /// Returns the places of a treated surface, each with the weighted median of its passes over the members. A place
+    /// that at least half of the weight calls untreated is untreated. `None` if the members have different places.
     pub fn median_passes(&self) -> Option<ParticleDistribution> {
         let [first, others @ ..] = &self.replays[..] else {
             return None;
@@ -233,7 +234,7 @@ impl Belief {
         ParticleDistribution::with_fates(&places).ok()
     }
 
-    /// The dirt of several members, drawn by weight; of certainty just the one.
+    /// Returns the dirt of `count` members, drawn by weight; a certain belief returns its single member.
     ///
     /// ```
     /// use wisch::interpret::Belief;
@@ -247,7 +248,8 @@ impl Belief {
         chosen.map(|member| self.replays[member].clone()).collect()
     }
 
-    /// Members drawn so that each comes as often as its weight says, give or take one (systematic resampling).
+    /// Draws member indices by systematic resampling: each member occurs as often as its weight says, rounded up or
+    /// down.
     pub(super) fn systematic(&self, count: usize, seed: u64) -> Vec<usize> {
         let mut random = ChaCha8Rng::seed_from_u64(seed);
         let begin: f64 = random.random();
@@ -255,7 +257,7 @@ impl Belief {
         (0..count).map(|i| self.at(place(i))).collect()
     }
 
-    /// The member at a place in [0, 1) along the weights.
+    /// Returns the index of the member at a position in [0, 1) along the cumulative weights.
     fn at(&self, place: f64) -> usize {
         let mut sum = 0.0;
         let reached = self.weights.iter().position(|weight| {
@@ -265,10 +267,10 @@ impl Belief {
         reached.unwrap_or(self.weights.len() - 1)
     }
 
-    /// How many particles remain where, over square cells of side `cell_size` [m].
+    /// Returns the expected number of remaining particles per square cell of side `cell_size` [m].
     ///
     /// # Errors
-    /// Cells so small that there are too many, or a side that is not above 0.
+    /// A side that is not above 0, or cells so small that there are too many.
     pub fn density(&self, surface: &Surface, cell_size: f64) -> Result<DensityMap, InterpretError> {
         DensityMap::of(&self.replays, &self.weights, surface, cell_size)
     }

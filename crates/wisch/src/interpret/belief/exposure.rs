@@ -1,7 +1,7 @@
-//! What a log did to places of the surface: how hard the tool pressed there, over which travel in contact.
+//! Exposure of places to a log: how hard the tool pressed there, and over which travel in contact.
 
 use super::activation::{DrawClock, TravelClock};
-use super::parameter_sampling::{MemberParameters, scattered};
+use super::parameter_sampling::{MemberParameters, scatter};
 use super::push_hypotheses::ContactEvidence;
 use super::replay::Replay;
 use crate::interpret::config::InterpretConfig;
@@ -9,21 +9,21 @@ use crate::interpret::contact::PressureDistribution;
 use crate::interpret::uncertainty::Uncertainty;
 use crate::represent::{EffectModel, ParticleDistribution, ParticleField};
 
-/// A touch of a particle that stays where it is.
+/// One touch of a particle that stays in place.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Touched {
-    /// Travel of the tool in contact before the touch and after it [m].
+    /// Travel of the tool in contact at the beginning and at the end of the touch [m].
     pub travel: [f64; 2],
-    /// Largest f′ that it feels (9) [1].
+    /// Largest f′ at the particle during the touch (9) [1].
     pub share: f64,
 }
 
-/// What a log does to a particle as long as that stays at its place.
+/// The touches of a particle during a log, if it stays in place.
 ///
 /// ```
 /// use wisch::interpret::{Exposure, Touched};
 /// let touch = |begin: f64, share| Touched { travel: [begin, begin + 0.01], share };
-/// // 3 cm under the tool, then 1 m elsewhere, then under it again.
+/// // 3 cm under the tool, then 1 m away from it, then under it again.
 /// let exposure = Exposure::new(vec![touch(0.0, 0.4), touch(0.01, 0.6), touch(0.02, 0.5), touch(1.03, 0.9)]);
 /// assert_eq!(exposure.draws(0.02), [0.6, 0.5, 0.9]);
 /// assert_eq!(exposure.draws(0.5), [0.6, 0.9]);
@@ -35,18 +35,18 @@ pub struct Exposure {
 }
 
 impl Exposure {
-    /// Of touches in the order of their travel.
+    /// Returns an exposure; `touches` are sorted by travel.
     pub fn new(touches: Vec<Touched>) -> Self {
         Self { touches }
     }
 
-    /// Whether the tool came there at all.
+    /// Whether the tool touched the particle at all.
     pub fn is_touched(&self) -> bool {
         !self.touches.is_empty()
     }
 
-    /// Largest f′ felt under each threshold that the particle draws if it draws anew after this travel ℓ [m]: it has
-    /// stayed if each of these thresholds was higher.
+    /// Returns the largest f′ met by each threshold that the particle draws, if it draws again after every
+    /// `redraw_length` ℓ of travel [m]. The particle has stayed if each of its thresholds was higher.
     pub fn draws(&self, redraw_length: f64) -> Vec<f64> {
         let mut clock = DrawClock::NEVER;
         let mut draws: Vec<f64> = Vec::new();
@@ -60,7 +60,7 @@ impl Exposure {
         draws
     }
 
-    /// Largest f′ of all: the particle has stayed if the one threshold that it keeps is higher.
+    /// Largest f′ of all touches [1]: a particle that keeps one threshold has stayed if that threshold is higher.
     pub fn most(&self) -> f64 {
         self.touches
             .iter()
@@ -70,8 +70,9 @@ impl Exposure {
 }
 
 impl Replay<'_> {
-    /// What the log does to these particles, each with so many guesses of where it really lies, how the tool sits in the
-    /// hand and what a push did. `deviation` is that of a place along x and along y [m].
+    /// Returns the exposure of each particle, with one entry per guess. Each guess draws the particle's place, the
+    /// grasp of the tool and the hypothesis about each push. `deviation`: standard deviation of a place along x and
+    /// along y [m].
     pub(in crate::interpret) fn exposures(
         &self,
         particles: &ParticleDistribution,
@@ -79,7 +80,7 @@ impl Replay<'_> {
         deviation: f64,
         guesses: usize,
     ) -> Vec<Vec<Exposure>> {
-        // How hard the tool really presses is another matter: it is the same for all of a log.
+        // The error of the force scale is left out: it is the same for the whole log.
         let config = InterpretConfig {
             uncertainty: Uncertainty {
                 force_share: 0.0,
@@ -90,7 +91,7 @@ impl Replay<'_> {
         let mut exposures = vec![vec![Exposure::default(); guesses]; particles.len()];
         (0..guesses).for_each(|guess| {
             let parameters = MemberParameters::draw(&config, guess as u64);
-            let there = scattered(
+            let there = scatter(
                 particles,
                 self.surface,
                 deviation,
@@ -104,7 +105,7 @@ impl Replay<'_> {
             let bounds = footprint.bounds();
             let mut clock = TravelClock::default();
             for contact in evidence.motions(guess as u64, compression).iter() {
-                let contact = parameters.applied(contact, self.force_ratio);
+                let contact = parameters.apply(contact, self.force_ratio);
                 let travel = clock.advance(&contact);
                 let pressure = PressureDistribution::of(&contact, bounds, compression);
                 let mean = contact.force.value();

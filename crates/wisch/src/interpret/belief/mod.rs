@@ -1,4 +1,4 @@
-//! Where the dirt may lie after a log: an ensemble of worlds that may be, in each of which the contact motions are
+//! Belief about the dirt after a log: an ensemble of possible worlds, in each of which the contact motions are
 //! replayed.
 
 mod activation;

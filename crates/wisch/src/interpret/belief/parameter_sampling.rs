@@ -1,4 +1,4 @@
-//! The parameters of a member, sampled from what is not known exactly.
+//! Parameters of a member, sampled from the uncertainty of the settings.
 
 use crate::geometry::{PlanarPose, Point2};
 use crate::interpret::config::InterpretConfig;
@@ -8,35 +8,35 @@ use crate::represent::{Fate, LogNormal, ParticleDistribution, Surface, ToolMotio
 use rand::{Rng, RngExt};
 use rand_chacha::{ChaCha8Rng, rand_core::SeedableRng};
 
-/// Streams of random numbers: apart from those of the activation, which are numbered from 0.
+/// Random streams of the parameters; those of the activation are numbered from 0.
 const STREAMS: u64 = 0x7661_7279_0000_0000;
-/// Streams for where known particles lie.
+/// Random streams of the places of known particles.
 const PLACES: u64 = 0x706c_6163_0000_0000;
 
-/// Keys of what a member makes of the scale of the force, and of a log without contact.
+/// Key of the draw that decides how a member explains the scale of the force.
 const SCALES: u64 = 0x7363_616c_6573;
 
-/// By how much more a law is off that is just wrong [1].
+/// Factor by which the parameters of an outlier deviate more [1].
 const OUTLIER: f64 = 3.0;
 /// Share of the members in which nothing slips past the tool [1].
 const UNSLIPPED: f64 = 0.875;
 
-/// What a member takes for real, over all rounds.
+/// Parameters of a member, constant over all rounds.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct MemberParameters {
     grasp: PlanarPose,
-    /// Size of the footprint over the believed one [1].
+    /// Size of the footprint over the modelled one [1].
     pub(super) footprint_scale: f64,
     force_scale: f64,
-    /// By how many standard deviations the logarithm of the tool's stiffness is off its mean [1].
+    /// Deviation of the logarithm of the tool's stiffness from its mean, in standard deviations [1].
     stiffness: f64,
-    /// Depth of a heap of all particles over r_s [1].
+    /// Depth of a heap of all particles, over r_s [1].
     pub(super) heap: f64,
-    /// The chance of an effect over the normalised force.
+    /// Probability of an effect as a function of f′.
     pub(super) likelihood: LogNormal,
-    /// After this travel in contact a threshold is drawn again [m].
+    /// Travel in contact after which a threshold is drawn again [m].
     pub(super) redraw_length: f64,
-    /// Whether thresholds are kept for good instead.
+    /// Whether each particle keeps its threshold instead.
     pub(super) is_kept: bool,
 }
 
@@ -74,13 +74,13 @@ impl MemberParameters {
         }
     }
 
-    /// How far the tool is compressed at nominal force [m], with what is believed of its stiffness by now.
+    /// Compression of the tool at nominal force [m], given the current belief about its stiffness.
     pub(super) fn compression(&self, config: &InterpretConfig, believed: StiffnessBelief) -> f64 {
         config.nominal_compression() / believed.scale(self.stiffness)
     }
 
-    /// The motion that the tool makes if it sits so in the hand, with a force that is by this factor another.
-    pub(super) fn applied(&self, contact: &ContactMotion, force_factor: f64) -> ContactMotion {
+    /// Returns the motion of the tool as the member grasps it, with the force scaled by `force_factor`.
+    pub(super) fn apply(&self, contact: &ContactMotion, force_factor: f64) -> ContactMotion {
         let moved = |tool: &PlanarPose| {
             let position = tool.transform(self.grasp.position);
             PlanarPose::new(position, tool.heading + self.grasp.heading)
@@ -96,9 +96,9 @@ impl MemberParameters {
     }
 }
 
-/// The particles where they may lie as well, if each is known to this standard deviation along x and along y [m]; none
-/// leaves the surface by that.
-pub(super) fn scattered(
+/// Shifts each particle by a normal error of `deviation` along x and along y [m]. A particle stays in place if it would
+/// leave the surface.
+pub(super) fn scatter(
     particles: &ParticleDistribution,
     surface: &Surface,
     deviation: f64,
@@ -115,33 +115,34 @@ pub(super) fn scattered(
             (if is_possible { there } else { position }, fate)
         })
         .collect();
-    // Finite positions stay finite.
+    // The shifted places are finite, as they lie on the surface.
     ParticleDistribution::with_fates(&places).unwrap_or_else(|_| particles.clone())
 }
 
-/// By which factor the f′ of a log is another in a member, if the tool pressed with this ratio of the declared force [1].
-/// The log alone does not say which of two things is so: that the tool really pressed so much, or that the sensor or the
-/// task has another scale and the force was the one meant.
+/// Returns the factor on f′ in a member if the tool pressed with `ratio` times the declared force [1].
+///
+/// The log does not tell two causes apart: the tool really pressed with this force, or the sensor or the task has
+/// another scale and the tool pressed with the declared force. Each member takes one of them.
 pub(super) fn force_factor(config: &InterpretConfig, ratio: f64, member: u64) -> f64 {
     let is_rescaled =
         keyed_uniform(config.seed ^ SCALES, member, 0) < config.uncertainty.rescaled_share;
     if is_rescaled { 1.0 } else { ratio }
 }
 
-/// Share of what is pushed that slips past the tool in a log, per drawing [1]: how a heap leaks depends on the strokes, so a
-/// member draws it for every log anew.
+/// Returns the share of pushed dirt that slips past the tool in a log, per draw of a threshold [1]. A heap leaks
+/// differently with each plan, so a member draws it for every log.
 pub(super) fn slip(config: &InterpretConfig, member: u64) -> f64 {
     config.uncertainty.slip_share * slip_severity(config.seed, member)
 }
 
-/// How much slips in a member, over the most that may [1]: nothing in most of them. An additive sequence by the
-/// golden ratio, begun anywhere, spreads the others evenly over the members, however many there are.
+/// Returns the share of slip in a member over the largest one [1]; 0 in most members. An additive sequence by the
+/// golden ratio with a random start spreads the remaining members evenly, for any number of them.
 fn slip_severity(seed: u64, member: u64) -> f64 {
     const GOLDEN: u64 = 0x9E37_79B9_7F4A_7C15;
     let mut random = ChaCha8Rng::seed_from_u64(seed);
     random.set_stream(STREAMS - 1);
     let place = random.next_u64().wrapping_add(member.wrapping_mul(GOLDEN));
-    // 53 bits in [0, 1).
+    // The upper 53 bits as a number in [0, 1).
     let place = (place >> 11) as f64 / (1_u64 << 53) as f64;
     ((place - UNSLIPPED) / (1.0 - UNSLIPPED)).max(0.0)
 }

@@ -1,15 +1,15 @@
-//! How well a goal is believed to be met: a distribution, not a number.
+//! Belief about the performance: a distribution over [0, 1].
 
 use crate::represent::{GoalState, ParticleDistribution, Performance, Surface};
 
-/// Steps of the grid on [0, 1] over which a score is integrated.
+/// Steps of the grid on [0, 1] over which the CRPS is integrated.
 const SCORE_STEPS: usize = 2000;
-/// Steps on [0, 1] by which a performance of which nothing is known is spread.
+/// Steps on [0, 1] of the uniform distribution of an unknown performance.
 const UNKNOWN_STEPS: u32 = 100;
-/// Halvings until a quantile is as exact as is of use.
+/// Bisection steps to a quantile.
 const HALVINGS: usize = 40;
 
-/// A share with a 90 % interval.
+/// A mean in [0, 1] with its 90 % interval.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Estimate {
     /// Expected value.
@@ -20,8 +20,8 @@ pub struct Estimate {
     pub high: f64,
 }
 
-/// The belief about a performance in [0, 1]: that of every member with its weight, each blurred by what the model leaves
-/// out, a normal distribution cut off at 0 and 1.
+/// Belief about a performance in [0, 1]: a mixture over the members, by weight. Each component is a normal distribution
+/// whose standard deviation is the model error, cut off at 0 and 1.
 ///
 /// ```
 /// use wisch::interpret::PerformanceDistribution;
@@ -32,14 +32,15 @@ pub struct Estimate {
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct PerformanceDistribution {
-    /// Performances with their weights, which add up to 1, by performance.
+    /// Performances with their weights, sorted by performance; the weights sum to 1.
     shares: Vec<(f64, f64)>,
     mean: f64,
     deviation: f64,
 }
 
 impl PerformanceDistribution {
-    /// Of performances with weights of any positive sum, each blurred by this standard deviation [1].
+    /// Returns a mixture of performances with weights of any positive sum; `deviation` is the standard deviation of
+    /// each component [1].
     pub fn of_shares(shares: impl IntoIterator<Item = (f64, f64)>, deviation: f64) -> Self {
         let mut shares: Vec<(f64, f64)> = shares.into_iter().collect();
         shares.sort_by(|a, b| a.0.total_cmp(&b.0));
@@ -55,7 +56,7 @@ impl PerformanceDistribution {
             *weight /= sum;
         }
         let mean: f64 = shares.iter().map(|(share, weight)| share * weight).sum();
-        // Equal shares have that share as their mean, to the last bit.
+        // Rounding must not move the mean of equal shares away from them.
         let [least, most] = [shares.first(), shares.last()].map(|end| end.map_or(0.0, |end| end.0));
         Self {
             mean: mean.clamp(least, most),
@@ -64,7 +65,7 @@ impl PerformanceDistribution {
         }
     }
 
-    /// The same if with this probability [1] nothing is known of it: any performance is as likely then.
+    /// Returns the distribution if the performance is unknown, that is uniform on [0, 1], with this probability [1].
     #[must_use]
     pub(in crate::interpret) fn or_unknown(&self, probability: f64) -> Self {
         if probability <= 0.0 {
@@ -96,7 +97,7 @@ impl PerformanceDistribution {
         self.mean
     }
 
-    /// Probability that the performance is below a value [1].
+    /// Returns the probability that the performance is below a value [1].
     pub fn probability_below(&self, value: f64) -> f64 {
         if value > 1.0 {
             return 1.0;
@@ -111,13 +112,13 @@ impl PerformanceDistribution {
         self.cumulative(value)
     }
 
-    /// The performance below which this share of the probability lies [1]; `probability` in (0, 1).
+    /// Returns the performance below which `probability`, in (0, 1), of the distribution lies [1].
     pub fn quantile(&self, probability: f64) -> f64 {
         if self.deviation == 0.0 {
             let mut sum = 0.0;
             let reached = self.shares.iter().find(|(_, weight)| {
                 sum += weight;
-                // What rounding leaves of a sum is no probability.
+                // A remainder of this size comes from rounding.
                 sum >= probability - 1e-12
             });
             return reached.or(self.shares.last()).map_or(0.0, |share| share.0);
@@ -134,13 +135,13 @@ impl PerformanceDistribution {
         if high == 1.0 { 1.0 } else { 0.5 * (low + high) }
     }
 
-    /// The ends between which this share of the probability lies, as much below as above [1].
+    /// Returns the ends of the central interval that holds `share` of the probability [1].
     pub fn interval(&self, share: f64) -> [f64; 2] {
         let outside = 0.5 * (1.0 - share);
         [self.quantile(outside), self.quantile(1.0 - outside)]
     }
 
-    /// Mean with the 90 % interval.
+    /// Returns the mean with the 90 % interval.
     pub fn estimate(&self) -> Estimate {
         let [low, high] = self.interval(0.9);
         Estimate {
@@ -150,9 +151,9 @@ impl PerformanceDistribution {
         }
     }
 
-    /// Continuous ranked probability score of what turned out to be the performance [1]: the integral of the squared
-    /// difference between the cumulative probability and the step at the outcome; 0 is a certain belief that was right
-    /// (Gneiting and Raftery 2007).
+    /// Returns the continuous ranked probability score of an outcome [1]: the integral of the squared difference
+    /// between the cumulative probability and the step at the outcome. A certain and correct belief scores 0 (Gneiting
+    /// and Raftery 2007).
     pub fn score(&self, outcome: f64) -> f64 {
         let step = 1.0 / SCORE_STEPS as f64;
         let at = |i: usize| {
@@ -189,10 +190,10 @@ mod tests {
 
     #[test]
     fn a_score_is_that_of_the_closed_form() {
-        // A normal belief about its own mean scores 0.2337 standard deviations.
+        // A normal belief about its own mean has a score of 0.2337 standard deviations.
         let belief = PerformanceDistribution::of_shares([(0.5, 1.0)], 0.05);
         assert!((belief.score(0.5) - 0.233_695 * 0.05).abs() < 1e-5);
-        // Between two certainties, a quarter of the distance.
+        // Two certain members, at the mean of which the outcome lies: a quarter of their distance.
         let two = PerformanceDistribution::of_shares([(0.2, 1.0), (0.6, 1.0)], 0.0);
         assert!((two.score(0.2) - 0.1).abs() < 1e-3);
         let sure = PerformanceDistribution::of_shares([(0.7, 1.0)], 0.0);

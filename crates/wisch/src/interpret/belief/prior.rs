@@ -1,4 +1,4 @@
-//! Where dirt may lie before anything was felt, by what is known of it.
+//! Belief about the dirt before the first log.
 
 use super::ensemble::Belief;
 use crate::geometry::{Bounds2, Point2, Vector2};
@@ -10,44 +10,44 @@ use rand::RngExt;
 use rand_chacha::{ChaCha8Rng, rand_core::SeedableRng};
 use rayon::prelude::*;
 
-/// By how much the number of particles may be off, as the standard deviation of its logarithm [1].
+/// Standard deviation of the logarithm of the number of particles [1].
 pub const COUNT_SPREAD: f64 = 0.3;
-/// How often dirt that lies anywhere lies in heaps [1].
+/// Probability that dirt of unknown place lies in heaps [1].
 const CLUMPED: f64 = 0.5;
-/// Most heaps.
+/// Largest number of heaps.
 const MOST_HEAPS: u32 = 6;
-/// Spread of a heap, at least and at most [m].
+/// Least and largest standard deviation of a heap [m].
 const HEAP_SPREAD: [f64; 2] = [0.01, 0.1];
-/// Draws until a place on the surface is found, after which there is none.
+/// Number of draws after which no free place counts as found.
 const DRAWS: usize = 10_000;
-/// Streams of random numbers of the members.
+/// Random streams of the members.
 const STREAM: u64 = 0x7072_696f_0000_0000;
 
-/// What is known of where dirt lies.
+/// Knowledge about the places of the dirt.
 #[derive(Debug, Clone, PartialEq)]
 pub enum DirtPrior {
-    /// Where each particle of the task lies.
+    /// Every particle of the task lies where the task says.
     Known,
-    /// That there are about so many, anywhere: spread evenly, or in heaps.
+    /// The number of particles is known roughly, their places are not: they lie evenly or in heaps.
     Anywhere {
-        /// How many, about.
+        /// Expected number of particles.
         count: usize,
     },
-    /// That there are about so many in heaps like these.
+    /// The number of particles is known roughly, and they lie in known heaps.
     Heaps {
-        /// How many in all, about.
+        /// Expected number of particles in all heaps.
         count: usize,
         /// The heaps.
         heaps: Vec<Cluster>,
     },
-    /// What was seen of it: the particles of the task are detections.
+    /// A camera detected the dirt: the particles of the task are detections.
     Seen(Sight),
 }
 
 impl DirtPrior {
-    /// A belief of so many members for a task; the task's seed decides.
+    /// Returns a belief of `members` members about a task's dirt; the random numbers follow from the task's seed.
     ///
-    /// What is known needs no members: they come with the first log.
+    /// Known dirt gives a single member, which the first log replaces by an ensemble.
     pub fn belief(&self, task: &Task, members: usize) -> Belief {
         if *self == Self::Known || members == 0 {
             return Belief::certain(task.particles.clone());
@@ -59,7 +59,7 @@ impl DirtPrior {
             let mut random = ChaCha8Rng::seed_from_u64(task.seed);
             random.set_stream(STREAM ^ member as u64);
             let points = self.points(task, &area, &mut random);
-            // Places on a surface are finite.
+            // All points lie on the surface, so they are finite.
             ParticleDistribution::new(&points).unwrap_or_default()
         };
         Belief::ensemble((0..members).into_par_iter().map(one).collect())
@@ -69,7 +69,7 @@ impl DirtPrior {
         match self {
             Self::Known => task.particles.remaining().collect(),
             Self::Anywhere { count } => {
-                let count = about(*count, random);
+                let count = draw_count(*count, random);
                 if random.random::<f64>() < CLUMPED {
                     area.in_heaps(count, random)
                 } else {
@@ -77,7 +77,7 @@ impl DirtPrior {
                 }
             }
             Self::Heaps { count, heaps } => {
-                let count = about(*count, random);
+                let count = draw_count(*count, random);
                 let total: f64 = heaps.iter().map(|heap| heap.weight).sum();
                 let mut place = || {
                     let mut share = random.random::<f64>() * total;
@@ -100,7 +100,7 @@ impl DirtPrior {
                         points.extend(area.near(place, sensor.position_error_m, random));
                     }
                 }
-                // For each grain that was seen, so many were not.
+                // Expected number of missed grains, from the detection rate.
                 let missed = (1.0 - detection) / detection.max(0.05) * points.len() as f64;
                 for _ in 0..poisson(missed, random) {
                     points.extend(area.anywhere(random));
@@ -111,13 +111,14 @@ impl DirtPrior {
     }
 }
 
-/// A number of particles near this one, at least 1.
-fn about(count: usize, random: &mut ChaCha8Rng) -> usize {
+/// Draws a log-normal number of particles around `count`, at least 1.
+fn draw_count(count: usize, random: &mut ChaCha8Rng) -> usize {
     let factor = libm::exp(COUNT_SPREAD * normal(random));
     ((count as f64 * factor).round() as usize).max(1)
 }
 
-/// A Poisson-distributed number: by its gaps where it is small, by a normal distribution where it is large.
+/// Draws from a Poisson distribution: by multiplying uniform numbers for a small mean, by a normal approximation for a
+/// large one.
 pub(super) fn poisson(mean: f64, random: &mut ChaCha8Rng) -> usize {
     if mean > 100.0 {
         return (mean + mean.sqrt() * normal(random)).round().max(0.0) as usize;
@@ -131,7 +132,7 @@ pub(super) fn poisson(mean: f64, random: &mut ChaCha8Rng) -> usize {
     count
 }
 
-/// Where dirt can lie.
+/// Area of a surface in which dirt can lie.
 pub(super) struct Area<'a> {
     area: DirtArea<'a>,
     bounds: Bounds2,
@@ -150,7 +151,7 @@ impl<'a> Area<'a> {
         }
     }
 
-    /// A place anywhere; `None` where there is no room.
+    /// Draws a uniform place; `None` if no free place was found.
     pub(super) fn anywhere(&self, random: &mut ChaCha8Rng) -> Option<Point2> {
         let size = self.bounds.size();
         let mut draw = || {
@@ -162,7 +163,7 @@ impl<'a> Area<'a> {
             .find(|place| self.area.contains(*place))
     }
 
-    /// A place about another, normally distributed; `None` where there is no room.
+    /// Draws a place from a normal distribution about `center`; `None` if no free place was found.
     fn near(&self, center: Point2, deviation: f64, random: &mut ChaCha8Rng) -> Option<Point2> {
         let mut draw = || center + normal_pair(random) * deviation;
         (0..DRAWS)
@@ -170,7 +171,7 @@ impl<'a> Area<'a> {
             .find(|place| self.area.contains(*place))
     }
 
-    /// Heaps about places anywhere (Thomas 1949).
+    /// Draws places in heaps about uniform centres (Thomas 1949).
     fn in_heaps(&self, count: usize, random: &mut ChaCha8Rng) -> Vec<Point2> {
         let heaps: Vec<(Point2, f64)> = (0..random.random_range(1..=MOST_HEAPS))
             .filter_map(|_| {

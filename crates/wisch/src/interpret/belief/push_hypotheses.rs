@@ -1,10 +1,10 @@
-//! Contact during pushes, as hypotheses: one per replay.
+//! Hypotheses about contact during pushes, one per replay.
 //!
-//! While somebody has a hand on the tool, the force that is felt is the hand's as much as the surface's: little
-//! force may be a hand that holds against the spring of the tool, much of it a hand in the air. Where the tool is
-//! is another sign: a tool that is nearer to the plane than it is long when nothing presses it must touch. And a
-//! tool that is shoved and let go of may hop over what it carried, where nobody feels it. None of these hypotheses
-//! is certain, so each replay takes one of its own.
+//! While a person pushes the tool, the measured force is the hand's as well as the surface's. A small force may come
+//! from a hand that pulls against the spring of the tool, a large one from a hand in the air. The distance from the
+//! plane is another criterion: a tool that is closer to the plane than its uncompressed length must touch. A pushed and
+//! released tool may also hop over the carried material without a trace in the force. No hypothesis is certain, so each
+//! replay draws its own.
 
 use crate::geometry::{Bounds2, Pose};
 use crate::interpret::config::InterpretConfig;
@@ -18,55 +18,56 @@ use rand_chacha::{ChaCha8Rng, rand_core::SeedableRng};
 use std::borrow::Cow;
 use std::ops::Range;
 
-/// How long before it is felt a push may have begun [s].
+/// Time before its detection at which a push may have begun [s].
 const BEFORE: f64 = 0.05;
-/// How long after a push a tool that is let go of swings [s].
+/// Time after a push during which the released tool swings [s].
 const AFTER: f64 = 2.0;
-/// Stream of random numbers: apart from those of activation and parameters.
+/// Random stream; separate from those of activation and parameters.
 const STREAM: u64 = 0x646f_7562_0000_0000;
-/// Key of which replays take a log without contact for misread.
+/// Key of the draw that decides which replays take a log without contact for misread.
 const MISREAD: u64 = 0x6d69_7372_6561_6421;
 
-/// What speaks for contact, and when somebody pushed meanwhile.
+/// Contact motions of a log, and the pieces during which somebody pushed.
 #[derive(Debug)]
 pub(in crate::interpret) struct ContactEvidence<'a> {
     path: &'a [PathPiece],
-    /// Of the footprint, in the frame of the tool.
+    /// Bounds of the footprint, in the tool frame.
     bounds: Option<Bounds2>,
     real_from_believed: Pose,
     config: &'a InterpretConfig,
-    /// Pieces while somebody pushed.
+    /// Whether somebody pushed during each piece.
     is_pushed: Vec<bool>,
-    /// Pieces of each stretch in which somebody pushed, and what became of that.
+    /// Pieces of each stretch that holds a push and its consequences.
     stretches: Vec<Range<usize>>,
-    /// The motions where nobody pushed.
+    /// Contact motions by force alone.
     certain: Vec<ContactMotion>,
-    /// The motions of a tool that touched wherever it was low, if the log shows no contact: it may be misread.
+    /// Contact motions of a tool that touched wherever it was low, for a log without contact that may be misread; empty
+    /// otherwise.
     low: Vec<ContactMotion>,
 }
 
-/// How one replay detects contact in a stretch: by the force again as soon as the hand has let go.
+/// How one replay detects contact in a stretch. After the hand has let go, the force decides again.
 #[derive(Debug, Clone)]
 struct PushHypothesis {
     stretch: Range<usize>,
     criterion: Criterion,
-    /// Pieces within which the tool touches nothing.
+    /// Pieces of a hop, during which the tool touches nothing.
     hop: Range<usize>,
 }
 
-/// What decides on contact while somebody pushes.
+/// Criterion of contact while somebody pushes.
 #[derive(Debug, Clone, Copy)]
 enum Criterion {
-    /// By the force, as everywhere else.
+    /// The force, as in the rest of the log.
     Force,
-    /// By the distance from the plane, which is off by this [m].
+    /// The distance from the plane, with this error [m].
     Distance(f64),
-    /// What it carried it drags along as long as it is near the surface at all.
+    /// The tool drags the carried material while it is near the surface.
     Dragging,
 }
 
 impl<'a> ContactEvidence<'a> {
-    /// Of a path in the frame of the believed surface with these events.
+    /// Collects the evidence of a path in the frame of the believed surface, with its events.
     pub(in crate::interpret) fn new(
         path: &'a [PathPiece],
         events: &[Event],
@@ -79,14 +80,15 @@ impl<'a> ContactEvidence<'a> {
             bounds,
             is_pushed: is_pushed(path, events),
             stretches: stretches(path, events),
-            certain: contact_motions(path, &real_from_believed, |i| by_force(&path[i])),
+            certain: contact_motions(path, &real_from_believed, |i| share_by_force(&path[i])),
             low: Vec::new(),
             real_from_believed,
             config,
         }
     }
 
-    /// The same for a log that shows no contact, of a tool that may have touched at these pieces.
+    /// Adds the alternative that the tool touched at the pieces that `is_low` marks; it is empty for a log with
+    /// contact.
     #[must_use]
     pub(in crate::interpret) fn or_low(mut self, is_low: &[bool]) -> Self {
         if !is_low.is_empty() {
@@ -102,12 +104,12 @@ impl<'a> ContactEvidence<'a> {
         self
     }
 
-    /// Whether nothing was touched, and nobody pushed.
+    /// Whether the tool touched nothing and nobody pushed.
     pub(in crate::interpret) fn is_untouched(&self) -> bool {
         self.certain.is_empty() && self.stretches.is_empty() && self.low.is_empty()
     }
 
-    /// The motions in contact that a replay believes, in which the tool is compressed so far at nominal force [m].
+    /// Returns the contact motions in a replay; `compression` is that of the tool at nominal force in this replay [m].
     pub(in crate::interpret) fn motions(
         &self,
         replay: u64,
@@ -130,8 +132,8 @@ impl<'a> ContactEvidence<'a> {
         let force = |i: usize| {
             let hypothesis = hypotheses.iter().find(|one| one.stretch.contains(&i));
             hypothesis.map_or_else(
-                || by_force(&self.path[i]),
-                |one| self.force(i, one, compression),
+                || share_by_force(&self.path[i]),
+                |one| self.share(i, one, compression),
             )
         };
         Cow::Owned(contact_motions(self.path, &self.real_from_believed, force))
@@ -160,7 +162,8 @@ impl<'a> ContactEvidence<'a> {
         }
     }
 
-    /// The pieces of a hop as long as the tool, which begins at this share of the way of a stretch.
+    /// Returns the pieces of a hop of the tool's length; `begin` is the share of the stretch's travel at which it
+    /// starts.
     fn hop(&self, stretch: &Range<usize>, begin: f64) -> Range<usize> {
         let length = (self.bounds).map_or(0.0, |bounds| bounds.size().norm());
         let way: Vec<f64> = (stretch.clone().skip(1))
@@ -175,17 +178,19 @@ impl<'a> ContactEvidence<'a> {
         at(from)..at(from + length) + 1
     }
 
-    fn force(&self, i: usize, hypothesis: &PushHypothesis, compression: f64) -> NormalizedForce {
+    fn share(&self, i: usize, hypothesis: &PushHypothesis, compression: f64) -> NormalizedForce {
         let piece = &self.path[i];
         match hypothesis.criterion {
             _ if hypothesis.hop.contains(&i) => NormalizedForce::NoContact,
             Criterion::Distance(off) if self.is_pushed[i] => {
-                self.by_distance(piece, off, compression)
+                self.share_by_distance(piece, off, compression)
             }
             Criterion::Dragging if self.is_pushed[i] && self.is_near(piece) => {
                 NormalizedForce::Mean(1.0)
             }
-            Criterion::Distance(_) | Criterion::Dragging | Criterion::Force => by_force(piece),
+            Criterion::Distance(_) | Criterion::Dragging | Criterion::Force => {
+                share_by_force(piece)
+            }
         }
     }
 
@@ -193,8 +198,9 @@ impl<'a> ContactEvidence<'a> {
         piece.height.abs() <= self.config.events.near_height_m
     }
 
-    /// As much as the tool must be compressed where it is, if it is as much farther from the plane.
-    fn by_distance(&self, piece: &PathPiece, off: f64, compression: f64) -> NormalizedForce {
+    /// Returns f′ from the compression of the tool at its distance from the plane; `off` is the error of that distance
+    /// [m].
+    fn share_by_distance(&self, piece: &PathPiece, off: f64, compression: f64) -> NormalizedForce {
         let height = piece.height + off;
         if compression <= 0.0 {
             let is_near = height <= self.config.plane.inlier_distance_m;
@@ -215,18 +221,18 @@ impl<'a> ContactEvidence<'a> {
     }
 }
 
-fn by_force(piece: &PathPiece) -> NormalizedForce {
+fn share_by_force(piece: &PathPiece) -> NormalizedForce {
     match piece.touch {
         Touch::Weak | Touch::Confident => NormalizedForce::Mean(piece.normalized_force),
         Touch::Free | Touch::FalsePositive => NormalizedForce::NoContact,
     }
 }
 
-/// Which pieces are within a push.
+/// Marks the pieces during which somebody pushed.
 fn is_pushed(path: &[PathPiece], events: &[Event]) -> Vec<bool> {
     let mut is_pushed = vec![false; path.len()];
     for push in pushes(events) {
-        is_pushed[within(path, push.start - BEFORE, push.end)].fill(true);
+        is_pushed[pieces_between(path, push.start - BEFORE, push.end)].fill(true);
     }
     is_pushed
 }
@@ -235,17 +241,17 @@ fn pushes(events: &[Event]) -> impl Iterator<Item = &Event> {
     (events.iter()).filter(|event| event.kind.is_by_hand())
 }
 
-/// The pieces between two times [s].
-fn within(path: &[PathPiece], start: f64, end: f64) -> Range<usize> {
+/// Returns the pieces between two times [s].
+fn pieces_between(path: &[PathPiece], start: f64, end: f64) -> Range<usize> {
     let first = path.partition_point(|piece| piece.time[1] < start);
     first..path.partition_point(|piece| piece.time[0] <= end)
 }
 
-/// The pieces within each push and soon after it, those that overlap together.
+/// Returns the pieces of each push and its consequences; overlapping stretches are merged.
 fn stretches(path: &[PathPiece], events: &[Event]) -> Vec<Range<usize>> {
     let mut stretches: Vec<Range<usize>> = Vec::new();
     for push in pushes(events) {
-        let next = within(path, push.start - BEFORE, push.end + AFTER);
+        let next = pieces_between(path, push.start - BEFORE, push.end + AFTER);
         match stretches.last_mut() {
             Some(before) if before.end >= next.start => before.end = before.end.max(next.end),
             _ => stretches.push(next),

@@ -1,13 +1,12 @@
-//! The effect of a path: replayed many times through the one effect model, with random thresholds (12).
+//! Replays of a path through the effect model, with random thresholds (12).
 //!
-//! A particle responds to a contact if its threshold X ~ LogNormal(μ, σ) is at most f′ at its place under
-//! the tool. It draws X when its contact begins, and again after every ℓ of travel in contact, so that the
-//! sampling rate of the log does not matter. X ≤ f′ is the same as U ≤ P(X ≤ f′) with U uniform in (0, 1): U is
-//! what is drawn.
+//! A particle responds to a contact if its threshold X ~ LogNormal(μ, σ) is at most f′ at its place under the tool. It
+//! draws X when its contact begins and again after every ℓ of travel in contact, so the sampling rate of the log has no
+//! influence. X ≤ f′ is equivalent to U ≤ P(X ≤ f′) with U uniform in (0, 1), and U is what is drawn.
 
 use super::activation::Activation;
 use super::ensemble::{Belief, MemberState};
-use super::parameter_sampling::{MemberParameters, force_factor, scattered, slip};
+use super::parameter_sampling::{MemberParameters, force_factor, scatter, slip};
 use super::push_hypotheses::ContactEvidence;
 use crate::geometry::Region;
 use crate::interpret::config::InterpretConfig;
@@ -17,7 +16,7 @@ use crate::represent::{
 };
 use rayon::prelude::*;
 
-/// Everything a replay needs but the particles.
+/// Inputs of a replay except for the particles.
 #[derive(Debug)]
 pub(in crate::interpret) struct Replay<'a> {
     pub(in crate::interpret) footprint: &'a Region,
@@ -25,15 +24,15 @@ pub(in crate::interpret) struct Replay<'a> {
     pub(in crate::interpret) surface: &'a Surface,
     pub(in crate::interpret) config: &'a InterpretConfig,
     pub(in crate::interpret) stiffness: StiffnessBelief,
-    /// The force that counts as nominal in the log over the declared one [1].
+    /// Nominal force of the log over the declared one [1].
     pub(in crate::interpret) force_ratio: f64,
 }
 
 impl Replay<'_> {
-    /// The belief after these motions.
+    /// Returns the belief after the contact motions.
     ///
-    /// Certainty becomes as many members as the settings say; members of an ensemble draw their parameters with the first
-    /// log, and keep them.
+    /// A certain belief becomes an ensemble of as many members as the settings say. Members draw their parameters at
+    /// the first log and keep them.
     pub(in crate::interpret) fn run(
         &self,
         believed: &Belief,
@@ -55,10 +54,10 @@ impl Replay<'_> {
             };
             let compression = state.parameters.compression(self.config, self.stiffness);
             let motions = &evidence.motions(member as u64, compression);
-            // Members of an ensemble already differ in where their particles lie, and places of the surface lie where they do.
+            // Members of an ensemble already differ in their places, and the places of a treated surface are exact.
             let is_scattered = believed.is_certain() && self.effect != Effect::Treat;
             let scattered = is_scattered.then(|| {
-                scattered(
+                scatter(
                     dirt,
                     self.surface,
                     deviation,
@@ -72,7 +71,7 @@ impl Replay<'_> {
             };
             state.activation.begin_log(slip);
             let factor = force_factor(self.config, self.force_ratio, member as u64);
-            let after = self.once(
+            let after = self.replay_member(
                 scattered.as_ref().unwrap_or(dirt),
                 motions,
                 factor,
@@ -80,17 +79,17 @@ impl Replay<'_> {
             );
             (after, state)
         });
-        Belief::continued(members.collect(), weights, self.stiffness)
+        Belief::continue_with(members.collect(), weights, self.stiffness)
     }
 
-    /// Mean performance of the members that take the force of the log for another scale less that of the others, without
-    /// its sign [1].
+    /// Returns the absolute difference of the mean performance between members that rescale the force and members that
+    /// take it as measured [1].
     pub(in crate::interpret) fn difference_by_scale(
         &self,
         belief: &Belief,
         goal: &GoalState,
     ) -> f64 {
-        // Weight and weighted performance of either kind.
+        // Weight and weighted performance, for each kind of member.
         let mut sums = [[0.0; 2]; 2];
         for (member, (dirt, weight)) in belief.replays().iter().zip(belief.weights()).enumerate() {
             let factor = force_factor(self.config, self.force_ratio, member as u64);
@@ -114,7 +113,7 @@ impl Replay<'_> {
         }
     }
 
-    fn once(
+    fn replay_member(
         &self,
         particles: &ParticleDistribution,
         motions: &[ContactMotion],
@@ -136,7 +135,7 @@ impl Replay<'_> {
         let bounds = footprint.bounds();
         let likelihood = &parameters.likelihood;
         for contact in motions {
-            let contact = parameters.applied(contact, force_factor);
+            let contact = parameters.apply(contact, force_factor);
             if !contact.continues {
                 model.lift_off(&mut field, self.surface);
             }

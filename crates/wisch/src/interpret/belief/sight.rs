@@ -1,17 +1,16 @@
-//! What a look at the surface says of a belief.
+//! Update of the belief by a camera observation.
 //!
-//! Where dirt lies and what moves it are two things, and a look tells much of the first and little of the second. An
-//! ensemble that were weighted by how well each member's places match would have one member left: of eighty places none
-//! is ever right. So the two are updated apart (Rao and Blackwell's way):
+//! An observation shows where dirt lies, but says little about the parameters that move it. Weighting whole members by
+//! how well their places match would leave a single member, as no member has all of some eighty places right.
+//! Parameters and places are therefore updated separately (Rao-Blackwellised):
 //!
-//! - the members' parameters by importance weights, by how much dirt each has left within the goal and elsewhere, which
-//!   is what places say of parameters; then systematic resampling where few members carry the weight;
-//! - the places of each member anew: a Bernoulli trial for each detection, whether it is dirt (Mahler 2007), and, within
-//!   the goal and elsewhere, a draw of how many were missed, by Bayes' rule from how many the member has there and from
-//!   how many were seen (a binomial likelihood). What was missed stays where the member has it.
+//! - The parameters of the members get importance weights, from how much dirt each member has left within the goal and
+//!   outside it. Where few members carry the weight, systematic resampling follows.
+//! - The places of each member are drawn anew. A Bernoulli trial per detection decides whether it is dirt (Mahler
+//!   2007). Within the goal and outside it, Bayes' rule gives the number of missed grains, from the member's own number
+//!   and the number detected (a binomial likelihood). Missed grains stay where the member has them.
 //!
-//! A particle that is neither seen nor missed is gone: a look tells what lies there, and the rest follows from how much
-//! there was.
+//! A particle that is neither detected nor missed is gone. Its fate follows from the task's effect.
 
 use super::ensemble::{Belief, MemberState};
 use crate::geometry::{Point2, PointGrid};
@@ -25,62 +24,63 @@ use rand_chacha::{ChaCha8Rng, rand_core::SeedableRng};
 use rayon::prelude::*;
 use std::collections::HashMap;
 
-/// Below this share of the members, those that carry the weight are resampled [1].
+/// Share of effective members below which the ensemble is resampled [1].
 const RESAMPLE_BELOW: f64 = 0.5;
-/// What a member's dirt may be off by beside what the sensor does, as a share of it [1] and as a number.
+/// Standard deviation of a member's number of grains beyond sensor errors: a share of it [1], and a number.
 const COUNT_ERROR: [f64; 2] = [0.1, 1.0];
-/// Distance over which the members' dirt says how likely dirt is at a place [m].
+/// Radius over which the members' dirt gives the prior probability of dirt at a place [m].
 const NEIGHBOURHOOD: f64 = 0.02;
-/// How much of the dirt may lie where no member has any [1].
+/// Prior share of the dirt that lies where no member has any [1].
 const ANYWHERE: f64 = 0.05;
-/// A particle within so many standard deviations of a detection may be the one detected [1].
+/// Largest distance between a particle and its detection, in standard deviations of the sensor [1].
 const MATCHED: f64 = 3.0;
-/// Particles near a detection of which the nearest is taken; of more, some are passed over.
+/// Most particles near a detection among which the nearest is searched; any more are skipped.
 const MOST_MATCHES: usize = 256;
-/// Where dirt is counted: elsewhere than the goal wants it, and where it does.
+/// Regions in which dirt is counted: outside the goal and within it.
 const REGIONS: usize = 2;
-/// Detections times particles of all members up to which those near each other are counted one by one.
+/// Most pairs of detections and particles that are counted one by one; beyond them, cells are counted.
 const MOST_PAIRS: usize = 100_000_000;
-/// Particles of all members after a look, unless that leaves too few members.
+/// Most particles of all members after an observation, unless that leaves too few members.
 const MOST_PARTICLES: usize = 1 << 22;
 const FEWEST_MEMBERS: usize = 16;
-/// Exponents beyond which a likelihood is computed by its logarithm.
+/// Exponent beyond which a likelihood is computed by its logarithm.
 const LARGEST_EXPONENT: f64 = 600.0;
-/// Streams of random numbers.
+/// Random streams of the update.
 const STREAM: u64 = 0x7369_6768_0000_0000;
 
-/// A look at a surface, and what is to be made of it.
+/// A camera observation of a surface, with what is needed to update a belief by it.
 #[derive(Debug, Clone, Copy)]
 pub struct Look<'a> {
-    /// What was seen.
+    /// Detections and occluded area.
     pub observation: &'a Observation,
-    /// How well dirt is seen.
+    /// Detection rate and sensor noise.
     pub sight: Sight,
-    /// What is looked at.
+    /// The observed surface.
     pub surface: &'a Surface,
-    /// What is striven for.
+    /// Goal of the task.
     pub goal: &'a GoalState,
-    /// Of everything random.
+    /// Seed of the random numbers.
     pub seed: u64,
 }
 
 impl Belief {
-    /// The belief after a look.
+    /// Returns the belief after an observation.
     ///
-    /// Before anything was wiped, a look says how much dirt there is; afterwards, what is gone is what there was less what
-    /// is left.
+    /// Before the first log, an observation shows how much dirt there is. After it, dirt that is no longer detected is
+    /// gone.
     ///
-    /// Of very many detections fewer members are kept: all of them together have no more than about four million particles.
+    /// For very many detections fewer members are kept, so that all members together have at most about four million
+    /// particles.
     ///
-    /// What is known for certain is not looked for: certainty stays what it is. Who sees nothing learns nothing.
+    /// A certain belief stays as it is, and so does a belief that is observed with a detection rate of 0.
     #[must_use]
     pub fn seen(&self, look: &Look<'_>) -> Self {
         if self.is_certain() || look.sight.detection <= 0.0 {
             return self.clone();
         }
-        let weights = look.weights(self);
+        let weights = look.reweight(self);
         let squares: f64 = weights.iter().map(|weight| weight * weight).sum();
-        let weighted = self.reweighted(weights);
+        let weighted = self.with_weights(weights);
         let count = weighted.replays().len();
         let is_even = 1.0 / squares >= RESAMPLE_BELOW * count as f64;
         let kept = count.min(look.most_members(self));
@@ -99,18 +99,18 @@ impl Belief {
             let state = weighted.states.get(member);
             look.update_member(was, state, &believed, is_first, &mut random)
         });
-        weighted.after_look(members.collect(), weights)
+        weighted.with_observed(members.collect(), weights)
     }
 
-    /// Whether a log was replayed.
+    /// Whether a log has been replayed.
     fn was_wiped(&self) -> bool {
         !self.states.is_empty()
     }
 }
 
-/// How likely dirt is at a detection.
+/// Probability of dirt at each detection.
 struct Intensity {
-    /// Per detection, that it is dirt [1].
+    /// Probability that a detection is dirt [1], by detection.
     real: Vec<f64>,
 }
 
@@ -153,7 +153,8 @@ impl Intensity {
 }
 
 impl Look<'_> {
-    /// How many members a belief may have after the look: each may have as many particles as before and as were detected.
+    /// Returns the number of members after the observation; each may have as many particles as before plus one per
+    /// detection.
     fn most_members(&self, belief: &Belief) -> usize {
         let members = belief.replays().len();
         let before: usize = belief.replays().iter().map(ParticleDistribution::len).sum();
@@ -161,7 +162,7 @@ impl Look<'_> {
         (MOST_PARTICLES / each.max(1)).max(FEWEST_MEMBERS)
     }
 
-    /// Whether dirt on the surface is where the goal wants it.
+    /// Whether dirt at a place on the surface is where the goal wants it.
     fn is_met_at(&self, place: Point2) -> bool {
         self.goal.is_met_by(place, Fate::OnSurface, self.surface)
     }
@@ -170,12 +171,12 @@ impl Look<'_> {
         !self.observation.is_hidden(place)
     }
 
-    /// The region in which a place lies.
+    /// Returns the region of a place.
     fn region(&self, place: Point2) -> usize {
         usize::from(self.is_met_at(place))
     }
 
-    /// Counts places by region.
+    /// Counts places in each region.
     fn count_by_region(&self, places: impl Iterator<Item = Point2>) -> [usize; REGIONS] {
         let mut counts = [0; REGIONS];
         for place in places {
@@ -184,11 +185,11 @@ impl Look<'_> {
         counts
     }
 
-    /// The members' weights by how much each has left where the goal wants it and elsewhere.
-    fn weights(&self, belief: &Belief) -> Vec<f64> {
+    /// Returns the members' weights, by how much dirt each has left in each region.
+    fn reweight(&self, belief: &Belief) -> Vec<f64> {
         let detections = self.observation.detections.iter().copied();
         let seen = self.count_by_region(detections);
-        // A false alarm within the goal is as likely as its share of the surface, which is small.
+        // The share of false alarms within the goal is the goal's share of the surface, which is small.
         let alarms = self.sight.sensor.false_alarms_per_m2 * self.surface.outline.area();
         let [share, number] = COUNT_ERROR;
         let fit = |member: &ParticleDistribution| {
@@ -200,6 +201,7 @@ impl Look<'_> {
                 let other = share * left[k] + number;
                 let variance = misses + alarms + other * other;
                 let off = seen[k] as f64 - expected;
+                // Log-likelihood of the count, a normal distribution about the expected one.
                 -0.5 * (off * off / variance + libm::log(variance))
             });
             fits[0] + fits[1]
@@ -214,7 +216,7 @@ impl Look<'_> {
         weights.into_iter().map(|weight| weight / sum).collect()
     }
 
-    /// Returns a member's dirt after the look, with the thresholds of what it recognises.
+    /// Returns a member's dirt after the observation, with the thresholds of the particles it recognises.
     fn update_member(
         &self,
         was: &ParticleDistribution,
@@ -239,7 +241,7 @@ impl Look<'_> {
             was.len() - hidden
         };
         let (real, unseen) = update.match_detections(&visible, believed);
-        let missed = self.missed(left, &real, most, update.random);
+        let missed = self.draw_missed(left, &real, most, update.random);
         update.keep_missed(missed, &unseen, &real);
         if !is_first {
             update.free_gone();
@@ -256,9 +258,9 @@ impl Look<'_> {
         (particles.unwrap_or_else(|_| was.clone()), state)
     }
 
-    /// Draws how many grains were missed elsewhere and within the goal, where a member has so many `left` and these were
-    /// seen; no more than `most` lie in sight in all.
-    fn missed(
+    /// Draws how many grains the camera missed in each region. `left`: visible grains of the member, by region; `seen`:
+    /// grains detected; `most`: limit of the visible grains.
+    fn draw_missed(
         &self,
         left: [usize; REGIONS],
         seen: &[Vec<Point2>; REGIONS],
@@ -266,31 +268,39 @@ impl Look<'_> {
         random: &mut ChaCha8Rng,
     ) -> [usize; REGIONS] {
         let all_seen: usize = seen.iter().map(Vec::len).sum();
-        let mut room = most.saturating_sub(all_seen);
-        // Within the goal first: most of the dirt is to be there, or none.
+        let mut visible_left = most.saturating_sub(all_seen);
+        // The goal comes first, as it holds either most of the dirt or none.
         let mut missed = [0; REGIONS];
         for region in (0..REGIONS).rev() {
             let seen = seen[region].len();
-            missed[region] = self.missed_of(left[region] as f64, seen, room, random);
-            room -= missed[region];
+            missed[region] =
+                self.draw_missed_in_region(left[region] as f64, seen, visible_left, random);
+            visible_left -= missed[region];
         }
         missed
     }
 
-    /// Draws how many grains were missed beside those `seen` where so many are believed, by Bayes' rule: normally
-    /// distributed about `left` by what a member may be off, and each detected or not.
-    fn missed_of(&self, left: f64, seen: usize, most: usize, random: &mut ChaCha8Rng) -> usize {
+    /// Draws the number of missed grains in a region by Bayes' rule. The prior is a normal distribution about the
+    /// member's number `left`; each grain is detected independently, and `seen` grains were.
+    fn draw_missed_in_region(
+        &self,
+        left: f64,
+        seen: usize,
+        most: usize,
+        random: &mut ChaCha8Rng,
+    ) -> usize {
         let miss = 1.0 - self.sight.detection;
         let [share, number] = COUNT_ERROR;
         let deviation = share * left + number;
-        // So many may be missed that more are out of the question, by the prior.
+        // A number five standard deviations above the member's is impossible by the prior.
         let most = most.min((left + 5.0 * deviation).max(0.0) as usize + 1);
         let mut weights = Vec::with_capacity(most + 1);
         let place = random.random::<f64>();
         if -(seen as f64 + 1.0) * libm::log(1.0 - miss) > LARGEST_EXPONENT {
-            return missed_of_many((left, deviation), (seen, miss), most, place);
+            return draw_missed_of_many((left, deviation), (seen, miss), most, place);
         }
-        // (seen + k over k) (1 - p)^k, up to what does not depend on k.
+        // The likelihood of k missed grains is binomial, C(seen + k, k) (1 - p)^k up to a constant; the loop updates it
+        // factor by factor.
         let (mut likelihood, mut sum) = (1.0, 0.0);
         let nearest = (left - seen as f64).max(0.0).round();
         let least = (seen as f64 + nearest - left) / deviation;
@@ -305,8 +315,8 @@ impl Look<'_> {
         weights.partition_point(|sum| *sum <= place).min(most)
     }
 
-    /// Where a detected grain may really lie.
-    fn scattered(&self, seen: Point2, random: &mut ChaCha8Rng) -> Point2 {
+    /// Draws the true place of a detected grain from the sensor's position error.
+    fn draw_place(&self, seen: Point2, random: &mut ChaCha8Rng) -> Point2 {
         let there = seen + normal_pair(random) * self.sight.sensor.position_error_m;
         if self.surface.outline.contains(there) {
             there
@@ -315,11 +325,11 @@ impl Look<'_> {
         }
     }
 
-    /// What became of dirt that is no longer there, in a member that has dirt over these edges.
+    /// Draws the fate of dirt that is no longer there; `crossed` are the edges over which the member has lost dirt.
     fn fate_of_missing(&self, place: Point2, crossed: &[u16], random: &mut ChaCha8Rng) -> Fate {
         match self.goal.action().effect() {
             Effect::Absorb => Fate::Absorbed,
-            // A place of the surface does not go.
+            // A place of a treated surface cannot disappear.
             Effect::Treat => Fate::OnSurface,
             Effect::Push if !crossed.is_empty() => Fate::OffSurface {
                 edge: crossed[random.random_range(0..crossed.len())],
@@ -337,19 +347,19 @@ impl Look<'_> {
     }
 }
 
-/// A member's dirt while a look changes it.
+/// A member's dirt during an observation update.
 struct MemberUpdate<'a> {
     look: &'a Look<'a>,
     random: &'a mut ChaCha8Rng,
     particles: Vec<(Point2, Fate)>,
-    /// Grains that were detected or missed, and that no particle stands for yet.
+    /// Detected and missed grains that no particle represents yet.
     unassigned: Vec<Point2>,
-    /// Particles that may stand for other grains; the last is taken first.
+    /// Particles that may represent other grains, taken from the end.
     free: Vec<usize>,
 }
 
 impl MemberUpdate<'_> {
-    /// The particles on the surface that nothing hides.
+    /// Returns the particles on the surface that are not occluded.
     fn visible(&self) -> Vec<usize> {
         let is_visible = |&i: &usize| {
             let (place, fate) = self.particles[i];
@@ -358,8 +368,8 @@ impl MemberUpdate<'_> {
         (0..self.particles.len()).filter(is_visible).collect()
     }
 
-    /// Draws which detections are dirt, and moves the nearest particles there. Returns the grains detected, by region,
-    /// and in random order the particles that were not detected: they were missed, or are not there.
+    /// Draws which detections are dirt, and moves the nearest particles there. Returns the detected grains by region,
+    /// and in random order the particles that were not detected: the camera missed them, or they are gone.
     fn match_detections(
         &mut self,
         visible: &[usize],
@@ -375,7 +385,7 @@ impl MemberUpdate<'_> {
             if self.random.random::<f64>() >= *probability {
                 continue;
             }
-            let there = look.scattered(*place, self.random);
+            let there = look.draw_place(*place, self.random);
             real[look.region(*place)].push(there);
             match grid.nearest_within(*place, radius, MOST_MATCHES) {
                 Some(index) => {
@@ -392,7 +402,7 @@ impl MemberUpdate<'_> {
         (real, unseen)
     }
 
-    /// Keeps as many unseen particles as were `missed` in each region, and frees the others.
+    /// Keeps as many undetected particles as were `missed` in each region, and frees the remaining ones.
     fn keep_missed(
         &mut self,
         missed: [usize; REGIONS],
@@ -410,7 +420,7 @@ impl MemberUpdate<'_> {
                     self.free.push(index);
                 }
             }
-            // More were missed than this member has unseen: they lie where others were seen.
+            // Missed grains beyond the member's undetected particles are placed among the detected ones.
             if !seen.is_empty() {
                 let anyone = (0..missed).map(|_| seen[self.random.random_range(0..seen.len())]);
                 self.unassigned.extend(anyone);
@@ -418,14 +428,15 @@ impl MemberUpdate<'_> {
         }
     }
 
-    /// Frees the particles believed gone, which may be what lies there; they are taken after the unseen, in their order.
+    /// Frees the particles that are believed gone, as they may be among the detected grains. They are used after the
+    /// undetected ones.
     fn free_gone(&mut self) {
         let particles = self.particles.iter().enumerate().rev();
         let gone = particles.filter(|(_, (_, fate))| *fate != Fate::OnSurface);
         self.free.splice(0..0, gone.map(|(index, _)| index));
     }
 
-    /// Gives each unassigned grain a free particle or a new one, and returns the particles that were free.
+    /// Assigns a free particle or a new one to each unassigned grain, and returns the reused particles.
     fn assign_particles(&mut self) -> Vec<usize> {
         let mut renewed = Vec::new();
         for there in self.unassigned.drain(..) {
@@ -440,9 +451,10 @@ impl MemberUpdate<'_> {
         renewed
     }
 
-    /// Removes the free particles from the surface, at the first look altogether, and returns all particles.
+    /// Gives the free particles the fate of missing dirt and returns all particles. The first observation removes them
+    /// altogether.
     fn remove_free(mut self, was: &ParticleDistribution, is_first: bool) -> Vec<(Point2, Fate)> {
-        // What the member has over edges tells over which the tool has wiped.
+        // The member has wiped over the edges over which it has lost dirt.
         let crossed: Vec<u16> = (was.iter())
             .filter_map(|(_, fate)| match fate {
                 Fate::OffSurface { edge } => Some(edge),
@@ -458,14 +470,15 @@ impl MemberUpdate<'_> {
             }
         }
         let mut is_there = is_there.into_iter();
-        // Before anything was wiped, nobody has thresholds yet.
+        // Before the first log no particle has a threshold that an index would have to keep.
         self.particles.retain(|_| is_there.next().unwrap_or(true));
         self.particles
     }
 }
 
-/// [`Look::missed_of`] by logarithms, for counts whose likelihood no number holds; `place` in [0, 1) chooses.
-fn missed_of_many(
+/// Draws as [`Look::draw_missed_in_region`] does, by logarithms, for counts whose likelihood exceeds the range of `f64`.
+/// `place` in [0, 1) is the quantile.
+fn draw_missed_of_many(
     (left, deviation): (f64, f64),
     (seen, miss): (usize, f64),
     most: usize,
@@ -490,7 +503,7 @@ fn missed_of_many(
         .min(most)
 }
 
-/// Weights of places by square cells: of very many places, those near another are counted cell by cell.
+/// Weights of places, summed over square cells, for counting neighbours among very many places.
 #[derive(Default)]
 struct Counted {
     cells: HashMap<[i64; 2], f64>,
@@ -504,7 +517,7 @@ impl Counted {
         *self.cells.entry(Self::cell(place)).or_default() += weight;
     }
 
-    /// The weight of the cells whose middle is in the neighbourhood of a place.
+    /// Sums the weights of the cells whose middle lies in the neighbourhood of a place.
     fn near(&self, place: Point2) -> f64 {
         let reach = (NEIGHBOURHOOD / Self::CELL) as i64 + 1;
         let [x, y] = Self::cell(place);
@@ -520,7 +533,7 @@ impl Counted {
     }
 
     fn cell(place: Point2) -> [i64; 2] {
-        // What is detected farther off is nowhere near any surface.
+        // Detections beyond this are far from every surface; the limit keeps the index within `i64`.
         const MOST: f64 = 1e15;
         [place.x, place.y].map(|along| (along / Self::CELL).floor().clamp(-MOST, MOST) as i64)
     }

@@ -1,4 +1,4 @@
-//! Which pieces of a path are contact: normalised force (9), and the fitted plane (10), (11).
+//! Classification of pieces as contact: normalised force (9), confident contacts (10) and the fitted plane (11).
 
 use super::downsampling::MeasuredPiece;
 use super::path::{FittedPlane, PathPiece, Touch};
@@ -7,29 +7,28 @@ use crate::geometry::{Bounds2, Point2, Point3, Vector2, Vector3};
 use crate::interpret::config::{InterpretConfig, ToolCompliance};
 use crate::represent::Surface;
 
-/// A confident contact counts for the plane once the tool has moved this far from the last that did [m] ...
+/// Travel after which the next confident contact counts for the plane [m] ...
 const POINT_TRAVEL: f64 = 5e-4;
-/// ... or this long afterwards [s], so that a tool held still does not outvote one that wipes.
+/// ... or time after which it counts [s], so that a standing tool does not outvote a wiping one.
 const POINT_PERIOD: f64 = 0.05;
-/// f′ from which on a weak contact shows where the surface is [1].
+/// Least f′ at which a weak contact shows the height of the surface [1].
 const TOUCHING_SHARE: f64 = 0.3;
-/// Share of the tool that a surface carries at least, for its contact to be one with the surface [1].
+/// Least share of the tool that the surface must support for a contact with the surface [1].
 const LEAST_SUPPORT: f64 = 0.3;
-/// Cosine of the angle between tool axis and plane normal from which on the underside faces the plane [1].
+/// Least cosine of the angle between tool axis and plane normal at which the underside faces the plane [1].
 const LEAST_FACING: f64 = 0.5;
-/// f′ from which on a tool that hovers is near enough to act [1]: five times its gap away.
+/// Least f′ at which a hovering tool is close enough to act [1]; at five times its gap.
 const NEAR_SHARE: f64 = 0.2;
-/// f′ from which on force off the plane is a force like that of contact [1].
+/// Least f′ off the plane that counts as a contact-like force [1].
 const FALSE_POSITIVE_SHARE: f64 = 0.2;
 
-/// A path with each piece classified as contact or not.
+/// A path whose pieces are classified as contact or free.
 #[derive(Debug, Clone)]
 pub(in crate::interpret) struct ClassifiedPath {
     pub(in crate::interpret) path: Vec<PathPiece>,
-    /// By how much the tool's underside is farther from the plane than one that touches may be [m]; at most
-    /// 0 on the plane.
+    /// Distance of the tool's underside from the plane beyond the tolerance of contact [m]; at most 0 in contact.
     pub(in crate::interpret) off: Vec<f64>,
-    /// The same of a tool that gives way just as far as its spring does under the force, never less [m].
+    /// The same under the assumption that the tool compresses exactly as its spring says [m].
     pub(in crate::interpret) off_spring: Vec<f64>,
     pub(in crate::interpret) plane: Option<(PlaneFit, FittedPlane)>,
 }
@@ -41,19 +40,19 @@ pub(in crate::interpret) struct ContactClassifier<'a> {
     /// Largest distance of the footprint from the tool centre point [m].
     pub(in crate::interpret) reach: f64,
     pub(in crate::interpret) config: &'a InterpretConfig,
-    /// Largest f′ that is told apart [1]: that of the declared force, if the log's own nominal force is smaller.
+    /// Upper limit of f′ [1]: that of the declared force, if the nominal force of the log is smaller.
     pub(in crate::interpret) most_share: f64,
 }
 
 impl ContactClassifier<'_> {
-    /// Fits the plane, and tells contact from what is none. The pieces have their forces as they are to be read.
+    /// Fits the plane and classifies each piece; the forces of the pieces are read already.
     pub(in crate::interpret) fn classify(&self, pieces: &[MeasuredPiece]) -> ClassifiedPath {
         let config = self.config;
         let confident = touching_points(pieces, config.confident_share, config);
         let fit = fit_plane(&confident, &config.plane, config.seed);
         let plane = fit.filter(|_| config.gap_m == 0.0).map(|fit| {
             let touching = touching_points(pieces, TOUCHING_SHARE, config);
-            let fit = widened(fit, &confident, &touching, config);
+            let fit = widen(fit, &confident, &touching, config);
             let described = describe(&fit, &confident, self.surface, config);
             (fit, described)
         });
@@ -113,8 +112,9 @@ impl ContactClassifier<'_> {
         (classified, off)
     }
 
-    /// By how much the underside of a tool at this height is farther off the plane than it may be [m]: at least, and if
-    /// it gives way just as far as its spring.
+    /// Returns the distance of the underside from the plane beyond the tolerance of contact [m]: the least possible
+    /// one, and that of a tool that compresses exactly as its spring says. `height` is that of the tool centre point
+    /// [m].
     fn off(&self, place: Point2, height: f64, normal_force: f64) -> [f64; 2] {
         let spring_back = spring_back(normal_force, self.config);
         let doubt = match self.config.compliance {
@@ -122,7 +122,7 @@ impl ContactClassifier<'_> {
             ToolCompliance::Spring { uncertainty, .. } => uncertainty * spring_back.abs(),
         };
         let by_spring = height + spring_back;
-        // Pressed harder than nominally, it may also give way no further: a sponge bottoms out.
+        // Above nominal force a tool may compress no further, as a sponge does that bottoms out.
         let least = if spring_back > 0.0 {
             height.max(0.0) + by_spring.min(0.0)
         } else {
@@ -138,7 +138,7 @@ impl ContactClassifier<'_> {
         })
     }
 
-    /// Share of the tool that the surface carries: over an edge half of it, which gives way twice as far.
+    /// Share of the tool that the surface supports [1]: a half over an edge, where the tool compresses twice as far.
     fn support(&self, place: Point2) -> f64 {
         let outline = &self.surface.outline;
         let distances = outline.edges().map(|edge| edge.distance(place));
@@ -149,8 +149,8 @@ impl ContactClassifier<'_> {
     }
 }
 
-/// Slope of a plane with this normal (believed surface frame) against the underside, in the tool frame [1];
-/// zero where they stand across each other, which no contact under the tool does.
+/// Slope of the plane against the tool's underside, in the tool frame [1]; `normal` is in the believed surface frame.
+/// Zero where the two are nearly perpendicular, which does not occur in contact.
 fn slope(piece: &MeasuredPiece, normal: &Vector3) -> Vector2 {
     let normal_in_tool = piece.surface_from_tool.inverse() * normal;
     if normal_in_tool.z < LEAST_FACING {
@@ -159,27 +159,26 @@ fn slope(piece: &MeasuredPiece, normal: &Vector3) -> Vector2 {
     -normal_in_tool.xy() / normal_in_tool.z
 }
 
-/// f′ of a tool that hovers: its gap over how far its mouth is from the surface, of which the tool centre point is `height`
-/// off [1].
+/// f′ of a hovering tool [1]: its gap over the clearance of its outlet, which is `gap + height`.
 fn nearness(height: f64, gap: f64) -> f64 {
     gap / (gap + height).max(gap)
 }
 
-/// By how much the tool's underside is above its tool centre point at a normal force [m].
+/// Height of the tool's underside above its tool centre point at a normal force [m].
 fn spring_back(normal_force: f64, config: &InterpretConfig) -> f64 {
     match config.compliance {
         ToolCompliance::Rigid => 0.0,
-        // Pressed harder, it gives way further; not touching, it is as long as it gets.
+        // Linear spring: more force compresses it further, and without contact it has its full length.
         ToolCompliance::Spring {
             stiffness_n_per_m, ..
         } => (-normal_force.min(0.0) - config.nominal_force()) / stiffness_n_per_m,
     }
 }
 
-/// The plane with what weaker contacts say of it. Where the surface falls away, confident contacts are few
-/// and close together, and say little of its slope; but how far the tool has sprung back shows where it
-/// touches. That plane holds if most of the confident contacts that made the first lie on it as well.
-fn widened(
+/// Widens the plane by weaker contacts. On a falling surface, confident contacts are few and close together, and
+/// determine the slope poorly; the spring-back of the tool shows further points of contact. The wider plane is used if
+/// most of the confident contacts of the first one lie on it.
+fn widen(
     first: PlaneFit,
     confident: &[Point3],
     touching: &[Point3],
@@ -188,8 +187,8 @@ fn widened(
     let Some(wide) = fit_plane(touching, &config.plane, config.seed) else {
         return first;
     };
-    let ours = (confident.iter()).filter(|point| is_on(&first, point, config));
-    let (count, shared) = ours.fold((0_usize, 0_usize), |(count, shared), point| {
+    let own = (confident.iter()).filter(|point| is_on(&first, point, config));
+    let (count, shared) = own.fold((0_usize, 0_usize), |(count, shared), point| {
         (count + 1, shared + usize::from(is_on(&wide, point, config)))
     });
     if 2 * shared >= count { wide } else { first }
@@ -199,7 +198,7 @@ fn is_on(plane: &PlaneFit, point: &Point3, config: &InterpretConfig) -> bool {
     plane.distance(*point).abs() <= config.plane.inlier_distance_m
 }
 
-/// Where the underside touches with at least this f′ (10), in the frame of the believed surface.
+/// Returns the points of contact with at least this f′ (10), in the frame of the believed surface.
 fn touching_points(
     pieces: &[MeasuredPiece],
     least_share: f64,
@@ -229,7 +228,7 @@ fn touching_points(
     points
 }
 
-/// The middle of a surface [m].
+/// Middle of the bounds of a surface [m].
 pub(in crate::interpret) fn middle(surface: &Surface) -> Point2 {
     let outline = surface.outline.outer().iter().copied();
     Bounds2::of(outline).map_or_else(Point2::origin, |bounds| bounds.center())

@@ -1,8 +1,8 @@
-//! Whether the contacts lie on a cylinder rather than on a plane.
+//! Detection of a cylindrical surface.
 //!
-//! Heights of contacts over the believed surface are fitted by a quadric, z = c + b·p + ½ pᵀ K p, by least squares with
-//! Huber weights. The eigenvector of K with the smaller curvature is the axis of the cylinder; in the section across it, a circle (Kåsa,
-//! 1976) gives the radius, which a quadric alone would give for shallow arcs only.
+//! A quadric z = c + b·p + ½ pᵀ K p is fitted to the heights of the contacts over the believed surface, by least
+//! squares with Huber weights. The eigenvector of K with the smaller curvature is the axis of the cylinder. A circle in
+//! the section across the axis gives the radius (Kåsa, 1976), as the quadric alone gives it for shallow arcs only.
 
 use super::downsampling::MeasuredPiece;
 use crate::geometry::{Point2, Vector2};
@@ -10,26 +10,26 @@ use crate::interpret::config::InterpretConfig;
 use crate::represent::Surface;
 use nalgebra::{Matrix2, Matrix3, SMatrix, SVector, Vector3};
 
-/// f′ from which on a contact shows where the surface is [1].
+/// Least f′ at which a contact shows the height of the surface [1].
 const PRESSING: f64 = 0.85;
-/// Contacts closer together than this count once [m].
+/// Least distance between two contacts that both count [m].
 const TRAVEL: f64 = 2e-3;
-/// Fewest contacts that show a curvature.
+/// Least number of contacts that show a curvature.
 const FEWEST: usize = 60;
-/// Least spread of the contacts along each direction, as a standard deviation [m].
+/// Least standard deviation of the contacts in every direction [m].
 const LEAST_SPREAD: f64 = 0.02;
-/// Least height of the arc over the contacts' extent from which on a plane is wrong [m].
+/// Least sagitta of the arc over the contacts' extent at which a plane is wrong [m].
 const LEAST_RISE: f64 = 1.5e-3;
-/// The residual of the cylinder over that of the plane, at most [1].
+/// Largest residual of the cylinder over that of the plane [1].
 const LEAST_BETTER: f64 = 0.6;
-/// Rounds of reweighted least squares, and the residual beyond which a contact counts less [m].
+/// Iterations of reweighted least squares, and the residual beyond which a contact gets less weight [m].
 const ROUNDS: usize = 8;
 const OUTLIER: f64 = 1e-3;
 
-/// A cylinder that contacts lie on.
+/// A cylinder through the contacts.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(in crate::interpret) struct Curvature {
-    /// [m]
+    /// Radius [m].
     pub(in crate::interpret) radius: f64,
     /// Angle of the axis from the surface's x, from 0 to π [rad].
     pub(in crate::interpret) axis: f64,
@@ -38,7 +38,7 @@ pub(in crate::interpret) struct Curvature {
 }
 
 impl Curvature {
-    /// Of the contacts among these pieces, whose forces are as read; `None` where a plane explains them as well.
+    /// Fits a cylinder to the contacts among the pieces, whose forces are as read; `None` where a plane fits as well.
     pub(in crate::interpret) fn of(
         pieces: &[MeasuredPiece],
         surface: &Surface,
@@ -70,7 +70,8 @@ impl Curvature {
     }
 }
 
-/// Where the tool pressed, with the height of its underside at nominal force; not beyond the border, where it tips.
+/// Returns the places of contact, with the height of the underside at nominal force. Contacts near the border are left
+/// out, as the tool tips there.
 fn contacts(
     pieces: &[MeasuredPiece],
     surface: &Surface,
@@ -95,7 +96,7 @@ fn contacts(
     contacts
 }
 
-/// z = height + slope · p + ½ pᵀ K p over the middle of the contacts.
+/// A quadric z = height + slope · p + ½ pᵀ K p, with p relative to the middle of the contacts.
 struct Quadric {
     middle: Point2,
     height: f64,
@@ -105,7 +106,7 @@ struct Quadric {
 
 impl Quadric {
     fn fit(contacts: &[(Point2, f64)]) -> Option<Self> {
-        Self::fitted(contacts, |p| {
+        Self::fit_terms(contacts, |p| {
             SVector::<f64, 6>::from([1.0, p.x, p.y, 0.5 * p.x * p.x, p.x * p.y, 0.5 * p.y * p.y])
         })
         .map(|(middle, c)| Self {
@@ -117,18 +118,18 @@ impl Quadric {
     }
 
     fn fit_plane(contacts: &[(Point2, f64)]) -> Option<Self> {
-        Self::fitted(contacts, |p| SVector::<f64, 3>::from([1.0, p.x, p.y])).map(|(middle, c)| {
-            Self {
+        Self::fit_terms(contacts, |p| SVector::<f64, 3>::from([1.0, p.x, p.y])).map(
+            |(middle, c)| Self {
                 middle,
                 height: c[0],
                 slope: Vector2::new(c[1], c[2]),
                 curvature: Matrix2::zeros(),
-            }
-        })
+            },
+        )
     }
 
-    /// Coefficients of these terms by iteratively reweighted least squares.
-    fn fitted<const N: usize>(
+    /// Fits the coefficients of `terms` by iteratively reweighted least squares.
+    fn fit_terms<const N: usize>(
         contacts: &[(Point2, f64)],
         terms: impl Fn(Vector2) -> SVector<f64, N>,
     ) -> Option<(Point2, SVector<f64, N>)> {
@@ -169,7 +170,7 @@ impl Quadric {
         self.height + self.slope.dot(&p) + 0.5 * p.dot(&(self.curvature * p))
     }
 
-    /// Median distance of the contacts [m].
+    /// Median distance of the contacts from the quadric [m].
     fn residual(&self, contacts: &[(Point2, f64)]) -> f64 {
         let mut distances: Vec<f64> = (contacts.iter())
             .map(|(place, height)| (height - self.height_at(*place)).abs())
@@ -179,7 +180,7 @@ impl Quadric {
     }
 }
 
-/// Radius of the circle through the contacts in the section across the axis, and their extent there [m].
+/// Returns the radius of the circle through the contacts in the section across the axis, and their extent there [m].
 fn circle(
     contacts: &[(Point2, f64)],
     across: &Vector2,
@@ -190,7 +191,7 @@ fn circle(
     let (mut normal, mut right) = (Matrix3::zeros(), Vector3::zeros());
     let (mut least, mut most) = (f64::INFINITY, f64::NEG_INFINITY);
     for (place, height) in contacts {
-        // Outliers have no place in an algebraic fit.
+        // An algebraic fit is not robust, so outliers are left out.
         if (height - quadric.height_at(*place)).abs() > 3.0 * OUTLIER {
             continue;
         }
@@ -201,6 +202,7 @@ fn circle(
         normal += row * row.transpose();
         right -= row * (u * u + z * z);
     }
+    // Circle u² + z² + d u + e z + f = 0 by linear least squares; radius² = (d² + e²)/4 − f.
     let [d, e, f]: [f64; 3] = normal.try_inverse().map(|inverse| inverse * right)?.into();
     let square = 0.25 * (d * d + e * e) - f;
     (square > 0.0 && most > least).then(|| (square.sqrt(), most - least))

@@ -1,56 +1,56 @@
-//! A log in pieces: bounded memory however long it is and however fast it was sampled.
+//! Reduction of a log to pieces, in memory that is bounded for any length and sampling rate.
 
 use super::path::TouchSample;
 use crate::geometry::{Point3, Pose, Vector3, wrap_angle};
 use crate::interpret::error::InterpretError;
 use nalgebra::UnitQuaternion;
 
-/// Longest piece [s]: events are to be found to a fraction of 50 ms.
+/// Longest duration of a piece [s]; events are resolved to a fraction of 50 ms.
 const MAX_DURATION: f64 = 0.01;
-/// Farthest way within a piece [m]: below the inlier distance of the plane.
+/// Longest travel within a piece [m]; below the inlier distance of the plane.
 const MAX_TRAVEL: f64 = 1e-3;
-/// Greatest turn within a piece [rad]: 2°, at which the corner of a sponge moves by 2 mm.
+/// Largest rotation within a piece [rad]; 2°, at which the corner of a sponge moves by 2 mm.
 const MAX_TURN: f64 = 0.035;
-/// Slack for times that are multiples of a sampling period and not exact in binary [s].
+/// Tolerance for times that are multiples of a sampling period and not exact in binary [s].
 const TIME_SLACK: f64 = 1e-6;
 
-/// Largest coordinate that a robot measures [m].
+/// Largest valid coordinate [m].
 const MAX_POSITION: f64 = 1e4;
-/// Largest force that a robot measures [N].
+/// Largest valid force [N].
 const MAX_FORCE: f64 = 1e6;
-/// Largest time [s]: seconds since 1970 fit in and still resolve a microsecond.
+/// Largest valid time [s]: seconds since 1970 fit and still resolve a microsecond.
 const MAX_TIME: f64 = 1e10;
 
-/// Some consecutive samples as one, as measured, in the frame of the believed surface.
+/// Consecutive samples merged into a piece, as measured, in the frame of the believed surface.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(in crate::interpret) struct MeasuredPiece {
-    /// First and last time [s].
+    /// Time of the first and of the last sample [s].
     pub(in crate::interpret) time: [f64; 2],
-    /// Samples in it.
+    /// Number of samples.
     pub(in crate::interpret) samples: u32,
     /// Tool centre point at the last sample [m].
     pub(in crate::interpret) position: Point3,
     /// Mean height of the tool centre point over the believed surface [m].
     pub(in crate::interpret) mean_height: f64,
-    /// Heading at the last sample [rad].
+    /// Yaw at the last sample [rad].
     pub(in crate::interpret) heading: f64,
-    /// Tool at the last sample.
+    /// Orientation of the tool at the last sample.
     pub(in crate::interpret) surface_from_tool: UnitQuaternion<f64>,
-    /// Mean force of the surroundings on the tool [N].
+    /// Mean force of the environment on the tool [N].
     pub(in crate::interpret) force: Vector3,
-    /// Largest size of the force [N].
+    /// Largest absolute force [N].
     pub(in crate::interpret) peak_force: f64,
 }
 
-/// Takes samples in and keeps pieces.
+/// Takes samples and keeps pieces.
 #[derive(Debug, Clone)]
 pub(in crate::interpret) struct Downsampler {
     surface_from_world: Pose,
-    /// The last one still grows.
+    /// Pieces so far; the last one still grows.
     pieces: Vec<MeasuredPiece>,
-    /// Where the last piece began [m], [rad].
+    /// Position [m] and yaw [rad] at the beginning of the last piece.
     began: (Point3, f64),
-    /// By which factor pieces may be longer than at the beginning.
+    /// Factor by which the limits of a piece have grown.
     coarseness: f64,
     max_pieces: usize,
     samples: usize,
@@ -72,7 +72,7 @@ impl Downsampler {
         &self.pieces
     }
 
-    /// Takes one sample in; a refused one leaves everything as it was.
+    /// Adds one sample; a rejected sample changes nothing.
     pub(in crate::interpret) fn push(
         &mut self,
         sample: &TouchSample,
@@ -92,7 +92,7 @@ impl Downsampler {
         };
         match self.pieces.last_mut() {
             Some(last) if fits(last, &one, self.began, self.coarseness) => {
-                *last = joined(last, &one);
+                *last = join(last, &one);
             }
             _ => {
                 if self.pieces.len() >= self.max_pieces {
@@ -142,12 +142,12 @@ impl Downsampler {
         }
     }
 
-    /// Makes one piece of every two, and lets later ones be twice as long.
+    /// Merges every two pieces into one, and doubles the limits of later pieces.
     fn coarsen(&mut self) {
         let pairs = self.pieces.chunks(2);
         self.pieces = pairs
             .map(|pair| match pair {
-                [one, next] => joined(one, next),
+                [one, next] => join(one, next),
                 _ => pair[0],
             })
             .collect();
@@ -155,7 +155,7 @@ impl Downsampler {
     }
 }
 
-/// Whether a sample still belongs to the piece before.
+/// Whether a sample still belongs to the last piece.
 fn fits(
     piece: &MeasuredPiece,
     sample: &MeasuredPiece,
@@ -168,8 +168,8 @@ fn fits(
         && wrap_angle(sample.heading - heading).abs() <= MAX_TURN * coarseness
 }
 
-/// Two pieces, one after the other, as one.
-fn joined(one: &MeasuredPiece, next: &MeasuredPiece) -> MeasuredPiece {
+/// Returns two consecutive pieces as one.
+fn join(one: &MeasuredPiece, next: &MeasuredPiece) -> MeasuredPiece {
     let samples = one.samples.saturating_add(next.samples);
     let share = f64::from(next.samples) / f64::from(samples);
     MeasuredPiece {

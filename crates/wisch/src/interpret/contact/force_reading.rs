@@ -1,9 +1,9 @@
-//! How the forces of a log are to be read: bias, axis, scale and clock, inferred from the log itself.
+//! Reading of a log's forces: bias, axis, scale and clock, inferred from the log itself.
 //!
-//! The band of (10) is relative to the nominal force, so a log whose sensor was not zeroed, whose wrench stands in
-//! another frame or that was pressed with another force has no sample in it. None of that changes what was wiped. A
-//! wiping tool gives itself away by geometry: it slides at one height over a plane, and what it feels there differs from
-//! what it feels in the air above. That difference is the force of contact, whatever its size and direction.
+//! The band of (10) is relative to the nominal force. A log from a sensor that was not zeroed, with a wrench in another
+//! frame or with another press force has no sample in it, although none of that changes what was wiped. Geometry
+//! identifies wiping instead: the tool slides at one height over a plane, and the force there differs from the force in
+//! the air above. That difference is the contact force, of any size and direction.
 
 use super::downsampling::MeasuredPiece;
 use super::plane::{PlaneFit, fit_plane};
@@ -12,58 +12,57 @@ use crate::interpret::config::{InterpretConfig, PlaneConfig};
 use crate::represent::Surface;
 use nalgebra::UnitQuaternion;
 
-/// Time on either side over which velocities are compared [s]: inertia of the hand is not bias.
+/// Time on either side over which velocities are compared [s], to separate inertial forces from bias.
 const CALM_REACH: f64 = 0.05;
-/// Acceleration below which the tool moves calmly [m/s²]; half a newton for a hand of half a kilogram.
+/// Acceleration below which the tool moves calmly [m/s²]; 0.5 N for a hand of 0.5 kg.
 const CALM_ACCELERATION: f64 = 1.0;
-/// Fewest pieces of free motion that show a bias.
+/// Least number of pieces of free motion that show a bias.
 const MIN_CALM: usize = 5;
-/// The size of a force with normal noise in three directions has its median at 1.54 standard deviations, and
-/// hardly passes 4 of them.
+/// Ratio of the largest to the median size of normal noise in three directions: the median is at 1.54 standard
+/// deviations, and 4 are hardly exceeded.
 const NOISE_BY_MEDIAN: f64 = 2.6;
-/// Slowest sliding along a surface [m/s], and its steepest rise [1].
+/// Least speed of sliding along a surface [m/s], and its largest rise [1].
 const SLIDING: [f64; 2] = [0.01, 0.25];
-/// Planes at different heights over which a tool may slide: the surface, and those over which it travels in the air.
+/// Most planes at different heights on which a tool may slide: the surface, and planes of travel in the air.
 const MOST_PLANES: usize = 5;
-/// Least share of the sliding points that a plane of them holds [1].
+/// Least share of the sliding points that a plane must hold [1].
 const LEAST_ON_PLANE: f64 = 0.05;
-/// How far a tool that slides may be from its plane [m]: it gives way more or less as the force changes.
+/// Largest distance of a sliding tool from its plane [m]; its compression varies with the force.
 const SLIDING_DISTANCE: f64 = 2e-3;
 /// Least distance above a plane at which the tool is free of it [m].
 const FREE_DISTANCE: f64 = 8e-3;
-/// How much sliding beside the believed surface counts for contact, over that above it [1].
+/// Weight of sliding beside the believed surface against sliding above it, in the search for contact [1].
 const BESIDE: f64 = 1e-3;
-/// Share of the sliding that lies above the believed surface, at least, where contact is to be read in other axes than
-/// declared [1].
+/// Least share of the sliding above the believed surface at which contact may be read in axes other than the declared
+/// ones [1].
 const LEAST_OVER: f64 = 0.5;
-/// The force of contact over the spread of what is felt in the air, at least [1].
+/// Least ratio of the contact force to the spread of the force in the air [1].
 const LEAST_SIGNIFICANCE: f64 = 2.0;
-/// The force of contact over the nominal one, at least [1], and in newtons.
+/// Least contact force: over the nominal one [1], and in newtons.
 const LEAST_FORCE: [f64; 2] = [0.1, 0.3];
-/// Spread of the force on the plane over its middle, at most [1]: what varies more is a hand rather than a surface.
+/// Largest spread of the force on the plane over its median [1]; a larger one comes from a hand.
 const MOST_VARIATION: f64 = 0.6;
-/// Cosine of the angle between the force of contact and the normal below which the wrench stands in another frame [1];
-/// friction of rubber leans it by 40° at most.
+/// Least cosine of the angle between contact force and normal at which the declared frame holds [1]; friction of rubber
+/// tilts the force by 40° at most.
 const LEAST_ALIGNED: f64 = 0.5;
-/// How much less the force varies in one frame than in the other for the bias to be constant in that one [1].
+/// Ratio of the force's variations in two frames below which the bias is constant in the first [1].
 const FRAME_PREFERENCE: f64 = 0.5;
-/// Forces over the declared one between which the tool pressed as it should [1], and the share of its pressing from which on
-/// that counts: the band of (10) then finds enough.
+/// Range of press force over the declared one that counts as pressed as declared [1], and the least share of the
+/// pressing time within it: the band of (10) then holds enough samples.
 const AS_DECLARED: [f64; 2] = [0.9, 1.1];
 const LEAST_AS_DECLARED: f64 = 0.05;
-/// Noise of single pieces over the nominal force above which forces are averaged [1], and the longest time over which
-/// they are [s].
+/// Noise of single pieces over the nominal force above which forces are averaged [1], and the longest averaging time
+/// [s].
 const NOISE_SHARE: f64 = 0.06;
 const LONGEST_MEAN: f64 = 0.3;
-/// Farthest that the clocks of force and position are apart [s], the step of the search, and the least offset that is
-/// taken off.
+/// Largest offset between the clocks of force and position, step of the search, and least offset that is corrected [s].
 const CLOCKS: [f64; 3] = [3.0, 0.02, 0.08];
-/// By which factor the force of contact stands out more once the clocks are aligned [1], and how much of the usual force
-/// of contact then stands out at least: a hand that pushes now and then has no clock.
+/// Least factor by which alignment of the clocks must raise the contrast of the contact force [1], and the least
+/// contrast over the usual contact force: a person who pushes now and then gives no clock offset.
 const CLOCK_GAIN: f64 = 1.1;
 const CLOCK_CONTRAST: f64 = 0.8;
 
-/// Axes in which the force of a log is constant in free motion.
+/// Axes in which the bias of a log's force is constant.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum SensorAxes {
     Surface,
@@ -71,7 +70,7 @@ enum SensorAxes {
 }
 
 impl SensorAxes {
-    /// The measured force in these axes [N].
+    /// Returns the measured force in these axes [N].
     fn of(self, piece: &MeasuredPiece, force: Vector3) -> Vector3 {
         match self {
             Self::Surface => force,
@@ -79,7 +78,7 @@ impl SensorAxes {
         }
     }
 
-    /// A force in these axes in those of the believed surface [N].
+    /// Returns a force from these axes in those of the believed surface [N].
     fn to_surface(self, piece: &MeasuredPiece, force: Vector3) -> Vector3 {
         match self {
             Self::Surface => force,
@@ -88,63 +87,64 @@ impl SensorAxes {
     }
 }
 
-/// How the contact force of a log lies to the surface's normal.
+/// Direction of a log's contact force relative to the surface's normal.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(in crate::interpret) enum PressDirection {
-    /// Along the normal, as it should.
+    /// Along the outward normal, as declared.
     Outward,
-    /// Against the normal: the log has the force of the tool on the surface.
+    /// Against the normal: the log holds the force of the tool on the surface.
     Inward,
-    /// Along this unit direction in the axes of the tool, or of the surface, as logged.
+    /// Along this unit direction in the axes of the tool or of the surface, as logged.
     Turned {
         /// Unit vector.
         direction: Vector3,
-        /// Whether it is constant in the axes of the tool rather than of the surface.
+        /// Whether it is constant in the axes of the tool rather than in those of the surface.
         in_tool: bool,
     },
 }
 
-/// How the forces of a log are to be read.
+/// How the forces of a log are read.
 #[derive(Debug, Clone, PartialEq)]
 pub(in crate::interpret) struct ForceReading {
     axes: SensorAxes,
-    /// What is felt in free motion, in the sensor's axes [N].
+    /// Mean force in free motion, in the sensor's axes [N].
     bias: Vector3,
-    /// Turns a force without bias so that contact presses along the normal; in the sensor's axes.
+    /// Rotation that aligns the contact force with the normal, after the bias is subtracted; in the sensor's axes.
     turn: UnitQuaternion<f64>,
-    /// Size of a force that noise in calm free motion makes believe [N]; infinite where there is none.
+    /// Largest force that noise produces in calm free motion [N]; infinite if there is none.
     pub(in crate::interpret) noise: f64,
-    /// How the force of contact lies to the normal.
+    /// Direction of the contact force relative to the normal.
     pub(in crate::interpret) direction: PressDirection,
-    /// Force with which the tool mostly pressed while it slid [N]; nothing where no contact was found by geometry.
+    /// Force with which the tool pressed for most of its sliding [N]; `None` if geometry shows no contact.
     pub(in crate::interpret) pressed: Option<f64>,
-    /// Whether it pressed with the declared force for some of the time at least.
+    /// Whether it pressed with the declared force for at least some of the time.
     is_as_declared: bool,
-    /// By how long the force's clock is behind the position's [s]; 0 where they agree.
+    /// Delay of the force's clock behind the position's [s]; 0 if they agree.
     pub(in crate::interpret) clock_offset: f64,
-    /// Whether the log shows free motion, so that its bias is known.
+    /// Whether the log shows free motion, so that the bias is known.
     pub(in crate::interpret) has_free_motion: bool,
-    /// Lowest plane near the believed surface over which the tool slid, whatever it felt.
+    /// Lowest plane near the believed surface on which the tool slid, with any force.
     pub(in crate::interpret) lowest: Option<PlaneFit>,
 }
 
 impl ForceReading {
-    /// Reads the forces of these pieces over this believed surface.
+    /// Reads the forces of the pieces over the believed surface.
     pub(in crate::interpret) fn of(
         pieces: &[MeasuredPiece],
         surface: &Surface,
         config: &InterpretConfig,
     ) -> Self {
-        let smooth = smoothed(pieces, config);
+        let smooth = smooth_forces(pieces, config);
         let calm: Vec<bool> = (0..pieces.len()).map(|i| is_calm(pieces, i)).collect();
-        let by_height = Self::by_height(&smooth, &calm, config);
+        let by_height = Self::from_height(&smooth, &calm, config);
         if config.gap_m > 0.0 {
             return by_height;
         }
         let slides: Vec<bool> = (0..pieces.len())
             .map(|i| is_sliding(pieces, i, config))
             .collect();
-        // By themselves first: a plane through strokes and through travel beside the surface is none.
+        // The pieces over the surface are fitted alone: a plane through strokes and through travel beside the surface
+        // would be wrong.
         let over: Vec<bool> = (pieces.iter().zip(&slides))
             .map(|(piece, slides)| *slides && surface.outline.contains(piece.position.xy()))
             .collect();
@@ -162,10 +162,10 @@ impl ForceReading {
             config,
         };
         let contact = (planes.iter())
-            .filter_map(|plane| scene.contact(plane))
+            .filter_map(|plane| scene.find_contact(plane))
             .max_by(|a, b| a.weight.total_cmp(&b.weight));
         let reading = match contact {
-            Some(contact) => Self::by_contact(&contact, &scene),
+            Some(contact) => Self::from_contact(&contact, &scene),
             None => by_height,
         };
         Self {
@@ -174,9 +174,10 @@ impl ForceReading {
         }
     }
 
-    /// Where no contact shows by geometry: the bias is that of calm motion well above the believed surface.
-    fn by_height(pieces: &[MeasuredPiece], calm: &[bool], config: &InterpretConfig) -> Self {
-        // Half the nominal force at one height only is no bias: that is a surface far above the believed one.
+    /// Reads the forces if geometry shows no contact: the bias is the force of calm motion well above the believed
+    /// surface.
+    fn from_height(pieces: &[MeasuredPiece], calm: &[bool], config: &InterpretConfig) -> Self {
+        // Half the nominal force at a single height is not bias but a surface far above the believed one.
         let is_free = |i: usize| {
             calm[i]
                 && pieces[i].mean_height > config.free_height_m
@@ -200,12 +201,12 @@ impl ForceReading {
         }
     }
 
-    fn by_contact(contact: &SlidingContact, scene: &Scene<'_>) -> Self {
-        let pieces = shifted(scene.pieces, contact.clock_offset);
+    fn from_contact(contact: &SlidingContact, scene: &Scene<'_>) -> Self {
+        let pieces = shift_forces(scene.pieces, contact.clock_offset);
         let (bias, noise) = bias_and_noise(&pieces, &contact.free, contact.axes);
         let (normal, outward) = (contact.normal, contact.step.normalize());
         let aligned = outward.dot(&normal);
-        // Of a force that lies along the normal, friction is what leans it: it is not turned away.
+        // Only friction tilts a force that lies roughly along the normal, so it is not rotated.
         let (direction, turn) = if aligned >= LEAST_ALIGNED {
             (PressDirection::Outward, UnitQuaternion::identity())
         } else if aligned <= -LEAST_ALIGNED {
@@ -234,7 +235,7 @@ impl ForceReading {
         let pressing = |some: &[usize]| -> Vec<f64> {
             let forces = some
                 .iter()
-                .map(|&i| reading.force(&pieces[i], pieces[i].force).z);
+                .map(|&i| reading.correct_force(&pieces[i], pieces[i].force).z);
             forces.filter(|force| *force > least).collect()
         };
         let [low, high] = AS_DECLARED.map(|share| share * scene.config.nominal_force());
@@ -248,8 +249,8 @@ impl ForceReading {
         reading
     }
 
-    /// A measured force with everything taken off that does not act on the tool, in the axes of the believed surface [N].
-    fn force(&self, piece: &MeasuredPiece, measured: Vector3) -> Vector3 {
+    /// Returns a measured force corrected for bias, frame and sign, in the axes of the believed surface [N].
+    fn correct_force(&self, piece: &MeasuredPiece, measured: Vector3) -> Vector3 {
         let force = self.axes.of(piece, measured) - self.bias;
         let read = if self.direction == PressDirection::Inward {
             -force
@@ -259,17 +260,17 @@ impl ForceReading {
         self.axes.to_surface(piece, read)
     }
 
-    /// The pieces with their forces as read.
-    pub(in crate::interpret) fn applied(
+    /// Returns the pieces with corrected forces.
+    pub(in crate::interpret) fn apply(
         &self,
         pieces: &[MeasuredPiece],
         config: &InterpretConfig,
     ) -> Vec<MeasuredPiece> {
         let bias = self.bias.norm();
         let is_small = bias <= config.force_noise_n;
-        let pieces = shifted(&smoothed(pieces, config), self.clock_offset);
+        let pieces = shift_forces(&smooth_forces(pieces, config), self.clock_offset);
         let read = pieces.iter().map(|piece| {
-            let force = self.force(piece, piece.force);
+            let force = self.correct_force(piece, piece.force);
             let peak_force = if is_small {
                 piece.peak_force
             } else {
@@ -284,12 +285,12 @@ impl ForceReading {
         read.collect()
     }
 
-    /// What the sensor adds along the surface's normal, as measured at the first piece [N].
+    /// Bias along the surface's normal, as measured at the first piece [N].
     pub(in crate::interpret) fn normal_bias(&self, pieces: &[MeasuredPiece]) -> f64 {
         (pieces.first()).map_or(0.0, |first| self.axes.to_surface(first, self.bias).z)
     }
 
-    /// Force that counts as the nominal one of this log [N]: the declared one, unless the tool pressed with another.
+    /// Nominal force of this log [N]: the declared one unless the tool pressed with another.
     pub(in crate::interpret) fn reference_force(&self, declared: f64) -> f64 {
         match self.pressed {
             Some(pressed) if !self.is_as_declared => pressed,
@@ -298,7 +299,7 @@ impl ForceReading {
     }
 }
 
-/// The pieces of a log, with what is told of them without any force.
+/// Pieces of a log, with what their motion alone shows.
 struct Scene<'a> {
     pieces: &'a [MeasuredPiece],
     calm: &'a [bool],
@@ -307,25 +308,25 @@ struct Scene<'a> {
     config: &'a InterpretConfig,
 }
 
-/// A plane over which the tool slid with another force than it feels above it.
+/// A plane on which the tool slid with a force other than that above it.
 struct SlidingContact {
     axes: SensorAxes,
-    /// Pieces that slide on the plane, and calm ones above it.
+    /// Pieces that slide on the plane.
     on: Vec<usize>,
     free: Vec<usize>,
-    /// Pieces that slide on it, or as far off as the tool gives way under another force.
+    /// Pieces that slide on the plane, or off it by the compression of the tool under another force.
     near: Vec<usize>,
-    /// Mean force on the plane less that above it, in the sensor's axes [N].
+    /// Mean force on the plane minus that above it, in the sensor's axes [N].
     step: Vector3,
-    /// The believed surface's normal in the sensor's axes; in those of the tool, as a mean over the contact.
+    /// The believed surface's normal in the sensor's axes, averaged over the contact if these are the tool's.
     normal: Vector3,
     clock_offset: f64,
-    /// How much it speaks for contact: force times time [N s].
+    /// Evidence for contact: force times time [N s].
     weight: f64,
 }
 
 impl Scene<'_> {
-    fn contact(&self, plane: &PlaneFit) -> Option<SlidingContact> {
+    fn find_contact(&self, plane: &PlaneFit) -> Option<SlidingContact> {
         let distances: Vec<f64> = (self.pieces.iter())
             .map(|piece| {
                 let place = piece.position;
@@ -348,7 +349,7 @@ impl Scene<'_> {
             return None;
         }
         let clock_offset = clock_offset(self.pieces, &on, &free);
-        let pieces = shifted(self.pieces, clock_offset);
+        let pieces = shift_forces(self.pieces, clock_offset);
         let axes = sensor_axes(&pieces, &on, &free);
         let (bias, _) = bias_and_noise(&pieces, &free, axes);
         let forces = on
@@ -381,7 +382,8 @@ impl Scene<'_> {
         for &i in &on {
             *(if is_over(i) { &mut over } else { &mut beside }) += lasts(&pieces, i);
         }
-        // Beside the surface a tool also travels below it: seen from there, what it feels on the surface is free motion.
+        // Beside the surface a tool also travels below it; relative to that travel, the contact force would count as
+        // free motion.
         let is_outward = along.dot(&normal) >= LEAST_ALIGNED;
         let is_possible = is_outward || over >= LEAST_OVER * (over + beside);
         (is_steady && is_clear && is_possible).then_some(SlidingContact {
@@ -397,8 +399,8 @@ impl Scene<'_> {
     }
 }
 
-/// In which axes the force of free motion and of contact is constant: those of the surface, unless the log shows that a
-/// bias turns with the tool.
+/// Returns the axes in which the forces of free motion and of contact are constant: those of the surface, unless the
+/// log shows a bias that rotates with the tool.
 fn sensor_axes(pieces: &[MeasuredPiece], on: &[usize], free: &[usize]) -> SensorAxes {
     let variation = |axes: SensorAxes| {
         let (bias, _) = bias_and_noise(pieces, free, axes);
@@ -420,12 +422,12 @@ fn sensor_axes(pieces: &[MeasuredPiece], on: &[usize], free: &[usize]) -> Sensor
     }
 }
 
-/// By how long the clock of the forces is behind that of the positions [s]: the offset at which what is felt on the plane
-/// differs most from what is felt above it.
+/// Returns the delay of the force's clock behind the position's [s]: the offset at which the forces on the plane and
+/// above it differ most.
 fn clock_offset(pieces: &[MeasuredPiece], on: &[usize], free: &[usize]) -> f64 {
     let [farthest, step, least] = CLOCKS;
     let time = |i: usize| 0.5 * (pieces[i].time[0] + pieces[i].time[1]);
-    // No more than the usual force of contact counts: a push or a blow says nothing of the clock.
+    // Forces are limited to the usual contact force, as pushes and impacts do not depend on the clock.
     let (resting, _) = bias_and_noise(pieces, free, SensorAxes::Surface);
     let sizes = on.iter().map(|&i| {
         (
@@ -435,7 +437,7 @@ fn clock_offset(pieces: &[MeasuredPiece], on: &[usize], free: &[usize]) -> f64 {
     });
     let usual = median(sizes.collect());
     let clipped = |i: usize| (pieces[i].force - resting).cap_magnitude(usual);
-    // Integral of the force over time, at the middle of each piece.
+    // Integral of the force over time, up to the middle of each piece.
     let mut integral = vec![Vector3::zeros(); pieces.len()];
     for i in 1..pieces.len() {
         let lasts = time(i) - time(i - 1);
@@ -480,7 +482,7 @@ fn clock_offset(pieces: &[MeasuredPiece], on: &[usize], free: &[usize]) -> f64 {
     }
 }
 
-/// Times over which these pieces follow each other [s].
+/// Returns the time intervals over which the chosen pieces follow each other [s].
 fn runs(pieces: &[MeasuredPiece], chosen: &[usize]) -> Vec<[f64; 2]> {
     let mut runs: Vec<([f64; 2], usize)> = Vec::new();
     for &i in chosen {
@@ -495,8 +497,8 @@ fn runs(pieces: &[MeasuredPiece], chosen: &[usize]) -> Vec<[f64; 2]> {
     runs.into_iter().map(|(run, _)| run).collect()
 }
 
-/// The pieces with the forces that were measured this much later [s].
-fn shifted(pieces: &[MeasuredPiece], offset: f64) -> Vec<MeasuredPiece> {
+/// Returns the pieces with the forces measured later by `offset` [s].
+fn shift_forces(pieces: &[MeasuredPiece], offset: f64) -> Vec<MeasuredPiece> {
     if offset == 0.0 {
         return pieces.to_vec();
     }
@@ -521,14 +523,14 @@ fn shifted(pieces: &[MeasuredPiece], offset: f64) -> Vec<MeasuredPiece> {
         .collect()
 }
 
-/// The pieces with forces averaged over so many neighbours as their noise asks for; as they are where it is small.
-fn smoothed(pieces: &[MeasuredPiece], config: &InterpretConfig) -> Vec<MeasuredPiece> {
+/// Averages the forces over as many neighbours as their noise demands; forces of little noise stay as they are.
+fn smooth_forces(pieces: &[MeasuredPiece], config: &InterpretConfig) -> Vec<MeasuredPiece> {
     let allowed = NOISE_SHARE * config.nominal_force();
     let steps = pieces.windows(2).map(|pair| {
         let step = pair[1].force.z - pair[0].force.z;
         (step.abs(), 1.0)
     });
-    // Of a difference of two, the median size is 0.954 standard deviations of one.
+    // The median absolute difference of two normal values is 0.954 standard deviations of one.
     let noise = median(steps.collect()) / 0.954;
     if noise <= allowed {
         return pieces.to_vec();
@@ -555,7 +557,7 @@ fn smoothed(pieces: &[MeasuredPiece], config: &InterpretConfig) -> Vec<MeasuredP
         .collect()
 }
 
-/// The planes at different heights over which the tool slides, those with most of it first.
+/// Returns the planes at different heights on which the tool slides, those with the most sliding first.
 fn sliding_planes(
     pieces: &[MeasuredPiece],
     slides: &[bool],
@@ -582,7 +584,7 @@ fn sliding_planes(
     planes
 }
 
-/// Whether the tool moves along the surface rather than towards it, within the height at which the surface is looked for.
+/// Whether the tool moves along the surface rather than towards it, within the height at which contact is searched.
 fn is_sliding(pieces: &[MeasuredPiece], i: usize, config: &InterpretConfig) -> bool {
     let Some([before, after]) = neighbours(pieces, i) else {
         return false;
@@ -596,7 +598,7 @@ fn is_sliding(pieces: &[MeasuredPiece], i: usize, config: &InterpretConfig) -> b
         && way.z.abs() <= steepest * along
 }
 
-/// Whether the velocity is about the same before and after a piece.
+/// Whether the velocity before and after a piece is about the same.
 fn is_calm(pieces: &[MeasuredPiece], i: usize) -> bool {
     let Some([before, after]) = neighbours(pieces, i) else {
         return false;
@@ -609,17 +611,17 @@ fn is_calm(pieces: &[MeasuredPiece], i: usize) -> bool {
     change.norm() / (0.5 * (first + second)) < CALM_ACCELERATION
 }
 
-/// The nearest pieces that are far enough away in time before and after one.
+/// Returns the nearest pieces before and after a piece that are far enough away in time.
 fn neighbours(pieces: &[MeasuredPiece], i: usize) -> Option<[usize; 2]> {
     let time = pieces[i].time[1];
-    // A little less, for times that are multiples of a period and not exact in binary.
+    // Slightly less, for times that are multiples of a period and not exact in binary.
     let reach = 0.99 * CALM_REACH;
     let before = (0..i).rev().find(|&j| time - pieces[j].time[1] >= reach)?;
     let after = (i + 1..pieces.len()).find(|&j| pieces[j].time[1] - time >= reach)?;
     Some([before, after])
 }
 
-/// Median force over these pieces, by component in these axes, and the size that what is left then hardly passes.
+/// Returns the median force of the pieces by component, and the largest size of the remaining noise [N].
 fn bias_and_noise(pieces: &[MeasuredPiece], free: &[usize], axes: SensorAxes) -> (Vector3, f64) {
     let of = |i: usize| axes.of(&pieces[i], pieces[i].force);
     let weight = |i: usize| f64::from(pieces[i].samples);
@@ -629,7 +631,7 @@ fn bias_and_noise(pieces: &[MeasuredPiece], free: &[usize], axes: SensorAxes) ->
     (bias, NOISE_BY_MEDIAN * median(sizes.collect()))
 }
 
-/// How long a piece lasts, up to the next [s].
+/// Duration of a piece, up to the next one [s].
 fn lasts(pieces: &[MeasuredPiece], i: usize) -> f64 {
     let end = pieces
         .get(i + 1)
@@ -637,7 +639,7 @@ fn lasts(pieces: &[MeasuredPiece], i: usize) -> f64 {
     (end - pieces[i].time[0]).min(LONGEST_MEAN)
 }
 
-/// A turn by half about an axis across this one.
+/// Returns a rotation by π about an axis perpendicular to `normal`.
 fn half_turn(normal: &Vector3) -> UnitQuaternion<f64> {
     UnitQuaternion::rotation_between(&Vector3::x(), normal).map_or_else(
         UnitQuaternion::identity,
@@ -648,7 +650,7 @@ fn half_turn(normal: &Vector3) -> UnitQuaternion<f64> {
     )
 }
 
-/// The median of values with weights: by time, not by pieces, of which a tool that is flung away makes the most. 0 of none.
+/// Weighted median. The weights are times, as a fast motion yields the most pieces. 0 for an empty list.
 fn median(mut weighed: Vec<(f64, f64)>) -> f64 {
     weighed.sort_unstable_by(|a, b| a.0.total_cmp(&b.0));
     let all: f64 = weighed.iter().map(|&(_, weight)| weight).sum();
@@ -660,7 +662,7 @@ fn median(mut weighed: Vec<(f64, f64)>) -> f64 {
     middle.or(weighed.last()).map_or(0.0, |&(value, _)| value)
 }
 
-/// Standard deviation of values with weights about a middle, by the median of their distances from it.
+/// Standard deviation of weighted values about `middle`, from the median of their distances.
 fn spread(weighed: Vec<(f64, f64)>, middle: f64) -> f64 {
     let distances = weighed
         .into_iter()
@@ -668,12 +670,12 @@ fn spread(weighed: Vec<(f64, f64)>, middle: f64) -> f64 {
     1.4826 * median(distances.collect())
 }
 
-/// The value about which most of the weight lies: halves of the sample with the least width, one in the other (Robertson and
-/// Cryer, 1974). Nothing of no values.
+/// Returns the mode of values by the half-sample method: halves of least width, one inside the other (Robertson and
+/// Cryer, 1974). `None` for an empty list.
 fn mode(mut values: Vec<f64>) -> Option<f64> {
     values.sort_unstable_by(f64::total_cmp);
     let mut part = &values[..];
-    // Of an eighth of the sample, which half is the narrower is chance.
+    // Within an eighth of the sample it is chance which half is narrower.
     while part.len() > 8.max(values.len() / 8) {
         let half = part.len().div_ceil(2);
         let width = |first: usize| part[first + half - 1] - part[first];

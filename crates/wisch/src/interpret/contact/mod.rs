@@ -1,4 +1,4 @@
-//! Where the tool touched the surface, how hard, and which plane the contacts lie on; (9) to (11).
+//! Contact of the tool with the surface: places, forces and the plane of the contacts; (9) to (11).
 
 mod classification;
 mod curvature;

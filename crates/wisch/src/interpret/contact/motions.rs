@@ -1,38 +1,38 @@
-//! The straight motions in contact that stand for a path.
+//! Straight contact motions that approximate a path.
 
 use super::path::PathPiece;
 use crate::geometry::{Edge, PlanarPose, Point2, Pose, Vector2, wrap_angle};
 use crate::represent::ToolMotion;
 
-/// Longest motion that is replayed at once [m]: thresholds are drawn between motions.
+/// Longest motion that is replayed in one step [m], as thresholds are drawn between motions.
 pub(in crate::interpret) const MAX_LENGTH: f64 = 0.01;
-/// Less travel than this is standing [m], and less turn, if it turns [rad].
+/// Largest travel of a standing tool [m], and largest rotation [rad].
 const STANDING: [f64; 2] = [2e-3, 0.035];
-/// The same for the beginning of a contact: what the tool comes down on is carried the way that it first
-/// moves, which must not be the way it trembles, settles or turns in before its stroke.
+/// The same at the beginning of a contact. The dirt below the tool is carried in the direction of its first motion,
+/// which must not be that of its vibration, settling or turning before the stroke.
 const SETTLING: [f64; 2] = [0.01, 0.35];
-/// How far a path may be off the straight motion that stands for it [m].
+/// Largest distance of a path from the straight motion that approximates it [m].
 const MAX_DEVIATION: f64 = 5e-4;
-/// Change of f′ from which on a new motion begins [1]; beyond the noise of forces at 100 Hz, which would
-/// otherwise choose the strongest of many.
+/// Change of f′ at which a new motion begins [1]; above the noise of forces at 100 Hz, as otherwise the strongest of
+/// many noisy values would be chosen.
 const MAX_SHARE_CHANGE: f64 = 0.15;
-/// Turn below which the heading counts as kept [rad]: half a degree, half a millimetre at a sponge's corner.
+/// Rotation below which the yaw counts as constant [rad]; half a degree, 0.5 mm at a sponge's corner.
 const HEADING_STEP: f64 = 0.0087;
-/// Most that a tool turns in one motion [rad]; 6°, in which a straight line stands for a bent one.
+/// Largest rotation within one motion [rad]; 6°, for which a straight line may replace an arc.
 const MAX_TURN: f64 = 0.105;
-/// Places closer together than this are the same [m].
+/// Distance below which two places are the same [m].
 const SAME_PLACE: f64 = 1e-4;
-/// Pieces further apart than this are not one contact [s].
+/// Longest time between two pieces of one contact [s].
 const MAX_GAP: f64 = 0.25;
 
-/// f′ of a contact, and where under the tool it holds [1].
+/// f′ of a contact, and the point under the tool to which it refers [1].
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(in crate::interpret) enum NormalizedForce {
     /// There is no contact.
     NoContact,
-    /// Mean over the whole tool, measured as a force.
+    /// Mean over the whole tool, from a measured force.
     Mean(f64),
-    /// In the middle of the tool, derived from its distance from the plane; below 0 where only a side touches.
+    /// Value in the middle of the tool, from its distance to the plane; below 0 if only a side touches.
     Middle(f64),
 }
 
@@ -44,7 +44,7 @@ impl NormalizedForce {
         }
     }
 
-    /// As if the force were by this factor another; a distance is what it is.
+    /// Returns f′ for a force scaled by `factor`; a value from a distance does not change.
     pub(in crate::interpret) fn scaled(self, factor: f64) -> Self {
         match self {
             Self::Mean(share) => Self::Mean(share * factor),
@@ -52,7 +52,7 @@ impl NormalizedForce {
         }
     }
 
-    /// The same kind with another value.
+    /// Returns the same kind with another value.
     const fn with(self, share: f64) -> Self {
         match self {
             Self::NoContact => Self::NoContact,
@@ -66,15 +66,15 @@ impl NormalizedForce {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(in crate::interpret) struct ContactMotion {
     pub(in crate::interpret) motion: ToolMotion,
-    /// f′, as a mean over the way.
+    /// Mean f′ over the motion.
     pub(in crate::interpret) force: NormalizedForce,
     /// Mean slope of the plane against the underside, in the tool frame [1].
     pub(in crate::interpret) slope: Vector2,
-    /// Whether it goes on where the one before ended.
+    /// Whether it begins where the motion before ended, without a lift between them.
     pub(in crate::interpret) continues: bool,
 }
 
-/// The straight motions in contact of a path, in the frame of the real surface. `force` gives f′ of each piece.
+/// Returns the straight contact motions of a path, in the frame of the real surface. `force` gives f′ of each piece.
 pub(in crate::interpret) fn contact_motions(
     path: &[PathPiece],
     real_from_believed: &Pose,
@@ -91,23 +91,23 @@ pub(in crate::interpret) fn contact_motions(
     builder.motions
 }
 
-/// Joins pieces to motions.
+/// Joins pieces into motions.
 #[derive(Debug, Default)]
 struct Builder {
     motions: Vec<ContactMotion>,
     open: Option<Open>,
 }
 
-/// A motion that still grows.
+/// A motion that is still growing.
 #[derive(Debug)]
 struct Open {
     from: PlanarPose,
     to: PlanarPose,
     last_time: f64,
     kind: NormalizedForce,
-    /// Places passed on the way, the last one included.
+    /// Places passed so far, the last one included.
     passed: Vec<Point2>,
-    /// Travel and f′ times travel; standing, pieces count instead [m].
+    /// Travel [m] and f′ times travel; a standing tool counts pieces instead.
     travel: f64,
     share_by_travel: f64,
     pieces: f64,
@@ -141,7 +141,7 @@ impl Builder {
         }
     }
 
-    /// Ends the contact. What is left of it is standing, which counts only where there was nothing else.
+    /// Ends the contact. A standing remainder counts only if the contact holds nothing else.
     fn interrupt(&mut self) {
         match &mut self.open {
             Some(open) if open.is_within(STANDING) && open.continues => self.open = None,
@@ -155,7 +155,7 @@ impl Builder {
         }
     }
 
-    /// Keeps a motion, in parts if it is long: a slow log has pieces longer than a motion should be.
+    /// Stores the motion, in parts if it is too long: pieces of a slowly sampled log may exceed the limit.
     fn close(&mut self) {
         let Some(open) = self.open.take() else {
             return;
@@ -166,7 +166,7 @@ impl Builder {
         let parts = (way.norm() / MAX_LENGTH).ceil().max(1.0) as u32;
         let at = |part: u32| {
             let share = f64::from(part) / f64::from(parts);
-            // The same bits in all parts where it does not turn.
+            // A motion without rotation has exactly the same yaw in all parts.
             PlanarPose::new(
                 open.from.position + way * share,
                 open.from.heading + turn * share,
@@ -217,7 +217,7 @@ impl Open {
         self.is_within(if self.continues { STANDING } else { SETTLING })
     }
 
-    /// Where it ends: with the heading of its beginning, as long as it differs too little to matter.
+    /// Pose at the end; the yaw stays that of the beginning if it has hardly changed.
     fn end(&self) -> PlanarPose {
         if self.turn().abs() < HEADING_STEP {
             PlanarPose::new(self.to.position, self.from.heading)
@@ -235,7 +235,7 @@ impl Open {
         }
     }
 
-    /// Mean slope; it changes too slowly to be weighed by travel.
+    /// Mean slope, not weighted by travel as it changes slowly.
     fn slope(&self) -> Vector2 {
         self.slope_by_pieces / self.pieces
     }
@@ -266,7 +266,7 @@ impl Open {
         if step > SAME_PLACE {
             self.travel += step;
             self.share_by_travel += step * force.value();
-            // What it passed while standing is not on its way.
+            // The places of a standing tool are not on its path.
             if self.is_standing() {
                 self.passed.clear();
             }

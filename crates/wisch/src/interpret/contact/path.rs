@@ -1,20 +1,20 @@
-//! The path of the tool, and what it felt on its way.
+//! The path of the tool with its forces.
 
 use crate::geometry::{Point3, Pose, Vector2, Vector3};
 
-/// Where a tool was and what force it felt.
+/// A sample of a log: tool pose and force.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct TouchSample {
     /// Time [s]; later than that of the sample before.
     pub time: f64,
-    /// The tool in the world, its tool centre point at the origin of its frame.
+    /// Pose of the tool in the world; the tool centre point is the origin of its frame.
     pub world_from_tool: Pose,
-    /// Force of the surroundings on the tool, in the axes of the world [N].
+    /// Force of the environment on the tool, in the axes of the world [N].
     pub force: Vector3,
 }
 
 impl TouchSample {
-    /// At a time [s] the tool was there and felt this force [N].
+    /// Returns a sample: time [s], pose of the tool in the world, force on the tool in the axes of the world [N].
     pub const fn new(time: f64, world_from_tool: Pose, force: Vector3) -> Self {
         Self {
             time,
@@ -24,44 +24,44 @@ impl TouchSample {
     }
 }
 
-/// How a piece of the path was classified.
+/// Classification of a piece of the path.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Touch {
-    /// Away from the fitted plane, without force.
+    /// Off the fitted plane, without force.
     Free,
-    /// On the fitted plane, f′ below the confident band: a share of the effect.
+    /// On the fitted plane with f′ below the confident band: a share of the particles responds.
     Weak,
-    /// On the fitted plane with f′ in the confident band (10), or above it.
+    /// On the fitted plane with f′ in the confident band (10) or above it.
     Confident,
-    /// A force like that of contact, but off the plane: something else pushes (Fig. 18).
+    /// A contact-like force off the plane: another object or a person pushes (Fig. 18).
     FalsePositive,
 }
 
-/// Some consecutive samples as one: at most a few milliseconds or a fraction of a millimetre.
+/// Consecutive samples as one piece, of at most a few milliseconds or a fraction of a millimetre.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PathPiece {
-    /// First and last time [s].
+    /// Time of the first and of the last sample [s].
     pub time: [f64; 2],
     /// The tool centre point at the last sample, in the frame of the believed surface [m].
     pub position: Point3,
-    /// Heading of the tool about the surface normal at the last sample [rad].
+    /// Yaw of the tool about the surface normal at the last sample [rad].
     pub heading: f64,
-    /// Mean force of the tool on the surface along its outward normal, the bias taken off [N]: negative
-    /// where it presses, as f_ext,n in (9).
+    /// Mean force of the tool on the surface along its outward normal, with the bias subtracted [N]: negative where the
+    /// tool presses, as f_ext,n in (9).
     pub normal_force: f64,
-    /// Mean size of the force along the surface [N].
+    /// Mean tangential force [N].
     pub tangential_force: f64,
-    /// f′ (9), at least 0: over the nominal force, or over that with which the tool mostly pressed in this log if it is
-    /// another. At most 1, or the declared nominal force over that one if it is smaller.
+    /// f′ (9), at least 0: force over the nominal force, or over the usual press force of this log if it differs. At
+    /// most 1, or the declared nominal force over the usual one if that is smaller.
     pub normalized_force: f64,
-    /// Mean distance of the tool centre point from the fitted plane, positive outside [m]; from the believed
-    /// surface where no plane was found. A tool that gives way touches from its compression depth down.
+    /// Mean distance of the tool centre point from the fitted plane [m], positive on the outside; from the believed
+    /// surface if no plane was found. A compliant tool touches below its compression depth.
     pub height: f64,
-    /// Slope of the fitted plane against the tool's underside at the last sample, in the frame of the tool [1]:
-    /// by how much the surface rises towards the hand per metre along the tool's x and y. Where it rises, a
-    /// tool that gives way presses harder. Zero where no plane was found.
+    /// Slope of the fitted plane against the tool's underside at the last sample, in the tool frame [1]: rise of the
+    /// surface towards the hand per metre along the tool's x and y. A compliant tool presses harder where it rises.
+    /// Zero if no plane was found.
     pub slope: Vector2,
-    /// How it was classified.
+    /// Classification of the piece.
     pub touch: Touch,
 }
 
@@ -72,24 +72,24 @@ impl PathPiece {
     }
 }
 
-/// The plane of confident contacts (11), in the frame of the believed surface.
+/// Plane fitted to the confident contacts (11), in the frame of the believed surface.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct FittedPlane {
-    /// A point of it, above the middle of the believed surface [m].
+    /// Point of the plane above the middle of the believed surface [m].
     pub point: Point3,
-    /// Its outward unit normal.
+    /// Outward unit normal.
     pub normal: Vector3,
-    /// Angle between its normal and the believed one [rad].
+    /// Angle between the fitted normal and the believed one [rad].
     pub tilt: f64,
     /// Signed height of `point` over the believed surface [m].
     pub offset: f64,
-    /// In how many directions along the surface the contacts spread far enough to tell a tilt: 2 tell it, 1 tells it
-    /// along their line only, 0 not at all. Where nothing tells it, it counts as none.
+    /// Number of directions along the surface in which the contacts spread far enough to determine a tilt: 2 for a full
+    /// tilt, 1 for a tilt along a line, 0 for none. An undetermined tilt is 0.
     pub directions: usize,
-    /// Confident positions on it.
+    /// Number of confident positions on the plane.
     pub inliers: usize,
-    /// Confident positions in all.
+    /// Number of confident positions.
     pub confident: usize,
-    /// Root mean square distance of the contacts that it was fitted to, weaker ones included [m].
+    /// Root mean square distance of the contacts used for the fit, weak ones included [m].
     pub rms: f64,
 }

@@ -1,51 +1,52 @@
-//! The plane of confident contacts: RANSAC (Fischler and Bolles, 1981), equation (11).
+//! RANSAC fit of the plane of confident contacts (Fischler and Bolles, 1981), equation (11).
 //!
-//! A plane is a height and a slope over the believed surface. A direction over which the contacts do not
-//! spread says nothing about the slope along it: one straight stroke gives no plane. There the believed
-//! slope holds, so that a stroke still gives height and slope along itself.
+//! A plane is a height and a slope over the believed surface. Contacts that do not spread along a direction do not
+//! determine the slope along it, so a single straight stroke gives no full plane. In such a direction the believed
+//! slope is kept, and a stroke still gives the height and the slope along itself.
 
 use crate::geometry::{Point3, Vector2, Vector3};
 use crate::interpret::config::PlaneConfig;
 use rand::RngExt;
 use rand_chacha::{ChaCha8Rng, rand_core::SeedableRng};
 
-/// Points that a hypothesis is tried on; more tell it no better.
+/// Most points on which a hypothesis is scored; more would not change the choice.
 const MAX_SCORED: usize = 5000;
-/// Rounds of least squares; the inliers of a plane settle after two or three.
+/// Most iterations of least squares; the inliers settle after two or three.
 const MAX_REFINEMENTS: usize = 10;
 
-/// A plane over the xy plane: z = height + slope · (x, y).
+/// A plane over the xy plane, z = height + slope · (x, y).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PlaneFit {
     /// Height at the origin [m].
     pub height: f64,
     /// Rise along x and along y [1].
     pub slope: Vector2,
-    /// Points within the inlier distance.
+    /// Number of points within the inlier distance.
     pub inliers: usize,
     /// Root mean square distance of the inliers [m].
     pub rms: f64,
-    /// In how many directions the inliers spread far enough to tell the slope; it is 0 in the others.
+    /// Number of directions in which the inliers spread far enough to determine the slope; the slope is 0 in the
+    /// remaining ones.
     pub directions: usize,
 }
 
 impl PlaneFit {
-    /// Unit normal with positive z, in the frame of the points that were fitted.
+    /// Unit normal with positive z, in the frame of the fitted points.
     pub fn normal(&self) -> Vector3 {
         Vector3::new(-self.slope.x, -self.slope.y, 1.0).normalize()
     }
 
-    /// Angle between its normal and the z axis [rad].
+    /// Angle between the normal and the z axis [rad].
     pub fn tilt(&self) -> f64 {
         libm::atan(self.slope.norm())
     }
 
-    /// Height of the plane [m] over a place in the xy plane [m].
+    /// Returns the height of the plane [m] at a place in the xy plane [m].
     pub fn height_at(&self, place: Vector2) -> f64 {
         self.height + self.slope.dot(&place)
     }
 
-    /// Distance of a point from the plane, positive above [m].
+    /// Returns the signed distance of a point from the plane, positive above [m].
     pub fn distance(&self, point: Point3) -> f64 {
         (point.z - self.height_at(point.coords.xy())) * self.cosine()
     }
@@ -55,10 +56,10 @@ impl PlaneFit {
     }
 }
 
-/// The plane that most points lie on, its normal within a cone about z, refined by least squares on its
-/// inliers; `None` where too few points agree on one.
+/// Fits the plane that holds most points, with its normal within a cone about z, and refines it by least squares on its
+/// inliers. `None` if too few points lie on a common plane.
 ///
-/// Same points and seed, same plane. Cost: proportional to the number of points.
+/// The result depends on the points, the settings and the seed only. The cost is proportional to the number of points.
 ///
 /// ```
 /// use wisch::geometry::Point3;
@@ -86,7 +87,7 @@ pub fn fit_plane(points: &[Point3], config: &PlaneConfig, seed: u64) -> Option<P
     (refined.inliers as f64 >= least).then_some(refined)
 }
 
-/// The hypothesis with the least truncated squares (MSAC; Torr and Zisserman, 2000).
+/// Returns the hypothesis with the least truncated squared distances (MSAC; Torr and Zisserman, 2000).
 fn search(
     points: &[Point3],
     axes: &[Vector2],
@@ -101,7 +102,7 @@ fn search(
         drawn += 1;
         let sample: [Point3; 3] =
             std::array::from_fn(|_| points[random.random_range(0..points.len())]);
-        let Some(plane) = through(&sample, axes, config.cone) else {
+        let Some(plane) = plane_through(&sample, axes, config.cone) else {
             continue;
         };
         let (cost, inliers) = score(points, &plane, config.inlier_distance_m);
@@ -114,11 +115,12 @@ fn search(
     best.map(|(_, plane)| plane)
 }
 
-/// Hypotheses after which with this confidence one was drawn from inliers alone.
+/// Returns the number of hypotheses after which, with this confidence, at least one was drawn from inliers alone.
 fn hypotheses(inlier_share: f64, points: usize, confidence: f64) -> usize {
+    // n = log(1 − confidence) / log(1 − wᵏ), with inlier share w and k points per hypothesis.
     let all_inliers = inlier_share.powi(points as i32);
     let needed = libm::log(1.0 - confidence) / libm::log(1.0 - all_inliers);
-    // All inliers: the logarithm is −∞ and the ratio 0; none at all: no number of them is enough.
+    // With inliers only, the logarithm is −∞ and the ratio 0; without inliers, no number is enough.
     if needed.is_finite() {
         (needed.ceil() as usize).max(1)
     } else {
@@ -126,8 +128,8 @@ fn hypotheses(inlier_share: f64, points: usize, confidence: f64) -> usize {
     }
 }
 
-/// The plane through as many of the points as its free slopes need and one more.
-fn through(points: &[Point3; 3], axes: &[Vector2], cone: f64) -> Option<PlaneFit> {
+/// Returns the plane through one point more than there are free slopes; `None` if it lies outside the cone.
+fn plane_through(points: &[Point3; 3], axes: &[Vector2], cone: f64) -> Option<PlaneFit> {
     let [a, b, c] = *points;
     let slope = match *axes {
         [] => Vector2::zeros(),
@@ -138,7 +140,7 @@ fn through(points: &[Point3; 3], axes: &[Vector2], cone: f64) -> Option<PlaneFit
             Vector2::new(ab.z * ac.y - ac.z * ab.y, ac.z * ab.x - ab.z * ac.x) / area
         }
     };
-    // Points in one place or on a line give no number, or none within the cone.
+    // Coincident or collinear points give a slope that is NaN or outside the cone.
     (slope.norm() <= libm::tan(cone)).then(|| PlaneFit {
         height: a.z - slope.dot(&a.coords.xy()),
         slope,
@@ -148,7 +150,7 @@ fn through(points: &[Point3; 3], axes: &[Vector2], cone: f64) -> Option<PlaneFit
     })
 }
 
-/// Sum of squared distances over the inlier distance, none above 1, and how many are inliers.
+/// Returns the sum of the squared distances over the inlier distance, each limited to 1, and the number of inliers.
 fn score(points: &[Point3], plane: &PlaneFit, inlier_distance: f64) -> (f64, usize) {
     let scale = (plane.cosine() / inlier_distance).powi(2);
     let mut cost = 0.0;
@@ -162,10 +164,10 @@ fn score(points: &[Point3], plane: &PlaneFit, inlier_distance: f64) -> (f64, usi
     (cost, points.len() - outliers as usize)
 }
 
-/// Least squares on the inliers, until they stay the same.
+/// Repeats least squares on the inliers until they no longer change.
 fn refine(points: &[Point3], from: PlaneFit, config: &PlaneConfig) -> PlaneFit {
     let steepest = libm::tan(config.cone);
-    let mut plane = counted(points, from, config.inlier_distance_m);
+    let mut plane = count_inliers(points, from, config.inlier_distance_m);
     for _ in 0..MAX_REFINEMENTS {
         let near = |point: &&Point3| plane.distance(**point).abs() <= config.inlier_distance_m;
         let spread = Spread::of(points.iter().filter(near));
@@ -173,7 +175,7 @@ fn refine(points: &[Point3], from: PlaneFit, config: &PlaneConfig) -> PlaneFit {
         if spread.count == 0.0 || fitted.slope.norm() > steepest {
             break;
         }
-        let next = counted(points, fitted, config.inlier_distance_m);
+        let next = count_inliers(points, fitted, config.inlier_distance_m);
         let settled = next == plane;
         plane = next;
         if settled {
@@ -183,7 +185,7 @@ fn refine(points: &[Point3], from: PlaneFit, config: &PlaneConfig) -> PlaneFit {
     plane
 }
 
-fn counted(points: &[Point3], plane: PlaneFit, inlier_distance: f64) -> PlaneFit {
+fn count_inliers(points: &[Point3], plane: PlaneFit, inlier_distance: f64) -> PlaneFit {
     let distances = points.iter().map(|point| plane.distance(*point));
     let (inliers, squares) = distances
         .filter(|distance| distance.abs() <= inlier_distance)
@@ -197,7 +199,7 @@ fn counted(points: &[Point3], plane: PlaneFit, inlier_distance: f64) -> PlaneFit
     }
 }
 
-/// Moments of some points about the first of them.
+/// Sums of a set of points, relative to the first of them.
 #[derive(Debug, Clone, Copy, Default)]
 struct Spread {
     count: f64,
@@ -229,7 +231,7 @@ impl Spread {
         spread
     }
 
-    /// Central moments: variances and covariances of x, y, z that the slopes need.
+    /// Central moments: variances and covariances of x, y and z for the slopes.
     fn central(&self) -> (Vector3, [f64; 5]) {
         let mean = self.sum / self.count.max(1.0);
         let about = |raw: f64, a: f64, b: f64| raw / self.count.max(1.0) - a * b;
@@ -243,7 +245,7 @@ impl Spread {
         (mean, moments)
     }
 
-    /// Directions over which the points spread far enough, the widest first.
+    /// Directions in which the points spread far enough, the widest first.
     fn axes(&self, min_spread: f64) -> Vec<Vector2> {
         let (_, [xx, xy, yy, ..]) = self.central();
         let half_angle = 0.5 * libm::atan2(2.0 * xy, xx - yy);
@@ -256,10 +258,11 @@ impl Spread {
         [major, minor].into_iter().filter(wide).collect()
     }
 
-    /// The plane of least squares in z; level along directions over which the points do not spread.
+    /// Fits z by least squares; the slope is 0 along directions in which the points do not spread.
     fn least_squares(&self, min_spread: f64) -> PlaneFit {
         let (mean, [xx, xy, yy, xz, yz]) = self.central();
         let axes = self.axes(min_spread);
+        // The principal axes are uncorrelated, so the slope along each axis a is cov(a, z) / var(a).
         let slope = axes.iter().fold(Vector2::zeros(), |slope, axis| {
             let variance = axis.x * axis.x * xx + 2.0 * axis.x * axis.y * xy + axis.y * axis.y * yy;
             slope + axis * ((axis.x * xz + axis.y * yz) / variance)

@@ -1,33 +1,33 @@
-//! Pressure under a tool that gives way and stands inclined to the plane.
+//! Pressure under a compliant tool that is inclined to the plane.
 //!
-//! A bed of springs is compressed the more the higher the plane rises towards the hand, and where it would
-//! be stretched it has left the plane. The force is the mean of that over the tool.
+//! The tool is a bed of springs. A spring is compressed further where the plane rises towards the hand; where it would
+//! be stretched, it has left the plane. The force is the mean over the tool.
 
 use super::motions::{ContactMotion, NormalizedForce};
 use crate::geometry::{Bounds2, PlanarPose, Point2, Vector2};
 use crate::represent::ToolMotion;
 
-/// Difference of f′ under the tool below which it presses evenly [1]; a fraction of what is measured.
+/// Difference of f′ under the tool below which the pressure counts as even [1]; a fraction of the measurement noise.
 const EVEN: f64 = 1e-3;
-/// Halvings in search of the mean: 1e-6 of the difference under the tool.
+/// Bisection steps of the mean: 1e-6 of the difference under the tool.
 const HALVINGS: usize = 20;
-/// The smaller of two differences is at least this share of the larger [1]; the formula divides by both.
+/// Least ratio of the smaller difference to the larger [1], as the formula divides by both.
 const LEAST_RATIO: f64 = 1e-3;
 
-/// f′ under a tool that presses unevenly, by place.
+/// f′ under a tool that presses unevenly, as a function of place.
 #[derive(Debug)]
 pub(in crate::interpret) struct PressureDistribution {
     motion: ToolMotion,
-    /// f′ in the middle of the tool; below 0 where the tool has left the plane there [1].
+    /// f′ in the middle of the tool; below 0 if the middle has left the plane [1].
     middle: f64,
-    /// Rise of f′ along the tool's x and y [1/m].
+    /// Gradient of f′ along the tool's x and y [1/m].
     rise: Vector2,
     bounds: Bounds2,
 }
 
 impl PressureDistribution {
-    /// Under a tool within `bounds` (tool frame) that has this compression at nominal force [m]. `None` where
-    /// it presses evenly.
+    /// Returns the distribution under a tool with these `bounds` (tool frame); `compression` is that at nominal force
+    /// [m]. `None` where the pressure is even.
     pub(in crate::interpret) fn of(
         contact: &ContactMotion,
         bounds: Option<Bounds2>,
@@ -54,10 +54,10 @@ impl PressureDistribution {
         (self.middle + half).max(0.0)
     }
 
-    /// Largest f′ that a particle feels which the motion passes over [1].
+    /// Returns the largest f′ at a particle that the motion passes over [1].
     ///
-    /// It feels it where it comes under the tool and where it last is, if it stays: between them f′ changes
-    /// evenly.
+    /// f′ changes linearly over the motion, so it is largest where the particle comes under the tool or where it is
+    /// last.
     pub(in crate::interpret) fn share(&self, position: Point2) -> f64 {
         self.share_under(&self.motion.from, position)
             .max(self.share_under(&self.motion.to, position))
@@ -75,13 +75,14 @@ impl PressureDistribution {
     }
 }
 
-/// f′ in the middle of a rectangle with this mean of f′, where f′ changes by `half` from there to each side.
+/// Returns f′ in the middle of a rectangle, given its clipped mean; f′ changes by `half` from the middle to each side.
 fn middle(mean: f64, half: Vector2) -> f64 {
     if mean >= half.sum() {
         return mean;
     }
     let largest = half.max();
     let half = half.map(|one| one.max(LEAST_RATIO * largest));
+    // Clipping only raises the mean, so the middle is at most `mean`; bisect for it.
     let (mut low, mut high) = (-half.sum(), mean);
     for _ in 0..HALVINGS {
         let between = 0.5 * (low + high);
@@ -94,8 +95,7 @@ fn middle(mean: f64, half: Vector2) -> f64 {
     0.5 * (low + high)
 }
 
-/// Mean over a rectangle of what is above 0 of a plane with this height in the middle: the plane integrated
-/// twice, at the corners.
+/// Returns the mean over a rectangle of the positive part of a plane with height `middle` in its middle.
 fn clipped_mean(middle: f64, half: Vector2) -> f64 {
     let cube = |x: f64| x.max(0.0).powi(3);
     let (a, b) = (half.x, half.y);
@@ -109,7 +109,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_mean_of_what_is_pressed_is_the_force() {
+    fn the_mean_of_the_pressure_is_the_force() {
         for (mean, half) in [
             (0.02, Vector2::new(0.3, 0.0)),
             (0.3, Vector2::new(0.2, 0.5)),
@@ -128,7 +128,7 @@ mod tests {
             let found = sum / f64::from(steps * steps);
             assert!((found - mean).abs() < 1e-3, "{mean} {half}: {found}");
         }
-        // A wedge: 0.02 of a rise of 0.6 in all over the tool is a triangle of width w, 0.6 w²/2 = 0.02.
+        // A wedge: with a total rise of 0.6, a mean of 0.02 is a triangle of width w, 0.6 w²/2 = 0.02.
         let wedge = middle(0.02, Vector2::new(0.3, 0.0)) + 0.3;
         assert!(
             (wedge - (2.0 * 0.02 * 0.6_f64).sqrt()).abs() < 1e-3,

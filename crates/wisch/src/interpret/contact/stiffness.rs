@@ -1,40 +1,40 @@
-//! How stiff the tool is, as its log shows: how much nearer to the plane it is when it presses harder.
+//! Estimate of the tool's stiffness from a log: the harder the tool presses, the closer it is to the plane.
 //!
-//! Height over the plane falls with the force, by 1/k for each newton, and lags behind it while it changes: the tool
-//! is damped, and forces are measured late. Both are fitted to short stretches of contact, each about its own mean, as
-//! a surface is no perfect plane. What the stretches disagree about tells how far the fit is to be trusted.
+//! The height over the plane falls by 1/k per newton and lags behind a changing force, as the tool is damped and forces
+//! are measured with a delay. Both are fitted to short stretches of contact, each about its own mean, as no surface is
+//! exactly plane. The disagreement between stretches gives the standard error.
 
 use super::path::PathPiece;
 use nalgebra::{Matrix2, Vector2};
 use std::ops::Range;
 
-/// Longest stretch that is held against its own mean [s].
+/// Longest stretch that is fitted about its own mean [s].
 const STRETCH: f64 = 0.4;
-/// Pieces on either side between which the speed along the normal is taken.
+/// Number of pieces on either side over which the normal speed is taken.
 const SPEED_REACH: usize = 2;
 /// Least share of the nominal force at which the whole tool touches [1].
 const LEAST_SHARE: f64 = 0.15;
-/// Change of the force within a stretch, over the nominal force, from which on the noise of the force hardly matters [1].
+/// Least change of the force within a stretch over the nominal force [1], at which noise of the force hardly matters.
 const LEAST_CHANGE: f64 = 0.3;
-/// Fewest stretches that can disagree.
+/// Least number of stretches for a standard error.
 const MIN_STRETCHES: usize = 4;
 
-/// What the fit leaves out, as a standard deviation of the logarithm [1]: tools rock as they land, and surfaces bend. Chosen
-/// on seeds 2004 to 2058 of `wisch eval calibration`, where 18 measured stiffnesses are off by 0.12 in the root mean square.
+/// Model error, as a standard deviation of the logarithm [1]: tools rock when they land, and surfaces bend. Chosen on
+/// seeds 2004 to 2058 of `wisch eval calibration`, where 18 measured stiffnesses have a root mean square error of 0.12.
 const MODEL: f64 = 0.12;
-/// Standard deviations from what was believed beyond which something else was measured.
+/// Deviation from the belief, in standard deviations, beyond which a measurement is rejected.
 const FARTHEST: f64 = 3.0;
 
-/// The stiffness of a tool.
+/// Estimated stiffness of a tool.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ToolStiffness {
-    /// The most likely one [N/m].
+    /// Most likely value [N/m].
     pub n_per_m: f64,
     /// Standard deviation of its logarithm [1].
     pub ln_deviation: f64,
 }
 
-/// What is believed of a tool's stiffness: it is log-normal.
+/// Log-normal belief about a tool's stiffness.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(in crate::interpret) struct StiffnessBelief {
     /// Mean of the logarithm of the stiffness over that of the settings [1].
@@ -44,7 +44,7 @@ pub(in crate::interpret) struct StiffnessBelief {
 }
 
 impl StiffnessBelief {
-    /// That of the settings, with this standard deviation of the logarithm [1].
+    /// Returns the belief about the stiffness of the settings, with this standard deviation of the logarithm [1].
     pub(in crate::interpret) const fn prior(deviation: f64) -> Self {
         Self {
             ln_scale: 0.0,
@@ -52,10 +52,10 @@ impl StiffnessBelief {
         }
     }
 
-    /// With what a log shows. Nothing else that a member takes for real depends on it: to weigh the members by it, and to draw
-    /// them anew, is to move each along its own quantile, and loses none.
+    /// Updates the belief by a measurement (Kalman update of the logarithm). No other parameter of a member depends on
+    /// the stiffness, so each member moves along its own quantile and none is lost to resampling.
     #[must_use]
-    pub(in crate::interpret) fn updated(self, measured: Option<MeasuredStiffness>) -> Self {
+    pub(in crate::interpret) fn update(self, measured: Option<MeasuredStiffness>) -> Self {
         let Some(measured) = measured else {
             return self;
         };
@@ -65,6 +65,7 @@ impl StiffnessBelief {
         if off.abs() > FARTHEST * (variance + error).sqrt() {
             return self;
         }
+        // Kalman gain of a scalar: prior variance over the sum of prior and measurement variance.
         let gain = variance / (variance + error);
         Self {
             ln_scale: self.ln_scale + gain * off,
@@ -72,12 +73,12 @@ impl StiffnessBelief {
         }
     }
 
-    /// The stiffness over that of the settings that is so many standard deviations off.
+    /// Stiffness over that of the settings, this many standard deviations from the mean [1].
     pub(in crate::interpret) fn scale(self, deviations: f64) -> f64 {
         libm::exp(self.ln_scale + self.deviation * deviations)
     }
 
-    /// The same in newtons per metre, if the settings have so many.
+    /// Returns the belief as a stiffness; `n_per_m` is that of the settings [N/m].
     pub(in crate::interpret) fn of_tool(self, n_per_m: f64) -> ToolStiffness {
         ToolStiffness {
             n_per_m: n_per_m * self.scale(0.0),
@@ -86,25 +87,25 @@ impl StiffnessBelief {
     }
 }
 
-/// Stiffness over the believed one, as one log shows it.
+/// Stiffness over that of the settings, as one log shows it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(in crate::interpret) struct MeasuredStiffness {
     /// Logarithm of the stiffness over that of the settings [1].
     ln_scale: f64,
-    /// Its standard error, by the spread of the stretches [1].
+    /// Standard error, from the spread of the stretches [1].
     deviation: f64,
 }
 
-/// Sums over one stretch: products of the regressors (force, speed) among themselves and with the height, all about
-/// their means.
+/// Sums over one stretch: products of the regressors (force, speed) with each other and with the height, about their
+/// means.
 struct Stretch {
     squares: Matrix2<f64>,
     products: Vector2<f64>,
 }
 
 impl MeasuredStiffness {
-    /// Of the pieces that `is_usable` lets pass, of a tool of this nominal force [N] and compression under it [m]. `None`
-    /// where the force hardly changes, or nothing gives way.
+    /// Measures the stiffness over the pieces that `is_usable` accepts. `nominal_force` [N] compresses the tool by
+    /// `compression` [m]. `None` if the force hardly changes or the tool does not compress.
     pub(in crate::interpret) fn of(
         path: &[PathPiece],
         nominal_force: f64,
@@ -131,8 +132,9 @@ impl MeasuredStiffness {
         let squares: Matrix2<f64> = stretches.iter().map(|one| one.squares).sum();
         let products: Vector2<f64> = stretches.iter().map(|one| one.products).sum();
         let inverse = squares.try_inverse()?;
+        // Least squares over all stretches: fitted = (Σ RᵀR)⁻¹ Σ Rᵀh.
         let fitted = inverse * products;
-        // What each stretch would pull the fit towards.
+        // Contribution of each stretch to the gradient at the fit; their outer products give the sandwich variance.
         let pulls = stretches.iter().map(|one| {
             let pull = one.products - one.squares * fitted;
             pull * pull.transpose()
@@ -176,7 +178,7 @@ impl Stretch {
     }
 }
 
-/// Speed along the plane's normal about a piece [m/s].
+/// Speed along the plane's normal at a piece [m/s].
 fn speed(path: &[PathPiece], i: usize) -> Option<f64> {
     let before = &path[i.checked_sub(SPEED_REACH)?];
     let after = path.get(i + SPEED_REACH)?;
@@ -193,8 +195,8 @@ mod tests {
     const NOMINAL_FORCE: f64 = 10.0;
     const COMPRESSION: f64 = 5e-3;
 
-    /// A tool of this stiffness over 2 kN/m lands and lifts eight times, at a centimetre per second and damped; its heights
-    /// are off by a wave of the surface [m].
+    /// Simulates a damped tool with `scale` times a stiffness of 2 kN/m that lands and lifts eight times at 1 cm/s;
+    /// `wave` is the amplitude of the surface's height [m].
     fn landings(scale: f64, wave: f64) -> Vec<PathPiece> {
         let stiffness = scale * NOMINAL_FORCE / COMPRESSION;
         let damping = 20.0;
@@ -267,13 +269,13 @@ mod tests {
     }
 
     #[test]
-    fn what_is_measured_moves_every_member_and_narrows_their_spread() {
+    fn a_measurement_moves_every_member_and_narrows_their_spread() {
         let prior = StiffnessBelief::prior(0.2);
         let measured = MeasuredStiffness {
             ln_scale: 0.3,
             deviation: 0.05,
         };
-        let believed = prior.updated(Some(measured));
+        let believed = prior.update(Some(measured));
         // 0.04 against 0.0025 + 0.0144.
         assert!((believed.ln_scale - 0.211).abs() < 1e-3, "{believed:?}");
         assert!((believed.deviation - 0.109).abs() < 1e-3, "{believed:?}");
@@ -283,19 +285,19 @@ mod tests {
     }
 
     #[test]
-    fn what_is_known_or_impossible_changes_nothing() {
+    fn an_exact_belief_or_an_impossible_measurement_changes_nothing() {
         let prior = StiffnessBelief::prior(0.2);
         let absurd = MeasuredStiffness {
             ln_scale: 1.2,
             deviation: 0.15,
         };
-        assert_eq!(prior.updated(Some(absurd)), prior);
-        assert_eq!(prior.updated(None), prior);
+        assert_eq!(prior.update(Some(absurd)), prior);
+        assert_eq!(prior.update(None), prior);
         let known = StiffnessBelief::prior(0.0);
         let measured = MeasuredStiffness {
             ln_scale: 0.2,
             deviation: 0.05,
         };
-        assert_eq!(known.updated(Some(measured)), known);
+        assert_eq!(known.update(Some(measured)), known);
     }
 }

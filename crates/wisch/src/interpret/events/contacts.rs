@@ -1,24 +1,24 @@
-//! Contacts, and where one is lost during a stroke.
+//! Detection of contacts and of contact losses during a stroke.
 
 use super::detector::{Candidate, EventDetector, Level, level};
 use super::event::{Event, EventKind};
 
-/// Travel over a twentieth of a second below which a tool stands [m]; beyond what positions are off by.
+/// Travel within 0.05 s below which a tool stands [m]; above the noise of positions.
 const STANDING: f64 = 1e-3;
 
 impl EventDetector<'_> {
-    /// Contacts, by start.
+    /// Returns the contacts, sorted by start.
     pub(super) fn contacts(&self) -> Vec<Event> {
-        let contacts = self.candidates(|i| self.contact(i), |_| self.config.events.bridge_s);
+        let contacts = self.candidates(|i| self.contact_level(i), |_| self.config.events.bridge_s);
         (contacts.iter())
-            .map(|contact| self.described(EventKind::Contact, contact.first, contact.last))
+            .map(|contact| self.describe(EventKind::Contact, contact.first, contact.last))
             .collect()
     }
 
-    /// Losses of contact over some way, and of a tool that stands in the midst of a stroke, by start. `contacts` are
-    /// in their order.
+    /// Returns the contact losses, sorted by start: of a tool that moves on without force, or stands without force
+    /// during a stroke. `contacts` are sorted by start.
     pub(super) fn losses(&self, contacts: &[Event]) -> Vec<Event> {
-        let losses = self.candidates(|i| self.loss(i), |_| self.config.events.bridge_s);
+        let losses = self.candidates(|i| self.loss_level(i), |_| self.config.events.bridge_s);
         let strokes = self.strokes(contacts);
         let events = &self.config.events;
         let is_long = |loss: &&Candidate| {
@@ -28,7 +28,7 @@ impl EventDetector<'_> {
                 || (self.duration(loss) >= events.loss_rest_s && strokes.iter().any(is_around))
         };
         (losses.iter().filter(is_long))
-            .map(|loss| self.described(EventKind::ContactLoss, loss.first, loss.last))
+            .map(|loss| self.describe(EventKind::ContactLoss, loss.first, loss.last))
             .collect()
     }
 
@@ -48,15 +48,15 @@ impl EventDetector<'_> {
         if near > 0.0 { touching / near } else { 0.0 }
     }
 
-    fn contact(&self, i: usize) -> Level {
+    fn contact_level(&self, i: usize) -> Level {
         let [begin, end] = self.config.events.contact_share;
         let share = self.path[i].normalized_force;
         let on_plane = self.is_on_plane(i);
         level(on_plane && share >= end, on_plane && share >= begin)
     }
 
-    /// Over the surface and near it, moving along it or standing, without force.
-    fn loss(&self, i: usize) -> Level {
+    /// Level of a loss: the tool is over the surface and near it, moves along it or stands, and has no force.
+    fn loss_level(&self, i: usize) -> Level {
         let without_force = self.path[i].normalized_force < self.config.events.contact_share[0]
             && !self.is_disturbed(i);
         let lost = self.has_plane && without_force && self.is_near(i);

@@ -1,7 +1,7 @@
-//! A log as events are detected in it.
+//! A log prepared for the detection of events.
 //!
-//! Every event has two thresholds: where the higher one is passed for long enough there is an event, and it
-//! reaches as far as the lower one is passed, short interruptions included.
+//! Each event has two thresholds (hysteresis). An event exists where the higher one is exceeded for long enough, and
+//! extends over all pieces above the lower one, short interruptions included.
 
 use super::event::{Event, EventKind};
 use crate::geometry::{PlanarPose, Region, Vector3};
@@ -9,14 +9,13 @@ use crate::interpret::config::InterpretConfig;
 use crate::interpret::contact::{ClassifiedPath, MeasuredPiece, PathPiece, Touch};
 use crate::represent::Surface;
 
-/// Confident pieces from which on a log shows its own friction: half a second.
+/// Number of confident pieces from which a log shows its own friction; half a second.
 const LEAST_CONTACTS: usize = 50;
 
-/// How much nearer to the surface's border than it looks a tool may be [m]: grasped with care, on a surface that was
-/// localised with care.
+/// Position error of a tool relative to the surface's border [m]: grasp and localisation together.
 const BORDER: f64 = 5e-3;
 
-/// Detects events in a log; all lists are as long.
+/// Detector of events in a log; all slices have one entry per piece.
 #[derive(Debug)]
 pub(in crate::interpret) struct EventDetector<'a> {
     pieces: &'a [MeasuredPiece],
@@ -26,14 +25,14 @@ pub(in crate::interpret) struct EventDetector<'a> {
     surface: &'a Surface,
     footprint: &'a Region,
     pub(super) has_plane: bool,
-    /// Force along the surface over the normal force that the wiping of this log takes [1].
+    /// Friction coefficient of this log: tangential over normal force during wiping [1].
     pub(super) friction: f64,
-    /// Size of a force that noise alone makes believe [N].
+    /// Largest force that noise alone produces [N].
     pub(super) noise: f64,
     pub(super) config: &'a InterpretConfig,
 }
 
-/// How a piece stands to an event's thresholds.
+/// Level of a piece against an event's two thresholds.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) enum Level {
     Below,
@@ -73,7 +72,7 @@ impl<'a> EventDetector<'a> {
         }
     }
 
-    /// From when to when a piece counts: half way to its neighbours [s].
+    /// Time span of a piece, up to half way to its neighbours [s].
     pub(super) fn span(&self, i: usize) -> [f64; 2] {
         let [first, last] = self.path[i].time;
         let before = i.checked_sub(1).map_or(first, |j| self.path[j].time[1]);
@@ -81,7 +80,7 @@ impl<'a> EventDetector<'a> {
         [0.5 * (before + first), 0.5 * (last + after)]
     }
 
-    /// What is felt at a piece, in the axes of the believed surface [N].
+    /// Measured force at a piece, in the axes of the believed surface [N].
     pub(super) fn force(&self, i: usize) -> Vector3 {
         self.pieces[i].force
     }
@@ -100,7 +99,7 @@ impl<'a> EventDetector<'a> {
             && self.surface.outline.contains(piece.position.xy())
     }
 
-    /// Whether the tool at a piece reaches over the surface's border, where it may tip and sink.
+    /// Whether the tool overhangs the surface's border at a piece, where it may tip and sink.
     pub(super) fn overhangs(&self, i: usize) -> bool {
         let piece = &self.path[i];
         let outline = &self.surface.outline;
@@ -111,7 +110,7 @@ impl<'a> EventDetector<'a> {
         })
     }
 
-    /// Travel across and along the surface over a piece and its neighbours [m].
+    /// Travel across and along the surface over a piece and two neighbours on either side [m].
     pub(super) fn travel(&self, i: usize) -> [f64; 2] {
         let before = &self.path[i.saturating_sub(2)];
         let after = &self.path[(i + 2).min(self.path.len() - 1)];
@@ -119,7 +118,7 @@ impl<'a> EventDetector<'a> {
         [(after.height - before.height).abs(), along]
     }
 
-    /// Speed towards or away from the surface [m/s].
+    /// Speed along the surface's normal, in either direction [m/s].
     pub(super) fn climb(&self, i: usize) -> f64 {
         let before = i.saturating_sub(2);
         let after = (i + 2).min(self.path.len() - 1);
@@ -131,8 +130,8 @@ impl<'a> EventDetector<'a> {
         }
     }
 
-    /// Stretches of pieces at least weak, interruptions bridged, in which the strong ones last long enough;
-    /// `bridge` tells how long one may be interrupted at a piece [s].
+    /// Returns stretches of pieces that are at least weak, with interruptions bridged, whose strong pieces last long
+    /// enough. `bridge` returns the longest interruption at a piece [s].
     pub(super) fn candidates(
         &self,
         level: impl Fn(usize) -> Level,
@@ -169,13 +168,13 @@ impl<'a> EventDetector<'a> {
         candidates
     }
 
-    /// How long a candidate lasts [s].
+    /// Duration of a candidate [s].
     pub(super) fn duration(&self, candidate: &Candidate) -> f64 {
         self.span(candidate.last)[1] - self.span(candidate.first)[0]
     }
 
-    /// The evidence of pieces `first` to `last`.
-    pub(super) fn described(&self, kind: EventKind, first: usize, last: usize) -> Event {
+    /// Returns an event over the pieces `first` to `last`, with its evidence.
+    pub(super) fn describe(&self, kind: EventKind, first: usize, last: usize) -> Event {
         let pieces = &self.pieces[first..=last];
         let path = &self.path[first..=last];
         let samples: f64 = pieces.iter().map(|piece| f64::from(piece.samples)).sum();
@@ -201,7 +200,7 @@ impl<'a> EventDetector<'a> {
     }
 }
 
-/// Friction that nearly all of the confident contacts stay below, at most what wiping may take.
+/// Returns the 90 % quantile of the friction coefficient of confident contacts, limited to that of wiping.
 fn friction(path: &[PathPiece], config: &InterpretConfig) -> f64 {
     let confident = path.iter().filter(|piece| piece.touch == Touch::Confident);
     let mut ratios: Vec<f64> = confident
@@ -218,13 +217,13 @@ fn friction(path: &[PathPiece], config: &InterpretConfig) -> f64 {
         .min(limit)
 }
 
-/// Pieces that may be an event.
+/// A stretch of pieces that may be an event.
 #[derive(Debug, Clone)]
 pub(super) struct Candidate {
     pub(super) first: usize,
     pub(super) last: usize,
-    /// [s]
+    /// Time at which it ends [s].
     end: f64,
-    /// How long the higher threshold was passed [s].
+    /// Time above the higher threshold [s].
     strong: f64,
 }

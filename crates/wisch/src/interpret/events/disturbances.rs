@@ -1,28 +1,30 @@
-//! What acts on the tool beside wiping: people, and what the robot does to itself as it lands, presses and lifts.
+//! Detection of disturbances: pushes by people, and landings, overloads and vibrations that the robot causes itself.
 
 use super::detector::{Candidate, EventDetector, Level, level};
 use super::event::{Event, EventKind};
 use crate::geometry::Vector3;
 
-/// Size of the mean force over the mean size of the force, from which on a force acts rather than swings [1], and
-/// the longest time over which the mean is taken [s]. Whoever pushes does so in one direction for a while: random
-/// pushes keep 0.7 and more; the inertia of a long tool that the robot lifts swings about nothing, below 0.3.
+/// Least size of the mean force over the mean size of the force, at which a force has a direction [1], and the longest
+/// time of that mean [s]. A person pushes in one direction for a while: random pushes reach 0.7 and more. The inertial
+/// force of a long tool that the robot lifts oscillates about 0 and stays below 0.3.
 const LEAST_STEADINESS: f64 = 0.5;
 const SWING: f64 = 0.2;
-/// How long before a blow the tool must have been off the surface for it to be the tool's own landing, and how
-/// long such a blow lasts at most [s].
+/// Least time off the surface before an impact that makes it the tool's own landing, and longest duration of that
+/// impact [s].
 const TOUCHDOWN: [f64; 2] = [0.1, 0.3];
 
-/// What acts has begun where, before it is strong, it has not been weaker for so long [s].
+/// Time before a strong force within which its beginning is searched [s].
 const RISE: f64 = 0.06;
 
-/// Together, pushes for more than this share of a log are somebody who leads the tool [1].
+/// Share of a log from which all pushes together count as hand guiding [1].
 const GUIDED_SHARE: f64 = 0.5;
 
 impl EventDetector<'_> {
-    /// Pushes, guiding by hand, landings, overloads and vibrations, by start; each push as one.
+    /// Returns pushes, hand guiding, landings, overloads and vibrations, sorted by start. Stretches of one push are
+    /// merged.
     pub(super) fn disturbances(&self) -> Vec<Event> {
-        let mut candidates = self.candidates(|i| self.disturbed(i), |i| self.push_bridge(i));
+        let mut candidates =
+            self.candidates(|i| self.disturbance_level(i), |i| self.push_bridge(i));
         for candidate in &mut candidates {
             candidate.first = self.onset(candidate);
         }
@@ -48,18 +50,18 @@ impl EventDetector<'_> {
             };
             (kind, push)
         });
-        let mut told: Vec<_> = by_hand.chain(others).collect();
-        told.sort_by_key(|(_, candidate)| candidate.first);
-        (told.iter())
-            .map(|(kind, candidate)| self.described(*kind, candidate.first, candidate.last))
+        let mut disturbances: Vec<_> = by_hand.chain(others).collect();
+        disturbances.sort_by_key(|(_, candidate)| candidate.first);
+        (disturbances.iter())
+            .map(|(kind, candidate)| self.describe(*kind, candidate.first, candidate.last))
             .collect()
     }
 
-    /// Where a candidate begins to rise to its first strong piece: what the tool feels of friction may be weakly too much
-    /// for long before.
+    /// Returns the piece at which a candidate begins to rise to its first strong piece. Friction alone may exceed the
+    /// lower threshold for long before.
     fn onset(&self, candidate: &Candidate) -> usize {
         let mut pieces = candidate.first..=candidate.last;
-        let Some(strong) = pieces.find(|&i| self.disturbed(i) == Level::Strong) else {
+        let Some(strong) = pieces.find(|&i| self.disturbance_level(i) == Level::Strong) else {
             return candidate.first;
         };
         let mut onset = (strong, self.excess(strong));
@@ -75,7 +77,7 @@ impl EventDetector<'_> {
         onset.0
     }
 
-    /// How much more there is than wiping takes, of whatever there is most [N].
+    /// Largest force beyond that of wiping, over all directions [N].
     fn excess(&self, i: usize) -> f64 {
         let piece = &self.path[i];
         let pressed = -piece.normal_force;
@@ -95,7 +97,7 @@ impl EventDetector<'_> {
         most.max(off).max(held)
     }
 
-    /// What a candidate is, the last push before it being this one: a push, unless the robot does it to itself.
+    /// Returns the cause of a candidate: a push unless the robot causes it itself. `before` is the last push before it.
     fn cause(&self, candidate: &Candidate, before: Option<&Candidate>) -> EventKind {
         if !self.is_steady(candidate) {
             EventKind::Vibration
@@ -123,13 +125,13 @@ impl EventDetector<'_> {
         self.span(next.first)[0] - self.span(before.last)[1]
     }
 
-    /// Whether a candidate soon after a push is the tool that was let go of and comes down again: it presses on
-    /// the surface, and nothing draws it along.
+    /// Whether a candidate soon after a push is the released tool that comes down again: the surface presses it, and
+    /// nothing pulls it along.
     fn is_landing(&self, before: &Candidate, next: &Candidate) -> bool {
         self.gap(before, next) <= self.config.events.landing_s && self.is_pressed(next)
     }
 
-    /// Whether a candidate is a blow as the tool comes down on the surface.
+    /// Whether a candidate is the impact of the tool as it comes down on the surface.
     fn is_touchdown(&self, candidate: &Candidate) -> bool {
         let [before, longest] = TOUCHDOWN;
         let start = self.span(candidate.first)[0];
@@ -140,36 +142,41 @@ impl EventDetector<'_> {
             && earlier.any(|i| !self.is_touching(i))
     }
 
-    /// Whether a candidate is a tool that is pressed on the surface too hard, by whatever presses it: it gives way as
-    /// far as this force makes it, and is not drawn along.
+    /// Whether a candidate is a tool that is pressed onto the surface too hard, by robot or person: it compresses as
+    /// the force demands, and is not pulled along.
     fn is_overload(&self, candidate: &Candidate) -> bool {
         let (mut pressed, mut other) = (0.0, 0.0);
         for i in candidate.first..=candidate.last {
             let [start, end] = self.span(i);
-            if self.shoved(i).max(self.handled(i)).max(self.off_plane(i)) == Level::Strong {
+            if self
+                .tangential_level(i)
+                .max(self.free_force_level(i))
+                .max(self.off_plane_level(i))
+                == Level::Strong
+            {
                 other += end - start;
-            } else if self.overloaded(i) == Level::Strong {
+            } else if self.overload_level(i) == Level::Strong {
                 pressed += end - start;
             }
         }
         pressed > other
     }
 
-    /// Whether in a candidate it is the surface that presses rather than somebody who draws.
+    /// Whether the force of a candidate is that of the surface rather than that of a pulling hand.
     fn is_pressed(&self, candidate: &Candidate) -> bool {
         let (mut drawn, mut pressed) = (0.0, 0.0);
         for i in candidate.first..=candidate.last {
             let [start, end] = self.span(i);
-            if self.shoved(i).max(self.handled(i)) == Level::Strong {
+            if self.tangential_level(i).max(self.free_force_level(i)) == Level::Strong {
                 drawn += end - start;
-            } else if self.overloaded(i).max(self.off_plane(i)) == Level::Strong {
+            } else if self.overload_level(i).max(self.off_plane_level(i)) == Level::Strong {
                 pressed += end - start;
             }
         }
         pressed > drawn
     }
 
-    /// Whether the force of a candidate has a direction, for a while at least.
+    /// Whether the force of a candidate has a direction for a while.
     fn is_steady(&self, candidate: &Candidate) -> bool {
         let (mut acting, mut all) = (0.0, 0.0);
         let (mut net, mut since) = (Vector3::zeros(), self.span(candidate.first)[0]);
@@ -187,20 +194,20 @@ impl EventDetector<'_> {
     }
 
     pub(super) fn is_disturbed(&self, i: usize) -> bool {
-        self.disturbed(i) != Level::Below
+        self.disturbance_level(i) != Level::Below
     }
 
-    fn disturbed(&self, i: usize) -> Level {
-        self.off_plane(i)
-            .max(self.shoved(i))
-            .max(self.overloaded(i))
-            .max(self.handled(i))
+    fn disturbance_level(&self, i: usize) -> Level {
+        self.off_plane_level(i)
+            .max(self.tangential_level(i))
+            .max(self.overload_level(i))
+            .max(self.free_force_level(i))
     }
 
-    /// Off the plane with a force like that of contact (Fig. 18). It reaches as far as the tool is off where its spring
-    /// would have it, but only one that is off however stiff the tool is shows it.
-    fn off_plane(&self, i: usize) -> Level {
-        // Over an edge a tool tips and sinks by itself.
+    /// Level of a contact force off the plane (Fig. 18). The event extends while the tool is off the position that its
+    /// spring implies; it begins only where no stiffness of the tool explains the position.
+    fn off_plane_level(&self, i: usize) -> Level {
+        // Over an edge, a tool tips and sinks by itself.
         let is_sunk = || self.path[i].height < 0.0 && self.overhangs(i);
         if !self.has_plane || self.off_spring[i] <= 0.0 || is_sunk() {
             return Level::Below;
@@ -208,7 +215,7 @@ impl EventDetector<'_> {
         let events = &self.config.events;
         let share = self.path[i].normalized_force;
         let off = self.off[i];
-        // A tool that moves looks off the plane by as much as its force lags.
+        // The delay of the force makes a moving tool appear off the plane by this much.
         let lag = events.force_lag_s * self.climb(i);
         let far = events.collision_height_m + lag;
         level(
@@ -217,8 +224,8 @@ impl EventDetector<'_> {
         )
     }
 
-    /// More force along the surface than friction takes.
-    fn shoved(&self, i: usize) -> Level {
+    /// Level of a tangential force beyond friction.
+    fn tangential_level(&self, i: usize) -> Level {
         let events = &self.config.events;
         let piece = &self.path[i];
         let press = (-piece.normal_force).max(0.0);
@@ -230,8 +237,8 @@ impl EventDetector<'_> {
         )
     }
 
-    /// Much more normal force than asked for.
-    fn overloaded(&self, i: usize) -> Level {
+    /// Level of a normal force far above the nominal one.
+    fn overload_level(&self, i: usize) -> Level {
         let nominal = self.config.nominal_force();
         let noise = 2.0 * self.config.force_noise_n;
         let force = -self.path[i].normal_force - noise;
@@ -239,7 +246,7 @@ impl EventDetector<'_> {
         level(force > end * nominal, force > begin * nominal)
     }
 
-    /// Above the surface, where nothing is but who holds the tool.
+    /// Whether the tool is in the air, where only a hand can act on it.
     fn is_free(&self, i: usize) -> bool {
         let events = &self.config.events;
         let lag = events.force_lag_s * self.climb(i);
@@ -251,8 +258,8 @@ impl EventDetector<'_> {
         self.path[i].height > least && self.off[i] > events.collision_height_m + lag
     }
 
-    /// Any force in free motion, whatever its direction.
-    fn handled(&self, i: usize) -> Level {
+    /// Level of a force of any direction in free motion.
+    fn free_force_level(&self, i: usize) -> Level {
         if !self.is_free(i) {
             return Level::Below;
         }
@@ -262,7 +269,7 @@ impl EventDetector<'_> {
         level(force > end, force > begin)
     }
 
-    /// How long a push may be interrupted at a piece [s].
+    /// Longest interruption of a push at a piece [s].
     fn push_bridge(&self, i: usize) -> f64 {
         let events = &self.config.events;
         if self.is_free(i) {

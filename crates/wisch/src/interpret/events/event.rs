@@ -1,23 +1,24 @@
-//! An event and what shows it.
+//! Events with their evidence.
 
-/// What happened during an interval of a log, as felt by pose and force alone; paper §4.2, Fig. 17 and 18.
+/// Kind of event or phase during an interval of a log, as detected from pose and force alone; paper §4.2, Fig. 17 and
+/// 18.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum EventKind {
     /// The tool was in contact.
     Contact,
-    /// Between contacts of one stroke, the tool lost the surface.
+    /// The tool lost contact between two contacts of one stroke.
     ContactLoss,
-    /// Somebody pushed the tool off the plane or along it, or held it in free motion.
+    /// A person pushed the tool off the plane or along it, or held it in free motion.
     Collision,
-    /// Somebody led the tool by hand: for longer than a push lasts, or for most of the log.
+    /// A person guided the tool by hand, for longer than a push lasts or for most of the log.
     HandGuiding,
-    /// The tool came down on the surface harder than it wipes.
+    /// The tool came down on the surface with more force than it wipes with.
     Landing,
-    /// On the surface, the tool was pressed on much harder than asked for.
+    /// The tool was pressed onto the surface far harder than the task demands.
     Overload,
-    /// The tool shook: a force that swings about nothing, as of a long tool that was just lifted.
+    /// The tool vibrated: an inertial force that oscillates about 0, as of a long tool just lifted.
     Vibration,
-    /// The tool stuck and slipped.
+    /// The tool alternately stuck and slipped.
     StickSlip,
     /// Phase: the tool came to the surface for the first time.
     Approach,
@@ -30,7 +31,7 @@ pub enum EventKind {
 }
 
 impl EventKind {
-    /// All of them, those of the contact first and the phases last.
+    /// All kinds: events of contact first, phases last.
     pub const ALL: [Self; 12] = [
         Self::Contact,
         Self::ContactLoss,
@@ -46,7 +47,7 @@ impl EventKind {
         Self::Retreat,
     ];
 
-    /// Its name in records.
+    /// Name in records.
     pub const fn as_str(self) -> &'static str {
         match self {
             Self::Contact => "contact",
@@ -64,12 +65,12 @@ impl EventKind {
         }
     }
 
-    /// Whether a person's hand is at the tool meanwhile, so that what is felt is the hand's as much as the surface's.
+    /// Whether a person's hand is on the tool, so that the measured force is the hand's as well as the surface's.
     pub const fn is_by_hand(self) -> bool {
         matches!(self, Self::Collision | Self::HandGuiding)
     }
 
-    /// Whether it tells what the tool was about; such events follow one another over all of the log.
+    /// Whether the event is a phase of the task. Phases follow one another and cover the whole log.
     ///
     /// ```
     /// use wisch::interpret::EventKind;
@@ -92,18 +93,18 @@ impl EventKind {
     }
 }
 
-/// Something that happened, with its evidence. Times are the log's.
+/// An event with its evidence. Times are those of the log.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Event {
-    /// What.
+    /// Kind of the event.
     pub kind: EventKind,
-    /// From [s].
+    /// Start [s].
     pub start: f64,
-    /// To [s].
+    /// End [s].
     pub end: f64,
-    /// How many samples show it.
+    /// Number of samples during the event.
     pub samples: usize,
-    /// Mean normal force [N], negative where the tool presses.
+    /// Mean normal force [N]; negative where the tool presses.
     pub mean_normal_force: f64,
     /// Largest size of the force [N].
     pub peak_force: f64,

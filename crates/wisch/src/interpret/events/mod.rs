@@ -1,4 +1,4 @@
-//! What happened during a log: contacts, losses of contact, what else acted on the tool, stick-slip and phases.
+//! Events of a log: contacts, contact losses, disturbances, stick-slip and phases.
 
 mod contacts;
 mod detector;
@@ -11,13 +11,13 @@ pub(super) use detector::EventDetector;
 pub use event::{Event, EventKind};
 
 impl EventDetector<'_> {
-    /// All events, by start.
+    /// Returns all events, sorted by start.
     pub(super) fn events(&self) -> Vec<Event> {
         let mut events = self.contacts();
         let losses = self.losses(&events);
         events.extend(self.phases(&events));
         let disturbances = self.disturbances();
-        // What a push takes from the surface is the push's, and a tool that lands may bounce: neither is a loss.
+        // A push or the bounce of a landing interrupts the contact: neither is a contact loss.
         events.extend(losses.into_iter().filter(|loss| {
             !(disturbances.iter()).any(|other| loss.start < other.end && other.start < loss.end)
         }));

@@ -1,23 +1,23 @@
-//! Stick-slip: the tool stands, tears itself loose, and stands again.
+//! Detection of stick-slip: the tool sticks, breaks loose, and sticks again.
 
 use super::detector::EventDetector;
 use super::event::{Event, EventKind};
 use crate::geometry::Vector2;
 
-/// Half the time over which the mean speed is taken [s].
+/// Half the time window of the mean speed [s].
 const WINDOW: f64 = 0.25;
-/// Share of the mean speed below which the tool sticks, and that above which it slips [1].
+/// Share of the mean speed below which the tool sticks, and above which it slips [1].
 const STUCK: f64 = 0.3;
 const SLIPPING: f64 = 1.4;
-/// Longest time between two turns of the same stick-slip [s]: slower ones are the plan's own stops.
+/// Longest time between two turns of one stick-slip [s]; slower changes are stops of the plan.
 const LONGEST_TURN: f64 = 0.25;
-/// Way at the mean speed over which a speed is taken [m]: positions that are off by 0.1 mm change it by a seventh.
+/// Least travel over which a speed is measured [m]: a position error of 0.1 mm changes it by a seventh.
 const LEAST_WAY: f64 = 1e-3;
-/// Slowest mean speed at which it can be detected [m/s]: slower ones take as long for that way as a slip.
+/// Least mean speed at which stick-slip can be detected [m/s]: at a slower one this travel takes as long as a slip.
 const SLOWEST: f64 = 0.015;
-/// Longest time between two runs of turns that are one stick-slip [s]: now and then noise hides a turn.
+/// Longest time between two runs of turns of one stick-slip [s]: noise occasionally hides a turn.
 const BRIDGE: f64 = 0.5;
-/// Least change of the force along the surface between stuck and slipping [N].
+/// Least change of the tangential force between sticking and slipping [N].
 const LEAST_FORCE: f64 = 1.0;
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -26,19 +26,19 @@ enum Gait {
     Slipping,
 }
 
-/// A change from stuck to slipping or back.
+/// A change from sticking to slipping or back.
 #[derive(Debug, Clone, Copy)]
 struct Turn {
     piece: usize,
     to: Gait,
-    /// Largest force along the surface since the turn before [N].
+    /// Largest tangential force since the turn before [N].
     peak: f64,
-    /// Smallest [N].
+    /// Least tangential force since the turn before [N].
     least: f64,
 }
 
 impl EventDetector<'_> {
-    /// Runs of turns, one soon after the other.
+    /// Returns the stick-slip events: runs of turns in quick succession.
     pub(super) fn stick_slips(&self) -> Vec<Event> {
         let turns = self.turns();
         let together = |a: &Turn, b: &Turn| {
@@ -50,7 +50,7 @@ impl EventDetector<'_> {
             .chunk_by(together)
             .filter(|run| run.len() >= self.config.events.stick_slip_turns)
             .map(|run| {
-                // Standing before a stroke is no sticking: it begins with the first slip.
+                // A tool that stands before a stroke does not stick: the event begins with the first slip.
                 let first = usize::from(run[0].to == Gait::Stuck);
                 [run[first].piece, run[run.len() - 1].piece]
             });
@@ -67,7 +67,7 @@ impl EventDetector<'_> {
             }
         }
         let described =
-            |[first, last]: [usize; 2]| self.described(EventKind::StickSlip, first, last);
+            |[first, last]: [usize; 2]| self.describe(EventKind::StickSlip, first, last);
         stick_slips.into_iter().map(described).collect()
     }
 
@@ -75,8 +75,8 @@ impl EventDetector<'_> {
         (first..=last).all(|i| self.is_touching(i))
     }
 
-    /// Speed along the surface about a piece that has two neighbours, over as many of them as the mean velocity asks for:
-    /// along this, as across it there is nothing but noise [m/s].
+    /// Returns the speed along the mean velocity at a piece that has two neighbours [m/s]. It is taken over as many
+    /// neighbours as the least travel demands; across the mean velocity there is only noise.
     fn speed(&self, i: usize, mean: Vector2) -> f64 {
         let last = self.path.len() - 1;
         let (mut before, mut after) = (i - 1, i + 1);
@@ -102,7 +102,7 @@ impl EventDetector<'_> {
             while last + 1 < self.path.len() && self.path[last].time[1] < now + WINDOW {
                 last += 1;
             }
-            // Not over the length of the path, which noise adds to.
+            // The net displacement, as noise lengthens the path.
             let net = (self.path[last].position - self.path[first].position).xy();
             let velocity = net / (self.path[last].time[1] - self.path[first].time[1]);
             let mean = velocity.norm();

@@ -1,10 +1,10 @@
-//! How likely a contact of some force has its effect.
+//! Likelihood that a contact affects a particle, by its force.
 
-/// The distribution of the least normalised contact force f′ at which the tool affects a particle,
-/// ln X ~ N(μ, σ) (equation 12, Fig. 11).
+/// Distribution of the least normalised contact force f′ at which the tool affects a particle, ln X ~ N(μ, σ) (equation
+/// 12, Fig. 11).
 ///
-/// Small σ makes a steep curve: beyond its median nearly every contact works, even a weak one.
-/// Large σ makes a flat one: full force may still do nothing.
+/// A small σ gives a steep curve: above the median nearly every contact works. A large σ gives a flat one: even full
+/// force may have no effect.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct LogNormal {
     /// Mean of ln x; exp(μ) is the median of x.
@@ -13,17 +13,17 @@ pub struct LogNormal {
     pub sigma: f64,
 }
 
-/// How well the two parameters of a [`LogNormal`] are known, as standard deviations.
+/// Uncertainty of the parameters of a [`LogNormal`], as standard deviations.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct LogNormalSpread {
-    /// Of μ [1].
+    /// Standard deviation of μ [1].
     pub mu: f64,
-    /// Of ln σ [1].
+    /// Standard deviation of ln σ [1].
     pub ln_sigma: f64,
 }
 
 impl LogNormalSpread {
-    /// Both are known exactly.
+    /// Both parameters known exactly.
     pub const NONE: Self = Self {
         mu: 0.0,
         ln_sigma: 0.0,
@@ -31,7 +31,7 @@ impl LogNormalSpread {
 }
 
 impl Default for LogNormalSpread {
-    /// Of values that somebody estimated and nobody measured.
+    /// Spread of estimated values that nobody measured.
     fn default() -> Self {
         Self {
             mu: 0.3,
@@ -43,16 +43,16 @@ impl Default for LogNormalSpread {
 /// How a particle that has not responded draws its threshold again.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Redraw {
-    /// ℓ: after this travel in contact it draws again [m]; `None` for the radius r_s of the tool's collision sphere.
+    /// ℓ: travel in contact after which it draws again [m]; `None` for the radius r_s of the tool's collision sphere.
     pub length_m: Option<f64>,
-    /// How well ln ℓ is known, as a standard deviation [1].
+    /// Standard deviation of ln ℓ [1].
     pub ln_length_spread: f64,
-    /// Probability that a particle keeps its threshold for good instead: what does not give way once never does [1].
+    /// Probability that a particle keeps its threshold for good [1], so that a particle that stays once always stays.
     pub kept_share: f64,
 }
 
 impl Default for Redraw {
-    /// Of a pair of which nobody measured it.
+    /// Values for a tool and medium without measurements.
     fn default() -> Self {
         Self {
             length_m: None,
@@ -63,8 +63,8 @@ impl Default for Redraw {
 }
 
 impl LogNormal {
-    /// P(X ≤ f′): the chance that contact at the normalised force f′ ∈ [0, 1] affects a particle.
-    /// Without force (or with one that is not a number) it is 0.
+    /// Returns P(X ≤ f′), the probability that contact at the normalised force f′ ∈ [0, 1] affects a particle. It is 0
+    /// without force and for NaN.
     ///
     /// ```
     /// use wisch::represent::LogNormal;

@@ -1,7 +1,7 @@
-//! What is known of tools, media and surfaces, and of what they do to each other (§4.3, Fig. 11, 13).
+//! Knowledge about tools, media and surfaces, and about their interactions (§4.3, Fig. 11, 13).
 //!
-//! Knowledge belongs to the objects: an entry per tool, medium and surface, and an [`Interaction`] per
-//! combination that makes sense.
+//! Knowledge belongs to the objects: there is an entry per tool, medium and surface, and an [`Interaction`] per
+//! meaningful combination.
 
 mod grip;
 mod likelihood;
@@ -16,23 +16,23 @@ pub use likelihood::{LogNormal, LogNormalSpread, Redraw};
 
 use crate::geometry::Vector3;
 
-/// What a wiping motion is meant to achieve (§3.1).
+/// Action of a wiping task (§3.1).
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Action {
-    /// Take the medium up.
+    /// Absorb the medium.
     Absorb,
     /// Push the medium together at one place of the surface.
     Collect,
     /// Push the medium over an edge of the surface.
     Skim,
-    /// Go over every place of the surface so many times.
+    /// Slide over every place of the surface a given number of times.
     Polish,
-    /// Leave the medium on the surface, so thick everywhere.
+    /// Coat every place of the surface to a given thickness with the medium.
     Emit,
 }
 
 impl Action {
-    /// Every action: those of the paper in its order, then those that treat the surface itself.
+    /// All actions: those of the paper in its order, then those that treat the surface.
     pub const ALL: [Self; 5] = [
         Self::Absorb,
         Self::Collect,
@@ -43,7 +43,7 @@ impl Action {
     /// The actions that move dirt, in the order of the paper.
     pub const WIPING: [Self; 3] = [Self::Absorb, Self::Collect, Self::Skim];
 
-    /// The action as files and goals write it.
+    /// Name of the action in files and goals.
     ///
     /// ```
     /// use wisch::represent::Action;
@@ -61,7 +61,7 @@ impl Action {
         }
     }
 
-    /// What the tool does to a particle that it touches.
+    /// Effect of the tool on a particle that it touches.
     pub fn effect(self) -> Effect {
         match self {
             Self::Absorb => Effect::Absorb,
@@ -70,7 +70,7 @@ impl Action {
         }
     }
 
-    /// Whether it is the surface that is treated: particles are places of it, and strokes run in lanes.
+    /// Whether the action treats the surface: particles are places of it, and strokes run in lanes.
     pub fn treats(self) -> bool {
         self.effect() == Effect::Treat
     }
@@ -93,14 +93,14 @@ impl FromStr for Action {
     }
 }
 
-/// What happens to a particle under the tool (§3.1).
+/// Effect on a particle under the tool (§3.1).
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Effect {
     /// The particle is deleted.
     Absorb,
     /// The particle is carried along with the tool.
     Push,
-    /// The particle is a place of the surface: it stays, and counts how far the tool slides over it.
+    /// The particle is a place of the surface: it stays, and counts the travel of the tool over it.
     Treat,
 }
 
@@ -114,14 +114,14 @@ pub struct AngleRange {
 }
 
 impl AngleRange {
-    /// From −π to π: any angle is allowed.
+    /// The range from −π to π, which permits every angle.
     pub const FULL: Self = Self {
         min_rad: -std::f64::consts::PI,
         max_rad: std::f64::consts::PI,
     };
 }
 
-/// The part of the surface on which a tool acts, D_aoe (§3.2).
+/// Part of the surface on which a tool acts, D_aoe (§3.2).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct AreaOfEffect {
     /// Extent across the motion, the tool's broad side [m].
@@ -130,16 +130,16 @@ pub struct AreaOfEffect {
     pub depth_m: f64,
 }
 
-/// An axis about which a tool may lean while it wipes, such as a window wiper's blade.
+/// Axis about which a tool may tilt while it wipes, such as a window wiper's blade.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct TiltFreedom {
     /// Direction of the axis, a unit vector in the tool frame.
     pub axis_in_tool: nalgebra::Unit<Vector3>,
-    /// How far the tool may lean; 0 is upright.
+    /// Range of the tilt; 0 is upright.
     pub range: AngleRange,
 }
 
-/// Where the mesh of a tool comes from; its frame is the tool's.
+/// Source of a tool's mesh, whose frame is the tool's.
 #[derive(Debug, Clone, PartialEq)]
 pub enum ToolMesh {
     /// A file, by its path relative to the knowledge files.
@@ -150,42 +150,42 @@ pub enum ToolMesh {
     Cuboid(Vector3),
 }
 
-/// A tool that can be grasped.
+/// A tool of the knowledge base.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ToolEntry {
-    /// Its name, also in PDDL.
+    /// Name, also in PDDL.
     pub name: String,
     /// The mesh from which its footprint is cut.
     pub mesh: ToolMesh,
-    /// How deep it gives way under nominal force, δ [m].
+    /// Compression δ under nominal force [m].
     pub compression_depth_m: f64,
-    /// The rectangle about the TCP on which it acts, where that is not its footprint: a nozzle
-    /// touches with its rim but sucks with all of its mouth.
+    /// Rectangle about the TCP on which the tool acts, if it is not the footprint: a nozzle touches with its rim but
+    /// acts with its whole opening.
     pub area_of_effect: Option<AreaOfEffect>,
-    /// Free rotation about the surface normal, 0 being the broad side across the motion [rad].
+    /// Permitted yaw about the surface normal [rad]; at 0 the broad side is across the motion.
     pub rotation_about_normal: AngleRange,
-    /// The axis about which it may lean; `None` if it has to stay upright.
+    /// Axis of tilt; `None` if the tool stays upright.
     pub tilt: Option<TiltFreedom>,
-    /// How the hand holds it, for people to read.
+    /// Description of the grasp, for people.
     pub grasp: String,
-    /// How the leading hand holds it; `None` for the rear edge of its upper face at the end of the hand.
+    /// Grip of the leading hand; `None` puts the rear edge of the tool's upper face at the end of the hand.
     pub grip: Option<Grip>,
-    /// Where a second hand may hold it.
+    /// Grip of a second hand, if there is one.
     pub second_grip: Option<SecondGrip>,
 }
 
-/// Whether a medium comes in pieces, as powder or as a liquid.
+/// Kind of a medium.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum MediumKind {
-    /// Pieces that stay what they are.
+    /// Pieces that keep their shape.
     Solid,
     /// Drops and films.
     Liquid,
-    /// Grains too small to be told apart.
+    /// Grains too small to be distinguished.
     Powder,
 }
 
-/// The sizes between which a medium's grains lie, `0 < min_m <= max_m`.
+/// Range of a medium's grain diameters, `0 < min_m <= max_m`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct GrainSize {
     /// Smallest diameter [m].
@@ -194,37 +194,37 @@ pub struct GrainSize {
     pub max_m: f64,
 }
 
-/// Something that may lie on a surface.
+/// A medium of the knowledge base.
 #[derive(Debug, Clone, PartialEq)]
 pub struct MediumEntry {
-    /// Its name, also in PDDL.
+    /// Name, also in PDDL.
     pub name: String,
-    /// Its nature.
+    /// Kind.
     pub kind: MediumKind,
-    /// The sizes of its grains, where it has any.
+    /// Grain sizes; `None` for a liquid.
     pub grain_size: Option<GrainSize>,
 }
 
-/// A surface that can be wiped.
+/// A surface of the knowledge base.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SurfaceEntry {
-    /// Its name, also in PDDL.
+    /// Name, also in PDDL.
     pub name: String,
-    /// Coulomb coefficient between the surface and a tool that slides on it [1].
+    /// Coulomb friction coefficient of a tool that slides on the surface [1].
     pub friction: f64,
 }
 
-/// For which surfaces an interaction is known.
+/// Surfaces to which an interaction applies.
 #[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord)]
 pub enum SurfaceScope {
-    /// The surface of that name.
+    /// The surface of this name.
     Named(String),
-    /// Every surface for which nothing closer is known.
+    /// Every surface without an interaction of its own.
     Any,
 }
 
 impl SurfaceScope {
-    /// What stands in place of a surface's name for all of them.
+    /// Name that stands for all surfaces.
     pub const ANY_NAME: &'static str = "any";
 }
 
@@ -237,7 +237,7 @@ impl fmt::Display for SurfaceScope {
     }
 }
 
-/// How a tool is used on a medium on a surface, and how well that works.
+/// Use of a tool on a medium on a surface, with its likelihood.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Interaction {
     /// The tool.
@@ -246,9 +246,10 @@ pub struct Interaction {
     pub medium: String,
     /// The surface or surfaces.
     pub surface: SurfaceScope,
-    /// The actions that make sense, at least one.
+    /// Actions that make sense, at least one.
     pub actions: BTreeSet<Action>,
-    /// Force with which the tool is pressed on, the f_min of equation (9); the most that holds one that hovers in place [N].
+    /// Press force of the tool, f_min of equation (9) [N]; for a hovering tool, the largest force that holds it in
+    /// place.
     pub press_force_n: f64,
     /// Cartesian stiffness of the controller [N/m].
     pub stiffness_n_per_m: f64,
@@ -256,25 +257,25 @@ pub struct Interaction {
     pub damping_ratio: f64,
     /// Weight of the posture task in the null space [1].
     pub nullspace_posture_weight: f64,
-    /// How deep the tool gives way here: the tool's own δ unless the files say otherwise [m].
+    /// Compression of the tool in this interaction [m]: the tool's own δ unless the files say otherwise.
     pub compression_depth_m: f64,
-    /// How high the tool hovers over the surface instead of being pressed on [m]; 0 touches.
+    /// Height at which the tool hovers over the surface [m]; 0 for a tool that touches.
     pub gap_m: f64,
-    /// The chance of an effect over the normalised force.
+    /// Probability of an effect as a function of the normalised force.
     pub likelihood: LogNormal,
-    /// How well that is known.
+    /// Uncertainty of `likelihood`.
     pub likelihood_spread: LogNormalSpread,
     /// How a particle that stays draws its threshold again.
     pub redraw: Redraw,
 }
 
 impl Interaction {
-    /// Whether the tool acts without touching: what it feels tells nothing.
+    /// Whether the tool acts without contact, so that its force carries no information.
     pub fn hovers(&self) -> bool {
         self.gap_m > 0.0
     }
 
-    /// Force of the tool on the surface as asked for: none from one that hovers [N].
+    /// Nominal force of the tool on the surface [N]; 0 for a hovering tool.
     pub fn contact_force(&self) -> f64 {
         if self.hovers() {
             0.0
@@ -284,18 +285,18 @@ impl Interaction {
     }
 }
 
-/// A tool that can do what was asked, with its prospects.
+/// A tool that can do the requested action, with its probability of success.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct RankedTool<'a> {
     /// The tool.
     pub tool: &'a ToolEntry,
-    /// How to use it.
+    /// Interaction to use.
     pub interaction: &'a Interaction,
-    /// The chance of an effect at nominal force, P(X ≤ 1).
+    /// Probability of an effect at nominal force, P(X ≤ 1) [1].
     pub probability: f64,
 }
 
-/// Tools, media and surfaces with what they do to each other. Every name it holds resolves.
+/// Tools, media and surfaces with their interactions. Every name in it resolves.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct KnowledgeBase {
     tools: BTreeMap<String, ToolEntry>,
@@ -306,26 +307,26 @@ pub struct KnowledgeBase {
 }
 
 impl KnowledgeBase {
-    /// Adds a tool, in place of one of the same name.
+    /// Adds a tool; replaces one of the same name.
     pub fn insert_tool(&mut self, tool: ToolEntry) {
         self.tools.insert(tool.name.clone(), tool);
     }
 
-    /// Adds a medium, in place of one of the same name.
+    /// Adds a medium; replaces one of the same name.
     pub fn insert_medium(&mut self, medium: MediumEntry) {
         self.media.insert(medium.name.clone(), medium);
     }
 
-    /// Adds a surface, in place of one of the same name.
+    /// Adds a surface; replaces one of the same name.
     pub fn insert_surface(&mut self, surface: SurfaceEntry) {
         self.surfaces.insert(surface.name.clone(), surface);
     }
 
-    /// Adds what a tool does to a medium on a surface, in place of what was known of the same three.
+    /// Adds an interaction; replaces that of the same tool, medium and surface.
     ///
     /// # Errors
     ///
-    /// [`KnowledgeError::Unknown`] for a tool, medium or surface that was not added before.
+    /// [`KnowledgeError::Unknown`] for a tool, medium or surface that is not in the knowledge base.
     ///
     /// ```
     /// use wisch::represent::{KnowledgeBase, SurfaceEntry};
@@ -351,62 +352,62 @@ impl KnowledgeBase {
         Ok(())
     }
 
-    /// The tool of that name.
+    /// Returns the tool of this name.
     ///
     /// # Errors
     ///
-    /// [`KnowledgeError::Unknown`], naming the nearest.
+    /// [`KnowledgeError::Unknown`], with the nearest name.
     pub fn tool(&self, name: &str) -> Result<&ToolEntry, KnowledgeError> {
         entry("tool", &self.tools, name)
     }
 
-    /// The medium of that name.
+    /// Returns the medium of this name.
     ///
     /// # Errors
     ///
-    /// [`KnowledgeError::Unknown`], naming the nearest.
+    /// [`KnowledgeError::Unknown`], with the nearest name.
     pub fn medium(&self, name: &str) -> Result<&MediumEntry, KnowledgeError> {
         entry("medium", &self.media, name)
     }
 
-    /// The surface of that name.
+    /// Returns the surface of this name.
     ///
     /// # Errors
     ///
-    /// [`KnowledgeError::Unknown`], naming the nearest.
+    /// [`KnowledgeError::Unknown`], with the nearest name.
     pub fn surface(&self, name: &str) -> Result<&SurfaceEntry, KnowledgeError> {
         entry("surface", &self.surfaces, name)
     }
 
-    /// The tools in the alphabetical order of their names.
+    /// Tools in alphabetical order of their names.
     pub fn tools(&self) -> impl Iterator<Item = &ToolEntry> {
         self.tools.values()
     }
 
-    /// The media in the alphabetical order of their names.
+    /// Media in alphabetical order of their names.
     pub fn media(&self) -> impl Iterator<Item = &MediumEntry> {
         self.media.values()
     }
 
-    /// The surfaces in the alphabetical order of their names.
+    /// Surfaces in alphabetical order of their names.
     pub fn surfaces(&self) -> impl Iterator<Item = &SurfaceEntry> {
         self.surfaces.values()
     }
 
-    /// All interactions, by tool, medium and surface.
+    /// All interactions, sorted by tool, medium and surface.
     pub fn interactions(&self) -> impl Iterator<Item = &Interaction> {
         self.interactions
             .values()
             .flat_map(|media| media.values().flat_map(BTreeMap::values))
     }
 
-    /// How a tool acts on a medium on a surface. What is known of that very surface comes before
-    /// what is known of any.
+    /// Returns the interaction of a tool with a medium on a surface. An interaction for that very surface takes
+    /// precedence over one for any surface.
     ///
     /// # Errors
     ///
-    /// [`KnowledgeError::Unknown`] for a name that is not known, and
-    /// [`KnowledgeError::NoInteraction`] if the three are known but not together.
+    /// [`KnowledgeError::Unknown`] for an unknown name, and [`KnowledgeError::NoInteraction`] if all three are known
+    /// but have no interaction.
     pub fn interaction(
         &self,
         tool: &str,
@@ -435,12 +436,12 @@ impl KnowledgeBase {
             .or_else(|| surfaces.get(&SurfaceScope::Any))
     }
 
-    /// The tools that can do the action, the likeliest to succeed at nominal force first, ties by
-    /// name. None if there is no such tool.
+    /// Returns the tools that can do the action, sorted by their probability of success at nominal force, then by name;
+    /// empty if there is none.
     ///
     /// # Errors
     ///
-    /// [`KnowledgeError::Unknown`] for a medium or surface that is not known.
+    /// [`KnowledgeError::Unknown`] for an unknown medium or surface.
     pub fn tools_for(
         &self,
         medium: &str,
@@ -464,7 +465,7 @@ impl KnowledgeBase {
     }
 }
 
-/// The normalised force f′ of a contact with the force that was asked for (equation 9).
+/// f′ of a contact at nominal force (equation 9).
 const NOMINAL_FORCE: f64 = 1.0;
 
 fn entry<'a, T>(
@@ -477,16 +478,16 @@ fn entry<'a, T>(
         .ok_or_else(|| UnknownName::new(kind, name, entries.keys().map(String::as_str)).into())
 }
 
-/// Why the knowledge base does not hold what was asked of it.
+/// A failed look-up in the knowledge base.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum KnowledgeError {
-    /// A look-up of something that is not known.
+    /// An unknown name.
     #[error(transparent)]
     Unknown(Box<UnknownName>),
-    /// The tool, medium and surface are known, but not what they do together.
+    /// Tool, medium and surface are known, but have no interaction.
     #[error(
-        "nothing is known of {tool} on {medium} on {surface}; tools known for it: {}",
+        "no interaction of {tool} with {medium} on {surface} is known; tools known for it: {}",
         if capable.is_empty() { "none".to_owned() } else { capable.join(", ") }
     )]
     NoInteraction {
@@ -496,7 +497,7 @@ pub enum KnowledgeError {
         medium: String,
         /// The surface.
         surface: String,
-        /// The tools of which something is known for this medium and surface.
+        /// Tools with an interaction for this medium and surface.
         capable: Vec<String>,
     },
 }

@@ -1,4 +1,4 @@
-//! Particles drawn at random: spread evenly, or in clusters.
+//! Random particles: evenly spread, or in clusters.
 
 #[cfg(test)]
 mod tests;
@@ -9,75 +9,75 @@ use crate::random::normal_pair;
 use rand::RngExt;
 use rand_chacha::{ChaCha8Rng, rand_core::SeedableRng};
 
-/// Stream of the task's seed that places particles; stream 0 is the planner's.
+/// Random stream of the task's seed for particles; stream 0 is the planner's.
 const PARTICLE_STREAM: u64 = 1;
-/// Draws per particle after which the free area counts as too small to be hit.
+/// Draws per particle from which the free area counts as too small.
 const DRAWS_PER_PARTICLE: usize = 1_000;
-/// Draws that are always made before giving up, however few particles are wanted.
+/// Least number of draws before sampling is abandoned.
 const MIN_DRAWS: usize = 100_000;
 
-/// A heap: normally distributed about its centre.
+/// A heap of particles, normally distributed about its centre.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Cluster {
-    /// Its middle in the surface frame [m].
+    /// Centre in the surface frame [m].
     pub center: Point2,
     /// Standard deviation along x and along y [m].
     pub sigma: f64,
-    /// Its share of the particles, relative to the other clusters' weights.
+    /// Share of the particles, relative to the other clusters' weights.
     pub weight: f64,
 }
 
-/// Where dirt can lie: on the surface, but not where an object stands.
+/// Area where dirt can lie: on the surface, but not under an object.
 #[derive(Debug, Clone, Copy)]
 pub struct DirtArea<'a> {
     /// Outline of the surface, in its frame [m].
     pub outline: &'a Polygon,
-    /// Where objects stand.
+    /// Area that objects occupy.
     pub occupied: &'a OccupiedArea,
 }
 
 impl DirtArea<'_> {
-    /// Whether a particle can lie here.
+    /// Whether a particle can lie at a point (surface frame [m]).
     pub fn contains(&self, point: Point2) -> bool {
         self.outline.contains(point) && !self.occupied.contains(point)
     }
 }
 
-/// Why a source yields no particles.
+/// A reason why a source yields no particles.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum SourceError {
-    /// The distribution refused them.
+    /// The particle distribution rejected the points.
     #[error(transparent)]
     Particles(#[from] ParticleError),
     /// A count outside its range.
     #[error("count = {count} is outside its limits: at least 1 and at most {MAX_PARTICLES}")]
     Count {
-        /// The count as given.
+        /// The requested count.
         count: usize,
     },
-    /// Draws hardly ever hit the free surface.
+    /// Too few draws hit the free surface.
     #[error(
         "{draws} draws put only {placed} of {count} particles on the surface: it is covered, or the clusters lie off it"
     )]
     NoRoom {
-        /// How many draws were made.
+        /// Number of draws.
         draws: usize,
-        /// How many particles found a place.
+        /// Number of placed particles.
         placed: usize,
-        /// How many were wanted.
+        /// Number of requested particles.
         count: usize,
     },
 }
 
-/// What places particles at random, by the seed of the task: the same on every platform.
+/// Returns the random generator of a task's particles, from the task's seed; it is the same on every platform.
 pub fn particle_generator(seed: u64) -> ChaCha8Rng {
     let mut random = ChaCha8Rng::seed_from_u64(seed);
     random.set_stream(PARTICLE_STREAM);
     random
 }
 
-/// `count` particles spread evenly over the area.
+/// Draws `count` particles evenly over the area.
 ///
 /// # Errors
 /// A count of 0 or above [`MAX_PARTICLES`], or an area too small to be hit.
@@ -100,7 +100,7 @@ pub fn uniform_particles(
         max: Point2::origin(),
     });
     let size = bounds.size();
-    rejection_sampled(area, count, seed, |random| {
+    sample_by_rejection(area, count, seed, |random| {
         bounds.min
             + Vector2::new(
                 size.x * random.random::<f64>(),
@@ -109,7 +109,7 @@ pub fn uniform_particles(
     })
 }
 
-/// `count` particles in heaps; what would lie off the area is drawn again.
+/// Draws `count` particles in heaps; particles off the area are drawn again.
 ///
 /// # Errors
 /// A count of 0 or above [`MAX_PARTICLES`], or clusters that hardly ever hit the area.
@@ -120,7 +120,7 @@ pub fn cluster_particles(
     seed: u64,
 ) -> Result<ParticleDistribution, SourceError> {
     let total: f64 = clusters.iter().map(|cluster| cluster.weight).sum();
-    rejection_sampled(area, count, seed, |random| {
+    sample_by_rejection(area, count, seed, |random| {
         let mut share = random.random::<f64>() * total;
         let chosen = clusters.iter().find(|cluster| {
             share -= cluster.weight;
@@ -134,7 +134,7 @@ pub fn cluster_particles(
     })
 }
 
-fn rejection_sampled(
+fn sample_by_rejection(
     area: DirtArea<'_>,
     count: usize,
     seed: u64,
@@ -146,7 +146,7 @@ fn rejection_sampled(
     let mut points = Vec::with_capacity(count);
     let mut draws = 0;
     while points.len() < count {
-        // An area that not one in a hundred thousand draws hits will not fill up either.
+        // An area that not one of a hundred thousand draws hits cannot be filled.
         if draws == budget || (draws == MIN_DRAWS && points.is_empty()) {
             let placed = points.len();
             return Err(SourceError::NoRoom {
@@ -165,7 +165,7 @@ fn rejection_sampled(
 }
 
 impl SourceError {
-    /// Whether so many particles can be drawn.
+    /// Checks that a number of particles is within its limits.
     ///
     /// # Errors
     /// A count of 0 or above [`MAX_PARTICLES`].

@@ -22,7 +22,7 @@ fn on<'a>(outline: &'a Polygon, occupied: &'a OccupiedArea) -> DirtArea<'a> {
 }
 
 #[test]
-fn what_ends_below_the_surface_does_not_stand_on_it() {
+fn an_object_below_the_surface_does_not_occupy_it() {
     let table = Mesh::cuboid(Vector3::new(1.0, 1.0, 0.1)).expect("sizes are positive");
     let below = table.transformed(&Pose::translation(0.0, 0.0, -0.05));
     assert!(!OccupiedArea::of([&below]).contains(Point2::origin()));
