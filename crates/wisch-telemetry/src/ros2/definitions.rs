@@ -1,6 +1,6 @@
-//! The ROS 2 message definitions that a bag carries, as of Humble and later.
+//! ROS 2 message definitions that a bag carries, as of Humble and later.
 
-/// A message type and its fields, without those of the types that it is made of.
+/// A message type and its own fields, without the definitions of nested types.
 type Definition = (&'static str, &'static str);
 
 const DEFINITIONS: &[Definition] = &[
@@ -122,7 +122,7 @@ bool mesh_use_embedded_materials
     ),
 ];
 
-/// What stands between the definitions of a type and of those that it is made of.
+/// Separator between the definitions of a type and of its nested types.
 const SEPARATOR: &str =
     "================================================================================\n";
 
@@ -131,9 +131,9 @@ pub(crate) fn is_separator(line: &str) -> bool {
     line.starts_with("===") && line.bytes().all(|byte| byte == b'=')
 }
 
-/// The text of a schema with encoding `ros2msg`: the type's fields, then those of every type in it, each once.
+/// Returns the text of a schema with encoding `ros2msg`: the type's fields, then those of every nested type, each once.
 ///
-/// The type is one of the table above; any other has no fields.
+/// A type outside the table above has no fields.
 pub(crate) fn full_definition(name: &str) -> String {
     let mut text = own(name).to_owned();
     let mut told = vec![name];
@@ -157,7 +157,7 @@ fn own(name: &str) -> &'static str {
         .map_or("", |(_, fields)| fields)
 }
 
-/// The types with a package that stand in some fields, in order.
+/// Returns the nested types with a package in some fields, in order.
 fn nested(fields: &'static str) -> Vec<&'static str> {
     fields
         .lines()
