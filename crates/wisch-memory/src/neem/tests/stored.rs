@@ -156,10 +156,10 @@ fn a_document_that_is_no_observation_is_named() {
         (
             &b"dirt_before"[..],
             &b"dirt_during"[..],
-            "document 0 is no observation: __topic",
+            "document 0 is not an observation: __topic",
         ),
         (b"dirt_before", b"dirt_after\0", "document 0"),
-        (b"detections", b"Detections", "detections are no lists"),
+        (b"detections", b"Detections", "detections are not lists"),
         (b"episode", b"Episode", "it has no episode"),
     ] {
         let error = refused(&changed(part, other));
