@@ -62,13 +62,14 @@ impl Arguments {
                     } else {
                         text.parse()
                     };
-                    host = found
-                        .map_err(|_| format!("--host {text}: it must be an IP address or localhost"))?;
+                    host = found.map_err(|_| {
+                        format!("--host {text}: it must be an IP address or localhost")
+                    })?;
                 }
                 _ => {
                     let found = text.parse();
-                    port =
-                        found.map_err(|_| format!("--port {text}: it must be within 0 to 65535"))?;
+                    port = found
+                        .map_err(|_| format!("--port {text}: it must be within 0 to 65535"))?;
                 }
             }
         }

@@ -98,7 +98,10 @@ impl Runs {
         #[cfg(unix)]
         command.process_group(0);
         let child = command.spawn().map_err(|error| {
-            Refusal::failed(format!("{} cannot be started: {error}", self.wisch.display()))
+            Refusal::failed(format!(
+                "{} cannot be started: {error}",
+                self.wisch.display()
+            ))
         })?;
         let pid = child.id();
         let pid = pid.ok_or_else(|| Refusal::failed("the run has no process"))?;

@@ -163,7 +163,9 @@ impl Tail {
             }
             if self.partial.len() > LONGEST_LINE {
                 let (line, limit) = (self.lines + 1, LONGEST_LINE >> 20);
-                let why = format!("line {line} is longer than {limit} MiB, so the file is not a recording");
+                let why = format!(
+                    "line {line} is longer than {limit} MiB, so the file is not a recording"
+                );
                 return self.end(text, "broken", &why);
             }
         }
