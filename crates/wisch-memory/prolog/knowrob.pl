@@ -170,7 +170,7 @@ action_succeeded(Action) :- triple(Action, soma:hasExecutionState, soma:'Executi
 action_failed(Action) :- triple(Action, soma:hasExecutionState, soma:'ExecutionState_Failed').
 
 % tell(+Statement): stores a statement holds(S, P, O), or a list of statements, if the whole query succeeds.
-tell(Statement) :- \+ ground(Statement), !, unknown_yet('every part of a statement that is told').
+tell(Statement) :- \+ ground(Statement), !, unknown_yet('every part of the statement of tell').
 tell([]) :- !.
 tell([S|Ss]) :- !, tell(S), tell(Ss).
 tell(holds(S, P, O)) :- !, known(thing, S, S1), known(property, P, P1), tellable(P1), object(O, O1), told(S1, P1, O1).

@@ -10,7 +10,7 @@ how(interval(S, E)) :- number(S), number(E).
 how(interval(S, E, dt(D))) :- number(S), number(E), number(D), D > 0.
 how([S, E]) :- number(S), number(E).
 
-shown(What, _) :- var(What), !, unknown_yet('what is shown').
+shown(What, _) :- var(What), !, unknown_yet('the thing to show').
 shown(trajectory(O), trajectory(Name)) :- !, known(thing, O, Name).
 shown(particles(O), particles(Name)) :- !, known(thing, O, Name).
 shown([], []) :- !.

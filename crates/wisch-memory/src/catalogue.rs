@@ -181,14 +181,14 @@ impl Catalogue {
         }
         let goes = |id: IndividualId| Some(moved[id as usize]).filter(|&new| new != NONE);
         kept.values = (self.values.iter())
-            .map(|column| Column(moved_entries(&column.0, goes, |value| Some(*value))))
+            .map(|column| Column(move_entries(&column.0, goes, |value| Some(*value))))
             .collect();
         kept.texts = (self.texts.iter())
-            .map(|column| moved_entries(column, goes, |text| Some(text.clone())))
+            .map(|column| move_entries(column, goes, |text| Some(text.clone())))
             .collect();
         kept.relations = (self.relations.iter())
             .map(|column| {
-                moved_entries(column, goes, |node| match *node {
+                move_entries(column, goes, |node| match *node {
                     CatalogueNode::Individual(id) => goes(id).map(CatalogueNode::Individual),
                     shared => Some(shared),
                 })
@@ -339,7 +339,7 @@ impl Catalogue {
 }
 
 /// Returns the entries of a column whose subjects stay, with their new indices.
-fn moved_entries<T>(
+fn move_entries<T>(
     column: &[(IndividualId, T)],
     goes: impl Fn(IndividualId) -> Option<IndividualId>,
     object: impl Fn(&T) -> Option<T>,

@@ -137,7 +137,7 @@ pub(crate) fn write_group<'a, W: Write + Send>(
 /// # Errors
 /// If the file is cut off or damaged.
 pub(crate) fn open(file: CheckedFile) -> Result<SerializedFileReader<CheckedFile>, ParquetError> {
-    guarded(|| SerializedFileReader::new(file))
+    catch_panics(|| SerializedFileReader::new(file))
 }
 
 /// Reads the values of a column in a row group.
@@ -149,11 +149,11 @@ pub(crate) fn read_chunk<T: DataType>(
     group: usize,
     column: usize,
 ) -> Result<Vec<T::T>, ParquetError> {
-    guarded(|| decode::<T>(file, group, column))
+    catch_panics(|| decode::<T>(file, group, column))
 }
 
 /// Runs the reader, and turns its panic on a damaged file (for example at a negative offset) into an error.
-fn guarded<T>(read: impl FnOnce() -> Result<T, ParquetError>) -> Result<T, ParquetError> {
+fn catch_panics<T>(read: impl FnOnce() -> Result<T, ParquetError>) -> Result<T, ParquetError> {
     // Partial results of a panicking reader are discarded, so unwinding leaves no broken state.
     catch_unwind(AssertUnwindSafe(read)).unwrap_or_else(|panic| {
         let said = panic.downcast_ref::<String>().map(String::as_str);

@@ -375,7 +375,7 @@ impl RoundContext<'_> {
             let tool = self.task.tool.name.as_str();
             let who = ["human"].into_iter().chain(self.robot).chain([tool]);
             for name in who {
-                individual.relate("dul:hasParticipant", shared(name));
+                individual.relate("dul:hasParticipant", shared_name(name));
             }
         }
         Some(individual)
@@ -390,7 +390,7 @@ fn edge_distance(outline: &Polygon, point: Point2) -> f64 {
 fn participants(round: &EpisodeRound<'_>) -> BTreeMap<String, Vec<String>> {
     let robot = round.motion.cell.robot().name();
     let mut relations = things_of(&round.motion.task);
-    relations.insert("soma:isPerformedBy".to_owned(), vec![shared(robot)]);
+    relations.insert("soma:isPerformedBy".to_owned(), vec![shared_name(robot)]);
     relations
 }
 
@@ -401,12 +401,12 @@ fn things_of(task: &Task) -> BTreeMap<String, Vec<String>> {
         ("semco:removesMedium", &task.medium),
         ("semco:actsOnSurface", &task.surface.name),
     ]
-    .map(|(property, name)| (property.to_owned(), vec![shared(name)]))
+    .map(|(property, name)| (property.to_owned(), vec![shared_name(name)]))
     .into()
 }
 
 /// Returns the name of a shared thing in a form that an IRI allows.
-fn shared(name: &str) -> String {
+fn shared_name(name: &str) -> String {
     let plain = |c: char| {
         if c.is_alphanumeric() || "-_.".contains(c) {
             c

@@ -19,7 +19,7 @@ pub fn forget_episode(memory: &Path, id: &str, aside: &Path) -> io::Result<()> {
     if !path.exists() {
         return Ok(());
     }
-    let held = locked(&path)?;
+    let held = open_locked(&path)?;
     let text = fs::read_to_string(&path)?;
     let is_of_it = |name: &str| {
         let episode = individual_of(name).and_then(|local| {
@@ -87,7 +87,7 @@ pub fn whole_lines(text: &[u8]) -> usize {
 
 /// Appends lines to a file, all or none.
 pub fn append(file: &Path, lines: &str) -> io::Result<()> {
-    let mut open = locked(file)?;
+    let mut open = open_locked(file)?;
     let mut before = Vec::new();
     open.read_to_end(&mut before)?;
     let whole = whole_lines(&before) as u64;
@@ -103,7 +103,7 @@ pub fn append(file: &Path, lines: &str) -> io::Result<()> {
 }
 
 /// Opens the file, creating it if necessary, and locks it: several programs may add statements at once.
-fn locked(file: &Path) -> io::Result<File> {
+fn open_locked(file: &Path) -> io::Result<File> {
     loop {
         let mut options = OpenOptions::new();
         let open: File = options

@@ -31,7 +31,7 @@ impl Shared {
 }
 
 impl Watchdog {
-    /// Starts to watch; returns `None` without a limit.
+    /// Starts watching; returns `None` without a limit.
     pub fn begin(py: Python<'_>, limit: Option<Duration>) -> PyResult<Option<Self>> {
         let Some(limit) = limit else {
             return Ok(None);
@@ -75,7 +75,7 @@ impl Watchdog {
         *(self.shared.last.lock()).unwrap_or_else(PoisonError::into_inner) = Instant::now();
     }
 
-    /// Stops to watch. Returns the result of the call, or the error that it took too long, naming what is missing.
+    /// Stops watching. Returns the result of the call, or the error that it took too long, naming what is missing.
     pub fn end<T>(&self, py: Python<'_>, result: PyResult<T>, missing: &str) -> PyResult<T> {
         self.shared.is_over.store(true, Ordering::SeqCst);
         let thread = (self.thread.lock().unwrap_or_else(PoisonError::into_inner)).take();

@@ -105,7 +105,7 @@ pub async fn pass(
         Some(status) => status.into_response(),
         None => {
             connection.admit();
-            match received(request).await {
+            match receive(request).await {
                 Ok(request) => next.run(request).await,
                 Err(refusal) => refusal.into_response(),
             }
@@ -140,7 +140,7 @@ pub async fn pass(
 ///
 /// # Errors
 /// If the body is too large or takes too long.
-async fn received(request: Request<Body>) -> Result<Request<Body>, Refusal> {
+async fn receive(request: Request<Body>) -> Result<Request<Body>, Refusal> {
     let (head, body) = request.into_parts();
     match tokio::time::timeout(BODY_TIME, to_bytes(body, LONGEST_BODY)).await {
         Ok(Ok(bytes)) => Ok(Request::from_parts(head, Body::from(bytes))),

@@ -113,7 +113,7 @@ impl Library {
             }
             list.total += 1;
             if list.episodes.len() < MOST_LISTED {
-                let mut listed = about.listed(row);
+                let mut listed = about.summarise(row);
                 let recording = self.memory.folder().join(&row.id).join(RECORDING_FILE);
                 listed.has_recording = recording.is_file();
                 list.episodes.push(listed);
@@ -153,7 +153,7 @@ impl<'a> About<'a> {
         }
     }
 
-    fn listed(&self, row: &EpisodeRow) -> Listed {
+    fn summarise(&self, row: &EpisodeRow) -> Listed {
         let action = self.actions.get(&row.first).copied();
         let number = |property: &str| {
             let found = entries(self.catalogue.numbers(property), action?);
@@ -182,7 +182,7 @@ impl<'a> About<'a> {
 
     /// Returns the text of an episode that is searched.
     fn text(&self, row: &EpisodeRow) -> String {
-        let about = self.listed(row);
+        let about = self.summarise(row);
         let parts = [about.action, about.tool, about.medium, about.surface];
         let parts = parts.into_iter().flatten();
         let words: Vec<String> = [about.id, about.title].into_iter().chain(parts).collect();

@@ -76,7 +76,7 @@ impl LiveFolder {
 
     /// Returns the path of a run's recording so far, if the run exists.
     pub fn recording(&self, id: &str) -> Option<PathBuf> {
-        let path = live_place(&self.memory, checked(id)?, "jsonl");
+        let path = live_place(&self.memory, check_id(id)?, "jsonl");
         path.is_file().then_some(path)
     }
 
@@ -148,7 +148,7 @@ impl LiveFolder {
     }
 
     fn sidecar(&self, id: &str) -> Option<Sidecar> {
-        let file = File::open(live_place(&self.memory, checked(id)?, "json")).ok()?;
+        let file = File::open(live_place(&self.memory, check_id(id)?, "json")).ok()?;
         let mut text = String::new();
         file.take(LONGEST_SIDECAR).read_to_string(&mut text).ok()?;
         serde_json::from_str(&text).ok()
@@ -160,13 +160,13 @@ impl LiveFolder {
             return Vec::new();
         };
         let names = entries.filter_map(|entry| entry.ok()?.file_name().into_string().ok());
-        let ids = names.filter_map(|name| Some(checked(name.strip_suffix(".jsonl")?)?.to_owned()));
+        let ids = names.filter_map(|name| Some(check_id(name.strip_suffix(".jsonl")?)?.to_owned()));
         ids.collect()
     }
 }
 
 /// Checks that a run's name does not lead out of the folder.
-fn checked(id: &str) -> Option<&str> {
+fn check_id(id: &str) -> Option<&str> {
     let plain = |c: char| c.is_ascii_alphanumeric() || c == '-' || c == '_';
     let is_plain = !id.is_empty() && id.len() <= MAX_ID_LEN && id.chars().all(plain);
     is_plain.then_some(id)

@@ -34,7 +34,7 @@ fn main() -> ExitCode {
 }
 
 async fn work(arguments: &Arguments) -> Result<(), String> {
-    let end = ended_by_signal().map_err(|error| format!("signals: {error}"))?;
+    let end = listen_for_signals().map_err(|error| format!("signals: {error}"))?;
     let studio = Studio::begin(&arguments.config).await;
     let studio = studio.map_err(|error| error.to_string())?;
     if !arguments.config.host.is_loopback() {
@@ -60,7 +60,7 @@ async fn work(arguments: &Arguments) -> Result<(), String> {
 /// Returns a future that completes at Ctrl-C, a termination signal or the end of the terminal. A second signal ends the
 /// program at once.
 #[cfg(unix)]
-fn ended_by_signal() -> std::io::Result<impl Future<Output = ()>> {
+fn listen_for_signals() -> std::io::Result<impl Future<Output = ()>> {
     use tokio::signal::unix::{SignalKind, signal};
     /// Exit code of a program that Ctrl-C ended.
     const EXIT_INTERRUPTED: i32 = 130;
@@ -80,7 +80,7 @@ fn ended_by_signal() -> std::io::Result<impl Future<Output = ()>> {
 }
 
 #[cfg(not(unix))]
-fn ended_by_signal() -> std::io::Result<impl Future<Output = ()>> {
+fn listen_for_signals() -> std::io::Result<impl Future<Output = ()>> {
     Ok(async {
         let _ = tokio::signal::ctrl_c().await;
     })

@@ -143,7 +143,7 @@ fn answer_all(library: &Library, engine: Option<&Path>, jobs: &Receiver<Job>, no
         }
         now.number.store(job.number, Ordering::SeqCst);
         let began = Instant::now();
-        let answered = opened(&mut open, library, engine, now)
+        let answered = open_memory(&mut open, library, engine, now)
             .and_then(|open| answer(open, library, &job.question));
         now.number.store(0, Ordering::SeqCst);
         let seconds = began.elapsed().as_secs_f64();
@@ -168,7 +168,7 @@ struct Open {
 /// State of the file of statements, which reveals changes by other programs.
 type StatementsState = Option<(u64, Option<SystemTime>)>;
 
-fn opened<'a>(
+fn open_memory<'a>(
     open: &'a mut Option<Open>,
     library: &Library,
     engine: Option<&Path>,

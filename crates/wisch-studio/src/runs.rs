@@ -107,7 +107,7 @@ impl Runs {
         let pid = pid.ok_or_else(|| Refusal::failed("the run has no process"))?;
         self.state().children.insert(pid, None);
         let (sender, mut ended) = tokio::sync::oneshot::channel();
-        tokio::spawn(see_off(
+        tokio::spawn(await_exit(
             child,
             pid,
             errors,
@@ -180,7 +180,7 @@ impl Runs {
 }
 
 /// Waits until a child has ended, and removes its files.
-async fn see_off(
+async fn await_exit(
     mut child: Child,
     pid: u32,
     mut errors: std::fs::File,

@@ -155,7 +155,7 @@ impl Studio {
         let elsewhere = elsewhere.map_err(|error| StudioError::Listen { address, error })?;
         let url = |address: SocketAddr| format!("http://{address}/{}/", gate.token());
         Ok(Self {
-            url: url(reached_from_here(bound)),
+            url: url(local_address(bound)),
             urls_from_elsewhere: elsewhere.into_iter().map(url).collect(),
             listener,
             gate,
@@ -200,7 +200,7 @@ impl Studio {
 }
 
 /// Returns the address by which browsers of this machine reach a listener.
-fn reached_from_here(bound: SocketAddr) -> SocketAddr {
+fn local_address(bound: SocketAddr) -> SocketAddr {
     let ip = match bound.ip() {
         IpAddr::V4(ip) if ip.is_unspecified() => Ipv4Addr::LOCALHOST.into(),
         IpAddr::V6(ip) if ip.is_unspecified() => Ipv6Addr::LOCALHOST.into(),

@@ -386,7 +386,7 @@ mod tests {
     }
 
     proptest! {
-        /// Linear motion is interpolated exactly, whichever of the two tracks is more frequent.
+        /// Linear motion is interpolated exactly, with either track as the more frequent one.
         #[test]
         fn linear_motion_is_kept(times in prop::collection::btree_set(0_i64..1000, 2..40), step in 1_i64..50) {
             let regular = (0..=1000 / step).map(|k| k * step);

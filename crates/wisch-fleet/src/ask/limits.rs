@@ -97,7 +97,7 @@ pub struct LimitWatch {
 }
 
 impl LimitWatch {
-    /// Starts to watch this program.
+    /// Starts watching this program.
     pub fn begin(limits: SqlLimits) -> Arc<Self> {
         let watch = Arc::new(Self {
             limits,

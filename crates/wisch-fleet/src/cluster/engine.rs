@@ -6,7 +6,7 @@
 //! measurements differs from that of the previous task, so that the statement would never end.
 //!
 //! Joins: some joins keep one side in memory, and finally return those of its rows that met no (or any) row of the
-//! other side. Such a join must see the whole other side. Ballista 55.0 distributes the other side over tasks if the
+//! other side. The join must see the whole other side. Ballista 55.0 distributes the other side over tasks if the
 //! join has no equation, and each task returns rows of its own. Unions have the same problem if a part needs all rows
 //! at once, such as a sum without groups or a sorted part: each task would compute that part.
 

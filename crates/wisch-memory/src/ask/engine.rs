@@ -105,7 +105,7 @@ impl EngineCommand {
                 process
             }
             Self::Swi(program) => {
-                let mut process = ended_with_this(program);
+                let mut process = command_ended_with_parent(program);
                 process
                     .arg(format!("--stack-limit={}", limits.memory))
                     .args(["-q", "-f", "none", "-g", "main", "-t", "halt"])
@@ -143,7 +143,7 @@ impl EngineCommand {
 
 /// Returns a command that the kernel ends together with the thread that started it; without util-linux's `setpriv`, a
 /// plain command.
-fn ended_with_this(program: &Path) -> Command {
+fn command_ended_with_parent(program: &Path) -> Command {
     const END_WITH_PARENT: [&str; 2] = ["--pdeathsig", "KILL"];
     static SETPRIV: LazyLock<Option<PathBuf>> = LazyLock::new(|| {
         let setpriv = find("setpriv", search_path()).filter(|_| cfg!(target_os = "linux"))?;
@@ -267,7 +267,7 @@ impl Engine {
             .write_all(line.as_bytes())
             .and_then(|()| self.input.write_all(b".\n"))
             .and_then(|()| self.input.flush());
-        sent.map_err(|_| self.ended())
+        sent.map_err(|_| self.end_error())
     }
 
     /// Returns the next term from the engine; `None` if there is none before the deadline.
@@ -292,12 +292,12 @@ impl Engine {
                 }
                 Err(RecvTimeoutError::Timeout) if left > LOOK_UP => {}
                 Err(RecvTimeoutError::Timeout) => return Ok(None),
-                Err(RecvTimeoutError::Disconnected) => return Err(self.ended()),
+                Err(RecvTimeoutError::Disconnected) => return Err(self.end_error()),
             }
         }
     }
 
-    fn ended(&mut self) -> AskError {
+    fn end_error(&mut self) -> AskError {
         let status = self.child.wait().map(|status| status.to_string());
         let errors = self.errors.take().map(JoinHandle::join);
         let words = errors.and_then(Result::ok).unwrap_or_default();

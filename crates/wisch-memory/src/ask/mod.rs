@@ -163,7 +163,7 @@ impl Asker {
             interrupt: &self.interrupt,
             candidates: u64::MAX,
         };
-        engine.begin_query(&asking(&text, self.limits.answers), self.limits.time)?;
+        engine.begin_query(&query_command(&text, self.limits.answers), self.limits.time)?;
         let mut answers = Answers::default();
         let mut reply = String::new();
         let mut is_cut_short = false;
@@ -248,7 +248,7 @@ fn values(row: Term) -> Vec<Term> {
 }
 
 /// Returns the command to answer a query, which has no full stop.
-fn asking(query: &str, answers: usize) -> String {
+fn query_command(query: &str, answers: usize) -> String {
     let mut text = String::from("ask(\"");
     for c in query.chars() {
         match c {

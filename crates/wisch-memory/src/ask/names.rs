@@ -67,7 +67,7 @@ impl Names {
     /// Returns the full name of a class, property or thing.
     pub fn resolve(&self, kind: &str, term: &Term) -> Result<String, QueryFault> {
         let unknown = |error: &UnknownName| {
-            // An unknown prefix is the fault, whatever kind of name follows.
+            // With an unknown prefix, the prefix is the fault, not the name.
             let kind = if error.to_string().contains("prefix") {
                 "prefix"
             } else {

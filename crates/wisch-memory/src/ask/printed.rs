@@ -85,11 +85,11 @@ fn write(directive: char, count: Option<usize>, argument: &Term, out: &mut Strin
             write!(
                 out,
                 "{}",
-                grouped(*value, count.unwrap_or(0), directive == 'D')
+                format_grouped(*value, count.unwrap_or(0), directive == 'D')
             )
         }
         'f' => write!(out, "{:.digits$}", argument.as_number()?),
-        'e' => write!(out, "{}", exponential(argument.as_number()?, digits)),
+        'e' => write!(out, "{}", format_exponential(argument.as_number()?, digits)),
         'g' => write!(out, "{}", argument.as_number()?),
         's' => write!(out, "{}", text_of(argument)?),
         'c' => {
@@ -107,7 +107,7 @@ fn write(directive: char, count: Option<usize>, argument: &Term, out: &mut Strin
 }
 
 /// Formats an integer with a decimal point before its last digits, and commas between thousands.
-fn grouped(value: i64, behind_point: usize, has_commas: bool) -> String {
+fn format_grouped(value: i64, behind_point: usize, has_commas: bool) -> String {
     let behind_point = behind_point.min(MOST_DIGITS);
     let digits = format!("{:0>1$}", value.unsigned_abs(), behind_point + 1);
     let (whole, fraction) = digits.split_at(digits.len() - behind_point);
@@ -126,7 +126,7 @@ fn grouped(value: i64, behind_point: usize, has_commas: bool) -> String {
 }
 
 /// Formats as C does: at least two digits of exponent, with its sign.
-fn exponential(value: f64, digits: usize) -> String {
+fn format_exponential(value: f64, digits: usize) -> String {
     let text = format!("{value:.digits$e}");
     match text.split_once('e') {
         Some((mantissa, exponent)) => match exponent.strip_prefix('-') {

@@ -16,7 +16,7 @@ pub fn prepared(query: &str) -> Result<String, QueryFault> {
         out: String::with_capacity(query.len() + 8),
     };
     while let Some((at, c)) = reader.chars.next() {
-        if reader.token(at, c)? {
+        if reader.copy_token(at, c)? {
             let rest = query[at + 1..].trim();
             return match after_comments(rest) {
                 "" => Ok(reader.out),
@@ -54,7 +54,7 @@ struct Reader<'a> {
 
 impl Reader<'_> {
     /// Copies the token that begins with this character. Returns whether it is the full stop.
-    fn token(&mut self, at: usize, c: char) -> Result<bool, QueryFault> {
+    fn copy_token(&mut self, at: usize, c: char) -> Result<bool, QueryFault> {
         match c {
             '%' => {
                 self.skip(|c| c != '\n');
@@ -68,7 +68,7 @@ impl Reader<'_> {
                 }
                 None => self.out.push(c),
             },
-            '\'' | '"' | '`' => self.quoted(c),
+            '\'' | '"' | '`' => self.copy_quoted(c),
             '0'..='9' => self.number(at)?,
             c if c.is_alphanumeric() || c == '_' => {
                 self.out.push(c);
@@ -113,7 +113,7 @@ impl Reader<'_> {
     }
 
     /// Copies up to the closing quote; a doubled quote continues.
-    fn quoted(&mut self, mark: char) {
+    fn copy_quoted(&mut self, mark: char) {
         self.out.push(mark);
         while let Some((_, c)) = self.chars.next() {
             self.out.push(c);

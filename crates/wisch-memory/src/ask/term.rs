@@ -117,19 +117,19 @@ impl Term {
             Self::Compound(name, arguments) => {
                 quote(name, out);
                 out.push('(');
-                separated(arguments, out, |term, out| term.write_quoted(out));
+                write_separated(arguments, out, |term, out| term.write_quoted(out));
                 out.push(')');
             }
             Self::List(items) => {
                 out.push('[');
-                separated(items, out, |term, out| term.write_quoted(out));
+                write_separated(items, out, |term, out| term.write_quoted(out));
                 out.push(']');
             }
         }
     }
 }
 
-fn separated<T>(items: &[T], out: &mut String, mut write: impl FnMut(&T, &mut String)) {
+fn write_separated<T>(items: &[T], out: &mut String, mut write: impl FnMut(&T, &mut String)) {
     for (place, item) in items.iter().enumerate() {
         if place > 0 {
             out.push(',');
@@ -322,11 +322,11 @@ impl<'a> Reader<'a> {
             Some('_' | 'A'..='Z') => Ok(Term::Variable(self.run(word).to_owned())),
             Some('[') => self.list(depth),
             Some('"') => {
-                let text = self.quoted('"')?;
+                let text = self.parse_quoted('"')?;
                 Ok(Term::Atom(text))
             }
             Some('\'') => {
-                let name = self.quoted('\'')?;
+                let name = self.parse_quoted('\'')?;
                 self.compound(name, depth)
             }
             Some('{') if self.rest().starts_with("{}") => {
@@ -387,18 +387,18 @@ impl<'a> Reader<'a> {
         }
         let signed = || format!("{}{digits}", if negative { "-" } else { "" });
         if !is_float && let Ok(value) = signed().parse() {
-            return self.divided(Term::Integer(value));
+            return self.parse_ratio(Term::Integer(value));
         }
         let value: f64 = digits.parse().map_err(|_| self.expected("a number"))?;
         if value.is_infinite() {
             // An integer of hundreds of digits, which can still be printed.
             return Ok(Term::Atom(signed()));
         }
-        self.divided(Term::Float(sign * value))
+        self.parse_ratio(Term::Float(sign * value))
     }
 
     /// Parses a number, or a ratio in SWI-Prolog's form 1r3.
-    fn divided(&mut self, numerator: Term) -> Result<Term, TermError> {
+    fn parse_ratio(&mut self, numerator: Term) -> Result<Term, TermError> {
         let by = |rest: &str| rest[1..].starts_with(|c: char| c.is_ascii_digit());
         if !self.rest().starts_with('r') || !by(self.rest()) {
             return Ok(numerator);
@@ -412,7 +412,7 @@ impl<'a> Reader<'a> {
             .ok_or_else(|| self.expected("a ratio of numbers"))
     }
 
-    fn quoted(&mut self, mark: char) -> Result<String, TermError> {
+    fn parse_quoted(&mut self, mark: char) -> Result<String, TermError> {
         self.at += 1;
         let mut text = String::new();
         loop {
@@ -427,14 +427,14 @@ impl<'a> Reader<'a> {
                 self.at += 1;
                 text.push(mark);
             } else if c == '\\' {
-                text.push(self.escaped()?);
+                text.push(self.parse_escape()?);
             } else {
                 text.push(c);
             }
         }
     }
 
-    fn escaped(&mut self) -> Result<char, TermError> {
+    fn parse_escape(&mut self) -> Result<char, TermError> {
         let Some(c) = self.peek() else {
             return Err(self.expected("an escape sequence"));
         };
@@ -523,7 +523,7 @@ impl<'a> Reader<'a> {
                 continue;
             }
             inner.reverse();
-            let mut arguments = vec![item, closed(std::mem::take(&mut inner), tail)];
+            let mut arguments = vec![item, close_list(std::mem::take(&mut inner), tail)];
             while self.take(',') {
                 arguments.push(self.term(depth + 1)?);
             }
@@ -533,7 +533,7 @@ impl<'a> Reader<'a> {
             tail = Term::Compound(".".to_owned(), arguments);
         }
         inner.reverse();
-        Ok(closed(inner, tail))
+        Ok(close_list(inner, tail))
     }
 
     fn list(&mut self, depth: usize) -> Result<Term, TermError> {
@@ -553,12 +553,12 @@ impl<'a> Reader<'a> {
         if !self.take(']') {
             return Err(self.expected("]"));
         }
-        Ok(closed(items, tail))
+        Ok(close_list(items, tail))
     }
 }
 
 /// Returns a list of these items before a tail; a partial list stays in pairs.
-fn closed(mut items: Vec<Term>, tail: Term) -> Term {
+fn close_list(mut items: Vec<Term>, tail: Term) -> Term {
     match tail {
         Term::List(more) => {
             items.extend(more);
@@ -598,7 +598,7 @@ mod tests {
         assert_eq!(Term::parse("'.'()").unwrap(), dot(&[]));
         // As the tail of a list.
         let list = Term::parse("'.'(0,'.'(5,'.'(1,2,3)))").unwrap();
-        let open = closed(vec![Term::Integer(0), Term::Integer(5)], dot(&[1, 2, 3]));
+        let open = close_list(vec![Term::Integer(0), Term::Integer(5)], dot(&[1, 2, 3]));
         assert_eq!(list, open);
         assert!(Term::parse("'.'(1,'.'(2)").is_err());
     }

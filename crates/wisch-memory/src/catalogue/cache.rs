@@ -100,7 +100,7 @@ pub(crate) fn write(catalogue: &Catalogue, folder: &Path) -> Result<(), CacheErr
         Values::Ints(&classes),
         Values::Doubles(&catalogue.starts),
         Values::Doubles(&catalogue.ends),
-        Values::Ints(&signed(&catalogue.parents)),
+        Values::Ints(&to_signed(&catalogue.parents)),
     ])?;
     individuals.finish()?;
     let head = Head {
@@ -179,8 +179,8 @@ fn write_episodes(catalogue: &Catalogue, folder: &Path) -> Result<(), CacheError
         Values::Texts(&texts(&|row| row.task.clone())),
         Values::Doubles(&doubles(0)),
         Values::Doubles(&doubles(1)),
-        Values::Ints(&signed(&firsts)),
-        Values::Ints(&signed(&lengths)),
+        Values::Ints(&to_signed(&firsts)),
+        Values::Ints(&to_signed(&lengths)),
         Values::Texts(&texts(&|row| {
             serde_json::to_string(&row.rounds).unwrap_or_default()
         })),
@@ -310,7 +310,7 @@ impl Input {
 
     /// Returns the subjects of a property, after checking that each is an individual.
     fn subjects(&self, group: usize, individuals: usize) -> Result<Vec<IndividualId>, CacheError> {
-        let subjects = unsigned(self.column::<Int32Type>(group, 0)?);
+        let subjects = to_unsigned(self.column::<Int32Type>(group, 0)?);
         // Columns are searched by bisection, so they must be sorted.
         if !subjects.is_sorted()
             || subjects
@@ -372,9 +372,9 @@ pub(crate) fn read(folder: &Path) -> Result<Catalogue, CacheError> {
         }
         *at(&mut catalogue.relations, property) = subjects.into_iter().zip(nodes).collect();
     }
-    catalogue.names.classes = interned(head.classes);
-    catalogue.names.properties = interned(head.properties);
-    catalogue.names.shared = interned(head.shared);
+    catalogue.names.classes = intern(head.classes);
+    catalogue.names.properties = intern(head.properties);
+    catalogue.names.shared = intern(head.shared);
     Ok(catalogue)
 }
 
@@ -385,8 +385,8 @@ fn read_episodes(folder: &Path, head: &Head, catalogue: &mut Catalogue) -> Resul
     let tasks = input.texts(0, 1)?;
     let starts = input.column::<DoubleType>(0, 2)?;
     let ends = input.column::<DoubleType>(0, 3)?;
-    let firsts = unsigned(input.column::<Int32Type>(0, 4)?);
-    let lengths = unsigned(input.column::<Int32Type>(0, 5)?);
+    let firsts = to_unsigned(input.column::<Int32Type>(0, 4)?);
+    let lengths = to_unsigned(input.column::<Int32Type>(0, 5)?);
     let rounds = input.texts(0, 6)?;
     let mut next = 0;
     for (place, id) in ids.into_iter().enumerate() {
@@ -425,7 +425,7 @@ fn read_individuals(
     let classes = input.column::<Int32Type>(0, 0)?;
     catalogue.starts = input.column::<DoubleType>(0, 1)?;
     catalogue.ends = input.column::<DoubleType>(0, 2)?;
-    catalogue.parents = unsigned(input.column::<Int32Type>(0, 3)?);
+    catalogue.parents = to_unsigned(input.column::<Int32Type>(0, 3)?);
     let count = head.individuals;
     let is_class = |&class: &i32| usize::try_from(class).is_ok_and(|c| c < head.classes.len());
     // A parent precedes its parts, so nothing is its own ancestor.
@@ -446,7 +446,7 @@ fn read_individuals(
     Ok(())
 }
 
-fn interned(names: Vec<String>) -> Interned {
+fn intern(names: Vec<String>) -> Interned {
     let numbers: HashMap<String, u32> = names.iter().cloned().zip(0..).collect();
     Interned { names, numbers }
 }
@@ -456,11 +456,11 @@ fn subjects<T>(column: &[(IndividualId, T)]) -> Vec<i32> {
 }
 
 /// Reinterprets the bits as signed: Parquet has no unsigned integers.
-fn signed(numbers: &[u32]) -> Vec<i32> {
+fn to_signed(numbers: &[u32]) -> Vec<i32> {
     numbers.iter().map(|&number| number as i32).collect()
 }
 
-fn unsigned(numbers: Vec<i32>) -> Vec<u32> {
+fn to_unsigned(numbers: Vec<i32>) -> Vec<u32> {
     numbers.into_iter().map(|number| number as u32).collect()
 }
 

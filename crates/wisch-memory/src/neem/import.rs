@@ -3,8 +3,8 @@
 use super::document::triple;
 use super::dump::Documents;
 use super::triples::{
-    BEGIN, END, HAS_INTERVAL, NAMED, Object, RECORD, STEP_OF, TYPE, Triple, derived, individual,
-    iri,
+    BEGIN, END, HAS_INTERVAL, NAMED, Object, RECORD, STEP_OF, TYPE, Triple, derived_triples,
+    individual, iri,
 };
 use super::{NeemError, at, collection_file};
 use crate::ontology::Ontology;
@@ -292,7 +292,7 @@ fn relate(record: &mut EpisodeRecord, left: Vec<Said>) -> Result<(), NeemError> 
     let mut repeated = HashMap::<[String; 3], usize>::new();
     for place in 0..record.individuals.len() {
         places.insert(iri(&individual(record, place))?, place);
-        for triple in derived(record, place)? {
+        for triple in derived_triples(record, place)? {
             if let Object::Iri(object) = triple.object {
                 *repeated
                     .entry([triple.subject, triple.predicate, object])

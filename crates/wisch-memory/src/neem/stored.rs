@@ -48,7 +48,7 @@ impl NeemWriter {
                     episode: &record.id,
                     number,
                     interval: [start, end.unwrap_or(record.interval[1])],
-                    surface: related(&record, "semco:actsOnSurface", "surface"),
+                    surface: related_name(&record, "semco:actsOnSurface", "surface"),
                 };
                 self.observations(&round, &seen)?;
             }
@@ -61,7 +61,7 @@ impl NeemWriter {
                 PoseSource::Tool => self.tool_of(
                     &telemetry,
                     start,
-                    related(&record, "semco:usesTool", "tool"),
+                    related_name(&record, "semco:usesTool", "tool"),
                 )?,
                 PoseSource::Robot(robot) => self.frames_of(&telemetry, start, robot)?,
             }
@@ -142,7 +142,7 @@ impl NeemWriter {
 }
 
 /// Local name of the first object of an episode's relation, or `otherwise` without one.
-fn related<'a>(record: &'a EpisodeRecord, property: &str, otherwise: &'a str) -> &'a str {
+fn related_name<'a>(record: &'a EpisodeRecord, property: &str, otherwise: &'a str) -> &'a str {
     let mut related = (record.individuals.iter())
         .filter_map(|individual| individual.relations.get(property)?.first());
     let name = related.next().and_then(|name| name.split_once(':'));

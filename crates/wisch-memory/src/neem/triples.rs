@@ -119,8 +119,8 @@ pub fn triples(record: &EpisodeRecord) -> Result<Vec<Triple>, NeemError> {
     })?;
     let mut all = of_record(record)?;
     for place in 0..record.individuals.len() {
-        all.extend(asserted(record, place)?);
-        all.extend(derived(record, place)?);
+        all.extend(asserted_triples(record, place)?);
+        all.extend(derived_triples(record, place)?);
     }
     Ok(all)
 }
@@ -164,7 +164,7 @@ fn about(record: &EpisodeRecord, place: usize) -> Result<About<'static>, NeemErr
 }
 
 /// Returns the triples that the record asserts about an individual.
-fn asserted(record: &EpisodeRecord, place: usize) -> Result<Vec<Triple>, NeemError> {
+fn asserted_triples(record: &EpisodeRecord, place: usize) -> Result<Vec<Triple>, NeemError> {
     let subject = &record.individuals[place];
     let about = about(record, place)?;
     if subject.class == NAMED {
@@ -217,7 +217,10 @@ fn of_interval(name: &str, [start, end]: [f64; 2]) -> Result<[Triple; 4], NeemEr
 /// are regions.
 ///
 /// The import calls this function to recognise and drop these triples.
-pub(super) fn derived(record: &EpisodeRecord, place: usize) -> Result<Vec<Triple>, NeemError> {
+pub(super) fn derived_triples(
+    record: &EpisodeRecord,
+    place: usize,
+) -> Result<Vec<Triple>, NeemError> {
     let subject = &record.individuals[place];
     let about = about(record, place)?;
     let mut all = vec![about.relates(TYPE, NAMED)?];

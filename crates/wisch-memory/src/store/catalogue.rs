@@ -35,7 +35,7 @@ impl Memory {
     /// # Errors
     /// If the folder cannot be listed.
     pub fn catalogue(&self) -> Result<Catalogue, MemoryError> {
-        let forgotten = self.forgotten()?;
+        let forgotten = self.read_forgotten()?;
         let ids = self.episodes()?;
         let (mut catalogue, mut tables) = match self.read_tables() {
             Some(catalogue) => (catalogue, Tables::Good),
@@ -86,7 +86,7 @@ impl Memory {
     }
 
     /// Names of deleted episodes that are still in the tables.
-    fn forgotten(&self) -> Result<HashSet<String>, MemoryError> {
+    fn read_forgotten(&self) -> Result<HashSet<String>, MemoryError> {
         let path = self.folder().join(CATALOGUE_FOLDER).join(FORGOTTEN_FILE);
         match fs::read(&path) {
             Ok(bytes) => {
@@ -140,7 +140,7 @@ impl Memory {
             return Ok(());
         };
         // An episode that was deleted meanwhile is still in the data to be written.
-        if self.forgotten()? != *applied {
+        if self.read_forgotten()? != *applied {
             return Ok(());
         }
         let current = self.current();

@@ -182,7 +182,7 @@ impl EpisodeWriter {
 
 impl Drop for EpisodeWriter {
     fn drop(&mut self) {
-        // After a commit this folder is gone; whatever cannot be removed now, the next writer removes.
+        // After a commit this folder is gone; the next writer removes what cannot be removed now.
         let lock = self.memory.lock_place(&self.id);
         let _ = remove_folder(&self.folder).and_then(|()| remove_file(&lock));
     }

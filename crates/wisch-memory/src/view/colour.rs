@@ -42,14 +42,14 @@ impl Colour {
             },
             Term::List(items) => match items.as_slice() {
                 [one] => Self::of(one),
-                [red, green, blue] => Self::mixed(term, [red, green, blue]),
+                [red, green, blue] => Self::from_shares(term, [red, green, blue]),
                 _ => Err(Self::none(term, "")),
             },
             _ => Self::named(term),
         }
     }
 
-    fn mixed(term: &Term, parts: [&Term; 3]) -> Result<Self, ViewError> {
+    fn from_shares(term: &Term, parts: [&Term; 3]) -> Result<Self, ViewError> {
         let mut mixed = [0; 3];
         for (mixed, part) in mixed.iter_mut().zip(parts) {
             let share = part.as_number().filter(|share| (0.0..=1.0).contains(share));

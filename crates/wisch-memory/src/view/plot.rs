@@ -98,7 +98,7 @@ impl Plot {
         };
         let mut data = None;
         for property in properties {
-            match keyed(property) {
+            match key_and_value(property) {
                 Some(("title", text)) => plot.title = text_of(text),
                 Some(("xlabel" | "x_label", text)) => plot.x_label = text_of(text),
                 Some(("ylabel" | "y_label", text)) => plot.y_label = text_of(text),
@@ -119,7 +119,7 @@ impl Plot {
 }
 
 /// `Key: Value`, `Key = Value`, `Key - Value` or `Key(Value)`.
-fn keyed(property: &Term) -> Option<(&str, &Term)> {
+fn key_and_value(property: &Term) -> Option<(&str, &Term)> {
     match property.parts()? {
         (":" | "=" | "-", [key, value]) => Some((key.as_atom()?, value)),
         (key, [value]) => Some((key, value)),

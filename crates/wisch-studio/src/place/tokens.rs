@@ -67,7 +67,7 @@ pub fn tokens(query: &str) -> Vec<Token> {
                 (None, rest.find("*/").map_or(rest.len(), |end| end + 2))
             }
             c if c.is_whitespace() => (None, c.len_utf8()),
-            '\'' | '"' | '`' => quoted(rest, c),
+            '\'' | '"' | '`' => read_quoted(rest, c),
             '0'..='9' => (Some(TokenKind::Number), number(rest)),
             c if c.is_alphabetic() || c == '_' => {
                 let word = |c: char| c.is_alphanumeric() || c == '_';
@@ -122,7 +122,7 @@ fn follows_a_name(last: Option<&Token>, at: usize) -> bool {
 }
 
 /// Returns kind and length of the text that begins with this quote.
-fn quoted(text: &str, mark: char) -> (Option<TokenKind>, usize) {
+fn read_quoted(text: &str, mark: char) -> (Option<TokenKind>, usize) {
     let mut chars = text.char_indices().skip(1).peekable();
     while let Some((at, c)) = chars.next() {
         if c == '\\' {

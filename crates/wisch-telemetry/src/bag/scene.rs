@@ -110,7 +110,7 @@ fn at(point: Point3) -> Vector3 {
     point.coords.into()
 }
 
-fn raised(height: f64) -> impl Fn(&Point2) -> Point3 {
+fn raise_by(height: f64) -> impl Fn(&Point2) -> Point3 {
     move |point| Point3::new(point.x, point.y, height)
 }
 
@@ -120,7 +120,7 @@ pub(super) fn scene(shown: &SceneShown<'_>) -> Vec<Drawn> {
     let mut all = vec![surface_face(outline)];
     all.extend((0..).zip(outline.rings()).map(|(id, ring)| {
         let corners = ring.iter().chain(ring.first());
-        let drawn = on_surface("outline", OUTLINE).through(corners.map(raised(LINE_HEIGHT)));
+        let drawn = on_surface("outline", OUTLINE).through(corners.map(raise_by(LINE_HEIGHT)));
         Drawn { id, ..drawn }
     }));
     if let GoalState::Collected { center, radius } = shown.goal {
@@ -158,7 +158,7 @@ pub(super) fn strokes(strokes: &[Stroke]) -> Vec<Drawn> {
             1.0,
         );
         let line = on_surface("strokes", color)
-            .through((stroke.poses.iter()).map(|pose| raised(STROKE_HEIGHT)(&pose.position)));
+            .through((stroke.poses.iter()).map(|pose| raise_by(STROKE_HEIGHT)(&pose.position)));
         // A contact without motion is a point.
         let kind = if line.points.len() < 2 {
             MarkerKind::Points
@@ -205,7 +205,12 @@ fn solid(frame: &'static str, ns: &str, color: Color, mesh: &Mesh) -> Drawn {
 
 fn surface_face(outline: &Polygon) -> Drawn {
     let face = Drawn::new(FRAME_SURFACE, "surface", MarkerKind::TriangleList, FACE);
-    face.through(triangles(outline).iter().flatten().map(raised(FACE_HEIGHT)))
+    face.through(
+        triangles(outline)
+            .iter()
+            .flatten()
+            .map(raise_by(FACE_HEIGHT)),
+    )
 }
 
 /// Triangulates a polygon with holes, counter-clockwise: cuts it at the height of every corner into trapezoids.

@@ -203,7 +203,7 @@ impl<Q: Quantity> Search<Q> {
                 let known = topics.keys().map(String::as_str);
                 return Err(ReadFault::Unknown(UnknownName::new("topic", topic, known)));
             }
-            _ => self.preferred()?,
+            _ => self.find_preferred()?,
         };
         let Some(index) = index else {
             // If every message of a likely topic was faulty, its fault explains the absence.
@@ -219,7 +219,7 @@ impl<Q: Quantity> Search<Q> {
         }
     }
 
-    fn preferred(&self) -> Result<Option<usize>, ReadFault> {
+    fn find_preferred(&self) -> Result<Option<usize>, ReadFault> {
         let preferences: [fn(&Candidate<Q>) -> bool; 4] = [
             |candidate| candidate.says.is_meant,
             // A topic whose messages hold only the quantity is preferred to a field of a larger message.

@@ -107,14 +107,14 @@ impl Topic {
         let says: &[(&str, &str)] = match self {
             Self::Commanded => &[(
                 "wisch.meaning",
-                "tool centre point as commanded, the press into the surface included",
+                "commanded tool centre point, including the press into the surface",
             )],
             Self::Measured => &[
                 (ROLE_KEY, ROLE_POSE),
                 (START_KEY, &start),
                 (
                     "wisch.meaning",
-                    "tool centre point by the joints' positions",
+                    "tool centre point from the joint positions",
                 ),
             ],
             Self::Controller => &[
@@ -122,7 +122,7 @@ impl Topic {
                 ("wisch.point", "tool centre point"),
                 (
                     "wisch.meaning",
-                    "what the controller asks of the tool, saturated",
+                    "wrench that the controller commands, saturated",
                 ),
             ],
             Self::External => &[
@@ -131,16 +131,22 @@ impl Topic {
                 ("wisch.point", "tool centre point"),
                 (
                     "wisch.meaning",
-                    "what the surroundings do to the tool, as estimated from the drives",
+                    "wrench of the surroundings on the tool, estimated from the drives",
                 ),
             ],
-            Self::Particles => &[("wisch.meaning", "particles as they are believed to lie")],
-            Self::DirtBefore => &[("wisch.meaning", "dirt as a camera saw it before the round")],
-            Self::DirtAfter => &[("wisch.meaning", "dirt as a camera saw it after the round")],
+            Self::Particles => &[("wisch.meaning", "believed particle positions")],
+            Self::DirtBefore => &[(
+                "wisch.meaning",
+                "dirt that the camera detected before the round",
+            )],
+            Self::DirtAfter => &[(
+                "wisch.meaning",
+                "dirt that the camera detected after the round",
+            )],
             Self::HiddenBefore | Self::HiddenAfter => {
-                &[("wisch.meaning", "where the camera could see nothing")]
+                &[("wisch.meaning", "area that the camera could not see")]
             }
-            Self::Strokes => &[("wisch.meaning", "strokes as they are to be wiped")],
+            Self::Strokes => &[("wisch.meaning", "planned strokes")],
             Self::Force => &[(
                 "wisch.meaning",
                 "the force of /wrench/external, drawn from the tool centre point",

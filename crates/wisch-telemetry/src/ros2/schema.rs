@@ -304,7 +304,7 @@ enum Checked {
     Done,
 }
 
-/// Checks that no type contains itself: decoding such a message would not end.
+/// Checks that no type contains itself: decoding its messages would not end.
 fn check_finite(definitions: &[Fields], parts: &[Part<'_>]) -> Result<(), SchemaError> {
     let mut checked = vec![Checked::Unseen; definitions.len()];
     // Depth-first search. Each entry holds a definition and the index of its next field. The stack is explicit, because

@@ -10,6 +10,6 @@ pub(super) const FEATHER_1: &[u8] = b"FEA1";
 pub(super) const CONTINUATION: [u8; 4] = [0xff; 4];
 
 /// Whether a table is in Arrow's format.
-pub(super) fn is_one(bytes: &[u8]) -> bool {
+pub(super) fn is_arrow(bytes: &[u8]) -> bool {
     bytes.starts_with(MAGIC) || bytes.starts_with(FEATHER_1) || bytes.starts_with(&CONTINUATION)
 }

@@ -247,7 +247,7 @@ impl Finder<'_> {
         });
         if let Some(known) = FORCES
             .iter()
-            .find_map(|known| self.indexed(known.base, &[0, 1, 2], &FORCE, UnitKind::Force))
+            .find_map(|known| self.find_indexed(known.base, &[0, 1, 2], &FORCE, UnitKind::Force))
         {
             families.push(known);
         }
@@ -339,7 +339,7 @@ impl Finder<'_> {
                 let mut families = self.families(names, POSITION, kind, |prefix| {
                     is_prefix(prefix, &kinds, &[&CONTEXT])
                 });
-                families.extend(self.indexed("actual_tcp_pose", &[3, 4, 5], ours, kind));
+                families.extend(self.find_indexed("actual_tcp_pose", &[3, 4, 5], ours, kind));
                 families
             }
             OrientationForm::RollPitchYaw => {
@@ -368,7 +368,7 @@ impl Finder<'_> {
             }
             OrientationForm::Matrix => {
                 let indices: Vec<usize> = (0..16).collect();
-                self.indexed("o_t_ee", &indices, ours, kind)
+                self.find_indexed("o_t_ee", &indices, ours, kind)
                     .into_iter()
                     .collect()
             }
@@ -395,7 +395,12 @@ impl Finder<'_> {
         let mut families = self.families(POSITION, POSITION, UnitKind::Length, |prefix| {
             is_prefix(prefix, &kinds, &[&CONTEXT])
         });
-        families.extend(self.indexed("actual_tcp_pose", &[0, 1, 2], &POSITION, UnitKind::Length));
+        families.extend(self.find_indexed(
+            "actual_tcp_pose",
+            &[0, 1, 2],
+            &POSITION,
+            UnitKind::Length,
+        ));
         self.one_of("position", families, &POSITION)
     }
 
@@ -457,7 +462,7 @@ impl Finder<'_> {
     }
 
     /// Finds the columns of an array with the given indices.
-    fn indexed(
+    fn find_indexed(
         &self,
         base: &str,
         indices: &[usize],

@@ -100,7 +100,7 @@ impl Name {
     /// Parses a name: `x [mm]`, `fx (N)`, `x / mm` and `tcp_x_mm` end with units, `O_T_EE[12]` with an index.
     pub fn of(text: &str) -> Self {
         let text = text.trim().trim_start_matches('%');
-        let (head, bracketed) = bracketed(text);
+        let (head, bracketed) = split_unit(text);
         if let Some(unit) = bracketed {
             return Self {
                 whole: words(text),
@@ -150,7 +150,7 @@ impl Name {
 }
 
 /// Splits off a final unit in brackets or after a slash; an index in brackets is not a unit.
-fn bracketed(text: &str) -> (&str, Option<&str>) {
+fn split_unit(text: &str) -> (&str, Option<&str>) {
     for [open, close] in [['[', ']'], ['(', ')']] {
         if let Some((head, unit)) =
             (text.strip_suffix(close)).and_then(|rest| rest.rsplit_once(open))

@@ -24,12 +24,12 @@ impl<'a> Source<'a> {
             return Self::columns(kind, || open(bytes), parquet_file::read, options);
         }
         #[cfg(feature = "arrow")]
-        if arrow::is_one(bytes) {
+        if arrow::is_arrow(bytes) {
             let (kind, open) = (arrow_file::KIND, arrow_file::open);
             return Self::columns(kind, || open(bytes), arrow_file::read, options);
         }
         #[cfg(not(feature = "arrow"))]
-        if arrow::is_one(bytes) {
+        if arrow::is_arrow(bytes) {
             return Err(ReadFault::NoArrow);
         }
         if bytes.starts_with(npz::MAGIC) {
