@@ -198,7 +198,7 @@ pub(crate) mod tests {
     use super::*;
 
     /// Two observations of a tilted surface.
-    pub(crate) fn looked() -> RoundObservations {
+    pub(crate) fn example_observations() -> RoundObservations {
         let ring = |size: f64| {
             let corners = [[-size, -size], [size, -size], [size, size], [-size, size]];
             corners.map(Point2::from).to_vec()
@@ -222,10 +222,10 @@ pub(crate) mod tests {
 
     #[test]
     fn what_was_seen_comes_back_to_the_last_bit() {
-        let mut only_after = looked();
+        let mut only_after = example_observations();
         only_after.round = None;
         only_after.observations[0] = None;
-        for written in [looked(), only_after] {
+        for written in [example_observations(), only_after] {
             let text = written.to_json().unwrap();
             assert_eq!(RoundObservations::from_json(text.as_bytes()), Ok(written));
         }
@@ -234,7 +234,7 @@ pub(crate) mod tests {
     #[test]
     fn what_was_not_seen_so_is_refused() {
         let refused = |observations: &RoundObservations| observations.to_json().unwrap_err();
-        let mut infinite = looked();
+        let mut infinite = example_observations();
         let [Some(before), _] = &mut infinite.observations else {
             panic!("an observation");
         };
@@ -243,7 +243,7 @@ pub(crate) mod tests {
             refused(&infinite).to_string(),
             "detections_m: inf is not finite"
         );
-        let text = looked().to_json().unwrap();
+        let text = example_observations().to_json().unwrap();
         for (part, other, said) in [
             ("\"schema\":1", "\"schema\":9", "schema: 9 is not supported"),
             ("[0.0,0.6,", "[3.0,0.6,", "further than 0.000001 from 1"),
@@ -253,7 +253,7 @@ pub(crate) mod tests {
             let error = RoundObservations::from_json(changed.as_bytes()).unwrap_err();
             assert!(error.to_string().contains(said), "{error}");
         }
-        let mut stretched = looked();
+        let mut stretched = example_observations();
         stretched.world_from_surface = pose([0.0; 3], [0.0, 0.0, 0.0, 1.5]);
         assert_eq!(
             refused(&stretched),

@@ -112,7 +112,7 @@ pub fn observations(
             number,
             what,
         };
-        let look = Look::of(&document).map_err(fault)?;
+        let look = ObservationDocument::of(&document).map_err(fault)?;
         let rounds = episodes.entry(look.episode).or_default();
         let seen = rounds.entry(look.round).or_insert(RoundObservations {
             round: look.round_of_run,
@@ -135,7 +135,7 @@ pub fn observations(
 }
 
 /// Contents of a document.
-struct Look {
+struct ObservationDocument {
     episode: String,
     round: usize,
     round_of_run: Option<usize>,
@@ -145,7 +145,7 @@ struct Look {
     observation: Observation,
 }
 
-impl Look {
+impl ObservationDocument {
     fn of(document: &RawDocument) -> Result<Self, &'static str> {
         let surface = document.get_document("world_from_surface");
         let surface = surface.map_err(|_| "it has no world_from_surface")?;
