@@ -273,6 +273,7 @@ struct ContactStatistics {
 
 impl ContactStatistics {
     fn of<'a>(pieces: impl Iterator<Item = &'a PathPiece>) -> Self {
+        // Share = Σ t_contact / Σ t; mean force = Σ F t / Σ t over the parts in contact.
         let [mut all, mut contact, mut impulse] = [0.0; 3];
         for piece in pieces {
             let duration = piece.time[1] - piece.time[0];

@@ -195,6 +195,7 @@ impl Chain<'_> {
                 Some(link.at(time, max_gap)? * pose)
             })
         };
+        // T(to, from) = T(common, to)⁻¹ T(common, from), where each factor is the product of the poses along its links.
         Some(along(&self.to)?.inverse() * along(&self.from)?)
     }
 }
@@ -210,6 +211,7 @@ impl Link {
         match (before, self.entries.get(after)) {
             (_, Some((end, pose))) if *end == time => Some(*pose),
             (Some((start, from)), Some((end, to))) => {
+                // Linear interpolation of the position, spherical of the rotation.
                 let share = time.abs_diff(*start) as f64 / end.abs_diff(*start) as f64;
                 near(*start, *end).then(|| from.between(to, share))
             }

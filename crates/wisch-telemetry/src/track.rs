@@ -304,6 +304,7 @@ fn at_times_of<A: Quantity, B: Quantity>(
         }
         let (start, at_start) = rare.get(after.checked_sub(1)?)?;
         let gap = end.abs_diff(*start) as f64;
+        // Share of the interval [start, end] at `time`, for the interpolation between both values.
         let share = time.abs_diff(*start) as f64 / gap;
         let is_near = gap / NANOSECONDS_PER_SECOND as f64 <= max_gap;
         is_near.then(|| (time, value, at_start.between(at_end, share)))

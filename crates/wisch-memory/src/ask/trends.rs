@@ -287,6 +287,7 @@ fn line(values: &[f64]) -> [f64; 3] {
         sxy += x * y;
     }
     let n = values.len() as f64;
+    // Normal equations: slope = (n Σxy − Σx Σy) / (n Σx² − (Σx)²).
     let slope = (n * sxy - sx * sy) / (n * sxx - sx * sx);
     let first = (sy - slope * sx) / n;
     [slope, first, first + slope * (n - 1.0)]
