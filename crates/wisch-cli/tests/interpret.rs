@@ -253,7 +253,7 @@ fn a_table_says_the_same_as_the_bag() {
     same(&from_table);
     assert_eq!(
         from_table["log"]["remarks"][0],
-        "by its line of units: t in ms, x in mm, y in mm, z in mm, fx in kp, fy in kp, fz in kp"
+        "from its line of units: t in ms, x in mm, y in mm, z in mm, fx in kp, fy in kp, fz in kp"
     );
 }
 
@@ -417,12 +417,12 @@ fn wrong_inputs_are_told_with_what_to_do() {
         (
             "short.csv",
             &[],
-            &["short.csv: line 3: it has 3 values, but there are 11 names"],
+            &["short.csv: line 3: it has 3 values, but the table has 11 names"],
         ),
         (
             "text.csv",
             &[],
-            &["text.csv: line 3, column \"y\": \"zero\" is no number"],
+            &["text.csv: line 3, column \"y\": \"zero\" is not a number"],
         ),
         (
             "nan.csv",
@@ -441,7 +441,7 @@ fn wrong_inputs_are_told_with_what_to_do() {
             "late.csv",
             &[],
             &[
-                "late.csv: line 2: a time of ",
+                "late.csv: line 2: the time ",
                 "is not within 9000000000 s of 0",
             ],
         ),
@@ -455,7 +455,7 @@ fn wrong_inputs_are_told_with_what_to_do() {
             &[],
             &["bytes.csv: byte 4: the table is not UTF-8 text"],
         ),
-        ("cut.mcap", &[], &["cut.mcap: this is no bag"]),
+        ("cut.mcap", &[], &["cut.mcap: this is not a bag"]),
         (
             "old.bag",
             &[],

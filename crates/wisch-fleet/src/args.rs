@@ -4,7 +4,7 @@ use clap::{Args, Parser, Subcommand};
 use std::net::SocketAddr;
 use std::path::PathBuf;
 
-/// SQL over the episodes of many robots, and the way of episodes between memories and a shared store.
+/// SQL over the episodes of many robots, and transfer of episodes between memories and a shared store.
 #[derive(Debug, Parser)]
 #[command(
     name = "wisch-fleet",
@@ -21,101 +21,101 @@ Credentials come from the environment (AWS_ACCESS_KEY_ID, AWS_SECRET_ACCESS_KEY,
 ~/.aws/credentials. Exit codes: 0 done, 1 done but not as hoped (faults found, episodes left out), 2 error."
 )]
 pub struct FleetCli {
-    /// What to do.
+    /// Command.
     #[command(subcommand)]
     pub command: FleetCommand,
 }
 
-/// What to do.
+/// Commands of the program.
 #[derive(Debug, Subcommand)]
 pub enum FleetCommand {
-    /// Ask: a statement, statements from a pipe, or one after the other at a prompt.
+    /// Answer SQL: one statement, statements from a pipe, or statements at a prompt.
     #[command(after_help = "\
 Examples:
   wisch-fleet sql \"SELECT tool, avg(performance) FROM episodes GROUP BY tool\" --memory episodes
   wisch-fleet sql \"SELECT * FROM peak_force_per_collision WHERE day = '2026-11-22'\" --fleet s3://robots/fleet --csv
   echo 'SELECT count(*) FROM strokes;' | wisch-fleet sql --fleet /mnt/fleet --memory episodes --json")]
     Sql(SqlArgs),
-    /// List the views that are shipped, and what they mean.
+    /// List the built-in views and their meaning.
     Views(ListArgs),
     /// List all tables and columns with units.
     Columns(ListArgs),
-    /// Bring the episodes of a memory into a fleet.
+    /// Copy the episodes of a memory into a fleet.
     #[command(
         after_help = "Example:\n  wisch-fleet push episodes s3://robots/fleet --robot kitchen-7"
     )]
     Push(PushArgs),
-    /// Bring episodes of a fleet into a memory, byte for byte.
+    /// Copy episodes of a fleet into a memory, byte for byte.
     #[command(after_help = "\
 Example:
   wisch-fleet pull s3://robots/fleet kitchen --since 2026-11-01 --where \"performance <= 0.8\"")]
     Pull(PullArgs),
-    /// Make few large files of many small ones, and delete what has not counted for long.
+    /// Merge small files into large ones, and delete objects that have long been unused.
     #[command(after_help = "Example:\n  wisch-fleet compact s3://robots/fleet --older-than 7d")]
     Compact(CompactArgs),
-    /// Keep telemetry of the last days only.
+    /// Delete telemetry except that of the last days.
     #[command(after_help = "Example:\n  wisch-fleet retain s3://robots/fleet --keep-telemetry 30d")]
     Retain(RetainArgs),
-    /// Look for what is broken: every file and every episode is read.
+    /// Verify every file and every episode of a fleet.
     Verify(VerifyArgs),
-    /// Run the scheduler of a cluster, which answers `sql --cluster` with the help of executors.
+    /// Run the scheduler of a cluster, which answers `sql --cluster` together with executors.
     #[command(after_help = "Example:\n  wisch-fleet scheduler --bind 127.0.0.1:50050")]
     Scheduler(SchedulerArgs),
-    /// Run an executor of a cluster. Stores are read with the credentials of its own environment.
+    /// Run an executor of a cluster. It reads stores with the credentials of its own environment.
     #[command(after_help = "Example:\n  wisch-fleet executor --scheduler 127.0.0.1:50050")]
     Executor(ExecutorArgs),
 }
 
-/// Of `sql`.
+/// Arguments of `sql`.
 #[derive(Debug, Args)]
 pub struct SqlArgs {
-    /// The statement; without one, statements are read from standard input.
+    /// The statement; without it, statements are read from standard input.
     pub statement: Option<String>,
     /// A fleet: s3://BUCKET/PREFIX, file:///FOLDER or a folder. Repeatable.
     #[arg(long, value_name = "URL")]
     pub fleet: Vec<String>,
-    /// A memory of episodes on this machine; nothing has to be pushed. Repeatable.
+    /// A memory of episodes on this machine, which need not be pushed. Repeatable.
     #[arg(long, value_name = "FOLDER")]
     pub memory: Vec<PathBuf>,
-    /// A cluster that answers: the scheduler's address, df://HOST:PORT. Its executors have to reach the same files.
+    /// A cluster that answers: the scheduler's address, df://HOST:PORT. Its executors must reach the same files.
     #[arg(long, value_name = "URL")]
     pub cluster: Option<String>,
     /// Print the answer as CSV.
     #[arg(long, group = "form")]
     pub csv: bool,
-    /// Print the answer as JSON, one object a line.
+    /// Print the answer as JSON, one object per line.
     #[arg(long, group = "form")]
     pub json: bool,
     /// Write the answer to a Parquet file.
     #[arg(long, value_name = "FILE", group = "form")]
     pub parquet: Option<PathBuf>,
-    /// Say on standard error how long each statement took.
+    /// Print the duration of each statement on standard error.
     #[arg(long)]
     pub timing: bool,
     /// Time limit of a statement [s].
     #[arg(long, value_name = "SECONDS", default_value_t = 300, value_parser = clap::value_parser!(u32).range(1..=86_400))]
     pub timeout: u32,
-    /// Memory limit of the program [MB]; sorting and grouping put on disk what is more than half of it.
+    /// Memory limit of the program [MB]; sorting and grouping move to disk above half of it.
     #[arg(long, value_name = "MB", default_value_t = 4096, value_parser = clap::value_parser!(u32).range(256..=1_048_576))]
     pub memory_limit: u32,
 }
 
-/// Of what lists something.
+/// Arguments of commands that list something.
 #[derive(Debug, Args)]
 pub struct ListArgs {
-    /// Print JSON, one object a line.
+    /// Print JSON, one object per line.
     #[arg(long)]
     pub json: bool,
 }
 
-/// Of `push`.
+/// Arguments of `push`.
 #[derive(Debug, Args)]
 pub struct PushArgs {
     /// The memory.
     pub memory: PathBuf,
     /// The fleet.
     pub url: String,
-    /// Name of the robot, where the model's name in the episodes does not tell robots apart.
+    /// Name of the robot, if the model's name in the episodes is not unique in the fleet.
     #[arg(long)]
     pub robot: Option<String>,
     /// Print one JSON object.
@@ -123,29 +123,29 @@ pub struct PushArgs {
     pub json: bool,
 }
 
-/// Of `pull`.
+/// Arguments of `pull`.
 #[derive(Debug, Args)]
 pub struct PullArgs {
     /// The fleet.
     pub url: String,
-    /// The memory, which is made if it is not there.
+    /// The memory, created if necessary.
     pub memory: PathBuf,
-    /// Episodes that ended then or later: a day or a time (UTC), such as 2026-11-22 or 2026-11-22T08:00:00Z.
+    /// Episodes that ended at this time or later: a day or a time (UTC), such as 2026-11-22 or 2026-11-22T08:00:00Z.
     #[arg(long, value_name = "TIME", value_parser = time)]
     pub since: Option<f64>,
-    /// Episodes that began then or earlier; a day counts whole.
+    /// Episodes that began at this time or earlier; a day includes its end.
     #[arg(long, value_name = "TIME", value_parser = end_time)]
     pub until: Option<f64>,
     /// Episodes of this robot. Repeatable.
     #[arg(long)]
     pub robot: Vec<String>,
-    /// Episodes in which something of this class happened, such as HumanCollision. Repeatable.
+    /// Episodes with an event of this class, such as HumanCollision. Repeatable.
     #[arg(long)]
     pub class: Vec<String>,
     /// This episode. Repeatable.
     #[arg(long, value_name = "ID")]
     pub episode: Vec<String>,
-    /// Episodes for which this is true, in SQL over the table of episodes.
+    /// Episodes that meet this condition, in SQL over the table of episodes.
     #[arg(long = "where", value_name = "SQL")]
     pub condition: Option<String>,
     /// Print one JSON object.
@@ -153,12 +153,13 @@ pub struct PullArgs {
     pub json: bool,
 }
 
-/// Of `compact`.
+/// Arguments of `compact`.
 #[derive(Debug, Args)]
 pub struct CompactArgs {
     /// The fleet.
     pub url: String,
-    /// Objects that have not counted for so long are deleted, such as 12h or 7d: longer than anybody reads or pushes.
+    /// Delete objects that have been unused for this time, such as 12h or 7d; choose it longer than any read or push
+    /// takes.
     #[arg(long, value_name = "TIME", default_value = "7d", value_parser = span)]
     pub older_than: f64,
     /// Print one JSON object.
@@ -166,12 +167,12 @@ pub struct CompactArgs {
     pub json: bool,
 }
 
-/// Of `retain`.
+/// Arguments of `retain`.
 #[derive(Debug, Args)]
 pub struct RetainArgs {
     /// The fleet.
     pub url: String,
-    /// How long telemetry is kept, such as 30d; what is older is taken out now, and deleted by `compact`.
+    /// How long telemetry is kept, such as 30d; older telemetry becomes unused now, and `compact` deletes it.
     #[arg(long, value_name = "TIME", value_parser = span)]
     pub keep_telemetry: f64,
     /// Print one JSON object.
@@ -179,7 +180,7 @@ pub struct RetainArgs {
     pub json: bool,
 }
 
-/// Of `verify`.
+/// Arguments of `verify`.
 #[derive(Debug, Args)]
 pub struct VerifyArgs {
     /// The fleet.
@@ -189,42 +190,43 @@ pub struct VerifyArgs {
     pub json: bool,
 }
 
-/// Of `scheduler`.
+/// Arguments of `scheduler`.
 #[derive(Debug, Args)]
 #[cfg_attr(not(feature = "cluster"), allow(dead_code))]
 pub struct SchedulerArgs {
-    /// Where it listens. There is no authentication: another address than this machine's own is for a network that is trusted.
+    /// Address at which it listens. There is no authentication: use other addresses than this machine's own only in a
+    /// trusted network.
     #[arg(long, value_name = "HOST:PORT", default_value = "127.0.0.1:50050")]
     pub bind: SocketAddr,
-    /// How executors reach this machine, where it is not by the address it listens at.
+    /// Name by which executors reach this machine, if it differs from the address.
     #[arg(long, value_name = "HOST")]
     pub host: Option<String>,
 }
 
-/// Of `executor`.
+/// Arguments of `executor`.
 #[derive(Debug, Args)]
 #[cfg_attr(not(feature = "cluster"), allow(dead_code))]
 pub struct ExecutorArgs {
     /// The scheduler.
     #[arg(long, value_name = "HOST:PORT")]
     pub scheduler: String,
-    /// Where others fetch from it; port 0 is any that is free. There is no authentication.
+    /// Address at which other executors fetch results; port 0 for any free port. There is no authentication.
     #[arg(long, value_name = "HOST:PORT", default_value = "127.0.0.1:0")]
     pub bind: SocketAddr,
-    /// How others reach this machine, where it is not by the address it listens at.
+    /// Name by which others reach this machine, if it differs from the address.
     #[arg(long, value_name = "HOST")]
     pub host: Option<String>,
-    /// How many tasks it runs at once; without it one for each core.
+    /// Number of simultaneous tasks; by default one per core.
     #[arg(long, value_name = "N")]
     pub slots: Option<usize>,
-    /// Where it keeps what it has made; without it a folder that is gone afterwards.
+    /// Folder of its results; by default a temporary folder.
     #[arg(long, value_name = "DIR")]
     pub work_dir: Option<PathBuf>,
 }
 
 const DAY: f64 = 86_400.0;
 
-/// A time or the beginning of a day [s since 1970].
+/// Parses a time or the beginning of a day [s since 1970].
 fn time(text: &str) -> Result<f64, String> {
     if let Ok(time) = text.parse::<jiff::Timestamp>() {
         return Ok(time.as_nanosecond() as f64 * 1e-9);
@@ -239,14 +241,14 @@ fn time(text: &str) -> Result<f64, String> {
         .map_err(|error| error.to_string())
 }
 
-/// A time or the end of a day [s since 1970].
+/// Parses a time or the end of a day [s since 1970].
 fn end_time(text: &str) -> Result<f64, String> {
     let is_day = text.parse::<jiff::Timestamp>().is_err();
     let start = time(text)?;
     Ok(if is_day { start + DAY - 1e-6 } else { start })
 }
 
-/// How long [s].
+/// Parses a duration [s].
 fn span(text: &str) -> Result<f64, String> {
     let (digits, unit) = text.split_at(
         text.trim_end_matches(|c: char| c.is_ascii_alphabetic())
@@ -258,16 +260,16 @@ fn span(text: &str) -> Result<f64, String> {
         "min" => 60.0,
         "s" => 1.0,
         _ => {
-            return Err("a length of time is a number with d, h, min or s, such as 30d".to_owned());
+            return Err("a duration is a number with d, h, min or s, such as 30d".to_owned());
         }
     };
     let number: f64 = digits
         .parse()
-        .map_err(|_| format!("{digits:?} is no number"))?;
+        .map_err(|_| format!("{digits:?} is not a number"))?;
     if number.is_finite() && number >= 0.0 {
         return Ok(number * unit);
     }
-    Err(format!("{number} is no length of time"))
+    Err(format!("{number} is not a valid duration"))
 }
 
 #[cfg(test)]

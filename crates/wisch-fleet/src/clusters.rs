@@ -1,4 +1,4 @@
-//! What the commands do that have to do with a cluster; without the feature, they say how to get it.
+//! Commands of a cluster; without the feature, they explain how to get it.
 
 #[cfg(feature = "cluster")]
 pub use with::{check, executor, scheduler, session};
@@ -14,12 +14,12 @@ mod with {
     use wisch_fleet::cluster::{self, Address, ExecutorOptions, SchedulerOptions};
     use wisch_fleet::store::FleetError;
 
-    /// Whether it can be a scheduler's address.
+    /// Checks that a URL can be a scheduler's address.
     pub fn check(url: &str) -> Result<(), FleetError> {
         Address::parse(url).map(|_| ())
     }
 
-    /// A session whose statements are answered there.
+    /// Opens a session whose statements the cluster answers.
     pub async fn session(
         sources: &[SqlSource],
         url: &str,
@@ -56,10 +56,10 @@ mod with {
         Ok(Outcome::Done)
     }
 
-    /// Says it at once, also to a pipe.
+    /// Prints a line at once, also to a pipe.
     fn say(text: &str) {
         let mut out = io::stdout();
-        // Nobody may listen.
+        // The pipe may be closed.
         let _ = writeln!(out, "{text}").and_then(|()| out.flush());
     }
 }
@@ -77,12 +77,12 @@ mod without {
         ))
     }
 
-    /// None can.
+    /// Fails, because this build has no clusters.
     pub fn check(_url: &str) -> Result<(), FleetError> {
         missing()
     }
 
-    /// None.
+    /// Fails, because this build has no clusters.
     pub async fn session(
         _sources: &[SqlSource],
         _url: &str,
@@ -91,12 +91,12 @@ mod without {
         missing()
     }
 
-    /// None.
+    /// Fails, because this build has no clusters.
     pub async fn scheduler(_args: &SchedulerArgs) -> Result<Outcome, FleetError> {
         missing()
     }
 
-    /// None.
+    /// Fails, because this build has no clusters.
     pub async fn executor(_args: &ExecutorArgs) -> Result<Outcome, FleetError> {
         missing()
     }

@@ -1,4 +1,4 @@
-//! What the commands do.
+//! Commands of the program.
 
 use crate::Outcome;
 use crate::args::{CompactArgs, ListArgs, PullArgs, PushArgs, RetainArgs, SqlArgs, VerifyArgs};
@@ -18,7 +18,7 @@ use wisch_memory::Memory;
 pub async fn sql(args: &SqlArgs) -> Result<Outcome, FleetError> {
     if args.fleet.is_empty() && args.memory.is_empty() {
         return Err(FleetError::Asked(
-            "nothing to ask: --fleet URL or --memory FOLDER says where episodes are".to_owned(),
+            "no source of episodes; give --fleet URL or --memory FOLDER".to_owned(),
         ));
     }
     if let Some(url) = &args.cluster {
@@ -50,12 +50,12 @@ pub async fn sql(args: &SqlArgs) -> Result<Outcome, FleetError> {
     for url in &args.fleet {
         sources.push(SqlSource::open(StorePlace::open(url)?).await?);
     }
-    // Kept until the end: rows of a memory that may not be written are in a folder of their own.
+    // Kept until the end: the rows of a read-only memory are in a temporary folder.
     let mut locals: Vec<Local> = Vec::new();
     for folder in &args.memory {
         let mut local = moves::local(&Memory::open(folder)?, part).await?;
         for why in &local.left_out {
-            eprintln!("{why}: left out; wisch memory verify says what is broken");
+            eprintln!("{why}: left out; see wisch memory verify");
         }
         sources.append(&mut local.sources);
         locals.push(local);
@@ -72,7 +72,7 @@ pub async fn sql(args: &SqlArgs) -> Result<Outcome, FleetError> {
     watch.remove_at_end(session.spill().to_path_buf());
     if session.shared() > 0 {
         let count = session.shared();
-        eprintln!("{count} episodes are in several of the sources; each counts once");
+        eprintln!("{count} episodes are in several sources; each counts once");
     }
     if at_prompt {
         return prompt(&session, &watch, &form).await;
@@ -87,7 +87,7 @@ pub async fn sql(args: &SqlArgs) -> Result<Outcome, FleetError> {
     Ok(Outcome::Done)
 }
 
-/// The statements of a text: `;` between them, but not in texts, names and remarks.
+/// Splits a text into statements at each `;` outside texts, names and comments.
 fn statements(text: &str) -> Vec<&str> {
     let mut found = Vec::new();
     let (mut begin, mut within) = (0, None);
@@ -226,7 +226,7 @@ pub async fn push(args: &PushArgs) -> Result<Outcome, FleetError> {
     bar.finish_and_clear();
     let pushed = pushed?;
     let said = format!(
-        "{}: {} episodes pushed ({}), {} were there already\n",
+        "{}: {} episodes pushed ({}), {} already present\n",
         place.url(),
         pushed.episodes,
         bytes(pushed.bytes),
@@ -255,7 +255,7 @@ pub async fn pull(args: &PullArgs) -> Result<Outcome, FleetError> {
     bar.finish_and_clear();
     let pulled = pulled?;
     let mut said = format!(
-        "{}: {} of {} episodes selected, {} pulled ({}), {} were there already\n",
+        "{}: {} of {} episodes selected, {} pulled ({}), {} already present\n",
         place.url(),
         pulled.ids.len(),
         pulled.of,
@@ -265,7 +265,7 @@ pub async fn pull(args: &PullArgs) -> Result<Outcome, FleetError> {
     );
     if pulled.thinned > 0 {
         said += &format!(
-            "{} of them without telemetry, which is not kept any more\n",
+            "{} of them without telemetry, which the fleet no longer keeps\n",
             pulled.thinned
         );
     }
@@ -274,7 +274,7 @@ pub async fn pull(args: &PullArgs) -> Result<Outcome, FleetError> {
     }
     if !pulled.left_out.is_empty() {
         let count = pulled.left_out.len();
-        said += &format!("{count} of them left out; wisch-fleet verify says what is broken\n");
+        said += &format!("{count} of them left out; see wisch-fleet verify\n");
     }
     print(&if args.json { json(&pulled) } else { said })?;
     Ok(match pulled.left_out.is_empty() {
@@ -299,12 +299,12 @@ pub async fn compact(args: &CompactArgs) -> Result<Outcome, FleetError> {
     print(&if args.json { json(&compacted) } else { said })
 }
 
-/// Takes old telemetry out.
+/// Removes old telemetry.
 pub async fn retain(args: &RetainArgs) -> Result<Outcome, FleetError> {
     let place = StorePlace::open(&args.url)?;
     let retained = moves::retain(&place, now() - args.keep_telemetry).await?;
     let said = format!(
-        "{}: telemetry before {} is not kept any more ({} files, {}); wisch-fleet compact deletes it\n",
+        "{}: telemetry before {} is now unused ({} files, {}); wisch-fleet compact deletes it\n",
         place.url(),
         retained.since,
         retained.files,
@@ -313,7 +313,7 @@ pub async fn retain(args: &RetainArgs) -> Result<Outcome, FleetError> {
     print(&if args.json { json(&retained) } else { said })
 }
 
-/// Looks for what is broken.
+/// Verifies a fleet.
 pub async fn verify(args: &VerifyArgs) -> Result<Outcome, FleetError> {
     let place = StorePlace::open(&args.url)?;
     let bar = bar("reading");
@@ -326,7 +326,7 @@ pub async fn verify(args: &VerifyArgs) -> Result<Outcome, FleetError> {
         .map(|fault| format!("{fault}\n"))
         .collect();
     let found = match verified.faults.len() {
-        0 => "all well".to_owned(),
+        0 => "no faults".to_owned(),
         count => format!("{count} faults"),
     };
     said += &format!(
@@ -360,13 +360,13 @@ fn bytes(count: u64) -> String {
 }
 
 fn json(value: &impl Serialize) -> String {
-    // Texts, finite numbers and lists of them always have a form in JSON.
+    // Texts, finite numbers and lists of them always serialise to JSON.
     serde_json::to_string(value).unwrap_or_default() + "\n"
 }
 
 fn print(text: &str) -> Result<Outcome, FleetError> {
     match io::stdout().write_all(text.as_bytes()) {
-        // Who reads has seen enough.
+        // The reader has closed the pipe.
         Err(error) if error.kind() == io::ErrorKind::BrokenPipe => Ok(Outcome::Done),
         Err(error) => Err(at("standard output")(error)),
         Ok(()) => Ok(Outcome::Done),

@@ -1,8 +1,8 @@
-//! SQL over the episodes of many robots, and the way of episodes between their memories and a shared store.
+//! SQL over the episodes of many robots, and transfer of episodes between their memories and a shared store.
 //!
-//! Rows of [`tables`] stand in Parquet files, in a [`store`] whose log says which of them count; [`moves`] brings episodes in and out
-//! and keeps the files in order; [`ask`] runs SQL over one or many such stores, where the feature `cluster` is on also on
-//! a scheduler and executors.
+//! Rows of [`tables`] are in Parquet files. A [`store`] holds the files, with a log that states which files are valid.
+//! [`moves`] copies episodes in and out and maintains the files. [`ask`] runs SQL over one or many stores; with the
+//! feature `cluster`, also on a scheduler and executors.
 
 pub mod ask;
 #[cfg(feature = "cluster")]

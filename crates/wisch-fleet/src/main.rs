@@ -12,26 +12,26 @@ use std::thread;
 use wisch_fleet::ask::STACK;
 use wisch_fleet::store::FleetError;
 
-/// How a command ended.
+/// Outcome of a command.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Outcome {
     Done,
-    /// It ran, but not as hoped.
+    /// The command ran, but found faults.
     NotAsHoped,
 }
 
 fn main() -> ExitCode {
     let cli = FleetCli::parse();
-    // Statements are trees, which DataFusion walks by recursion.
+    // Statements are trees that DataFusion traverses by recursion, so a large stack is needed.
     let worked = thread::scope(|scope| {
         let main = thread::Builder::new().stack_size(STACK);
         let working = main
             .spawn_scoped(scope, || begin(&cli.command))
             .map_err(system)?;
-        // A panic has said what it is.
+        // A panic has printed its message already.
         working
             .join()
-            .unwrap_or_else(|_| Err(system(io::Error::other("this was not expected"))))
+            .unwrap_or_else(|_| Err(system(io::Error::other("the program panicked"))))
     });
     match worked {
         Ok(Outcome::Done) => ExitCode::SUCCESS,

@@ -1,45 +1,45 @@
--- The questions about wiping that come up again and again. wisch-fleet has them as views; other engines over Parquet files take them too.
--- Means are taken of decimals: their sums do not depend on the order, so that an answer is the same from any number of threads and machines.
+-- Frequent questions about wiping. They are views of wisch-fleet; other engines over the same Parquet files can use them too.
+-- Means are computed of decimals: their sums do not depend on the order, so an answer is the same for any number of threads and machines.
 
--- Episodes whose performance was 80 % or less, as estimated in the end.
+-- Episodes with a final estimated performance of 80 % or less.
 CREATE VIEW low_performance AS
 SELECT robot, day, episode, task, tool, medium, surface, performance, performance_low, performance_high
 FROM episodes
 WHERE performance <= 0.8;
 
--- The same of rounds: also those that a later round made good.
+-- Rounds with an estimated performance of 80 % or less, even if a later round improved it.
 CREATE VIEW low_performance_rounds AS
 SELECT robot, day, episode, round, tool, medium, surface, performance
 FROM rounds
 WHERE performance <= 0.8;
 
--- How many times somebody ran into the robot, by tool and hour of the day (UTC).
+-- Number of collisions with a human, by tool and hour of the day (UTC).
 CREATE VIEW collisions_by_tool_and_hour AS
 SELECT tool, CAST(floor(start_s / 3600.0) AS BIGINT) % 24 AS hour, count(*) AS collisions
 FROM events
 WHERE class IN ('Collision', 'HumanCollision')
 GROUP BY tool, CAST(floor(start_s / 3600.0) AS BIGINT) % 24;
 
--- The peak force [N] of each collision, and when it was.
+-- Peak force [N] and time of each collision.
 CREATE VIEW peak_force_per_collision AS
 SELECT robot, day, episode, round, place, tool, start_s, end_s, peak_force_n
 FROM events
 WHERE class IN ('Collision', 'HumanCollision') AND peak_force_n IS NOT NULL;
 
--- Strokes that touched nothing: in contact for 1 % of their time at most.
+-- Strokes without contact: in contact for at most 1 % of their time.
 CREATE VIEW strokes_without_contact AS
 SELECT robot, day, episode, round, place, stroke, tool, surface, contact_share
 FROM strokes
 WHERE contact_share <= 0.01;
 
--- Each round whose true performance is known, and whether the estimate's interval held it.
+-- Each round with ground truth, and whether the interval of the estimate contains the true performance.
 CREATE VIEW estimates AS
 SELECT robot, day, episode, round, tool, medium, surface, performance, performance_low, performance_high, true_performance,
        true_performance BETWEEN performance_low AND performance_high AS held
 FROM rounds
 WHERE true_performance IS NOT NULL AND performance IS NOT NULL;
 
--- How well estimates hold, by tool and surface: rounds, share whose interval held the truth, mean error and mean width.
+-- Calibration of estimates by tool and surface: number of rounds, share whose interval contains the ground truth, mean error, mean width.
 CREATE VIEW calibration AS
 SELECT tool, surface, count(*) AS rounds, avg(CASE WHEN held THEN 1.0 ELSE 0.0 END) AS held_share,
        CAST(avg(CAST(performance - true_performance AS DECIMAL(38, 15))) AS DOUBLE) AS mean_error,
@@ -47,8 +47,8 @@ SELECT tool, surface, count(*) AS rounds, avg(CASE WHEN held THEN 1.0 ELSE 0.0 E
 FROM estimates
 GROUP BY tool, surface;
 
--- Surfaces on which the mean force of contact in first rounds [N] falls noticeably over at least five episodes: by how much per
--- episode, and where the fitted line begins and ends.
+-- Surfaces whose mean contact force in first rounds [N] decreases significantly over at least five episodes: decrease per
+-- episode, and both ends of the fitted line.
 CREATE VIEW contact_force_drift AS
 SELECT surface, episodes, slope_n, first_n, last_n
 FROM (
@@ -67,7 +67,7 @@ FROM (
 ) AS lines
 WHERE last_n < 0.95 * first_n;
 
--- Each collision with each stroke that it overlaps in time.
+-- Each pair of a collision and a stroke that overlap in time.
 CREATE VIEW collisions_in_strokes AS
 SELECT c.robot, c.day, c.episode, c.round, c.place AS collision, s.place AS stroke_place, s.stroke, c.tool, c.peak_force_n,
        s.mean_normal_force_n AS stroke_mean_normal_force_n,

@@ -123,7 +123,7 @@ async fn two_episodes_of_one_name_are_a_conflict() {
         panic!("{:?}", pulled.left_out)
     };
     assert!(
-        why.contains(&records[1].id) && why.contains("two episodes of one name"),
+        why.contains(&records[1].id) && why.contains("different episodes with the same name"),
         "{why}"
     );
 }

@@ -1,4 +1,4 @@
-% What differs between Prolog systems, for Scryer Prolog.
+% Predicates that differ between Prolog systems, for Scryer Prolog.
 
 :- use_module(library(between)).
 :- use_module(library(charsio)).
@@ -12,7 +12,7 @@ hear(Term) :- read_term(host, Term, []).
 
 parse_query(Chars, Goal, Names) :- read_term_from_chars(Chars, Goal, [variable_names(Names)]).
 
-% This system writes ... where a term contains itself; the program knows. Its acyclic_term/1 breaks strings.
+% This system writes ... for a cyclic term, which the program recognises. Its acyclic_term/1 fails on strings.
 finite(_).
 
 counter_set(N) :- bb_put(wisch_counter, N).
@@ -83,7 +83,7 @@ min_list(L, Min) :- list_min(L, Min).
 
 atomic_list_concat(Parts, Atom) :- texts(Parts, Texts), append(Texts, Chars), atom_chars(Atom, Chars).
 
-% Joined with a separator; or, where the parts are not known, split at it.
+% Joins parts with a separator; if the parts are unknown, splits at it.
 atomic_list_concat(Parts, Separator, Atom) :-
     ground(Parts),
     is_list(Parts),

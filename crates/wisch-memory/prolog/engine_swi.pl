@@ -1,4 +1,4 @@
-% What differs between Prolog systems, for SWI-Prolog.
+% Predicates that differ between Prolog systems, for SWI-Prolog.
 
 :- set_prolog_flag(double_quotes, chars).
 :- style_check(-singleton).
@@ -11,8 +11,8 @@ open_host :-
     set_stream(user_output, encoding(utf8)),
     catch(thread_create(end_with(user_input), _, [detached(true)]), _, true).
 
-% end_with(+Stream): ends this process when the stream does, whatever query it is at: the program is gone then. Nothing
-% is read, and the stream is not held while it waits.
+% end_with(+Stream): ends this process when the stream closes, even during a query: the program is gone then. It reads
+% nothing, and does not lock the stream while it waits.
 end_with(Name) :-
     stream_property(Stream, alias(Name)),
     repeat,
@@ -25,7 +25,7 @@ end_with(Name) :-
     current_prolog_flag(pid, Itself),
     process_kill(Itself, kill).
 
-% The rest of the line would look to the other thread like something that nobody reads.
+% The other thread would take the rest of the line for unread input.
 hear(Term) :- read_term(host, Term, []), skip(host, '\n').
 
 parse_query(Chars, Goal, Names) :-
@@ -35,13 +35,13 @@ parse_query(Chars, Goal, Names) :-
 
 read_query(Stream, Goal, Names) :-
     read_term(Stream, Goal, [variable_names(Names)]),
-    % Only this system knows dictionaries.
+    % Only this system has dictionaries.
     ( sub_term(Part, Goal), is_dict(Part) -> throw(error(syntax_error(dictionary), none)) ; true ),
     ( Goal == end_of_file -> throw(error(syntax_error(end_of_file), none)) ; true ),
     read_term(Stream, Rest, []),
     ( Rest == end_of_file -> true ; throw(error(syntax_error(end_of_clause_expected), none)) ).
 
-% finite(+Term): it can be written down.
+% finite(+Term): the term is acyclic, so that it can be written.
 finite(Term) :- ( acyclic_term(Term) -> true ; throw(cyclic) ).
 
 counter_set(N) :- nb_setval(wisch_counter, N).

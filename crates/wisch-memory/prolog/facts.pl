@@ -1,15 +1,15 @@
-% What the memory holds, fetched by need. The facts are
+% Facts of the memory, fetched on demand. They are
 %
-%     i(Individual, Class, Start, End, Parent, Episode)    none where there is no such thing
-%     c(Class, Individuals)                                of exactly this class, some hundred in a list
+%     i(Individual, Class, Start, End, Parent, Episode)    none for a missing field
+%     c(Class, Individuals)                                of exactly this class, several hundred in a list
 %     k(Parent, Part)
 %     v(Individual, Property, Value)
-%     f(Request, Individuals)                              what a filter found, some hundred in a list
+%     f(Request, Individuals)                              results of a filter, several hundred in a list
 %     r(Individual, Property, Object)
 %
 % with names as 'semco:Collision_20261122-005612-3f2a-17'.
 
-% known(+Kind, +Term, -Name): the name behind prefix:'Local', 'Local' or an IRI; Kind is class, property or thing.
+% known(+Kind, +Term, -Name): the full name of prefix:'Local', 'Local' or an IRI; Kind is class, property or thing.
 known(Kind, Term, Name) :-
     ground(Term),
     !,
@@ -25,11 +25,12 @@ what_kind(class, 'the class').
 what_kind(property, 'the property').
 what_kind(thing, 'the thing that this is about').
 
-% thing(?Term, -Name): as known/3, and a variable stays one.
+% thing(?Term, -Name): like known/3; a variable stays unbound.
 thing(Term, Name) :- var(Term), !, Name = Term.
 thing(Term, Name) :- known(thing, Term, Name).
 
-% in_closure(+Kind, +Name, -Other): of subclasses, superclasses, subproperties or superproperties, Name among them.
+% in_closure(+Kind, +Name, -Other): Other is in the closure of subclasses, superclasses, subproperties or
+% superproperties, which includes Name.
 in_closure(Kind, Name, Other) :-
     ( closure(Kind, Name, Others) -> true
     ; Request =.. [Kind, Name],
@@ -57,7 +58,7 @@ individual(I, Class, Start, End, Parent, Episode) :-
 individual(I, Class, Start, End, Parent, Episode) :-
     stream(individuals, i(I, Class, Start, End, Parent, Episode)).
 
-% member_of(+Class, -I): of exactly this class.
+% member_of(+Class, -I): instances of exactly this class.
 member_of(Class, I) :- nonvar(I), !, individual(I, Class, _, _, _, _).
 member_of(Class, I) :-
     Request = members(Class),
@@ -74,7 +75,7 @@ part(Parent, Part) :- nonvar(Part), !, thing(Parent, Whole), individual(Part, _,
 part(Parent, Part) :- nonvar(Parent), !, known(thing, Parent, Whole), ensure(parts(Whole)), k(Whole, Part).
 part(Parent, Part) :- stream(individuals, i(Part, _, _, _, Parent, _)), Parent \== none.
 
-% value(?I, ?Property, ?Value), of exactly this property
+% value(?I, ?Property, ?Value): values of exactly this property.
 value(I, Property, Value) :-
     nonvar(I),
     !,
@@ -93,7 +94,7 @@ ensure_value(I, Property) :- v(I, Property, _), !.
 ensure_value(I, _) :- loaded(statements(I)), !.
 ensure_value(I, Property) :- fetch(values_of(I, Property)).
 
-% relation(?I, ?Property, ?Object), of exactly this property
+% relation(?I, ?Property, ?Object): relations of exactly this property.
 relation(I, Property, Object) :-
     nonvar(I),
     !,
@@ -109,7 +110,7 @@ relation(I, Property, Object) :-
 relation(I, Property, Object) :- nonvar(Property), !, stream(relations(Property), r(I, Property, Object)).
 relation(I, Property, Object) :- stream(relations, r(I, Property, Object)).
 
-% filtered(+Property, +Operator, +Number, -I): the program compares. What is not too much is kept.
+% filtered(+Property, +Operator, +Number, -I): the program compares. Small results are kept.
 filtered(Property, Operator, Number, I) :-
     Request = filter(Property, Operator, Number),
     ( loaded(Request) -> true

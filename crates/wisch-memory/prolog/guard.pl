@@ -1,10 +1,10 @@
-% What a query may call: the predicates listed here, and nothing else.
+% Predicates that a query may call: those listed here, and no others.
 
-% guarded(+Goal, -Guarded): the same goal, with a check before every goal that is not known yet.
+% guarded(+Goal, -Guarded): the same goal, with a check before every goal that is not yet known.
 guarded(Goal, Guarded) :- guarded(Goal, after([], []), Guarded).
 
-% guarded(+Goal, +After, -Guarded): After holds the goals that follow, and the names of variables. A goal of which the
-% answers would be others with a variable that only a later goal binds is an error that names the variable.
+% guarded(+Goal, +After, -Guarded): After holds the goals that follow, and the names of variables. If a later goal binds
+% a variable on which the answers of Goal depend, this is an error that names the variable.
 guarded(Goal, _, Guarded) :- var(Goal), !, Guarded = run(Goal).
 guarded((A, B), F, (A1, B1)) :- !, followed_by(B, F, F1), guarded(A, F1, A1), guarded(B, F, B1).
 guarded((A ; B), F, (A1 ; B1)) :- !, guarded(A, F, A1), guarded(B, F, B1).
@@ -40,10 +40,10 @@ guarded_arguments([Kind|Kinds], [A|As], F, [B|Bs]) :-
 
 guarded_argument(value, A, _, A).
 guarded_argument(goal, A, F, B) :- guarded(A, F, A1), with_joins(A, A1, B).
-% What is said of times is looked into before it is called.
+% Statements limited in time are checked before the call.
 guarded_argument(statement, A, F, B) :- guarded(A, F, B).
 guarded_argument(solutions, A, F, B) :- guarded_solutions(A, F, B).
-% Closures are checked when they are called: their arguments are known only then.
+% Closures are checked when they are called, because their arguments are known only then.
 guarded_argument(closure, A, _, run(A)).
 
 guarded_solutions(A, _, B) :- var(A), !, B = run(A).
@@ -52,7 +52,7 @@ guarded_solutions(A, F, B) :- guarded(A, F, B).
 
 followed_by(Goal, after(Goals, Names), after([Goal|Goals], Names)).
 
-% depends(+Goal, -Of, -Own): the answers of these are others where variables of Of are bound, but for variables of Own.
+% depends(+Goal, -Of, -Own): the answers depend on whether variables of Of are bound, except variables of Own.
 depends(not(A), A, none).
 depends(forall(A, B), A-B, none).
 depends(findall(T, A, _), A, T).
@@ -72,8 +72,8 @@ depends(callable(A), A, none).
 depends(ground(A), A, none).
 depends(is_list(A), A, none).
 
-% bound_before(+Goal, +Of, +Own, +After, +Guarded0, -Guarded): variables of Of that later goals have as well are bound when
-% Goal is called, or that is an error.
+% bound_before(+Goal, +Of, +Own, +After, +Guarded0, -Guarded): checks at the call that every variable of Of which occurs
+% in later goals is bound; otherwise it is an error.
 bound_before(Goal, Of, Own, after(Goals, Names), Guarded0, Guarded) :-
     ( Names = [_|_], Goals = [_|_], shared_names(Names, Of, Own, Goals, [Shared|More]) ->
         functor(Goal, Name, _),
@@ -98,7 +98,7 @@ is_among(V, [W|Ws]) :- ( V == W -> true ; is_among(V, Ws) ).
 bound_first([], _).
 bound_first([Name=V|Rest], Of) :- ( var(V) -> throw(error(instantiation_error, unbound(Name, Of))) ; bound_first(Rest, Of) ).
 
-% same(?A, ?B): they unify, are the same number, or are names of the same thing.
+% same(?A, ?B): both unify, are the same number, or are names of the same thing.
 same(A, B) :- A = B, !.
 same(A, B) :- number(A), number(B), !, A =:= B.
 same(A, B) :- may_name(A), may_name(B), ( has_prefix(A) -> true ; has_prefix(B) ), thing_named(A, Name), thing_named(B, Name).
@@ -166,7 +166,7 @@ meta(until, 2, [statement, value]).
 listed(Name, Arity) :- builtin(Name, Arity).
 listed(Name, Arity) :- predicate(Name, Arity, _).
 
-% What is printed is told to the program: standard output is the conversation with it.
+% Printed text is sent to the program, because standard output carries the protocol.
 printing(format(F), F, []).
 printing(format(F, As), F, As).
 printing(write(T), '~w', [T]).
@@ -283,8 +283,8 @@ builtin(min_list, 2).
 builtin(sort, 2).
 builtin(keysort, 2).
 
-% aggregate_all(+Spec, :Goal, -Result): count, sum(E), max(E), min(E), bag(E) or set(E); of max and min with a
-% witness, as max(E, W), the result is max(E, W).
+% aggregate_all(+Spec, :Goal, -Result): count, sum(E), max(E), min(E), bag(E) or set(E). For max and min with a witness,
+% such as max(E, W), the result is max(E, W).
 aggregate_all(Spec, Goal, Result) :- var(Spec), !, throw(error(instantiation_error, aggregate_all(Spec, Goal, Result))).
 aggregate_all(count, Goal, Count) :- !, findall(x, Goal, L), length(L, Count).
 aggregate_all(bag(E), Goal, L) :- !, findall(E, Goal, L).

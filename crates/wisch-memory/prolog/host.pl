@@ -1,9 +1,9 @@
-% The conversation with the program: it sends queries, and the facts that they need.
+% Protocol with the program, which sends queries and the facts that they need.
 %
-% Terms go both ways, one a line. The program says ask(Query, Limit), where Query is a string; this says
-% names(Names), then rows([row(values(Value, ...), ...), ...]) with the answers, and ends with done(all), done(limit) or error(Error). On the
-% way it may say need(Request), which the program answers with rows(Facts), chunk(Cursor, Rows) or
-% fault(Error), and view(Command), which it does not answer.
+% Both sides send terms, one per line. The program sends ask(Query, Limit), where Query is a string. This side replies
+% with names(Names), then rows([row(values(Value, ...), ...), ...]) with the answers, and ends with done(all),
+% done(limit) or error(Error). In between it may send need(Request), which the program answers with rows(Facts),
+% chunk(Cursor, Rows) or fault(Error), and view(Command), which has no reply.
 
 :- dynamic(i/6).
 :- dynamic(k/2).
@@ -31,7 +31,7 @@ obey(ask(Query, Limit)) :-
     say(End),
     flush_output.
 
-% Engines say where an error happened in ways of their own.
+% Engines state the place of an error in different ways.
 plain(Error, cyclic) :- catch(( finite(Error), fail ), cyclic, true), !.
 plain(error(instantiation_error, Context), Context) :- nonvar(Context), names_unbound(Context), !.
 plain(error(Formal, _), error(Formal, none)) :- !.
@@ -58,8 +58,8 @@ gone_through(Goal, Guarded, Values, Limit, End) :-
     counter_get(Count),
     ( Count >= Limit -> End = done(limit) ; End = done(all) ).
 
-% full_names(+Term, -Full): what is written with a prefix, and individuals of episodes, stand under their full names, so that
-% they unify with what is found. What is not known stays: whoever needs it says what is wrong.
+% full_names(+Term, -Full): names with a prefix, and individuals of episodes, are replaced by their full names, so that
+% they unify with facts. Unknown names stay; the goal that needs them reports the error.
 full_names(Term, Full) :- var(Term), !, Full = Term.
 full_names((A, B), (A1, B1)) :- !, full_names(A, A1), full_names(B, B1).
 full_names(true, true) :- !.
@@ -74,7 +74,7 @@ full_names_of([A|As], [B|Bs]) :- full_names(A, B), full_names_of(As, Bs).
 % Class_episode-place
 is_individual_like(Atom) :- once(( sub_atom(Atom, B, 1, _, '_'), sub_atom(Atom, A, 1, _, -), A > B )).
 
-% groups(+Values, -Groups): values in terms of not too many arguments, of which systems take only so many.
+% groups(+Values, -Groups): values in terms with few arguments, because systems limit the number of arguments.
 groups([], []) :- !.
 groups(Values, [Group|Groups]) :-
     first(200, Values, Some, Rest),
@@ -89,8 +89,8 @@ at_most(Limit, Goal, Row) :-
     counter_set(Count),
     ( Count >= Limit -> ! ; true ).
 
-% A goal is compiled before it is called, which may take more than twice as long for twice as many goals: long
-% conjunctions are called in pieces. A cut belongs to all of them together.
+% A goal is compiled before it is called, in a time that grows faster than its length. Long conjunctions are therefore
+% called in pieces. A cut applies to the whole conjunction.
 in_pieces(Goal) :- has_cut(Goal), !, call(Goal).
 in_pieces(Goal) :- pieces(Goal).
 
@@ -106,7 +106,7 @@ has_cut((A, B)) :- ( has_cut(A) -> true ; has_cut(B) ).
 has_cut((A ; B)) :- ( has_cut(A) -> true ; has_cut(B) ).
 has_cut((A -> B)) :- ( has_cut(A) -> true ; has_cut(B) ).
 
-% Writing costs by the term: many rows go into one.
+% Each term costs time to write, so many rows go into one term.
 say_rows([]) :- !.
 say_rows(Rows) :-
     first(256, Rows, Some, Rest),
@@ -134,7 +134,7 @@ say(Term) :-
     put_char('.'),
     nl.
 
-% need(+Request, -Rows): what the program knows of it.
+% need(+Request, -Rows): the program's reply to a request.
 need(Request, Rows) :-
     converse(need(Request), Reply),
     whole(Reply, Rows).
@@ -155,7 +155,7 @@ reply(rows(Rows), Rows).
 reply(fault(Error), _) :- throw(Error).
 reply(end_of_file, _) :- halt.
 
-% stream(+Request, -Row): its rows one after the other, fetched as they are asked for.
+% stream(+Request, -Row): the rows of a request one by one, fetched as they are needed.
 stream(Request, Row) :-
     converse(need(Request), Reply),
     chunk(Reply, Row).
@@ -168,13 +168,13 @@ chunk(chunk(Cursor, Rows), Row) :-
       chunk(Reply, Row)
     ).
 
-% ensure(+Request): its facts are here.
+% ensure(+Request): fetches the facts of a request unless they are here.
 ensure(Request) :- loaded(Request), !.
 ensure(Request) :-
     fetch(Request),
     ( loaded(Request) -> true ; assertz(loaded(Request)) ).
 
-% fetch(+Request): its facts come over, a chunk at a time.
+% fetch(+Request): fetches the facts of a request, chunk by chunk.
 fetch(Request) :- converse(need(Request), Reply), take(Reply).
 
 take(rows(Facts)) :- !, store(Facts).

@@ -1,4 +1,4 @@
-% Time: when things were, and how intervals lie to each other. Times are seconds since 1970.
+% Times of events, and relations between intervals. Times are seconds since 1970.
 
 event_interval(Event, Start, End) :- thing(Event, E), timed(E, Start, End).
 
@@ -6,7 +6,7 @@ timed(E, Start, End) :- nonvar(E), !, individual(E, _, S, T, _, _), S \== none, 
 timed(E, Start, End) :- nonvar(Start), nonvar(End), !, number(Start), number(End), stream(at(Start, End), E).
 timed(E, Start, End) :- stream(individuals, i(E, _, S, T, _, _)), S \== none, same_time(Start, S), same_time(End, T).
 
-% A time that is asked for need not be written as it is stored: 1 is 1.0.
+% A time in a query need not have the stored form: 1 equals 1.0.
 same_time(Time, T) :- ( number(Time) -> Time =:= T ; Time = T ).
 
 % occurs(?Event, [?Start, ?End])
@@ -15,7 +15,7 @@ occurs(Event) :- event_interval(Event, _, _).
 
 has_time_interval(Event, [Start, End]) :- event_interval(Event, Start, End).
 
-% The relations of Allen. Either side is an event, or [Start, End]; where one is not known, the program finds it.
+% Allen's relations (1983). Either side is an event, or [Start, End]; if one side is unknown, the program finds it.
 interval_before(A, B) :- related(before, A, B).
 interval_after(A, B) :- related(after, A, B).
 interval_meets(A, B) :- related(meets, A, B).
@@ -29,7 +29,7 @@ interval_finished_by(A, B) :- related(finished_by, A, B).
 interval_during(A, B) :- related(during, A, B).
 interval_contains(A, B) :- related(contains, A, B).
 interval_equals(A, B) :- related(equals, A, B).
-% They have a time in common: in KnowRob's words, they are not disjoint.
+% Both have a time in common: in KnowRob's words, they are not disjoint.
 interval_intersects(A, B) :- related(intersects, A, B).
 
 related(Relation, A, B) :-
@@ -49,7 +49,7 @@ side(X, at(S, E)) :- thing(X, Name), timed(Name, S, E).
 
 not_same(A, B) :- ( A == B -> fail ; true ).
 
-% found(+Relation, +S, +E, -B): [S, E] stands in this relation to B.
+% found(+Relation, +S, +E, -B): [S, E] has this relation to B.
 found(Relation, S, E, B) :- inverse(Relation, Inverse), stream(relation(Inverse, S, E), j(B, _, _)).
 
 inverse(before, after).

@@ -1,4 +1,4 @@
-% The predicates that people who ask robots' memories know, in both dialects.
+% Predicates that users of robot memories know, in the dialects of KnowRob and openEASE.
 
 :- op(800, yfx, during).
 :- op(800, yfx, since).
@@ -66,7 +66,7 @@ holds(Statement) :- nonvar(Statement), Statement =.. [P, S, O], triple(S, P, O).
 property(P, _) :- var(P), !, unknown_yet('the property').
 property(P, Name) :- known(property, P, Name).
 
-% An object may be a value as well as a thing.
+% An object may be a value or a thing.
 object(O, O) :- var(O), !.
 object(O, O) :- number(O), !.
 object(O, Name) :- catch(known(thing, O, Name), unknown(_, _, _), Name = O).
@@ -83,11 +83,11 @@ exactly(S, 'dul:hasConstituent', O) :- !, part(S, O).
 exactly(S, Exact, O) :- ( var(O) -> true ; atom(O), sub_atom(O, _, 1, _, ':') ), relation(S, Exact, O).
 exactly(S, Exact, O) :- ( var(O) -> true ; number(O) -> true ; atom(O) ), same_value(S, Exact, O).
 
-% A number that is asked for need not be written as it is stored: 1 finds 1.0.
+% A number in a query need not have the stored form: 1 matches 1.0.
 same_value(S, Exact, O) :- number(O), !, value(S, Exact, V), number(V), V =:= O.
 same_value(S, Exact, O) :- value(S, Exact, O).
 
-% entailed(?S, -P, ?O): what is stated with any property, and what follows from the properties above it.
+% entailed(?S, -P, ?O): statements with any property, and those that follow for the properties above it.
 entailed(S, 'rdf:type', C) :- ( var(C) -> true ; is_class(C) ), instance_of(S, C).
 entailed(S, P, O) :- statement(S, Exact, O), in_closure(superproperties, Exact, P).
 entailed(S, P, O) :- linked(O, Exact, S), in_closure(superproperties, Exact, Above), inverse_of(P, Above).
@@ -95,7 +95,7 @@ entailed(S, P, O) :- linked(O, Exact, S), in_closure(superproperties, Exact, Abo
 statement(S, P, O) :- linked(S, P, O).
 statement(S, P, O) :- ( var(S) -> true ; is_name(S) ), value(S, P, V), ( number(O) -> number(V), V =:= O ; O = V ).
 
-% linked(?S, -P, ?O): both are things. Values are subjects of nothing, and no relation leads to them.
+% linked(?S, -P, ?O): both are things. Values are never subjects, and no relation leads to them.
 linked(S, P, O) :- ( var(S) -> true ; is_name(S) ), ( var(O) -> true ; is_name(O) ), linked_things(S, P, O).
 
 linked_things(S, 'dul:hasConstituent', O) :- part(S, O).
@@ -123,7 +123,7 @@ reach_back(Name, [O|Rest], Seen, S) :-
     append(Rest, Xs, Next),
     ( member(S, Xs) ; reach_back(Name, Next, Seen1, S) ).
 
-% has_data_value(?I, +Condition): as performance =< 0.8, or performance(V), or hasForceValue = F.
+% has_data_value(?I, +Condition): conditions such as performance =< 0.8, performance(V), or hasForceValue = F.
 has_data_value(I, Condition) :-
     nonvar(Condition),
     condition(Condition, Property, Operator, Bound),
@@ -169,8 +169,8 @@ action_status(Action, Status) :- triple(Action, soma:hasExecutionState, Status).
 action_succeeded(Action) :- triple(Action, soma:hasExecutionState, soma:'ExecutionState_Succeeded').
 action_failed(Action) :- triple(Action, soma:hasExecutionState, soma:'ExecutionState_Failed').
 
-% tell(+Statement): keeps it in this memory when the query has ended well, as holds(S, P, O) or a list of these.
-tell(Statement) :- \+ ground(Statement), !, unknown_yet('every part of a statement that is told').
+% tell(+Statement): stores a statement holds(S, P, O), or a list of statements, if the whole query succeeds.
+tell(Statement) :- \+ ground(Statement), !, unknown_yet('every part of the statement of tell').
 tell([]) :- !.
 tell([S|Ss]) :- !, tell(S), tell(Ss).
 tell(holds(S, P, O)) :- !, known(thing, S, S1), known(property, P, P1), tellable(P1), object(O, O1), told(S1, P1, O1).
@@ -178,14 +178,14 @@ tell(triple(S, P, O)) :- !, tell(holds(S, P, O)).
 tell(has_type(_, _)) :- throw(untold('rdf:type')).
 tell(Statement) :- throw(error(domain_error(statement, Statement), tell)).
 
-% These are answered from what episodes are, not from what is said of them.
+% The episodes fix these properties, so statements cannot change them.
 tellable(P) :- ( member(P, ['rdf:type', 'rdfs:subClassOf', 'dul:hasConstituent', 'dul:isConstituentOf']) -> throw(untold(P)) ; true ).
 
 told(S, P, O) :-
     ( exactly(S, P, O) -> true
     ; need(tell(S, P, O), Facts),
       store(Facts),
-      % What was found before does not know of it.
+      % Earlier results of the query do not include it.
       retractall(loaded(filter(P, _, _))),
       retractall(f(filter(P, _, _), _))
     ).

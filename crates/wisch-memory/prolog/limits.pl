@@ -1,15 +1,16 @@
-% Statements limited in time: during, since and until. A statement lasts as long as the event that it is about; one that is
-% about no event is an error. Times are seconds since 1970.
+% Statements limited in time: during, since and until. A statement lasts as long as the event that it is about. A limit
+% on a statement without an event is an error. Times are seconds since 1970.
 
-% during(:Statement, ?[Start, End]): the event of the statement lies within these times. Where they are not known and the
-% statement stands alone, they are the event's own.
+% during(:Statement, ?[Start, End]): the event of the statement lies within these times. If they are unbound and the
+% statement stands alone, they become the event's own times.
 during(Statement, Interval) :- limited(Statement, [during(Interval)]).
 
-% since(:Statement, ?Time), until(:Statement, ?Time): the event begins then or later; it ends then or earlier.
+% since(:Statement, ?Time), until(:Statement, ?Time): the event begins at Time or later; it ends at Time or earlier.
 since(Statement, Time) :- limited(Statement, [since(Time)]).
 until(Statement, Time) :- limited(Statement, [until(Time)]).
 
-% limited(:Statement, +Limits): the statement holds, and each of its events keeps all limits. Statements are guarded already.
+% limited(:Statement, +Limits): the statement holds, and each of its events meets all limits. Statements are guarded
+% already.
 limited(Statement, _) :- var(Statement), !, unknown_yet('the statement that is limited in time').
 limited(run(Goal), Ls) :- !,
     ( var(Goal) -> unknown_yet('the statement that is limited in time') ; guarded(Goal, Guarded), limited(Guarded, Ls) ).
@@ -31,10 +32,10 @@ limited(kb_call(A), Ls) :- !, limited(A, Ls).
 limited(ask(A), Ls) :- !, limited(A, Ls).
 limited(findall(T, A, L), Ls) :- !, known_limits(Ls), findall(T, limited(A, Ls), L).
 limited(aggregate_all(K, A, R), Ls) :- !, known_limits(Ls), aggregate_all(K, limited(A, Ls), R).
-% A pose is so from the first to the last time, or at the one time.
+% A pose holds from the first to the last time, or at a single time.
 limited(tf(O, Pose), Ls) :- !, limited(is_at(O, Pose), Ls).
 limited(is_at(O, Pose), [Limit]) :- !, known_limits([Limit]), pose_limited(Limit, O, Pose).
-% Of what is the most over all, the most within the limits.
+% The maximum is taken within the limits, not over all answers.
 limited(hardest_collision(C, F), Ls) :- !,
     known_limits(Ls),
     aggregate_all(max(F0, C0), limited(peak_force_per_collision(C0, F0), Ls), max(F1, C1)),
@@ -76,7 +77,7 @@ pose_limited(until(Time), O, Pose) :- is_at_time(O, Time, Pose).
 
 near([F, [X1, Y1, Z1], _], [F, [X2, Y2, Z2], _]) :- (X1-X2)*(X1-X2) + (Y1-Y2)*(Y1-Y2) + (Z1-Z2)*(Z1-Z2) =< 1.0e-6.
 
-% A part of a conjunction: what is no statement, as a comparison, holds at any time.
+% Part of a conjunction: a goal that is not a statement, such as a comparison, holds at any time.
 limited_part(Goal, Ls) :- ( callable(Goal), timeless(Goal) -> call(Goal) ; limited(Goal, Ls) ).
 
 timeless(Goal) :- functor(Goal, Name, Arity), ( builtin(Name, Arity) -> true ; of_guard(Name, Arity) ), !.
@@ -93,7 +94,7 @@ of_guard(formatted, 3).
 known_limits([]).
 known_limits([Limit|Ls]) :- ( is_known(Limit) -> true ; not_known(Limit) ), known_limits(Ls).
 
-% checked_limits(+Limits): the same, but of one limit alone all times may be open.
+% checked_limits(+Limits): the same, but the times of a single limit may be unbound.
 checked_limits([Limit]) :- is_open(Limit), !.
 checked_limits(Ls) :- known_limits(Ls).
 
@@ -110,7 +111,7 @@ not_known(during(I)) :- throw(error(domain_error(interval, I), during)).
 not_known(since(T)) :- given(T, 'the time of since').
 not_known(until(T)) :- given(T, 'the time of until').
 
-% given(+Number, +What): it is a number, or an error says what is missing.
+% given(+Number, +What): checks that a number is bound; otherwise the error names What.
 given(Number, _) :- number(Number), !.
 given(Number, What) :- var(Number), !, unknown_yet(What).
 given(Number, What) :- throw(error(type_error(number, Number), What)).
@@ -124,13 +125,13 @@ keeps(during(I), S, E) :- ( is_known(during(I)) -> I = [From, To], S >= From, E 
 keeps(since(T), S, _) :- ( number(T) -> S >= T ; T = S ).
 keeps(until(T), _, E) :- ( number(T) -> E =< T ; T = E ).
 
-% window(+Limits, +From0, +To0, -From, -To): the times that keep all limits.
+% window(+Limits, +From0, +To0, -From, -To): the interval that meets all limits.
 window([], From, To, From, To).
 window([during([S, E])|Ls], F0, T0, From, To) :- F1 is max(F0, S), T1 is min(T0, E), window(Ls, F1, T1, From, To).
 window([since(T)|Ls], F0, T0, From, To) :- F1 is max(F0, T), window(Ls, F1, T0, From, To).
 window([until(T)|Ls], F0, T0, From, To) :- T1 is min(T0, T), window(Ls, F0, T1, From, To).
 
-% How long statements last ---------------------------------------------------------------------------------
+% Duration of statements ---------------------------------------------------------------------------------------
 
 % lasts(+Of, -Start, -End)
 lasts(event(X), S, E) :- ( time_of(X, S0, E0) -> S = S0, E = E0 ; thing(X, Name), throw(untimed(Name)) ).
@@ -150,7 +151,7 @@ lasts(span(S, E), S, E).
 time_of([S, E], S, E) :- !, number(S), number(E).
 time_of(X, S, E) :- thing(X, Name), individual(Name, _, S, E, _, _), S \== none.
 
-% has_time(?Statement, -Of): what a statement is about, of those that are about an event.
+% has_time(?Statement, -Of): the subject of a statement, for statements about events.
 has_time(instance_of(I, _), event(I)).
 has_time(has_type(I, _), event(I)).
 has_time(owl_individual_of(I, _), event(I)).

@@ -1,15 +1,15 @@
-% Joins: goals that ask for facts alone are solved by the program, all of them together, in place of a conversation
-% about each. Which goals these are is said here; predicates that stand for a conjunction of them are replaced by it:
-% defined(Head, Body) holds of each predicate of one clause, put together from their texts by the program.
+% Joins: the program solves goals that only look facts up, all at once, instead of exchanging messages about each. This
+% file selects these goals. Predicates that are defined by a single conjunction are replaced by it: the program
+% generates defined(Head, Body) from their texts.
 
-% solved(+Goal, +Values, -End): the program has solved all of a query, and has the values of its answers.
+% solved(+Goal, +Values, -End): the program has solved a whole query, and has the values of its answers.
 solved(Goal, Values, End) :-
     planned(Goal, Goals),
     converse(solve(Goals, Values), Reply),
     Reply = solved(How),
     End = done(How).
 
-% with_joins(+Goal, +Guarded, -Joining): what stands first in a conjunction is joined, as far as it can be.
+% with_joins(+Goal, +Guarded, -Joining): joins the longest possible front part of a conjunction.
 with_joins(Goal, Guarded, Joining) :-
     ( leading(64, Goal, Guarded, Some, SomeGuarded, Rest) ->
         Joined = joined(Some, SomeGuarded),
@@ -28,10 +28,10 @@ leading(N, (A, B), (A1, B1), Some, SomeGuarded, Rest) :- !,
     ).
 leading(_, A, A1, A, A1, true) :- may_join(A, A1).
 
-% A goal that waits for a variable of a later one is left to the engine, which says so.
+% A goal that needs a variable of a later goal is left to the engine, which reports it.
 may_join(Goal, Guarded) :- Guarded \= (bound_first(_, _), _), \+ \+ planned(Goal, _).
 
-% joined(+Goal, +Guarded): Goal, by the program where that is worth a conversation, or else as it is guarded.
+% joined(+Goal, +Guarded): solves Goal by the program if that pays for the messages, otherwise as Guarded.
 joined(Goal, Guarded) :-
     ( worth_joining(Goal, Goals) ->
         term_variables(Goals-Goal, Variables),
@@ -40,7 +40,7 @@ joined(Goal, Guarded) :-
     ; call(Guarded)
     ).
 
-% What is known of a thing already costs less to look at than to ask for; one goal alone is a stream of its own.
+% Known facts about a thing are cheaper to read than to request; a single goal is a stream of its own.
 worth_joining(Goal, Goals) :-
     planned(Goal, Goals),
     Goals = [First|Rest],
@@ -50,7 +50,7 @@ over_all(findall(_, _, _)).
 over_all(aggregate_all(_, _, _)).
 over_all(mean_by(_, _, _, _, _, _)).
 
-% planned(+Goal, -Goals): the same as a list of goals that the program knows.
+% planned(+Goal, -Goals): the same as a list of goals that the program supports.
 planned(Goal, Goals) :- planned(Goal, 8, Goals, []), in_number(64, Goals).
 
 in_number(_, []).
@@ -109,7 +109,7 @@ joined_goal(_ > _).
 joined_goal(_ =:= _).
 joined_goal(_ =\= _).
 
-% mean_by(+Key, +Number, +Goal, -Of, -Mean, -Count): as the program finds it, where it does not.
+% mean_by(+Key, +Number, +Goal, -Of, -Mean, -Count): computed like the program does, where the program does not.
 mean_by(Key, Number, Goal, Of, Mean, Count) :-
     findall(Key-Number, Goal, All),
     mean_by_key(All, Of, Mean, Count).

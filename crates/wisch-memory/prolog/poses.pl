@@ -1,9 +1,9 @@
-% Where things were: poses are [Frame, [X, Y, Z], [Qx, Qy, Qz, Qw]], computed from the joints that are stored. What is
-% asked of a time is answered by episode: runs at once overlap.
+% Poses of things: [Frame, [X, Y, Z], [Qx, Qy, Qz, Qw]], computed from stored joints. Requests at a time are answered by
+% episode, because simultaneous runs overlap.
 
 is_at_time(O, Time, Pose) :- given(Time, 'the time of a pose'), known(thing, O, Name), need(pose(Name, Time), Found), member(_-Pose, Found).
 
-% Without a time, the last that is known.
+% Without a time, the last known pose.
 is_at(O, Pose) :- known(thing, O, Name), need(last_pose(Name), [Found]), Pose = Found.
 
 mng_lookup_position(O, Frame, Time, [P, Q]) :- is_at_time(O, Time, [Frame, P, Q]).
@@ -22,8 +22,8 @@ object_trajectory_in(Episode, O, When, Sampling, Trajectory) :-
 
 tf_mng_trajectory(O, S, E, Trajectory) :- object_trajectory(O, [S, E], dt(0.1), Trajectory).
 
-% telemetry(+Channel, +When, +Statistic, -Value): of force, vertical_force, speed, a joint or a column of the telemetry;
-% the statistic is max, min, mean or rms.
+% telemetry(+Channel, +When, +Statistic, -Value): Channel is force, vertical_force, speed, a joint or a column of the
+% telemetry; Statistic is max, min, mean or rms.
 telemetry(Channel, When, Statistic, Value) :- telemetry_in(_, Channel, When, Statistic, Value).
 
 telemetry_in(Episode, Channel, When, Statistic, Value) :-

@@ -1,6 +1,6 @@
-% Questions about wiping that come up again and again. Each is a predicate like the others.
+% Frequent questions about wiping, each as a predicate.
 
-% How good it was ------------------------------------------------------------------------------------------
+% Performance ----------------------------------------------------------------------------------------------
 
 low_performance(Action, Performance) :-
     has_data_value(Action, performance =< 0.8),
@@ -58,7 +58,7 @@ estimate_missed_truth(Round, Estimated, True) :-
     value_of(Round, 'semco:performanceHigh', H),
     ( True < L ; True > H ).
 
-% Pushes, and what came of them ----------------------------------------------------------------------------
+% Pushes and their consequences ----------------------------------------------------------------------------
 
 human_collision(Motion, Collision, [S, E]) :-
     of_class(Collision, 'semco:HumanCollision'),
@@ -183,17 +183,18 @@ tilted_surface(Round, Tilt) :-
 
 % Over many episodes ---------------------------------------------------------------------------------------
 
-% contact_force_drift(-Surface, -Slope, -First, -Last): newtons by which the mean force of contact falls per
-% episode on this surface, fitted over at least five episodes since it last changed at once; only where it falls noticeably.
+% contact_force_drift(-Surface, -Slope, -First, -Last): decrease of the mean contact force per episode on this surface
+% [N], fitted over at least five episodes since its last sudden change; only significant decreases.
 contact_force_drift(Surface, Slope, First, Last) :- drift_at_any_time(contact_force, Surface, d(Slope, First, Last)).
 
-% localization_drift(-Surface, -Slope, -First, -Last): metres by which the found plane moves per episode.
+% localization_drift(-Surface, -Slope, -First, -Last): movement of the estimated surface plane per episode [m].
 localization_drift(Surface, Slope, First, Last) :- drift_at_any_time(localization, Surface, d(Slope, First, Last)).
 
-% tool_wear(-Tool, -Slope, -First, -Last): by how much of itself a tool grows softer per episode, and its stiffness [N/m].
+% tool_wear(-Tool, -Slope, -First, -Last): relative decrease of a tool's stiffness per episode, and its stiffness [N/m].
 tool_wear(Tool, Slope, First, Last) :- drift_at_any_time(wear, Tool, d(Slope, First, Last)).
 
-% localization_change(-Surface, -Time, -Before, -After): the found plane was elsewhere at once, from the episode that began then.
+% localization_change(-Surface, -Time, -Before, -After): sudden change of the estimated surface plane at the episode
+% that begins at Time.
 localization_change(Surface, Time, Before, After) :-
     thing(Surface, Name),
     all_times(From, To),
@@ -203,8 +204,8 @@ localization_change(Surface, Time, Before, After) :-
     same_time(Before, B),
     same_time(After, A).
 
-% drift_cause(-Surface, -Change, -Cause): how far the surface is found from where it was at first [m], and why: a softer tool
-% sinks in by the force over its stiffness.
+% drift_cause(-Surface, -Change, -Cause): distance of the estimated surface from its first estimate [m], and the cause:
+% a softer tool is compressed by force over stiffness.
 drift_cause(Surface, Change, Cause) :- all_times(From, To), drift_cause_within(From, To, Surface, Change, Cause).
 
 drift_cause_within(From, To, Surface, Change, Cause) :-
@@ -213,7 +214,7 @@ drift_cause_within(From, To, Surface, Change, Cause) :-
     member(s(Name, C, Cause), Found),
     same_time(Change, C).
 
-% drift(?Statement, -Kind, -Thing, -D): statements about what changes over episodes, which times limit.
+% drift(?Statement, -Kind, -Thing, -D): statements about changes over episodes, which limits of time restrict.
 drift(contact_force_drift(S, Slope, First, Last), contact_force, S, d(Slope, First, Last)).
 drift(localization_drift(S, Slope, First, Last), localization, S, d(Slope, First, Last)).
 drift(tool_wear(T, Slope, First, Last), wear, T, d(Slope, First, Last)).
@@ -285,7 +286,7 @@ sure_failure(Action, High) :-
     value_of(Action, 'semco:target', Target),
     High < Target.
 
-% What they stand on ---------------------------------------------------------------------------------------
+% Auxiliary predicates -----------------------------------------------------------------------------------
 
 value_of(I, Property, Number) :- value(I, Property, Value), number(Value), same(Number, Value).
 
@@ -300,7 +301,7 @@ round_of(Action, Number, Round) :-
 episode(Episode, Name) :- var(Episode), !, of_class(Episode, 'semco:WipingEpisode'), Name = Episode.
 episode(Episode, Name) :- known(thing, Episode, Name).
 
-% part_below(+Whole, -Part, +Class): at any depth.
+% part_below(+Whole, -Part, +Class): parts at any depth.
 part_below(Whole, Part, Class) :- part(Whole, Direct), ( of_class(Direct, Class), Part = Direct ; part_below(Direct, Part, Class) ).
 
 above(Part, Whole, Class) :- part(Direct, Part), ( of_class(Direct, Class) -> Whole = Direct ; above(Direct, Whole, Class) ).

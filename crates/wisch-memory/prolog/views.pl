@@ -1,4 +1,4 @@
-% What is to be looked at: the program draws it. A name that is not known is an error before anything is drawn.
+% Views, which the program draws. An unknown name is an error before anything is drawn.
 
 show :- view(show).
 show(What) :- shown(What, Shown), view(show(Shown)).
@@ -10,7 +10,7 @@ how(interval(S, E)) :- number(S), number(E).
 how(interval(S, E, dt(D))) :- number(S), number(E), number(D), D > 0.
 how([S, E]) :- number(S), number(E).
 
-shown(What, _) :- var(What), !, unknown_yet('what is shown').
+shown(What, _) :- var(What), !, unknown_yet('the thing to show').
 shown(trajectory(O), trajectory(Name)) :- !, known(thing, O, Name).
 shown(particles(O), particles(Name)) :- !, known(thing, O, Name).
 shown([], []) :- !.
@@ -22,7 +22,7 @@ highlight(What, Color) :- shown(What, Shown), view(highlight(Shown, Color)).
 highlight_trajectory(O, S, E, Color) :- given(S, 'the start of the trajectory'), given(E, 'the end of the trajectory'), shown(O, Shown), view(highlight(trajectory(Shown), interval(S, E), Color)).
 marker_highlight(O, Color) :- highlight(O, Color).
 
-% data_vis(+Diagram(Id), +Properties): Properties is a list of data: [Xs, Ys], title: T, xlabel: X, ylabel: Y.
+% data_vis(+Diagram(Id), +Properties): Properties is a list such as data: [Xs, Ys], title: T, xlabel: X, ylabel: Y.
 data_vis(Diagram, Properties) :-
     ( nonvar(Diagram), Diagram =.. [Kind, _], member(Kind, [piechart, barchart, timeline, linechart, scatter]) -> true
     ; throw(error(domain_error(diagram, Diagram), data_vis))
@@ -30,11 +30,11 @@ data_vis(Diagram, Properties) :-
     ( is_list(Properties) -> true ; throw(error(type_error(list, Properties), data_vis)) ),
     view(data_vis(Diagram, Properties)).
 
-% wear_chart(+Tool): how stiff a tool was, episode by episode.
+% wear_chart(+Tool): stiffness of a tool, episode by episode.
 wear_chart(Tool) :-
     known(thing, Tool, Name),
     need(series(wear, Name), Points),
-    ( Points == [] -> throw(telemetry('no episode with this tool says how stiff it was')) ; true ),
+    ( Points == [] -> throw(telemetry('no episode with this tool states its stiffness')) ; true ),
     numbered(Points, 1, Episodes, Values),
     data_vis(linechart(wear), [data: [Episodes, Values], title: Name, xlabel: episode, ylabel: 'stiffness [N/m]']).
 

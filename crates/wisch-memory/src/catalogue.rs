@@ -1,19 +1,19 @@
-//! All that is known of all episodes, in columns: what is asked is found here without opening an episode.
+//! The catalogue: the graphs of all episodes in columns, which answer queries without opening an episode.
 
 pub(crate) mod cache;
 
 use crate::record::{EpisodeRecord, Value, individual_name};
 use std::collections::HashMap;
 
-/// Place of an individual in a [`Catalogue`].
+/// Index of an individual in a [`Catalogue`].
 pub type IndividualId = u32;
 
-/// What a relation leads to.
+/// Object of a relation.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum CatalogueNode {
     /// An individual of an episode.
     Individual(IndividualId),
-    /// Something that episodes share, such as a tool: its place in [`Catalogue::shared`].
+    /// Something that episodes share, for example a tool: its index in [`Catalogue::shared`].
     Shared(u32),
 }
 
@@ -39,15 +39,15 @@ pub struct Catalogue {
 pub struct EpisodeRow {
     /// Its name.
     pub id: String,
-    /// The task's name.
+    /// Name of the task.
     pub task: String,
-    /// From when to when [s since 1970].
+    /// Begin and end [s since 1970].
     pub interval: [f64; 2],
-    /// When each round began [s since 1970].
+    /// Begin of each round [s since 1970].
     pub rounds: Vec<f64>,
-    /// Its first individual; the others follow it.
+    /// Index of its first individual; its other individuals follow.
     pub first: IndividualId,
-    /// How many it has.
+    /// Number of its individuals.
     pub len: u32,
 }
 
@@ -55,7 +55,7 @@ pub struct EpisodeRow {
 #[derive(Debug, Clone, Default)]
 struct Column(Vec<(IndividualId, f64)>);
 
-/// Names given numbers.
+/// Index of names.
 #[derive(Debug, Clone, Default)]
 struct Names {
     classes: Interned,
@@ -85,11 +85,11 @@ impl Interned {
     }
 }
 
-/// No parent.
+/// Stands for an individual without a parent.
 const NONE: u32 = u32::MAX;
 
 impl Catalogue {
-    /// The catalogue of these episodes.
+    /// Returns the catalogue of the given episodes.
     pub fn of<'a>(records: impl IntoIterator<Item = &'a EpisodeRecord>) -> Self {
         let mut catalogue = Self::default();
         for record in records {
@@ -98,7 +98,7 @@ impl Catalogue {
         catalogue
     }
 
-    /// Takes an episode in; one that is already there is left as it is.
+    /// Adds an episode; an episode that is already in the catalogue stays as it is.
     pub fn push(&mut self, record: &EpisodeRecord) {
         if self.by_id.contains_key(&record.id) {
             return;
@@ -146,13 +146,13 @@ impl Catalogue {
         }
     }
 
-    /// The catalogue of those of its episodes that are to be kept, in the same order.
+    /// Returns the catalogue of the episodes that `keep` accepts, in the same order.
     pub fn retain(&self, mut keep: impl FnMut(&EpisodeRow) -> bool) -> Self {
         let mut kept = Self {
             names: self.names.clone(),
             ..Self::default()
         };
-        // Where each individual goes.
+        // New index of each individual.
         let mut moved = vec![NONE; self.classes.len()];
         for row in &self.episodes {
             if !keep(row) {
@@ -181,14 +181,14 @@ impl Catalogue {
         }
         let goes = |id: IndividualId| Some(moved[id as usize]).filter(|&new| new != NONE);
         kept.values = (self.values.iter())
-            .map(|column| Column(moved_entries(&column.0, goes, |value| Some(*value))))
+            .map(|column| Column(move_entries(&column.0, goes, |value| Some(*value))))
             .collect();
         kept.texts = (self.texts.iter())
-            .map(|column| moved_entries(column, goes, |text| Some(text.clone())))
+            .map(|column| move_entries(column, goes, |text| Some(text.clone())))
             .collect();
         kept.relations = (self.relations.iter())
             .map(|column| {
-                moved_entries(column, goes, |node| match *node {
+                move_entries(column, goes, |node| match *node {
                     CatalogueNode::Individual(id) => goes(id).map(CatalogueNode::Individual),
                     shared => Some(shared),
                 })
@@ -197,18 +197,18 @@ impl Catalogue {
         kept
     }
 
-    /// What is not in it because it cannot be read: each episode with the reason.
+    /// Episodes that the catalogue lacks because they cannot be read, each with the reason.
     pub fn left_out(&self) -> &[String] {
         &self.left_out
     }
 
-    /// Takes down that an episode cannot be read.
+    /// Records that an episode cannot be read.
     pub(crate) fn leave_out(&mut self, why: String) {
         self.left_out.push(why);
     }
 
-    /// The episodes during which, at least in part, a time lies [s since 1970]. Runs at once have episodes that
-    /// overlap; if something of one of them lasted from exactly then to exactly then, that one is meant.
+    /// Returns the episodes that overlap an interval [s since 1970]. Episodes of simultaneous runs may overlap; if
+    /// something in one of them has exactly this interval, only that episode is returned.
     pub fn episodes_during(&self, interval: [f64; 2]) -> Vec<&EpisodeRow> {
         let [from, to] = interval;
         let rows = self.episodes.iter();
@@ -226,24 +226,24 @@ impl Catalogue {
         if meant.is_empty() { during } else { meant }
     }
 
-    /// Its episodes, in the order in which they came in.
+    /// All episodes, in the order of their addition.
     pub fn episodes(&self) -> &[EpisodeRow] {
         &self.episodes
     }
 
-    /// The episode of this name.
+    /// Returns the episode with this name.
     pub fn episode(&self, id: &str) -> Option<&EpisodeRow> {
         self.by_id
             .get(id)
             .map(|&number| &self.episodes[number as usize])
     }
 
-    /// How many individuals there are.
+    /// Number of individuals.
     pub fn len(&self) -> usize {
         self.classes.len()
     }
 
-    /// Whether there is none.
+    /// Whether the catalogue holds no individual.
     pub fn is_empty(&self) -> bool {
         self.classes.is_empty()
     }
@@ -263,7 +263,7 @@ impl Catalogue {
         &self.names.shared.names
     }
 
-    /// The individuals of exactly this class.
+    /// Returns the individuals of exactly this class, without subclasses.
     pub fn of_class(&self, class: &str) -> &[IndividualId] {
         let number = self.names.classes.find(class);
         number
@@ -271,39 +271,39 @@ impl Catalogue {
             .map_or(&[], Vec::as_slice)
     }
 
-    /// The class of an individual, with prefix.
+    /// Returns the class of an individual, with prefix.
     ///
     /// # Panics
-    /// If there is no such individual, as in the following.
+    /// This method and the methods below panic if the individual does not exist.
     pub fn class(&self, id: IndividualId) -> &str {
         &self.names.classes.names[usize::from(self.classes[id as usize])]
     }
 
-    /// From when to when it was [s since 1970].
+    /// Begin and end of an individual [s since 1970], if it has a time.
     pub fn interval(&self, id: IndividualId) -> Option<[f64; 2]> {
         let interval = [self.starts[id as usize], self.ends[id as usize]];
         (!interval[0].is_nan()).then_some(interval)
     }
 
-    /// What it is part of.
+    /// The individual that this individual is part of.
     pub fn parent(&self, id: IndividualId) -> Option<IndividualId> {
         let parent = self.parents[id as usize];
         (parent != NONE).then_some(parent)
     }
 
-    /// The episode that it belongs to.
+    /// The episode of an individual.
     pub fn episode_of(&self, id: IndividualId) -> &EpisodeRow {
         let after = self.episodes.partition_point(|row| row.first <= id);
         &self.episodes[after.saturating_sub(1)]
     }
 
-    /// Its name, without prefix.
+    /// The name of an individual, without prefix.
     pub fn name(&self, id: IndividualId) -> String {
         let episode = self.episode_of(id);
         individual_name(self.class(id), &episode.id, (id - episode.first) as usize)
     }
 
-    /// The individual of this name, without prefix.
+    /// Returns the individual with this name, without prefix.
     pub fn find(&self, name: &str) -> Option<IndividualId> {
         let (_, rest) = name.split_once('_')?;
         let (episode, place) = rest.rsplit_once('-')?;
@@ -338,8 +338,8 @@ impl Catalogue {
     }
 }
 
-/// The entries of a column whose subjects stay, under their new numbers.
-fn moved_entries<T>(
+/// Returns the entries of a column whose subjects stay, with their new indices.
+fn move_entries<T>(
     column: &[(IndividualId, T)],
     goes: impl Fn(IndividualId) -> Option<IndividualId>,
     object: impl Fn(&T) -> Option<T>,
@@ -349,7 +349,7 @@ fn moved_entries<T>(
     entries.collect()
 }
 
-/// The entry of a table, which grows as far as needed.
+/// Returns the entry of a table, which grows if necessary.
 fn at<T: Default>(table: &mut Vec<T>, number: u32) -> &mut T {
     let number = number as usize;
     if table.len() <= number {
@@ -358,7 +358,7 @@ fn at<T: Default>(table: &mut Vec<T>, number: u32) -> &mut T {
     &mut table[number]
 }
 
-/// The part of a column sorted by individual that belongs to one of them.
+/// Returns the entries of an individual in a column that is sorted by individual.
 pub fn entries<T>(column: &[(IndividualId, T)], id: IndividualId) -> &[(IndividualId, T)] {
     let from = column.partition_point(|(subject, _)| *subject < id);
     let to = from + column[from..].partition_point(|(subject, _)| *subject == id);

@@ -1,4 +1,4 @@
-//! Files of which every byte that is read is held against a check sum.
+//! Files whose bytes are verified against check sums as they are read.
 
 use bytes::Bytes;
 use parquet::errors::ParquetError;
@@ -8,18 +8,18 @@ use std::io::{self, Read, Seek, SeekFrom};
 use std::path::Path;
 use std::sync::{Arc, Mutex, PoisonError};
 
-/// What has a check sum of its own [bytes]: about as much as a column has in ten seconds, so that who reads a column
-/// reads little else.
+/// Length of a block with its own check sum [bytes]: about a column over ten seconds, so that reading a column reads
+/// little else.
 pub(crate) const BLOCK: usize = 1 << 15;
 
-/// A file for Parquet to read.
+/// A file for the Parquet reader.
 #[derive(Debug, Clone)]
 pub(crate) struct CheckedFile(Arc<Inner>);
 
 #[derive(Debug)]
 struct Inner {
     len: u64,
-    /// CRC-32 of each block; `None` where nothing is known of the file.
+    /// CRC-32 of each block; `None` without check sums.
     sums: Option<Vec<u32>>,
     source: Mutex<Source>,
 }
@@ -27,15 +27,15 @@ struct Inner {
 #[derive(Debug)]
 struct Source {
     file: File,
-    /// The block that was read last: headers are read bit by bit.
+    /// The last block that was read; headers are read bit by bit.
     last: Option<(usize, Bytes)>,
 }
 
 impl CheckedFile {
-    /// A file of which the check sums of all blocks are known; without them it is read as it is.
+    /// Opens a file with the check sums of its blocks; without them, nothing is verified.
     ///
     /// # Errors
-    /// What the system says, or another length than the sums are of.
+    /// If the file cannot be opened, or its length does not match the check sums.
     pub fn open(path: &Path, sums: Option<Vec<u32>>) -> io::Result<Self> {
         let file = File::open(path)?;
         let len = file.metadata()?.len();
@@ -44,7 +44,7 @@ impl CheckedFile {
         {
             let blocks = sums.len();
             return Err(damaged(format!(
-                "it is {len} bytes long, which is not {blocks} blocks"
+                "it is {len} bytes long, but has check sums of {blocks} blocks"
             )));
         }
         let source = Mutex::new(Source { file, last: None });
@@ -68,7 +68,7 @@ impl CheckedFile {
 }
 
 impl Inner {
-    /// The rest of the block in which this byte lies; nothing at the end.
+    /// Returns the rest of the block around this byte; empty at the end.
     fn from(&self, at: u64) -> io::Result<Bytes> {
         let block = usize::try_from(at / BLOCK as u64).map_err(io::Error::other)?;
         let within = (at % BLOCK as u64) as usize;
@@ -128,7 +128,7 @@ impl ChunkReader for CheckedFile {
     }
 }
 
-/// Reads on from a place.
+/// Reader from a position on.
 #[derive(Debug)]
 pub(crate) struct CheckedRead {
     file: CheckedFile,

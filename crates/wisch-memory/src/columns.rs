@@ -1,4 +1,4 @@
-//! Columns of numbers and texts in Parquet files, row group by row group: the part that all our files share.
+//! Columns of numbers and texts in Parquet files, by row groups: the format that all files of the memory share.
 
 use crate::checked_file::CheckedFile;
 use parquet::basic::{Encoding, LogicalType, Repetition, Type as PhysicalType};
@@ -16,18 +16,18 @@ use std::io::Write;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::Arc;
 
-/// What a column holds.
+/// Type of a column, with its encoding.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Kind {
-    /// Small whole numbers that repeat: by dictionary.
+    /// Small whole numbers that repeat: dictionary encoding.
     Code,
-    /// Whole numbers that grow: by difference.
+    /// Increasing whole numbers: delta encoding.
     Growing,
-    /// The same, of 32 bits.
+    /// Increasing whole numbers of 32 bits: delta encoding.
     Growing32,
-    /// Numbers of single precision: byte by byte, so that like stands beside like.
+    /// Numbers of single precision: byte stream split, which puts similar bytes next to each other.
     Single,
-    /// Numbers of double precision, in the same way.
+    /// Numbers of double precision: byte stream split.
     Double,
     /// Texts.
     Text,
@@ -53,10 +53,10 @@ impl Kind {
     }
 }
 
-/// The schema of columns that all have a value in each row.
+/// Returns the schema of columns with a value in each row.
 ///
 /// # Errors
-/// Names that Parquet refuses.
+/// If Parquet rejects a name.
 pub(crate) fn schema<'a>(
     columns: impl IntoIterator<Item = (&'a str, Kind)>,
 ) -> Result<TypePtr, ParquetError> {
@@ -73,7 +73,7 @@ pub(crate) fn schema<'a>(
     Ok(Arc::new(group.build()?))
 }
 
-/// How the columns are laid out.
+/// Returns writer properties with the encodings of the columns.
 pub(crate) fn with_encodings<'a>(
     mut builder: WriterPropertiesBuilder,
     columns: impl IntoIterator<Item = (&'a str, Kind)>,
@@ -89,7 +89,7 @@ pub(crate) fn with_encodings<'a>(
     builder
 }
 
-/// The values of a column in a row group.
+/// Values of a column in a row group.
 #[derive(Debug, Clone, Copy)]
 pub(crate) enum Values<'a> {
     /// [`Kind::Code`] and [`Kind::Growing32`].
@@ -104,10 +104,10 @@ pub(crate) enum Values<'a> {
     Texts(&'a [ByteArray]),
 }
 
-/// Adds a row group; the columns in the order of the schema.
+/// Writes a row group, with the columns in the order of the schema.
 ///
 /// # Errors
-/// What Parquet says.
+/// If Parquet cannot write it.
 pub(crate) fn write_group<'a, W: Write + Send>(
     writer: &mut SerializedFileWriter<W>,
     columns: impl IntoIterator<Item = Values<'a>>,
@@ -115,7 +115,9 @@ pub(crate) fn write_group<'a, W: Write + Send>(
     let mut group = writer.next_row_group()?;
     for values in columns {
         let Some(mut column) = group.next_column()? else {
-            return Err(ParquetError::General("more columns than named".to_owned()));
+            return Err(ParquetError::General(
+                "there are more columns than names".to_owned(),
+            ));
         };
         match values {
             Values::Ints(v) => column.typed::<Int32Type>().write_batch(v, None, None),
@@ -130,34 +132,34 @@ pub(crate) fn write_group<'a, W: Write + Send>(
     Ok(())
 }
 
-/// Opens a file: reads its footer.
+/// Opens a file by its footer.
 ///
 /// # Errors
-/// A file that is cut off or broken.
+/// If the file is cut off or damaged.
 pub(crate) fn open(file: CheckedFile) -> Result<SerializedFileReader<CheckedFile>, ParquetError> {
-    guarded(|| SerializedFileReader::new(file))
+    catch_panics(|| SerializedFileReader::new(file))
 }
 
-/// The values of a column in a row group.
+/// Reads the values of a column in a row group.
 ///
 /// # Errors
-/// A column of another kind, or broken pages.
+/// If the column has another type, or its pages are damaged.
 pub(crate) fn read_chunk<T: DataType>(
     file: &SerializedFileReader<CheckedFile>,
     group: usize,
     column: usize,
 ) -> Result<Vec<T::T>, ParquetError> {
-    guarded(|| decode::<T>(file, group, column))
+    catch_panics(|| decode::<T>(file, group, column))
 }
 
-/// The reader panics on some broken files, where an offset is negative: that, too, is a broken file.
-fn guarded<T>(read: impl FnOnce() -> Result<T, ParquetError>) -> Result<T, ParquetError> {
-    // Nothing of what was half read is looked at afterwards.
+/// Runs the reader, and turns its panic on a damaged file (for example at a negative offset) into an error.
+fn catch_panics<T>(read: impl FnOnce() -> Result<T, ParquetError>) -> Result<T, ParquetError> {
+    // Partial results of a panicking reader are discarded, so unwinding leaves no broken state.
     catch_unwind(AssertUnwindSafe(read)).unwrap_or_else(|panic| {
         let said = panic.downcast_ref::<String>().map(String::as_str);
         let said = said.or_else(|| panic.downcast_ref::<&str>().copied());
         Err(ParquetError::General(format!(
-            "broken beyond reading: {}",
+            "the file is damaged: {}",
             said.unwrap_or("no reason given")
         )))
     })
@@ -191,7 +193,7 @@ fn decode<T: DataType>(
     Ok(values)
 }
 
-/// The place of a column of this name.
+/// Returns the index of a column by its name.
 pub(crate) fn find_column(file: &dyn FileReader, name: &str) -> Option<usize> {
     let columns = file.metadata().file_metadata().schema_descr().columns();
     columns.iter().position(|column| column.name() == name)

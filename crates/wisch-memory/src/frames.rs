@@ -1,4 +1,4 @@
-//! Frames on demand: joints are stored, and where links, tool and surface were follows from them.
+//! Frames on demand: telemetry stores joints, from which the poses of links, tool and surface are computed.
 
 use crate::telemetry::{Telemetry, TelemetryError, TelemetryHead};
 use nalgebra::{Quaternion, Translation3, UnitQuaternion};
@@ -9,13 +9,13 @@ use wisch::geometry::Pose;
 use wisch::robot::{LinkId, RobotError, RobotModel};
 use wisch::run::PlannedRound;
 
-/// Version of [`RoundScene`].
+/// Version of the schema of [`RoundScene`].
 pub const SCENE_SCHEMA: u32 = 1;
-/// The telemetry's note that holds the scene.
+/// Key of the telemetry's note that holds the scene.
 const SCENE_NOTE: &str = "scene";
-/// Frames that every episode has besides the robot's links.
+/// Frames that every episode has beside the robot's links.
 const OWN_FRAMES: [&str; 6] = ["tool", "tcp", "robot", "base", "surface", "world"];
-/// Columns of the logged pose of the tool: position [m], then quaternion.
+/// Columns of the tool's logged pose: position [m], then quaternion.
 const LOGGED_POSE: [&str; 7] = [
     "measured/x",
     "measured/y",
@@ -25,38 +25,38 @@ const LOGGED_POSE: [&str; 7] = [
     "measured/qz",
     "measured/qw",
 ];
-/// What the surface is called where nothing says where it was.
+/// Name of the surface where its pose is unknown.
 const NO_SURFACE: &str = "";
-/// Longest time between a pose that is asked for and the sample that stands for it [s].
+/// Longest time between a requested pose and the sample that represents it [s].
 const LONGEST_GAP: f64 = 0.5;
-/// Most poses of one trajectory: an hour at 1 kHz.
+/// Largest number of poses in a trajectory: an hour at 1 kHz.
 const MAX_SAMPLES: usize = 4_000_000;
 
-/// Where things were in a round that its joints do not tell.
+/// Poses of a round that joints do not determine.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct RoundScene {
     /// [`SCENE_SCHEMA`].
     pub schema: u32,
-    /// The robot's name.
+    /// Name of the robot.
     pub robot: String,
-    /// Where its root link stood.
+    /// Pose of its root link in the world.
     pub world_from_root: StoredPose,
-    /// The link that stands on the floor and moves over it; `None` where that is the root.
+    /// Link that stands on the floor and moves over it; `None` if this is the root.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub base: Option<String>,
-    /// The link that held the tool.
+    /// Link that holds the tool.
     pub tip: String,
-    /// The tool in that link's frame.
+    /// Pose of the tool in the frame of that link.
     pub tip_from_tool: StoredPose,
-    /// The tool's name.
+    /// Name of the tool.
     pub tool: String,
-    /// The surface's name.
+    /// Name of the surface.
     pub surface: String,
-    /// Where the surface was believed to be.
+    /// Believed pose of the surface.
     pub world_from_surface: StoredPose,
 }
 
-/// A pose as it is stored.
+/// A pose in its stored form.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct StoredPose {
     /// Position [m].
@@ -86,7 +86,7 @@ impl From<StoredPose> for Pose {
 }
 
 impl RoundScene {
-    /// The scene of a round.
+    /// Returns the scene of a round.
     pub fn of(motion: &PlannedRound) -> Self {
         let cell = &motion.cell;
         let robot = cell.robot();
@@ -106,8 +106,8 @@ impl RoundScene {
         }
     }
 
-    /// A robot that stands at the world's origin, with the tool's frame that of its link, and the surface in the
-    /// world's own frame: for what was not wiped, such as examples.
+    /// Returns a scene with the robot at the world's origin, the tool's frame at that of its link, and the surface at
+    /// the world's origin. For examples that do not wipe.
     pub fn upright(robot: &str, tip: &str, tool: &str, surface: &str) -> Self {
         let nowhere = StoredPose::from(&Pose::identity());
         Self {
@@ -123,7 +123,7 @@ impl RoundScene {
         }
     }
 
-    /// The scene of a log that tells where the tool was, and nothing of the robot.
+    /// Returns the scene of a log with the tool's poses but without a robot.
     pub fn of_log(tool: &str, surface: &str, world_from_surface: &Pose) -> Self {
         Self {
             world_from_surface: world_from_surface.into(),
@@ -131,9 +131,9 @@ impl RoundScene {
         }
     }
 
-    /// The head of a round's telemetry, with this scene in it.
+    /// Returns the head of a round's telemetry, with this scene in it.
     pub fn head(&self, joints: Vec<String>) -> TelemetryHead {
-        // Finite numbers and texts always have a form in JSON.
+        // Finite numbers and texts always serialise to JSON.
         let scene = serde_json::to_string(self).unwrap_or_default();
         TelemetryHead {
             joints,
@@ -142,38 +142,38 @@ impl RoundScene {
     }
 }
 
-/// Why there is no such pose.
+/// Why a pose cannot be computed.
 #[derive(Debug, thiserror::Error)]
 pub enum FrameError {
-    /// No such frame.
+    /// The frame does not exist.
     #[error("there is no frame {name:?}; the nearest is {nearest:?}")]
     Unknown {
-        /// The name.
+        /// The requested name.
         name: String,
-        /// The most similar one.
+        /// The most similar name.
         nearest: String,
     },
-    /// Telemetry without a scene, or with one that cannot be read.
+    /// The telemetry has no scene, or an unreadable one.
     #[error("{}: scene: {what}", path.display())]
     Scene {
-        /// The file.
+        /// Path of the file.
         path: PathBuf,
-        /// What is wrong.
+        /// Description of the fault.
         what: String,
     },
-    /// The telemetry is that of another robot.
+    /// The telemetry belongs to another robot.
     #[error("{}: joint {index} is {found:?}, but the robot's is {expected:?}", path.display())]
     Joint {
-        /// The file.
+        /// Path of the file.
         path: PathBuf,
-        /// Place of the joint among the variables.
+        /// Index of the joint among the variables.
         index: usize,
-        /// What the telemetry has; empty if it has no more.
+        /// Name in the telemetry; empty if it has fewer joints.
         found: String,
-        /// What the robot has; empty if it has no more.
+        /// Name in the robot; empty if it has fewer joints.
         expected: String,
     },
-    /// A time at which nothing was recorded.
+    /// Nothing was recorded around this time.
     #[error("time: nothing was recorded within {limit} s of {time} s")]
     Gap {
         /// The time [s].
@@ -181,75 +181,75 @@ pub enum FrameError {
         /// The longest time to the nearest sample [s].
         limit: f64,
     },
-    /// A time outside the telemetry.
+    /// The time is outside the telemetry.
     #[error("time: {time} s is not between {first} and {last} s")]
     Time {
         /// The time [s].
         time: f64,
-        /// The first sample's [s].
+        /// Time of the first sample [s].
         first: f64,
-        /// The last sample's [s].
+        /// Time of the last sample [s].
         last: f64,
     },
-    /// No sample at all.
-    #[error("{}: there is no sample", path.display())]
+    /// The telemetry has no sample.
+    #[error("{}: it holds no sample", path.display())]
     Empty {
-        /// The file.
+        /// Path of the file.
         path: PathBuf,
     },
-    /// A period or number that gives no samples, or too many.
-    #[error("{what}: {value} gives no 1 to {limit} samples")]
+    /// A period or number gives no sample, or too many.
+    #[error("{what}: {value} does not give 1 to {limit} samples")]
     Sampling {
         /// `dt` or `n`.
         what: &'static str,
-        /// What it is.
+        /// Its value.
         value: f64,
-        /// Most samples.
+        /// Largest number of samples.
         limit: usize,
     },
-    /// What the robot says.
+    /// Error of the robot model.
     #[error(transparent)]
     Robot(#[from] RobotError),
-    /// What the telemetry says.
+    /// Error of the telemetry.
     #[error(transparent)]
     Telemetry(#[from] TelemetryError),
 }
 
-/// How often a trajectory is sampled.
+/// Sampling of a trajectory.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Sampling {
-    /// Every so many seconds, from the first time on.
+    /// A sample per period [s], from the first time on.
     Every(f64),
-    /// So many times, first and last included.
+    /// This number of samples, first and last time included.
     Count(usize),
 }
 
 /// A pose at a time.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PoseAt {
-    /// Since the round began [s].
+    /// Time since the round began [s].
     pub time: f64,
-    /// The frame in the world.
+    /// Pose of the frame in the world.
     pub world_from_frame: Pose,
 }
 
-/// What a frame hangs on.
+/// What carries a frame.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Carrier {
     World,
     Link(LinkId),
-    /// The tool, by its logged poses.
+    /// The tool, with its logged poses.
     Logged,
 }
 
-/// The frames of one round.
+/// Frames of one round.
 ///
 /// Frames are the robot's links by name, `tool` and `tcp` (the tool centre point) or the tool's name, `robot` and
 /// `base` or the robot's name (the link that moves over the floor, else the root), `surface` or the
 /// surface's name, and `world`.
 #[derive(Debug)]
 pub struct Frames<'a> {
-    /// The robot whose joints were recorded; none of a log of poses.
+    /// Robot with recorded joints; `None` for a log of poses.
     robot: Option<JointFrames<'a>>,
     telemetry: &'a Telemetry,
     scene: RoundScene,
@@ -272,15 +272,15 @@ impl JointFrames<'_> {
 }
 
 impl<'a> Frames<'a> {
-    /// The frames of a round of this robot.
+    /// Returns the frames of a round of this robot.
     ///
     /// # Errors
-    /// Telemetry of another robot, or without a scene.
+    /// If the telemetry belongs to another robot, or has no scene.
     pub fn new(robot: &'a RobotModel, telemetry: &'a Telemetry) -> Result<Self, FrameError> {
         let path = || telemetry.path().to_path_buf();
         let scene = scene_of(telemetry)?.ok_or_else(|| FrameError::Scene {
             path: path(),
-            what: "there is none".to_owned(),
+            what: "it is missing".to_owned(),
         })?;
         let joints = telemetry.joints();
         for index in 0..joints.len().max(robot.dof()) {
@@ -303,7 +303,7 @@ impl<'a> Frames<'a> {
             tip: robot.link(&scene.tip)?,
             base: match &scene.base {
                 Some(base) => robot.link(base)?,
-                // The first of the links, of which a robot has one at least.
+                // The first of the links; every robot has at least one.
                 None => robot.link(&robot.links()[0].name)?,
             },
             columns: joints
@@ -319,18 +319,18 @@ impl<'a> Frames<'a> {
         })
     }
 
-    /// The frames of a log that holds poses of the tool: `tool`, `tcp` or the tool's name, `surface` or the surface's name,
-    /// and `world`. Older episodes do not say where the surface was; their tool has the name `tool`.
+    /// Returns the frames of a log with the tool's poses: `tool`, `tcp` or the tool's name, `surface` or the surface's
+    /// name, and `world`. Older episodes do not hold the surface's pose; their tool has the name `tool`.
     ///
     /// # Errors
-    /// Telemetry without poses of the tool, or with a scene that cannot be read.
+    /// If the telemetry lacks poses of the tool, or its scene cannot be read.
     pub fn of_log(telemetry: &'a Telemetry, tool: &str) -> Result<Self, FrameError> {
         let columns = telemetry.columns();
         if let Some(missing) = LOGGED_POSE.iter().find(|name| !columns.contains(name)) {
             return Err(FrameError::Scene {
                 path: telemetry.path().to_path_buf(),
                 what: format!(
-                    "the episode has no robot.urdf, and its telemetry no column {missing}: where things were is not known"
+                    "the episode has no robot.urdf, and its telemetry has no column {missing}, so no pose can be computed"
                 ),
             });
         }
@@ -342,17 +342,17 @@ impl<'a> Frames<'a> {
         })
     }
 
-    /// The robot; `None` of a log of poses.
+    /// The robot; `None` for a log of poses.
     pub fn robot(&self) -> Option<&'a RobotModel> {
         self.robot.as_ref().map(|robot| robot.model)
     }
 
-    /// Where things were that the joints do not tell.
+    /// Poses that joints do not determine.
     pub const fn scene(&self) -> &RoundScene {
         &self.scene
     }
 
-    /// The names of all frames.
+    /// Names of all frames.
     pub fn names(&self) -> Vec<&str> {
         let mut names: Vec<&str> = OWN_FRAMES.to_vec();
         let scene = &self.scene;
@@ -371,10 +371,10 @@ impl<'a> Frames<'a> {
         names
     }
 
-    /// A frame in the world at the sample nearest to a time [s since the round began].
+    /// Returns the pose of a frame in the world at the sample nearest to a time [s since the round began].
     ///
     /// # Errors
-    /// No such frame, a time outside the telemetry, or a broken file.
+    /// If the frame does not exist, the time is outside the telemetry, or the file is damaged.
     pub fn pose(&self, frame: &str, time: f64) -> Result<PoseAt, FrameError> {
         let (carrier, offset) = self.carrier(frame)?;
         let row = self.row_at(time)?;
@@ -385,17 +385,18 @@ impl<'a> Frames<'a> {
         self.pose_at(carrier, &offset, row)
     }
 
-    /// Logs may be sampled more coarsely than half a second.
+    /// Logs may have a sample period of more than half a second.
     fn longest_gap(&self) -> f64 {
         let [first, last] = self.telemetry.interval().unwrap_or_default();
         let period = (last - first) / self.telemetry.rows().max(1) as f64;
         LONGEST_GAP.max(2.0 * period)
     }
 
-    /// All links in the world at the sample nearest to a time [s since the round began], in the robot's order.
+    /// Returns the poses of all links in the world at the sample nearest to a time [s since the round began], in the
+    /// robot's order.
     ///
     /// # Errors
-    /// A time outside the telemetry, or a broken file.
+    /// If the time is outside the telemetry, or the file is damaged.
     pub fn links(&self, time: f64) -> Result<Vec<Pose>, FrameError> {
         let row = self.row_at(time)?;
         let Some(robot) = &self.robot else {
@@ -411,10 +412,10 @@ impl<'a> Frames<'a> {
         links.collect()
     }
 
-    /// A frame in the world at several times between two [s], each at the nearest sample.
+    /// Returns the poses of a frame in the world at several times of an interval [s], each from the nearest sample.
     ///
     /// # Errors
-    /// No such frame, a time outside the telemetry, a period or number that makes no sense, or a broken file.
+    /// If the frame does not exist, a time is outside the telemetry, the sampling is invalid, or the file is damaged.
     pub fn trajectory(
         &self,
         frame: &str,
@@ -428,7 +429,8 @@ impl<'a> Frames<'a> {
         let gap = self.longest_gap();
         for time in times {
             let row = self.row_at(time)?;
-            // Finer than the telemetry there is nothing to tell, and in a gap nothing was recorded.
+            // Repeated rows are dropped where the sampling is finer than the telemetry, and gaps in the recording are
+            // left out.
             let is_recorded = (self.telemetry.time(row)? - time).abs() <= gap;
             if is_recorded && last.replace(row) != Some(row) {
                 poses.push(self.pose_at(carrier, &offset, row)?);
@@ -446,7 +448,7 @@ impl<'a> Frames<'a> {
                 let kinematics = robot.model.forward_kinematics(&positions)?;
                 Pose::from(self.scene.world_from_root) * kinematics.world_from_link(link) * offset
             }
-            // Links have frames where there is a robot only.
+            // Links have frames only where there is a robot.
             (Carrier::Logged | Carrier::Link(_), _) => {
                 let [x, y, z, qx, qy, qz, qw] =
                     <[f64; 7]>::try_from(self.telemetry.row(&LOGGED_POSE, row)?)
@@ -469,7 +471,7 @@ impl<'a> Frames<'a> {
                 path: self.telemetry.path().to_path_buf(),
             });
         };
-        // A period beyond the ends is forgiven: intervals of events end between samples.
+        // An interval may exceed the telemetry by one period, because events end between samples.
         let slack = (last - first) / self.telemetry.rows() as f64;
         if !(first - slack..=last + slack).contains(&time) {
             return Err(FrameError::Time { time, first, last });
@@ -477,7 +479,7 @@ impl<'a> Frames<'a> {
         Ok(self.telemetry.nearest_row(time)?.unwrap_or(0))
     }
 
-    /// What a frame hangs on, and where on it.
+    /// Returns what carries a frame, and the frame's pose on it.
     fn carrier(&self, frame: &str) -> Result<(Carrier, Pose), FrameError> {
         let scene = &self.scene;
         let at = |link| Ok((Carrier::Link(link), Pose::identity()));
@@ -502,7 +504,7 @@ impl<'a> Frames<'a> {
             (name, Some(_)) if name == scene.robot => self.carrier("robot"),
             (name, _) if scene.surface == NO_SURFACE => Err(FrameError::Scene {
                 path: self.telemetry.path().to_path_buf(),
-                what: format!("the episode does not say where {name} was: import its log again"),
+                what: format!("the episode does not hold the pose of {name}; import its log again"),
             }),
             (name, _) => Err(self.unknown(name)),
         }
@@ -520,7 +522,7 @@ impl<'a> Frames<'a> {
     }
 }
 
-/// The scene that a round's telemetry holds, if it holds one.
+/// Returns the scene in a round's telemetry, if there is one.
 fn scene_of(telemetry: &Telemetry) -> Result<Option<RoundScene>, FrameError> {
     let Some(said) = telemetry.notes().get(SCENE_NOTE) else {
         return Ok(None);
@@ -534,7 +536,7 @@ fn scene_of(telemetry: &Telemetry) -> Result<Option<RoundScene>, FrameError> {
         return Err(FrameError::Scene {
             path: path(),
             what: format!(
-                "schema {} is not supported, this program reads {SCENE_SCHEMA}",
+                "schema {} is not supported; this program reads {SCENE_SCHEMA}",
                 scene.schema
             ),
         });
@@ -551,7 +553,7 @@ fn times_between(from: f64, to: f64, sampling: Sampling) -> Result<Vec<f64>, Fra
     };
     match sampling {
         Sampling::Every(period) => {
-            // A hair more than whole, as 1.5 / 0.5 may come out below 3.
+            // Slightly above the quotient, because for example 1.5 / 0.5 may be just below 3.
             let steps = (length / period * (1.0 + 1e-12)).floor();
             if period.is_nan() || period <= 0.0 || !(0.0..MAX_SAMPLES as f64).contains(&steps) {
                 return Err(refused("dt", period));

@@ -1,10 +1,10 @@
-//! Names of episodes.
+//! Names of episodes, and texts of times.
 
 use jiff::Timestamp;
 use jiff::tz::TimeZone;
 
-/// The name of an episode that begins at this time [s since 1970]: date and time (UTC), and four hex digits that
-/// tell those apart that begin in the same second.
+/// Returns the name of an episode that begins at a time [s since 1970]: date and time (UTC), and four hex digits that
+/// distinguish episodes of the same second.
 ///
 /// ```
 /// assert_eq!(wisch_memory::episode_id(1_795_309_772.5, 0x3f2a), "20261122-010932-3f2a");
@@ -13,7 +13,7 @@ pub fn episode_id(start: f64, salt: u16) -> String {
     format!("{}-{salt:04x}", in_utc(start, "%Y%m%d-%H%M%S"))
 }
 
-/// Date and time (UTC) for people.
+/// Returns date and time (UTC) as text.
 ///
 /// ```
 /// assert_eq!(wisch_memory::date_and_time(1_795_309_772.5), "2026-11-22 01:09:32");
@@ -22,7 +22,7 @@ pub fn date_and_time(time: f64) -> String {
     in_utc(time, "%Y-%m-%d %H:%M:%S")
 }
 
-/// Date and time for people where this machine stands, with the offset from UTC.
+/// Returns date and time in the time zone of this machine, with the offset from UTC.
 ///
 /// ```
 /// // The time is UTC where no time zone is set.
@@ -34,12 +34,12 @@ pub fn local_date_and_time(time: f64) -> String {
     zoned.strftime("%Y-%m-%d %H:%M:%S %:z").to_string()
 }
 
-/// A time [s since 1970], cut to whole seconds, in this format of `strftime` (UTC).
+/// Formats a time [s since 1970] by a `strftime` format (UTC), cut to whole seconds.
 pub(crate) fn in_utc(time: f64, format: &str) -> String {
     timestamp(time).strftime(format).to_string()
 }
 
-/// A time [s since 1970], cut to whole seconds, as near as calendars go.
+/// Converts a time [s since 1970] to a timestamp, cut to whole seconds and clamped to the calendar's range.
 fn timestamp(time: f64) -> Timestamp {
     let seconds = time.floor() as i64;
     let seconds = seconds.clamp(Timestamp::MIN.as_second(), Timestamp::MAX.as_second());

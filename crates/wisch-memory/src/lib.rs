@@ -1,7 +1,7 @@
-//! Episodic memory of robotic wiping: every run is an episode that can be asked.
+//! Episodic memory of robotic wiping: every run is an episode that answers queries.
 //!
-//! An episode is a graph of [`Individual`]s (the wiping, its rounds and strokes, what was felt, who took part)
-//! beside its telemetry. The [`Catalogue`] holds the graphs of all episodes in columns.
+//! An episode consists of its telemetry and of a graph of [`Individual`]s: the wiping, its rounds and strokes, detected
+//! events, and participants. The [`Catalogue`] holds the graphs of all episodes in columns.
 
 pub mod ask;
 pub mod catalogue;

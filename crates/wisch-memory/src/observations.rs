@@ -1,4 +1,4 @@
-//! What a camera saw of the dirt before and after a round, as a file of the episode.
+//! Camera observations of the dirt before and after a round, as a file of the episode.
 
 use crate::frames::StoredPose;
 use nalgebra::{Quaternion, UnitQuaternion};
@@ -6,55 +6,55 @@ use serde::{Deserialize, Serialize};
 use wisch::geometry::{Point2, Polygon, Pose, Region};
 use wisch::represent::Observation;
 
-/// Version of the file.
+/// Version of the file's schema.
 pub const OBSERVATIONS_SCHEMA: u32 = 1;
 
-/// How far the length of a stored quaternion may be from 1.
+/// Largest deviation of a stored quaternion's norm from 1 [1].
 const UNIT_TOLERANCE: f64 = 1e-6;
 
-/// What a camera saw of the dirt before and after a round.
+/// Camera observations of the dirt before and after a round.
 #[derive(Debug, Clone, PartialEq)]
 pub struct RoundObservations {
-    /// Which round of its run it was, from 1, if that is known. An imported log is the first round of its episode,
-    /// whichever of its run it was.
+    /// Number of the round in its run, from 1, if known. An imported log is the first round of its episode, but may be
+    /// any round of its run.
     pub round: Option<usize>,
-    /// Where the surface was believed to be in this round: the frame of both observations.
+    /// Believed pose of the surface in this round: the frame of both observations.
     pub world_from_surface: Pose,
-    /// Before the first sample and after the last; `None` where nothing looked.
+    /// Observations before the first sample and after the last; `None` where the camera was not used.
     pub observations: [Option<Observation>; 2],
 }
 
-/// What is wrong with observations.
+/// Fault of stored observations.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum ObservationFault {
-    /// Not JSON of this form.
+    /// The file is not JSON of this form.
     #[error("{0}")]
     Json(String),
-    /// Another schema.
-    #[error("schema: {found} is not supported, this program reads {OBSERVATIONS_SCHEMA}")]
+    /// The schema is not supported.
+    #[error("schema: {found} is not supported; this program reads {OBSERVATIONS_SCHEMA}")]
     Schema {
-        /// What it has.
+        /// The file's schema.
         found: u32,
     },
-    /// A quaternion that is no rotation.
+    /// A quaternion is not a rotation.
     #[error(
         "world_from_surface.quaternion: its length is {length}, further than {UNIT_TOLERANCE} from 1"
     )]
     Quaternion {
-        /// Its length [1].
+        /// Its norm [1].
         length: f64,
     },
-    /// A number that is none.
+    /// A number is not finite.
     #[error("{place}: {value} is not finite")]
     Number {
-        /// Where.
+        /// Path of the number.
         place: &'static str,
         /// The number.
         value: f64,
     },
 }
 
-/// The file.
+/// Schema of the file.
 #[derive(Debug, Serialize, Deserialize)]
 struct ObservationsRecord {
     schema: u32,
@@ -71,17 +71,17 @@ struct ObservationsRecord {
 #[derive(Debug, Serialize, Deserialize)]
 struct ObservationRecord {
     detections_m: Vec<[f64; 2]>,
-    /// Of each polygon the outer ring, then its holes.
+    /// For each polygon, its outer ring and then its holes.
     hidden_m: Vec<Vec<Vec<[f64; 2]>>>,
 }
 
 impl RoundObservations {
-    /// Whether something looked, before or after.
+    /// Whether there is an observation, before or after the round.
     pub fn is_any(&self) -> bool {
         self.observations.iter().any(Option::is_some)
     }
 
-    /// What is wrong with them; nothing, if they can be stored.
+    /// Checks that the observations can be stored.
     ///
     /// # Errors
     /// The first fault.
@@ -103,7 +103,7 @@ impl RoundObservations {
         Ok(())
     }
 
-    /// The file's contents.
+    /// Returns the contents of the file.
     pub(crate) fn to_json(&self) -> Result<String, ObservationFault> {
         self.check()?;
         let [before, after] = self.observations.each_ref().map(|seen| {
@@ -120,7 +120,7 @@ impl RoundObservations {
         serde_json::to_string(&record).map_err(|error| ObservationFault::Json(error.to_string()))
     }
 
-    /// What a file says.
+    /// Parses the contents of a file.
     pub(crate) fn from_json(bytes: &[u8]) -> Result<Self, ObservationFault> {
         let record: ObservationsRecord = serde_json::from_slice(bytes)
             .map_err(|error| ObservationFault::Json(error.to_string()))?;
@@ -142,7 +142,7 @@ impl RoundObservations {
     }
 }
 
-/// A pose to the last bit: its quaternion, which is a unit's, is not made one again.
+/// Returns a pose, bit for bit: its quaternion has unit norm and is not normalised again.
 pub(crate) fn pose(position: [f64; 3], quaternion: [f64; 4]) -> Pose {
     let rotation = UnitQuaternion::new_unchecked(Quaternion::from(quaternion));
     Pose::from_parts(position.into(), rotation)
@@ -197,8 +197,8 @@ impl From<ObservationRecord> for Observation {
 pub(crate) mod tests {
     use super::*;
 
-    /// Two looks at a surface that is tilted.
-    pub(crate) fn looked() -> RoundObservations {
+    /// Two observations of a tilted surface.
+    pub(crate) fn example_observations() -> RoundObservations {
         let ring = |size: f64| {
             let corners = [[-size, -size], [size, -size], [size, size], [-size, size]];
             corners.map(Point2::from).to_vec()
@@ -222,10 +222,10 @@ pub(crate) mod tests {
 
     #[test]
     fn what_was_seen_comes_back_to_the_last_bit() {
-        let mut only_after = looked();
+        let mut only_after = example_observations();
         only_after.round = None;
         only_after.observations[0] = None;
-        for written in [looked(), only_after] {
+        for written in [example_observations(), only_after] {
             let text = written.to_json().unwrap();
             assert_eq!(RoundObservations::from_json(text.as_bytes()), Ok(written));
         }
@@ -234,16 +234,16 @@ pub(crate) mod tests {
     #[test]
     fn what_was_not_seen_so_is_refused() {
         let refused = |observations: &RoundObservations| observations.to_json().unwrap_err();
-        let mut infinite = looked();
+        let mut infinite = example_observations();
         let [Some(before), _] = &mut infinite.observations else {
-            panic!("a look");
+            panic!("an observation");
         };
         before.detections[1].y = f64::INFINITY;
         assert_eq!(
             refused(&infinite).to_string(),
             "detections_m: inf is not finite"
         );
-        let text = looked().to_json().unwrap();
+        let text = example_observations().to_json().unwrap();
         for (part, other, said) in [
             ("\"schema\":1", "\"schema\":9", "schema: 9 is not supported"),
             ("[0.0,0.6,", "[3.0,0.6,", "further than 0.000001 from 1"),
@@ -253,7 +253,7 @@ pub(crate) mod tests {
             let error = RoundObservations::from_json(changed.as_bytes()).unwrap_err();
             assert!(error.to_string().contains(said), "{error}");
         }
-        let mut stretched = looked();
+        let mut stretched = example_observations();
         stretched.world_from_surface = pose([0.0; 3], [0.0, 0.0, 0.0, 1.5]);
         assert_eq!(
             refused(&stretched),

@@ -1,4 +1,4 @@
-//! An episode's record as it is written to disk: a graph of individuals under a schema version.
+//! The record of an episode on disk: a graph of individuals with a schema version.
 
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
@@ -6,18 +6,18 @@ use std::collections::BTreeMap;
 /// Version of [`EpisodeRecord`].
 pub const EPISODE_SCHEMA: u32 = 1;
 
-/// Property of a round of which no telemetry was kept: why.
+/// Property of a round without telemetry: the reason.
 pub(crate) const TELEMETRY_LOST: &str = "semco:telemetryLost";
 
-/// Where an episode comes from.
+/// Source of an episode.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Origin {
-    /// Run by this program in its simulated world.
+    /// A run of this program in its simulated world.
     Simulated,
-    /// Executed by a program of this name, which is no world that this program simulates: a robot, or another simulator.
+    /// An execution by a program of this name: a robot, or another simulator.
     Executor(String),
-    /// Read from a log of this name.
+    /// A log of this name.
     Imported(String),
 }
 
@@ -31,101 +31,103 @@ pub enum Value {
     Text(String),
 }
 
-/// One thing of an episode: an action, an event, a state.
+/// An individual of an episode: an action, an event or a state.
 ///
-/// Its name is `Class_episode-number`, with one `_` in it, where the number is its place in the record.
-/// Names of classes and properties carry their prefix, such as `semco:WipingRound` and `semco:performance`.
+/// Its name is `Class_episode-number` with a single `_`; the number is its index in the record. Names of classes and
+/// properties have a prefix, for example `semco:WipingRound` and `semco:performance`.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Individual {
-    /// Its class, such as `semco:Collision`.
+    /// Its class, for example `semco:Collision`.
     pub class: String,
-    /// From when to when [s since 1970], if it has a time.
+    /// Begin and end [s since 1970], if it has a time.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub interval: Option<[f64; 2]>,
-    /// Place in the record of the action that it is part of.
+    /// Index of the action that it is part of.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub parent: Option<usize>,
-    /// What it is related to, by property: names of individuals, of shared things such as `semco:sponge`, or
-    /// places in the record as `#3`.
+    /// Relations by property: names of individuals, of shared things such as `semco:sponge`, or indices in the record
+    /// as `#3`.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
     pub relations: BTreeMap<String, Vec<String>>,
-    /// Its values, by property.
+    /// Values by property.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
     pub values: BTreeMap<String, Value>,
 }
 
-/// One episode: what happened, who took part, and with what result.
+/// The record of an episode: its individuals, participants and result.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct EpisodeRecord {
     /// [`EPISODE_SCHEMA`].
     pub schema: u32,
     /// Its name: letters, digits and `-`.
     pub id: String,
-    /// The task's name.
+    /// Name of the task.
     pub task: String,
-    /// From when to when [s since 1970].
+    /// Begin and end [s since 1970].
     pub interval: [f64; 2],
-    /// Where it comes from.
+    /// Source of the episode.
     pub origin: Origin,
     /// Program and version that wrote it.
     pub program: String,
     /// Seed of the run.
     pub seed: u64,
-    /// When each round began [s since 1970], in their order; the times in its telemetry count from here.
+    /// Begin of each round [s since 1970], in order; times in the round's telemetry count from here.
     pub rounds: Vec<f64>,
-    /// What happened; the first is the episode itself.
+    /// Individuals; the first is the episode itself.
     pub individuals: Vec<Individual>,
 }
 
-/// What is wrong with a record.
+/// Fault of a record.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum RecordFault {
-    /// Another schema.
-    #[error("schema: {found} is not supported, this program reads {EPISODE_SCHEMA}")]
+    /// The schema is not supported.
+    #[error("schema: {found} is not supported; this program reads {EPISODE_SCHEMA}")]
     Schema {
-        /// What it has.
+        /// The record's schema.
         found: u32,
     },
-    /// Not a name.
-    #[error("id: {id:?} is not made of letters, digits and -")]
+    /// The name of the episode is invalid.
+    #[error("id: {id:?} may contain only letters, digits and -")]
     Id {
-        /// What it has.
+        /// The name.
         id: String,
     },
-    /// An interval that ends before it begins, or is not finite.
-    #[error("{place}: the interval {start} to {end} is none")]
+    /// An interval ends before it begins, or is not finite.
+    #[error(
+        "{place}: the interval from {start} to {end} s is invalid; its end must be finite and not before its start"
+    )]
     Interval {
-        /// Where.
+        /// Path of the faulty entry.
         place: String,
         /// Its start [s].
         start: f64,
         /// Its end [s].
         end: f64,
     },
-    /// No such individual.
-    #[error("{place}: {reference} is none of the {count} individuals")]
+    /// A relation or parent refers to an individual that does not exist.
+    #[error("{place}: {reference} does not exist; the record has {count} individuals")]
     Reference {
-        /// Where.
+        /// Path of the faulty entry.
         place: String,
-        /// What is named.
+        /// The reference.
         reference: String,
-        /// How many there are.
+        /// Number of individuals.
         count: usize,
     },
-    /// A number that is none.
+    /// A number is not finite.
     #[error("{place}: {property} is {value}, which is not finite")]
     Number {
-        /// Where.
+        /// Path of the faulty entry.
         place: String,
-        /// Of which property.
+        /// The property.
         property: String,
         /// The number.
         value: f64,
     },
-    /// A name without a prefix.
-    #[error("{place}: {name:?} has no prefix")]
+    /// A name has no prefix.
+    #[error("{place}: {name:?} has no prefix, for example semco:")]
     Prefix {
-        /// Where.
+        /// Path of the faulty entry.
         place: String,
         /// The name.
         name: String,
@@ -133,15 +135,15 @@ pub enum RecordFault {
 }
 
 impl EpisodeRecord {
-    /// The name of an individual, without prefix: its class, `_`, the episode and its place.
+    /// Returns the name of an individual, without prefix: its class, `_`, the episode and its index.
     ///
     /// # Panics
-    /// If there is no such place.
+    /// If no individual has this index.
     pub fn name(&self, place: usize) -> String {
         individual_name(&self.individuals[place].class, &self.id, place)
     }
 
-    /// Why no telemetry of a round, from 1, was kept; `None` where the record does not say.
+    /// Returns why a round, counted from 1, has no telemetry; `None` if the record states no reason.
     pub fn telemetry_lost(&self, round: usize) -> Option<String> {
         let is_round = |individual: &&Individual| {
             let number = individual.values.get("semco:round");
@@ -155,7 +157,7 @@ impl EpisodeRecord {
         }
     }
 
-    /// Says why no telemetry of a round, from 1, was kept.
+    /// Records why a round, counted from 1, has no telemetry.
     pub fn set_telemetry_lost(&mut self, round: usize, why: &str) {
         for individual in &mut self.individuals {
             let number = individual.values.get("semco:round");
@@ -168,7 +170,7 @@ impl EpisodeRecord {
         }
     }
 
-    /// What is wrong with it; nothing, if it can be stored.
+    /// Checks that the record can be stored.
     ///
     /// # Errors
     /// The first fault.
@@ -207,7 +209,7 @@ impl EpisodeRecord {
         if let Some(interval) = individual.interval {
             check_interval(&format!("{place}.interval"), interval)?;
         }
-        // Parents stand before their parts, so there are no circles.
+        // Parents precede their parts, so there are no cycles.
         if let Some(parent) = individual.parent
             && parent >= index
         {
@@ -249,7 +251,7 @@ impl EpisodeRecord {
     }
 }
 
-/// The name of an individual, without prefix.
+/// Returns the name of an individual, without prefix.
 pub(crate) fn individual_name(class: &str, episode: &str, place: usize) -> String {
     let local = class.split_once(':').map_or(class, |(_, local)| local);
     format!("{}_{episode}-{place}", local.replace('_', ""))

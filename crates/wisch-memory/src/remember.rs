@@ -1,4 +1,4 @@
-//! From rounds of wiping to the record of an episode.
+//! Records of episodes from rounds of wiping.
 
 mod log;
 mod logged;
@@ -16,14 +16,14 @@ use wisch::recover::Verdict;
 use wisch::represent::{Action, GoalState, Task};
 use wisch::run::{Ending, PlannedRound};
 
-/// What an episode is besides its rounds.
+/// Header of an episode, beside its rounds.
 #[derive(Debug, Clone, PartialEq)]
 pub struct EpisodeHeader {
-    /// Its name, as [`episode_id`](crate::episode_id) makes them.
+    /// Name of the episode, as [`episode_id`](crate::episode_id) returns it.
     pub id: String,
-    /// When it began [s since 1970].
+    /// Begin of the episode [s since 1970].
     pub start: f64,
-    /// Estimated performance at which the goal was to count as met.
+    /// Estimated performance at which the goal counts as met [1].
     pub target: f64,
     /// Seed of the run.
     pub seed: u64,
@@ -32,7 +32,7 @@ pub struct EpisodeHeader {
 }
 
 impl EpisodeHeader {
-    /// Of an episode that began at a time [s since 1970], from which it has its name.
+    /// Returns the header of an episode that begins at a time [s since 1970], which also gives its name.
     pub fn new(start: f64, target: f64, seed: u64, program: &str) -> Self {
         Self {
             id: episode_id(start, 0),
@@ -44,28 +44,28 @@ impl EpisodeHeader {
     }
 }
 
-/// What an episode holds of a round.
+/// Data of a round for its episode.
 #[derive(Debug, Clone)]
 pub struct EpisodeRound<'a> {
-    /// What was to be done: task, plan and motion.
+    /// Task, plan and motion of the round.
     pub motion: &'a PlannedRound,
-    /// Which motions were when, as seen while they were executed.
+    /// Times of its motions, from its telemetry.
     pub log: &'a RoundLog,
-    /// How long the execution took, in the robot's time [s].
+    /// Duration of the execution, in the robot's time [s].
     pub duration: f64,
-    /// How it ended.
+    /// How the execution ended.
     pub ending: &'a Ending,
-    /// What was inferred from touch.
+    /// Result of the interpretation.
     pub interpretation: &'a Interpretation,
-    /// What follows from it.
+    /// Verdict on the round.
     pub verdict: Verdict,
-    /// Performance as a simulated world knows it; `None` of a real one.
+    /// Performance by ground truth [1]; `None` outside simulation.
     pub simulated_performance: Option<f64>,
 }
 
-/// The record of an episode: what was done in each round, what was felt, and how well it went.
+/// Returns the record of an episode: the actions of each round, the detected events, and the results.
 ///
-/// One round follows the other without a pause: their times are those of the robot, not of who computes.
+/// Rounds follow each other without pauses: their times are the robot's, not the computer's.
 pub fn remember(header: &EpisodeHeader, rounds: &[EpisodeRound<'_>]) -> EpisodeRecord {
     let mut record = RecordBuilder {
         individuals: Vec::new(),
@@ -140,7 +140,7 @@ fn action_values(
     about.values
 }
 
-/// The goal as PDDL says it.
+/// Returns the goal in PDDL.
 fn goal_of(task: &Task, goal: &GoalState) -> String {
     let predicate = match goal {
         GoalState::Absorbed => "absorbed",
@@ -152,10 +152,10 @@ fn goal_of(task: &Task, goal: &GoalState) -> String {
     format!("({predicate} {} {})", task.medium, task.surface.name)
 }
 
-/// The record in the making.
+/// Builder of a record.
 struct RecordBuilder {
     individuals: Vec<Individual>,
-    /// The robot's time [s since 1970].
+    /// The robot's current time [s since 1970].
     time: f64,
     starts: Vec<f64>,
 }
@@ -189,7 +189,7 @@ impl RecordBuilder {
     }
 }
 
-/// What is said of a round.
+/// Adds the facts of a round.
 fn describe(individual: &mut Individual, round: &EpisodeRound<'_>) {
     let motion = &round.motion;
     describe_touch(individual, round.interpretation);
@@ -208,7 +208,7 @@ fn describe(individual: &mut Individual, round: &EpisodeRound<'_>) {
     individual.end_in(state(round.verdict));
 }
 
-/// What the touch of a round tells.
+/// Adds what the interpretation found.
 fn describe_touch(individual: &mut Individual, interpretation: &Interpretation) {
     individual.estimate(interpretation);
     individual.set_number("semco:contactShare", interpretation.contact_share);
@@ -263,16 +263,17 @@ fn describe_stroke(
     }
 }
 
-/// What was felt over some pieces of the path, each as long as it lasts.
+/// Contact statistics over parts of the path, weighted by their duration.
 struct ContactStatistics {
-    /// Share of the time in contact, if there is any time.
+    /// Share of the time in contact [1]; `None` for no time.
     contact_share: Option<f64>,
-    /// Mean normal force over contact [N], if there is any.
+    /// Mean normal force during contact [N]; `None` without contact.
     mean_force: Option<f64>,
 }
 
 impl ContactStatistics {
     fn of<'a>(pieces: impl Iterator<Item = &'a PathPiece>) -> Self {
+        // Share = Σ t_contact / Σ t; mean force = Σ F t / Σ t over the parts in contact.
         let [mut all, mut contact, mut impulse] = [0.0; 3];
         for piece in pieces {
             let duration = piece.time[1] - piece.time[0];
@@ -289,20 +290,20 @@ impl ContactStatistics {
     }
 }
 
-/// What is to be known of a round to say what happened in it.
+/// Context of a round, from which its motions and events are described.
 struct RoundContext<'a> {
     task: &'a Task,
     interpretation: &'a Interpretation,
-    /// The robot's name, if it is known.
+    /// Name of the robot, if known.
     robot: Option<&'a str>,
-    /// When the round began and ended [s since 1970].
+    /// Begin and end of the round [s since 1970].
     during: [f64; 2],
-    /// When the robot stopped itself [s since the round began], if it did.
+    /// Time of a protective stop [s since the round began], if there was one.
     stopped: Option<f64>,
 }
 
 impl RoundContext<'_> {
-    /// Adds the parts of the round that stands at this place: its motions, and what happened during them.
+    /// Adds the parts of the round at this index: its motions, and the events during them.
     fn add_parts(&self, individuals: &mut Vec<Individual>, round: usize, spans: &[Span]) {
         let [start, end] = self.during;
         let first = individuals.len();
@@ -339,7 +340,7 @@ impl RoundContext<'_> {
         }
     }
 
-    /// `None` of what the robot itself was about, which its motions tell.
+    /// Returns the individual of an event; `None` for the robot's own phases, which its motions describe.
     fn of(&self, event: &Event, parent: usize) -> Option<Individual> {
         let class = match event.kind {
             EventKind::Contact => "semco:ToolContact",
@@ -375,7 +376,7 @@ impl RoundContext<'_> {
             let tool = self.task.tool.name.as_str();
             let who = ["human"].into_iter().chain(self.robot).chain([tool]);
             for name in who {
-                individual.relate("dul:hasParticipant", shared(name));
+                individual.relate("dul:hasParticipant", shared_name(name));
             }
         }
         Some(individual)
@@ -390,23 +391,23 @@ fn edge_distance(outline: &Polygon, point: Point2) -> f64 {
 fn participants(round: &EpisodeRound<'_>) -> BTreeMap<String, Vec<String>> {
     let robot = round.motion.cell.robot().name();
     let mut relations = things_of(&round.motion.task);
-    relations.insert("soma:isPerformedBy".to_owned(), vec![shared(robot)]);
+    relations.insert("soma:isPerformedBy".to_owned(), vec![shared_name(robot)]);
     relations
 }
 
-/// What a task is done with, to what and where.
+/// Returns the participants of a task: tool, surface and substance.
 fn things_of(task: &Task) -> BTreeMap<String, Vec<String>> {
     [
         ("semco:usesTool", task.tool.name.as_str()),
         ("semco:removesMedium", &task.medium),
         ("semco:actsOnSurface", &task.surface.name),
     ]
-    .map(|(property, name)| (property.to_owned(), vec![shared(name)]))
+    .map(|(property, name)| (property.to_owned(), vec![shared_name(name)]))
     .into()
 }
 
-/// The name of something that episodes share, as it may stand in an IRI.
-fn shared(name: &str) -> String {
+/// Returns the name of a shared thing in a form that an IRI allows.
+fn shared_name(name: &str) -> String {
     let plain = |c: char| {
         if c.is_alphanumeric() || "-_.".contains(c) {
             c
@@ -417,7 +418,7 @@ fn shared(name: &str) -> String {
     format!("semco:{}", name.chars().map(plain).collect::<String>())
 }
 
-/// How it ended; `None` where that cannot be told.
+/// Returns the state that a verdict implies; `None` if it is unknown.
 fn state(verdict: Verdict) -> Option<&'static str> {
     match verdict {
         Verdict::GoalMet => Some(SUCCEEDED),
@@ -440,7 +441,7 @@ impl Individual {
         }
     }
 
-    /// A number; what is none is left out, as nothing can be asked about it.
+    /// Sets a number; a number that is not finite is left out, because queries could not use it.
     fn set_number(&mut self, property: &str, value: f64) {
         if value.is_finite() {
             self.values
@@ -458,7 +459,7 @@ impl Individual {
         objects.push(object);
     }
 
-    /// Sets how it ended, if that can be told.
+    /// Sets the final state, if it is known.
     fn end_in(&mut self, state: Option<&str>) {
         if let Some(state) = state {
             self.relate("soma:hasExecutionState", state.to_owned());

@@ -1,29 +1,29 @@
-//! The robot of an episode, so that frames can be computed when its files have long changed.
+//! The robot of an episode, stored with it so that frames can be computed after the robot's own files have changed.
 
 use crate::store::{Episode, EpisodeWriter, MemoryError, URDF_FILE};
 use std::collections::BTreeMap;
 use wisch::robot::RobotModel;
 
 const SRDF_FILE: &str = "robot.srdf";
-/// Says which file holds which mesh.
+/// File that maps the meshes of the description to files.
 const MESHES_FILE: &str = "robot-meshes.json";
 
-/// A robot's description as files.
+/// Files of a robot's description.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct RobotText {
     /// The URDF.
     pub urdf: String,
     /// The SRDF, if there is one.
     pub srdf: Option<String>,
-    /// The collision meshes, under the names that the URDF gives them.
+    /// The collision meshes, by their names in the URDF.
     pub meshes: Vec<(String, Vec<u8>)>,
 }
 
 impl RobotText {
-    /// Adds them to an episode.
+    /// Adds the files to an episode.
     ///
     /// # Errors
-    /// What the system says.
+    /// If a file cannot be written.
     pub fn attach_to(&self, writer: &EpisodeWriter) -> Result<(), MemoryError> {
         writer.attach(URDF_FILE, &self.urdf)?;
         if let Some(srdf) = &self.srdf {
@@ -34,7 +34,7 @@ impl RobotText {
         }
         let mut files: BTreeMap<&str, String> = BTreeMap::new();
         for (name, bytes) in &self.meshes {
-            // A mesh of several links is read several times.
+            // Several links may use the same mesh.
             if files.contains_key(name.as_str()) {
                 continue;
             }
@@ -42,17 +42,17 @@ impl RobotText {
             writer.attach(&file, bytes)?;
             files.insert(name, file);
         }
-        // Texts always have a form in JSON.
+        // Texts always serialise to JSON.
         let files = serde_json::to_vec(&files).unwrap_or_default();
         writer.attach(MESHES_FILE, files)
     }
 }
 
 impl Episode {
-    /// The robot that wiped.
+    /// Returns the model of the robot.
     ///
     /// # Errors
-    /// An episode without a robot, as of a log, or a description that cannot be read.
+    /// If the episode has no robot, for example after the import of a log, or if the description cannot be read.
     pub fn robot(&self) -> Result<RobotModel, MemoryError> {
         let path = self.folder().join(URDF_FILE);
         let broken = |what: String| MemoryError::Json {
@@ -69,7 +69,9 @@ impl Episode {
             BTreeMap::new()
         };
         let mut mesh = |name: &str| {
-            let file = files.get(name).ok_or_else(|| format!("{name}: not kept"))?;
+            let file = files
+                .get(name)
+                .ok_or_else(|| format!("{name}: the episode does not hold this mesh"))?;
             self.attachment(file).map_err(|error| error.to_string())
         };
         RobotModel::from_urdf(&path.display().to_string(), &urdf, &mut mesh)

@@ -1,25 +1,25 @@
-//! The file beside the episodes in which statements of people are kept, a line each.
+//! File of statements by people, beside the episodes: one statement per line.
 
 use std::fs::{self, File, OpenOptions};
 use std::io::{self, Read, Seek, SeekFrom, Write};
 use std::path::Path;
 
-/// The file that they are kept in.
+/// Name of the file.
 pub const FILE: &str = "told.jsonl";
 
-/// One statement: subject, property, and a name or a value.
+/// A statement: subject, property, and a name or a value.
 pub type Statement = (String, String, serde_json::Value);
 
-/// Removes what was told of an episode from its memory; the file in which that is done stands aside.
+/// Removes all statements about an episode from a memory. `aside` is the path of the temporary file.
 ///
 /// # Errors
-/// What the system says; then nothing is removed.
+/// If a file cannot be read or written; then nothing is removed.
 pub fn forget_episode(memory: &Path, id: &str, aside: &Path) -> io::Result<()> {
     let path = memory.join(FILE);
     if !path.exists() {
         return Ok(());
     }
-    let held = locked(&path)?;
+    let held = open_locked(&path)?;
     let text = fs::read_to_string(&path)?;
     let is_of_it = |name: &str| {
         let episode = individual_of(name).and_then(|local| {
@@ -31,7 +31,7 @@ pub fn forget_episode(memory: &Path, id: &str, aside: &Path) -> io::Result<()> {
     let whole = &text[..whole_lines(text.as_bytes())];
     let stays = |line: &&str| match parse(line) {
         Ok((subject, _, object)) => !is_of_it(&subject) && !object.as_str().is_some_and(is_of_it),
-        // What cannot be read is told when it is read.
+        // A line that cannot be parsed is reported when it is read, so it stays.
         Err(_) => true,
     };
     let left: String = whole
@@ -42,7 +42,8 @@ pub fn forget_episode(memory: &Path, id: &str, aside: &Path) -> io::Result<()> {
     if left.len() == whole.len() {
         return Ok(());
     }
-    // The new file takes the place of the old one at once; who waits for the old one's lock opens the new one.
+    // The new file replaces the old one in one step. A process that waits for the old file's lock then opens the new
+    // file.
     let mut new = File::create(aside)?;
     new.write_all(left.as_bytes())?;
     new.set_permissions(held.metadata()?.permissions())?;
@@ -50,7 +51,7 @@ pub fn forget_episode(memory: &Path, id: &str, aside: &Path) -> io::Result<()> {
     fs::rename(aside, &path)
 }
 
-/// The local name of what may be an individual of an episode: `Class_episode-place`.
+/// Returns the local name if it has the form of an episode's individual: `Class_episode-place`.
 pub fn individual_of(name: &str) -> Option<&str> {
     let local = name.strip_prefix("semco:")?;
     let (class, rest) = local.split_once('_')?;
@@ -62,10 +63,10 @@ pub fn individual_of(name: &str) -> Option<&str> {
     is_one.then_some(local)
 }
 
-/// Reads a statement off its line.
+/// Parses a statement from its line.
 ///
 /// # Errors
-/// What is wrong with it.
+/// A description of the fault.
 pub fn parse(line: &str) -> Result<Statement, String> {
     let statement: Statement = serde_json::from_str(line).map_err(|error| error.to_string())?;
     let (subject, property, object) = &statement;
@@ -77,16 +78,16 @@ pub fn parse(line: &str) -> Result<Statement, String> {
     }
 }
 
-/// The length of the lines that end [bytes]: a program that was killed may have left part of one behind.
+/// Returns the length of the complete lines [bytes]: a killed program may leave part of a line behind.
 pub fn whole_lines(text: &[u8]) -> usize {
     text.iter()
         .rposition(|byte| *byte == b'\n')
         .map_or(0, |place| place + 1)
 }
 
-/// Adds lines to a file, all or none.
+/// Appends lines to a file, all or none.
 pub fn append(file: &Path, lines: &str) -> io::Result<()> {
-    let mut open = locked(file)?;
+    let mut open = open_locked(file)?;
     let mut before = Vec::new();
     open.read_to_end(&mut before)?;
     let whole = whole_lines(&before) as u64;
@@ -96,13 +97,13 @@ pub fn append(file: &Path, lines: &str) -> io::Result<()> {
         .write_all(lines.as_bytes())
         .and_then(|()| open.sync_all());
     written.inspect_err(|_| {
-        // A part of a line would be passed over by the next who reads; part of the lines would not.
+        // A reader would skip part of a line, but not part of the lines, so the file is cut to its old length.
         let _ = open.set_len(whole);
     })
 }
 
-/// The file, made if it is not there, under a lock that ends with it: others may tell something to the same memory.
-fn locked(file: &Path) -> io::Result<File> {
+/// Opens the file, creating it if necessary, and locks it: several programs may add statements at once.
+fn open_locked(file: &Path) -> io::Result<File> {
     loop {
         let mut options = OpenOptions::new();
         let open: File = options
@@ -112,7 +113,7 @@ fn locked(file: &Path) -> io::Result<File> {
             .write(true)
             .open(file)?;
         open.lock()?;
-        // Another file may have taken its place meanwhile.
+        // Another file may have replaced it meanwhile.
         if is_still(&open, file)? {
             return Ok(open);
         }

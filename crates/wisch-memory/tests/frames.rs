@@ -123,16 +123,22 @@ fn a_trajectory_is_sampled_by_period_and_by_number() {
     );
     assert_eq!(times([0.5, 2.0], Sampling::Count(1)), Ok(vec![0.5]));
     for (sampling, expected) in [
-        (Sampling::Every(0.0), "dt: 0 gives no 1 to 4000000 samples"),
+        (
+            Sampling::Every(0.0),
+            "dt: 0 does not give 1 to 4000000 samples",
+        ),
         (
             Sampling::Every(f64::NAN),
-            "dt: NaN gives no 1 to 4000000 samples",
+            "dt: NaN does not give 1 to 4000000 samples",
         ),
         (
             Sampling::Every(-1.0),
-            "dt: -1 gives no 1 to 4000000 samples",
+            "dt: -1 does not give 1 to 4000000 samples",
         ),
-        (Sampling::Count(0), "n: 0 gives no 1 to 4000000 samples"),
+        (
+            Sampling::Count(0),
+            "n: 0 does not give 1 to 4000000 samples",
+        ),
     ] {
         assert_eq!(times([0.0, 1.0], sampling), Err(expected.to_owned()));
     }
@@ -156,7 +162,7 @@ fn telemetry_of_another_robot_or_without_a_scene_is_refused() {
         joints: joints(["slide", "turn"]),
         ..TelemetryHead::default()
     };
-    assert!(refused("b.parquet", bare).ends_with("b.parquet: scene: there is none"));
+    assert!(refused("b.parquet", bare).ends_with("b.parquet: scene: it is missing"));
     let elsewhere = RoundScene {
         tip: "hand".to_owned(),
         ..scene()

@@ -161,13 +161,16 @@ fn wrong_samples_are_refused_and_leave_nothing_behind() {
         let pushed = writer.push(time, MARK, values.iter().copied());
         pushed.unwrap_err().to_string()
     };
-    assert_eq!(say(1.0, &[2.0]), "time: 1 s does not come after 1 s");
+    assert_eq!(
+        say(1.0, &[2.0]),
+        "time: 1 s is not later than the previous sample's, 1 s"
+    );
     assert_eq!(
         say(f64::NAN, &[2.0]),
         "time: NaN s is not between 0 and 1000000000 s"
     );
-    assert_eq!(say(2.0, &[]), "row: 0 values where there are 1");
-    assert_eq!(say(2.0, &[1.0, 2.0]), "row: 2 values where there are 1");
+    assert_eq!(say(2.0, &[]), "row: 0 values; expected 1");
+    assert_eq!(say(2.0, &[1.0, 2.0]), "row: 2 values; expected 1");
     writer.push(2.0, MARK, [3.0]).unwrap();
     writer.finish().unwrap();
     let telemetry = Telemetry::open(&path).unwrap();

@@ -294,7 +294,7 @@ fn what_was_not_recorded_is_named() {
         (
             "show('semco:sponge',interval(1000,1010,dt(0.1)))",
             format!(
-                "episode {ID}, round 1: semco:sponge: 101 poses are more than the limit of {MAX_POSES}: ask for fewer times"
+                "episode {ID}, round 1: semco:sponge: 101 poses exceed the limit of {MAX_POSES}; ask for fewer times"
             ),
         ),
         (

@@ -1,8 +1,8 @@
-//! The Prolog engine of `wisch ask`: Scryer Prolog in a process of its own, so that a runaway or a panic ends a query
-//! and not the program.
+//! The Prolog engine of `wisch ask`: Scryer Prolog in a process of its own, so that a runaway query or a panic ends the
+//! query and not the program.
 //!
-//! `wisch ask` begins it, hands it the predicates as a file, and asks it over its standard streams. It ends with whoever
-//! began it, however that ends and whatever query it is at.
+//! `wisch ask` starts it with a file of predicates, and sends queries over its standard streams. It always ends
+//! together with the program that started it, even during a query.
 
 use scryer_prolog::{MachineBuilder, StreamConfig};
 use std::process::ExitCode;
@@ -25,8 +25,8 @@ fn main() -> ExitCode {
     }
 }
 
-/// Answers queries from standard input to standard output until it ends, with the predicates of a file, in so much
-/// memory [bytes].
+/// Answers queries from standard input to standard output until the input ends, with the predicates of a file and a
+/// memory limit [bytes].
 fn work(memory: &str, program: &str) -> Result<(), String> {
     #[cfg(unix)]
     end_with_the_program().map_err(|error| format!("standard input: {error}"))?;
@@ -42,24 +42,24 @@ fn work(memory: &str, program: &str) -> Result<(), String> {
     Ok(())
 }
 
-/// Ends this process, at once, when nobody holds the other end of its standard input any more. On Linux the kernel ends
-/// it, too, when the thread that began it ends.
+/// Ends this process at once when the other end of its standard input closes. On Linux, the kernel also ends it with
+/// the thread that started it.
 #[cfg(unix)]
 fn end_with_the_program() -> std::io::Result<()> {
     use rustix::event::{PollFd, PollFlags, poll};
     use rustix::process::{Signal, getpid, kill_process};
     #[cfg(target_os = "linux")]
     rustix::process::set_parent_process_death_signal(Some(Signal::KILL))?;
-    // If the program has ended before that, the stream has as well.
+    // If the program has ended before this line, the stream is closed already.
     let watch = move || {
         let input = std::io::stdin();
         let gone = PollFlags::HUP | PollFlags::ERR;
         loop {
-            // What comes in does not wake it.
+            // Incoming data do not wake this thread.
             let mut streams = [PollFd::new(&input, PollFlags::empty())];
             let woken = poll(&mut streams, None);
             if woken.is_ok() && streams[0].revents().intersects(gone) {
-                // Not by returning: queries are answered on another thread.
+                // Returning would not suffice, because queries run on another thread.
                 let _ = kill_process(getpid(), Signal::KILL);
             }
         }

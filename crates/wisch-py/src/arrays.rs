@@ -1,4 +1,4 @@
-//! Between NumPy's arrays and the library's types.
+//! Conversion between NumPy arrays and the library's types.
 
 use crate::error::refused;
 use nalgebra::{Quaternion, Translation3, UnitQuaternion};
@@ -8,17 +8,17 @@ use pyo3::prelude::*;
 use wisch::geometry::{Mesh, Point2, Pose, Region};
 use wisch::represent::{Fate, ParticleDistribution};
 
-/// A list of numbers as an array takes it over.
+/// An array of numbers.
 pub type Vector<'py> = Bound<'py, PyArray1<f64>>;
-/// Rows of numbers.
+/// An array with rows of numbers.
 pub type Matrix<'py> = Bound<'py, PyArray2<f64>>;
 
-/// The array that owns these numbers.
+/// Returns the array that owns these numbers.
 pub fn vector(py: Python<'_>, numbers: Vec<f64>) -> Vector<'_> {
     numbers.into_pyarray(py)
 }
 
-/// The array of rows that owns these numbers, which stand row by row.
+/// Returns the two-dimensional array that owns these numbers, in row-major order.
 pub fn matrix(py: Python<'_>, numbers: Vec<f64>, columns: usize) -> Matrix<'_> {
     let rows = numbers.len().checked_div(columns).unwrap_or_default();
     let array = Array2::from_shape_vec((rows, columns), numbers);
@@ -27,19 +27,19 @@ pub fn matrix(py: Python<'_>, numbers: Vec<f64>, columns: usize) -> Matrix<'_> {
         .into_pyarray(py)
 }
 
-/// x, y, z, then the quaternion's x, y, z, w.
+/// Returns x, y, z, then the quaternion's x, y, z, w.
 pub fn numbers(pose: &Pose) -> [f64; 7] {
     let p = pose.translation.vector;
     let q = pose.rotation.coords;
     [p.x, p.y, p.z, q.x, q.y, q.z, q.w]
 }
 
-/// A pose as an array (7).
+/// Returns a pose as an array (7).
 pub fn pose_array<'py>(py: Python<'py>, pose: &Pose) -> Vector<'py> {
     vector(py, numbers(pose).to_vec())
 }
 
-/// A pose from an array (7), its quaternion normalised.
+/// Parses a pose from an array (7), and normalises its quaternion.
 pub fn pose(name: &str, given: &Bound<'_, PyAny>) -> PyResult<Pose> {
     let [x, y, z, i, j, k, w] = fixed::<7>(name, given)?;
     let quaternion = Quaternion::new(w, i, j, k);
@@ -54,14 +54,14 @@ pub fn pose(name: &str, given: &Bound<'_, PyAny>) -> PyResult<Pose> {
     ))
 }
 
-/// Numbers from an array or a list.
+/// Parses numbers from an array or a list.
 pub fn list(name: &str, given: &Bound<'_, PyAny>) -> PyResult<Vec<f64>> {
     let array: PyArrayLike1<'_, f64, AllowTypeChange> = (given.extract())
         .map_err(|_| refused(name, kind_of(given), "a list or an array of numbers"))?;
     Ok(array.as_array().to_vec())
 }
 
-/// So many finite numbers.
+/// Parses an array of `N` finite numbers.
 pub fn fixed<const N: usize>(name: &str, given: &Bound<'_, PyAny>) -> PyResult<[f64; N]> {
     let numbers = finite(name, list(name, given)?)?;
     let count = numbers.len();
@@ -70,7 +70,7 @@ pub fn fixed<const N: usize>(name: &str, given: &Bound<'_, PyAny>) -> PyResult<[
         .map_err(|_| refused(name, format!("{count} numbers"), format!("{N} numbers")))
 }
 
-/// Of so many finite numbers, as the robot has joints.
+/// Parses an array of finite numbers, one per joint.
 pub fn of_joints(name: &str, given: &Bound<'_, PyAny>, dof: usize) -> PyResult<Vec<f64>> {
     let numbers = finite(name, list(name, given)?)?;
     if numbers.len() == dof {
@@ -90,7 +90,7 @@ fn finite(name: &str, numbers: Vec<f64>) -> PyResult<Vec<f64>> {
     }
 }
 
-/// Rows of so many numbers each.
+/// Parses rows of `N` finite numbers each.
 pub fn rows<const N: usize>(name: &str, given: &Bound<'_, PyAny>) -> PyResult<Vec<[f64; N]>> {
     let wanted = format!("an array of shape (rows, {N})");
     if given.len().is_ok_and(|len| len == 0) {
@@ -108,7 +108,7 @@ pub fn rows<const N: usize>(name: &str, given: &Bound<'_, PyAny>) -> PyResult<Ve
         .collect())
 }
 
-/// What somebody handed over instead.
+/// Describes a value of the wrong type.
 pub fn kind_of(given: &Bound<'_, PyAny>) -> String {
     let name = given.get_type().name();
     let kind = name.map_or_else(|_| "something".to_owned(), |name| name.to_string());
@@ -118,17 +118,17 @@ pub fn kind_of(given: &Bound<'_, PyAny>) -> String {
     }
 }
 
-/// Points (N, 2) [m].
+/// Returns points (N, 2) [m].
 pub fn points<'py>(py: Python<'py>, points: impl Iterator<Item = Point2>) -> Matrix<'py> {
     matrix(py, points.flat_map(|p| [p.x, p.y]).collect(), 2)
 }
 
-/// Where particles are, or went, (N, 2) [m].
+/// Returns the positions of particles, or where they left the surface, (N, 2) [m].
 pub fn places<'py>(py: Python<'py>, particles: &ParticleDistribution) -> Matrix<'py> {
     points(py, particles.iter().map(|(place, _)| place))
 }
 
-/// What became of particles: 0 on the surface, 1 absorbed, 2 off the surface.
+/// Returns the fates of particles: 0 on the surface, 1 absorbed, 2 off the surface.
 pub fn fates<'py>(py: Python<'py>, particles: &ParticleDistribution) -> Bound<'py, PyArray1<i8>> {
     let fates = particles.iter().map(|(_, fate)| match fate {
         Fate::OnSurface | Fate::Treated { .. } => 0,
@@ -138,7 +138,7 @@ pub fn fates<'py>(py: Python<'py>, particles: &ParticleDistribution) -> Bound<'p
     Array1::from_iter(fates).into_pyarray(py)
 }
 
-/// The outer rings of a region, each (corners, 2) [m].
+/// Returns the outer rings of a region, each (corners, 2) [m].
 pub fn rings<'py>(py: Python<'py>, region: &Region) -> Vec<Matrix<'py>> {
     let polygons = region.polygons().iter();
     polygons
@@ -146,7 +146,7 @@ pub fn rings<'py>(py: Python<'py>, region: &Region) -> Vec<Matrix<'py>> {
         .collect()
 }
 
-/// Corners (V, 3) [m] and triangles (T, 3) of a mesh.
+/// Returns vertices (V, 3) [m] and triangles (T, 3) of a mesh.
 pub fn mesh<'py>(py: Python<'py>, mesh: &Mesh) -> (Matrix<'py>, Bound<'py, PyArray2<u32>>) {
     let corners = mesh.vertices().iter().flat_map(|p| [p.x, p.y, p.z]);
     let triangles = mesh.triangles();

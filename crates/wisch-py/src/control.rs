@@ -7,7 +7,7 @@ use pyo3::prelude::*;
 use std::sync::{Arc, Mutex, PoisonError};
 use wisch::control::{ControlCommand, ControlConfig, MotionController, Wrench};
 
-/// What a tool weighs that nobody weighed [kg].
+/// Default mass of a tool [kg].
 const TOOL_MASS: f64 = 0.15;
 
 /// The whole-body impedance controller (8) with the observer of the external force, along a motion.
@@ -117,7 +117,8 @@ impl PyImpedanceController {
         self.with(|state| state.controller.compliant().collect())
     }
 
-    /// Efforts of the compliant joints (k) [Nm or N] at a time [s] of the motion, from all n positions and velocities.
+    /// Computes the efforts of the compliant joints (k) [Nm or N] at a time [s] of the motion, from all n positions and
+    /// velocities.
     fn command<'py>(
         &self,
         py: Python<'py>,
@@ -140,7 +141,7 @@ impl PyImpedanceController {
         })
     }
 
-    /// All n joints as planned for the last command: positions, velocities and accelerations, (n) each.
+    /// Planned state of all n joints at the last command: positions, velocities and accelerations, (n) each.
     #[getter]
     fn planned<'py>(&self, py: Python<'py>) -> (Vector<'py>, Vector<'py>, Vector<'py>) {
         self.with(|state| {
@@ -150,25 +151,25 @@ impl PyImpedanceController {
         })
     }
 
-    /// Where the tool is by forward kinematics, (7).
+    /// Pose of the tool by forward kinematics, (7).
     #[getter]
     fn world_from_tool<'py>(&self, py: Python<'py>) -> PyResult<Vector<'py>> {
         self.told(|told| pose_array(py, &told.world_from_tool))
     }
 
-    /// Where it is commanded, the press into the surface included, (7).
+    /// Commanded pose of the tool, including the press into the surface, (7).
     #[getter]
     fn world_from_commanded<'py>(&self, py: Python<'py>) -> PyResult<Vector<'py>> {
         self.told(|told| pose_array(py, &told.desired.world_from_tool))
     }
 
-    /// What the controller asks of the tool: force [N] and moment [Nm] in the axes of the world, (6).
+    /// Commanded wrench on the tool: force [N] and moment [Nm] in the axes of the world, (6).
     #[getter]
     fn controller_wrench<'py>(&self, py: Python<'py>) -> PyResult<Vector<'py>> {
         self.told(|told| force(py, &told.controller))
     }
 
-    /// What the surroundings do to the tool, as observed: force [N] and moment [Nm] in the axes of the world, (6).
+    /// Observed wrench of the surroundings on the tool: force [N] and moment [Nm] in the axes of the world, (6).
     #[getter]
     fn external_wrench<'py>(&self, py: Python<'py>) -> PyResult<Vector<'py>> {
         self.told(|told| force(py, &told.external))

@@ -12,7 +12,7 @@ use wisch::represent::{
     Effect, EffectModel, MotionEffect, ParticleDistribution, ParticleField, Surface, ToolMotion,
 };
 
-/// Particles on a surface, and the one model of what a tool does to them.
+/// Particles on a surface, with the effect model of a tool.
 #[pyclass(name = "EffectField", module = "wisch", frozen)]
 pub struct PyEffectField {
     surface: Surface,
@@ -57,8 +57,8 @@ fn polygon(name: &str, given: &Bound<'_, PyAny>) -> PyResult<Polygon> {
 
 #[pymethods]
 impl PyEffectField {
-    /// Particles (N, 2) [m] on a surface with this outline (corners, 2) [m], and a tool with this footprint (corners, 2) [m]
-    /// in its own frame, which "push"es or "absorb"s them.
+    /// Creates particles (N, 2) [m] on a surface with an outline (corners, 2) [m], and a tool with a footprint
+    /// (corners, 2) [m] in its own frame. The effect is "push", "absorb" or "treat".
     #[new]
     #[pyo3(signature = (particles, outline, footprint, effect = "push"))]
     fn of_polygons(
@@ -86,7 +86,7 @@ impl PyEffectField {
         Self::new(&rows("particles", particles)?, surface, &footprint, effect)
     }
 
-    /// The particles, surface, tool and action of a task.
+    /// Creates the field of a task's particles, surface, tool and action.
     #[staticmethod]
     fn of_task(task: &PyTask) -> PyResult<Self> {
         let task = &task.loaded.task;
@@ -95,8 +95,8 @@ impl PyEffectField {
         Self::new(&particles, surface, &tool.footprint, task.action.effect())
     }
 
-    /// Moves the tool in contact through poses x, y [m] and heading [rad], (k, 3) in the frame of the surface; a single pose
-    /// is a touch. Says how many particles were absorbed, pushed, lost over an edge, or treated.
+    /// Moves the tool in contact through poses x, y [m] and yaw [rad], (k, 3) in the frame of the surface; a single
+    /// pose is a touch. Returns the numbers of particles absorbed, pushed, lost over an edge, and treated.
     fn apply<'py>(
         &self,
         py: Python<'py>,
@@ -136,13 +136,13 @@ impl PyEffectField {
         Ok(told)
     }
 
-    /// Where the particles are, or went, in their original order, (N, 2) [m].
+    /// Positions of the particles, or where they left the surface, in their original order, (N, 2) [m].
     #[getter]
     fn particles<'py>(&self, py: Python<'py>) -> Matrix<'py> {
         self.with(|field, _| arrays::places(py, &field.distribution()))
     }
 
-    /// What became of them: 0 on the surface, 1 absorbed, 2 off the surface, (N).
+    /// Fates of the particles: 0 on the surface, 1 absorbed, 2 off the surface, (N).
     #[getter]
     fn fates<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<i8>> {
         self.with(|field, _| arrays::fates(py, &field.distribution()))

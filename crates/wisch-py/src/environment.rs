@@ -1,4 +1,4 @@
-//! Many small worlds side by side, to learn wiping in: particles, a tool, and the effect model.
+//! Parallel worlds for learning to wipe: particles, a tool, and the effect model.
 
 use crate::arrays::{self, Matrix, kind_of};
 use crate::error::{plain, refused};
@@ -14,24 +14,24 @@ use wisch::represent::{
     Surface, Task, ToolMotion, uniform_particles,
 };
 
-/// Numbers of an action: start x, y, end x, y, and heading, each -1 to 1.
+/// Length of an action: start x, y, end x, y, and yaw, each -1 to 1.
 const ACTION: usize = 5;
-/// Numbers that say where the tool is: x, y in the box of the actions, and cosine and sine of its heading.
+/// Length of the tool's observation: x, y in the box of the actions, and cosine and sine of its yaw.
 const TOOL: usize = 4;
-/// Fewer worlds than this are not worth another thread.
+/// Number of worlds below which a further thread does not pay.
 const WORLDS_PER_THREAD: usize = 64;
 /// Spreads the seeds of a world's episodes.
 const NEXT_EPISODE: u64 = 0x9e37_79b9_7f4a_7c15;
 
-/// What is the same in all worlds.
+/// Settings that all worlds share.
 struct Rules {
     task: Task,
     surface: Surface,
     goal: GoalState,
     occupied: OccupiedArea,
-    /// Of the surface, in which the density is told.
+    /// Bounds of the surface, the grid of the density.
     bounds: Bounds2,
-    /// In which strokes begin and end: so much larger that a tool can be moved off the surface.
+    /// Box of the strokes' starts and ends: enlarged, so that a tool can move off the surface.
     reach: Bounds2,
     particles: usize,
     rows: usize,
@@ -41,7 +41,7 @@ struct Rules {
     cost_per_m: f64,
 }
 
-/// One of them.
+/// A world.
 struct World {
     seed: u64,
     episode: u64,
@@ -53,7 +53,7 @@ struct World {
     is_over: bool,
 }
 
-/// What a step says of a world.
+/// Result of a step in a world.
 #[derive(Default, Clone, Copy)]
 struct Outcome {
     reward: f64,
@@ -83,7 +83,7 @@ impl Rules {
         })
     }
 
-    /// A stroke of a world, or, where its episode was over, the beginning of its next.
+    /// Executes a stroke in a world; if its episode is over, begins the next episode instead.
     fn step(&self, world: &mut World, action: [f64; ACTION]) -> Result<Outcome, SourceError> {
         if world.is_over {
             *world = self.begun(world.seed, world.episode.wrapping_add(1))?;
@@ -121,13 +121,14 @@ impl Rules {
         self.reach.center() + self.reach.size().component_mul(&Vector2::new(x, y)) / 2.0
     }
 
-    /// The share of a world's particles in each cell of the surface, row by row from the smallest y; and the tool.
+    /// Writes the share of a world's particles in each cell of the surface, row by row from the smallest y, and the
+    /// tool's pose.
     fn observe(&self, world: &World, density: &mut [f32], tool: &mut [f32]) {
         density.fill(0.0);
         let (min, size) = (self.bounds.min, self.bounds.size());
         let share = 1.0 / self.particles as f32;
         let cell = |at: f64, size: f64, cells: usize| {
-            // What is beyond an edge by rounding counts with the cell beside it.
+            // Rounding may put a point just beyond an edge; it counts in the nearest cell.
             ((at / size * cells as f64).max(0.0) as usize).min(cells - 1)
         };
         for place in world.field.distribution().remaining() {
@@ -145,7 +146,7 @@ impl Rules {
     }
 }
 
-/// Worlds of one task side by side, each with particles of its own.
+/// Parallel worlds of one task, each with particles of its own.
 #[pyclass(name = "WipingWorlds", module = "wisch", frozen)]
 pub struct PyWipingWorlds {
     rules: Rules,
@@ -236,7 +237,7 @@ impl PyWipingWorlds {
         })
     }
 
-    /// Begins all worlds anew; a seed begins one's first episode with it, `None` its next.
+    /// Begins new episodes in all worlds; a seed starts a new sequence of episodes, `None` continues the old one.
     fn reset<'py>(&self, py: Python<'py>, seeds: Vec<Option<u64>>) -> PyResult<Seen<'py>> {
         let cells = self.rules.rows * self.rules.columns;
         let (density, tool) = self.with(|worlds| {
@@ -259,8 +260,8 @@ impl PyWipingWorlds {
         Ok(self.seen(py, density, tool))
     }
 
-    /// A stroke in each world, actions (n, 5); a world whose episode was over begins its next instead. Density, tool,
-    /// rewards, terminated, truncated and performance.
+    /// Executes a stroke in each world, actions (n, 5); a world whose episode is over begins its next instead. Returns
+    /// density, tool, rewards, terminated, truncated and performance.
     #[expect(
         clippy::type_complexity,
         reason = "a tuple of arrays, as Gymnasium has it"
@@ -329,7 +330,7 @@ impl PyWipingWorlds {
         ))
     }
 
-    /// Where the particles of a world lie that are still on the surface, (k, 2) [m].
+    /// Positions of the particles on the surface of a world, (k, 2) [m].
     fn particles<'py>(&self, py: Python<'py>, world: usize) -> PyResult<Matrix<'py>> {
         self.with(|worlds| {
             let count = worlds.len();
@@ -348,7 +349,7 @@ impl PyWipingWorlds {
         })
     }
 
-    /// The box in which strokes begin and end: smallest and largest x, y [m], (2, 2).
+    /// Box of the strokes' starts and ends: smallest and largest x, y [m], (2, 2).
     #[getter]
     fn reach<'py>(&self, py: Python<'py>) -> Matrix<'py> {
         let reach = &self.rules.reach;

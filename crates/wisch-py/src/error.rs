@@ -1,4 +1,4 @@
-//! Why something is refused, as the exception `wisch.WischError`, which keeps file, place, value, limit and help.
+//! Errors as the exception `wisch.WischError`, with file, place, value, limit and help.
 
 use pyo3::prelude::*;
 use std::fmt::Display;
@@ -11,22 +11,22 @@ use wisch_record::RecordError;
 
 pyo3::import_exception!(wisch._errors, WischError);
 
-/// What an error knows beside its sentence.
+/// Details of an error, beside its message.
 #[derive(Debug, Default)]
 pub struct Details {
-    /// The file.
+    /// Path of the file.
     pub file: Option<String>,
     /// Line and column in it, from 1.
     pub place: Option<(usize, usize)>,
-    /// What was given.
+    /// The given value.
     pub value: Option<String>,
-    /// What it may be.
+    /// The allowed values.
     pub limit: Option<String>,
-    /// What can be done about it.
+    /// A remedy.
     pub help: Option<String>,
 }
 
-/// The exception of a sentence.
+/// Returns the exception with a message and details.
 pub fn failed(sentence: impl Display, details: Details) -> PyErr {
     let Details {
         file,
@@ -38,12 +38,12 @@ pub fn failed(sentence: impl Display, details: Details) -> PyErr {
     WischError::new_err((sentence.to_string(), file, place, value, limit, help))
 }
 
-/// The exception of a sentence that says it all.
+/// Returns the exception with a message only.
 pub fn plain(sentence: impl Display) -> PyErr {
     failed(sentence, Details::default())
 }
 
-/// An argument that is not what it may be.
+/// Returns the exception for an invalid argument.
 pub fn refused(name: &str, value: impl Display, limit: impl Display) -> PyErr {
     let details = Details {
         value: Some(value.to_string()),
@@ -53,7 +53,7 @@ pub fn refused(name: &str, value: impl Display, limit: impl Display) -> PyErr {
     failed(format!("{name}: expected {limit}, found {value}"), details)
 }
 
-/// The exception of a file that is refused.
+/// Returns the exception for an invalid file.
 pub fn of_file(error: Error) -> PyErr {
     let help = error.help();
     let mut details = match &error {
@@ -87,7 +87,7 @@ pub fn of_file(error: Error) -> PyErr {
     failed(error, details)
 }
 
-/// The exception of a run that cannot be kept.
+/// Returns the exception for a run that cannot be stored.
 pub fn of_record(error: RecordError) -> PyErr {
     match error {
         RecordError::Results(error) => of_file(error),
@@ -174,12 +174,12 @@ fn of_task(error: &TaskError) -> Details {
     }
 }
 
-/// The exception of a robot's model that is asked for what it cannot say.
+/// Returns the exception for an invalid request to a robot's model.
 pub fn of_robot(error: RobotError) -> PyErr {
     plain(error)
 }
 
-/// The exception of a session that cannot go on.
+/// Returns the exception for a session that cannot continue.
 pub fn of_run(task: &str, error: &RunError) -> PyErr {
     failed(format!("{task}: {error}"), file(task))
 }

@@ -1,4 +1,4 @@
-//! Executors that are Python objects, and what they hand on.
+//! Executors that are Python objects, and the samples that they pass.
 
 use crate::arrays::{kind_of, list, rows};
 use crate::error::{plain, refused};
@@ -16,30 +16,30 @@ use wisch::source_location::UnknownName;
 use wisch_io::{DoneRecord, EndingRecord, Intake, ObservationRecord, SampleRecord};
 
 scoped_thread_local!(
-    /// Where the samples of the motion go that this thread is executing.
+    /// Receiver of the samples of the motion that this thread executes.
     static mut TAKING: for<'a> &'a mut (dyn Taking + 'a)
 );
 
-/// What takes samples in.
+/// Receiver of samples.
 trait Taking {
-    /// The number of its motion.
+    /// Number of its motion.
     fn number(&self) -> u64;
 
-    /// Takes one; says whether the motion goes on.
+    /// Receives a sample. Returns whether the motion continues.
     fn take(&mut self, sample: SampleRecord) -> Result<bool, String>;
 }
 
-/// An executor in Python: any object with `execute(motion, sink)`, if it knows where it stands `state()`, and if it can look
+/// An executor in Python: any object with `execute(motion, sink)`; optionally with `state()`, and with a camera,
 /// `observe()`.
 pub struct PyExecutor<'py> {
     pub object: Bound<'py, PyAny>,
-    /// Without a sample, or an answer of what it sees, for so long, it is given up.
+    /// Longest wait for a sample or an observation.
     pub timeout: Option<Duration>,
-    /// What it raised.
+    /// Exception that it raised.
     pub raised: Option<PyErr>,
 }
 
-/// One motion's samples on their way.
+/// Samples of one motion.
 struct Round<'a> {
     number: u64,
     intake: Intake<'a>,
@@ -76,13 +76,13 @@ impl PyExecutor<'_> {
         Err(message)
     }
 
-    /// What it sees, if it says so in time; nothing of one that cannot look.
+    /// Returns its observation, if it arrives in time; `None` without a camera.
     pub fn look(&self) -> PyResult<Option<Observation>> {
         let py = self.object.py();
         let watchdog = Watchdog::begin(py, self.timeout)?;
         let seen = observe(&self.object);
         match watchdog {
-            Some(watchdog) => watchdog.end(py, seen, "did not say what it sees"),
+            Some(watchdog) => watchdog.end(py, seen, "returned no observation"),
             None => seen,
         }
     }
@@ -125,18 +125,18 @@ impl Executor for PyExecutor<'_> {
             self.object.call_method1("execute", (motion, taker))
         });
         let returned = match &watchdog {
-            Some(watchdog) => watchdog.end(py, returned, "handed on no sample"),
+            Some(watchdog) => watchdog.end(py, returned, "passed no sample"),
             None => returned,
         };
         let since = round.intake.time();
         let result = returned.and_then(|returned| match &round.fault {
-            // An executor may have swallowed what its sink raised.
+            // An executor may have caught its sink's exception.
             Some(fault) => Err(plain(fault)),
             None => round.done(&returned),
         });
         result.or_else(|error| {
             if error.is_instance_of::<PyKeyboardInterrupt>(py) && since.is_finite() {
-                // What was felt until then can yet be interpreted.
+                // The samples until then are still interpreted.
                 let execution = round.stopped();
                 self.raised = Some(error);
                 return Ok(execution);
@@ -168,7 +168,7 @@ impl Executor for PyExecutor<'_> {
     }
 }
 
-/// What an executor sees; nothing of one that cannot look.
+/// Returns an executor's observation; `None` without a camera.
 fn observe(object: &Bound<'_, PyAny>) -> PyResult<Option<Observation>> {
     let Ok(look) = object.getattr("observe") else {
         return Ok(None);
@@ -203,18 +203,19 @@ fn unknown<'a>(key: &str, known: impl IntoIterator<Item = &'a str>) -> PyErr {
 }
 
 impl Round<'_> {
-    /// An execution that was stopped at the last sample.
+    /// Returns an execution that was stopped at the last sample.
     fn stopped(&self) -> Execution {
         let last = self.last.as_ref();
         Execution {
             duration: last.map_or(0.0, |last| last.time_s),
             ending: Ending::Stopped,
-            // None where they are not measured.
+            // Empty if they are not measured.
             positions: last.map_or_else(Vec::new, |last| last.positions.clone()),
         }
     }
 
-    /// How an execution ended, by what `execute` returned: nothing, or what the protocol calls `done`.
+    /// Parses the ending of an execution from the return value of `execute`: None, or a dict like the protocol's
+    /// `done`.
     fn done(&self, returned: &Bound<'_, PyAny>) -> PyResult<Execution> {
         let Execution {
             duration,
@@ -270,7 +271,7 @@ fn ending(given: &Bound<'_, PyAny>) -> PyResult<EndingRecord> {
     })
 }
 
-/// Takes samples in while a motion is executed; says `False` when the motion is to be broken off.
+/// Receives samples during the execution of a motion; returns `False` if the motion must stop.
 #[pyclass(name = "Sink", module = "wisch", frozen)]
 pub struct PySink {
     number: u64,
@@ -291,7 +292,7 @@ const KEYS: [&str; 11] = [
     "efforts",
 ];
 
-/// What a sample has of a quantity with so many numbers.
+/// Parses a quantity of `N` numbers in a sample.
 fn array<const N: usize>(key: &str, value: &Bound<'_, PyAny>, time: f64) -> PyResult<[f64; N]> {
     let numbers = list(key, value)?;
     let count = numbers.len();
@@ -313,7 +314,7 @@ impl PySink {
         })
     }
 
-    /// Numbers of joints: in their order, or by their names.
+    /// Parses numbers of joints: in their order, or by their names.
     fn joints(&self, key: &str, value: &Bound<'_, PyAny>) -> PyResult<Vec<f64>> {
         let Ok(by_name) = value.cast::<PyMapping>() else {
             return list(key, value);
@@ -378,7 +379,7 @@ impl PySink {
 
 #[pymethods]
 impl PySink {
-    /// Hands one sample on: a dict with the keys of the executor protocol's `sample`, or these keys as arguments.
+    /// Passes a sample: a dict with the keys of the executor protocol's `sample`, or these keys as arguments.
     #[pyo3(signature = (sample = None, /, **keys))]
     fn __call__(
         &self,
@@ -391,8 +392,8 @@ impl PySink {
         self.hand_over(self.record(given)?)
     }
 
-    /// Hands many samples on: the same keys, each an array with a row per sample. Ends after the sample with which the
-    /// motion is to be broken off.
+    /// Passes many samples: the same keys, each an array with a row per sample. Ends after the sample at which the
+    /// motion must stop.
     #[pyo3(signature = (samples = None, /, **keys))]
     fn many(
         &self,

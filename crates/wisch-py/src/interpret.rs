@@ -1,4 +1,4 @@
-//! What poses and forces tell.
+//! Interpretation of poses and forces.
 
 use crate::arrays::{self, Matrix, Vector, pose_array};
 use crate::error::plain;
@@ -15,7 +15,7 @@ use wisch::recover::next_task;
 use wisch::represent::{GoalState, Task};
 use wisch_io::LoadedTask;
 
-/// What a log of poses and forces says of contact, surface and dirt.
+/// Estimates of contact, surface and dirt from poses and forces.
 #[pyclass(name = "Interpretation", module = "wisch", frozen)]
 pub struct PyInterpretation {
     pub task: Arc<Task>,
@@ -25,7 +25,7 @@ pub struct PyInterpretation {
 }
 
 impl PyInterpretation {
-    /// What a round's samples told.
+    /// Returns the interpretation of a round.
     pub fn of(task: &Task, goal: GoalState, config: &PlanConfig, told: Interpretation) -> Self {
         Self {
             task: Arc::new(task.clone()),
@@ -35,7 +35,7 @@ impl PyInterpretation {
         }
     }
 
-    /// What samples tell of a task; believed is what the task says of its dirt, or that it lies just as it says.
+    /// Interprets samples of a task. The belief is that of the task's dirt, or its particles as certain positions.
     pub fn of_samples(
         py: Python<'_>,
         loaded: &LoadedTask,
@@ -70,13 +70,13 @@ impl PyInterpretation {
         self.told.performance.mean
     }
 
-    /// Its 90 % interval.
+    /// 90 % interval of the performance.
     #[getter]
     fn interval(&self) -> (f64, f64) {
         interval(&self.told.performance)
     }
 
-    /// What touch alone says of it, before anything was seen.
+    /// Performance by touch alone, without camera observations.
     #[getter]
     fn performance_by_touch(&self) -> f64 {
         self.told.felt.mean
@@ -93,7 +93,7 @@ impl PyInterpretation {
         }
     }
 
-    /// Where the surface is, (7): where it was felt, if that is elsewhere than it was believed.
+    /// Estimated pose of the surface, (7): by touch, if that differs from the believed pose.
     #[getter]
     fn world_from_surface<'py>(&self, py: Python<'py>) -> Vector<'py> {
         match &self.told.diagnosis {
@@ -102,19 +102,19 @@ impl PyInterpretation {
         }
     }
 
-    /// Time in contact over the time on or near the surface, 0 to 1.
+    /// Time in contact divided by the time on or near the surface, 0 to 1.
     #[getter]
     fn contact_share(&self) -> f64 {
         self.told.contact_share
     }
 
-    /// Why the log does not look like wiping of this surface, in words; nothing where it does.
+    /// Reasons why the log may not show wiping of this surface.
     #[getter]
     fn doubts(&self) -> Vec<String> {
         self.told.doubts.iter().map(ToString::to_string).collect()
     }
 
-    /// Each event: kind, `start_s`, `end_s`, `peak_force_n`.
+    /// Events, each with kind, `start_s`, `end_s`, `peak_force_n`.
     #[getter]
     fn events<'py>(&self, py: Python<'py>) -> PyResult<Vec<Bound<'py, PyDict>>> {
         let events = self.told.events.iter().map(|event| {
@@ -128,14 +128,14 @@ impl PyInterpretation {
         events.collect()
     }
 
-    /// Where the dirt may lie now, one draw from what is believed, (N, 2) in the frame of the surface [m].
+    /// Draws the present positions of the dirt from the belief, (N, 2) in the frame of the surface [m].
     #[pyo3(signature = (seed = 0))]
     fn particles<'py>(&self, py: Python<'py>, seed: u64) -> PyResult<Matrix<'py>> {
         let drawn = self.told.belief.sample(seed).map_err(plain)?;
         Ok(arrays::points(py, drawn.remaining()))
     }
 
-    /// A plan for what is left to do, by what is believed now.
+    /// Plans for the remaining dirt, by the present belief.
     fn next_plan(&self, py: Python<'_>) -> PyResult<PyPlan> {
         let seed = self.task.seed.wrapping_add(1);
         py.detach(|| {
@@ -145,7 +145,7 @@ impl PyInterpretation {
         })
     }
 
-    /// How probable each of the members is that are believed in, (members).
+    /// Probability of each member of the belief, (members).
     #[getter]
     fn weights<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
         arrays::vector(py, self.told.belief.weights().to_vec())

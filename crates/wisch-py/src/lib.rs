@@ -1,7 +1,7 @@
-//! wisch for Python: the classes and functions of the module `wisch._wisch`, which `python/wisch` hands on.
+//! wisch for Python: classes and functions of the module `wisch._wisch`, which `python/wisch` re-exports.
 //!
-//! Poses are x, y, z [m] and a unit quaternion x, y, z, w; places and headings of a tool are x, y [m] and an angle [rad] in
-//! the frame of the surface. Arrays are NumPy's, of 64-bit floats, and own what was computed: nothing is copied on the way.
+//! Poses are x, y, z [m] and a unit quaternion x, y, z, w; a tool's pose on the surface is x, y [m] and yaw [rad] in
+//! the frame of the surface. Arrays are NumPy's, of 64-bit floats, and own the computed data: nothing is copied.
 
 mod arrays;
 mod control;

@@ -1,4 +1,4 @@
-//! The episodic memory: what was wiped is kept, and can be asked.
+//! The episodic memory: it stores wipings, and answers queries.
 
 use crate::arrays::vector;
 use crate::error::{Details, failed, plain};
@@ -16,19 +16,19 @@ use wisch_memory::Memory;
 use wisch_memory::ask::{Answers, AskError, Asker, EngineCommand, Term};
 use wisch_record::{EpisodeSink, EpisodeTarget, FinishedRound, RecordError, RoundStages, RunSink};
 
-/// How often it is looked for Ctrl-C.
+/// Interval of the checks for Ctrl-C.
 const LOOK: Duration = Duration::from_millis(50);
-/// What brings a Prolog engine.
+/// How to install a Prolog engine.
 const NO_ENGINE: &str = "install SWI-Prolog (swipl), or wisch-prolog from wisch's source: cargo install --path crates/wisch-prolog --locked";
 
-/// The episodes of a folder.
+/// Memory of episodes in a folder.
 #[pyclass(name = "Memory", module = "wisch", frozen)]
 pub struct PyMemory {
     folder: PathBuf,
     asking: Mutex<Option<Asking>>,
 }
 
-/// An engine with all it has learnt, which stays on a thread of its own.
+/// An engine with its facts, on a thread of its own.
 struct Asking {
     queries: Sender<String>,
     answers: Receiver<Result<Answers, AskError>>,
@@ -92,7 +92,7 @@ impl PyMemory {
         Asking::begin(&self.folder, self.memory()?, engine)
     }
 
-    /// The answers; Ctrl-C ends the query, and the memory can be asked on.
+    /// Returns the answers; Ctrl-C ends the query, and later queries are possible.
     fn answers(&self, py: Python<'_>, query: String) -> PyResult<Answers> {
         let mut slot = self.asking.lock().unwrap_or_else(PoisonError::into_inner);
         let Asking {
@@ -128,8 +128,7 @@ impl PyMemory {
     }
 }
 
-/// A term as a Python object: atoms and variables as words, numbers, lists, and what has arguments as a tuple of its name and
-/// them.
+/// Converts a term to a Python object: atoms and variables become strings, compound terms tuples of name and arguments.
 fn object<'py>(py: Python<'py>, term: &Term) -> PyResult<Bound<'py, PyAny>> {
     Ok(match term {
         Term::Variable(name) | Term::Atom(name) => name.into_pyobject(py)?.into_any(),
@@ -150,7 +149,7 @@ fn object<'py>(py: Python<'py>, term: &Term) -> PyResult<Bound<'py, PyAny>> {
 
 #[pymethods]
 impl PyMemory {
-    /// The memory in a folder, which is made where there is none.
+    /// Opens the memory in a folder, creating it if necessary.
     #[new]
     #[pyo3(signature = (folder = PathBuf::from("episodes")))]
     fn new(folder: PathBuf) -> PyResult<Self> {
@@ -173,8 +172,8 @@ impl PyMemory {
         episodes.map_err(|error| kept(&self.folder, error))
     }
 
-    /// The answers to a query in Prolog (`wisch ask --list` lists what it may call): a dict for each, from the names of its
-    /// variables to their values.
+    /// Answers a query in Prolog (`wisch ask --list` lists the predicates): returns a dict per answer, from the names
+    /// of its variables to their values.
     fn ask<'py>(&self, py: Python<'py>, query: String) -> PyResult<Vec<Bound<'py, PyDict>>> {
         let answers = self.answers(py, query)?;
         let rows = answers.rows.iter().map(|row| {
@@ -187,7 +186,7 @@ impl PyMemory {
         rows.collect()
     }
 
-    /// Columns of an episode's telemetry by their names, as arrays; of all columns, or of these.
+    /// Returns columns of an episode's telemetry by their names, as arrays: all columns, or the given ones.
     #[pyo3(signature = (episode, round = 1, columns = None))]
     fn telemetry<'py>(
         &self,
@@ -223,7 +222,7 @@ impl PyMemory {
         Ok(all)
     }
 
-    /// Keeps the rounds of a session, as far as it has come, as an episode; its name.
+    /// Stores the finished rounds of a session as an episode, and returns its name.
     fn remember(&self, py: Python<'_>, session: &PySession) -> PyResult<String> {
         let rounds = session.rounds(py)?;
         let rounds: Vec<_> = rounds.iter().map(|round| round.get()).collect();
@@ -260,7 +259,7 @@ impl PyMemory {
         let (loaded, files) = (&session.task, session.robot_files());
         let episode = sink.commit(&finished, first_look, loaded, files, None, PROGRAM);
         let episode = episode.map_err(refused)?;
-        // What was asked before does not know of it.
+        // The engine does not know the new episode.
         *self.asking.lock().unwrap_or_else(PoisonError::into_inner) = None;
         Ok(episode.id)
     }

@@ -1,4 +1,4 @@
-//! Motions as executors are given them.
+//! Motions for executors.
 
 use crate::arrays::{self, Matrix, Vector, numbers, pose_array, vector};
 use crate::error::refused;
@@ -11,10 +11,10 @@ use wisch::follow::{Followed, Workcell};
 use wisch::represent::Task;
 use wisch::run::{MotionOrder, PlannedRound, Setpoint};
 
-/// Period at which a motion is laid out [s], as the executor protocol does.
+/// Sampling period of a motion [s], as in the executor protocol.
 const PERIOD: f64 = 0.01;
 
-/// What a motion is made of, so that Python can keep it.
+/// Data of a motion, which Python may keep.
 pub struct HeldOrder {
     pub round: usize,
     pub seed: u64,
@@ -24,7 +24,7 @@ pub struct HeldOrder {
 }
 
 impl HeldOrder {
-    /// As executors of the library are given it.
+    /// Returns the motion in the form for the library's executors.
     pub fn borrowed(&self) -> MotionOrder<'_> {
         MotionOrder {
             round: self.round,
@@ -36,7 +36,7 @@ impl HeldOrder {
     }
 }
 
-/// Setpoints, column by column.
+/// Setpoints, by column.
 struct Columns {
     time_s: Py<PyArray1<f64>>,
     positions: Py<PyArray2<f64>>,
@@ -45,7 +45,7 @@ struct Columns {
     stroke: Py<PyArray1<i64>>,
 }
 
-/// A motion that is to be executed, with all that a robot's driver needs of it.
+/// A joint motion for an executor, with all data that a robot's driver needs.
 #[pyclass(name = "Motion", module = "wisch", frozen)]
 pub struct PyMotion {
     pub order: Arc<HeldOrder>,
@@ -193,14 +193,14 @@ impl PyMotion {
         self.order.followed.contact_time()
     }
 
-    /// Nodes of the plan that no way leads to, by their number.
+    /// Nodes of the plan that the robot cannot reach, by number.
     #[getter]
     fn abandoned(&self) -> Vec<usize> {
         let abandoned = self.order.followed.abandoned.iter();
         abandoned.map(|node| node.node).collect()
     }
 
-    /// The strokes as the robot wipes them, each (k, 3): x, y [m] and heading [rad] in the frame of the surface.
+    /// Strokes that the robot executes, each (k, 3): x, y [m] and yaw [rad] in the frame of the surface.
     #[getter]
     fn strokes<'py>(&self, py: Python<'py>) -> Vec<Matrix<'py>> {
         let strokes = self.order.followed.strokes.iter();
@@ -209,13 +209,13 @@ impl PyMotion {
             .collect()
     }
 
-    /// Where the dirt is believed to lie, (N, 2) in the frame of the surface [m].
+    /// Believed positions of the dirt, (N, 2) in the frame of the surface [m].
     #[getter]
     fn particles<'py>(&self, py: Python<'py>) -> Matrix<'py> {
         arrays::points(py, self.order.task.particles.remaining())
     }
 
-    /// Each part of the motion: phase, stroke, `start_s` and `end_s`.
+    /// Phases of the motion: phase, stroke, `start_s` and `end_s`.
     #[getter]
     fn phases<'py>(&self, py: Python<'py>) -> PyResult<Vec<Bound<'py, PyDict>>> {
         let motions = self.order.followed.motions.iter().map(|motion| {
@@ -251,13 +251,13 @@ impl PyMotion {
         self.columns(py).world_from_tool.clone_ref(py)
     }
 
-    /// The stroke that is wiped at each time, -1 where the tool does not touch, (T).
+    /// Number of the stroke at each time, -1 where the tool does not touch, (T).
     #[getter]
     fn stroke(&self, py: Python<'_>) -> Py<PyArray1<i64>> {
         self.columns(py).stroke.clone_ref(py)
     }
 
-    /// The same columns at another period [s].
+    /// Returns the motion sampled at another period [s].
     fn setpoints<'py>(&self, py: Python<'py>, period_s: f64) -> PyResult<Bound<'py, PyDict>> {
         if !(1e-5..=100.0).contains(&period_s) {
             return Err(refused("period_s", period_s, "0.00001 to 100"));

@@ -5,10 +5,10 @@ use wisch::represent::Task;
 use wisch::run::Round;
 use wisch_report::{EffectFrames, ReportInput, pictures};
 
-/// The names of the pictures that there are of a plan.
+/// Names of a plan's pictures.
 pub const NAMES: [&str; 4] = ["before-after", "graph", "density", "effect-over-time"];
 
-/// A picture of a plan by its name, as SVG, with the density by this bandwidth [m].
+/// Returns a picture of a plan by its name, as SVG; `bandwidth` of the density in [m].
 pub fn drawn(name: &str, task: &Task, plan: &Plan, bandwidth: Option<f64>) -> String {
     let mut frames = EffectFrames::new(task, plan);
     let prediction = predict(task, plan, |progress| frames.watch(progress));
@@ -26,7 +26,7 @@ pub fn drawn(name: &str, task: &Task, plan: &Plan, bandwidth: Option<f64>) -> St
     named.map_or_else(String::new, |(_, svg)| svg)
 }
 
-/// Rounds as a table in HTML.
+/// Returns rounds as an HTML table.
 pub fn table(task: &str, rounds: &[&Round], verdict: Option<&str>) -> String {
     let percent = |share: f64| format!("{:.0} %", 100.0 * share);
     let mut html = format!(

@@ -1,4 +1,4 @@
-//! Plans, and what they are predicted to do.
+//! Plans and predictions.
 
 use crate::arrays::{self, Matrix, Vector, rows};
 use crate::error::plain;
@@ -12,7 +12,7 @@ use wisch::represent::{GoalState, ParticleDistribution, Task};
 use wisch::source_location::UnknownName;
 use wisch_io::PlanRecord;
 
-/// Strokes in the order in which they are wiped.
+/// Strokes in the order of their execution.
 #[pyclass(name = "Plan", module = "wisch", frozen)]
 pub struct PyPlan {
     pub task: Arc<Task>,
@@ -28,7 +28,7 @@ impl PyPlan {
     }
 }
 
-/// x, y [m] and heading [rad] of each pose, (n, 3).
+/// Returns x, y [m] and yaw [rad] of each pose, (n, 3).
 pub fn poses<'py>(py: Python<'py>, stroke: &Stroke) -> Matrix<'py> {
     let numbers = |pose: &PlanarPose| [pose.position.x, pose.position.y, pose.heading];
     arrays::matrix(py, stroke.poses.iter().flat_map(numbers).collect(), 3)
@@ -73,7 +73,7 @@ impl PyPlan {
         self.plan.unreachable_share
     }
 
-    /// Where dirt is collected (2) [m]; `None` of a plan that collects none.
+    /// Goal of the collected dirt (2) [m]; `None` for a plan that does not collect.
     #[getter]
     fn collect_goal<'py>(&self, py: Python<'py>) -> Option<Vector<'py>> {
         match self.plan.graph.goal {
@@ -84,7 +84,7 @@ impl PyPlan {
         }
     }
 
-    /// Corners of the tool's whole way, lifts included: x, y [m], heading [rad] and height [m], (n, 4).
+    /// Corners of the tool's whole path, including free motions: x, y [m], yaw [rad] and height [m], (n, 4).
     #[getter]
     fn tcp_path<'py>(&self, py: Python<'py>) -> Matrix<'py> {
         let path = self.plan.tcp_path();
@@ -95,7 +95,7 @@ impl PyPlan {
         arrays::matrix(py, numbers.collect(), 4)
     }
 
-    /// What the plan does to the task's particles, or to these (N, 2) [m].
+    /// Predicts the plan's effect on the task's particles, or on given ones (N, 2) [m].
     #[pyo3(signature = (particles = None))]
     fn predict(
         &self,
@@ -117,7 +117,7 @@ impl PyPlan {
         })
     }
 
-    /// The same text as the program writes to `plan.json`.
+    /// Returns the text of the file `plan.json`.
     fn to_json(&self) -> PyResult<String> {
         let record = PlanRecord::new(&self.task, &self.plan, self.task.seed);
         serde_json::to_string_pretty(&record)
@@ -125,7 +125,7 @@ impl PyPlan {
             .map_err(plain)
     }
 
-    /// A picture of it as SVG: before-after, graph, density or effect-over-time.
+    /// Returns a picture as SVG: before-after, graph, density or effect-over-time.
     #[pyo3(signature = (name = "graph"))]
     fn picture(&self, py: Python<'_>, name: &str) -> PyResult<String> {
         if !pictures::NAMES.contains(&name) {
@@ -134,7 +134,7 @@ impl PyPlan {
         Ok(py.detach(|| pictures::drawn(name, &self.task, &self.plan, None)))
     }
 
-    /// Its graph and strokes, for notebooks.
+    /// Graph and strokes, for notebooks.
     fn _repr_svg_(&self, py: Python<'_>) -> PyResult<String> {
         self.picture(py, "graph")
     }
@@ -149,7 +149,7 @@ impl PyPlan {
     }
 }
 
-/// What a plan is predicted to do to the dirt.
+/// Predicted effect of a plan on the dirt.
 #[pyclass(name = "Prediction", module = "wisch", frozen)]
 pub struct PyPrediction {
     pub task: Arc<Task>,
@@ -159,7 +159,7 @@ pub struct PyPrediction {
 
 #[pymethods]
 impl PyPrediction {
-    /// Share of the particles that meets the goal, 0 to 1.
+    /// Share of the particles that meet the goal, 0 to 1.
     #[getter]
     fn performance(&self) -> f64 {
         self.prediction.performance.ratio()
@@ -190,7 +190,7 @@ impl PyPrediction {
         arrays::fates(py, &self.prediction.particles)
     }
 
-    /// The particles before and after, for notebooks.
+    /// Particles before and after, for notebooks.
     fn _repr_svg_(&self, py: Python<'_>) -> String {
         py.detach(|| pictures::drawn("before-after", &self.task, &self.plan, None))
     }

@@ -13,16 +13,16 @@ use wisch_io::Robot;
 /// Acceleration of free fall in the world [m/s²].
 const GRAVITY: Vector3 = Vector3::new(0.0, 0.0, -9.81);
 
-/// A robot: a URDF with the SRDF and the capability map that lie beside it.
+/// A robot: a URDF, with the SRDF and the capability map beside it.
 #[pyclass(name = "Robot", module = "wisch", frozen)]
 pub struct PyRobot {
     pub robot: Arc<Robot>,
-    /// Whether it is the one that its task names, with the groups that the task names.
+    /// Whether the task names this robot, so that the groups of the task apply.
     is_of_task: bool,
 }
 
 impl PyRobot {
-    /// The robot that a task names.
+    /// Loads the robot that a task names.
     pub fn of_task(robot: Robot) -> Self {
         Self {
             robot: Arc::new(robot),
@@ -30,7 +30,7 @@ impl PyRobot {
         }
     }
 
-    /// A robot that is one, or the name or the path of one; and whether it is the one that its task names.
+    /// Converts a robot, a name or a path to a robot. Also returns whether the task names it.
     pub fn given(given: &Bound<'_, PyAny>) -> PyResult<(Arc<Robot>, bool)> {
         if let Ok(robot) = given.cast::<Self>() {
             let robot = robot.get();
@@ -54,7 +54,7 @@ impl PyRobot {
     }
 }
 
-/// A matrix as an array of its rows.
+/// Returns a matrix as an array.
 pub fn rows_of<'py>(py: Python<'py>, matrix: &DMatrix<f64>) -> Matrix<'py> {
     let numbers = matrix.transpose().as_slice().to_vec();
     arrays::matrix(py, numbers, matrix.ncols())
@@ -62,7 +62,7 @@ pub fn rows_of<'py>(py: Python<'py>, matrix: &DMatrix<f64>) -> Matrix<'py> {
 
 #[pymethods]
 impl PyRobot {
-    /// Reads a shipped robot by its name, or a URDF by its path.
+    /// Loads a shipped robot by its name, or a URDF by its path.
     #[staticmethod]
     fn load(urdf: &Bound<'_, PyAny>) -> PyResult<Self> {
         let (robot, is_of_task) = Self::given(urdf)?;
@@ -93,19 +93,19 @@ impl PyRobot {
         links.map(|link| link.name.as_str()).collect()
     }
 
-    /// The URDF's text.
+    /// Text of the URDF.
     #[getter]
     fn urdf(&self) -> &str {
         &self.robot.files.urdf
     }
 
-    /// The SRDF's text; `None` without one.
+    /// Text of the SRDF; `None` without one.
     #[getter]
     fn srdf(&self) -> Option<&str> {
         self.robot.files.srdf.as_deref()
     }
 
-    /// By name of each joint: kind, unit, lower, upper, velocity, acceleration and effort, `None` where there is no limit.
+    /// For each joint by name: kind, unit, lower, upper, velocity, acceleration and effort; `None` without a limit.
     #[getter]
     fn limits<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         let all = PyDict::new(py);
@@ -125,7 +125,7 @@ impl PyRobot {
         Ok(all)
     }
 
-    /// Pose of a link in the frame of the root link at the positions q (n), (7).
+    /// Returns the pose of a link in the frame of the root link at positions q (n), (7).
     fn pose<'py>(
         &self,
         py: Python<'py>,
@@ -140,7 +140,7 @@ impl PyRobot {
         Ok(pose_array(py, &kinematics.world_from_link(link)))
     }
 
-    /// How a point of a link moves with the joints, (6, n), linear first, in the axes of the root link.
+    /// Returns the Jacobian of a link's point, (6, n), linear first, in the axes of the root link.
     #[pyo3(signature = (q, link, point_in_link = None))]
     fn jacobian<'py>(
         &self,
@@ -160,7 +160,7 @@ impl PyRobot {
         Ok(arrays::matrix(py, numbers, model.dof()))
     }
 
-    /// The mass matrix at the positions q (n), (n, n) [kg m², kg m or kg].
+    /// Returns the mass matrix at positions q (n), (n, n) [kg m², kg m or kg].
     fn mass_matrix<'py>(&self, py: Python<'py>, q: &Bound<'py, PyAny>) -> PyResult<Matrix<'py>> {
         let dynamics = self.robot.model.dynamics().map_err(of_robot)?;
         let mass = dynamics
@@ -169,7 +169,7 @@ impl PyRobot {
         Ok(rows_of(py, &mass))
     }
 
-    /// Efforts that hold the robot still at the positions q (n), (n) [Nm or N].
+    /// Returns the efforts that hold the robot against gravity at positions q (n), (n) [Nm or N].
     fn gravity<'py>(&self, py: Python<'py>, q: &Bound<'py, PyAny>) -> PyResult<Vector<'py>> {
         let dynamics = self.robot.model.dynamics().map_err(of_robot)?;
         let efforts = dynamics
@@ -178,7 +178,7 @@ impl PyRobot {
         Ok(vector(py, efforts.as_slice().to_vec()))
     }
 
-    /// Coriolis and centrifugal efforts and weight, (n) [Nm or N].
+    /// Returns the Coriolis, centrifugal and gravity efforts, (n) [Nm or N].
     fn bias<'py>(
         &self,
         py: Python<'py>,
@@ -193,7 +193,7 @@ impl PyRobot {
         Ok(vector(py, efforts.as_slice().to_vec()))
     }
 
-    /// Efforts for these accelerations, (n) [Nm or N].
+    /// Returns the efforts for accelerations, (n) [Nm or N].
     fn inverse_dynamics<'py>(
         &self,
         py: Python<'py>,

@@ -1,4 +1,4 @@
-//! Rounds that are over, and what an independent check says of motions.
+//! Finished rounds, and results of the independent check of motions.
 
 use crate::interpret::PyInterpretation;
 use crate::motion::PyMotion;
@@ -11,12 +11,12 @@ use wisch::follow::Audit;
 use wisch::plan::PlanConfig;
 use wisch::run::{PlannedRound, Round};
 
-/// What an independent check says of a motion.
+/// Result of the independent check of a motion.
 #[pyclass(name = "Audit", module = "wisch", frozen)]
 pub struct PyAudit(Audit);
 
 impl PyAudit {
-    /// Of this motion.
+    /// Returns the check of a motion.
     pub fn of(audit: &Audit) -> Self {
         Self(audit.clone())
     }
@@ -24,7 +24,7 @@ impl PyAudit {
 
 #[pymethods]
 impl PyAudit {
-    /// What is wrong, in words; nothing of a sound motion.
+    /// Descriptions of the faults; empty for a sound motion.
     #[getter]
     fn faults(&self) -> Vec<String> {
         self.0.faults.iter().map(ToString::to_string).collect()
@@ -58,7 +58,7 @@ impl PyAudit {
     }
 }
 
-/// One round that is over.
+/// A finished round.
 #[pyclass(name = "Round", module = "wisch", frozen)]
 pub struct PyRound {
     pub round: Arc<Round>,
@@ -67,7 +67,7 @@ pub struct PyRound {
 }
 
 impl PyRound {
-    /// Of a session that plans like this.
+    /// Converts a round of a session with this configuration.
     pub fn of(round: &Round, telemetry: Option<Py<PyTelemetry>>, config: &PlanConfig) -> Self {
         Self {
             round: Arc::new(round.clone()),
@@ -127,7 +127,7 @@ impl PyRound {
         self.round.interpretation.performance.mean
     }
 
-    /// Its 90 % interval.
+    /// 90 % interval of the performance.
     #[getter]
     fn interval(&self) -> (f64, f64) {
         let estimate = &self.round.interpretation.performance;
@@ -149,7 +149,7 @@ impl PyRound {
         self.round.verdict.as_str()
     }
 
-    /// What it was predicted to do, as a picture for notebooks.
+    /// Picture of the prediction, for notebooks.
     fn _repr_svg_(&self) -> String {
         let motion = &self.round.motion;
         pictures::drawn("before-after", &motion.task, &motion.wiped(), None)

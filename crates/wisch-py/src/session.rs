@@ -1,8 +1,8 @@
 //! Sessions: a task from its first plan to its last verdict, stage by stage.
 //!
-//! What takes long runs on a thread of its own, without Python's lock, while the caller's thread answers for Python: it calls
-//! `on_event` and `observe()`, and looks for Ctrl-C. Motions are executed on the caller's thread, so that an executor may
-//! hold what belongs to one thread, such as a window.
+//! Long computations run on a thread of their own, without Python's lock. Meanwhile the caller's thread serves Python:
+//! it calls `on_event` and `observe()`, and checks for Ctrl-C. Motions are executed on the caller's thread, so that an
+//! executor may use objects of that thread, such as a window.
 
 use crate::arrays::{self, Matrix};
 use crate::error::{of_record, of_run, plain, refused};
@@ -30,9 +30,9 @@ use wisch::run::{
 use wisch_io::{EventWriter, ExecutedBy, LoadedTask, Robot, RobotFiles};
 use wisch_record::{RecordError, RunRecord, RunResults};
 
-/// What writes results and episodes.
+/// Program name in results and episodes.
 pub const PROGRAM: &str = concat!("wisch-py ", env!("CARGO_PKG_VERSION"));
-/// How often it is looked for Ctrl-C.
+/// Interval of the checks for Ctrl-C.
 const LOOK: Duration = Duration::from_millis(50);
 
 self_cell!(
@@ -45,12 +45,12 @@ self_cell!(
 
 type Events = EventWriter<std::io::Sink>;
 
-/// What a session is to plan by instead of the task's strategy.
+/// Replacement of the task's strategy.
 pub enum Given {
     Nothing,
-    /// For the first round.
+    /// Strokes for the first round.
     Plan(Plan),
-    /// For every round.
+    /// Function for every round.
     Strategy(OwnStrategy<'static>),
 }
 
@@ -65,21 +65,21 @@ pub struct PySession {
     is_running: AtomicBool,
     telemetry: Mutex<Vec<Py<PyTelemetry>>>,
     rounds: Mutex<Vec<Py<PyRound>>>,
-    /// What is being kept of it, until that is written.
+    /// Recorder of the session, until its results are written.
     record: Arc<Mutex<Option<RunRecord>>>,
     kept: Mutex<Option<KeptPlaces>>,
-    /// The class of the executor that was given last.
+    /// Class of the last executor.
     executor: Mutex<Option<String>>,
 }
 
-/// What was kept of a session, and where.
+/// Stored results of a session.
 #[derive(Debug, Clone)]
 struct KeptPlaces {
     episode: Option<String>,
     remarks: Vec<String>,
 }
 
-/// Passes an event on to what keeps the run.
+/// Passes an event to the recorder.
 fn keep(record: &Mutex<Option<RunRecord>>, event: &RunEvent<'_>) -> ControlFlow<()> {
     let mut record = locked(record);
     let flow = record.as_mut().map(|record| record.on_event(event));
@@ -99,20 +99,20 @@ impl Drop for Running<'_> {
     }
 }
 
-/// What the thread of a stage asks of the caller's.
+/// Request of a stage's thread to the caller's thread.
 enum Request {
     Event(String),
     Observe,
     Done(Result<Stage, RunError>),
 }
 
-/// What it is answered.
+/// Reply to a request.
 enum Reply {
     Flow(ControlFlow<()>),
     Seen(Result<Option<Observation>, ExecutorError>),
 }
 
-/// The executor as the thread of a stage sees it.
+/// The executor as seen by a stage's thread.
 struct Proxy<'a> {
     ask: &'a Sender<Request>,
     answers: &'a Receiver<Reply>,
@@ -136,14 +136,14 @@ impl Executor for Proxy<'_> {
     }
 }
 
-/// What one call of a session is given.
+/// Arguments of a call to a session.
 struct Call<'py> {
     executor: Option<PyExecutor<'py>>,
     on_event: Option<Bound<'py, PyAny>>,
 }
 
 impl Call<'_> {
-    /// Tells an event; `False` of the callback stops the session.
+    /// Passes an event to the callback, whose `False` stops the session.
     fn tell(&self, event: &str) -> PyResult<ControlFlow<()>> {
         let Some(on_event) = &self.on_event else {
             return Ok(ControlFlow::Continue(()));
@@ -160,13 +160,13 @@ impl Call<'_> {
     }
 }
 
-/// The event as JSON, if it is one that is told.
+/// Returns the event as JSON, if it is published.
 fn described(events: &mut Events, event: &RunEvent<'_>) -> Option<String> {
     serde_json::to_string(&events.record(event)?).ok()
 }
 
 impl PySession {
-    /// A session that has not planned yet.
+    /// Creates a session that has not planned yet.
     pub fn new(
         loaded: Arc<LoadedTask>,
         robot: Option<Arc<Robot>>,
@@ -202,7 +202,7 @@ impl PySession {
         }
     }
 
-    /// The files of the robot that wipes.
+    /// Returns the files of the robot that wipes.
     pub fn robot_files(&self) -> Option<&RobotFiles> {
         self.robot.as_ref().map(|robot| &robot.files)
     }
@@ -210,13 +210,13 @@ impl PySession {
     fn begin(&self) -> PyResult<Running<'_>> {
         if self.is_running.swap(true, Ordering::SeqCst) {
             return Err(PyRuntimeError::new_err(
-                "the session is running: what it is at comes as events, ask it afterwards",
+                "the session is running; its events show the progress, its results are available afterwards",
             ));
         }
         Ok(Running(&self.is_running))
     }
 
-    /// The session, once a stage that was interrupted has come to its end.
+    /// Returns the session, after an interrupted stage has finished.
     fn lock(&self, py: Python<'_>) -> PyResult<MutexGuard<'_, Wiping>> {
         loop {
             match self.wiping.try_lock() {
@@ -229,19 +229,19 @@ impl PySession {
         }
     }
 
-    /// The stage that it has come to, once one that was interrupted has come to its end.
+    /// Returns the completed stage, after an interrupted stage has finished.
     fn reached(&self, py: Python<'_>) -> PyResult<Option<Stage>> {
         drop(self.lock(py)?);
         Ok(*locked(&self.stage))
     }
 
-    /// The same, while it does not run.
+    /// Returns the completed stage of a session that is not running.
     fn settled(&self, py: Python<'_>) -> PyResult<Option<Stage>> {
         let _running = self.begin()?;
         self.reached(py)
     }
 
-    /// Looks at the session while it does not run.
+    /// Reads the session while it is not running.
     fn look<T>(
         &self,
         py: Python<'_>,
@@ -252,12 +252,12 @@ impl PySession {
         look(wiping.borrow_dependent())
     }
 
-    /// The class of the executor that was given last.
+    /// Class of the last executor.
     pub fn executor(&self) -> Option<String> {
         locked(&self.executor).clone()
     }
 
-    /// What was seen before the first round, if anything looked.
+    /// Observation before the first round; `None` without a camera.
     pub fn first_observation(&self, py: Python<'_>) -> PyResult<Option<Observation>> {
         self.look(py, |session| Ok(session.first_observation().cloned()))
     }
@@ -272,7 +272,7 @@ impl PySession {
         run.and(kept)
     }
 
-    /// Writes what is kept of the session, as far as it has come, once.
+    /// Writes the session's results so far, once.
     fn finish_record(&self, py: Python<'_>) -> PyResult<()> {
         let wiping = self.lock(py)?;
         let Some(mut record) = locked(&self.record).take() else {
@@ -283,7 +283,7 @@ impl PySession {
         }
         let session = wiping.borrow_dependent();
         let mut results = match RunResults::of(session, record.stages_mut()) {
-            // What has not begun leaves nothing.
+            // A session that has not begun leaves nothing.
             Err(RecordError::Nothing) => return Ok(()),
             results => results.map_err(of_record)?,
         };
@@ -336,13 +336,13 @@ impl PySession {
         }
     }
 
-    /// The exception of an error, or what an executor raised.
+    /// Returns the exception of an error, or the executor's own exception.
     fn failed(&self, error: &RunError, executor: Option<&mut PyExecutor<'_>>) -> PyErr {
         let raised = executor.and_then(|executor| executor.raised.take());
         raised.unwrap_or_else(|| of_run(&self.task.path.display().to_string(), error))
     }
 
-    /// A stage that executes nothing, on a thread of its own.
+    /// Runs a stage that executes nothing, on a thread of its own.
     fn advance(&self, py: Python<'_>, call: &mut Call<'_>) -> PyResult<Stage> {
         drop(self.lock(py)?);
         let (ask, asked) = channel();
@@ -377,7 +377,7 @@ impl PySession {
                     }
                 })
             });
-            // Whether anybody still waits for it or not.
+            // The receiver may be gone.
             *locked(&stage) = Some(*done.as_ref().unwrap_or(&Stage::Ended));
             drop(wiping);
             let _ = ask.send(Request::Done(done));
@@ -396,7 +396,7 @@ impl PySession {
                 Some(Err(RecvTimeoutError::Timeout)) => py.check_signals()?,
                 Some(Err(RecvTimeoutError::Disconnected)) | None => {
                     return Err(PyRuntimeError::new_err(
-                        "internal error: a stage of the session broke off; please report it",
+                        "internal error: a stage of the session panicked; please report it",
                     ));
                 }
                 Some(Ok(Request::Event(event))) => {
@@ -418,7 +418,7 @@ impl PySession {
         }
     }
 
-    /// Executes the motion at hand.
+    /// Executes the current motion.
     fn execute(&self, py: Python<'_>, call: &mut Call<'_>) -> PyResult<Stage> {
         let mut wiping = self.lock(py)?;
         let mut executor = call.executor.take();
@@ -453,7 +453,7 @@ impl PySession {
         });
         drop(wiping);
         call.executor = executor;
-        // What was measured is kept, however the execution went.
+        // Telemetry is stored whether or not the execution succeeds.
         if let Some(number) = number {
             let telemetry = PyTelemetry::of(py, number, columns)?;
             locked(&self.telemetry).push(telemetry);
@@ -516,7 +516,7 @@ fn call<'py>(
 
 #[pymethods]
 impl PySession {
-    /// Plans the round at hand.
+    /// Plans the current round.
     #[pyo3(signature = (executor = None, *, on_event = None))]
     fn plan(
         &self,
@@ -530,7 +530,7 @@ impl PySession {
         self.look(py, |session| self.planned_plan(session))
     }
 
-    /// Goes on to the joint motion of the plan.
+    /// Continues to the joint motion of the plan.
     #[pyo3(signature = (executor = None, *, on_event = None))]
     fn follow(
         &self,
@@ -547,7 +547,7 @@ impl PySession {
         })
     }
 
-    /// Goes on to the check of the motion.
+    /// Continues to the check of the motion.
     #[pyo3(signature = (executor = None, *, on_event = None))]
     fn audit(
         &self,
@@ -565,7 +565,7 @@ impl PySession {
         })
     }
 
-    /// Goes on to the end; the rounds.
+    /// Continues to the end, and returns the rounds.
     #[pyo3(signature = (executor, *, on_event = None, timeout = None))]
     fn run(
         &self,
@@ -579,7 +579,7 @@ impl PySession {
         self.rounds(py)
     }
 
-    /// Goes on by one round: until it is judged, or the session has ended; the rounds so far.
+    /// Continues until the next verdict or the end of the session, and returns the rounds so far.
     #[pyo3(signature = (executor, *, on_event = None, timeout = None))]
     fn run_round(
         &self,
@@ -593,7 +593,7 @@ impl PySession {
         self.rounds(py)
     }
 
-    /// The rounds that are over.
+    /// Finished rounds.
     #[getter]
     pub fn rounds(&self, py: Python<'_>) -> PyResult<Vec<Py<PyRound>>> {
         self.look(py, |session| {
@@ -608,7 +608,7 @@ impl PySession {
                 let round = PyRound::of(round, telemetry, &self.task.config);
                 kept.push(Py::new(py, round)?);
             }
-            // The last verdict is said when the session ends.
+            // The last verdict is given at the end of the session.
             if let (Some(round), Some(last)) = (all.last(), kept.last_mut())
                 && last.get().round.verdict != round.verdict
             {
@@ -620,14 +620,14 @@ impl PySession {
         })
     }
 
-    /// What was measured, motion by motion, that of one which went wrong included.
+    /// Telemetry of every motion, including one that failed.
     #[getter]
     fn telemetry(&self, py: Python<'_>) -> Vec<Py<PyTelemetry>> {
         let telemetry = locked(&self.telemetry);
         telemetry.iter().map(|one| one.clone_ref(py)).collect()
     }
 
-    /// Where the session has come to: planned, followed, audited, executed, interpreted, judged or ended; `None` before.
+    /// Completed stage: planned, followed, audited, executed, interpreted, judged or ended; `None` before the first.
     #[getter]
     fn stage(&self) -> Option<&'static str> {
         (*locked(&self.stage)).map(|stage| match stage {
@@ -641,13 +641,13 @@ impl PySession {
         })
     }
 
-    /// Why the session has ended; `None` before, and if it was stopped.
+    /// Why the session has ended; `None` before its end, or if it was stopped.
     #[getter]
     fn verdict(&self) -> Option<&'static str> {
         (*locked(&self.verdict)).map(Verdict::as_str)
     }
 
-    /// What was seen before the first round, (k, 2) in the frame of the surface [m]; `None` where nothing looked.
+    /// Detections before the first round, (k, 2) in the frame of the surface [m]; `None` without a camera.
     #[getter]
     fn first_look<'py>(&self, py: Python<'py>) -> PyResult<Option<Matrix<'py>>> {
         self.look(py, |session| {
@@ -656,7 +656,7 @@ impl PySession {
         })
     }
 
-    /// Writes what is kept of the session, if it is kept and has not been written; the end of a session does so by itself.
+    /// Writes the session's results, unless they are written; the end of a session does this by itself.
     fn close(&self, py: Python<'_>) -> PyResult<()> {
         let _running = self.begin()?;
         self.finish_record(py)
@@ -676,19 +676,19 @@ impl PySession {
         self.close(py)
     }
 
-    /// The episode in which the session is kept, once it has ended; `None` without a memory.
+    /// Name of the session's episode, once it has ended; `None` without a memory.
     #[getter]
     fn episode(&self) -> Option<String> {
         locked(&self.kept).as_ref()?.episode.clone()
     }
 
-    /// What is odd about what was kept, a sentence each.
+    /// Remarks on the stored results, a sentence each.
     #[getter]
     fn remarks(&self) -> Vec<String> {
         (locked(&self.kept).as_ref()).map_or_else(Vec::new, |kept| kept.remarks.clone())
     }
 
-    /// The rounds as a table, for notebooks.
+    /// Rounds as a table, for notebooks.
     fn _repr_html_(&self, py: Python<'_>) -> PyResult<String> {
         let rounds = self.rounds(py)?;
         let rounds: Vec<&Round> = rounds.iter().map(|round| &*round.get().round).collect();

@@ -1,4 +1,4 @@
-//! Tasks: from a file, or from Python objects by way of the same file's keys.
+//! Tasks from files, or from Python objects with the keys of a task file.
 
 use crate::arrays::{self, Matrix, Vector, pose_array, rows};
 use crate::error::{of_file, of_record, plain, refused};
@@ -18,25 +18,25 @@ use wisch::run::OwnStrategy;
 use wisch_io::{LoadOptions, LoadedTask, PlanRecord, beside, particles_to_csv};
 use wisch_record::{EpisodeTarget, RecordOptions, RunRecord};
 
-/// Under this name a task that is made of objects finds the particles that came as an array.
+/// File name that stands for particles given as an array, in a task from objects.
 const GIVEN_PARTICLES: &str = "particles given as an array.csv";
-/// What a task is called that lies in no file.
+/// Name of a task without a file.
 const NO_FILE: &str = "task.toml";
 
-/// What is to be wiped, where, with what, and to what end.
+/// A wiping task: surface, dirt, tool, action and goal.
 #[pyclass(name = "Task", module = "wisch", frozen)]
 pub struct PyTask {
     pub loaded: Arc<LoadedTask>,
     options: LoadOptions,
 }
 
-/// Reads a task file, or a shipped scenario by its name, with all that it refers to.
+/// Reads a task file, or a shipped scenario by its name, with all files that it refers to.
 ///
-/// `set` lays values over the file's: dotted keys such as `{"particles.count": 80, "tool.name": "brush"}`, lists and dicts
-/// included. `action`, `strategy` and `seed` are those of the command line; `knowledge` is a folder with tools, media,
-/// surfaces and interactions in place of what is shipped.
+/// `set` overrides values of the file by dotted keys such as `{"particles.count": 80, "tool.name": "brush"}`, including
+/// lists and dicts. `action`, `strategy` and `seed` are as on the command line; `knowledge` is a folder with tools,
+/// media, surfaces and interactions that replaces the shipped one.
 ///
-/// Raises WischError: a file that cannot be read or is refused, with line, column, value and limit.
+/// Raises WischError with line, column, value and limit if a file cannot be read or is invalid.
 #[pyfunction]
 #[pyo3(signature = (path, *, set = None, seed = None, action = None, strategy = None, knowledge = None))]
 pub fn load_task(
@@ -56,7 +56,7 @@ pub fn load_task(
     })
 }
 
-/// The task of a file's text, with the particles of a list where they were given as an array.
+/// Loads the task of a file's text, with particles from an array if they were given as one.
 fn made(path: &Path, text: String, csv: Option<String>, options: LoadOptions) -> PyResult<PyTask> {
     let mut files = beside(path);
     let mut read = |file: &str| match &csv {
@@ -70,7 +70,7 @@ fn made(path: &Path, text: String, csv: Option<String>, options: LoadOptions) ->
     })
 }
 
-/// The task of the keys of a task file; `particles` (N, 2) are its particles, if they are given.
+/// Builds a task from the keys of a task file; `particles` (N, 2) replace the file's, if given.
 #[pyfunction]
 #[pyo3(signature = (keys, particles = None, *, path = None, set = None, seed = None, action = None, strategy = None, knowledge = None))]
 #[expect(clippy::too_many_arguments, reason = "Python names them")]
@@ -102,7 +102,7 @@ fn csv_of(particles: &Bound<'_, PyAny>) -> PyResult<String> {
     Ok(particles_to_csv(&particles))
 }
 
-/// The text of a task file with these keys: a line for each, tables after what stands alone.
+/// Returns the text of a task file with these keys: values first, then tables.
 fn text_of(keys: &Bound<'_, PyDict>) -> PyResult<String> {
     let (mut alone, mut tables) = (String::new(), String::new());
     for (key, value) in keys {
@@ -122,7 +122,7 @@ fn text_of(keys: &Bound<'_, PyDict>) -> PyResult<String> {
     Ok(alone + &tables)
 }
 
-/// A value of Python as TOML.
+/// Converts a Python value to TOML.
 fn toml_of(key: &str, value: &Bound<'_, PyAny>) -> PyResult<String> {
     if let Ok(list) = value.call_method0("tolist") {
         return toml_of(key, &list);
@@ -167,7 +167,7 @@ fn options_of(
     for (key, value) in set.into_iter().flatten() {
         let key: String = key.extract()?;
         let value = match value.extract() {
-            // As on the command line: TOML, or a word.
+            // As on the command line: TOML, or a plain word.
             Ok(text) => text,
             Err(_) => toml_of(&key, &value)?,
         };
@@ -185,7 +185,7 @@ fn options_of(
 }
 
 impl PyTask {
-    /// A plan, one's own strokes, or a function that gives strokes for a task.
+    /// A plan, strokes, or a function that returns strokes for a task.
     fn given(&self, given: &Bound<'_, PyAny>) -> PyResult<Given> {
         if let Ok(plan) = given.cast::<PyPlan>() {
             return Ok(Given::Plan((*plan.get().plan).clone()));
@@ -212,7 +212,7 @@ impl PyTask {
     }
 }
 
-/// Strokes as arrays (k, 3) of x, y [m] and heading [rad].
+/// Parses strokes from arrays (k, 3) of x, y [m] and yaw [rad].
 fn strokes_of(given: &Bound<'_, PyAny>) -> PyResult<Vec<Vec<PlanarPose>>> {
     let strokes = given.try_iter()?;
     strokes
@@ -237,7 +237,7 @@ impl PyTask {
         self.loaded.path.clone()
     }
 
-    /// The task file, as TOML.
+    /// Text of the task file, as TOML.
     #[getter]
     fn toml(&self) -> &str {
         &self.loaded.text
@@ -357,14 +357,14 @@ impl PyTask {
         self.loaded.file.contact_speed_m_per_s()
     }
 
-    /// Force of the surface on a tool that is pressed as the task asks for, in the axes of the world (3) [N].
+    /// Force of the surface on a tool with the nominal press force, in the axes of the world (3) [N].
     #[getter]
     fn surface_reaction<'py>(&self, py: Python<'py>) -> Vector<'py> {
         let force = self.loaded.task.surface_reaction();
         arrays::vector(py, force.iter().copied().collect())
     }
 
-    /// What stands round the surface: name, role, vertices (V, 3) [m], triangles (T, 3) and `world_from_object`.
+    /// Objects around the surface: name, role, vertices (V, 3) [m], triangles (T, 3) and `world_from_object`.
     #[getter]
     fn scene<'py>(&self, py: Python<'py>) -> PyResult<Vec<Bound<'py, PyDict>>> {
         let objects = self.loaded.task.scene.iter().map(|object| {
@@ -391,7 +391,7 @@ impl PyTask {
         objects.collect()
     }
 
-    /// The robot that the task names, read with what lies beside it; `None` where it names none.
+    /// Loads the robot that the task names, with its SRDF and capability map; `None` if the task names no robot.
     fn robot(&self, py: Python<'_>) -> PyResult<Option<PyRobot>> {
         let robot = py.detach(|| self.loaded.robot()).map_err(of_file)?;
         Ok(robot.map(PyRobot::of_task))
@@ -421,7 +421,7 @@ impl PyTask {
         }
         let (robot, is_of_task) = robot.unzip();
         if group.is_some() || is_of_task == Some(false) {
-            // A group of the task's own robot is none of another.
+            // A group of the task's own robot does not apply to another robot.
             config.workcell.group = group;
             config.workcell.second_group = None;
         }
@@ -466,7 +466,7 @@ impl PyTask {
         ))
     }
 
-    /// The same task with other particles (N, 2) [m]; options as of `load_task`.
+    /// Returns the same task with other particles (N, 2) [m]; options as in `load_task`.
     #[pyo3(signature = (particles, *, set = None, seed = None, action = None, strategy = None))]
     fn with_particles(
         &self,
@@ -490,9 +490,9 @@ impl PyTask {
         py.detach(|| made(path, text, Some(csv), options))
     }
 
-    /// What poses and forces tell of the task: a `Telemetry`, or arrays of times (T) [s], poses (T, 7) and forces of the
-    /// surroundings on the tool (T, 3) [N] in the axes of the world. Of the dirt before, what the task says of it is believed
-    /// (`certain`: that it lies just as it says).
+    /// Interprets poses and forces: a `Telemetry`, or arrays of times (T) [s], poses (T, 7) and forces of the
+    /// surroundings on the tool (T, 3) [N] in the axes of the world. The belief about the dirt before is that of the
+    /// task; if `certain`, the dirt lies exactly at the task's particles.
     #[pyo3(signature = (log = None, *, time_s = None, world_from_tool = None, force_n = None, certain = false))]
     fn interpret(
         &self,
@@ -514,15 +514,15 @@ impl PyTask {
         PyInterpretation::of_samples(py, &self.loaded, &samples, certain)
     }
 
-    /// A plan for the task's particles as if they were known to lie just there, as `wisch eval table1` makes it. A session plans for
-    /// all places where the dirt may lie instead.
+    /// Plans for the task's particles as if their positions were certain, as `wisch eval table1` does. A session plans
+    /// for the whole belief about the dirt instead.
     fn plan_known_dirt(&self, py: Python<'_>) -> PyResult<PyPlan> {
         let plan = py.detach(|| self.loaded.plan_for_known_dirt());
         Ok(PyPlan::of(&self.loaded.task, plan.map_err(plain)?))
     }
 
-    /// The plan that consists of one's own strokes, each an array (k, 3) of x, y [m] and heading [rad] of the tool in the frame of the
-    /// surface.
+    /// Returns the plan of given strokes, each an array (k, 3) of x, y [m] and yaw [rad] of the tool in the frame of
+    /// the surface.
     fn plan_of_strokes(&self, strokes: &Bound<'_, PyAny>) -> PyResult<PyPlan> {
         let strokes = strokes_of(strokes)?;
         let (task, lift) = (&self.loaded.task, self.loaded.config.lift_height);
@@ -530,7 +530,7 @@ impl PyTask {
         Ok(PyPlan::of(task, plan))
     }
 
-    /// The plan of a `plan.json`.
+    /// Returns the plan of a `plan.json`.
     fn plan_of_json(&self, json: &str) -> PyResult<PyPlan> {
         let record = PlanRecord::parse(json).map_err(plain)?;
         let plan = record.to_plan(&self.loaded.task).map_err(plain)?;

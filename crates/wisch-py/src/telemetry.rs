@@ -1,4 +1,4 @@
-//! Telemetry as columns: what was measured, one array per quantity, each owning its memory.
+//! Telemetry as columns: an array per quantity, which owns its memory.
 
 use crate::arrays::{self, list, numbers, rows, vector};
 use crate::error::{plain, refused};
@@ -27,12 +27,12 @@ pub struct Columns {
     controller_force: Vec<f64>,
     controller_moment: Vec<f64>,
     joints: [Vec<f64>; 3],
-    /// How many numbers of each kind a sample has, as the first had them.
+    /// Number of values of each quantity in a sample, by the first sample.
     counts: [usize; 3],
 }
 
 impl Columns {
-    /// Takes one sample.
+    /// Adds a sample.
     pub fn push(&mut self, sample: &TelemetrySample<'_>) {
         let lists = [sample.positions, sample.velocities, sample.efforts];
         if self.time.is_empty() {
@@ -51,54 +51,54 @@ impl Columns {
         self.controller_moment
             .extend(sample.controller.moment.iter());
         for ((column, count), list) in self.joints.iter_mut().zip(self.counts).zip(lists) {
-            // A sample that measured less than the first leaves gaps.
+            // A sample with fewer values than the first leaves gaps.
             column.extend((0..count).map(|i| list.get(i).copied().unwrap_or(f64::NAN)));
         }
     }
 }
 
-/// What was measured in a round, or is in a log: one array per quantity, row by row one per sample.
+/// Telemetry of a round or a log: an array per quantity, with a row per sample.
 #[pyclass(name = "Telemetry", module = "wisch", frozen, get_all)]
 pub struct PyTelemetry {
-    /// The round, from 1; 0 of a log.
+    /// Number of the round, from 1; 0 for a log that does not state it.
     round: usize,
     /// (T) [s].
     time_s: Py<PyArray1<f64>>,
-    /// The stroke that was wiped, -1 where none was, (T).
+    /// Number of the stroke, -1 outside strokes, (T).
     stroke: Py<PyArray1<i64>>,
     /// (T, 7).
     world_from_tool: Py<PyArray2<f64>>,
     /// (T, 7).
     world_from_commanded: Py<PyArray2<f64>>,
-    /// Of the surroundings on the tool, in the axes of the world, (T, 3) [N].
+    /// Force of the surroundings on the tool, in the axes of the world, (T, 3) [N].
     force_n: Py<PyArray2<f64>>,
     /// (T, 3) [Nm].
     moment_nm: Py<PyArray2<f64>>,
-    /// What the controller asked of the tool, (T, 3) [N].
+    /// Force that the controller commanded, (T, 3) [N].
     controller_force_n: Py<PyArray2<f64>>,
     /// (T, 3) [Nm].
     controller_moment_nm: Py<PyArray2<f64>>,
     /// (T, n) [rad or m].
     positions: Py<PyArray2<f64>>,
-    /// (T, n), or (T, 0) where they were not measured [rad/s or m/s].
+    /// (T, n), or (T, 0) if not measured [rad/s or m/s].
     velocities: Py<PyArray2<f64>>,
     /// (T, n), or (T, 0) [Nm or N].
     efforts: Py<PyArray2<f64>>,
 }
 
 impl PyTelemetry {
-    /// Whether it is of this round.
+    /// Whether it belongs to this round.
     pub const fn is_of(&self, round: usize) -> bool {
         self.round == round
     }
 
-    /// The samples as the interpretation takes them.
+    /// Returns the samples as input for the interpreter.
     pub fn touches(&self, py: Python<'_>) -> PyResult<Vec<TouchSample>> {
         let (times, poses, forces) = (&self.time_s, &self.world_from_tool, &self.force_n);
         touches(times.bind(py), poses.bind(py), forces.bind(py))
     }
 
-    /// Goes through the samples of a motion.
+    /// Calls back with the samples of a motion.
     pub fn each<E: std::fmt::Display>(
         &self,
         py: Python<'_>,
@@ -142,7 +142,7 @@ impl PyTelemetry {
         Ok(())
     }
 
-    /// The arrays of the columns, which they take over.
+    /// Returns the arrays that take over the columns.
     pub fn of(py: Python<'_>, round: usize, columns: Columns) -> PyResult<Py<Self>> {
         let samples = columns.time.len();
         let rows = |numbers: Vec<f64>, width: usize| {
@@ -205,7 +205,7 @@ fn wrench_of(force: &[f64], moment: &[f64]) -> Wrench {
     }
 }
 
-/// Samples of touch from arrays of times, poses and forces.
+/// Returns samples of touch from arrays of times, poses and forces.
 pub fn touches(
     times: &Bound<'_, PyAny>,
     poses: &Bound<'_, PyAny>,
@@ -235,7 +235,7 @@ pub fn touches(
     samples.collect()
 }
 
-/// Reads a log: a ROS 2 bag (MCAP), a folder with the parts of one, or a table (text with a line of names, Parquet,
+/// Reads a log: a ROS 2 bag (MCAP), a folder with the parts of a bag, or a table (text with a line of names, Parquet,
 /// Arrow or npz). Options are those of `wisch interpret`.
 #[pyfunction]
 #[pyo3(signature = (path, *, pose_topic = None, wrench_topic = None, columns = None, wrench_frame = None, wrench_sign = None, force_bias_n = None, force_scale = None, payload_mass_kg = None, payload_centre_m = None, orientation = None, rate_hz = None, force_unit_n = None, length_unit_m = None, time_unit_s = None, pose_frame = None, world_from_log = None, world_from_surface = None, pose_offset = None, max_gap_s = 0.1))]
@@ -335,7 +335,7 @@ pub fn read_log(
     PyTelemetry::of(py, log.round.unwrap_or_default(), columns)
 }
 
-/// Refuses a number that is given and not above 0, by its name.
+/// Checks that a number is above 0, if given.
 fn check_positive<const N: usize>(numbers: [(&str, Option<f64>); N]) -> PyResult<()> {
     for (name, number) in numbers {
         if let Some(number) = number

@@ -1,4 +1,4 @@
-//! Ends an executor that hands on nothing any more.
+//! Watchdog that interrupts an executor which passes no samples.
 
 use crate::error::plain;
 use pyo3::exceptions::PyKeyboardInterrupt;
@@ -8,10 +8,10 @@ use std::sync::{Arc, Mutex, PoisonError};
 use std::thread::JoinHandle;
 use std::time::{Duration, Instant};
 
-/// Between two looks.
+/// Interval of the checks.
 const LOOK: Duration = Duration::from_millis(20);
 
-/// Watches one call of an executor, and interrupts its thread as Ctrl-C would when it gives no sign of life for too long.
+/// Watchdog of one call of an executor: interrupts its thread as Ctrl-C does, when no sample arrives for too long.
 pub struct Watchdog {
     limit: Duration,
     shared: Arc<Shared>,
@@ -31,7 +31,7 @@ impl Shared {
 }
 
 impl Watchdog {
-    /// Watches from now on; nothing without a limit.
+    /// Starts watching; returns `None` without a limit.
     pub fn begin(py: Python<'_>, limit: Option<Duration>) -> PyResult<Option<Self>> {
         let Some(limit) = limit else {
             return Ok(None);
@@ -53,13 +53,13 @@ impl Watchdog {
                     continue;
                 }
                 Python::attach(|py| {
-                    // It may have ended while this thread waited for its turn.
+                    // The call may have ended while this thread waited for the lock.
                     if !watched.is_over.load(Ordering::SeqCst) {
                         watched.has_fired.store(true, Ordering::SeqCst);
                         let _ = interrupt(py, ident, is_main);
                     }
                 });
-                // One that swallows the interruption gets another.
+                // An executor that catches the interrupt gets another.
                 *watched.last.lock().unwrap_or_else(PoisonError::into_inner) = Instant::now();
             }
         });
@@ -70,12 +70,12 @@ impl Watchdog {
         }))
     }
 
-    /// There was a sign of life.
+    /// Records a sign of life.
     pub fn touch(&self) {
         *(self.shared.last.lock()).unwrap_or_else(PoisonError::into_inner) = Instant::now();
     }
 
-    /// Watches no longer; what the call came to, or that it was given up, with what was missing of it.
+    /// Stops watching. Returns the result of the call, or the error that it took too long, naming what is missing.
     pub fn end<T>(&self, py: Python<'_>, result: PyResult<T>, missing: &str) -> PyResult<T> {
         self.shared.is_over.store(true, Ordering::SeqCst);
         let thread = (self.thread.lock().unwrap_or_else(PoisonError::into_inner)).take();
@@ -83,7 +83,7 @@ impl Watchdog {
         if !self.shared.has_fired.load(Ordering::SeqCst) {
             return result;
         }
-        // An interruption that came too late to be seen is not to be taken for the user's.
+        // A late interrupt must not be taken for the user's Ctrl-C.
         let late = py.check_signals();
         let seconds = self.limit.as_secs_f64();
         match result {
@@ -94,7 +94,7 @@ impl Watchdog {
     }
 }
 
-/// As Ctrl-C does; a thread that is not the main one is told by an exception of its own.
+/// Interrupts as Ctrl-C does; a thread other than the main one gets an exception of its own.
 fn interrupt(py: Python<'_>, ident: u64, is_main: bool) -> PyResult<()> {
     if is_main {
         let signal = py.import("signal")?;

@@ -200,7 +200,7 @@ def test_an_executor_that_looks_for_ever_is_given_up(robot, looks, thread):
     session = seeing.session(robot)
 
     error, seconds = failure_of(lambda: session.run(Stares(seeing.surface_reaction), timeout=0.4), thread)
-    assert isinstance(error, wisch.WischError) and "did not say what it sees for 0.4 s" in str(error), repr(error)
+    assert isinstance(error, wisch.WischError) and "returned no observation for 0.4 s" in str(error), repr(error)
     assert len(seen) == looks and seconds < 30
     time.sleep(0.1)  # an interruption that came late would come now
 

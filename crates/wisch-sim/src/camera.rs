@@ -1,4 +1,4 @@
-//! What a camera straight above the real surface sees of the real dirt.
+//! A simulated camera straight above the real surface.
 
 use crate::{Dirt, SimulationSettings};
 use nalgebra::{Point, SVector};
@@ -11,26 +11,29 @@ use wisch::random::normal_pair;
 use wisch::represent::{Fate, Observation, Task};
 use wisch::robot::{RobotError, Shape};
 
-/// Tells the random numbers of looks apart from those of a task with the same seed.
-const LOOK_SEED: u64 = 0x6c6f_6f6b_7300_0000;
-/// Points round the rim of a cylinder, a capsule or a sphere.
+/// Separates the random numbers of observations from those of a task with the same seed.
+const OBSERVATION_SEED: u64 = 0x6c6f_6f6b_7300_0000;
+/// Number of points round the rim of a cylinder, a capsule or a sphere.
 const RIM: usize = 16;
-/// Draws after which a false alarm counts as beside the surface.
+/// Number of draws after which a false alarm falls beside the surface.
 const DRAWS: usize = 10_000;
 
-/// Which look it is: after how many rounds, and which since then.
+/// Identifies an observation by world, round and number, so that it can be drawn again.
 #[derive(Debug, Clone, Copy)]
 pub struct ObservationIndex {
-    /// Of the world.
+    /// Seed of the world.
     pub seed: u64,
-    /// Rounds so far.
+    /// Number of rounds so far.
     pub rounds: u64,
-    /// Looks since the last of them.
+    /// Number of observations since the last round.
     pub number: u64,
 }
 
-/// What is seen of dirt, in the frame of the surface as a task believes it; `None` without a camera. `hidden` are hulls in
-/// the frame of the real surface [m].
+/// Returns what the camera detects, in the believed surface frame; `None` without a camera.
+///
+/// `dirt` is the ground truth, and `hidden` the convex hulls that hide it, in the frame of the real surface [m].
+/// `world_from_real` is the pose of the real surface. Each visible grain is detected with a probability by its
+/// diameter, at a position with normal error; false alarms are Poisson distributed over the outline.
 pub fn observe(
     settings: &SimulationSettings,
     task: &Task,
@@ -40,7 +43,7 @@ pub fn observe(
     look: ObservationIndex,
 ) -> Option<Observation> {
     let sensor = settings.camera?.sensor;
-    let mut random = ChaCha8Rng::seed_from_u64(look.seed ^ LOOK_SEED);
+    let mut random = ChaCha8Rng::seed_from_u64(look.seed ^ OBSERVATION_SEED);
     random.set_stream((look.rounds << 32) | look.number);
     let believed_from_real = task.surface.world_from_surface.inverse() * world_from_real;
     let believed = |place: &Point2| (believed_from_real * Point3::new(place.x, place.y, 0.0)).xy();
@@ -54,7 +57,7 @@ pub fn observe(
         hidden: hulls(&believed),
     };
     for grain in dirt.grains() {
-        // Drawn for every grain: what became of one changes nothing for the others.
+        // Drawn for every grain, visible or not, so that the fate of one grain changes no other detection.
         let (chance, error) = (random.random::<f64>(), normal_pair(&mut random));
         let lies = grain.fate == Fate::OnSurface && !hidden_in_real.contains(grain.position);
         if lies && chance < sensor.detection_of(2.0 * grain.radius) {
@@ -77,7 +80,7 @@ pub fn observe(
     Some(seen)
 }
 
-/// A draw from the Poisson distribution: how many exponential gaps fit into the mean.
+/// Draws from the Poisson distribution: the number of unit exponential gaps that fit into `mean`.
 fn poisson(mean: f64, random: &mut ChaCha8Rng) -> usize {
     let gaps = std::iter::repeat_with(|| -libm::log(1.0 - random.random::<f64>()));
     let ends = gaps.scan(0.0, |end, gap| {
@@ -87,11 +90,13 @@ fn poisson(mean: f64, random: &mut ChaCha8Rng) -> usize {
     ends.take_while(|end| *end < mean).count()
 }
 
-/// What the robot and its tool hide from a camera straight above the real surface: a convex hull of each solid, in the
-/// frame of that surface [m].
+/// Returns what the robot and its tool hide from a camera straight above the real surface: the convex hull of each
+/// solid that rises above it, in the frame of that surface [m].
+///
+/// `positions` are the robot's variables [rad or m], `tool` the vertices of the tool's parts in its own frame [m].
 ///
 /// # Errors
-/// Positions that are not the robot's.
+/// If `positions` do not match the robot's variables.
 pub fn hidden_by(
     cell: &Workcell,
     positions: &[f64],
@@ -121,7 +126,7 @@ pub fn hidden_by(
     Ok(hulls)
 }
 
-/// Points whose hull is a shape, round ones as prisms.
+/// Returns points whose convex hull is the shape; round shapes become prisms.
 fn corners(shape: &Shape) -> Vec<Point3> {
     let ring = |radius: f64, z: f64| {
         (0..RIM).map(move |i| {
@@ -156,7 +161,7 @@ fn corners(shape: &Shape) -> Vec<Point3> {
     }
 }
 
-/// The convex hull of points, anticlockwise (Andrew, 1979).
+/// Returns the convex hull of the points, anticlockwise (Andrew's monotone chain, 1979).
 fn hull(mut points: Vec<Point2>) -> Vec<Point2> {
     points.sort_by(|a, b| a.x.total_cmp(&b.x).then(a.y.total_cmp(&b.y)));
     points.dedup();

@@ -1,49 +1,51 @@
-//! Why an execution cannot begin or go on.
+//! Errors of the simulation.
 
 use wisch::represent::SourceError;
 use wisch::robot::RobotError;
 
-/// Why an execution cannot begin or go on.
+/// Why an execution cannot begin or continue.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum SimulationError {
-    /// The robot's description does not do.
+    /// The robot's description is incomplete or inconsistent.
     #[error(transparent)]
     Robot(#[from] RobotError),
-    /// Dirt finds no place where it shall lie.
-    #[error("the real dirt: {0}")]
+    /// The dirt of the settings does not fit on the surface.
+    #[error("the simulated world's dirt cannot be placed: {0}")]
     Dirt(#[from] SourceError),
-    /// There is no joint between the world and the tool that moves.
-    #[error("robot {robot:?}: no joint moves the tool")]
+    /// No joint between the world and the tool moves.
+    #[error(
+        "robot {robot:?}: no joint moves the tool; the tool's link needs a moving joint between it and the world"
+    )]
     NothingMoves {
-        /// The robot.
+        /// Name of the robot.
         robot: String,
     },
     /// The tool has no underside.
-    #[error("the tool's footprint has no area that could touch a surface")]
+    #[error("the tool's footprint has no area; it needs one that can touch the surface")]
     NoFootprint,
     /// The surface has no area.
-    #[error("the surface's outline has no area that could be touched")]
+    #[error("the surface's outline has no area; it needs one that the tool can touch")]
     NoSurface,
-    /// A joint moves too little mass for a torque to mean anything.
+    /// The mass matrix is singular: some joint moves too little mass for a torque to be defined.
     #[error(
-        "at {time:.3} s the mass matrix of the robot is not positive definite: some joint moves no inertia"
+        "at {time:.3} s the mass matrix of the robot is not positive definite: some joint moves a link without mass or inertia"
     )]
     NoInertia {
-        /// When [s].
+        /// Simulated time of the failure [s].
         time: f64,
     },
-    /// The simulation has come apart.
+    /// The simulation has diverged.
     #[error(
-        "at {time:.3} s joint {joint:?} of the simulated robot moves at {velocity} rad/s or m/s, beyond {limit}"
+        "at {time:.3} s joint {joint:?} of the simulated robot moves at {velocity} rad/s or m/s, over the limit of {limit}: the simulation diverged"
     )]
     Diverged {
-        /// When [s].
+        /// Simulated time of the failure [s].
         time: f64,
-        /// The joint.
+        /// Name of the joint.
         joint: String,
-        /// Its velocity.
+        /// Its velocity [rad/s or m/s].
         velocity: f64,
-        /// The limit.
+        /// The limit that it exceeds [rad/s or m/s].
         limit: f64,
     },
 }

@@ -1,14 +1,17 @@
-//! Real dirt in the world: grains that lie, are gripped by the tool's underside, and fall off edges.
+//! Physics of the dirt: grains that lie on the surface, that the tool's underside grips, and that fall off edges.
 //!
-//! Assumptions of this stand-in for settings: the underside of a tool closes round a grain instead of
-//! riding on it, so that grains do not lift the tool; where the tool's pressure at a grain's place
-//! exceeds the grain's own threshold, the grain is taken up (absorb) or moved (push): one that the tool's
-//! side meets is pushed ahead of it, one that the tool was set down on is held under it. Grains do not
-//! roll. Pressure is that of the tool's compliance, uneven where the tool is tilted; for a tool that hovers, the share of its
-//! gap in the clearance over the grain stands in for it.
+//! The model assumes the following.
+//! - The underside of a tool closes round a grain instead of riding on it, so grains do not lift the tool.
+//! - The tool takes a grain along where its pressure at the grain exceeds the grain's own threshold. An absorbing tool
+//!   takes it up; a pushing tool moves it.
+//! - The tool's side pushes a grain that it meets ahead of it. The underside holds a grain that the tool was set down
+//!   on.
+//! - Grains do not roll.
+//! - Pressure is that of the tool's compliance, uneven where the tool is tilted. For a hovering tool, the ratio of its
+//!   gap to the clearance over the grain replaces the pressure.
 
 use super::Dirt;
-use super::plant::{GRAVITY, Plant, Wielded, groups_of_grains, vector};
+use super::plant::{GRAVITY, HeldTool, Plant, groups_of_grains, vector};
 use crate::SimulationSettings;
 use rapier3d_f64::dynamics::{CoefficientCombineRule, RigidBodyBuilder, RigidBodyHandle};
 use rapier3d_f64::geometry::ColliderBuilder;
@@ -17,66 +20,66 @@ use wisch::represent::{Effect, Fate, Task, dirt_friction};
 
 /// Density of grains [kg/m³].
 const DENSITY: f64 = 600.0;
-/// Friction of grains on the side of a tool: foam and bristles hold them [1].
+/// Friction coefficient between grains and the side of a tool [1]: foam and bristles hold them.
 const SIDE_FRICTION: f64 = 1.0;
 /// Stiffness of the tool's grip on a grain, as a natural frequency [rad/s]; critically damped.
 const GRIP_RATE: f64 = 200.0;
-/// A grain that is this far below the surface has fallen off it [m].
-const FALLEN: f64 = 0.004;
+/// A grain this far below the surface has fallen off it [m].
+const FALL_DEPTH: f64 = 0.004;
 
-/// Deeper than this under the tool a grain is no longer pushed by its side [m].
-const SIDE: f64 = 4e-3;
+/// Depth under the tool beyond which the tool's side no longer pushes a grain [m].
+const SIDE_DEPTH: f64 = 4e-3;
 
-/// Slower than this, friction of a heap grows with the speed [m/s].
-const RUBBING: f64 = 0.01;
+/// Speed below which the friction of a heap grows in proportion to the speed [m/s].
+const RUBBING_SPEED: f64 = 0.01;
 
-/// A grain's body, and how the tool has it.
+/// A grain's body, and the tool's grip on it.
 #[derive(Debug, Clone, Copy)]
 struct GrainBody {
     body: RigidBodyHandle,
     grip: Grip,
 }
 
-/// How the tool has a grain.
+/// Grip of the tool on a grain.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Grip {
-    /// Not at all; the grain lies beside the tool.
+    /// No grip; the grain lies beside the tool.
     Beside,
-    /// Not at all; the grain lies under the tool, which does not reach down to it or slips over it.
+    /// No grip; the grain lies under the tool, which does not reach it or slips over it.
     Below,
-    /// The side of the tool pushes it, and holds it by friction at a place in the underside's frame.
+    /// The side of the tool pushes the grain, and friction holds it at this point in the underside's frame [m].
     Side(Point3),
-    /// The underside holds it at a place in its frame.
+    /// The underside holds the grain at this point in its frame [m].
     Held(Point3),
 }
 
-/// The bodies of some dirt.
+/// The bodies of all grains.
 pub(super) struct GrainBodies {
     bodies: Vec<Option<GrainBody>>,
     real_from_world: Pose,
     /// Outward normal of the real surface in the world.
     normal: Vector3,
-    /// What drags on the tool for every grain that it pushes: friction of the dirt that the grain stands for [N].
+    /// Drag on the tool for every grain that it pushes [N]: friction of the dirt that the grain stands for.
     drag: f64,
-    /// Whether the tool feels what it pushes.
-    resist: bool,
+    /// Whether grains that the tool pushes is_resisting it.
+    is_resisting: bool,
     effect: Effect,
     reach: f64,
-    /// How far off the surface's outline a grain has left it.
-    tallest: f64,
+    /// Largest diameter of a grain [m].
+    max_diameter: f64,
 }
 
 impl GrainBodies {
-    /// Puts the grains that lie on the surface into the world.
+    /// Adds a body for each grain that lies on the surface.
     pub fn new(
         plant: &mut Plant,
         dirt: &Dirt,
         task: &Task,
-        tool: &Wielded,
+        tool: &HeldTool,
         settings: &SimulationSettings,
     ) -> Self {
         let world_from_real = task.surface.world_from_surface * settings.believed_from_real;
-        // What lies on a slope stays there, up to the angle at which the task's own dirt slides.
+        // A grain stays on a slope up to the angle at which the task's dirt slides.
         let friction = dirt_friction(settings.kind, 0.0);
         let put = |grain: &super::Grain| {
             if grain.fate != Fate::OnSurface {
@@ -108,21 +111,21 @@ impl GrainBodies {
             real_from_world: world_from_real.inverse(),
             normal: world_from_real * Vector3::z(),
             drag: friction * settings.grain_mass.unwrap_or(0.0) * GRAVITY.norm(),
-            resist: settings.grains_resist,
+            is_resisting: settings.grains_resist,
             effect: task.action.effect(),
             reach: corners
                 .map(|edge| edge.start.coords.norm())
                 .fold(0.0, f64::max),
-            tallest: 2.0 * radii.fold(0.0, f64::max),
+            max_diameter: 2.0 * radii.fold(0.0, f64::max),
         }
     }
 
-    /// Lets the tool act on the grains under it, for the next period.
-    pub fn act(&mut self, plant: &mut Plant, dirt: &mut Dirt, tool: &Wielded) {
+    /// Applies the forces of the tool to the grains near it, for the next period.
+    pub fn act(&mut self, plant: &mut Plant, dirt: &mut Dirt, tool: &HeldTool) {
         let plate = plant.world_from_plate();
         let to_plate = plate.inverse();
         let compression = plant.compression();
-        let near = self.reach + self.tallest;
+        let near = self.reach + self.max_diameter;
         let normal = self.normal;
         plant.release();
         for (grain, slot) in dirt.grains.iter_mut().zip(&mut self.bodies) {
@@ -143,7 +146,7 @@ impl GrainBodies {
             }
             let [lifted, higher] = plant.wave(on_surface(&self.real_from_world, &at));
             let is_reached = if tool.gap > 0.0 {
-                // Suction falls off with the way from the mouth to the grain's foot.
+                // Suction decreases with the distance from the mouth to the grain's foot.
                 let clearance = grain.radius - in_plate.z - lifted;
                 tool.gap / clearance.max(tool.gap) >= grain.threshold
             } else {
@@ -165,7 +168,7 @@ impl GrainBodies {
             let (depth, outward) = nearest_side(tool, under);
             held.grip = match held.grip {
                 Grip::Beside => Grip::Side(in_plate),
-                Grip::Side(_) if depth > SIDE => Grip::Held(in_plate),
+                Grip::Side(_) if depth > SIDE_DEPTH => Grip::Held(in_plate),
                 Grip::Below => Grip::Held(in_plate),
                 kept => kept,
             };
@@ -179,6 +182,7 @@ impl GrainBodies {
             };
             let (v, mass) = (body.linvel(), body.mass());
             let slip = velocity - Vector3::new(v.x, v.y, v.z);
+            // Critically damped spring to the grip: F = m (ω² (goal − x) + 2 ω (v_tool − v)).
             let hold = mass * (GRIP_RATE * GRIP_RATE * (goal - at) + 2.0 * GRIP_RATE * slip);
             let force = if let Grip::Held(_) = held.grip {
                 hold
@@ -194,22 +198,22 @@ impl GrainBodies {
                 let friction = held_back.clamp(-SIDE_FRICTION * push, SIDE_FRICTION * push);
                 push * outward + friction * sideways
             };
-            // It acts along the surface; upwards the tool gives way.
+            // The force acts along the surface; upwards the tool gives way.
             let along = force - normal * normal.dot(&force);
             body.reset_forces(true);
             body.add_force(vector(&along), true);
-            if !self.resist {
+            if !self.is_resisting {
                 continue;
             }
-            // What moves a grain is taken from the tool; so is what the rest of the dirt that it stands for rubs with,
-            // against the tool's motion.
+            // The tool feels the reaction of the force that moves the grain, and the friction of the dirt that the
+            // grain stands for, against the tool's motion.
             let moving = velocity - normal * normal.dot(&velocity);
-            let rubbing = moving * (self.drag / moving.norm().max(RUBBING));
+            let rubbing = moving * (self.drag / moving.norm().max(RUBBING_SPEED));
             plant.resist(&-(along + rubbing), &at);
         }
     }
 
-    /// Forgets the tool's grip on grains it left, and takes off the surface what fell from it.
+    /// Releases grains that the tool left, and removes grains that fell off the surface.
     pub fn settle(&mut self, plant: &mut Plant, dirt: &mut Dirt, task: &Task) {
         for (grain, slot) in dirt.grains.iter_mut().zip(&mut self.bodies) {
             let Some(held) = slot else {
@@ -230,7 +234,8 @@ impl GrainBodies {
             if !(now.x.is_finite() && now.y.is_finite()) {
                 continue;
             }
-            let has_left = in_real.z < grain.radius - FALLEN || !task.surface.outline.contains(now);
+            let has_left =
+                in_real.z < grain.radius - FALL_DEPTH || !task.surface.outline.contains(now);
             let edge = task.surface.exit_edge(grain.position, now);
             if let (true, Some(edge)) = (has_left, edge) {
                 grain.fate = Fate::OffSurface {
@@ -246,8 +251,8 @@ impl GrainBodies {
     }
 }
 
-/// How far a place under the tool is inside the nearest side, and which way is out of it.
-fn nearest_side(tool: &Wielded, under: Point2) -> (f64, Vector2) {
+/// Returns the distance [m] of a point under the tool from the nearest side, and the outward direction of that side.
+fn nearest_side(tool: &HeldTool, under: Point2) -> (f64, Vector2) {
     let mut nearest = (f64::INFINITY, Vector2::zeros());
     for edge in tool.edges() {
         let distance = edge.distance(under);

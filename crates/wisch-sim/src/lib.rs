@@ -1,12 +1,12 @@
-//! A physics world in which wiping motions are executed: an [`Executor`](wisch::run::Executor) that stands in for the
-//! real robot; paper §4.1.
+//! Simulated execution of wiping motions: an [`Executor`](wisch::run::Executor) that stands in for the real robot;
+//! paper §4.1.
 //!
-//! The robot is a multibody under gravity. Torso and arm are driven by torques alone, by the controller of
-//! [`wisch::control`]. The base, and arms that do not wipe, are held by drives of their own. Sensors are those of a
-//! real robot: positions, efforts, and a force at the tool that an observer estimates from them. Dirt is real bodies.
+//! The robot is a multibody under gravity. The controller of [`wisch::control`] drives torso and arm by torques alone.
+//! Position drives hold the base, and arms that do not wipe. The sensors are those of a real robot: joint positions,
+//! efforts, and a wrench at the tool that an observer estimates from them. Dirt consists of rigid bodies.
 //!
-//! [`World`] executes the motions of a [`Session`](wisch::run::Session); what it knows to be true has a door of its own,
-//! [`World::truth`], for evaluations and reports.
+//! [`World`] executes the motions of a [`Session`](wisch::run::Session). Its ground truth is available to evaluations
+//! and reports only, through [`World::truth`].
 
 mod camera;
 mod checkpoint;

@@ -1,4 +1,4 @@
-//! How a world differs from what a robot believes of it.
+//! Differences between a simulated world and what a robot believes about it.
 
 use crate::{GrainCount, Places, RealTool, Sensing, SimulationSettings, Waviness};
 use rand::{RngExt, SeedableRng};
@@ -6,9 +6,9 @@ use rand_chacha::ChaCha8Rng;
 use std::f64::consts::TAU;
 use wisch::geometry::{Vector2, Vector3};
 
-/// Stream of the random numbers of mismatches, apart from those of tasks and worlds with the same seed.
+/// Stream of the random numbers of mismatches, separate from those of tasks and worlds with the same seed.
 const STREAM: u64 = 0x6d69_736d_6174_6368;
-/// How far each quantity may be off in a random world, either way or at most, in the units of [`Mismatch`].
+/// Range of each quantity in a random world, as ± or as largest value, in the units of [`Mismatch`].
 const MU: f64 = 0.5;
 const SIGMA: [f64; 2] = [0.15, 0.5];
 const STIFFNESS: [f64; 2] = [0.7, 1.3];
@@ -22,10 +22,10 @@ const FORCE_DRIFT: f64 = 0.005;
 const JOINT_FRICTION: f64 = 0.3;
 const WAVINESS: f64 = 5e-4;
 const WAVE_LENGTH: [f64; 2] = [0.15, 0.6];
-/// How far from the edge dirt along it lies at most [m].
-const EDGE: [f64; 2] = [0.02, 0.08];
+/// Range for the width of the strip of dirt along the outline [m].
+const EDGE_WIDTH: [f64; 2] = [0.02, 0.08];
 
-/// What is different in a world, laid over the settings of a task by [`SimulationSettings::with`].
+/// Differences between a world and the settings of a task, applied by [`SimulationSettings::with`].
 ///
 /// ```
 /// use wisch_sim::{Mismatch, Places};
@@ -36,32 +36,32 @@ const EDGE: [f64; 2] = [0.02, 0.08];
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Mismatch {
-    /// Where the dirt lies; `None` leaves it to the settings.
+    /// Spatial distribution of the dirt; `None` keeps that of the settings.
     pub places: Option<Places>,
-    /// How much of it there is; `None` leaves it to the settings.
+    /// Number of grains; `None` keeps that of the settings.
     pub count: Option<GrainCount>,
-    /// What is added to the mean of ln f′ from which on a grain is taken along.
+    /// Offset of the mean of ln f′, the threshold above which the tool takes a grain along [1].
     pub mu_shift: f64,
-    /// Standard deviation of ln f′; `None` leaves it to the settings.
+    /// Standard deviation of ln f′ [1]; `None` keeps that of the settings.
     pub sigma: Option<f64>,
-    /// Stiffness of the tool over the settings' [1].
+    /// Stiffness of the tool, as a multiple of that in the settings [1].
     pub stiffness: f64,
-    /// Length and width of its footprint over the settings' [1].
+    /// Length and width of the footprint, as a multiple of those in the settings [1].
     pub footprint: f64,
-    /// What is added to where the tool sits in the hand [m].
+    /// Additional offset of the tool in the hand [m].
     pub grasp_offset: Vector2,
-    /// What is added to how far it is turned there [rad].
+    /// Additional rotation of the tool in the hand [rad].
     pub grasp_turn: f64,
-    /// How joints and forces are measured; `None` leaves it to the settings.
+    /// Errors of joint and force sensors; `None` keeps those of the settings.
     pub sensing: Option<Sensing>,
-    /// What is added to the Coulomb friction of joints [Nm or N].
+    /// Additional Coulomb friction of joints [Nm or N].
     pub joint_friction: f64,
-    /// Waves in the surface; `None` leaves them to the settings.
+    /// Waves in the surface; `None` keeps those of the settings.
     pub waviness: Option<Waviness>,
 }
 
 impl Default for Mismatch {
-    /// None at all.
+    /// No mismatch.
     fn default() -> Self {
         Self {
             places: None,
@@ -80,9 +80,12 @@ impl Default for Mismatch {
 }
 
 impl Mismatch {
-    /// A random one, everything at once: dirt anywhere, in heaps, in a band or along the edge; mean of ln f′ off by 0.5 at
-    /// most and its spread 0.15 to 0.5; stiffness off by 30 %, footprint by 10 %, the grasp by 10 mm; joints and forces
-    /// measured as by good sensors that have been used; waves of half a millimetre.
+    /// Draws a random mismatch in all quantities at once.
+    ///
+    /// The dirt lies uniformly, in heaps, in a band or along the edge. The mean of ln f′ is off by up to 0.5, its
+    /// standard deviation is 0.15 to 0.5. Stiffness is off by up to 30 %, the footprint by 10 %, the grasp by 10 mm.
+    /// Sensors have the errors of good sensors that have been used, and the surface has waves of up to half a
+    /// millimetre.
     pub fn random(seed: u64) -> Self {
         let mut random = ChaCha8Rng::seed_from_u64(seed);
         random.set_stream(STREAM);
@@ -99,7 +102,7 @@ impl Mismatch {
                     direction: None,
                     width: None,
                 },
-                _ => Places::Edge(between(EDGE)),
+                _ => Places::Edge(between(EDGE_WIDTH)),
             }),
             count: None,
             mu_shift: between([-MU, MU]),
@@ -124,7 +127,7 @@ impl Mismatch {
 }
 
 impl SimulationSettings {
-    /// The same world, but for a mismatch.
+    /// Returns these settings with a mismatch applied.
     #[must_use]
     pub fn with(&self, mismatch: &Mismatch) -> Self {
         let mut settings = self.clone();

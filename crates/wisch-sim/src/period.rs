@@ -1,8 +1,8 @@
-//! The loop of control, simulation and telemetry.
+//! Execution of one motion order: the loop of control, simulation and telemetry.
 
 use crate::camera::hidden_by;
 use crate::grains::GrainBodies;
-use crate::plant::{GRAVITY, Plant, TOOL_MASS, Wielded, firm_load};
+use crate::plant::{GRAVITY, HeldTool, Plant, TOOL_MASS, firm_load};
 use crate::treated::TreatedSurface;
 use crate::{Dirt, GroundTruth, SimulationError, SimulationSettings, Spread};
 use rand::SeedableRng;
@@ -18,31 +18,31 @@ use wisch::robot::{Articulation, ArticulationState, Range};
 use wisch::run::{Ending, Execution, MotionOrder, SampleSink, StopCause, TelemetrySample, Wrench};
 use wisch_io::Push;
 
-/// Faster than this no robot moves [rad/s or m/s].
+/// Largest joint velocity that counts as physical [rad/s or m/s]; beyond it the simulation has diverged.
 const MAX_VELOCITY: f64 = 100.0;
-/// How fast the commanded tool slides at least for its force to count as that of sliding [m/s].
-const SLIDING: f64 = 0.01;
-/// After the commanded speed rose above that, and after a push, this long passes before forces count [s].
-const SETTLING: f64 = 0.3;
-/// Streams of random numbers.
+/// Least speed of the commanded tool along the surface at which its contact force counts as sliding force [m/s].
+const MIN_SLIDING_SPEED: f64 = 0.01;
+/// Contact forces count again this long after the tool began to slide, and after a push [s].
+const SETTLING_TIME: f64 = 0.3;
+/// Streams of random numbers: force noise and encoder noise.
 const NOISE_STREAM: u64 = 0x6e6f_6973;
 const ENCODER_STREAM: u64 = 0x656e_636f;
 
-/// Further off than this from where it is told to be, the tool is caught or led astray [m].
-const MAX_ASTRAY: f64 = 0.5;
-/// Faster than this over its limit a joint moves only when something is wrong [1].
-const MAX_OVERSPEED: f64 = 4.0;
-/// Beyond its limit by more than this a joint moves only when something is wrong [rad or m].
+/// Largest distance of the tool from its commanded position; beyond it the robot stops itself [m].
+const MAX_TOOL_ERROR: f64 = 0.5;
+/// Largest joint velocity as a multiple of the joint's limit; beyond it the robot stops itself [1].
+const OVERSPEED_FACTOR: f64 = 4.0;
+/// Largest distance of a joint beyond its position limit; beyond it the robot stops itself [rad or m].
 const MAX_OVERSHOOT: f64 = 0.1;
 
-/// Executes a motion on some dirt.
+/// Executes the motion of `order` in the simulated world.
 ///
-/// `sink` gets what is measured, once per period, and may stop the execution. Disturbances are those that the
-/// settings have for the order's round. `dirt` is where the dirt really is at the start; without grains, none is
-/// simulated.
+/// `sink` receives one telemetry sample per control period and may stop the execution. Pushes and changes of friction
+/// are those that `settings` schedule for the round of `order`. `dirt` is the ground truth of the dirt at the start; an
+/// empty `dirt` is executed without dirt. The same arguments give the same result, bit for bit.
 ///
 /// # Errors
-/// If the robot has no dynamics, or the simulation comes apart.
+/// If no joint moves the tool, if surface or tool have no area, or if the simulation diverges.
 pub fn execute(
     order: &MotionOrder<'_>,
     settings: &SimulationSettings,
@@ -53,52 +53,53 @@ pub fn execute(
     let mut simulation = Simulation::new(order, settings, dirt, control)?;
     let periods = (order.followed.duration() / control.period).ceil() as usize;
     for k in 0..=periods {
-        if let Some(ending) = simulation.period(k as f64 * control.period, sink)? {
+        if let Some(ending) = simulation.run_period(k as f64 * control.period, sink)? {
             return simulation.finish(ending);
         }
     }
     simulation.finish(Ending::Complete)
 }
 
-/// Everything that one execution needs, allocated once.
+/// State of one execution, allocated once.
 struct Simulation<'a> {
     task: &'a Task,
     cell: &'a Workcell,
     followed: &'a Followed,
     config: &'a ControlConfig,
     settings: &'a SimulationSettings,
-    /// With when they begin [s].
+    /// Pushes, each with its start [s].
     pushes: Vec<(f64, Push)>,
-    /// Whether a hand touched the tool, and robot or tool something in the scene, in the period before.
+    /// Whether a hand touched the tool, and whether robot or tool touched the scene, in the previous period.
     was_touched: bool,
     was_obstructed: bool,
     friction_changes: Vec<(f64, f64)>,
     plant: Plant,
-    tool: Wielded,
+    tool: HeldTool,
     grains: GrainBodies,
     treated: Option<TreatedSurface>,
     dirt: Dirt,
     controller: MotionController,
-    /// The joints as they are, where the encoders say something else.
+    /// True joint state, used where the encoders measure something else.
     actual: ArticulationState,
-    /// The real tool in the frame of the moving joint that carries it.
+    /// Pose of the real tool in the frame of the moving joint that carries it.
     joint_from_real_tool: Pose,
-    /// The articulation's variables: as they are, and as measured.
+    /// The articulation's variables: ground truth.
     actual_q: Vec<f64>,
-    /// Where the joints' play has left their encoders.
-    dragged: Vec<f64>,
+    /// Encoder positions, dragged along by the joints within their backlash.
+    encoder_q: Vec<f64>,
+    /// The articulation's variables, as measured.
     q: Vec<f64>,
     qd: Vec<f64>,
     joint_efforts: Vec<f64>,
-    /// All of the robot's variables, as measured.
+    /// All variables of the robot, as measured.
     robot_q: Vec<f64>,
     robot_qd: Vec<f64>,
     robot_efforts: Vec<f64>,
-    /// What was felt and is not measured yet.
-    late: VecDeque<Wrench>,
+    /// Wrenches that the force sensor has not yet reported, the oldest first.
+    delayed_wrenches: VecDeque<Wrench>,
     random: ChaCha8Rng,
     encoder_random: ChaCha8Rng,
-    /// Index of the motion that runs.
+    /// Index of the current motion.
     motion: usize,
     sliding_since: Option<f64>,
     time: f64,
@@ -129,7 +130,7 @@ impl<'a> Simulation<'a> {
         let articulation = controller.articulation();
         let start = (followed.sample(0.0)).map_or_else(|| cell.ready().to_vec(), |s| s.q);
         let q: Vec<f64> = articulation.variables().iter().map(|&i| start[i]).collect();
-        let tool = Wielded::new(cell, task, &settings.tool);
+        let tool = HeldTool::new(cell, task, &settings.tool);
         let (_, joint_from_tip) = articulation.carrier(cell.tip());
         let moving: Vec<bool> = (0..robot.dof())
             .map(|i| articulation.variables().contains(&i))
@@ -140,7 +141,7 @@ impl<'a> Simulation<'a> {
         let mut plant = Plant::new(cell, task, &tool, settings, &firm, compliant, &q, config)?;
         let treated = TreatedSurface::of(task, &tool, settings);
         let none = Dirt::default();
-        // Places of the surface are no bodies.
+        // Points of a treated surface need no bodies.
         let loose = if treated.is_some() { &none } else { dirt };
         let grains = GrainBodies::new(&mut plant, loose, task, &tool, settings);
         let schedule = settings.schedule(round, followed);
@@ -168,13 +169,13 @@ impl<'a> Simulation<'a> {
             joint_from_real_tool: joint_from_tip * tool.tip_from_tool,
             qd: vec![0.0; q.len()],
             actual_q: q.clone(),
-            dragged: q.clone(),
+            encoder_q: q.clone(),
             q,
             joint_efforts: vec![0.0; articulation.joints().len()],
             robot_qd: vec![0.0; start.len()],
             robot_efforts: vec![0.0; start.len()],
             robot_q: start,
-            late: VecDeque::new(),
+            delayed_wrenches: VecDeque::new(),
             random,
             encoder_random,
             motion: 0,
@@ -198,8 +199,9 @@ impl<'a> Simulation<'a> {
         })
     }
 
-    /// One period: measure, command, record, let time pass.
-    fn period(
+    /// Runs one control period: measures, commands, records, and steps the plant. Returns the ending if the execution
+    /// ends.
+    fn run_period(
         &mut self,
         time: f64,
         sample: &mut SampleSink<'_>,
@@ -214,9 +216,9 @@ impl<'a> Simulation<'a> {
         }
         let flow = self.record(time, &command, sample);
 
-        // What joints that follow others will need, the planned acceleration included.
-        let is_seen = self.settings.sensing.sees_joints();
-        if is_seen {
+        // Inverse dynamics for joints that follow others, including the planned acceleration.
+        let has_ideal_encoders = self.settings.sensing.has_ideal_encoders();
+        if has_ideal_encoders {
             self.controller.inverse_dynamics();
         } else {
             let articulation = self.controller.articulation();
@@ -224,7 +226,7 @@ impl<'a> Simulation<'a> {
             articulation.evaluate(&mut self.actual, &self.actual_q, &self.qd, GRAVITY);
             articulation.inverse_dynamics(&mut self.actual, &self.qd, qdd, GRAVITY);
         }
-        let actual = if is_seen {
+        let actual = if has_ideal_encoders {
             self.controller.state()
         } else {
             &self.actual
@@ -250,37 +252,45 @@ impl<'a> Simulation<'a> {
         let is_obstructed = self.plant.is_obstructed();
         let was_obstructed = std::mem::replace(&mut self.was_obstructed, is_obstructed);
         let obstructed = [was_obstructed, is_obstructed];
-        note(&mut self.truth.obstructions, time, obstructed);
+        extend_spans(&mut self.truth.obstructions, time, obstructed);
         self.grains
             .settle(&mut self.plant, &mut self.dirt, self.task);
         self.observe_truth(&command, &world_from_real_tool, is_pushed);
         Ok(flow.is_break().then_some(Ending::Stopped))
     }
 
-    /// What the encoders say of the joints.
+    /// Reads the encoders: backlash first, then noise.
     fn measure_joints(&mut self) {
         let sensing = &self.settings.sensing;
-        if sensing.sees_joints() {
+        if sensing.has_ideal_encoders() {
             self.q.copy_from_slice(&self.actual_q);
             return;
         }
         let play = sensing.backlash / 2.0;
-        for ((q, dragged), actual) in self.q.iter_mut().zip(&mut self.dragged).zip(&self.actual_q) {
-            // The encoder is dragged along at the end of the play.
-            *dragged = dragged.clamp(actual - play, actual + play);
-            *q = *dragged + sensing.encoder_noise * normal(&mut self.encoder_random);
+        for ((q, encoder_q), actual) in self
+            .q
+            .iter_mut()
+            .zip(&mut self.encoder_q)
+            .zip(&self.actual_q)
+        {
+            // Backlash: |encoder − joint| ≤ play / 2, so the joint drags the encoder along only at the end of the play.
+            *encoder_q = encoder_q.clamp(actual - play, actual + play);
+            *q = *encoder_q + sensing.encoder_noise * normal(&mut self.encoder_random);
         }
     }
 
-    /// What a force sensor says, and when it does.
-    fn measure_force(&mut self, time: f64, felt: Wrench) -> Wrench {
+    /// Returns the force sensor's reading [N]: the true wrench, delayed, with bias, drift and noise.
+    fn measure_force(&mut self, time: f64, true_wrench: Wrench) -> Wrench {
         let sensing = &self.settings.sensing;
         let delay = (sensing.force_delay / self.config.period).round() as usize;
-        self.late.push_back(felt);
-        let mut measured = if self.late.len() > delay {
-            self.late.pop_front().unwrap_or(felt)
+        self.delayed_wrenches.push_back(true_wrench);
+        let mut measured = if self.delayed_wrenches.len() > delay {
+            self.delayed_wrenches.pop_front().unwrap_or(true_wrench)
         } else {
-            self.late.front().copied().unwrap_or(felt)
+            self.delayed_wrenches
+                .front()
+                .copied()
+                .unwrap_or(true_wrench)
         };
         for axis in 0..3 {
             measured.force[axis] += self.settings.force_bias[axis]
@@ -290,7 +300,7 @@ impl<'a> Simulation<'a> {
         measured
     }
 
-    /// What the controller asks for, from what is measured.
+    /// Computes the controller's command from the measured joint state.
     fn command(&mut self, time: f64) -> Result<ControlCommand, SimulationError> {
         self.motion = self.followed.index_at(time);
         for (k, &i) in (self.controller.articulation().variables().iter()).enumerate() {
@@ -303,11 +313,11 @@ impl<'a> Simulation<'a> {
             .ok_or(SimulationError::NoInertia { time })
     }
 
-    /// Whether the robot has to stop itself.
+    /// Returns why the robot must stop itself, if it must.
     fn stop_cause(&self, command: &ControlCommand) -> Option<StopCause> {
         let distance = command.error().norm();
-        if distance > MAX_ASTRAY {
-            let limit = MAX_ASTRAY;
+        if distance > MAX_TOOL_ERROR {
+            let limit = MAX_TOOL_ERROR;
             return Some(StopCause::Astray { distance, limit });
         }
         let moving = self.controller.articulation().variables();
@@ -315,14 +325,14 @@ impl<'a> Simulation<'a> {
             let k = moving.iter().position(|&moving| moving == variable);
             k.map_or(0.0, |k| self.qd[k])
         };
-        if let Some(cause) = overspeed(self.cell.limits().followers(), velocity_of) {
+        if let Some(cause) = find_overspeed(self.cell.limits().followers(), velocity_of) {
             return Some(cause);
         }
         let limits = self.cell.limits().joints();
         for &k in self.controller.own_compliant() {
             let i = moving[k];
             let joint = self.cell.robot().variable(i);
-            let limit = MAX_OVERSPEED * limits[i].velocity;
+            let limit = OVERSPEED_FACTOR * limits[i].velocity;
             if self.qd[k].abs() > limit {
                 return Some(StopCause::Overspeed {
                     joint: joint.name.clone(),
@@ -345,7 +355,7 @@ impl<'a> Simulation<'a> {
         None
     }
 
-    /// Whether the simulated robot is still one.
+    /// Checks that the state of the simulated robot is finite and physically possible.
     fn check(&self) -> Result<(), SimulationError> {
         for (i, &velocity) in self.qd.iter().enumerate() {
             if velocity.abs() > MAX_VELOCITY
@@ -364,7 +374,7 @@ impl<'a> Simulation<'a> {
         Ok(())
     }
 
-    /// Hands out what is measured.
+    /// Sends one telemetry sample to the sink.
     fn record(
         &mut self,
         time: f64,
@@ -396,7 +406,7 @@ impl<'a> Simulation<'a> {
         })
     }
 
-    /// Pushes and changes of friction; whether somebody pushes.
+    /// Applies pushes and changes of friction. Returns whether a push acts or has just ended.
     fn disturb(&mut self, time: f64, tool: &Point3) -> bool {
         while self
             .friction_changes
@@ -411,7 +421,7 @@ impl<'a> Simulation<'a> {
         let mut is_touched = false;
         for (start, push) in &self.pushes {
             let end = start + push.duration;
-            if !(*start..end + SETTLING).contains(&time) {
+            if !(*start..end + SETTLING_TIME).contains(&time) {
                 continue;
             }
             is_pushed = true;
@@ -423,17 +433,19 @@ impl<'a> Simulation<'a> {
                 continue;
             }
             let direction = push.force / size;
+            // Yielding: speed of the tool along the push, Σ q̇ᵢ Jᵢ · direction [m/s].
             let mut yielding = 0.0;
             for (column, qd) in self.controller.jacobian().column_iter().zip(&self.qd) {
                 let moved = Vector3::new(column[0], column[1], column[2]);
                 yielding += qd * moved.dot(&direction);
             }
+            // A hand pushes the less, the faster the tool yields: F = F₀ (1 − v / v_hand), between 0 and F₀.
             let share = (1.0 - yielding / push.hand_speed).clamp(0.0, 1.0);
             self.plant.push(&(push.force * share), tool);
             is_touched |= share > 0.0;
         }
         let was_touched = std::mem::replace(&mut self.was_touched, is_touched);
-        note(&mut self.truth.pushes, time, [was_touched, is_touched]);
+        extend_spans(&mut self.truth.pushes, time, [was_touched, is_touched]);
         is_pushed
     }
 
@@ -442,7 +454,7 @@ impl<'a> Simulation<'a> {
         motion.is_some_and(|motion| motion.phase.is_contact())
     }
 
-    /// What really happened in this period.
+    /// Updates the ground truth of this period.
     fn observe_truth(&mut self, command: &ControlCommand, world_from_tool: &Pose, is_pushed: bool) {
         let (time, desired) = (self.time, &command.desired);
         let is_wiping = self.is_wiping();
@@ -450,13 +462,13 @@ impl<'a> Simulation<'a> {
         let force = command.controller.force.norm();
         truth.max_controller_force = truth.max_controller_force.max(force);
         let speed = desired.velocity.fixed_rows::<3>(0).norm();
-        let slides = is_wiping && speed > SLIDING && !is_pushed;
+        let slides = is_wiping && speed > MIN_SLIDING_SPEED && !is_pushed;
         if !slides {
             self.sliding_since = None;
             return;
         }
         let since = *self.sliding_since.get_or_insert(time);
-        if time - since < SETTLING {
+        if time - since < SETTLING_TIME {
             return;
         }
         let force = self.plant.contact_force();
@@ -502,14 +514,17 @@ impl<'a> Simulation<'a> {
     }
 }
 
-/// A joint that follows others and is too fast, by the velocities of the robot's variables [rad/s or m/s].
-fn overspeed(followers: &[FollowerLimit], velocity_of: impl Fn(usize) -> f64) -> Option<StopCause> {
+/// Returns why a joint that follows others is too fast, given the velocities of the robot's variables [rad/s or m/s].
+fn find_overspeed(
+    followers: &[FollowerLimit],
+    velocity_of: impl Fn(usize) -> f64,
+) -> Option<StopCause> {
     followers.iter().find_map(|FollowerLimit { limit, drive }| {
         let terms = drive.terms.iter();
         let velocity: f64 = terms
             .map(|&(variable, factor)| factor * velocity_of(variable))
             .sum();
-        let most = MAX_OVERSPEED * limit.velocity;
+        let most = OVERSPEED_FACTOR * limit.velocity;
         (velocity.abs() > most).then(|| StopCause::Overspeed {
             joint: limit.name.clone(),
             velocity,
@@ -518,8 +533,8 @@ fn overspeed(followers: &[FollowerLimit], velocity_of: impl Fn(usize) -> f64) ->
     })
 }
 
-/// Notes what is so at this time, from when to when without a break.
-fn note(spans: &mut Vec<[f64; 2]>, time: f64, [was, is]: [bool; 2]) {
+/// Extends the last time span [s] while a condition holds, and opens a new span when it begins to hold.
+fn extend_spans(spans: &mut Vec<[f64; 2]>, time: f64, [was, is]: [bool; 2]) {
     match spans.last_mut() {
         Some([_, end]) if is && was => *end = time,
         _ if is => spans.push([time, time]),
@@ -544,8 +559,8 @@ mod tests {
             terms: vec![(1, -1.0), (2, -1.0)],
         };
         let followers = [FollowerLimit { limit, drive }];
-        // Each for itself is no faster than it may be.
-        let stop = |qd: [f64; 3]| overspeed(&followers, |variable| qd[variable]);
+        // Each variable alone is within its limit.
+        let stop = |qd: [f64; 3]| find_overspeed(&followers, |variable| qd[variable]);
         assert_eq!(stop([9.0, 2.0, 1.9]), None);
         let expected = StopCause::Overspeed {
             joint: "torso_4".to_owned(),

@@ -1,4 +1,4 @@
-//! How the simulated world really is, which neither the plan nor the interpretation is told.
+//! Ground truth of the simulated world. Neither planner nor interpreter reads it.
 
 use crate::{GrainCount, Places};
 use std::f64::consts::TAU;
@@ -7,75 +7,74 @@ use wisch::geometry::{Point2, Pose, Vector2, Vector3};
 use wisch::represent::{GrainSize, KnowledgeError, LogNormal, MediumKind, SensorModel};
 use wisch_io::{FrictionChange, LoadedTask, Push, RealDirt};
 
-/// Drops of a liquid on a surface that they wet [m].
+/// Diameters of the drops of a liquid on a surface that they wet [m].
 const DROPS: GrainSize = GrainSize {
     min_m: 0.002,
     max_m: 0.004,
 };
-/// Smaller grains are simulated as ones of this diameter [m]: a contact of two smaller bodies is not
-/// resolved at 1 kHz.
+/// Smaller grains are simulated with this diameter [m]: at 1 kHz the engine does not resolve a contact of smaller
+/// bodies.
 const LEAST_GRAIN: f64 = 0.0008;
 
-/// The world as it is: where the surface really is, how rough it is, who pushes, how bad the sensors
-/// are, and how hard the dirt is to wipe.
+/// Settings of a simulated world: the real pose and friction of the surface, pushes, sensor errors, tool and dirt.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SimulationSettings {
-    /// Where the surface really is, in the frame of the believed one.
+    /// Pose of the real surface in the frame of the believed one.
     pub believed_from_real: Pose,
     /// Coulomb coefficient between tool and surface at the start [1].
     pub friction: f64,
-    /// Changes of it, in any order.
+    /// Changes of the friction, in any order.
     pub friction_changes: Vec<FrictionChange>,
-    /// Who pushes, in any order.
+    /// Pushes by a person, in any order.
     pub pushes: Vec<Push>,
     /// Standard deviation of the measured force, per axis [N].
     pub force_noise: f64,
-    /// What is always added to the measured force, in the axes of the world [N].
+    /// Constant bias of the measured force, in the axes of the world [N].
     pub force_bias: Vector3,
-    /// Distribution of the normalised pressure from which on a grain is taken along. Each grain has its
-    /// own, for good.
+    /// Distribution of the normalised pressure above which the tool takes a grain along. Each grain draws its own
+    /// threshold once.
     pub likelihood: LogNormal,
-    /// Diameters of the grains.
+    /// Diameters of the grains [m].
     pub grain_size: GrainSize,
-    /// The nature of the medium.
+    /// Kind of the medium.
     pub kind: MediumKind,
-    /// Up to how many particles are real bodies; a task with more is executed without dirt.
+    /// Largest number of particles that are simulated as bodies; a task with more is executed without dirt.
     pub max_bodies: usize,
     /// Where the dirt lies at the start.
     pub dirt: Places,
-    /// How much of it there is, where places are drawn.
+    /// Number of grains, where their positions are drawn.
     pub count: GrainCount,
-    /// Mass of the dirt that each grain stands for [kg]; `None` is that of the grain alone.
+    /// Mass of the dirt that each grain stands for [kg]; `None` stands for the grain alone.
     pub grain_mass: Option<f64>,
-    /// Whether the tool feels what it pushes.
+    /// Whether grains that the tool pushes resist it.
     pub grains_resist: bool,
-    /// The tool, and how it sits in the hand.
+    /// The real tool, and its real pose in the hand.
     pub tool: RealTool,
-    /// How joints and forces are measured.
+    /// Errors of the joint and force sensors.
     pub sensing: Sensing,
-    /// Coulomb friction in each joint that wipes [Nm or N].
+    /// Coulomb friction in each joint that the controller drives [Nm or N].
     pub joint_friction: f64,
     /// Waves in the surface.
     pub waviness: Waviness,
-    /// The camera; `None` is a world in which nothing can look.
+    /// The camera; `None` for a world without one.
     pub camera: Option<Camera>,
 }
 
 /// How the real tool differs from the believed one.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct RealTool {
-    /// Its stiffness over the believed one [1].
+    /// Real stiffness over the believed stiffness [1].
     pub stiffness: f64,
-    /// Length and width of its footprint over the believed ones [1].
+    /// Real length and width of the footprint over the believed ones [1].
     pub footprint: f64,
-    /// Where it sits in the hand, in the frame of the tool as believed [m].
+    /// Offset of the real tool in the hand, in the frame of the believed tool [m].
     pub grasp_offset: Vector2,
-    /// How far it is turned about its z [rad].
+    /// Rotation of the real tool about its z [rad].
     pub grasp_turn: f64,
 }
 
 impl Default for RealTool {
-    /// As believed.
+    /// The real tool equals the believed one.
     fn default() -> Self {
         Self {
             stiffness: 1.0,
@@ -86,27 +85,27 @@ impl Default for RealTool {
     }
 }
 
-/// How what is measured differs from what is, beyond noise and bias of the force.
+/// Errors of the joint and force sensors, beyond noise and bias of the force.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Sensing {
-    /// Standard deviation of joint positions [rad or m].
+    /// Standard deviation of measured joint positions [rad or m].
     pub encoder_noise: f64,
-    /// Play between joints and what measures them [rad or m].
+    /// Play between a joint and its encoder [rad or m].
     pub backlash: f64,
-    /// How late a force is measured [s].
+    /// Delay of the measured force [s].
     pub force_delay: f64,
-    /// How fast the bias of the force grows in a round, in the axes of the world [N/s].
+    /// Growth of the force bias during a round, in the axes of the world [N/s].
     pub force_drift: Vector3,
 }
 
 impl Sensing {
-    /// Whether joints are measured as they are.
-    pub(crate) fn sees_joints(&self) -> bool {
+    /// Whether encoders measure the joints without error.
+    pub(crate) fn has_ideal_encoders(&self) -> bool {
         self.encoder_noise == 0.0 && self.backlash == 0.0
     }
 }
 
-/// Waves in a surface: the sum of two sines, along its x and along its y.
+/// Waves in a surface: the sum of a sine along its x and a sine along its y.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Waviness {
     /// Height from the lowest valley to the highest crest [m].
@@ -116,7 +115,7 @@ pub struct Waviness {
 }
 
 impl Default for Waviness {
-    /// A plane.
+    /// No waves: a plane.
     fn default() -> Self {
         Self {
             height: 0.0,
@@ -126,12 +125,12 @@ impl Default for Waviness {
 }
 
 impl Waviness {
-    /// Height of the surface over its plane at a place [m], and its slope along x and y [1].
+    /// Returns the height of the surface over its plane at `place` [m], and its slope along x and y [1].
     pub(crate) fn at(&self, place: Point2) -> (f64, Vector2) {
         let number = TAU / self.length;
         let sines = place.coords.map(|x| libm::sin(number * x));
         let cosines = place.coords.map(|x| libm::cos(number * x));
-        // Each sine swings by half of the height.
+        // Two sines of amplitude a swing between −2a and 2a, so that the total height is 4a.
         let amplitude = self.height / 4.0;
         (amplitude * sines.sum(), amplitude * number * cosines)
     }
@@ -140,19 +139,21 @@ impl Waviness {
 /// A camera above the surface, along its normal.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Camera {
-    /// How well it sees.
+    /// How reliably and how precisely it detects grains.
     pub sensor: SensorModel,
     /// Whether the robot's links and the tool hide what lies under them.
     pub arm_hides: bool,
 }
 
 impl SimulationSettings {
-    /// The world of a task file: what its table `[execution]` says, over what the knowledge base says of surface and
-    /// medium. This alone looks at the task's belief about the dirt: for how much there is about, and, if the file asks
-    /// for `as_believed`, for where it lies.
+    /// Reads the world of a task file: its table `[execution]`, over the knowledge base's entries for surface and
+    /// medium.
+    ///
+    /// Only this function reads the task's belief about the dirt: for the approximate number of grains, and, if the
+    /// file asks for `as_believed`, for their positions.
     ///
     /// # Errors
-    /// If surface or medium of the task are unknown.
+    /// If the knowledge base does not know the task's surface or medium.
     pub fn of(loaded: &LoadedTask) -> Result<Self, KnowledgeError> {
         let (task, knowledge) = (&loaded.task, &loaded.knowledge);
         let record = loaded.file.execution();
@@ -183,14 +184,14 @@ impl SimulationSettings {
             } else {
                 medium.kind
             },
-            // Places of a surface are no bodies.
+            // Points of a treated surface need no bodies.
             max_bodies: if task.action.treats() {
                 usize::MAX
             } else {
                 record.max_bodies
             },
             dirt: match &record.dirt.source {
-                // The surface has the places that it has.
+                // A treated surface has the points of the task.
                 _ if task.action.treats() => Places::Listed(believed()),
                 RealDirt::AsBelieved => Places::Listed(believed()),
                 RealDirt::Uniform => Places::Uniform,
@@ -239,7 +240,7 @@ impl SimulationSettings {
         })
     }
 
-    /// What disturbs a round's motion, and when.
+    /// Returns the pushes and changes of friction of a round, with their times in the motion `followed`.
     pub fn schedule(&self, round: usize, followed: &Followed) -> Schedule {
         let mut schedule = Schedule::default();
         for push in self.pushes.iter().filter(|push| push.round == round) {
@@ -263,13 +264,13 @@ impl SimulationSettings {
     }
 }
 
-/// What disturbs one motion.
+/// Pushes and changes of friction during one motion.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Schedule {
     /// Pushes, each with its start [s].
     pub pushes: Vec<(f64, Push)>,
-    /// From when on [s] which coefficient of friction [1], by time.
+    /// Changes of friction: start [s] and new coefficient [1], by time.
     pub friction_changes: Vec<(f64, f64)>,
-    /// In words, what never happens because the motion ends before.
+    /// Descriptions of the disturbances that the motion is too short for.
     pub missed: Vec<String>,
 }

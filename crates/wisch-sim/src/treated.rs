@@ -1,28 +1,28 @@
-//! The surface of a world that is treated: how often the real tool slides over each of its places, and what that rubs off.
+//! Ground truth of a treated surface: how often the real tool slides over each of its points, and how much it rubs off.
 //!
-//! A place counts where the true pressure on it exceeds its own threshold, and wears by Preston's law: depth over pressure and way
-//! (Preston 1927).
+//! A pass counts where the true pressure exceeds the point's own threshold. Wear follows Preston's law: depth = k ·
+//! pressure · sliding distance (Preston 1927).
 
 use super::Dirt;
-use super::plant::{Plant, Wielded};
+use super::plant::{HeldTool, Plant};
 use crate::SimulationSettings;
 use wisch::geometry::{Point2, Point3, Pose};
 use wisch::represent::{Fate, Task, Treatment};
 
-/// How the real tool treats the places of the real surface.
+/// How the real tool treats the points of the real surface.
 pub(super) struct TreatedSurface {
     world_from_real: Pose,
-    /// Way over a place that counts as one pass [m].
+    /// Sliding distance over a point that counts as one pass [m].
     pass_length: f64,
-    /// Largest distance of the underside from the middle of its plate [m].
+    /// Largest distance of the underside from the centre of its plate [m].
     reach: f64,
-    /// Depth rubbed off on a way, at nominal pressure [1].
+    /// Depth rubbed off per sliding distance, at nominal pressure [1].
     wear: f64,
 }
 
 impl TreatedSurface {
-    /// Of a task; `None` for one that moves dirt.
-    pub fn of(task: &Task, tool: &Wielded, settings: &SimulationSettings) -> Option<Self> {
+    /// Returns the treatment of a task; `None` for a task that moves dirt.
+    pub fn of(task: &Task, tool: &HeldTool, settings: &SimulationSettings) -> Option<Self> {
         let treatment = task.treatment.filter(|_| task.action.treats())?;
         let area = tool.footprint.area();
         let preston = match treatment {
@@ -38,8 +38,8 @@ impl TreatedSurface {
         })
     }
 
-    /// What the tool does to the places under it in a period of so many seconds.
-    pub fn act(&self, plant: &Plant, dirt: &mut Dirt, tool: &Wielded, period: f64) {
+    /// Treats the points under the tool for one period [s]: counts passes and adds wear.
+    pub fn act(&self, plant: &Plant, dirt: &mut Dirt, tool: &HeldTool, period: f64) {
         let plate = plant.world_from_plate();
         let to_plate = plate.inverse();
         let compression = plant.compression();
@@ -61,6 +61,7 @@ impl TreatedSurface {
                 continue;
             }
             let velocity = plant.plate_velocity(&at);
+            // Only the velocity in the surface slides: v − n (n · v).
             let slid = (velocity - normal * normal.dot(&velocity)).norm() * period;
             let passes = place.fate.passes() + slid / self.pass_length;
             place.fate = Fate::Treated { passes };

@@ -1,4 +1,4 @@
-//! What the simulated world knows to be true, for reports and tests: never for plan or interpretation.
+//! Ground truth of the simulated world, for reports and tests; planner and interpreter never read it.
 
 use super::Dirt;
 use wisch::geometry::Point2;
@@ -12,7 +12,7 @@ pub struct Spread {
 }
 
 impl Spread {
-    /// Takes in one value (Welford 1962).
+    /// Adds a value (Welford 1962).
     pub(crate) fn add(&mut self, value: f64) {
         self.count += 1;
         let before = value - self.mean;
@@ -20,7 +20,7 @@ impl Spread {
         self.squares += before * (value - self.mean);
     }
 
-    /// The spread of `count` values with this mean and this sum of squared differences from it.
+    /// Returns the spread of `count` values with the given mean and sum of squared differences from it.
     pub const fn of(count: usize, mean: f64, squares: f64) -> Self {
         Self {
             count,
@@ -34,45 +34,45 @@ impl Spread {
         self.squares
     }
 
-    /// How many values there were.
+    /// Number of values.
     pub const fn count(&self) -> usize {
         self.count
     }
 
-    /// Their mean; 0 without any.
+    /// Mean of the values; 0 without values.
     pub const fn mean(&self) -> f64 {
         self.mean
     }
 
-    /// Their standard deviation; 0 without any.
+    /// Standard deviation of the values; 0 without values.
     pub fn deviation(&self) -> f64 {
         (self.squares / self.count.max(1) as f64).sqrt()
     }
 }
 
-/// The truth of one execution.
+/// Ground truth of one execution.
 #[derive(Debug, Clone, PartialEq)]
 pub struct GroundTruth {
-    /// The dirt afterwards.
+    /// The dirt after the execution.
     pub dirt: Dirt,
-    /// Normal force of the surface on the tool while it slides over it and nobody pushes [N].
+    /// Normal force of the surface on the tool while it slides and nobody pushes [N].
     pub contact_force: Spread,
-    /// Greatest distance of the tool centre point from the plane of the real surface at these times [m].
+    /// Largest distance of the tool centre point from the plane of the real surface, at the same times [m].
     pub max_plane_distance: f64,
-    /// Greatest size of f_c in all of the execution [N].
+    /// Largest norm of the controller's force f_c over the whole execution [N].
     pub max_controller_force: f64,
-    /// Share of the sliding time without contact.
+    /// Share of the sliding time without contact [1].
     pub lost_share: f64,
-    /// Greatest size of the difference between where the tool was told to be along the surface and where
-    /// it was, while it slides and nobody pushes [m].
+    /// Largest distance along the surface between commanded and true tool position, while the tool slides and nobody
+    /// pushes [m].
     pub max_lateral_error: f64,
-    /// From when to when a hand pressed on the tool without a break [s], in order; a hand that the tool outruns touches
-    /// nothing.
+    /// Begin and end of every push [s], by time. A push counts only while the hand touches the tool, not when the tool
+    /// outruns it.
     pub pushes: Vec<[f64; 2]>,
-    /// From when to when robot or tool touched something other than the surface without a break [s], in order.
+    /// Begin and end of every contact of robot or tool with something other than the surface [s], by time.
     pub obstructions: Vec<[f64; 2]>,
-    /// What robot and tool hide from a camera afterwards: convex hulls in the frame of the real surface [m]; none where
-    /// nothing looks, or sees past them.
+    /// What robot and tool hide from the camera after the execution: convex hulls in the frame of the real surface [m].
+    /// Empty without a camera, or with one that the arm does not hide anything from.
     pub hidden: Vec<Vec<Point2>>,
 }
 

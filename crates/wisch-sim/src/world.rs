@@ -1,4 +1,4 @@
-//! The simulated world over the rounds of a session.
+//! The simulated world that lasts over the rounds of a session.
 
 use crate::camera::{ObservationIndex, observe};
 use crate::{Dirt, GroundTruth, SimulationError, SimulationSettings, Site, execute};
@@ -9,9 +9,9 @@ use wisch::represent::{
 };
 use wisch::run::{Execution, Executor, ExecutorError, MotionOrder, SampleSink};
 
-/// A world with a surface, dirt and people of its own, that outlasts the rounds of a session.
+/// A simulated world with a surface, dirt and pushes of its own, which lasts over the rounds of a session.
 ///
-/// It executes every motion on the dirt that the one before left.
+/// It executes every motion on the dirt that the previous motion left.
 #[derive(Debug, Clone)]
 pub struct World {
     settings: SimulationSettings,
@@ -20,17 +20,17 @@ pub struct World {
     /// The dirt before the first round.
     dirt: Dirt,
     truth: Vec<GroundTruth>,
-    /// Of the dirt and of what is seen.
+    /// Seed of the dirt and of the camera's detections.
     seed: u64,
-    /// How often was looked since the last round.
+    /// Number of observations since the last round.
     looks: u64,
 }
 
 impl World {
-    /// A world on a site, with dirt drawn as the settings say by a seed; it knows nothing of a task.
+    /// Creates a world on `site`, with dirt drawn from `settings` and `seed`. The world knows nothing of a task.
     ///
     /// # Errors
-    /// Where the settings put the dirt there is no room on the surface.
+    /// If the dirt that the settings describe does not fit on the surface.
     pub fn new(
         site: &Site,
         settings: SimulationSettings,
@@ -47,24 +47,24 @@ impl World {
         })
     }
 
-    /// The dirt before the first round: truth, for evaluations and reports.
+    /// The dirt before the first round: ground truth, for evaluations and reports.
     pub const fn dirt(&self) -> &Dirt {
         &self.dirt
     }
 
-    /// The same world with a robot that is controlled otherwise.
+    /// Returns the same world with other controller settings.
     #[must_use]
     pub fn with_control(self, control: ControlConfig) -> Self {
         Self { control, ..self }
     }
 
-    /// The same world after rounds that took place before, of which this is the truth.
+    /// Returns the same world after earlier rounds, given their ground truth in order.
     #[must_use]
     pub fn after(self, truth: Vec<GroundTruth>) -> Self {
         Self { truth, ..self }
     }
 
-    /// What really happened, round by round. For evaluations and reports: a robot has no such thing.
+    /// Ground truth of every round, in order. For evaluations and reports only: a real robot has none.
     pub fn truth(&self) -> &[GroundTruth] {
         &self.truth
     }
@@ -90,7 +90,7 @@ impl Executor for World {
     }
 
     fn observe(&mut self, task: &Task) -> Result<Option<Observation>, ExecutorError> {
-        // Where dirt is too much to be simulated there is none, which is not what a camera would see.
+        // Too much dirt is not simulated at all. A camera in this world would wrongly report a clean surface.
         if self.dirt.grains().is_empty() {
             return Ok(None);
         }
@@ -110,16 +110,16 @@ impl Executor for World {
 }
 
 impl GroundTruth {
-    /// Where the dirt lies afterwards; `None` where none was simulated.
+    /// The particles after the execution; `None` if no dirt was simulated.
     ///
     /// # Errors
-    /// If a grain went where no number leads, which would be a fault of the simulation.
+    /// If a particle position is not finite, which would be a fault of the simulation.
     pub fn particles(&self) -> Result<Option<ParticleDistribution>, ParticleError> {
         let is_clean = self.dirt.grains().is_empty();
         (!is_clean).then(|| self.dirt.particles()).transpose()
     }
 
-    /// The true performance afterwards [1]; `None` where no dirt was simulated.
+    /// The true performance after the execution [1]; `None` if no dirt was simulated.
     ///
     /// # Errors
     /// Those of [`Self::particles`].

@@ -163,7 +163,10 @@ fn listed_dirt_is_read_beside_the_task() {
 fn dirt_beside_the_surface_is_refused() {
     let beside = "{ source = \"stripe\", center_m = [5, 5], direction_rad = 0, width_m = 0.01 }";
     let error = drawn(&settings(beside), 1).unwrap_err().to_string();
-    assert!(error.starts_with("the real dirt: "), "{error}");
+    assert!(
+        error.starts_with("the simulated world's dirt cannot be placed: "),
+        "{error}"
+    );
 }
 
 #[test]

@@ -1,37 +1,37 @@
-//! What the program is told.
+//! Command-line arguments of the program.
 
 use crate::Config;
 use std::ffi::OsString;
 use std::net::{IpAddr, Ipv4Addr};
 use std::path::PathBuf;
 
-/// How the program is called.
+/// Usage text.
 pub const USAGE: &str = "usage: wisch-studio --memory DIR --wisch PROGRAM [--engine PROGRAM] [--scenarios FILE]
                     [--host ADDRESS] [--port N] [--open]
-This is the server of wisch studio, which begins it by itself.
+Server of wisch studio. The command `wisch studio` starts it.
 
-  --memory DIR       folder of the memory; it is made if it is not there
+  --memory DIR       folder of the memory, created if necessary
   --wisch PROGRAM    the program wisch, which runs tasks
   --engine PROGRAM   Prolog system: wisch-prolog or swipl [default: the first that is installed]
   --scenarios FILE   shipped tasks as JSON: [{\"name\": ..., \"about\": ...}] [default: as wisch scenarios lists them]
   --host ADDRESS     address to listen at [default: 127.0.0.1]
-  --port N           port; 0: any that is free [default: 0]
+  --port N           port; 0 for any free port [default: 0]
   --open             open the page in the browser";
 
-/// What the program is told.
+/// Parsed command-line arguments.
 #[derive(Debug, Clone)]
 pub struct Arguments {
-    /// What is served, and where.
+    /// Configuration of the server.
     pub config: Config,
-    /// Whether the browser is to show it.
+    /// Whether to open the page in the browser.
     pub open: bool,
 }
 
 impl Arguments {
-    /// As typed, without the program's name; `None` if only help is wanted.
+    /// Parses the arguments as typed, without the program's name; `None` asks for help.
     ///
     /// # Errors
-    /// What is wrong, in words.
+    /// A message for the user.
     pub fn parse(typed: impl IntoIterator<Item = OsString>) -> Result<Option<Self>, String> {
         let mut typed = typed.into_iter();
         let (mut memory, mut wisch, mut engine, mut scenarios) = (None, None, None, None);
@@ -62,13 +62,14 @@ impl Arguments {
                     } else {
                         text.parse()
                     };
-                    host = found
-                        .map_err(|_| format!("--host {text}: it is no IP address or localhost"))?;
+                    host = found.map_err(|_| {
+                        format!("--host {text}: it must be an IP address or localhost")
+                    })?;
                 }
                 _ => {
                     let found = text.parse();
-                    port =
-                        found.map_err(|_| format!("--port {text}: it is not within 0 to 65535"))?;
+                    port = found
+                        .map_err(|_| format!("--port {text}: it must be within 0 to 65535"))?;
                 }
             }
         }

@@ -1,21 +1,22 @@
-//! Opening the page in a browser.
+//! Opens the page in a browser.
 //!
-//! What a program is called with can be read by every user of the machine, and the page's address holds the token. The
-//! browser is therefore called with a file that only its owner can read, and which leads to the page.
+//! Every user of the machine can read the arguments of a program, and the page's address holds the token. The browser
+//! is therefore started with a file that only its owner can read, and which redirects to the page.
 
 use std::io::{self, Write};
 use std::path::Path;
 use std::process::{Command, Stdio};
 use tempfile::TempPath;
 
-/// Writes a file into `folder` that leads a browser to `url`. Only its owner can read it; it is removed when dropped.
+/// Writes a file into `folder` that redirects a browser to `url`. Only its owner can read it; it is removed when
+/// dropped.
 ///
 /// # Errors
-/// What the system says.
+/// If the file cannot be written.
 pub fn redirect_file(folder: &Path, url: &str) -> io::Result<TempPath> {
     std::fs::create_dir_all(folder)?;
     let mut builder = tempfile::Builder::new();
-    // Files of `tempfile` have mode 0600 unless told otherwise.
+    // Files of `tempfile` have mode 0600 by default.
     let mut file = builder
         .prefix("open-")
         .suffix(".html")
@@ -29,10 +30,10 @@ pub fn redirect_file(folder: &Path, url: &str) -> io::Result<TempPath> {
     Ok(file.into_temp_path())
 }
 
-/// Opens a file in the browser, as far as the system can.
+/// Opens a file in the browser.
 ///
 /// # Errors
-/// If there is no program that opens it.
+/// If the system has no program that opens it.
 pub fn open(file: &Path) -> io::Result<()> {
     let (program, before): (_, &[&str]) = if cfg!(target_os = "macos") {
         ("open", &[])
@@ -50,7 +51,7 @@ pub fn open(file: &Path) -> io::Result<()> {
     let mut child = command
         .spawn()
         .map_err(|error| io::Error::new(error.kind(), format!("{program}: {error}")))?;
-    // So that it leaves no zombie.
+    // Waiting for the child keeps it from becoming a zombie.
     std::thread::spawn(move || child.wait());
     Ok(())
 }

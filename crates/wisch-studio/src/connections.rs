@@ -1,6 +1,6 @@
-//! Connections: how many are open at once, and how long a client may take to send a request.
+//! Connections: their number, and the time that a client may take for a request.
 //!
-//! A connection that has not sent a request with the token gives way to a new one, so idle sockets keep nobody out.
+//! A connection without an admitted request is closed in favour of a new one, so idle sockets do not block clients.
 
 use axum::Router;
 use axum::extract::Request;
@@ -17,12 +17,12 @@ use std::time::Duration;
 use tokio::net::{TcpListener, TcpStream};
 use tokio::task::{AbortHandle, JoinSet};
 
-/// What connections may take.
+/// Limits of connections.
 #[derive(Debug, Clone, Copy)]
 pub struct ConnectionLimits {
-    /// Most connections that are open at once.
+    /// Largest number of open connections.
     pub count: usize,
-    /// Longest time for the head of a request, and for which a connection is kept without one.
+    /// Longest time for the head of a request, and for a connection without a request.
     pub head: Duration,
 }
 
@@ -34,21 +34,21 @@ pub const LIMITS: ConnectionLimits = ConnectionLimits {
 /// Pause after the system has refused a connection, for example because too many files are open.
 const ACCEPT_AGAIN: Duration = Duration::from_millis(100);
 
-/// A connection, as its requests know it.
+/// State of a connection that its requests share.
 #[derive(Debug)]
 pub struct Connection {
-    /// The address of this machine that the client has reached.
+    /// Address of this machine that the client has reached.
     local: SocketAddr,
     is_admitted: AtomicBool,
 }
 
 impl Connection {
-    /// Returns the address of this machine that the client has reached.
+    /// Address of this machine that the client has reached.
     pub fn local(&self) -> SocketAddr {
         self.local
     }
 
-    /// Notes that a request with the token came over this connection.
+    /// Records that a request with the token came over this connection.
     pub fn admit(&self) {
         self.is_admitted.store(true, Ordering::Relaxed);
     }
@@ -105,7 +105,7 @@ async fn answer_one(
     limits: ConnectionLimits,
     connection: Arc<Connection>,
 ) {
-    // Events are short and wait for nothing.
+    // Events are short and should be sent at once.
     let _ = stream.set_nodelay(true);
     let router = TowerToHyperService::new(router);
     let service = service_fn(move |mut request: Request<Incoming>| {
@@ -115,7 +115,7 @@ async fn answer_one(
     let mut http = http1::Builder::new();
     http.timer(TokioTimer::new())
         .header_read_timeout(limits.head);
-    // A connection that breaks off concerns nobody else.
+    // A connection that breaks off affects no other.
     let _ = http.serve_connection(TokioIo::new(stream), service).await;
 }
 
@@ -148,7 +148,7 @@ mod tests {
     use std::io::{Read, Write};
     use std::net::TcpStream as Client;
 
-    /// A server that admits every request, with these limits, and its address.
+    /// Starts a server that admits every request, with these limits. Returns its address.
     async fn begin(limits: ConnectionLimits) -> SocketAddr {
         let listener = TcpListener::bind("127.0.0.1:0").await.unwrap();
         let address = listener.local_addr().unwrap();

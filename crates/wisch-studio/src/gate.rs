@@ -1,7 +1,7 @@
-//! Who is let in: requests with the token, to an address of this machine, from this page.
+//! Access control: requests need the token, an address of this machine, and this page as origin.
 //!
-//! The token keeps out other users of this machine and pages that guess; the `Host` header those that point a name of
-//! their own at this address (DNS rebinding); the `Origin` header other pages that know the token.
+//! The token keeps out other users of this machine and pages that guess. The `Host` header keeps out pages whose own
+//! name resolves to this address (DNS rebinding). The `Origin` header keeps out other pages that know the token.
 
 use crate::connections::Connection;
 use crate::refusal::Refusal;
@@ -18,14 +18,14 @@ use std::time::Duration;
 /// Length of a token [bytes].
 const TOKEN_BYTES: usize = 16;
 
-/// Most bytes that a request may send.
+/// Largest size of a request's body [bytes].
 const LONGEST_BODY: usize = 1 << 16;
-/// Longest time that a request may take to send them.
+/// Longest time in which a client may send the body.
 const BODY_TIME: Duration = Duration::from_secs(10);
-/// Addresses by which a machine calls itself, beside the one that a connection has reached.
+/// Names of this machine, beside the address that a connection has reached.
 const OWN_NAMES: [&str; 3] = ["127.0.0.1", "localhost", "[::1]"];
 
-/// What is checked of every request.
+/// Access control of every request.
 #[derive(Debug)]
 pub struct Gate {
     token: String,
@@ -33,7 +33,7 @@ pub struct Gate {
 }
 
 impl Gate {
-    /// For a server that listens here, with a token that nobody can guess.
+    /// Creates the access control of a server at this address, with a random token.
     pub fn new(address: SocketAddr) -> Result<Self, getrandom::Error> {
         let mut bytes = [0; TOKEN_BYTES];
         getrandom::fill(&mut bytes)?;
@@ -43,12 +43,13 @@ impl Gate {
         })
     }
 
-    /// What stands in the path before everything.
+    /// Token, the first part of every path.
     pub fn token(&self) -> &str {
         &self.token
     }
 
-    /// Why a request is not let in, if it is not. `local` is the address of this machine that it has reached.
+    /// Returns the status with which a request is refused, if it is. `local` is the address of this machine that it
+    /// reached.
     fn refusal(&self, path: &str, headers: &HeaderMap, local: IpAddr) -> Option<StatusCode> {
         let host = headers
             .get(header::HOST)
@@ -70,12 +71,12 @@ impl Gate {
         (!is_same(token.as_bytes(), self.token.as_bytes())).then_some(StatusCode::NOT_FOUND)
     }
 
-    /// Whether a `Host` header is `local`, or a name of this machine. A name that is none cannot be led here (DNS
-    /// rebinding), and the address that a connection has reached is this machine's whatever it listens at.
+    /// Whether a `Host` header is `local`, or a name of this machine. An IP address cannot be rebound by DNS, and the
+    /// address that a connection has reached belongs to this machine.
     fn is_here(&self, host: &str, local: IpAddr) -> bool {
         let name = match host.strip_suffix(&format!(":{}", self.port)) {
             Some(name) => name,
-            // Browsers leave the usual port out.
+            // Browsers omit the default port.
             None if self.port == 80 => host,
             None => return false,
         };
@@ -84,7 +85,7 @@ impl Gate {
     }
 }
 
-/// Returns the IP address as which a host is given, if it is one.
+/// Returns the IP address of a host, if it is stated as an address.
 fn address(host: &str) -> Option<IpAddr> {
     match host.strip_prefix('[') {
         Some(rest) => Some(IpAddr::V6(rest.strip_suffix(']')?.parse().ok()?)),
@@ -92,7 +93,7 @@ fn address(host: &str) -> Option<IpAddr> {
     }
 }
 
-/// Lets a request in or not, and says to browsers what the answer may be used for.
+/// Admits or refuses a request, and sets security headers for browsers.
 pub async fn pass(
     State(gate): State<Arc<Gate>>,
     Extension(connection): Extension<Arc<Connection>>,
@@ -104,7 +105,7 @@ pub async fn pass(
         Some(status) => status.into_response(),
         None => {
             connection.admit();
-            match received(request).await {
+            match receive(request).await {
                 Ok(request) => next.run(request).await,
                 Err(refusal) => refusal.into_response(),
             }
@@ -135,17 +136,17 @@ pub async fn pass(
     response
 }
 
-/// Returns a request once all that it sends has come.
+/// Returns a request once its whole body has arrived.
 ///
 /// # Errors
-/// If it sends too much or takes too long.
-async fn received(request: Request<Body>) -> Result<Request<Body>, Refusal> {
+/// If the body is too large or takes too long.
+async fn receive(request: Request<Body>) -> Result<Request<Body>, Refusal> {
     let (head, body) = request.into_parts();
     match tokio::time::timeout(BODY_TIME, to_bytes(body, LONGEST_BODY)).await {
         Ok(Ok(bytes)) => Ok(Request::from_parts(head, Body::from(bytes))),
         Ok(Err(error)) => {
             let why = format!(
-                "the request cannot be read, or has more than {LONGEST_BODY} bytes: {error}"
+                "the request cannot be read, or exceeds the limit of {LONGEST_BODY} bytes: {error}"
             );
             Err(Refusal::new(StatusCode::PAYLOAD_TOO_LARGE, why))
         }
@@ -156,7 +157,7 @@ async fn received(request: Request<Body>) -> Result<Request<Body>, Refusal> {
     }
 }
 
-/// What the page may do; its script is known by a number that is drawn for each answer.
+/// Returns the page's content security policy; `nonce` identifies its script, and is random for each answer.
 pub fn page_policy(nonce: &str) -> String {
     format!(
         "default-src 'none'; script-src 'nonce-{nonce}'; style-src 'unsafe-inline'; connect-src 'self'; \
@@ -164,7 +165,7 @@ pub fn page_policy(nonce: &str) -> String {
     )
 }
 
-/// A random text of the length of a token.
+/// Returns a random text of the length of a token.
 pub fn nonce() -> Result<String, getrandom::Error> {
     let mut bytes = [0; TOKEN_BYTES];
     getrandom::fill(&mut bytes)?;
@@ -175,7 +176,7 @@ fn in_hex(bytes: &[u8]) -> String {
     bytes.iter().map(|byte| format!("{byte:02x}")).collect()
 }
 
-/// Whether two texts are the same; how long it takes says nothing of where they differ.
+/// Whether two texts are equal; the time it takes does not reveal where they differ.
 fn is_same(a: &[u8], b: &[u8]) -> bool {
     let differing = a.iter().zip(b).fold(0, |all, (a, b)| all | (a ^ b));
     a.len() == b.len() && std::hint::black_box(differing) == 0
@@ -248,7 +249,7 @@ mod tests {
         };
         let v6 = "2001:db8::5".parse().unwrap();
         assert!(gate.is_here("[2001:db8:0::5]", v6) && !gate.is_here("2001:db8::5", v6));
-        // A listener for both families sees IPv4 addresses as mapped.
+        // A listener for both families gets IPv4 addresses in mapped form.
         assert!(gate.is_here("192.168.1.5:80", "::ffff:192.168.1.5".parse().unwrap()));
     }
 }

@@ -1,18 +1,19 @@
-//! The server of `wisch studio`: a page that shows runs while they happen and episodes of a memory, and asks about them.
+//! The server of `wisch studio`: a page that shows live runs and stored episodes, and answers queries about them.
 //!
-//! It answers only who knows its token ([`Studio::url`]), at addresses of this machine. Everything lies under `/TOKEN/`:
+//! It answers only clients that know its token ([`Studio::url`]), at addresses of this machine. All paths begin with
+//! `/TOKEN/`:
 //!
 //! | request | answer |
 //! |---|---|
 //! | `GET` nothing | the page |
-//! | `GET api/overview?find=WORDS` | episodes, newest first; runs that go on; shipped tasks |
-//! | `GET api/overview/events` | an event whenever that changes |
-//! | `GET api/episodes/ID/recording` | a recording, packed by gzip |
-//! | `GET api/runs/ID/stream?after=N` | a recording that grows, an event a line; `Last-Event-ID` as well |
-//! | `POST api/runs` | begins a run of `{task, seed?, strategy?}` |
-//! | `POST api/runs/ID/stop`, `…/clear` | ends it; removes what one left behind that broke off |
-//! | `POST api/ask` | the answers to `{query, limit?}` and what they show, or what is wrong and where |
-//! | `GET api/vocabulary` | what queries may name |
+//! | `GET api/overview?find=WORDS` | episodes, newest first; live runs; shipped tasks |
+//! | `GET api/overview/events` | an event whenever the overview changes |
+//! | `GET api/episodes/ID/recording` | a recording, compressed by gzip |
+//! | `GET api/runs/ID/stream?after=N` | a growing recording, an event per line; `Last-Event-ID` as well |
+//! | `POST api/runs` | starts a run of `{task, seed?, strategy?}` |
+//! | `POST api/runs/ID/stop`, `…/clear` | stops a run; removes the files of a run that broke off |
+//! | `POST api/ask` | the answers to `{query, limit?}` and the data to show, or an error and its place |
+//! | `GET api/vocabulary` | names that queries may use |
 
 mod arguments;
 mod browser;

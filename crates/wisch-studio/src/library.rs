@@ -1,4 +1,4 @@
-//! The memory's episodes as the page lists them.
+//! The memory's episodes, for the page's list.
 
 use crate::refusal::Refusal;
 use serde::Serialize;
@@ -7,10 +7,10 @@ use std::sync::{Arc, Mutex, PoisonError};
 use wisch_memory::catalogue::{EpisodeRow, entries};
 use wisch_memory::{Catalogue, CatalogueNode, IndividualId, Memory, MemoryError, RECORDING_FILE};
 
-/// Most episodes that are listed at once.
+/// Largest number of listed episodes.
 pub const MOST_LISTED: usize = 500;
 
-/// The memory, and what was last read of it.
+/// The memory, with its last catalogue as a cache.
 #[derive(Debug)]
 pub struct Library {
     memory: Memory,
@@ -24,38 +24,38 @@ struct Read {
     catalogue: Arc<Catalogue>,
 }
 
-/// What is said of an episode.
+/// Summary of an episode.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Listed {
     id: String,
     title: String,
-    /// Such as "Collecting".
+    /// Name of the action, for example "Collecting".
     action: Option<String>,
     tool: Option<String>,
     medium: Option<String>,
     surface: Option<String>,
-    /// When it began [s since 1970].
+    /// Begin of the episode [s since 1970].
     begun: f64,
     seconds: f64,
     rounds: usize,
-    /// Estimated in the end: mean, and lower and upper end of the 90 % interval.
+    /// Final estimate of the performance: mean, and both ends of the 90 % interval.
     performance: Option<f64>,
     low: Option<f64>,
     high: Option<f64>,
     met: bool,
-    /// Of its last round, such as "goal met".
+    /// Verdict on its last round, for example "goal met".
     verdict: Option<String>,
     collisions: usize,
     has_recording: bool,
 }
 
-/// The episodes, newest first.
+/// List of episodes, newest first.
 #[derive(Debug, Serialize)]
 pub struct List {
     episodes: Vec<Listed>,
-    /// How many there are that fit, also those that are not listed.
+    /// Number of matching episodes, listed or not.
     total: usize,
-    /// What cannot be read, and why.
+    /// Episodes that cannot be read, with the reason.
     broken: Vec<String>,
 }
 
@@ -71,7 +71,7 @@ impl Library {
         &self.memory
     }
 
-    /// The catalogue of the episodes that are there now.
+    /// Returns the catalogue of the present episodes.
     pub fn catalogue(&self) -> Result<Arc<Catalogue>, MemoryError> {
         let ids = self.memory.episodes()?;
         let mut last = self.last.lock().unwrap_or_else(PoisonError::into_inner);
@@ -88,7 +88,7 @@ impl Library {
         Ok(catalogue)
     }
 
-    /// The newest episodes in whose name, task, action, tool, medium or surface all these words occur.
+    /// Returns the newest episodes whose name, task, action, tool, medium or surface contain all words.
     pub fn list(&self, wanted: &str) -> Result<List, Refusal> {
         let catalogue = self.catalogue()?;
         let words: Vec<String> = wanted.split_whitespace().map(str::to_lowercase).collect();
@@ -113,7 +113,7 @@ impl Library {
             }
             list.total += 1;
             if list.episodes.len() < MOST_LISTED {
-                let mut listed = about.listed(row);
+                let mut listed = about.summarise(row);
                 let recording = self.memory.folder().join(&row.id).join(RECORDING_FILE);
                 listed.has_recording = recording.is_file();
                 list.episodes.push(listed);
@@ -123,13 +123,13 @@ impl Library {
     }
 }
 
-/// What the catalogue says of wiping, by episode.
+/// Summaries of the wiping actions, by episode.
 struct About<'a> {
     catalogue: &'a Catalogue,
-    /// The wiping of each episode, by the episode's first individual.
+    /// Wiping action of each episode, by the episode's first individual.
     actions: HashMap<IndividualId, IndividualId>,
     collisions: HashMap<IndividualId, usize>,
-    /// By the episode's first individual: the last round's verdict.
+    /// Verdict on the last round, by the episode's first individual.
     verdicts: HashMap<IndividualId, &'a str>,
 }
 
@@ -146,14 +146,14 @@ impl<'a> About<'a> {
             catalogue,
             actions: actions.map(|&id| (first(id), id)).collect(),
             collisions,
-            // Rounds come in their order: the last one stays.
+            // Rounds are in order, so the last one remains.
             verdicts: verdicts
                 .map(|(id, text)| (first(*id), text.as_str()))
                 .collect(),
         }
     }
 
-    fn listed(&self, row: &EpisodeRow) -> Listed {
+    fn summarise(&self, row: &EpisodeRow) -> Listed {
         let action = self.actions.get(&row.first).copied();
         let number = |property: &str| {
             let found = entries(self.catalogue.numbers(property), action?);
@@ -180,16 +180,16 @@ impl<'a> About<'a> {
         }
     }
 
-    /// All that an episode is looked for by.
+    /// Returns the text of an episode that is searched.
     fn text(&self, row: &EpisodeRow) -> String {
-        let about = self.listed(row);
+        let about = self.summarise(row);
         let parts = [about.action, about.tool, about.medium, about.surface];
         let parts = parts.into_iter().flatten();
         let words: Vec<String> = [about.id, about.title].into_iter().chain(parts).collect();
         words.join(" ")
     }
 
-    /// What an individual stands in a relation to, without prefix, if it is something that episodes share.
+    /// Returns the object of an individual's relation, without prefix, if episodes share it.
     fn shared(&self, property: &str, id: IndividualId) -> Option<String> {
         let related = entries(self.catalogue.relations(property), id);
         related.iter().find_map(|(_, node)| match node {
@@ -201,7 +201,7 @@ impl<'a> About<'a> {
         })
     }
 
-    /// The class of the task that an action is done for.
+    /// Returns the class of the task that an action executes.
     fn task(&self, action: IndividualId) -> Option<String> {
         let related = entries(self.catalogue.relations("dul:executesTask"), action);
         related.iter().find_map(|(_, node)| match node {
@@ -211,7 +211,7 @@ impl<'a> About<'a> {
     }
 }
 
-/// A name without its prefix.
+/// Returns a name without its prefix.
 fn local(name: &str) -> &str {
     name.split_once(':').map_or(name, |(_, local)| local)
 }

@@ -1,12 +1,12 @@
-//! Runs that are going on: what they write into the memory's `.live` folder.
+//! Live runs, from their files in the memory's `.live` folder.
 //!
 //! ```text
 //! episodes/.live/
 //!   ID.json    {"pid": 4711, "task": "chopping-board", "begun": "2026-11-22 00:56:12"}
-//!   ID.jsonl   the recording as far as it goes, a piece a line
+//!   ID.jsonl   the recording so far, a piece per line
 //! ```
 //!
-//! Both go when the run's episode is there.
+//! Both files disappear once the run's episode is in the memory.
 
 use crate::process;
 use serde::{Deserialize, Serialize};
@@ -18,20 +18,20 @@ use wisch_memory::live_place;
 
 /// Longest name of a run [characters].
 const MAX_ID_LEN: usize = 120;
-/// What is read from a recording's end to find its last piece [bytes].
+/// Size of a recording's end that is searched for its last piece [bytes].
 const TAIL: u64 = 1 << 18;
-/// What a sidecar may have [bytes].
+/// Largest size of a sidecar file [bytes].
 const LONGEST_SIDECAR: u64 = 1 << 16;
 
-/// The runs of a memory that are going on, or broke off.
+/// Runs of a memory that are live, or broke off.
 #[derive(Debug, Clone)]
 pub struct LiveFolder {
     memory: PathBuf,
-    /// What the program is called that runs tasks.
+    /// Name of the program that runs tasks.
     program: String,
 }
 
-/// What a run says of itself beside its recording.
+/// Sidecar file of a run, beside its recording.
 #[derive(Debug, Clone, Deserialize)]
 pub struct Sidecar {
     pub pid: u32,
@@ -41,7 +41,7 @@ pub struct Sidecar {
     pub begun: Option<String>,
 }
 
-/// What is known of a run.
+/// Summary of a run.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct LiveRun {
     pub id: String,
@@ -49,19 +49,19 @@ pub struct LiveRun {
     pub begun: Option<String>,
     pub pid: u32,
     pub state: RunState,
-    /// The episode that it became.
+    /// The episode that the run became.
     pub episode: Option<String>,
 }
 
-/// How far a run is.
+/// State of a run.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "lowercase")]
 pub enum RunState {
-    /// It goes on.
+    /// Its process is running.
     Running,
-    /// It has said so.
+    /// It has written its end.
     Ended,
-    /// Its process is gone, and it has not said so.
+    /// Its process is gone without writing its end.
     Lost,
 }
 
@@ -74,20 +74,20 @@ impl LiveFolder {
         }
     }
 
-    /// The recording of a run as far as it goes, if there is such a run.
+    /// Returns the path of a run's recording so far, if the run exists.
     pub fn recording(&self, id: &str) -> Option<PathBuf> {
-        let path = live_place(&self.memory, checked(id)?, "jsonl");
+        let path = live_place(&self.memory, check_id(id)?, "jsonl");
         path.is_file().then_some(path)
     }
 
-    /// All of them, newest first. What is broken is not among them.
+    /// Returns all runs, newest first, without those whose files are damaged.
     pub fn runs(&self) -> Vec<LiveRun> {
         let mut runs: Vec<LiveRun> = (self.ids().iter()).filter_map(|id| self.run(id)).collect();
         runs.sort_by(|a, b| b.begun.cmp(&a.begun).then_with(|| b.id.cmp(&a.id)));
         runs
     }
 
-    /// One of them.
+    /// Returns a run.
     pub fn run(&self, id: &str) -> Option<LiveRun> {
         let recording = self.recording(id)?;
         let sidecar = self.sidecar(id);
@@ -113,7 +113,7 @@ impl LiveFolder {
         })
     }
 
-    /// The run of this process.
+    /// Returns the run of a process.
     pub fn of_process(&self, pid: u32) -> Option<String> {
         self.ids().into_iter().find(|id| {
             let said = self.sidecar(id);
@@ -127,12 +127,12 @@ impl LiveFolder {
         self.recording(id).is_some() && pid.is_some_and(|pid| self.is_at_work(pid))
     }
 
-    /// Whether this process goes on, and is one that runs tasks.
+    /// Whether a process exists and is one that runs tasks.
     pub fn is_at_work(&self, pid: u32) -> bool {
         process::is_alive(pid) && process::is_called(pid, &self.program)
     }
 
-    /// Removes what a run has left behind that broke off; whether there was one.
+    /// Removes the files of a run that broke off. Returns whether there was one.
     pub fn clear(&self, id: &str) -> io::Result<bool> {
         let lost = |run: &LiveRun| run.state != RunState::Running;
         if self.run(id).filter(lost).is_none() {
@@ -148,7 +148,7 @@ impl LiveFolder {
     }
 
     fn sidecar(&self, id: &str) -> Option<Sidecar> {
-        let file = File::open(live_place(&self.memory, checked(id)?, "json")).ok()?;
+        let file = File::open(live_place(&self.memory, check_id(id)?, "json")).ok()?;
         let mut text = String::new();
         file.take(LONGEST_SIDECAR).read_to_string(&mut text).ok()?;
         serde_json::from_str(&text).ok()
@@ -160,19 +160,19 @@ impl LiveFolder {
             return Vec::new();
         };
         let names = entries.filter_map(|entry| entry.ok()?.file_name().into_string().ok());
-        let ids = names.filter_map(|name| Some(checked(name.strip_suffix(".jsonl")?)?.to_owned()));
+        let ids = names.filter_map(|name| Some(check_id(name.strip_suffix(".jsonl")?)?.to_owned()));
         ids.collect()
     }
 }
 
-/// A name that leads nowhere else.
-fn checked(id: &str) -> Option<&str> {
+/// Checks that a run's name does not lead out of the folder.
+fn check_id(id: &str) -> Option<&str> {
     let plain = |c: char| c.is_ascii_alphanumeric() || c == '-' || c == '_';
     let is_plain = !id.is_empty() && id.len() <= MAX_ID_LEN && id.chars().all(plain);
     is_plain.then_some(id)
 }
 
-/// The last piece that is there as a whole, if it is short enough to be one that ends a run.
+/// Returns the last complete piece, if it is short enough to end a run.
 fn last_piece(recording: &Path) -> Option<Value> {
     let mut file = File::open(recording).ok()?;
     let len = file.metadata().ok()?.len();

@@ -1,10 +1,10 @@
-//! The program `wisch-studio`, which `wisch studio` begins.
+//! The program `wisch-studio`, which `wisch studio` starts.
 
 use std::process::ExitCode;
 use std::time::Duration;
 use wisch_studio::{Arguments, Studio, USAGE};
 
-/// Longest wait at the end for work that cannot be broken off, such as reading the memory.
+/// Longest wait at the end for work that cannot be interrupted, such as reading the memory.
 const LAST_WORK: Duration = Duration::from_secs(2);
 
 fn main() -> ExitCode {
@@ -34,13 +34,13 @@ fn main() -> ExitCode {
 }
 
 async fn work(arguments: &Arguments) -> Result<(), String> {
-    let end = ended_by_signal().map_err(|error| format!("signals: {error}"))?;
+    let end = listen_for_signals().map_err(|error| format!("signals: {error}"))?;
     let studio = Studio::begin(&arguments.config).await;
     let studio = studio.map_err(|error| error.to_string())?;
     if !arguments.config.host.is_loopback() {
         eprintln!(
-            "warning: {} can be reached from other machines: whoever has an address below can start runs and read \
-             the memory, and it goes over the network as it is. The first address is for this machine",
+            "warning: other machines can reach {}: everyone who knows an address below can start runs and read the \
+             memory, and the connection is not encrypted. The first address is for this machine",
             arguments.config.host
         );
     }
@@ -51,17 +51,18 @@ async fn work(arguments: &Arguments) -> Result<(), String> {
     if arguments.open
         && let Err(error) = studio.open_in_browser()
     {
-        eprintln!("warning: the browser cannot be opened ({error}): open the address above");
+        eprintln!("warning: the browser cannot be opened ({error}); open the address above");
     }
     studio.serve(end).await;
     Ok(())
 }
 
-/// Returns a future that ends with Ctrl-C, a signal to end, or the terminal. A second signal ends the program at once.
+/// Returns a future that completes at Ctrl-C, a termination signal or the end of the terminal. A second signal ends the
+/// program at once.
 #[cfg(unix)]
-fn ended_by_signal() -> std::io::Result<impl Future<Output = ()>> {
+fn listen_for_signals() -> std::io::Result<impl Future<Output = ()>> {
     use tokio::signal::unix::{SignalKind, signal};
-    /// What shells say of a program that Ctrl-C ended.
+    /// Exit code of a program that Ctrl-C ended.
     const EXIT_INTERRUPTED: i32 = 130;
     let mut interrupt = signal(SignalKind::interrupt())?;
     let mut terminate = signal(SignalKind::terminate())?;
@@ -79,7 +80,7 @@ fn ended_by_signal() -> std::io::Result<impl Future<Output = ()>> {
 }
 
 #[cfg(not(unix))]
-fn ended_by_signal() -> std::io::Result<impl Future<Output = ()>> {
+fn listen_for_signals() -> std::io::Result<impl Future<Output = ()>> {
     Ok(async {
         let _ = tokio::signal::ctrl_c().await;
     })

@@ -1,4 +1,4 @@
-//! Where in a query that lies which an engine complains of: engines say what is wrong, but not where.
+//! Position of an error in a query: engines report an error, but not its position.
 
 mod tokens;
 
@@ -8,17 +8,17 @@ use wisch_memory::ask::QueryFault;
 /// A part of a query's text.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct ErrorPlace {
-    /// From the text's begin, in UTF-16 units, as browsers count.
+    /// Offset from the text's begin, in UTF-16 units, as browsers count.
     pub offset: usize,
-    /// In the same units.
+    /// Length in UTF-16 units.
     pub length: usize,
-    /// From 1.
+    /// Line, from 1.
     pub line: usize,
-    /// In characters, from 1.
+    /// Column in characters, from 1.
     pub column: usize,
 }
 
-/// Where a fault lies, as far as that can be told.
+/// Returns the position of a fault, if it can be determined.
 pub fn place(fault: &QueryFault, query: &str) -> Option<ErrorPlace> {
     let tokens = tokens(query);
     let (start, end) = match fault {
@@ -31,7 +31,7 @@ pub fn place(fault: &QueryFault, query: &str) -> Option<ErrorPlace> {
             let start = query.find(term.as_str())?;
             (start, start + term.len())
         }
-        QueryFault::Prolog { what } if what.starts_with("the query is no Prolog") => {
+        QueryFault::Prolog { what } if what.starts_with("the query is not valid Prolog") => {
             syntax(&tokens, query)
         }
         QueryFault::Prolog { what } if what.starts_with("text after the full stop") => {
@@ -46,7 +46,7 @@ pub fn place(fault: &QueryFault, query: &str) -> Option<ErrorPlace> {
 }
 
 impl ErrorPlace {
-    /// Of bytes.
+    /// Converts a range of bytes.
     fn of(query: &str, start: usize, end: usize) -> Self {
         let before = &query[..start];
         let units = |text: &str| text.encode_utf16().count();
@@ -60,7 +60,7 @@ impl ErrorPlace {
     }
 }
 
-/// Where a predicate is called; one of this many arguments, if there is any.
+/// Finds the call of a predicate, preferably one with this arity.
 fn call(tokens: &[Token], query: &str, name: &str, arity: usize) -> Option<(usize, usize)> {
     let calls = tokens.iter().enumerate().filter(|(_, token)| {
         matches!(token.kind, TokenKind::Name | TokenKind::Symbol) && token.value(query) == name
@@ -73,7 +73,7 @@ fn call(tokens: &[Token], query: &str, name: &str, arity: usize) -> Option<(usiz
     Some((token.start, token.end))
 }
 
-/// How many arguments stand in the brackets that open here.
+/// Counts the arguments in the brackets that open here.
 fn arguments(tokens: &[Token]) -> usize {
     if tokens.first().map(|token| token.kind) != Some(TokenKind::Call) {
         return 0;
@@ -91,7 +91,7 @@ fn arguments(tokens: &[Token]) -> usize {
     commas + 1
 }
 
-/// Where something is named, such as `semco:'Colision'`.
+/// Finds a name, for example `semco:'Colision'`.
 fn named(tokens: &[Token], query: &str, name: &str) -> Option<(usize, usize)> {
     let bare = |text: &str| text.trim_matches('\'').replace("\\'", "'");
     let (prefix, local) = match name.split_once(':') {
@@ -121,12 +121,12 @@ fn named(tokens: &[Token], query: &str, name: &str) -> Option<(usize, usize)> {
     found.or_else(|| whole().map(|token| (token.start, token.end)))
 }
 
-/// Where the first token stands that cannot stand there.
+/// Finds the first token that is not allowed at its position.
 fn syntax(tokens: &[Token], query: &str) -> (usize, usize) {
     let end = query.trim_end().len();
-    // What opened, and the place where.
+    // Open brackets, with their positions.
     let mut open: Vec<(&str, (usize, usize))> = Vec::new();
-    // Whether a term is to begin here.
+    // Whether a term must begin here.
     let mut begins = true;
     for (number, token) in tokens.iter().enumerate() {
         let place = (token.start, token.end);
@@ -143,7 +143,7 @@ fn syntax(tokens: &[Token], query: &str) -> (usize, usize) {
                     (true, _) => begins = is_prefix,
                 }
             }
-            // A sign before a term, or between two; as a name where nothing follows it.
+            // A sign before a term, or between two terms; a name if nothing follows.
             TokenKind::Symbol => {
                 let next = tokens.get(number + 1).map(|next| next.kind);
                 let follows = !matches!(
@@ -245,7 +245,7 @@ mod tests {
     #[test]
     fn a_syntax_error_lies_at_the_first_token_that_does_not_fit() {
         let fault = QueryFault::Prolog {
-            what: "the query is no Prolog: incomplete reduction".to_owned(),
+            what: "the query is not valid Prolog: incomplete reduction".to_owned(),
         };
         for (query, at) in [
             ("foo(A, B", "("),

@@ -1,14 +1,14 @@
-//! Processes of this machine, by their numbers.
+//! Processes of this machine, by their ids.
 
-/// Longest name of a process that Linux tells [bytes].
+/// Longest name of a process that Linux reports [bytes].
 #[cfg(target_os = "linux")]
 const LONGEST_NAME: usize = 15;
 
-/// Whether there is such a process.
+/// Whether the process exists.
 #[cfg(unix)]
 pub fn is_alive(pid: u32) -> bool {
     pid_of(pid).is_some_and(|pid| {
-        // One that may not be signalled is there all the same.
+        // A process that may not be signalled exists all the same.
         !matches!(
             rustix::process::test_kill_process(pid),
             Err(rustix::io::Errno::SRCH)
@@ -16,7 +16,7 @@ pub fn is_alive(pid: u32) -> bool {
     })
 }
 
-/// Asks a process to end in order.
+/// Asks a process to terminate.
 #[cfg(unix)]
 pub fn terminate(pid: u32) -> std::io::Result<()> {
     let pid = pid_of(pid).ok_or(std::io::ErrorKind::InvalidInput)?;
@@ -33,7 +33,7 @@ fn pid_of(pid: u32) -> Option<rustix::process::Pid> {
 
 #[cfg(not(unix))]
 pub fn is_alive(_: u32) -> bool {
-    // Not told: a run counts as going on until it says that it has ended.
+    // Unknown on this system: a run counts as live until it has written its end.
     true
 }
 
@@ -42,7 +42,7 @@ pub fn terminate(_: u32) -> std::io::Result<()> {
     Err(std::io::ErrorKind::Unsupported.into())
 }
 
-/// Whether the process runs a program of this name.
+/// Whether the process runs the program with this name.
 #[cfg(target_os = "linux")]
 pub fn is_called(pid: u32, name: &str) -> bool {
     let Ok(known) = std::fs::read(format!("/proc/{pid}/comm")) else {
@@ -52,7 +52,7 @@ pub fn is_called(pid: u32, name: &str) -> bool {
     known == &name.as_bytes()[..name.len().min(LONGEST_NAME)]
 }
 
-/// Whether the process runs a program of this name.
+/// Whether the process runs the program with this name.
 #[cfg(all(unix, not(target_os = "linux")))]
 pub fn is_called(pid: u32, name: &str) -> bool {
     let mut ps = std::process::Command::new("ps");

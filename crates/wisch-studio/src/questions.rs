@@ -1,4 +1,4 @@
-//! Queries to the memory: one engine for all who ask, on a thread of its own, which the engine ends with.
+//! Queries to the memory: one engine for all clients, on a thread of its own, which stops together with the engine.
 
 use crate::library::Library;
 use crate::place::place;
@@ -19,32 +19,32 @@ use wisch_memory::ask::{
 };
 use wisch_memory::view::{Surroundings, gather};
 
-/// What a query may use, as `wisch ask` has it.
+/// Limits of a query, the same as those of `wisch ask`.
 pub const LIMITS: AskLimits = AskLimits {
     time: Duration::from_secs(60),
     memory: 4096 << 20,
     answers: 1000,
 };
-/// Queries that may wait.
+/// Largest number of waiting queries.
 const MOST_WAITING: usize = 8;
 /// Longest query [bytes].
 const LONGEST: usize = 20_000;
-/// How often a query is told to end that nobody waits for any more.
+/// Interval at which an abandoned query is told to end.
 const TELL_AGAIN: Duration = Duration::from_millis(50);
-/// Where statements are kept that queries told.
+/// File of the statements by queries.
 const STATEMENTS_FILE: &str = "told.jsonl";
 
-/// What is asked.
+/// A query from the page.
 #[derive(Debug, Clone, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Question {
     query: String,
-    /// Most answers, within what `wisch ask` gives.
+    /// Largest number of answers, within the limit of `wisch ask`.
     #[serde(default)]
     limit: Option<usize>,
 }
 
-/// Who answers.
+/// Interface to the engine's thread.
 #[derive(Debug)]
 pub struct Questions {
     jobs: SyncSender<Job>,
@@ -52,10 +52,10 @@ pub struct Questions {
     next: AtomicU64,
 }
 
-/// What is being answered.
+/// The current job.
 #[derive(Debug, Default)]
 struct Now {
-    /// The job's number; 0: none.
+    /// Number of the job; 0 for none.
     number: AtomicU64,
     interrupt: Mutex<Option<Arc<AtomicBool>>>,
 }
@@ -68,7 +68,7 @@ struct Job {
 }
 
 impl Questions {
-    /// Of this memory, to this engine or the first that is installed.
+    /// Creates the interface to a memory, with this engine or the first one that is installed.
     pub fn new(library: Arc<Library>, engine: Option<PathBuf>) -> Self {
         let (jobs, waiting) = sync_channel(MOST_WAITING);
         let now = Arc::new(Now::default());
@@ -81,7 +81,7 @@ impl Questions {
         }
     }
 
-    /// The answer, or what is wrong with the query, as the page reads it. A query that nobody waits for any more ends.
+    /// Returns the answer or the error of a query, as the page expects it. A query is ended if its client disconnects.
     pub async fn ask(&self, question: Question) -> Result<Value, Refusal> {
         if question.query.len() > LONGEST {
             let why = format!("a query has at most {LONGEST} bytes");
@@ -97,9 +97,9 @@ impl Questions {
         self.jobs.try_send(job).map_err(|error| match error {
             TrySendError::Full(_) => Refusal::new(
                 StatusCode::SERVICE_UNAVAILABLE,
-                "too many queries are waiting: ask again in a moment",
+                "too many queries are waiting; ask again in a moment",
             ),
-            TrySendError::Disconnected(_) => Refusal::failed("nobody answers queries any more"),
+            TrySendError::Disconnected(_) => Refusal::failed("the query engine has stopped"),
         })?;
         let waiting = Waiting {
             number,
@@ -111,7 +111,7 @@ impl Questions {
     }
 }
 
-/// Somebody who waits for an answer.
+/// A client that waits for an answer.
 struct Waiting {
     number: u64,
     now: Arc<Now>,
@@ -123,7 +123,7 @@ impl Drop for Waiting {
         if now.number.load(Ordering::SeqCst) != number {
             return;
         }
-        // Not once only: a query that is just beginning forgets what it was told before.
+        // Repeated, because a query that is just starting resets the flag.
         std::thread::spawn(move || {
             while now.number.load(Ordering::SeqCst) == number {
                 if let Some(interrupt) = &*lock(&now.interrupt) {
@@ -143,7 +143,7 @@ fn answer_all(library: &Library, engine: Option<&Path>, jobs: &Receiver<Job>, no
         }
         now.number.store(job.number, Ordering::SeqCst);
         let began = Instant::now();
-        let answered = opened(&mut open, library, engine, now)
+        let answered = open_memory(&mut open, library, engine, now)
             .and_then(|open| answer(open, library, &job.question));
         now.number.store(0, Ordering::SeqCst);
         let seconds = began.elapsed().as_secs_f64();
@@ -158,17 +158,17 @@ fn answer_all(library: &Library, engine: Option<&Path>, jobs: &Receiver<Job>, no
     }
 }
 
-/// A memory as it was when it was opened.
+/// An opened memory, in its state at that time.
 struct Open {
     asker: Asker,
     catalogue: Arc<Catalogue>,
     statements: StatementsState,
 }
 
-/// What tells whether statements were added from elsewhere.
+/// State of the file of statements, which reveals changes by other programs.
 type StatementsState = Option<(u64, Option<SystemTime>)>;
 
-fn opened<'a>(
+fn open_memory<'a>(
     open: &'a mut Option<Open>,
     library: &Library,
     engine: Option<&Path>,
@@ -219,14 +219,14 @@ fn command(engine: Option<&Path>) -> Result<EngineCommand, AskError> {
         None => EngineCommand::find(),
     };
     found.ok_or_else(|| {
-        let why = "neither wisch-prolog nor swipl can be found";
+        let why = "neither wisch-prolog nor swipl can be found; install one of them";
         AskError::CannotStart(std::io::Error::new(std::io::ErrorKind::NotFound, why))
     })
 }
 
 fn answer(open: &mut Open, library: &Library, question: &Question) -> Result<Value, AskError> {
     let mut answers = open.asker.ask(&question.query)?;
-    // What this query told is known already.
+    // The engine already knows this query's own statements.
     open.statements = statements_state(library.memory().folder());
     let limit = question.limit.unwrap_or(LIMITS.answers).max(1);
     if answers.rows.len() > limit {
@@ -265,7 +265,7 @@ fn answer(open: &mut Open, library: &Library, question: &Question) -> Result<Val
     }))
 }
 
-/// By answer, what of episodes it names: where it can be shown.
+/// For each answer, the intervals of episodes that it names, which the page can show.
 fn about(answers: &Answers, catalogue: &Catalogue) -> Vec<Vec<Value>> {
     let named = |term: &Term| {
         let id = catalogue.find(term.as_atom()?.strip_prefix("semco:")?)?;

@@ -1,4 +1,4 @@
-//! What is answered when something cannot be done.
+//! Error answers to requests.
 
 use axum::Json;
 use axum::http::StatusCode;
@@ -6,7 +6,7 @@ use axum::response::{IntoResponse, Response};
 use serde_json::json;
 use wisch_memory::MemoryError;
 
-/// Why something is not done: a status, and words for whoever asked.
+/// Why a request fails: a status, and a message for the client.
 #[derive(Debug)]
 pub struct Refusal {
     status: StatusCode,
@@ -21,17 +21,17 @@ impl Refusal {
         }
     }
 
-    /// There is no such thing.
+    /// Returns the error that something does not exist.
     pub fn unknown(message: impl ToString) -> Self {
         Self::new(StatusCode::NOT_FOUND, message)
     }
 
-    /// What was sent is wrong.
+    /// Returns the error that a request is invalid.
     pub fn wrong(message: impl ToString) -> Self {
         Self::new(StatusCode::UNPROCESSABLE_ENTITY, message)
     }
 
-    /// Something here went wrong.
+    /// Returns the error that the server failed.
     pub fn failed(message: impl ToString) -> Self {
         Self::new(StatusCode::INTERNAL_SERVER_ERROR, message)
     }

@@ -1,4 +1,4 @@
-//! Runs that are begun here: children of this program.
+//! Runs that the studio starts as child processes.
 
 use crate::live::LiveFolder;
 use crate::process;
@@ -14,22 +14,22 @@ use std::time::{Duration, Instant};
 use tempfile::TempDir;
 use tokio::process::{Child, Command};
 
-/// Most runs that go on at once, of those that are begun here.
+/// Largest number of simultaneous runs that the studio starts.
 const MOST_RUNS: usize = 4;
-/// How long a run may take to say that it has begun.
+/// Longest time until a run announces its start.
 const BEGINNING: Duration = Duration::from_secs(20);
-/// How often it is looked whether it has.
+/// Interval of the checks whether it has.
 const LOOK_AGAIN: Duration = Duration::from_millis(25);
-/// How long a run may take to end when it is told to.
+/// Longest time until a run ends after a request.
 const ENDING: Duration = Duration::from_secs(15);
-/// What is kept of a run's last words [bytes].
+/// Size of the end of a run's standard error that is kept [bytes].
 const LAST_WORDS: u64 = 4096;
 
-/// What is to be run.
+/// Request to start a run.
 #[derive(Debug, Clone, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct StartOrder {
-    /// A shipped task's name, or a task file of this machine.
+    /// Name of a shipped task, or path of a task file on this machine.
     task: String,
     #[serde(default)]
     seed: Option<u64>,
@@ -37,7 +37,7 @@ pub struct StartOrder {
     strategy: Option<String>,
 }
 
-/// The children.
+/// Child processes of the studio.
 #[derive(Debug)]
 pub struct Runs {
     wisch: PathBuf,
@@ -48,13 +48,13 @@ pub struct Runs {
 
 #[derive(Debug, Default)]
 struct State {
-    /// Names of runs that go on, by process.
+    /// Names of live runs, by process.
     children: HashMap<u32, Option<String>>,
-    /// What runs said in the end that did not end well.
+    /// Final messages of runs that failed.
     last_words: HashMap<String, String>,
 }
 
-/// What a child leaves when it has ended.
+/// Result of a child process.
 #[derive(Debug)]
 struct Ended {
     code: Option<i32>,
@@ -71,12 +71,12 @@ impl Runs {
         }
     }
 
-    /// Begins a run, and gives its name when it can be watched.
+    /// Starts a run, and returns its name once it can be watched.
     pub async fn begin(&self, order: &StartOrder, shipped: &[String]) -> Result<String, Refusal> {
         let task = task(&order.task, shipped)?;
         let strategy = order.strategy.as_deref().map(strategy).transpose()?;
         if self.state().children.len() >= MOST_RUNS {
-            let why = format!("{MOST_RUNS} runs are going on already: stop one, or wait");
+            let why = format!("{MOST_RUNS} runs are live already; stop one, or wait");
             return Err(Refusal::new(StatusCode::TOO_MANY_REQUESTS, why));
         }
         let out = TempDir::with_prefix("wisch-studio-").map_err(Refusal::failed)?;
@@ -94,17 +94,20 @@ impl Runs {
         command.arg("--").arg(&task);
         command.stdin(Stdio::null()).stdout(Stdio::null());
         command.stderr(errors.try_clone().map_err(Refusal::failed)?);
-        // What a terminal interrupts is this program, which tells its runs.
+        // A terminal interrupts only this program, which stops its runs.
         #[cfg(unix)]
         command.process_group(0);
         let child = command.spawn().map_err(|error| {
-            Refusal::failed(format!("{} cannot be begun: {error}", self.wisch.display()))
+            Refusal::failed(format!(
+                "{} cannot be started: {error}",
+                self.wisch.display()
+            ))
         })?;
         let pid = child.id();
         let pid = pid.ok_or_else(|| Refusal::failed("the run has no process"))?;
         self.state().children.insert(pid, None);
         let (sender, mut ended) = tokio::sync::oneshot::channel();
-        tokio::spawn(see_off(
+        tokio::spawn(await_exit(
             child,
             pid,
             errors,
@@ -127,7 +130,7 @@ impl Runs {
                 Err(_) if Instant::now() > deadline => {
                     let _ = process::terminate(pid);
                     return Err(Refusal::failed(
-                        "the run does not say what it does: is the program wisch of another version?",
+                        "the run did not announce its start; check that the program wisch has the same version as the studio",
                     ));
                 }
                 Err(_) => tokio::time::sleep(LOOK_AGAIN).await,
@@ -135,7 +138,7 @@ impl Runs {
         }
     }
 
-    /// Asks a run to end, one that was begun elsewhere only if its process is one that runs tasks.
+    /// Asks a run to stop; for a run that another program started, only if its process is one that runs tasks.
     pub fn stop(&self, id: &str) -> Result<(), Refusal> {
         let run = self.live.run(id);
         let run = run.ok_or_else(|| Refusal::unknown(format!("there is no run {id:?}")))?;
@@ -148,18 +151,18 @@ impl Runs {
             .map_err(|error| Refusal::failed(format!("run {id:?} cannot be stopped: {error}")))
     }
 
-    /// Whether this run was begun here, and goes on.
+    /// Whether the studio started this run, and it is still live.
     pub fn is_own(&self, id: &str) -> bool {
         let state = self.state();
         (state.children.values()).any(|name| name.as_deref() == Some(id))
     }
 
-    /// What a run said in the end that did not end well.
+    /// Returns the final message of a run that failed.
     pub fn last_words(&self, id: &str) -> Option<String> {
         self.state().last_words.get(id).cloned()
     }
 
-    /// Asks all runs that were begun here to end, and waits until they have.
+    /// Asks all runs of the studio to stop, and waits until they have.
     pub async fn stop_all(&self) {
         let pids: Vec<u32> = self.state().children.keys().copied().collect();
         for pid in pids {
@@ -176,8 +179,8 @@ impl Runs {
     }
 }
 
-/// Waits until a child has ended, and clears away what it leaves.
-async fn see_off(
+/// Waits until a child has ended, and removes its files.
+async fn await_exit(
     mut child: Child,
     pid: u32,
     mut errors: std::fs::File,
@@ -226,7 +229,7 @@ impl Ended {
     }
 }
 
-/// What the program is given as a task.
+/// Returns the task argument for the program.
 fn task(named: &str, shipped: &[String]) -> Result<PathBuf, Refusal> {
     let named = named.trim();
     if shipped.iter().any(|known| known == named) {
@@ -240,17 +243,17 @@ fn task(named: &str, shipped: &[String]) -> Result<PathBuf, Refusal> {
     }
     match std::fs::canonicalize(path) {
         Ok(path) if path.is_file() => Ok(path),
-        Ok(_) => Err(Refusal::wrong(format!("{named}: it is no file"))),
+        Ok(_) => Err(Refusal::wrong(format!("{named}: it is not a file"))),
         Err(error) => Err(Refusal::wrong(format!("{named}: {error}"))),
     }
 }
 
-/// A word that is no option.
+/// Checks that a strategy is a word and not an option.
 fn strategy(named: &str) -> Result<&str, Refusal> {
     let plain = |c: char| c.is_ascii_lowercase() || c == '-';
     let is_plain = !named.is_empty() && !named.starts_with('-') && named.chars().all(plain);
     if is_plain {
         return Ok(named);
     }
-    Err(Refusal::wrong(format!("{named:?} is no strategy")))
+    Err(Refusal::wrong(format!("{named:?} is not a strategy")))
 }

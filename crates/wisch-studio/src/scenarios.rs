@@ -1,4 +1,4 @@
-//! The shipped tasks, as the program tells them.
+//! Shipped tasks, as the program lists them.
 
 use serde::{Deserialize, Serialize};
 use std::path::Path;
@@ -7,21 +7,21 @@ use std::process::{Command, Stdio};
 /// A shipped task.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Scenario {
-    /// As `wisch run` takes it.
+    /// Name, as an argument of `wisch run`.
     pub name: String,
-    /// One sentence.
+    /// Description in one sentence.
     #[serde(default)]
     pub about: String,
 }
 
-/// From a file in JSON.
+/// Reads the tasks from a JSON file.
 pub fn read(file: &Path) -> Result<Vec<Scenario>, String> {
     let text =
         std::fs::read_to_string(file).map_err(|error| format!("{}: {error}", file.display()))?;
     serde_json::from_str(&text).map_err(|error| format!("{}: {error}", file.display()))
 }
 
-/// As `wisch scenarios` lists them; none where it cannot be asked.
+/// Returns the tasks that `wisch scenarios` lists; none if it cannot be called.
 pub fn listed_by(wisch: &Path) -> Vec<Scenario> {
     let mut command = Command::new(wisch);
     command.arg("scenarios");
@@ -30,7 +30,7 @@ pub fn listed_by(wisch: &Path) -> Vec<Scenario> {
     parse(&String::from_utf8_lossy(&text))
 }
 
-/// A name, at least two spaces and a sentence in each line.
+/// Parses lines with a name, at least two spaces and a sentence.
 fn parse(text: &str) -> Vec<Scenario> {
     let lines = text.lines().filter_map(|line| line.split_once("  "));
     lines

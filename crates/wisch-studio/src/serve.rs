@@ -1,4 +1,4 @@
-//! The server: what is asked for, and who answers it.
+//! The server: its requests and their handlers.
 
 use crate::browser;
 use crate::connections::{self, addresses_of_machine};
@@ -33,76 +33,76 @@ use tokio::net::TcpListener;
 use tokio::sync::{Semaphore, watch};
 use wisch_memory::{Memory, MemoryError, live_place};
 
-/// Most answers at once that go on for as long as the page is open.
+/// Largest number of simultaneous event streams.
 const MOST_STREAMS: usize = 64;
-/// How often something is sent where nothing changes.
+/// Interval of messages on a stream without changes.
 const HEARTBEAT: Duration = Duration::from_secs(10);
 
-/// A board that is wiped from left to right.
+/// Icon: a board that is wiped from left to right.
 const ICON: &str = "<link rel=\"icon\" href=\"data:image/svg+xml,%3Csvg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 \
                     16 16'%3E%3Crect x='1' y='2' width='14' height='12' rx='2' fill='%23f3e3c3'/%3E%3Cpath d='M3 11h5l5-6' \
                     fill='none' stroke='%230072b2' stroke-width='3'/%3E%3C/svg%3E\">";
 
-/// What is served, and where.
+/// Configuration of the server.
 #[derive(Debug, Clone)]
 pub struct Config {
-    /// Folder of the memory; it is made if it is not there.
+    /// Folder of the memory, created if necessary.
     pub memory: PathBuf,
-    /// The program that runs tasks.
+    /// Program that runs tasks.
     pub wisch: PathBuf,
-    /// The Prolog system, `wisch-prolog` or `swipl`; else the first that is installed.
+    /// Prolog system, `wisch-prolog` or `swipl`; `None` for the first that is installed.
     pub engine: Option<PathBuf>,
-    /// The shipped tasks in JSON; else as the program lists them.
+    /// JSON file of the shipped tasks; `None` for those that the program lists.
     pub scenarios: Option<PathBuf>,
-    /// The address to listen at.
+    /// Address to listen at.
     pub host: IpAddr,
-    /// The port; 0: any that is free.
+    /// Port; 0 for any free port.
     pub port: u16,
 }
 
-/// Why the studio cannot begin.
+/// Why the studio cannot start.
 #[derive(Debug, thiserror::Error)]
 pub enum StudioError {
-    /// No memory.
+    /// The memory cannot be opened.
     #[error(transparent)]
     Memory(#[from] MemoryError),
-    /// Nowhere to listen.
+    /// The address is not available.
     #[error("{address}: {error}")]
     Listen {
-        /// Where.
+        /// The address.
         address: SocketAddr,
-        /// Why.
+        /// Error of the operating system.
         error: io::Error,
     },
-    /// No random numbers.
+    /// The system provides no random numbers.
     #[error("the system gives no random numbers: {0}")]
     Random(getrandom::Error),
-    /// No list of shipped tasks.
+    /// The shipped tasks cannot be listed.
     #[error("{0}")]
     Scenarios(String),
-    /// A path that leads nowhere.
+    /// A path cannot be resolved.
     #[error("{}: {error}", path.display())]
     Path {
         /// The path.
         path: PathBuf,
-        /// Why.
+        /// Error of the operating system.
         error: io::Error,
     },
 }
 
-/// A server that listens.
+/// A listening server.
 #[derive(Debug)]
 pub struct Studio {
     listener: TcpListener,
     url: String,
     urls_from_elsewhere: Vec<String>,
     gate: Arc<Gate>,
-    rooms: Arc<Rooms>,
+    state: Arc<ServerState>,
 }
 
-/// All that answers draw on.
+/// Shared state of the handlers.
 #[derive(Debug)]
-struct Rooms {
+struct ServerState {
     library: Arc<Library>,
     live: LiveFolder,
     runs: Runs,
@@ -110,20 +110,20 @@ struct Rooms {
     scenarios: Vec<Scenario>,
     streams: Arc<Semaphore>,
     changes: watch::Receiver<u64>,
-    /// Leads the browser to the page; gone once the page was opened.
+    /// File that redirects the browser to the page; removed once the page was opened.
     redirect: Mutex<Option<TempPath>>,
 }
 
 type Answer = Result<Response, Refusal>;
 
 impl Studio {
-    /// Listens; requests are answered by [`Self::serve`].
+    /// Starts to listen; [`Self::serve`] answers requests.
     ///
     /// # Errors
-    /// No memory, no place to listen at, no list of tasks.
+    /// If the memory, the address or the list of tasks is not available.
     pub async fn begin(config: &Config) -> Result<Self, StudioError> {
         let memory = Memory::create(&config.memory)?;
-        // Runs begin in the same folder, whatever it is called from there.
+        // Runs get the absolute path, so that they use the same folder.
         let folder = std::fs::canonicalize(memory.folder()).map_err(|error| StudioError::Path {
             path: config.memory.clone(),
             error,
@@ -141,7 +141,7 @@ impl Studio {
         let gate = Arc::new(Gate::new(bound).map_err(StudioError::Random)?);
         let live = LiveFolder::of(&folder, &config.wisch);
         let library = Arc::new(Library::new(memory));
-        let rooms = Rooms {
+        let state = ServerState {
             runs: Runs::new(&config.wisch, &folder, live.clone()),
             questions: Questions::new(Arc::clone(&library), config.engine.clone()),
             scenarios,
@@ -155,11 +155,11 @@ impl Studio {
         let elsewhere = elsewhere.map_err(|error| StudioError::Listen { address, error })?;
         let url = |address: SocketAddr| format!("http://{address}/{}/", gate.token());
         Ok(Self {
-            url: url(reached_from_here(bound)),
+            url: url(local_address(bound)),
             urls_from_elsewhere: elsewhere.into_iter().map(url).collect(),
             listener,
             gate,
-            rooms: Arc::new(rooms),
+            state: Arc::new(state),
         })
     }
 
@@ -168,39 +168,39 @@ impl Studio {
         &self.url
     }
 
-    /// Returns the addresses of the page for other machines, where it listens at all addresses of this one.
+    /// Returns the addresses of the page for other machines, if the server listens at all addresses.
     pub fn urls_from_elsewhere(&self) -> &[String] {
         &self.urls_from_elsewhere
     }
 
-    /// Opens the page in the browser. The address, which holds the token, stands in no list of processes.
+    /// Opens the page in the browser. The address holds the token and appears in no list of processes.
     ///
     /// # Errors
-    /// If the system has no program for it.
+    /// If the system has no program that opens it.
     pub fn open_in_browser(&self) -> io::Result<()> {
-        // Where browsers that are confined may read at all: in a visible folder of their user.
-        let any = live_place(self.rooms.library.memory().folder(), "any", "html");
+        // Confined browsers can only read visible folders of their user, so the file must be in one.
+        let any = live_place(self.state.library.memory().folder(), "any", "html");
         let folder = any.parent().unwrap_or(&any);
         let file = browser::redirect_file(folder, &self.url)?;
         let opened = browser::open(&file);
-        *self.rooms.redirect() = Some(file);
+        *self.state.redirect() = Some(file);
         opened
     }
 
-    /// Answers until `until` is over, then ends the runs that were begun here.
+    /// Answers requests until `until` completes, then stops the runs that it started.
     pub async fn serve(self, until: impl Future<Output = ()> + Send) {
-        let rooms = Arc::clone(&self.rooms);
-        let router = router(self.gate, self.rooms);
-        // Whoever follows a run is told its end.
+        let state = Arc::clone(&self.state);
+        let router = router(self.gate, self.state);
+        // Streams stay open, so that clients learn how their runs end.
         let open = connections::answer(self.listener, router, connections::LIMITS, until).await;
-        rooms.redirect().take();
-        rooms.runs.stop_all().await;
+        state.redirect().take();
+        state.runs.stop_all().await;
         drop(open);
     }
 }
 
 /// Returns the address by which browsers of this machine reach a listener.
-fn reached_from_here(bound: SocketAddr) -> SocketAddr {
+fn local_address(bound: SocketAddr) -> SocketAddr {
     let ip = match bound.ip() {
         IpAddr::V4(ip) if ip.is_unspecified() => Ipv4Addr::LOCALHOST.into(),
         IpAddr::V6(ip) if ip.is_unspecified() => Ipv6Addr::LOCALHOST.into(),
@@ -209,7 +209,7 @@ fn reached_from_here(bound: SocketAddr) -> SocketAddr {
     SocketAddr::new(ip, bound.port())
 }
 
-fn router(gate: Arc<Gate>, rooms: Arc<Rooms>) -> Router {
+fn router(gate: Arc<Gate>, state: Arc<ServerState>) -> Router {
     let at = |path: &str| format!("/{}/{path}", gate.token());
     Router::new()
         .route(&at(""), get(page))
@@ -223,17 +223,17 @@ fn router(gate: Arc<Gate>, rooms: Arc<Rooms>) -> Router {
         .route(&at("api/ask"), post(ask))
         .route(&at("api/vocabulary"), get(words))
         .fallback(|| async { StatusCode::NOT_FOUND })
-        .with_state(rooms)
+        .with_state(state)
         .layer(middleware::from_fn_with_state(gate, pass))
 }
 
-async fn page(State(rooms): State<Arc<Rooms>>) -> Answer {
-    rooms.redirect().take();
+async fn page(State(state): State<Arc<ServerState>>) -> Answer {
+    state.redirect().take();
     let nonce = nonce().map_err(Refusal::failed)?;
-    // The only script of the page comes last.
+    // The page's only script is at its end.
     let page = wisch_web::studio_page();
     let (before, after) = page.split_at(page.find("<main").unwrap_or(0));
-    // Browsers ask for an icon elsewhere if the page has none.
+    // Browsers request another icon if the page has none.
     let before = before.replacen("</title>", &format!("</title>\n{ICON}"), 1);
     let script = format!("<script nonce=\"{nonce}\">");
     let page = format!("{before}{}", after.replacen("<script>", &script, 1));
@@ -250,23 +250,23 @@ struct Wanted {
     find: String,
 }
 
-async fn overview(State(rooms): State<Arc<Rooms>>, Query(wanted): Query<Wanted>) -> Answer {
+async fn overview(State(state): State<Arc<ServerState>>, Query(wanted): Query<Wanted>) -> Answer {
     let found = tokio::task::spawn_blocking(move || -> Result<Value, Refusal> {
-        let list = rooms.library.list(&wanted.find)?;
-        let runs: Vec<Value> = rooms.live.runs().iter().map(|run| rooms.run(run)).collect();
+        let list = state.library.list(&wanted.find)?;
+        let runs: Vec<Value> = state.live.runs().iter().map(|run| state.run(run)).collect();
         Ok(json!({
-            "memory": rooms.library.memory().folder(),
+            "memory": state.library.memory().folder(),
             "list": list,
             "runs": runs,
-            "scenarios": rooms.scenarios,
+            "scenarios": state.scenarios,
             "limits": { "answers": LIMITS.answers, "seconds": LIMITS.time.as_secs() },
         }))
     });
     Ok(Json(found.await??).into_response())
 }
 
-impl Rooms {
-    /// What is said of a run.
+impl ServerState {
+    /// Returns the summary of a run.
     fn run(&self, run: &LiveRun) -> Value {
         let mut said = serde_json::to_value(run).unwrap_or_default();
         said["own"] = json!(self.runs.is_own(&run.id));
@@ -282,15 +282,15 @@ impl Rooms {
 
     fn stream_permit(&self) -> Result<tokio::sync::OwnedSemaphorePermit, Refusal> {
         Arc::clone(&self.streams).try_acquire_owned().map_err(|_| {
-            let why = format!("{MOST_STREAMS} streams are open already: close a page");
+            let why = format!("{MOST_STREAMS} streams are open already; close a page");
             Refusal::new(StatusCode::SERVICE_UNAVAILABLE, why)
         })
     }
 }
 
-async fn overview_events(State(rooms): State<Arc<Rooms>>) -> Answer {
-    let permit = rooms.stream_permit()?;
-    let changes = rooms.changes.clone();
+async fn overview_events(State(state): State<Arc<ServerState>>) -> Answer {
+    let permit = state.stream_permit()?;
+    let changes = state.changes.clone();
     let events = stream::unfold(
         (changes, permit, true),
         |(mut changes, permit, first)| async move {
@@ -316,11 +316,11 @@ async fn overview_events(State(rooms): State<Arc<Rooms>>) -> Answer {
 }
 
 async fn recording(
-    State(rooms): State<Arc<Rooms>>,
+    State(state): State<Arc<ServerState>>,
     Path(id): Path<String>,
     headers: HeaderMap,
 ) -> Answer {
-    let file = open_recording(Arc::clone(&rooms.library), id.clone()).await?;
+    let file = open_recording(Arc::clone(&state.library), id.clone()).await?;
     let kind = (header::CONTENT_TYPE, "application/x-ndjson; charset=utf-8");
     let accepted = headers.get(header::ACCEPT_ENCODING);
     let accepted = accepted.and_then(|accepted| accepted.to_str().ok());
@@ -341,7 +341,7 @@ struct After {
 }
 
 async fn run_stream(
-    State(rooms): State<Arc<Rooms>>,
+    State(state): State<Arc<ServerState>>,
     Path(id): Path<String>,
     Query(After { after }): Query<After>,
     headers: HeaderMap,
@@ -349,12 +349,12 @@ async fn run_stream(
     let last = headers.get("last-event-id");
     let last = last.and_then(|last| last.to_str().ok()?.parse().ok());
     let after = last.unwrap_or(after);
-    let permit = rooms.stream_permit()?;
-    let live = rooms.live.clone();
+    let permit = state.stream_permit()?;
+    let live = state.live.clone();
     let tail = if live.recording(&id).is_some() {
         Tail::growing(live, &id, after, permit)?
     } else {
-        let kept = open_recording(Arc::clone(&rooms.library), id.clone()).await;
+        let kept = open_recording(Arc::clone(&state.library), id.clone()).await;
         let kept = kept.map_err(|_| Refusal::unknown(format!("there is no run {id:?}")))?;
         Tail::kept(live, &id, kept, after, permit)
     };
@@ -362,22 +362,22 @@ async fn run_stream(
 }
 
 async fn begin_run(
-    State(rooms): State<Arc<Rooms>>,
+    State(state): State<Arc<ServerState>>,
     order: Result<Json<StartOrder>, JsonRejection>,
 ) -> Answer {
     let Json(order) = order.map_err(unreadable)?;
-    let shipped: Vec<String> = rooms.scenarios.iter().map(|one| one.name.clone()).collect();
-    let id = rooms.runs.begin(&order, &shipped).await?;
+    let shipped: Vec<String> = state.scenarios.iter().map(|one| one.name.clone()).collect();
+    let id = state.runs.begin(&order, &shipped).await?;
     Ok((StatusCode::CREATED, Json(json!({ "run": id }))).into_response())
 }
 
-async fn stop_run(State(rooms): State<Arc<Rooms>>, Path(id): Path<String>) -> Answer {
-    rooms.runs.stop(&id)?;
+async fn stop_run(State(state): State<Arc<ServerState>>, Path(id): Path<String>) -> Answer {
+    state.runs.stop(&id)?;
     Ok((StatusCode::ACCEPTED, Json(json!({ "stopping": id }))).into_response())
 }
 
-async fn clear_run(State(rooms): State<Arc<Rooms>>, Path(id): Path<String>) -> Answer {
-    if rooms.live.clear(&id).map_err(Refusal::failed)? {
+async fn clear_run(State(state): State<Arc<ServerState>>, Path(id): Path<String>) -> Answer {
+    if state.live.clear(&id).map_err(Refusal::failed)? {
         return Ok(Json(json!({ "cleared": id })).into_response());
     }
     let why = format!("there is no run {id:?} that has ended");
@@ -385,11 +385,11 @@ async fn clear_run(State(rooms): State<Arc<Rooms>>, Path(id): Path<String>) -> A
 }
 
 async fn ask(
-    State(rooms): State<Arc<Rooms>>,
+    State(state): State<Arc<ServerState>>,
     question: Result<Json<Question>, JsonRejection>,
 ) -> Answer {
     let Json(question) = question.map_err(unreadable)?;
-    Ok(Json(rooms.questions.ask(question).await?).into_response())
+    Ok(Json(state.questions.ask(question).await?).into_response())
 }
 
 async fn words() -> Answer {

@@ -1,4 +1,4 @@
-//! What a query shows, as JSON for the page.
+//! Data of a query's view, as JSON for the page.
 
 use serde_json::{Value, json};
 use wisch_memory::Catalogue;
@@ -7,10 +7,10 @@ use wisch_memory::view::{
     View,
 };
 
-/// Digits behind the point of lengths [m] and times.
+/// Number of decimals of lengths [m] and times [s].
 const PLACES: i32 = 4;
 
-/// All of it; times in seconds since 1970, lengths in metres in the world.
+/// Returns all data; times in seconds since 1970, lengths in metres in the world.
 pub fn view(view: &View, catalogue: &Catalogue) -> Value {
     let round = |place: usize| {
         let round = &view.rounds[place];

@@ -1,5 +1,5 @@
-//! A recording that grows, as server-sent events: an event a line, numbered, so that whoever comes back goes on where the
-//! line broke off.
+//! A growing recording as server-sent events: a numbered event per line, so that a client can resume after an
+//! interruption.
 
 use crate::live::LiveFolder;
 use crate::refusal::Refusal;
@@ -14,59 +14,59 @@ use std::io::{self, Read};
 use std::time::{Duration, Instant};
 use tokio::sync::OwnedSemaphorePermit;
 
-/// How often a file is looked at that has not grown.
+/// Interval of checks whether a file has grown.
 const LOOK_AGAIN: Duration = Duration::from_millis(40);
-/// How often something is sent where nothing happens.
+/// Interval of messages on an idle stream.
 const HEARTBEAT: Duration = Duration::from_secs(10);
-/// How often it is looked whether the run's process is there.
+/// Interval of checks whether the run's process exists.
 const LOOK_FOR_PROCESS: Duration = Duration::from_millis(500);
-/// How the piece begins that ends a recording.
+/// Begin of the piece that ends a recording.
 const LAST_PIECE: &[u8] = b"{\"piece\":\"ended\"";
-/// Longest line of a recording [bytes]. The longest that wisch writes hold meshes, and have a few million.
+/// Longest line of a recording [bytes]. The longest lines that wisch writes hold meshes, of a few million bytes.
 const LONGEST_LINE: usize = 16 << 20;
-/// What is read at once [bytes].
+/// Number of bytes read at once.
 const CHUNK: usize = 1 << 16;
-/// When the browser comes back after a break [ms].
+/// Time after which the browser reconnects [ms].
 const RETRY_MS: u64 = 500;
 
-/// The lines of a recording after the first `after` ones, as they come.
+/// Lines of a recording after the first `after` lines, as they arrive.
 pub struct Tail {
     live: LiveFolder,
     id: String,
     source: Source,
-    /// What was read of a line that is not whole.
+    /// Begin of an incomplete line.
     partial: Vec<u8>,
-    /// Lines that were read.
+    /// Number of lines read.
     lines: u64,
-    /// Lines that whoever asks has.
+    /// Number of lines that the client has.
     after: u64,
-    /// Whether the piece was read that ends a recording.
+    /// Whether the final piece of the recording was read.
     has_last_piece: bool,
-    /// Whether its process was gone when it was last looked for.
+    /// Whether its process was gone at the last check.
     is_in_doubt: bool,
     has_ended: bool,
     last_look: Instant,
     last_sent: Instant,
-    /// One of as many as may be open at once.
+    /// Permit of an open stream; their number is limited.
     _permit: OwnedSemaphorePermit,
 }
 
-/// Where lines come from.
+/// Source of the lines.
 enum Source {
-    /// A file that grows.
+    /// A growing file.
     Growing(File),
-    /// What is kept in an episode.
+    /// The recording of a stored episode.
     Kept(Box<GzDecoder<File>>),
 }
 
-/// What came of reading on.
+/// Result of a reading step.
 enum Step {
     Text(String),
     Wait,
 }
 
 impl Tail {
-    /// Of a run that goes on.
+    /// Opens the stream of a live run.
     pub fn growing(
         live: LiveFolder,
         id: &str,
@@ -79,7 +79,7 @@ impl Tail {
         Ok(Self::new(live, id, Source::Growing(file), after, permit))
     }
 
-    /// Of a run whose episode is there.
+    /// Opens the stream of a run whose episode is stored.
     pub fn kept(
         live: LiveFolder,
         id: &str,
@@ -114,7 +114,7 @@ impl Tail {
         }
     }
 
-    /// As an answer, which is sent as fast as it is taken.
+    /// Returns a response that is sent as fast as the client takes it.
     pub fn into_response(self) -> Response {
         let begin = Bytes::from(format!("retry: {RETRY_MS}\n\n"));
         let events = stream::unfold((self, Some(begin)), |(mut tail, begin)| async move {
@@ -147,7 +147,7 @@ impl Tail {
         (headers, Body::from_stream(events)).into_response()
     }
 
-    /// Reads on, as far as a chunk goes.
+    /// Reads the next chunk.
     fn step(&mut self) -> Step {
         let mut text = String::new();
         let mut chunk = vec![0; CHUNK];
@@ -163,14 +163,16 @@ impl Tail {
             }
             if self.partial.len() > LONGEST_LINE {
                 let (line, limit) = (self.lines + 1, LONGEST_LINE >> 20);
-                let why = format!("line {line} is longer than {limit} MiB: this is no recording");
+                let why = format!(
+                    "line {line} is longer than {limit} MiB, so the file is not a recording"
+                );
                 return self.end(text, "broken", &why);
             }
         }
         Step::Text(text)
     }
 
-    /// When all is read that is there by now.
+    /// Handles the end of what is written so far.
     fn at_end(&mut self, text: String) -> Step {
         if self.has_last_piece {
             return self.end(text, "ended", "");
@@ -187,7 +189,8 @@ impl Tail {
         }
         if self.last_look.elapsed() > LOOK_FOR_PROCESS {
             self.last_look = Instant::now();
-            // What it wrote just before it was gone is to be read before this is believed.
+            // The process may have written more just before its end, so the file is read once more before its end is
+            // reported.
             self.is_in_doubt = !self.live.goes_on(&self.id);
         }
         Step::Wait
@@ -196,11 +199,11 @@ impl Tail {
     fn end(&mut self, text: String, state: &str, message: &str) -> Step {
         self.has_ended = true;
         let said = json!({ "state": state, "message": message });
-        // After this the browser is not to come back.
+        // The browser must not reconnect after this event.
         Step::Text(text + &format!("event: end\ndata: {said}\n\n"))
     }
 
-    /// Takes in what was read, and writes whole lines that are new as events.
+    /// Adds bytes, and writes complete new lines as events.
     fn take(&mut self, mut bytes: &[u8], text: &mut String) {
         while let Some(end) = bytes.iter().position(|byte| *byte == b'\n') {
             self.partial.extend_from_slice(&bytes[..end]);

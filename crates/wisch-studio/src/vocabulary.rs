@@ -1,11 +1,11 @@
-//! What queries may name, for the page to complete, and queries to begin with.
+//! Names that queries may use, for completion in the page, and example queries.
 
 use serde_json::{Value, json};
 use wisch_memory::Ontology;
 use wisch_memory::ask::{builtins, predicates};
 use wisch_memory::ontology::TermKind;
 
-/// Queries to begin with: what they ask, and how.
+/// Example queries: the question, and the query.
 pub const EXAMPLES: [(&str, &str); 10] = [
     (
         "The paper's Fig. 20: where was the sponge during each collision, and the robot in the middle of it?",
@@ -13,29 +13,29 @@ pub const EXAMPLES: [(&str, &str); 10] = [
          show(trajectory('sponge'), interval(S, E, dt(0.5))), show(justin:'justin_robot1', M)",
     ),
     (
-        "Which rounds wiped 80 % or less?",
+        "Which rounds have a performance of 80 % or less?",
         "low_performance_round(Round, P)",
     ),
     (
-        "When did somebody push, and during which motion?",
+        "When did a person push the robot, and during which motion?",
         "human_collision(Motion, C, [S, E])",
     ),
     (
-        "How hard was each collision?",
+        "What was the peak force of each collision?",
         "owl_individual_of(C, semco:'Collision'), occurs(C, [S, E]), telemetry(force, [S, E], max, F)",
     ),
     (
-        "How did the performance grow?",
+        "How did the performance change from round to round?",
         "performance_by_round(Action, Round, P)",
     ),
     (
-        "How well does each tool do, as a chart?",
+        "What is the mean performance of each tool, as a chart?",
         "findall(_T, tool_performance(_T, _, _, _), Tools),\n\
          findall(_P, tool_performance(_, _, _P, _), Ps),\n\
          data_vis(barchart(tools), [data: [Tools, Ps], title: 'Mean performance by tool'])",
     ),
     (
-        "Which strokes pressed too little?",
+        "Which strokes pressed with too little force?",
         "weak_stroke(Stroke, F)",
     ),
     (
@@ -43,7 +43,7 @@ pub const EXAMPLES: [(&str, &str); 10] = [
         "contact_loss_near_edge(Loss, D), show(Loss)",
     ),
     (
-        "Was the surface found elsewhere?",
+        "In which rounds was there a localisation error?",
         "relocalized(Round, Tilt, Offset)",
     ),
     (
@@ -52,7 +52,7 @@ pub const EXAMPLES: [(&str, &str); 10] = [
     ),
 ];
 
-/// All of it.
+/// Returns the whole vocabulary.
 pub fn vocabulary() -> Value {
     let ontology = Ontology::shipped();
     let terms = |wanted: fn(TermKind) -> bool| {

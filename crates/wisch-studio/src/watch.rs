@@ -1,4 +1,4 @@
-//! Notices when episodes or runs come and go.
+//! Detects changes of episodes and runs.
 
 use crate::library::Library;
 use crate::live::LiveFolder;
@@ -7,17 +7,17 @@ use std::sync::Arc;
 use std::time::Duration;
 use tokio::sync::watch;
 
-/// How often it is looked.
+/// Interval of checks.
 const LOOK_AGAIN: Duration = Duration::from_millis(700);
 
-/// Counts up with every change, while anybody listens.
+/// Counter that increases with every change, while there are listeners.
 pub fn changes(library: Arc<Library>, live: LiveFolder) -> watch::Receiver<u64> {
     let (sender, receiver) = watch::channel(0);
     tokio::spawn(async move {
         let mut before = None;
         loop {
             tokio::time::sleep(LOOK_AGAIN).await;
-            // One receiver is kept for those who come.
+            // One receiver is kept for new listeners.
             if sender.receiver_count() < 2 {
                 continue;
             }
@@ -34,7 +34,8 @@ pub fn changes(library: Arc<Library>, live: LiveFolder) -> watch::Receiver<u64> 
 
 fn fingerprint(library: &Library, live: &LiveFolder) -> u64 {
     let mut hasher = DefaultHasher::new();
-    // Episodes come and go by renaming folders in this one; to list 10^5 of them takes its time.
+    // Episodes appear and disappear by renames in this folder, so its time of change suffices; listing 10^5 of them
+    // would take long.
     let folder = std::fs::metadata(library.memory().folder());
     let changed = folder.and_then(|folder| folder.modified());
     changed.ok().hash(&mut hasher);

@@ -1,4 +1,4 @@
-//! What can be wrong with a bag.
+//! Errors of telemetry files.
 
 use super::quantity::QuantityError;
 use super::ros2::{MessageError, SchemaError};
@@ -7,64 +7,64 @@ use std::path::PathBuf;
 /// Why telemetry could not be written.
 #[derive(Debug, thiserror::Error)]
 pub enum WriteError {
-    /// The system refuses.
+    /// The operating system refuses an operation.
     #[error("{}: {error}", path.display())]
     File {
-        /// The file.
+        /// Path of the file.
         path: PathBuf,
-        /// What the system says.
+        /// Error of the operating system.
         error: std::io::Error,
     },
     /// The bag cannot be written.
     #[error("{}: {error}", path.display())]
     Mcap {
-        /// The file.
+        /// Path of the file.
         path: PathBuf,
-        /// What is wrong.
+        /// Error of the MCAP writer.
         error: mcap::McapError,
     },
-    /// A message cannot be laid out.
-    #[error("a message of {topic}: {error}")]
+    /// A message cannot be encoded.
+    #[error("a message of {topic} cannot be encoded: {error}")]
     Message {
-        /// The topic.
+        /// Its topic.
         topic: &'static str,
-        /// What is wrong.
+        /// Error of the CDR encoder.
         error: cdr::Error,
     },
-    /// A time that no log bears.
-    #[error("a sample's time of {time} s is not within 0 to {limit} s")]
+    /// A time is out of range.
+    #[error("a sample's time is {time} s; it must be within 0 to {limit} s")]
     Time {
         /// The time [s].
         time: f64,
         /// The limit [s].
         limit: f64,
     },
-    /// Samples out of order.
-    #[error("a sample's time of {time} s is not after that of the sample before, {last} s")]
+    /// A sample is not later than the previous one.
+    #[error("a sample's time is {time} s; it must be later than the previous sample's, {last} s")]
     Backwards {
         /// The time [s].
         time: f64,
-        /// That of the sample before [s].
+        /// Time of the previous sample [s].
         last: f64,
     },
-    /// A sample of another robot.
+    /// An array of a sample does not match the joints of the bag.
     #[error("a sample has {count} {what}, but the bag has {joints} joints")]
     Joints {
-        /// Which array.
+        /// Name of the array.
         what: &'static str,
-        /// How many values it has.
+        /// Number of values in the array.
         count: usize,
-        /// How many it should have.
+        /// Number of joints in the bag.
         joints: usize,
     },
-    /// A robot that the samples are not of.
+    /// The robot does not match the joints of the bag.
     #[error("robot {name:?} has {variables} variables, but the bag has {joints} joints")]
     Robot {
-        /// Its name.
+        /// Name of the robot.
         name: String,
-        /// How many variables it has.
+        /// Number of its variables.
         variables: usize,
-        /// How many it should have.
+        /// Number of joints in the bag.
         joints: usize,
     },
 }
@@ -73,251 +73,251 @@ pub enum WriteError {
 #[derive(Debug, thiserror::Error)]
 #[error("{file}: {fault}")]
 pub struct ReadError {
-    /// The file.
+    /// Path of the file.
     pub file: String,
-    /// What is wrong in it.
+    /// The fault in it.
     pub fault: ReadFault,
 }
 
-/// What can be wrong with a log.
+/// Fault of a log.
 #[derive(Debug, thiserror::Error)]
 pub enum ReadFault {
-    /// The system refuses.
+    /// The operating system refuses an operation.
     #[error("{0}")]
     System(std::io::Error),
-    /// An option that cannot be.
+    /// The value of an option is out of range.
     #[error("{option}: {value} is not {limit}")]
     Option {
-        /// As the command line calls it.
+        /// Name of the option on the command line.
         option: &'static str,
         /// Its value.
         value: f64,
-        /// What it has to be.
+        /// Allowed range.
         limit: &'static str,
     },
-    /// It is another kind of file.
+    /// The file is not an MCAP file.
     #[error(
-        "this is no bag: it begins with bytes {found}, and an MCAP file with 89 4d 43 41 50 30 0d 0a"
+        "this is not a bag: it begins with bytes {found}, but an MCAP file begins with 89 4d 43 41 50 30 0d 0a"
     )]
     NotABag {
         /// Its first bytes.
         found: String,
     },
-    /// It is a recording of another format, which other programs convert.
-    #[error("this is {kind}, and only MCAP files are read")]
+    /// The file is a recording in another format, which other programs convert to MCAP.
+    #[error("this is {kind}, but only MCAP files are read; convert it to MCAP first")]
     OtherRecording {
-        /// Which.
+        /// Format of the recording.
         kind: RecordingKind,
     },
-    /// It ends too early.
+    /// The bag ends in the middle of a record.
     #[error(
-        "the bag ends at byte {byte} in the middle of a record, as one that is being written does"
+        "the bag ends at byte {byte} in the middle of a record, like a bag that is still being written"
     )]
     Truncated {
-        /// Its length.
+        /// Length of the file [bytes].
         byte: u64,
     },
-    /// It is packed in a way that is not read.
+    /// A chunk has an unknown compression.
     #[error(
-        "byte {byte}: a chunk is compressed with {compression:?}, and only \"lz4\", \"zstd\" and none at all are read"
+        "byte {byte}: a chunk is compressed with {compression:?}, but only \"lz4\", \"zstd\" and no compression are read"
     )]
     Compression {
-        /// Where the record begins.
+        /// Position of the record.
         byte: u64,
-        /// How it is packed.
+        /// Name of the compression.
         compression: String,
     },
-    /// A record that is longer than any.
+    /// A record is too long.
     #[error("byte {byte}: a record of {len} bytes exceeds the limit of {limit} bytes")]
     RecordLength {
-        /// Where it begins.
+        /// Position of the record.
         byte: u64,
-        /// Its length, unpacked.
+        /// Its unpacked length [bytes].
         len: u64,
-        /// The limit.
+        /// The limit [bytes].
         limit: usize,
     },
     /// The container is damaged.
     #[error("byte {byte}: {error}")]
     Damaged {
-        /// Where the record begins.
+        /// Position of the record.
         byte: u64,
-        /// What is wrong.
+        /// Description of the damage.
         error: String,
     },
-    /// A topic's messages or schema are encoded in a way that is not read.
-    #[error("topic {topic}: its {what} encoding is {encoding:?}, and only {limit:?} is read")]
+    /// The encoding of a topic's messages or schema is not supported.
+    #[error("topic {topic}: its {what} encoding is {encoding:?}, but only {limit:?} is read")]
     Encoding {
-        /// The topic.
+        /// Name of the topic.
         topic: String,
-        /// message or schema.
+        /// "message" or "schema".
         what: &'static str,
         /// The encoding.
         encoding: String,
-        /// The one that is read.
+        /// The supported encoding.
         limit: &'static str,
     },
-    /// A topic's schema cannot be read.
+    /// The schema of a topic cannot be parsed.
     #[error("topic {topic}: {error}")]
     Schema {
-        /// The topic.
+        /// Name of the topic.
         topic: String,
-        /// What is wrong.
+        /// Error of the schema.
         error: SchemaError,
     },
-    /// A message cannot be taken apart.
+    /// A message cannot be decoded.
     #[error("topic {topic}, message {number}: {error}")]
     Message {
-        /// The topic.
+        /// Name of the topic.
         topic: String,
-        /// Counted from 1.
+        /// Number of the message, from 1.
         number: usize,
-        /// What is wrong.
+        /// Error of the message.
         error: MessageError,
     },
-    /// A message or line says what cannot be.
+    /// A message or line holds an invalid pose or force.
     #[error("{place}: {error}")]
     Quantity {
-        /// The message or line.
+        /// Name of the message or line.
         place: String,
-        /// What is wrong.
+        /// Error of the numbers.
         error: QuantityError,
     },
-    /// Time that goes back by more than messages come late.
+    /// A time is earlier than a previous one by more than the reorder window.
     #[error(
         "{place}: its time of {time} s is {} s before the latest one before it, {last} s; the limit is {limit} s",
         .last - .time
     )]
     Backwards {
-        /// The message or line.
+        /// Name of the message or line.
         place: String,
         /// Its time [s].
         time: f64,
-        /// The latest time before it [s].
+        /// Latest time before it [s].
         last: f64,
-        /// By how much it may come late [s].
+        /// The reorder window [s].
         limit: f64,
     },
-    /// What a camera saw cannot be read.
+    /// A camera observation is invalid.
     #[error("topic {topic}: {problem}")]
     Look {
-        /// The topic.
+        /// Name of the topic.
         topic: String,
-        /// What is wrong.
+        /// Description of the fault.
         problem: String,
     },
-    /// A topic or column that is not there.
+    /// An option names a topic, frame or column that does not exist.
     #[error("{0}")]
     Unknown(wisch::represent::UnknownName),
-    /// A topic without what was looked for.
+    /// A named topic does not hold the quantity.
     #[error("topic {topic} of type {kind}: there is no {what}{}", in_field(.field))]
     NotThere {
-        /// The topic.
+        /// Name of the topic.
         topic: String,
         /// Its type.
         kind: String,
-        /// The field that was named, or nothing.
+        /// The named field; empty for the whole message.
         field: String,
-        /// pose or wrench.
+        /// "pose" or "wrench".
         what: &'static str,
     },
-    /// Nothing that could be meant.
-    #[error("no topic holds a {what}; there are: {}{}", listed(.topics), and_unread(.unread))]
+    /// No topic holds the quantity.
+    #[error("no topic holds a {what}; the topics are: {}{}", listed(.topics), and_unread(.unread))]
     Nothing {
-        /// pose or wrench.
+        /// "pose" or "wrench".
         what: &'static str,
-        /// Every topic that is read with its type.
+        /// Every readable topic with its type.
         topics: Vec<String>,
-        /// Why each of the others is not read.
+        /// Every other topic, with the reason.
         unread: Vec<String>,
     },
-    /// A frame that is to be a tool's, but never moves.
-    #[error("frame {frame:?} never moves in {reference:?}, so nothing was wiped with it")]
+    /// The frame that is named as the tool's never moves.
+    #[error("frame {frame:?} never moves in {reference:?}; name the frame of a tool that moves")]
     StillFrame {
-        /// Its name.
+        /// Name of the frame.
         frame: String,
         /// The frame that it does not move in.
         reference: String,
     },
-    /// A message that is packed by itself, and cannot be unpacked.
-    #[error("topic {topic}: a packed message: {error}")]
+    /// A single packed message cannot be unpacked.
+    #[error("topic {topic}: a packed message cannot be unpacked: {error}")]
     PackedMessage {
-        /// The topic.
+        /// Name of the topic.
         topic: String,
-        /// What is wrong.
+        /// Error of the decompressor.
         error: String,
     },
-    /// A pipe or device, which may never end.
-    #[error("this is {kind}, and only files and folders are read")]
+    /// The path is a pipe or device, which may never end.
+    #[error("this is {kind}, but only files and folders are read")]
     NoFile {
-        /// What it is.
+        /// Kind of the path.
         kind: &'static str,
     },
-    /// More than one that could be meant.
-    #[error("{} topics hold a {what}, and one has to be chosen: {}", .topics.len(), listed(.topics))]
+    /// Several topics hold the quantity.
+    #[error("{} topics hold a {what}; choose one of: {}", .topics.len(), listed(.topics))]
     Several {
-        /// pose or wrench.
+        /// "pose" or "wrench".
         what: &'static str,
-        /// Their names.
+        /// Names of the topics.
         topics: Vec<String>,
     },
-    /// Transforms that are known at none of the log's times.
+    /// The transforms to the task's world are known at none of the log's times.
     #[error(
-        "at no time are the transforms known that lead to the task's world: they are told more than {limit} s apart"
+        "the transforms to the task's world are known at no time: their times are more than {limit} s apart"
     )]
     Transforms {
         /// The limit [s].
         limit: f64,
     },
-    /// Poses and forces of different times.
+    /// Poses and forces do not overlap in time.
     #[error(
-        "{pose} covers {:.3} to {:.3} s and {wrench} {:.3} to {:.3} s: at no time are there both, at most {limit} s apart",
+        "{pose} covers {:.3} to {:.3} s and {wrench} {:.3} to {:.3} s: they do not overlap within the limit of {limit} s",
         .pose_times[0], .pose_times[1], .wrench_times[0], .wrench_times[1]
     )]
     Apart {
-        /// Where the poses come from.
+        /// Source of the poses.
         pose: String,
-        /// Their first and last time [s].
+        /// First and last time of the poses [s].
         pose_times: [f64; 2],
-        /// Where the forces come from.
+        /// Source of the forces.
         wrench: String,
-        /// Their first and last time [s].
+        /// First and last time of the forces [s].
         wrench_times: [f64; 2],
-        /// The limit [s].
+        /// The largest gap that is interpolated [s].
         limit: f64,
     },
-    /// A table that is no text.
+    /// A table is not text.
     #[error("byte {byte}: the table is not UTF-8 text")]
     NotText {
-        /// The first byte that is none.
+        /// Position of the first invalid byte.
         byte: usize,
     },
-    /// A table that is longer than is read.
+    /// A table is too long.
     #[error("the table exceeds the limit of {limit} bytes")]
     TableLength {
-        /// The limit.
+        /// The limit [bytes].
         limit: u64,
     },
-    /// A table without any line of numbers.
+    /// A table has no line of numbers.
     #[error("the table has no line of numbers")]
     Empty,
-    /// A line with another number of values than there are names.
-    #[error("line {line}: it has {count} values, but there are {names} names")]
+    /// A line has more or fewer values than there are names.
+    #[error("line {line}: it has {count} values, but the table has {names} names")]
     ValueCount {
-        /// Counted from 1.
+        /// Number of the line, from 1.
         line: usize,
-        /// How many values it has.
+        /// Number of values.
         count: usize,
-        /// How many names there are.
+        /// Number of names.
         names: usize,
     },
-    /// A table without a column of times.
-    #[error("no column holds the time; there are: {}", listed(.columns))]
+    /// A table has no column of times.
+    #[error("no column holds the time; the columns are: {}", listed(.columns))]
     NoTime {
-        /// The names of all columns.
+        /// Names of all columns.
         columns: Vec<String>,
     },
-    /// Two columns that a name may mean.
+    /// Two columns match the same name.
     #[error(
         "two columns may be {name:?}: number {} {:?} and number {} {:?}",
         .columns[0].0, .columns[0].1, .columns[1].0, .columns[1].1
@@ -325,99 +325,99 @@ pub enum ReadFault {
     DuplicateColumn {
         /// The name.
         name: String,
-        /// Number, from 1, and name of each.
+        /// Number, from 1, and name of each column.
         columns: [(usize, String); 2],
     },
-    /// More columns than one that a quantity may stand in.
+    /// Several sets of columns match a quantity.
     #[error("{} sets of columns may be the {what}: {}", .columns.len(), .columns.join("; "))]
     SeveralColumns {
-        /// position, orientation or force.
+        /// "position", "orientation" or "force".
         what: &'static str,
-        /// The names of each set.
+        /// Names of each set.
         columns: Vec<String>,
     },
-    /// A table that its reader refuses.
+    /// The reader of text tables refuses the table.
     #[error("{0}")]
     Csv(String),
-    /// A table in a binary file that is damaged, or not of those that are read.
+    /// A binary table is damaged or unsupported.
     #[error("the {kind} file cannot be read: {error}")]
     Table {
-        /// What kind of file it is.
+        /// Format of the file.
         kind: &'static str,
-        /// What is wrong.
+        /// Description of the damage.
         error: String,
     },
-    /// A table in Arrow's format, and a build that does not read it.
-    #[error("it is a table in Arrow's format, which this build does not read")]
+    /// The table is in Arrow's format, and this build cannot read that.
+    #[error("the table is in Arrow's format, which this build does not read")]
     NoArrow,
-    /// A table with more rows than are read.
+    /// A table has too many rows.
     #[error("the table has {rows} rows, and the limit is {limit}")]
     TooManyRows {
-        /// How many it has, or at least has.
+        /// Number of rows, or a lower bound of it.
         rows: usize,
         /// The limit.
         limit: usize,
     },
-    /// What is too long when it is unpacked.
+    /// Unpacked data are too long.
     #[error("{what} is {len} bytes long when unpacked, and the limit is {limit} bytes")]
     Unpacked {
-        /// The column, array or batch of rows.
+        /// Name of the column, array or batch of rows.
         what: String,
-        /// Its length [bytes].
+        /// Unpacked length [bytes].
         len: u64,
         /// The limit [bytes].
         limit: u64,
     },
-    /// Columns of different lengths.
+    /// Columns have different lengths.
     #[error(
         "column {:?} has {} rows, but column {:?} has {}",
         .columns[0], .rows[0], .columns[1], .rows[1]
     )]
     Rows {
-        /// Their names.
+        /// Names of the two columns.
         columns: [String; 2],
-        /// How many rows each has.
+        /// Number of rows of each column.
         rows: [usize; 2],
     },
-    /// A column of what is no number, time or text.
-    #[error("column {column:?} holds {kind}, and only numbers, times and text are read")]
+    /// A column holds values other than numbers, times or text.
+    #[error("column {column:?} holds {kind}, but only numbers, times and text are read")]
     ColumnType {
-        /// Its name.
+        /// Name of the column.
         column: String,
-        /// What it holds.
+        /// Type of its values.
         kind: String,
     },
-    /// A table in which something is missing that may be in a column that is not read.
+    /// The missing column may be one whose type is not supported.
     #[error("{fault}; lists, records and objects are not read: {}", listed(.columns))]
     BesideUnread {
-        /// What is missing.
+        /// The fault: the missing column.
         fault: Box<ReadFault>,
-        /// The names of those columns.
+        /// Names of the unsupported columns.
         columns: Vec<String>,
     },
-    /// A time that no log bears.
-    #[error("{place}: a time of {time} s is not within {limit} s of 0")]
+    /// A time is out of range.
+    #[error("{place}: the time {time} s is not within {limit} s of 0")]
     Time {
-        /// The line or row.
+        /// Name of the line or row.
         place: String,
         /// The time [s].
         time: f64,
         /// The limit [s].
         limit: f64,
     },
-    /// A value that is no number.
-    #[error("{place}, column {column:?}: {text:?} is no number")]
+    /// A value is not a number.
+    #[error("{place}, column {column:?}: {text:?} is not a number")]
     NotANumber {
-        /// The line or row.
+        /// Name of the line or row.
         place: String,
-        /// The column.
+        /// Name of the column.
         column: String,
-        /// The value.
+        /// Text of the value.
         text: String,
     },
 }
 
-/// Recordings that are not read.
+/// Recording formats that are recognised but not read.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum RecordingKind {
     /// A bag of ROS 2 in a SQLite database (.db3).
@@ -435,7 +435,7 @@ impl std::fmt::Display for RecordingKind {
     }
 }
 
-/// How many topics a message lists.
+/// Largest number of topics in a message.
 const TOPICS_SHOWN: usize = 12;
 
 fn listed(topics: &[String]) -> String {
@@ -455,7 +455,7 @@ fn and_unread(unread: &[String]) -> String {
         [] => String::new(),
         _ => {
             let shown = unread[..unread.len().min(TOPICS_SHOWN)].join("; ");
-            format!(". What is not read: {shown}")
+            format!(". Not readable: {shown}")
         }
     }
 }

@@ -1,18 +1,18 @@
-//! Which frame is where in which other, by the transforms of a log and the fixed joints of a robot.
+//! Tree of frames, from the transforms of a log and the fixed joints of a robot.
 
 use super::quantity::Quantity;
 use super::ros2::NANOSECONDS_PER_SECOND;
 use std::collections::{BTreeMap, BTreeSet};
 use wisch::geometry::Pose;
 
-/// Frames and their parents.
+/// Tree of frames: each frame's pose in its parent, over time.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Frames {
-    /// By child.
+    /// Links to the parents, by child.
     links: BTreeMap<String, Link>,
 }
 
-/// A frame in its parent.
+/// A frame's poses in its parent.
 #[derive(Debug, Clone)]
 struct Link {
     parent: String,
@@ -21,20 +21,20 @@ struct Link {
     entries: Vec<(i64, Pose)>,
 }
 
-/// A way from one frame to another: up from the one, and up from the other, to a frame that both are in.
+/// A path between two frames: up from each of them to a common frame.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Chain<'a> {
     from: Vec<&'a Link>,
     to: Vec<&'a Link>,
 }
 
-/// A frame's name as tf compares them: older ones begin with a slash.
+/// Returns a frame's name as tf compares names: older names begin with a slash.
 fn plain(frame: &str) -> &str {
     frame.trim_start_matches('/')
 }
 
 impl Frames {
-    /// Takes a transform in: `child` in `parent` at a time [ns], or for good.
+    /// Adds the pose of `child` in `parent` at a time [ns], or for all times.
     pub fn insert(&mut self, parent: &str, child: &str, time: i64, pose: Pose, is_static: bool) {
         let link = (self.links)
             .entry(plain(child).to_owned())
@@ -43,15 +43,15 @@ impl Frames {
                 is_static,
                 entries: Vec::new(),
             });
-        // Of two parents the first one said holds; the tree of a log must stay one.
+        // If a frame gets two parents, the first one stays, so that the frames remain a tree.
         if link.parent == plain(parent) {
             link.is_static &= is_static;
             link.entries.push((time, pose));
         }
     }
 
-    /// Takes in all transforms of another tree, those that move later by some nanoseconds. Of a frame that both have
-    /// under different parents, the first one said holds.
+    /// Adds all transforms of another tree; those that move are shifted by `shift` [ns]. If a frame has different
+    /// parents in the two trees, its parent in this tree stays.
     pub fn absorb(&mut self, other: Self, shift: i64) {
         for (child, link) in other.links {
             for (time, pose) in link.entries {
@@ -65,20 +65,20 @@ impl Frames {
         }
     }
 
-    /// Puts everything into the order of time.
+    /// Sorts all transforms by time.
     pub fn sort(&mut self) {
         for link in self.links.values_mut() {
             link.entries.sort_by_key(|entry| entry.0);
         }
     }
 
-    /// Whether a frame is told of at all.
+    /// Whether the tree holds the frame.
     pub fn knows(&self, frame: &str) -> bool {
         let frame = plain(frame);
         self.links.contains_key(frame) || self.links.values().any(|link| link.parent == frame)
     }
 
-    /// All names.
+    /// Names of all frames.
     pub fn names(&self) -> BTreeSet<&str> {
         let pairs = self.links.iter();
         pairs
@@ -86,24 +86,24 @@ impl Frames {
             .collect()
     }
 
-    /// The frame that a child is in.
+    /// The parent of a frame, if it has one.
     pub fn parent(&self, child: &str) -> Option<&str> {
         (self.links.get(plain(child))).map(|link| link.parent.as_str())
     }
 
-    /// The frames above one, the nearest first.
+    /// The frames above a frame, the nearest first.
     pub fn ancestors<'a>(&'a self, frame: &'a str) -> impl Iterator<Item = &'a str> {
         self.above(plain(frame))
             .into_iter()
             .map(|(_, link)| link.parent.as_str())
     }
 
-    /// The outermost frame above one, or itself.
+    /// The outermost frame above a frame, or the frame itself.
     pub fn root_of<'a>(&'a self, frame: &'a str) -> &'a str {
         self.ancestors(frame).last().unwrap_or(plain(frame))
     }
 
-    /// The frames that move in their parents; where none does, those whose transforms are told again and again.
+    /// The frames that move in their parents; if none moves, those with repeated transforms.
     pub fn moving(&self) -> Vec<&str> {
         let told = self.links.iter().filter(|(_, link)| !link.is_static);
         let told: Vec<(&str, &Link)> = told.map(|(child, link)| (child.as_str(), link)).collect();
@@ -118,14 +118,14 @@ impl Frames {
         moving
     }
 
-    /// The frames above one that it never moves in, the outermost last; nothing where it moves or is in none.
+    /// The outermost frame above a frame in which it never moves; `None` if the frame moves or has no parent.
     pub fn rigid_root<'a>(&'a self, frame: &'a str) -> Option<&'a str> {
         let above = self.above(plain(frame));
         let rigid = above.iter().take_while(|(_, link)| link.is_static);
         rigid.last().map(|(_, link)| link.parent.as_str())
     }
 
-    /// The way from a frame to another, if there is one.
+    /// Returns the path between two frames, if they are connected.
     pub fn between<'a>(&'a self, to: &'a str, from: &'a str) -> Option<Chain<'a>> {
         let (to, from) = (plain(to), plain(from));
         let ([up, down], names) = ([from, to].map(|frame| self.above(frame)), [from, to]);
@@ -136,7 +136,7 @@ impl Frames {
             let found = chain.iter().position(|(_, link)| link.parent == name);
             found.map(|index| index + 1)
         };
-        // Up from the one until a frame that the other is in.
+        // The lowest common frame: go up from one frame until the other is below it.
         let candidates =
             std::iter::once(from).chain(up.iter().map(|(_, link)| link.parent.as_str()));
         for (steps, name) in candidates.enumerate() {
@@ -153,7 +153,7 @@ impl Frames {
         None
     }
 
-    /// The links above a frame, the nearest first; a circle ends where it closes.
+    /// Returns the links above a frame, the nearest first; a cycle ends where it closes.
     fn above<'a>(&'a self, frame: &'a str) -> Vec<(&'a str, &'a Link)> {
         let mut seen = BTreeSet::from([frame]);
         let mut chain = Vec::new();
@@ -170,12 +170,12 @@ impl Frames {
 }
 
 impl Chain<'_> {
-    /// How many transforms lie on the way.
+    /// Number of transforms on the path.
     pub fn len(&self) -> usize {
         self.from.len() + self.to.len()
     }
 
-    /// The times [ns] of the transform on the way that is told most often; none where nothing moves.
+    /// Times [ns] of the most frequent transform on the path; empty if nothing moves.
     pub fn busiest_times(&self) -> Vec<i64> {
         let moving = self
             .from
@@ -187,14 +187,15 @@ impl Chain<'_> {
         times.map(|entry| entry.0).collect()
     }
 
-    /// The one frame in the other at a time [ns]; `None` where a transform on the way is not known then: more than
-    /// `max_gap` [s] between its times.
+    /// Returns the pose of one frame in the other at a time [ns]. `None` if a transform on the path has a gap of more
+    /// than `max_gap` [s] around that time.
     pub fn at(&self, time: i64, max_gap: f64) -> Option<Pose> {
         let along = |links: &[&Link]| {
             links.iter().try_fold(Pose::identity(), |pose, link| {
                 Some(link.at(time, max_gap)? * pose)
             })
         };
+        // T(to, from) = T(common, to)⁻¹ T(common, from), where each factor is the product of the poses along its links.
         Some(along(&self.to)?.inverse() * along(&self.from)?)
     }
 }
@@ -210,6 +211,7 @@ impl Link {
         match (before, self.entries.get(after)) {
             (_, Some((end, pose))) if *end == time => Some(*pose),
             (Some((start, from)), Some((end, to))) => {
+                // Linear interpolation of the position, spherical of the rotation.
                 let share = time.abs_diff(*start) as f64 / end.abs_diff(*start) as f64;
                 near(*start, *end).then(|| from.between(to, share))
             }
@@ -257,7 +259,7 @@ mod tests {
         assert!(frames.between("world", "camera").is_none());
         assert_eq!(frames.rigid_root("sensor"), Some("flange"));
         assert_eq!(frames.rigid_root("flange"), None);
-        // Known at most a nanosecond before and after.
+        // The transform is known at most a nanosecond before and after.
         let chain = frames.between("world", "tool").unwrap();
         assert!(chain.at(21, 1e-9).is_some() && chain.at(22, 1e-9).is_none());
         assert!(chain.at(10, 1e-9).is_none(), "20 ns lie between its times");

@@ -1,24 +1,31 @@
-//! Telemetry files: ROS 2 bags (MCAP) that Foxglove, rosbag2 and Rerun open, written while a robot wipes; and
-//! logs of whatever robot, read as what the interpretation takes.
+//! Telemetry files: ROS 2 bags (MCAP) of an execution, and logs of other robots as input for the interpreter. Foxglove,
+//! rosbag2 and Rerun open the bags.
 //!
-//! [`BagWriter`] writes a bag sample by sample. [`read`] reads a bag, a folder with the parts of one, or a table
-//! (text with a line of names, Parquet, Arrow or npz), and [`LogOptions`] say how it is to be understood: which topics, in whose axes, in which
-//! units.
+//! [`BagWriter`] writes a bag sample by sample. [`read`] reads a bag, a folder with the parts of a bag, or a table:
+//! text with a line of names, Parquet, Arrow or npz. [`LogOptions`] state the topics, axes and units of a log.
 //!
-//! A bag that is written goes from `bag::writer` through `ros2::messages` (as CDR lays them out) and
-//! `ros2::definitions` (their schemas); what it shows beside what is measured is in `bag::links` (a robot's frames) and
-//! `bag::scene` (markers). One that is read goes through `bag::container` (records, packed or not),
-//! `bag::reader` (topics), `ros2::schema` and `ros2::walk` (messages of any type), `bag::locator` (where in them a
-//! pose or force stands), `track` (pairing in time), `frames` (transforms), `measured` (what a sensor
-//! shows besides) and `log` (frames, signs, units); a table joins at `track`.
+//! The writer is `bag::writer`. It uses `ros2::messages` (CDR layout) and `ros2::definitions` (schemas); `bag::links`
+//! (a robot's frames) and `bag::scene` (markers) add what a viewer shows.
+//!
+//! The reader of a bag goes through these modules, in this order:
+//! - `bag::container`: records, packed or not,
+//! - `bag::reader`: topics,
+//! - `ros2::schema` and `ros2::walk`: messages of any type,
+//! - `bag::locator`: the fields of a message that hold a pose or a force,
+//! - `track`: pairing of poses and forces in time,
+//! - `frames`: transforms,
+//! - `correction`: bias, scale and payload of a force sensor,
+//! - `log`: frames, signs and units.
+//!
+//! A table enters at `track`.
 
 mod bag;
-mod doubtful;
+mod correction;
 mod error;
 mod frames;
 mod log;
-mod measured;
 mod options;
+mod plausibility;
 mod quantity;
 mod ros2;
 mod table;

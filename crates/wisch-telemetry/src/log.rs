@@ -1,14 +1,14 @@
-//! Logs of a tool that wipes, from whatever wrote them, as what the interpretation takes.
+//! Logs of wiping tools from any writer, as input for the interpreter.
 
 use super::bag::{BagReader, FRAME_SURFACE, FRAME_WORLD, active_path};
-use super::doubtful::doubts;
+use super::correction::Correction;
 use super::error::{ReadError, ReadFault, RecordingKind};
 use super::frames::Chain;
-use super::measured::Correction;
 use super::options::{Axes, AxesChoice, LogOptions, WrenchSign};
+use super::plausibility::doubts;
 use super::quantity::QuantityError;
 use super::table;
-use super::track::{RawLog, paired, seconds};
+use super::track::{RawLog, pair, seconds};
 use nalgebra::UnitQuaternion;
 use std::fs::File;
 use std::io::{BufReader, ErrorKind, Read};
@@ -17,62 +17,63 @@ use wisch::geometry::{Pose, Vector3};
 use wisch::interpret::TouchSample;
 use wisch::represent::{Observation, UnknownName};
 
-/// How the axes of a force were found out.
+/// How the axes of a force were determined.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum AxesSource {
-    /// It was said which.
+    /// An option states them.
     Given,
-    /// The log says so.
+    /// The log states them.
     Logged,
-    /// Nothing says so.
+    /// Neither states them, so the reader assumes them.
     Assumed,
 }
 
-/// A log as the interpretation takes it.
+/// A log as input for the interpreter: poses and forces at common times.
 #[derive(Debug, Clone)]
 pub struct Log {
-    /// Where the tool was and what force it felt, in the task's world; time counts from `start`.
+    /// Tool poses and forces in the task's world; time counts from `start`.
     pub samples: Vec<TouchSample>,
-    /// The log's time when the samples' time is 0 [ns].
+    /// The log's time at which the samples' time is 0 [ns].
     pub start: i64,
-    /// Where the poses come from.
+    /// Source of the poses.
     pub pose_name: String,
-    /// Where the forces come from.
+    /// Source of the forces.
     pub wrench_name: String,
-    /// In whose axes the log gave the force.
+    /// Axes in which the log states the force.
     pub axes: Axes,
-    /// How that was found out.
+    /// How these axes were determined.
     pub axes_source: AxesSource,
-    /// What the log's transforms were used for, in words.
+    /// Remarks on how the log's transforms were used.
     pub frames_used: Vec<String>,
-    /// Name of the task that was executed: bags of our own say so.
+    /// Name of the executed task; bags written by [`crate::BagWriter`] state it.
     pub task: Option<String>,
-    /// Which round of its run it was, from 1: bags of our own say so.
+    /// Number of the executed round, from 1; bags written by [`crate::BagWriter`] state it.
     pub round: Option<usize>,
-    /// What a camera saw of the dirt before the first sample and after the last, in the frame of the believed surface.
+    /// Camera observations of the dirt before the first sample and after the last, in the frame of the believed
+    /// surface.
     pub observations: [Option<Observation>; 2],
-    /// Where the log has the target surface at its beginning: bags of our own say so.
+    /// Pose of the target surface at the beginning; bags written by [`crate::BagWriter`] state it.
     pub world_from_surface: Option<Pose>,
-    /// What was assumed or done to read the log, in words.
+    /// Remarks: what the reader assumed or did.
     pub remarks: Vec<String>,
-    /// From when to when nothing was recorded for longer than is interpolated [s].
+    /// Begin and end of gaps longer than the interpolation limit [s].
     pub gaps: Vec<[f64; 2]>,
-    /// Poses and forces that are none and were left out.
+    /// Invalid poses and forces that were dropped.
     pub skipped: Vec<Skipped>,
-    /// How many poses or forces were left out, as they bore the time of the one before.
+    /// Number of poses or forces dropped because their time equals the previous one.
     pub repeated: usize,
-    /// How many times of the more frequent one were left out, as the other was not known.
+    /// Number of samples of the more frequent track dropped because the other track is unknown there.
     pub unpaired: usize,
-    /// Whether the log ends where its writer was killed, or is still writing.
+    /// Whether the log is incomplete: its writer was killed or is still writing.
     pub is_unfinished: bool,
 }
 
-/// Poses or forces that were left out, as they are none.
+/// Invalid poses or forces that were dropped.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Skipped {
-    /// How many.
+    /// Their number.
     pub count: usize,
-    /// Where the first one stands, and what is wrong with it.
+    /// Place and fault of the first of them.
     pub first: String,
 }
 
@@ -85,11 +86,11 @@ impl Skipped {
     }
 }
 
-/// Reads a log: a bag, a folder with the parts of one, or a table. Where there is no such file but a bag of that
-/// name is being written, reads that.
+/// Reads a log: a bag, a folder with the parts of a bag, or a table. If the file does not exist but a bag of that name
+/// is being written, reads that bag.
 ///
 /// # Errors
-/// See [`ReadFault`].
+/// If the file cannot be read or its contents are ambiguous; see [`ReadFault`].
 pub fn read(path: &Path, options: &LogOptions) -> Result<Log, ReadError> {
     let active = active_path(path);
     let path = if !path.exists() && active.exists() {
@@ -102,7 +103,7 @@ pub fn read(path: &Path, options: &LogOptions) -> Result<Log, ReadError> {
         fault,
     };
     let correction = Correction::of(options).map_err(|fault| within(path, fault))?;
-    let parts = parts(path).map_err(|error| within(path, ReadFault::System(error)))?;
+    let parts = list_parts(path).map_err(|error| within(path, ReadFault::System(error)))?;
     for part in &parts {
         check_is_file(part).map_err(|fault| within(part, fault))?;
     }
@@ -114,18 +115,18 @@ pub fn read(path: &Path, options: &LogOptions) -> Result<Log, ReadError> {
     let raw = if is_bag(&parts[0]).map_err(|error| within(path, ReadFault::System(error)))? {
         let mut reader = BagReader::new(options);
         for part in &parts {
-            let read = opened(part).and_then(|source| reader.read(part, source));
+            let read = open_bag(part).and_then(|source| reader.read(part, source));
             read.map_err(|fault| within(part, fault))?;
         }
         reader.finish()
     } else {
         bytes(path).and_then(|bytes| table::read(&bytes, options))
     };
-    raw.and_then(|raw| understood(raw, correction, options))
+    raw.and_then(|raw| combine(raw, correction, options))
         .map_err(|fault| within(path, fault))
 }
 
-/// A pipe or device may never begin or end.
+/// Checks that the path is a file or folder: a pipe or device may never begin or end.
 fn check_is_file(path: &Path) -> Result<(), ReadFault> {
     let kind = std::fs::metadata(path)
         .map_err(ReadFault::System)?
@@ -151,8 +152,8 @@ fn check_is_file(path: &Path) -> Result<(), ReadFault> {
     Err(ReadFault::NoFile { kind })
 }
 
-/// The bytes of a bag, unpacked if the file as a whole is packed.
-fn opened(path: &Path) -> Result<Box<dyn Read>, ReadFault> {
+/// Opens a bag, unpacked if the whole file is packed.
+fn open_bag(path: &Path) -> Result<Box<dyn Read>, ReadFault> {
     let file = BufReader::new(File::open(path).map_err(ReadFault::System)?);
     if is_packed_bag(path) {
         return Ok(Box::new(
@@ -162,13 +163,13 @@ fn opened(path: &Path) -> Result<Box<dyn Read>, ReadFault> {
     Ok(Box::new(file))
 }
 
-/// Longest table that is read [bytes]: half an hour at 1 kHz.
+/// Largest size of a table [bytes]: half an hour at 1 kHz.
 const MAX_TABLE_LEN: u64 = 256 << 20;
 
 fn bytes(path: &Path) -> Result<Vec<u8>, ReadFault> {
     let file = File::open(path).map_err(ReadFault::System)?;
     let mut bytes = Vec::new();
-    // Pipes and devices do not tell their length: count what comes.
+    // Pipes and devices do not state their length, so the bytes are counted.
     file.take(MAX_TABLE_LEN + 1)
         .read_to_end(&mut bytes)
         .map_err(ReadFault::System)?;
@@ -180,8 +181,8 @@ fn bytes(path: &Path) -> Result<Vec<u8>, ReadFault> {
     Ok(bytes)
 }
 
-/// The file, or the bags in the folder, in the order in which they were recorded.
-fn parts(path: &Path) -> std::io::Result<Vec<PathBuf>> {
+/// Returns the file, or the bags in the folder in the order of their recording.
+fn list_parts(path: &Path) -> std::io::Result<Vec<PathBuf>> {
     if !path.is_dir() {
         return Ok(vec![path.to_path_buf()]);
     }
@@ -197,7 +198,7 @@ fn parts(path: &Path) -> std::io::Result<Vec<PathBuf>> {
     if parts.is_empty() {
         parts = others;
     }
-    // Recorders number the parts without zeros in front: bag_2 before bag_10.
+    // Recorders number the parts without leading zeros: bag_2 before bag_10.
     parts.sort_by_key(|path| (path.as_os_str().len(), path.clone()));
     if parts.is_empty() {
         return Err(std::io::Error::new(
@@ -213,13 +214,13 @@ fn has_bag_ending(path: &Path) -> bool {
     name.ends_with(".mcap") || name.ends_with(".mcap.active") || is_packed_bag(path)
 }
 
-/// Whether a bag is packed as a whole, as rosbag2 does in its compression mode of files.
+/// Whether a whole bag is packed, as rosbag2 does in its compression mode for files.
 fn is_packed_bag(path: &Path) -> bool {
     let name = path.as_os_str().to_string_lossy();
     name.ends_with(".mcap.zstd") || name.ends_with(".mcap.zst")
 }
 
-/// The kind of a recording that is not read but can be converted, by what it begins with.
+/// Returns the format of a recording that must be converted first, by its first bytes.
 fn other_recording(path: &Path) -> std::io::Result<Option<RecordingKind>> {
     let mut begin = Vec::new();
     let file = File::open(path)?;
@@ -233,11 +234,11 @@ fn other_recording(path: &Path) -> std::io::Result<Option<RecordingKind>> {
     })
 }
 
-/// What a SQLite database and a bag of ROS 1 begin with.
+/// First bytes of a SQLite database and of a bag of ROS 1.
 const SQLITE: &[u8] = b"SQLite format 3\0";
 const ROS1: &[u8] = b"#ROSBAG V";
 
-/// By its ending, or by what it begins with.
+/// Whether a file is a bag, by its ending or its first bytes.
 fn is_bag(path: &Path) -> std::io::Result<bool> {
     let mut begin = Vec::new();
     let file = File::open(path)?;
@@ -246,9 +247,9 @@ fn is_bag(path: &Path) -> std::io::Result<bool> {
     Ok(has_bag_ending(path) || begin == mcap::MAGIC)
 }
 
-/// Poses and forces together, in the task's world.
-fn understood(raw: RawLog, correction: Correction, options: &LogOptions) -> Result<Log, ReadFault> {
-    let pairs = paired(&raw.poses, &raw.wrenches, options.max_gap)?;
+/// Combines poses and forces in the task's world.
+fn combine(raw: RawLog, correction: Correction, options: &LogOptions) -> Result<Log, ReadFault> {
+    let pairs = pair(&raw.poses, &raw.wrenches, options.max_gap)?;
     let world = World::of(&raw, options)?;
     let sensor = Sensor::of(&raw, options)?;
     let start = raw.start.unwrap_or(pairs[0].0);
@@ -307,7 +308,10 @@ fn understood(raw: RawLog, correction: Correction, options: &LogOptions) -> Resu
         wrench_name: raw.wrenches.name.clone(),
         axes: sensor.axes,
         axes_source: sensor.source,
-        frames_used: [world.said, sensor.said].into_iter().flatten().collect(),
+        frames_used: [world.remark, sensor.remark]
+            .into_iter()
+            .flatten()
+            .collect(),
         world_from_surface: surface(&raw, start),
         task: raw.task.clone(),
         round: raw.round,
@@ -318,7 +322,7 @@ fn understood(raw: RawLog, correction: Correction, options: &LogOptions) -> Resu
     })
 }
 
-/// What leads from frame to frame.
+/// Names the source of the transforms, for remarks.
 fn transforms_in_words(raw: &RawLog) -> &'static str {
     if raw.joints.are_known() {
         "the log's transforms and the robot's joints"
@@ -327,11 +331,11 @@ fn transforms_in_words(raw: &RawLog) -> &'static str {
     }
 }
 
-/// Where the frame in which the poses are given is in the task's world.
+/// Pose of the log's reference frame in the task's world.
 struct World<'a> {
     chain: Option<Chain<'a>>,
-    /// How that was found out, if by transforms.
-    said: Option<String>,
+    /// Remark on how it was determined, if by transforms.
+    remark: Option<String>,
 }
 
 impl<'a> World<'a> {
@@ -347,11 +351,11 @@ impl<'a> World<'a> {
             None => raw.frames.between(world, frame),
         };
         let chain = chain.filter(|_| !frame.is_empty() && frame != world);
-        let said = chain.as_ref().map(|_| {
+        let remark = chain.as_ref().map(|_| {
             let by = transforms_in_words(raw);
-            format!("poses in {frame:?} are brought into {world:?} by {by}")
+            format!("poses in {frame:?} are transformed into {world:?} by {by}")
         });
-        Ok(Self { chain, said })
+        Ok(Self { chain, remark })
     }
 
     fn at(&self, time: i64, options: &LogOptions) -> Option<Pose> {
@@ -362,16 +366,16 @@ impl<'a> World<'a> {
     }
 }
 
-/// In whose axes the forces are given.
+/// Axes of the forces.
 struct Sensor<'a> {
     axes: Axes,
     source: AxesSource,
-    /// From the frame of the forces to that in which the poses are given, for [`Axes::Named`].
+    /// Path from the frame of the forces to that of the poses, for [`Axes::Named`].
     chain: Option<Chain<'a>>,
-    /// How the sensor is turned in the axes.
+    /// Rotation of the sensor in these axes.
     turned: UnitQuaternion<f64>,
-    /// How that was found out, if by transforms.
-    said: Option<String>,
+    /// Remark on how they were determined, if by transforms.
+    remark: Option<String>,
 }
 
 impl<'a> Sensor<'a> {
@@ -381,7 +385,7 @@ impl<'a> Sensor<'a> {
             source,
             chain: None,
             turned: UnitQuaternion::identity(),
-            said: None,
+            remark: None,
         };
         if let Some(turned) = options.logged_from_sensor {
             return Ok(Self {
@@ -404,7 +408,7 @@ impl<'a> Sensor<'a> {
         if frame == poses {
             return Ok(of(Axes::Log, AxesSource::Logged));
         }
-        // The frame whose pose is logged, and that of the forces in it.
+        // The frame whose pose is logged, and the frame of the forces.
         let logged = options.pose_frame.as_deref();
         let logged = logged.or((!raw.poses.child.is_empty()).then_some(raw.poses.child.as_str()));
         if let Some(name) = options.pose_frame.as_deref()
@@ -415,7 +419,7 @@ impl<'a> Sensor<'a> {
         }
         let rigid = |logged: &'a str| {
             let chain = raw.frames.between(logged, frame)?;
-            // At no time of the log's: a chain that does not move is known at all times.
+            // A chain that does not move is known at any time, even outside the log's.
             Some(chain.at(i64::MIN / 2, 0.0)?.rotation)
         };
         if let Some(logged) = logged
@@ -423,8 +427,8 @@ impl<'a> Sensor<'a> {
         {
             return Ok(Self {
                 turned,
-                said: Some(format!(
-                    "forces in {frame:?} are turned into {logged:?} by {by}"
+                remark: Some(format!(
+                    "forces in {frame:?} are rotated into {logged:?} by {by}"
                 )),
                 ..of(Axes::Tool, AxesSource::Logged)
             });
@@ -434,20 +438,20 @@ impl<'a> Sensor<'a> {
         {
             return Ok(Self {
                 chain: Some(chain),
-                said: Some(format!(
-                    "forces in {frame:?} are turned into {poses:?} by {by}"
+                remark: Some(format!(
+                    "forces in {frame:?} are rotated into {poses:?} by {by}"
                 )),
                 ..of(Axes::Named, AxesSource::Logged)
             });
         }
-        // Of a sensor that is bolted to something, that is most likely what the pose is of.
+        // The root of a sensor that is bolted to something is most likely the logged frame.
         if let Some(root) = raw.frames.rigid_root(frame)
             && let Some(turned) = rigid(root)
         {
             return Ok(Self {
                 turned,
-                said: Some(format!(
-                    "forces in {frame:?} are turned into {root:?}, which is taken for the frame whose pose is logged"
+                remark: Some(format!(
+                    "forces in {frame:?} are rotated into {root:?}, which is assumed to be the frame whose pose is logged"
                 )),
                 ..of(Axes::Tool, AxesSource::Assumed)
             });
@@ -456,23 +460,23 @@ impl<'a> Sensor<'a> {
     }
 }
 
-/// Where the log itself has the target surface, if it is one of our own.
+/// Pose of the target surface in a log that `BagWriter` wrote.
 fn surface(raw: &RawLog, time: i64) -> Option<Pose> {
     let chain = raw.frames.between(FRAME_WORLD, FRAME_SURFACE)?;
     chain.at(time, f64::INFINITY)
 }
 
-/// Between which times there is nothing for longer than a limit [s].
+/// Returns begin and end of gaps longer than `limit` [s].
 fn gaps(samples: &[TouchSample], limit: f64) -> Vec<[f64; 2]> {
     let times = samples.windows(2).map(|pair| [pair[0].time, pair[1].time]);
     let steps = times.clone().map(|[start, end]| end - start);
     let mut steps: Vec<f64> = steps.collect();
     steps.sort_unstable_by(f64::total_cmp);
     let usual = steps.get(steps.len() / 2).copied().unwrap_or(0.0);
-    // A slow log has no gap at each of its samples.
+    // For a slow log, the usual period between samples is not a gap.
     let least = limit.max(UNUSUAL * usual);
     times.filter(|[start, end]| end - start > least).collect()
 }
 
-/// From this many of a log's usual periods on, nothing is missing by chance [1].
+/// A gap is at least this multiple of the log's usual period [1].
 const UNUSUAL: f64 = 5.0;

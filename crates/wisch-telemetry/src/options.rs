@@ -1,19 +1,19 @@
-//! How a log is to be understood: its topics, frames, signs and units.
+//! Options for reading a log: its topics, frames, signs and units.
 
 use nalgebra::UnitQuaternion;
 use wisch::geometry::{Pose, Vector3};
 use wisch::robot::JointTransform;
 
-/// Which topic of a bag is meant.
+/// Choice of a bag's topic.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum TopicChoice {
-    /// The only one that holds what is looked for.
+    /// The only topic that holds the quantity.
     Sole,
-    /// A topic; after a colon, the field or child frame in its messages.
+    /// A named topic; after a colon, the field or child frame in its messages.
     Named(String),
 }
 
-/// In whose axes a force is given.
+/// Axes in which a force is stated.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Axes {
     /// The task's world.
@@ -24,15 +24,15 @@ pub enum Axes {
     Tool,
     /// The target surface.
     Surface,
-    /// The frame that the log names, which its transforms lead to.
+    /// The frame that the log names, and that its transforms connect to the poses.
     Named,
 }
 
 impl Axes {
-    /// All that can be given; a frame that the log names is found, not given.
+    /// All axes that an option can state; [`Self::Named`] is found in the log only.
     pub const ALL: [Self; 4] = [Self::World, Self::Log, Self::Tool, Self::Surface];
 
-    /// Its name.
+    /// Its name on the command line.
     pub const fn as_str(self) -> &'static str {
         match self {
             Self::World => "world",
@@ -44,47 +44,47 @@ impl Axes {
     }
 }
 
-/// How the axes of a force are found out.
+/// How the axes of a force are determined.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum AxesChoice {
-    /// As the log says; where it says nothing, those of the tool, as sensors at wrists measure.
+    /// As the log states; otherwise the axes of the tool, in which wrist sensors measure.
     AsLogged,
-    /// These.
+    /// The given axes.
     Given(Axes),
 }
 
-/// Who does the force to whom.
+/// Sign convention of a force.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum WrenchSign {
-    /// The surroundings to the tool.
+    /// The force of the surroundings on the tool.
     OnTool,
-    /// The tool to the surroundings.
+    /// The force of the tool on the surroundings.
     ByTool,
 }
 
-/// What hangs behind a force sensor: the tool and what holds it.
+/// Payload behind a force sensor: the tool and its holder.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Payload {
     /// Its mass [kg].
     pub mass: f64,
-    /// Its centre of mass in the frame whose pose the log gives [m]. It matters to torques alone.
+    /// Centre of mass in the frame whose pose the log states [m]. It affects torques only.
     pub centre: Vector3,
 }
 
-/// Which time of a bag's messages counts.
+/// Source of the times of a bag's messages.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Clock {
-    /// The stamps of their headers; the time of recording where they have none.
+    /// The stamps in message headers; the time of recording for messages without a stamp.
     Header,
-    /// The time at which they were recorded.
+    /// The time of recording.
     Log,
 }
 
 impl Clock {
-    /// All of them.
+    /// All clocks.
     pub const ALL: [Self; 2] = [Self::Header, Self::Log];
 
-    /// Its name.
+    /// Its name on the command line.
     pub const fn as_str(self) -> &'static str {
         match self {
             Self::Header => "header",
@@ -93,12 +93,12 @@ impl Clock {
     }
 }
 
-/// The numbers by which a table states an orientation.
+/// Numbers by which a table states an orientation.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum OrientationForm {
     /// Quaternion qx, qy, qz, qw.
     Quaternion,
-    /// Rotation vector rx, ry, rz [rad]: the axis, as long as the angle.
+    /// Rotation vector rx, ry, rz [rad]: the axis, with the angle as its length.
     RotationVector,
     /// Angles roll, pitch, yaw about the fixed axes x, y, z, in this order [rad].
     RollPitchYaw,
@@ -109,7 +109,7 @@ pub enum OrientationForm {
 }
 
 impl OrientationForm {
-    /// All of them.
+    /// All forms.
     pub const ALL: [Self; 5] = [
         Self::Quaternion,
         Self::RotationVector,
@@ -118,7 +118,7 @@ impl OrientationForm {
         Self::Matrix,
     ];
 
-    /// Its name.
+    /// Its name on the command line.
     pub const fn as_str(self) -> &'static str {
         match self {
             Self::Quaternion => "quaternion",
@@ -130,62 +130,61 @@ impl OrientationForm {
     }
 }
 
-/// How a log is to be understood.
+/// Options for reading a log.
 #[derive(Debug, Clone, PartialEq)]
 pub struct LogOptions {
-    /// Where the pose stands in a bag.
+    /// Topic of the poses in a bag.
     pub pose_topic: TopicChoice,
-    /// Where the force stands in a bag.
+    /// Topic of the forces in a bag.
     pub wrench_topic: TopicChoice,
-    /// What the columns of a table are called that are not called as we do: our name, and the table's.
+    /// Names of a table's columns that differ from this crate's names: this crate's name, and the table's.
     pub columns: Vec<(String, String)>,
-    /// In whose axes the force is given.
+    /// Axes in which the force is stated.
     pub axes: AxesChoice,
-    /// Who does it to whom; `None` as the names of a table's columns say, or the surroundings to the tool.
+    /// Sign convention of the force. `None`: as the names of a table's columns imply, else the force on the tool.
     pub sign: Option<WrenchSign>,
-    /// What the sensor shows without any force, in the axes, with the sign and before all else that is done to the force
-    /// [N].
+    /// Reading of the sensor without any force, in its own axes and sign, before every other correction [N].
     pub force_bias: Option<Vector3>,
     /// Factor on the measured force without its bias [1].
     pub force_scale: Option<f64>,
-    /// What the sensor weighs along with the force; gravity is along the world's −z. `None` takes nothing off.
+    /// Payload that the sensor carries; gravity is along the world's −z. `None`: no correction.
     pub payload: Option<Payload>,
-    /// The numbers by which a table states orientations; `None` as the names of its columns say.
+    /// Numbers by which a table states orientations. `None`: as the names of its columns imply.
     pub orientation: Option<OrientationForm>,
-    /// Which time of a bag's messages counts.
+    /// Source of the times of a bag's messages.
     pub clock: Clock,
-    /// By how much a message or line may come late and still be put into the order of time [s].
+    /// Largest delay with which a message or line is still sorted in [s].
     pub reorder_window: f64,
-    /// Samples per second of a table without times [Hz]; it stands for its column of times.
+    /// Sample rate of a table [Hz], which replaces its column of times.
     pub rate: Option<f64>,
-    /// The log's unit of force [N]; `None` as a table's units say, or 1.
+    /// Unit of force in the log [N]. `None`: as a table states its units, else 1.
     pub force_unit: Option<f64>,
-    /// The log's unit of length [m]; `None` as a table's units say, or 1.
+    /// Unit of length in the log [m]. `None`: as a table states its units, else 1.
     pub length_unit: Option<f64>,
-    /// A table's unit of time [s]; `None` as its units or the size of its times say.
+    /// Unit of time in a table [s]. `None`: as it states its units, or as the size of its times implies.
     pub time_unit: Option<f64>,
-    /// The tool, its tool centre point at the origin, in the frame whose pose the log gives.
+    /// Pose of the tool, with its tool centre point as origin, in the frame whose pose the log states.
     pub logged_from_tool: Pose,
-    /// How the axes of a force sensor are turned in the frame whose pose the log gives; it stands for the transforms.
+    /// Rotation of a force sensor in the frame whose pose the log states; it takes precedence over transforms.
     pub logged_from_sensor: Option<UnitQuaternion<f64>>,
-    /// Name of the frame whose pose the log gives, where the log does not say it.
+    /// Name of the frame whose pose the log states, if the log does not name it.
     pub pose_frame: Option<String>,
-    /// The frame in which the log gives its poses, in the task's world; `None` as the log's transforms say, else the
-    /// world itself.
+    /// Pose of the log's reference frame in the task's world. `None`: as the log's transforms state, else the world
+    /// itself.
     pub world_from_log: Option<Pose>,
-    /// The frame of the log's transforms that is the task's world.
+    /// Frame of the log's transforms that is the task's world.
     pub world_frame: String,
-    /// The robot's joints: where they are fixed, or the log tells their positions, they lead from frame to frame beside
-    /// the log's transforms.
+    /// Joints of the robot. Fixed joints, and joints whose positions the log states, connect frames beside the log's
+    /// transforms.
     pub joints: Vec<JointTransform>,
-    /// The target surface, for forces in its axes.
+    /// Pose of the target surface, for forces in its axes.
     pub world_from_surface: Pose,
-    /// Between which times the rarer of pose and force may be interpolated [s].
+    /// Largest gap over which the rarer of pose and force is interpolated [s].
     pub max_gap: f64,
 }
 
 impl Default for LogOptions {
-    /// A log in SI units and in the task's world that says what it holds.
+    /// Options for a self-describing log in SI units and in the task's world.
     fn default() -> Self {
         Self {
             pose_topic: TopicChoice::Sole,

@@ -1,62 +1,63 @@
-//! What is read from a log: poses and forces.
+//! Quantities of a log: poses and forces.
 
 use nalgebra::{Quaternion, UnitQuaternion};
 use wisch::geometry::{Pose, Vector3};
 
-/// How far the length of a quaternion may be from 1 before it is no rotation: logs round to some digits.
+/// Largest deviation of a quaternion's norm from 1 [1]: logs round to a few digits.
 const QUATERNION_TOLERANCE: f64 = 0.01;
 
-/// Below this sine of half the angle between them, two rotations are as good as one [1].
+/// Sine of half the angle between two rotations below which they count as equal [1].
 const SLERP_EPSILON: f64 = 1e-9;
 
-/// Numbers that are no pose or no force.
+/// Why numbers are not a pose or a force.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum QuantityError {
-    /// A number that is none.
+    /// A number is not finite.
     #[error("{name} is {value}, which is not finite")]
     NotFinite {
-        /// What it stands for.
+        /// Name of the number.
         name: &'static str,
-        /// The number.
+        /// Its value.
         value: f64,
     },
-    /// A number that is not there.
+    /// A number is missing.
     #[error("{name} is missing")]
     Missing {
-        /// What it stands for.
+        /// Name of the number.
         name: &'static str,
     },
-    /// A matrix that is no rotation.
+    /// A matrix is not a rotation.
     #[error(
-        "the matrix is no rotation: its columns miss being orthonormal by {deviation}, or mirror"
+        "the matrix is not a rotation: its columns deviate from orthonormal by {deviation}, or it mirrors"
     )]
     Matrix {
-        /// By how much.
+        /// Largest deviation of its columns from orthonormal [1].
         deviation: f64,
     },
-    /// A quaternion that is no rotation.
+    /// A quaternion is not a rotation.
     #[error(
         "the quaternion has a length of {norm}, which is not within {QUATERNION_TOLERANCE} of 1"
     )]
     Quaternion {
-        /// Its length.
+        /// Its norm [1].
         norm: f64,
     },
 }
 
-/// A pose or a force: what a log says at an instant.
+/// A quantity that a log states at an instant: a pose or a force.
 pub(crate) trait Quantity: Sized + Copy + PartialEq {
-    /// What it is called in messages to the user.
+    /// Name of the quantity in messages to the user.
     const NAME: &'static str;
-    /// The numbers that it is made of, in order.
+    /// Names of its numbers, in order.
     const NUMBERS: &'static [&'static str];
-    /// Where these numbers stand in a ROS message: the path of a message and their paths in it, most likely first.
+    /// Where the numbers stand in a ROS message: the path of a message and the paths of the numbers in it, the
+    /// likeliest first.
     const PLACES: &'static [(&'static str, &'static [&'static str])];
 
-    /// The quantity, from as many numbers as it has names.
+    /// Returns the quantity of the given numbers, which must be as many as [`Self::NUMBERS`].
     fn from_numbers(numbers: &[f64]) -> Result<Self, QuantityError>;
 
-    /// Between this (share 0) and another (share 1).
+    /// Interpolates from this quantity (`share` 0) to `other` (`share` 1).
     fn between(&self, other: &Self, share: f64) -> Self;
 }
 
@@ -84,7 +85,7 @@ impl Quantity for Pose {
     }
 
     fn between(&self, other: &Self, share: f64) -> Self {
-        // Half a turn apart there is no way to prefer.
+        // For rotations half a turn apart, no direction of interpolation is shorter.
         self.try_lerp_slerp(other, share, SLERP_EPSILON)
             .unwrap_or(if share < 0.5 { *self } else { *other })
     }

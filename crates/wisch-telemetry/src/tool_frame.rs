@@ -1,4 +1,4 @@
-//! Poses of a tool from a chain of transforms: which frame is the tool's, and where it was.
+//! Poses of a tool from a chain of transforms: which frame is the tool's, and its pose over time.
 
 use super::error::ReadFault;
 use super::frames::Frames;
@@ -7,7 +7,7 @@ use super::track::Track;
 use wisch::geometry::Pose;
 use wisch::represent::UnknownName;
 
-/// What the frame of a tool is called among those below the last moving one, the likeliest first.
+/// Likely names of the tool's frame below the last moving frame, the likeliest first.
 const TOOL_NAMES: [&str; 9] = [
     "tcp",
     "tool_center_point",
@@ -21,12 +21,14 @@ const TOOL_NAMES: [&str; 9] = [
 ];
 
 impl Frames {
-    /// The poses of a frame over time, in the task's world where the transforms lead there, else in the outermost frame.
-    /// Without a name, the frame is the end of the only chain that moves. `topic` names where the transforms come from.
-    /// Nothing where no transform is known.
+    /// Returns the poses of a frame over time, in the task's world if transforms lead there, else in the outermost
+    /// frame.
+    ///
+    /// Without a name, the frame is the end of the only moving chain. `topic` names the source of the transforms.
+    /// Returns `None` without transforms.
     ///
     /// # Errors
-    /// A frame that is unknown or that never moves, and several chains that move.
+    /// If the frame is unknown or never moves, or if several chains move.
     pub fn tool_track(
         &self,
         named: Option<&str>,
@@ -74,12 +76,12 @@ impl Frames {
         }
         if stated.is_none() {
             remarks.push(format!(
-                "the pose is that of {frame:?}, the end of the only chain of frames that moves; --pose-topic {topic}:FRAME states another"
+                "the pose is that of {frame:?}, the end of the only moving chain of frames; --pose-topic {topic}:FRAME selects another frame"
             ));
         }
         if chain.as_ref().is_some_and(|chain| chain.len() > 1) {
             remarks.push(format!(
-                "{frame:?} is followed in {reference:?} by a chain of frames"
+                "the pose of {frame:?} in {reference:?} comes from a chain of transforms"
             ));
         }
         let mut track = Track::new(format!("{topic}:{frame}"), options.reorder_window);
@@ -96,8 +98,8 @@ impl Frames {
         Ok(Some(track.finish()?))
     }
 
-    /// The frame at the end of each chain of frames that moves: the one that is called like a tool's among those below its
-    /// last moving frame, or that frame itself.
+    /// Returns the frame at the end of each moving chain: the frame with a tool's name below its last moving frame, or
+    /// else that moving frame.
     fn ends_of_motion(&self) -> Vec<String> {
         let moving = self.moving();
         let is_above = |frame: &str, other: &str| self.ancestors(other).any(|above| above == frame);

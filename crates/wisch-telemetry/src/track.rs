@@ -1,4 +1,4 @@
-//! Poses or forces over time, and the two of them together.
+//! Poses or forces over time, and how they are paired.
 
 use super::error::ReadFault;
 use super::frames::Frames;
@@ -10,63 +10,63 @@ use wisch::geometry::{Pose, Vector3};
 use wisch::represent::Observation;
 use wisch::robot::{JointMotion, JointTransform};
 
-/// What a log says of one quantity, in the order of time.
+/// Values of one quantity in a log, by time.
 #[derive(Debug, Clone)]
 pub(crate) struct Track<Q> {
-    /// Where it comes from, as messages call it.
+    /// Source of the values, as messages call it.
     pub name: String,
-    /// The frame that it is said to be in; empty where nothing is said.
+    /// Frame in which the values are stated; empty if the log names none.
     pub frame: String,
-    /// The frame whose pose it is; empty where nothing is said.
+    /// Frame whose pose the values are; empty if the log names none.
     pub child: String,
-    /// Times [ns] and values; in the order of time, each later than the one before, once the track is finished.
+    /// Times [ns] and values; once the track is finished, each time is later than the previous one.
     pub entries: Vec<(i64, Q)>,
-    /// By how much an entry may come late [ns].
+    /// Largest delay of an entry that is still sorted in [ns].
     window: i64,
-    /// The latest time of the current part, which is a file [ns].
+    /// Latest time in the current part, which is a file [ns].
     latest: Option<i64>,
-    /// How many entries came after a later one of their part, and by how much at most [ns].
+    /// Number of entries that came after a later one of their part, and their largest delay [ns].
     late: (usize, i64),
-    /// How many entries were left out, as they bore the time of the one before.
+    /// Number of entries dropped because their time equals the previous one.
     pub repeated: usize,
-    /// How many entries were left out, as they are no such quantity.
+    /// Number of entries dropped because their numbers are not valid.
     pub skipped: usize,
-    /// The first of these.
+    /// Place and fault of the first of these.
     pub first_skipped: Option<(String, QuantityError)>,
 }
 
-/// What a file says, before it is understood.
+/// Raw contents of a log, before frames, signs and units are resolved.
 pub(crate) struct RawLog {
     pub poses: Track<Pose>,
     pub wrenches: Track<Vector3>,
     pub axes: Option<String>,
     pub start: Option<i64>,
     pub unfinished: bool,
-    /// Which frame is where in which other.
+    /// Transforms between frames.
     pub frames: Frames,
-    /// Where the robot's joints were.
+    /// Positions of the robot's joints.
     pub joints: JointPositions,
-    /// The name of the task that was executed, where the writer says it.
+    /// Name of the executed task, if the writer states it.
     pub task: Option<String>,
-    /// Which round of its run was executed, where the writer says it.
+    /// Number of the executed round, if the writer states it.
     pub round: Option<usize>,
-    /// What was seen of the dirt before and after.
+    /// Camera observations of the dirt before and after the round.
     pub looks: [Option<Observation>; 2],
-    /// Who does the forces to whom, where the log says it.
+    /// Sign convention of the forces, if the log states it.
     pub sign: Option<WrenchSign>,
-    /// What was assumed or done to read the log, in words.
+    /// Remarks: what the reader assumed or did.
     pub remarks: Vec<String>,
 }
 
-/// Where joints were, by name.
+/// Positions of joints over time, by name.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct JointPositions {
-    /// Times [ns] and positions [rad or m] of those that are looked for.
+    /// Times [ns] and positions [rad or m] of the requested joints.
     entries: BTreeMap<String, Vec<(i64, f64)>>,
 }
 
 impl JointPositions {
-    /// Nothing yet, of what says where the links of moving joints are.
+    /// Creates an empty record for the moving joints among `joints`, and for the joints that they follow.
     pub fn of(joints: &[JointTransform]) -> Self {
         let moving = (joints.iter()).filter(|joint| joint.motion != JointMotion::Fixed);
         let names = moving.flat_map(|joint| {
@@ -78,32 +78,32 @@ impl JointPositions {
         }
     }
 
-    /// Whether none is looked for.
+    /// Whether no joint is requested.
     pub fn is_empty(&self) -> bool {
         self.entries.is_empty()
     }
 
-    /// Whether the log tells the position of any.
+    /// Whether the log holds a position of any requested joint.
     pub fn are_known(&self) -> bool {
         self.entries.values().any(|entries| !entries.is_empty())
     }
 
-    /// Takes a position in, if it is looked for.
+    /// Adds a position [rad or m] at a time [ns], if the joint is requested.
     pub fn push(&mut self, name: &str, time: i64, position: f64) {
         if let Some(entries) = self.entries.get_mut(name) {
             entries.push((time, position));
         }
     }
 
-    /// Moves everything by some nanoseconds.
+    /// Shifts all times by `shift` [ns].
     pub fn shift(&mut self, shift: i64) {
         for (time, _) in self.entries.values_mut().flatten() {
             *time = time.saturating_add(shift);
         }
     }
 
-    /// Puts everything into the order of time, and takes a robot's joints into the transforms: those that are fixed, and
-    /// those whose positions are known. What the log itself says of a frame holds.
+    /// Sorts all positions by time, and adds transforms of the robot's fixed joints, and of those with known positions,
+    /// to `frames`. Transforms from the log itself take precedence.
     pub fn add_to(&mut self, frames: &mut Frames, joints: &[JointTransform]) {
         for entries in self.entries.values_mut() {
             entries.sort_by_key(|entry| entry.0);
@@ -122,7 +122,8 @@ impl JointPositions {
         }
     }
 
-    /// Times [ns] and positions [rad or m] of a joint: its own, or by those that it follows at the times of all of them.
+    /// Returns times [ns] and positions [rad or m] of a joint: its own, or computed from the joints that it follows at
+    /// their common times.
     fn of_joint(&self, joint: &JointTransform) -> Vec<(i64, f64)> {
         let own = self.entries.get(&joint.joint).filter(|own| !own.is_empty());
         let Some(mimic) = joint.mimic.as_ref().filter(|_| own.is_none()) else {
@@ -152,7 +153,7 @@ impl JointPositions {
 }
 
 impl<Q: Quantity> Track<Q> {
-    /// Nothing yet; `window` bounds by how much an entry may come late [s].
+    /// Creates an empty track; `window` is the largest delay of an entry that is still sorted in [s].
     pub fn new(name: String, window: f64) -> Self {
         Self {
             name,
@@ -168,15 +169,15 @@ impl<Q: Quantity> Track<Q> {
         }
     }
 
-    /// Begins another part of the log, whose times may overlap with those of the parts before.
+    /// Begins the next part of the log, whose times may overlap with those of earlier parts.
     pub fn begin_part(&mut self) {
         self.latest = None;
     }
 
-    /// Adds what the log says next; `place` tells where it says so. What is no such quantity is left out and counted.
+    /// Adds an entry; `place` names where the log states it. Invalid numbers are dropped and counted.
     ///
     /// # Errors
-    /// A time that is before the latest one of the part by more than the window.
+    /// If the time is earlier than the latest one of the part by more than the window.
     pub fn push(
         &mut self,
         time: i64,
@@ -209,10 +210,10 @@ impl<Q: Quantity> Track<Q> {
         Ok(())
     }
 
-    /// The same track in the order of time, if there is anything in it. Of entries with the same time the first is kept.
+    /// Returns the track sorted by time, or empty. Of entries with the same time, the first is kept.
     ///
     /// # Errors
-    /// What the first entry is instead, if none is such a quantity.
+    /// The fault of the first entry, if no entry is valid.
     pub fn finish(mut self) -> Result<Self, ReadFault> {
         match self.first_skipped {
             Some((place, error)) if self.entries.is_empty() => {
@@ -229,7 +230,7 @@ impl<Q: Quantity> Track<Q> {
         Ok(self)
     }
 
-    /// That entries were put into the order of time, in words.
+    /// Returns a remark about late entries that were sorted in, if there were any.
     pub fn reordering(&self) -> Option<String> {
         let (count, lateness) = self.late;
         let (verb, limit) = (
@@ -238,30 +239,31 @@ impl<Q: Quantity> Track<Q> {
         );
         (count > 0).then(|| {
             format!(
-                "{count} of {} came up to {:.3} s late and {verb} put into the order of time (limit {limit} s)",
+                "{count} of {} came up to {:.3} s late and {verb} sorted by time (limit {limit} s)",
                 self.name,
                 seconds(lateness)
             )
         })
     }
 
-    /// First and last time [s]; 0 where there is none.
+    /// First and last time [s]; 0 for an empty track.
     fn times(&self) -> [f64; 2] {
         [self.entries.first(), self.entries.last()]
             .map(|entry| entry.map_or(0.0, |&(time, _)| seconds(time)))
     }
 }
 
-/// Seconds of nanoseconds.
+/// Converts nanoseconds to seconds.
 pub(crate) fn seconds(time: i64) -> f64 {
     time as f64 / NANOSECONDS_PER_SECOND as f64
 }
 
-/// Both quantities at the times of the one that is told more often, the other in between two of its own times.
+/// Pairs poses and forces at the times of the more frequent one, with the other interpolated linearly in time.
 ///
 /// # Errors
+/// If both are known at no time.
 /// No time at which both are known.
-pub(crate) fn paired<P: Quantity, W: Quantity>(
+pub(crate) fn pair<P: Quantity, W: Quantity>(
     poses: &Track<P>,
     wrenches: &Track<W>,
     max_gap: f64,
@@ -285,7 +287,7 @@ pub(crate) fn paired<P: Quantity, W: Quantity>(
     Ok(pairs)
 }
 
-/// The entries of one track with the other's value at their times, where that is known.
+/// Returns the entries of one track with the other's interpolated value, where that is known.
 fn at_times_of<A: Quantity, B: Quantity>(
     frequent: &[(i64, A)],
     rare: &[(i64, B)],
@@ -302,6 +304,7 @@ fn at_times_of<A: Quantity, B: Quantity>(
         }
         let (start, at_start) = rare.get(after.checked_sub(1)?)?;
         let gap = end.abs_diff(*start) as f64;
+        // Share of the interval [start, end] at `time`, for the interpolation between both values.
         let share = time.abs_diff(*start) as f64 / gap;
         let is_near = gap / NANOSECONDS_PER_SECOND as f64 <= max_gap;
         is_near.then(|| (time, value, at_start.between(at_end, share)))
@@ -339,7 +342,7 @@ mod tests {
 
     #[test]
     fn a_gap_in_the_rarer_one_leaves_a_gap() {
-        let pairs = paired(&poses(0..=10), &forces([0, 4, 9]), 4.5e-9).unwrap();
+        let pairs = pair(&poses(0..=10), &forces([0, 4, 9]), 4.5e-9).unwrap();
         let times: Vec<i64> = pairs.iter().map(|(time, ..)| *time).collect();
         assert_eq!(times, [0, 1, 2, 3, 4, 9], "between 4 and 9 lies too much");
     }
@@ -347,12 +350,12 @@ mod tests {
     #[test]
     fn what_is_never_there_at_the_same_time_is_refused_with_both_times() {
         let second = NANOSECONDS_PER_SECOND as i64;
-        let refused = paired(&poses([0, second]), &forces([2 * second, 3 * second]), 0.1);
+        let refused = pair(&poses([0, second]), &forces([2 * second, 3 * second]), 0.1);
         assert_eq!(
             refused.unwrap_err().to_string(),
-            "/pose covers 0.000 to 1.000 s and /force 2.000 to 3.000 s: at no time are there both, at most 0.1 s apart"
+            "/pose covers 0.000 to 1.000 s and /force 2.000 to 3.000 s: they do not overlap within the limit of 0.1 s"
         );
-        assert!(paired(&poses([]), &forces([]), 0.1).is_err());
+        assert!(pair(&poses([]), &forces([]), 0.1).is_err());
     }
 
     #[test]
@@ -371,7 +374,7 @@ mod tests {
             back.starts_with("message 4: its time of -1 s is 1.000000009 s before"),
             "{back}"
         );
-        // Another file may begin before the end of the one before.
+        // Another file may begin before the end of the previous file.
         track.begin_part();
         push(&mut track, -second).unwrap();
         let track = track.finish().unwrap();
@@ -379,16 +382,16 @@ mod tests {
         assert_eq!((times, track.repeated), (vec![-second, 5, 7, 9], 1));
         assert_eq!(
             track.reordering().unwrap(),
-            "1 of /force came up to 0.000 s late and was put into the order of time (limit 1 s)"
+            "1 of /force came up to 0.000 s late and was sorted by time (limit 1 s)"
         );
     }
 
     proptest! {
-        /// What is linear in time is met exactly, whichever of the two is told more often.
+        /// Linear motion is interpolated exactly, with either track as the more frequent one.
         #[test]
         fn linear_motion_is_kept(times in prop::collection::btree_set(0_i64..1000, 2..40), step in 1_i64..50) {
             let regular = (0..=1000 / step).map(|k| k * step);
-            let pairs = paired(&poses(times), &forces(regular), 1.0);
+            let pairs = pair(&poses(times), &forces(regular), 1.0);
             for (time, pose, force) in pairs.into_iter().flatten() {
                 prop_assert!((pose.translation.x - time as f64).abs() < 1e-9);
                 prop_assert!((force.x - time as f64).abs() < 1e-9);

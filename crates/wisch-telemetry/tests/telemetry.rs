@@ -162,11 +162,11 @@ fn samples_that_do_not_fit_are_refused() {
     let mut refused = |sample: TelemetrySample<'_>| bag.write(&sample).unwrap_err().to_string();
     assert_eq!(
         refused(sample(0.5, three)),
-        "a sample's time of 0.5 s is not after that of the sample before, 0.5 s"
+        "a sample's time is 0.5 s; it must be later than the previous sample's, 0.5 s"
     );
     assert_eq!(
         refused(sample(f64::NAN, three)),
-        "a sample's time of NaN s is not within 0 to 1000000000 s"
+        "a sample's time is NaN s; it must be within 0 to 1000000000 s"
     );
     assert_eq!(
         refused(sample(0.6, &[0.0])),
@@ -296,7 +296,7 @@ fn links_move_by_their_joints() {
         ..named("/tf:forearm", "/wrench/external")
     };
     let in_world = read(&path, &world).unwrap();
-    let said = "\"forearm\" is followed in \"world\" by a chain of frames";
+    let said = "the pose of \"forearm\" in \"world\" comes from a chain of transforms";
     assert_eq!(in_world.remarks, [said]);
     for sample in in_world.samples.iter().filter(|s| on_the_dot(s.time)) {
         let wave = (0.5 * sample.time).sin();

@@ -1,4 +1,4 @@
-//! Random tasks for planning alone: surfaces, tools, things and dirt of all shapes.
+//! Random tasks for planning: surfaces, tools, objects and dirt of all shapes.
 
 use crate::parts::{interaction, sponge};
 use crate::shipped::AnyError;
@@ -11,10 +11,11 @@ use wisch::represent::{
     cluster_particles, uniform_particles,
 };
 
-/// The task of a seed: any action with any tool on any surface, which may have notches, holes and things on it.
+/// Returns the task of a seed: any action with any tool on any surface, which may have notches, holes and objects on
+/// it.
 ///
 /// # Errors
-/// Where so much stands on the surface that there is no room for dirt.
+/// If the objects leave no space for dirt on the surface.
 pub fn any_task(seed: u64) -> Result<Task, AnyError> {
     let random = &mut ChaCha8Rng::seed_from_u64(seed);
     let action = Action::WIPING[random.random_range(0..Action::WIPING.len())];
@@ -69,7 +70,7 @@ pub fn any_task(seed: u64) -> Result<Task, AnyError> {
     })
 }
 
-/// A rectangle, an L or a star of five to nine corners; a third of them with a hole.
+/// Returns a rectangle, an L or a star of five to nine corners; a third of them with a hole.
 fn outline(random: &mut impl Rng) -> Polygon {
     let size = Vector2::new(
         random.random_range(0.3..1.5),
@@ -103,7 +104,7 @@ fn outline(random: &mut impl Rng) -> Polygon {
         }
     };
     let holes = if random.random_bool(0.3) {
-        // About the middle, within the narrowest star.
+        // About the centre, within the narrowest star.
         let half = size.min() * random.random_range(0.05..0.15);
         let corner = |x: f64, y: f64| Point2::new(x * half - 0.1 * size.x, y * half - 0.1 * size.y);
         vec![vec![
@@ -117,7 +118,7 @@ fn outline(random: &mut impl Rng) -> Polygon {
     Polygon::new(outer, holes)
 }
 
-/// Up to four boxes and cylinders on the surface.
+/// Returns up to four boxes and cylinders on the surface.
 fn scene(random: &mut impl Rng, outline: &Polygon) -> Result<Vec<SceneObject>, AnyError> {
     (0..random.random_range(0..=4))
         .map(|number| {
@@ -139,7 +140,7 @@ fn scene(random: &mut impl Rng, outline: &Polygon) -> Result<Vec<SceneObject>, A
         .collect()
 }
 
-/// A box, a triangle, a disc or an angle, deep and wide as may be.
+/// Returns a box, a triangle, a disc or an angle of any depth and width.
 fn tool(random: &mut impl Rng) -> Result<Tool, AnyError> {
     let size = Vector2::new(
         random.random_range(0.02..0.12),
@@ -181,7 +182,7 @@ fn tool(random: &mut impl Rng) -> Result<Tool, AnyError> {
     })
 }
 
-/// A place on a surface.
+/// Returns a point on a surface.
 fn somewhere(random: &mut impl Rng, outline: &Polygon) -> Point2 {
     loop {
         let place = Point2::new(

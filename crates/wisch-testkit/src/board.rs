@@ -1,4 +1,4 @@
-//! A small board in front of the arm of seven joints.
+//! A small board in front of the arm with seven joints.
 
 use crate::parts::{interaction, sponge, surface};
 use crate::problems::lost_nodes;
@@ -11,12 +11,12 @@ use wisch::represent::{Action, ParticleDistribution, SceneObject, ScenePart, Sur
 /// Extent of the board [m].
 const BOARD: [f64; 2] = [0.24, 0.18];
 
-/// The arm of seven joints.
+/// Returns the arm with seven joints.
 pub fn arm7() -> ShippedRobot {
     robot("arm7")
 }
 
-/// A box of a size [m] about a place in the world, to be kept clear of.
+/// Returns a box obstacle of a size [m] around a point in the world.
 pub fn block(name: &str, size: [f64; 3], at: [f64; 3]) -> SceneObject {
     SceneObject {
         name: name.into(),
@@ -26,7 +26,7 @@ pub fn block(name: &str, size: [f64; 3], at: [f64; 3]) -> SceneObject {
     }
 }
 
-/// The board with the middle of its upper face at a place in the world, 24 crumbs on a lattice.
+/// Returns the task with the centre of the board's upper face at a point in the world, and 24 crumbs on a lattice.
 pub fn board(action: Action, [x, y, z]: [f64; 3]) -> Task {
     let size = Vector2::from(BOARD);
     let crumbs: Vec<Point2> = (0..24)
@@ -55,7 +55,7 @@ pub fn board(action: Action, [x, y, z]: [f64; 3]) -> Task {
     }
 }
 
-/// What covers it on a grid.
+/// Returns a plan that covers the task on a grid.
 pub fn planned(task: &Task) -> Plan {
     let config = PlanConfig {
         strategy: CoverageStrategy::Grid.into(),
@@ -66,7 +66,7 @@ pub fn planned(task: &Task) -> Plan {
     plan(task, &config).unwrap()
 }
 
-/// A plan with nothing but its first stroke.
+/// Returns a plan with only its first stroke.
 pub fn first_stroke(plan: Plan) -> Plan {
     Plan {
         strokes: plan.strokes.into_iter().take(1).collect(),
@@ -74,15 +74,15 @@ pub fn first_stroke(plan: Plan) -> Plan {
     }
 }
 
-/// The arm of seven joints before it.
+/// Returns the workcell of the arm with seven joints and the board.
 pub fn cell(task: &Task) -> Workcell {
     let robot = arm7();
     let config = WorkcellConfig::default();
     Workcell::new(robot.model, Some(&robot.srdf), task, &config).unwrap()
 }
 
-/// Everything that is wrong with a followed plan: what the audit finds, nodes that are lost, and strokes that
-/// are not the line that is wiped.
+/// Returns all faults of a followed plan: findings of the audit, lost nodes, and strokes that differ from the executed
+/// line.
 pub fn faults(task: &Task, plan: &Plan, cell: &Workcell, followed: &Followed) -> Vec<String> {
     let audit = audit(followed, cell, task, &FollowConfig::default()).unwrap();
     let mut faults: Vec<String> = audit.faults.iter().map(ToString::to_string).collect();
@@ -93,9 +93,9 @@ pub fn faults(task: &Task, plan: &Plan, cell: &Workcell, followed: &Followed) ->
             .flat_map(|motion| &motion.tool_line)
             .map(|pose| pose.surface_from_tool)
             .collect();
-        // A stroke of one node only touches: nothing moves while it wipes.
+        // A stroke of one node is a touch, without motion in contact.
         if wiped != stroke.poses && stroke.poses.len() > 1 {
-            faults.push(format!("stroke {number} is not the line that is wiped"));
+            faults.push(format!("stroke {number} is not the executed line"));
         }
     }
     faults

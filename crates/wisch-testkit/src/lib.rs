@@ -1,6 +1,6 @@
 //! Tasks, surfaces and robots for the tests, examples and benches of the other crates.
 //!
-//! Unit tests inside `wisch` and `wisch-io` cannot use it: their types would be others than those it was built with.
+//! Unit tests inside `wisch` and `wisch-io` cannot use this crate: it is built with another instance of their types.
 
 mod any_task;
 mod board;

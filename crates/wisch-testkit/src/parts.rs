@@ -1,4 +1,4 @@
-//! A surface, the sponge, and what it does to breadcrumbs.
+//! A surface, the sponge, and the sponge's interaction with breadcrumbs.
 
 use wisch::geometry::{Mesh, Polygon, Pose, Region, Vector2, Vector3};
 use wisch::represent::{
@@ -9,7 +9,7 @@ use wisch::represent::{
 /// Depth, width and height of the sponge [m].
 const SPONGE: [f64; 3] = [0.07, 0.11, 0.05];
 
-/// A rectangle of a size [m] about the world's origin; dirt may be skimmed over its first edge.
+/// Returns a rectangle of a size [m] about the world's origin; dirt may be skimmed over its first edge.
 pub fn surface(size: [f64; 2]) -> Surface {
     Surface {
         name: "board".into(),
@@ -19,7 +19,7 @@ pub fn surface(size: [f64; 2]) -> Surface {
     }
 }
 
-/// The sponge: its lower face is in the contact plane.
+/// Returns the sponge; its lower face is in the contact plane.
 pub fn sponge() -> Tool {
     let [depth, width, height] = SPONGE;
     let tool_from_mesh = Pose::translation(0.0, 0.0, height / 2.0);
@@ -36,7 +36,7 @@ pub fn sponge() -> Tool {
     }
 }
 
-/// The sponge on breadcrumbs.
+/// Returns the interaction of the sponge with breadcrumbs.
 pub fn interaction() -> Interaction {
     Interaction {
         tool: "sponge".into(),

@@ -1,4 +1,4 @@
-//! Random problems of following: a robot, a surface somewhere before it, things in the way.
+//! Random problems of following: a robot, a surface in front of it, and obstacles.
 
 use crate::parts::{interaction, sponge};
 use crate::shipped::{AnyError, ShippedRobot};
@@ -15,43 +15,43 @@ use wisch::represent::{Action, ParticleDistribution, SceneObject, ScenePart, Sur
 /// Thickness of the plate whose upper face is the surface [m].
 const PLATE: f64 = 0.02;
 
-/// What is to be wiped by which robot.
+/// A task with a robot and their configurations.
 pub struct Problem {
-    /// The robot's number among [`crate::robots`].
+    /// Index of the robot in [`crate::robots`].
     pub robot: usize,
     /// Surface, scene, tool and dirt.
     pub task: Task,
-    /// How it is planned.
+    /// Configuration of the planner.
     pub plan: PlanConfig,
-    /// Where the robot stands.
+    /// Placement of the robot.
     pub cell: WorkcellConfig,
 }
 
-/// What became of a problem.
+/// Outcome of a problem.
 #[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord)]
 pub enum SolvedProblem {
-    /// Every node is passed.
+    /// Every node is reached.
     Whole,
     /// Some nodes are abandoned.
     Partly,
     /// All nodes are abandoned.
     NotAtAll,
-    /// It was refused, before or while it was planned or followed.
+    /// The problem was rejected, before or during planning or following.
     Refused(String),
-    /// What was followed is wrong.
+    /// The motion has faults.
     Faulty(Vec<String>),
 }
 
-/// A problem that was followed.
+/// A followed problem.
 pub struct Tried {
     /// The motion.
     pub motion: Followed,
-    /// What is wrong with it.
+    /// Its faults.
     pub faults: Vec<String>,
 }
 
 impl Problem {
-    /// The problem of a seed: every fifth the humanoid's, of the others half each arm's.
+    /// Returns the problem of a seed: every fifth for the humanoid, the others in equal parts for both arms.
     pub fn random(seed: u64) -> Result<Self, AnyError> {
         let mut random = ChaCha8Rng::seed_from_u64(seed);
         let random = &mut random;
@@ -60,7 +60,7 @@ impl Problem {
             _ => random.random_range(0..2),
         };
         let size = Vector2::new(random.random_range(0.1..0.5), random.random_range(0.1..0.4));
-        // The humanoid works at the height of a table and drives up to it.
+        // The humanoid works at the height of a table and drives to it.
         let (distance, height, away) = match robot {
             2 => (0.0, 0.6..1.1, random.random_range(1.0..1.5)),
             _ => (random.random_range(0.3..0.8), 0.0..0.6, 0.0),
@@ -115,7 +115,7 @@ impl Problem {
         })
     }
 
-    /// Plans it, follows the plan and audits the motion.
+    /// Plans the problem, follows the plan and audits the motion.
     pub fn outcome(&self, robots: &[ShippedRobot]) -> SolvedProblem {
         match self.followed(&robots[self.robot]) {
             Err(error) => SolvedProblem::Refused(kind(&error.to_string())),
@@ -130,12 +130,12 @@ impl Problem {
         }
     }
 
-    /// The motion and what is wrong with it.
+    /// Returns the motion and its faults.
     pub fn followed(&self, robot: &ShippedRobot) -> Result<Tried, AnyError> {
         self.followed_with(robot, &FollowConfig::default())
     }
 
-    /// The same, with another configuration.
+    /// Returns the motion and its faults, with another configuration.
     pub fn followed_with(
         &self,
         robot: &ShippedRobot,
@@ -157,7 +157,7 @@ impl Problem {
     }
 }
 
-/// Nodes of a plan that are neither passed nor abandoned, and nodes of the motion that were not planned.
+/// Describes nodes of a plan that are neither reached nor abandoned, and nodes of the motion that were not planned.
 pub fn lost_nodes(plan: &Plan, followed: &Followed) -> Option<String> {
     let planned: BTreeSet<usize> = (plan.strokes.iter())
         .flat_map(|stroke| stroke.nodes.iter().copied())
@@ -170,13 +170,13 @@ pub fn lost_nodes(plan: &Plan, followed: &Followed) -> Option<String> {
     (!lost.is_empty()).then(|| format!("nodes {lost:?} are lost"))
 }
 
-/// Up and tilted by up to 60°, or now and then upright before the robot, or overhead.
+/// Returns an orientation: mostly upward and tilted by up to 60°, sometimes upright in front of the robot, or overhead.
 fn orientation(random: &mut ChaCha8Rng, bearing: f64) -> UnitQuaternion<f64> {
     let about = |angle: f64| UnitQuaternion::from_axis_angle(&Vector3::z_axis(), angle);
     let over = |angle: f64| UnitQuaternion::from_axis_angle(&Vector3::y_axis(), angle);
     let turn = random.random_range(0.0..TAU);
     let tilted = match random.random_range(0..20) {
-        // Its normal towards the robot.
+        // The normal points towards the robot.
         0..3 => about(bearing) * over(-FRAC_PI_2),
         3..5 => over(PI),
         _ => about(random.random_range(0.0..TAU)) * over(random.random_range(0.0..FRAC_PI_3)),
@@ -192,7 +192,7 @@ fn particles(random: &mut ChaCha8Rng, size: Vector2) -> Vec<Point2> {
         .collect()
 }
 
-/// The plate, and up to six boxes and cylinders on it and about it.
+/// Returns the plate, and up to six boxes and cylinders on and around it.
 fn scene(
     random: &mut ChaCha8Rng,
     size: Vector2,
@@ -224,7 +224,7 @@ fn scene(
     Ok(scene)
 }
 
-/// An error without its numbers, so that alike ones can be counted.
+/// Returns an error without its numbers, so that similar errors can be counted.
 fn kind(message: &str) -> String {
     let digits = |c: char| c.is_ascii_digit() || c == '.' || c == '-';
     message

@@ -6,18 +6,18 @@ use wisch::robot::{CapabilityMap, RobotModel, Srdf};
 use wisch::run::Performer;
 use wisch_io::RobotDescription;
 
-/// What can go wrong in an example.
+/// Any error, for examples.
 pub type AnyError = Box<dyn Error + Send + Sync>;
 
 /// The scenarios of the paper's Table 1.
 pub const TABLE_1: [&str; 3] = ["chopping-board", "table", "windshield"];
 
-/// The repository.
+/// Path of the repository.
 pub fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
 }
 
-/// The task file of a shipped scenario, to be loaded by [`wisch_io::load_task`].
+/// Returns the task file of a shipped scenario, for [`wisch_io::load_task`].
 pub fn scenario(name: &str) -> PathBuf {
     root().join(format!("scenarios/{name}.toml"))
 }
@@ -26,16 +26,16 @@ pub fn scenario(name: &str) -> PathBuf {
 pub struct ShippedRobot {
     /// Its name.
     pub name: &'static str,
-    /// What it is.
+    /// Its model.
     pub model: RobotModel,
     /// Its groups and postures.
     pub srdf: Srdf,
-    /// What its arm reaches, if its base moves.
+    /// Its capability map, if its base moves.
     pub map: Option<CapabilityMap>,
 }
 
 impl ShippedRobot {
-    /// The robot as a session takes it.
+    /// The robot setup for a session.
     pub const fn performer(&self) -> Performer<'_> {
         Performer {
             robot: &self.model,
@@ -45,18 +45,18 @@ impl ShippedRobot {
     }
 }
 
-/// The shipped robots: arm7, arm6, humanoid.
+/// Returns the shipped robots: arm7, arm6, humanoid.
 ///
 /// # Panics
-/// When what is shipped cannot be read.
+/// If a shipped file cannot be read.
 pub fn robots() -> [ShippedRobot; 3] {
     ["arm7", "arm6", "humanoid"].map(robot)
 }
 
-/// The mobile humanoid.
+/// Returns the mobile humanoid.
 ///
 /// # Panics
-/// When what is shipped cannot be read.
+/// If a shipped file cannot be read.
 pub fn humanoid() -> ShippedRobot {
     robot("humanoid")
 }
@@ -64,7 +64,7 @@ pub fn humanoid() -> ShippedRobot {
 pub(crate) fn robot(name: &'static str) -> ShippedRobot {
     let description = RobotDescription::Named(name.to_owned());
     let robot = wisch_io::Robot::read(&description, Path::new(""), None, &[]);
-    let robot = robot.expect("what is shipped can be read");
+    let robot = robot.expect("the shipped files can be read");
     ShippedRobot {
         name,
         srdf: robot.srdf.expect("groups and postures are shipped"),

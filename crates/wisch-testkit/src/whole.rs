@@ -1,11 +1,11 @@
-//! How tests and examples run the whole loop.
+//! Configurations of the whole loop for tests and examples.
 
 use wisch::follow::WorkcellConfig;
 use wisch::plan::CoverageStrategy;
 use wisch::run::{AfterStop, RunConfig};
 use wisch_io::{LoadOptions, LoadedTask};
 
-/// A scenario of this seed, with plans by density.
+/// Returns load options for a scenario with a seed, and plans by density.
 pub fn by_density(seed: u64) -> LoadOptions {
     LoadOptions {
         strategy: Some(CoverageStrategy::Kde.into()),
@@ -14,7 +14,7 @@ pub fn by_density(seed: u64) -> LoadOptions {
     }
 }
 
-/// As `wisch run` does it.
+/// Returns the configuration that `wisch run` uses.
 pub fn run_config(loaded: &LoadedTask) -> RunConfig {
     let file = &loaded.file;
     let robot = file.robot();

@@ -40,7 +40,7 @@ fn what_cannot_be_drawn_leaves_no_page() {
             "data_vis(piechart(p), [data: [[a, b], [1]]])",
             "piechart: data has 2 Xs, but 1 Ys",
         ),
-        ("show(sponge, 5, plaid)", "plaid is no color"),
+        ("show(sponge, 5, plaid)", "plaid is not a color"),
     ] {
         let (code, _, err) = ask(folder.path(), &[query, "--view", "seen.html"]);
         assert_eq!(code, 2, "{query}");

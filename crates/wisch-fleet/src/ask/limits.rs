@@ -1,4 +1,4 @@
-//! What a statement may take: time, memory, and depth of its text.
+//! Limits of a statement: time, memory, and depth of its text.
 
 use super::statement::depth;
 use crate::store::FleetError;
@@ -8,24 +8,24 @@ use std::sync::{Arc, Mutex, PoisonError};
 use std::thread;
 use std::time::{Duration, Instant};
 
-/// Deepest statement. A thread's stack of [`STACK`] holds the planner's recursion over it.
+/// Largest depth of a statement. A thread's stack of [`STACK`] holds the planner's recursion over it.
 const DEEPEST: usize = 1000;
-/// Stack of each thread that plans or answers statements [bytes]. The system gives memory only to what is used of it.
+/// Stack of each thread that plans or answers statements [bytes]. The system allocates only the part that is used.
 pub const STACK: usize = 256 << 20;
-/// How often time and memory are measured.
+/// Interval of the checks of time and memory.
 const LOOK_AGAIN: Duration = Duration::from_millis(20);
-/// A statement that does not end by itself when its time is over is ended with the program after this.
+/// The program is ended this long after a statement's time limit, if the statement does not end by itself.
 const GRACE: Duration = Duration::from_secs(5);
 /// Exit code of an error.
 const EXIT_ERROR: i32 = 2;
 
-/// What a statement may take.
+/// Limits of a statement.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct SqlLimits {
-    /// Longest time, from planning it to its last row.
+    /// Longest time from planning to the last row.
     pub time: Duration,
-    /// Most memory of the program [bytes]. Half of it is for sorting, grouping and joining; what sorts and groups more
-    /// puts it on disk.
+    /// Largest memory of the program [bytes]. Half of it is for sorting, grouping and joining; sorting and grouping
+    /// beyond that use the disk.
     pub memory: usize,
 }
 
@@ -39,15 +39,15 @@ impl Default for SqlLimits {
 }
 
 impl SqlLimits {
-    /// Returns what sorting, grouping and joining may take [bytes].
+    /// Memory for sorting, grouping and joining [bytes].
     pub(super) fn pool(&self) -> usize {
         self.memory / 2
     }
 
-    /// Runs a statement's work within its time.
+    /// Runs a statement within its time limit.
     ///
     /// # Errors
-    /// What the work ends in, or that its time is over.
+    /// The error of the statement, or that its time is over.
     pub async fn within<T>(
         &self,
         work: impl Future<Output = Result<T, FleetError>>,
@@ -60,19 +60,19 @@ impl SqlLimits {
 
     fn late(&self) -> String {
         let limit = self.time.as_secs_f64();
-        format!("the statement takes longer than {limit} s: --timeout allows more")
+        format!("the statement takes longer than the limit of {limit} s; --timeout raises it")
     }
 
     fn large(&self) -> String {
         let limit = self.memory >> 20;
-        format!("the statement takes more than {limit} MB of memory: --memory-limit allows more")
+        format!("the statement takes more memory than the limit of {limit} MB; --memory-limit raises it")
     }
 }
 
 /// Checks that a statement is not too deep for the planner.
 ///
 /// # Errors
-/// If it is.
+/// If the statement is too deep.
 pub(super) fn check(sql: &str) -> Result<(), FleetError> {
     let found = depth(sql);
     if found <= DEEPEST {
@@ -84,20 +84,20 @@ pub(super) fn check(sql: &str) -> Result<(), FleetError> {
     )))
 }
 
-/// Ends the program with an error once a statement takes too much: what functions make of a row is in no pool, and what
-/// does not wait for anything cannot be broken off.
+/// Watchdog that ends the program with an error once a statement exceeds a limit. Memory of row functions is in no
+/// pool, and a computation that never waits cannot be cancelled.
 #[derive(Debug)]
 pub struct LimitWatch {
     limits: SqlLimits,
     begun: Instant,
-    /// When the statement has to be over [ms since `begun`]; 0: there is none.
+    /// Deadline of the current statement [ms since `begun`]; 0 for none.
     deadline: AtomicU64,
-    /// Folders that go with the program.
+    /// Folders that are removed with the program.
     folders: Mutex<Vec<PathBuf>>,
 }
 
 impl LimitWatch {
-    /// Begins to watch this program.
+    /// Starts watching this program.
     pub fn begin(limits: SqlLimits) -> Arc<Self> {
         let watch = Arc::new(Self {
             limits,
@@ -110,15 +110,15 @@ impl LimitWatch {
         watch
     }
 
-    /// Has a folder removed if the program is ended.
+    /// Registers a folder that is removed if the program is ended.
     pub fn remove_at_end(&self, folder: PathBuf) {
         self.folders().push(folder);
     }
 
-    /// Runs a statement's work within its limits.
+    /// Runs a statement within its limits.
     ///
     /// # Errors
-    /// What the work ends in, or that its time is over.
+    /// The error of the statement, or that its time is over.
     pub async fn within<T>(
         &self,
         work: impl Future<Output = Result<T, FleetError>>,
@@ -158,7 +158,7 @@ impl LimitWatch {
     }
 }
 
-/// Returns the memory that this program has now [bytes], where the system tells it.
+/// Returns the present memory of this program [bytes], where the system reports it.
 fn resident() -> Option<usize> {
     let status = std::fs::read_to_string("/proc/self/status").ok()?;
     let line = status

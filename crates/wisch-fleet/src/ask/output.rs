@@ -15,26 +15,26 @@ use std::io::Write;
 use std::path::PathBuf;
 use std::sync::Arc;
 
-/// Largest answer that is laid out as a table [bytes]: all of it is in memory then.
+/// Largest answer in the form of a table [bytes], which must be in memory as a whole.
 const LARGEST_TABLE: usize = 256 << 20;
 
-/// How an answer is written.
+/// Form of an answer.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Form {
-    /// For people.
+    /// A table for people.
     Table,
     /// Comma-separated, with a first line of names.
     Csv,
-    /// JSON, one object a line.
+    /// JSON, one object per line.
     Json,
     /// A Parquet file of this name.
     Parquet(PathBuf),
 }
 
-/// Writes an answer while it comes in; a table for people comes at once. The number of its rows.
+/// Writes an answer as it arrives; a table for people is written at the end. Returns the number of rows.
 ///
 /// # Errors
-/// What happens on the way, an answer that is too large for a table, or what the system says.
+/// The error of the statement, an answer that is too large for a table, or a failed write.
 pub async fn write(
     answer: DataFrame,
     form: &Form,
@@ -98,7 +98,7 @@ pub async fn write(
     Ok(rows)
 }
 
-/// Returns all rows of an answer that is laid out as a table.
+/// Returns all rows of an answer in the form of a table.
 async fn collect(answer: DataFrame) -> Result<Vec<RecordBatch>, FleetError> {
     let mut stream = answer.execute_stream().await?;
     let (mut batches, mut bytes) = (Vec::new(), 0);

@@ -1,4 +1,4 @@
-//! A table of a fleet, for DataFusion: the files that the log names, without those that what is asked rules out.
+//! A table of a fleet for DataFusion: the files in the log, except those that a filter excludes.
 
 use crate::store::{FileEntry, StorePlace};
 use crate::tables::Table;
@@ -28,7 +28,7 @@ use object_store::path::Path;
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
 
-/// So much of a file's end is read at once [bytes]: most footers are shorter.
+/// Size of a file's end that is read at once [bytes]: most footers are shorter.
 const FOOTER: usize = 64 << 10;
 
 /// A table.
@@ -36,13 +36,13 @@ const FOOTER: usize = 64 << 10;
 pub(crate) struct FleetTable {
     schema: SchemaRef,
     store: ObjectStoreUrl,
-    /// The store as others find it, if they can.
+    /// URL of the store, if other processes can open it.
     #[cfg(feature = "cluster")]
     root: Option<String>,
     files: Vec<(Path, FileEntry)>,
 }
 
-/// A table as it is sent to others: they read the same files.
+/// A table in the form that is sent to other processes, which read the same files.
 #[cfg(feature = "cluster")]
 #[derive(Debug, Serialize, Deserialize)]
 pub(crate) struct SerializedTable {
@@ -50,7 +50,7 @@ pub(crate) struct SerializedTable {
     files: Vec<(String, FileEntry)>,
 }
 
-/// What is held in views in memory: texts of up to twelve bytes without a pointer.
+/// Columns held as views in memory: texts of up to twelve bytes need no pointer.
 pub(super) fn schema_in_memory(table: &Table) -> SchemaRef {
     let schema = table.schema();
     let fields = schema.fields().iter().map(|field| match field.data_type() {
@@ -61,10 +61,10 @@ pub(super) fn schema_in_memory(table: &Table) -> SchemaRef {
 }
 
 impl FleetTable {
-    /// Of these files.
+    /// Returns the table of these files.
     ///
     /// # Errors
-    /// A file that a newer program wrote.
+    /// If a newer program wrote a file.
     pub(super) fn new<'a>(
         schema: SchemaRef,
         place: &StorePlace,
@@ -75,7 +75,7 @@ impl FleetTable {
             if file.schema[0] > VERSION[0] {
                 let [major, minor] = file.schema;
                 return Err(DataFusionError::Plan(format!(
-                    "{}: version {major}.{minor} is not supported, this program reads versions up to {}.x",
+                    "{}: version {major}.{minor} is not supported; this program reads versions up to {}.x",
                     place.shown(&file.path),
                     VERSION[0]
                 )));
@@ -91,15 +91,15 @@ impl FleetTable {
         })
     }
 
-    /// As it is sent.
+    /// Returns the form that is sent to other processes.
     ///
     /// # Errors
-    /// If its files are where nobody else can read them.
+    /// If no other process can read its files.
     #[cfg(feature = "cluster")]
     pub(crate) fn serialized(&self) -> Result<SerializedTable> {
         let root = self.root.clone().ok_or_else(|| {
             DataFusionError::Plan(
-                "what is in the memory of one process cannot be asked by others".to_owned(),
+                "a store in the memory of one process cannot be read by other processes".to_owned(),
             )
         })?;
         let files = self.files.iter();
@@ -110,10 +110,10 @@ impl FleetTable {
         })
     }
 
-    /// Of what was sent.
+    /// Returns the table of a sent form.
     ///
     /// # Errors
-    /// A store that has no name.
+    /// If its store has no URL.
     #[cfg(feature = "cluster")]
     pub(crate) fn deserialize(schema: SchemaRef, table: SerializedTable) -> Result<Self> {
         let files = table.files.into_iter();
@@ -125,7 +125,7 @@ impl FleetTable {
         })
     }
 
-    /// What the log says of the values in a file: bounds, by which it may be left out.
+    /// Bounds of the values in a file, from the log, by which filters exclude it.
     fn bounds(&self, file: &FileEntry) -> Result<Statistics> {
         let text = |value: &String| ScalarValue::Utf8View(Some(value.clone()));
         let day = |value: &String| text(value).cast_to(&DataType::Date32);
@@ -148,7 +148,7 @@ impl FleetTable {
         Ok(statistics)
     }
 
-    /// The files that may hold rows for which all this is true.
+    /// Returns the files that may hold rows for which all conditions hold.
     fn needed(&self, state: &dyn Session, filters: &[Expr]) -> Result<Vec<&(Path, FileEntry)>> {
         let filter = conjunction(filters.to_vec()).filter(|_| !self.files.is_empty());
         let Some(filter) = filter else {
@@ -156,7 +156,7 @@ impl FleetTable {
         };
         let schema = Arc::clone(&self.schema).to_dfschema()?;
         let filter = state.create_physical_expr(filter, &schema)?;
-        // What cannot rule a file out rules none out.
+        // A condition that cannot be evaluated excludes no file.
         let Ok(predicate) = PruningPredicateBuilder::new()
             .with_file_schema(Arc::clone(&self.schema))
             .try_build(filter)
@@ -220,7 +220,7 @@ impl TableProvider for FleetTable {
         let mut source = ParquetSource::new(Arc::clone(&self.schema))
             .with_table_parquet_options(options)
             .with_metadata_size_hint(FOOTER);
-        // Footers are read once in a session: no file ever changes. A scheduler, which only plans, has no store.
+        // Footers are read once per session, because files never change. A scheduler only plans, and has no store.
         let runtime = state.runtime_env();
         if let Ok(store) = runtime.object_store(&self.store) {
             let cache = runtime.cache_manager.get_file_metadata_cache();
@@ -231,7 +231,7 @@ impl TableProvider for FleetTable {
             let schema = Arc::clone(&self.schema).to_dfschema()?;
             source = source.with_predicate(state.create_physical_expr(filter, &schema)?);
         }
-        // Shared out by length, so that no thread waits for another.
+        // Files are distributed by length, so that threads finish together.
         let mut groups = vec![(0, Vec::new()); state.config().target_partitions().max(1)];
         for (path, file) in files {
             let (length, group) = (groups.iter_mut())

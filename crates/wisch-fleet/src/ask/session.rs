@@ -1,4 +1,4 @@
-//! What a statement is run in: the tables of all sources, and the views.
+//! Session of statements: the tables of all sources, and the views.
 
 use super::limits::{SqlLimits, check};
 use super::provider::{FleetTable, schema_in_memory};
@@ -21,49 +21,49 @@ use std::sync::Arc;
 use std::thread;
 use tempfile::TempDir;
 
-/// A side of a join that is estimated smaller than this is kept in one piece [bytes, rows].
+/// A side of a join estimated below this size is kept in one piece [bytes, rows].
 const BUILT_AT_ONCE: usize = 512 << 20;
 const BUILT_ROWS_AT_ONCE: usize = 10_000_000;
 
-/// Where episodes are.
+/// A source of episodes.
 #[derive(Debug, Clone)]
 pub struct SqlSource {
-    /// The place.
+    /// Place of the store.
     pub place: StorePlace,
-    /// What counts of it.
+    /// State of its log.
     pub snapshot: Snapshot,
 }
 
 impl SqlSource {
-    /// A fleet as it is now.
+    /// Opens a fleet in its present state.
     ///
     /// # Errors
-    /// What the store says, or a log that cannot be read.
+    /// If the store or its log cannot be read.
     pub async fn open(place: StorePlace) -> Result<Self, FleetError> {
         let snapshot = Snapshot::read(&place).await?;
         Ok(Self { place, snapshot })
     }
 }
 
-/// Tables and views that can be asked.
+/// Tables and views that statements can use.
 pub struct SqlSession {
     context: SessionContext,
     texts: Texts,
     limits: SqlLimits,
-    /// Where what does not fit into the memory is put.
+    /// Folder for data that exceed the memory.
     spill: TempDir,
-    /// Episodes that more than one source has; those of the first count.
+    /// Number of episodes in more than one source; the first source is used.
     shared: usize,
     #[cfg(feature = "cluster")]
     cluster: Option<Address>,
 }
 
-/// How texts are held in memory.
+/// Representation of texts in memory.
 #[derive(Debug, Clone, Copy)]
 enum Texts {
-    /// Up to twelve bytes without a pointer, which is fast.
+    /// Views: texts of up to twelve bytes need no pointer, which is fast.
     Views,
-    /// One after the other: views that are sent bring along all that they were cut from.
+    /// Plain arrays: sent views would carry all the buffers that they refer to.
     #[cfg(feature = "cluster")]
     Plain,
 }
@@ -79,26 +79,26 @@ impl Texts {
 }
 
 impl SqlSession {
-    /// Over all these sources. An episode that several have is taken from the first.
+    /// Opens a session over all sources. An episode in several sources is taken from the first.
     ///
     /// # Errors
-    /// A source that cannot be read.
+    /// If a source cannot be read.
     pub async fn new(sources: &[SqlSource]) -> Result<Self, FleetError> {
         Self::with_limits(sources, SqlLimits::default()).await
     }
 
-    /// The same with other limits than the default ones.
+    /// Opens a session with other limits than the default.
     ///
     /// # Errors
-    /// The same.
+    /// If a source cannot be read.
     pub async fn with_limits(sources: &[SqlSource], limits: SqlLimits) -> Result<Self, FleetError> {
         Self::over(sources, Texts::Views, limits).await
     }
 
-    /// The same, but statements are answered by a cluster.
+    /// Opens a session whose statements a cluster answers.
     ///
     /// # Errors
-    /// A source that cannot be read, or no scheduler.
+    /// If a source cannot be read, or there is no scheduler.
     #[cfg(feature = "cluster")]
     pub async fn on_cluster(
         sources: &[SqlSource],
@@ -121,9 +121,10 @@ impl SqlSession {
             .with_information_schema(true)
             .with_target_partitions(thread::available_parallelism().map_or(1, usize::from));
         let options = config.options_mut();
-        // What filters keep of our tables is much: to decode whole columns is faster than row by row.
+        // Filters keep most rows of these tables, so decoding whole columns is faster than row by row.
         options.execution.parquet.pushdown_filters = false;
-        // Collisions are few beside the strokes that they are joined with: those are not to be moved about for them.
+        // There are few collisions compared to the strokes that they are joined with, so the strokes should not be
+        // redistributed.
         options.optimizer.hash_join_single_partition_threshold = BUILT_AT_ONCE;
         options.optimizer.hash_join_single_partition_threshold_rows = BUILT_ROWS_AT_ONCE;
         let spill = TempDir::with_prefix("wisch-fleet-").map_err(|error| FleetError::File {
@@ -172,12 +173,12 @@ impl SqlSession {
         Ok(())
     }
 
-    /// Makes one table of those of all sources.
+    /// Unites the tables of all sources.
     async fn unite(&mut self, sources: usize) -> Result<(), FleetError> {
         let mut seen: Vec<RecordBatch> = Vec::new();
         let mut doubled: Vec<Option<DataFrame>> = vec![None];
         for number in 1..sources {
-            // Which episodes of this source have come with an earlier one.
+            // Episodes of this source that an earlier source holds.
             seen.extend(self.episodes_of(number - 1).await?);
             let earlier = self.context.read_batches(seen.clone())?;
             let here = self.context.table(name_in("episodes", number)).await?;
@@ -215,7 +216,7 @@ impl SqlSession {
             };
             let name = TableReference::bare(table.name);
             match sources {
-                // One source's table is asked as it is.
+                // The table of a single source is used directly.
                 1 => {
                     let only = self.context.table_provider(name_in(table.name, 0)).await?;
                     self.context.register_table(name, only)?
@@ -232,17 +233,17 @@ impl SqlSession {
         with_name(&rows, "id")
     }
 
-    /// How many episodes more than one source has.
+    /// Number of episodes in more than one source.
     pub fn shared(&self) -> usize {
         self.shared
     }
 
-    /// Returns the folder in which statements put what does not fit into the memory.
+    /// Folder in which statements put data that exceed the memory.
     pub fn spill(&self) -> &Path {
         self.spill.path()
     }
 
-    /// An error of a statement, with where it was to be answered.
+    /// Adds the scheduler's address to an error of a statement.
     pub fn cluster_error(&self, error: FleetError) -> FleetError {
         #[cfg(feature = "cluster")]
         if let Some(cluster) = &self.cluster {
@@ -251,10 +252,10 @@ impl SqlSession {
         error
     }
 
-    /// What a statement means; it only reads.
+    /// Plans a statement that only reads.
     ///
     /// # Errors
-    /// A statement that is none, is too deep, or would change something.
+    /// If the statement is invalid, too deep, or would change something.
     pub async fn plan(&self, sql: &str) -> Result<DataFrame, FleetError> {
         check(sql)?;
         let reads = SQLOptions::new()
@@ -264,22 +265,22 @@ impl SqlSession {
         Ok(self.context.sql_with_options(sql, reads).await?)
     }
 
-    /// The rows of an answer.
+    /// Returns the rows of an answer.
     ///
     /// # Errors
-    /// The same, or what happens on the way.
+    /// As [`Self::plan`], and errors during the execution.
     pub async fn rows(&self, sql: &str) -> Result<Vec<RecordBatch>, FleetError> {
         let rows = async { Ok(self.plan(sql).await?.collect().await?) };
         self.limits.within(rows).await
     }
 }
 
-/// What a source's table is called.
+/// Returns the name of a source's table.
 fn name_in(table: &str, source: usize) -> TableReference {
     TableReference::bare(format!("{table}_{source}"))
 }
 
-/// The first column under another name.
+/// Returns batches with their first column renamed.
 fn with_name(batches: &[RecordBatch], name: &str) -> Result<Vec<RecordBatch>, FleetError> {
     let renamed = batches.iter().map(|batch| {
         let texts = cast(batch.column(0), &DataType::Utf8)?;

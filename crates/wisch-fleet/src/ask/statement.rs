@@ -1,4 +1,4 @@
-//! How deep a statement's tree can be, told from its text: the planner walks that tree by recursion.
+//! Depth of a statement, from its text: the planner traverses the statement's tree by recursion.
 
 /// Words that join parts of a statement or of an expression, one below the other.
 const WORDS: [&str; 27] = [
@@ -44,11 +44,11 @@ const AFTER_TABLES: [&str; 10] = [
     "WHERE",
 ];
 
-/// Returns an upper bound of the depth of a statement's tree: operators, brackets, joined tables and words that nest.
-/// What stands side by side, as columns and the members of `IN (…)`, adds nothing.
+/// Returns an upper bound of the depth of a statement's tree: operators, brackets, joined tables and nesting words
+/// count. Siblings, such as columns and the members of `IN (…)`, do not.
 pub(super) fn depth(sql: &str) -> usize {
     let mut depth = 0;
-    // For each open bracket, whether a comma joins two tables there.
+    // For each open bracket, whether a comma there joins two tables.
     let mut joins = vec![false];
     let mut rest = sql;
     while let Some(first) = rest.chars().next() {
@@ -82,13 +82,13 @@ pub(super) fn depth(sql: &str) -> usize {
     depth
 }
 
-/// Length of a quoted text. A quote that is doubled ends one text and begins the next.
+/// Returns the length of a quoted text. A doubled quote ends one text and begins the next.
 fn quoted(text: &str, quote: char) -> usize {
     let end = text[1..].find(quote);
     end.map_or(text.len(), |end| end + 2)
 }
 
-/// Length of a remark, which may hold others.
+/// Returns the length of a comment, which may be nested.
 fn remark(text: &str) -> usize {
     let (mut open, mut at) = (0_usize, 0);
     while let Some(found) = text[at..].find(['/', '*']) {
@@ -145,7 +145,7 @@ mod tests {
         ] {
             assert_eq!(depth(sql), 1, "{sql}");
         }
-        // What does not end is counted as far as it goes.
+        // Unterminated text counts up to the end.
         for sql in [
             "SELECT '(((",
             "SELECT /* ((",

@@ -1,4 +1,4 @@
-//! The views that are shipped: SQL in a file, with what each means before it.
+//! Built-in views: SQL in a file, with the meaning of each view before it.
 
 const TEXT: &str = include_str!("../views.sql");
 
@@ -7,13 +7,13 @@ const TEXT: &str = include_str!("../views.sql");
 pub struct SqlView {
     /// Its name.
     pub name: &'static str,
-    /// What it means, line by line.
+    /// Its meaning, line by line.
     pub about: &'static str,
-    /// What makes it.
+    /// Its SQL statement.
     pub statement: &'static str,
 }
 
-/// All of them, in their order: later ones may build on earlier ones.
+/// All views, in order: later views may use earlier ones.
 pub fn all() -> impl Iterator<Item = SqlView> {
     TEXT.split_inclusive(";\n").filter_map(|part| {
         let begin = part.find("CREATE VIEW ")?;
@@ -22,7 +22,7 @@ pub fn all() -> impl Iterator<Item = SqlView> {
         let about = part[..begin].trim();
         Some(SqlView {
             name,
-            // What stands before an empty line is about the file.
+            // Text before an empty line is about the whole file.
             about: about.rsplit("\n\n").next().unwrap_or(about),
             statement,
         })
@@ -30,7 +30,7 @@ pub fn all() -> impl Iterator<Item = SqlView> {
 }
 
 impl SqlView {
-    /// What it means, as one text.
+    /// Its meaning, as one text.
     pub fn meaning(&self) -> String {
         let lines = self.about.lines();
         let lines = lines.map(|line| line.trim_start_matches("--").trim());

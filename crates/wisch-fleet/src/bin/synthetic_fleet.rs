@@ -1,11 +1,12 @@
-//! Writes the tables of synthetic episodes straight into a fleet, to measure with: the files are those that `push` and `compact` make.
+//! Writes the tables of synthetic episodes into a fleet for measurements; its files equal those of `push` and
+//! `compact`.
 //!
 //! ```text
 //! cargo run --release --features synthetic --bin synthetic_fleet -- --episodes 1000000 --robots 100 --out /tmp/fleet
 //! ```
 //!
-//! Episodes are 20 minutes apart, 72 a day; each robot has its own clock, so that a robot-day holds 72 episodes. There are no archives
-//! and no telemetry.
+//! Episodes are 20 minutes apart, 72 a day. Each robot has its own clock, so that it has 72 episodes a day. There are
+//! no archives and no telemetry.
 
 #[path = "../../../wisch-memory/examples/synthetic/records.rs"]
 #[allow(dead_code)]
@@ -16,7 +17,7 @@ use std::time::Instant;
 use wisch_fleet::moves::batch::{Grouping, Incoming, write};
 use wisch_fleet::store::{Commit, Snapshot, StorePlace};
 
-/// Episodes of one file of each table.
+/// Number of episodes in one file of each table.
 const TOGETHER: usize = 50_000;
 
 #[tokio::main]

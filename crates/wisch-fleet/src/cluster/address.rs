@@ -1,4 +1,4 @@
-//! Where a scheduler is.
+//! Address of a scheduler.
 
 use crate::store::FleetError;
 use std::fmt;
@@ -8,29 +8,29 @@ use tokio::net::TcpStream;
 use tokio::time::timeout;
 use url::Url;
 
-/// Who does not answer by then is not there.
+/// Time after which a scheduler without an answer counts as missing.
 const PATIENCE: Duration = Duration::from_secs(10);
 
 /// The address of a scheduler, `df://HOST:PORT`.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Address {
-    /// With brackets around it if it is one of IPv6.
+    /// Host name; an IPv6 address is in brackets.
     host: String,
     port: u16,
 }
 
 impl Address {
-    /// Of a URL.
+    /// Parses a URL.
     ///
     /// # Errors
-    /// Anything but `df://HOST:PORT`.
+    /// If it is not of the form `df://HOST:PORT`.
     pub fn parse(url: &str) -> Result<Self, FleetError> {
         let wrong = |shown: &str| FleetError::Url {
             url: shown.to_owned(),
             what: "a scheduler's address is df://HOST:PORT".to_owned(),
         };
         if url.contains('@') {
-            // It may hold a password: nothing of it is repeated.
+            // The URL may hold a password, so it is not printed.
             return Err(wrong("…@…"));
         }
         let parsed = Url::parse(url).map_err(|_| wrong(url))?;
@@ -46,7 +46,7 @@ impl Address {
         }
     }
 
-    /// What gRPC connects to.
+    /// Endpoint for gRPC.
     pub(super) fn endpoint(&self) -> String {
         format!("http://{}:{}", self.host, self.port)
     }
@@ -59,10 +59,10 @@ impl Address {
         self.port
     }
 
-    /// Whether somebody listens there.
+    /// Checks that a program listens at the address.
     ///
     /// # Errors
-    /// If nobody does.
+    /// If none does.
     pub(crate) async fn reach(&self) -> Result<(), FleetError> {
         let connected = timeout(PATIENCE, TcpStream::connect((self.bare_host(), self.port))).await;
         let why = match connected {

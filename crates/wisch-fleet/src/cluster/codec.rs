@@ -1,4 +1,4 @@
-//! How the tables of a plan travel to the scheduler: files by name with their bounds, rows in memory as Arrow IPC.
+//! Encoding of a plan's tables for the scheduler: files by name with their bounds, rows in memory as Arrow IPC.
 
 use crate::ask::provider::{FleetTable, SerializedTable};
 use ballista_core::serde::BallistaLogicalExtensionCodec;
@@ -14,11 +14,11 @@ use datafusion::logical_expr::{Extension, LogicalPlan};
 use datafusion_proto::logical_plan::LogicalExtensionCodec;
 use std::sync::Arc;
 
-/// What a table's first byte says it is.
+/// First byte of a table, which states its kind.
 const FILES: u8 = b'F';
 const ROWS: u8 = b'R';
 
-/// Our tables, and all that Ballista knows besides.
+/// Codec for the fleet's tables and all tables that Ballista knows.
 #[derive(Debug, Default)]
 pub(super) struct TableCodec {
     others: BallistaLogicalExtensionCodec,
@@ -26,7 +26,7 @@ pub(super) struct TableCodec {
 
 fn broken(error: serde_json::Error) -> DataFusionError {
     DataFusionError::Plan(format!(
-        "a table that was sent cannot be read ({error}): client, scheduler and executors have to be of one version"
+        "a table that was sent cannot be read ({error}): client, scheduler and executors must have the same version"
     ))
 }
 
@@ -78,7 +78,7 @@ impl LogicalExtensionCodec for TableCodec {
             buf.push(ROWS);
             let mut writer = StreamWriter::try_new(buf, &rows.schema())?;
             for partition in &rows.batches {
-                // Nobody writes to it any more.
+                // No writer is left.
                 let Ok(batches) = partition.try_read() else {
                     return Err(DataFusionError::Internal("rows in use".to_owned()));
                 };

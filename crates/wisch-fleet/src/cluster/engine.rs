@@ -1,12 +1,14 @@
-//! How tasks are run: as Ballista does it, but that stages with a union are not measured, and that joins whose rows would be wrong are refused.
+//! Execution of tasks as in Ballista, with two exceptions: stages with a union are not measured, and joins with wrong
+//! results are rejected.
 //!
-//! Unions: Ballista 55.0 gives the tasks of such a stage plans of different shapes: what is empty is another operator where a task has no part of
-//! it, with measurements that the first has not. The scheduler refuses the whole report of a task whose measurements are another number
-//! than those of the task before, so that the statement would never end.
+//! Unions: Ballista 55.0 gives the tasks of a union stage plans of different shapes. An empty part of a task is another
+//! operator, without the measurements of the original. The scheduler rejects a task's report if its number of
+//! measurements differs from that of the previous task, so that the statement would never end.
 //!
-//! Joins: a join that keeps one side in memory, and afterwards gives out those rows of it that met none (or any) of the other side, has to
-//! see all of the other side. Ballista 55.0 shares that out among tasks where the join has no equation, and each gives out rows of its own. The same of
-//! unions of which a part is of all rows at once, such as a sum without groups or a sorted part: each task would make that part.
+//! Joins: some joins keep one side in memory, and finally return those of its rows that met no (or any) row of the
+//! other side. The join must see the whole other side. Ballista 55.0 distributes the other side over tasks if the
+//! join has no equation, and each task returns rows of its own. Unions have the same problem if a part needs all rows
+//! at once, such as a sum without groups or a sorted part: each task would compute that part.
 
 use ballista_core::JobId;
 use ballista_core::execution_plans::ShuffleReaderExec;
@@ -34,7 +36,7 @@ use datafusion::prelude::SessionConfig;
 use std::fmt;
 use std::sync::Arc;
 
-/// Makes what runs a task.
+/// Creates the engine that executes tasks.
 #[derive(Default)]
 pub(super) struct Engine {
     ballista: DefaultExecutionEngine,
@@ -53,13 +55,13 @@ impl ExecutionEngine for Engine {
     ) -> Result<Arc<dyn QueryStageExecutor>> {
         if plan.exists(|node| Ok(emits_build_side(node)))? {
             return not_impl_err!(
-                "an outer, semi or anti join without an equation cannot be answered by several tasks: ask without a cluster"
+                "an outer, semi or anti join without an equation cannot be answered by several tasks; ask without a cluster"
             );
         }
         let has_union = plan.exists(|node| Ok(node.is::<UnionExec>()))?;
         if plan.exists(|node| Ok(node.is::<UnionExec>() && needs_all_rows(node)))? {
             return not_impl_err!(
-                "rows of several sources, or of UNION ALL, of which some are of a sum, an order or a limit, cannot be put together by several tasks: ask without a cluster"
+                "rows of several sources, or of UNION ALL, of which some are of a sum, an order or a limit, cannot be combined by several tasks; ask without a cluster"
             );
         }
         let stage = self.ballista.create_query_stage_exec(
@@ -78,7 +80,7 @@ impl ExecutionEngine for Engine {
     }
 }
 
-/// Whether a part of it is of all rows at once, which each task would make, and none but for a join should.
+/// Whether a part of the plan needs all rows at once, so that every task would compute it, outside of joins.
 fn needs_all_rows(node: &Arc<dyn ExecutionPlan>) -> bool {
     if let Some(reader) = node.downcast_ref::<ShuffleReaderExec>() {
         return reader.broadcast;
@@ -95,7 +97,7 @@ fn needs_all_rows(node: &Arc<dyn ExecutionPlan>) -> bool {
         || sides.into_iter().any(needs_all_rows)
 }
 
-/// Whether it reads nothing, so that one task makes it.
+/// Whether a plan reads nothing, so that one task computes it.
 fn is_constant(node: &Arc<dyn ExecutionPlan>) -> bool {
     let parts = node.children();
     node.is::<PlaceholderRowExec>()
@@ -110,7 +112,7 @@ fn collects_build_side(node: &Arc<dyn ExecutionPlan>) -> bool {
         || hash_join.is_some_and(|join| *join.partition_mode() == PartitionMode::CollectLeft)
 }
 
-/// Whether it gives out rows of the side that it keeps in memory in the end, but may not have seen all of the other.
+/// Whether a join returns rows of the side in memory at the end, without seeing the whole other side.
 fn emits_build_side(node: &Arc<dyn ExecutionPlan>) -> bool {
     let kind = match node.downcast_ref::<NestedLoopJoinExec>() {
         Some(join) => join.join_type(),
@@ -131,7 +133,7 @@ fn emits_build_side(node: &Arc<dyn ExecutionPlan>) -> bool {
     gives_out && !node.children().get(1).is_some_and(sees_all)
 }
 
-/// A task of a stage that is not measured.
+/// Task of a stage that is not measured.
 #[derive(Debug)]
 struct Unmeasured(Arc<dyn QueryStageExecutor>);
 

@@ -1,4 +1,4 @@
-//! An executor: runs the tasks that its scheduler hands out, reads stores with its own credentials, and keeps what it has made for others
+//! Executor: runs the tasks of its scheduler, reads stores with its own credentials, and keeps its results for others
 //! to fetch.
 
 use super::address::Address;
@@ -18,33 +18,33 @@ use std::thread;
 use std::time::Duration;
 use tokio::time::sleep;
 
-/// What all its slots together may take of the memory [bytes].
+/// Largest memory of all slots together [bytes].
 const MEMORY: u64 = 4 << 30;
-/// What was made for a statement is deleted after this, if the scheduler has not said so before, and looked for this often [s].
+/// Lifetime of a statement's results if the scheduler does not delete them, and interval of the check [s].
 const KEPT: u64 = 24 * 3600;
 const TIDIED_AFTER: u64 = 600;
-/// A scheduler may start a little later than its executors.
+/// Time that an executor waits for its scheduler to start.
 const TRIES: u32 = 30;
 
-/// How an executor runs.
+/// Settings of an executor.
 #[derive(Debug, Clone)]
 pub struct ExecutorOptions {
-    /// Its scheduler.
+    /// Address of its scheduler.
     pub scheduler: Address,
-    /// Where others fetch what it has made; port 0 is any that is free.
+    /// Address at which others fetch its results; port 0 for any free port.
     pub bind: SocketAddr,
-    /// How others reach it, if not as `bind` says.
+    /// Name by which others reach it, if it differs from `bind`.
     pub host: Option<String>,
-    /// How many tasks it runs at once; `None` is one for each core.
+    /// Number of simultaneous tasks; `None` for one per core.
     pub slots: Option<usize>,
-    /// Where it keeps what it has made; `None` is a folder that is gone afterwards.
+    /// Folder of its results; `None` for a temporary folder.
     pub work_dir: Option<PathBuf>,
 }
 
-/// Executes until it is killed; `begun` is told the number of its slots when it has registered.
+/// Runs an executor until it is killed. Calls `begun` with the number of slots once it has registered.
 ///
 /// # Errors
-/// No scheduler, an address that is taken, or what the system says.
+/// If there is no scheduler, the address is taken, or a file cannot be written.
 pub async fn execute(
     options: &ExecutorOptions,
     begun: impl FnOnce(usize),
@@ -67,9 +67,9 @@ pub async fn execute(
         .unwrap_or_else(|| thread::available_parallelism().map_or(1, usize::from))
         .max(1);
     let ip = options.bind.ip();
-    // Where it listens on all addresses, the scheduler knows the one that it came from.
+    // If it listens on all addresses, the scheduler uses the address of its connection.
     let host = (options.host.clone()).or_else(|| (!ip.is_unspecified()).then(|| ip.to_string()));
-    // Files never change: one cache of their footers for all statements.
+    // Files never change, so one cache of their footers serves all statements.
     let runtime = RuntimeEnvBuilder::new()
         .with_object_store_registry(Arc::new(Stores::default()))
         .with_temp_file_path(&work_dir)
@@ -82,7 +82,7 @@ pub async fn execute(
         },
         external_host: host,
         port,
-        // Nobody sends tasks here.
+        // No task is pushed to this executor.
         grpc_port: port,
         scheduler_host: options.scheduler.host().to_owned(),
         scheduler_port: options.scheduler.port(),
@@ -114,7 +114,7 @@ pub async fn execute(
     }
 }
 
-/// Waits a while for the scheduler.
+/// Waits for the scheduler to start.
 async fn reach(scheduler: &Address) -> Result<(), FleetError> {
     let mut tries = 1;
     loop {
@@ -126,7 +126,7 @@ async fn reach(scheduler: &Address) -> Result<(), FleetError> {
     }
 }
 
-/// The port, which nobody else has.
+/// Reserves the port.
 fn free(bind: SocketAddr) -> Result<u16, FleetError> {
     let listener = TcpListener::bind(bind);
     let address = listener.and_then(|listener| listener.local_addr());

@@ -1,24 +1,24 @@
-//! What a scheduler and executors say while they run: warnings and errors, on standard error, without credentials.
+//! Messages of scheduler and executors: warnings and errors on standard error, without credentials.
 
 use log::{LevelFilter, Log, Metadata, Record};
 use std::sync::{Mutex, OnceLock, PoisonError};
 
 struct Journal {
-    /// What must not be printed, whoever repeats it.
+    /// Secrets that no message may contain.
     secrets: Vec<String>,
-    /// What was printed last: an executor whose scheduler is away says so twenty times a second.
+    /// The last message: an executor whose scheduler is away repeats its message twenty times a second.
     last: Mutex<String>,
 }
 
 static JOURNAL: OnceLock<Journal> = OnceLock::new();
 
-/// Begins to print.
+/// Starts to print messages.
 pub(super) fn begin() {
     let journal = JOURNAL.get_or_init(|| Journal {
         secrets: crate::store::secrets(),
         last: Mutex::default(),
     });
-    // Another may print already, in a program that this is a part of.
+    // An enclosing program may have installed another logger.
     if log::set_logger(journal).is_ok() {
         log::set_max_level(LevelFilter::Warn);
     }

@@ -1,7 +1,8 @@
-//! The same SQL on a Ballista scheduler and its executors, all of them this program.
+//! SQL on a Ballista scheduler and its executors, which are this same program.
 //!
-//! A statement goes to the scheduler as a logical plan in which a table is the list of its files, with what the log says of each; nobody
-//! but the client reads a log. The scheduler plans and reads nothing; executors open the stores by their URLs, with credentials of their own.
+//! A statement goes to the scheduler as a logical plan in which a table is the list of its files, with their entries in
+//! the log; only the client reads a log. The scheduler plans and reads nothing. Executors open the stores by their
+//! URLs, with their own credentials.
 
 mod address;
 mod codec;
@@ -17,5 +18,5 @@ pub use executor::{ExecutorOptions, execute};
 pub use scheduler::{SchedulerOptions, schedule};
 pub(crate) use session::{cluster_error, on_cluster};
 
-/// A message is this long at most [bytes]: the files of a table are named in one, 300 bytes each.
+/// Largest message [bytes]: one message names the files of a table, with 300 bytes each.
 const MESSAGE: u32 = 256 << 20;

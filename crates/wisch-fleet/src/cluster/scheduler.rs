@@ -1,4 +1,4 @@
-//! The scheduler: takes plans, cuts them into stages and hands these out to the executors that have registered.
+//! Scheduler: accepts plans, divides them into stages and distributes these to the registered executors.
 
 use super::address::Address;
 use super::codec::TableCodec;
@@ -25,26 +25,26 @@ use std::time::Duration;
 use tokio::net::TcpListener;
 use tokio::time::sleep;
 
-/// An executor that has been silent for so long is lost [s]; one that is busy asks every 5 s.
+/// Time of silence after which an executor counts as lost [s]; a busy one polls every 5 s.
 const LOST_AFTER: u64 = 20;
-/// How often what goes on is looked at [s].
+/// Interval of the checks of running statements [s].
 const LOOKED_AFTER: u64 = 2;
 
 type Server = SchedulerServer<LogicalPlanNode, PhysicalPlanNode>;
 
-/// How a scheduler runs.
+/// Settings of a scheduler.
 #[derive(Debug, Clone)]
 pub struct SchedulerOptions {
-    /// Where it listens; port 0 is any that is free.
+    /// Address at which it listens; port 0 for any free port.
     pub bind: SocketAddr,
-    /// How executors reach it, if not as `bind` says.
+    /// Name by which executors reach it, if it differs from `bind`.
     pub host: Option<String>,
 }
 
-/// Schedules until it is killed; `begun` is told the address when it listens.
+/// Runs a scheduler until it is killed. Calls `begun` with the address once it listens.
 ///
 /// # Errors
-/// An address that is taken, or what the system says.
+/// If the address is taken, or the system refuses it.
 pub async fn schedule(
     options: &SchedulerOptions,
     begun: impl FnOnce(&Address),
@@ -65,8 +65,8 @@ pub async fn schedule(
         bind_host: address.host().to_owned(),
         bind_port: address.port(),
         external_host: options.host.clone().unwrap_or(address.host().to_owned()),
-        // Executors ask for tasks, and say themselves how many slots are free: where the scheduler counts, a slot whose statement has
-        // failed is lost.
+        // Executors poll for tasks, and state their free slots themselves. If the scheduler counted, it would lose the
+        // slot of every failed statement.
         scheduling_policy: TaskSchedulingPolicy::PullStaged,
         task_distribution: TaskDistributionPolicy::RoundRobin,
         grpc_server_max_decoding_message_size: MESSAGE,
@@ -98,20 +98,20 @@ pub async fn schedule(
     served.map_err(|error| failed(error.to_string()))
 }
 
-/// Ends what runs whenever an executor is lost. Ballista 55.0 would begin anew, but where it plans between stages it does not come to an
-/// end then; where it does not, joins without an equation come out wrong.
+/// Cancels running statements when an executor is lost. Ballista 55.0 would restart them; with planning between stages
+/// a restart never ends, and without it joins without an equation give wrong results.
 async fn give_up(scheduler: Server, mut events: ClusterStateEventStream) {
     while let Some(event) = events.next().await {
         if let ClusterStateEvent::RemovedExecutor { .. } = event {
             for job in scheduler.state.task_manager.get_running_job_cache().keys() {
-                // It fails where the scheduler itself ends.
+                // Fails only if the scheduler itself ends.
                 let _ = scheduler.cancel_job(job.clone()).await;
             }
         }
     }
 }
 
-/// Ends what has tasks neither running nor waiting at two looks: its planning has lost its way, and nothing would ever come of it.
+/// Cancels statements without running or waiting tasks at two checks: their planning is stuck and would never end.
 async fn give_up_idle(scheduler: Server) {
     let mut idle = HashSet::new();
     loop {
@@ -124,22 +124,22 @@ async fn give_up_idle(scheduler: Server) {
             }
         }
         for job in now.intersection(&idle) {
-            // It fails where the scheduler itself ends.
+            // Fails only if the scheduler itself ends.
             let _ = scheduler.cancel_job(job.clone()).await;
         }
         idle = now;
     }
 }
 
-/// What a statement is planned in: as many pieces as there are slots.
+/// Returns the state for planning a statement, with as many partitions as there are slots.
 fn session(executors: &dyn ClusterState, config: SessionConfig) -> Result<SessionState> {
-    // What is in memory is there at once.
+    // Results in memory are available at once.
     let registered = executors.registered_executor_metadata().now_or_never();
     let slots = registered.iter().flatten();
     let slots: u32 = slots.map(|executor| executor.specification.vcores).sum();
     if slots == 0 {
         return Err(DataFusionError::Configuration(
-            "no executor has registered with the scheduler: start one with wisch-fleet executor --scheduler HOST:PORT".to_owned(),
+            "no executor has registered with the scheduler; start one with wisch-fleet executor --scheduler HOST:PORT".to_owned(),
         ));
     }
     default_session_builder(config.with_target_partitions(slots as usize))

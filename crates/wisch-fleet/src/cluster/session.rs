@@ -1,4 +1,4 @@
-//! A session whose statements are answered by a cluster.
+//! Session whose statements a cluster answers.
 
 use super::MESSAGE;
 use super::address::Address;
@@ -18,7 +18,7 @@ use datafusion::prelude::SessionContext;
 use datafusion_proto::protobuf::LogicalPlanNode;
 use std::sync::Arc;
 
-/// The same tables and views, asked there.
+/// Returns a session with the same tables and views on the cluster.
 pub(crate) fn on_cluster(here: &SessionContext, address: &Address) -> Result<SessionContext> {
     let asked = here.copied_config();
     let optimizer = &asked.options().optimizer;
@@ -29,11 +29,11 @@ pub(crate) fn on_cluster(here: &SessionContext, address: &Address) -> Result<Ses
         .upgrade_for_ballista()
         .with_ballista_broadcast_join_threshold_bytes(built_at_once)
         .with_ballista_broadcast_join_threshold_rows(built_rows_at_once)
-        // The catalog is there already.
+        // The catalog exists already.
         .with_create_default_catalog_and_schema(false)
         .with_ballista_logical_extension_codec(Arc::new(TableCodec::default()))
         .with_ballista_grpc_client_max_message_size(MESSAGE as usize);
-    // As on one machine: the small side of a join goes to all, so that what is large is not moved about.
+    // As on one machine: the small side of a join goes to all tasks, so that the large side is not redistributed.
     let optimizer = &mut config.options_mut().optimizer;
     optimizer.hash_join_single_partition_threshold = built_at_once;
     optimizer.hash_join_single_partition_threshold_rows = built_rows_at_once;
@@ -49,7 +49,7 @@ pub(crate) fn on_cluster(here: &SessionContext, address: &Address) -> Result<Ses
     Ok(SessionContext::new_with_state(state))
 }
 
-/// Sends plans to the scheduler, but those that only say what a table is like.
+/// Sends plans to the scheduler, except those that only describe tables.
 #[derive(Debug)]
 struct Planner(BallistaQueryPlanner<LogicalPlanNode>);
 
@@ -71,16 +71,16 @@ impl QueryPlanner for Planner {
     }
 }
 
-/// What went wrong there, and where that is.
+/// Returns the error of the cluster, with the scheduler's address.
 pub(crate) fn cluster_error(address: &Address, error: FleetError) -> FleetError {
     match error {
         FleetError::Sql(error) => {
             let text = without_echo(&error.strip_backtrace());
-            // DataFusion asks to be told of what it calls its own faults.
+            // DataFusion asks users to report its internal errors; that part is removed.
             let what = text.split("\nThis issue was likely").next();
             let mut what = what.unwrap_or_default().trim_end().to_owned();
             if what.ends_with("failed: Cancelled") {
-                what += ", as an executor was lost, or as the scheduler's plan came to no end: ask again, or without a cluster";
+                what += ", because an executor was lost or the scheduler's plan did not end; ask again, or without a cluster";
             }
             FleetError::Cluster {
                 address: address.to_string(),

@@ -7,7 +7,7 @@ use object_store::ObjectStore;
 use std::sync::Arc;
 use url::{Position, Url};
 
-/// Stores by URL: each is opened once, with the credentials of this process.
+/// Stores by URL; each is opened once, with the credentials of this process.
 #[derive(Debug, Default)]
 pub(super) struct Stores {
     known: DefaultObjectStoreRegistry,

@@ -1,4 +1,4 @@
-//! Rows of episodes on their way into a fleet's files.
+//! Batches of episodes for a fleet's files.
 
 use crate::store::{Created, FileEntry, FleetError, StorePlace, sha256};
 use crate::tables::file::{VERSION, to_bytes};
@@ -9,45 +9,45 @@ use datafusion::error::DataFusionError;
 use std::collections::BTreeMap;
 use wisch_memory::{Episode, EpisodeRecord};
 
-/// A commit names its episodes up to this many: more than a push brings in at once.
+/// Largest number of episodes that a commit lists, more than a push commits at once.
 const MOST_NAMED: usize = 1000;
 
-/// An episode that is to come in.
+/// An episode to be added.
 pub struct Incoming {
-    /// What it says.
+    /// Its record.
     pub record: EpisodeRecord,
-    /// Where its telemetry is read, if it is to come in as well.
+    /// Source of its telemetry, if that is added as well.
     pub telemetry: Option<Episode>,
-    /// Where it is kept whole.
+    /// Its archives.
     pub keep: Keep,
-    /// Who did it.
+    /// Name of its robot.
     pub robot: String,
 }
 
-/// Which files rows come into.
+/// Distribution of rows over files.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Grouping {
-    /// A file of its own for each robot and day.
+    /// A file for each robot and day.
     ByRobotAndDay,
-    /// One file for all.
+    /// One file for all rows.
     Together,
 }
 
-/// What a file's rows have in common.
+/// Extent of a file's rows.
 #[derive(Debug, Clone, PartialEq)]
 pub struct BatchExtent {
-    /// First and last robot by name.
+    /// First and last robot, by name.
     pub robots: [String; 2],
     /// First and last day, days since 1970.
     pub days: [i32; 2],
-    /// First start and last end [s since 1970].
+    /// First begin and last end [s since 1970].
     pub times: [f64; 2],
-    /// The episodes, where they are few.
+    /// The episodes, if they are few.
     pub episodes: Option<Vec<String>>,
 }
 
 impl Incoming {
-    /// Of a record: the robot is the one that it names, unless it is given.
+    /// Wraps a record. `robot` overrides the robot in the record.
     pub fn new(record: EpisodeRecord, robot: Option<&str>) -> Self {
         Self {
             robot: robot.map_or_else(|| robot_of(&record), str::to_owned),
@@ -57,7 +57,7 @@ impl Incoming {
         }
     }
 
-    /// The same once more.
+    /// Returns a copy of the same entry.
     pub(super) fn again(&self) -> Self {
         Self {
             record: self.record.clone(),
@@ -72,7 +72,7 @@ impl Incoming {
     }
 }
 
-/// A day as it is written; its days since 1970.
+/// Formats a day, given as days since 1970.
 pub fn day_text(day: i32) -> String {
     let date = jiff::civil::Date::constant(1970, 1, 1);
     let days = jiff::Span::new()
@@ -81,10 +81,10 @@ pub fn day_text(day: i32) -> String {
     date.saturating_add(days).to_string()
 }
 
-/// Writes the rows of some episodes, sorted: the files that came of it, none of which counts yet.
+/// Writes the sorted rows of some episodes. Returns the files, none of which is valid before a commit.
 ///
 /// # Errors
-/// Telemetry that cannot be read, or what the store says.
+/// If telemetry cannot be read, or the store cannot be written.
 pub async fn write(
     place: &StorePlace,
     mut episodes: Vec<Incoming>,
@@ -117,10 +117,10 @@ pub async fn write(
     Ok(files)
 }
 
-/// The same without episodes' records: telemetry alone, of episodes whose other rows are there.
+/// Writes only the telemetry of episodes whose other rows the fleet has.
 ///
 /// # Errors
-/// The same.
+/// As [`write`].
 pub async fn write_telemetry(
     place: &StorePlace,
     episodes: Vec<Incoming>,
@@ -137,7 +137,7 @@ pub async fn write_telemetry(
     Ok(files)
 }
 
-/// Writes a file for each table that has rows.
+/// Writes a file for each table with rows.
 async fn write_tables(
     place: &StorePlace,
     projection: Projection,
@@ -152,7 +152,7 @@ async fn write_tables(
     Ok(files)
 }
 
-/// What a file of these episodes says of itself. There is one at least.
+/// Returns the extent of a file with these episodes, at least one.
 fn extent_of(group: &[Incoming]) -> BatchExtent {
     let robots = || group.iter().map(|one| one.robot.clone());
     let days = || group.iter().map(Incoming::day);
@@ -175,10 +175,10 @@ fn extent_of(group: &[Incoming]) -> BatchExtent {
     }
 }
 
-/// Writes batches of a table as one file, which is named by what is in it.
+/// Writes batches of a table as one file, whose name is derived from its contents.
 ///
 /// # Errors
-/// What the store says.
+/// If the store cannot be written.
 pub async fn write_file(
     place: &StorePlace,
     table: &Table,
@@ -196,7 +196,7 @@ pub async fn write_file(
     };
     let path = format!("tables/{}/{folder}/{sum}.parquet", table.name);
     let length = bytes.len() as u64;
-    // One of these bytes is there already where a writer was killed before its commit.
+    // An object with these bytes exists if a writer was killed before its commit.
     if place.create(&path, bytes.into()).await? == Created::There
         && place
             .head(&path)
@@ -205,7 +205,7 @@ pub async fn write_file(
     {
         return Err(FleetError::Damaged {
             object: place.shown(&path),
-            what: format!("it is not {length} bytes long, as its name says"),
+            what: format!("its length is not {length} bytes, which its name implies"),
         });
     }
     let rows = batches.iter().map(|batch| batch.num_rows() as u64).sum();
@@ -219,13 +219,13 @@ pub async fn write_file(
         sha256: sum,
         schema: VERSION,
         times: extent.times,
-        // Only those of episodes' own table are looked up, by who pushes at the same time.
+        // Only those of the table of episodes are needed, by concurrent pushes.
         episodes: (extent.episodes)
             .filter(|ids| table.name == TABLES[0].name && ids.len() <= MOST_NAMED),
     })
 }
 
-/// A robot's name in the name of an object.
+/// Returns a robot's name in a form for object names.
 fn plain(name: &str) -> String {
     let keep = |c: char| c.is_ascii_alphanumeric() || "-_.".contains(c);
     name.chars()

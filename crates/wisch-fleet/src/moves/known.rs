@@ -1,4 +1,4 @@
-//! Which episodes a fleet has: read from the files of the days in question.
+//! Episodes of a fleet, from the files of the relevant days.
 
 use super::batch::day_text;
 use crate::store::{FileEntry, FleetError, Snapshot, StorePlace};
@@ -10,7 +10,7 @@ use parquet::arrow::ProjectionMask;
 use parquet::arrow::arrow_reader::ParquetRecordBatchReaderBuilder;
 use std::collections::HashMap;
 
-/// Episodes by name, with what tells them from others of the name.
+/// Episodes by name, with their identities.
 #[derive(Debug, Default)]
 pub(super) struct Known(HashMap<String, String>);
 
@@ -19,20 +19,20 @@ impl Known {
         Self::default()
     }
 
-    /// What tells the episode of this name from others, if it is there.
+    /// Identity of the episode with this name, if the fleet has it.
     pub(super) fn identity(&self, id: &str) -> Option<&str> {
         self.0.get(id).map(String::as_str)
     }
 
-    /// The names.
+    /// Names of the episodes.
     pub(super) fn names(&self) -> impl Iterator<Item = &str> {
         self.0.keys().map(String::as_str)
     }
 
-    /// Reads the episodes of these days, first and last, or of all.
+    /// Reads the episodes of these days, first and last, or of all days.
     ///
     /// # Errors
-    /// What the store says, or a file that cannot be read.
+    /// If the store or a file cannot be read.
     pub(super) async fn read(
         &mut self,
         place: &StorePlace,

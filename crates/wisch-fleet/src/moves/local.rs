@@ -1,5 +1,5 @@
-//! A memory that was never pushed, as a source: its rows are kept beside its catalogue, in `.catalogue/fleet/`, a fleet without
-//! archives that is brought up to date before it is asked and may go at any time.
+//! A local memory as a source. Its rows are cached beside its catalogue in `.catalogue/fleet/`, a fleet without
+//! archives. The cache is updated before each use, and may be deleted at any time.
 
 use super::batch::{Grouping, Incoming, write, write_telemetry};
 use super::known::Known;
@@ -10,31 +10,31 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use wisch_memory::Memory;
 
-/// So many episodes come into one file.
+/// Number of episodes in one file.
 const BATCH: usize = 10_000;
 
-/// What of a memory is asked for.
+/// Requested tables of a memory.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Part {
-    /// Everything but telemetry.
+    /// All tables except telemetry.
     Facts,
-    /// Telemetry as well.
+    /// All tables.
     Telemetry,
 }
 
-/// Rows of a memory, and the folder that goes with them where the memory may not be written.
+/// Rows of a memory, with their temporary folder if the memory is read-only.
 pub struct Local {
-    /// What is asked.
+    /// Sources for a session.
     pub sources: Vec<SqlSource>,
     /// Episodes that cannot be read, with the reason.
     pub left_out: Vec<String>,
     _elsewhere: Option<tempfile::TempDir>,
 }
 
-/// The rows of a memory as it is now.
+/// Returns the rows of a memory in its present state.
 ///
 /// # Errors
-/// A memory that cannot be read, or what the system says.
+/// If the memory cannot be read, or a file cannot be written.
 pub async fn local(memory: &Memory, part: Part) -> Result<Local, FleetError> {
     let beside = memory.folder().join(".catalogue");
     let (folder, elsewhere) = match is_writable(&beside) {
@@ -54,7 +54,7 @@ pub async fn local(memory: &Memory, part: Part) -> Result<Local, FleetError> {
         let mut again = Vec::new();
         let place = folder.join("fleet").join("telemetry");
         let place = up_to_date(memory, &place, Part::Telemetry, &mut again).await?;
-        // A fleet within the fleet, so that one store holds both.
+        // A fleet inside the fleet, so that one store holds both.
         let telemetry = Snapshot::read(&place).await?;
         let only = telemetry
             .files
@@ -76,7 +76,7 @@ fn is_writable(folder: &Path) -> bool {
     fs::create_dir_all(folder).is_ok() && tempfile::tempfile_in(folder).is_ok()
 }
 
-/// Brings the rows of what is new in, and begins anew where something was forgotten or replaced.
+/// Adds the rows of new episodes; starts anew if an episode was deleted or replaced.
 async fn up_to_date(
     memory: &Memory,
     folder: &Path,
@@ -86,7 +86,7 @@ async fn up_to_date(
     let place = StorePlace::open(&folder.display().to_string())?;
     let (mut snapshot, mut known) = match read(&place).await {
         Ok(found) => found,
-        // Whatever is wrong with it, it can be made anew.
+        // A damaged cache is rebuilt.
         Err(_) => empty(folder, &place).await?,
     };
     let ids = memory.episodes()?;
@@ -105,7 +105,7 @@ async fn up_to_date(
         .iter()
         .filter(|id| known.identity(id).is_none())
         .collect();
-    // Beside others that do the same, each batch is brought in by one.
+    // If several processes do the same, each batch is added by one of them.
     while !new.is_empty() {
         let batch: Vec<&String> = new.drain(..new.len().min(BATCH)).collect();
         let mut incoming = Vec::new();
@@ -134,7 +134,7 @@ async fn up_to_date(
             .add
             .extend(write(&place, incoming, Grouping::Together).await?);
         if let Committed::Lost(_) = snapshot.commit(&place, &commit).await? {
-            // Another process has brought something in: what is new is looked for again.
+            // Another process has added episodes, so the list of new ones is recomputed.
             let (now, known) = read(&place).await?;
             snapshot = now;
             new = ids
@@ -163,7 +163,8 @@ async fn empty(folder: &Path, place: &StorePlace) -> Result<(Snapshot, Known), F
     }
 }
 
-/// What changes when an episode is forgotten and another of its name comes: when its check sums were written, and how long they are.
+/// Returns a stamp that changes when an episode is replaced by another with its name: time and length of its check
+/// sums.
 fn stamp(memory: &Memory, id: &str) -> String {
     let path = memory.folder().join(id).join("checksums.json");
     let Ok(meta) = fs::metadata(path) else {

@@ -1,4 +1,4 @@
-//! Episodes into a fleet and out of it, and what keeps it in order.
+//! Transfer of episodes into and out of a fleet, and maintenance of a fleet.
 
 pub mod batch;
 mod known;

@@ -1,4 +1,4 @@
-//! Episodes out of a fleet into a memory: those that the filters select, byte for byte.
+//! Pull: copies selected episodes of a fleet into a memory, byte for byte.
 
 use super::push::{archive_name, telemetry_name};
 use crate::ask::{SqlSession, SqlSource};
@@ -9,45 +9,45 @@ use datafusion::arrow::datatypes::{DataType, Int64Type};
 use datafusion::error::DataFusionError;
 use wisch_memory::{Memory, MemoryError};
 
-/// Which episodes.
+/// Selection of episodes.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Filter {
-    /// Those that ended then or later [s since 1970].
+    /// Episodes that ended at this time or later [s since 1970].
     pub since: Option<f64>,
-    /// Those that began then or earlier [s since 1970].
+    /// Episodes that began at this time or earlier [s since 1970].
     pub until: Option<f64>,
-    /// Those of these robots; of all, if there are none.
+    /// Episodes of these robots; empty for all.
     pub robots: Vec<String>,
-    /// Those with something of one of these classes in them; all, if there are none.
+    /// Episodes with an individual of one of these classes; empty for all.
     pub classes: Vec<String>,
-    /// Those of these names; all, if there are none.
+    /// Episodes with these names; empty for all.
     pub episodes: Vec<String>,
     /// A condition over the table of episodes, in SQL.
     pub condition: Option<String>,
 }
 
-/// What was pulled.
+/// Result of a pull.
 #[derive(Debug, Clone, PartialEq, Default, serde::Serialize)]
 pub struct Pulled {
-    /// How many episodes the filters select.
+    /// Number of selected episodes.
     pub selected: usize,
-    /// The episodes that the filters select, by name.
+    /// Names of the selected episodes.
     pub ids: Vec<String>,
-    /// Episodes of the fleet.
+    /// Number of episodes in the fleet.
     pub of: usize,
-    /// Episodes that came.
+    /// Number of copied episodes.
     pub episodes: usize,
-    /// Episodes that were there already.
+    /// Number of episodes that the memory had already.
     pub there: usize,
-    /// Episodes that came without their telemetry, as it is not kept any more.
+    /// Number of episodes copied without telemetry, which the fleet no longer keeps.
     pub thinned: usize,
-    /// Of archives that came [bytes].
+    /// Length of the copied archives [bytes].
     pub bytes: u64,
-    /// Episodes that did not come as they are damaged or of the name of another one, and why.
+    /// Episodes that were not copied because they are damaged or their name is taken, with the reason.
     pub left_out: Vec<String>,
 }
 
-/// An episode as the fleet's table has it.
+/// An episode in the fleet's table.
 struct Kept {
     id: String,
     day: String,
@@ -58,7 +58,7 @@ struct Kept {
 }
 
 impl Filter {
-    /// The selected episodes, in SQL.
+    /// Returns the SQL statement of the selection.
     fn statement(&self) -> String {
         let quoted = |names: &[String]| {
             let quoted = names
@@ -96,11 +96,12 @@ impl Filter {
     }
 }
 
-/// Pulls what the memory has not yet. `report` hears how many episodes of how many are done. An episode that is damaged,
-/// or of the name of another one, is left out, and the next one comes.
+/// Copies the selected episodes that the memory lacks. `report` receives the numbers of finished and of all episodes.
+/// An episode that is damaged, or whose name another episode has, is skipped.
 ///
 /// # Errors
-/// A log or a table that is damaged, or what the store or the system says. What came before stays.
+/// If the log or a table is damaged, the store cannot be read, or the memory cannot be written. Episodes copied before
+/// stay.
 pub async fn pull(
     place: &StorePlace,
     memory: &Memory,
@@ -166,7 +167,7 @@ fn kept(batch: &RecordBatch) -> Result<Vec<Kept>, FleetError> {
     Ok(rows.collect())
 }
 
-/// The texts of a column; empty ones where there is none.
+/// Returns the texts of a column; empty texts for nulls.
 pub(super) fn texts(column: &ArrayRef) -> Result<Vec<String>, FleetError> {
     let texts = cast(column, &DataType::Utf8).map_err(DataFusionError::from)?;
     let texts = texts.as_string::<i32>().iter();
@@ -175,17 +176,17 @@ pub(super) fn texts(column: &ArrayRef) -> Result<Vec<String>, FleetError> {
         .collect())
 }
 
-/// Whether an episode's telemetry is not kept any more.
+/// Whether the fleet no longer keeps an episode's telemetry.
 fn is_thinned(snapshot: &Snapshot, one: &Kept) -> bool {
     let since = snapshot.telemetry_since.as_ref();
     one.telemetry.is_some() && since.is_some_and(|since| one.day < *since)
 }
 
-/// Whether an error says something of one episode, and nothing of the store, the disk and the other episodes.
+/// Whether an error concerns a single episode, not the store, the disk or other episodes.
 fn is_of_one_episode(error: &FleetError) -> bool {
     match error {
         FleetError::Damaged { .. } | FleetError::Conflict { .. } => true,
-        // What its check sums name may not be among its files.
+        // A file in the check sums may be missing.
         FleetError::Memory(MemoryError::File { error, .. }) | FleetError::File { error, .. } => {
             error.kind() == std::io::ErrorKind::NotFound
         }
@@ -201,7 +202,7 @@ enum Came {
     WithoutTelemetry,
 }
 
-/// Brings one episode into the memory, if it is not there already.
+/// Copies an episode into the memory, unless the memory has it.
 async fn bring(
     place: &StorePlace,
     memory: &Memory,
@@ -212,7 +213,7 @@ async fn bring(
         return fetch(place, memory, snapshot, one).await;
     };
     let identity = identity_of(&episode)?;
-    // One that came without its telemetry is not the same bytes, but the same episode.
+    // Without telemetry, the episode is the same but not its bytes.
     if identity != one.identity && !is_thinned(snapshot, one) {
         return Err(FleetError::Conflict {
             id: one.id.clone(),
@@ -225,7 +226,7 @@ async fn bring(
     Ok(Came::Before)
 }
 
-/// Brings one episode into the memory.
+/// Copies an episode into the memory.
 async fn fetch(
     place: &StorePlace,
     memory: &Memory,
@@ -236,7 +237,7 @@ async fn fetch(
     let Some(sum) = &one.archive else {
         return Err(FleetError::Damaged {
             object: place.shown(&name),
-            what: "the fleet keeps rows of this episode, but not the episode".to_owned(),
+            what: "the fleet has rows of this episode, but no archive".to_owned(),
         });
     };
     let mut files = checked(place, &name, sum).await?;
@@ -258,7 +259,7 @@ async fn fetch(
     Ok(came)
 }
 
-/// The files of an archive that is what was written.
+/// Returns the files of an archive, after verifying its checksum.
 pub(super) async fn checked(
     place: &StorePlace,
     name: &str,
@@ -278,7 +279,7 @@ pub(super) async fn checked(
     archive.files(&place.shown(name))
 }
 
-/// Takes telemetry out of the check sums, so that what is left is an episode that lacks nothing it names.
+/// Removes telemetry from the check sums, so that the remaining episode is complete.
 fn forget_telemetry(files: &mut [(String, Vec<u8>)], object: &str) -> Result<(), FleetError> {
     for (_, contents) in files
         .iter_mut()

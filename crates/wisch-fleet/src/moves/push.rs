@@ -1,4 +1,4 @@
-//! Episodes of a memory into a fleet: each whole as an archive, and as rows.
+//! Push: copies episodes of a memory into a fleet, each as an archive and as rows.
 
 use super::batch::{Grouping, Incoming, write};
 use super::known::Known;
@@ -9,36 +9,37 @@ use crate::tables::{Keep, day_of};
 use std::collections::HashSet;
 use wisch_memory::{Catalogue, Episode, Memory};
 
-/// So many episodes are committed at once, or so many bytes: what a killed push has to do again.
+/// Limits of a commit in episodes and bytes, which bound the work that a killed push repeats.
 const BATCH_EPISODES: usize = 256;
 const BATCH_BYTES: u64 = 256 << 20;
-/// Others may be faster so often.
+/// Number of attempts to commit against other writers.
 const TRIES: usize = 100;
 
-/// How a memory is pushed.
+/// Options of a push.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct PushOptions {
-    /// Who did it, where the record's own name is not enough.
+    /// Name of the robot, if the record's own is not unique.
     pub robot: Option<String>,
 }
 
-/// What was pushed.
+/// Result of a push.
 #[derive(Debug, Clone, PartialEq, Default, serde::Serialize)]
 pub struct Pushed {
-    /// Episodes that came in.
+    /// Number of added episodes.
     pub episodes: usize,
-    /// Episodes that were there already.
+    /// Number of episodes that the fleet had already.
     pub there: usize,
-    /// Of archives and files that came in [bytes].
+    /// Length of added archives and files [bytes].
     pub bytes: u64,
-    /// Commits.
+    /// Number of commits.
     pub commits: usize,
 }
 
-/// Pushes what is not there yet. `report` hears how many episodes of how many are done.
+/// Copies the episodes that the fleet lacks. `report` receives the numbers of finished and of all episodes.
 ///
 /// # Errors
-/// An episode that is damaged, or of the name of another one, or what the store says. What was committed before stays.
+/// If an episode is damaged, its name is taken by another episode, or the store cannot be written. Earlier commits
+/// stay.
 pub async fn push(
     memory: &Memory,
     place: &StorePlace,
@@ -99,7 +100,7 @@ pub async fn push(
     Ok(pushed)
 }
 
-/// First and last day of all episodes.
+/// Returns first and last day of all episodes.
 fn days(catalogue: &Catalogue) -> [i32; 2] {
     let days = || {
         catalogue
@@ -113,7 +114,7 @@ fn days(catalogue: &Catalogue) -> [i32; 2] {
     ]
 }
 
-/// Whether what is there is the same episode.
+/// Whether the fleet's episode is the same.
 fn same(
     episode: &Episode,
     identity: &str,
@@ -132,17 +133,17 @@ fn same(
     })
 }
 
-/// What an episode's archive is called.
+/// Name of an episode's archive.
 pub(super) fn archive_name(id: &str) -> String {
     format!("episodes/{id}.tar.zst")
 }
 
-/// What the archive of its telemetry is called.
+/// Name of the archive of its telemetry.
 pub(super) fn telemetry_name(id: &str) -> String {
     format!("episodes/{id}.telemetry.tar.zst")
 }
 
-/// Brings an episode's archives in; they count when the commit does that names them.
+/// Adds an episode's archives, which become valid with the commit that lists them.
 async fn archive(
     place: &StorePlace,
     episode: &Episode,
@@ -160,7 +161,7 @@ async fn archive(
     let name = archive_name(episode.id());
     let whole = match place.create(&name, whole.bytes.clone()).await? {
         Created::New => whole,
-        // Of a push that was killed, or goes on beside this one; perhaps of another version of zstd.
+        // Left by a push that was killed or runs in parallel, perhaps compressed by another version of zstd.
         Created::There => {
             let there = Archive::from_bytes(place.get(&name).await?);
             let other = there.identity(&place.shown(&name))?;
@@ -188,7 +189,7 @@ async fn archive(
             Created::New => telemetry,
             Created::There => {
                 let there = Archive::from_bytes(place.get(&name).await?);
-                // The episode is the same, so its telemetry is, unless this object is damaged.
+                // The episode is the same, so its telemetry must be, unless this object is damaged.
                 if there.files(&place.shown(&name))? != telemetry.files(&place.shown(&name))? {
                     return Err(FleetError::Damaged {
                         object: place.shown(&name),
@@ -205,7 +206,7 @@ async fn archive(
     Ok(incoming)
 }
 
-/// Writes the rows of a batch and commits them. What another writer has brought in meanwhile is left out.
+/// Writes and commits the rows of a batch, without episodes that another writer has added meanwhile.
 async fn commit(
     place: &StorePlace,
     snapshot: &mut Snapshot,
@@ -237,7 +238,7 @@ async fn commit(
                     let before = batch.len();
                     batch.retain(|one| !theirs.contains(&one.record.id));
                     if batch.len() < before {
-                        // Of the same bytes: the archives' names have seen to that.
+                        // The names of the archives guarantee the same bytes.
                         pushed.there += before - batch.len();
                         break;
                     }

@@ -1,5 +1,6 @@
-//! What keeps a fleet in order: few large files, no telemetry beyond its time, and nothing left of what has not counted for long.
-//! What somebody may be reading is never deleted: first it leaves the log, and objects go when they have not counted for long.
+//! Maintenance of a fleet: merge small files, remove old telemetry, and delete objects that have long been unused.
+//! Files in use are never deleted: they leave the log first, and objects are deleted only when they have long been
+//! unused.
 
 use super::batch::{BatchExtent, day_text, write_file};
 use crate::ask::{SqlSession, SqlSource};
@@ -9,39 +10,39 @@ use datafusion::arrow::array::RecordBatch;
 use std::collections::HashSet;
 use std::sync::Arc;
 
-/// Files shorter than this are put together [bytes].
+/// Length below which files are merged [bytes].
 const SMALL: u64 = 32 << 20;
-/// As much of them comes into one [bytes]; what is packed well takes ten times as much memory.
+/// Length of a merged file [bytes]; well compressed data need ten times as much memory.
 const TOGETHER: u64 = 64 << 20;
-/// Others may be faster so often.
+/// Number of attempts to commit against other writers.
 const TRIES: usize = 100;
 
-/// What compaction did.
+/// Result of a compaction.
 #[derive(Debug, Clone, PartialEq, Default, serde::Serialize)]
 pub struct Compacted {
-    /// Files that were put together.
+    /// Number of merged files.
     pub before: usize,
-    /// What they became.
+    /// Number of files after the merge.
     pub after: usize,
-    /// Objects deleted that had not counted for long.
+    /// Number of deleted objects, which had long been unused.
     pub deleted: usize,
 }
 
-/// What retention took out.
+/// Result of a retention.
 #[derive(Debug, Clone, PartialEq, Default, serde::Serialize)]
 pub struct Retained {
-    /// The first day of which telemetry is kept.
+    /// First day whose telemetry is kept.
     pub since: String,
-    /// Files of rows that do not count any more.
+    /// Number of files of rows that became unused.
     pub files: usize,
     /// Their length [bytes].
     pub bytes: u64,
 }
 
-/// Puts small files together: telemetry of a robot and day, all else across robots and days, sorted by them.
+/// Merges small files: telemetry by robot and day, other tables across robots and days, sorted by them.
 ///
 /// # Errors
-/// What the store says.
+/// If the store cannot be read or written.
 pub async fn compact(place: &StorePlace) -> Result<Compacted, FleetError> {
     let mut compacted = Compacted::default();
     let mut snapshot = Snapshot::read(place).await?;
@@ -52,7 +53,7 @@ pub async fn compact(place: &StorePlace) -> Result<Compacted, FleetError> {
             };
             let mut commit = Commit::new("compact");
             commit.remove = group.iter().map(|file| file.path.clone()).collect();
-            // Sorted already, one file becomes itself.
+            // The merge of a single sorted file is the file itself.
             if commit.remove.contains(&file.path) {
                 continue;
             }
@@ -66,7 +67,7 @@ pub async fn compact(place: &StorePlace) -> Result<Compacted, FleetError> {
     Ok(compacted)
 }
 
-/// Commits, unless a file that is to go has gone already: whether it did.
+/// Commits, unless a file to be removed is gone already. Returns whether it committed.
 async fn replace(
     place: &StorePlace,
     snapshot: &mut Snapshot,
@@ -90,7 +91,7 @@ async fn replace(
     })
 }
 
-/// Small files of a table that go together, in the order of robot and day.
+/// Returns groups of a table's small files that are merged, in the order of robot and day.
 fn groups(snapshot: &Snapshot, table: &Table) -> Vec<Vec<FileEntry>> {
     let mut small: Vec<FileEntry> = (snapshot.files_of(table.name))
         .filter(|file| file.bytes < SMALL)
@@ -118,7 +119,7 @@ fn groups(snapshot: &Snapshot, table: &Table) -> Vec<Vec<FileEntry>> {
     groups
 }
 
-/// Writes what some files hold as one.
+/// Writes the rows of some files as one file.
 async fn merged(
     place: &StorePlace,
     snapshot: &Snapshot,
@@ -176,7 +177,7 @@ async fn merged(
     Ok(Some(file))
 }
 
-/// What the files of a group have in common.
+/// Returns the extent of a group's files.
 fn extent(group: &[FileEntry]) -> BatchExtent {
     let least =
         |of: fn(&FileEntry) -> &String| group.iter().map(of).min().cloned().unwrap_or_default();
@@ -210,10 +211,10 @@ fn extent(group: &[FileEntry]) -> BatchExtent {
     }
 }
 
-/// Telemetry of the days before this time [s since 1970] does not count any more: its rows, and its archives.
+/// Makes telemetry of days before a time [s since 1970] unused: its rows, and its archives.
 ///
 /// # Errors
-/// What the store says.
+/// If the store cannot be read or written.
 pub async fn retain(place: &StorePlace, before: f64) -> Result<Retained, FleetError> {
     let since = day_text(day_of(before));
     let mut snapshot = Snapshot::read(place).await?;
@@ -239,11 +240,11 @@ pub async fn retain(place: &StorePlace, before: f64) -> Result<Retained, FleetEr
     })
 }
 
-/// Deletes objects that have not counted since this time [s since 1970]: how many. Archives of telemetry go by the day of retention;
-/// what a killed writer has left and nobody ever committed goes by its age.
+/// Deletes objects that have been unused since a time [s since 1970], and returns their number. Archives of telemetry
+/// are deleted by the day of retention, and objects of killed writers without a commit by their age.
 ///
 /// # Errors
-/// What the store says.
+/// If the store cannot be read or written.
 pub async fn purge(place: &StorePlace, before: f64) -> Result<usize, FleetError> {
     let mut snapshot = Snapshot::read(place).await?;
     let removed = snapshot
@@ -280,7 +281,7 @@ pub async fn purge(place: &StorePlace, before: f64) -> Result<usize, FleetError>
     Ok(doomed.len())
 }
 
-/// Archives of telemetry that is not kept any more and were written before this time.
+/// Returns the archives of telemetry that is no longer kept and was written before this time.
 async fn telemetry_before(
     place: &StorePlace,
     snapshot: &Snapshot,
@@ -309,7 +310,7 @@ async fn telemetry_before(
     Ok(old.map(|(name, ..)| name).collect())
 }
 
-/// The table that a file is of, as far as this program knows it.
+/// Returns the table of a file, if this program knows it.
 pub(super) fn table_of(file: &FileEntry) -> Option<&'static Table> {
     table(&file.table)
 }

@@ -1,4 +1,4 @@
-//! Whether all that counts in a fleet is what was written.
+//! Verification that all valid data of a fleet are what was written.
 
 use super::pull::{checked, texts};
 use super::push::{archive_name, telemetry_name};
@@ -7,18 +7,18 @@ use crate::ask::{SqlSession, SqlSource};
 use crate::store::{FleetError, StorePlace, sha256};
 use std::collections::HashSet;
 
-/// What was found.
+/// Result of a verification.
 #[derive(Debug, Clone, PartialEq, Default, serde::Serialize)]
 pub struct Verified {
-    /// Files of rows that were read.
+    /// Number of files of rows that were read.
     pub files: usize,
-    /// Episodes whose archives were read.
+    /// Number of episodes whose archives were read.
     pub episodes: usize,
-    /// What is wrong.
+    /// Faults.
     pub faults: Vec<String>,
 }
 
-/// Reads every file and every episode's archives. `report` hears how many are done.
+/// Reads every file and every episode's archives. `report` receives the number of finished ones.
 ///
 /// # Errors
 /// If the log or the table of episodes cannot be read.
@@ -72,7 +72,7 @@ pub async fn verify(
             if !seen.insert(id.clone()) {
                 verified
                     .faults
-                    .push(format!("{}: episode {id} counts twice", place.url()));
+                    .push(format!("{}: episode {id} occurs twice", place.url()));
             }
             verified.episodes += 1;
             if archive.is_empty() {

@@ -1,41 +1,42 @@
-//! An episode's folder as one object, and its telemetry as another: the same files always make the same bytes.
+//! Archives: an episode's folder as one object, and its telemetry as another. The same files always give the same
+//! bytes.
 
 use super::error::FleetError;
 use sha2::{Digest, Sha256};
 use std::io::{self, Read};
 use wisch_memory::Episode;
 
-/// Most bytes of all files of an archive together.
+/// Largest size of all files in an archive [bytes].
 const MOST_BYTES: u64 = 2 << 30;
-/// Most files of an archive.
+/// Largest number of files in an archive.
 const MOST_FILES: usize = 10_000;
 /// Longest path of a file [bytes].
 const LONGEST_PATH: usize = 255;
-/// How many times its packed length an archive may unpack to, once that is more than `ANY_RATIO` bytes.
+/// Largest ratio of unpacked to packed length of an archive, above `ANY_RATIO` bytes [1].
 const LARGEST_RATIO: u64 = 200;
 const ANY_RATIO: u64 = 64 << 20;
 const LEVEL: i32 = 3;
 const SUMS_FILE: &str = "checksums.json";
 
-/// An archive and its sum.
+/// An archive and its checksum.
 #[derive(Debug, Clone)]
 pub struct Archive {
-    /// `tar`, packed with `zstd`.
+    /// `tar`, compressed with `zstd`.
     pub bytes: bytes::Bytes,
-    /// SHA-256 of that.
+    /// SHA-256 of the bytes.
     pub sha256: String,
 }
 
-/// SHA-256 in hexadecimal digits.
+/// Returns the SHA-256 in hexadecimal digits.
 pub(crate) fn sha256(bytes: &[u8]) -> String {
     let digest = Sha256::digest(bytes);
     digest.iter().map(|byte| format!("{byte:02x}")).collect()
 }
 
-/// What tells an episode from others of its name: SHA-256 of its check sums, which in turn say what each file is.
+/// Returns the identity of an episode, which distinguishes episodes with the same name: the SHA-256 of its check sums.
 ///
 /// # Errors
-/// An episode without check sums.
+/// If the episode has no check sums.
 pub fn identity_of(episode: &Episode) -> Result<String, FleetError> {
     let path = episode.folder().join(SUMS_FILE);
     let bytes = std::fs::read(&path).map_err(|error| FleetError::File { path, error })?;
@@ -48,19 +49,19 @@ pub(crate) fn is_telemetry(name: &str) -> bool {
 }
 
 impl Archive {
-    /// Of an episode without its telemetry.
+    /// Archives an episode without its telemetry.
     ///
     /// # Errors
-    /// What the system says, or more than an archive holds.
+    /// If a file cannot be read, or an archive cannot hold the episode.
     pub fn of_episode(episode: &Episode) -> Result<Self, FleetError> {
         Self::of(episode, "the episode", |name| !is_telemetry(name))
             .map(|archive| archive.unwrap_or_else(Self::empty))
     }
 
-    /// Of an episode's telemetry, if it has any.
+    /// Archives an episode's telemetry, if it has any.
     ///
     /// # Errors
-    /// The same.
+    /// As [`Self::of_episode`].
     pub fn of_telemetry(episode: &Episode) -> Result<Option<Self>, FleetError> {
         Self::of(episode, "telemetry", is_telemetry)
     }
@@ -109,7 +110,7 @@ impl Archive {
             let path = episode.folder().join(name);
             let mut file = std::fs::File::open(&path).map_err(failed(name))?;
             let length = file.metadata().map_err(failed(name))?.len();
-            // Nothing of when and by whom: only names and contents.
+            // No times and owners: only names and contents.
             let mut header = tar::Header::new_gnu();
             header.set_size(length);
             header.set_mode(0o644);
@@ -122,7 +123,7 @@ impl Archive {
         Ok(Some(Self::from_bytes(bytes.into())))
     }
 
-    /// One that was read.
+    /// Wraps the bytes of an archive that was read.
     pub fn from_bytes(bytes: bytes::Bytes) -> Self {
         Self {
             sha256: sha256(&bytes),
@@ -130,10 +131,10 @@ impl Archive {
         }
     }
 
-    /// Its files, by name; `object` is where it was read.
+    /// Returns its files, by name; `object` is the name of the archive in errors.
     ///
     /// # Errors
-    /// An archive that is cut off or broken, holds something else than files, or more than an archive may hold.
+    /// If the archive is cut off or damaged, holds entries other than files, or exceeds a limit.
     pub fn files(&self, object: &str) -> Result<Vec<(String, Vec<u8>)>, FleetError> {
         let damaged = |what: String| FleetError::Damaged {
             object: object.to_owned(),
@@ -151,13 +152,13 @@ impl Archive {
             let length = entry.path_bytes().len();
             if length > LONGEST_PATH {
                 let what =
-                    format!("a path in it has {length} bytes, at most {LONGEST_PATH} are read");
+                    format!("a path in it has {length} bytes; the limit is {LONGEST_PATH}");
                 return Err(damaged(what));
             }
             let name = entry.path().map_err(broken)?.to_string_lossy().into_owned();
             let kind = entry.header().entry_type();
             if !kind.is_file() {
-                return Err(damaged(format!("{name:?} in it is no file ({kind:?})")));
+                return Err(damaged(format!("{name:?} in it is not a file ({kind:?})")));
             }
             if files.len() == MOST_FILES {
                 return Err(damaged(format!("it has more than {MOST_FILES} files")));
@@ -169,10 +170,10 @@ impl Archive {
         Ok(files)
     }
 
-    /// What tells its episode from others of its name.
+    /// Returns the identity of its episode.
     ///
     /// # Errors
-    /// An archive that is cut off or broken, or has no check sums.
+    /// If the archive is cut off or damaged, or has no check sums.
     pub fn identity(&self, object: &str) -> Result<String, FleetError> {
         let files = self.files(object)?;
         let sums = files.iter().find(|(name, _)| name == SUMS_FILE);
@@ -184,7 +185,7 @@ impl Archive {
     }
 }
 
-/// What an archive unpacks to, as far as it may.
+/// Reader of an archive with a limit on the unpacked length.
 struct Bounded<R> {
     unpacked: R,
     packed: u64,
@@ -195,7 +196,7 @@ struct Bounded<R> {
 impl<R: Read> Bounded<R> {
     fn new(unpacked: R, packed: u64) -> Self {
         let limit = (packed.saturating_mul(LARGEST_RATIO)).clamp(ANY_RATIO, MOST_BYTES);
-        // Beside the files' bytes, each has a head, and is filled up to a whole block.
+        // Each file also has a header, and is padded to a whole block.
         let limit = limit + 2048 * MOST_FILES as u64;
         Self {
             unpacked,
@@ -224,7 +225,7 @@ impl<R: Read> Read for Bounded<R> {
 mod tests {
     use super::*;
 
-    /// An archive of these files, each of so many zeros.
+    /// Returns an archive of files of zeros, with the given lengths.
     fn archive(files: impl IntoIterator<Item = (String, u64)>) -> Archive {
         let packed = zstd::Encoder::new(Vec::new(), LEVEL).unwrap();
         let mut tar = tar::Builder::new(packed);
@@ -267,7 +268,7 @@ mod tests {
             said.contains("67108864") && said.contains("200 times"),
             "{said}"
         );
-        // A name may be as long as a bomb.
+        // A name may be a decompression bomb as well.
         let mut head = tar::Header::new_gnu();
         head.set_size(2 * ANY_RATIO);
         head.set_entry_type(tar::EntryType::GNULongName);
@@ -288,7 +289,7 @@ mod tests {
         );
         let long = archive([("a/".repeat(200), 0)]);
         assert!(
-            error(&long).contains("400 bytes, at most 255"),
+            error(&long).contains("400 bytes; the limit is 255"),
             "{}",
             error(&long)
         );
@@ -303,6 +304,6 @@ mod tests {
         tar.append_link(&mut header, "task.toml", "/etc/passwd")
             .unwrap();
         let link = Archive::from_bytes(tar.into_inner().unwrap().finish().unwrap().into());
-        assert!(error(&link).contains("is no file"), "{}", error(&link));
+        assert!(error(&link).contains("is not a file"), "{}", error(&link));
     }
 }

@@ -1,16 +1,16 @@
-//! Credentials from the usual file, where the environment has none. They come from nowhere else, and are never printed.
+//! Credentials from the usual file, if the environment has none. They have no other source, and are never printed.
 
 use std::path::PathBuf;
 
-/// What signs requests.
+/// Credentials that sign requests.
 pub(super) struct Credentials {
     pub key_id: String,
     pub secret: String,
     pub token: Option<String>,
 }
 
-/// From `~/.aws/credentials` (or `AWS_SHARED_CREDENTIALS_FILE`), the profile `AWS_PROFILE` or `default`; `None` where the environment
-/// has its own, or there is no such file or profile.
+/// Reads the profile `AWS_PROFILE` or `default` of `~/.aws/credentials` or `AWS_SHARED_CREDENTIALS_FILE`. `None` if the
+/// environment has credentials, or there is no such file or profile.
 pub(super) fn from_file() -> Option<Credentials> {
     if variable("AWS_ACCESS_KEY_ID").is_some() {
         return None;
@@ -27,7 +27,7 @@ fn variable(name: &str) -> Option<String> {
     std::env::var(name).ok().filter(|value| !value.is_empty())
 }
 
-/// All that must not be printed.
+/// Returns all secrets, which must not be printed.
 #[cfg(feature = "cluster")]
 pub(crate) fn secrets() -> Vec<String> {
     let names = [

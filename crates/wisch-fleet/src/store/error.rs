@@ -1,4 +1,4 @@
-//! What can be wrong with a fleet's memory.
+//! Errors of a fleet.
 
 use datafusion::error::DataFusionError;
 use std::path::PathBuf;
@@ -7,99 +7,99 @@ use wisch_memory::{MemoryError, TelemetryError};
 /// Why a fleet cannot be read, written or asked.
 #[derive(Debug, thiserror::Error)]
 pub enum FleetError {
-    /// Not a place.
+    /// A URL is not a place of a fleet.
     #[error("{url}: {what}")]
     Url {
-        /// As it was given, without what may be secret.
+        /// The URL, without secrets.
         url: String,
-        /// What is wrong with it.
+        /// Description of the fault.
         what: String,
     },
-    /// What the store says of an object.
+    /// The store reports an error.
     #[error("{object}: {}", without_echo(&error.to_string()))]
     Store {
-        /// The object.
+        /// Name of the object.
         object: String,
-        /// What it says.
+        /// Error of the store.
         error: object_store::Error,
     },
-    /// An object that is not what was written.
+    /// An object differs from what was written.
     #[error("{object}: {what}")]
     Damaged {
-        /// The object.
+        /// Name of the object.
         object: String,
-        /// How it differs.
+        /// Description of the difference.
         what: String,
     },
-    /// Something that a newer program wrote.
-    #[error("{object}: version {}.{} is not supported, this program reads versions up to {limit}.x", found[0], found[1])]
+    /// A newer program wrote an object.
+    #[error("{object}: version {}.{} is not supported; this program reads versions up to {limit}.x", found[0], found[1])]
     Version {
-        /// The object.
+        /// Name of the object.
         object: String,
         /// Its version.
         found: [u32; 2],
-        /// The newest major version that is read.
+        /// The newest major version that is supported.
         limit: u32,
     },
-    /// Two episodes of one name.
+    /// Two different episodes have the same name.
     #[error(
-        "episode {id}: {here} (checksums.json {here_identity}) and {there} (checksums.json {there_identity}) are two episodes of one name"
+        "episode {id}: {here} (checksums.json {here_identity}) and {there} (checksums.json {there_identity}) are different episodes with the same name"
     )]
     Conflict {
-        /// Their name.
+        /// Name of the episodes.
         id: String,
-        /// The one that was to be moved.
+        /// The episode to be transferred.
         here: String,
         /// SHA-256 of its check sums.
         here_identity: String,
-        /// The one that is there.
+        /// The episode at the target.
         there: String,
         /// SHA-256 of its check sums.
         there_identity: String,
     },
-    /// More than an archive holds.
-    #[error("episode {id}: {count} {what} are more than the {limit} that an archive holds")]
+    /// An episode exceeds a limit of archives.
+    #[error("episode {id}: {count} {what} exceed the limit of {limit} for an archive")]
     TooLarge {
-        /// The episode.
+        /// Name of the episode.
         id: String,
-        /// What of it, with its unit.
+        /// The limited quantity, with its unit.
         what: String,
-        /// How much there is.
+        /// Its value.
         count: u64,
-        /// How much there may be.
+        /// The limit.
         limit: u64,
     },
-    /// Others were faster too often.
-    #[error("{url}: {tries} times another writer was faster; nothing is lost, try again")]
+    /// Other writers committed first too often.
+    #[error("{url}: {tries} times another writer committed first; nothing is lost, try again")]
     Contended {
-        /// The fleet.
+        /// URL of the fleet.
         url: String,
-        /// How often it was tried.
+        /// Number of attempts.
         tries: usize,
     },
-    /// What wisch-memory says.
+    /// Error of the memory.
     #[error("{0}")]
     Memory(#[from] MemoryError),
-    /// What the system says of a file.
+    /// The operating system refuses an operation on a file.
     #[error("{}: {error}", path.display())]
     File {
-        /// The file.
+        /// Path of the file.
         path: PathBuf,
-        /// What it says.
+        /// Error of the operating system.
         error: std::io::Error,
     },
-    /// A statement that is none, or that cannot be answered.
+    /// A statement is invalid, or cannot be answered.
     #[error("{}", in_short(.0))]
     Sql(#[from] DataFusionError),
-    /// What a scheduler says, or that none does.
+    /// The scheduler reports an error, or is not reachable.
     #[error("{address}: {what}")]
     Cluster {
-        /// The scheduler.
+        /// Address of the scheduler.
         address: String,
-        /// What is wrong.
+        /// Description of the error.
         what: String,
     },
-    /// What is asked for cannot be.
+    /// A request is invalid.
     #[error("{0}")]
     Asked(String),
 }
@@ -110,7 +110,7 @@ impl From<TelemetryError> for FleetError {
     }
 }
 
-/// A store's error without what a server echoes: an S3 server's answer to a wrong signature holds the access key.
+/// Removes a server's echo from a store's error: an S3 server's answer to a wrong signature holds the access key.
 pub(crate) fn without_echo(text: &str) -> String {
     let Some(begin) = text.find("<?xml").or_else(|| text.find("<Error")) else {
         return text.to_owned();
@@ -123,7 +123,7 @@ pub(crate) fn without_echo(text: &str) -> String {
     let code = part("Code").unwrap_or_default();
     let help = match code.as_str() {
         "InvalidAccessKeyId" | "SignatureDoesNotMatch" | "AccessDenied" => {
-            "; the store does not take the credentials of the environment (AWS_ACCESS_KEY_ID, \
+            "; the store rejects the credentials of the environment (AWS_ACCESS_KEY_ID, \
              AWS_SECRET_ACCESS_KEY) or of ~/.aws/credentials"
         }
         _ => "",
@@ -132,7 +132,7 @@ pub(crate) fn without_echo(text: &str) -> String {
     format!("{before}: {code}{help}")
 }
 
-/// DataFusion's message in the first line, without a back trace.
+/// Returns the first line of DataFusion's message, without a backtrace.
 fn in_short(error: &DataFusionError) -> String {
     without_echo(&error.strip_backtrace())
 }

@@ -1,5 +1,5 @@
-//! The log: which files count. A commit is one object, created if nobody else has; who loses reads what won and tries the next
-//! number.
+//! The log: it states which files are valid. A commit is an object that is created only if its number is free. A writer
+//! that loses the race reads the winner's commit and tries the next number.
 
 use super::error::FleetError;
 use super::place::{Created, StorePlace};
@@ -9,100 +9,100 @@ use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::time::{SystemTime, UNIX_EPOCH};
 
-/// After so many commits what they come to is written down, so that nobody reads the whole log.
+/// Number of commits between checkpoints, so that nobody reads the whole log.
 const CHECKPOINT_EVERY: u64 = 16;
 const LATEST: &str = "checkpoint/latest";
 
 /// A file of rows.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct FileEntry {
-    /// The object.
+    /// Name of the object.
     pub path: String,
-    /// The table.
+    /// Name of the table.
     pub table: String,
-    /// First and last robot by name.
+    /// First and last robot, by name.
     pub robots: [String; 2],
-    /// First and last day, as `2026-11-22`.
+    /// First and last day, such as `2026-11-22`.
     pub days: [String; 2],
-    /// How many rows.
+    /// Number of rows.
     pub rows: u64,
-    /// Its length.
+    /// Length [bytes].
     pub bytes: u64,
-    /// Of its bytes.
+    /// SHA-256 of its bytes.
     pub sha256: String,
     /// Version: major and minor.
     pub schema: [u32; 2],
-    /// When the first of its episodes began and the last ended [s since 1970].
+    /// Begin of its first episode and end of its last one [s since 1970].
     pub times: [f64; 2],
-    /// The episodes in it, where they are few.
+    /// Its episodes, if they are few.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub episodes: Option<Vec<String>>,
 }
 
-/// What is done at once.
+/// Changes that take effect together.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Commit {
     /// Version: major and minor.
     pub version: [u32; 2],
-    /// Tells it from every other, so that who wrote it knows it again.
+    /// Unique token, by which a writer recognises its own commit.
     pub token: String,
-    /// When [s since 1970].
+    /// Time of the commit [s since 1970].
     pub time: f64,
-    /// What for, such as `push`.
+    /// Purpose, such as `push`.
     pub what: String,
-    /// Files that count from now on.
+    /// Files that become valid.
     pub add: Vec<FileEntry>,
-    /// Files that do not any more, by path.
+    /// Paths of files that become unused.
     pub remove: Vec<String>,
-    /// Telemetry is kept of this day and later ones only.
+    /// First day whose telemetry is kept.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub telemetry_since: Option<String>,
 }
 
-/// A file that does not count any more, but may be read by who began before.
+/// An unused file, which earlier readers may still read.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Removed {
-    /// The object.
+    /// Name of the object.
     pub path: String,
-    /// When it was taken out of the log [s since 1970].
+    /// Time of its removal from the log [s since 1970].
     pub time: f64,
 }
 
-/// What all commits up to one come to.
+/// State after all commits up to a number.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Snapshot {
     /// Version: major and minor.
     pub version: [u32; 2],
-    /// The next commit's number; what all before it did is in here.
+    /// Number of the next commit, which this state does not include.
     pub next: u64,
-    /// The files that count, by path.
+    /// Valid files, by path.
     pub files: BTreeMap<String, FileEntry>,
-    /// Files that do not any more, until they are deleted.
+    /// Unused files that are not yet deleted.
     pub removed: Vec<Removed>,
-    /// Telemetry is kept of this day and later ones only.
+    /// First day whose telemetry is kept.
     pub telemetry_since: Option<String>,
 }
 
-/// What came of a commit.
+/// Result of a commit.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Committed {
-    /// It counts.
+    /// It took effect.
     Done,
-    /// Others were faster: these.
+    /// Others committed first: these commits.
     Lost(Vec<Commit>),
 }
 
-/// The time of the clock [s since 1970]: nothing else of this crate looks at it.
+/// Returns the current time [s since 1970]; no other function of this crate reads the clock.
 pub fn now() -> f64 {
     let since = SystemTime::now().duration_since(UNIX_EPOCH);
     since.unwrap_or_default().as_secs_f64()
 }
 
 impl Commit {
-    /// One that does nothing yet.
+    /// Creates an empty commit.
     pub fn new(what: &str) -> Self {
         let time = now();
-        // Two processes at the same moment have different numbers, two commits of one process different times.
+        // Simultaneous processes have different ids, and commits of one process different times.
         let token = format!("{:x}-{:x}", std::process::id(), (time * 1e9) as u128);
         Self {
             version: VERSION,
@@ -117,10 +117,10 @@ impl Commit {
 }
 
 impl Snapshot {
-    /// As the fleet is now; empty where there is none yet.
+    /// Reads the present state of a fleet; empty for a new fleet.
     ///
     /// # Errors
-    /// What the store says, or a log that cannot be read.
+    /// If the store or its log cannot be read.
     pub async fn read(place: &StorePlace) -> Result<Self, FleetError> {
         let mut snapshot = Self::checkpoint(place).await?.unwrap_or(Self {
             version: VERSION,
@@ -149,10 +149,10 @@ impl Snapshot {
         parsed(place, &name, &bytes).map(Some)
     }
 
-    /// Reads what was committed since: those commits.
+    /// Reads new commits, and returns them.
     ///
     /// # Errors
-    /// What the store says, or a log that cannot be read.
+    /// If the store or its log cannot be read.
     pub async fn refresh(&mut self, place: &StorePlace) -> Result<Vec<Commit>, FleetError> {
         let mut newer = Vec::new();
         loop {
@@ -175,15 +175,15 @@ impl Snapshot {
             });
         }
         for file in &commit.add {
-            // A file of the same bytes may come back.
+            // A file with the same bytes may become valid again.
             self.removed.retain(|removed| removed.path != file.path);
             let mut file = file.clone();
-            // Whose commit lost the race looks them up in the winner's commit.
+            // Writers that lost the race look up the episodes in the winner's commit.
             file.episodes = None;
             self.files.insert(file.path.clone(), file);
         }
         if commit.what == "purge" {
-            // What a purge names was deleted after it.
+            // A purge deletes the files that it lists after its commit.
             self.removed
                 .retain(|removed| !commit.remove.contains(&removed.path));
         }
@@ -193,10 +193,10 @@ impl Snapshot {
         self.next += 1;
     }
 
-    /// Commits, if nobody was faster.
+    /// Commits, unless another writer commits first.
     ///
     /// # Errors
-    /// What the store says.
+    /// If the store cannot be read or written.
     pub async fn commit(
         &mut self,
         place: &StorePlace,
@@ -206,7 +206,7 @@ impl Snapshot {
         let created = place.create(&name, to_json(commit)).await?;
         if created == Created::There {
             let newer = self.refresh(place).await?;
-            // The store's answer to our own request may have been lost on the way.
+            // The store's answer to this writer's own request may have been lost.
             let is_ours = |other: &Commit| other.token == commit.token;
             if !newer.iter().any(is_ours) {
                 return Ok(Committed::Lost(newer));
@@ -225,7 +225,7 @@ impl Snapshot {
         Ok(Committed::Done)
     }
 
-    /// The files of a table.
+    /// Returns the valid files of a table.
     pub fn files_of(&self, table: &str) -> impl Iterator<Item = &FileEntry> {
         self.files.values().filter(move |file| file.table == table)
     }
@@ -240,11 +240,11 @@ fn checkpoint_name(number: u64) -> String {
 }
 
 fn to_json(value: &impl Serialize) -> Bytes {
-    // Texts, finite numbers and lists of them always have a form in JSON.
+    // Texts, finite numbers and lists of them always serialise to JSON.
     Bytes::from(serde_json::to_vec(value).unwrap_or_default())
 }
 
-/// A commit or a checkpoint; its version is looked at first, as what else it says may have changed.
+/// Parses a commit or checkpoint, after checking its version.
 fn parsed<T: for<'a> Deserialize<'a>>(
     place: &StorePlace,
     name: &str,

@@ -1,16 +1,16 @@
-//! Where a fleet's memory stands: objects by name, in a folder or in a bucket, and the log that says which of them count.
+//! Store of a fleet: objects by name, in a folder or bucket, and the log that states which of them are valid.
 //!
 //! ```text
-//! log/00000000000000000012.json                             what commit 12 adds and removes
-//! checkpoint/00000000000000000016.json                      all that the commits up to 16 come to
-//! checkpoint/latest                                         where to begin; a hint
+//! log/00000000000000000012.json                             additions and removals of commit 12
+//! checkpoint/00000000000000000016.json                      state after all commits before 16
+//! checkpoint/latest                                         number of the latest checkpoint; a hint
 //! tables/strokes/robot=arm/day=2026-11-22/SHA256.parquet    rows
 //! tables/strokes/merged/SHA256.parquet                      rows of several robots or days
-//! episodes/20261122-005612-3f2a.tar.zst                     an episode whole, but its telemetry
+//! episodes/20261122-005612-3f2a.tar.zst                     an episode without its telemetry
 //! episodes/20261122-005612-3f2a.telemetry.tar.zst           its telemetry
 //! ```
 //!
-//! No object is ever overwritten but the hint. What no commit names is not there for who reads.
+//! No object is ever overwritten, except the hint. Readers ignore objects that no commit lists.
 
 mod archive;
 mod credentials;

@@ -15,35 +15,35 @@ use std::sync::Arc;
 use std::time::Duration;
 use url::Url;
 
-/// A store that does not answer is given up after this: who waits is told then.
+/// Time after which a request to a store fails.
 const PATIENCE: Duration = Duration::from_secs(30);
 const RETRIES: usize = 4;
-/// Most bytes of an object: as much as S3 takes in one request.
+/// Largest object [bytes], the limit of S3 for one request.
 const LARGEST_OBJECT: u64 = 5 << 30;
 
-/// A fleet's place.
+/// Place of a fleet.
 #[derive(Debug, Clone)]
 pub struct StorePlace {
-    /// As it is printed.
+    /// URL, in printed form.
     url: String,
     store: Arc<dyn ObjectStore>,
     prefix: Path,
 }
 
-/// What came of creating an object.
+/// Result of creating an object.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Created {
-    /// It is there now.
+    /// The object was created.
     New,
-    /// One of this name was there already, and stays.
+    /// An object with this name existed, and stays.
     There,
 }
 
 impl StorePlace {
-    /// The place of a URL: `s3://bucket/prefix`, `file:///folder`, or a folder.
+    /// Opens a place: `s3://bucket/prefix`, `file:///folder`, or a folder.
     ///
     /// # Errors
-    /// A URL of another kind, or one with a user or a password in it.
+    /// If the URL has another scheme, or contains a user or password.
     pub fn open(url: &str) -> Result<Self, FleetError> {
         let Some((scheme, _)) = url.split_once("://") else {
             return Self::folder(url, std::path::Path::new(url));
@@ -53,19 +53,19 @@ impl StorePlace {
             what: what.to_owned(),
         };
         let Ok(parsed) = Url::parse(url) else {
-            // It may hold a password: nothing of it is repeated.
+            // The URL may hold a password, so it is not printed.
             return Err(wrong(&format!("{scheme}://…"), "this is not a URL"));
         };
         if !parsed.username().is_empty() || parsed.password().is_some() {
             let host = parsed.host_str().unwrap_or_default();
             return Err(wrong(
                 &format!("{scheme}://…@{host}"),
-                "credentials are not taken from URLs: set AWS_ACCESS_KEY_ID and AWS_SECRET_ACCESS_KEY, or write ~/.aws/credentials",
+                "credentials may not be in URLs; set AWS_ACCESS_KEY_ID and AWS_SECRET_ACCESS_KEY, or write ~/.aws/credentials",
             ));
         }
         if parsed.query().is_some() || parsed.fragment().is_some() {
             let shown = format!("{scheme}://{}…", parsed.host_str().unwrap_or_default());
-            return Err(wrong(&shown, "a place has no ? and no #"));
+            return Err(wrong(&shown, "a fleet's URL may not contain ? or #"));
         }
         match scheme {
             "file" => {
@@ -81,19 +81,19 @@ impl StorePlace {
             }),
             _ => Err(wrong(
                 url,
-                "known are s3://BUCKET/PREFIX, file:///FOLDER and a folder",
+                "expected s3://BUCKET/PREFIX, file:///FOLDER or a folder",
             )),
         }
     }
 
-    /// A folder, which is made when something is written.
+    /// Opens a folder, which is created by the first write.
     fn folder(url: &str, folder: &std::path::Path) -> Result<Self, FleetError> {
         let wrong = |error| FleetError::File {
             path: folder.to_path_buf(),
             error,
         };
         let folder = std::path::absolute(folder).map_err(wrong)?;
-        // Names of objects are below the system's root, so that there is nothing to make for who only reads.
+        // Object names start at the system's root, so that a reader creates nothing.
         let prefix = Path::from_absolute_path(&folder).map_err(|error| FleetError::Url {
             url: url.to_owned(),
             what: error.to_string(),
@@ -136,12 +136,13 @@ impl StorePlace {
         })
     }
 
-    /// As it is printed.
+    /// URL, in printed form.
     pub fn url(&self) -> &str {
         &self.url
     }
 
-    /// The whole store that the place is in, as others find it: `s3://BUCKET` or `file:///`; `None` if it is in the memory of this process.
+    /// URL of the whole store for other processes: `s3://BUCKET` or `file:///`; `None` for a store in this process's
+    /// memory.
     pub fn root(&self) -> Option<String> {
         match self.url.split_once("://") {
             Some(("s3", rest)) => {
@@ -153,12 +154,12 @@ impl StorePlace {
         }
     }
 
-    /// What DataFusion reads from.
+    /// The store from which DataFusion reads.
     pub fn store(&self) -> Arc<dyn ObjectStore> {
         Arc::clone(&self.store)
     }
 
-    /// Where an object stands in the store.
+    /// Path of an object in the store.
     pub fn path(&self, name: &str) -> Path {
         let mut path = self.prefix.clone();
         for part in name.split('/') {
@@ -167,7 +168,7 @@ impl StorePlace {
         path
     }
 
-    /// An object as it is printed.
+    /// Name of an object, in printed form.
     pub fn shown(&self, name: &str) -> String {
         format!("{}/{name}", self.url.trim_end_matches('/'))
     }
@@ -177,10 +178,10 @@ impl StorePlace {
         |error| FleetError::Store { object, error }
     }
 
-    /// An object; `None` if there is none.
+    /// Returns an object; `None` if it does not exist.
     ///
     /// # Errors
-    /// More than an object may hold, or what the store says.
+    /// If the object is too large, or the store cannot be read.
     pub async fn find(&self, name: &str) -> Result<Option<Bytes>, FleetError> {
         let found = match self.store.get(&self.path(name)).await {
             Ok(found) => found,
@@ -191,16 +192,16 @@ impl StorePlace {
         if bytes > LARGEST_OBJECT {
             return Err(FleetError::Damaged {
                 object: self.shown(name),
-                what: format!("it has {bytes} bytes, at most {LARGEST_OBJECT} are read"),
+                what: format!("it has {bytes} bytes; the limit is {LARGEST_OBJECT}"),
             });
         }
         found.bytes().await.map(Some).map_err(self.failed(name))
     }
 
-    /// An object.
+    /// Returns an object.
     ///
     /// # Errors
-    /// If there is none, or what the store says.
+    /// If the object does not exist, or the store cannot be read.
     pub async fn get(&self, name: &str) -> Result<Bytes, FleetError> {
         let found = self.find(name).await?;
         found.ok_or_else(|| FleetError::Damaged {
@@ -209,10 +210,10 @@ impl StorePlace {
         })
     }
 
-    /// What is known of an object; `None` if there is none.
+    /// Returns the metadata of an object; `None` if it does not exist.
     ///
     /// # Errors
-    /// What the store says.
+    /// If the store cannot be read.
     pub async fn head(&self, name: &str) -> Result<Option<ObjectMeta>, FleetError> {
         match self.store.head(&self.path(name)).await {
             Ok(meta) => Ok(Some(meta)),
@@ -221,10 +222,10 @@ impl StorePlace {
         }
     }
 
-    /// Creates an object, unless there is one of this name.
+    /// Creates an object, unless one with this name exists.
     ///
     /// # Errors
-    /// What the store says.
+    /// If the store cannot be written.
     pub async fn create(&self, name: &str, bytes: Bytes) -> Result<Created, FleetError> {
         let path = self.path(name);
         let options = PutOptions::from(PutMode::Create);
@@ -239,20 +240,20 @@ impl StorePlace {
         }
     }
 
-    /// Writes an object, whether there is one or not.
+    /// Writes an object, replacing an existing one.
     ///
     /// # Errors
-    /// What the store says.
+    /// If the store cannot be written.
     pub async fn put(&self, name: &str, bytes: Bytes) -> Result<(), FleetError> {
         let path = self.path(name);
         let put = self.store.put(&path, PutPayload::from(bytes)).await;
         put.map(|_| ()).map_err(self.failed(name))
     }
 
-    /// Removes an object, if it is there.
+    /// Removes an object, if it exists.
     ///
     /// # Errors
-    /// What the store says.
+    /// If the store cannot be written.
     pub async fn delete(&self, name: &str) -> Result<(), FleetError> {
         match self.store.delete(&self.path(name)).await {
             Ok(()) | Err(object_store::Error::NotFound { .. }) => Ok(()),
@@ -260,10 +261,10 @@ impl StorePlace {
         }
     }
 
-    /// The objects whose names begin with this folder: name, length [bytes] and age [s since 1970] of each.
+    /// Lists the objects of a folder: name, length [bytes] and time of the last change [s since 1970].
     ///
     /// # Errors
-    /// What the store says.
+    /// If the store cannot be read.
     pub async fn list(&self, folder: &str) -> Result<Vec<(String, u64, f64)>, FleetError> {
         let path = self.path(folder);
         let depth = self.prefix.parts().count();

@@ -1,16 +1,16 @@
-//! The columns of all tables, in one place: docs/fleet.md is held against it, and `wisch-fleet columns` prints it.
+//! Columns of all tables. A test compares docs/fleet.md with them, and `wisch-fleet columns` prints them.
 
 use datafusion::arrow::datatypes::{DataType, Field, Schema, SchemaRef};
 use std::sync::Arc;
 
-/// What a column holds.
+/// Type of a column.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum ColumnKind {
     /// A text.
     Text,
     /// A number of double precision.
     Number,
-    /// A number of single precision, as telemetry has them.
+    /// A number of single precision, as in telemetry.
     Single,
     /// A whole number of 32 bits.
     Whole,
@@ -23,7 +23,7 @@ pub enum ColumnKind {
 }
 
 impl ColumnKind {
-    /// As SQL calls it.
+    /// Its name in SQL.
     pub const fn name(self) -> &'static str {
         match self {
             Self::Text => "text",
@@ -36,7 +36,7 @@ impl ColumnKind {
         }
     }
 
-    /// As Arrow calls it in files.
+    /// Its Arrow type in files.
     pub const fn data_type(self) -> DataType {
         match self {
             Self::Text => DataType::Utf8,
@@ -55,11 +55,11 @@ impl ColumnKind {
 pub struct Column {
     /// Its name, with the unit where it has one.
     pub name: &'static str,
-    /// What it holds.
+    /// Type of its values.
     pub kind: ColumnKind,
     /// Its unit; `–` where there is none.
     pub unit: &'static str,
-    /// What it means, and in which frame.
+    /// Its meaning, and its frame.
     pub about: &'static str,
 }
 
@@ -68,27 +68,27 @@ pub struct Column {
 pub struct Table {
     /// Its name.
     pub name: &'static str,
-    /// What a row of it is.
+    /// Meaning of a row.
     pub about: &'static str,
-    /// Its columns, in the order in which files have them.
+    /// Its columns, in the order of the files.
     pub columns: &'static [Column],
 }
 
 impl Table {
-    /// Its schema in files. Every column may lack: an older file has no values of a newer column.
+    /// Returns its schema in files. Every column may be null, because older files lack newer columns.
     pub fn schema(&self) -> SchemaRef {
         let fields = self.columns.iter();
         let fields = fields.map(|column| Field::new(column.name, column.kind.data_type(), true));
         Arc::new(Schema::new(fields.collect::<Vec<_>>()))
     }
 
-    /// The place of a column.
+    /// Returns the index of a column.
     pub fn place(&self, name: &str) -> Option<usize> {
         self.columns.iter().position(|column| column.name == name)
     }
 }
 
-/// The table of this name.
+/// Returns the table with this name.
 pub fn table(name: &str) -> Option<&'static Table> {
     TABLES.iter().find(|table| table.name == name)
 }
@@ -111,7 +111,7 @@ const ROBOT: Column = column(
     "robot",
     ColumnKind::Text,
     "–",
-    "who did it; `unknown` in logs that do not say",
+    "name of the robot; `unknown` for logs that do not state it",
 );
 const DAY: Column = column(
     "day",
@@ -130,7 +130,7 @@ const PLACE: Column = column(
     "place",
     ColumnKind::Whole,
     "–",
-    "place in the episode's record: `CLASS_EPISODE-PLACE` is its name in `wisch ask`",
+    "index in the episode's record: `CLASS_EPISODE-INDEX` is its name in `wisch ask`",
 );
 const CLASS: Column = column(
     "class",
@@ -142,33 +142,33 @@ const START: Column = column(
     "start_s",
     ColumnKind::Number,
     "s",
-    "when it began, since 1970 UTC",
+    "begin, since 1970 UTC",
 );
 const END: Column = column(
     "end_s",
     ColumnKind::Number,
     "s",
-    "when it ended, since 1970 UTC",
+    "end, since 1970 UTC",
 );
-const TOOL: Column = column("tool", ColumnKind::Text, "–", "tool it was done with");
+const TOOL: Column = column("tool", ColumnKind::Text, "–", "tool that was used");
 const MEDIUM: Column = column(
     "medium",
     ColumnKind::Text,
     "–",
-    "what was to be wiped away or put on",
+    "medium to be removed or dispensed",
 );
 const SURFACE: Column = column("surface", ColumnKind::Text, "–", "surface that was wiped");
 const PREDICTED: Column = column(
     "predicted_performance",
     ColumnKind::Number,
     "1",
-    "performance that the plan promised, 0 to 1",
+    "performance that the plan predicted, 0 to 1",
 );
 const PERFORMANCE: Column = column(
     "performance",
     ColumnKind::Number,
     "1",
-    "performance as it was estimated, 0 to 1",
+    "estimated performance, 0 to 1",
 );
 const PERFORMANCE_LOW: Column = column(
     "performance_low",
@@ -186,7 +186,7 @@ const TRUE_PERFORMANCE: Column = column(
     "true_performance",
     ColumnKind::Number,
     "1",
-    "performance as a simulated world knows it; null of a real one",
+    "performance by the ground truth of a simulation; null for a real robot",
 );
 const SUCCEEDED: Column = column(
     "succeeded",
@@ -204,16 +204,16 @@ const MEAN_FORCE: Column = column(
     "mean_normal_force_n",
     ColumnKind::Number,
     "N",
-    "mean force of the surroundings on the tool along the surface's normal, over contact",
+    "mean force of the surroundings on the tool along the surface's normal, during contact",
 );
 const PEAK_FORCE: Column = column(
     "peak_force_n",
     ColumnKind::Number,
     "N",
-    "largest size of the outer force on the tool",
+    "largest norm of the external force on the tool",
 );
 
-/// All tables. Columns are added at the end only; what a column means never changes without a new major version.
+/// All tables. Columns are added at the end only; the meaning of a column changes only with a new major version.
 pub const TABLES: [Table; 7] = [
     Table {
         name: "episodes",
@@ -229,7 +229,7 @@ pub const TABLES: [Table; 7] = [
                 "origin",
                 ColumnKind::Text,
                 "–",
-                "`simulated`, `executor`, or the log that it was read from",
+                "`simulated`, `executor`, or the name of the imported log",
             ),
             column(
                 "program",
@@ -242,7 +242,7 @@ pub const TABLES: [Table; 7] = [
                 "action",
                 ColumnKind::Text,
                 "–",
-                "class of what was to be done, such as `Absorbing`",
+                "class of the task, such as `Absorbing`",
             ),
             TOOL,
             MEDIUM,
@@ -264,13 +264,13 @@ pub const TABLES: [Table; 7] = [
                 "rounds",
                 ColumnKind::Whole,
                 "–",
-                "how many rounds there were",
+                "number of rounds",
             ),
             column(
                 "collisions",
                 ColumnKind::Whole,
                 "–",
-                "how many times somebody ran into the robot",
+                "number of collisions with a human",
             ),
             PREDICTED,
             PERFORMANCE,
@@ -288,7 +288,7 @@ pub const TABLES: [Table; 7] = [
                 "archive_sha256",
                 ColumnKind::Text,
                 "–",
-                "SHA-256 of the archive; null of a local memory",
+                "SHA-256 of the archive; null for a local memory",
             ),
             column(
                 "archive_bytes",
@@ -328,7 +328,7 @@ pub const TABLES: [Table; 7] = [
                 "strokes",
                 ColumnKind::Whole,
                 "–",
-                "how many strokes were to be made",
+                "number of planned strokes",
             ),
             PREDICTED,
             PERFORMANCE,
@@ -341,31 +341,31 @@ pub const TABLES: [Table; 7] = [
                 "force_bias_n",
                 ColumnKind::Number,
                 "N",
-                "bias found in the sensor's normal force",
+                "estimated bias of the sensor's normal force",
             ),
             column(
                 "plane_tilt_rad",
                 ColumnKind::Number,
                 "rad",
-                "angle between the plane found and the one believed",
+                "angle between the estimated and the believed surface plane",
             ),
             column(
                 "plane_offset_m",
                 ColumnKind::Number,
                 "m",
-                "where the plane found lies above the one believed, along its normal",
+                "height of the estimated plane above the believed one, along its normal",
             ),
             column(
                 "verdict",
                 ColumnKind::Text,
                 "–",
-                "what followed from it, such as `goal met`",
+                "verdict on the round, such as `goal met`",
             ),
             column(
                 "diagnosis",
                 ColumnKind::Text,
                 "–",
-                "what touch said of the surface, such as `localized`",
+                "result of the localisation by touch, such as `localized`",
             ),
             column("ending", ColumnKind::Text, "–", "how its execution ended"),
             SUCCEEDED,
@@ -397,12 +397,12 @@ pub const TABLES: [Table; 7] = [
     },
     Table {
         name: "motions",
-        about: "a motion of a round: strokes, and what lies between them",
+        about: "a motion of a round: a stroke, or a motion between strokes",
         columns: &[ROBOT, DAY, EPISODE, ROUND, PLACE, CLASS, START, END],
     },
     Table {
         name: "events",
-        about: "something felt: contact, its loss, collisions, overload, a protective stop",
+        about: "a detected event: contact, contact loss, collision, overload, protective stop",
         columns: &[
             ROBOT,
             DAY,
@@ -416,7 +416,7 @@ pub const TABLES: [Table; 7] = [
                 "during",
                 ColumnKind::Whole,
                 "–",
-                "place of the motion during which it was; null between motions",
+                "index of the motion during which it occurred; null between motions",
             ),
             column(
                 "during_class",
@@ -425,7 +425,7 @@ pub const TABLES: [Table; 7] = [
                 "class of that motion",
             ),
             TOOL,
-            column("samples", ColumnKind::Whole, "–", "samples that it lasted"),
+            column("samples", ColumnKind::Whole, "–", "number of samples"),
             MEAN_FORCE,
             PEAK_FORCE,
             column(
@@ -438,13 +438,13 @@ pub const TABLES: [Table; 7] = [
                 "edge_distance_m",
                 ColumnKind::Number,
                 "m",
-                "distance from the surface's edge where it began",
+                "distance from the surface's edge at its begin",
             ),
         ],
     },
     Table {
         name: "participants",
-        about: "who or what took part in an action, a round or an event",
+        about: "a participant of an action, a round or an event",
         columns: &[
             ROBOT,
             DAY,
@@ -461,13 +461,13 @@ pub const TABLES: [Table; 7] = [
                 "participant",
                 ColumnKind::Text,
                 "–",
-                "who or what, without prefix",
+                "name of the participant, without prefix",
             ),
         ],
     },
     Table {
         name: "telemetry",
-        about: "a sample of a round; joints are kept in the episode, not here",
+        about: "a sample of a round; joints are only in the episode",
         columns: &[
             ROBOT,
             DAY,
@@ -491,13 +491,13 @@ pub const TABLES: [Table; 7] = [
                 "phase",
                 ColumnKind::Text,
                 "–",
-                "what the motion is for, such as `wipe`",
+                "phase of the motion, such as `wipe`",
             ),
             column(
                 "commanded_x_m",
                 ColumnKind::Single,
                 "m",
-                "where the tool was told to be, in the world",
+                "commanded position of the tool, in the world",
             ),
             column("commanded_y_m", ColumnKind::Single, "m", "likewise"),
             column("commanded_z_m", ColumnKind::Single, "m", "likewise"),
@@ -505,7 +505,7 @@ pub const TABLES: [Table; 7] = [
                 "measured_x_m",
                 ColumnKind::Single,
                 "m",
-                "where the tool is by the joints' positions, in the world",
+                "measured position of the tool by the joints, in the world",
             ),
             column("measured_y_m", ColumnKind::Single, "m", "likewise"),
             column("measured_z_m", ColumnKind::Single, "m", "likewise"),
@@ -513,7 +513,7 @@ pub const TABLES: [Table; 7] = [
                 "measured_qx",
                 ColumnKind::Single,
                 "1",
-                "how the tool is turned, as a quaternion x, y, z, w",
+                "measured orientation of the tool, as a quaternion x, y, z, w",
             ),
             column("measured_qy", ColumnKind::Single, "1", "likewise"),
             column("measured_qz", ColumnKind::Single, "1", "likewise"),

@@ -1,4 +1,4 @@
-//! Rows as a Parquet file, laid out so that who asks for a robot, a day or a time reads little of it.
+//! Rows as a Parquet file, sorted so that a query for a robot, a day or a time reads little of it.
 
 use super::columns::{ColumnKind, Table};
 use datafusion::arrow::array::RecordBatch;
@@ -10,19 +10,20 @@ use parquet::file::metadata::KeyValue;
 use parquet::file::properties::WriterProperties;
 use parquet::schema::types::ColumnPath;
 
-/// Version of the files: major and minor. A new column is a new minor version; whatever an older program would read wrongly is
-/// a new major version.
+/// Version of the files: major and minor. A new column needs a new minor version; a change that an older program would
+/// misread needs a new major version.
 pub const VERSION: [u32; 2] = [1, 0];
 
-/// Key under which a file says its version.
+/// Key of a file's version.
 pub const VERSION_KEY: &str = "wisch.fleet";
 
-/// Rows of a row group: a robot-day of events is found by reading one or two.
+/// Rows of a row group: the events of a robot on a day are in one or two groups.
 const GROUP_ROWS: usize = 65_536;
 /// Rows of a page.
 const PAGE_ROWS: usize = 8_192;
 
-/// What DataFusion makes use of: statistics of every row group and page, and rows sorted by robot, day and episode.
+/// Returns writer properties that DataFusion exploits: statistics of every row group and page, and the sort order by
+/// robot, day and episode.
 pub fn properties(table: &Table) -> WriterProperties {
     let mut properties = WriterProperties::builder()
         .set_compression(Compression::ZSTD(ZstdLevel::default()))
@@ -36,7 +37,7 @@ pub fn properties(table: &Table) -> WriterProperties {
     for column in table.columns {
         let path = ColumnPath::new(vec![column.name.to_owned()]);
         if matches!(column.kind, ColumnKind::Number | ColumnKind::Single) {
-            // Byte by byte, so that like stands beside like.
+            // Byte stream split puts similar bytes next to each other.
             properties = properties
                 .set_column_dictionary_enabled(path.clone(), false)
                 .set_column_encoding(path, Encoding::BYTE_STREAM_SPLIT);
@@ -45,10 +46,10 @@ pub fn properties(table: &Table) -> WriterProperties {
     properties.build()
 }
 
-/// Batches of a table as a file; the schema is that of the batches.
+/// Writes batches of a table as a file with their schema.
 ///
 /// # Errors
-/// What Parquet says.
+/// If Parquet cannot write it.
 pub fn to_bytes<'a>(
     table: &Table,
     schema: SchemaRef,

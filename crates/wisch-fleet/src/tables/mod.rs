@@ -1,4 +1,4 @@
-//! Episodes as tables: which columns there are, the rows of a record, and the files that hold them.
+//! Episodes as tables: the columns, the rows of a record, and the files of rows.
 
 pub mod columns;
 pub mod file;

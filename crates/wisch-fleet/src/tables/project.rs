@@ -1,4 +1,4 @@
-//! From the record of an episode to rows of the tables.
+//! Conversion of an episode's record to rows.
 
 use super::columns::TABLES;
 use super::rows::{Cell, Rows};
@@ -9,7 +9,7 @@ const UNKNOWN_ROBOT: &str = "unknown";
 const SECONDS_PER_DAY: f64 = 86_400.0;
 const MOTIONS: [&str; 5] = ["Approach", "Stroke", "Transfer", "Drive", "Retreat"];
 const COLLISIONS: [&str; 2] = ["Collision", "HumanCollision"];
-/// Relations to those that take part.
+/// Relations to participants.
 const ROLES: [&str; 5] = [
     "semco:usesTool",
     "semco:removesMedium",
@@ -18,14 +18,14 @@ const ROLES: [&str; 5] = [
     "dul:hasParticipant",
 ];
 
-/// Where an episode is kept whole; empty of a local memory, which keeps it itself.
+/// Archives of an episode; empty for a local memory.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Keep {
-    /// SHA-256 of the episode's check sums: what tells two episodes of one name apart.
+    /// SHA-256 of the episode's check sums, which distinguishes episodes with the same name.
     pub identity: Option<String>,
     /// SHA-256 and length [bytes] of its archive.
     pub archive: Option<(String, u64)>,
-    /// The same of its telemetry.
+    /// SHA-256 and length [bytes] of the archive of its telemetry.
     pub telemetry: Option<(String, u64)>,
 }
 
@@ -34,7 +34,7 @@ pub struct Projection {
     tables: [Rows; 7],
 }
 
-/// The robot of an episode.
+/// Returns the robot of an episode.
 pub fn robot_of(record: &EpisodeRecord) -> String {
     let mut all = record.individuals.iter();
     let performer = all.find_map(|one| one.relations.get("soma:isPerformedBy")?.first());
@@ -43,7 +43,7 @@ pub fn robot_of(record: &EpisodeRecord) -> String {
         .to_owned()
 }
 
-/// The day on which an episode began: days since 1970, UTC.
+/// Returns the day on which an episode began: days since 1970, UTC.
 pub fn day_of(start: f64) -> i32 {
     (start / SECONDS_PER_DAY).floor() as i32
 }
@@ -57,17 +57,17 @@ impl Default for Projection {
 }
 
 impl Projection {
-    /// The rows of each table that has some.
+    /// Returns the rows of each table that has some.
     pub fn into_tables(self) -> impl Iterator<Item = Rows> {
         self.tables.into_iter().filter(|rows| !rows.is_empty())
     }
 
-    /// Rows of a table, by its place in [`TABLES`].
+    /// Rows of a table, by its index in [`TABLES`].
     pub fn rows(&mut self, table: usize) -> &mut Rows {
         &mut self.tables[table]
     }
 
-    /// Takes in what an episode's record says; `robot` is who did it.
+    /// Adds the rows of an episode's record; `robot` is the name of its robot.
     pub fn add(&mut self, robot: &str, record: &EpisodeRecord, keep: &Keep) {
         let about = About::new(robot, record);
         let rounds = round_of_each(record);
@@ -91,7 +91,8 @@ impl Projection {
                 }
                 class if MOTIONS.contains(&class) => motions.push(&part.motion()),
                 "WipingEpisode" | "WipingAction" => {}
-                // What has a time and is no motion happened; what has none, as the task, is no event.
+                // An individual with a time that is not a motion is an event; one without a time, such as the task, is
+                // not.
                 _ if one.interval.is_some() => events.push(&part.event()),
                 _ => {}
             }
@@ -103,10 +104,10 @@ impl Projection {
         }
     }
 
-    /// Takes in the telemetry of an episode.
+    /// Adds the telemetry of an episode.
     ///
     /// # Errors
-    /// Telemetry that cannot be read.
+    /// If telemetry cannot be read.
     pub fn add_telemetry(
         &mut self,
         robot: &str,
@@ -132,7 +133,7 @@ impl Projection {
     }
 }
 
-/// Number and place of the round that each individual is part of.
+/// Returns number and index of the round that each individual is part of.
 fn round_of_each(record: &EpisodeRecord) -> Vec<Option<usize>> {
     let mut rounds: Vec<Option<usize>> = Vec::with_capacity(record.individuals.len());
     for (place, one) in record.individuals.iter().enumerate() {
@@ -143,7 +144,7 @@ fn round_of_each(record: &EpisodeRecord) -> Vec<Option<usize>> {
     rounds
 }
 
-/// What all rows of an episode say.
+/// Values that all rows of an episode share.
 struct About<'a> {
     record: &'a EpisodeRecord,
     robot: &'a str,
@@ -201,7 +202,7 @@ impl<'a> About<'a> {
                 Origin::Imported(log) => log,
             })),
             Cell::Text(Some(&record.program)),
-            // SQL has no unsigned numbers: the upper half comes out negative.
+            // SQL has no unsigned integers: the upper half becomes negative.
             Cell::Long(Some(record.seed as i64)),
             Cell::Text(task.map(|one| local(&one.class))),
             thing("semco:usesTool"),
@@ -227,13 +228,13 @@ impl<'a> About<'a> {
     }
 }
 
-/// An individual and where it stands.
+/// An individual and its position in the record.
 struct Part<'a> {
     about: &'a About<'a>,
     place: usize,
     class: &'a str,
     one: &'a Individual,
-    /// Place of its round.
+    /// Index of its round.
     round: Option<usize>,
 }
 
@@ -262,7 +263,7 @@ impl<'a> Part<'a> {
         ]
     }
 
-    /// The round that it is part of.
+    /// Returns the round that it is part of.
     fn whose(&self) -> Option<&'a Individual> {
         self.round
             .map(|place| &self.about.record.individuals[place])
@@ -401,7 +402,7 @@ fn text<'a>(one: &'a Individual, name: &str) -> Option<&'a str> {
     }
 }
 
-/// The first that it is related to.
+/// Returns the first object of a relation.
 fn related<'a>(one: &'a Individual, name: &str) -> Option<&'a str> {
     one.relations.get(name)?.first().map(|name| local(name))
 }
@@ -415,7 +416,7 @@ fn succeeded(one: &Individual) -> Option<bool> {
     )
 }
 
-/// A name without its prefix.
+/// Returns a name without its prefix.
 fn local(name: &str) -> &str {
     name.split_once(':').map_or(name, |(_, local)| local)
 }

@@ -1,4 +1,4 @@
-//! Rows on their way into a table.
+//! Buffer of rows for a table.
 
 use super::columns::{ColumnKind, Table};
 use datafusion::arrow::array::{
@@ -44,7 +44,7 @@ enum Builder {
 }
 
 impl Rows {
-    /// None yet.
+    /// Creates an empty buffer.
     pub fn new(table: &'static Table) -> Self {
         let builder = |kind| match kind {
             ColumnKind::Text => Builder::Text(StringBuilder::new()),
@@ -67,20 +67,20 @@ impl Rows {
         self.table
     }
 
-    /// How many there are.
+    /// Number of rows.
     pub fn len(&self) -> usize {
         self.rows
     }
 
-    /// Whether there are none.
+    /// Whether there are no rows.
     pub fn is_empty(&self) -> bool {
         self.rows == 0
     }
 
-    /// Adds a row, whose cells stand in the order of the columns.
+    /// Adds a row, with cells in the order of the columns.
     ///
     /// # Panics
-    /// If a cell is of another kind than its column.
+    /// If a cell's type is not that of its column.
     pub fn push(&mut self, cells: &[Cell<'_>]) {
         assert_eq!(cells.len(), self.columns.len(), "{}", self.table.name);
         for (place, (column, cell)) in self.columns.iter_mut().zip(cells).enumerate() {
@@ -101,7 +101,7 @@ impl Rows {
         self.rows += 1;
     }
 
-    /// All of them, in one batch; none are left.
+    /// Returns all rows in one batch, and empties the buffer.
     pub fn take(&mut self) -> RecordBatch {
         let arrays = self.columns.iter_mut().map(|column| -> ArrayRef {
             match column {

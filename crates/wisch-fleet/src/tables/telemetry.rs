@@ -1,13 +1,13 @@
-//! From the telemetry of a round to rows.
+//! Conversion of a round's telemetry to rows.
 
 use super::rows::{Cell, Rows};
 use wisch_memory::telemetry::PHASES;
 use wisch_memory::{Telemetry, TelemetryError};
 
-/// Rows that are decoded at a time.
+/// Number of rows that are decoded at once.
 const PIECE: usize = 65_536;
 
-/// The columns of an episode's file that are taken over, in the order of the table's.
+/// Columns of an episode's file that are copied, in the order of the table's.
 const TAKEN: [&str; 16] = [
     "commanded/x",
     "commanded/y",
@@ -27,17 +27,17 @@ const TAKEN: [&str; 16] = [
     "external/mz",
 ];
 
-/// What all rows of a round say.
+/// Values that all rows of a round share.
 pub(super) struct Of<'a> {
     pub robot: &'a str,
     pub day: i32,
     pub episode: &'a str,
     pub round: i32,
-    /// When the round began [s since 1970].
+    /// Begin of the round [s since 1970].
     pub start: f64,
 }
 
-/// Takes the telemetry of a round in. Columns that a log has not are null.
+/// Adds the telemetry of a round. Columns that a log lacks are null.
 pub(super) fn add(rows: &mut Rows, of: &Of<'_>, log: &Telemetry) -> Result<(), TelemetryError> {
     let known = log.columns();
     for begin in (0..log.rows()).step_by(PIECE) {

@@ -1,4 +1,4 @@
-//! Statements that people added to a memory, kept beside its episodes.
+//! Statements that people added to a memory, stored beside its episodes.
 
 use super::error::{AskError, QueryFault};
 use super::term::Term;
@@ -8,20 +8,20 @@ use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
 
-/// What people added. What a query adds is known at once, and committed when the query has ended well.
+/// Statements by people. A query's statements hold at once, and are committed when the query has succeeded.
 #[derive(Debug, Clone, Default)]
 pub struct Assertions {
     file: Option<PathBuf>,
     statements: Vec<Statement>,
-    /// How many of them are committed; those after them were added by the query that is being answered.
+    /// Number of committed statements; later ones belong to the current query.
     committed: usize,
 }
 
 impl Assertions {
-    /// What people added to the memory in this folder.
+    /// Reads the statements of the memory in a folder.
     ///
     /// # Errors
-    /// If its file cannot be read, or holds something else.
+    /// If the file cannot be read, or a line is not a statement.
     pub fn read(memory: &Path) -> Result<Self, AskError> {
         let file = memory.join(FILE);
         let text = match fs::read_to_string(&file) {
@@ -43,7 +43,7 @@ impl Assertions {
         })
     }
 
-    /// Drops what was said of individuals of episodes that are no more.
+    /// Removes statements about individuals of deleted episodes.
     pub(super) fn retain_known(&mut self, catalogue: &Catalogue) {
         let is_known = |name: &str| match individual_of(name) {
             Some(local) => {
@@ -57,10 +57,10 @@ impl Assertions {
         self.committed = self.statements.len();
     }
 
-    /// Adds a statement for the query that is being answered, and gives it as a fact.
+    /// Adds a statement of the current query, and returns it as a fact.
     ///
     /// # Errors
-    /// If the query has added as many as it may.
+    /// If the query has added the allowed number of statements.
     pub fn add(
         &mut self,
         subject: &str,
@@ -75,7 +75,7 @@ impl Assertions {
             });
         }
         let value = match object {
-            // As engines write numbers that are not finite.
+            // Engines write numbers that are not finite as atoms.
             Term::Atom(name) if is_not_finite(name) => return Err(not_finite(name)),
             Term::Atom(name) => serde_json::Value::from(name.as_str()),
             other => match other.as_number() {
@@ -90,15 +90,15 @@ impl Assertions {
         Ok(fact)
     }
 
-    /// Keeps what the query has added: all of it, or, on an error, nothing.
+    /// Commits the query's statements: all of them, or none on an error.
     ///
     /// # Errors
-    /// If its file cannot be written.
+    /// If the file cannot be written.
     pub fn commit(&mut self) -> Result<(), AskError> {
         let new = &self.statements[self.committed..];
         if let (Some(file), false) = (&self.file, new.is_empty()) {
             let lines = new.iter().map(|statement| {
-                // Texts and finite numbers always have a form in JSON.
+                // Texts and finite numbers always serialise to JSON.
                 serde_json::to_string(statement).unwrap_or_default() + "\n"
             });
             let lines: String = lines.collect();
@@ -108,14 +108,14 @@ impl Assertions {
         Ok(())
     }
 
-    /// Takes back what the query has added, if anything.
+    /// Discards the query's statements. Returns whether there were any.
     pub fn roll_back(&mut self) -> bool {
         let has_new = self.statements.len() > self.committed;
         self.statements.truncate(self.committed);
         has_new
     }
 
-    /// What was added of a thing, as facts.
+    /// Returns the statements about a thing, as facts.
     pub fn about(&self, name: &str) -> Vec<Term> {
         let about = self
             .statements
@@ -124,12 +124,12 @@ impl Assertions {
         about.map(fact).collect()
     }
 
-    /// Whether anything was added with this property.
+    /// Whether any statement has this property.
     pub fn has(&self, property: &str) -> bool {
         self.statements.iter().any(|(_, of, _)| of == property)
     }
 
-    /// Values of a property, each with its thing.
+    /// Returns the values of a property, each with its thing.
     pub fn values(&self, property: &str) -> Vec<Term> {
         let added = self.statements.iter().filter(|(_, of, _)| of == property);
         let values = added.map(|statement| (statement, fact(statement)));
@@ -143,14 +143,14 @@ impl Assertions {
         pairs.collect()
     }
 
-    /// Relations, of one property or of all.
+    /// Returns relations, of one property or of all.
     pub fn relations(&self, property: Option<&str>) -> Vec<Term> {
         let added = self.statements.iter();
         let added = added.filter(|(_, of, _)| property.is_none_or(|property| of == property));
         added.map(fact).filter(is_relation).collect()
     }
 
-    /// Relations that lead to a thing.
+    /// Returns relations whose object is a thing.
     pub fn related_to(&self, object: &str) -> Vec<Term> {
         let added = self.statements.iter();
         let added = added.filter(|(_, _, to)| to.as_str() == Some(object));
@@ -158,7 +158,7 @@ impl Assertions {
     }
 }
 
-/// Whether a text is how a number that is not finite is written, as `inf`, `nan` or `1.5NaN`.
+/// Whether a text is a number that is not finite, such as `inf`, `nan` or `1.5NaN`.
 fn is_not_finite(text: &str) -> bool {
     let plain = text.trim_start_matches(|c: char| c.is_ascii_digit() || "+-.".contains(c));
     let plain = plain.to_ascii_lowercase();
@@ -167,7 +167,7 @@ fn is_not_finite(text: &str) -> bool {
 
 fn not_finite(number: impl std::fmt::Display) -> QueryFault {
     QueryFault::Prolog {
-        what: format!("{number} cannot be told: a number that is told must be finite"),
+        what: format!("{number} cannot be told: numbers must be finite"),
     }
 }
 
@@ -182,7 +182,7 @@ fn is_relation(fact: &Term) -> bool {
     matches!(fact, Term::Compound(name, _) if name == "r")
 }
 
-/// A statement as a fact: names with a prefix are things, others are texts.
+/// Returns a statement as a fact: names with a prefix are things, other names are texts.
 fn fact((subject, property, object): &Statement) -> Term {
     let (kind, object) = match object {
         serde_json::Value::String(name) if name.contains(':') => ("r", Term::atom(name)),

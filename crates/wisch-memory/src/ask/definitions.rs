@@ -1,8 +1,8 @@
-//! Predicates that stand for a conjunction: those of one clause, from the texts in which they are defined.
+//! Predicates that are defined by a single conjunction, found in the Prolog texts.
 
 use std::collections::HashMap;
 
-/// `defined(Head, Body).` for each predicate of one clause that has a body.
+/// Returns `defined(Head, Body).` for each predicate with a single clause that has a body.
 pub fn definitions(texts: &[&str]) -> String {
     let clauses: Vec<(&str, &str)> = texts.iter().flat_map(|text| clauses(text)).collect();
     let mut counts: HashMap<(&str, usize), usize> = HashMap::new();
@@ -15,7 +15,7 @@ pub fn definitions(texts: &[&str]) -> String {
     facts.collect()
 }
 
-/// Heads and bodies. A clause begins at the margin and ends with a full stop at the end of a line.
+/// Returns heads and bodies. A clause begins at the margin and ends with a full stop at the end of a line.
 fn clauses(text: &str) -> Vec<(&str, &str)> {
     let mut found = Vec::new();
     let mut begin = None;
@@ -39,7 +39,7 @@ fn clauses(text: &str) -> Vec<(&str, &str)> {
     found
 }
 
-/// Name and number of arguments of a head.
+/// Returns name and arity of a head.
 fn signature(head: &str) -> (&str, usize) {
     let Some((name, arguments)) = head.split_once('(') else {
         return (head, 0);

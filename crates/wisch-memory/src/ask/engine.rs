@@ -1,4 +1,4 @@
-//! A Prolog engine in a process of its own, and the lines that go to and fro.
+//! A Prolog engine in a process of its own, and the lines exchanged with it.
 
 use super::definitions::definitions;
 use super::error::AskError;
@@ -16,22 +16,22 @@ use std::thread::JoinHandle;
 use std::time::{Duration, Instant};
 use tempfile::{NamedTempFile, TempPath};
 
-/// Lines that an engine may be ahead of the program.
+/// Number of lines that an engine may be ahead of this program.
 const LINES_AHEAD: usize = 1024;
-/// What is read of an engine's standard error [bytes].
+/// Largest part of an engine's standard error that is read [bytes].
 const LONGEST_ERROR: u64 = 1 << 20;
 
-/// What SWI-Prolog maps beside the stacks of queries: code, atoms, facts, stacks of its threads [bytes].
+/// Memory of SWI-Prolog beside the stacks of queries: code, atoms, facts, stacks of its threads [bytes].
 const SWI_ITSELF: u64 = 1 << 30;
-/// Between two looks whether the query is interrupted.
+/// Interval between checks for an interrupt.
 const LOOK_UP: Duration = Duration::from_millis(50);
-/// Processor time for what is no query: beginning, reading the predicates [s].
+/// Processor time beside queries: start, and reading of the predicates [s].
 const PROCESSOR_SPARE_S: u64 = 30;
 
-/// What differs between Prolog systems.
+/// Predicates that differ between Prolog systems.
 const SCRYER: &str = include_str!("../../prolog/engine_scryer.pl");
 const SWI: &str = include_str!("../../prolog/engine_swi.pl");
-/// The predicates, the same for every engine.
+/// Predicates that are the same for every engine.
 const PORTABLE: [&str; 11] = [
     include_str!("../../prolog/host.pl"),
     include_str!("../../prolog/guard.pl"),
@@ -46,14 +46,14 @@ const PORTABLE: [&str; 11] = [
     include_str!("../../prolog/listing.pl"),
 ];
 
-/// What a query may use.
+/// Limits of a query.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct AskLimits {
-    /// Time for a query.
+    /// Wall-clock time of a query.
     pub time: Duration,
     /// Memory of the engine [bytes].
     pub memory: u64,
-    /// Answers.
+    /// Number of answers.
     pub answers: usize,
 }
 
@@ -68,22 +68,22 @@ impl Default for AskLimits {
     }
 }
 
-/// A Prolog system, by its program.
+/// A Prolog system, by the path of its program.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum EngineCommand {
-    /// Scryer Prolog: `wisch-prolog`, the program of the crate of that name.
+    /// Scryer Prolog: the companion program `wisch-prolog`.
     Scryer(PathBuf),
     /// SWI-Prolog: `swipl`.
     Swi(PathBuf),
 }
 
 impl EngineCommand {
-    /// Whichever can be had: Scryer Prolog, else SWI-Prolog.
+    /// Finds an installed system: Scryer Prolog, else SWI-Prolog.
     pub fn find() -> Option<Self> {
         Self::scryer().or_else(Self::swi)
     }
 
-    /// Scryer Prolog, if `wisch-prolog` lies beside this program, in the folder above (as of cargo's examples), or in
+    /// Finds Scryer Prolog: `wisch-prolog` beside this program, in the parent folder (for cargo's examples), or in
     /// `PATH`.
     pub fn scryer() -> Option<Self> {
         let program = std::env::current_exe().unwrap_or_default();
@@ -91,12 +91,12 @@ impl EngineCommand {
         find("wisch-prolog", folders.chain(search_path())).map(Self::Scryer)
     }
 
-    /// SWI-Prolog, if `swipl` lies in `PATH`.
+    /// Finds SWI-Prolog: `swipl` in `PATH`.
     pub fn swi() -> Option<Self> {
         find("swipl", search_path()).map(Self::Swi)
     }
 
-    /// The process, as it is begun with the predicates in a file.
+    /// Returns the command that starts the process with the predicates in a file.
     fn process(&self, predicates: &Path, limits: &AskLimits) -> Command {
         match self {
             Self::Scryer(program) => {
@@ -105,7 +105,7 @@ impl EngineCommand {
                 process
             }
             Self::Swi(program) => {
-                let mut process = ended_with_this(program);
+                let mut process = command_ended_with_parent(program);
                 process
                     .arg(format!("--stack-limit={}", limits.memory))
                     .args(["-q", "-f", "none", "-g", "main", "-t", "halt"])
@@ -115,12 +115,12 @@ impl EngineCommand {
         }
     }
 
-    /// Whether it writes `...` for what it cannot write down, a term that contains itself.
+    /// Whether the system writes `...` for a cyclic term, which has no finite text.
     pub(super) fn cuts_short(&self) -> bool {
         matches!(self, Self::Scryer(_))
     }
 
-    /// What its process may map of memory [bytes]: what queries may use, and what the system itself takes.
+    /// Largest address space of the process [bytes]: the query's limit and the system's own needs.
     fn address_space(&self, limits: &AskLimits) -> u64 {
         match self {
             Self::Scryer(_) => limits.memory,
@@ -128,7 +128,7 @@ impl EngineCommand {
         }
     }
 
-    /// The predicates, as this system reads them.
+    /// Returns the predicates in this system's syntax.
     fn predicates(&self) -> String {
         let dialect = match self {
             Self::Scryer(_) => SCRYER,
@@ -141,13 +141,13 @@ impl EngineCommand {
     }
 }
 
-/// A program that knows nothing of its parent, as a process that the kernel ends when the thread ends that began it; as
-/// any process where the system has no `setpriv` of util-linux.
-fn ended_with_this(program: &Path) -> Command {
+/// Returns a command that the kernel ends together with the thread that started it; without util-linux's `setpriv`, a
+/// plain command.
+fn command_ended_with_parent(program: &Path) -> Command {
     const END_WITH_PARENT: [&str; 2] = ["--pdeathsig", "KILL"];
     static SETPRIV: LazyLock<Option<PathBuf>> = LazyLock::new(|| {
         let setpriv = find("setpriv", search_path()).filter(|_| cfg!(target_os = "linux"))?;
-        // That of other systems has no such option.
+        // Other systems' `setpriv` lacks this option.
         let mut tried = Command::new(&setpriv);
         tried
             .args(END_WITH_PARENT)
@@ -180,25 +180,25 @@ fn search_path() -> Vec<PathBuf> {
     std::env::split_paths(&path).collect()
 }
 
-/// A running engine. Dropped, it ends; it also ends by itself when its standard input does, with whoever began it.
+/// A running engine. It ends when dropped, and also by itself when its standard input closes.
 #[derive(Debug)]
 pub struct Engine {
     child: Child,
     input: ChildStdin,
     lines: Receiver<String>,
-    /// What it writes to its standard error until it ends.
+    /// Its standard error, complete when it ends.
     errors: Option<JoinHandle<String>>,
-    /// The predicates, until it has read them.
+    /// File of predicates, until the engine has read it.
     program: Option<TempPath>,
-    /// Processor time that its queries may take, all of them together [s].
+    /// Processor time that all its queries may take together [s].
     processor_s: u64,
 }
 
 impl Engine {
-    /// Begins the process.
+    /// Starts the process.
     ///
     /// # Errors
-    /// If it cannot be begun.
+    /// If it cannot be started.
     pub fn start(command: &EngineCommand, limits: &AskLimits) -> Result<Self, AskError> {
         let mut program = NamedTempFile::with_suffix(".pl").map_err(AskError::CannotStart)?;
         let written = program.write_all(command.predicates().as_bytes());
@@ -209,7 +209,7 @@ impl Engine {
             .stdin(Stdio::piped())
             .stdout(Stdio::piped())
             .stderr(Stdio::piped());
-        // What a terminal interrupts is the program, which knows what to do about its engine.
+        // A terminal interrupts only this program, which decides about its engine.
         #[cfg(unix)]
         process.process_group(0);
         let mut child = process.spawn().map_err(AskError::CannotStart)?;
@@ -218,7 +218,7 @@ impl Engine {
             (child.stdin.take(), child.stdout.take(), child.stderr.take())
         else {
             return Err(AskError::EngineEnded {
-                words: "it has no streams".to_owned(),
+                words: "its standard streams are not available".to_owned(),
             });
         };
         let (sender, lines) = sync_channel(LINES_AHEAD);
@@ -244,12 +244,13 @@ impl Engine {
         })
     }
 
-    /// Sends a query, which may take so much time.
+    /// Sends a query with a limit on its time.
     ///
     /// # Errors
     /// If the engine has ended.
     pub fn begin_query(&mut self, order: &str, time: Duration) -> Result<(), AskError> {
-        // In case nobody is left to end it. A query keeps one core busy, and SWI-Prolog's collection of garbage another.
+        // A limit by the kernel, in case this program is killed. A query keeps one core busy, and SWI-Prolog's garbage
+        // collection another.
         let most = time.as_secs().saturating_mul(2).saturating_add(1);
         self.processor_s = self.processor_s.saturating_add(most);
         limit(&self.child, Resource::Processor, self.processor_s);
@@ -266,13 +267,13 @@ impl Engine {
             .write_all(line.as_bytes())
             .and_then(|()| self.input.write_all(b".\n"))
             .and_then(|()| self.input.flush());
-        sent.map_err(|_| self.ended())
+        sent.map_err(|_| self.end_error())
     }
 
-    /// The next term that it writes; `None` if it writes nothing until the deadline.
+    /// Returns the next term from the engine; `None` if there is none before the deadline.
     ///
     /// # Errors
-    /// If the engine has ended, or somebody says so.
+    /// If the engine has ended, or the query is interrupted.
     pub fn receive(
         &mut self,
         deadline: Instant,
@@ -291,12 +292,12 @@ impl Engine {
                 }
                 Err(RecvTimeoutError::Timeout) if left > LOOK_UP => {}
                 Err(RecvTimeoutError::Timeout) => return Ok(None),
-                Err(RecvTimeoutError::Disconnected) => return Err(self.ended()),
+                Err(RecvTimeoutError::Disconnected) => return Err(self.end_error()),
             }
         }
     }
 
-    fn ended(&mut self) -> AskError {
+    fn end_error(&mut self) -> AskError {
         let status = self.child.wait().map(|status| status.to_string());
         let errors = self.errors.take().map(JoinHandle::join);
         let words = errors.and_then(Result::ok).unwrap_or_default();
@@ -314,7 +315,7 @@ impl Engine {
     }
 }
 
-/// What a process uses.
+/// A resource of a process.
 #[derive(Debug, Clone, Copy)]
 enum Resource {
     /// Address space [bytes].
@@ -323,8 +324,7 @@ enum Resource {
     Processor,
 }
 
-/// Limits what a process may use, where the system can. It is a second line: a process that has just ended, or cannot
-/// be limited, is no error.
+/// Limits a process's resource, where the system can. This is a second safeguard, so a failure is not an error.
 #[cfg(target_os = "linux")]
 fn limit(child: &Child, of: Resource, most: u64) {
     use rustix::process::{Pid, Resource as Of, Rlimit, prlimit};

@@ -1,53 +1,53 @@
-//! Why there is no answer.
+//! Errors of queries.
 
 use super::term::{Term, TermError};
 use crate::store::MemoryError;
 use std::fmt::Display;
 use std::time::Duration;
 
-/// What is wrong with a query.
+/// Fault of a query.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum QueryFault {
-    /// A name that is not known.
+    /// A name is unknown.
     #[error("unknown {kind} {name}{}", nearest.as_ref().map_or_else(String::new, |n| format!("; did you mean {n}?")))]
     Unknown {
-        /// class, property, thing, prefix or predicate.
+        /// "class", "property", "thing", "prefix" or "predicate".
         kind: String,
         /// The name.
         name: String,
-        /// The nearest that is known.
+        /// The nearest known name.
         nearest: Option<String>,
     },
-    /// Something that cannot be a name.
-    #[error("{term} is no name of anything")]
+    /// A term cannot be a name.
+    #[error("{term} is not a name")]
     NoName {
-        /// What stands there.
+        /// The term.
         term: String,
     },
-    /// More than a query may do.
+    /// The query exceeds a limit.
     #[error("more than {limit} {what}")]
     TooMuch {
-        /// Of what.
+        /// The limited quantity.
         what: &'static str,
-        /// How much there may be.
+        /// The limit.
         limit: usize,
     },
-    /// There is no such telemetry.
+    /// The requested telemetry does not exist.
     #[error("{what}")]
     Telemetry {
-        /// Why.
+        /// Description.
         what: String,
     },
-    /// What an episode holds cannot be read, or was never recorded.
+    /// Data of an episode cannot be read, or was never recorded.
     #[error("{what}")]
     Recording {
-        /// Why.
+        /// Description.
         what: String,
     },
-    /// What the engine says of it.
+    /// Another error by the engine.
     #[error("{what}")]
     Prolog {
-        /// In words.
+        /// Description.
         what: String,
     },
 }
@@ -64,7 +64,7 @@ impl QueryFault {
 
     pub(super) fn cyclic() -> Self {
         Self::Prolog {
-            what: "a term that contains itself cannot be written down".to_owned(),
+            what: "a term that contains itself cannot be an answer".to_owned(),
         }
     }
 
@@ -74,7 +74,7 @@ impl QueryFault {
         }
     }
 
-    /// As the engine throws it.
+    /// Returns the term that the engine throws.
     pub(super) fn to_term(&self) -> Term {
         match self {
             Self::Unknown {
@@ -95,7 +95,7 @@ impl QueryFault {
         }
     }
 
-    /// From what the engine threw.
+    /// Parses the term that the engine threw.
     pub(super) fn of(error: &Term, callable: &[String]) -> Self {
         let text = |term: &Term| {
             term.as_atom()
@@ -112,7 +112,7 @@ impl QueryFault {
             Some(("prolog", [what])) => Self::Prolog { what: text(what) },
             Some(("untold", [property])) => Self::Prolog {
                 what: format!(
-                    "{property} cannot be told: classes and parts are what episodes say they are"
+                    "{property} cannot be told: classes and parts are fixed by the episodes"
                 ),
             },
             Some(("unknown_predicate", [Term::Atom(name), Term::Integer(arity)])) => {
@@ -121,13 +121,13 @@ impl QueryFault {
             Some(("cyclic", [])) => Self::cyclic(),
             Some(("unbound", [what])) => Self::Prolog {
                 what: format!(
-                    "{} must be known here: put the goal that finds it before",
+                    "{} must be bound here; put the goal that binds it first",
                     text(what)
                 ),
             },
             Some(("unbound", [variable, goal])) => Self::Prolog {
                 what: format!(
-                    "{} must be bound before {}, whose answer depends on it: put the goal that finds it first",
+                    "{} must be bound before {}, whose answer depends on it; put the goal that binds it first",
                     text(variable),
                     text(goal)
                 ),
@@ -151,7 +151,7 @@ impl QueryFault {
         }
     }
 
-    /// With one of the same name, or one that is nearly written so.
+    /// Returns the error for an unknown predicate, with a predicate of the same or a similar name.
     fn unknown_predicate(name: &str, arity: i64, known: &[String]) -> Self {
         let distance = |other: &String| {
             let other = other
@@ -169,18 +169,18 @@ impl QueryFault {
     }
 }
 
-/// A standard error of Prolog.
+/// Describes a standard error of Prolog.
 fn in_words(error: &Term) -> String {
     match error.parts() {
         Some(("syntax_error", [what])) => {
             let what = what.to_string().replace('_', " ");
-            format!("the query is no Prolog: {what}")
+            format!("the query is not valid Prolog: {what}")
         }
         Some(("instantiation_error", [])) => {
-            "a variable must be bound here: put the goal that finds it before".to_owned()
+            "a variable must be bound here; put the goal that binds it first".to_owned()
         }
         Some(("type_error", [kind, culprit])) => format!("{culprit} should be of type {kind}"),
-        Some(("domain_error", [domain, culprit])) => format!("{culprit} is no {domain}"),
+        Some(("domain_error", [domain, culprit])) => format!("{culprit} is not a {domain}"),
         Some(("evaluation_error", [what])) => format!("arithmetic: {what}").replace('_', " "),
         Some(("resource_error", [what])) => format!("out of {what}"),
         Some(("existence_error", [kind, what])) => format!("there is no {kind} {what}"),
@@ -189,45 +189,45 @@ fn in_words(error: &Term) -> String {
     }
 }
 
-/// Why there is no answer.
+/// Why a query has no result.
 #[derive(Debug, thiserror::Error)]
 pub enum AskError {
-    /// The query is at fault.
+    /// The query is faulty.
     #[error(transparent)]
     Fault(#[from] QueryFault),
-    /// It took too long.
+    /// The query exceeded its time.
     #[error("the query took longer than {0:?}")]
     Time(Duration),
-    /// Somebody interrupted it.
+    /// The query was interrupted.
     #[error("the query was interrupted")]
     Interrupted,
-    /// The engine cannot be begun.
-    #[error("the Prolog engine cannot be begun: {0}")]
+    /// The engine cannot be started.
+    #[error("the Prolog engine cannot be started: {0}")]
     CannotStart(std::io::Error),
-    /// The engine ended: it used more memory than it may, or it is broken.
+    /// The engine ended: it exceeded its memory, or it crashed.
     #[error("the Prolog engine ended: {words}")]
     EngineEnded {
-        /// Its last words.
+        /// The end of its standard error.
         words: String,
     },
-    /// The engine said something that is no term.
+    /// The engine sent an invalid term.
     #[error(transparent)]
     Term(#[from] TermError),
-    /// The engine said something that is not expected.
-    #[error("the Prolog engine said something unexpected: {line}")]
+    /// The engine sent an unexpected term.
+    #[error("the Prolog engine sent an unexpected line: {line}")]
     Protocol {
-        /// What.
+        /// The line.
         line: String,
     },
     /// The memory cannot be read.
     #[error(transparent)]
     Memory(#[from] MemoryError),
-    /// What people added to this memory cannot be read or written.
+    /// The file of statements cannot be read or written.
     #[error("{file}: {what}")]
     Assertions {
-        /// Its file.
+        /// Path of the file.
         file: String,
-        /// Why.
+        /// Description of the fault.
         what: String,
     },
 }

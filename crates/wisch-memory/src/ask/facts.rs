@@ -1,4 +1,4 @@
-//! Facts that an engine keeps, each sent once.
+//! Facts in an engine, each sent once.
 
 use super::rows::{individual_row, name_of, relation_row, shared_row, value_row, values};
 use super::streams::Knowledge;
@@ -6,19 +6,19 @@ use super::term::Term;
 use crate::catalogue::{Catalogue, IndividualId, entries};
 use std::collections::{HashMap, HashSet};
 
-/// Names of a class that come in one fact.
+/// Number of names in one fact about a class.
 const NAMES_IN_A_FACT: usize = 512;
-/// Individuals of a class that come together: those beside the one that is asked for, mostly of its episode.
+/// Number of individuals that are sent at once: the requested one and its neighbours, mostly of the same episode.
 const INDIVIDUALS_AT_ONCE: usize = 8;
-/// Values of a property that come together.
+/// Number of values of a property that are sent at once.
 const VALUES_AT_ONCE: usize = 64;
 
-/// What an engine has been sent.
+/// Record of the facts that an engine has.
 #[derive(Debug, Default)]
 pub struct SentFacts {
     individuals: HashSet<IndividualId>,
     shared: HashSet<String>,
-    /// Episodes of which all parts were sent.
+    /// Episodes whose parts were all sent.
     episodes: HashSet<String>,
     values: HashMap<String, HashSet<IndividualId>>,
     statements: HashSet<IndividualId>,
@@ -26,7 +26,7 @@ pub struct SentFacts {
 }
 
 impl SentFacts {
-    /// The members of exactly this class.
+    /// Returns the members of exactly this class.
     pub fn members(&mut self, known: &Knowledge, class: &str) -> Vec<Term> {
         let mut facts = Vec::new();
         let members = known.catalogue.of_class(class);
@@ -55,7 +55,7 @@ impl SentFacts {
         }
     }
 
-    /// The facts of an individual, and of its neighbours of the same class: whoever asks for one mostly asks for more.
+    /// Returns the facts about an individual and its neighbours of the same class, which queries mostly need next.
     pub fn individual(&mut self, known: &Knowledge, name: &str) -> Vec<Term> {
         let mut facts = Vec::new();
         if let Some(id) = known.names.individual(name) {
@@ -68,7 +68,7 @@ impl SentFacts {
         facts
     }
 
-    /// The parts of an individual, and of all others of its episode.
+    /// Returns the parts of an individual, and of all others of its episode.
     pub fn parts(&mut self, known: &Knowledge, name: &str) -> Vec<Term> {
         let catalogue = &known.catalogue;
         let mut facts = Vec::new();
@@ -92,7 +92,7 @@ impl SentFacts {
         facts
     }
 
-    /// Values and relations of one thing.
+    /// Returns values and relations of a thing.
     pub fn statements(&mut self, known: &Knowledge, name: &str) -> Vec<Term> {
         let catalogue = &known.catalogue;
         let mut facts = self.assertions(known, name);
@@ -113,7 +113,7 @@ impl SentFacts {
         facts
     }
 
-    /// What people said of a thing.
+    /// Returns people's statements about a thing.
     pub fn assertions(&mut self, known: &Knowledge, name: &str) -> Vec<Term> {
         if self.assertions.insert(name.to_owned()) {
             known.assertions.about(name)
@@ -131,7 +131,7 @@ impl SentFacts {
         true
     }
 
-    /// Values of one property, of this thing and of its neighbours of the same class.
+    /// Returns the values of a property of a thing and its neighbours of the same class.
     pub fn values_of(&mut self, known: &Knowledge, name: &str, property: &str) -> Vec<Term> {
         let catalogue = &known.catalogue;
         let mut facts = self.assertions(known, name);
@@ -149,14 +149,14 @@ impl SentFacts {
     }
 }
 
-/// The stretch of so many individuals of the same class in which an individual lies.
+/// Returns the block of `count` individuals of the same class that contains an individual.
 fn neighbours(catalogue: &Catalogue, id: IndividualId, count: usize) -> &[IndividualId] {
     let alike = catalogue.of_class(catalogue.class(id));
     let first = alike.partition_point(|other| *other < id) / count * count;
     &alike[first..alike.len().min(first + count)]
 }
 
-/// Names as facts `fact(of, Names)`, some hundred in each.
+/// Returns names as facts `fact(of, Names)`, with several hundred names in each.
 pub fn in_lists(fact: &str, of: &Term, names: Vec<Term>) -> Vec<Term> {
     let lists = names.chunks(NAMES_IN_A_FACT);
     let facts = lists.map(|names| Term::compound(fact, [of.clone(), Term::List(names.to_vec())]));

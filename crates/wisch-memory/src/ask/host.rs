@@ -1,4 +1,4 @@
-//! What the engine asks for, answered from the catalogue, the ontology and the telemetry.
+//! Answers to the engine's requests, from catalogue, ontology and telemetry.
 
 use super::assertions::Assertions;
 use super::error::{AskError, QueryFault};
@@ -19,41 +19,42 @@ use crate::ontology::Ontology;
 use std::collections::HashMap;
 use std::sync::Arc;
 
-/// Rows of the first chunk of a stream, and of the largest; each is four times the one before.
+/// Number of rows in the first chunk of a stream, and in the largest; each chunk is four times the previous one.
 const CHUNK: [usize; 2] = [64, 512];
-/// Facts that are sent at once; an engine takes the longer for each the more come together.
+/// Number of facts sent at once: an engine takes longer per fact the more arrive together.
 const FACTS_AT_ONCE: usize = 512;
-/// Most individuals that a filter finds and the engine keeps; more are sent again each time.
+/// Largest number of filtered individuals that the engine keeps; more are sent again each time.
 const FILTERED_FACTS: usize = 20_000;
-/// Most members of a class that the engine keeps, with times and parents; more are named one after the other.
+/// Largest number of members of a class that the engine keeps with times and parents; more are streamed by name.
 const MOST_MEMBERS: usize = 30_000;
 
-/// Most solutions of goals that the engine gets at once, and candidates that are gone through for them: it may need few.
+/// Largest number of joined solutions that the engine gets at once, and of candidates examined for them: it may need
+/// only a few.
 const MOST_JOINED: usize = 200_000;
 const MOST_CANDIDATES: u64 = 5_000_000;
 
-/// Most that a query may print [bytes].
+/// Largest size of the text that a query may print [bytes].
 const MOST_PRINTED: usize = 1 << 20;
 
-/// Answers the needs of one engine; knows what that engine already has.
+/// Host of one engine: answers its requests, and keeps track of the facts that it has.
 pub struct Host {
     known: Knowledge,
     indices: Indices,
-    /// Whether goals that ask for facts alone are solved here.
+    /// Whether the host joins goals that only look facts up.
     joins_facts: bool,
     joined: u64,
     telemetry: TelemetryPredicates,
     sent: SentFacts,
     cursors: HashMap<i64, Cursor>,
     next_cursor: i64,
-    /// Most statements that a query may tell.
+    /// Largest number of statements by a query.
     max_assertions: usize,
-    /// What the query has printed.
+    /// Text that the query has printed.
     printed: String,
 }
 
 impl Host {
-    /// A host for a new engine.
+    /// Creates the host of a new engine.
     pub fn new(
         catalogue: Arc<Catalogue>,
         telemetry: TelemetryPredicates,
@@ -79,49 +80,50 @@ impl Host {
         }
     }
 
-    /// What the query has printed.
+    /// Returns the text that the query has printed, and clears it.
     pub fn take_printed(&mut self) -> String {
         std::mem::take(&mut self.printed)
     }
 
-    /// What was left out since this was asked last, and why.
+    /// Returns the remarks on omitted episodes since the last call, and clears them.
     pub fn take_remarks(&mut self) -> Vec<String> {
         self.telemetry.take_remarks()
     }
 
-    /// Keeps what the query has told.
+    /// Commits the query's statements.
     ///
     /// # Errors
-    /// If it cannot be written.
+    /// If they cannot be written.
     pub fn commit_assertions(&mut self) -> Result<(), AskError> {
         self.known.assertions.commit()
     }
 
-    /// Takes back what the query has told, and says whether the engine knows any of it.
+    /// Discards the query's statements. Returns whether the engine knows any of them.
     pub fn roll_back_assertions(&mut self) -> bool {
         self.known.assertions.roll_back()
     }
 
-    /// The same for an engine that knows nothing yet.
+    /// Resets the host for a new engine without facts.
     pub fn forget(&mut self) {
         self.sent = SentFacts::default();
         self.cursors.clear();
     }
 
-    /// Drops streams that nobody will read on.
+    /// Drops streams that will not be read any more.
     pub fn end_query(&mut self) {
         self.cursors.clear();
     }
 
-    /// Whether goals that ask for facts alone are solved here, as they are unless this says otherwise.
+    /// Sets whether the host joins goals that only look facts up (default: yes).
     pub fn join_facts(&mut self, does: bool) {
         self.joins_facts = does;
     }
 
-    /// At most so many solutions of a list of goals, with what each of these terms is in them; `None` where the engine
-    /// is to solve them.
+    /// Returns at most the wanted number of solutions of a list of goals, as values of the wanted terms; `None` if the
+    /// engine must solve them.
     ///
     /// # Errors
+    /// If the query must end.
     /// If the query has to end.
     pub fn solve(
         &mut self,
@@ -143,12 +145,12 @@ impl Host {
         Ok(solved)
     }
 
-    /// How many conjunctions were solved here.
+    /// Number of joined conjunctions.
     pub fn joined_so_far(&self) -> u64 {
         self.joined
     }
 
-    /// The solutions of goals that stand before others in a query, all of them.
+    /// Returns all solutions of goals at the front of a query.
     fn joined(
         &mut self,
         goals: &Term,
@@ -164,10 +166,10 @@ impl Host {
         Ok(all.map(|solutions| Box::new(solutions.rows.into_iter().map(Term::List)) as AnswerRows))
     }
 
-    /// What is to be sent in answer to a request.
+    /// Answers a request.
     ///
     /// # Errors
-    /// The program failed; what a query did wrong is an answer.
+    /// If this program failed; a fault of the query is part of the answer.
     pub fn answer(
         &mut self,
         request: &Term,
@@ -288,7 +290,7 @@ impl Host {
             }
             ("tell", [subject, Term::Atom(property), object]) => {
                 let subject = subject.as_atom().ok_or_else(malformed)?;
-                // What was told before comes along: each statement is sent once.
+                // Earlier statements are included: each statement is sent once.
                 let mut facts = self.sent.assertions(&self.known, subject);
                 let assertions = &mut self.known.assertions;
                 facts.push(assertions.add(subject, property, object, self.max_assertions)?);
@@ -302,7 +304,7 @@ impl Host {
         Ok(Reply::Facts(facts))
     }
 
-    /// What is read row by row; `None` of other requests.
+    /// Returns the rows of a streaming request; `None` for other requests.
     fn stream(&mut self, request: &Term) -> Result<Option<AnswerRows>, AskError> {
         let malformed = || AskError::unexpected(request);
         let known = &self.known;
@@ -343,7 +345,7 @@ impl Host {
         Arc::clone(&timeline.intervals)
     }
 
-    /// Whether the engine keeps what a request finds (`few`), or is sent it each time (`many`).
+    /// Whether the engine keeps the results of a request (`few`), or gets them each time (`many`).
     fn size(&self, request: &Term) -> Result<&'static str, HostRefusal> {
         let is_many = match request.parts() {
             Some(("members", [Term::Atom(class)])) => {
@@ -357,14 +359,14 @@ impl Host {
         Ok(if is_many { "many" } else { "few" })
     }
 
-    /// Individuals of which a number of this property compares so with a bound, and what was told so.
+    /// Returns individuals whose number of a property meets a comparison with a bound, including people's statements.
     fn filter(
         &self,
         property: &str,
         operator: &str,
         bound: &Term,
     ) -> Result<(Vec<IndividualId>, Vec<Term>), HostRefusal> {
-        #[allow(clippy::float_cmp, reason = "what is asked for")]
+        #[allow(clippy::float_cmp, reason = "the query asks for exact equality")]
         let matches: fn(f64, f64) -> bool = match operator {
             "=<" => |value, bound| value <= bound,
             ">=" => |value, bound| value >= bound,

@@ -1,8 +1,8 @@
-//! Which intervals stand in one of Allen's relations to a given one.
+//! Index of intervals by Allen's relations.
 
 use crate::catalogue::{Catalogue, IndividualId};
 
-/// One of Allen's relations, or a looser one.
+/// One of Allen's relations (1983), or a union of them.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Relation {
     /// Ends before the other begins.
@@ -25,22 +25,22 @@ pub enum Relation {
     Finishes,
     /// Ends with the other, and begins before it.
     FinishedBy,
-    /// Lies within the other, touching neither end.
+    /// Lies within the other, with different ends.
     During,
-    /// The other lies within it, touching neither end.
+    /// The other lies within it, with different ends.
     Contains,
-    /// Is the same time.
+    /// Has the same ends.
     Equals,
-    /// Has a time in common with the other.
+    /// Shares a time with the other.
     Intersects,
-    /// Lies within the other, or is the same.
+    /// Lies within the other, or equals it.
     DuringOrEqual,
-    /// The other lies within it, or is the same.
+    /// The other lies within it, or equals it.
     ContainsOrEquals,
 }
 
 impl Relation {
-    /// The relation of this name.
+    /// Returns the relation with this name.
     pub fn named(name: &str) -> Option<Self> {
         Some(match name {
             "before" => Self::Before,
@@ -62,7 +62,7 @@ impl Relation {
         })
     }
 
-    /// The relation in which the second stands to the first.
+    /// Returns the inverse: the relation of the second interval to the first.
     pub fn inverse(self) -> Self {
         match self {
             Self::Before => Self::After,
@@ -84,7 +84,7 @@ impl Relation {
         }
     }
 
-    /// Whether the first interval stands in it to the second.
+    /// Whether the first interval has this relation to the second.
     #[allow(
         clippy::float_cmp,
         reason = "intervals meet where they have the very same time"
@@ -111,8 +111,8 @@ impl Relation {
     }
 }
 
-/// Intervals by their start, with the latest end of each stretch of them, so that those that touch a given time
-/// are found without looking at the others.
+/// Intervals sorted by their start, with a tree of latest ends, so that intervals that touch a given time are found
+/// without scanning the others.
 #[derive(Debug, Clone, Default)]
 pub struct IntervalIndex {
     entries: Vec<(f64, f64, IndividualId)>,
@@ -122,7 +122,7 @@ pub struct IntervalIndex {
 }
 
 impl IntervalIndex {
-    /// The index of all individuals that have a time.
+    /// Returns the index of all individuals with a time.
     pub fn of(catalogue: &Catalogue) -> Self {
         let ids = 0..u32::try_from(catalogue.len()).unwrap_or(u32::MAX);
         let timed = ids.filter_map(|id| catalogue.interval(id).map(|[s, e]| (s, e, id)));
@@ -146,18 +146,18 @@ impl IntervalIndex {
         }
     }
 
-    /// How many intervals there are.
+    /// Number of intervals.
     pub fn len(&self) -> usize {
         self.entries.len()
     }
 
-    /// An interval by its place in the order of starts.
+    /// Returns an interval by its index in the order of starts.
     pub fn entry(&self, place: usize) -> ([f64; 2], IndividualId) {
         let (start, end, id) = self.entries[place];
         ([start, end], id)
     }
 
-    /// Those that stand in a relation to an interval, by their start.
+    /// Returns the intervals with a relation to an interval, sorted by their start.
     pub fn related(&self, relation: Relation, to: [f64; 2]) -> Vec<IndividualId> {
         let fits = |entry: &&(f64, f64, IndividualId)| relation.holds([entry.0, entry.1], to);
         match relation {
@@ -180,7 +180,7 @@ impl IntervalIndex {
         }
     }
 
-    /// Places before `end` of intervals that last until `start` or longer.
+    /// Returns indices below `end` of intervals that last until `start` or longer.
     fn touching(
         &self,
         node: usize,

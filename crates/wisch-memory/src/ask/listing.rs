@@ -7,13 +7,13 @@ use super::term::Term;
 pub struct Predicate {
     /// Its name.
     pub name: String,
-    /// How many arguments it takes.
+    /// Its arity.
     pub arity: usize,
-    /// How it is called, and what it says.
+    /// Its form and meaning.
     pub meaning: String,
 }
 
-/// Prolog's own predicates that queries may call, as `member/2`, sorted.
+/// Returns Prolog's own predicates that queries may call, as `member/2`, sorted.
 pub fn builtins() -> Vec<String> {
     let text = include_str!("../../prolog/guard.pl");
     let facts =
@@ -33,7 +33,7 @@ pub fn builtins() -> Vec<String> {
     names
 }
 
-/// The predicates of this memory, in the order of its manual; Prolog's own are not among them.
+/// Returns the predicates of this memory, in the order of the manual, without Prolog's own.
 pub fn predicates() -> Vec<Predicate> {
     let text = include_str!("../../prolog/listing.pl");
     let facts = text.lines().filter(|line| line.starts_with("predicate("));

@@ -1,7 +1,7 @@
-//! Questions in Prolog: an engine in a process of its own, its needs answered from the memory.
+//! Queries in Prolog: an engine in a process of its own, whose requests the memory answers.
 //!
-//! A query is sent as text. What it may call is listed in `prolog/listing.pl` and `prolog/guard.pl`; facts come over
-//! by need and stay in the engine for the next query.
+//! A query is sent as text. `prolog/listing.pl` and `prolog/guard.pl` list the predicates that it may call. Facts are
+//! fetched on demand, and stay in the engine for later queries.
 
 mod assertions;
 mod definitions;
@@ -39,46 +39,46 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Instant;
 
-/// What a query found.
+/// Answers to a query.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Answers {
-    /// The query's variables, but for those that begin with `_`.
+    /// Variables of the query, except those that begin with `_`.
     pub names: Vec<String>,
-    /// A value for each of them, by answer.
+    /// For each answer, a value for each variable.
     pub rows: Vec<Vec<Term>>,
-    /// Whether there are more than the limit.
+    /// Whether the limit cut the answers.
     pub is_cut: bool,
-    /// What is to be looked at, in the order in which the query said so.
+    /// View commands, in the order in which the query gave them.
     pub views: Vec<Term>,
-    /// What the query printed.
+    /// Text that the query printed.
     pub printed: String,
-    /// What was left out, and why.
+    /// Remarks on episodes that are left out, with the reason.
     pub remarks: Vec<String>,
 }
 
 impl Answers {
-    /// Whether the query holds at all.
+    /// Whether the query has an answer.
     pub fn holds(&self) -> bool {
         !self.rows.is_empty()
     }
 }
 
-/// Asks a memory; the engine stays, and keeps what it has learnt, until this is dropped.
+/// Interface for queries to a memory. The engine runs, and keeps its facts, until this is dropped.
 pub struct Asker {
     command: EngineCommand,
     limits: AskLimits,
     host: Host,
     engine: Option<Engine>,
-    /// What queries may call, as `member/2`.
+    /// Predicates that queries may call, as `member/2`.
     callable: Vec<String>,
     interrupt: Arc<AtomicBool>,
 }
 
 impl Asker {
-    /// Asks all episodes of a memory, and what was added to it by `tell`, within the usual limits.
+    /// Opens all episodes of a memory and the statements added by `tell`, with default limits.
     ///
     /// # Errors
-    /// The memory cannot be read.
+    /// If the memory cannot be read.
     pub fn open(memory: Memory, command: EngineCommand) -> Result<Self, AskError> {
         let catalogue = Arc::new(memory.catalogue()?);
         let assertions = Assertions::read(memory.folder())?;
@@ -87,7 +87,7 @@ impl Asker {
         Ok(Self::new(command, limits, catalogue, telemetry, assertions))
     }
 
-    /// Asks these episodes. The engine is begun with the first query.
+    /// Opens the given episodes. The engine starts with the first query.
     pub fn new(
         command: EngineCommand,
         limits: AskLimits,
@@ -105,29 +105,30 @@ impl Asker {
         }
     }
 
-    /// Whether conjunctions of goals that ask for facts alone are joined by the program, as they are unless this says
-    /// otherwise; the answers are the same.
+    /// Sets whether this program joins conjunctions of goals that only look facts up (default: yes). The answers are
+    /// the same.
     pub fn join_facts(&mut self, does: bool) {
         self.host.join_facts(does);
     }
 
-    /// How many conjunctions the program has joined so far.
+    /// Number of conjunctions that the program has joined so far.
     pub fn joined_so_far(&self) -> u64 {
         self.host.joined_so_far()
     }
 
-    /// What, set to true, ends the query that is being answered; the memory can be asked on.
+    /// Flag that ends the current query when it is set; later queries are possible.
     pub fn interrupt(&self) -> Arc<AtomicBool> {
         Arc::clone(&self.interrupt)
     }
 
-    /// The answers to a query such as `owl_individual_of(C, semco:'Collision'), occurs(C, [S, E])`.
+    /// Returns the answers to a query such as `owl_individual_of(C, semco:'Collision'), occurs(C, [S, E])`.
     ///
-    /// What it tells is kept if it has answers, at most as many statements as there may be answers; otherwise nothing is.
+    /// Statements by `tell` are stored if the query has answers, otherwise discarded. Their number is limited like that
+    /// of answers.
     ///
     /// # Errors
-    /// The query is no Prolog, names something that is not known, or uses more than it may. The memory can be asked
-    /// on after each of these.
+    /// If the query is not valid Prolog, uses an unknown name, or exceeds a limit. Later queries are possible after
+    /// each of these.
     pub fn ask(&mut self, query: &str) -> Result<Answers, AskError> {
         let mut result = self.converse(query);
         self.host.end_query();
@@ -141,7 +142,7 @@ impl Asker {
         }
         let is_rolled_back = self.host.roll_back_assertions();
         if is_rolled_back || !matches!(result, Ok(_) | Err(AskError::Fault(_))) {
-            // It knows what does not hold, or nobody knows what it is at: the next query begins with a new one.
+            // The engine may hold discarded statements, or be in an unknown state: the next query starts a new one.
             self.engine = None;
             self.host.forget();
         }
@@ -162,7 +163,7 @@ impl Asker {
             interrupt: &self.interrupt,
             candidates: u64::MAX,
         };
-        engine.begin_query(&asking(&text, self.limits.answers), self.limits.time)?;
+        engine.begin_query(&query_command(&text, self.limits.answers), self.limits.time)?;
         let mut answers = Answers::default();
         let mut reply = String::new();
         let mut is_cut_short = false;
@@ -210,7 +211,7 @@ impl Asker {
                         answers.is_cut = arguments[0].as_atom() == Some("limit");
                         answers.printed = self.host.take_printed();
                         answers.remarks = self.host.take_remarks();
-                        // Nothing was found, and that is because nothing could be looked at.
+                        // No answer was found because no episode could be read, so the first remark is the error.
                         if let (false, Some(why)) = (answers.holds(), answers.remarks.first()) {
                             let what = why.clone();
                             return Err(QueryFault::Recording { what }.into());
@@ -230,14 +231,14 @@ impl Asker {
     }
 }
 
-/// What queries may call, this memory's own before Prolog's.
+/// Returns the predicates that queries may call, this memory's own before Prolog's.
 fn callable() -> Vec<String> {
     let own = predicates().into_iter();
     let own = own.map(|predicate| format!("{}/{}", predicate.name, predicate.arity));
     own.chain(builtins()).collect()
 }
 
-/// The values of a row, which come in groups; one without any is an atom.
+/// Returns the values of a row, which arrive in groups; a row without values is an atom.
 fn values(row: Term) -> Vec<Term> {
     let arguments = |term| match term {
         Term::Compound(_, arguments) => arguments,
@@ -246,8 +247,8 @@ fn values(row: Term) -> Vec<Term> {
     arguments(row).into_iter().flat_map(arguments).collect()
 }
 
-/// The order to answer a query, which has no full stop.
-fn asking(query: &str, answers: usize) -> String {
+/// Returns the command to answer a query, which has no full stop.
+fn query_command(query: &str, answers: usize) -> String {
     let mut text = String::from("ask(\"");
     for c in query.chars() {
         match c {

@@ -1,4 +1,4 @@
-//! What a name in a query means: a class, a property, or a thing of the memory.
+//! Resolution of names in a query: classes, properties and things of the memory.
 
 use super::error::QueryFault;
 use super::term::Term;
@@ -8,9 +8,10 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 use wisch::source_location::UnknownName;
 
-/// Events that a concept classifies, by class: SOMA's `Collision` is a concept, ours is the event, and both find it.
+/// Concepts that classify events of a class: SOMA's `Collision` is a concept, `semco:Collision` the event, and both
+/// find it.
 const CLASSIFIED: [(&str, &str); 1] = [("soma:Collision", "semco:Collision")];
-/// Properties that hold of what the catalogue has in other ways.
+/// Properties that the catalogue stores in other ways.
 const STRUCTURAL: [&str; 8] = [
     "rdf:type",
     "rdfs:subClassOf",
@@ -21,7 +22,7 @@ const STRUCTURAL: [&str; 8] = [
     "dul:classifies",
     "dul:hasParticipant",
 ];
-/// By which relation a shared thing is of which class, where the ontology does not know it.
+/// Relations that imply the class of a shared thing that the ontology does not know.
 const CLASS_BY_RELATION: [(&str, &str); 4] = [
     ("semco:usesTool", "semco:WipingTool"),
     ("semco:removesMedium", "semco:Medium"),
@@ -29,16 +30,16 @@ const CLASS_BY_RELATION: [(&str, &str); 4] = [
     ("soma:isPerformedBy", "semco:WipingRobot"),
 ];
 
-/// Finds names.
+/// Resolver of names.
 pub struct Names {
     catalogue: Arc<Catalogue>,
     ontology: &'static Ontology,
-    /// Classes of the things that episodes share.
+    /// Classes of shared things.
     shared: BTreeMap<String, String>,
 }
 
 impl Names {
-    /// Names of these episodes.
+    /// Creates the resolver for these episodes.
     pub fn new(catalogue: Arc<Catalogue>, ontology: &'static Ontology) -> Self {
         let mut shared = BTreeMap::new();
         for name in ontology.individuals() {
@@ -63,10 +64,10 @@ impl Names {
         }
     }
 
-    /// The full name of a class, property or thing.
+    /// Returns the full name of a class, property or thing.
     pub fn resolve(&self, kind: &str, term: &Term) -> Result<String, QueryFault> {
         let unknown = |error: &UnknownName| {
-            // A prefix that is unknown is so whatever it stands before.
+            // With an unknown prefix, the prefix is the fault, not the name.
             let kind = if error.to_string().contains("prefix") {
                 "prefix"
             } else {
@@ -162,12 +163,12 @@ impl Names {
         }
     }
 
-    /// The individual of this full name.
+    /// Returns the individual with this full name.
     pub fn individual(&self, name: &str) -> Option<IndividualId> {
         self.catalogue.find(name.strip_prefix("semco:")?)
     }
 
-    /// What relations lead to, of this full name.
+    /// Returns the object of relations with this full name.
     pub fn node(&self, name: &str) -> Option<CatalogueNode> {
         if let Some(id) = self.individual(name) {
             return Some(CatalogueNode::Individual(id));
@@ -180,12 +181,12 @@ impl Names {
         u32::try_from(place).ok().map(CatalogueNode::Shared)
     }
 
-    /// The class of something that episodes share.
+    /// Returns the class of a shared thing.
     pub fn class_of_shared(&self, name: &str) -> Option<String> {
         self.shared.get(name).cloned()
     }
 
-    /// What episodes share of exactly this class.
+    /// Returns the shared things of exactly this class.
     pub fn shared_of(&self, class: &str) -> Vec<String> {
         let of_class = self.shared.iter().filter(|(_, of)| *of == class);
         of_class.map(|(name, _)| name.clone()).collect()

@@ -1,22 +1,22 @@
-//! What queries print: texts by the directives of `format/2`.
+//! Texts that queries print, by the directives of `format/2`.
 
 use super::error::QueryFault;
 use super::term::Term;
 use std::fmt::Write as _;
 
-/// Most digits behind the point.
+/// Largest number of decimals.
 const MOST_DIGITS: usize = 100;
-/// Digits behind the point, if a directive does not say how many.
+/// Number of decimals without a count in the directive.
 const DIGITS: usize = 6;
-/// The directives that are known.
+/// Supported directives.
 const DIRECTIVES: &str = "~w ~p ~q ~a ~d ~D ~f ~e ~g ~s ~c ~i ~n ~~";
 
-/// The text that a format makes of its arguments, a list or one that is none.
+/// Formats arguments, a list or a single term, by a format.
 ///
 /// # Errors
-/// A directive that is not known, or an argument that is missing, too much, or of another kind.
+/// If a directive is unknown, or an argument is missing, superfluous or of the wrong type.
 pub fn formatted(format: &Term, arguments: &Term) -> Result<String, QueryFault> {
-    let format = text_of(format).ok_or_else(|| fault(format!("{format} is no text")))?;
+    let format = text_of(format).ok_or_else(|| fault(format!("{format} is not a text")))?;
     let mut arguments = match arguments {
         Term::List(items) => items.iter(),
         one => std::slice::from_ref(one).iter(),
@@ -47,11 +47,11 @@ pub fn formatted(format: &Term, arguments: &Term) -> Result<String, QueryFault> 
                 let argument = arguments.next().ok_or_else(missing)?;
                 let written = write(directive, count, argument, &mut text);
                 written
-                    .ok_or_else(|| fault(format!("~{directive}: {argument} is of another kind")))?;
+                    .ok_or_else(|| fault(format!("~{directive}: {argument} has the wrong type")))?;
             }
             other => {
                 return Err(fault(format!(
-                    "~{other} is not known; there are {DIRECTIVES}"
+                    "~{other} is unknown; supported are {DIRECTIVES}"
                 )));
             }
         }
@@ -68,7 +68,7 @@ fn fault(what: String) -> QueryFault {
     }
 }
 
-/// `None` of an argument of another kind.
+/// Returns `None` for an argument of the wrong type.
 fn write(directive: char, count: Option<usize>, argument: &Term, out: &mut String) -> Option<()> {
     let digits = count.unwrap_or(DIGITS).min(MOST_DIGITS);
     let written = match directive {
@@ -85,11 +85,11 @@ fn write(directive: char, count: Option<usize>, argument: &Term, out: &mut Strin
             write!(
                 out,
                 "{}",
-                grouped(*value, count.unwrap_or(0), directive == 'D')
+                format_grouped(*value, count.unwrap_or(0), directive == 'D')
             )
         }
         'f' => write!(out, "{:.digits$}", argument.as_number()?),
-        'e' => write!(out, "{}", exponential(argument.as_number()?, digits)),
+        'e' => write!(out, "{}", format_exponential(argument.as_number()?, digits)),
         'g' => write!(out, "{}", argument.as_number()?),
         's' => write!(out, "{}", text_of(argument)?),
         'c' => {
@@ -106,8 +106,8 @@ fn write(directive: char, count: Option<usize>, argument: &Term, out: &mut Strin
     written.ok()
 }
 
-/// An integer with a point before its last digits, and with commas between thousands.
-fn grouped(value: i64, behind_point: usize, has_commas: bool) -> String {
+/// Formats an integer with a decimal point before its last digits, and commas between thousands.
+fn format_grouped(value: i64, behind_point: usize, has_commas: bool) -> String {
     let behind_point = behind_point.min(MOST_DIGITS);
     let digits = format!("{:0>1$}", value.unsigned_abs(), behind_point + 1);
     let (whole, fraction) = digits.split_at(digits.len() - behind_point);
@@ -125,8 +125,8 @@ fn grouped(value: i64, behind_point: usize, has_commas: bool) -> String {
     text
 }
 
-/// As C writes it: at least two digits of the exponent, and its sign.
-fn exponential(value: f64, digits: usize) -> String {
+/// Formats as C does: at least two digits of exponent, with its sign.
+fn format_exponential(value: f64, digits: usize) -> String {
     let text = format!("{value:.digits$e}");
     match text.split_once('e') {
         Some((mantissa, exponent)) => match exponent.strip_prefix('-') {
@@ -137,7 +137,7 @@ fn exponential(value: f64, digits: usize) -> String {
     }
 }
 
-/// The text of an atom, a number, or a list of characters or their codes.
+/// Returns the text of an atom, a number, or a list of characters or codes.
 fn text_of(term: &Term) -> Option<String> {
     match term {
         Term::Atom(name) => Some(name.clone()),
@@ -194,8 +194,8 @@ mod tests {
         for (format, arguments, says) in [
             ("~w", "[]", "~w has no argument"),
             ("x", "[a]", "1 arguments too many"),
-            ("~d", "[a]", "~d: a is of another kind"),
-            ("~z", "[a]", "~z is not known"),
+            ("~d", "[a]", "~d: a has the wrong type"),
+            ("~z", "[a]", "~z is unknown"),
             ("~", "[]", "ends with ~"),
         ] {
             let error = made(format, arguments).unwrap_err();

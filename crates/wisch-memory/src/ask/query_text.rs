@@ -1,14 +1,14 @@
-//! A query's text before an engine reads it: where it ends, and what engines spell differently.
+//! Preparation of a query's text: its end, and syntax that differs between engines.
 
 use super::error::QueryFault;
 use std::iter::Peekable;
 use std::str::CharIndices;
 
-/// A query without comments and without the full stop at its end, with numbers as every engine reads them: `1e9` is
+/// Returns a query without comments and final full stop, with numbers in the syntax of every engine: `1e9` becomes
 /// `1.0e9`.
 ///
 /// # Errors
-/// Text after the full stop, or a number that is too large.
+/// If text follows the full stop, or a number is too large.
 pub fn prepared(query: &str) -> Result<String, QueryFault> {
     let mut reader = Reader {
         query,
@@ -16,7 +16,7 @@ pub fn prepared(query: &str) -> Result<String, QueryFault> {
         out: String::with_capacity(query.len() + 8),
     };
     while let Some((at, c)) = reader.chars.next() {
-        if reader.token(at, c)? {
+        if reader.copy_token(at, c)? {
             let rest = query[at + 1..].trim();
             return match after_comments(rest) {
                 "" => Ok(reader.out),
@@ -32,7 +32,7 @@ pub fn prepared(query: &str) -> Result<String, QueryFault> {
     Ok(reader.out)
 }
 
-/// Text from the first that is no comment on; a comment that does not end is none.
+/// Returns the text after leading comments; an unterminated comment is not skipped.
 fn after_comments(mut text: &str) -> &str {
     loop {
         text = text.trim_start();
@@ -53,8 +53,8 @@ struct Reader<'a> {
 }
 
 impl Reader<'_> {
-    /// Takes over the token that begins with this character; whether it is the full stop.
-    fn token(&mut self, at: usize, c: char) -> Result<bool, QueryFault> {
+    /// Copies the token that begins with this character. Returns whether it is the full stop.
+    fn copy_token(&mut self, at: usize, c: char) -> Result<bool, QueryFault> {
         match c {
             '%' => {
                 self.skip(|c| c != '\n');
@@ -68,7 +68,7 @@ impl Reader<'_> {
                 }
                 None => self.out.push(c),
             },
-            '\'' | '"' | '`' => self.quoted(c),
+            '\'' | '"' | '`' => self.copy_quoted(c),
             '0'..='9' => self.number(at)?,
             c if c.is_alphanumeric() || c == '_' => {
                 self.out.push(c);
@@ -84,7 +84,7 @@ impl Reader<'_> {
                     return Ok(true);
                 }
                 self.out.push(c);
-                // A comment may begin within.
+                // A comment may begin within the symbol.
                 self.copy_before(at + symbol.find("/*").filter(|at| *at > 0).unwrap_or(len));
             }
             c => self.out.push(c),
@@ -112,8 +112,8 @@ impl Reader<'_> {
         }
     }
 
-    /// Up to the closing quote; a doubled one closes and opens again.
-    fn quoted(&mut self, mark: char) {
+    /// Copies up to the closing quote; a doubled quote continues.
+    fn copy_quoted(&mut self, mark: char) {
         self.out.push(mark);
         while let Some((_, c)) = self.chars.next() {
             self.out.push(c);
@@ -131,7 +131,7 @@ impl Reader<'_> {
     fn number(&mut self, at: usize) -> Result<(), QueryFault> {
         let rest = &self.query[at..];
         if let Some(character) = rest.strip_prefix("0'") {
-            // A character's code: what follows is no quote. A quote itself is written twice.
+            // In a character code, the next character does not open a quote. A quote itself is written twice.
             let len = match character.as_bytes() {
                 [b'\\', ..] => 1 + character.chars().nth(1).map_or(0, char::len_utf8),
                 [b'\'', b'\'', ..] => 2,
@@ -175,7 +175,7 @@ impl Reader<'_> {
         }
         self.out.push_str(&rest[mantissa.len()..end]);
         while self.chars.next_if(|(place, _)| *place < at + end).is_some() {}
-        // As in 0x1f: none of ours.
+        // As in 0x1f, which stays as it is.
         self.copy(|c| c.is_alphanumeric() || c == '_');
         Ok(())
     }

@@ -1,35 +1,35 @@
-//! What the engine is sent in answer to a request.
+//! Replies to the engine's requests.
 
 use super::error::{AskError, QueryFault};
 use super::term::Term;
 use std::iter::Peekable;
 
-/// Rows that are made when they are asked for.
+/// Rows that are computed on demand.
 pub type AnswerRows = Box<dyn Iterator<Item = Term> + Send>;
 
-/// What is sent in answer.
+/// A reply.
 pub enum Reply {
-    /// All at once.
+    /// All facts at once.
     Facts(Vec<Term>),
-    /// As they are asked for.
+    /// A stream of rows.
     Stream(AnswerRows),
-    /// The rest of those.
+    /// The rest of a stream.
     More(Cursor),
 }
 
-/// A stream of which not all is sent yet.
+/// A stream that is partly sent.
 pub struct Cursor {
-    /// What is left.
+    /// Remaining rows.
     pub rows: Peekable<AnswerRows>,
-    /// How many rows are sent next.
+    /// Number of rows in the next chunk.
     pub size: usize,
 }
 
-/// Why nothing is sent.
+/// Why there is no reply.
 pub enum HostRefusal {
-    /// What the query did wrong.
+    /// A fault of the query.
     Fault(QueryFault),
-    /// What the program did wrong.
+    /// An error of this program.
     Error(AskError),
 }
 

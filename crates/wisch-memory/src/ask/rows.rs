@@ -1,14 +1,14 @@
-//! Rows of the catalogue, as the engine takes them for facts.
+//! Rows of the catalogue as facts for the engine.
 
 use super::term::Term;
 use crate::catalogue::{Catalogue, CatalogueNode, IndividualId, entries};
 
-/// An individual's name, with prefix.
+/// Returns an individual's name, with prefix.
 pub fn name_of(catalogue: &Catalogue, id: IndividualId) -> Term {
     Term::Atom(format!("semco:{}", catalogue.name(id)))
 }
 
-/// The name of what a relation leads to, with prefix.
+/// Returns the name of a relation's object, with prefix.
 pub fn node_name(catalogue: &Catalogue, node: CatalogueNode) -> Term {
     match node {
         CatalogueNode::Individual(id) => name_of(catalogue, id),
@@ -16,7 +16,7 @@ pub fn node_name(catalogue: &Catalogue, node: CatalogueNode) -> Term {
     }
 }
 
-/// The values of a property of an individual: numbers, then texts.
+/// Returns the values of an individual's property: numbers, then texts.
 pub fn values<'a>(
     catalogue: &'a Catalogue,
     property: &str,
@@ -28,7 +28,7 @@ pub fn values<'a>(
     numbers.chain(texts.map(|(_, text)| Term::atom(text)))
 }
 
-/// What is known of an individual: `i/6`.
+/// Returns the fact about an individual: `i/6`.
 pub fn individual_row(catalogue: &Catalogue, id: IndividualId) -> Term {
     let none = || Term::atom("none");
     let [start, end] = match catalogue.interval(id) {
@@ -43,19 +43,19 @@ pub fn individual_row(catalogue: &Catalogue, id: IndividualId) -> Term {
     Term::compound("i", [name, class, start, end, parent, episode])
 }
 
-/// What is known of a thing that episodes share: `i/6`.
+/// Returns the fact about a shared thing: `i/6`.
 pub fn shared_row(name: &str, class: &str) -> Term {
     let none = || Term::atom("none");
     let [name, class] = [name, class].map(Term::atom);
     Term::compound("i", [name, class, none(), none(), none(), none()])
 }
 
-/// A value of a thing: `v/3`.
+/// Returns a value of a thing: `v/3`.
 pub fn value_row(name: Term, property: &str, value: Term) -> Term {
     Term::compound("v", [name, Term::atom(property), value])
 }
 
-/// A relation of an individual: `r/3`.
+/// Returns a relation of an individual: `r/3`.
 pub fn relation_row(
     catalogue: &Catalogue,
     id: IndividualId,

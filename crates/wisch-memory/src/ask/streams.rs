@@ -1,4 +1,4 @@
-//! Answers that are made while the engine reads them: what joins or goes over much of the catalogue.
+//! Answers that are computed while the engine reads them: joins and scans over large parts of the catalogue.
 
 use super::assertions::Assertions;
 use super::intervals::{IntervalIndex, Relation};
@@ -9,25 +9,25 @@ use super::term::Term;
 use crate::catalogue::{Catalogue, CatalogueNode, EpisodeRow, IndividualId};
 use std::sync::Arc;
 
-/// What answers are made of: the episodes, and what people added to them.
+/// Sources of answers: episodes and people's statements.
 pub struct Knowledge {
     /// The episodes.
     pub catalogue: Arc<Catalogue>,
-    /// What names mean.
+    /// Resolver of names.
     pub names: Names,
-    /// What people added.
+    /// People's statements.
     pub assertions: Assertions,
 }
 
 impl Knowledge {
-    /// All individuals.
+    /// Returns all individuals.
     pub fn individuals(&self) -> AnswerRows {
         let catalogue = Arc::clone(&self.catalogue);
         let ids = 0..u32::try_from(catalogue.len()).unwrap_or(u32::MAX);
         Box::new(ids.map(move |id| individual_row(&catalogue, id)))
     }
 
-    /// Values of a property, each with its thing.
+    /// Returns the values of a property, each with its thing.
     pub fn column(&self, property: &str) -> AnswerRows {
         let catalogue = Arc::clone(&self.catalogue);
         let property = property.to_owned();
@@ -49,7 +49,7 @@ impl Knowledge {
         Box::new(rows.chain(asserted))
     }
 
-    /// All values, by property.
+    /// Returns all values, by property.
     pub fn all_values(&self) -> AnswerRows {
         let properties = self.catalogue.properties().to_vec();
         let columns: Vec<AnswerRows> = properties.iter().map(|p| self.column(p)).collect();
@@ -65,7 +65,7 @@ impl Knowledge {
         }))
     }
 
-    /// Relations, of one property or of all.
+    /// Returns relations, of one property or of all.
     pub fn relations(&self, property: Option<&str>) -> AnswerRows {
         let properties = match property {
             Some(property) => vec![property.to_owned()],
@@ -75,7 +75,7 @@ impl Knowledge {
         Box::new(self.relation_rows(properties, None).chain(asserted))
     }
 
-    /// Relations that lead to a thing.
+    /// Returns relations whose object is a thing.
     pub fn related_to(&self, object: &str) -> AnswerRows {
         let asserted = self.assertions.related_to(object);
         let Some(wanted) = self.names.node(object) else {
@@ -85,7 +85,7 @@ impl Knowledge {
         Box::new(self.relation_rows(properties, Some(wanted)).chain(asserted))
     }
 
-    /// Relations of the catalogue, of these properties; those that lead to `wanted`, if it is given.
+    /// Returns the catalogue's relations of some properties, optionally with the object `wanted`.
     fn relation_rows(
         &self,
         properties: Vec<String>,
@@ -103,7 +103,7 @@ impl Knowledge {
         })
     }
 
-    /// The names of individuals.
+    /// Returns the names of individuals.
     pub fn named(&self, found: Vec<IndividualId>) -> AnswerRows {
         let catalogue = Arc::clone(&self.catalogue);
         Box::new((found.into_iter()).map(move |id| name_of(&catalogue, id)))
@@ -118,7 +118,7 @@ impl Knowledge {
         }))
     }
 
-    /// Pairs of individuals of which the first stands in a relation of time to the second.
+    /// Returns pairs of individuals whose first has a relation of time to the second.
     pub fn pairs(&self, index: Arc<IntervalIndex>, relation: Relation) -> AnswerRows {
         let catalogue = Arc::clone(&self.catalogue);
         Box::new((0..index.len()).flat_map(move |place| {
@@ -132,7 +132,7 @@ impl Knowledge {
         }))
     }
 
-    /// The episode that ended last.
+    /// Returns the episode that ended last.
     pub fn last_episode(&self) -> Option<&EpisodeRow> {
         let episodes = self.catalogue.episodes().iter();
         episodes.max_by(|a, b| a.interval[1].total_cmp(&b.interval[1]))

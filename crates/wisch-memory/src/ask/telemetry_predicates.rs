@@ -1,4 +1,4 @@
-//! Where things were and what was felt, from the telemetry of episodes.
+//! Poses and measurements from the telemetry of episodes.
 
 use super::error::{AskError, QueryFault};
 use super::reply::HostRefusal;
@@ -13,38 +13,38 @@ use std::fmt::Display;
 use std::rc::Rc;
 use wisch::robot::RobotModel;
 
-/// The robot's description among an episode's files.
+/// File of the robot's description in an episode.
 const ROBOT_FILE: &str = "robot.urdf";
-/// What stands for no episode in particular.
+/// Stands for no particular episode.
 const ANY: &str = "any";
-/// Most poses of one trajectory that a query gets.
+/// Largest number of poses in a query's trajectory.
 const MAX_POSES: usize = 200_000;
 
-/// The telemetry of a memory's episodes; what was read once is kept.
+/// Telemetry of a memory's episodes, cached after the first use.
 #[derive(Default)]
 pub struct TelemetryPredicates {
     memory: Option<Memory>,
-    /// Of each round, or why it cannot be read.
+    /// Telemetry of each round, or why it cannot be read.
     rounds: HashMap<(String, usize), Result<Rc<Telemetry>, QueryFault>>,
     robots: HashMap<String, Option<Rc<RobotModel>>>,
     remarks: Vec<String>,
 }
 
-/// A part of a round, in its own time [s].
+/// Part of a round, in its own time [s].
 struct Span {
     telemetry: Rc<Telemetry>,
-    /// The robot; `None` of a log.
+    /// The robot; `None` for a log.
     robot: Option<Rc<RobotModel>>,
-    /// The tool's name, if the episode says it.
+    /// Name of the tool, if the episode states it.
     tool: String,
-    /// When the round began [s since 1970].
+    /// Begin of the round [s since 1970].
     began: f64,
     from: f64,
     to: f64,
 }
 
 impl TelemetryPredicates {
-    /// Of the episodes of a memory.
+    /// Opens the telemetry of a memory's episodes.
     pub fn of(memory: Memory) -> Self {
         Self {
             memory: Some(memory),
@@ -52,12 +52,12 @@ impl TelemetryPredicates {
         }
     }
 
-    /// What was left out of answers since this was asked last, and why.
+    /// Returns remarks on episodes left out since the last call, and clears them.
     pub(super) fn take_remarks(&mut self) -> Vec<String> {
         std::mem::take(&mut self.remarks)
     }
 
-    /// What is asked of telemetry is answered by episode: `Episode-Answer` for each that has one.
+    /// Answers a request about telemetry: `Episode-Answer` for each episode with an answer.
     pub(super) fn rows(
         &mut self,
         catalogue: &Catalogue,
@@ -73,7 +73,7 @@ impl TelemetryPredicates {
                 self.by_episode(catalogue, [time, time], None, |spans| {
                     let found = trajectory(spans, thing, sampling)?;
                     let first = found.into_iter().next().map(|(_, pose)| pose);
-                    first.ok_or_else(|| fault("there is no sample in this time".to_owned()))
+                    first.ok_or_else(|| fault("the interval holds no sample".to_owned()))
                 })?
             }
             ("last_pose", [Term::Atom(thing)]) => vec![self.last_pose(catalogue, thing)?],
@@ -143,8 +143,9 @@ impl TelemetryPredicates {
         Err(first.unwrap_or_else(|| fault("no episode has telemetry".to_owned())))
     }
 
-    /// An answer of each episode that has telemetry of a time [s since 1970], with the episode's name; of one episode
-    /// only, if something of it is named. An episode that cannot answer is left out, and said so, if another can.
+    /// Returns an answer of each episode with telemetry in an interval [s since 1970], with the episode's name. If the
+    /// request names something of an episode, only that episode answers. An episode that fails is left out with a
+    /// remark, if another one answers.
     fn by_episode(
         &mut self,
         catalogue: &Catalogue,
@@ -153,7 +154,7 @@ impl TelemetryPredicates {
         answer: impl Fn(&[Span]) -> Result<Term, QueryFault>,
     ) -> Result<Vec<Term>, QueryFault> {
         if self.memory.is_none() {
-            return Err(fault("this memory has no telemetry".to_owned()));
+            return Err(fault("the memory has no telemetry".to_owned()));
         }
         let of = of.filter(|of| *of != ANY);
         let only = of.and_then(|of| catalogue.find(of.strip_prefix("semco:")?));
@@ -172,7 +173,7 @@ impl TelemetryPredicates {
                     answers.push(Term::compound("-", [name, found]));
                 }
                 Ok(None) => {}
-                // What is wrong with an episode is no fault of the query: others are answered.
+                // An episode's fault is not the query's: other episodes still answer.
                 Err(error @ QueryFault::Recording { .. }) => {
                     self.leave_out(&row.id, &error);
                     is_any_left_out = true;
@@ -206,7 +207,7 @@ impl TelemetryPredicates {
         }
     }
 
-    /// The parts of an episode's rounds within a time [s since 1970].
+    /// Returns the parts of an episode's rounds in an interval [s since 1970].
     fn spans(
         &mut self,
         catalogue: &Catalogue,
@@ -228,7 +229,7 @@ impl TelemetryPredicates {
         [from, to]: [f64; 2],
     ) -> Result<Option<Span>, QueryFault> {
         let began = episode.rounds[round - 1];
-        // A round ends where the next begins: no need to open what lies outside.
+        // A round ends where the next begins, so rounds outside the interval need not be opened.
         let ends = episode
             .rounds
             .get(round)
@@ -265,7 +266,7 @@ impl TelemetryPredicates {
             return telemetry.clone();
         }
         let Some(memory) = &self.memory else {
-            return Err(fault("this memory has no telemetry".to_owned()));
+            return Err(fault("the memory has no telemetry".to_owned()));
         };
         let opened = memory.episode(&episode.id);
         let telemetry = opened.and_then(|opened| {
@@ -280,7 +281,7 @@ impl TelemetryPredicates {
         telemetry
     }
 
-    /// The robot of an episode; `None` of one that was imported without.
+    /// Returns the robot of an episode; `None` for an imported log.
     fn robot(&mut self, episode: &str) -> Result<Option<Rc<RobotModel>>, QueryFault> {
         if let Some(robot) = self.robots.get(episode) {
             return Ok(robot.clone());
@@ -294,7 +295,7 @@ impl TelemetryPredicates {
             let text = String::from_utf8(bytes).map_err(unread)?;
             let robot = RobotModel::from_urdf(ROBOT_FILE, &text, &mut |mesh| {
                 // Frames need no meshes.
-                Err(format!("{mesh}: an episode keeps none"))
+                Err(format!("{mesh}: meshes are not loaded"))
             });
             Some(Rc::new(robot.map_err(unread)?))
         } else {
@@ -305,14 +306,14 @@ impl TelemetryPredicates {
     }
 }
 
-/// What is wrong with what an episode holds.
+/// Wraps a fault of an episode.
 fn unread(what: impl Display) -> QueryFault {
     QueryFault::Recording {
         what: what.to_string(),
     }
 }
 
-/// What the tool of an episode is called; `tool` where nothing says it.
+/// Returns the name of an episode's tool; `tool` if the episode does not state it.
 pub(crate) fn tool_of(catalogue: &Catalogue, row: &EpisodeRow) -> String {
     let tools = catalogue.relations("semco:usesTool");
     let mut nodes = (row.first..row.first + row.len).flat_map(|id| entries(tools, id));
@@ -351,7 +352,7 @@ fn fault(what: impl Display) -> QueryFault {
 fn number(term: &Term) -> Result<f64, QueryFault> {
     term.as_number()
         .filter(|number| number.is_finite())
-        .ok_or_else(|| fault(format!("{term} is no time")))
+        .ok_or_else(|| fault(format!("{term} is not a time")))
 }
 
 fn sampling_of(term: &Term) -> Result<Sampling, QueryFault> {
@@ -363,12 +364,12 @@ fn sampling_of(term: &Term) -> Result<Sampling, QueryFault> {
             usize::try_from(*count).unwrap_or(usize::MAX),
         )),
         _ => Err(fault(format!(
-            "{term} is no way to sample: there are dt(Seconds) and num_samples(N), both positive"
+            "{term} is not a sampling; expected dt(Seconds) or num_samples(N), both positive"
         ))),
     }
 }
 
-/// Times [s since 1970] and poses of a thing in the world.
+/// Returns times [s since 1970] and poses of a thing in the world.
 fn trajectory(
     spans: &[Span],
     thing: &str,
@@ -380,17 +381,17 @@ fn trajectory(
         found.extend(poses.iter().map(|at| (span.began + at.time, pose(at))));
         if found.len() > MAX_POSES {
             return Err(fault(format!(
-                "the trajectory has more than {MAX_POSES} poses: ask for a longer dt"
+                "the trajectory has more than {MAX_POSES} poses; ask for a longer dt"
             )));
         }
     }
     Ok(found)
 }
 
-/// max, min, mean or root mean square.
+/// Computes max, min, mean or root mean square.
 fn statistic_of(values: &[f64], statistic: &str) -> Result<f64, QueryFault> {
     if values.is_empty() {
-        return Err(fault("there is no sample in this time".to_owned()));
+        return Err(fault("the interval holds no sample".to_owned()));
     }
     let count = values.len() as f64;
     let all = values.iter().copied();
@@ -400,12 +401,12 @@ fn statistic_of(values: &[f64], statistic: &str) -> Result<f64, QueryFault> {
         "mean" => Ok(all.sum::<f64>() / count),
         "rms" => Ok((all.map(|v| v * v).sum::<f64>() / count).sqrt()),
         other => Err(fault(format!(
-            "{other} is no statistic: there are max, min, mean and rms"
+            "{other} is not a statistic; expected max, min, mean or rms"
         ))),
     }
 }
 
-/// Poses of a thing; of the tool and the surface also where the robot is not known.
+/// Returns poses of a thing; for tool and surface, also without a robot.
 fn poses(span: &Span, thing: &str, sampling: Sampling) -> Result<Vec<PoseAt>, QueryFault> {
     let frames = match &span.robot {
         Some(robot) => Frames::new(robot, &span.telemetry),

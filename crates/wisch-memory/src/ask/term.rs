@@ -1,25 +1,25 @@
-//! Prolog terms: read as engines write them without operators, and written for people and for engines.
+//! Prolog terms: a parser of the engines' canonical notation, and writers for people and for engines.
 
 use std::fmt;
 
 /// A term.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Term {
-    /// A variable that is not bound, by the engine's name for it.
+    /// An unbound variable, by the engine's name.
     Variable(String),
     /// An atom.
     Atom(String),
     /// An integer.
     Integer(i64),
-    /// A number with a fraction.
+    /// A floating-point number.
     Float(f64),
-    /// A name with arguments.
+    /// A compound term: a name with arguments.
     Compound(String, Vec<Term>),
     /// A list.
     List(Vec<Term>),
 }
 
-/// Most terms within each other; deeper ones are refused.
+/// Largest nesting of terms that is accepted.
 const MAX_DEPTH: usize = 1000;
 
 impl Term {
@@ -28,12 +28,12 @@ impl Term {
         Self::Atom(name.into())
     }
 
-    /// A name with arguments.
+    /// Returns a compound term.
     pub fn compound(name: impl Into<String>, arguments: impl Into<Vec<Self>>) -> Self {
         Self::Compound(name.into(), arguments.into())
     }
 
-    /// As JSON: numbers, lists and names as such, what is not bound as null, others as text.
+    /// Returns the term as JSON: numbers, lists and names as such, unbound variables as null, other terms as text.
     ///
     /// ```
     /// use wisch_memory::ask::Term;
@@ -81,7 +81,7 @@ impl Term {
         }
     }
 
-    /// Whether `...` stands in it for a part.
+    /// Whether `...` stands for a part of it.
     pub(super) fn is_cut_short(&self) -> bool {
         match self {
             Self::Atom(name) => name == "...",
@@ -90,7 +90,7 @@ impl Term {
         }
     }
 
-    /// Reads a term in canonical notation, with or without the full stop at its end.
+    /// Parses a term in canonical notation, with or without the final full stop.
     ///
     /// # Errors
     /// What was expected, and where.
@@ -104,7 +104,7 @@ impl Term {
         }
     }
 
-    /// What engines read: every atom quoted.
+    /// Writes the term for engines: every atom is quoted.
     pub fn write_quoted(&self, out: &mut String) {
         use fmt::Write as _;
         match self {
@@ -117,19 +117,19 @@ impl Term {
             Self::Compound(name, arguments) => {
                 quote(name, out);
                 out.push('(');
-                separated(arguments, out, |term, out| term.write_quoted(out));
+                write_separated(arguments, out, |term, out| term.write_quoted(out));
                 out.push(')');
             }
             Self::List(items) => {
                 out.push('[');
-                separated(items, out, |term, out| term.write_quoted(out));
+                write_separated(items, out, |term, out| term.write_quoted(out));
                 out.push(']');
             }
         }
     }
 }
 
-fn separated<T>(items: &[T], out: &mut String, mut write: impl FnMut(&T, &mut String)) {
+fn write_separated<T>(items: &[T], out: &mut String, mut write: impl FnMut(&T, &mut String)) {
     for (place, item) in items.iter().enumerate() {
         if place > 0 {
             out.push(',');
@@ -138,17 +138,17 @@ fn separated<T>(items: &[T], out: &mut String, mut write: impl FnMut(&T, &mut St
     }
 }
 
-/// A number that Prolog reads as one with a fraction.
+/// Writes a number that Prolog reads as a floating-point number.
 pub(super) fn float(value: f64) -> String {
     let text = format!("{value:?}");
-    // Prolog wants a fraction before an exponent.
+    // Prolog requires a fraction before an exponent.
     match text.split_once('e') {
         Some((digits, exponent)) if !digits.contains('.') => format!("{digits}.0e{exponent}"),
         _ => text,
     }
 }
 
-/// An atom in quotes.
+/// Writes a quoted atom.
 pub(super) fn quote(name: &str, out: &mut String) {
     out.push('\'');
     for c in name.chars() {
@@ -179,12 +179,13 @@ fn is_symbol(c: char) -> bool {
     "+-*/\\^<>=~:.?@#&$".contains(c)
 }
 
-/// Whether it is a sign beyond ASCII, such as an arrow: part of names to Scryer Prolog, of symbols to SWI-Prolog.
+/// Whether a character is a symbol beyond ASCII, such as an arrow: part of names in Scryer Prolog, of symbols in
+/// SWI-Prolog.
 fn is_sign(c: char) -> bool {
     !(c.is_ascii() || c.is_alphanumeric() || c.is_whitespace() || c.is_control())
 }
 
-/// As people write it: `semco:'Collision_1'`, lists in brackets, common operators between their arguments.
+/// Writes the term for people: `semco:'Collision_1'`, lists in brackets, common operators between their arguments.
 impl fmt::Display for Term {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
@@ -220,7 +221,7 @@ impl fmt::Display for Term {
     }
 }
 
-/// An atom; one of the memory's names with its prefix before the quotes.
+/// Writes an atom; a name of the memory has its prefix before the quotes.
 fn write_name(name: &str, f: &mut fmt::Formatter<'_>) -> fmt::Result {
     let mut text = String::new();
     match name.split_once(':') {
@@ -239,15 +240,15 @@ fn write_name(name: &str, f: &mut fmt::Formatter<'_>) -> fmt::Result {
     f.write_str(&text)
 }
 
-/// A text that is no term.
+/// A text is not a term.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
-#[error("byte {at} of the engine's answer: {expected} was expected, found {found:?}")]
+#[error("byte {at} of the engine's answer: expected {expected}, found {found:?}")]
 pub struct TermError {
-    /// Where [bytes].
+    /// Position [bytes].
     pub at: usize,
     /// What was expected.
     pub expected: &'static str,
-    /// What is there.
+    /// The text at this position.
     pub found: String,
 }
 
@@ -321,18 +322,18 @@ impl<'a> Reader<'a> {
             Some('_' | 'A'..='Z') => Ok(Term::Variable(self.run(word).to_owned())),
             Some('[') => self.list(depth),
             Some('"') => {
-                let text = self.quoted('"')?;
+                let text = self.parse_quoted('"')?;
                 Ok(Term::Atom(text))
             }
             Some('\'') => {
-                let name = self.quoted('\'')?;
+                let name = self.parse_quoted('\'')?;
                 self.compound(name, depth)
             }
             Some('{') if self.rest().starts_with("{}") => {
                 self.at += 2;
                 self.compound("{}".to_owned(), depth)
             }
-            // As SWI-Prolog writes {}(a).
+            // SWI-Prolog's form of {}(a).
             Some('{') => {
                 self.at += 1;
                 let inner = self.term(depth + 1)?;
@@ -386,18 +387,18 @@ impl<'a> Reader<'a> {
         }
         let signed = || format!("{}{digits}", if negative { "-" } else { "" });
         if !is_float && let Ok(value) = signed().parse() {
-            return self.divided(Term::Integer(value));
+            return self.parse_ratio(Term::Integer(value));
         }
         let value: f64 = digits.parse().map_err(|_| self.expected("a number"))?;
         if value.is_infinite() {
-            // A whole number of hundreds of digits: they can still be shown.
+            // An integer of hundreds of digits, which can still be printed.
             return Ok(Term::Atom(signed()));
         }
-        self.divided(Term::Float(sign * value))
+        self.parse_ratio(Term::Float(sign * value))
     }
 
-    /// A number, or the ratio that it begins, as SWI-Prolog writes 1r3.
-    fn divided(&mut self, numerator: Term) -> Result<Term, TermError> {
+    /// Parses a number, or a ratio in SWI-Prolog's form 1r3.
+    fn parse_ratio(&mut self, numerator: Term) -> Result<Term, TermError> {
         let by = |rest: &str| rest[1..].starts_with(|c: char| c.is_ascii_digit());
         if !self.rest().starts_with('r') || !by(self.rest()) {
             return Ok(numerator);
@@ -411,7 +412,7 @@ impl<'a> Reader<'a> {
             .ok_or_else(|| self.expected("a ratio of numbers"))
     }
 
-    fn quoted(&mut self, mark: char) -> Result<String, TermError> {
+    fn parse_quoted(&mut self, mark: char) -> Result<String, TermError> {
         self.at += 1;
         let mut text = String::new();
         loop {
@@ -426,14 +427,14 @@ impl<'a> Reader<'a> {
                 self.at += 1;
                 text.push(mark);
             } else if c == '\\' {
-                text.push(self.escaped()?);
+                text.push(self.parse_escape()?);
             } else {
                 text.push(c);
             }
         }
     }
 
-    fn escaped(&mut self) -> Result<char, TermError> {
+    fn parse_escape(&mut self) -> Result<char, TermError> {
         let Some(c) = self.peek() else {
             return Err(self.expected("an escape sequence"));
         };
@@ -476,7 +477,7 @@ impl<'a> Reader<'a> {
         }
         self.at += 1;
         if self.take(')') {
-            // Only SWI-Prolog has these.
+            // Only SWI-Prolog has these escapes.
             return Ok(Term::Compound(name, Vec::new()));
         }
         let mut arguments = vec![self.term(depth + 1)?];
@@ -489,8 +490,8 @@ impl<'a> Reader<'a> {
         Ok(Term::Compound(name, arguments))
     }
 
-    /// A list as pairs of head and tail, with the name behind it; long ones must not fill the stack. What has that name
-    /// and another number of arguments is a term like others.
+    /// Parses a list as pairs of head and tail with the given name, iteratively, because long lists must not overflow
+    /// the stack. A term with that name and another number of arguments is an ordinary term.
     fn pairs(&mut self, depth: usize) -> Result<Term, TermError> {
         self.at += 1;
         let mut items = Vec::new();
@@ -522,7 +523,7 @@ impl<'a> Reader<'a> {
                 continue;
             }
             inner.reverse();
-            let mut arguments = vec![item, closed(std::mem::take(&mut inner), tail)];
+            let mut arguments = vec![item, close_list(std::mem::take(&mut inner), tail)];
             while self.take(',') {
                 arguments.push(self.term(depth + 1)?);
             }
@@ -532,7 +533,7 @@ impl<'a> Reader<'a> {
             tail = Term::Compound(".".to_owned(), arguments);
         }
         inner.reverse();
-        Ok(closed(inner, tail))
+        Ok(close_list(inner, tail))
     }
 
     fn list(&mut self, depth: usize) -> Result<Term, TermError> {
@@ -552,12 +553,12 @@ impl<'a> Reader<'a> {
         if !self.take(']') {
             return Err(self.expected("]"));
         }
-        Ok(closed(items, tail))
+        Ok(close_list(items, tail))
     }
 }
 
-/// A list with these items before a tail; one that is open stays in pairs.
-fn closed(mut items: Vec<Term>, tail: Term) -> Term {
+/// Returns a list of these items before a tail; a partial list stays in pairs.
+fn close_list(mut items: Vec<Term>, tail: Term) -> Term {
     match tail {
         Term::List(more) => {
             items.extend(more);
@@ -597,7 +598,7 @@ mod tests {
         assert_eq!(Term::parse("'.'()").unwrap(), dot(&[]));
         // As the tail of a list.
         let list = Term::parse("'.'(0,'.'(5,'.'(1,2,3)))").unwrap();
-        let open = closed(vec![Term::Integer(0), Term::Integer(5)], dot(&[1, 2, 3]));
+        let open = close_list(vec![Term::Integer(0), Term::Integer(5)], dot(&[1, 2, 3]));
         assert_eq!(list, open);
         assert!(Term::parse("'.'(1,'.'(2)").is_err());
     }
@@ -671,7 +672,7 @@ mod tests {
         let n = 100_000;
         let text = format!("{}[]{}", "'.'(1,".repeat(n), ")".repeat(n));
         let Term::List(items) = Term::parse(&text).unwrap() else {
-            panic!("no list");
+            panic!("not a list");
         };
         assert_eq!(items.len(), n);
     }

@@ -1,39 +1,39 @@
-//! How a value changes over the episodes on a surface, or with a tool: a least squares line over the first rounds since it
-//! last changed at once.
+//! Trends over the episodes with a surface or tool: a least-squares line through the first rounds since the last sudden
+//! change.
 //!
-//! Where it changed is found by binary segmentation: a series is split where two lines fit it so much better than one that
-//! chance does not explain it (Bayesian information criterion, Schwarz 1978, with a stricter penalty).
+//! Changes are found by binary segmentation. A series is split where two lines fit so much better than one that chance
+//! does not explain it (Bayesian information criterion, Schwarz 1978, with a stricter penalty).
 
 use super::rows::node_name;
 use super::term::Term;
 use crate::catalogue::{Catalogue, CatalogueNode, IndividualId, entries};
 use std::collections::{BTreeMap, HashMap};
 
-/// Fewest episodes that make a trend.
+/// Least number of episodes for a trend.
 const FEWEST: usize = 5;
-/// Fewest episodes on either side of a change: one that stands out is none.
+/// Least number of episodes on either side of a change, so that a single outlier is not a change.
 const FEWEST_BESIDE_CHANGE: usize = 4;
-/// What a change has to gain in logarithmic likelihood, by logarithm of the length and in all.
+/// Penalty of a change in log-likelihood: a factor on the logarithm of the length, and a constant.
 const PENALTY: [f64; 2] = [5.0, 5.0];
-/// How much of a change in height the tool has to explain for it to be the cause, and to be no part of it [1].
+/// Share of a change in height above which the tool is its cause, and below which the tool has no part in it [1].
 const IS_CAUSE: f64 = 0.7;
 const IS_NO_CAUSE: f64 = 0.3;
-/// Least change in height that has a cause [m].
+/// Least change in height whose cause is determined [m].
 const LEAST_OFFSET: f64 = 1e-3;
 
-/// What is followed over episodes.
+/// Quantity whose trend is computed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Drift {
-    /// The mean force of contact on a surface [N], without its sign.
+    /// Mean contact force on a surface [N], without its sign.
     ContactForce,
-    /// How far a surface is found from where it is believed [m].
+    /// Localisation error of a surface along its normal [m].
     Localization,
-    /// The stiffness of a tool [N/m]; its logarithm is what changes evenly.
+    /// Stiffness of a tool [N/m]; its logarithm changes linearly.
     Wear,
 }
 
 impl Drift {
-    /// The drift of this name.
+    /// Returns the quantity with this name.
     pub fn named(name: &str) -> Option<Self> {
         Some(match name {
             "contact_force" => Self::ContactForce,
@@ -43,7 +43,7 @@ impl Drift {
         })
     }
 
-    /// By which relation of the round episodes are grouped, and which of its values is followed.
+    /// Relation of the round that groups episodes, and value whose trend is computed.
     const fn properties(self) -> [&'static str; 2] {
         match self {
             Self::ContactForce => ["semco:actsOnSurface", "semco:meanNormalForce"],
@@ -52,7 +52,7 @@ impl Drift {
         }
     }
 
-    /// How a value is followed; `None` of one that cannot be.
+    /// Returns the value in the scale of the fit; `None` for a value outside that scale.
     fn scaled(self, value: f64) -> Option<f64> {
         let scaled = match self {
             Self::ContactForce => value.abs(),
@@ -69,7 +69,7 @@ impl Drift {
         }
     }
 
-    /// What values scatter by at least, in the scale in which they are followed.
+    /// Least standard deviation of the values, in the scale of the fit.
     const fn scatter(self) -> f64 {
         match self {
             Self::ContactForce => 0.05,
@@ -79,7 +79,7 @@ impl Drift {
     }
 }
 
-/// A first round: when its episode began and ended [s since 1970], and a value of it.
+/// A first round: begin and end of its episode [s since 1970], and a value.
 #[derive(Debug, Clone, Copy, PartialEq)]
 struct Point {
     begin: f64,
@@ -88,7 +88,7 @@ struct Point {
     round: IndividualId,
 }
 
-/// First rounds by what they stand in a relation to, in the order in which their episodes ended.
+/// Returns the first rounds by the object of a relation, in the order of their episodes' ends.
 fn first_rounds(
     catalogue: &Catalogue,
     [relation, property]: [&str; 2],
@@ -115,7 +115,7 @@ fn first_rounds(
     }
     let named = by_node.into_iter();
     let named = named.filter_map(|(node, mut points)| {
-        // A simulated world is faster than the clock, so that one of its episodes may begin before one that it follows.
+        // A simulation runs faster than the clock, so an episode may begin before the end of the previous one.
         points.sort_by(|a, b| (a.end.total_cmp(&b.end)).then(a.begin.total_cmp(&b.begin)));
         match node_name(catalogue, node) {
             Term::Atom(name) => Some((name, points)),
@@ -134,8 +134,8 @@ fn scaled(drift: Drift, points: Vec<Point>) -> Vec<Point> {
     scaled.collect()
 }
 
-/// `t(Thing, Slope, First, Last)` for each surface or tool: what a value loses or gains by the episode since it last changed
-/// at once, and where the line begins and ends; over the episodes within a time [s since 1970].
+/// Returns `t(Thing, Slope, First, Last)` for each surface or tool: the slope per episode since the last sudden change,
+/// and both ends of the line, over the episodes in an interval [s since 1970].
 pub fn drifts(catalogue: &Catalogue, drift: Drift, within: [f64; 2]) -> Vec<Term> {
     let series = first_rounds(catalogue, drift.properties(), within).into_iter();
     let lines = series.filter_map(|(name, points)| {
@@ -156,8 +156,8 @@ pub fn drifts(catalogue: &Catalogue, drift: Drift, within: [f64; 2]) -> Vec<Term
     lines.collect()
 }
 
-/// `c(Thing, Time, Before, After)` for each change at once: when the first episode after it began [s since 1970], and the
-/// value before and after it.
+/// Returns `c(Thing, Time, Before, After)` for each sudden change: begin of the first episode after it [s since 1970],
+/// and the values before and after.
 pub fn changes(catalogue: &Catalogue, drift: Drift, within: [f64; 2]) -> Vec<Term> {
     let mut found = Vec::new();
     for (name, points) in first_rounds(catalogue, drift.properties(), within) {
@@ -177,8 +177,10 @@ pub fn changes(catalogue: &Catalogue, drift: Drift, within: [f64; 2]) -> Vec<Ter
     found
 }
 
-/// `s(Change, Cause)` under the name of each surface that is found elsewhere than at first: how far [m], and why. A softer
-/// tool is pressed further down by the same force F: at stiffness k the tool stands F / k lower.
+/// Returns `s(Change, Cause)` for each surface whose localisation error changed: the change [m] and its cause.
+///
+/// A softer tool is compressed further by the same force: at stiffness k and force F, the tool centre point is F / k
+/// lower.
 pub fn causes(catalogue: &Catalogue, within: [f64; 2]) -> Vec<Term> {
     let number = |property: &str, round| {
         let value = entries(catalogue.numbers(property), round).first();
@@ -190,7 +192,7 @@ pub fn causes(catalogue: &Catalogue, within: [f64; 2]) -> Vec<Term> {
         if count < FEWEST {
             continue;
         }
-        // The first and the last third: whether it changed at once or by and by.
+        // Means of the first and last third, which cover sudden and gradual changes.
         let some = (count / 3).max(2);
         let mean = |values: &[f64]| values.iter().sum::<f64>() / values.len() as f64;
         let change = |values: &[f64]| mean(&values[count - some..]) - mean(&values[..some]);
@@ -227,7 +229,7 @@ pub fn causes(catalogue: &Catalogue, within: [f64; 2]) -> Vec<Term> {
     found
 }
 
-/// Time and value of each first round with a thing, in their order: `Time-Value` [s since 1970].
+/// Returns time and value of each first round with a thing, in order: `Time-Value` [s since 1970].
 pub fn series(catalogue: &Catalogue, drift: Drift, thing: &str) -> Vec<Term> {
     let all = [f64::NEG_INFINITY, f64::INFINITY];
     let mut by_name = first_rounds(catalogue, drift.properties(), all);
@@ -237,7 +239,7 @@ pub fn series(catalogue: &Catalogue, drift: Drift, thing: &str) -> Vec<Term> {
     pairs.collect()
 }
 
-/// Where values change at once: the first place after each change, in order.
+/// Returns the first index after each sudden change, in order.
 fn changes_of(values: &[f64], scatter: f64) -> Vec<usize> {
     let mut places = Vec::new();
     split(values, 0, scatter, &mut places);
@@ -257,7 +259,7 @@ fn split(values: &[f64], from: usize, scatter: f64, places: &mut Vec<usize>) {
     };
     let n = count as f64;
     let variance = |squares: f64| squares / n + scatter * scatter;
-    // Twice the gain in logarithmic likelihood of normal deviations.
+    // Twice the gain in log-likelihood of normal residuals: n ln(S₁ / S₂).
     let gain = n * (variance(squares(values)) / variance(two)).ln();
     if gain > PENALTY[0] * n.ln() + PENALTY[1] {
         places.push(from + place);
@@ -266,14 +268,14 @@ fn split(values: &[f64], from: usize, scatter: f64, places: &mut Vec<usize>) {
     }
 }
 
-/// The sum of squares of what the line leaves.
+/// Returns the sum of squared residuals of the line.
 fn squares(values: &[f64]) -> f64 {
     let [slope, first, _] = line(values);
     let left = (values.iter().enumerate()).map(|(x, y)| y - first - slope * x as f64);
     left.map(|left| left * left).sum()
 }
 
-/// The least squares line through values in a row: slope, first and last.
+/// Fits a least-squares line through equidistant values. Returns slope, first and last value of the line.
 #[allow(clippy::cast_precision_loss, reason = "counts are far below 2^53")]
 fn line(values: &[f64]) -> [f64; 3] {
     let [mut sx, mut sy, mut sxx, mut sxy] = [0.0; 4];
@@ -285,6 +287,7 @@ fn line(values: &[f64]) -> [f64; 3] {
         sxy += x * y;
     }
     let n = values.len() as f64;
+    // Normal equations: slope = (n Σxy − Σx Σy) / (n Σx² − (Σx)²).
     let slope = (n * sxy - sx * sy) / (n * sxx - sx * sx);
     let first = (sy - slope * sx) / n;
     [slope, first, first + slope * (n - 1.0)]
@@ -305,10 +308,10 @@ mod tests {
         }
     }
 
-    /// Offsets [m] that scatter by half a millimetre, about.
+    /// Offsets [m] with a standard deviation of about half a millimetre.
     fn scattered(seed: u64, of: impl Fn(usize) -> f64) -> Vec<f64> {
         let mut random = ChaCha8Rng::seed_from_u64(seed);
-        // Three even ones have about the scatter of a normal one.
+        // The sum of three uniform numbers is approximately normal.
         let mut noise = || {
             (0..3)
                 .map(|_| random.random_range(-0.5e-3..0.5e-3))

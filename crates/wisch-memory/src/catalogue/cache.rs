@@ -1,5 +1,5 @@
-//! A catalogue on disk: tables in Parquet, one row group per property, so that opening a memory of many episodes
-//! need not read them one by one.
+//! A catalogue on disk: tables in Parquet with one row group per property, so that a memory opens without reading every
+//! episode.
 
 use super::{Catalogue, CatalogueNode, EpisodeRow, IndividualId, Interned, NONE, at};
 use crate::checked_file::CheckedFile;
@@ -22,7 +22,7 @@ use std::sync::Arc;
 /// Version of these files.
 const CACHE_SCHEMA: u32 = 1;
 const HEAD_FILE: &str = "head.json";
-/// Says the CRC-32 of each of the others.
+/// File with the CRC-32 of each other file.
 const SUMS_FILE: &str = "checksums.json";
 const EPISODES: Table = Table {
     file: "episodes.parquet",
@@ -53,7 +53,7 @@ const TEXTS: Table = Table {
     file: "texts.parquet",
     columns: &[("subject", Kind::Growing32), ("value", Kind::Text)],
 };
-/// Objects are individuals, or −1 less the place of what is shared.
+/// Objects are individuals, or −1 minus the index of a shared thing.
 const RELATIONS: Table = Table {
     file: "relations.parquet",
     columns: &[("subject", Kind::Growing32), ("object", Kind::Growing32)],
@@ -65,22 +65,22 @@ struct Table {
     columns: &'static [(&'static str, Kind)],
 }
 
-/// What the tables' numbers mean.
+/// Names that the numbers in the tables refer to.
 #[derive(Debug, Serialize, Deserialize)]
 struct Head {
     schema: u32,
     classes: Vec<String>,
     properties: Vec<String>,
     shared: Vec<String>,
-    /// How many individuals there are.
+    /// Number of individuals.
     individuals: usize,
-    /// Of which property each row group is.
+    /// Property of each row group.
     numbers: Vec<u32>,
     texts: Vec<u32>,
     relations: Vec<u32>,
 }
 
-/// Why a catalogue on disk is of no use.
+/// Why a catalogue on disk cannot be used.
 #[derive(Debug, thiserror::Error)]
 pub(crate) enum CacheError {
     #[error("{}: {error}", path.display())]
@@ -91,7 +91,7 @@ pub(crate) enum CacheError {
     Broken { path: PathBuf, what: String },
 }
 
-/// Writes the files of a catalogue into a folder, and makes them lasting.
+/// Writes the files of a catalogue into a folder, and syncs them to disk.
 pub(crate) fn write(catalogue: &Catalogue, folder: &Path) -> Result<(), CacheError> {
     write_episodes(catalogue, folder)?;
     let mut individuals = Output::begin(folder, &INDIVIDUALS)?;
@@ -100,7 +100,7 @@ pub(crate) fn write(catalogue: &Catalogue, folder: &Path) -> Result<(), CacheErr
         Values::Ints(&classes),
         Values::Doubles(&catalogue.starts),
         Values::Doubles(&catalogue.ends),
-        Values::Ints(&signed(&catalogue.parents)),
+        Values::Ints(&to_signed(&catalogue.parents)),
     ])?;
     individuals.finish()?;
     let head = Head {
@@ -153,7 +153,7 @@ fn bytes_of(path: &Path) -> Result<Vec<u8>, CacheError> {
     })
 }
 
-/// Of all files but that of the sums.
+/// Returns the CRC-32 of every file except the file of sums.
 fn sums(folder: &Path) -> Result<BTreeMap<String, u32>, CacheError> {
     let tables = [EPISODES, INDIVIDUALS, NUMBERS, TEXTS, RELATIONS];
     let names = tables.iter().map(|table| table.file).chain([HEAD_FILE]);
@@ -179,8 +179,8 @@ fn write_episodes(catalogue: &Catalogue, folder: &Path) -> Result<(), CacheError
         Values::Texts(&texts(&|row| row.task.clone())),
         Values::Doubles(&doubles(0)),
         Values::Doubles(&doubles(1)),
-        Values::Ints(&signed(&firsts)),
-        Values::Ints(&signed(&lengths)),
+        Values::Ints(&to_signed(&firsts)),
+        Values::Ints(&to_signed(&lengths)),
         Values::Texts(&texts(&|row| {
             serde_json::to_string(&row.rounds).unwrap_or_default()
         })),
@@ -188,7 +188,7 @@ fn write_episodes(catalogue: &Catalogue, folder: &Path) -> Result<(), CacheError
     output.finish()
 }
 
-/// One row group for each property that has entries; says of which properties they are.
+/// Writes a row group for each property with entries, and returns these properties.
 fn write_columns<T>(
     folder: &Path,
     table: &Table,
@@ -287,7 +287,7 @@ impl Input {
             found if found == expected => Ok(()),
             found => Err(broken(
                 &self.path,
-                format!("{found} row groups where there are {expected}"),
+                format!("{found} row groups; expected {expected}"),
             )),
         }
     }
@@ -308,16 +308,16 @@ impl Input {
         texts.collect()
     }
 
-    /// The subjects of a property, each of which is an individual.
+    /// Returns the subjects of a property, after checking that each is an individual.
     fn subjects(&self, group: usize, individuals: usize) -> Result<Vec<IndividualId>, CacheError> {
-        let subjects = unsigned(self.column::<Int32Type>(group, 0)?);
-        // Columns are searched by halving.
+        let subjects = to_unsigned(self.column::<Int32Type>(group, 0)?);
+        // Columns are searched by bisection, so they must be sorted.
         if !subjects.is_sorted()
             || subjects
                 .last()
                 .is_some_and(|&id| id as usize >= individuals)
         {
-            let what = format!("row group {group}: these are no individuals in order");
+            let what = format!("row group {group}: the individuals are not sorted or do not exist");
             return Err(broken(&self.path, what));
         }
         Ok(subjects)
@@ -326,12 +326,12 @@ impl Input {
 
 /// Reads a catalogue from the files in a folder.
 pub(crate) fn read(folder: &Path) -> Result<Catalogue, CacheError> {
-    // All of it is read anyway, and what is wrong here would be wrong in every answer.
+    // Everything is read anyway, and a damaged table would falsify every answer, so all sums are checked.
     let path = folder.join(SUMS_FILE);
     if read_json::<BTreeMap<String, u32>>(&path)? != sums(folder)? {
         return Err(broken(
             &path,
-            "these are not the sums of the files beside it",
+            "the checksums do not match the files in this folder",
         ));
     }
     let path = folder.join(HEAD_FILE);
@@ -367,14 +367,14 @@ pub(crate) fn read(folder: &Path) -> Result<Catalogue, CacheError> {
             CatalogueNode::Shared(place) => (place as usize) < head.shared.len(),
         };
         if !nodes.iter().all(is_there) {
-            let what = format!("row group {group}: an object is not there");
+            let what = format!("row group {group}: an object does not exist");
             return Err(broken(&relations.path, what));
         }
         *at(&mut catalogue.relations, property) = subjects.into_iter().zip(nodes).collect();
     }
-    catalogue.names.classes = interned(head.classes);
-    catalogue.names.properties = interned(head.properties);
-    catalogue.names.shared = interned(head.shared);
+    catalogue.names.classes = intern(head.classes);
+    catalogue.names.properties = intern(head.properties);
+    catalogue.names.shared = intern(head.shared);
     Ok(catalogue)
 }
 
@@ -385,13 +385,16 @@ fn read_episodes(folder: &Path, head: &Head, catalogue: &mut Catalogue) -> Resul
     let tasks = input.texts(0, 1)?;
     let starts = input.column::<DoubleType>(0, 2)?;
     let ends = input.column::<DoubleType>(0, 3)?;
-    let firsts = unsigned(input.column::<Int32Type>(0, 4)?);
-    let lengths = unsigned(input.column::<Int32Type>(0, 5)?);
+    let firsts = to_unsigned(input.column::<Int32Type>(0, 4)?);
+    let lengths = to_unsigned(input.column::<Int32Type>(0, 5)?);
     let rounds = input.texts(0, 6)?;
     let mut next = 0;
     for (place, id) in ids.into_iter().enumerate() {
         if firsts[place] != next {
-            return Err(broken(&input.path, format!("episode {id} leaves a gap")));
+            return Err(broken(
+                &input.path,
+                format!("the individuals of episode {id} do not follow the previous episode's"),
+            ));
         }
         next += lengths[place];
         catalogue.by_id.insert(id.clone(), place as u32);
@@ -406,7 +409,7 @@ fn read_episodes(folder: &Path, head: &Head, catalogue: &mut Catalogue) -> Resul
         });
     }
     if next as usize != head.individuals {
-        let what = format!("{next} individuals where there are {}", head.individuals);
+        let what = format!("{next} individuals; expected {}", head.individuals);
         return Err(broken(&input.path, what));
     }
     Ok(())
@@ -422,16 +425,19 @@ fn read_individuals(
     let classes = input.column::<Int32Type>(0, 0)?;
     catalogue.starts = input.column::<DoubleType>(0, 1)?;
     catalogue.ends = input.column::<DoubleType>(0, 2)?;
-    catalogue.parents = unsigned(input.column::<Int32Type>(0, 3)?);
+    catalogue.parents = to_unsigned(input.column::<Int32Type>(0, 3)?);
     let count = head.individuals;
     let is_class = |&class: &i32| usize::try_from(class).is_ok_and(|c| c < head.classes.len());
-    // A parent stands before its parts, so that none can be its own ancestor.
+    // A parent precedes its parts, so nothing is its own ancestor.
     let is_parent = |(id, &parent): (usize, &u32)| parent == NONE || (parent as usize) < id;
     if classes.len() != count
         || !classes.iter().all(is_class)
         || !catalogue.parents.iter().enumerate().all(is_parent)
     {
-        return Err(broken(&input.path, "these are no individuals"));
+        return Err(broken(
+            &input.path,
+            "a class or parent of an individual does not exist",
+        ));
     }
     for (id, &class) in (0..).zip(&classes) {
         at(&mut catalogue.of_class, class as u32).push(id);
@@ -440,7 +446,7 @@ fn read_individuals(
     Ok(())
 }
 
-fn interned(names: Vec<String>) -> Interned {
+fn intern(names: Vec<String>) -> Interned {
     let numbers: HashMap<String, u32> = names.iter().cloned().zip(0..).collect();
     Interned { names, numbers }
 }
@@ -449,12 +455,12 @@ fn subjects<T>(column: &[(IndividualId, T)]) -> Vec<i32> {
     column.iter().map(|(id, _)| *id as i32).collect()
 }
 
-/// The same bits: Parquet has no whole numbers without sign.
-fn signed(numbers: &[u32]) -> Vec<i32> {
+/// Reinterprets the bits as signed: Parquet has no unsigned integers.
+fn to_signed(numbers: &[u32]) -> Vec<i32> {
     numbers.iter().map(|&number| number as i32).collect()
 }
 
-fn unsigned(numbers: Vec<i32>) -> Vec<u32> {
+fn to_unsigned(numbers: Vec<i32>) -> Vec<u32> {
     numbers.into_iter().map(|number| number as u32).collect()
 }
 

@@ -1,5 +1,4 @@
-//! A triple as a document, as readers of such memories look for it: with the closures of its property and
-//! class.
+//! Triples as documents in the form that NEEM readers expect: with the closures of property and class.
 
 use super::NeemError;
 use super::triples::{Object, TYPE, Triple, iri};
@@ -9,21 +8,20 @@ use bson::raw::{CStr, RawArrayBuf, RawBsonRef, RawDocument, RawDocumentBuf, cstr
 use bson::rawdoc;
 use std::collections::HashMap;
 
-/// The graph to which the triples belong. Readers wipe a graph called `user` when they start.
+/// Graph of the triples. Readers delete a graph called `user` when they start.
 pub const GRAPH: &str = "wiping";
 
-/// Says of a document whether its object is a thing or a literal, where the property does not tell.
+/// Field that states whether an object is a thing or a literal, where the property does not.
 const OBJECT_IS: &CStr = cstr!("o_is");
 
-/// Closures of classes and properties, as IRIs.
+/// Cache of the closures of classes and properties, as IRIs.
 #[derive(Debug, Default)]
 pub(super) struct Closures {
     known: HashMap<String, Vec<String>>,
 }
 
 impl Closures {
-    /// The IRI of a class or property and those of all above it; only itself, if the ontology knows nothing of
-    /// it.
+    /// Returns the IRIs of a class or property and of everything above it; for an unknown term, only its own IRI.
     fn of(&mut self, term: &str) -> Result<&[String], NeemError> {
         if !self.known.contains_key(term) {
             let ontology = Ontology::shipped();
@@ -48,7 +46,7 @@ impl Closures {
         Ok(self.of(term)?.iter().map(String::as_str).collect())
     }
 
-    /// The document of a triple.
+    /// Returns the document of a triple.
     pub(super) fn document(
         &mut self,
         id: ObjectId,
@@ -89,17 +87,17 @@ fn names_a_term(predicate: &str) -> bool {
     name == TYPE || name == "rdfs:subClassOf" || name == "rdfs:subPropertyOf"
 }
 
-/// Whether the ontology says that the objects of a property are literals.
+/// Whether the ontology declares that the objects of a property are literals.
 fn literal_by_property(predicate: &str) -> bool {
     let ontology = Ontology::shipped();
     let name = ontology.compact(predicate).unwrap_or_default();
     ontology.kind(&name) == Some(TermKind::DataProperty) || name == "rdfs:label"
 }
 
-/// The triple of a document.
+/// Parses the triple in a document.
 pub(super) fn triple(document: &RawDocument) -> Result<Triple, &'static str> {
     let text = |field, what| document.get_str(field).map(str::to_owned).map_err(|_| what);
-    let predicate = text("p", "p is no text")?;
+    let predicate = text("p", "p is not a text")?;
     let literal = match document.get_str(OBJECT_IS.as_str()) {
         Ok(is) => is == "literal",
         Err(_) => literal_by_property(&predicate),
@@ -107,23 +105,25 @@ pub(super) fn triple(document: &RawDocument) -> Result<Triple, &'static str> {
     let object = match document.get("o") {
         Ok(Some(RawBsonRef::String(text))) if literal => Object::Text(text.to_owned()),
         Ok(Some(RawBsonRef::String(iri))) => Object::Iri(iri.to_owned()),
-        Ok(Some(_)) => Object::Number(number(document, "o").ok_or("o is no number or text")?),
+        Ok(Some(_)) => {
+            Object::Number(number(document, "o").ok_or("o is neither a number nor a text")?)
+        }
         Ok(None) => return Err("it has no o"),
-        Err(_) => return Err("it is no BSON"),
+        Err(_) => return Err("it is not BSON"),
     };
     let scope = document.get_document("scope");
     let time = scope.and_then(|scope| scope.get_document("time"));
     let time = time.map_err(|_| "it has no scope.time")?;
     Ok(Triple {
-        subject: text("s", "s is no text")?,
+        subject: text("s", "s is not a text")?,
         predicate,
         object,
-        since: number(time, "since").ok_or("scope.time.since is no number")?,
-        until: number(time, "until").ok_or("scope.time.until is no number")?,
+        since: number(time, "since").ok_or("scope.time.since is not a number")?,
+        until: number(time, "until").ok_or("scope.time.until is not a number")?,
     })
 }
 
-/// The number of a field, if it is one.
+/// Returns the number in a field, if it is a number.
 pub(super) fn number(document: &RawDocument, field: &str) -> Option<f64> {
     match document.get(field).ok()?? {
         RawBsonRef::Double(number) => Some(number),

@@ -1,37 +1,37 @@
-//! A dump of MongoDB: documents of BSON, one after the other.
+//! Dumps of MongoDB: a sequence of BSON documents.
 
 use bson::RawDocumentBuf;
 use std::io::{self, Read};
 
-/// Longest document [bytes]: the limit of MongoDB.
+/// Largest document [bytes]: the limit of MongoDB.
 pub(super) const MAX_DOCUMENT: usize = 16 << 20;
 
-/// What is wrong with a document.
+/// Fault of a document.
 #[derive(Debug, thiserror::Error)]
 pub enum DumpError {
-    /// It cannot be read.
+    /// The file cannot be read.
     #[error(transparent)]
     Io(#[from] io::Error),
-    /// It is none, or ends too early.
+    /// The document is not BSON, or ends too early.
     #[error("document {number}: {error}")]
     Malformed {
-        /// Which document, from 0.
+        /// Index of the document, from 0.
         number: u64,
-        /// What is wrong.
+        /// Error of the BSON parser.
         error: bson::error::Error,
     },
-    /// It is longer than the limit.
-    #[error("document {number}: {bytes} bytes are beyond the limit of {MAX_DOCUMENT}")]
+    /// The document is longer than the limit.
+    #[error("document {number}: {bytes} bytes exceed the limit of {MAX_DOCUMENT}")]
     Long {
-        /// Which document, from 0.
+        /// Index of the document, from 0.
         number: u64,
-        /// How long it says it is.
+        /// The length that it states [bytes].
         bytes: i64,
     },
 }
 
-/// The documents of a dump, one by one; it ends with the first that cannot be read. What is in a document is checked
-/// where it is looked at.
+/// Iterator over the documents of a dump, up to the first that cannot be read. Contents of a document are checked only
+/// where they are used.
 #[derive(Debug)]
 pub(super) struct Documents<R> {
     from: R,
@@ -40,7 +40,7 @@ pub(super) struct Documents<R> {
 }
 
 impl<R: Read> Documents<R> {
-    /// The documents that come from here.
+    /// Reads documents from `from`.
     pub fn new(from: R) -> Self {
         Self {
             from,
@@ -63,7 +63,7 @@ impl<R: Read> Documents<R> {
                 let bytes = length.into();
                 return Err(DumpError::Long { number, bytes });
             }
-            // Not reserved beforehand: the length may be a lie.
+            // Not reserved beforehand, because the stated length may be wrong.
             let rest = whole.saturating_sub(4) as u64;
             self.from.by_ref().take(rest).read_to_end(&mut bytes)?;
         }

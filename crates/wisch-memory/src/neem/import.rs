@@ -1,10 +1,10 @@
-//! Reading of a NEEM: its triples one by one, and the episodes that they tell of.
+//! Import of a NEEM: its triples one by one, and the episodes that they describe.
 
 use super::document::triple;
 use super::dump::Documents;
 use super::triples::{
-    BEGIN, END, HAS_INTERVAL, NAMED, Object, RECORD, STEP_OF, TYPE, Triple, derived, individual,
-    iri,
+    BEGIN, END, HAS_INTERVAL, NAMED, Object, RECORD, STEP_OF, TYPE, Triple, derived_triples,
+    individual, iri,
 };
 use super::{NeemError, at, collection_file};
 use crate::ontology::Ontology;
@@ -14,7 +14,7 @@ use std::fs::File;
 use std::io::BufReader;
 use std::path::{Path, PathBuf};
 
-/// The triples of a NEEM, one by one; it ends with the first that cannot be read.
+/// Iterator over the triples of a NEEM, up to the first that cannot be read.
 #[derive(Debug)]
 pub struct Triples {
     path: PathBuf,
@@ -24,10 +24,10 @@ pub struct Triples {
 }
 
 impl Triples {
-    /// Opens the triples of the NEEM in this folder.
+    /// Opens the triples of the NEEM in a folder.
     ///
     /// # Errors
-    /// There are none.
+    /// If the file of triples cannot be opened.
     pub fn open(neem: &Path) -> Result<Self, NeemError> {
         let path = collection_file(neem, "triples");
         let file = File::open(&path).map_err(at(&path))?;
@@ -66,10 +66,10 @@ impl Iterator for Triples {
     }
 }
 
-/// The episodes in the NEEM in this folder, by their names.
+/// Returns the episodes of the NEEM in a folder, sorted by name.
 ///
 /// # Errors
-/// It cannot be read, or an episode in it is not whole.
+/// If the NEEM cannot be read, or an episode in it is incomplete.
 pub fn import(neem: &Path) -> Result<Vec<EpisodeRecord>, NeemError> {
     let mut parts = BTreeMap::new();
     for triple in Triples::open(neem)? {
@@ -78,13 +78,13 @@ pub fn import(neem: &Path) -> Result<Vec<EpisodeRecord>, NeemError> {
     whole(parts)
 }
 
-/// The episodes that triples tell of, by their names. Other triples are passed over.
+/// Returns the episodes that triples describe, sorted by name. Other triples are ignored.
 ///
-/// It is [`super::triples`] turned round: the record comes out as it went in, but for empty lists of relations,
-/// which triples cannot say, and for relations to an individual by its name, which come out as `#` and place.
+/// This is the inverse of [`super::triples`], with two exceptions: empty lists of relations are lost, and a relation to
+/// an individual by its name returns as `#` and index.
 ///
 /// # Errors
-/// An episode is not whole.
+/// If an episode is incomplete.
 pub fn records(triples: impl IntoIterator<Item = Triple>) -> Result<Vec<EpisodeRecord>, NeemError> {
     let mut parts = BTreeMap::new();
     for triple in triples {
@@ -93,10 +93,10 @@ pub fn records(triples: impl IntoIterator<Item = Triple>) -> Result<Vec<EpisodeR
     whole(parts)
 }
 
-/// Predicate, with prefix where it has one, and object.
+/// Predicate, with prefix if it has one, and object.
 type Said = Vec<(String, Object)>;
 
-/// What is said of the parts of an episode.
+/// Triples about the parts of an episode.
 #[derive(Debug, Default)]
 struct Parts {
     record: Said,
@@ -104,14 +104,14 @@ struct Parts {
     intervals: HashMap<usize, Said>,
 }
 
-/// What a subject is in its episode.
+/// Role of a subject in its episode.
 enum Part {
     Record,
     Individual(usize),
     Interval(usize),
 }
 
-/// The episode and part that a name with prefix stands for.
+/// Returns the episode and part that a name with prefix refers to.
 fn part(name: &str) -> Option<(&str, Part)> {
     let (class, rest) = name.strip_prefix("semco:")?.split_once('_')?;
     let (episode, end) = rest.rsplit_once('-')?;
@@ -165,13 +165,13 @@ fn record(id: String, mut parts: Parts) -> Result<EpisodeRecord, NeemError> {
         .enumerate()
     {
         if number != place {
-            return Err(incomplete(format!("there is no individual {place}")));
+            return Err(incomplete(format!("individual {place} is missing")));
         }
         let (individual, rest) = skeleton(place, said, &parts.intervals).map_err(incomplete)?;
         record.individuals.push(individual);
         left.push(rest);
     }
-    // Checked before anything is derived from it: parents stand before their parts.
+    // Checked before anything is derived from it: parents precede their parts.
     let fault = |fault| NeemError::Record {
         episode: id.clone(),
         fault,
@@ -185,11 +185,11 @@ fn record(id: String, mut parts: Parts) -> Result<EpisodeRecord, NeemError> {
 fn header(id: &str, said: &Said) -> Result<EpisodeRecord, String> {
     let number = |property: &str| match find(said, property) {
         Some(Object::Number(number)) => Ok(*number),
-        _ => Err(format!("its record has no number {property}")),
+        _ => Err(format!("its record lacks the number {property}")),
     };
     let text = |property: &str| match find(said, property) {
         Some(Object::Text(text)) => Ok(text.clone()),
-        _ => Err(format!("its record has no text {property}")),
+        _ => Err(format!("its record lacks the text {property}")),
     };
     let rounds = said.iter().filter_map(|(property, object)| match object {
         Object::Number(start) if property == "semco:recordRoundStart" => Some(*start),
@@ -207,7 +207,7 @@ fn header(id: &str, said: &Said) -> Result<EpisodeRecord, String> {
         program: text("semco:recordProgram")?,
         seed: seed
             .parse()
-            .map_err(|_| format!("semco:recordSeed: {seed:?} is no number of 64 bits"))?,
+            .map_err(|_| format!("semco:recordSeed: {seed:?} is not a number of 64 bits"))?,
         rounds: rounds.collect(),
         individuals: Vec::new(),
     })
@@ -219,7 +219,7 @@ fn find<'a>(said: &'a Said, property: &str) -> Option<&'a Object> {
         .map(|(_, object)| object)
 }
 
-/// Class, interval, parent and values of an individual, and what else is said of it.
+/// Builds an individual with class, interval, parent and values. Returns the remaining triples as well.
 fn skeleton(
     place: usize,
     said: Said,
@@ -245,11 +245,11 @@ fn skeleton(
                 continue;
             }
         };
-        // The first of each is the record's own; what follows is a relation.
+        // The first triple of each property belongs to the record itself; further ones are relations.
         match property.as_str() {
             TYPE if individual.class.is_empty() => {
                 let class = Ontology::shipped().compact(&object);
-                let class = class.ok_or_else(|| format!("{object:?} is no class"))?;
+                let class = class.ok_or_else(|| format!("{object:?} is not a class"))?;
                 if class == NAMED {
                     left.push((property, Object::Iri(object)));
                 } else {
@@ -265,7 +265,8 @@ fn skeleton(
             }
             HAS_INTERVAL if individual.interval.is_none() => {
                 let interval = intervals.get(&place).and_then(interval);
-                let whole = interval.ok_or_else(|| format!("the interval of {place} has no ends"));
+                let whole = interval
+                    .ok_or_else(|| format!("the interval of {place} lacks its begin or end"));
                 individual.interval = Some(whole?);
             }
             _ => left.push((property, Object::Iri(object))),
@@ -284,14 +285,14 @@ fn interval(said: &Said) -> Option<[f64; 2]> {
     }
 }
 
-/// Takes what is left of each individual for its relations, apart from what was derived.
+/// Adds the remaining triples of each individual as relations, except those that the export derived.
 fn relate(record: &mut EpisodeRecord, left: Vec<Said>) -> Result<(), NeemError> {
     let ontology = Ontology::shipped();
     let mut places = HashMap::new();
     let mut repeated = HashMap::<[String; 3], usize>::new();
     for place in 0..record.individuals.len() {
         places.insert(iri(&individual(record, place))?, place);
-        for triple in derived(record, place)? {
+        for triple in derived_triples(record, place)? {
             if let Object::Iri(object) = triple.object {
                 *repeated
                     .entry([triple.subject, triple.predicate, object])
@@ -302,7 +303,7 @@ fn relate(record: &mut EpisodeRecord, left: Vec<Said>) -> Result<(), NeemError> 
     for (place, said) in left.into_iter().enumerate() {
         let subject = iri(&individual(record, place))?;
         let mut kept = Vec::new();
-        // From the end: what is derived was said after what the record says.
+        // Backwards, because derived triples follow those of the record.
         for (property, object) in said.into_iter().rev() {
             let Object::Iri(object) = object else {
                 continue;

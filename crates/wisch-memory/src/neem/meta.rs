@@ -1,39 +1,39 @@
-//! What a NEEM says of itself.
+//! Metadata of a NEEM.
 
 use crate::id::in_utc;
 use bson::oid::ObjectId;
 use serde_json::json;
 
-/// Version of the form of the triples.
+/// Version of the triples' data model.
 const MODEL_VERSION: &str = "0.1";
 
-/// What a NEEM says of itself.
+/// Metadata of a NEEM.
 #[derive(Debug, Clone, PartialEq)]
 pub struct NeemMeta {
-    /// Its title.
+    /// Title.
     pub name: String,
-    /// What it holds.
+    /// Description of its contents.
     pub description: String,
-    /// Who made it.
+    /// Name of its author.
     pub created_by: String,
-    /// When it was made [s since 1970].
+    /// Time of its creation [s since 1970].
     pub created_at: f64,
-    /// Words to find it by.
+    /// Keywords.
     pub keywords: Vec<String>,
-    /// Where it can be found; empty if nowhere yet.
+    /// Address at which it is published; empty before publication.
     pub url: String,
-    /// What was done, in words, and the IRI of its class.
+    /// Description of the activity, and the IRI of its class.
     pub activity: [String; 2],
-    /// Where it was done.
+    /// Environment of the activity.
     pub environment: String,
-    /// Who did it.
+    /// Agent of the activity.
     pub agent: String,
-    /// Address of a picture; empty without.
+    /// Address of a picture; may be empty.
     pub image: String,
 }
 
 impl NeemMeta {
-    /// Its text, in JSON.
+    /// Returns the text of the file, in JSON.
     pub(super) fn json(&self, id: ObjectId) -> String {
         let [name, url] = &self.activity;
         let document = json!({
@@ -55,7 +55,7 @@ impl NeemMeta {
     }
 }
 
-/// A time [s since 1970] as `2026-01-31T12:00:00+00:00`, cut to whole seconds.
+/// Formats a time [s since 1970] as `2026-01-31T12:00:00+00:00`, cut to whole seconds.
 ///
 /// ```
 /// use wisch_memory::neem::utc;
@@ -72,7 +72,7 @@ mod tests {
 
     #[test]
     fn times_are_those_of_the_calendar() {
-        // Of GNU date -u -d @….
+        // Expected values from GNU `date -u -d @…`.
         for (time, text) in [
             (0.0, "1970-01-01T00:00:00+00:00"),
             (-1.0, "1969-12-31T23:59:59+00:00"),

@@ -1,20 +1,20 @@
-//! Episodes as a narrative-enabled episodic memory (NEEM), the form in which openEASE and KnowRob keep theirs.
+//! Episodes as a narrative-enabled episodic memory (NEEM), the format of openEASE and KnowRob.
 //!
-//! A NEEM is a folder with collections of documents in BSON, each as a database dump:
+//! A NEEM is a folder with collections of BSON documents, each as a database dump:
 //!
 //! ```text
-//! meta.json                     what it is, who made it and when
+//! meta.json                     metadata: title, author, time
 //! semco.owl                     the ontology of wiping
-//! triples/roslog/triples.bson   what happened, as triples with closures and times
+//! triples/roslog/triples.bson   triples with closures and times
 //! annotations/roslog/…          comments
 //! inferred/roslog/…             a reader's cache, empty
 //! tf/roslog/tf.bson             poses of frames over time
-//! wrench/roslog/wrench.bson     forces and torques over time: our own, there is no standard for them
-//! observation/roslog/…          what a camera saw of the dirt before and after each round: our own as well
+//! wrench/roslog/wrench.bson     forces and torques over time (own schema, since no standard exists)
+//! observation/roslog/…          camera observations before and after each round (own schema)
 //! ```
 //!
-//! [`NeemWriter`] writes one document at a time, [`import`] reads the episodes back from the triples, [`observations`] what
-//! was seen in them.
+//! [`NeemWriter`] writes one document at a time, [`import`] reads the episodes back from the triples, and
+//! [`observations`] reads the camera observations.
 
 mod document;
 mod dump;
@@ -52,127 +52,127 @@ pub enum NeemError {
     /// A file cannot be written or read.
     #[error("{path}: {error}", path = .path.display())]
     Io {
-        /// Which.
+        /// Path of the file.
         path: PathBuf,
-        /// Why.
+        /// Error of the operating system.
         error: io::Error,
     },
-    /// There is something already.
-    #[error("{path}: there is something already", path = .path.display())]
+    /// The target exists already.
+    #[error("{path}: there is something already; choose a new path", path = .path.display())]
     Exists {
-        /// Where.
+        /// The target.
         path: PathBuf,
     },
-    /// A document that is none.
+    /// A document is not valid BSON.
     #[error("{path}: {error}", path = .path.display())]
     Dump {
-        /// In which file.
+        /// Path of the file.
         path: PathBuf,
-        /// What is wrong with it.
+        /// Fault of the document.
         error: DumpError,
     },
-    /// A document that is no triple.
-    #[error("{path}: document {number} is no triple: {what}", path = .path.display())]
+    /// A document is not a triple.
+    #[error("{path}: document {number} is not a triple: {what}", path = .path.display())]
     Triple {
-        /// In which file.
+        /// Path of the file.
         path: PathBuf,
-        /// Which, from 0.
+        /// Index of the document, from 0.
         number: u64,
-        /// What it lacks.
+        /// Description of the fault.
         what: &'static str,
     },
-    /// A document that is no observation.
-    #[error("{path}: document {number} is no observation: {what}", path = .path.display())]
+    /// A document is not an observation.
+    #[error("{path}: document {number} is not an observation: {what}", path = .path.display())]
     Observation {
-        /// In which file.
+        /// Path of the file.
         path: PathBuf,
-        /// Which, from 0.
+        /// Index of the document, from 0.
         number: u64,
-        /// What is wrong.
+        /// Description of the fault.
         what: &'static str,
     },
-    /// Observations that cannot be exported.
+    /// An episode's observations cannot be exported.
     #[error("episode {episode:?}: round {round}: {fault}")]
     Observations {
-        /// Of which episode.
+        /// Name of the episode.
         episode: String,
-        /// Of which of its rounds, from 1.
+        /// Number of the round in it, from 1.
         round: usize,
-        /// What is wrong.
+        /// Fault of the observations.
         fault: ObservationFault,
     },
-    /// A name with an unknown prefix.
+    /// A name has an unknown prefix.
     #[error(transparent)]
     Unknown(#[from] UnknownName),
-    /// A name that cannot be part of an IRI.
-    #[error("{name:?} has a character that no IRI may have")]
+    /// A name cannot be part of an IRI.
+    #[error("{name:?} has a character that IRIs do not allow")]
     Name {
         /// The name.
         name: String,
     },
-    /// A relation or class by which the export itself says an individual's whole, time or having a name.
-    #[error("{name} is no relation or class of a record: the export says it by itself")]
+    /// A record uses a relation or class that the export itself derives: whole, time or name of an individual.
+    #[error("{name} may not occur in a record, because the export derives it")]
     Reserved {
-        /// The relation's property, or the class.
+        /// The property of the relation, or the class.
         name: String,
     },
-    /// An IRI outside of the namespaces that have a prefix.
-    #[error("{iri:?} lies in none of the namespaces that have a prefix")]
+    /// The namespace of an IRI has no prefix.
+    #[error("{iri:?}: its namespace has no prefix")]
     Iri {
         /// The IRI.
         iri: String,
     },
-    /// A record that cannot be exported, or triples that make no good record.
+    /// A record cannot be exported, or triples do not make a valid record.
     #[error("episode {episode:?}: {fault}")]
     Record {
-        /// Of which episode.
+        /// Name of the episode.
         episode: String,
-        /// What is wrong.
+        /// Fault of the record.
         fault: RecordFault,
     },
-    /// Triples that lack something that makes an episode.
+    /// Triples do not make a complete episode.
     #[error("episode {episode:?}: {what}")]
     Incomplete {
-        /// Of which episode.
+        /// Name of the episode.
         episode: String,
-        /// What is wrong.
+        /// What is missing or contradictory.
         what: String,
     },
-    /// The same episode twice.
-    #[error("episode {episode:?} is there twice")]
+    /// An episode occurs twice.
+    #[error("episode {episode:?} occurs twice")]
     Twice {
-        /// Which.
+        /// Name of the episode.
         episode: String,
     },
-    /// A rate that is none.
+    /// The pose rate is not positive.
     #[error("tf_rate_hz: {rate} is not above 0")]
     Rate {
         /// The rate [Hz].
         rate: f64,
     },
-    /// An episode of the memory that cannot be read.
+    /// An episode of the memory cannot be read.
     #[error(transparent)]
     Memory(#[from] MemoryError),
-    /// Telemetry that cannot be read.
+    /// Telemetry cannot be read.
     #[error(transparent)]
     Telemetry(#[from] TelemetryError),
-    /// Frames that cannot be computed.
+    /// Frames cannot be computed.
     #[error(transparent)]
     Frames(#[from] FrameError),
-    /// A sample with a number that is not finite.
+    /// A sample has a number that is not finite.
     #[error("{frame}: a sample at {time} s has a number that is not finite")]
     Sample {
-        /// Of which frame.
+        /// Name of the frame.
         frame: String,
-        /// When [s since 1970].
+        /// Time of the sample [s since 1970].
         time: f64,
     },
 }
 
-/// The collection of what was seen.
+/// Collection of the camera observations.
 const OBSERVATIONS: &str = "observation";
 
-/// Names the file of a fault.
+/// Adds the path of a file to an error.
 fn at(path: &Path) -> impl Fn(io::Error) -> NeemError {
     move |error| NeemError::Io {
         path: path.to_owned(),
@@ -180,7 +180,7 @@ fn at(path: &Path) -> impl Fn(io::Error) -> NeemError {
     }
 }
 
-/// The collection's file below the folder of a NEEM.
+/// Path of a collection's file in a NEEM's folder.
 fn collection_file(neem: &Path, collection: &str) -> PathBuf {
     neem.join(collection)
         .join("roslog")

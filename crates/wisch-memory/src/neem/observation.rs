@@ -1,4 +1,4 @@
-//! What was seen of the dirt, as documents of a collection of our own.
+//! Camera observations as documents of a collection of the NEEM.
 
 use super::document::number;
 use super::dump::Documents;
@@ -14,27 +14,27 @@ use std::path::Path;
 use wisch::geometry::{Point2, Polygon, Pose, Region};
 use wisch::represent::Observation;
 
-/// The topics before and after a round.
+/// Topics of the observations before and after a round.
 const TOPICS: [&str; 2] = ["dirt_before", "dirt_after"];
 
-/// Which round of which episode was looked at.
+/// The round to which observations belong.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct NeemRound<'a> {
-    /// The episode's name.
+    /// Name of the episode.
     pub episode: &'a str,
-    /// The round in the episode, from 1.
+    /// Number of the round in the episode, from 1.
     pub number: usize,
-    /// From when to when it lasted [s since 1970].
+    /// Begin and end of the round [s since 1970].
     pub interval: [f64; 2],
-    /// The surface's name.
+    /// Name of the surface.
     pub surface: &'a str,
 }
 
 impl NeemWriter {
-    /// Writes what was seen before and after a round, one document each.
+    /// Writes the observations before and after a round, one document each.
     ///
     /// # Errors
-    /// A number is not finite, or writing fails.
+    /// If a number is not finite, or writing fails.
     pub fn observations(
         &mut self,
         of: &NeemRound<'_>,
@@ -59,7 +59,7 @@ impl NeemWriter {
                 .collect();
             let mut document = rawdoc! {
                 "_id": self.observations.ids.next(),
-                // Dates end at milliseconds.
+                // BSON dates resolve milliseconds only.
                 "header": { "stamp": date(time), "time": time, "frame_id": of.surface },
                 "episode": of.episode,
                 "round": of.number as i64,
@@ -81,18 +81,18 @@ impl NeemWriter {
     }
 }
 
-/// Places as two lists of coordinates [m].
+/// Converts points to two lists of coordinates [m].
 fn coordinates(places: &[Point2]) -> RawDocumentBuf {
     let list = |axis: usize| places.iter().map(|p| p[axis]).collect::<RawArrayBuf>();
     rawdoc! { "x": list(0), "y": list(1) }
 }
 
-/// What was seen in the NEEM in this folder: by the episode's name and the number of the round in it.
+/// Returns the observations in a NEEM, by the episode's name and the number of the round in it.
 ///
-/// It comes back as it went in. A NEEM without this collection tells of none.
+/// They equal the written ones, bit for bit. A NEEM without this collection has no observations.
 ///
 /// # Errors
-/// It cannot be read, or a document in it is no observation.
+/// If the NEEM cannot be read, or a document in the collection is not an observation.
 pub fn observations(
     neem: &Path,
 ) -> Result<BTreeMap<String, BTreeMap<usize, RoundObservations>>, NeemError> {
@@ -112,7 +112,7 @@ pub fn observations(
             number,
             what,
         };
-        let look = Look::of(&document).map_err(fault)?;
+        let look = ObservationDocument::of(&document).map_err(fault)?;
         let rounds = episodes.entry(look.episode).or_default();
         let seen = rounds.entry(look.round).or_insert(RoundObservations {
             round: look.round_of_run,
@@ -120,30 +120,32 @@ pub fn observations(
             observations: [None, None],
         });
         if (seen.round, seen.world_from_surface) != (look.round_of_run, look.world_from_surface) {
-            return Err(fault("the other look of its round is of another surface"));
+            return Err(fault(
+                "the other observation of its round has another surface",
+            ));
         }
         let place = &mut seen.observations[look.place];
         if place.replace(look.observation).is_some() {
-            return Err(fault("its round has this look already"));
+            return Err(fault("its round already has this observation"));
         }
         seen.check()
-            .map_err(|_| fault("a number in it is not finite, or its rotation is none"))?;
+            .map_err(|_| fault("a number is not finite, or the quaternion is not a rotation"))?;
     }
     Ok(episodes)
 }
 
-/// What a document says.
-struct Look {
+/// Contents of a document.
+struct ObservationDocument {
     episode: String,
     round: usize,
     round_of_run: Option<usize>,
     world_from_surface: Pose,
-    /// 0 before, 1 after.
+    /// 0 before the round, 1 after it.
     place: usize,
     observation: Observation,
 }
 
-impl Look {
+impl ObservationDocument {
     fn of(document: &RawDocument) -> Result<Self, &'static str> {
         let surface = document.get_document("world_from_surface");
         let surface = surface.map_err(|_| "it has no world_from_surface")?;
@@ -156,20 +158,20 @@ impl Look {
         let episode = document.get_str("episode");
         Ok(Self {
             episode: episode.map_err(|_| "it has no episode")?.to_owned(),
-            round: count(document, cstr!("round")).ok_or("round is no number from 1")?,
+            round: count(document, cstr!("round")).ok_or("round is not a number from 1")?,
             round_of_run: match document.get("round_of_run") {
                 Ok(None) => None,
                 _ => Some(
                     count(document, cstr!("round_of_run"))
-                        .ok_or("round_of_run is no number from 1")?,
+                        .ok_or("round_of_run is not a number from 1")?,
                 ),
             },
-            world_from_surface: world_from_surface.ok_or("world_from_surface is no pose")?,
+            world_from_surface: world_from_surface.ok_or("world_from_surface is not a pose")?,
             place: place.ok_or("__topic is neither dirt_before nor dirt_after")?,
             observation: Observation {
                 detections: (document.get_document("detections").ok().and_then(places))
-                    .ok_or("detections are no lists x and y of numbers")?,
-                hidden: hidden(document).ok_or("hidden is no list of polygons")?,
+                    .ok_or("detections are not lists x and y of numbers")?,
+                hidden: hidden(document).ok_or("hidden is not a list of polygons")?,
             },
         })
     }

@@ -1,4 +1,4 @@
-//! From an episode in the store to a NEEM: its record, and what its telemetry tells.
+//! Export of a stored episode to a NEEM: its record, and poses and wrenches from its telemetry.
 
 use super::NeemError;
 use super::observation::NeemRound;
@@ -12,44 +12,43 @@ use std::collections::BTreeSet;
 use wisch::geometry::Pose;
 use wisch::robot::RobotModel;
 
-/// Rows that are in memory at a time.
+/// Number of rows in memory at once.
 const ROWS: usize = 10_000;
 
-/// The frame in which everything is given.
+/// Frame of all poses and wrenches.
 const WORLD: &str = "world";
 
 const FORCE: [&str; 3] = ["fx", "fy", "fz"];
 const TORQUE: [&str; 3] = ["mx", "my", "mz"];
 const POSE: [&str; 7] = ["x", "y", "z", "qx", "qy", "qz", "qw"];
 
-/// From what poses are computed.
+/// Source of the poses.
 #[derive(Debug, Clone, Copy)]
 pub enum PoseSource<'a> {
-    /// From the tool's measured pose: only the tool's frame.
+    /// The tool's measured pose; gives the tool's frame only.
     Tool,
-    /// From the joints of this robot: its links, itself, its tool and the surface.
+    /// The joints of this robot; gives its links, the robot, the tool and the surface.
     Robot(&'a RobotModel),
 }
 
 impl NeemWriter {
-    /// Writes an episode of the store: its triples, the poses and wrenches of all rounds with telemetry, and what was seen
-    /// of the dirt.
+    /// Writes a stored episode: its triples, poses and wrenches of all rounds with telemetry, and camera observations.
     ///
     /// # Errors
-    /// As of the other methods, and if the episode cannot be read or its telemetry is of another robot.
+    /// As the other methods; also if the episode cannot be read or its telemetry belongs to another robot.
     pub fn stored(&mut self, episode: &Episode, poses: PoseSource) -> Result<(), NeemError> {
         let record = episode.record()?;
         self.episode(&record)?;
         let files = episode.files()?;
         for (number, &start) in (1..).zip(&record.rounds) {
             if let Some(seen) = episode.observations(number)? {
-                // One round follows the other without a pause.
+                // Rounds follow each other without pauses.
                 let end = record.rounds.get(number).copied();
                 let round = NeemRound {
                     episode: &record.id,
                     number,
                     interval: [start, end.unwrap_or(record.interval[1])],
-                    surface: related(&record, "semco:actsOnSurface", "surface"),
+                    surface: related_name(&record, "semco:actsOnSurface", "surface"),
                 };
                 self.observations(&round, &seen)?;
             }
@@ -62,7 +61,7 @@ impl NeemWriter {
                 PoseSource::Tool => self.tool_of(
                     &telemetry,
                     start,
-                    related(&record, "semco:usesTool", "tool"),
+                    related_name(&record, "semco:usesTool", "tool"),
                 )?,
                 PoseSource::Robot(robot) => self.frames_of(&telemetry, start, robot)?,
             }
@@ -142,15 +141,15 @@ impl NeemWriter {
     }
 }
 
-/// Local name of what an episode is first related to by a property; this name, if there is nothing.
-fn related<'a>(record: &'a EpisodeRecord, property: &str, otherwise: &'a str) -> &'a str {
+/// Local name of the first object of an episode's relation, or `otherwise` without one.
+fn related_name<'a>(record: &'a EpisodeRecord, property: &str, otherwise: &'a str) -> &'a str {
     let mut related = (record.individuals.iter())
         .filter_map(|individual| individual.relations.get(property)?.first());
     let name = related.next().and_then(|name| name.split_once(':'));
     name.map_or(otherwise, |(_, local)| local)
 }
 
-/// Time [s since the round began] and values of each row; of no row, if the telemetry lacks one of the columns.
+/// Calls back with time [s since the round began] and values of each row; with none if a column is missing.
 fn each_row(
     telemetry: &Telemetry,
     columns: &[String],

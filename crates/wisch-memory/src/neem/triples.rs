@@ -1,13 +1,13 @@
-//! An episode as triples: what is asserted of its individuals, what follows from that, and the record itself.
+//! An episode as triples: assertions about its individuals, derived triples, and the record itself.
 
 use super::NeemError;
 use crate::ontology::{Ontology, TermKind};
 use crate::record::{EpisodeRecord, Individual, Origin, Value};
 
-/// What a triple says of its subject.
+/// Object of a triple.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Object {
-    /// Related to the thing of this IRI.
+    /// A thing, by its IRI.
     Iri(String),
     /// A number, in the property's unit.
     Number(f64),
@@ -15,18 +15,18 @@ pub enum Object {
     Text(String),
 }
 
-/// One statement, valid over a time.
+/// A statement that holds over an interval of time.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Triple {
-    /// IRI of what it is about.
+    /// IRI of the subject.
     pub subject: String,
     /// IRI of the property.
     pub predicate: String,
-    /// The property's value.
+    /// Value of the property.
     pub object: Object,
-    /// From when on it holds [s since 1970]; 0 for always.
+    /// Begin of its validity [s since 1970]; 0 for always.
     pub since: f64,
-    /// Until when it holds [s since 1970]; infinite for ever after.
+    /// End of its validity [s since 1970]; infinite for ever.
     pub until: f64,
 }
 
@@ -38,28 +38,28 @@ pub(super) const BEGIN: &str = "soma:hasIntervalBegin";
 pub(super) const END: &str = "soma:hasIntervalEnd";
 pub(super) const RECORD: &str = "semco:EpisodeRecord";
 
-/// Forces of an event: its value, the relation to the force as a region, and the end of the region's name.
+/// Forces of an event: its value, the relation to the force as a region, and the ending of the region's name.
 const FORCES: [(&str, &str, &str); 2] = [
     ("semco:meanNormalForce", "semco:hasMeanForce", "mean"),
     ("semco:peakForce", "semco:hasPeakForce", "peak"),
 ];
 
-/// Name with prefix of an individual of an episode.
+/// Name with prefix of an episode's individual.
 pub(super) fn individual(record: &EpisodeRecord, place: usize) -> String {
     format!("semco:{}", record.name(place))
 }
 
-/// Name with prefix of what belongs to an individual. It ends in a letter, so it is no individual's name.
+/// Name with prefix of something that belongs to an individual. It ends with a letter, unlike an individual's name.
 fn belonging(class: &str, record: &EpisodeRecord, place: usize, end: &str) -> String {
     format!("semco:{class}_{}-{place}{end}", record.id)
 }
 
-/// Name with prefix of the record of an episode.
+/// Name with prefix of an episode's record.
 pub(super) fn record_name(id: &str) -> String {
     format!("{RECORD}_{id}-record")
 }
 
-/// Makes triples about one subject over one time, in names with prefix.
+/// Builder of triples about one subject over one interval, in names with prefix.
 pub(super) struct About<'a> {
     ontology: &'a Ontology,
     subject: String,
@@ -96,7 +96,7 @@ impl<'a> About<'a> {
     }
 }
 
-/// The IRI of a name with prefix.
+/// Returns the IRI of a name with prefix.
 pub(super) fn iri(name: &str) -> Result<String, NeemError> {
     let iri = Ontology::shipped().expand(name)?;
     let forbidden = |c: char| c.is_whitespace() || c.is_control() || "<>\"{}|^`\\".contains(c);
@@ -108,10 +108,10 @@ pub(super) fn iri(name: &str) -> Result<String, NeemError> {
     Ok(iri)
 }
 
-/// All triples of an episode. The first of each individual is its class.
+/// Returns all triples of an episode. The first triple of each individual is its class.
 ///
 /// # Errors
-/// The record is faulty, or a name has an unknown prefix or a character that no IRI has.
+/// If the record is faulty, or a name has an unknown prefix or a character that IRIs do not allow.
 pub fn triples(record: &EpisodeRecord) -> Result<Vec<Triple>, NeemError> {
     record.check().map_err(|fault| NeemError::Record {
         episode: record.id.clone(),
@@ -119,13 +119,13 @@ pub fn triples(record: &EpisodeRecord) -> Result<Vec<Triple>, NeemError> {
     })?;
     let mut all = of_record(record)?;
     for place in 0..record.individuals.len() {
-        all.extend(asserted(record, place)?);
-        all.extend(derived(record, place)?);
+        all.extend(asserted_triples(record, place)?);
+        all.extend(derived_triples(record, place)?);
     }
     Ok(all)
 }
 
-/// What the record says of itself.
+/// Returns the triples about the record itself.
 fn of_record(record: &EpisodeRecord) -> Result<Vec<Triple>, NeemError> {
     let about = About::new(&record_name(&record.id), 0.0)?;
     let text = |property, text: &str| about.says(property, Object::Text(text.to_owned()));
@@ -154,7 +154,7 @@ fn of_record(record: &EpisodeRecord) -> Result<Vec<Triple>, NeemError> {
     Ok(all)
 }
 
-/// About an individual, from when it began.
+/// Returns a builder of triples about an individual, valid from its begin.
 fn about(record: &EpisodeRecord, place: usize) -> Result<About<'static>, NeemError> {
     let interval = record.individuals[place].interval;
     About::new(
@@ -163,8 +163,8 @@ fn about(record: &EpisodeRecord, place: usize) -> Result<About<'static>, NeemErr
     )
 }
 
-/// What the record says of an individual.
-fn asserted(record: &EpisodeRecord, place: usize) -> Result<Vec<Triple>, NeemError> {
+/// Returns the triples that the record asserts about an individual.
+fn asserted_triples(record: &EpisodeRecord, place: usize) -> Result<Vec<Triple>, NeemError> {
     let subject = &record.individuals[place];
     let about = about(record, place)?;
     if subject.class == NAMED {
@@ -213,11 +213,14 @@ fn of_interval(name: &str, [start, end]: [f64; 2]) -> Result<[Triple; 4], NeemEr
     ])
 }
 
-/// What readers look for and follows from what the record says of an individual: that it has a name, that its
-/// whole has it, and its forces as regions.
+/// Returns derived triples that readers expect: an individual has a name, its whole has it as a part, and its forces
+/// are regions.
 ///
-/// The import leaves these out again; it calls this to know which they are.
-pub(super) fn derived(record: &EpisodeRecord, place: usize) -> Result<Vec<Triple>, NeemError> {
+/// The import calls this function to recognise and drop these triples.
+pub(super) fn derived_triples(
+    record: &EpisodeRecord,
+    place: usize,
+) -> Result<Vec<Triple>, NeemError> {
     let subject = &record.individuals[place];
     let about = about(record, place)?;
     let mut all = vec![about.relates(TYPE, NAMED)?];
@@ -240,7 +243,7 @@ pub(super) fn derived(record: &EpisodeRecord, place: usize) -> Result<Vec<Triple
     Ok(all)
 }
 
-/// The property by which a whole has its part. An episode is a situation, which includes events.
+/// Returns the property that relates a whole to its part. An episode is a situation, which includes events.
 fn has_part(about: &About, whole: &Individual, part: &Individual) -> &'static str {
     if !about.is_below(&whole.class, "dul:Situation") {
         "dul:hasConstituent"
@@ -253,8 +256,8 @@ fn has_part(about: &About, whole: &Individual, part: &Individual) -> &'static st
     }
 }
 
-/// What the ontology says of wiping, so that a reader who does not have it can still follow: classes and
-/// properties with their parents, shared things with their classes.
+/// Returns the ontology of wiping as triples, for readers that do not have the ontology: classes and properties with
+/// their parents, shared things with their classes.
 ///
 /// # Errors
 /// None with the shipped ontology.

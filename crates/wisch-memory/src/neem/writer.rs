@@ -1,4 +1,4 @@
-//! Writing of a NEEM: document by document, and whole or not at all.
+//! Writer of a NEEM: document by document, complete or not at all.
 
 use super::document::Closures;
 use super::dump::MAX_DOCUMENT;
@@ -16,51 +16,51 @@ use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
 use wisch::geometry::Pose;
 
-/// How a NEEM is written.
+/// Settings of a NEEM's writer.
 #[derive(Debug, Clone, PartialEq)]
 pub struct NeemConfig {
-    /// How often the pose of each frame is written [Hz]; infinite for every sample.
+    /// Rate of each frame's poses [Hz]; infinite for every sample.
     ///
-    /// Poses take room: 30 frames at 1 kHz are 29 GB an hour.
+    /// Poses need much space: 30 frames at 1 kHz are 29 GB per hour.
     pub tf_rate_hz: f64,
 }
 
 impl Default for NeemConfig {
     fn default() -> Self {
-        // Enough to see a motion; what was felt is in the triples.
+        // Enough to show a motion; detected events are in the triples.
         Self { tf_rate_hz: 10.0 }
     }
 }
 
-/// Where a frame was.
+/// Pose of a frame at a time.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct FrameSample<'a> {
-    /// When [s since 1970]. In an episode, the samples of a frame come in the order of their times.
+    /// Time [s since 1970]. In an episode, samples of a frame must be in order of their times.
     pub time: f64,
-    /// Name of the frame: of an object the local name of its IRI, such as `sponge`.
+    /// Name of the frame: for an object, the local name of its IRI, for example `sponge`.
     pub frame: &'a str,
-    /// The frame in which the pose is given.
+    /// Name of the frame in which the pose is stated.
     pub parent: &'a str,
     /// The pose.
     pub parent_from_frame: Pose,
 }
 
-/// What was felt.
+/// A wrench at a time.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct WrenchSample<'a> {
-    /// When [s since 1970].
+    /// Time [s since 1970].
     pub time: f64,
-    /// The frame in which it is given.
+    /// Name of the frame in which the wrench is stated.
     pub frame: &'a str,
-    /// What was measured: the topic's name.
+    /// Name of the topic, which states the quantity.
     pub topic: &'a str,
     /// Force [N].
     pub force: [f64; 3],
-    /// Torque about the frame's origin [N m], if it was measured.
+    /// Torque about the frame's origin [N m], if measured.
     pub torque: Option<[f64; 3]>,
 }
 
-/// How much was written.
+/// Numbers of documents written.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct NeemReport {
     /// Episodes.
@@ -73,13 +73,13 @@ pub struct NeemReport {
     pub poses: u64,
     /// Wrenches.
     pub wrenches: u64,
-    /// Looks at the dirt.
+    /// Camera observations.
     pub observations: u64,
 }
 
-/// Writes episodes into the folder of a NEEM, which appears when it is finished.
+/// Writer of episodes into the folder of a NEEM, which appears at its path when it is finished.
 ///
-/// Of poses and wrenches nothing is kept but each frame's last time.
+/// The writer keeps only the last time of each frame in memory, not the poses and wrenches.
 ///
 /// ```no_run
 /// use std::path::Path;
@@ -98,7 +98,7 @@ pub struct NeemReport {
 #[derive(Debug)]
 pub struct NeemWriter {
     target: PathBuf,
-    /// Goes away with what is in it unless finished.
+    /// Temporary folder, removed with its contents if the NEEM is not finished.
     staging: tempfile::TempDir,
     triples: Collection,
     annotations: Collection,
@@ -109,25 +109,25 @@ pub struct NeemWriter {
     closures: Closures,
     episodes: HashSet<String>,
     frames: HashMap<String, Frame>,
-    /// Between two poses of a frame [s].
+    /// Least time between two poses of a frame [s].
     period: f64,
 }
 
-/// What is kept of a frame.
+/// State of a frame.
 #[derive(Debug)]
 struct Frame {
     last: f64,
     written: i64,
 }
 
-/// Share of the period by which a sample may come early and still count.
+/// Share of the period by which a sample may be early and still be written [1].
 const EARLY: f64 = 1e-3;
 
 impl NeemWriter {
-    /// Begins the folder `target`, which must not be there.
+    /// Begins a NEEM at the folder `target`, which must not exist.
     ///
     /// # Errors
-    /// There is something already, it cannot be written, or the rate is not above 0.
+    /// If the target exists, cannot be written, or the rate is not above 0.
     pub fn create(target: &Path, meta: &NeemMeta, config: &NeemConfig) -> Result<Self, NeemError> {
         let rate = config.tf_rate_hz;
         if rate.is_nan() || rate <= 0.0 {
@@ -184,7 +184,7 @@ impl NeemWriter {
     /// Writes the triples of an episode.
     ///
     /// # Errors
-    /// The record is faulty or was written before, or writing fails.
+    /// If the record is faulty or was written before, or writing fails.
     pub fn episode(&mut self, record: &EpisodeRecord) -> Result<(), NeemError> {
         if self.episodes.contains(&record.id) {
             return Err(NeemError::Twice {
@@ -192,7 +192,7 @@ impl NeemWriter {
             });
         }
         let triples = triples::triples(record)?;
-        // It need not be later than the one before.
+        // An episode need not be later than the previous one.
         for frame in self.frames.values_mut() {
             frame.last = f64::NEG_INFINITY;
         }
@@ -222,10 +222,10 @@ impl NeemWriter {
         self.annotations.write(&document)
     }
 
-    /// Writes the pose of a frame, unless its last one was written less than a period before.
+    /// Writes the pose of a frame, unless the frame's previous pose is less than a period ago.
     ///
     /// # Errors
-    /// A number is not finite, or writing fails.
+    /// If a number is not finite, or writing fails.
     pub fn frame(&mut self, sample: &FrameSample) -> Result<(), NeemError> {
         let pose = &sample.parent_from_frame;
         let [x, y, z] = [0, 1, 2].map(|axis| pose.translation.vector[axis]);
@@ -250,12 +250,12 @@ impl NeemWriter {
         self.poses.write(&document)
     }
 
-    /// Shortest time between two poses of a frame that are written [s].
+    /// Least time between two written poses of a frame [s].
     pub(super) fn shortest_period(&self) -> f64 {
         self.period * (1.0 - EARLY)
     }
 
-    /// Number of the frame's sample, if it is due; then its time is kept.
+    /// Returns the number of the frame's sample if it is due, and then stores its time.
     fn due(&mut self, name: &str, time: f64) -> Option<i64> {
         let shortest = self.shortest_period();
         match self.frames.get_mut(name) {
@@ -276,10 +276,10 @@ impl NeemWriter {
         }
     }
 
-    /// Writes a force and torque.
+    /// Writes a wrench.
     ///
     /// # Errors
-    /// A number is not finite, or writing fails.
+    /// If a number is not finite, or writing fails.
     pub fn wrench(&mut self, sample: &WrenchSample) -> Result<(), NeemError> {
         let torque = sample.torque.into_iter().flatten();
         let numbers = sample.force.into_iter().chain(torque);
@@ -292,7 +292,7 @@ impl NeemWriter {
             "_id": self.wrenches.ids.next(),
             "header": {
                 "stamp": date(sample.time),
-                // Dates end at milliseconds; telemetry does not.
+                // BSON dates resolve milliseconds only; telemetry is finer.
                 "time": sample.time,
                 "frame_id": sample.frame,
             },
@@ -303,10 +303,10 @@ impl NeemWriter {
         self.wrenches.write(&document)
     }
 
-    /// Lets the folder appear.
+    /// Finishes the NEEM and moves it to its path.
     ///
     /// # Errors
-    /// Writing fails, or there is something now where the folder should appear.
+    /// If writing fails, or the path exists meanwhile.
     pub fn finish(self) -> Result<NeemReport, NeemError> {
         let report = NeemReport {
             episodes: self.episodes.len() as u64,
@@ -335,7 +335,7 @@ impl NeemWriter {
     }
 }
 
-/// Name of the folder while it is written. Below the temporary one, so that it gets its permissions as any other.
+/// Name of the folder during writing. It lies inside the temporary folder, so that it gets normal permissions.
 const STAGED: &str = "neem";
 
 /// A file of documents.
@@ -388,7 +388,7 @@ impl Collection {
     }
 }
 
-/// Names of documents: the same for the same export.
+/// Generator of document identifiers: the same export gets the same identifiers.
 #[derive(Debug)]
 pub(super) struct ObjectIds {
     head: [u8; 7],
@@ -418,7 +418,7 @@ impl ObjectIds {
     }
 }
 
-/// What an episode was, in words.
+/// Describes an episode in a sentence.
 fn in_words(record: &EpisodeRecord) -> String {
     let mut text = format!("Wiping task {}", record.task);
     let rounds = record.rounds.len();

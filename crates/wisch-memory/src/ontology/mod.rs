@@ -1,7 +1,7 @@
-//! What the names in an episode mean: classes, properties and shared things of wiping, under SOMA and DUL.
+//! Ontology of the names in an episode: classes, properties and shared things of wiping, below SOMA and DUL.
 //!
-//! The ontology is `ontology/semco.owl`. `ontology/upper.owl` states those axioms of SOMA and DUL on which it
-//! rests, so that closures can be computed without the ontologies themselves.
+//! The ontology is `ontology/semco.owl`. `ontology/upper.owl` states the axioms of SOMA and DUL on which it rests, so
+//! that closures need no other files.
 
 mod read;
 #[cfg(test)]
@@ -12,7 +12,7 @@ use std::collections::BTreeMap;
 use std::sync::LazyLock;
 use wisch::source_location::UnknownName;
 
-/// Prefixes and the namespaces that they stand for. A bare name is looked for in this order.
+/// Prefixes and their namespaces. A bare name is searched in this order.
 const PREFIXES: [(&str, &str); 8] = [
     ("semco", "https://wisch-project.org/ont/semco.owl#"),
     ("soma", "http://www.ease-crc.org/ont/SOMA.owl#"),
@@ -31,7 +31,7 @@ const PREFIXES: [(&str, &str); 8] = [
 pub const SEMCO_OWL: &str = include_str!("../../ontology/semco.owl");
 const UPPER_OWL: &str = include_str!("../../ontology/upper.owl");
 
-/// What a name stands for.
+/// Kind of a name.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum TermKind {
     /// A class of things or events.
@@ -40,12 +40,12 @@ pub enum TermKind {
     ObjectProperty,
     /// A relation to numbers or texts.
     DataProperty,
-    /// A thing that episodes share, such as `semco:sponge`.
+    /// A thing that episodes share, for example `semco:sponge`.
     Individual,
 }
 
 impl TermKind {
-    /// How messages call it.
+    /// Its word in messages.
     pub fn word(self) -> &'static str {
         match self {
             Self::Class => "class",
@@ -54,28 +54,28 @@ impl TermKind {
         }
     }
 
-    /// Whether it is a relation.
+    /// Whether it is a property.
     pub fn is_property(self) -> bool {
         matches!(self, Self::ObjectProperty | Self::DataProperty)
     }
 }
 
-/// What the ontology says of one name.
+/// Axioms about a name.
 #[derive(Debug, Clone, PartialEq)]
 pub struct OntologyTerm {
-    /// What it stands for.
+    /// Kind of the name.
     pub kind: TermKind,
-    /// Directly above it: classes of a class or individual, properties of a property.
+    /// Direct parents: classes of a class or individual, properties of a property.
     pub parents: Vec<String>,
-    /// Of which class the subjects of a property are.
+    /// Class of a property's subjects.
     pub domain: Option<String>,
-    /// Of which class or datatype the objects of a property are.
+    /// Class or datatype of a property's objects.
     pub range: Option<String>,
-    /// The individual that it is another name of.
+    /// The individual for which it is another name.
     pub same_as: Option<String>,
-    /// Its name in words; empty for a term of SOMA or DUL.
+    /// Label; empty for a term of SOMA or DUL.
     pub label: String,
-    /// What it means, with unit if it has one; empty for a term of SOMA or DUL.
+    /// Meaning, with the unit if there is one; empty for a term of SOMA or DUL.
     pub comment: String,
 }
 
@@ -101,22 +101,22 @@ pub struct Ontology {
 }
 
 impl Ontology {
-    /// The ontology that comes with this program.
+    /// Returns the ontology of this program.
     ///
     /// # Panics
-    /// If the files that were compiled in are no ontology, which a test excludes.
+    /// If a file that was compiled in is not an ontology, which a test excludes.
     pub fn shipped() -> &'static Self {
         static SHIPPED: LazyLock<Ontology> = LazyLock::new(|| {
             Ontology::read(&[
                 ("ontology/upper.owl", UPPER_OWL),
                 ("ontology/semco.owl", SEMCO_OWL),
             ])
-            .expect("the shipped ontology is whole")
+            .expect("the shipped ontology is valid")
         });
         &SHIPPED
     }
 
-    /// Reads files in RDF/XML, given as name and text; parents may stand in any of them.
+    /// Reads files in RDF/XML, given as names and texts; parents may be in any of them.
     ///
     /// # Errors
     /// [`OntologyError`], at the first fault.
@@ -139,7 +139,7 @@ impl Ontology {
         Ok(ontology)
     }
 
-    /// Parents are known and of the right kind, and nothing is above itself.
+    /// Checks that parents exist and are of the right kind, and that there are no cycles.
     fn check(&self) -> Result<(), OntologyError> {
         for (name, term) in &self.terms {
             let kind = match term.kind {
@@ -163,27 +163,27 @@ impl Ontology {
         Ok(())
     }
 
-    /// The prefixes and the namespaces that they stand for; a bare name is looked for in this order.
+    /// Prefixes and their namespaces; a bare name is searched in this order.
     pub fn prefixes() -> &'static [(&'static str, &'static str)] {
         &PREFIXES
     }
 
-    /// Everything it names, by alphabet, with prefix.
+    /// All terms, sorted by name, with prefix.
     pub fn terms(&self) -> impl Iterator<Item = (&str, &OntologyTerm)> {
         self.terms.iter().map(|(name, term)| (name.as_str(), term))
     }
 
-    /// All classes, by alphabet, with prefix.
+    /// All classes, sorted by name, with prefix.
     pub fn classes(&self) -> impl Iterator<Item = &str> {
         self.of_kind(|kind| kind == TermKind::Class)
     }
 
-    /// All properties, by alphabet, with prefix.
+    /// All properties, sorted by name, with prefix.
     pub fn properties(&self) -> impl Iterator<Item = &str> {
         self.of_kind(TermKind::is_property)
     }
 
-    /// All shared individuals, by alphabet, with prefix.
+    /// All shared individuals, sorted by name, with prefix.
     pub fn individuals(&self) -> impl Iterator<Item = &str> {
         self.of_kind(|kind| kind == TermKind::Individual)
     }
@@ -194,29 +194,29 @@ impl Ontology {
             .map(|(name, _)| name)
     }
 
-    /// What is said of a name, if anything.
+    /// Axioms about a name, if it is known.
     pub fn term(&self, name: &str) -> Option<&OntologyTerm> {
         self.terms.get(name)
     }
 
-    /// What a name stands for, if it is known.
+    /// Kind of a name, if it is known.
     pub fn kind(&self, name: &str) -> Option<TermKind> {
         self.term(name).map(|term| term.kind)
     }
 
-    /// The class and all classes above it; itself first, then level by level.
+    /// Returns the class and all classes above it: itself first, then level by level.
     ///
     /// # Errors
-    /// It is no class.
+    /// If the name is not a class.
     pub fn superclasses(&self, class: &str) -> Result<Vec<&str>, UnknownName> {
         let class = self.expect(class, "class", |kind| kind == TermKind::Class)?;
         Ok(self.above(class))
     }
 
-    /// The class and all classes below it; itself first, then level by level.
+    /// Returns the class and all classes below it: itself first, then level by level.
     ///
     /// # Errors
-    /// It is no class.
+    /// If the name is not a class.
     pub fn subclasses(&self, class: &str) -> Result<Vec<&str>, UnknownName> {
         let class = self.expect(class, "class", |kind| kind == TermKind::Class)?;
         let below = self.below(class).into_iter();
@@ -225,28 +225,28 @@ impl Ontology {
             .collect())
     }
 
-    /// The property and all properties above it; itself first, then level by level.
+    /// Returns the property and all properties above it: itself first, then level by level.
     ///
     /// # Errors
-    /// It is no property.
+    /// If the name is not a property.
     pub fn superproperties(&self, property: &str) -> Result<Vec<&str>, UnknownName> {
         let property = self.expect(property, "property", TermKind::is_property)?;
         Ok(self.above(property))
     }
 
-    /// The property and all properties below it; itself first, then level by level.
+    /// Returns the property and all properties below it: itself first, then level by level.
     ///
     /// # Errors
-    /// It is no property.
+    /// If the name is not a property.
     pub fn subproperties(&self, property: &str) -> Result<Vec<&str>, UnknownName> {
         let property = self.expect(property, "property", TermKind::is_property)?;
         Ok(self.below(property))
     }
 
-    /// All classes of a shared individual, nearest first.
+    /// Returns all classes of a shared individual, the nearest first.
     ///
     /// # Errors
-    /// It is no shared individual.
+    /// If the name is not a shared individual.
     pub fn types_of(&self, individual: &str) -> Result<Vec<&str>, UnknownName> {
         let individual = self.expect(individual, "individual", |kind| {
             kind == TermKind::Individual
@@ -256,39 +256,38 @@ impl Ontology {
         Ok(types)
     }
 
-    /// The name in words, if the ontology gives one.
+    /// Label of a name, if the ontology states one.
     pub fn label(&self, name: &str) -> Option<&str> {
         self.term(name)
             .map(|term| term.label.as_str())
             .filter(|label| !label.is_empty())
     }
 
-    /// What a name means, with its unit if it has one, if the ontology says so.
+    /// Meaning of a name, with its unit if it has one, if the ontology states it.
     pub fn comment(&self, name: &str) -> Option<&str> {
         self.term(name)
             .map(|term| term.comment.as_str())
             .filter(|comment| !comment.is_empty())
     }
 
-    /// The IRI of a name with prefix, be it known or not.
+    /// Returns the IRI of a name with prefix; the name need not be known.
     ///
     /// # Errors
-    /// It has no prefix, or an unknown one.
+    /// If the prefix is missing or unknown.
     pub fn expand(&self, name: &str) -> Result<String, UnknownName> {
         let (prefix, local) = name.split_once(':').unwrap_or(("", name));
         Ok(format!("{}{local}", namespace(prefix)?))
     }
 
-    /// The name with prefix of an IRI, if it lies in one of the namespaces.
+    /// Returns the name with prefix of an IRI, if its namespace has a prefix.
     pub fn compact(&self, iri: &str) -> Option<String> {
         compact(iri)
     }
 
-    /// The known class, property or individual of this prefix and local name; another name of a thing leads to
-    /// the thing.
+    /// Returns the class, property or individual with this prefix and local name; synonyms resolve to the thing itself.
     ///
     /// # Errors
-    /// The prefix is unknown, or nothing is called so; then the nearest names are given.
+    /// If the prefix or name is unknown; the error states the nearest names.
     pub fn resolve(&self, prefix: &str, local: &str) -> Result<&str, UnknownName> {
         namespace(prefix)?;
         self.expect(
@@ -299,11 +298,10 @@ impl Ontology {
         .map(|name| self.proper(name))
     }
 
-    /// The known class, property or individual of this local name, looked for in the order of
-    /// [`Self::prefixes`].
+    /// Returns the class, property or individual with this local name, searched in the order of [`Self::prefixes`].
     ///
     /// # Errors
-    /// Nothing is called so; then the nearest names are given.
+    /// If the name is unknown; the error states the nearest names.
     pub fn resolve_bare(&self, local: &str) -> Result<&str, UnknownName> {
         let found = PREFIXES
             .iter()
@@ -353,7 +351,7 @@ impl Ontology {
     }
 }
 
-/// A name and all that can be reached from it, level by level, each once.
+/// Returns a name and everything reachable from it, level by level, each once.
 fn closure<'a>(name: &'a str, next: impl Fn(&str) -> &'a [String]) -> Vec<&'a str> {
     let mut reached = vec![name];
     let mut done = 0;

@@ -1,4 +1,4 @@
-//! Reading of ontologies: the part of OWL in RDF/XML that states which term lies below which.
+//! Reader of ontologies: the part of OWL in RDF/XML that states which term is below which.
 
 use super::{OntologyTerm, TermKind, compact};
 use roxmltree::{Document, Node, ParsingOptions};
@@ -8,63 +8,63 @@ const RDF: &str = "http://www.w3.org/1999/02/22-rdf-syntax-ns#";
 const RDFS: &str = "http://www.w3.org/2000/01/rdf-schema#";
 const OWL: &str = "http://www.w3.org/2002/07/owl#";
 
-/// What is wrong with an ontology.
+/// Fault of an ontology.
 #[derive(Debug, thiserror::Error)]
 pub enum OntologyError {
-    /// Not XML.
+    /// The file is not XML.
     #[error("{file}: {error}")]
     Xml {
-        /// In which file.
+        /// Name of the file.
         file: String,
-        /// What the parser says.
+        /// Error of the parser.
         error: roxmltree::Error,
     },
-    /// An IRI outside of the namespaces that have a prefix.
-    #[error("{file}: {iri:?} lies in none of the namespaces that have a prefix")]
+    /// The namespace of an IRI has no prefix.
+    #[error("{file}: {iri:?}: its namespace has no prefix")]
     Iri {
-        /// In which file.
+        /// Name of the file.
         file: String,
-        /// The IRI; empty where one is missing.
+        /// The IRI; empty if it is missing.
         iri: String,
     },
-    /// A name that stands for two things.
-    #[error("{file}: {name} is a {found}, but was a {before}")]
+    /// A name stands for two kinds of terms.
+    #[error("{file}: {name} is a {found}, but was declared a {before} before")]
     Kind {
-        /// In which file.
+        /// Name of the file.
         file: String,
         /// The name.
         name: String,
-        /// What it is here.
+        /// Its kind here.
         found: &'static str,
-        /// What it was before.
+        /// Its earlier kind.
         before: &'static str,
     },
-    /// A parent that is not known, or of another kind.
-    #[error("{name} lies below {parent}, which is no {kind}")]
+    /// A parent is unknown or of another kind.
+    #[error("{name} lies below {parent}, which is not a {kind}")]
     Parent {
-        /// Of which term.
+        /// The term.
         name: String,
         /// The parent.
         parent: String,
-        /// What it should be.
+        /// The kind that it should have.
         kind: &'static str,
     },
-    /// A term above itself.
+    /// A term is above itself.
     #[error("{name} lies below itself")]
     Circle {
-        /// Which.
+        /// The term.
         name: String,
     },
 }
 
-/// Reads the terms of one file into the others; a term may stand in several files.
+/// Adds the terms of a file; several files may declare the same term.
 pub(super) fn read_file(
     file: &str,
     text: &str,
     terms: &mut BTreeMap<String, OntologyTerm>,
 ) -> Result<(), OntologyError> {
     let options = ParsingOptions {
-        // Namespaces are written as entities.
+        // Namespaces are written as XML entities.
         allow_dtd: true,
         ..ParsingOptions::default()
     };

@@ -245,15 +245,15 @@ fn a_faulty_ontology_is_refused() {
     );
     assert_eq!(
         fault("<owl:Class rdf:about='dul:A'><rdfs:subClassOf rdf:resource='dul:B'/></owl:Class>"),
-        "dul:A lies below dul:B, which is no class"
+        "dul:A lies below dul:B, which is not a class"
     );
     assert_eq!(
         fault("<owl:Class rdf:about='dul:A'/><owl:ObjectProperty rdf:about='dul:A'/>"),
-        "x.owl: dul:A is a property, but was a class"
+        "x.owl: dul:A is a property, but was declared a class before"
     );
     assert_eq!(
         fault("<owl:Class rdf:about='http://example.org/A'/>"),
-        "x.owl: \"http://example.org/A\" lies in none of the namespaces that have a prefix"
+        "x.owl: \"http://example.org/A\": its namespace has no prefix"
     );
     assert!(
         Ontology::read(&[("x.owl", "<a>")])

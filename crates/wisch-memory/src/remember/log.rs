@@ -1,31 +1,31 @@
-//! What is noted of a round while it is executed: which motion was when.
+//! Log of a round's motions, kept during the execution.
 
 use wisch::follow::Phase;
 use wisch::interpret::{Event, EventKind};
 use wisch::run::TelemetrySample;
 
-/// Which motions a round was made of, noted sample by sample.
+/// Motions of a round, collected sample by sample.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct RoundLog {
-    /// One for each run of samples of the same kind.
+    /// Runs of samples of the same kind.
     runs: Vec<Run>,
 }
 
-/// Samples of one kind that follow each other.
+/// Consecutive samples of one kind.
 #[derive(Debug, Clone, PartialEq)]
 struct Run {
     kind: Kind,
     /// Times of the first and last sample [s].
     start: f64,
     end: f64,
-    /// Largest size of the outer force [N].
+    /// Largest norm of the external force [N].
     peak_force: f64,
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Kind {
     Drive,
-    /// The tool off the surface, or on its way to or from it.
+    /// The tool is off the surface, or on its way to or from it.
     Lifted,
     Stroke(usize),
 }
@@ -34,16 +34,16 @@ enum Kind {
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Span {
     part: Part,
-    /// From when to when [s since the round began].
+    /// Begin and end [s since the round began].
     pub start: f64,
     pub end: f64,
-    /// The stroke's number, if it is one.
+    /// Number of the stroke, for a stroke.
     pub stroke: Option<usize>,
-    /// Largest size of the outer force [N].
+    /// Largest norm of the external force [N].
     pub peak_force: f64,
 }
 
-/// What a motion is in its round.
+/// Kind of a motion.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Part {
     Approach,
@@ -54,7 +54,8 @@ enum Part {
 }
 
 impl Span {
-    /// What a log's phase is in its round; `None` of other events. A stroke gets this number.
+    /// Returns the kind of motion that an event of a log stands for; `None` for other events. A stroke gets the given
+    /// number.
     pub(super) fn of_phase(event: &Event, stroke: usize) -> Option<Self> {
         let part = match event.kind {
             EventKind::Approach => Part::Approach,
@@ -84,7 +85,7 @@ impl Span {
 }
 
 impl RoundLog {
-    /// Takes a sample in.
+    /// Adds a sample.
     pub fn push(&mut self, sample: &TelemetrySample<'_>) {
         let kind = match sample.phase {
             Phase::Drive => Kind::Drive,
@@ -112,7 +113,7 @@ impl RoundLog {
         }
     }
 
-    /// The motions, in their order.
+    /// Returns the motions in their order.
     pub(super) fn spans(&self) -> Vec<Span> {
         let is_stroke = |run: &Run| matches!(run.kind, Kind::Stroke(_));
         let first = self.runs.iter().position(is_stroke);

@@ -1,4 +1,4 @@
-//! From the log of some other robot to the record of an episode.
+//! Records of episodes from logs of other robots.
 
 use super::log::Span;
 use super::{EpisodeHeader, RoundContext, class_of, describe_touch, goal_of, state, things_of};
@@ -7,12 +7,12 @@ use wisch::interpret::Interpretation;
 use wisch::recover::{Verdict, judge_log};
 use wisch::represent::{GoalState, Task};
 
-/// Place of the one round in the record.
+/// Index of the only round in the record.
 const ROUND: usize = 3;
 
-/// The record of a log of some other robot: one round, of which only the touch is known.
+/// Returns the record of another robot's log: one round, of which only poses and forces are known.
 ///
-/// `name` is that of the log, `duration` how long it is [s].
+/// `name` is the name of the log, `duration` its duration [s].
 pub fn remember_log(
     header: &EpisodeHeader,
     name: &str,
@@ -42,7 +42,7 @@ pub fn remember_log(
     round.set_text("semco:verdict", in_words(verdict));
     round.end_in(state(verdict));
     if !interpretation.can_be_told() {
-        // A mean that rests on a misread log would answer queries as if it were known; the interval stays.
+        // A mean from a misread log would answer queries as if it were certain, so only the interval is stored.
         for individual in [&mut action, &mut round] {
             individual.values.remove("semco:performance");
         }
@@ -77,7 +77,7 @@ pub fn remember_log(
     }
 }
 
-/// The verdict on a log, which nobody goes on from.
+/// Describes the verdict on a log, for which no further round follows.
 const fn in_words(verdict: Verdict) -> &'static str {
     match verdict {
         Verdict::Again => "goal not met",
@@ -85,7 +85,7 @@ const fn in_words(verdict: Verdict) -> &'static str {
     }
 }
 
-/// The motions, as far as touch shows them.
+/// Returns the motions that contact reveals.
 fn phases(interpretation: &Interpretation) -> Vec<Span> {
     let mut strokes = 0;
     let mut spans = Vec::new();

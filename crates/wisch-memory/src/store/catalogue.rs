@@ -1,4 +1,4 @@
-//! The catalogue of a memory: from its tables on disk, and from the folders of what is not in them.
+//! The catalogue of a memory: from its tables on disk, and from the folders of episodes that the tables lack.
 
 use super::error::{MemoryError, at};
 use super::{Memory, remove_folder, sync_folder};
@@ -9,33 +9,33 @@ use std::io::{self, Write};
 use std::path::PathBuf;
 
 const CATALOGUE_FOLDER: &str = ".catalogue";
-/// Says which of the folders beside it is in force.
+/// File that names the current folder of tables.
 const CURRENT_FILE: &str = "current";
-/// Names of episodes that are in the tables and have been forgotten since, one a line.
+/// File with the names of deleted episodes that are still in the tables, one per line.
 const FORGOTTEN_FILE: &str = "forgotten";
-/// When so many episodes have to be read one by one, the tables are written anew.
+/// Number of episodes outside the tables above which the tables are rewritten.
 const MAX_MISSING: usize = 100;
 
-/// Whether the tables are to be written anew.
+/// Whether the tables must be rewritten.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Tables {
     Good,
-    /// They are broken, or much is missing.
+    /// The tables are damaged, or lack many episodes.
     Stale,
 }
 
 impl Memory {
-    /// The graphs of all its episodes.
+    /// Returns the graphs of all its episodes.
     ///
-    /// Tables on disk hold most of them. They are written anew when they are broken or much is missing; where
-    /// that fails, as in a folder that may only be read, the answer is the same, if later.
+    /// Tables on disk hold most of them. The tables are rewritten if they are damaged or lack many episodes. If that
+    /// fails, for example in a read-only folder, the result is the same but slower.
     ///
-    /// Episodes that cannot be read are named in [`Catalogue::left_out`].
+    /// [`Catalogue::left_out`] lists episodes that cannot be read.
     ///
     /// # Errors
     /// If the folder cannot be listed.
     pub fn catalogue(&self) -> Result<Catalogue, MemoryError> {
-        let forgotten = self.forgotten()?;
+        let forgotten = self.read_forgotten()?;
         let ids = self.episodes()?;
         let (mut catalogue, mut tables) = match self.read_tables() {
             Some(catalogue) => (catalogue, Tables::Good),
@@ -53,7 +53,7 @@ impl Memory {
             }
             match self.episode(id).and_then(|episode| episode.record()) {
                 Ok(record) => catalogue.push(&record),
-                // Forgotten meanwhile.
+                // Deleted meanwhile.
                 Err(_) if !self.folder().join(id).exists() => {}
                 Err(error) => catalogue.leave_out(format!("episode {id}: {error}")),
             }
@@ -63,13 +63,13 @@ impl Memory {
             tables = Tables::Stale;
         }
         if tables == Tables::Stale && !catalogue.is_empty() {
-            // Only to be faster next time.
+            // A failure only makes the next call slower.
             let _ = self.write_tables(&catalogue, &forgotten);
         }
         Ok(catalogue)
     }
 
-    /// Writes down that an episode in the tables is no more. Only under the memory's lock.
+    /// Records that an episode in the tables was deleted. The caller must hold the memory's lock.
     pub(super) fn note_forgotten(&self, id: &str) -> Result<(), MemoryError> {
         let folder = self.folder().join(CATALOGUE_FOLDER);
         fs::create_dir_all(&folder).map_err(at(&folder))?;
@@ -85,8 +85,8 @@ impl Memory {
         written.map_err(at(&path))
     }
 
-    /// What is in the tables, but no more.
-    fn forgotten(&self) -> Result<HashSet<String>, MemoryError> {
+    /// Names of deleted episodes that are still in the tables.
+    fn read_forgotten(&self) -> Result<HashSet<String>, MemoryError> {
         let path = self.folder().join(CATALOGUE_FOLDER).join(FORGOTTEN_FILE);
         match fs::read(&path) {
             Ok(bytes) => {
@@ -98,7 +98,7 @@ impl Memory {
         }
     }
 
-    /// The number of the tables in force; 0 where there are none.
+    /// Number of the current tables; 0 without tables.
     fn current(&self) -> u64 {
         let path = self.folder().join(CATALOGUE_FOLDER).join(CURRENT_FILE);
         let text = fs::read_to_string(path).unwrap_or_default();
@@ -114,7 +114,7 @@ impl Memory {
             if let Ok(catalogue) = cache::read(&self.tables(number)) {
                 return Some(catalogue);
             }
-            // They may have been replaced while they were read; if not, they are broken.
+            // They may have been replaced while they were read; if not, they are damaged.
             let now = self.current();
             if now == number {
                 return None;
@@ -128,7 +128,7 @@ impl Memory {
         folder.join(number.to_string())
     }
 
-    /// Writes the tables anew, unless somebody else does.
+    /// Rewrites the tables, unless another process does.
     fn write_tables(
         &self,
         catalogue: &Catalogue,
@@ -139,8 +139,8 @@ impl Memory {
         let Some(_guard) = self.try_lock()? else {
             return Ok(());
         };
-        // What was forgotten meanwhile is still in what is to be written.
-        if self.forgotten()? != *applied {
+        // An episode that was deleted meanwhile is still in the data to be written.
+        if self.read_forgotten()? != *applied {
             return Ok(());
         }
         let current = self.current();
@@ -150,7 +150,7 @@ impl Memory {
         fs::create_dir_all(&new).map_err(at(&new))?;
         cache::write(catalogue, &new).map_err(|error| at(&new)(io::Error::other(error)))?;
         sync_folder(&new)?;
-        // Only then are they in force, at once.
+        // From here on, the new tables are current.
         let next = folder.join("next");
         let written = File::create(&next).and_then(|mut file| {
             file.write_all(number.to_string().as_bytes())?;
@@ -160,11 +160,11 @@ impl Memory {
         let place = folder.join(CURRENT_FILE);
         fs::rename(&next, &place).map_err(at(&place))?;
         sync_folder(&folder)?;
-        // Those names are not in the new tables. Killed before this, the episodes are read one by one.
+        // The new tables lack these names. If the program is killed before this line, episodes are read one by one.
         super::remove_file(&folder.join(FORGOTTEN_FILE))
     }
 
-    /// Removes all tables but those in force, which somebody may be reading.
+    /// Removes all tables except the current ones, which another process may be reading.
     fn remove_old_tables(&self, current: u64) -> Result<(), MemoryError> {
         let folder = self.folder().join(CATALOGUE_FOLDER);
         for entry in fs::read_dir(&folder).map_err(at(&folder))? {

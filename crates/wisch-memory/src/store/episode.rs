@@ -1,4 +1,4 @@
-//! An episode that is there.
+//! A stored episode.
 
 use super::error::{MemoryError, at};
 use super::sums::{FileSum, SUMS_FILE, Sums};
@@ -10,7 +10,7 @@ use std::fs::{self, File};
 use std::io::Seek;
 use std::path::{Component, Path, PathBuf};
 
-/// An episode of a memory; what is asked of it is read then.
+/// An episode of a memory, whose parts are read on demand.
 #[derive(Debug, Clone)]
 pub struct Episode {
     id: String,
@@ -25,20 +25,20 @@ impl Episode {
         }
     }
 
-    /// Its name.
+    /// Name of the episode.
     pub fn id(&self) -> &str {
         &self.id
     }
 
-    /// Where it stands.
+    /// Path of its folder.
     pub fn folder(&self) -> &Path {
         &self.folder
     }
 
-    /// Its record.
+    /// Returns its record.
     ///
     /// # Errors
-    /// A record that cannot be read, is not what was written, or contradicts itself.
+    /// If the record cannot be read, differs from what was written, or contradicts itself.
     pub fn record(&self) -> Result<EpisodeRecord, MemoryError> {
         let path = self.folder.join(RECORD_FILE);
         if let Some(written) = self.sums()?.get(RECORD_FILE)
@@ -65,10 +65,10 @@ impl Episode {
         }
     }
 
-    /// The telemetry of a round, from 1. What is read of it is held against its check sums.
+    /// Returns the telemetry of a round, counted from 1. It is verified against its check sums as it is read.
     ///
     /// # Errors
-    /// If there is none, or it cannot be read.
+    /// If the round has no telemetry, or it cannot be read.
     pub fn telemetry(&self, round: usize) -> Result<Telemetry, MemoryError> {
         let name = telemetry_file(round);
         let path = self.folder.join(&name);
@@ -77,20 +77,20 @@ impl Episode {
         Ok(Telemetry::open_checked(&path, sums.transpose()?)?)
     }
 
-    /// Whether the telemetry of a round, from 1, was kept.
+    /// Whether a round, counted from 1, has telemetry.
     ///
     /// # Errors
-    /// An episode whose check sums cannot be read.
+    /// If the check sums cannot be read.
     pub fn has_telemetry(&self, round: usize) -> Result<bool, MemoryError> {
         Ok(self.sums()?.contains_key(&telemetry_file(round)))
     }
 
-    /// Whether it holds the robot that wiped; a log does not.
+    /// Whether it holds the robot; the episode of an imported log does not.
     pub fn has_robot(&self) -> bool {
         self.folder.join(URDF_FILE).is_file()
     }
 
-    /// Says that the telemetry of a round, from 1, was not kept, and why where that is known.
+    /// Returns the error that a round, counted from 1, has no telemetry, with the reason if known.
     pub fn without_telemetry(&self, round: usize) -> MemoryError {
         let record = self.record().ok();
         let why = record.and_then(|record| record.telemetry_lost(round));
@@ -101,11 +101,11 @@ impl Episode {
         }
     }
 
-    /// What was seen of the dirt before and after a round, from 1; `None` where nothing looked, and in episodes that were
-    /// written when this was not kept.
+    /// Returns the observations of the dirt before and after a round, counted from 1; `None` without a camera, and for
+    /// episodes from before observations were stored.
     ///
     /// # Errors
-    /// A file that is missing, is not what was written, or cannot be read.
+    /// If the file is missing, differs from what was written, or cannot be read.
     pub fn observations(&self, round: usize) -> Result<Option<RoundObservations>, MemoryError> {
         let name = observations_file(round);
         let sums = self.sums()?;
@@ -123,7 +123,7 @@ impl Episode {
         }
     }
 
-    /// What each of its files was when it was written.
+    /// Returns length and check sum of each of its files when it was written.
     pub(super) fn sums(&self) -> Result<Sums, MemoryError> {
         let path = self.folder.join(SUMS_FILE);
         let bytes = fs::read(&path).map_err(at(&path))?;
@@ -133,20 +133,20 @@ impl Episode {
         })
     }
 
-    /// The contents of a file, such as `task.toml` or `round-1/plan.json`.
+    /// Returns the contents of a file, for example `task.toml` or `round-1/plan.json`.
     ///
     /// # Errors
-    /// A name that leads out of the episode, or what the system says.
+    /// If the name leads out of the episode, or the file cannot be read.
     pub fn attachment(&self, name: &str) -> Result<Vec<u8>, MemoryError> {
         check_name(&self.id, name)?;
         let path = self.folder.join(name);
         fs::read(&path).map_err(at(&path))
     }
 
-    /// Opens a file after holding it against its check sum; nothing of it is kept in memory.
+    /// Opens a file after verifying it against its check sum, without keeping it in memory.
     ///
     /// # Errors
-    /// The same, or a file that is not what was written.
+    /// As [`Self::attachment`]; also if the file differs from what was written.
     pub fn open_checked(&self, name: &str) -> Result<File, MemoryError> {
         check_name(&self.id, name)?;
         let path = self.folder.join(name);
@@ -160,16 +160,16 @@ impl Episode {
         Ok(file)
     }
 
-    /// The names of all its files, sorted, with `/` between folder and file.
+    /// Returns the names of all its files, sorted, with `/` between folder and file.
     ///
     /// # Errors
-    /// What the system says.
+    /// If a folder cannot be read.
     pub fn files(&self) -> Result<Vec<String>, MemoryError> {
         files_in(&self.folder)
     }
 }
 
-/// The names of all files in a folder and the folders in it, sorted.
+/// Returns the names of all files in a folder and its subfolders, sorted.
 pub(super) fn files_in(folder: &Path) -> Result<Vec<String>, MemoryError> {
     let mut names = Vec::new();
     list(folder, "", &mut names)?;
@@ -190,17 +190,17 @@ fn list(folder: &Path, before: &str, names: &mut Vec<String>) -> Result<(), Memo
     Ok(())
 }
 
-/// What a round's telemetry is called.
+/// Name of a round's telemetry file.
 pub(super) fn telemetry_file(round: usize) -> String {
     format!("round-{round}.parquet")
 }
 
-/// What a round's observations are called.
+/// Name of a round's observations file.
 pub(super) fn observations_file(round: usize) -> String {
     format!("round-{round}/observations.json")
 }
 
-/// Whether a file of this name stands in the episode and is not written by the store itself.
+/// Checks that a name stays in the episode and is not reserved for the store.
 pub(super) fn check_name(id: &str, name: &str) -> Result<(), MemoryError> {
     if [RECORD_FILE, SUMS_FILE].contains(&name) {
         return Err(MemoryError::Name {
@@ -211,7 +211,7 @@ pub(super) fn check_name(id: &str, name: &str) -> Result<(), MemoryError> {
     check_place(id, name)
 }
 
-/// Whether a file of this name stands in the episode.
+/// Checks that a name stays in the episode.
 pub(super) fn check_place(id: &str, name: &str) -> Result<(), MemoryError> {
     let mut parts = Path::new(name).components();
     let stays = parts.clone().next().is_some()

@@ -1,4 +1,4 @@
-//! What can be wrong with a memory.
+//! Errors of a memory.
 
 use crate::observations::ObservationFault;
 use crate::record::RecordFault;
@@ -9,113 +9,113 @@ use std::path::{Path, PathBuf};
 /// Why a memory cannot be written or read.
 #[derive(Debug, thiserror::Error)]
 pub enum MemoryError {
-    /// What the system says.
+    /// The operating system refuses an operation.
     #[error("{}: {error}", path.display())]
     File {
-        /// The file.
+        /// Path of the file.
         path: PathBuf,
-        /// What it says.
+        /// Error of the operating system.
         error: io::Error,
     },
-    /// There is no such folder.
+    /// The folder does not exist.
     #[error("{}: there is no memory of episodes", path.display())]
     NoMemory {
-        /// Where it was looked for.
+        /// Path of the folder.
         path: PathBuf,
     },
-    /// A name that cannot be that of an episode.
-    #[error("episode {id:?}: a name is made of at most {limit} letters, digits and -")]
+    /// A name cannot be an episode's.
+    #[error("episode {id:?}: a name may have at most {limit} letters, digits and -")]
     Id {
         /// The name.
         id: String,
-        /// Most characters.
+        /// Largest number of characters.
         limit: usize,
     },
-    /// There is an episode of this name already, whole or being written.
-    #[error("{}: episode {id:?} is there already", path.display())]
+    /// An episode with this name exists already, complete or in progress.
+    #[error("{}: episode {id:?} already exists", path.display())]
     Exists {
-        /// The memory.
+        /// Path of the memory.
         path: PathBuf,
         /// The name.
         id: String,
     },
-    /// No such episode.
+    /// The episode does not exist.
     #[error("{}: there is no episode {id:?}{}", path.display(), likely(nearest))]
     Unknown {
-        /// The memory.
+        /// Path of the memory.
         path: PathBuf,
         /// The name.
         id: String,
-        /// The most similar one, if there is any episode.
+        /// The most similar name; empty without episodes.
         nearest: String,
     },
-    /// A record that is none.
+    /// A record cannot be parsed.
     #[error("{}: {what}", path.display())]
     Json {
-        /// The file.
+        /// Path of the file.
         path: PathBuf,
-        /// Where and why.
+        /// Place and description of the fault.
         what: String,
     },
-    /// A record that contradicts itself.
+    /// A record contradicts itself.
     #[error("{}: {fault}", path.display())]
     Record {
-        /// The file.
+        /// Path of the file.
         path: PathBuf,
-        /// What is wrong.
+        /// The fault.
         fault: RecordFault,
     },
-    /// Observations that are none.
+    /// Observations are invalid.
     #[error("{}: {fault}", path.display())]
     Observations {
-        /// The file.
+        /// Path of the file.
         path: PathBuf,
-        /// What is wrong.
+        /// The fault.
         fault: ObservationFault,
     },
-    /// A record in the folder of another episode.
-    #[error("{}: this is the record of {found:?}, not of {id:?}", path.display())]
+    /// The record belongs to another episode.
+    #[error("{}: the record in the folder of {id:?} is that of {found:?}", path.display())]
     Other {
-        /// The file.
+        /// Path of the file.
         path: PathBuf,
-        /// Whose folder it is.
+        /// Episode of the folder.
         id: String,
-        /// Whose record it is.
+        /// Episode of the record.
         found: String,
     },
-    /// A file that is not what was written.
+    /// A file differs from what was written.
     #[error("{}: {what}", path.display())]
     Changed {
-        /// The file.
+        /// Path of the file.
         path: PathBuf,
-        /// How it differs.
+        /// Description of the difference.
         what: String,
     },
-    /// Telemetry that is still being written.
+    /// Telemetry is still being written.
     #[error("{}: this telemetry is not finished", path.display())]
     Unfinished {
-        /// The file.
+        /// Path of the file.
         path: PathBuf,
     },
-    /// A round of which no telemetry was kept.
+    /// A round has no telemetry.
     #[error("episode {id}: round {round} has no telemetry{}", because(why))]
     NoTelemetry {
-        /// The episode.
+        /// Name of the episode.
         id: String,
-        /// The round, from 1.
+        /// Number of the round, from 1.
         round: usize,
-        /// Why it was not kept; empty where that is not known.
+        /// Reason; empty if unknown.
         why: String,
     },
-    /// A file that an episode cannot have.
+    /// An episode cannot have a file of this name.
     #[error("episode {id}: {name:?} cannot be the name of a file in it")]
     Name {
-        /// The episode.
+        /// Name of the episode.
         id: String,
-        /// The name.
+        /// Name of the file.
         name: String,
     },
-    /// Telemetry.
+    /// Error of the telemetry.
     #[error(transparent)]
     Telemetry(#[from] TelemetryError),
 }
@@ -134,7 +134,7 @@ fn because(why: &str) -> String {
     }
 }
 
-/// An error of the system at a file.
+/// Wraps an error of the operating system at a file.
 pub(super) fn at(path: &Path) -> impl FnOnce(io::Error) -> MemoryError + '_ {
     |error| MemoryError::File {
         path: path.to_path_buf(),

@@ -1,24 +1,24 @@
-//! The memory on disk: a folder with a folder for each episode.
+//! The memory on disk: a folder with a subfolder for each episode.
 //!
 //! ```text
 //! episodes/
-//!   20261122-005612-3f2a/    an episode, whole
+//!   20261122-005612-3f2a/    a complete episode
 //!     episode.json           its record
 //!     checksums.json         length and CRC-32 of each file
 //!     round-1.parquet        telemetry
-//!     round-1/               what belongs to a round
-//!       observations.json    what a camera saw of the dirt before and after it; absent where nothing looked
+//!     round-1/               files of a round
+//!       observations.json    camera observations of the dirt before and after it; absent without a camera
 //!       plan.json, …
 //!     task.toml, robot.urdf, …
-//!   .new/                    apart, so that finding what is left over there does not mean going through all
+//!   .new/                    separate, so that cleaning up need not search the whole memory
 //!     20261122-010203-…/     an episode that is being written
-//!     20261122-010203-….lock held by who writes it
-//!     .lock                  held for moments: who begins, clears up or rewrites the catalogue
-//!   .catalogue/              the graphs of all episodes in tables; may go at any time
+//!     20261122-010203-….lock held by its writer
+//!     .lock                  held briefly to begin an episode, clean up or rewrite the catalogue
+//!   .catalogue/              the graphs of all episodes in tables; may be deleted at any time
 //! ```
 //!
-//! An episode comes to its place by one rename, after all of it has reached the disk: it is there whole or not
-//! at all. What a writer that died has left behind is cleared away by the next.
+//! An episode reaches its path by one rename, after all of it is on disk: it is there completely or not at all. The
+//! next writer cleans up after a writer that was killed.
 
 mod catalogue;
 mod episode;
@@ -38,34 +38,34 @@ use std::fs::{self, File, TryLockError};
 use std::io;
 use std::path::{Path, PathBuf};
 
-/// An episode's record in its folder.
+/// File of an episode's record.
 pub const RECORD_FILE: &str = "episode.json";
-/// The robot of an episode.
+/// File of an episode's robot.
 pub(crate) const URDF_FILE: &str = "robot.urdf";
 
-/// Longest name of an episode [characters]; file systems take 255 bytes.
+/// Largest length of an episode's name [characters]; file systems allow 255 bytes.
 const MAX_ID_LEN: usize = 80;
 
-/// Where episodes are on their way into the memory, or out of it.
+/// Folder of episodes on their way into or out of the memory.
 const NEW_FOLDER: &str = ".new";
 const LOCK_ENDING: &str = ".lock";
 const FORGOTTEN_ENDING: &str = ".forgotten";
 const MEMORY_LOCK: &str = ".lock";
-/// What is left of what was told, until it takes its place.
+/// Temporary file for the remaining statements, until it replaces the old one.
 const TOLD_FILE: &str = ".told";
 
-/// The recording of an episode, as `wisch studio` and reports show it: JSON lines, packed.
+/// Recording of an episode, which `wisch studio` and reports show: JSON lines, compressed.
 pub const RECORDING_FILE: &str = "recording.jsonl.gz";
 
-/// Where a run that goes on lets others look on: in `jsonl` lines that grow, in `json` who writes them. There is nothing any
-/// more once its episode, of this name, is in the memory.
+/// Returns the path of a file by which a run publishes its progress: ending `jsonl` for lines that grow, `json` for the
+/// writer. Both files disappear once the episode with this name is in the memory.
 pub fn live_place(memory: &Path, id: &str, ending: &str) -> PathBuf {
     memory.join(".live").join(format!("{id}.{ending}"))
 }
 
 /// A memory of episodes.
 ///
-/// Any number of programs may read and write at the same time; each episode has one writer.
+/// Any number of programs may read and write simultaneously; each episode has one writer.
 ///
 /// ```
 /// use wisch_memory::{EPISODE_SCHEMA, EpisodeRecord, Individual, Memory, Origin};
@@ -102,10 +102,10 @@ pub struct Memory {
 }
 
 impl Memory {
-    /// The memory in a folder.
+    /// Opens the memory in a folder.
     ///
     /// # Errors
-    /// If there is no such folder.
+    /// If the folder does not exist.
     pub fn open(folder: &Path) -> Result<Self, MemoryError> {
         if !folder.is_dir() {
             return Err(MemoryError::NoMemory {
@@ -117,24 +117,24 @@ impl Memory {
         })
     }
 
-    /// The memory in a folder, which is made if it is not there.
+    /// Opens the memory in a folder, creating the folder if necessary.
     ///
     /// # Errors
-    /// What the system says.
+    /// If the folder cannot be created.
     pub fn create(folder: &Path) -> Result<Self, MemoryError> {
         fs::create_dir_all(folder).map_err(at(folder))?;
         Self::open(folder)
     }
 
-    /// Where it stands.
+    /// Path of its folder.
     pub fn folder(&self) -> &Path {
         &self.folder
     }
 
-    /// The names of its episodes, sorted.
+    /// Returns the names of its episodes, sorted.
     ///
     /// # Errors
-    /// What the system says.
+    /// If the folder cannot be read.
     pub fn episodes(&self) -> Result<Vec<String>, MemoryError> {
         let mut names: Vec<String> = entries(&self.folder)?;
         names.retain(|name| is_id(name));
@@ -142,10 +142,10 @@ impl Memory {
         Ok(names)
     }
 
-    /// An episode.
+    /// Returns an episode.
     ///
     /// # Errors
-    /// If there is none of this name.
+    /// If no episode has this name.
     pub fn episode(&self, id: &str) -> Result<Episode, MemoryError> {
         let folder = self.folder.join(id);
         if is_id(id) && folder.is_dir() {
@@ -161,10 +161,10 @@ impl Memory {
         })
     }
 
-    /// Begins an episode, after clearing away what dead writers have left.
+    /// Begins an episode, after cleaning up after writers that were killed.
     ///
     /// # Errors
-    /// A name that is none or taken, or what the system says.
+    /// If the name is invalid or taken, or a file cannot be written.
     pub fn begin(&self, id: &str) -> Result<EpisodeWriter, MemoryError> {
         check_id(id)?;
         let guard = self.lock()?;
@@ -185,36 +185,36 @@ impl Memory {
         Ok(EpisodeWriter::new(self.clone(), id, lock))
     }
 
-    /// Forgets an episode for good.
+    /// Deletes an episode.
     ///
     /// # Errors
-    /// If there is none of this name, or what the system says.
+    /// If no episode has this name, or a file cannot be removed.
     pub fn forget(&self, id: &str) -> Result<(), MemoryError> {
         let episode = self.episode(id)?;
         let guard = self.lock()?;
         self.note_forgotten(id)?;
-        // By one rename, so that nobody meets half of it.
+        // By one rename, so that no reader meets a partial episode.
         let gone = (self.folder.join(NEW_FOLDER)).join(format!("{id}{FORGOTTEN_ENDING}"));
         remove_folder(&gone)?;
         fs::rename(episode.folder(), &gone).map_err(at(episode.folder()))?;
         sync_folder(&self.folder)?;
-        // What was told of it is answered no more, as it is of no episode; now it is removed as well.
+        // Statements about the episode answer no queries any more, as their subject is gone; remove them as well.
         let aside = self.folder.join(NEW_FOLDER).join(TOLD_FILE);
         forget_episode(&self.folder, id, &aside).map_err(at(&self.folder))?;
-        // Under the lock still: another of this name may be forgotten next.
+        // Still under the lock: another episode with this name may be deleted next.
         remove_folder(&gone)?;
         drop(guard);
         Ok(())
     }
 
-    /// Holds others off who begin an episode, clear up or rewrite the catalogue.
+    /// Locks the memory against other processes that begin an episode, clean up or rewrite the catalogue.
     fn lock(&self) -> Result<File, MemoryError> {
         let (path, file) = self.memory_lock()?;
         file.lock().map_err(at(&path))?;
         Ok(file)
     }
 
-    /// The same, if nobody else does at this moment.
+    /// Locks the memory if no other process holds the lock.
     fn try_lock(&self) -> Result<Option<File>, MemoryError> {
         let (path, file) = self.memory_lock()?;
         match file.try_lock() {
@@ -232,19 +232,19 @@ impl Memory {
         Ok((path, file))
     }
 
-    /// Where an episode stands while it is written.
+    /// Path of an episode while it is written.
     fn new_place(&self, id: &str) -> PathBuf {
         self.folder.join(NEW_FOLDER).join(id)
     }
 
-    /// What its writer holds.
+    /// Path of the lock that its writer holds.
     fn lock_place(&self, id: &str) -> PathBuf {
         let folder = self.folder.join(NEW_FOLDER);
         folder.join(format!("{id}{LOCK_ENDING}"))
     }
 
-    /// Clears away what dead writers have left. Only under the memory's lock: a writer that has just made its
-    /// folder is not to be taken for dead.
+    /// Removes what killed writers have left. The caller must hold the memory's lock, because a new writer's folder
+    /// must not count as abandoned.
     fn clear_up(&self) -> Result<(), MemoryError> {
         let folder = self.folder.join(NEW_FOLDER);
         for name in entries(&folder)? {
@@ -257,12 +257,12 @@ impl Memory {
                 continue;
             }
             let id = name.strip_suffix(LOCK_ENDING).unwrap_or(&name);
-            // The memory's own lock is no episode's.
+            // The memory's own lock belongs to no episode.
             if !is_id(id) {
                 continue;
             }
             let lock_path = self.lock_place(id);
-            // Without a lock to hold, nobody writes; with one that can be had, nobody does any more.
+            // An episode whose lock is missing or free has no writer any more.
             let dead = match File::open(&lock_path) {
                 Ok(file) => match file.try_lock() {
                     Ok(()) => true,
@@ -281,18 +281,18 @@ impl Memory {
     }
 }
 
-/// The names of all that is in a folder.
+/// Returns the names of all entries in a folder.
 fn entries(folder: &Path) -> Result<Vec<String>, MemoryError> {
     let mut names = Vec::new();
     for entry in fs::read_dir(folder).map_err(at(folder))? {
         let entry = entry.map_err(at(folder))?;
-        // Names of ours are plain; those that are no text are none of ours.
+        // Names by this program are plain text; entries with other names are ignored.
         names.extend(entry.file_name().into_string());
     }
     Ok(names)
 }
 
-/// Whether a folder of this name is an episode's.
+/// Whether a folder's name can be an episode's.
 fn is_id(name: &str) -> bool {
     let plain = |c: char| c.is_ascii_alphanumeric() || c == '-';
     !name.is_empty() && name.len() <= MAX_ID_LEN && name.chars().all(plain)
@@ -308,7 +308,7 @@ fn check_id(id: &str) -> Result<(), MemoryError> {
     })
 }
 
-/// Makes the names in a folder lasting, where the system can.
+/// Syncs the entries of a folder to disk, where the system can.
 fn sync_folder(folder: &Path) -> Result<(), MemoryError> {
     if cfg!(unix) {
         let synced = File::open(folder).and_then(|folder| folder.sync_all());
@@ -317,7 +317,7 @@ fn sync_folder(folder: &Path) -> Result<(), MemoryError> {
     Ok(())
 }
 
-/// Removes a folder with all that is in it, if it is there.
+/// Removes a folder with its contents, if it exists.
 fn remove_folder(folder: &Path) -> Result<(), MemoryError> {
     match fs::remove_dir_all(folder) {
         Err(error) if error.kind() != io::ErrorKind::NotFound => Err(at(folder)(error)),

@@ -8,32 +8,32 @@ use std::fs::File;
 use std::io::Read;
 use std::path::Path;
 
-/// Where they stand in an episode.
+/// File of the check sums in an episode.
 pub(super) const SUMS_FILE: &str = "checksums.json";
 
-/// Of every file by name.
+/// Check sums of all files, by name.
 pub(super) type Sums = BTreeMap<String, FileSum>;
 
-/// What a file was when it was written.
+/// Length and check sum of a file when it was written.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 pub(super) struct FileSum {
-    /// Its length [bytes].
+    /// Length [bytes].
     bytes: u64,
-    /// Its CRC-32, as in zip files.
+    /// CRC-32, as in zip files.
     crc32: u32,
-    /// The same of each block, of files that are read in parts; older episodes have none.
+    /// CRC-32 of each block, for files that are read in parts; older episodes have none.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     blocks: Vec<u32>,
 }
 
 impl FileSum {
-    /// Of a file as it is now.
+    /// Returns length and check sum of a file in its present state.
     pub(super) fn of(path: &Path) -> Result<Self, MemoryError> {
         let mut file = File::open(path).map_err(at(path))?;
         Self::of_opened(&mut file, path)
     }
 
-    /// Of a file that is open and stands at `path`.
+    /// Returns length and check sum of an open file at `path`.
     pub(super) fn of_opened(file: &mut File, path: &Path) -> Result<Self, MemoryError> {
         let mut hasher = crc32fast::Hasher::new();
         let mut bytes = 0;
@@ -60,7 +60,7 @@ impl FileSum {
         })
     }
 
-    /// Check sums by which the file can be read in parts. Of older episodes the whole file is read for them.
+    /// Returns the check sums of a file's blocks. For older episodes, it reads the whole file to compute them.
     pub(super) fn of_blocks(&self, path: &Path) -> Result<Vec<u32>, MemoryError> {
         if !self.blocks.is_empty() || self.bytes == 0 {
             return Ok(self.blocks.clone());
@@ -75,7 +75,7 @@ impl FileSum {
         }
     }
 
-    /// How a file differs from this.
+    /// Returns how a file differs from this, if it does.
     pub(super) fn difference(&self, now: &Self) -> Option<String> {
         if now.bytes != self.bytes {
             let (now, then) = (now.bytes, self.bytes);
@@ -88,7 +88,7 @@ impl FileSum {
     }
 }
 
-/// Whether a file is read in parts, as telemetry is.
+/// Whether a file is read in parts, like telemetry.
 fn is_read_in_parts(path: &Path) -> bool {
     path.extension().is_some_and(|ending| ending == "parquet")
 }

@@ -1,15 +1,15 @@
-//! Whether all that is stored is what was written, and can be read.
+//! Verification that all stored data are what was written, and readable.
 
 use super::episode::{Episode, telemetry_file};
 use super::sums::FileSum;
 use super::{Memory, MemoryError, RECORD_FILE};
 
-/// Something wrong with a file of an episode.
+/// A fault of an episode's file.
 #[derive(Debug)]
 pub struct Fault {
-    /// The episode.
+    /// Name of the episode.
     pub episode: String,
-    /// What is wrong, and where.
+    /// The fault and its place.
     pub error: MemoryError,
 }
 
@@ -20,10 +20,11 @@ impl std::fmt::Display for Fault {
 }
 
 impl Memory {
-    /// Holds every file against its check sum, and reads every record and every page of every telemetry; names rounds
+    /// Verifies every file against its check sum, reads every record and every page of telemetry, and reports rounds
     /// without telemetry.
     ///
     /// # Errors
+    /// If the folder cannot be listed.
     /// If the folder cannot be listed.
     pub fn verify(&self) -> Result<Vec<Fault>, MemoryError> {
         let mut faults = Vec::new();
@@ -34,7 +35,7 @@ impl Memory {
                     faults.extend(episode.missing_telemetry());
                     faults
                 }
-                // Forgotten meanwhile.
+                // Deleted meanwhile.
                 Err(MemoryError::Unknown { .. }) => continue,
                 Err(error) => vec![error],
             };
@@ -48,14 +49,14 @@ impl Memory {
 }
 
 impl Episode {
-    /// What is wrong with it: every file is held against its check sum, its record and all telemetry are read.
+    /// Verifies every file against its check sum, and reads record and telemetry. Returns all faults.
     pub fn faults(&self) -> Vec<MemoryError> {
         let sums = match self.sums() {
             Ok(sums) => sums,
             Err(error) => return vec![error],
         };
         let mut faults = Vec::new();
-        // The record has to be there even if the sums know nothing of it.
+        // The record must exist even if the check sums do not list it.
         if !sums.contains_key(RECORD_FILE) {
             faults.extend(self.record().err());
         }
@@ -65,7 +66,7 @@ impl Episode {
         faults
     }
 
-    /// The rounds of its record of which no telemetry was kept. The rest of it is whole, and can be copied.
+    /// Returns the rounds without telemetry. The rest of the episode is complete and can be copied.
     fn missing_telemetry(&self) -> Vec<MemoryError> {
         let (Ok(sums), Ok(record)) = (self.sums(), self.record()) else {
             return Vec::new();

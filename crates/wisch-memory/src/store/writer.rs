@@ -1,4 +1,4 @@
-//! An episode while it is written.
+//! Writer of an episode.
 
 use super::episode::{
     Episode, check_name, check_place, files_in, observations_file, telemetry_file,
@@ -14,13 +14,13 @@ use std::fs::{self, File};
 use std::io::Write;
 use std::path::{Path, PathBuf};
 
-/// An episode in the making. Dropped uncommitted, it leaves nothing behind; killed, until the next one begins.
+/// An episode in progress. If dropped without a commit, it is removed; if killed, the next writer removes it.
 #[derive(Debug)]
 pub struct EpisodeWriter {
     memory: Memory,
     id: String,
     folder: PathBuf,
-    /// Held until the episode is at its place.
+    /// Lock that is held until the episode is in place.
     _lock: File,
 }
 
@@ -34,15 +34,15 @@ impl EpisodeWriter {
         }
     }
 
-    /// Its name.
+    /// Name of the episode.
     pub fn id(&self) -> &str {
         &self.id
     }
 
-    /// Begins the telemetry of a round, from 1; it has to be finished before the episode is committed.
+    /// Begins the telemetry of a round, counted from 1, which must be finished before the commit.
     ///
     /// # Errors
-    /// What the system says.
+    /// If a file cannot be written.
     pub fn telemetry(
         &self,
         round: usize,
@@ -52,10 +52,10 @@ impl EpisodeWriter {
         Ok(TelemetryWriter::create(&path, head)?)
     }
 
-    /// The same for a log of these columns.
+    /// Begins the telemetry of a round with the columns of a log.
     ///
     /// # Errors
-    /// What the system says.
+    /// If a file cannot be written.
     pub fn telemetry_with_columns(
         &self,
         round: usize,
@@ -66,10 +66,10 @@ impl EpisodeWriter {
         Ok(TelemetryWriter::with_columns(&path, head, columns)?)
     }
 
-    /// Adds what was seen before and after a round, from 1; nothing where nothing looked.
+    /// Adds the observations before and after a round, counted from 1; does nothing without observations.
     ///
     /// # Errors
-    /// A number that is not finite, a pose that is none, or what the system says.
+    /// If a number is not finite, a pose is invalid, or a file cannot be written.
     pub fn observations(
         &self,
         round: usize,
@@ -86,10 +86,10 @@ impl EpisodeWriter {
         self.attach(&name, text)
     }
 
-    /// Adds a file, such as `task.toml` or `round-1/plan.json`.
+    /// Adds a file, for example `task.toml` or `round-1/plan.json`.
     ///
     /// # Errors
-    /// A name that leads out of the episode or is that of its record, or what the system says.
+    /// If the name leads out of the episode or is reserved, or the file cannot be written.
     pub fn attach(&self, name: &str, contents: impl AsRef<[u8]>) -> Result<(), MemoryError> {
         check_name(&self.id, name)?;
         let path = self.folder.join(name);
@@ -99,11 +99,11 @@ impl EpisodeWriter {
         write_lasting(&path, contents.as_ref())
     }
 
-    /// Puts the episode at its place, with this record.
+    /// Commits the episode with this record: moves it into the memory.
     ///
     /// # Errors
-    /// A record of another episode or one that contradicts itself, telemetry that is not finished, or what the
-    /// system says; then the episode is not there.
+    /// If the record belongs to another episode or contradicts itself, telemetry is not finished, or a file cannot be
+    /// written; then the memory does not hold the episode.
     pub fn commit(self, record: &EpisodeRecord) -> Result<(), MemoryError> {
         let path = self.folder.join(RECORD_FILE);
         let place = self.memory.folder.join(&self.id);
@@ -128,10 +128,10 @@ impl EpisodeWriter {
         self.move_to_place(&place)
     }
 
-    /// Adds a file of an episode that is copied from elsewhere, its record and check sums as well.
+    /// Adds a file of an episode that is copied from elsewhere, including its record and check sums.
     ///
     /// # Errors
-    /// A name that leads out of the episode, or what the system says.
+    /// If the name leads out of the episode, or the file cannot be written.
     pub fn restore(&self, name: &str, contents: &[u8]) -> Result<(), MemoryError> {
         check_place(&self.id, name)?;
         let path = self.folder.join(name);
@@ -141,11 +141,12 @@ impl EpisodeWriter {
         write_lasting(&path, contents)
     }
 
-    /// Puts the episode at its place whose files were all [restored](Self::restore): each is what its check sums say, and
-    /// can be read.
+    /// Commits an episode whose files were all [restored](Self::restore), after verifying each file against its check
+    /// sum.
     ///
     /// # Errors
-    /// The first file that is missing or not what was written, or what the system says; then the episode is not there.
+    /// If a file is missing or differs from what was written, or cannot be moved; then the memory does not hold the
+    /// episode.
     pub fn commit_restored(self) -> Result<(), MemoryError> {
         let copied = Episode::new(&self.id, self.folder.clone());
         if let Some(error) = copied.faults().into_iter().next() {
@@ -155,7 +156,7 @@ impl EpisodeWriter {
         self.move_to_place(&place)
     }
 
-    /// By one rename, after all of it has reached the disk.
+    /// Moves the episode into the memory by one rename, after all of it is on disk.
     fn move_to_place(&self, place: &Path) -> Result<(), MemoryError> {
         for folder in folders_in(&self.folder)? {
             sync_folder(&folder)?;
@@ -166,7 +167,7 @@ impl EpisodeWriter {
 }
 
 impl EpisodeWriter {
-    /// What the files are, so that a scratch in them is found.
+    /// Returns the check sums of all files, by which later damage is found.
     fn sums(&self) -> Result<String, MemoryError> {
         let mut sums = Sums::new();
         for name in files_in(&self.folder)? {
@@ -181,7 +182,7 @@ impl EpisodeWriter {
 
 impl Drop for EpisodeWriter {
     fn drop(&mut self) {
-        // After a commit there is no such folder any more; what cannot be removed now, the next writer removes.
+        // After a commit this folder is gone; the next writer removes what cannot be removed now.
         let lock = self.memory.lock_place(&self.id);
         let _ = remove_folder(&self.folder).and_then(|()| remove_file(&lock));
     }
@@ -195,7 +196,7 @@ fn write_lasting(path: &Path, contents: &[u8]) -> Result<(), MemoryError> {
     written.map_err(at(path))
 }
 
-/// A folder and those in it. Telemetry that still grows is an error: it would be there in part.
+/// Returns a folder and its subfolders. Unfinished telemetry is an error, because only part of it would be stored.
 fn folders_in(folder: &Path) -> Result<BTreeSet<PathBuf>, MemoryError> {
     let mut folders = BTreeSet::from([folder.to_path_buf()]);
     for entry in fs::read_dir(folder).map_err(at(folder))? {

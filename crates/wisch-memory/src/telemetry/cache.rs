@@ -1,12 +1,12 @@
-//! Decoded pieces of columns that were asked for lately, within a budget.
+//! Cache of decoded chunks of columns, within a budget.
 
 use std::collections::HashMap;
 use std::sync::Arc;
 
-/// What a piece is a piece of: row group and column.
+/// Row group and column of a chunk.
 pub(super) type Place = (usize, usize);
 
-/// Decoded values of one column in one row group.
+/// Decoded values of a column in a row group.
 #[derive(Debug, Clone)]
 pub(super) enum Piece {
     Times(Arc<[i64]>),
@@ -24,7 +24,7 @@ impl Piece {
     }
 }
 
-/// Pieces by place; those not asked for longest go first.
+/// Chunks by row group and column; the least recently used ones are evicted first.
 #[derive(Debug)]
 pub(super) struct PieceCache {
     budget: usize,
@@ -61,7 +61,7 @@ impl PieceCache {
         }
     }
 
-    /// Down to half the budget at once, so that it is seldom done.
+    /// Evicts down to half the budget at once, so that this happens seldom.
     fn shrink(&mut self) {
         let mut by_age: Vec<(u64, Place)> = self
             .pieces

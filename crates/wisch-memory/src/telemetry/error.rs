@@ -1,4 +1,4 @@
-//! What can be wrong with a telemetry file.
+//! Errors of a telemetry file.
 
 use parquet::errors::ParquetError;
 use std::io;
@@ -7,74 +7,74 @@ use std::path::PathBuf;
 /// Why telemetry cannot be written or read.
 #[derive(Debug, thiserror::Error)]
 pub enum TelemetryError {
-    /// What the system says.
+    /// The operating system refuses an operation.
     #[error("{}: {error}", path.display())]
     File {
-        /// The file.
+        /// Path of the file.
         path: PathBuf,
-        /// What it says.
+        /// Error of the operating system.
         error: io::Error,
     },
-    /// Not a whole Parquet file, or broken in the middle.
+    /// The file is not a complete Parquet file, or is damaged.
     #[error("{}: {place}: {error}", path.display())]
     Parquet {
-        /// The file.
+        /// Path of the file.
         path: PathBuf,
-        /// Where in it.
+        /// Place in the file.
         place: String,
-        /// What is wrong.
+        /// Error of the Parquet reader.
         error: ParquetError,
     },
-    /// A Parquet file, but none of ours.
+    /// A Parquet file, but not telemetry of this program.
     #[error("{}: {what}", path.display())]
     Foreign {
-        /// The file.
+        /// Path of the file.
         path: PathBuf,
-        /// What is missing, or different.
+        /// What is missing or different.
         what: String,
     },
-    /// No such column.
+    /// The column does not exist.
     #[error("{}: there is no column {name:?}; the nearest is {nearest:?}", path.display())]
     Column {
-        /// The file.
+        /// Path of the file.
         path: PathBuf,
         /// The name.
         name: String,
-        /// The most similar one.
+        /// The most similar name.
         nearest: String,
     },
-    /// Two columns of the same name.
+    /// Two columns have the same name.
     #[error("{}: there are two columns {name:?}", path.display())]
     Twice {
-        /// The file.
+        /// Path of the file.
         path: PathBuf,
         /// The name.
         name: String,
     },
-    /// A time that is none.
+    /// A time is out of range.
     #[error("time: {time} s is not between 0 and {limit} s")]
     Time {
         /// The time [s].
         time: f64,
-        /// The latest possible [s].
+        /// The latest allowed time [s].
         limit: f64,
     },
-    /// A time not after the last.
-    #[error("time: {time} s does not come after {last} s")]
+    /// A time is not later than the previous one.
+    #[error("time: {time} s is not later than the previous sample's, {last} s")]
     Backwards {
         /// The time [s].
         time: f64,
-        /// The one before [s].
+        /// Time of the previous sample [s].
         last: f64,
     },
-    /// An array of another length.
-    #[error("{what}: {count} values where there are {expected}")]
+    /// An array has the wrong length.
+    #[error("{what}: {count} values; expected {expected}")]
     Count {
-        /// Of what.
+        /// Name of the array.
         what: &'static str,
-        /// How many came.
+        /// Its number of values.
         count: usize,
-        /// How many there should be.
+        /// Expected number of values.
         expected: usize,
     },
 }

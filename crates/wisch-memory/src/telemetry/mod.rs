@@ -1,17 +1,17 @@
-//! Telemetry of a round in columns: joints, poses and wrenches at every sample, in one Parquet file.
+//! Telemetry of a round in columns: joints, poses and wrenches of every sample, in one Parquet file.
 //!
-//! Joints are stored, frames are not: [`Frames`](crate::Frames) computes them on demand.
+//! Telemetry stores joints, not frames: [`Frames`](crate::Frames) computes frames on demand.
 //!
 //! | column | unit | what |
 //! |---|---|---|
-//! | `time` | ns | since the round began; always there |
-//! | `motion`, `stroke` | – | number of the motion, and of the stroke that it wipes or −1; always there |
-//! | `phase` | – | place in [`PHASES`]; always there |
+//! | `time` | ns | time since the round began; always present |
+//! | `motion`, `stroke` | – | number of the motion, and of its stroke or −1; always present |
+//! | `phase` | – | index in [`PHASES`]; always present |
 //! | `position/J`, `velocity/J`, `effort/J` | rad, m, Nm, N | of the variable `J` of the robot |
-//! | `commanded/x` … `qw` | m, – | where the tool was told to be, in the world; the quaternion x, y, z, w |
-//! | `measured/x` … `qw` | m, – | where the tool is by the joints' positions |
-//! | `controller/fx` … `mz` | N, Nm | what the controller asks, in the world's axes about the tool centre point |
-//! | `external/fx` … `mz` | N, Nm | what the surroundings do to the tool, likewise |
+//! | `commanded/x` … `qw` | m, – | commanded pose of the tool in the world; quaternion x, y, z, w |
+//! | `measured/x` … `qw` | m, – | pose of the tool from the joint positions |
+//! | `controller/fx` … `mz` | N, Nm | wrench that the controller commands, in the world's axes about the tool centre point |
+//! | `external/fx` … `mz` | N, Nm | wrench of the surroundings on the tool, likewise |
 
 mod cache;
 mod error;
@@ -28,17 +28,17 @@ use crate::columns::Kind;
 /// Version of the files.
 pub const TELEMETRY_SCHEMA: u32 = 1;
 
-/// What the numbers of the column `phase` mean.
+/// Meaning of the numbers in the column `phase`.
 pub const PHASES: [&str; 6] = ["drive", "transfer", "lifted", "lower", "wipe", "lift"];
 
-/// Columns that every file has, before those of its own.
+/// Columns that every file has, before its own ones.
 const FIXED: [(&str, Kind); 4] = [
     ("time", Kind::Growing),
     ("motion", Kind::Code),
     ("stroke", Kind::Code),
     ("phase", Kind::Code),
 ];
-/// Place of each of [`FIXED`].
+/// Index of each of [`FIXED`].
 const TIME: usize = 0;
 
 /// Parts of a pose.
@@ -46,21 +46,21 @@ const POSE: [&str; 7] = ["x", "y", "z", "qx", "qy", "qz", "qw"];
 /// Parts of a wrench.
 const WRENCH: [&str; 6] = ["fx", "fy", "fz", "mx", "my", "mz"];
 
-/// Key under which a file says its version.
+/// Key of a file's schema version.
 const SCHEMA_KEY: &str = "wisch.telemetry";
-/// Key under which a file says the names of the robot's variables, as JSON.
+/// Key of the names of the robot's variables, as JSON.
 const JOINTS_KEY: &str = "wisch.joints";
-/// Before the key of a note.
+/// Prefix of a note's key.
 const NOTE_PREFIX: &str = "wisch.note.";
 
 const NANOSECONDS_PER_SECOND: f64 = 1e9;
 
-/// Seconds of a stored time.
+/// Converts a stored time to seconds.
 fn seconds(nanoseconds: i64) -> f64 {
     nanoseconds as f64 / NANOSECONDS_PER_SECOND
 }
 
-/// The columns of a robot with these variables.
+/// Returns the columns of a robot with these variables.
 fn robot_columns(joints: &[String]) -> Vec<String> {
     let mut columns = Vec::new();
     for what in ["position", "velocity", "effort"] {

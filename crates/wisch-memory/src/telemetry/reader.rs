@@ -1,4 +1,4 @@
-//! Telemetry read by column and time: only what is asked for is decoded, and kept for the next question.
+//! Reader of telemetry by column and time: it decodes only what is requested, and caches it.
 
 use super::cache::{Piece, PieceCache, Place};
 use super::{
@@ -17,10 +17,10 @@ use std::ops::Range;
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
-/// Decoded values that are kept [bytes]: an hour of 13 joints at 1 kHz takes 190 MB.
+/// Size of the cache [bytes]: an hour of 13 joints at 1 kHz takes 190 MB.
 const CACHE_BYTES: usize = 256 << 20;
 
-/// One column over a time.
+/// Values of a column over an interval.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Series {
     /// Times since the round began [s].
@@ -29,16 +29,16 @@ pub struct Series {
     pub values: Vec<f64>,
 }
 
-/// The telemetry of a round.
+/// Telemetry of a round.
 ///
-/// Opening reads the footer only. Any number of threads may ask.
+/// Opening reads only the footer. Any number of threads may read.
 pub struct Telemetry {
     path: PathBuf,
     joints: Vec<String>,
     notes: BTreeMap<String, String>,
     columns: HashMap<String, usize>,
     groups: Vec<Group>,
-    /// The file has one cursor, so one reads at a time.
+    /// The file has one cursor, so threads read one after the other.
     file: Mutex<Source>,
 }
 
@@ -59,13 +59,12 @@ impl Telemetry {
     /// Opens a file.
     ///
     /// # Errors
-    /// A file that cannot be read, is cut off, or was not written by [`TelemetryWriter`](super::TelemetryWriter).
+    /// If the file cannot be read, is cut off, or was not written by [`TelemetryWriter`](super::TelemetryWriter).
     pub fn open(path: &Path) -> Result<Self, TelemetryError> {
         Self::open_checked(path, None)
     }
 
-    /// The same of a file of which the check sums of all blocks are known: what is read that was not written is an
-    /// error.
+    /// Opens a file with the check sums of all its blocks, which are verified as the blocks are read.
     pub(crate) fn open_checked(
         path: &Path,
         sums: Option<Vec<u32>>,
@@ -90,7 +89,7 @@ impl Telemetry {
             Some(schema) if schema.parse() == Ok(TELEMETRY_SCHEMA) => {}
             Some(schema) => {
                 return Err(foreign(format!(
-                    "schema {schema} is not supported, this program reads {TELEMETRY_SCHEMA}"
+                    "schema {schema} is not supported; this program reads {TELEMETRY_SCHEMA}"
                 )));
             }
         }
@@ -124,7 +123,7 @@ impl Telemetry {
         })
     }
 
-    /// Where it stands.
+    /// Path of the file.
     pub fn path(&self) -> &Path {
         &self.path
     }
@@ -134,33 +133,33 @@ impl Telemetry {
         &self.joints
     }
 
-    /// What was noted when it was written.
+    /// Notes of the writer.
     pub fn notes(&self) -> &BTreeMap<String, String> {
         &self.notes
     }
 
-    /// The columns' names, sorted.
+    /// Names of the columns, sorted.
     pub fn columns(&self) -> Vec<&str> {
         let mut names: Vec<&str> = self.columns.keys().map(String::as_str).collect();
         names.sort_unstable();
         names
     }
 
-    /// How many samples there are.
+    /// Number of samples.
     pub fn rows(&self) -> usize {
         self.groups.last().map_or(0, |group| group.rows.end)
     }
 
-    /// Times of the first and last sample [s], if there is one.
+    /// Times of the first and last sample [s]; `None` without samples.
     pub fn interval(&self) -> Option<[f64; 2]> {
         let (first, last) = (self.groups.first()?, self.groups.last()?);
         Some([seconds(first.times[0]), seconds(last.times[1])])
     }
 
-    /// The rows whose times lie from the first to the second time [s], both included.
+    /// Returns the rows with times in an interval [s], both ends included.
     ///
     /// # Errors
-    /// A broken file.
+    /// If the file is damaged.
     pub fn rows_between(&self, [from, to]: [f64; 2]) -> Result<Range<usize>, TelemetryError> {
         let first = nanoseconds(from);
         let start = self.row_after(|time| time >= first)?;
@@ -169,10 +168,10 @@ impl Telemetry {
         Ok(start..end.max(start))
     }
 
-    /// The row nearest to a time [s], if there is one.
+    /// Returns the row nearest to a time [s]; `None` without rows.
     ///
     /// # Errors
-    /// A broken file.
+    /// If the file is damaged.
     pub fn nearest_row(&self, time: f64) -> Result<Option<usize>, TelemetryError> {
         let Some(last) = self.rows().checked_sub(1) else {
             return Ok(None);
@@ -187,29 +186,29 @@ impl Telemetry {
         Ok(Some(if is_before { before } else { after }))
     }
 
-    /// The time of a row [s].
+    /// Returns the time of a row [s].
     ///
     /// # Errors
-    /// A broken file.
+    /// If the file is damaged.
     ///
     /// # Panics
-    /// If there is no such row.
+    /// If the row does not exist.
     pub fn time(&self, row: usize) -> Result<f64, TelemetryError> {
         self.time_at(row).map(seconds)
     }
 
-    /// The times of rows [s].
+    /// Returns the times of rows [s].
     ///
     /// # Errors
-    /// A broken file.
+    /// If the file is damaged.
     pub fn times(&self, rows: Range<usize>) -> Result<Vec<f64>, TelemetryError> {
         self.values("time", rows)
     }
 
-    /// The values of a column in rows, in its unit; times in seconds.
+    /// Returns the values of a column in some rows, in its unit; times in seconds.
     ///
     /// # Errors
-    /// No such column, or a broken file.
+    /// If the column does not exist, or the file is damaged.
     pub fn values(&self, column: &str, rows: Range<usize>) -> Result<Vec<f64>, TelemetryError> {
         let column = self.column(column)?;
         let mut values = Vec::with_capacity(rows.len());
@@ -234,12 +233,12 @@ impl Telemetry {
         Ok(values)
     }
 
-    /// A column between two times [s], both included.
+    /// Returns a column over an interval [s], both ends included.
     ///
     /// # Errors
-    /// No such column, or a broken file.
+    /// If the column does not exist, or the file is damaged.
     pub fn series(&self, column: &str, interval: [f64; 2]) -> Result<Series, TelemetryError> {
-        // First, as a wrong name is to be said even of an empty time.
+        // Checked first, so that a wrong name is an error even for an empty interval.
         self.column(column)?;
         let rows = self.rows_between(interval)?;
         Ok(Series {
@@ -248,13 +247,13 @@ impl Telemetry {
         })
     }
 
-    /// The values of some columns in one row.
+    /// Returns the values of some columns in one row.
     ///
     /// # Errors
-    /// No such column, or a broken file.
+    /// If a column does not exist, or the file is damaged.
     ///
     /// # Panics
-    /// If there is no such row.
+    /// If the row does not exist.
     pub fn row(&self, columns: &[&str], row: usize) -> Result<Vec<f64>, TelemetryError> {
         let values = columns.iter().map(|column| {
             let values = self.values(column, row..row + 1)?;
@@ -263,10 +262,10 @@ impl Telemetry {
         values.collect()
     }
 
-    /// What is wrong with it, if anything: every page is read.
+    /// Verifies the file: reads every page.
     ///
     /// # Errors
-    /// The first place that cannot be decoded, or where time runs backwards.
+    /// At the first place that cannot be decoded, or where times decrease.
     pub fn verify(&self) -> Result<(), TelemetryError> {
         let mut places: Vec<usize> = self.columns.values().copied().collect();
         places.sort_unstable();
@@ -280,7 +279,7 @@ impl Telemetry {
                         if time <= last {
                             return Err(TelemetryError::Foreign {
                                 path: self.path.clone(),
-                                what: format!("row group {index}: time runs backwards"),
+                                what: format!("row group {index}: the times decrease"),
                             });
                         }
                         last = time;
@@ -292,7 +291,7 @@ impl Telemetry {
     }
 
     fn source(&self) -> MutexGuard<'_, Source> {
-        // Nothing is left half done by who panics in between.
+        // A panic leaves no broken state behind, so a poisoned lock is harmless.
         self.file.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
@@ -314,7 +313,7 @@ impl Telemetry {
         })
     }
 
-    /// The first row whose time is such, where all after it are too.
+    /// Returns the first row whose time meets a monotone condition.
     fn row_after(&self, is_after: impl Fn(i64) -> bool) -> Result<usize, TelemetryError> {
         let index = self
             .groups
@@ -391,7 +390,7 @@ fn groups(reader: &SerializedFileReader<CheckedFile>) -> Result<Vec<Group>, Parq
         };
         let Some((&first, &last)) = times else {
             return Err(ParquetError::General(format!(
-                "row group {index} does not say its times"
+                "row group {index} does not state its times"
             )));
         };
         groups.push(Group {
@@ -402,7 +401,7 @@ fn groups(reader: &SerializedFileReader<CheckedFile>) -> Result<Vec<Group>, Parq
     Ok(groups)
 }
 
-/// The stored time nearest to this [ns].
+/// Returns the stored time nearest to `time` [ns].
 fn nanoseconds(time: f64) -> i64 {
     (time * NANOSECONDS_PER_SECOND).round() as i64
 }

@@ -1,4 +1,4 @@
-//! Telemetry as the interpretation takes it.
+//! Telemetry as input for the interpreter.
 
 use super::{POSE, Telemetry, TelemetryError};
 use nalgebra::{Quaternion, UnitQuaternion};
@@ -6,12 +6,12 @@ use wisch::geometry::{Pose, Vector3};
 use wisch::interpret::TouchSample;
 
 impl Telemetry {
-    /// Where the tool was and what force it felt at every sample: `measured` in the world, and the force of `external`.
+    /// Returns tool poses and forces of all samples: `measured` in the world, and the force of `external`.
     ///
-    /// Numbers are of single precision: positions within 1 m are exact to 30 nm, forces within 100 N to 4 µN.
+    /// Numbers have single precision: positions within 1 m are exact to 30 nm, forces within 100 N to 4 µN.
     ///
     /// # Errors
-    /// Telemetry without these columns, or a broken file.
+    /// If the telemetry lacks these columns, or the file is damaged.
     pub fn touch_samples(&self) -> Result<Vec<TouchSample>, TelemetryError> {
         let rows = 0..self.rows();
         let column = |name: String| self.values(&name, rows.clone());

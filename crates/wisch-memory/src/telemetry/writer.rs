@@ -1,4 +1,4 @@
-//! Telemetry written while it comes in, in bounded memory.
+//! Writer of telemetry during an execution, in bounded memory.
 
 use super::{
     FIXED, JOINTS_KEY, NANOSECONDS_PER_SECOND, NOTE_PREFIX, PHASES, SCHEMA_KEY, TELEMETRY_SCHEMA,
@@ -20,35 +20,35 @@ use wisch::follow::Phase;
 use wisch::geometry::Pose;
 use wisch::run::{TelemetrySample, Wrench};
 
-/// What a row group holds [ns]: who asks for a second decodes ten.
+/// Length of a row group [ns]: reading a second decodes ten seconds.
 const GROUP_TIME: i64 = 10 * NANOSECONDS_PER_SECOND as i64;
-/// Or this many rows, however short they follow each other: 100 columns of them are 40 MB.
+/// Largest number of rows in a row group: 100 columns of them are 40 MB.
 const GROUP_ROWS: usize = 100_000;
-/// Longest time that a sample may bear [s]: thirty years, well within 64 bits of nanoseconds.
+/// Largest time of a sample [s]: thirty years, well within 64 bits of nanoseconds.
 const MAX_TIME: f64 = 1e9;
 
-/// What a file says once.
+/// Constant data of a file.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct TelemetryHead {
     /// Names of the robot's variables, in the order of the samples' arrays.
     pub joints: Vec<String>,
-    /// Anything else worth keeping.
+    /// Further notes.
     pub notes: BTreeMap<String, String>,
 }
 
-/// What a row belongs to.
+/// Motion and phase of a row.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Mark {
     /// Number of the motion in the round.
     pub motion: usize,
-    /// What that motion is for.
+    /// Phase of that motion.
     pub phase: Phase,
 }
 
-/// Writes telemetry while a robot wipes.
+/// Writer of telemetry during an execution.
 ///
-/// Until [`finish`](Self::finish), the file bears the ending `.active` after its own: what bears its own name is
-/// whole. Memory holds what has come in since the last row group, at most ten seconds.
+/// Until [`finish`](Self::finish), the file name has the additional ending `.active`, so that a file with its own name
+/// is complete. Memory holds at most the last ten seconds, the rows of one row group.
 ///
 /// ```
 /// use wisch::run::{TelemetrySample, Wrench};
@@ -91,24 +91,24 @@ pub struct TelemetryWriter {
     times: Vec<i64>,
     marks: [Vec<i32>; 3],
     columns: Vec<Vec<f32>>,
-    /// Time of the last row [ns], if there was one.
+    /// Time of the last row, if any [ns].
     last: Option<i64>,
 }
 
 impl TelemetryWriter {
-    /// Begins the telemetry of a robot, which is to stand at `path` in the end.
+    /// Begins the telemetry of a robot, which [`Self::finish`] moves to `path`.
     ///
     /// # Errors
-    /// Two variables of the same name, or what the system says.
+    /// If two variables have the same name, or the file cannot be written.
     pub fn create(path: &Path, head: TelemetryHead) -> Result<Self, TelemetryError> {
         let columns = robot_columns(&head.joints);
         Self::with_columns(path, head, &columns)
     }
 
-    /// Begins a file of these columns, such as a log of a robot that says no more.
+    /// Begins a file with the given columns, for a log without joints.
     ///
     /// # Errors
-    /// Two columns of the same name, or what the system says.
+    /// If two columns have the same name, or the file cannot be written.
     pub fn with_columns(
         path: &Path,
         head: TelemetryHead,
@@ -150,11 +150,11 @@ impl TelemetryWriter {
         })
     }
 
-    /// Adds a sample. Positions, velocities and efforts that are not measured, empty arrays, are written as NaN.
+    /// Adds a sample. Positions, velocities and efforts that are not measured (empty arrays) are written as NaN.
     ///
     /// # Errors
-    /// A time that is not finite, negative or not later than the last; arrays of another length than there are
-    /// joints; or what the system says.
+    /// If the time is not finite, is negative or is not later than the previous one, if an array does not have one
+    /// value per joint, or if the file cannot be written.
     pub fn write(&mut self, sample: &TelemetrySample<'_>) -> Result<(), TelemetryError> {
         let unmeasured = vec![f64::NAN; self.joints];
         let mut arrays = [
@@ -188,11 +188,11 @@ impl TelemetryWriter {
         self.push(sample.time, mark, joints.chain(poses).chain(wrenches))
     }
 
-    /// Adds a row: a value for each column of its own.
+    /// Adds a row with a value for each of the file's own columns.
     ///
     /// # Errors
-    /// A time that is not finite, negative or not later than the last [s]; another number of values; or what the
-    /// system says.
+    /// If the time [s] is not finite, is negative or is not later than the previous one, if the number of values is
+    /// wrong, or if the file cannot be written.
     pub fn push(
         &mut self,
         time: f64,
@@ -214,7 +214,7 @@ impl TelemetryWriter {
             count += 1;
         }
         if count != self.columns.len() {
-            // The row is taken back.
+            // Removes the incomplete row.
             for column in &mut self.columns {
                 column.truncate(row);
             }
@@ -234,10 +234,10 @@ impl TelemetryWriter {
         Ok(())
     }
 
-    /// Ends the file, makes it lasting and gives it its name.
+    /// Finishes the file, syncs it to disk and moves it to its path.
     ///
     /// # Errors
-    /// What the system says; the file then keeps the ending `.active`.
+    /// If the file cannot be written or moved; it then keeps the ending `.active`.
     pub fn finish(mut self) -> Result<(), TelemetryError> {
         self.flush()?;
         let active = self.active;
@@ -259,10 +259,10 @@ impl TelemetryWriter {
         })
     }
 
-    /// Gives the file up: what is there of it goes.
+    /// Abandons and removes the file.
     pub fn abandon(self) {
         drop(self.file);
-        // What cannot be removed keeps the ending that says what it is.
+        // A file that cannot be removed keeps the ending that marks it as incomplete.
         let _ = fs::remove_file(&self.active);
     }
 
@@ -311,7 +311,7 @@ fn properties<'a>(
         note(JOINTS_KEY.to_owned(), joints),
     ];
     notes.extend((head.notes.iter()).map(|(k, v)| note(format!("{NOTE_PREFIX}{k}"), v.clone())));
-    // Only times are searched; what is not written about the others need not be read when a file is opened.
+    // Only times are searched, so statistics of other columns are left out and opening a file stays fast.
     let builder = WriterProperties::builder()
         .set_compression(Compression::ZSTD(ZstdLevel::default()))
         .set_max_row_group_row_count(None)
@@ -338,7 +338,7 @@ fn parts_of_wrench(wrench: &Wrench) -> [f64; 6] {
     [f.x, f.y, f.z, m.x, m.y, m.z]
 }
 
-/// The place of a phase in [`PHASES`].
+/// Returns the index of a phase in [`PHASES`].
 fn place_of(phase: Phase) -> usize {
     let name = phase.as_str();
     PHASES.iter().position(|&other| other == name).unwrap_or(0)

@@ -1,10 +1,10 @@
-//! Colours as queries name them.
+//! Colours by their names in queries.
 
 use super::{ViewError, text_of};
 use crate::ask::Term;
 use wisch::source_location::UnknownName;
 
-/// Names that queries may use.
+/// Names of colours in queries.
 const NAMED: [(&str, [u8; 3]); 14] = [
     ("red", [213, 52, 43]),
     ("orange", [230, 126, 34]),
@@ -22,15 +22,15 @@ const NAMED: [(&str, [u8; 3]); 14] = [
     ("white", [250, 250, 250]),
 ];
 
-/// A colour: red, green and blue.
+/// A colour: red, green and blue from 0 to 255.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Colour(pub [u8; 3]);
 
 impl Colour {
-    /// Of a name, `'#rrggbb'` or `[R, G, B]` with parts from 0 to 1, also as `color: …`.
+    /// Parses a name, `'#rrggbb'`, or `[R, G, B]` with parts from 0 to 1, also as `color: …`.
     ///
     /// # Errors
-    /// What is none.
+    /// If the term is not a colour.
     pub fn of(term: &Term) -> Result<Self, ViewError> {
         match term {
             Term::Compound(name, parts) => match (name.as_str(), parts.as_slice()) {
@@ -42,14 +42,14 @@ impl Colour {
             },
             Term::List(items) => match items.as_slice() {
                 [one] => Self::of(one),
-                [red, green, blue] => Self::mixed(term, [red, green, blue]),
+                [red, green, blue] => Self::from_shares(term, [red, green, blue]),
                 _ => Err(Self::none(term, "")),
             },
             _ => Self::named(term),
         }
     }
 
-    fn mixed(term: &Term, parts: [&Term; 3]) -> Result<Self, ViewError> {
+    fn from_shares(term: &Term, parts: [&Term; 3]) -> Result<Self, ViewError> {
         let mut mixed = [0; 3];
         for (mixed, part) in mixed.iter_mut().zip(parts) {
             let share = part.as_number().filter(|share| (0.0..=1.0).contains(share));

@@ -1,70 +1,70 @@
-//! What the engine says is to be looked at, as it is meant.
+//! Commands of a query that show something.
 
 use super::ViewError;
 use super::colour::Colour;
 use super::plot::Plot;
 use crate::ask::Term;
 
-/// What is to be looked at.
+/// Subject of a view.
 #[derive(Debug, Clone, PartialEq)]
 pub enum ViewSubject {
-    /// A thing where it is, by its name such as `semco:sponge`.
+    /// A thing at its pose, by its name, for example `semco:sponge`.
     Thing(String),
-    /// The way of a thing.
+    /// The trajectory of a thing.
     Trajectory(String),
-    /// What lies on a surface, by any name of the scene.
+    /// The particles on a surface, by any name of the scene.
     Particles(String),
 }
 
-/// When it is to be looked at; times in seconds since 1970.
+/// Time of a view [s since 1970].
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum When {
-    /// At the end of the latest episode.
+    /// The end of the latest episode.
     Latest,
     /// At a time.
     At(f64),
-    /// From a time to another, as often as seems fit.
+    /// Over an interval, at a default number of times.
     During([f64; 2]),
-    /// From a time to another, every so many seconds.
+    /// Over an interval, with a period [s].
     Every([f64; 2], f64),
 }
 
-/// How it is to be drawn.
+/// Emphasis of a drawing.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Emphasis {
-    /// As it is.
+    /// Normal.
     Plain,
-    /// So that it stands out.
+    /// Highlighted.
     Strong,
 }
 
-/// One thing to be looked at.
+/// A subject with its time and style.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Wish {
-    /// What.
+    /// Subject.
     pub subject: ViewSubject,
-    /// When.
+    /// Time.
     pub when: When,
-    /// How.
+    /// Emphasis.
     pub emphasis: Emphasis,
-    /// In which colour, if the query says so.
+    /// Colour, if the query states one.
     pub colour: Option<Colour>,
 }
 
 /// A command of a query.
 #[derive(Debug, Clone, PartialEq)]
 pub enum ViewCommand {
-    /// To look at these.
+    /// Shows these subjects.
     Look(Vec<Wish>),
-    /// To draw this.
+    /// Draws this diagram.
     Plot(Plot),
 }
 
 impl ViewCommand {
-    /// From what a query's `show`, `highlight` or `data_vis` came to.
+    /// Parses the term that a query's `show`, `highlight` or `data_vis` produced.
     ///
     /// # Errors
-    /// What is no such command, or not complete.
+    /// If the term is not a complete command.
     ///
     /// ```
     /// use wisch_memory::ask::Term;
@@ -80,7 +80,7 @@ impl ViewCommand {
         let plain = Emphasis::Plain;
         let strong = Emphasis::Strong;
         match term.parts() {
-            // The page always shows what there is: to be told so adds nothing.
+            // The page always shows the scene, so this command adds nothing.
             Some(("show", [])) => Ok(Self::Look(Vec::new())),
             Some(("show", [what])) => look(what, When::Latest, plain, None),
             Some(("show", [what, how])) => look(what, when(how)?, plain, None),

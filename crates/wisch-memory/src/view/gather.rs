@@ -1,4 +1,4 @@
-//! From what a query says to what the memory has to show for it.
+//! Collection of a view's data from the memory.
 
 use super::posed::{figure, line, local, place};
 use super::{
@@ -16,34 +16,34 @@ use std::rc::Rc;
 use wisch::geometry::{Mesh, Point2, Polygon, Pose};
 use wisch::robot::RobotModel;
 
-/// Most poses of things in one view.
+/// Largest number of poses in a view.
 pub const MAX_POSES: usize = 64;
-/// Most ways in one view.
+/// Largest number of trajectories in a view.
 const MAX_TRACKS: usize = 200;
-/// Most rounds of which something is shown in space.
+/// Largest number of rounds that are shown in space.
 const MAX_ROUNDS: usize = 24;
-/// Most episodes of which answers are shown over time.
+/// Largest number of episodes that are shown over time.
 const MAX_EPISODES: usize = 12;
-/// Poses of a thing over an interval, if a query does not say how many.
+/// Number of poses over an interval, if a query states no period.
 const POSES_OF_INTERVAL: usize = 5;
 
-/// What stands round a robot, which a memory does not compute itself.
+/// Geometry around a robot, which the memory does not compute itself.
 #[derive(Debug, Clone, Default)]
 pub struct Surroundings {
-    /// The tool's mesh, in its own frame.
+    /// Mesh of the tool, in its own frame.
     pub tool: Option<Mesh>,
-    /// The surface's outline, in its own frame.
+    /// Outline of the surface, in its own frame.
     pub outline: Option<Polygon>,
-    /// What else stands there: its pose in the world, and its mesh.
+    /// Other objects: pose in the world, and mesh.
     pub objects: Vec<(Pose, Mesh)>,
 }
 
-/// What the memory has to show for what a query says; `rows` are its answers, whose events are shown over time.
+/// Collects the data for a query's commands. `rows` are the query's answers, whose events are shown over time.
 ///
-/// What the memory does not have, such as a thing that an episode did without, is a remark.
+/// What the memory lacks, for example a thing that an episode did not use, becomes a remark.
 ///
 /// # Errors
-/// What is no command to show anything.
+/// If a term is not a command.
 pub fn gather(
     said: &[Term],
     rows: &[Vec<Term>],
@@ -67,7 +67,7 @@ pub fn gather(
                 plots.retain(|other| (other.diagram, &other.id) != (plot.diagram, &plot.id));
                 plots.push(plot);
             }
-            // Answers repeat what does not depend on them.
+            // Answers repeat commands that do not depend on them.
             ViewCommand::Look(wanted) => {
                 for wish in wanted {
                     if !wishes.contains(&wish) {
@@ -88,17 +88,17 @@ pub fn gather(
     Ok(gathering.view)
 }
 
-/// A round that is open.
+/// An opened round.
 #[derive(Clone)]
 struct Opened {
-    /// The robot; `None` of a log.
+    /// Robot of the round; `None` for a log.
     robot: Option<Rc<RobotModel>>,
-    /// The tool's name.
+    /// Name of the tool.
     tool: String,
     telemetry: Rc<Telemetry>,
-    /// When it began [s since 1970].
+    /// Begin of the round [s since 1970].
     began: f64,
-    /// What particles are called there, with prefix.
+    /// Names of the round's media, with prefix.
     media: Vec<String>,
 }
 
@@ -107,13 +107,13 @@ struct Gathering<'a> {
     catalogue: &'a Catalogue,
     surroundings: &'a mut dyn FnMut(&Episode) -> Surroundings,
     view: View,
-    /// As many as the view has rounds.
+    /// Opened rounds, as many as the view has rounds.
     opened: Vec<Opened>,
-    /// By episode and round, the place among them.
+    /// Index of a round by episode and number.
     known: HashMap<(String, usize), usize>,
 }
 
-/// A part of a round, in its own time [s].
+/// Part of a round, in its own time [s].
 #[derive(Clone, Copy)]
 struct Stretch {
     round: usize,
@@ -140,7 +140,7 @@ impl Gathering<'_> {
         let (ViewSubject::Thing(name)
         | ViewSubject::Trajectory(name)
         | ViewSubject::Particles(name)) = &wish.subject;
-        // An event is looked at where the tool was while it lasted.
+        // An event is shown as the tool's trajectory during the event.
         if let Some((interval, _)) = self.event(name) {
             let tool = Wish {
                 subject: ViewSubject::Trajectory("tool".to_owned()),
@@ -177,7 +177,7 @@ impl Gathering<'_> {
         }
     }
 
-    /// Makes what is there already stand out, if only that is asked for.
+    /// Highlights what is already shown, if the wish asks for nothing else.
     fn emphasize(&mut self, name: &str, wish: &Wish) -> bool {
         if wish.emphasis == Emphasis::Plain || wish.when != When::Latest {
             return false;
@@ -218,7 +218,7 @@ impl Gathering<'_> {
         found
     }
 
-    /// The interval of an individual of this name.
+    /// Returns the interval of the individual with this name.
     fn event(&self, name: &str) -> Option<([f64; 2], IndividualId)> {
         let id = self.catalogue.find(name.strip_prefix("semco:")?)?;
         Some((self.catalogue.interval(id)?, id))
@@ -228,7 +228,7 @@ impl Gathering<'_> {
         self.opened[round].media.iter().any(|medium| medium == name)
     }
 
-    /// The parts of rounds that are to be looked at.
+    /// Returns the parts of rounds that a wish asks for.
     fn stretches(&mut self, thing: &str, when: When) -> Result<Vec<Stretch>, ViewError> {
         let catalogue = self.catalogue;
         let [from, to] = match when {
@@ -272,7 +272,7 @@ impl Gathering<'_> {
         Ok(found)
     }
 
-    /// The last round that has telemetry.
+    /// Returns the last round with telemetry.
     fn latest(&mut self, thing: &str) -> Result<Vec<Stretch>, ViewError> {
         let mut rows: Vec<&EpisodeRow> = self.catalogue.episodes().iter().collect();
         rows.sort_by(|a, b| b.interval[1].total_cmp(&a.interval[1]));
@@ -303,7 +303,7 @@ impl Gathering<'_> {
         Stretch { round, from, to }
     }
 
-    /// The place of a round among those shown.
+    /// Returns the index of a round, which is opened if necessary.
     fn open(&mut self, row: &EpisodeRow, number: usize) -> Result<usize, ViewError> {
         let key = (row.id.clone(), number);
         if let Some(&place) = self.known.get(&key) {
@@ -331,7 +331,7 @@ impl Gathering<'_> {
             world_from_surface: scene.world_from_surface.into(),
             tool_path,
             names: [&scene.robot, &scene.tool, &scene.surface].map(Clone::clone),
-            // Where nothing says where the surface was, it is not drawn.
+            // A surface of unknown pose is not drawn.
             outline: around.outline.filter(|_| !scene.surface.is_empty()),
             tool_mesh: around.tool,
             objects: around.objects,
@@ -350,7 +350,7 @@ impl Gathering<'_> {
         Ok(place)
     }
 
-    /// What was wiped away in an episode.
+    /// Returns the media that an episode removed.
     fn media(&self, row: &EpisodeRow) -> Vec<String> {
         let removed = self.catalogue.relations("semco:removesMedium");
         let nodes = (row.first..row.first + row.len).flat_map(|id| entries(removed, id));
@@ -366,7 +366,7 @@ impl Gathering<'_> {
         media
     }
 
-    /// The place of an episode among those shown.
+    /// Returns the index of an episode, which is added if necessary.
     fn episode(&mut self, row: &EpisodeRow) -> usize {
         let shown = &mut self.view.episodes;
         if let Some(place) = shown.iter().position(|episode| episode.id == row.id) {
@@ -472,7 +472,7 @@ impl Gathering<'_> {
         Ok(())
     }
 
-    /// Takes in the episodes of individuals among the answers.
+    /// Adds the episodes of individuals in the answers.
     fn mention(&mut self, rows: &[Vec<Term>]) {
         for term in rows.iter().flatten() {
             if self.view.episodes.len() >= MAX_EPISODES {
@@ -487,7 +487,7 @@ impl Gathering<'_> {
     }
 }
 
-/// The frames of a round: of its robot, or else of the poses that were logged.
+/// Returns the frames of a round: of its robot, or of the logged poses.
 fn frames_of<'a>(
     robot: Option<&'a RobotModel>,
     telemetry: &'a Telemetry,
@@ -499,7 +499,7 @@ fn frames_of<'a>(
     }
 }
 
-/// What happened in an episode, but for its parts that are nothing but wholes.
+/// Returns the actions and events of an episode, without individuals that only group others.
 fn occurrences(catalogue: &Catalogue, row: &EpisodeRow) -> Vec<Occurrence> {
     let kinds = Ontology::shipped().subclasses("semco:Collision");
     let kinds = kinds.unwrap_or_default();
@@ -519,7 +519,7 @@ fn occurrences(catalogue: &Catalogue, row: &EpisodeRow) -> Vec<Occurrence> {
         .collect()
 }
 
-/// The particles on the surface, of a table as distributions are written.
+/// Parses the particles on the surface from a table in the format of distributions.
 fn positions(bytes: &[u8]) -> Result<Vec<Point2>, String> {
     let text = std::str::from_utf8(bytes).map_err(|error| error.to_string())?;
     let mut lines = text.lines().enumerate();

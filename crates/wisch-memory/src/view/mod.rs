@@ -1,6 +1,6 @@
-//! What a query wants to be looked at, as plain data for whatever draws it.
+//! Views: what a query shows, as plain data for any renderer.
 //!
-//! [`ViewCommand`]s are what the query says; a [`View`] is what the memory has to show for them.
+//! A [`ViewCommand`] is a request by a query; a [`View`] holds the data that the memory has for it.
 
 mod colour;
 mod command;
@@ -24,173 +24,173 @@ use wisch::robot::Shape;
 /// Why something cannot be shown.
 #[derive(Debug, thiserror::Error)]
 pub enum ViewError {
-    /// No command to show anything.
+    /// The term is not a command.
     #[error("{found} cannot be drawn")]
     ViewCommand {
-        /// What stands there.
+        /// The term.
         found: String,
     },
-    /// Nothing that can be shown.
-    #[error("{found} is no thing, trajectory(Thing), particles(Thing) or list of these")]
+    /// The term is not a subject.
+    #[error("{found} is not a thing, trajectory(Thing), particles(Thing) or list of these")]
     ViewSubject {
-        /// What stands there.
+        /// The term.
         found: String,
     },
-    /// No time.
-    #[error("{found} is no time, interval(Start, End) or interval(Start, End, dt(Seconds))")]
+    /// The term is not a time.
+    #[error("{found} is not a time, interval(Start, End) or interval(Start, End, dt(Seconds))")]
     When {
-        /// What stands there.
+        /// The term.
         found: String,
     },
-    /// No colour.
-    #[error("{found} is no color{hint}")]
+    /// The term is not a colour.
+    #[error("{found} is not a color{hint}")]
     Colour {
-        /// What stands there.
+        /// The term.
         found: String,
-        /// What to write instead.
+        /// A correction.
         hint: String,
     },
-    /// A diagram without data.
-    #[error("{diagram}: data is missing: data: [Xs, Ys]")]
+    /// A diagram has no data.
+    #[error("{diagram}: data is missing; expected data: [Xs, Ys]")]
     NoData {
-        /// Its kind.
+        /// Kind of the diagram.
         diagram: &'static str,
     },
-    /// Lists that do not belong together.
+    /// The lists of a diagram have different lengths.
     #[error("{diagram}: data has {xs} Xs, but {ys} Ys")]
     Lengths {
-        /// The diagram's kind.
+        /// Kind of the diagram.
         diagram: &'static str,
-        /// Length of the first.
+        /// Length of the first list.
         xs: usize,
-        /// Length of the second.
+        /// Length of the second list.
         ys: usize,
     },
-    /// Data of the wrong kind.
+    /// An entry of a diagram has the wrong type.
     #[error("{diagram}: {place}: {found} is not {expected}")]
     Data {
-        /// The diagram's kind.
+        /// Kind of the diagram.
         diagram: &'static str,
-        /// Where.
+        /// Position of the entry.
         place: String,
-        /// What stands there.
+        /// The term.
         found: String,
-        /// What should.
+        /// The expected type.
         expected: &'static str,
     },
-    /// More than can be looked at.
-    #[error("{diagram}: {count} entries are more than the limit of {limit}")]
+    /// A diagram has too many entries.
+    #[error("{diagram}: {count} entries exceed the limit of {limit}")]
     TooMany {
-        /// The diagram's kind.
+        /// Kind of the diagram.
         diagram: &'static str,
-        /// How many.
+        /// Number of entries.
         count: usize,
-        /// How many may be.
+        /// Largest number of entries.
         limit: usize,
     },
-    /// More poses than can be looked at.
-    #[error("{thing}: {count} poses are more than the limit of {limit}: ask for fewer times")]
+    /// A view has too many poses.
+    #[error("{thing}: {count} poses exceed the limit of {limit}; ask for fewer times")]
     TooManyPoses {
-        /// Of what.
+        /// Name of the thing.
         thing: String,
-        /// How many.
+        /// Number of poses.
         count: usize,
-        /// How many may be.
+        /// Largest number of poses.
         limit: usize,
     },
-    /// Nothing was recorded then.
+    /// Nothing was recorded in this interval.
     #[error("{thing}: nothing was recorded between {from} and {to} s")]
     NoRecord {
-        /// Of what.
+        /// Name of the thing.
         thing: String,
-        /// From when [s since 1970].
+        /// Begin of the interval [s since 1970].
         from: f64,
-        /// To when [s since 1970].
+        /// End of the interval [s since 1970].
         to: f64,
     },
-    /// Particles that cannot be read.
+    /// Particles cannot be read.
     #[error("{file}: {what}")]
     Particles {
-        /// The file.
+        /// Name of the file.
         file: String,
-        /// What is wrong.
+        /// Description of the fault.
         what: String,
     },
-    /// What the frames say.
+    /// Error of the frames.
     #[error(transparent)]
     Frame(#[from] FrameError),
-    /// What the memory says.
+    /// Error of the memory.
     #[error(transparent)]
     Memory(#[from] MemoryError),
 }
 
-/// What is to be seen.
+/// Data of a view.
 #[derive(Debug, Clone, Default)]
 pub struct View {
-    /// The episodes that it is about, in the order in which they came up.
+    /// Its episodes, in the order of their first mention.
     pub episodes: Vec<ShownEpisode>,
-    /// Their rounds of which something is shown in space.
+    /// Rounds that are shown in space.
     pub rounds: Vec<ShownRound>,
-    /// Things at certain times.
+    /// Things at times.
     pub bodies: Vec<ShownBody>,
-    /// Ways.
+    /// Trajectories.
     pub tracks: Vec<Track>,
     /// Particles.
     pub particles: Vec<ShownDirt>,
     /// Diagrams.
     pub plots: Vec<Plot>,
-    /// How many of the things that were to be shown are not, because there are too many of them.
+    /// Number of things that are left out because of the limits.
     pub left_out: usize,
-    /// What was to be shown and is not, because the memory does not have it.
+    /// Remarks on what cannot be shown because the memory lacks it.
     pub remarks: Vec<String>,
 }
 
-/// An episode that something is shown of.
+/// An episode of a view.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ShownEpisode {
-    /// Its name.
+    /// Name of the episode.
     pub id: String,
-    /// Its task's.
+    /// Name of the task.
     pub task: String,
-    /// From when to when [s since 1970].
+    /// Begin and end [s since 1970].
     pub interval: [f64; 2],
-    /// What happened, in the order of its record.
+    /// Individuals with a time, in the order of the record.
     pub occurrences: Vec<Occurrence>,
-    /// Times that are looked at [s since 1970].
+    /// Intervals that the view shows [s since 1970].
     pub looked: Vec<[f64; 2]>,
 }
 
-/// Something that happened.
+/// An action or event of an episode.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Occurrence {
     /// Its name, without prefix.
     pub name: String,
     /// Its class, without prefix.
     pub class: String,
-    /// Whether something struck the robot.
+    /// Whether something collided with the robot.
     pub is_collision: bool,
-    /// From when to when [s since 1970].
+    /// Begin and end [s since 1970].
     pub interval: [f64; 2],
 }
 
-/// A round that something is shown of.
+/// A round of a view.
 #[derive(Debug, Clone)]
 pub struct ShownRound {
-    /// Place of its episode among those shown.
+    /// Index of its episode in [`View::episodes`].
     pub episode: usize,
     /// Its number, from 1.
     pub number: usize,
-    /// Where the surface was believed to be.
+    /// Believed pose of the surface.
     pub world_from_surface: Pose,
-    /// The tool centre point's way through all of it, in the world [m].
+    /// Path of the tool centre point through the round, in the world [m].
     pub tool_path: Vec<Point3>,
     /// Names of robot, tool and surface.
     pub names: [String; 3],
     /// The surface's outline, in its own frame, if the task is known.
     pub outline: Option<Polygon>,
-    /// The tool's mesh, in its own frame, if the task is known.
+    /// Mesh of the tool in its own frame, if the task is known.
     pub tool_mesh: Option<Mesh>,
-    /// What else stands there: its pose in the world, and its mesh.
+    /// Other objects: pose in the world, and mesh.
     pub objects: Vec<(Pose, Mesh)>,
 }
 
@@ -199,89 +199,89 @@ pub struct ShownRound {
 pub struct ShownBody {
     /// Its name.
     pub thing: String,
-    /// What of it is to be seen.
+    /// Its shape.
     pub figure: Figure,
-    /// Place of its round among those shown.
+    /// Index of its round in [`View::rounds`].
     pub round: usize,
-    /// When [s since 1970].
+    /// Time [s since 1970].
     pub time: f64,
-    /// How it is to be drawn.
+    /// Emphasis.
     pub emphasis: Emphasis,
-    /// In which colour, if the query says so.
+    /// Colour, if the query states one.
     pub colour: Option<Colour>,
 }
 
-/// What of a thing is to be seen.
+/// Shape of a thing.
 #[derive(Debug, Clone)]
 pub enum Figure {
-    /// All of a robot, with its tool.
+    /// A whole robot, with its tool.
     Robot {
         /// Its solids.
         parts: Vec<ShownPart>,
-        /// Where it holds the tool.
+        /// Pose of the tool.
         world_from_tool: Pose,
     },
     /// The tool.
     Tool(Pose),
     /// The surface.
     Surface(Pose),
-    /// A frame of which no more is known than where it is.
+    /// A frame without a known shape.
     Frame(Pose),
 }
 
 /// A solid of a robot.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ShownPart {
-    /// Its link.
+    /// Name of its link.
     pub link: String,
-    /// Where it is.
+    /// Pose of the solid.
     pub world_from_shape: Pose,
-    /// What it is.
+    /// Shape of the solid.
     pub shape: Shape,
 }
 
-/// The way of a thing.
+/// The trajectory of a thing.
 #[derive(Debug, Clone)]
 pub struct Track {
     /// Its name.
     pub thing: String,
-    /// Place of its round among those shown.
+    /// Index of its round in [`View::rounds`].
     pub round: usize,
-    /// From when to when [s since 1970].
+    /// Begin and end [s since 1970].
     pub interval: [f64; 2],
-    /// The way, in the world [m].
+    /// Path in the world [m].
     pub path: Vec<Point3>,
-    /// When [s since 1970] and where it was sampled, as the query asked; empty if it did not.
+    /// Times [s since 1970] and points that the query asked for; otherwise empty.
     pub samples: Vec<(f64, Point3)>,
-    /// How it is to be drawn.
+    /// Emphasis.
     pub emphasis: Emphasis,
-    /// In which colour, if the query says so.
+    /// Colour, if the query states one.
     pub colour: Option<Colour>,
 }
 
-/// Particles on a surface, as they were believed to lie.
+/// Believed particles on a surface.
 #[derive(Debug, Clone)]
 pub struct ShownDirt {
-    /// Place of its round among those shown.
+    /// Index of its round in [`View::rounds`].
     pub round: usize,
-    /// Before or after that round.
+    /// Whether before or after the round.
     pub state: DirtState,
-    /// Where, in the surface frame [m].
+    /// Positions in the surface frame [m].
     pub positions: Vec<Point2>,
-    /// In which colour, if the query says so.
+    /// Colour, if the query states one.
     pub colour: Option<Colour>,
 }
 
-/// When particles lay so.
+/// Time of a particle distribution.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum DirtState {
     /// Before the round.
     Before,
-    /// After it, as it was felt.
+    /// After the round, as estimated.
     Estimated,
 }
 
-/// A term as text: names without quotes, lists of characters as the word they make.
+/// Returns a term as text: names without quotes, lists of characters as words.
 fn text_of(term: &Term) -> String {
     match term {
         Term::Atom(name) => name.clone(),

@@ -1,56 +1,56 @@
-//! Diagrams of numbers that a query found.
+//! Diagrams of a query's results.
 
 use super::{ViewError, text_of};
 use crate::ask::Term;
 
-/// Most entries of one diagram.
+/// Largest number of entries in a diagram.
 const MAX_ENTRIES: usize = 20_000;
 
 /// Kind of a diagram.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Diagram {
-    /// Shares of a whole.
+    /// Pie chart: shares of a whole.
     Pie,
-    /// A bar each.
+    /// Bar chart: a bar per number.
     Bar,
-    /// What was when.
+    /// Timeline: intervals.
     Timeline,
-    /// Points joined in their order.
+    /// Line chart: points joined in their order.
     Line,
-    /// Points.
+    /// Scatter plot: points.
     Scatter,
 }
 
-/// What a diagram shows.
+/// Data of a diagram.
 #[derive(Debug, Clone, PartialEq)]
 pub enum PlotData {
-    /// A number each: of pie and bar charts.
+    /// Labelled numbers, for pie and bar charts.
     Amounts(Vec<(String, f64)>),
-    /// From when to when each was: of timelines.
+    /// Labelled intervals, for timelines.
     Spans(Vec<(String, [f64; 2])>),
-    /// Points x, y: of line charts and scatter plots.
+    /// Points x, y, for line charts and scatter plots.
     Points(Vec<[f64; 2]>),
 }
 
 /// A diagram.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Plot {
-    /// Its kind.
+    /// Kind of the diagram.
     pub diagram: Diagram,
-    /// Its name: of those with the same kind and name, the last stands.
+    /// Its identifier: a later diagram replaces an earlier one of the same kind and identifier.
     pub id: String,
-    /// Headline; may be empty, as the following.
+    /// Title; this and the labels may be empty.
     pub title: String,
-    /// What goes across.
+    /// Label of the horizontal axis.
     pub x_label: String,
-    /// What goes up.
+    /// Label of the vertical axis.
     pub y_label: String,
-    /// What it shows.
+    /// Its data.
     pub data: PlotData,
 }
 
 impl Diagram {
-    /// As queries call it.
+    /// Its name in queries.
     pub const fn as_str(self) -> &'static str {
         match self {
             Self::Pie => "piechart",
@@ -74,11 +74,11 @@ impl Diagram {
 }
 
 impl Plot {
-    /// Of `Diagram(Id)` and a list such as `[data: [Xs, Ys], title: T, xlabel: X, ylabel: Y]`; instead of two lists,
-    /// `data` may be a list of pairs.
+    /// Parses `Diagram(Id)` and a list such as `[data: [Xs, Ys], title: T, xlabel: X, ylabel: Y]`. `data` may also be a
+    /// list of pairs.
     ///
     /// # Errors
-    /// A diagram or data that cannot be drawn.
+    /// If the terms are not a diagram with valid data.
     pub fn of(diagram: &Term, properties: &Term) -> Result<Self, ViewError> {
         let refused = || ViewError::ViewCommand {
             found: diagram.to_string(),
@@ -98,12 +98,12 @@ impl Plot {
         };
         let mut data = None;
         for property in properties {
-            match keyed(property) {
+            match key_and_value(property) {
                 Some(("title", text)) => plot.title = text_of(text),
                 Some(("xlabel" | "x_label", text)) => plot.x_label = text_of(text),
                 Some(("ylabel" | "y_label", text)) => plot.y_label = text_of(text),
                 Some(("data", found)) => data = Some(found),
-                // KnowRob has more, such as sizes, that say nothing here.
+                // KnowRob allows further properties, for example sizes, which are ignored.
                 Some(_) => {}
                 None => {
                     return Err(fault(kind, "properties", property, "a property Key: Value"));
@@ -119,7 +119,7 @@ impl Plot {
 }
 
 /// `Key: Value`, `Key = Value`, `Key - Value` or `Key(Value)`.
-fn keyed(property: &Term) -> Option<(&str, &Term)> {
+fn key_and_value(property: &Term) -> Option<(&str, &Term)> {
     match property.parts()? {
         (":" | "=" | "-", [key, value]) => Some((key.as_atom()?, value)),
         (key, [value]) => Some((key, value)),
@@ -127,7 +127,7 @@ fn keyed(property: &Term) -> Option<(&str, &Term)> {
     }
 }
 
-/// What belongs together, of two lists or a list of pairs.
+/// Returns pairs of two lists, or of a list of pairs.
 fn pairs(kind: Diagram, data: &Term) -> Result<Vec<(&Term, &Term)>, ViewError> {
     let Term::List(items) = data else {
         return Err(fault(kind, "data", data, "[Xs, Ys] or a list of pairs"));
@@ -152,7 +152,7 @@ fn pairs(kind: Diagram, data: &Term) -> Result<Vec<(&Term, &Term)>, ViewError> {
     pairs.collect()
 }
 
-/// Whether two lists of two, such as `[[a, 1], [b, 2]]`, are labels with what belongs to them.
+/// Whether two lists of length two, such as `[[a, 1], [b, 2]]`, are pairs of a label and its value.
 fn is_pair_of_labels(kind: Diagram, first: &[Term], second: &[Term]) -> bool {
     let labelled = |pair: &[Term]| match pair {
         [label, value] => label.as_number().is_none() && value.as_atom().is_none(),

@@ -1,16 +1,16 @@
-//! Where things were, as they are seen.
+//! Poses of things for a view.
 
 use super::{Figure, ShownPart, ViewError};
 use crate::frames::{Frames, PoseAt, Sampling};
 use wisch::geometry::Point3;
 use wisch::robot::RobotModel;
 
-/// Most points of a line.
+/// Largest number of points in a line.
 const MAX_POINTS: usize = 1500;
-/// Finest step of a line [s].
+/// Least time between points of a line [s].
 const FINEST_STEP: f64 = 0.02;
 
-/// What frames call it.
+/// Name of the frame.
 pub(super) fn local(name: &str) -> &str {
     name.split_once(':').map_or(name, |(_, local)| local)
 }
@@ -19,7 +19,7 @@ pub(super) fn place(at: &PoseAt) -> Point3 {
     Point3::from(at.world_from_frame.translation.vector)
 }
 
-/// The way of a frame, finely.
+/// Returns the finely sampled path of a frame.
 pub(super) fn line(
     frames: &Frames,
     frame: &str,
@@ -49,7 +49,7 @@ pub(super) fn figure(frames: &Frames, name: &str, at: &PoseAt) -> Result<Figure,
     })
 }
 
-/// The robot's solids at a time.
+/// Returns the robot's solids at a time.
 fn parts(frames: &Frames, robot: &RobotModel, time: f64) -> Result<Vec<ShownPart>, ViewError> {
     let poses = frames.links(time)?;
     let links = robot.links().iter().zip(poses);

@@ -112,27 +112,27 @@ fn what_cannot_be_shown_is_named() {
         ("dance(a)", "dance(a) cannot be drawn"),
         (
             "show(shadow(a))",
-            "shadow(a) is no thing, trajectory(Thing), particles(Thing) or list of these",
+            "shadow(a) is not a thing, trajectory(Thing), particles(Thing) or list of these",
         ),
         (
             "show(trajectory(particles(a)))",
-            "trajectory(particles(a)) is no thing, trajectory(Thing), particles(Thing) or list of these",
+            "trajectory(particles(a)) is not a thing, trajectory(Thing), particles(Thing) or list of these",
         ),
         (
             "show(a,interval(2,1))",
-            "interval(2, 1) is no time, interval(Start, End) or interval(Start, End, dt(Seconds))",
+            "interval(2, 1) is not a time, interval(Start, End) or interval(Start, End, dt(Seconds))",
         ),
         (
             "show(a,interval(1,2,dt(0)))",
-            "interval(1, 2, dt(0)) is no time, interval(Start, End) or interval(Start, End, dt(Seconds))",
+            "interval(1, 2, dt(0)) is not a time, interval(Start, End) or interval(Start, End, dt(Seconds))",
         ),
         (
             "show(a,1,readish)",
-            "readish is no color; did you mean red?",
+            "readish is not a color; did you mean red?",
         ),
         (
             "highlight(a,[2,0,0])",
-            "[2, 0, 0] is no color; its parts go from 0 to 1",
+            "[2, 0, 0] is not a color; its parts go from 0 to 1",
         ),
     ] {
         assert_eq!(command(text).unwrap_err(), says, "{text}");
@@ -188,7 +188,7 @@ fn wrong_data_is_named() {
     for (text, says) in [
         (
             "data_vis(piechart(a),[:(title,t)])",
-            "piechart: data is missing: data: [Xs, Ys]",
+            "piechart: data is missing; expected data: [Xs, Ys]",
         ),
         (
             "data_vis(piechart(a),[:(data,[[a,b],[1,-2]])])",

@@ -259,7 +259,7 @@ fn where_the_tool_of_a_log_was_is_answered_from_its_poses() {
                     surface
                         .unwrap_err()
                         .to_string()
-                        .contains("does not say where table was")
+                        .contains("does not hold the pose of table")
                 ),
             }
         }

@@ -7,8 +7,8 @@
 True
 
 Units are SI and radians. Poses are arrays of seven numbers: x, y, z [m] and a unit quaternion x, y, z, w, in the frame of the
-world. Places on a surface are x, y [m] in its frame, whose z axis points out of it; a tool's place there is x, y [m] and its
-heading [rad].
+world. Points on a surface are x, y [m] in its frame, whose z axis points outward; a tool's pose there is x, y [m] and its
+yaw [rad].
 """
 
 from ._errors import WischError

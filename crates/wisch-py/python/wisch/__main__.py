@@ -1,4 +1,4 @@
-"""The program ``wisch``: plan, predict, run and report from the command line, as ``wisch --help`` says."""
+"""The program ``wisch``: plan, predict, run and report from the command line, see ``wisch --help``."""
 
 import os
 import signal
@@ -6,10 +6,10 @@ import sys
 
 
 def main() -> int:
-    """Run the program with this process's arguments; its exit code."""
+    """Run the program with this process's arguments, and return its exit code."""
     from . import _wisch
 
-    # Ctrl-C and a closed pipe are the program's own to handle, as if there were no Python.
+    # The program itself handles Ctrl-C and a closed pipe, as without Python.
     signal.signal(signal.SIGINT, signal.SIG_DFL)
     # The Prolog engine may have been installed beside this program.
     folder = os.path.dirname(os.path.abspath(sys.argv[0]))

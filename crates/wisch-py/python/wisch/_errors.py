@@ -1,13 +1,13 @@
-"""The one exception of wisch."""
+"""The exception of wisch."""
 
 from __future__ import annotations
 
 
 class WischError(ValueError):
-    """Something is refused: a file, a value, a motion, what an executor hands on.
+    """A file, a value, a motion or a sample of an executor is invalid.
 
-    ``file`` is the file it is about, ``place`` the line and column in it (from 1), ``value`` what was given, ``limit`` what
-    may be given, and ``help`` what can be done about it; each is None where it is not known.
+    ``file`` is the file, ``place`` the line and column in it (from 1), ``value`` the given value, ``limit`` the allowed
+    values, and ``help`` a remedy; each is None if unknown.
     """
 
     def __init__(

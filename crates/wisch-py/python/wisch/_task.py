@@ -1,4 +1,4 @@
-"""Tasks made of Python objects."""
+"""Tasks from Python objects."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from ._wisch import Task, load_task
 
 __all__ = ["Task", "build_task", "load_task"]
 
-#: Tables of a task file that a name alone stands for.
+#: Tables of a task file that may be given by a name alone.
 _NAMED = ("tool", "medium", "surface", "robot")
 
 
@@ -24,12 +24,12 @@ def build_task(
     knowledge=None,
     **keys,
 ) -> Task:
-    """Make a task of Python objects; it goes through the same checks as a file.
+    """Build a task from Python objects, with the same checks as for a file.
 
     ``keys`` are those of a task file (``wisch new`` writes one with every key explained): ``tool``, ``medium``, ``surface``,
     ``robot``, ``scene``, ``collect``, ``plan``, ``execution``, ``perception``, ... as dicts and lists. A name alone stands for
-    ``{"name": ...}``. ``particles`` is an array (N, 2) of places in the frame of the surface [m], or a dict as in a file.
-    Paths are relative to the working directory, or to the folder of ``path``, under which errors speak of the task.
+    ``{"name": ...}``. ``particles`` is an array (N, 2) of positions in the frame of the surface [m], or a dict as in a file.
+    Paths are relative to the working directory, or to the folder of ``path``, which errors name as the task's file.
 
     >>> import numpy as np
     >>> task = build_task(
@@ -40,7 +40,7 @@ def build_task(
     >>> len(task.particles)
     2
 
-    Raises WischError as for a file; the text that it counts lines in is ``WischError.file``'s, see ``Task.toml``.
+    Raises WischError as for a file; its lines are those of the text ``Task.toml``.
     """
     table = {"schema": 1, "name": "task", **keys}
     for key, value in (("seed", seed), ("action", action), ("strategy", strategy)):

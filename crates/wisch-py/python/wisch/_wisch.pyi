@@ -1,7 +1,7 @@
-"""What is computed in Rust. Use it by way of ``wisch``, which hands it on.
+"""Classes and functions in Rust, which ``wisch`` re-exports.
 
 Units are SI and radians. A pose (7) is x, y, z [m] and a unit quaternion x, y, z, w in the frame of the world; n is the number
-of the robot's joints, T that of times or samples.
+of the robot's joints, T the number of times or samples.
 """
 
 from collections.abc import Callable, Mapping, Sequence
@@ -57,22 +57,22 @@ class Effect(TypedDict):
     treated: int
 
 class Executor(Protocol):
-    """What executes motions; see ``wisch.executor.Executor``."""
+    """Executor of motions; see ``wisch.executor.Executor``."""
     def execute(self, motion: Motion, sink: Sink) -> Mapping[str, Any] | None: ...
 
 class Task:
-    """What is to be wiped, where, with what, and to what end."""
+    """A wiping task: surface, dirt, tool, action and goal."""
     @property
     def name(self) -> str: ...
     @property
     def path(self) -> PathLike[str]:
-        """Where its file is."""
+        """Path of its file."""
     @property
     def toml(self) -> str:
-        """The text of its file."""
+        """Text of its file."""
     @property
     def assumptions(self) -> list[str]:
-        """What had to be assumed of a tool, medium or interaction that the file defines, a sentence each."""
+        """Assumptions about a tool, medium or interaction that the file defines, a sentence each."""
     @property
     def action(self) -> Literal["absorb", "collect", "skim", "polish", "emit"]: ...
     @property
@@ -81,7 +81,7 @@ class Task:
     def seed(self) -> int: ...
     @property
     def strategy(self) -> str:
-        """How its strokes are found."""
+        """Name of its planning strategy."""
     @property
     def target_performance(self) -> float:
         """Performance at which its goal is met, 0 to 1."""
@@ -89,13 +89,13 @@ class Task:
     def tool(self) -> str: ...
     @property
     def tool_footprint(self) -> list[Floats]:
-        """Where the tool touches, outer rings (corners, 2) in its own frame [m]."""
+        """Footprint of the tool: outer rings (corners, 2) in its own frame [m]."""
     @property
     def tool_mesh(self) -> tuple[Floats, NDArray[np.uint32]]:
         """Vertices (V, 3) in the tool's frame [m], whose origin is in the contact plane with z out of the surface; triangles (T, 3)."""
     @property
     def area_of_effect_m(self) -> list[float]:
-        """Depth along and width across its motion [m]."""
+        """Depth along and width across the tool's motion [m]."""
     @property
     def collision_radius_m(self) -> float: ...
     @property
@@ -105,37 +105,37 @@ class Task:
         """(corners, 2) in the frame of the surface [m]."""
     @property
     def world_from_surface(self) -> Floats:
-        """Where the surface is believed to be, (7)."""
+        """Believed pose of the surface, (7)."""
     @property
     def particles(self) -> Floats:
-        """Where the dirt is believed to lie, (N, 2) in the frame of the surface [m]."""
+        """Believed positions of the dirt, (N, 2) in the frame of the surface [m]."""
     @property
     def collect_goal(self) -> Floats | None:
-        """Where a collect is to push it, (2) in the frame of the surface [m]; None where that is left to the planner."""
+        """Goal of a collect, (2) in the frame of the surface [m]; None if the planner chooses it."""
     @property
     def tool_start(self) -> Floats:
-        """Where the tool starts, (2) in the frame of the surface [m]."""
+        """Start of the tool, (2) in the frame of the surface [m]."""
     @property
     def press_force_n(self) -> float: ...
     @property
     def stiffness_n_per_m(self) -> float:
-        """Of the controller along the surface's normal."""
+        """Stiffness of the controller along the surface's normal."""
     @property
     def damping_ratio(self) -> float: ...
     @property
     def compression_depth_m(self) -> float:
-        """How deep the tool gives way under the press force."""
+        """Compression of the tool under the press force."""
     @property
     def contact_speed_m_per_s(self) -> float:
-        """Fastest that the tool moves in contact."""
+        """Largest speed of the tool in contact."""
     @property
     def surface_reaction(self) -> Floats:
-        """Force of the surface on a tool that is pressed as the task asks, (3) in the axes of the world [N]."""
+        """Force of the surface on a tool with the nominal press force, (3) in the axes of the world [N]."""
     @property
     def scene(self) -> list[SceneObject]:
-        """What stands round the surface: vertices (V, 3) in the object's own frame [m], triangles (T, 3), pose (7)."""
+        """Objects around the surface: vertices (V, 3) in the object's own frame [m], triangles (T, 3), pose (7)."""
     def robot(self) -> Robot | None:
-        """The robot that the task names, read with what lies beside it; None where it names none."""
+        """Load the robot that the task names, with its SRDF and capability map; None if the task names no robot."""
     def with_particles(
         self,
         particles: ArrayLike,
@@ -145,7 +145,7 @@ class Task:
         action: str | None = None,
         strategy: str | None = None,
     ) -> Task:
-        """The same task with dirt at places (N, 2) in the frame of the surface [m]; options as of ``load_task``."""
+        """Return the same task with dirt at positions (N, 2) in the frame of the surface [m]; options as in ``load_task``."""
     def session(
         self,
         robot: Robot | Path | None = None,
@@ -160,20 +160,20 @@ class Task:
         out: Path | None = None,
         memory: Path | None = None,
     ) -> Session:
-        """A session that has not planned yet. It plans for all places where the dirt may lie; ``plan_known_dirt`` plans for the
-        one draw of ``particles``, which takes a shorter way and is predicted to do more for that draw.
+        """Create a session, which has not planned yet. It plans for the whole belief about the dirt; ``plan_known_dirt`` plans
+        for the single draw ``particles``, with a shorter path and a better prediction for that draw.
 
-        ``robot`` follows its plans: a Robot, the name of a shipped one, or a URDF; ``task.robot()`` is the one that the task
-        names. ``world_from_robot`` (7) is where it stands, ``group`` its group of joints that wipes, ``rounds`` how many there
-        may be, ``target`` the performance at which the goal is met, 0 to 1; each as the task says unless given.
+        ``robot`` executes the plans: a Robot, the name of a shipped robot, or a URDF; ``task.robot()`` returns the robot that
+        the task names. ``world_from_robot`` (7) is its pose, ``group`` the group of joints that wipes, ``rounds`` the largest
+        number of rounds, ``target`` the performance at which the goal is met, 0 to 1. Each defaults to the value of the task.
 
-        ``plan`` takes the place of the task's strategy: a Plan or one's own strokes, as for ``plan_of_strokes``, for the first
-        round; or a function for every round, which is given a Task whose particles lie where they are estimated to lie by then,
-        and returns strokes.
+        ``plan`` replaces the task's strategy. A Plan, or strokes as for ``plan_of_strokes``, replaces it in the first round. A
+        function replaces it in every round; it receives a Task whose particles are at their present estimate, and returns
+        strokes.
 
-        ``out`` is a folder for what ``wisch run`` leaves: report, figures, plans, trajectories, and a bag (MCAP) of each round,
-        written while it is executed. ``memory`` is a folder in which the session is kept as an episode. Both are complete when
-        the session has ended, or when ``close()`` is called or a ``with`` block is left.
+        ``out`` is a folder for the results of ``wisch run``: report, figures, plans, trajectories, and a bag (MCAP) of each
+        round, written during its execution. ``memory`` is a folder of a memory that stores the session as an episode. Both are
+        complete when the session has ended, when ``close()`` is called, or at the end of a ``with`` block.
         """
     def interpret(
         self,
@@ -184,33 +184,33 @@ class Task:
         force_n: ArrayLike | None = None,
         certain: bool = False,
     ) -> Interpretation:
-        """What poses and forces tell: of a log, or of arrays of times (T) [s], poses (T, 7), and forces (T, 3) of the
-        surroundings on the tool in the axes of the world [N].
+        """Interpret poses and forces: a log, or arrays of times (T) [s], poses (T, 7), and forces (T, 3) of the surroundings
+        on the tool in the axes of the world [N].
 
-        Of the dirt before, what the task says is believed; ``certain``: that it lies just as the task says.
+        The belief about the dirt before is that of the task. If ``certain``, the dirt lies exactly at the task's particles.
         """
     def plan_known_dirt(self) -> Plan:
-        """A plan for ``particles`` as if they were known to lie just there, as ``wisch eval table1`` makes it.
+        """Plan for ``particles`` as if their positions were certain, as ``wisch eval table1`` does.
 
-        ``session().plan()`` plans for all places where the dirt may lie instead: on the table that is a way about twice as long, of
-        which less is predicted for this one draw.
+        ``session().plan()`` plans for the whole belief about the dirt instead. On the table, that path is about twice as long,
+        with a lower prediction for this single draw.
         """
     def plan_of_strokes(self, strokes: Sequence[ArrayLike]) -> Plan:
-        """The plan that consists of one's own strokes, each (k, 3): x, y [m] and heading [rad] of the tool in the frame of the
-        surface, between which it moves straight. Its ``strategy`` is "own".
+        """Return the plan of given strokes, each (k, 3): x, y [m] and yaw [rad] of the tool in the frame of the surface,
+        between which it moves straight. Its ``strategy`` is "own".
 
-        Raises WischError where a stroke leads the tool through an object of the scene, over a hole or off the surface.
+        Raises WischError if a stroke moves the tool through an object of the scene, over a hole or off the surface.
         """
     def plan_of_json(self, json: str) -> Plan:
-        """The plan of the text of a ``plan.json``; its strokes are checked as those of ``plan_of_strokes``."""
+        """Return the plan of the text of a ``plan.json``; its strokes are checked as in ``plan_of_strokes``."""
 
 class Plan:
-    """Strokes in the order in which they are wiped. A notebook shows it as a picture."""
+    """Strokes in the order of their execution. A notebook shows a plan as a picture."""
     @property
     def strategy(self) -> str: ...
     @property
     def strokes(self) -> list[Floats]:
-        """Each (k, 3): x, y [m] and heading [rad] of the tool in the frame of the surface, between which it moves straight."""
+        """Each (k, 3): x, y [m] and yaw [rad] of the tool in the frame of the surface, between which it moves straight."""
     @property
     def nodes(self) -> Floats:
         """(nodes, 2) in the frame of the surface [m]."""
@@ -220,48 +220,48 @@ class Plan:
     def contact_distance_m(self) -> float: ...
     @property
     def total_distance_m(self) -> float:
-        """Lifted moves included."""
+        """Length of the whole path, including free motions."""
     @property
     def unreachable_share(self) -> float:
         """Share of the particles that no allowed pose of the tool covers, 0 to 1."""
     @property
     def collect_goal(self) -> Floats | None:
-        """Where dirt is collected, (2) in the frame of the surface [m]."""
+        """Goal of the collected dirt, (2) in the frame of the surface [m]."""
     @property
     def tcp_path(self) -> Floats:
-        """Corners of the tool's whole way, (k, 4): x, y [m], heading [rad], height [m]."""
+        """Corners of the tool's whole path, (k, 4): x, y [m], yaw [rad], height [m]."""
     def predict(self, particles: ArrayLike | None = None) -> Prediction:
-        """What it does to the task's particles, or to these (N, 2) [m]."""
+        """Predict the plan's effect on the task's particles, or on given ones (N, 2) [m]."""
     def to_json(self) -> str:
-        """The text that the program writes to ``plan.json``."""
+        """Return the text of the file ``plan.json``."""
     def picture(self, name: Literal["graph", "before-after", "density", "effect-over-time"] = "graph") -> str:
-        """A picture of it as SVG."""
+        """Return a picture as SVG."""
     def _repr_svg_(self) -> str: ...
 
 class Prediction:
-    """What a plan is predicted to do. A notebook shows it as a picture."""
+    """Predicted effect of a plan. A notebook shows it as a picture."""
     @property
     def performance(self) -> float:
-        """Share of the particles that meets the goal, 0 to 1."""
+        """Share of the particles that meet the goal, 0 to 1."""
     @property
     def initial(self) -> int: ...
     @property
     def achieved(self) -> int: ...
     @property
     def lost(self) -> int:
-        """Particles that are over a wrong edge."""
+        """Number of particles that left the surface over a wrong edge."""
     @property
     def particles(self) -> Floats:
-        """Where they are, or went, (N, 2) in the frame of the surface [m]."""
+        """Positions of the particles, or where they left the surface, (N, 2) in the frame of the surface [m]."""
     @property
     def fates(self) -> NDArray[np.int8]:
         """0 on the surface, 1 absorbed, 2 off the surface, (N)."""
     def _repr_svg_(self) -> str: ...
 
 class Robot:
-    """A robot: a URDF with the SRDF and the capability map that lie beside it.
+    """A robot: a URDF, with the SRDF and the capability map beside it.
 
-    Its methods are for looking and planning; for a loop of control, use ``ImpedanceController``.
+    Its methods are for inspection and planning; for a control loop, use ``ImpedanceController``.
     """
     @staticmethod
     def load(urdf: Robot | Path) -> Robot:
@@ -270,7 +270,7 @@ class Robot:
     def name(self) -> str: ...
     @property
     def dof(self) -> int:
-        """n, the number of joints that move by themselves."""
+        """n, the number of independent joints."""
     @property
     def joints(self) -> list[str]:
         """Their names, in the order of every array of positions."""
@@ -286,27 +286,27 @@ class Robot:
     def pose(self, q: ArrayLike, link: str) -> Floats:
         """Pose of a link in the frame of the root link (7) at positions q (n) [rad or m]."""
     def jacobian(self, q: ArrayLike, link: str, point_in_link: ArrayLike | None = None) -> Floats:
-        """How a point (3) [m] of a link moves, (6, n): linear [m/s] then angular [rad/s], in the axes of the root link."""
+        """Jacobian of a point (3) [m] of a link, (6, n): linear [m/s] then angular [rad/s], in the axes of the root link."""
     def mass_matrix(self, q: ArrayLike) -> Floats:
-        """(n, n) [kg m², kg m or kg]."""
+        """Joint-space mass matrix, (n, n) [kg m², kg m or kg]."""
     def gravity(self, q: ArrayLike) -> Floats:
-        """Efforts that hold it still, (n) [Nm or N]."""
+        """Efforts that hold the robot against gravity, (n) [Nm or N]."""
     def bias(self, q: ArrayLike, qd: ArrayLike) -> Floats:
         """Efforts at no acceleration: Coriolis, centrifugal, weight, (n) [Nm or N]."""
     def inverse_dynamics(self, q: ArrayLike, qd: ArrayLike, qdd: ArrayLike) -> Floats:
         """Efforts for accelerations qdd (n) [rad/s² or m/s²], (n) [Nm or N]."""
 
 class Motion:
-    """A motion that is to be executed, laid out every 10 ms, between which it may be taken as linear.
+    """A joint motion for an executor, sampled every 10 ms and linear in between.
 
-    The tool's path lies on the believed surface: pressing is the executor's part, with no more than ``press_force_n``.
+    The tool's path lies on the believed surface: the executor must press, with at most ``press_force_n``.
     """
     @property
     def round(self) -> int:
         """From 1."""
     @property
     def seed(self) -> int:
-        """For what is random in a simulated world."""
+        """Seed of a simulated world."""
     @property
     def robot(self) -> str: ...
     @property
@@ -315,10 +315,10 @@ class Motion:
     def tool(self) -> str: ...
     @property
     def world_from_surface(self) -> Floats:
-        """As believed, (7)."""
+        """Believed pose, (7)."""
     @property
     def world_from_root(self) -> Floats:
-        """Where the robot's root link stands, (7)."""
+        """Pose of the robot's root link, (7)."""
     @property
     def tip(self) -> str:
         """Name of the link that holds the tool."""
@@ -327,30 +327,30 @@ class Motion:
         """(7)."""
     @property
     def press_force_n(self) -> float:
-        """At which the controller's force is to be saturated."""
+        """Saturation of the controller's force."""
     @property
     def stiffness_n_per_m(self) -> float:
-        """Along the surface's normal."""
+        """Stiffness along the surface's normal."""
     @property
     def damping_ratio(self) -> float: ...
     @property
     def compression_depth_m(self) -> float: ...
     @property
     def gap_m(self) -> float | None:
-        """How high a tool hovers instead of touching; None for one that touches."""
+        """Height at which a tool hovers over the surface; None for a tool that touches."""
     @property
     def duration_s(self) -> float: ...
     @property
     def contact_time_s(self) -> float: ...
     @property
     def abandoned(self) -> list[int]:
-        """Nodes of the plan that no way leads to."""
+        """Nodes of the plan that the robot cannot reach."""
     @property
     def strokes(self) -> list[Floats]:
-        """The strokes as the robot wipes them, each (k, 3) as of ``Plan.strokes``."""
+        """Strokes that the robot executes, each (k, 3) as in ``Plan.strokes``."""
     @property
     def particles(self) -> Floats:
-        """Where the dirt is believed to lie, (N, 2) in the frame of the surface [m]."""
+        """Believed positions of the dirt, (N, 2) in the frame of the surface [m]."""
     @property
     def phases(self) -> list[Phase]: ...
     @property
@@ -367,80 +367,80 @@ class Motion:
         """(T, 7)."""
     @property
     def stroke(self) -> NDArray[np.int64]:
-        """The stroke that is wiped, -1 where the tool does not touch, (T)."""
+        """Number of the stroke, -1 where the tool does not touch, (T)."""
     def setpoints(self, period_s: float) -> Setpoints:
-        """The same columns at another period [s]."""
+        """Return the motion sampled at another period [s]."""
 
 class Sink:
-    """Takes samples in while a motion is executed; False says that the motion is to be broken off."""
+    """Receives samples during the execution of a motion; returns False if the motion must stop."""
     def __call__(self, sample: Mapping[str, Any] | None = None, /, **keys: Any) -> bool:
-        """Hand one sample on: ``time_s`` [s], ``world_from_tool`` (7), ``force_n`` (3) and, where measured, ``positions``,
+        """Pass a sample: ``time_s`` [s], ``world_from_tool`` (7), ``force_n`` (3) and, where measured, ``positions``,
         ``velocities``, ``efforts`` (n), ``moment_nm`` (3), ``world_from_commanded`` (7), ``controller_force_n`` (3),
-        ``controller_moment_nm`` (3), ``trajectory_time_s`` [s] (of the setpoint that the controller is at). Raises WischError that names the sample and the value."""
+        ``controller_moment_nm`` (3), ``trajectory_time_s`` [s] (time of the controller's present setpoint). Raises WischError with the time of the sample and the faulty value."""
     def many(self, samples: Mapping[str, ArrayLike] | None = None, /, **keys: ArrayLike) -> bool:
-        """Hand many on: the same keys, with a row per sample."""
+        """Pass many samples: the same keys, with a row per sample."""
 
 class Session:
     """A task from its first plan to its last verdict, stage by stage. A notebook shows its rounds as a table.
 
-    What takes long runs without Python's lock. Ctrl-C is heard in every stage; the stage goes on by itself to its end, and the
-    session can go on from there. ``on_event`` is called with what happens as a dict, as ``wisch run --events`` writes it; if it
-    returns False, the session stops. An executor is called on the caller's thread; ``timeout`` [s] gives it up when there is
-    no sample, or ``observe`` does not return, for so long.
+    Long computations run without Python's lock. Ctrl-C is raised in every stage; the stage itself runs to its end, and the
+    session can continue from there. ``on_event`` is called with every event as a dict, as ``wisch run --events`` writes it; if
+    it returns False, the session stops. An executor is called on the caller's thread; if it passes no sample, or its
+    ``observe`` does not return, within ``timeout`` [s], the session stops waiting and raises WischError.
     """
     def plan(self, executor: Executor | None = None, *, on_event: OnEvent | None = None) -> Plan:
-        """Plan the round at hand, if it is not planned; an executor that can look is asked before the first."""
+        """Plan the current round, unless it is planned. Before the first plan, an executor with ``observe`` is asked for it."""
     def follow(self, executor: Executor | None = None, *, on_event: OnEvent | None = None) -> Motion:
-        """Go on to the joint motion of the plan."""
+        """Continue to the joint motion of the plan."""
     def audit(self, executor: Executor | None = None, *, on_event: OnEvent | None = None) -> Audit:
-        """Go on to the check of the motion."""
+        """Continue to the check of the motion."""
     def run(self, executor: Executor, *, on_event: OnEvent | None = None, timeout: float | None = None) -> list[Round]:
-        """Go on to the end; the rounds. What an executor raises comes out, when what was felt until then is interpreted."""
+        """Continue to the end, and return the rounds. An executor's exception is raised after its samples are interpreted."""
     def run_round(self, executor: Executor, *, on_event: OnEvent | None = None, timeout: float | None = None) -> list[Round]:
-        """Go on until one more round is judged, or to the end; the rounds so far."""
+        """Continue until the next verdict or the end, and return the rounds so far."""
     @property
     def rounds(self) -> list[Round]:
-        """Those that are over, one that was broken off included."""
+        """Finished rounds, including one that was stopped."""
     @property
     def telemetry(self) -> list[Telemetry]:
-        """What was measured, motion by motion, that of one which went wrong included."""
+        """Telemetry of every motion, including one that failed."""
     @property
     def stage(self) -> Literal["planned", "followed", "audited", "executed", "interpreted", "judged", "ended"] | None: ...
     @property
     def verdict(self) -> str | None:
-        """Why the session has ended; None before, and if it was stopped."""
+        """Why the session has ended; None before its end, or if it was stopped."""
     @property
     def first_look(self) -> Floats | None:
-        """What was seen before the first round, (k, 2) in the frame of the surface [m]."""
+        """Detections before the first round, (k, 2) in the frame of the surface [m]."""
     @property
     def episode(self) -> str | None:
-        """The name of the episode in which the session is kept; None without ``memory``, and before the session has ended."""
+        """Name of the session's episode; None without ``memory``, and before the session has ended."""
     @property
     def remarks(self) -> list[str]:
-        """What is odd about what was kept, a sentence each."""
+        """Remarks on the stored results, a sentence each."""
     def close(self) -> None:
-        """Write what is kept of a session that has not ended; one without ``out`` and ``memory`` has nothing to write."""
+        """Write the results of a session that has not ended; does nothing without ``out`` and ``memory``."""
     def __enter__(self) -> Session: ...
     def __exit__(self, *error: object) -> None: ...
     def _repr_html_(self) -> str: ...
 
 class Audit:
-    """What an independent check says of a motion; true if that is sound."""
+    """Result of an independent check of a motion; true if the motion has no faults."""
     @property
     def faults(self) -> list[str]:
-        """What is wrong, in words."""
+        """Descriptions of the faults."""
     @property
     def min_clearance_m(self) -> float:
-        """Smallest distance of bodies that must not touch, at most 0.5 m."""
+        """Smallest distance between bodies that must not touch, at most 0.5 m."""
     @property
     def line_deviation_m(self) -> float:
-        """How far the tool leaves its lines at most."""
+        """Largest deviation of the tool from its lines."""
     @property
     def line_deviation_rad(self) -> float: ...
     def __bool__(self) -> bool: ...
 
 class Round:
-    """One round that is over."""
+    """A finished round."""
     @property
     def number(self) -> int:
         """From 1."""
@@ -471,16 +471,16 @@ class Round:
     def _repr_svg_(self) -> str: ...
 
 class Telemetry:
-    """What was measured, one array per quantity; the arrays own what Rust recorded, nothing is copied."""
+    """Telemetry, an array per quantity; the arrays own the data recorded in Rust, without a copy."""
     @property
     def round(self) -> int:
-        """From 1; 0 of a log that does not say."""
+        """From 1; 0 for a log that does not state it."""
     @property
     def time_s(self) -> Floats:
         """(T)."""
     @property
     def stroke(self) -> NDArray[np.int64]:
-        """The stroke that was wiped, -1 where none was, (T)."""
+        """Number of the stroke, -1 outside strokes, (T)."""
     @property
     def world_from_tool(self) -> Floats:
         """(T, 7)."""
@@ -489,19 +489,19 @@ class Telemetry:
         """(T, 7)."""
     @property
     def force_n(self) -> Floats:
-        """Of the surroundings on the tool, in the axes of the world, (T, 3)."""
+        """Force of the surroundings on the tool, in the axes of the world, (T, 3)."""
     @property
     def moment_nm(self) -> Floats:
-        """About the tool centre point, (T, 3)."""
+        """Moment about the tool centre point, (T, 3)."""
     @property
     def controller_force_n(self) -> Floats:
-        """What the controller asked of the tool, (T, 3)."""
+        """Force that the controller commanded, (T, 3)."""
     @property
     def controller_moment_nm(self) -> Floats:
         """(T, 3)."""
     @property
     def positions(self) -> Floats:
-        """(T, n), or (T, 0) where they were not measured [rad or m]."""
+        """(T, n), or (T, 0) if not measured [rad or m]."""
     @property
     def velocities(self) -> Floats:
         """(T, n), or (T, 0) [rad/s or m/s]."""
@@ -511,7 +511,7 @@ class Telemetry:
     def __len__(self) -> int: ...
 
 class Interpretation:
-    """What a log of poses and forces says of contact, surface and dirt."""
+    """Estimates of contact, surface and dirt from poses and forces."""
     @property
     def performance(self) -> float:
         """Expected, 0 to 1."""
@@ -520,33 +520,33 @@ class Interpretation:
         """Its 90 % interval."""
     @property
     def performance_by_touch(self) -> float:
-        """By touch alone, before anything was seen."""
+        """Expected by touch alone, without camera observations."""
     @property
     def diagnosis(self) -> Literal["localized", "relocalize", "no contact", "hovering"]: ...
     @property
     def world_from_surface(self) -> Floats:
-        """Where the surface is, (7): where it was felt, if that is elsewhere than believed."""
+        """Estimated pose of the surface, (7): by touch, if that differs from the believed pose."""
     @property
     def contact_share(self) -> float:
         """Time in contact over time on or near the surface, 0 to 1."""
     @property
     def doubts(self) -> list[str]:
-        """Why the log does not look like wiping of this surface, in words."""
+        """Reasons why the log may not show wiping of this surface, a sentence each."""
     @property
     def events(self) -> list[WipingEvent]: ...
     @property
     def weights(self) -> Floats:
-        """How probable each member of the belief is, (members)."""
+        """Probability of each member of the belief, (members)."""
     def particles(self, seed: int = 0) -> Floats:
-        """Where the dirt may lie now: one draw from what is believed, (N, 2) in the frame of the surface [m]."""
+        """Draw the present positions of the dirt from the belief, (N, 2) in the frame of the surface [m]."""
     def next_plan(self) -> Plan:
-        """A plan for what is left to do."""
+        """Plan for the remaining dirt."""
 
 class ImpedanceController:
     """The whole-body impedance controller (8) along a motion, with the observer of the external force; for a loop of 1 kHz.
 
-    ``motion`` is one that a session made in this process. ``period_s`` is that of the loop, ``tool_mass_kg`` what the tool
-    weighs. Joints that the controller does not drive, such as those of a mobile base, are to be held at the planned positions.
+    ``motion`` is from a session in this process, ``period_s`` the period of the loop, ``tool_mass_kg`` the mass of the tool.
+    Joints that the controller does not drive, such as those of a mobile base, must be held at the planned positions.
     """
     def __init__(
         self,
@@ -569,26 +569,26 @@ class ImpedanceController:
     def command(self, time_s: float, q: ArrayLike, qd: ArrayLike) -> Floats:
         """Efforts (k) [Nm or N], within their limits, at a time of the motion, from all n measured positions and velocities.
 
-        The observer takes it that the efforts of the call before were given for one period since.
+        The observer assumes that the efforts of the previous call were applied for one period.
         """
     @property
     def planned(self) -> tuple[Floats, Floats, Floats]:
-        """All n joints as planned for the last command: positions, velocities, accelerations."""
+        """Planned state of all n joints at the last command: positions, velocities, accelerations."""
     @property
     def world_from_tool(self) -> Floats:
-        """By forward kinematics, (7)."""
+        """Pose of the tool by forward kinematics, (7)."""
     @property
     def world_from_commanded(self) -> Floats:
-        """The press into the surface included, (7)."""
+        """Commanded pose of the tool, including the press into the surface, (7)."""
     @property
     def controller_wrench(self) -> Floats:
-        """What it asks of the tool: force [N] and moment [Nm] in the axes of the world, (6)."""
+        """Commanded wrench on the tool: force [N] and moment [Nm] in the axes of the world, (6)."""
     @property
     def external_wrench(self) -> Floats:
-        """What the surroundings do to the tool, as observed, (6)."""
+        """Observed wrench of the surroundings on the tool, (6)."""
 
 class EffectField:
-    """Particles on a surface, and the one model of what a tool does to them.
+    """Particles on a surface, with the effect model of a tool.
 
     ``particles`` (N, 2), ``outline`` (corners, 2) of the surface, and ``footprint`` (corners, 2) of the tool in its own frame [m].
     """
@@ -601,33 +601,33 @@ class EffectField:
     ) -> None: ...
     @staticmethod
     def of_task(task: Task) -> EffectField:
-        """The particles, surface, tool and action of a task."""
+        """Create the field of a task's particles, surface, tool and action."""
     def apply(self, poses: ArrayLike) -> Effect:
-        """Move the tool in contact through poses (k, 3): x, y [m] and heading [rad]; how many particles it met how."""
+        """Move the tool in contact through poses (k, 3): x, y [m] and yaw [rad]. Returns the numbers of affected particles."""
     @property
     def particles(self) -> Floats:
-        """Where they are, or went, (N, 2) [m]."""
+        """Positions of the particles, or where they left the surface, (N, 2) [m]."""
     @property
     def fates(self) -> NDArray[np.int8]:
         """0 on the surface, 1 absorbed, 2 off the surface, (N)."""
 
 class Memory:
-    """The episodes of a folder, which is made where there is none."""
+    """Memory of episodes in a folder, created if necessary."""
     def __init__(self, folder: Path = "episodes") -> None: ...
     @property
     def folder(self) -> PathLike[str]: ...
     @property
     def episodes(self) -> list[str]: ...
     def ask(self, query: str) -> list[dict[str, Any]]:
-        """The answers to a query in Prolog, such as ``low_performance(Action, P)``: a dict for each, from the names of its
-        variables to values. ``wisch ask --list`` lists what queries may call. Needs SWI-Prolog or wisch-prolog."""
+        """Answer a query in Prolog, such as ``low_performance(Action, P)``: returns a dict per answer, from the names of
+        its variables to values. ``wisch ask --list`` lists the predicates. Needs SWI-Prolog or wisch-prolog."""
     def remember(self, session: Session) -> str:
-        """Keep the rounds of a session that are over as an episode; its name."""
+        """Store the finished rounds of a session as an episode, and return its name."""
     def telemetry(self, episode: str, round: int = 1, columns: Sequence[str] | None = None) -> dict[str, Floats]:
-        """Columns of an episode's telemetry by name, ``time_s`` and all others or these, (T) each."""
+        """Return columns of an episode's telemetry by name: ``time_s`` and all columns, or the given ones, (T) each."""
 
 class WipingWorlds:
-    """What ``wisch.gym`` is made of."""
+    """Parallel worlds for ``wisch.gym``."""
     def __init__(
         self,
         task: Task,
@@ -659,13 +659,13 @@ def load_task(
     strategy: str | None = None,
     knowledge: Path | None = None,
 ) -> Task:
-    """Read a task file, or a shipped scenario by its name, with all that it refers to.
+    """Read a task file, or a shipped scenario by its name, with all files that it refers to.
 
-    ``set`` lays values over the file's: dotted keys such as ``{"particles.count": 80, "tool.name": "brush"}``, lists and dicts
-    included. ``action``, ``strategy`` and ``seed`` are those of the command line; ``knowledge`` is a folder with tools, media,
-    surfaces and interactions in place of what is shipped.
+    ``set`` overrides values of the file by dotted keys such as ``{"particles.count": 80, "tool.name": "brush"}``, including lists
+    and dicts. ``action``, ``strategy`` and ``seed`` are as on the command line; ``knowledge`` is a folder with tools, media,
+    surfaces and interactions that replaces the shipped one.
 
-    Raises WischError: a file that cannot be read or is refused, with line, column, value and limit.
+    Raises WischError with line, column, value and limit if a file cannot be read or is invalid.
     """
 
 def read_log(

@@ -1,6 +1,6 @@
-"""Executors: any object with ``execute(motion, sink)`` and, if it can look, ``observe()``; ``state()`` says where it stands.
+"""Executors: any object with ``execute(motion, sink)``; with a camera, ``observe()``; and optionally ``state()``.
 
-``Executor`` is a base class that says what they are; nothing needs to inherit from it. ``serve`` makes a program of one, for
+``Executor`` is a base class that documents the methods; inheritance is not required. ``serve`` turns an executor into a program for
 ``wisch run TASK --executor "python3 my_robot.py"``::
 
     import wisch.executor
@@ -10,7 +10,7 @@
             for k, time in enumerate(motion.time_s):
                 pose, force = ...
                 if not sink(time_s=time, world_from_tool=pose, force_n=force, positions=motion.positions[k]):
-                    return  # the motion is to be broken off
+                    return  # the motion must stop
 
     if __name__ == "__main__":
         wisch.executor.serve(MyRobot())
@@ -29,45 +29,45 @@ import numpy as np
 
 __all__ = ["Executor", "serve"]
 
-#: Of the protocol in docs/executor-protocol.md.
+#: Name and version of the protocol in docs/executor-protocol.md.
 PROTOCOL, VERSION = "wisch-executor", 1
 
 
 class Executor:
-    """What executes motions: a robot, a simulator, a stand-in."""
+    """Executor of motions: a robot, a simulator, or a stand-in."""
 
     def execute(self, motion, sink) -> dict[str, Any] | None:
-        """Execute a motion, and hand what is measured to the sink, sample by sample in the order of time.
+        """Execute a motion, and pass its telemetry to the sink, sample by sample in the order of time.
 
         ``motion`` has ``time_s`` (T), ``positions`` and ``velocities`` (T, n), ``world_from_tool`` (T, 7), ``stroke`` (T; -1
         where the tool does not touch), ``phases``, ``joints``, ``press_force_n``, ``stiffness_n_per_m``, ``damping_ratio``,
         ``world_from_surface`` (7), ``duration_s``, ``round`` and ``seed``. The tool's path lies on the believed surface:
-        pressing is the executor's part.
+        the executor must press.
 
         ``sink(sample)`` takes a dict with ``time_s`` [s], ``world_from_tool`` (7), ``force_n`` (3; of the surroundings on the
-        tool, in the axes of the world [N]) and, where measured, ``positions``, ``velocities``, ``efforts`` (n; arrays, or dicts
+        tool, in the axes of the world [N]) and, if measured, ``positions``, ``velocities``, ``efforts`` (n; arrays, or dicts
         by joint), ``moment_nm`` (3), ``world_from_commanded`` (7), ``controller_force_n`` (3), ``controller_moment_nm`` (3); or
-        these as arguments. A robot that may run slower than planned adds ``trajectory_time_s``, the time of the setpoint that its
-        controller is at. ``sink.many`` takes the same with a row per sample. Both return False when the motion is to be
-        broken off.
+        these as arguments. A robot that may run slower than planned adds ``trajectory_time_s``, the time of its controller's
+        present setpoint. ``sink.many`` takes the same with a row per sample. Both return False if the motion must
+        stop.
 
-        Returns None when all is done or it was broken off; or a dict with any of ``ending`` ("complete", "stopped", or
+        Returns None when the motion is complete or was stopped; or a dict with any of ``ending`` ("complete", "stopped", or
         ``{"protective_stop": {"time_s": ..., "reason": ...}}``), ``duration_s`` and ``positions`` (n, at the end).
         """
         raise NotImplementedError
 
     def state(self):
-        """Where the joints stand (n), asked before each motion; None where that is not known."""
+        """Return the joint positions (n) before each motion; None if unknown."""
         return None
 
     def observe(self):
-        """What is seen of the dirt: places (k, 2) in the frame of the believed surface [m], or a dict of ``detections`` and
-        ``hidden``, polygons that cannot be seen; None where nothing can look."""
+        """Return the camera's detections of dirt: positions (k, 2) in the frame of the believed surface [m], or a dict of
+        ``detections`` and ``hidden``, polygons that the camera cannot see; None without a camera."""
         return None
 
 
 class _Motion:
-    """A motion as it comes over the wire, with the names of ``wisch.Motion``."""
+    """A motion received over the wire, with the attributes of ``wisch.Motion``."""
 
     def __init__(self, head: dict[str, Any], points: list[dict[str, Any]]) -> None:
         self.__dict__.update(head)
@@ -83,7 +83,7 @@ class _Motion:
 
 
 class _Wire:
-    """What is heard, by a thread of its own so that a "stop" is heard at once, and what is said."""
+    """Connection to wisch. A thread of its own receives messages, so that a "stop" takes effect at once."""
 
     def __init__(self, heard, said) -> None:
         self._said = said
@@ -116,7 +116,7 @@ def _plain(value):
 
 
 class _Sink:
-    """Hands samples over the wire."""
+    """Sends samples over the wire."""
 
     def __init__(self, wire: _Wire, joints: list[str]) -> None:
         self._wire = wire
@@ -137,7 +137,7 @@ class _Sink:
     def _in_order(self, key: str, by_name: dict[str, float]) -> list[float]:
         for joint in self._joints:
             if joint not in by_name:
-                raise ValueError(f"{key}: joint {joint!r} is missing, there are {', '.join(by_name)}")
+                raise ValueError(f"{key}: joint {joint!r} is missing; given: {', '.join(by_name)}")
         if unknown := by_name.keys() - set(self._joints):
             raise ValueError(f"{key}: unknown joint {min(unknown)!r}; known: {', '.join(self._joints)}")
         return [by_name[joint] for joint in self._joints]
@@ -177,9 +177,9 @@ def _seen(executor):
 
 
 def serve(executor) -> None:
-    """Execute for ``wisch run --executor``, over the standard streams, until nothing more is asked.
+    """Serve ``wisch run --executor`` over the standard streams until they close.
 
-    What the executor prints goes to standard error; what it raises is told to wisch, and ends this program with exit code 1.
+    Output of the executor goes to standard error. Its exceptions are reported to wisch, and end this program with exit code 1.
     """
     wire = _Wire(sys.stdin, sys.stdout)
     sys.stdout = sys.stderr

@@ -1,20 +1,20 @@
-"""A Gymnasium environment to learn wiping in: ``wisch/Wiping-v0``, on the effect model.
+"""A Gymnasium environment for learning to wipe: ``wisch/Wiping-v0``, on the effect model.
 
-Importing this module makes it known; ``gymnasium.make("wisch.gym:wisch/Wiping-v0")`` imports it by itself.
+Importing this module registers it; ``gymnasium.make("wisch.gym:wisch/Wiping-v0")`` also imports the module.
 
-An episode begins with particles spread evenly over a surface. Each step is a straight stroke of the tool in contact; the
-reward is what it gains of the task's performance, less what its way costs. It ends when the target is reached (terminated) or
-after so many strokes (truncated).
+An episode begins with particles distributed uniformly over a surface. Each step is a straight stroke of the tool in contact;
+the reward is the gain in the task's performance, minus a cost of its path. The episode ends when the target is reached
+(terminated) or after ``max_strokes`` strokes (truncated).
 
-**Action**, ``Box(-1, 1, (5,), float32)``: where the stroke starts, x and y, and where it ends, x and y, in the bounding box of
-the surface, which is larger by the radius of the tool on each side (so that it can wipe over an edge); and the tool's heading,
-in half turns: its broad side lies across a motion in the direction of its heading.
+**Action**, ``Box(-1, 1, (5,), float32)``: start x and y and end x and y of the stroke, in the bounding box of the surface
+enlarged by the radius of the tool on each side (so that it can wipe over an edge); and the tool's yaw, in half turns: at this
+yaw, its broad side is perpendicular to a motion in that direction.
 
-**Observation**, ``Dict``: ``density``, ``Box(0, 1, (rows, columns), float32)``, the share of the particles that lies in each
-cell of the surface, rows along y from the smallest; ``tool``, ``Box(-1, 1, (4,), float32)``, where the tool was lifted, x and y
-in the box of the actions, and cosine and sine of its heading.
+**Observation**, ``Dict``: ``density``, ``Box(0, 1, (rows, columns), float32)``, the share of the particles in each
+cell of the surface, rows along y from the smallest; ``tool``, ``Box(-1, 1, (4,), float32)``, the end of the last stroke, x and y
+in the box of the actions, and cosine and sine of its yaw.
 
-**Reward**: performance after less before (0 to 1), less ``cost_per_m`` for each metre of way, in contact or lifted.
+**Reward**: performance after minus performance before (0 to 1), minus ``cost_per_m`` for each metre of path, in contact or not.
 
 >>> import gymnasium
 >>> import wisch.gym
@@ -40,7 +40,7 @@ from ._task import Task, build_task, load_task
 
 __all__ = ["AdaptivePolicy", "RandomPolicy", "WipingEnv", "WipingVectorEnv"]
 
-#: Of an action: start x, y, end x, y, heading.
+#: Length of an action: start x, y, end x, y, yaw.
 _ACTION = 5
 
 
@@ -88,10 +88,10 @@ def _worlds(task, count, particles, grid, max_strokes, target, cost_per_m):
 class WipingEnv(gymnasium.Env):
     """One world; see the module for its spaces and its reward.
 
-    ``task`` is a ``wisch.Task``, a path or the name of a shipped scenario (default: crumbs that are collected on a board);
-    ``particles`` how many there are; ``grid`` rows and columns of the density; ``max_strokes`` after how many strokes an
-    episode is cut off; ``target`` the performance at which it ends, 0 to 1 (default: the task's); ``cost_per_m`` what a metre
-    of way costs.
+    ``task`` is a ``wisch.Task``, a path or the name of a shipped scenario (default: collecting crumbs on a board);
+    ``particles`` the number of particles; ``grid`` rows and columns of the density; ``max_strokes`` the largest number of
+    strokes in an episode; ``target`` the performance at which it ends, 0 to 1 (default: the task's); ``cost_per_m`` the cost of
+    a metre of path.
     """
 
     metadata = {"render_modes": []}
@@ -115,7 +115,7 @@ class WipingEnv(gymnasium.Env):
         self._is_seeded = False
 
     def reset(self, *, seed: int | None = None, options: dict[str, Any] | None = None):
-        """Begin an episode; ``seed`` draws where its particles lie, and those of the episodes after it."""
+        """Begin an episode; ``seed`` determines its particles, and those of later episodes."""
         super().reset(seed=seed)
         if seed is None and not self._is_seeded:
             seed = int(self.np_random.integers(1 << 62))
@@ -124,7 +124,7 @@ class WipingEnv(gymnasium.Env):
         return {"density": density[0], "tool": tool[0]}, self._info()
 
     def step(self, action):
-        """Wipe one stroke."""
+        """Execute a stroke."""
         action = np.asarray(action, dtype=np.float64).reshape(1, _ACTION)
         density, tool, reward, terminated, truncated, _ = self.worlds.step(action)
         observation = {"density": density[0], "tool": tool[0]}
@@ -134,15 +134,15 @@ class WipingEnv(gymnasium.Env):
         return {"performance": float(self.worlds.performance[0])}
 
     def particles(self) -> np.ndarray:
-        """Where the particles lie that are still on the surface, (k, 2) in its frame [m]; no policy is meant to see them."""
+        """Positions of the particles on the surface, (k, 2) in its frame [m]: ground truth, not for policies."""
         return self.worlds.particles(0)
 
 
 class WipingVectorEnv(VectorEnv):
-    """Many worlds side by side, computed in Rust on all cores; arguments as of ``WipingEnv``.
+    """Many worlds side by side, computed in Rust on all cores; arguments as for ``WipingEnv``.
 
-    An episode that is over begins anew with the next step, whose action is not looked at (``AutoresetMode.NEXT_STEP``).
-    With the same seed, world i does what a ``WipingEnv`` does with that seed plus i.
+    After the end of an episode, the next step begins a new one and ignores its action (``AutoresetMode.NEXT_STEP``).
+    World i with a seed equals a ``WipingEnv`` with that seed plus i.
     """
 
     metadata = {"render_modes": [], "autoreset_mode": AutoresetMode.NEXT_STEP}
@@ -170,7 +170,7 @@ class WipingVectorEnv(VectorEnv):
         self._is_seeded = False
 
     def reset(self, *, seed: int | list[int | None] | None = None, options: dict[str, Any] | None = None):
-        """Begin all episodes anew; world i gets the seed plus i, or the list's i-th."""
+        """Begin new episodes in all worlds; world i gets the seed plus i, or the i-th seed of a list."""
         super().reset(seed=seed if isinstance(seed, int) else None)
         if seed is None and not self._is_seeded:
             seed = [int(s) for s in self.np_random.integers(1 << 62, size=self.num_envs)]
@@ -183,35 +183,35 @@ class WipingVectorEnv(VectorEnv):
         return {"density": density, "tool": tool}, {"performance": self.worlds.performance}
 
     def step(self, actions):
-        """Wipe one stroke in each world, actions (num_envs, 5)."""
+        """Execute a stroke in each world, actions (num_envs, 5)."""
         density, tool, reward, terminated, truncated, performance = self.worlds.step(actions)
         return {"density": density, "tool": tool}, reward, terminated, truncated, {"performance": performance}
 
     def particles(self, world: int) -> np.ndarray:
-        """Where the particles of one world lie that are still on the surface, (k, 2) in its frame [m]."""
+        """Positions of the particles on the surface of a world, (k, 2) in its frame [m]."""
         return self.worlds.particles(world)
 
 
 class RandomPolicy:
-    """Strokes anywhere, anyhow: what everything is to be better than."""
+    """Random strokes: a baseline."""
 
     def __init__(self, env: gymnasium.Env, seed: int | None = None) -> None:
         self._space = env.action_space
         self._space.seed(seed)
 
     def reset(self) -> None:
-        """A new episode."""
+        """Begin a new episode."""
 
     def __call__(self, observation) -> np.ndarray:
-        """The next action."""
+        """Return the next action."""
         return self._space.sample()
 
 
 class AdaptivePolicy:
-    """Plays the strokes of an adaptive plan for the particles as they lie, which a learner does not see.
+    """Executes the strokes of an adaptive plan for the true particles, which a learner does not see.
 
-    It plans when an episode begins, and again when its plan is played. The plan's strokes bend and turn; they are played as
-    straight strokes, one per edge, with the heading halfway. ``evaluations`` is how many plans the search may try.
+    It plans at the begin of an episode, and whenever its plan is finished. The plan's strokes bend and turn; they are executed
+    as straight strokes, one per edge, with the mean yaw. ``evaluations`` is the number of plans that the search may evaluate.
     """
 
     def __init__(self, env: gymnasium.Env, *, evaluations: int = 20_000) -> None:
@@ -222,11 +222,11 @@ class AdaptivePolicy:
         self._strokes: list[np.ndarray] = []
 
     def reset(self) -> None:
-        """A new episode."""
+        """Begin a new episode."""
         self._strokes = []
 
     def __call__(self, observation) -> np.ndarray:
-        """The next action, (5,)."""
+        """Return the next action, (5,)."""
         if not self._strokes:
             self._strokes = self._planned()
         return self._strokes.pop(0)

@@ -1,9 +1,9 @@
-"""Evaluations on a Ray cluster: each part is a task of its own, and a worker that dies costs its part only.
+"""Evaluations on a Ray cluster: each part is a task of its own, so that a worker that dies loses only its part.
 
     python -m wisch.ray --shards 64 --out out/published -- calibration --first-seed 1000 --worlds 1000
 
-The parts come back to the machine that asked, into one folder, and are put together there by the same command that
-evaluates on one machine: the results are the same, byte for byte. Every node needs this wheel, of the same version.
+The parts return to this machine, into one folder, where the same command as for one machine combines them: the results
+are the same, byte for byte. Every node needs this wheel, in the same version.
 Needs ``pip install wisch[ray]``.
 """
 
@@ -18,7 +18,7 @@ from pathlib import Path
 
 import ray
 
-#: Decided by :func:`evaluate`, and not among its arguments.
+#: Options that :func:`evaluate` sets itself.
 _OURS = ("--out", "--shard", "--resume", "--json", "--threads")
 
 
@@ -30,21 +30,20 @@ def evaluate(
     program: Sequence[str] = (),
     retries: int = 3,
 ) -> int:
-    """Evaluates in parts on the cluster that Ray is connected to, or on one that it begins on this machine.
+    """Evaluate in parts on the cluster that Ray is connected to, or on a new one on this machine.
 
     ``arguments`` are those of ``wisch eval``, such as ``["calibration", "--first-seed", "1000", "--worlds", "81"]``; each
-    of the ``shards`` parts takes one core. What ``out`` holds of the same evaluation is gone on with. A part whose
-    worker dies is begun again up to ``retries`` times, on another. ``program`` is what is run in place of this wheel's
-    program, on every node.
+    of the ``shards`` parts takes one core. An unfinished evaluation in ``out`` is resumed. A part whose worker
+    dies is restarted on another worker, up to ``retries`` times. ``program`` replaces this wheel's program on every node.
 
-    Returns the exit code of putting the parts together: 0 if all was evaluated, 1 if something could not be.
+    Returns the exit code of combining the parts: 0 if all was evaluated, 1 if something could not be.
 
-    Raises ``ValueError`` for arguments that are decided here, and ``RuntimeError`` with what the program said where it
-    refuses the evaluation.
+    Raises ``ValueError`` for arguments that this function sets itself, and ``RuntimeError`` with the program's message if
+    it rejects the evaluation.
     """
     for argument in arguments:
         if argument.split("=")[0] in _OURS:
-            raise ValueError(f"{argument} is decided by wisch.ray.evaluate")
+            raise ValueError(f"{argument} may not be given, because wisch.ray.evaluate sets it")
     if shards < 1:
         raise ValueError(f"shards: {shards} is not at least 1")
     program = list(program) or [sys.executable, "-m", "wisch"]
@@ -70,7 +69,7 @@ def evaluate(
 
 
 def _part(program: list, arguments: list, index: int, count: int, known: dict) -> dict:
-    """Evaluates a part; the files that hold it, by name."""
+    """Evaluate a part, and return its files by name."""
     with tempfile.TemporaryDirectory(prefix="wisch-") as name:
         folder = Path(name)
         for file, content in known.items():
@@ -78,14 +77,14 @@ def _part(program: list, arguments: list, index: int, count: int, known: dict) -
         command = [*program, "eval", *arguments, "--shard", f"{index}/{count}", "--threads", "1"]
         command += ["--quiet", "--resume", "--out", str(folder)]
         run = subprocess.run(command, capture_output=True, text=True, check=False, preexec_fn=_end_with_worker)
-        # 1 says that some of it could not be evaluated, which is said again when the parts are put together.
+        # 1 means that some of it could not be evaluated, which is reported when the parts are combined.
         if run.returncode not in (0, 1):
             raise RuntimeError(f"part {index} of {count}: exit code {run.returncode}: {run.stderr.strip()}")
         return {path.name: path.read_bytes() for path in folder.glob("*.jsonl")}
 
 
 def _end_with_worker() -> None:
-    """Nobody waits for what a dead worker has begun: on Linux it ends with it."""
+    """End this process together with its worker (on Linux), because nobody would wait for it."""
     if sys.platform == "linux":
         import ctypes
 
@@ -94,24 +93,24 @@ def _end_with_worker() -> None:
 
 
 def _write(path: Path, content: bytes) -> None:
-    """Writes a file whole or not at all."""
+    """Write a file completely or not at all."""
     new = path.with_name(f".{path.name}.new")
     new.write_bytes(content)
     new.replace(path)
 
 
 def main() -> int:
-    """Run from the command line; the exit code."""
+    """Run from the command line, and return the exit code."""
     parser = argparse.ArgumentParser(
         prog="python -m wisch.ray",
         description="Evaluate in parts on a Ray cluster, as wisch eval does on one machine.",
         epilog="Example: python -m wisch.ray --shards 64 --out out/rows -- calibration --first-seed 1000 --worlds 1000",
     )
-    parser.add_argument("--address", help="the cluster, such as auto; without it one is begun on this machine")
+    parser.add_argument("--address", help="address of the cluster, such as auto; by default a new cluster on this machine")
     parser.add_argument("--shards", type=int, required=True, help="number of parts, each of which takes one core")
     parser.add_argument("--out", required=True, help="folder for the results")
-    parser.add_argument("--retries", type=int, default=3, help="how often a part is begun again (default: 3)")
-    parser.add_argument("arguments", nargs="+", help="what to evaluate, after --: the arguments of wisch eval")
+    parser.add_argument("--retries", type=int, default=3, help="number of restarts of a part (default: 3)")
+    parser.add_argument("arguments", nargs="+", help="the arguments of wisch eval, after --")
     options = parser.parse_args()
     ray.init(address=options.address, log_to_driver=False)
     try:

@@ -1,7 +1,7 @@
-//! Rounds on the disk while a run goes on, so that it can be resumed should it be killed.
+//! Checkpoints: the executed rounds of a run on disk, so that a killed run can resume.
 //!
-//! What a round began with and what followed from it is computed anew, which gives the same; what is kept is
-//! what takes long to compute: how the execution went, and what was measured.
+//! A resumed run recomputes planning and interpretation, with the same result. A checkpoint holds what takes long to
+//! compute: the outcome of the execution, and its telemetry.
 
 mod record;
 
@@ -15,27 +15,27 @@ use wisch::geometry::{Pose, Vector3};
 use wisch::represent::Observation;
 use wisch::run::{RecordedRound, RecordedSample, Round, TelemetrySample, Wrench};
 
-/// Numbers of a sample beside those of the joints: time, two poses and two wrenches.
+/// Numbers in a sample beside those of the joints: time, two poses and two wrenches.
 const NUMBERS: usize = 1 + 2 * POSE + 2 * WRENCH;
 const POSE: usize = 7;
 const WRENCH: usize = 6;
 /// Bytes of a number.
 const BYTES: usize = size_of::<f64>();
 
-/// A round of an earlier run, and how long executing it took.
+/// A round of an earlier run, and the time that executing it took.
 #[derive(Debug, Clone, PartialEq)]
 pub struct KeptRound {
-    /// What was measured, and how it went.
+    /// Telemetry and outcome of the round.
     pub recorded: RecordedRound,
-    /// What was seen before it, where it is the first and something looked.
+    /// Observation before the first round; `None` for later rounds, or without a camera.
     pub first_look: Option<Observation>,
-    /// What the simulated world knows of it.
+    /// Ground truth of the round.
     pub truth: GroundTruth,
-    /// How long simulating took [s].
+    /// Wall-clock time that the simulation took [s].
     pub executing_s: f64,
 }
 
-/// Puts what is measured on the disk as it comes, and after every round what became of it.
+/// Writer and reader of checkpoints: writes telemetry as it arrives, and each round's outcome at its end.
 #[derive(Debug)]
 pub struct Checkpoints {
     folder: PathBuf,
@@ -43,17 +43,17 @@ pub struct Checkpoints {
     writing: Option<Writing>,
 }
 
-/// A round that is being executed.
+/// The file of the round that is being executed.
 #[derive(Debug)]
 struct Writing {
     file: io::Result<BufWriter<File>>,
     samples: usize,
-    /// How many positions, velocities and efforts a sample has.
+    /// Number of positions, velocities and efforts in a sample.
     counts: [usize; 3],
 }
 
 impl Checkpoints {
-    /// Checkpoints in a folder, of a run that is told from others by this number.
+    /// Opens the checkpoints of the run with this `identity`, a hash of all its inputs, in `folder`.
     pub fn new(folder: &Path, identity: u64) -> Self {
         Self {
             folder: folder.to_owned(),
@@ -62,7 +62,7 @@ impl Checkpoints {
         }
     }
 
-    /// Begins a round.
+    /// Begins the round `number`.
     pub fn begin(&mut self, number: usize) {
         self.writing = Some(Writing {
             file: File::create(samples_path(&self.folder, number)).map(BufWriter::new),
@@ -71,7 +71,7 @@ impl Checkpoints {
         });
     }
 
-    /// Takes down a sample. That this fails is said when the round is over.
+    /// Writes a sample. [`Self::keep`] reports a failure to write.
     pub fn sample(&mut self, sample: &TelemetrySample<'_>) {
         let Some(writing) = &mut self.writing else {
             return;
@@ -86,10 +86,10 @@ impl Checkpoints {
         }
     }
 
-    /// Puts a round on the disk.
+    /// Writes the record of a finished round.
     ///
     /// # Errors
-    /// What the system says.
+    /// If no round has begun, or a file cannot be written.
     pub fn keep(
         &mut self,
         round: &Round,
@@ -98,7 +98,8 @@ impl Checkpoints {
         executing_s: f64,
     ) -> io::Result<()> {
         let writing = self.writing.take();
-        let writing = writing.ok_or_else(|| io::Error::other("no round has begun"))?;
+        let writing = writing
+            .ok_or_else(|| io::Error::other("a checkpoint was kept before its round began"))?;
         writing.file?.flush()?;
         let looks = [first_look, round.interpretation.observation.as_ref()];
         let record = CheckpointRecord::new(
@@ -111,13 +112,13 @@ impl Checkpoints {
         );
         let text = serde_json::to_string(&record).map_err(io::Error::other)?;
         let number = round.motion.number;
-        // The record, which says that all is there, comes last, and whole or not at all.
+        // The record marks the checkpoint as complete, so it is written last and renamed as a whole.
         let unfinished = self.folder.join("record");
         fs::write(&unfinished, text)
             .and_then(|()| fs::rename(&unfinished, record_path(&self.folder, number)))
     }
 
-    /// The rounds that a killed run left, as far as they are of this very run, in their order.
+    /// Reads the rounds that a killed run with this identity left, in order, up to the first that is missing.
     pub fn read(&self) -> impl Iterator<Item = KeptRound> {
         (1..).map_while(|number| read_round(&self.folder, number, self.identity))
     }
@@ -170,7 +171,7 @@ fn write(file: &mut impl Write, sample: &TelemetrySample<'_>) -> io::Result<()> 
     put(sample.efforts)
 }
 
-/// A sample as it was, to the last bit.
+/// Decodes a sample, bit for bit.
 fn read(bytes: &[u8], counts: [usize; 3]) -> RecordedSample {
     let numbers = bytes.chunks_exact(BYTES).map(|bytes| {
         let mut eight = [0; BYTES];
@@ -181,7 +182,7 @@ fn read(bytes: &[u8], counts: [usize; 3]) -> RecordedSample {
     let vector = |at: usize| Vector3::new(numbers[at], numbers[at + 1], numbers[at + 2]);
     let pose = |at: usize| {
         let [x, y, z, w] = [3, 4, 5, 6].map(|i| numbers[at + i]);
-        // No normalisation.
+        // Without normalisation, which would change the bits.
         let rotation = UnitQuaternion::new_unchecked(Quaternion::new(w, x, y, z));
         Pose::from_parts(Translation3::from(vector(at)), rotation)
     };

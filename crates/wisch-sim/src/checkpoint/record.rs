@@ -1,4 +1,4 @@
-//! A round that was executed: what a run goes on with that was killed after it.
+//! Record of an executed round, from which a killed run resumes.
 
 use crate::{Dirt, Grain, GroundTruth, Spread};
 use serde::{Deserialize, Serialize};
@@ -7,20 +7,20 @@ use wisch::represent::{Fate, Observation};
 use wisch::robot::Range;
 use wisch::run::{Ending, Execution, StopCause, StrokeEnd};
 
-/// Version of the record.
+/// Version of the record's schema.
 pub const CHECKPOINT_SCHEMA: u32 = 5;
 
-/// What was executed in a round.
+/// Record of an executed round.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct CheckpointRecord {
     /// [`CHECKPOINT_SCHEMA`].
     pub schema: u32,
-    /// Of all that the run was made of.
+    /// Hash of all inputs of the run.
     pub identity: u64,
-    /// Number of the samples that were measured, and how many positions, velocities and efforts each has.
+    /// Number of samples, and of positions, velocities and efforts in each sample.
     pub samples: usize,
     pub counts: [usize; 3],
-    /// How long simulating took.
+    /// Wall-clock time that the simulation took [s].
     pub executing_s: f64,
     duration_s: f64,
     ending: EndingRecord,
@@ -36,12 +36,12 @@ pub struct CheckpointRecord {
     #[serde(default)]
     obstructions_s: Vec<[f64; 2]>,
     hidden_m: Vec<Vec<[f64; 2]>>,
-    /// What was seen before the first round, and after this one.
-    looks: [Option<LookRecord>; 2],
+    /// Observations before the first round, and after this round.
+    looks: [Option<ObservationRecord>; 2],
 }
 
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-struct LookRecord {
+struct ObservationRecord {
     detections_m: Vec<[f64; 2]>,
     hidden_m: Vec<Vec<[f64; 2]>>,
 }
@@ -153,19 +153,19 @@ impl CheckpointRecord {
             hidden_m: (truth.hidden.iter())
                 .map(|hull| hull.iter().map(|p| [p.x, p.y]).collect())
                 .collect(),
-            looks: looks.map(|look| look.map(LookRecord::from)),
+            looks: looks.map(|look| look.map(ObservationRecord::from)),
         }
     }
 
-    /// What was seen before the first round, and after this one.
+    /// Observations before the first round, and after this round.
     pub fn looks(&self) -> [Option<Observation>; 2] {
-        let look = |record: &LookRecord| Observation::from(record);
+        let look = |record: &ObservationRecord| Observation::from(record);
         self.looks
             .each_ref()
             .map(|record| record.as_ref().map(look))
     }
 
-    /// What was executed, to the last bit.
+    /// Returns outcome and ground truth, bit for bit.
     pub fn executed(self) -> (Execution, GroundTruth) {
         let force = &self.contact_force;
         let execution = Execution {
@@ -190,7 +190,7 @@ impl CheckpointRecord {
     }
 }
 
-impl From<&Observation> for LookRecord {
+impl From<&Observation> for ObservationRecord {
     fn from(observation: &Observation) -> Self {
         let places = |points: &[Point2]| points.iter().map(|p| [p.x, p.y]).collect();
         let hidden = observation.hidden.polygons().iter();
@@ -201,8 +201,8 @@ impl From<&Observation> for LookRecord {
     }
 }
 
-impl From<&LookRecord> for Observation {
-    fn from(record: &LookRecord) -> Self {
+impl From<&ObservationRecord> for Observation {
+    fn from(record: &ObservationRecord) -> Self {
         let points = |places: &[[f64; 2]]| places.iter().copied().map(Point2::from).collect();
         let hidden = record.hidden_m.iter();
         let hidden = hidden.map(|ring| Polygon::new(points(ring), vec![]));

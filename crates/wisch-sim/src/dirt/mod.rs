@@ -1,4 +1,4 @@
-//! Real dirt: grains with a size and a will of their own.
+//! Ground truth of the dirt: grains with a size and a threshold of their own.
 
 mod places;
 
@@ -11,35 +11,35 @@ use wisch::geometry::Point2;
 use wisch::random::normal;
 use wisch::represent::{Fate, ParticleDistribution, ParticleError, SourceError};
 
-/// Tells the random numbers of grains apart from those of a task with the same seed.
+/// Separates the random numbers of grains from those of a task with the same seed.
 const GRAIN_SEED: u64 = 0x6772_6169_6e73_0000;
 
-/// One grain as it really is.
+/// Ground truth of one grain, or of one point of a treated surface.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Grain {
-    /// Where it is, or went, in the frame of the real surface [m].
+    /// Position, or where it left the surface, in the frame of the real surface [m].
     pub position: Point2,
-    /// What became of it.
+    /// What became of the grain.
     pub fate: Fate,
-    /// Half its diameter [m].
+    /// Radius [m].
     pub radius: f64,
-    /// Pressure under the tool over the nominal one from which on the tool takes it along [1].
+    /// Normalised pressure above which the tool takes the grain along [1].
     pub threshold: f64,
-    /// Depth that was rubbed off at this place [m].
+    /// Depth that the tool rubbed off at this point [m].
     pub wear: f64,
 }
 
-/// The truth about the dirt, which only the simulated world knows.
+/// Ground truth of the dirt, which only the simulated world reads.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Dirt {
     pub(super) grains: Vec<Grain>,
 }
 
 impl Dirt {
-    /// The dirt of a world: where the settings say, of as many grains, with random numbers of its own.
+    /// Draws the dirt of a world: number and positions by `settings`, reproducible from `seed`.
     ///
     /// # Errors
-    /// Where the settings put it there is no room on the surface.
+    /// If the dirt that the settings describe does not fit on the surface.
     pub fn draw(
         site: &Site,
         settings: &SimulationSettings,
@@ -50,14 +50,14 @@ impl Dirt {
         Ok(Self::scatter(&particles, settings, seed))
     }
 
-    /// Grains where the particles lie, with sizes and thresholds drawn from settings.
+    /// Places a grain on each particle, with size and threshold drawn from `settings`.
     pub fn scatter(
         particles: &ParticleDistribution,
         settings: &SimulationSettings,
         seed: u64,
     ) -> Self {
         let grain = |(i, (position, fate)): (usize, (Point2, Fate))| {
-            // Each grain has a stream of its own, so that its nature does not depend on the others.
+            // Each grain has a random stream of its own, so that its properties do not depend on the other grains.
             let mut random = ChaCha8Rng::seed_from_u64(seed ^ GRAIN_SEED);
             random.set_stream(i as u64);
             let size = settings.grain_size;
@@ -77,7 +77,7 @@ impl Dirt {
         }
     }
 
-    /// Dirt of these grains.
+    /// Returns dirt of the given grains.
     pub const fn of(grains: Vec<Grain>) -> Self {
         Self { grains }
     }
@@ -87,16 +87,16 @@ impl Dirt {
         &self.grains
     }
 
-    /// Mean depth that was rubbed off at the places of a surface that is polished [m].
+    /// Mean depth that was rubbed off over the points of a polished surface [m].
     pub fn mean_wear(&self) -> f64 {
         let wear: f64 = self.grains.iter().map(|grain| grain.wear).sum();
         wear / self.grains.len().max(1) as f64
     }
 
-    /// Where they lie, as particles in the frame of the real surface.
+    /// Returns the grains as particles in the frame of the real surface.
     ///
     /// # Errors
-    /// If a grain went where no number leads, which would be a fault of the simulation.
+    /// If a grain's position is not finite, which would be a fault of the simulation.
     pub fn particles(&self) -> Result<ParticleDistribution, ParticleError> {
         let grains = self.grains.iter().map(|grain| (grain.position, grain.fate));
         ParticleDistribution::with_fates(&grains.collect::<Vec<_>>())

@@ -1,4 +1,4 @@
-//! Where the dirt of a world lies: drawn apart from what any robot believes.
+//! Positions of the dirt of a world, drawn independently of what any robot believes.
 
 use crate::SimulationSettings;
 use rand::{RngExt, SeedableRng};
@@ -10,30 +10,30 @@ use wisch::represent::{
     Cluster, DirtArea, OccupiedArea, SourceError, Task, cluster_particles, uniform_particles,
 };
 
-/// Tells the random numbers of places apart from those of a task with the same seed.
+/// Separates the random numbers of positions from those of a task with the same seed.
 const PLACE_SEED: u64 = 0x706c_6163_6573_0000;
-/// Streams of them: how many, where heaps and bands lie, where each grain does.
+/// Streams of random numbers: the number of grains, the shape of heaps and bands, the position of each grain.
 const COUNT_STREAM: u64 = 1;
 const SHAPE_STREAM: u64 = 2;
 const GRAIN_STREAM: u64 = 3;
-/// Standard deviation of ln of the real count over the believed one [1].
+/// Standard deviation of the logarithm of real over believed number of grains [1].
 const COUNT_SPREAD: f64 = 0.2;
-/// Heaps that are drawn: how many, and their standard deviation [m].
+/// Ranges for random heaps: their number, and their standard deviation [m].
 const HEAPS: [u32; 2] = [1, 6];
 const HEAP_SIGMA: [f64; 2] = [0.01, 0.10];
-/// Width of a band that is drawn [m].
-const BAND: [f64; 2] = [0.02, 0.10];
-/// Draws per grain after which there counts as no room for it.
+/// Range for the width of a random band [m].
+const BAND_WIDTH: [f64; 2] = [0.02, 0.10];
+/// Number of draws per grain after which the dirt counts as too much for the surface.
 const DRAWS_PER_GRAIN: usize = 10_000;
 
-/// Where a world stands: the surface and what stands on it, without anybody's belief about the dirt.
+/// The surface of a world and the objects on it, without any belief about the dirt.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Site {
-    /// Where the surface is believed to stand.
+    /// Believed pose of the surface.
     pub world_from_surface: Pose,
-    /// Its outline, in its frame [m].
+    /// Outline of the surface, in its frame [m].
     pub outline: Polygon,
-    /// Where objects stand on it.
+    /// Area that objects on the surface occupy.
     pub occupied: OccupiedArea,
 }
 
@@ -48,7 +48,7 @@ impl Site {
         }
     }
 
-    /// Where dirt can lie.
+    /// Area on which dirt can lie.
     fn area(&self) -> DirtArea<'_> {
         DirtArea {
             outline: &self.outline,
@@ -56,7 +56,7 @@ impl Site {
         }
     }
 
-    /// A place on it, evenly.
+    /// Draws a point of the free surface, uniformly.
     fn place(&self, random: &mut ChaCha8Rng) -> Result<Point2, SourceError> {
         let bounds = Bounds2::of(self.outline.outer().iter().copied());
         let bounds = bounds.unwrap_or(Bounds2 {
@@ -77,39 +77,39 @@ impl Site {
     }
 }
 
-/// How many grains there are.
+/// Number of grains in a world.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum GrainCount {
-    /// So many.
+    /// Exactly this number.
     Exactly(usize),
-    /// So many times a factor of the world's own, log-normal with a spread of 20 %.
+    /// This number times a random log-normal factor with a spread of 20 %.
     About(usize),
 }
 
-/// Where dirt lies, in the frame of the real surface.
+/// Spatial distribution of dirt, in the frame of the real surface.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Places {
-    /// At these points [m], however many are counted elsewhere.
+    /// At these points [m]; the number of grains in the settings is ignored.
     Listed(Vec<Point2>),
-    /// Evenly over the free surface.
+    /// Uniformly over the free surface.
     Uniform,
-    /// In heaps; `None` draws 1 to 6, each with a standard deviation of 1 to 10 cm, anywhere on the surface.
+    /// In heaps; `None` draws 1 to 6 heaps, each with a standard deviation of 1 to 10 cm, anywhere on the surface.
     Clusters(Option<Vec<Cluster>>),
-    /// In a band across the surface; what is `None` is drawn.
+    /// In a band across the surface; a field that is `None` is drawn.
     Stripe {
-        /// A point of its middle line [m].
+        /// A point of the band's middle line [m].
         center: Option<Point2>,
-        /// Which way it runs, about the surface's z from its x [rad].
+        /// Direction of the band, about the surface's z from its x [rad].
         direction: Option<f64>,
-        /// Its width [m].
+        /// Width of the band [m].
         width: Option<f64>,
     },
-    /// Along the outline, no further inside than this [m].
+    /// Along the outline, at most this far inside it [m].
     Edge(f64),
 }
 
-/// How many numbers of one stream are between two limits.
-fn between([low, high]: [f64; 2], random: &mut ChaCha8Rng) -> f64 {
+/// Draws a number uniformly between two limits.
+fn draw_between([low, high]: [f64; 2], random: &mut ChaCha8Rng) -> f64 {
     low + (high - low) * random.random::<f64>()
 }
 
@@ -120,7 +120,7 @@ fn stream(seed: u64, number: u64) -> ChaCha8Rng {
 }
 
 impl Places {
-    /// Where the grains lie; none if there are more than the settings let be simulated.
+    /// Draws the positions of the grains [m]; none if there are more than the settings allow to simulate.
     pub(super) fn draw(
         &self,
         site: &Site,
@@ -167,19 +167,19 @@ impl Places {
                 direction,
                 width,
             } => {
-                // All are drawn, whether needed or not: one that is given changes no other.
+                // All three are drawn, needed or not, so that a given value does not change the drawn ones.
                 let anywhere = site.place(shape)?;
                 let center = center.unwrap_or(anywhere);
-                let drawn = between([0.0, TAU / 2.0], shape);
+                let drawn = draw_between([0.0, TAU / 2.0], shape);
                 let angle = direction.unwrap_or(drawn);
-                let drawn = between(BAND, shape);
+                let drawn = draw_between(BAND_WIDTH, shape);
                 let width = width.unwrap_or(drawn);
                 let across = Vector2::new(-libm::sin(angle), libm::cos(angle));
-                kept(site, count, seed, |place| {
+                sample_where(site, count, seed, |place| {
                     (place - center).dot(&across).abs() <= width / 2.0
                 })
             }
-            Self::Edge(within) => kept(site, count, seed, |place| {
+            Self::Edge(within) => sample_where(site, count, seed, |place| {
                 let distances = site.outline.edges().map(|edge| edge.distance(place));
                 distances.fold(f64::INFINITY, f64::min) <= *within
             }),
@@ -193,15 +193,15 @@ fn random_heaps(site: &Site, random: &mut ChaCha8Rng) -> Result<Vec<Cluster>, So
     let heap = |_| {
         Ok(Cluster {
             center: site.place(random)?,
-            sigma: between(HEAP_SIGMA, random),
+            sigma: draw_between(HEAP_SIGMA, random),
             weight: 1.0,
         })
     };
     (0..count).map(heap).collect()
 }
 
-/// Places drawn evenly over the surface, of those that are wanted.
-fn kept(
+/// Draws `count` points uniformly over the free surface, among those that `is_wanted` accepts (rejection sampling).
+fn sample_where(
     site: &Site,
     count: usize,
     seed: u64,

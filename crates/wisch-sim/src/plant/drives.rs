@@ -1,7 +1,7 @@
-//! The robot's bodies and what moves them: efforts, drives that hold, joints that follow others.
+//! The robot's bodies and what moves them: efforts, position drives, and joints that follow others.
 
 use super::compliance::foam_springs;
-use super::wielded::Wielded;
+use super::held_tool::HeldTool;
 use super::{GRAVITY, Plant, free_axis, to_engine, vector};
 use crate::SimulationError;
 use nalgebra::{DMatrix, DVector};
@@ -18,9 +18,9 @@ const COUPLING_RATE: f64 = 250.0;
 const SERVO_RATE: f64 = 100.0;
 /// Natural frequency of the drives of an arm that the tool leads along [rad/s].
 const LED_RATE: f64 = 5.0;
-/// Damping of a joint's friction below its limit [Nm s/rad or N s/m]: as good as rigid.
+/// Damping of a joint's friction below its limit [Nm s/rad or N s/m]: practically rigid.
 const BRAKE_DAMPING: f64 = 1e5;
-/// The engine's axes in its order.
+/// The engine's axes, in its order.
 const JOINT_AXES: [JointAxis; 6] = [
     JointAxis::LinX,
     JointAxis::LinY,
@@ -34,24 +34,24 @@ const JOINT_AXES: [JointAxis; 6] = [
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Link {
     pub(super) body: RigidBodyHandle,
-    /// The joint of the articulation, and the link of the multibody.
+    /// Index of the joint in the articulation, and of the link in the multibody.
     pub(super) of: usize,
     pub(super) joint: usize,
-    /// Position of its velocity in the multibody's.
+    /// Position of the joint's velocity in the velocities of the multibody.
     pub(super) at: usize,
-    /// The body that it turns against, unless that stands in the world.
+    /// The body that the joint turns against; `None` for the world.
     pub(super) parent: Option<RigidBodyHandle>,
     pub(super) slides: bool,
 }
 
-/// What moves which variables of the articulation.
+/// Assignment of the articulation's variables to what moves them.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Drives<'a> {
-    /// Those that efforts move.
+    /// Variables that efforts move.
     pub(super) compliant: &'a [usize],
-    /// Those of an arm that the tool leads along, which hold no more than they must.
+    /// Variables of an arm that the tool leads along, with soft drives.
     pub(super) led: &'a [usize],
-    /// Coulomb friction in the compliant ones [Nm or N].
+    /// Coulomb friction in the compliant joints [Nm or N].
     pub(super) friction: f64,
 }
 
@@ -63,7 +63,7 @@ pub(super) struct Coupling {
     pub(super) damping: f64,
 }
 
-/// The bodies of all joints, linked as the articulation has them; `None` if nothing moves.
+/// Adds the bodies of all joints, linked as in the articulation; `None` if nothing moves.
 pub(super) fn add_bodies(
     world: &mut PhysicsWorld,
     articulation: &Articulation,
@@ -93,7 +93,7 @@ pub(super) fn add_bodies(
 }
 
 impl Plant {
-    /// Brings the multibody to its start, and remembers where its joints are kept.
+    /// Moves the multibody to the start positions `q`, and stores the indices of its joints.
     pub(super) fn place(
         &mut self,
         bodies: &[RigidBodyHandle],
@@ -103,7 +103,7 @@ impl Plant {
         let Some((multibody, _)) = self.world.multibody_joints.get_mut(self.multibody) else {
             return Err(SimulationError::NoSurface);
         };
-        // The first pass tells the engine that the root is fixed, which takes its six degrees away.
+        // The first pass tells the engine that the root is fixed, which removes its six degrees of freedom.
         multibody.forward_kinematics(&self.world.bodies, false);
         let mut displacement = vec![0.0; multibody.ndofs()];
         for (joint, body) in bodies.iter().enumerate() {
@@ -136,9 +136,9 @@ impl Plant {
         Ok(())
     }
 
-    /// Springs: of the tool, of the drives that hold, of the joints that follow others; and friction in those that wipe
-    /// [Nm or N].
-    pub(super) fn set_drives(&mut self, drives: &Drives<'_>, q: &[f64], tool: &Wielded) {
+    /// Sets the springs of the tool, of the position drives and of the joints that follow others, and the Coulomb
+    /// friction of the compliant joints [Nm or N].
+    pub(super) fn set_drives(&mut self, drives: &Drives<'_>, q: &[f64], tool: &HeldTool) {
         let Drives {
             compliant,
             led,
@@ -193,7 +193,7 @@ impl Plant {
         }
     }
 
-    /// Positions and velocities of the articulation's variables.
+    /// Reads positions `q` and velocities `qd` of the articulation's variables [rad or m, per s].
     pub fn read(&self, q: &mut [f64], qd: &mut [f64]) {
         let Some((multibody, _)) = self.world.multibody_joints.get(self.multibody) else {
             return;
@@ -217,8 +217,8 @@ impl Plant {
         })
     }
 
-    /// Lets efforts act on the compliant variables and moves on the targets of the others, position, velocity and
-    /// acceleration, over one period.
+    /// Applies efforts to the compliant variables, and moves the targets of the other variables over one period.
+    /// `target` holds positions, velocities and accelerations.
     pub fn drive(
         &mut self,
         state: &ArticulationState,
@@ -238,8 +238,8 @@ impl Plant {
                 let variable = joint.terms[0].0;
                 joint_efforts[i] += match compliant.iter().position(|&c| c == variable) {
                     Some(k) => efforts[k],
-                    // What gravity and the planned acceleration take; the spring does the rest. Without it an arm that
-                    // is led would draw on the tool with its inertia.
+                    // Feedforward for gravity and the planned acceleration; the spring corrects the rest. Without it,
+                    // the inertia of a led arm would pull on the tool.
                     None => {
                         let inertia = state.mass_matrix().row(variable);
                         let accelerating = inertia.iter().zip(target_qdd);
@@ -278,7 +278,7 @@ impl Plant {
             else {
                 continue;
             };
-            // The damper brakes against standing still: the spring's rest runs ahead by what that takes.
+            // The damper acts against the velocity itself, so the spring's target moves ahead by q̇ d / k.
             let ahead = target_qd[variable] * damping / stiffness;
             let axis = free_axis(found.joint.data.locked_axes.bits());
             found
@@ -287,7 +287,7 @@ impl Plant {
         }
     }
 
-    /// Efforts that hold following joints to those that they follow, and what these feel of it.
+    /// Computes the efforts that hold following joints to their leaders, and the reactions on the leaders [Nm or N].
     fn couple(&self, state: &ArticulationState, joint_efforts: &mut [f64]) {
         joint_efforts.fill(0.0);
         let Some((multibody, _)) = self.world.multibody_joints.get(self.multibody) else {
@@ -296,6 +296,7 @@ impl Plant {
         let velocities = multibody.generalized_velocity();
         for coupling in &self.couplings {
             let joint = &self.articulation.joints()[coupling.link];
+            // Gap g = q_f − (offset + Σ cᵢ qᵢ); effort τ = τ_ff − k g − d ġ, and −cᵢ τ acts on each leader.
             let mut error = self.coordinate(&self.links[coupling.link]) - joint.offset;
             let mut rate = velocities[self.links[coupling.link].at];
             for &(variable, factor) in &joint.terms {
@@ -325,7 +326,7 @@ impl Plant {
     }
 }
 
-/// Coulomb friction in a joint [Nm or N]: what holds it at rest, as far as that takes no more.
+/// Adds Coulomb friction to a joint [Nm or N]: a velocity drive to zero whose effort is limited to `friction`.
 fn brake(link: &mut MultibodyLink, friction: f64) {
     let data = &mut link.joint.data;
     let axis = JOINT_AXES[free_axis(data.locked_axes.bits())];
@@ -334,7 +335,7 @@ fn brake(link: &mut MultibodyLink, friction: f64) {
     data.set_motor_max_force(axis, friction);
 }
 
-/// The inertia that stands against closing the gap between a following joint and those that it follows.
+/// Returns the effective inertia against closing the gap between a following joint and its leaders [kg m² or kg].
 fn coupled_inertia(articulation: &Articulation, mass: &DMatrix<f64>, follower: usize) -> f64 {
     let mut gap = DVector::zeros(mass.nrows());
     gap[follower] = 1.0;
@@ -344,6 +345,7 @@ fn coupled_inertia(articulation: &Articulation, mass: &DMatrix<f64>, follower: u
             gap[leader] -= factor;
         }
     }
+    // For the gap direction n: inertia = 1 / (nᵀ M⁻¹ n).
     let accelerations = mass.clone().cholesky().map(|mass| mass.solve(&gap));
     accelerations.map_or(0.0, |a| 1.0 / gap.dot(&a).max(f64::MIN_POSITIVE))
 }

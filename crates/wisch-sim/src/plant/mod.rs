@@ -1,15 +1,15 @@
-//! The simulated world: the robot as a multibody, its compliant tool, the real surface and the scene.
+//! The plant: the robot as a multibody, its compliant tool, the real surface and the scene.
 //!
-//! Here it is put together and stepped; `drives` has the robot's bodies and what moves them, `compliance`
-//! the tool and its plate, `shapes` what can be touched.
+//! This module builds and steps the plant. Module `drives` holds the robot's bodies and what moves them, `compliance`
+//! the tool and its plate, and `shapes` the collision shapes.
 
 mod compliance;
 mod drives;
+mod held_tool;
 mod shapes;
-mod wielded;
 
 pub(super) use compliance::{TOOL_MASS, firm_load};
-pub(super) use wielded::Wielded;
+pub(super) use held_tool::HeldTool;
 
 use self::compliance::{compliance, foam_springs, plate_thickness};
 use self::drives::{Coupling, Drives, Link, add_bodies};
@@ -33,20 +33,20 @@ use wisch::robot::Articulation;
 /// Acceleration of free fall [m/s²].
 pub(super) const GRAVITY: Vector3 = Vector3::new(0.0, 0.0, -9.81);
 
-/// A length that is small in this world [m]: that of grains. With the engine's usual metre, its broad
-/// phase would pair everything with everything.
+/// Typical length in this world [m], that of grains. With the engine's usual metre, its broad phase would pair
+/// everything with everything.
 const LENGTH_UNIT: f64 = 0.01;
-/// Distance from which on contacts are prepared [m].
+/// Distance below which the engine prepares contacts [m].
 const PREDICTION: f64 = 2e-3;
-/// How far bodies may sink into each other [m].
+/// Depth to which bodies may penetrate each other [m].
 const ALLOWED_ERROR: f64 = 1e-4;
-/// How fast the engine may push bodies apart [m/s].
+/// Largest velocity at which the engine may push bodies apart [m/s].
 const CORRECTION: f64 = 0.5;
 /// Stiffness and damping of contacts: natural frequency [Hz] and damping ratio [1].
 const CONTACT: [f64; 2] = [240.0, 10.0];
 const SOLVER_ITERATIONS: usize = 1;
 const CONTACT_ITERATIONS: usize = 4;
-/// Thickness of the surface [m]: so much that the tool is never pushed out on the far side.
+/// Thickness of the surface [m]: thick enough that the engine never pushes the tool out on the far side.
 const SURFACE_THICKNESS: f64 = 0.1;
 
 const ROBOT: Group = Group::GROUP_1;
@@ -56,7 +56,7 @@ const PLATE: Group = Group::GROUP_4;
 const TOOL: Group = Group::GROUP_5;
 const GRAIN: Group = Group::GROUP_6;
 
-/// The world of one execution.
+/// Physics of one execution.
 pub(super) struct Plant {
     pub world: PhysicsWorld,
     articulation: Articulation,
@@ -70,15 +70,14 @@ pub(super) struct Plant {
     hand: RigidBodyHandle,
     plate_collider: ColliderHandle,
     surface_collider: ColliderHandle,
-    /// What stands around the surface, and what carries it.
+    /// Objects around the surface, and what carries the surface.
     scene: Vec<ColliderHandle>,
     normal: Vector3,
     world_from_real: Pose,
     waviness: Option<Waviness>,
-    /// The surface under the tool: its height over the plane [m], its slope [1], and where the tool is [m].
+    /// The surface under the tool: height over its plane [m], slope [1], and the point below the tool [m].
     wave: (f64, Vector2, Point2),
-    /// Of each own variable: stiffness and damping of the drive that holds it, if it is none of the
-    /// compliant ones.
+    /// For each variable, stiffness and damping of the drive that holds it; `None` for compliant variables.
     servos: Vec<Option<[f64; 2]>>,
     couplings: Vec<Coupling>,
 }
@@ -91,12 +90,13 @@ pub(super) fn vector(v: &Vector3) -> engine::Vector {
     engine::Vector::new(v.x, v.y, v.z)
 }
 
-/// The one free axis of a joint, in the engine's order: linear, then angular.
+/// Returns the one free axis of a joint, in the engine's order: linear, then angular.
 fn free_axis(locked: u8) -> usize {
     (!locked).trailing_zeros() as usize
 }
 
-/// Grains meet the surface and each other; what the tool does to them is a force of its own.
+/// Returns the collision groups of grains. They touch the surface and each other; the tool acts on them by explicit
+/// forces.
 pub(super) fn groups_of_grains() -> InteractionGroups {
     groups(GRAIN, SURFACE | GRAIN)
 }
@@ -105,7 +105,7 @@ fn groups(memberships: Group, filter: Group) -> InteractionGroups {
     InteractionGroups::new(memberships, filter, InteractionTestMode::And)
 }
 
-/// A world without anything in it, stepped as `config` says.
+/// Creates an empty world with the step time of `config`.
 fn empty_world(config: &ControlConfig) -> PhysicsWorld {
     let mut world = PhysicsWorld::new();
     world.gravity = vector(&GRAVITY);
@@ -115,7 +115,7 @@ fn empty_world(config: &ControlConfig) -> PhysicsWorld {
     parameters.normalized_prediction_distance = PREDICTION / LENGTH_UNIT;
     parameters.normalized_allowed_linear_error = ALLOWED_ERROR / LENGTH_UNIT;
     parameters.normalized_max_corrective_velocity = CORRECTION / LENGTH_UNIT;
-    // Each further iteration computes the robot's mass matrix anew; contacts are few and light.
+    // Each further iteration recomputes the robot's mass matrix; contacts are few and light.
     parameters.num_solver_iterations = SOLVER_ITERATIONS;
     parameters.num_internal_pgs_iterations = CONTACT_ITERATIONS;
     let [frequency, ratio] = CONTACT;
@@ -125,8 +125,8 @@ fn empty_world(config: &ControlConfig) -> PhysicsWorld {
 }
 
 impl Plant {
-    /// The world in which `articulation`, which carries the firm part of the tool, stands at `q`, its variables
-    /// `compliant` driven by efforts and the others by drives that hold them.
+    /// Builds the plant with the robot at `q`. `articulation` includes the load of the firm part of the tool. Efforts
+    /// drive its variables `compliant`, and position drives hold the other variables.
     #[expect(
         clippy::too_many_arguments,
         reason = "each is a different thing, none has a default"
@@ -134,7 +134,7 @@ impl Plant {
     pub fn new(
         cell: &Workcell,
         task: &Task,
-        tool: &Wielded,
+        tool: &HeldTool,
         settings: &SimulationSettings,
         articulation: &Articulation,
         compliant: &[usize],
@@ -182,7 +182,7 @@ impl Plant {
                 None,
             )
         };
-        // Where there are waves, the tool has a surface of its own, which takes on the height and slope under it.
+        // With waves, the tool touches a surface of its own, which takes the height and slope under the tool.
         let is_wavy = settings.waviness.height > 0.0;
         let surface_collider = if is_wavy {
             lay(slab.clone(), GRAIN);
@@ -223,8 +223,8 @@ impl Plant {
         Ok(plant)
     }
 
-    /// Lets the second hand, if there is one, hold the tool too: where it is, it stays on the stick, and turns about it as
-    /// it likes. Returns the variables of its arm, which is led.
+    /// Connects the second hand, if there is one, to the tool by a ball joint at its grip. Returns the variables of
+    /// that arm, which the tool leads along.
     fn hold_with_second_hand(
         &mut self,
         cell: &Workcell,
@@ -254,26 +254,26 @@ impl Plant {
         led.map(|(k, _)| k).collect()
     }
 
-    /// Pushes the hand at a point in the world during the next period.
+    /// Applies a force [N] on the hand at a point in the world [m] during the next period.
     pub fn push(&mut self, force: &Vector3, at: &Point3) {
         let body = &mut self.world.bodies[self.hand];
         body.add_force_at_point(vector(force), vector(&at.coords), true);
     }
 
-    /// Pushes the tool's underside at a point in the world during the next period.
+    /// Applies a force [N] on the tool's underside at a point in the world [m] during the next period.
     pub fn resist(&mut self, force: &Vector3, at: &Point3) {
         let body = &mut self.world.bodies[self.plate];
         body.add_force_at_point(vector(force), vector(&at.coords), true);
     }
 
-    /// Takes away what pushed the tool's underside before.
+    /// Removes the forces that acted on the tool's underside.
     pub fn release(&mut self) {
         let body = &mut self.world.bodies[self.plate];
         body.reset_forces(false);
         body.reset_torques(false);
     }
 
-    /// Lays the surface under the tool as its waves have it there.
+    /// Moves the surface under the tool to the height and slope of its waves there.
     pub fn undulate(&mut self) {
         let Some(waviness) = self.waviness else {
             return;
@@ -282,7 +282,7 @@ impl Plant {
         let place = Point2::new(at.translation.x, at.translation.y);
         let (height, slope) = waviness.at(place);
         self.wave = (height, slope, place);
-        // Tilted about the place under the tool.
+        // Tangent plane: tilted by the slope about the point under the tool.
         let lift = Translation3::new(place.x, place.y, height);
         let tilt = UnitQuaternion::from_scaled_axis(Vector3::new(slope.y, -slope.x, 0.0));
         let back = Translation3::new(-place.x, -place.y, 0.0);
@@ -292,18 +292,19 @@ impl Plant {
         }
     }
 
-    /// Height of the surface over its plane at a place in its frame, and how much higher that is than the plane on which
-    /// the tool rests there [m].
+    /// Returns the height of the surface over its plane at `place` [m], and its height there over the tangent plane
+    /// that carries the tool [m]. `place` is in the frame of the real surface [m].
     pub fn wave(&self, place: Point2) -> [f64; 2] {
         let Some(waviness) = self.waviness else {
             return [0.0; 2];
         };
         let (height, slope, center) = self.wave;
         let (here, _) = waviness.at(place);
+        // Deviation from the tangent plane: h(p) − h(c) − ∇h(c) · (p − c).
         [here, here - height - slope.dot(&(place - center))]
     }
 
-    /// Lets one period pass.
+    /// Advances the world by one period.
     pub fn step(&mut self) {
         self.world.step();
     }
@@ -315,7 +316,7 @@ impl Plant {
             .any(ContactPair::has_any_active_contact)
     }
 
-    /// Sets the friction between tool and surface.
+    /// Sets the Coulomb coefficient between tool and surface [1].
     pub fn set_friction(&mut self, friction: f64) {
         for handle in [self.plate_collider, self.surface_collider] {
             if let Some(collider) = self.world.colliders.get_mut(handle) {
@@ -324,12 +325,12 @@ impl Plant {
         }
     }
 
-    /// The underside of the tool in the world.
+    /// Pose of the tool's underside in the world.
     pub fn world_from_plate(&self) -> Pose {
         (*self.world.bodies[self.plate].position()).into()
     }
 
-    /// Velocity of a point of the tool's underside in the world [m/s].
+    /// Returns the velocity of a point of the tool's underside, both in the world [m, m/s].
     pub fn plate_velocity(&self, at: &Point3) -> Vector3 {
         let v = self.world.bodies[self.plate].velocity_at_point(vector(&at.coords));
         Vector3::new(v.x, v.y, v.z)

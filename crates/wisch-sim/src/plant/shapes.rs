@@ -1,6 +1,6 @@
-//! What can be touched: the shapes of surface, scene, robot and tool.
+//! Collision shapes of surface, scene, robot and tool.
 
-use super::wielded::Wielded;
+use super::held_tool::HeldTool;
 use super::{ROBOT, SCENE, TOOL, groups, to_engine, vector};
 use crate::SimulationSettings;
 use rapier3d_f64::dynamics::RigidBodyHandle;
@@ -12,10 +12,10 @@ use wisch::geometry::{Mesh, Point2};
 use wisch::represent::{ScenePart, Task};
 use wisch::robot::{Articulation, Collision, Shape};
 
-/// Up to this many times its compression depth a tool gives way.
-const YIELDING: f64 = 2.0;
+/// The tool can be compressed by up to this multiple of its compression depth [1].
+const MAX_COMPRESSION: f64 = 2.0;
 
-/// The convex hull of points in a plane, extruded along z.
+/// Returns the convex hull of points in a plane, extruded along z from `from` to `to` [m].
 pub(super) fn prism(
     points: impl Iterator<Item = Point2>,
     from: f64,
@@ -27,14 +27,14 @@ pub(super) fn prism(
     SharedShape::convex_hull(&corners)
 }
 
-/// Adds everything but robot, tool and surface; what was added.
+/// Adds the scene without robot, tool and surface. Returns the colliders that it added.
 pub(super) fn add_scene(
     world: &mut PhysicsWorld,
     task: &Task,
     settings: &SimulationSettings,
 ) -> Vec<ColliderHandle> {
     let mut added = Vec::new();
-    // What is mislocated is the robot before the scene: everything is off by the same.
+    // The real robot stands elsewhere than believed, so surface and scene are displaced together.
     let world_from_surface = task.surface.world_from_surface;
     let moved = world_from_surface * settings.believed_from_real * world_from_surface.inverse();
     for object in &task.scene {
@@ -63,11 +63,11 @@ fn hull(mesh: &Mesh) -> Option<SharedShape> {
     SharedShape::convex_hull(&points)
 }
 
-/// The robot's shapes on its bodies, and the tool's mesh in its hand.
+/// Adds the robot's collision shapes to its bodies, and the tool's mesh to its hand.
 pub(super) fn add_shapes(
     world: &mut PhysicsWorld,
     cell: &Workcell,
-    tool: &Wielded,
+    tool: &HeldTool,
     articulation: &Articulation,
     compliant: &[usize],
     bodies: &[RigidBodyHandle],
@@ -80,7 +80,7 @@ pub(super) fn add_shapes(
         let (Some(joint), joint_from_link) = articulation.carrier(id) else {
             continue;
         };
-        // What stands on the floor is held by drives, and wheels are not simulated.
+        // Drives hold what stands on the floor, and wheels are not simulated.
         if !is_compliant(articulation, compliant, joint) {
             continue;
         }
@@ -102,8 +102,8 @@ pub(super) fn add_shapes(
     let (Some(joint), joint_from_tip) = articulation.carrier(cell.tip()) else {
         return;
     };
-    // The part that gives way is the plate's.
-    let yielding = YIELDING * tool.depth.max(tool.rest);
+    // The compliant part belongs to the plate.
+    let yielding = MAX_COMPRESSION * tool.depth.max(tool.rest);
     for part in &tool.parts {
         let firm = part
             .iter()
@@ -119,7 +119,7 @@ pub(super) fn add_shapes(
     }
 }
 
-/// Whether a joint, or one that it hangs on, is driven by the controller.
+/// Whether the controller drives a joint or one of its ancestors.
 fn is_compliant(articulation: &Articulation, compliant: &[usize], joint: usize) -> bool {
     let mut at = Some(joint);
     while let Some(i) = at {
@@ -141,7 +141,7 @@ fn engine_shape(shape: &Shape) -> Option<SharedShape> {
         Shape::Box { size } => SharedShape::cuboid(size.x / 2.0, size.y / 2.0, size.z / 2.0),
         Shape::Cylinder { radius, length } => {
             let half = length / 2.0;
-            // The engine's cylinders stand along y.
+            // The engine's cylinders stand along y, the robot's along z.
             return cylinder_hull(*radius, half);
         }
         Shape::Capsule { radius, length } => {

@@ -1,40 +1,40 @@
-//! A query's tokens, as Prolog has them.
+//! Tokens of a Prolog query.
 
 /// A token.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Token {
     pub kind: TokenKind,
-    /// From and to [bytes].
+    /// Begin and end [bytes].
     pub start: usize,
     pub end: usize,
 }
 
-/// What a token is.
+/// Kind of a token.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum TokenKind {
-    /// An atom that is written with letters or in quotes.
+    /// An atom of letters or in quotes.
     Name,
     Variable,
     Number,
-    /// In double or back quotes.
+    /// A text in double or back quotes.
     Text,
-    /// An atom of signs.
+    /// An atom of symbol characters.
     Symbol,
     Comma,
     Bar,
-    /// A bracket right after a name.
+    /// An opening bracket right after a name.
     Call,
-    /// Any other that opens.
+    /// Any other opening bracket.
     Open,
     Close,
     /// The full stop.
     Stop,
-    /// Quotes that do not end.
+    /// Unterminated quotes.
     Unfinished,
 }
 
 impl Token {
-    /// As it is meant: an atom without its quotes.
+    /// Returns its value: an atom without quotes.
     pub fn value<'a>(&self, query: &'a str) -> std::borrow::Cow<'a, str> {
         let text = &query[self.start..self.end];
         match text
@@ -47,7 +47,7 @@ impl Token {
     }
 }
 
-/// Whether it is an operator that is written as a word.
+/// Whether a word is an operator.
 pub fn is_word_operator(text: &str) -> bool {
     matches!(
         text,
@@ -55,7 +55,7 @@ pub fn is_word_operator(text: &str) -> bool {
     )
 }
 
-/// All of them; comments are none.
+/// Returns all tokens, without comments.
 pub fn tokens(query: &str) -> Vec<Token> {
     let mut found: Vec<Token> = Vec::new();
     let mut at = 0;
@@ -67,7 +67,7 @@ pub fn tokens(query: &str) -> Vec<Token> {
                 (None, rest.find("*/").map_or(rest.len(), |end| end + 2))
             }
             c if c.is_whitespace() => (None, c.len_utf8()),
-            '\'' | '"' | '`' => quoted(rest, c),
+            '\'' | '"' | '`' => read_quoted(rest, c),
             '0'..='9' => (Some(TokenKind::Number), number(rest)),
             c if c.is_alphabetic() || c == '_' => {
                 let word = |c: char| c.is_alphanumeric() || c == '_';
@@ -121,8 +121,8 @@ fn follows_a_name(last: Option<&Token>, at: usize) -> bool {
     })
 }
 
-/// What begins with this quote.
-fn quoted(text: &str, mark: char) -> (Option<TokenKind>, usize) {
+/// Returns kind and length of the text that begins with this quote.
+fn read_quoted(text: &str, mark: char) -> (Option<TokenKind>, usize) {
     let mut chars = text.char_indices().skip(1).peekable();
     while let Some((at, c)) = chars.next() {
         if c == '\\' {

@@ -1,25 +1,25 @@
-//! Clocks of a bag: those of the stamps in messages, and that of the recorder.
+//! Clocks of a bag: the stamps in messages, and the recorder's clock.
 
-/// Difference of two clocks from which on they are aligned [ns]: messages are recorded sooner after their stamp.
+/// Difference of two clocks above which they are aligned [ns]: recording delays a message by less.
 const LEAST_APART: i64 = 100_000_000;
 
-/// By how much the stamps of a topic are ahead of the recorder's clock.
+/// Offset of a topic's stamps ahead of the recorder's clock.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) struct Offset {
-    /// The median over its messages [ns].
+    /// Median over the topic's messages [ns].
     pub median: i64,
-    /// Between which the middle half of them lies [ns].
+    /// Interquartile range [ns].
     spread: i64,
 }
 
 impl Offset {
-    /// Of what was recorded without stamps.
+    /// Offset of messages that were recorded without stamps.
     pub const NONE: Self = Self {
         median: 0,
         spread: 0,
     };
 
-    /// Of messages whose stamps were that much ahead when they were recorded [ns]; nothing without messages.
+    /// Returns the offset of messages whose stamps were `ahead` of the recorder [ns]; `None` without messages.
     pub fn of(mut ahead: Vec<i64>) -> Option<Self> {
         if ahead.is_empty() {
             return None;
@@ -32,8 +32,8 @@ impl Offset {
         })
     }
 
-    /// What is to be added to times by this clock to bring them onto another [ns], if the two differ by more than
-    /// recording takes and by more than their difference varies.
+    /// Returns the shift [ns] that brings times of this clock onto `other`. `None` if the clocks differ by less than
+    /// recording takes, or by less than their difference varies.
     pub fn shift_onto(self, other: Self) -> Option<i64> {
         let shift = other.median.saturating_sub(self.median);
         let varies = self.spread.saturating_add(other.spread).saturating_mul(2);
@@ -56,7 +56,7 @@ mod tests {
         );
         let shift = offset([3200, 3198, 3199, 3205]).shift_onto(recorder);
         assert_eq!(shift, Some(-3_201_000_000));
-        // The recorder wrote no times of its own: the difference grows with the stamps.
+        // The recorder wrote no times of its own, so the difference grows with the stamps.
         assert_eq!(
             offset([0, 500, 1000, 1500]).shift_onto(offset([900, 901, 902, 903])),
             None

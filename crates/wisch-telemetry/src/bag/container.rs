@@ -1,8 +1,8 @@
-//! The records of an MCAP file, from its beginning on. An index is not needed, so that a file without an end is
-//! read as well; see <https://mcap.dev/spec>.
+//! Records of an MCAP file, from its beginning. No index is needed, so a file without an end is readable; see
+//! <https://mcap.dev/spec>.
 //!
-//! Records are told apart here and not by the `mcap` crate, since that one runs out of a chunk whose records claim
-//! to be longer than it.
+//! This module splits the records instead of the `mcap` crate, which reads beyond a chunk whose records claim to be
+//! longer than the chunk.
 
 use super::unpack::{UnpackError, unpack};
 use crate::error::ReadFault;
@@ -12,39 +12,39 @@ use mcap::{Channel, MAGIC, McapError, parse_record};
 use std::collections::BTreeMap;
 use std::io::{self, Read};
 
-/// Longest record that is read, unpacked [bytes]: above the largest chunks that recorders write.
+/// Largest record that is read, unpacked [bytes]: above the largest chunks that recorders write.
 const MAX_RECORD_LEN: usize = 256 << 20;
 
-/// Kind and length of a record, before its body [bytes].
+/// Length of kind and length of a record, before its body [bytes].
 const HEAD_LEN: usize = 9;
 
-/// What a file holds.
+/// An entry of a file.
 pub(crate) enum Entry<'a> {
-    /// A message: its channel, when it was recorded [ns], and its bytes.
+    /// A message: its channel, its time of recording [ns], and its bytes.
     Message(&'a Channel<'a>, u64, &'a [u8]),
-    /// What a writer says of the file, by its own keys: the writer's name for that, keys and values.
+    /// Metadata of the whole file: its name, and keys with values.
     Notes(&'a str, &'a BTreeMap<String, String>),
 }
 
-/// Takes an entry.
+/// Callback that receives an entry.
 pub(crate) type Take<'a> = dyn FnMut(Entry<'_>) -> Result<(), ReadFault> + 'a;
 
-/// Where a file ends.
+/// How a file ends.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Ending {
     /// After its last record.
     Footer,
-    /// Before, at this byte.
+    /// Before its last record, at this byte.
     CutOff {
         /// Length of the file.
         byte: u64,
     },
 }
 
-/// Hands each entry over, in the order of the file.
+/// Calls `each` with every entry, in the order of the file.
 ///
 /// # Errors
-/// What the system says, what `each` says, and every fault of the file but that it ends early.
+/// If the file cannot be read, if `each` fails, or for every fault of the file except an early end.
 pub(crate) fn entries(source: impl Read, each: &mut Take<'_>) -> Result<Ending, ReadFault> {
     let mut file = Records { source, byte: 0 };
     let magic = file.take(MAGIC.len() as u64)?;
@@ -93,14 +93,14 @@ pub(crate) fn entries(source: impl Read, each: &mut Take<'_>) -> Result<Ending, 
     }
 }
 
-/// A file with the place that reading has come to.
+/// A file and the position of the reader in it.
 struct Records<R> {
     source: R,
     byte: u64,
 }
 
 impl<R: Read> Records<R> {
-    /// The next bytes, fewer at the file's end.
+    /// Reads the next bytes; fewer at the file's end.
     fn take(&mut self, len: u64) -> Result<Vec<u8>, ReadFault> {
         let mut bytes = Vec::new();
         (self.source.by_ref().take(len))
@@ -110,7 +110,7 @@ impl<R: Read> Records<R> {
         Ok(bytes)
     }
 
-    /// Leaves bytes out; how many there were.
+    /// Skips bytes and returns their number.
     fn skip(&mut self, len: u64) -> Result<u64, ReadFault> {
         let mut rest = self.source.by_ref().take(len);
         let skipped = io::copy(&mut rest, &mut io::sink()).map_err(ReadFault::System)?;
@@ -119,7 +119,7 @@ impl<R: Read> Records<R> {
     }
 }
 
-/// A record's head; none where it is cut off.
+/// Parses the head of a record; `None` if it is cut off.
 fn kind_and_length(head: &[u8]) -> Option<(u8, u64)> {
     let (kind, len) = head.split_first()?;
     Some((*kind, u64::from_le_bytes(len.try_into().ok()?)))
@@ -165,10 +165,10 @@ fn record(
                         UnpackError::Damaged(error) => ReadFault::Damaged { byte, error },
                     },
                 )?;
-            // Nothing in a chunk is believed before all of it is checked.
+            // The whole chunk is checked before any of its records is used.
             if plain.len() as u64 != header.uncompressed_size {
                 let error = format!(
-                    "a chunk of {} bytes says that it has {}",
+                    "a chunk unpacks to {} bytes, but states {}",
                     plain.len(),
                     header.uncompressed_size
                 );
@@ -184,7 +184,7 @@ fn record(
     }
 }
 
-/// The records in a chunk, which begins at this byte of the file.
+/// Splits the records of a chunk that begins at this byte of the file.
 fn inner_records(
     mut plain: &[u8],
     byte: u64,
@@ -201,7 +201,7 @@ fn inner_records(
         let len = usize::try_from(len).map_err(|_| overrun())?;
         let (body, rest) = rest.split_at_checked(len).ok_or_else(overrun)?;
         plain = rest;
-        // A chunk holds no chunks.
+        // The format allows no chunks inside a chunk.
         if [op::SCHEMA, op::CHANNEL, op::MESSAGE].contains(&kind) {
             record(kind, body, byte, known, each)?;
         }

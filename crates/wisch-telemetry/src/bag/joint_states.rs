@@ -1,31 +1,31 @@
-//! Positions of joints, as `/joint_states` tells them.
+//! Joint positions in messages of `/joint_states`.
 
 use crate::ros2::{Kind, NANOSECONDS_PER_SECOND, Schema, Shape, Value};
 use crate::track::JointPositions;
 use mcap::Channel;
 
-/// Type of messages that hold positions of joints.
+/// Type of messages that hold joint positions.
 const JOINT_STATE: &str = "JointState";
-/// How a topic's name ends that tells where joints are; others of the type tell where they are to go.
+/// Ending of topics with measured positions; other topics of the type hold targets.
 const MEASURED_TOPIC: &str = "joint_states";
 
-/// Finds the positions in messages of one schema.
+/// Locator of joint positions in messages of one schema.
 #[derive(Debug, Clone)]
 pub(super) struct JointStates {
     names: Vec<usize>,
     positions: Vec<usize>,
-    /// Seconds and nanoseconds of the header's stamp.
+    /// Paths of seconds and nanoseconds in the header's stamp.
     stamp: Option<[Vec<usize>; 2]>,
 }
 
 impl JointStates {
-    /// Whether a channel tells where joints are.
+    /// Whether a channel holds measured joint positions.
     pub fn are_in(channel: &Channel<'_>) -> bool {
         let is_one = |schema: &std::sync::Arc<mcap::Schema<'_>>| schema.name.ends_with(JOINT_STATE);
         channel.schema.as_ref().is_some_and(is_one) && channel.topic.ends_with(MEASURED_TOPIC)
     }
 
-    /// Looks where a message holds them.
+    /// Finds the fields of a message that hold them.
     pub fn find(schema: &Schema) -> Option<Self> {
         let list = |name: &str, kind: Kind| {
             let (path, field) = schema.find(schema.root(), name)?;
@@ -44,7 +44,7 @@ impl JointStates {
         })
     }
 
-    /// The stamp of a message [ns]; 0 stands for none.
+    /// Returns the stamp of a message [ns]; 0 stands for none.
     pub fn stamp(&self, message: &Value) -> i64 {
         let whole = |path| (message.at(path).and_then(Value::number)).unwrap_or(0.0) as i64;
         self.stamp.as_ref().map_or(0, |[sec, nanosec]| {
@@ -54,7 +54,7 @@ impl JointStates {
         })
     }
 
-    /// Takes the positions at a time [ns] from a message; what is not finite is left out.
+    /// Adds the positions of a message at a time [ns]; values that are not finite are skipped.
     pub fn read(&self, message: &Value, time: i64, positions: &mut JointPositions) {
         let (Some(Value::Texts(names)), Some(Value::Numbers(values))) =
             (message.at(&self.names), message.at(&self.positions))

@@ -1,32 +1,32 @@
-//! Where the links of a robot are, as transforms between frames that bear their names.
+//! Frames of a robot's links, as transforms.
 
 use super::topic::{FRAME_SURFACE, FRAME_TOOL, FRAME_WORLD};
 use wisch::geometry::Pose;
 use wisch::robot::{Joint, JointKind, JointMotion, JointTransform, RobotModel};
 
-/// Before the name of a link that is called like a frame of the bag's own.
+/// Prefix of a link whose name equals a frame of the bag itself.
 const PREFIX: &str = "robot/";
 
 /// The robot that a bag shows.
 #[derive(Debug, Clone, Copy)]
 pub struct RobotShown<'a> {
-    /// Its URDF, as text.
+    /// URDF of the robot, as text.
     pub urdf: &'a str,
-    /// Its links; its variables are those of the samples, in their order.
+    /// Model of the robot; its variables are those of the samples, in their order.
     pub model: &'a RobotModel,
-    /// Where its root link stands in the world.
+    /// Pose of its root link in the world.
     pub world_from_root: Pose,
 }
 
-/// The frames of a robot's links: each in that of the link that holds it, the root's in the world's.
+/// Frames of a robot's links: each in the frame of its parent link, the root in the world.
 #[derive(Debug, Clone, Default)]
 pub(super) struct LinkFrames {
-    /// Parent, child and the one in the other, of what never moves.
+    /// Fixed transforms: parent, child, and pose of the child in the parent.
     pub standing: Vec<(String, String, Pose)>,
     moving: Vec<Moving>,
 }
 
-/// A joint that moves.
+/// A moving joint.
 #[derive(Debug, Clone)]
 struct Moving {
     transform: JointTransform,
@@ -37,7 +37,7 @@ impl LinkFrames {
     pub fn new(robot: &RobotShown<'_>) -> Self {
         let links = robot.model.links();
         let root = &links[0].name;
-        // Many a description calls the floor its root: that is then the same frame.
+        // Many descriptions call the floor their root, which is then the world's frame.
         let root_is_world = root == FRAME_WORLD && robot.world_from_root == Pose::identity();
         let frame = |index: usize| match links[index].name.as_str() {
             name if index == 0 && root_is_world => name.to_owned(),
@@ -75,7 +75,8 @@ impl LinkFrames {
         frames
     }
 
-    /// Parent, child and the one in the other, of what moves, at positions of the robot's variables [rad or m].
+    /// Returns the moving transforms at positions of the robot's variables [rad or m]: parent, child, and pose of the
+    /// child in the parent.
     pub fn at(&self, q: &[f64]) -> impl Iterator<Item = (&str, &str, Pose)> {
         self.moving.iter().map(|Moving { transform, joint }| {
             let pose = transform.at(joint.drive.position(q));

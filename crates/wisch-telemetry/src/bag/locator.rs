@@ -1,18 +1,18 @@
-//! Where in the messages of a topic a pose or a force stands.
+//! Locators: the fields of a topic's messages that hold a pose or a force.
 
 use crate::quantity::{Quantity, QuantityError};
 use crate::ros2::{Field, Kind, NANOSECONDS_PER_SECOND, Schema, Shape, Value};
 use std::marker::PhantomData;
 
-/// How deep in a message, and in how many messages in it, a quantity is looked for that nobody named the place of.
+/// Largest depth in a message, and largest number of nested messages, in which an unnamed quantity is searched.
 const MAX_FIELD_DEPTH: usize = 3;
 const MAX_FIELDS: usize = 1000;
 
-/// Finds a quantity in messages of one schema.
+/// Locator of a quantity in messages of one schema.
 #[derive(Debug, Clone)]
 pub(crate) struct Locator<Q> {
     place: Place,
-    /// Where a message holds many of them, as those of `/tf` do: the list.
+    /// Path of the list, for messages with many quantities, as in `/tf`.
     list: Option<Vec<usize>>,
     quantity: PhantomData<Q>,
 }
@@ -21,29 +21,29 @@ pub(crate) struct Locator<Q> {
 #[derive(Debug, Clone)]
 struct Place {
     numbers: Vec<Vec<usize>>,
-    /// Seconds and nanoseconds of the header's stamp.
+    /// Paths of seconds and nanoseconds in the header's stamp.
     stamp: Option<[Vec<usize>; 2]>,
-    /// The header's frame.
+    /// Path of the header's frame.
     frame: Option<Vec<usize>>,
-    /// The child frame of a transform.
+    /// Path of a transform's child frame.
     child: Option<Vec<usize>>,
 }
 
-/// What a message says of a quantity.
+/// A quantity found in a message.
 #[derive(Debug)]
 pub(crate) struct Found<'a, Q> {
-    /// The child frame, where a message holds many.
+    /// Child frame, in messages with many quantities.
     pub child: &'a str,
-    /// The frame of the header, if there is one.
+    /// Frame of the header; empty without a header.
     pub frame: &'a str,
-    /// The header's stamp [ns]; 0 stands for none.
+    /// Stamp of the header [ns]; 0 stands for none.
     pub stamp: i64,
-    /// The quantity.
+    /// The quantity, or why its numbers are invalid.
     pub value: Result<Q, QuantityError>,
 }
 
 impl<Q: Quantity> Locator<Q> {
-    /// Looks where a message holds the quantity; in a field of it, where one is named.
+    /// Finds the quantity in messages of a schema, or in their field `field` if that is not empty.
     pub fn find(schema: &Schema, field: &str) -> Option<Self> {
         let single = |place| Self {
             place,
@@ -53,8 +53,8 @@ impl<Q: Quantity> Locator<Q> {
         Place::find::<Q>(schema, schema.root(), field).map(single)
     }
 
-    /// Looks for the quantity in the fields of a larger message, and in those of the messages in it: each with the path of
-    /// its field.
+    /// Finds the quantity in the fields of a larger message and of the messages in it. Returns the path of each field
+    /// with its locator.
     pub fn find_within(schema: &Schema) -> Vec<(String, Self)> {
         let mut found: Vec<(String, Self)> = Vec::new();
         let mut paths = vec![(String::new(), schema.root(), 0)];
@@ -78,7 +78,7 @@ impl<Q: Quantity> Locator<Q> {
         found
     }
 
-    /// Looks for a list of transforms, told apart by their child frames.
+    /// Finds a list of transforms, which their child frames distinguish.
     pub fn find_list(schema: &Schema) -> Option<Self> {
         schema.root().iter().enumerate().find_map(|(index, list)| {
             let (Kind::Message(definition), Shape::Sequence) = (list.kind, list.shape) else {
@@ -94,7 +94,7 @@ impl<Q: Quantity> Locator<Q> {
         })
     }
 
-    /// Takes the quantities from a message.
+    /// Reads the quantities of a message.
     pub fn read<'a>(&'a self, message: &'a Value) -> impl Iterator<Item = Found<'a, Q>> {
         let (one, many) = match &self.list {
             None => (Some(message), &[][..]),
@@ -125,7 +125,7 @@ impl Place {
             let paths = names.iter().map(|name| number(&path([&base, name])));
             paths.collect::<Option<Vec<_>>>()
         })?;
-        // The header is that of the message nearest to the quantity that has one.
+        // The header is the one of the innermost message around the quantity that has a header.
         let stamp = |header: &str| {
             let sec = number(&path([header, "stamp.sec"]))?;
             Some([sec, number(&path([header, "stamp.nanosec"]))?])
@@ -142,7 +142,7 @@ impl Place {
 
     fn read<'a, Q: Quantity>(&self, message: &'a Value) -> Found<'a, Q> {
         let number = |path: &Vec<usize>| message.at(path).and_then(Value::number);
-        // Every path was found in the schema that the message was taken apart by.
+        // Every path was found in the schema by which the message was decoded.
         let numbers: Vec<f64> = (self.numbers.iter())
             .map(|path| number(path).unwrap_or(f64::NAN))
             .collect();

@@ -1,4 +1,4 @@
-//! What a camera saw of the dirt, as messages.
+//! Camera observations of the dirt, as messages.
 
 use super::topic::{DIRT, FRAME_SURFACE, HIDDEN};
 use crate::error::ReadFault;
@@ -10,19 +10,19 @@ use mcap::Channel;
 use wisch::geometry::{Point2, Polygon, Region};
 use wisch::represent::{MAX_PARTICLES, Observation};
 
-/// When a camera looked.
+/// Time of an observation relative to its round.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum LookTime {
-    /// Before anything of the round happened.
+    /// Before the round begins.
     Before,
     /// After its last sample.
     After,
 }
 
-/// Length of a place in a cloud that is written: x, y and z [bytes].
+/// Length of a point in a written cloud: x, y and z [bytes].
 const POINT_STEP: u32 = 12;
 
-/// Places of the surface as points of it.
+/// Converts points of the surface to a point cloud.
 pub(super) fn point_cloud(time: u64, places: &[Point2]) -> PointCloud2 {
     let field = |(index, name): (u32, &str)| PointField {
         name: name.to_owned(),
@@ -45,7 +45,7 @@ pub(super) fn point_cloud(time: u64, places: &[Point2]) -> PointCloud2 {
     }
 }
 
-/// A part of the surface.
+/// Converts a polygon on the surface to a message.
 pub(super) fn polygon_stamped(time: u64, corners: &[Point2]) -> PolygonStamped {
     let corner = |place: &Point2| Point32 {
         x: place.x as f32,
@@ -65,16 +65,16 @@ fn in_surface(time: u64) -> OwnedHeader {
     }
 }
 
-/// Gathers what a bag says of looks.
+/// Collector of the observations in a bag.
 #[derive(Debug, Default)]
 pub(super) struct Looks {
-    /// Before and after.
+    /// Detections before and after the round.
     seen: [Option<Vec<Point2>>; 2],
     hidden: [Vec<Polygon>; 2],
 }
 
 impl Looks {
-    /// Takes a message in, if its topic is one of a look.
+    /// Reads a message, if its topic is one of an observation.
     pub(super) fn take(&mut self, channel: &Channel<'_>, data: &[u8]) -> Result<(), ReadFault> {
         let topic = channel.topic.as_str();
         let fault = |problem: String| ReadFault::Look {
@@ -85,7 +85,7 @@ impl Looks {
             expect_kind(channel, "PointCloud2").map_err(fault)?;
             let cloud: PointCloud2 =
                 cdr::deserialize(data).map_err(|error| fault(error.to_string()))?;
-            // The last word counts, as of a camera that goes on looking.
+            // Of several messages the last one counts, as of a camera that keeps publishing.
             self.seen[look] = Some(places(&cloud).map_err(fault)?);
             self.hidden[look].clear();
         } else if let Some(look) = HIDDEN.iter().position(|known| *known == topic) {
@@ -104,7 +104,7 @@ impl Looks {
         Ok(())
     }
 
-    /// What was seen before and after.
+    /// Returns the observations before and after the round.
     pub(super) fn finish(self) -> [Option<Observation>; 2] {
         let mut hidden = self.hidden.into_iter();
         self.seen.map(|seen| {
@@ -114,7 +114,7 @@ impl Looks {
     }
 }
 
-/// Whether a topic is one of a look.
+/// Whether a topic is one of an observation.
 pub(super) fn is_look(topic: &str) -> bool {
     DIRT.contains(&topic) || HIDDEN.contains(&topic)
 }
@@ -124,13 +124,13 @@ fn expect_kind(channel: &Channel<'_>, kind: &str) -> Result<(), String> {
     if channel.message_encoding != "cdr" {
         let encoding = &channel.message_encoding;
         return Err(format!(
-            "its message encoding is {encoding:?}, and only \"cdr\" is read"
+            "its message encoding is {encoding:?}, but only \"cdr\" is read"
         ));
     }
     if found.ends_with(kind) {
         Ok(())
     } else {
-        Err(format!("its type is {found:?}, and only {kind} is read"))
+        Err(format!("its type is {found:?}, but only {kind} is read"))
     }
 }
 
@@ -139,17 +139,17 @@ fn expect_frame(frame: &str) -> Result<(), String> {
         return Ok(());
     }
     Err(format!(
-        "its frame is {frame:?}, and only {FRAME_SURFACE:?}, that of the believed surface, is read"
+        "its frame is {frame:?}, but only {FRAME_SURFACE:?}, the frame of the believed surface, is read"
     ))
 }
 
-/// The places of a cloud.
+/// Reads the points of a cloud [m].
 fn places(cloud: &PointCloud2) -> Result<Vec<Point2>, String> {
     expect_frame(&cloud.header.frame_id)?;
     let count = u64::from(cloud.width) * u64::from(cloud.height);
     if count > MAX_PARTICLES as u64 {
         return Err(format!(
-            "{count} places exceed the limit of {MAX_PARTICLES}"
+            "{count} points exceed the limit of {MAX_PARTICLES}"
         ));
     }
     let step = cloud.point_step as usize;
@@ -157,21 +157,25 @@ fn places(cloud: &PointCloud2) -> Result<Vec<Point2>, String> {
     if cloud.data.len() < needed {
         let len = cloud.data.len();
         return Err(format!(
-            "{count} places need {needed} bytes, but there are {len}"
+            "{count} points need {needed} bytes, but there are {len}"
         ));
     }
     let field = |name: &str| {
         let found = cloud.fields.iter().find(|field| field.name == name);
-        let field = found.ok_or_else(|| format!("there is no field {name:?}"))?;
+        let field = found.ok_or_else(|| format!("field {name:?} is missing"))?;
         let len = match field.datatype {
             FIELD_FLOAT32 => 4,
             FIELD_FLOAT64 => 8,
-            other => return Err(format!("field {name:?} is of type {other}, not of floats")),
+            other => {
+                return Err(format!(
+                    "field {name:?} is of type {other}, but only floats are read"
+                ));
+            }
         };
         let offset = field.offset as usize;
         if offset.saturating_add(len) > step {
             return Err(format!(
-                "field {name:?} lies beyond the {step} bytes of a place"
+                "field {name:?} lies beyond the {step} bytes of a point"
             ));
         }
         Ok((offset, len))
@@ -197,7 +201,7 @@ fn places(cloud: &PointCloud2) -> Result<Vec<Point2>, String> {
         if is_finite(&place) {
             places.push(place);
         } else if cloud.is_dense {
-            return Err(format!("place {place} m is not finite"));
+            return Err(format!("point {place} m is not finite"));
         }
     }
     Ok(places)
@@ -218,7 +222,7 @@ mod tests {
         assert_eq!(places(&cloud), Ok(written.to_vec()));
         assert_eq!(places(&point_cloud(7, &[])), Ok(vec![]));
 
-        // As another camera writes it: eight bytes a number, the most significant first, y before x, something between.
+        // A camera with another layout: eight bytes a number, big-endian, y before x, padding between them.
         let field = |name: &str, offset| PointField {
             name: name.to_owned(),
             offset,
@@ -245,7 +249,7 @@ mod tests {
         assert!(refused(other).starts_with("its frame is \"camera\""));
         let mut short = cloud();
         short.data.pop();
-        assert_eq!(refused(short), "1 places need 12 bytes, but there are 11");
+        assert_eq!(refused(short), "1 points need 12 bytes, but there are 11");
         let mut many = cloud();
         (many.width, many.height) = (u32::MAX, u32::MAX);
         assert!(refused(many).contains("exceed the limit of"));
@@ -253,14 +257,17 @@ mod tests {
         beyond.fields[1].offset = 9;
         assert_eq!(
             refused(beyond),
-            "field \"y\" lies beyond the 12 bytes of a place"
+            "field \"y\" lies beyond the 12 bytes of a point"
         );
         let mut typed = cloud();
         typed.fields[0].datatype = 5;
-        assert_eq!(refused(typed), "field \"x\" is of type 5, not of floats");
+        assert_eq!(
+            refused(typed),
+            "field \"x\" is of type 5, but only floats are read"
+        );
         let mut nameless = cloud();
         nameless.fields.remove(0);
-        assert_eq!(refused(nameless), "there is no field \"x\"");
+        assert_eq!(refused(nameless), "field \"x\" is missing");
         let mut infinite = cloud();
         infinite.data[..4].copy_from_slice(&f32::NAN.to_le_bytes());
         assert!(refused(infinite.clone()).ends_with("is not finite"));

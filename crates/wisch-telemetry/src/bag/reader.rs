@@ -1,13 +1,13 @@
-//! ROS 2 bags: finds the poses and forces in an MCAP file of whatever topics.
+//! Reader of ROS 2 bags: finds poses and forces in an MCAP file with any topics.
 
 use super::clocks::Offset;
 use super::container::{Ending, Entry, entries};
 use super::joint_states::JointStates;
 use super::locator::Locator;
 use super::observation::{Looks, is_look};
-use super::search::{Located, Search, aligned};
+use super::search::{Located, Search, alignment_remark};
 use super::topic::{NOTES, ROLE_POSE, ROLE_WRENCH, ROUND_NOTE, TASK_NOTE};
-use super::unpack::{is_packed, unpacked_message};
+use super::unpack::{is_packed, unpack_message};
 use crate::error::ReadFault;
 use crate::frames::Frames;
 use crate::options::{Clock, LogOptions, WrenchSign};
@@ -22,28 +22,28 @@ use std::path::Path;
 use std::rc::Rc;
 use wisch::geometry::{Pose, Vector3};
 
-/// Gathers what the parts of a bag say.
+/// Collector of the contents of a bag's parts.
 pub(crate) struct BagReader<'a> {
     options: &'a LogOptions,
     poses: Search<Pose>,
     wrenches: Search<Vector3>,
     /// Every topic with its type.
     topics: BTreeMap<String, String>,
-    /// Why topics are not read that might hold what is looked for.
+    /// Topics that might hold the quantity but cannot be read, with the reason.
     unread: BTreeMap<String, String>,
     channels: HashMap<u16, Reading>,
-    /// The file that is read, from 1.
+    /// Number of the current file, from 1.
     part: usize,
-    /// Transforms that hold for good.
+    /// Transforms that hold for all times.
     fixed: Frames,
-    /// The others, by topic.
+    /// Moving transforms, by topic.
     moving: BTreeMap<String, Moving>,
     joints: JointPositions,
-    /// By how much the stamps of the joints' positions were ahead of the recorder [ns].
+    /// Offsets of the joint states' stamps ahead of the recorder [ns].
     joints_ahead: Vec<i64>,
-    /// The task's name, where the writer says it.
+    /// Name of the task, if the writer states it.
     task: Option<String>,
-    /// Which round of its run it was, where the writer says it.
+    /// Number of the round, if the writer states it.
     round: Option<usize>,
     looks: Looks,
     unfinished: bool,
@@ -53,14 +53,14 @@ pub(crate) struct BagReader<'a> {
 #[derive(Default)]
 struct Moving {
     frames: Frames,
-    /// By how much the stamps were ahead of the recorder [ns].
+    /// Offsets of the stamps ahead of the recorder [ns].
     ahead: Vec<i64>,
 }
 
-/// What is made of a channel's messages.
+/// Use of a channel's messages.
 #[derive(Clone)]
 enum Reading {
-    /// It holds nothing that is looked for.
+    /// None of the requested quantities.
     Nothing,
     Messages {
         schema: Rc<Schema>,
@@ -73,13 +73,13 @@ enum Reading {
 
 /// Type of messages that hold transforms between frames.
 const TRANSFORMS: &str = "TFMessage";
-/// How a topic's name ends whose transforms hold for good.
+/// Ending of topics whose transforms hold for all times.
 const STATIC_TOPIC: &str = "tf_static";
-/// Where libfranka's state has forces that the tool does, not those that are done to it.
+/// Fields of libfranka's state with the forces of the tool on its surroundings, not those on the tool.
 const FORCES_BY_TOOL: [&str; 2] = ["o_f_ext_hat_k", "k_f_ext_hat_k"];
 
 impl<'a> BagReader<'a> {
-    /// Looks for a pose, a wrench, and positions of joints.
+    /// Creates a reader that searches for a pose, a wrench, and joint positions.
     pub fn new(options: &'a LogOptions) -> Self {
         Self {
             options,
@@ -100,8 +100,7 @@ impl<'a> BagReader<'a> {
         }
     }
 
-    /// Reads a file from a source. One that is being written may end where it likes; of one that is finished that is an
-    /// error.
+    /// Reads a file from a source. Only a file that is still being written may end in the middle of a record.
     pub fn read(&mut self, path: &Path, source: impl Read) -> Result<(), ReadFault> {
         // Each file numbers its channels anew.
         self.channels.clear();
@@ -124,7 +123,7 @@ impl<'a> BagReader<'a> {
         Ok(())
     }
 
-    /// What was found.
+    /// Returns the contents of all files.
     pub fn finish(mut self) -> Result<RawLog, ReadFault> {
         let options = self.options;
         let (clock, window) = (options.clock, options.reorder_window);
@@ -134,7 +133,7 @@ impl<'a> BagReader<'a> {
             Some(_) => None,
             None => self.poses.choose(&self.topics)?,
         };
-        // All clocks are brought onto that of the poses.
+        // All clocks are shifted to that of the poses.
         let ahead = |ahead: &[i64]| Offset::of(ahead.to_vec()).unwrap_or(Offset::NONE);
         let reference = match (
             &pose,
@@ -147,12 +146,12 @@ impl<'a> BagReader<'a> {
         let mut frames = self.fixed;
         for (topic, moving) in self.moving {
             let shift = ahead(&moving.ahead).shift_onto(reference);
-            remarks.extend(shift.map(|shift| aligned(&topic, shift)));
+            remarks.extend(shift.map(|shift| alignment_remark(&topic, shift)));
             frames.absorb(moving.frames, shift.unwrap_or(0));
         }
         if self.joints.are_known() {
             let shift = ahead(&self.joints_ahead).shift_onto(reference);
-            remarks.extend(shift.map(|shift| aligned("the joints' positions", shift)));
+            remarks.extend(shift.map(|shift| alignment_remark("the joints' positions", shift)));
             self.joints.shift(shift.unwrap_or(0));
         }
         self.joints.add_to(&mut frames, &options.joints);
@@ -186,7 +185,7 @@ impl<'a> BagReader<'a> {
         if is_by_tool {
             let field = &wrench.field;
             remarks.push(format!(
-                "forces of libfranka ({field}) are taken to be by the tool; --wrench-sign says otherwise"
+                "forces of libfranka ({field}) are read as those of the tool on its surroundings; --wrench-sign overrides this"
             ));
         }
         let wrenches: Track<Vector3> = wrench.into_track(clock, shift, window, &mut remarks)?;
@@ -206,12 +205,12 @@ impl<'a> BagReader<'a> {
         })
     }
 
-    /// The frame whose pose is meant, where a topic of transforms or a frame alone is named.
+    /// Returns the frame that the options name, alone or in a topic of transforms.
     fn named_frame(&self) -> Option<String> {
         match &self.poses.named {
             Some((topic, field)) => {
                 let kind = self.topics.get(topic)?;
-                // Without a field the only frame that moves is meant.
+                // Without a field, the only moving frame is meant.
                 kind.ends_with(TRANSFORMS).then(|| field.clone())
             }
             None => None,
@@ -225,7 +224,7 @@ impl<'a> BagReader<'a> {
         data: &[u8],
     ) -> Result<(), ReadFault> {
         let data = if is_packed(data) {
-            Cow::Owned(unpacked_message(&channel.topic, data)?)
+            Cow::Owned(unpack_message(&channel.topic, data)?)
         } else {
             Cow::Borrowed(data)
         };
@@ -273,7 +272,7 @@ impl<'a> BagReader<'a> {
         Ok(())
     }
 
-    /// Takes transforms in.
+    /// Adds the transforms of a message.
     fn transforms(
         &mut self,
         channel: &Channel<'_>,
@@ -306,7 +305,7 @@ impl<'a> BagReader<'a> {
         }
     }
 
-    /// Sees a channel for the first time.
+    /// Decides the use of a new channel.
     fn channel(&mut self, channel: &Channel<'_>) -> Result<Reading, ReadFault> {
         let kind = (channel.schema.as_ref()).map_or_else(String::new, |schema| schema.name.clone());
         let holds_transforms = kind.ends_with(TRANSFORMS);
@@ -324,7 +323,7 @@ impl<'a> BagReader<'a> {
             Err(fault) if self.poses.names(channel) || self.wrenches.names(channel) => {
                 return Err(fault);
             }
-            // Bags hold topics of all kinds, and this may not be the one that is meant.
+            // Bags hold many topics, and the fault matters only if this one is chosen.
             Err(fault) => {
                 self.unread.insert(channel.topic.clone(), fault.to_string());
                 return Ok(Reading::Nothing);
@@ -335,7 +334,7 @@ impl<'a> BagReader<'a> {
             .flatten())
         .map(Rc::new);
         let wrenches = self.wrenches.locators(channel, &schema)?;
-        // A pose is followed from frame to frame; a message of transforms has parts of the way alone.
+        // A message of transforms holds only parts of the path, so `tool_track` composes them instead.
         let poses = match transforms {
             Some(_) => Vec::new(),
             None => self.poses.locators(channel, &schema)?,
@@ -357,7 +356,7 @@ impl<'a> BagReader<'a> {
     }
 }
 
-/// That nothing holds a quantity, with all that there is.
+/// Returns the error that no topic holds the quantity, with the list of topics.
 fn nothing<Q: Quantity>(
     topics: &BTreeMap<String, String>,
     unread: &BTreeMap<String, String>,
@@ -374,7 +373,7 @@ fn nothing<Q: Quantity>(
     }
 }
 
-/// The layout of a channel's messages.
+/// Parses the schema of a channel's messages.
 fn readable(channel: &Channel<'_>) -> Result<Schema, ReadFault> {
     let topic = channel.topic.clone();
     let encoding = |what, encoding: &str, limit| ReadFault::Encoding {

@@ -1,4 +1,4 @@
-//! What a bag shows beside what is measured, as markers: surface and scene, the goal, the strokes, tool and force.
+//! Markers of a bag: surface and scene, goal, strokes, tool and force.
 
 use super::topic::{FRAME_SURFACE, FRAME_TOOL, FRAME_WORLD};
 use crate::ros2::messages::{Color, Marker, MarkerKind, Time, Vector3};
@@ -8,17 +8,17 @@ use wisch::plan::Stroke;
 use wisch::represent::{GoalState, SceneObject, ScenePart, Surface};
 use wisch::run::TelemetrySample;
 
-/// How high above the surface its face and what is drawn on it lie, so that no two lie in one plane [m].
+/// Heights above the surface of its face and of the drawings on it, which keep any two from sharing a plane [m].
 const FACE_HEIGHT: f64 = 0.0005;
 const LINE_HEIGHT: f64 = 0.001;
 const STROKE_HEIGHT: f64 = 0.002;
-/// How wide lines are [m].
+/// Width of lines [m].
 const LINE_WIDTH: f64 = 0.003;
-/// Corners of a circle.
+/// Number of corners of a drawn circle.
 const CIRCLE_CORNERS: u32 = 48;
 /// Length of the arrow of a force [m/N].
 const FORCE_SCALE: f64 = 0.01;
-/// A smaller force is not drawn [N]: its arrow would be shorter than its head.
+/// Least force that is drawn [N]: the arrow of a smaller force would be shorter than its head.
 const LEAST_FORCE: f64 = 1.0;
 /// Diameters of an arrow's shaft and head [m].
 const ARROW: [f64; 2] = [0.006, 0.014];
@@ -37,24 +37,24 @@ const fn color(r: f32, g: f32, b: f32, a: f32) -> Color {
     Color { r, g, b, a }
 }
 
-/// What stands where, as a bag shows it.
+/// Scene that a bag shows.
 #[derive(Debug, Clone, Copy)]
 pub struct SceneShown<'a> {
     /// The target surface.
     pub surface: &'a Surface,
-    /// What stands round it; robot and tool show themselves.
+    /// Objects around the surface; robot and tool are shown separately.
     pub objects: &'a [SceneObject],
     /// The tool's surface in its own frame [m].
     pub tool: &'a Mesh,
-    /// What is to become of the dirt: where it is to be collected is shown.
+    /// Goal of the task; a goal area for collected dirt is drawn.
     pub goal: &'a GoalState,
 }
 
-/// A marker with the points that it is drawn by.
+/// A marker with the points that draw it.
 #[derive(Debug, Clone)]
 pub(super) struct Drawn {
     frame: &'static str,
-    /// What it shows; with `id` its name.
+    /// What it shows; namespace and `id` together identify the marker.
     ns: String,
     id: i32,
     kind: MarkerKind,
@@ -89,7 +89,7 @@ impl Drawn {
         self
     }
 
-    /// The message, which says it for good: it moves with its frame.
+    /// Returns the message: a permanent marker that moves with its frame.
     pub fn marker(&self, time: u64) -> Marker<'_> {
         let [x, y, z] = self.scale;
         Marker {
@@ -110,17 +110,17 @@ fn at(point: Point3) -> Vector3 {
     point.coords.into()
 }
 
-fn raised(height: f64) -> impl Fn(&Point2) -> Point3 {
+fn raise_by(height: f64) -> impl Fn(&Point2) -> Point3 {
     move |point| Point3::new(point.x, point.y, height)
 }
 
-/// The surface, what stands round it, and where dirt is to be collected.
+/// Draws the surface, the objects around it, and the goal area.
 pub(super) fn scene(shown: &SceneShown<'_>) -> Vec<Drawn> {
     let outline = &shown.surface.outline;
     let mut all = vec![surface_face(outline)];
     all.extend((0..).zip(outline.rings()).map(|(id, ring)| {
         let corners = ring.iter().chain(ring.first());
-        let drawn = on_surface("outline", OUTLINE).through(corners.map(raised(LINE_HEIGHT)));
+        let drawn = on_surface("outline", OUTLINE).through(corners.map(raise_by(LINE_HEIGHT)));
         Drawn { id, ..drawn }
     }));
     if let GoalState::Collected { center, radius } = shown.goal {
@@ -144,7 +144,7 @@ pub(super) fn scene(shown: &SceneShown<'_>) -> Vec<Drawn> {
     all
 }
 
-/// The strokes in their order, the first the darkest.
+/// Draws the strokes in their order, the first in the darkest colour.
 pub(super) fn strokes(strokes: &[Stroke]) -> Vec<Drawn> {
     let last = (strokes.len().max(2) - 1) as f32;
     let stroke = |(id, stroke): (i32, &Stroke)| {
@@ -158,8 +158,8 @@ pub(super) fn strokes(strokes: &[Stroke]) -> Vec<Drawn> {
             1.0,
         );
         let line = on_surface("strokes", color)
-            .through((stroke.poses.iter()).map(|pose| raised(STROKE_HEIGHT)(&pose.position)));
-        // A touch without motion is no line.
+            .through((stroke.poses.iter()).map(|pose| raise_by(STROKE_HEIGHT)(&pose.position)));
+        // A contact without motion is a point.
         let kind = if line.points.len() < 2 {
             MarkerKind::Points
         } else {
@@ -179,7 +179,7 @@ pub(super) fn tool(mesh: &Mesh) -> Drawn {
     solid(FRAME_TOOL, "tool", TOOL, mesh)
 }
 
-/// The force on the tool, from its tool centre point; nothing where it is too small to be seen.
+/// Draws the force on the tool as an arrow from its tool centre point; `None` if the force is too small.
 pub(super) fn force(sample: &TelemetrySample<'_>) -> Option<Drawn> {
     let force = sample.external.force;
     if force.norm() < LEAST_FORCE {
@@ -189,7 +189,7 @@ pub(super) fn force(sample: &TelemetrySample<'_>) -> Option<Drawn> {
     Some(no_force().through([from, from + FORCE_SCALE * force]))
 }
 
-/// What goes where there is none.
+/// Returns the marker that deletes the arrow.
 pub(super) fn no_force() -> Drawn {
     Drawn::new(FRAME_WORLD, "force", MarkerKind::Arrow, FORCE)
 }
@@ -205,10 +205,15 @@ fn solid(frame: &'static str, ns: &str, color: Color, mesh: &Mesh) -> Drawn {
 
 fn surface_face(outline: &Polygon) -> Drawn {
     let face = Drawn::new(FRAME_SURFACE, "surface", MarkerKind::TriangleList, FACE);
-    face.through(triangles(outline).iter().flatten().map(raised(FACE_HEIGHT)))
+    face.through(
+        triangles(outline)
+            .iter()
+            .flatten()
+            .map(raise_by(FACE_HEIGHT)),
+    )
 }
 
-/// A polygon with its holes as triangles, counter-clockwise: cut at the height of every corner into trapezoids.
+/// Triangulates a polygon with holes, counter-clockwise: cuts it at the height of every corner into trapezoids.
 fn triangles(polygon: &Polygon) -> Vec<[Point2; 3]> {
     let mut heights: Vec<f64> = polygon.rings().flatten().map(|p| p.y).collect();
     heights.sort_unstable_by(f64::total_cmp);
@@ -216,7 +221,7 @@ fn triangles(polygon: &Polygon) -> Vec<[Point2; 3]> {
     let mut triangles = Vec::new();
     for slab in heights.windows(2) {
         let (low, high) = (slab[0], slab[1]);
-        // The edges that cross the slab, by where they do at its lower and upper end.
+        // Edges that cross the slab, sorted by their positions at its lower and upper end.
         let mut crossings: Vec<[f64; 2]> = (polygon.edges())
             .filter(|edge| {
                 let (a, b) = (edge.start.y.min(edge.end.y), edge.start.y.max(edge.end.y));

@@ -1,4 +1,4 @@
-//! Which topic of a bag holds the poses or forces that are looked for.
+//! Search for the topic of a bag that holds the poses or forces.
 
 use super::clocks::Offset;
 use super::locator::{Found, Locator};
@@ -13,23 +13,24 @@ use std::collections::{BTreeMap, HashMap};
 use std::rc::Rc;
 use wisch::represent::UnknownName;
 
-/// Fields of larger messages that are meant where several hold the quantity: the measured ones of libfranka's state.
+/// Fields that are preferred where a larger message holds the quantity several times: the measured ones of libfranka's
+/// state.
 const MEASURED_FIELDS: [&str; 2] = ["o_t_ee", "o_f_ext_hat_k"];
 
-/// What a message says, with both of its times.
+/// A value of a message, with both of its times.
 struct Stamped<Q> {
     stamp: i64,
     log_time: i64,
     number: usize,
-    /// The file that it stands in.
+    /// Number of the file that holds it.
     part: usize,
     value: Result<Q, QuantityError>,
 }
 
-/// Something that may be what is looked for.
+/// A topic or field that may hold the quantity.
 pub(super) struct Candidate<Q> {
     topic: String,
-    /// The field of a larger message; empty where the topic's messages are nothing else.
+    /// Field of a larger message; empty if the topic's messages hold only the quantity.
     pub field: String,
     frame: String,
     child: String,
@@ -37,7 +38,7 @@ pub(super) struct Candidate<Q> {
     entries: Vec<Stamped<Q>>,
 }
 
-/// What the writer says about a channel.
+/// Metadata of a channel by the writer.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Says {
     is_meant: bool,
@@ -45,18 +46,18 @@ pub(super) struct Says {
     pub start: Option<i64>,
 }
 
-/// A field of a channel's messages, and how it is read.
+/// A field of a channel's messages, and its locator.
 pub(super) type Located<Q> = (String, Rc<Locator<Q>>);
 
-/// Looks for one quantity.
+/// Search for one quantity.
 pub(super) struct Search<Q> {
-    /// A topic and a field of it, or nothing.
+    /// Topic and field that the options name.
     pub named: Option<(String, String)>,
     role: &'static str,
     candidates: Vec<Candidate<Q>>,
-    /// How many messages of each topic were seen.
+    /// Number of messages of each topic so far.
     seen: HashMap<String, usize>,
-    /// The first fault of each topic; it matters only if the topic is chosen.
+    /// First fault of each topic; it matters only if the topic is chosen.
     faults: BTreeMap<String, ReadFault>,
 }
 
@@ -78,17 +79,17 @@ impl<Q: Quantity> Search<Q> {
         }
     }
 
-    /// Whether this channel was asked for by name.
+    /// Whether the options name this channel.
     pub fn names(&self, channel: &Channel<'_>) -> bool {
         (self.named.as_ref()).is_some_and(|(topic, _)| *topic == channel.topic)
     }
 
-    /// Whether this channel may be it.
+    /// Whether this channel may hold the quantity.
     pub fn wants(&self, channel: &Channel<'_>) -> bool {
         self.named.is_none() || self.names(channel)
     }
 
-    /// Where the messages of a channel hold the quantity.
+    /// Finds the fields of a channel's messages that hold the quantity.
     pub fn locators(
         &self,
         channel: &Channel<'_>,
@@ -116,7 +117,7 @@ impl<Q: Quantity> Search<Q> {
         Ok(located.into_iter().map(shared).collect())
     }
 
-    /// Takes what a message says in.
+    /// Reads a message.
     pub fn take(
         &mut self,
         channel: &Channel<'_>,
@@ -155,7 +156,7 @@ impl<Q: Quantity> Search<Q> {
         }
     }
 
-    /// The number of a topic's next message, from 1.
+    /// Returns the number of a topic's next message, from 1.
     fn count(&mut self, topic: &str) -> usize {
         if let Some(count) = self.seen.get_mut(topic) {
             *count += 1;
@@ -192,7 +193,7 @@ impl<Q: Quantity> Search<Q> {
         &mut self.candidates[index]
     }
 
-    /// The one that is meant; nothing where none is there.
+    /// Returns the chosen candidate, or `None` if nothing holds the quantity.
     pub fn choose(
         &mut self,
         topics: &BTreeMap<String, String>,
@@ -202,10 +203,10 @@ impl<Q: Quantity> Search<Q> {
                 let known = topics.keys().map(String::as_str);
                 return Err(ReadFault::Unknown(UnknownName::new("topic", topic, known)));
             }
-            _ => self.preferred()?,
+            _ => self.find_preferred()?,
         };
         let Some(index) = index else {
-            // The messages that might have been it may have been no messages.
+            // If every message of a likely topic was faulty, its fault explains the absence.
             return match self.faults.pop_first() {
                 Some((_, fault)) => Err(fault),
                 None => Ok(None),
@@ -218,10 +219,10 @@ impl<Q: Quantity> Search<Q> {
         }
     }
 
-    fn preferred(&self) -> Result<Option<usize>, ReadFault> {
+    fn find_preferred(&self) -> Result<Option<usize>, ReadFault> {
         let preferences: [fn(&Candidate<Q>) -> bool; 4] = [
             |candidate| candidate.says.is_meant,
-            // Who says it in messages of its own means it more than a part of something else.
+            // A topic whose messages hold only the quantity is preferred to a field of a larger message.
             |candidate| candidate.field.is_empty(),
             |candidate| MEASURED_FIELDS.contains(&candidate.field.as_str()),
             |_| true,
@@ -234,7 +235,7 @@ impl<Q: Quantity> Search<Q> {
         Ok(None)
     }
 
-    /// The only candidate of some kind, if there is any.
+    /// Returns the only candidate that meets a condition, if any.
     fn sole(&self, is_one: fn(&Candidate<Q>) -> bool) -> Result<Option<usize>, ReadFault> {
         let those: Vec<usize> = (0..self.candidates.len())
             .filter(|&index| is_one(&self.candidates[index]))
@@ -253,16 +254,16 @@ impl<Q: Quantity> Search<Q> {
     }
 }
 
-/// That a clock was aligned by adding some nanoseconds to its times, in words.
-pub(super) fn aligned(name: &str, shift: i64) -> String {
+/// Returns the remark that a clock was aligned by adding `shift` [ns] to its times.
+pub(super) fn alignment_remark(name: &str, shift: i64) -> String {
     format!(
-        "the clock of {name} is {:+.3} s off that of the poses by the times of recording, and is aligned with it (--time log takes the times of recording alone)",
+        "the clock of {name} is {:+.3} s off that of the poses by the times of recording, and is aligned with it (--time log uses the times of recording instead)",
         -seconds(shift)
     )
 }
 
 impl<Q: Quantity> Candidate<Q> {
-    /// Its topic and field.
+    /// Topic and field of the candidate.
     pub fn name(&self) -> String {
         match self.field.as_str() {
             "" => self.topic.clone(),
@@ -270,7 +271,7 @@ impl<Q: Quantity> Candidate<Q> {
         }
     }
 
-    /// By how much its stamps are ahead of the recorder's clock.
+    /// Offset of its stamps ahead of the recorder's clock.
     pub fn offset(&self, clock: Clock) -> Offset {
         let stamped = self.entries.iter().filter(|entry| entry.stamp != 0);
         let ahead = stamped.map(|entry| entry.stamp.saturating_sub(entry.log_time));
@@ -280,7 +281,7 @@ impl<Q: Quantity> Candidate<Q> {
         }
     }
 
-    /// What it says over time, by some clock and shifted by some nanoseconds.
+    /// Returns its values as a track, by the given clock and shifted by `shift` [ns].
     pub fn into_track(
         self,
         clock: Clock,
@@ -309,12 +310,12 @@ impl<Q: Quantity> Candidate<Q> {
         }
         if unstamped > 0 && clock == Clock::Header {
             remarks.push(format!(
-                "{unstamped} of {count} messages of {} bear no stamp: their time of recording counts",
+                "{unstamped} of {count} messages of {} have no stamp: their time of recording is used",
                 track.name
             ));
         }
         if shift != 0 {
-            remarks.push(aligned(&track.name, shift));
+            remarks.push(alignment_remark(&track.name, shift));
         }
         let track = track.finish()?;
         remarks.extend(track.reordering());

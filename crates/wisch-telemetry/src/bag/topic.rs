@@ -1,38 +1,38 @@
-//! The topics of the bags that are written.
+//! Topics of the bags that this crate writes.
 
 use crate::options::Axes;
 use std::collections::BTreeMap;
 
 /// Frame of the world.
 pub(crate) const FRAME_WORLD: &str = Axes::World.as_str();
-/// Frame of the tool, its tool centre point at the origin.
+/// Frame of the tool, with its tool centre point as origin.
 pub(crate) const FRAME_TOOL: &str = Axes::Tool.as_str();
 /// Frame of the target surface.
 pub(crate) const FRAME_SURFACE: &str = Axes::Surface.as_str();
 
-/// Topics of what was seen of the dirt before and after, and of where nothing could be seen.
+/// Topics of the observed dirt before and after a round, and of the area that the camera could not see.
 pub(crate) const DIRT: [&str; 2] = ["/wisch/dirt_before", "/wisch/dirt_after"];
 pub(crate) const HIDDEN: [&str; 2] = ["/wisch/hidden_before", "/wisch/hidden_after"];
 
-/// Name of what is noted of a bag as a whole.
+/// Name of the metadata record of a whole bag.
 pub(crate) const NOTES: &str = "wisch";
-/// Key of the note that says which task was executed.
+/// Key of the executed task's name.
 pub(crate) const TASK_NOTE: &str = "task";
-/// Key of the note that says which round of its run it was.
+/// Key of the executed round's number.
 pub(crate) const ROUND_NOTE: &str = "round";
 
-/// Key of a channel's metadata that says what the channel is to the interpretation.
+/// Key of a channel's metadata for its role in the interpretation.
 pub(crate) const ROLE_KEY: &str = "wisch.role";
-/// The channel says where the tool is.
+/// Role: pose of the tool.
 pub(crate) const ROLE_POSE: &str = "tool pose";
-/// The channel says what the tool feels.
+/// Role: external wrench on the tool.
 pub(crate) const ROLE_WRENCH: &str = "external wrench";
-/// Key of a channel's metadata that says the log's time when the samples' time is 0 [ns].
+/// Key of a channel's metadata for the log's time at which the samples' time is 0 [ns].
 pub(crate) const START_KEY: &str = "wisch.start_ns";
-/// Key of a channel's metadata that says in whose axes a wrench is given.
+/// Key of a channel's metadata for the axes of a wrench.
 pub(crate) const AXES_KEY: &str = "wisch.axes";
 
-/// The topics, in the order of their channels.
+/// Topics, in the order of their channels.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Topic {
     Joints,
@@ -77,7 +77,7 @@ impl Topic {
         Self::Force,
     ];
 
-    /// Its name, its package and type.
+    /// Its name, and the package and name of its type.
     pub fn named(self) -> (&'static str, [&'static str; 2]) {
         match self {
             Self::Joints => ("/joint_states", ["sensor_msgs", "JointState"]),
@@ -101,20 +101,20 @@ impl Topic {
         }
     }
 
-    /// What a reader has to know beside the type.
+    /// Metadata that a reader needs beside the type.
     pub fn metadata(self, start: u64) -> BTreeMap<String, String> {
         let start = start.to_string();
         let says: &[(&str, &str)] = match self {
             Self::Commanded => &[(
                 "wisch.meaning",
-                "tool centre point as commanded, the press into the surface included",
+                "commanded tool centre point, including the press into the surface",
             )],
             Self::Measured => &[
                 (ROLE_KEY, ROLE_POSE),
                 (START_KEY, &start),
                 (
                     "wisch.meaning",
-                    "tool centre point by the joints' positions",
+                    "tool centre point from the joint positions",
                 ),
             ],
             Self::Controller => &[
@@ -122,7 +122,7 @@ impl Topic {
                 ("wisch.point", "tool centre point"),
                 (
                     "wisch.meaning",
-                    "what the controller asks of the tool, saturated",
+                    "wrench that the controller commands, saturated",
                 ),
             ],
             Self::External => &[
@@ -131,16 +131,22 @@ impl Topic {
                 ("wisch.point", "tool centre point"),
                 (
                     "wisch.meaning",
-                    "what the surroundings do to the tool, as estimated from the drives",
+                    "wrench of the surroundings on the tool, estimated from the drives",
                 ),
             ],
-            Self::Particles => &[("wisch.meaning", "particles as they are believed to lie")],
-            Self::DirtBefore => &[("wisch.meaning", "dirt as a camera saw it before the round")],
-            Self::DirtAfter => &[("wisch.meaning", "dirt as a camera saw it after the round")],
+            Self::Particles => &[("wisch.meaning", "believed particle positions")],
+            Self::DirtBefore => &[(
+                "wisch.meaning",
+                "dirt that the camera detected before the round",
+            )],
+            Self::DirtAfter => &[(
+                "wisch.meaning",
+                "dirt that the camera detected after the round",
+            )],
             Self::HiddenBefore | Self::HiddenAfter => {
-                &[("wisch.meaning", "where the camera could see nothing")]
+                &[("wisch.meaning", "area that the camera could not see")]
             }
-            Self::Strokes => &[("wisch.meaning", "strokes as they are to be wiped")],
+            Self::Strokes => &[("wisch.meaning", "planned strokes")],
             Self::Force => &[(
                 "wisch.meaning",
                 "the force of /wrench/external, drawn from the tool centre point",
@@ -153,7 +159,7 @@ impl Topic {
             | Self::Scene
             | Self::Tool => &[],
         };
-        // rosbag2 looks for profiles; an empty text stands for the usual ones.
+        // rosbag2 expects QoS profiles; an empty text stands for the default.
         [("offered_qos_profiles", "")]
             .iter()
             .chain(says)

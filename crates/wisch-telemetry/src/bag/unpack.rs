@@ -1,4 +1,4 @@
-//! Unpacks the chunks of a bag.
+//! Decompression of a bag's chunks and messages.
 
 use crate::error::ReadFault;
 use std::borrow::Cow;
@@ -7,11 +7,11 @@ use std::io::{self, Read};
 /// Why a chunk cannot be unpacked.
 #[derive(Debug)]
 pub(crate) enum UnpackError {
-    /// It is packed in a way that is not read.
+    /// Its compression is unknown.
     Unknown,
-    /// It is longer than the limit.
+    /// It is larger than the limit.
     TooLong,
-    /// What the unpacking says.
+    /// The decompressor's error.
     Damaged(String),
 }
 
@@ -21,7 +21,7 @@ impl From<io::Error> for UnpackError {
     }
 }
 
-/// A chunk's records, by the name of how they are packed. Never more than `limit` bytes come out.
+/// Unpacks a chunk's records, given the name of their compression. Returns at most `limit` bytes.
 pub(crate) fn unpack<'a>(
     compression: &str,
     packed: &'a [u8],
@@ -39,26 +39,26 @@ pub(crate) fn unpack<'a>(
     }
 }
 
-/// Also of several frames.
+/// Unpacks Zstandard data, which may consist of several frames.
 fn unzstd(packed: &[u8], limit: usize) -> Result<Vec<u8>, UnpackError> {
     let mut plain = Vec::new();
     append(zstd::Decoder::with_buffer(packed)?, &mut plain, limit)?;
     Ok(plain)
 }
 
-/// What a frame of Zstandard begins with; a message in CDR begins with a zero.
+/// First bytes of a Zstandard frame; a CDR message begins with a zero.
 const ZSTD_MAGIC: [u8; 4] = [0x28, 0xb5, 0x2f, 0xfd];
 
-/// Longest message that is unpacked [bytes].
+/// Largest unpacked message [bytes].
 const MAX_MESSAGE_LEN: usize = 64 << 20;
 
-/// Whether a message is packed by itself, as rosbag2 does in its compression mode of that name.
+/// Whether a single message is packed, as rosbag2 does in its compression mode for messages.
 pub(crate) fn is_packed(message: &[u8]) -> bool {
     message.starts_with(&ZSTD_MAGIC)
 }
 
-/// A message that was packed by itself.
-pub(crate) fn unpacked_message(topic: &str, message: &[u8]) -> Result<Vec<u8>, ReadFault> {
+/// Unpacks a message that was packed by itself.
+pub(crate) fn unpack_message(topic: &str, message: &[u8]) -> Result<Vec<u8>, ReadFault> {
     unzstd(message, MAX_MESSAGE_LEN).map_err(|error| ReadFault::PackedMessage {
         topic: topic.to_owned(),
         error: match error {
@@ -123,12 +123,10 @@ mod tests {
     #[test]
     fn a_message_comes_out_whole() {
         assert!(is_packed(&zstd()) && !is_packed(&[0, 1, 0, 0]));
-        assert_eq!(unpacked_message("/p", &zstd()).unwrap(), text());
-        let refused = unpacked_message("/p", &zstd()[..9])
-            .unwrap_err()
-            .to_string();
+        assert_eq!(unpack_message("/p", &zstd()).unwrap(), text());
+        let refused = unpack_message("/p", &zstd()[..9]).unwrap_err().to_string();
         assert!(
-            refused.starts_with("topic /p: a packed message: "),
+            refused.starts_with("topic /p: a packed message cannot be unpacked: "),
             "{refused}"
         );
     }
@@ -140,7 +138,7 @@ mod tests {
             assert!(matches!(short, Err(UnpackError::TooLong)), "{name}");
             assert!(unpack(name, &packed, text().len()).is_ok(), "{name}");
             let half = unpack(name, &packed[..packed.len() / 2], LIMIT);
-            // A cut may fall between blocks: then less comes out, which the chunk's header tells.
+            // A cut may fall between blocks: then fewer bytes come out, which the chunk's header reveals.
             assert!(
                 half.is_err() || half.is_ok_and(|plain| plain.len() < text().len()),
                 "{name}"

@@ -1,4 +1,4 @@
-//! Telemetry as a ROS 2 bag: MCAP with CDR messages, written while it comes in.
+//! Writer of telemetry as a ROS 2 bag: MCAP with CDR messages, written as the samples arrive.
 
 use super::links::{LinkFrames, RobotShown};
 use super::observation::{LookTime, point_cloud, polygon_stamped};
@@ -26,17 +26,17 @@ use wisch::plan::Stroke;
 use wisch::represent::Observation;
 use wisch::run::TelemetrySample;
 
-/// What a killed program loses at most [ns]: a chunk is written when it holds that much.
+/// Longest time that a killed program loses [ns]: a chunk is written when it covers this time,
 const CHUNK_TIME: u64 = NANOSECONDS_PER_SECOND;
-/// Or when it is that long [bytes].
+/// or when it has this length [bytes].
 const CHUNK_LEN: u64 = 1 << 20;
-/// Least time between two messages of `/tf` [ns]: 50 Hz, as displays ask for no more.
+/// Least time between two messages of `/tf` [ns]: 50 Hz, enough for displays.
 const TF_PERIOD: u64 = NANOSECONDS_PER_SECOND / 50;
-/// Least time between two of the robot's links on `/tf`, and between two of `/force` [ns]: 25 Hz.
+/// Least time between two messages with the robot's links on `/tf`, and of `/force` [ns]: 25 Hz.
 const SHOW_PERIOD: u64 = NANOSECONDS_PER_SECOND / 25;
 /// Least time between two messages of `/particles` [ns].
 const PARTICLES_PERIOD: u64 = NANOSECONDS_PER_SECOND / 2;
-/// Side of a particle as it is drawn [m].
+/// Side of a drawn particle [m].
 const PARTICLE_SIZE: f64 = 0.004;
 /// Brown, like crumbs.
 const PARTICLE_COLOR: Color = Color {
@@ -46,28 +46,28 @@ const PARTICLE_COLOR: Color = Color {
     a: 1.0,
 };
 
-/// The name of a bag that is being written.
+/// Returns the path of a bag while it is being written.
 pub fn active_path(bag: &Path) -> PathBuf {
     let mut name = bag.as_os_str().to_owned();
     name.push(".active");
     PathBuf::from(name)
 }
 
-/// What a bag says once.
+/// Constant data of a bag.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct BagHead {
     /// Names of the robot's variables, in the order of the samples' arrays.
     pub joints: Vec<String>,
-    /// Where the target surface is believed to be.
+    /// Believed pose of the target surface.
     pub world_from_surface: Pose,
-    /// The log's time when a sample's time is 0 [ns]; 0 is as good as any.
+    /// The log's time at which a sample's time is 0 [ns]; may be 0.
     pub start: u64,
-    /// Anything else worth keeping, such as the task's name and the seed.
+    /// Further notes, for example the task's name and the seed.
     pub notes: BTreeMap<String, String>,
 }
 
 impl BagHead {
-    /// That of a log without joints, of a surface that is believed to be there.
+    /// Head of a log without joints, with the surface believed at this pose.
     pub fn at(world_from_surface: Pose) -> Self {
         Self {
             world_from_surface,
@@ -76,11 +76,11 @@ impl BagHead {
     }
 }
 
-/// Writes telemetry while a robot wipes.
+/// Writer of telemetry during an execution.
 ///
-/// Until [`finish`](Self::finish), the file bears the ending `.active` after its own; a program that is killed
-/// leaves it readable up to its last second. Time comes from the samples, so the same samples give the same bytes.
-/// Dropped unfinished, it is complete but keeps that ending.
+/// Until [`finish`](Self::finish), the file name has the additional ending `.active`. If the program is killed, the
+/// file is readable up to its last second; if the writer is dropped, the file is complete. In both cases it keeps that
+/// ending. All times come from the samples, so the same samples give the same bytes.
 ///
 /// | topic | type | how often |
 /// |---|---|---|
@@ -88,17 +88,17 @@ impl BagHead {
 /// | `/tcp/commanded`, `/tcp/measured` | `geometry_msgs/PoseStamped`, in the world | every sample |
 /// | `/wrench/controller`, `/wrench/external` | `geometry_msgs/WrenchStamped`, axes of the world, about the tool centre point | every sample |
 /// | `/tf` | `tf2_msgs/TFMessage`: world to tool, world to surface | at most 50 Hz |
-/// | `/tf`, with a robot | the same: of its moving joints, link to link | at most 25 Hz |
-/// | `/tf_static` | `tf2_msgs/TFMessage`: the world to the robot's root, of its fixed joints link to link | once, with a robot |
+/// | `/tf`, with a robot | `tf2_msgs/TFMessage`: its moving joints, link to link | at most 25 Hz |
+/// | `/tf_static` | `tf2_msgs/TFMessage`: world to the robot's root, and its fixed joints, link to link | once, with a robot |
 /// | `/robot_description` | `std_msgs/String`: its URDF | once, with a robot |
 /// | `/particles` | `visualization_msgs/Marker`, points in the world | at most 2 Hz |
 /// | `/phase` | `std_msgs/String` | when it changes |
-/// | `/scene` | `visualization_msgs/MarkerArray`: the surface's face and outline, the goal of a collect, what stands round it | once, if told |
-/// | `/plan/strokes` | `visualization_msgs/MarkerArray`: a line for each, in the frame of the surface | once, if told |
-/// | `/tool` | `visualization_msgs/Marker`: triangles in the frame of the tool | once, if told |
+/// | `/scene` | `visualization_msgs/MarkerArray`: surface and outline, goal area, objects around the surface | once, if given |
+/// | `/plan/strokes` | `visualization_msgs/MarkerArray`: a line for each, in the frame of the surface | once, if given |
+/// | `/tool` | `visualization_msgs/Marker`: triangles in the frame of the tool | once, if given |
 /// | `/force` | `visualization_msgs/Marker`: an arrow from the tool centre point, 1 cm/N, in the world | at most 25 Hz while it is 1 N or more |
-/// | `/wisch/dirt_before`, `/wisch/dirt_after` | `sensor_msgs/PointCloud2`, in the frame of the believed surface | once each, if a camera looked |
-/// | `/wisch/hidden_before`, `/wisch/hidden_after` | `geometry_msgs/PolygonStamped`, in that frame | one for each part of the surface that it could not see |
+/// | `/wisch/dirt_before`, `/wisch/dirt_after` | `sensor_msgs/PointCloud2`, in the frame of the believed surface | once each, with a camera |
+/// | `/wisch/hidden_before`, `/wisch/hidden_after` | `geometry_msgs/PolygonStamped`, in that frame | one for each part of the surface that the camera could not see |
 ///
 /// ```
 /// use wisch::run::{TelemetrySample, Wrench};
@@ -144,9 +144,9 @@ pub struct BagWriter {
     head: BagHead,
     channels: [u16; Topic::ALL.len()],
     sequences: [u32; Topic::ALL.len()],
-    /// Time of the last sample, if there was one [ns].
+    /// Time of the last sample, if any [ns].
     last: Option<u64>,
-    /// Since when the chunk fills [ns].
+    /// Time at which the current chunk began [ns].
     chunk_start: u64,
     last_transforms: Option<u64>,
     last_particles: Option<u64>,
@@ -155,17 +155,17 @@ pub struct BagWriter {
     /// Whether the last message of `/force` draws an arrow.
     force_drawn: bool,
     phase: Option<Phase>,
-    /// Particles that wait until they may be written.
+    /// Particles that wait until the next message is due.
     particles: Vec<Vector3>,
     particles_wait: bool,
     message: Vec<u8>,
 }
 
 impl BagWriter {
-    /// Begins a bag that is to stand at `path` in the end.
+    /// Begins a bag that [`Self::finish`] moves to `path`.
     ///
     /// # Errors
-    /// What the system says.
+    /// If the file cannot be created or written.
     pub fn create(path: &Path, head: BagHead) -> Result<Self, WriteError> {
         let active = active_path(path);
         let file = File::create(&active).map_err(|error| WriteError::File {
@@ -176,7 +176,8 @@ impl BagWriter {
             path: active.clone(),
             error,
         };
-        // Without seeking a chunk goes to the file whole or not at all, as a killed program needs it.
+        // Without seeking, each chunk reaches the file as a whole or not at all, which keeps the file of a killed
+        // program readable.
         let mut mcap = WriteOptions::new()
             .profile("ros2")
             .library(concat!("wisch/", env!("CARGO_PKG_VERSION")))
@@ -223,7 +224,7 @@ impl BagWriter {
         })
     }
 
-    /// Where the bag grows.
+    /// Path of the file while it is being written.
     pub fn active_path(&self) -> &Path {
         &self.active
     }
@@ -231,8 +232,8 @@ impl BagWriter {
     /// Adds a sample.
     ///
     /// # Errors
-    /// A time that is not finite, negative or not later than the last; arrays of another length than there are
-    /// joints; or what the system says.
+    /// If the time is not finite, is negative or is not later than the previous one, if an array does not have one
+    /// value per joint, or if the file cannot be written.
     pub fn write(&mut self, sample: &TelemetrySample<'_>) -> Result<(), WriteError> {
         let time = self.check(sample)?;
         if time.saturating_sub(self.chunk_start) >= CHUNK_TIME {
@@ -276,11 +277,11 @@ impl BagWriter {
         Ok(())
     }
 
-    /// Says where the particles lie, in the world [m]. At most twice a second they are written; what comes in
-    /// between waits, and the last word is always written.
+    /// Adds the particle positions in the world [m]. They are written at most twice a second; the last positions are
+    /// always written.
     ///
     /// # Errors
-    /// A time that is not finite or negative, or what the system says.
+    /// If the time is not finite or is negative, or if the file cannot be written.
     pub fn write_particles(&mut self, time: f64, particles: &[Point3]) -> Result<(), WriteError> {
         let time = self.nanoseconds(time)?;
         self.particles.clear();
@@ -293,11 +294,14 @@ impl BagWriter {
         Ok(())
     }
 
-    /// Shows the robot: its description, and from now on where its links are. A link's frame bears its name, with `robot/`
-    /// before it where that is `world`, `tool` or `surface`; a root called `world` that stands there is the same frame.
+    /// Adds the robot: its description, and from now on the poses of its links.
+    ///
+    /// A link's frame has the link's name, with the prefix `robot/` if the name is `world`, `tool` or `surface`. A root
+    /// link called `world` at the world's origin is the frame `world` itself.
     ///
     /// # Errors
-    /// A robot of another number of variables than the bag has joints, or what the system says.
+    /// If the number of the robot's variables differs from the number of joints in the bag, or if the file cannot be
+    /// written.
     pub fn write_robot(&mut self, robot: &RobotShown<'_>) -> Result<(), WriteError> {
         let (variables, joints) = (robot.model.dof(), self.head.joints.len());
         if variables != joints {
@@ -318,29 +322,29 @@ impl BagWriter {
         self.put(Topic::StaticTransforms, time, &TfMessage { transforms })
     }
 
-    /// Shows the surface, what stands round it, the tool and the goal.
+    /// Adds the surface, the objects around it, the tool and the goal.
     ///
     /// # Errors
-    /// What the system says.
+    /// If the file cannot be written.
     pub fn write_scene(&mut self, scene: &SceneShown<'_>) -> Result<(), WriteError> {
         self.put_markers(Topic::Scene, &scene::scene(scene))?;
         let time = self.now();
         self.put(Topic::Tool, time, &scene::tool(scene.tool).marker(time))
     }
 
-    /// Shows the strokes that are to be wiped, in their order.
+    /// Adds the planned strokes, in their order.
     ///
     /// # Errors
-    /// What the system says.
+    /// If the file cannot be written.
     pub fn write_strokes(&mut self, strokes: &[Stroke]) -> Result<(), WriteError> {
         self.put_markers(Topic::Strokes, &scene::strokes(strokes))
     }
 
-    /// Says what a camera saw of the dirt, in the frame of the believed surface: before the round, or after its last
+    /// Adds a camera observation of the dirt, in the frame of the believed surface: before the round, or after its last
     /// sample.
     ///
     /// # Errors
-    /// What the system says.
+    /// If the file cannot be written.
     pub fn write_observation(
         &mut self,
         look: LookTime,
@@ -357,10 +361,10 @@ impl BagWriter {
         Ok(())
     }
 
-    /// Ends the bag and gives it its name, in place of what bore it.
+    /// Finishes the bag and moves it to its path, replacing an older file.
     ///
     /// # Errors
-    /// What the system says; the bag then keeps the ending `.active`.
+    /// If the file cannot be written or moved; the bag then keeps the ending `.active`.
     pub fn finish(mut self) -> Result<(), WriteError> {
         if self.particles_wait {
             self.write_waiting_particles(self.now())?;
@@ -379,7 +383,7 @@ impl BagWriter {
             ("velocities", sample.velocities),
             ("efforts", sample.efforts),
         ] {
-            // As in a JointState, an empty array is one that is not measured.
+            // As in a JointState, an empty array is a quantity that is not measured.
             if values.len() != joints && !values.is_empty() {
                 return Err(WriteError::Joints {
                     what,
@@ -398,7 +402,7 @@ impl BagWriter {
         }
     }
 
-    /// The log's time [ns] at a sample's time [s].
+    /// Converts a sample's time [s] to the log's time [ns].
     fn nanoseconds(&self, time: f64) -> Result<u64, WriteError> {
         if !(time.is_finite() && (0.0..MAX_TIME).contains(&time)) {
             return Err(WriteError::Time {
@@ -410,7 +414,7 @@ impl BagWriter {
     }
 
     fn write_joints(&mut self, time: u64, sample: &TelemetrySample<'_>) -> Result<(), WriteError> {
-        // The names belong to us, and so does the buffer that they are to be written to.
+        // The buffer borrows from `self`, and so do the names; take the names out while both are in use.
         let joints = std::mem::take(&mut self.head.joints);
         let header = Header {
             stamp: Time::from_nanoseconds(time),
@@ -449,7 +453,7 @@ impl BagWriter {
     }
 
     fn write_links(&mut self, time: u64, q: &[f64]) -> Result<(), WriteError> {
-        // The names belong to us, and so does the buffer that they are to be written to.
+        // The buffer borrows from `self`, and so do the names; take the names out while both are in use.
         let links = std::mem::take(&mut self.links);
         let transforms: Vec<_> = (links.at(q))
             .map(|(parent, child, pose)| transform(time, parent, child, &pose))
@@ -488,7 +492,7 @@ impl BagWriter {
         self.put(topic, time, &MarkerArray { markers: &markers })
     }
 
-    /// When the last sample was taken, or the first will be [ns].
+    /// Time of the last sample, or of the first one before it arrives [ns].
     fn now(&self) -> u64 {
         self.last.unwrap_or(self.head.start)
     }
@@ -561,7 +565,7 @@ impl BagWriter {
     }
 }
 
-/// Longest time that a sample may bear [s]: thirty years, well within what a message can hold.
+/// Largest time of a sample [s]: thirty years, well within the range of a message.
 const MAX_TIME: f64 = 1e9;
 
 fn in_world(time: u64) -> Header<'static> {

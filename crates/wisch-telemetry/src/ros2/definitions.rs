@@ -1,6 +1,6 @@
-//! The ROS 2 message definitions that a bag carries, as of Humble and later.
+//! ROS 2 message definitions that a bag carries, as of Humble and later.
 
-/// A message type and its fields, without those of the types that it is made of.
+/// A message type and its own fields, without the definitions of nested types.
 type Definition = (&'static str, &'static str);
 
 const DEFINITIONS: &[Definition] = &[
@@ -122,7 +122,7 @@ bool mesh_use_embedded_materials
     ),
 ];
 
-/// What stands between the definitions of a type and of those that it is made of.
+/// Separator between the definitions of a type and of its nested types.
 const SEPARATOR: &str =
     "================================================================================\n";
 
@@ -131,34 +131,34 @@ pub(crate) fn is_separator(line: &str) -> bool {
     line.starts_with("===") && line.bytes().all(|byte| byte == b'=')
 }
 
-/// The text of a schema with encoding `ros2msg`: the type's fields, then those of every type in it, each once.
+/// Returns the text of a schema with encoding `ros2msg`: the type's fields, then those of every nested type, each once.
 ///
-/// The type is one of the table above; any other has no fields.
+/// A type outside the table above has no fields.
 pub(crate) fn full_definition(name: &str) -> String {
-    let mut text = own(name).to_owned();
+    let mut text = own_fields(name).to_owned();
     let mut told = vec![name];
-    let mut open = nested(own(name));
+    let mut open = nested_types(own_fields(name));
     while !open.is_empty() {
         let name = open.remove(0);
         if told.contains(&name) {
             continue;
         }
-        text += &format!("{SEPARATOR}MSG: {name}\n{}", own(name));
+        text += &format!("{SEPARATOR}MSG: {name}\n{}", own_fields(name));
         told.push(name);
-        open.extend(nested(own(name)));
+        open.extend(nested_types(own_fields(name)));
     }
     text
 }
 
-fn own(name: &str) -> &'static str {
+fn own_fields(name: &str) -> &'static str {
     DEFINITIONS
         .iter()
         .find(|(known, _)| *known == name)
         .map_or("", |(_, fields)| fields)
 }
 
-/// The types with a package that stand in some fields, in order.
-fn nested(fields: &'static str) -> Vec<&'static str> {
+/// Returns the nested types with a package in some fields, in order.
+fn nested_types(fields: &'static str) -> Vec<&'static str> {
     fields
         .lines()
         .filter_map(|line| line.split(' ').next())
@@ -175,8 +175,8 @@ mod tests {
     fn every_type_in_the_table_is_made_of_types_in_the_table() {
         for (name, fields) in DEFINITIONS {
             assert!(!fields.is_empty(), "{name}");
-            for part in nested(fields) {
-                assert!(!own(part).is_empty(), "{part} in {name}");
+            for part in nested_types(fields) {
+                assert!(!own_fields(part).is_empty(), "{part} in {name}");
             }
         }
     }

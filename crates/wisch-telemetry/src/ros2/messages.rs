@@ -1,4 +1,4 @@
-//! The ROS 2 messages that a bag is written with, as CDR lays them out: field order is that of the definitions.
+//! ROS 2 messages that a bag is written with, in CDR layout: fields are in the order of their definitions.
 
 use serde::{Deserialize, Serialize};
 use wisch::control;
@@ -12,10 +12,10 @@ pub(crate) struct Time {
 }
 
 impl Time {
-    /// No time at all: for a marker, for ever.
+    /// Zero; as the lifetime of a marker, for ever.
     pub const ZERO: Self = Self { sec: 0, nanosec: 0 };
 
-    /// From nanoseconds; what a message cannot hold (after 2038) stays at its limit.
+    /// Converts nanoseconds; times beyond the range of a message (2038) are clamped.
     pub fn from_nanoseconds(time: u64) -> Self {
         Self {
             sec: i32::try_from(time / NANOSECONDS_PER_SECOND).unwrap_or(i32::MAX),
@@ -24,7 +24,7 @@ impl Time {
     }
 }
 
-/// How the log counts time.
+/// Nanoseconds in a second.
 pub(crate) const NANOSECONDS_PER_SECOND: u64 = 1_000_000_000;
 
 /// `std_msgs/Header`.
@@ -44,7 +44,7 @@ pub(crate) struct JointState<'a> {
     pub effort: &'a [f64],
 }
 
-/// `geometry_msgs/Vector3`; a point is laid out the same.
+/// `geometry_msgs/Vector3`; a point has the same layout.
 #[derive(Debug, Clone, Copy, Serialize)]
 pub(crate) struct Vector3 {
     pub x: f64,
@@ -71,7 +71,7 @@ pub(crate) struct Quaternion {
     pub w: f64,
 }
 
-/// `geometry_msgs/Pose`; a transform is laid out the same.
+/// `geometry_msgs/Pose`; a transform has the same layout.
 #[derive(Debug, Clone, Copy, Serialize)]
 pub(crate) struct Pose {
     pub position: Vector3,
@@ -152,7 +152,7 @@ pub(crate) struct Color {
     pub a: f32,
 }
 
-/// `sensor_msgs/CompressedImage`, always empty: the texture of a marker that has none.
+/// `sensor_msgs/CompressedImage`, always empty: the texture of a marker without texture.
 #[derive(Debug, Serialize)]
 pub(crate) struct NoImage<'a> {
     pub header: Header<'a>,
@@ -202,12 +202,12 @@ pub(crate) enum MarkerKind {
     TriangleList = 11,
 }
 
-/// `Marker::action` of what is drawn no more.
+/// `Marker::action` that deletes a marker.
 pub(crate) const MARKER_DELETE: i32 = 2;
 
 impl<'a> Marker<'a> {
-    /// A marker for ever, at the origin of its frame: when and in which frame, its name, its scale and colour, and the
-    /// points that it is drawn by.
+    /// Returns a permanent marker at the origin of its frame, with time, frame, name, scale, colour, and the points
+    /// that draw it.
     pub fn new(
         (stamp, frame_id): (Time, &'a str),
         (ns, id): (&'a str, i32),
@@ -268,7 +268,7 @@ pub(crate) struct PointField {
 pub(crate) const FIELD_FLOAT32: u8 = 7;
 pub(crate) const FIELD_FLOAT64: u8 = 8;
 
-/// A header that is read.
+/// `std_msgs/Header`, as it is read.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub(crate) struct OwnedHeader {
     pub stamp: Time,
@@ -297,7 +297,7 @@ pub(crate) struct Point32 {
     pub z: f32,
 }
 
-/// `geometry_msgs/PolygonStamped`; the polygon is laid out as its points.
+/// `geometry_msgs/PolygonStamped`; the polygon has the layout of its list of points.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub(crate) struct PolygonStamped {
     pub header: OwnedHeader,

@@ -1,4 +1,4 @@
-//! ROS 2 messages: their definitions, how they are laid out, and how those of any type are taken apart.
+//! ROS 2 messages: their definitions, their CDR layout, and a decoder for messages of any type.
 
 mod definitions;
 pub(crate) mod messages;

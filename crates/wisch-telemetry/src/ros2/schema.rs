@@ -1,52 +1,52 @@
-//! Message layouts, read from the text of a `ros2msg` schema.
+//! Message layouts, parsed from the text of a `ros2msg` schema.
 
 use super::definitions::is_separator;
 use std::collections::HashMap;
 use std::num::NonZero;
 
-/// Most definitions and fields that a schema may have: far beyond any message that robots exchange.
+/// Largest number of lines in a schema: far above any message that robots exchange.
 const MAX_LINES: usize = 100_000;
 
 /// Why a schema cannot be read.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 pub enum SchemaError {
-    /// It is no text.
-    #[error("the schema is no UTF-8 text from its byte {byte} on")]
+    /// The schema is not text.
+    #[error("the schema is not UTF-8 text from byte {byte} on")]
     NotText {
-        /// The first byte that is none.
+        /// Position of the first invalid byte.
         byte: usize,
     },
-    /// It is longer than any message's.
+    /// The schema is too long.
     #[error("the schema has {lines} lines; the limit is {MAX_LINES}")]
     TooLong {
-        /// How many lines it has.
+        /// Number of its lines.
         lines: usize,
     },
-    /// A line that is neither field nor constant.
-    #[error("line {line} of the schema is no field: {text:?}")]
+    /// A line is neither a field nor a constant.
+    #[error("line {line} of the schema is neither a field nor a constant: {text:?}")]
     Field {
         /// Counted from 1.
         line: usize,
         /// The line.
         text: String,
     },
-    /// A type that nothing defines.
+    /// A type is not defined.
     #[error("line {line} of the schema: type {name:?} is not defined")]
     Undefined {
         /// Counted from 1.
         line: usize,
-        /// The type.
+        /// Name of the type.
         name: String,
     },
-    /// A type that contains itself.
+    /// A type contains itself.
     #[error("type {name:?} of the schema contains itself")]
     Endless {
-        /// The type.
+        /// Name of the type.
         name: String,
     },
 }
 
-/// What a value is.
+/// Type of a value.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Kind {
     Bool,
@@ -64,7 +64,7 @@ pub(crate) enum Kind {
     Message(usize),
 }
 
-/// How many values a field holds.
+/// Number of values in a field.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Shape {
     One,
@@ -83,10 +83,10 @@ pub(crate) struct Field {
 /// The fields of a type, in order.
 type Fields = Vec<Field>;
 
-/// The layout of a message: its fields, and those of every message in it.
+/// Layout of a message: its fields, and those of every nested message.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) struct Schema {
-    /// The first is the message's own.
+    /// Definitions of all types; the first is the message's own.
     definitions: Vec<Fields>,
 }
 
@@ -97,7 +97,7 @@ struct Part<'a> {
 }
 
 impl Schema {
-    /// Reads the definition of a type, `package/msg/Name`, and of those that it is made of.
+    /// Parses the definition of a type, `package/msg/Name`, and of its nested types.
     pub fn parse(name: &str, text: &[u8]) -> Result<Self, SchemaError> {
         let text = std::str::from_utf8(text).map_err(|error| SchemaError::NotText {
             byte: error.valid_up_to(),
@@ -124,13 +124,13 @@ impl Schema {
         self.fields(0)
     }
 
-    /// The fields of a message in it, by the index in [`Kind::Message`].
+    /// The fields of a nested message, by the index in [`Kind::Message`].
     pub fn fields(&self, definition: usize) -> &[Field] {
         &self.definitions[definition]
     }
 
-    /// Where a field lies, from some message's fields on: its index, that of the field in it and so on, and the
-    /// field itself. Names are joined by dots; no name in it may be one of many.
+    /// Finds a field by its path below some message's fields. Returns the indices along the path, and the field. Dots
+    /// separate the names of the path; a field on the path must hold one value only.
     pub fn find<'a>(
         &'a self,
         mut fields: &'a [Field],
@@ -154,7 +154,7 @@ impl Schema {
     }
 }
 
-/// Splits the text at its separators.
+/// Splits the text into parts at its separators.
 fn parts<'a>(name: &str, text: &'a str) -> Result<Vec<Part<'a>>, SchemaError> {
     let lines = text.lines().count();
     if lines > MAX_LINES {
@@ -185,12 +185,12 @@ fn parts<'a>(name: &str, text: &'a str) -> Result<Vec<Part<'a>>, SchemaError> {
     Ok(parts)
 }
 
-/// `package/Name` of `package/msg/Name`.
+/// Returns `package/Name` for `package/msg/Name`.
 fn short(name: &str) -> String {
     name.replacen("/msg/", "/", 1)
 }
 
-/// The line up to its comment; a hash in quotes begins none.
+/// Returns the line up to its comment; a hash in quotes does not begin a comment.
 fn without_comment(line: &str) -> &str {
     let mut quote = None;
     for (at, c) in line.char_indices() {
@@ -204,7 +204,7 @@ fn without_comment(line: &str) -> &str {
     line
 }
 
-/// The field that a line states; none if it states a constant.
+/// Parses the field that a line states; `None` for a constant.
 fn field(
     line: usize,
     text: &str,
@@ -239,7 +239,8 @@ fn field(
                     (kind, Shape::Sequence)
                 }
                 None => {
-                    // An array of none would let a message take no bytes at all, and a list of them no end.
+                    // A message in an array of length 0 would take no bytes, so that a list of such messages would have
+                    // no end.
                     let count = size.parse::<NonZero<u32>>().map_err(|_| bad())?;
                     (kind, Shape::Array(count.get() as usize))
                 }
@@ -280,7 +281,7 @@ fn primitive(name: &str) -> Option<Kind> {
     })
 }
 
-/// A message by its name, which may leave out the package of the type that it stands in.
+/// Resolves a message by its name, which may omit the package if it is that of the type around it.
 fn message(name: &str, within: &str, numbers: &HashMap<&str, usize>) -> Option<Kind> {
     let name = short(name);
     let package = within.split('/').next().unwrap_or_default();
@@ -295,7 +296,7 @@ fn message(name: &str, within: &str, numbers: &HashMap<&str, usize>) -> Option<K
         .map(|&number| Kind::Message(number))
 }
 
-/// How far the check of a definition is.
+/// State of the check of a definition.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Checked {
     Unseen,
@@ -303,10 +304,11 @@ enum Checked {
     Done,
 }
 
-/// No type may contain itself: reading a message would not end.
+/// Checks that no type contains itself: decoding its messages would not end.
 fn check_finite(definitions: &[Fields], parts: &[Part<'_>]) -> Result<(), SchemaError> {
     let mut checked = vec![Checked::Unseen; definitions.len()];
-    // Each entry is a definition and the next of its fields; a stack of our own, as a schema may be as deep as it likes.
+    // Depth-first search. Each entry holds a definition and the index of its next field. The stack is explicit, because
+    // a schema may be nested arbitrarily deep.
     let mut stack = vec![(0, 0)];
     while let Some((definition, next)) = stack.pop() {
         checked[definition] = Checked::Open;
@@ -390,15 +392,15 @@ mod tests {
         let refused = |text: &str| parse(text).unwrap_err().to_string();
         assert_eq!(
             refused("int32 a\nnonsense\n"),
-            "line 2 of the schema is no field: \"nonsense\""
+            "line 2 of the schema is neither a field nor a constant: \"nonsense\""
         );
         assert_eq!(
             refused("int32[x] a"),
-            "line 1 of the schema is no field: \"int32[x] a\""
+            "line 1 of the schema is neither a field nor a constant: \"int32[x] a\""
         );
         assert_eq!(
             refused("int32[0] a"),
-            "line 1 of the schema is no field: \"int32[0] a\""
+            "line 1 of the schema is neither a field nor a constant: \"int32[0] a\""
         );
         assert_eq!(
             refused("other_msgs/Part a"),

@@ -1,48 +1,48 @@
-//! CDR messages, taken apart by their schema.
+//! Decoder of CDR messages by their schema.
 
 use super::schema::{Field, Kind, Schema, Shape};
 
-/// Length of the header that says how the rest is encoded [bytes].
+/// Length of the header that states the encoding of the rest [bytes].
 const ENCAPSULATION_LEN: usize = 4;
 
-/// How deep messages may lie in one another: each level takes its share of the stack.
+/// Largest nesting of messages: each level takes its share of the stack.
 const MAX_DEPTH: usize = 64;
 
-/// How many numbers or texts of a list are kept, above the joints of a robot.
+/// Largest number of kept numbers or texts in a list, more than a robot has joints.
 const MAX_KEPT: usize = 1000;
 
-/// Why a message cannot be taken apart.
+/// Why a message cannot be decoded.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 pub enum MessageError {
-    /// It ends too early.
+    /// The message ends too early.
     #[error("byte {byte}: {needed} more bytes are needed, but {left} are left")]
     TooShort {
-        /// Where.
+        /// Position in the message.
         byte: usize,
-        /// How many bytes are needed.
+        /// Number of bytes that are needed.
         needed: usize,
-        /// How many there are.
+        /// Number of bytes that are left.
         left: usize,
     },
-    /// An encoding that is not read.
+    /// The encoding is not supported.
     #[error(
         "its encoding 0x{0:04x} is not plain CDR, which is 0x0000 (big-endian) or 0x0001 (little-endian)"
     )]
     Encapsulation(u16),
-    /// A text that is none.
+    /// A text is not UTF-8.
     #[error("byte {byte}: text is not UTF-8")]
     Text {
-        /// Where it begins.
+        /// Position at which it begins.
         byte: usize,
     },
-    /// A text of wide characters, which vendors lay out differently.
+    /// A text of wide characters, whose layout differs between vendors.
     #[error("field {field:?} is a wstring, which is not read")]
     WideText {
-        /// The field.
+        /// Name of the field.
         field: String,
     },
-    /// Messages in messages in messages.
-    #[error("messages lie in one another deeper than the limit of {MAX_DEPTH}")]
+    /// Messages are nested too deep.
+    #[error("messages are nested deeper than the limit of {MAX_DEPTH}")]
     TooDeep,
 }
 
@@ -54,18 +54,18 @@ pub(crate) enum Value {
     Text(String),
     /// One value for each field, in order.
     Message(Vec<Value>),
-    /// Many messages.
+    /// A list of messages.
     List(Vec<Value>),
-    /// Some numbers.
+    /// A list of numbers.
     Numbers(Vec<f64>),
-    /// Some texts.
+    /// A list of texts.
     Texts(Vec<String>),
-    /// Many numbers or texts: images and the like, of which none is ever asked for.
+    /// A long list of numbers or texts, for example an image, which is never needed.
     Skipped,
 }
 
 impl Value {
-    /// The value at a path of [`Schema::find`].
+    /// Returns the value at a path of [`Schema::find`].
     pub fn at(&self, path: &[usize]) -> Option<&Self> {
         path.iter().try_fold(self, |value, &index| match value {
             Self::Message(values) => values.get(index),
@@ -73,7 +73,7 @@ impl Value {
         })
     }
 
-    /// A number, where it is one.
+    /// Returns the number, if the value is a number.
     pub fn number(&self) -> Option<f64> {
         match self {
             Self::Number(number) => Some(*number),
@@ -82,7 +82,7 @@ impl Value {
     }
 }
 
-/// Takes a message apart.
+/// Decodes a message.
 pub(crate) fn decode(schema: &Schema, bytes: &[u8]) -> Result<Value, MessageError> {
     let Some((header, payload)) = bytes.split_at_checked(ENCAPSULATION_LEN) else {
         return Err(MessageError::TooShort {
@@ -107,7 +107,7 @@ pub(crate) fn decode(schema: &Schema, bytes: &[u8]) -> Result<Value, MessageErro
 
 struct Walker<'a> {
     schema: &'a Schema,
-    /// What follows the encapsulation; alignment counts from here.
+    /// The bytes after the encapsulation; alignment counts from here.
     payload: &'a [u8],
     at: usize,
     little: bool,
@@ -134,7 +134,7 @@ impl<'a> Walker<'a> {
         };
         match field.kind {
             Kind::Message(_) => {
-                // Every message takes a byte at least, so a count that lies ends where the bytes end.
+                // Every message takes at least one byte, so a false count ends with the bytes.
                 let values = (0..count).map(|_| self.value(field, depth));
                 Ok(Value::List(values.collect::<Result<_, _>>()?))
             }
@@ -165,7 +165,7 @@ impl<'a> Walker<'a> {
             Kind::Unsigned { len } => Value::Number(self.unsigned(len)? as f64),
             Kind::Signed { len } => {
                 let bits = 8 * len as u32;
-                // Moves the sign to the top bit and back, which fills with it.
+                // Sign extension: the shift to the top and back copies the sign bit.
                 let signed = (self.unsigned(len)? << (64 - bits)) as i64 >> (64 - bits);
                 Value::Number(signed as f64)
             }
@@ -181,7 +181,7 @@ impl<'a> Walker<'a> {
         })
     }
 
-    /// A text, which is sent with its length and a zero at its end.
+    /// Reads a text, which is stored with its length and a final zero.
     fn text(&mut self) -> Result<String, MessageError> {
         let len = self.unsigned(4)? as usize;
         let byte = ENCAPSULATION_LEN + self.at;
@@ -291,7 +291,7 @@ mod tests {
             };
             let message = message.unwrap();
             prop_assert_eq!(decode(&schema(), &message), Ok(expected(&mixed)));
-            // The last field ends the message: any shorter one misses something.
+            // The last field ends the message, so every shorter message lacks something.
             let shorter = decode(&schema(), &message[..message.len() - 1]);
             let is_too_short = matches!(shorter, Err(MessageError::TooShort { .. }));
             prop_assert!(is_too_short);

@@ -1,15 +1,15 @@
-//! Recognises Arrow files and streams by their first bytes; builds that do not read them name the format.
+//! Recognition of Arrow files and streams by their first bytes; builds without Arrow use it to name the format.
 
-/// What a file begins and ends with.
+/// First and last bytes of a file.
 pub(super) const MAGIC: &[u8] = b"ARROW1";
 
-/// What a file of Feather's first version begins with, which is another format.
+/// First bytes of a file of Feather version 1, which is another format.
 pub(super) const FEATHER_1: &[u8] = b"FEA1";
 
-/// What each message of a stream begins with.
+/// First bytes of each message in a stream.
 pub(super) const CONTINUATION: [u8; 4] = [0xff; 4];
 
-/// Whether a table is one of Arrow's.
-pub(super) fn is_one(bytes: &[u8]) -> bool {
+/// Whether a table is in Arrow's format.
+pub(super) fn is_arrow(bytes: &[u8]) -> bool {
     bytes.starts_with(MAGIC) || bytes.starts_with(FEATHER_1) || bytes.starts_with(&CONTINUATION)
 }

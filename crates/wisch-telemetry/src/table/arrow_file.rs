@@ -1,4 +1,4 @@
-//! Tables in Arrow's format between processes: files (Feather) and streams.
+//! Tables in Arrow's interprocess format: files (Feather) and streams.
 
 use super::arrow::{CONTINUATION, FEATHER_1, MAGIC};
 use super::columnar::{Heads, MISSING, Texts, Values, check_rows, check_unpacked, damaged};
@@ -19,24 +19,24 @@ use arrow_schema::{ArrowError, DataType, SchemaRef, TimeUnit};
 use std::collections::HashMap;
 use std::sync::Arc;
 
-/// What it is called.
+/// Name of the format in messages.
 pub(super) const KIND: &str = "Arrow";
 
-/// Zeros fill a file from its magic bytes to its messages, to a multiple of 8 bytes.
+/// Length of the magic bytes with the zeros that pad them to a multiple of 8 bytes.
 const HEAD_LEN: usize = 8;
 const ZEROS: [u8; 8] = [0; 8];
 
-/// How messages pack what they hold where the length that goes before says that they do not.
+/// Length prefix that marks an unpacked buffer in a packed message.
 const NOT_PACKED: i64 = -1;
 
-/// A file after its schema, and the places of its columns among the fields of the schema.
+/// A file after its schema, and the indices of its columns among the fields of the schema.
 pub(super) struct ArrowTable<'a> {
     messages: Messages<'a>,
     schema: SchemaRef,
     fields: Vec<usize>,
 }
 
-/// Reads the names of the columns.
+/// Opens a file and reads the names of its columns.
 pub(super) fn open(bytes: &[u8]) -> Result<(Heads, ArrowTable<'_>), ReadFault> {
     let mut messages = Messages::of(bytes)?;
     let schema = messages.next().transpose()?;
@@ -45,7 +45,7 @@ pub(super) fn open(bytes: &[u8]) -> Result<(Heads, ArrowTable<'_>), ReadFault> {
     if schema.endianness() != Endianness::Little {
         return Err(damaged(
             KIND,
-            "its numbers are big-endian, which is not read",
+            "its numbers are big-endian, but only little-endian is read",
         ));
     }
     let schema = Arc::new(fb_to_schema(schema));
@@ -66,7 +66,7 @@ pub(super) fn open(bytes: &[u8]) -> Result<(Heads, ArrowTable<'_>), ReadFault> {
     Ok((heads, table))
 }
 
-/// Reads some columns.
+/// Reads the columns with these indices.
 pub(super) fn read(table: &ArrowTable<'_>, indices: &[usize]) -> Result<Vec<Values>, ReadFault> {
     let fields: Vec<usize> = indices.iter().map(|&index| table.fields[index]).collect();
     let mut columns = Vec::with_capacity(fields.len());
@@ -82,7 +82,7 @@ pub(super) fn read(table: &ArrowTable<'_>, indices: &[usize]) -> Result<Vec<Valu
     let mut rows = 0_usize;
     for message in table.messages.clone() {
         let (message, body) = message?;
-        // What dictionaries hold is not read.
+        // Dictionaries are not supported.
         if message.header_type() == MessageHeader::DictionaryBatch {
             continue;
         }
@@ -111,7 +111,7 @@ fn fault(error: ArrowError) -> ReadFault {
     damaged(KIND, error)
 }
 
-/// The messages of a file or stream, one after the other, each with what it holds.
+/// Iterator over the messages of a file or stream, each with its body.
 #[derive(Debug, Clone)]
 struct Messages<'a> {
     rest: &'a [u8],
@@ -126,7 +126,7 @@ impl<'a> Messages<'a> {
         if !bytes.starts_with(MAGIC) {
             return Ok(Self { rest: bytes });
         }
-        // A file is a stream, and behind it where each message is, how long that is, and the magic bytes again.
+        // A file is a stream, followed by the positions and lengths of its messages and by the magic bytes.
         let rest = bytes.get(HEAD_LEN..).and_then(|rest| {
             let (rest, len) = rest.strip_suffix(MAGIC)?.split_last_chunk()?;
             let len = usize::try_from(i32::from_le_bytes(*len)).ok()?;
@@ -177,7 +177,7 @@ impl<'a> Iterator for Messages<'a> {
     }
 }
 
-/// Checks that what rows lie in is there, and how long it is unpacked: the reader takes both as they are said.
+/// Checks that the buffers of a batch exist, and how long they are when unpacked: the reader trusts both.
 fn check_buffers(batch: &RecordBatch<'_>, body: &[u8]) -> Result<(), ReadFault> {
     let cut = || damaged(KIND, "a column of some rows is cut off");
     let is_packed = batch.compression().is_some();
@@ -197,7 +197,7 @@ fn check_buffers(batch: &RecordBatch<'_>, body: &[u8]) -> Result<(), ReadFault> 
     check_unpacked("a batch of rows", unpacked)
 }
 
-/// No values yet of a column, if its type is read.
+/// Returns an empty column of a type, if the type is supported.
 fn empty(kind: &DataType) -> Option<Values> {
     Some(match kind {
         DataType::Float16 | DataType::Float32 | DataType::Float64 | DataType::Duration(_) => {
@@ -219,7 +219,7 @@ fn empty(kind: &DataType) -> Option<Values> {
     })
 }
 
-/// Appends the values of some rows.
+/// Appends the values of a batch of rows.
 fn append(array: &ArrayRef, name: &str, values: &mut Values) -> Result<(), ReadFault> {
     let is_appended = match values {
         Values::Reals(reals) => append_reals(array, reals),
@@ -288,7 +288,7 @@ fn append_dates(array: &ArrayRef, dates: &mut Vec<i64>) -> Option<()> {
     }
 }
 
-/// A unit of time [ns].
+/// Returns the length of a unit of time [ns].
 const fn nanoseconds(unit: TimeUnit) -> i64 {
     match unit {
         TimeUnit::Second => 1_000_000_000,
@@ -298,7 +298,7 @@ const fn nanoseconds(unit: TimeUnit) -> i64 {
     }
 }
 
-/// Appends each value of an array of numbers, `missing` where there is none.
+/// Appends each value of a numeric array, and `missing` for each missing value.
 fn each<T: ArrowPrimitiveType, V: Copy>(
     array: &ArrayRef,
     values: &mut Vec<V>,

@@ -1,4 +1,4 @@
-//! Cells of tables, and what takes rows of them.
+//! Cells of tables, and the callback that receives rows of them.
 
 use crate::error::ReadFault;
 use std::borrow::Cow;
@@ -11,7 +11,7 @@ pub(super) enum Cell<'a> {
     Whole(i64),
     /// Nanoseconds since 1970, and whether they are in UTC.
     Date(i64, bool),
-    /// Text, its decimal point a point.
+    /// Text, with a point as decimal separator.
     Text(Cow<'a, str>),
 }
 
@@ -27,7 +27,7 @@ impl Cell<'_> {
         }
     }
 
-    /// Its number, if it is one.
+    /// Returns its number, if it holds one.
     pub fn number(&self) -> Option<f64> {
         match self {
             Self::Empty | Self::Date(..) => None,
@@ -38,5 +38,5 @@ impl Cell<'_> {
     }
 }
 
-/// Takes a row: its number and the cells that are wanted. Where it returns false, no more rows are read.
+/// Callback that receives a row: its number and the requested cells. It returns false to stop reading.
 pub(super) type TakeRow<'a> = dyn FnMut(usize, &[Cell<'_>]) -> Result<bool, ReadFault> + 'a;

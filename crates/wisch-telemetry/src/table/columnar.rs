@@ -1,4 +1,4 @@
-//! Tables as columns with names in a binary file: Parquet, Arrow, and archives of NumPy arrays.
+//! Tables as named columns in a binary file: Parquet, Arrow, and archives of NumPy arrays.
 
 use super::cell::{Cell, TakeRow};
 use crate::error::ReadFault;
@@ -7,28 +7,28 @@ use std::cell::Cell as Flag;
 use std::fmt::Display;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
-/// Most rows of a table that is read: an hour and more at 1 kHz.
+/// Largest number of rows in a table: more than an hour at 1 kHz.
 const MOST_ROWS: usize = 5_000_000;
 
-/// Most that one array or column may be when it is unpacked [bytes].
+/// Largest unpacked length of an array or column [bytes].
 const MOST_UNPACKED: u64 = 1 << 30;
 
-/// Stands for a whole number or date that is missing, as NumPy has it.
+/// Marks a missing whole number or date, as in NumPy.
 pub(super) const MISSING: i64 = i64::MIN;
 
-/// The columns of a file.
+/// Columns of a file.
 #[derive(Debug, Default)]
 pub(super) struct Heads {
-    /// The names of those that hold a value in each row.
+    /// Names of the columns with one value in each row.
     pub names: Vec<String>,
-    /// The names of the others, such as lists.
+    /// Names of the other columns, for example lists.
     pub unread: Vec<String>,
 }
 
-/// The values of a column.
+/// Values of a column.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) enum Values {
-    /// Numbers; those that are missing are none (NaN).
+    /// Numbers; missing ones are NaN.
     Reals(Vec<f64>),
     /// Whole numbers.
     Whole(Vec<i64>),
@@ -37,7 +37,7 @@ pub(super) enum Values {
     Texts(Texts),
 }
 
-/// Texts of a column, one after the other.
+/// Texts of a column, concatenated.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub(super) struct Texts {
     all: String,
@@ -45,7 +45,7 @@ pub(super) struct Texts {
 }
 
 impl Texts {
-    /// Appends a text; an empty one is a missing one.
+    /// Appends a text; an empty text stands for a missing one.
     pub fn push(&mut self, column: &str, text: &str) -> Result<(), ReadFault> {
         let len = self.all.len() + text.len();
         check_unpacked(format_args!("column {column:?}"), len as u64)?;
@@ -61,7 +61,7 @@ impl Texts {
 }
 
 impl Values {
-    /// How many rows there are.
+    /// Number of rows.
     pub fn len(&self) -> usize {
         match self {
             Self::Reals(values) => values.len(),
@@ -85,16 +85,16 @@ impl Values {
     }
 }
 
-/// A table as columns, of which some are read.
+/// A table of columns, some of which are read.
 #[derive(Debug)]
 pub(super) struct Columnar {
     pub names: Vec<String>,
-    /// The columns that are read, by their index.
+    /// The columns that are read, by index.
     columns: Vec<Option<Values>>,
 }
 
 impl Columnar {
-    /// The columns of some indices, which all have the same number of rows.
+    /// Combines columns with their indices; all must have the same number of rows.
     pub fn of(
         names: Vec<String>,
         indices: &[usize],
@@ -117,7 +117,7 @@ impl Columnar {
         Ok(Self { names, columns })
     }
 
-    /// Hands the wanted values of each row over, with the row's number from 1.
+    /// Calls `take` with the requested values of each row and the row's number from 1.
     pub fn each(&self, wanted: &[usize], take: &mut TakeRow<'_>) -> Result<(), ReadFault> {
         let columns = wanted.iter().map(|&k| self.columns[k].as_ref());
         let columns: Vec<Option<&Values>> = columns.collect();
@@ -136,7 +136,7 @@ impl Columnar {
     }
 }
 
-/// Refuses a table with more rows than are read.
+/// Checks the number of rows against the limit.
 pub(super) fn check_rows(rows: usize) -> Result<(), ReadFault> {
     if rows > MOST_ROWS {
         return Err(ReadFault::TooManyRows {
@@ -147,7 +147,7 @@ pub(super) fn check_rows(rows: usize) -> Result<(), ReadFault> {
     Ok(())
 }
 
-/// Refuses what would be too long when unpacked [bytes].
+/// Checks an unpacked length [bytes] against the limit.
 pub(super) fn check_unpacked(what: impl Display, len: u64) -> Result<(), ReadFault> {
     if len > MOST_UNPACKED {
         return Err(ReadFault::Unpacked {
@@ -159,7 +159,7 @@ pub(super) fn check_unpacked(what: impl Display, len: u64) -> Result<(), ReadFau
     Ok(())
 }
 
-/// A fault of a file of some kind.
+/// Returns the error for a damaged file of a format.
 pub(super) fn damaged(kind: &'static str, error: impl ToString) -> ReadFault {
     ReadFault::Table {
         kind,
@@ -171,19 +171,19 @@ thread_local! {
     static IS_GUARDED: Flag<bool> = const { Flag::new(false) };
 }
 
-/// Whether this thread is in a reader of others, whose panic is caught and becomes an error of the file: what reports panics
-/// has nothing to say of it.
+/// Whether this thread runs a third-party reader whose panics become errors of the file, so that a panic hook should
+/// not report them.
 pub fn catches_panics() -> bool {
     IS_GUARDED.get()
 }
 
-/// Readers of others panic on some damaged files: that, too, is a damaged file.
-pub(super) fn guarded<T>(
+/// Runs a third-party reader, and turns its panic on a damaged file into an error.
+pub(super) fn catch_panics<T>(
     kind: &'static str,
     read: impl FnOnce() -> Result<T, ReadFault>,
 ) -> Result<T, ReadFault> {
     IS_GUARDED.set(true);
-    // Nothing of what was half read is looked at afterwards.
+    // Partial results of a panicking reader are discarded, so unwinding leaves no broken state.
     let read = catch_unwind(AssertUnwindSafe(read));
     IS_GUARDED.set(false);
     read.unwrap_or_else(|panic| {

@@ -1,11 +1,11 @@
-//! Tables as text: comments, a line of names, and values between separators.
+//! Tables as text: comments, a line of names, and separated values.
 
 use super::cell::{Cell, TakeRow};
 use crate::error::ReadFault;
 use std::borrow::Cow;
 use std::cell::Cell as Shared;
 
-/// How values are parted.
+/// Separator of values.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Separator {
     Character(u8),
@@ -13,7 +13,7 @@ enum Separator {
     Space,
 }
 
-/// Separators in the order in which they are tried: a comma may also be a decimal point.
+/// Separators in the order in which they are tried; a comma may also be a decimal separator.
 const SEPARATORS: [Separator; 4] = [
     Separator::Character(b';'),
     Separator::Character(b'\t'),
@@ -21,10 +21,10 @@ const SEPARATORS: [Separator; 4] = [
     Separator::Space,
 ];
 
-/// How many lines at most stand before the names.
+/// Largest number of lines before the names.
 const MOST_LINES_BEFORE: usize = 200;
 
-/// A line with at least this many values, all of them numbers, ends the search for names.
+/// The search for names ends at a line with at least this many values that are all numbers.
 const LEAST_NUMBERS: usize = 3;
 
 /// A table as text.
@@ -40,13 +40,13 @@ pub(super) struct Delimited<'a> {
 }
 
 impl<'a> Delimited<'a> {
-    /// Finds the line of names: the first one in which `layout` finds what it looks for. It may stand behind a hash.
+    /// Finds the line of names: the first line that `layout` accepts. It may begin with a hash.
     pub fn open<L>(
         text: &'a str,
         layout: impl Fn(&[String]) -> Result<L, ReadFault>,
     ) -> Result<(Self, L), ReadFault> {
         let text = text.strip_prefix('\u{feff}').unwrap_or(text);
-        // The fault of the line that is most likely the one of names: no comment, with the most values.
+        // Fault of the line that most likely holds the names: not a comment, and with the most values.
         let mut likeliest: Option<((bool, usize), ReadFault)> = None;
         let mut rest = text;
         for line in 1..=MOST_LINES_BEFORE {
@@ -97,22 +97,22 @@ impl<'a> Delimited<'a> {
         Err(likeliest.map_or(ReadFault::Empty, |(_, fault)| fault))
     }
 
-    /// The names of all columns.
+    /// Names of all columns.
     pub fn names(&self) -> &[String] {
         &self.names
     }
 
-    /// Whether commas were read as decimal points.
+    /// Whether commas were read as decimal separators.
     pub fn has_decimal_commas(&self) -> bool {
         self.decimal_commas.get()
     }
 
-    /// Whether the last line ends in its middle.
+    /// Whether the last line is incomplete.
     pub fn is_cut_off(&self) -> bool {
         self.cut_off.get()
     }
 
-    /// Hands the wanted values of each line over, with the line's number.
+    /// Calls `take` with the requested values of each line and the line's number.
     pub fn each(&self, wanted: &[usize], take: &mut TakeRow<'_>) -> Result<(), ReadFault> {
         match self.separator {
             Separator::Space => self.each_by_spaces(wanted, take),
@@ -159,11 +159,11 @@ impl<'a> Delimited<'a> {
             if !is_there {
                 return Ok(());
             }
-            // The reader's own position is before the comments and empty lines that it leaves out.
+            // The reader's own position is before the comments and empty lines that it skips.
             let start = record
                 .position()
                 .map_or(0, |position| position.byte() as usize);
-            let start = start + left_out(&self.body[start..]);
+            let start = start + skipped_len(&self.body[start..]);
             line += newlines(&self.body[counted..start]);
             counted = start;
             let first = record.get(0).unwrap_or_default();
@@ -178,7 +178,7 @@ impl<'a> Delimited<'a> {
         }
     }
 
-    /// Hands the wanted values of a line over.
+    /// Calls `take` with the requested values of a line.
     fn row(
         &self,
         line: usize,
@@ -187,7 +187,7 @@ impl<'a> Delimited<'a> {
         wanted: &[usize],
         take: &mut TakeRow<'_>,
     ) -> Result<bool, ReadFault> {
-        // Separators may end lines without anything behind them.
+        // A line may end with separators and empty values.
         let filled = |count: usize, is_empty: &dyn Fn(usize) -> bool, least: usize| {
             (least..count)
                 .rev()
@@ -218,7 +218,8 @@ impl<'a> Delimited<'a> {
         take(line, &cells)
     }
 
-    /// A value with its decimal point a point. Only where a comma parts no values it can be a decimal point.
+    /// Returns a value with a point as decimal separator. A comma is a decimal separator only if no comma separates
+    /// values.
     fn cell<'b>(&self, text: &'b str) -> Result<Cow<'b, str>, ReadFault> {
         let may_be_comma = self.separator != Separator::Character(b',');
         if may_be_comma && text.contains(',') && !text.contains('.') {
@@ -233,7 +234,7 @@ impl<'a> Delimited<'a> {
 }
 
 impl Separator {
-    /// The values of a line by themselves.
+    /// Splits a line into its values.
     fn split(self, line: &str) -> Vec<String> {
         match self {
             Self::Space => {
@@ -249,7 +250,7 @@ impl Separator {
                     .trim(csv::Trim::All)
                     .from_reader(line.as_bytes());
                 let mut record = csv::StringRecord::new();
-                // A line of text has no fault that the reader knows.
+                // A single line of text cannot fail.
                 let _ = reader.read_record(&mut record);
                 record.iter().map(str::to_owned).collect()
             }
@@ -257,7 +258,7 @@ impl Separator {
     }
 }
 
-/// The first line and what follows it; nothing at the end.
+/// Splits off the first line; `None` at the end.
 fn split_line(text: &str) -> Option<(&str, &str)> {
     if text.is_empty() {
         return None;
@@ -265,8 +266,8 @@ fn split_line(text: &str) -> Option<(&str, &str)> {
     Some(text.split_once('\n').unwrap_or((text, "")))
 }
 
-/// How many bytes of a text the reader leaves out before a record: ends of lines, and comments.
-fn left_out(text: &str) -> usize {
+/// Returns the number of bytes that the reader skips before a record: line ends and comments.
+fn skipped_len(text: &str) -> usize {
     let mut rest = text;
     loop {
         rest = rest.trim_start_matches(['\r', '\n']);
@@ -340,13 +341,13 @@ mod tests {
         let shown = |text: &str| rows(text).unwrap_err().to_string();
         assert_eq!(
             shown("t,x\n0,1\n\n1,2,3\n"),
-            "line 4: it has 3 values, but there are 2 names"
+            "line 4: it has 3 values, but the table has 2 names"
         );
         assert_eq!(
             shown("t x\n0 1\n# -\n1\n2 2\n"),
-            "line 4: it has 1 values, but there are 2 names"
+            "line 4: it has 1 values, but the table has 2 names"
         );
-        // A writer that was stopped leaves half a line.
+        // A writer that was stopped leaves an incomplete line.
         assert_eq!(rows("t,x\n0,1\n1").unwrap(), [row(2, ["0", "1"])]);
     }
 }

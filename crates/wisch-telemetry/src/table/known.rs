@@ -1,8 +1,8 @@
-//! Words in names of columns, and names that controllers of robots give to forces.
+//! Known words in names of columns, and names of forces in robot controllers.
 
 use crate::options::{Axes, WrenchSign};
 
-/// Forces of a controller, three or six numbers with an index.
+/// Force of a controller: three or six numbers with an index.
 pub(super) struct KnownForce {
     pub base: &'static str,
     pub robot: &'static str,
@@ -31,7 +31,7 @@ pub(super) const FORCES: [KnownForce; 3] = [
     },
 ];
 
-/// Words that say of what a quantity is, not which quantity it is.
+/// Context words, which state whose quantity a column holds, not which quantity.
 pub(super) const CONTEXT: [&str; 31] = [
     "tcp",
     "tool",
@@ -65,10 +65,10 @@ pub(super) const CONTEXT: [&str; 31] = [
     "header",
     "transform",
 ];
-/// Such words of sensors of forces.
+/// Context words of force sensors.
 pub(super) const SENSOR_CONTEXT: [&str; 5] = ["ft", "wrench", "sensor", "external", "ext"];
 
-/// Whether the words of a prefix, those of its context left out, are one of some.
+/// Whether the words of `prefix`, without context words, equal an entry of `of`.
 pub(super) fn is_prefix(prefix: &str, of: &[&str], context: &[&[&str]]) -> bool {
     let words = prefix.split('_').filter(|word| !word.is_empty());
     let left: Vec<&str> = words
@@ -77,7 +77,7 @@ pub(super) fn is_prefix(prefix: &str, of: &[&str], context: &[&[&str]]) -> bool 
     of.contains(&left.join("_").as_str())
 }
 
-/// Whether a name is a base with an index, with or without an underscore between them, after any context.
+/// Whether a name is `base` with an index, with or without an underscore between them, after any context words.
 pub(super) fn indexed_base(name: &str, base: &str, index: usize) -> bool {
     let with = |joint: &str| {
         let end = format!("{base}{joint}{index}");

@@ -1,4 +1,4 @@
-//! Which columns of a table hold its times, poses and forces.
+//! Layout of a table: the columns that hold its times, poses and forces.
 
 use super::known::{CONTEXT, FORCES, SENSOR_CONTEXT, indexed_base, is_prefix};
 use super::names::{Name, Unit, UnitKind};
@@ -7,7 +7,7 @@ use crate::options::{Axes, LogOptions, OrientationForm, WrenchSign};
 use std::ops::Range;
 use wisch::represent::UnknownName;
 
-/// What our columns of time, position and force are called.
+/// This crate's names of the columns of time, position and force.
 const TIME: &str = "t";
 const POSITION: [&str; 3] = ["x", "y", "z"];
 const FORCE: [&str; 3] = ["fx", "fy", "fz"];
@@ -33,31 +33,31 @@ const TIMES: [&str; 14] = [
 /// A column that is read.
 #[derive(Debug, Clone)]
 pub(super) struct Column {
-    /// Our name.
+    /// This crate's name.
     pub ours: &'static str,
     /// Its index in the table.
     pub index: usize,
     pub kind: UnitKind,
-    /// The unit that its name states.
+    /// Unit in its name.
     pub unit: Option<Unit>,
-    /// Whether its unit was stated and is known.
+    /// Whether its unit is stated and known.
     pub is_unit_known: bool,
 }
 
-/// Which columns are read: that of the times unless a rate stands for it, then position, orientation and force.
+/// Columns that are read: time (unless a rate replaces it), position, orientation, force.
 #[derive(Debug, Clone)]
 pub(super) struct Layout {
     pub columns: Vec<Column>,
     pub form: OrientationForm,
-    /// In whose axes the force is, and who does it, where the names of its columns say it.
+    /// Axes and sign of the force, if the names of its columns imply them.
     pub axes: Option<Axes>,
     pub sign: Option<WrenchSign>,
-    /// How the columns were found, in words.
+    /// Remarks on how the columns were found.
     pub remarks: Vec<String>,
 }
 
 impl Layout {
-    /// Finds the columns by the names of all of them.
+    /// Finds the columns, given the names of all columns.
     pub fn of(texts: &[String], options: &LogOptions) -> Result<Self, ReadFault> {
         let mut finder = Finder {
             texts,
@@ -74,7 +74,7 @@ impl Layout {
         let (form, turn) = finder.orientation(options.orientation)?;
         columns.extend(finder.position(form, &turn)?);
         columns.extend(turn);
-        // The names of libfranka's and UR's columns tell whose axes and which sign their forces have, by the logs at hand.
+        // Column names of libfranka and UR imply axes and sign, as their logs show.
         let known = FORCES.iter().find(|known| {
             let name = &finder.names[force[0].index];
             name.bases().any(|base| indexed_base(base, known.base, 0))
@@ -84,10 +84,10 @@ impl Layout {
         if let Some(known) = known {
             let by = match known.sign {
                 WrenchSign::OnTool => "on the tool",
-                WrenchSign::ByTool => "by the tool",
+                WrenchSign::ByTool => "of the tool on its surroundings",
             };
             finder.remarks.push(format!(
-                "forces of {} are taken to be {by}, in the axes of the {}",
+                "forces of {} are read as those {by}, in the axes of the {}",
                 known.robot,
                 known.axes.as_str()
             ));
@@ -101,30 +101,30 @@ impl Layout {
         })
     }
 
-    /// The indices of all columns in the table.
+    /// Indices of all columns that are read.
     pub fn indices(&self) -> Vec<usize> {
         self.columns.iter().map(|column| column.index).collect()
     }
 
-    /// Whether there is a column of times.
+    /// Whether the table has a column of times.
     pub fn has_time(&self) -> bool {
         self.columns[0].kind == UnitKind::Time
     }
 
-    /// The columns of a kind of unit, which follow one another.
+    /// Range of the columns with a kind of unit, which are adjacent.
     pub fn of_kind(&self, kind: UnitKind) -> Range<usize> {
         let is_one = |column: &Column| column.kind == kind;
         let start = self.columns.iter().position(is_one).unwrap_or(0);
         start..start + self.columns.iter().filter(|column| is_one(column)).count()
     }
 
-    /// The columns of angles.
+    /// Range of the columns of angles.
     pub fn angles(&self) -> Range<usize> {
         self.of_kind(UnitKind::Angle)
     }
 }
 
-/// Finds columns by their names.
+/// Finder of columns by their names.
 struct Finder<'a> {
     texts: &'a [String],
     names: Vec<Name>,
@@ -133,7 +133,7 @@ struct Finder<'a> {
 }
 
 impl Finder<'_> {
-    /// Every name that is renamed must be one of ours.
+    /// Checks that every renamed column is one that this crate reads.
     fn check_renamed(&self) -> Result<(), ReadFault> {
         let turns = OrientationForm::ALL.iter().flat_map(|form| form.names());
         let ours: Vec<&str> = std::iter::once(TIME)
@@ -149,7 +149,7 @@ impl Finder<'_> {
 
     fn column(&self, ours: &'static str, index: usize, kind: UnitKind) -> Column {
         let unit = self.names[index].without_unit.as_ref();
-        // "qx_m" ends with no unit of what it holds; "x [furlong]" does, if with none that is known.
+        // "qx_m" does not end with a unit of a quaternion; "x [furlong]" ends with a unit, though an unknown one.
         let unit = unit.map(|(_, unit)| unit.clone());
         let unit = unit.filter(|unit| unit.is_apart || kind.size_of(&unit.text).is_some());
         Column {
@@ -161,13 +161,13 @@ impl Finder<'_> {
         }
     }
 
-    /// The table's name of one of our columns, if the options give it.
+    /// Returns the table's name of a column, if the options state it.
     fn renaming(&self, ours: &str) -> Option<&str> {
         let found = self.renamed.iter().find(|(name, _)| name == ours);
         found.map(|(_, theirs)| theirs.as_str())
     }
 
-    /// The only column of a name: as it stands, or else but for its case and unit.
+    /// Finds the only column of a name: exactly, or else ignoring case and unit.
     fn sole(&self, name: &str) -> Result<Option<usize>, ReadFault> {
         let sought = Name::of(name);
         let is_close = |index: &usize| {
@@ -194,7 +194,7 @@ impl Finder<'_> {
         }
     }
 
-    /// Columns by our names, or by what the options call them.
+    /// Finds columns by this crate's names, or by their names in the options.
     fn by_our_names<const N: usize>(
         &self,
         ours: [&'static str; N],
@@ -230,7 +230,7 @@ impl Finder<'_> {
         if let Some(second) = found.get(1) {
             let [first, second] = [first, *second].map(|index| &self.texts[index]);
             self.remarks.push(format!(
-                "times by column {first:?}; there is {second:?}, too"
+                "times from column {first:?}; column {second:?} is also a time and is ignored"
             ));
         }
         Ok(self.column(TIME, first, UnitKind::Time))
@@ -247,7 +247,7 @@ impl Finder<'_> {
         });
         if let Some(known) = FORCES
             .iter()
-            .find_map(|known| self.indexed(known.base, &[0, 1, 2], &FORCE, UnitKind::Force))
+            .find_map(|known| self.find_indexed(known.base, &[0, 1, 2], &FORCE, UnitKind::Force))
         {
             families.push(known);
         }
@@ -262,7 +262,7 @@ impl Finder<'_> {
         for form in forms.filter(|form| chosen.is_none_or(|chosen| chosen == *form)) {
             let ours = form.names();
             let is_renamed = ours.iter().any(|name| self.renaming(name).is_some());
-            // Letters alone may stand for anything; beside a position and after the same prefix they are KUKA's.
+            // Plain letters may mean anything; beside a position and with the same prefix they are KUKA's angles.
             let may_be_plain = form != OrientationForm::Abc || chosen.is_some();
             if is_renamed || may_be_plain {
                 let plain: Vec<Option<Column>> = (ours.iter())
@@ -275,7 +275,7 @@ impl Finder<'_> {
                     })
                     .collect::<Result<_, ReadFault>>()?;
                 if plain.iter().all(Option::is_some) {
-                    self.say_assumed(form, chosen);
+                    self.remark_assumed(form, chosen);
                     return Ok((form, plain.into_iter().flatten().collect()));
                 }
                 if is_renamed {
@@ -301,7 +301,7 @@ impl Finder<'_> {
             }
             Some((form, families)) if found.is_empty() => {
                 let columns = self.one_of("orientation", families, form.names())?;
-                self.say_assumed(form, chosen);
+                self.remark_assumed(form, chosen);
                 Ok((form, columns))
             }
             Some(last) => {
@@ -313,7 +313,7 @@ impl Finder<'_> {
         }
     }
 
-    /// The columns that may state an orientation in some form, by what others call them.
+    /// Finds the columns that may state an orientation in some form, by the names of other programs.
     fn turns(&self, form: OrientationForm, chosen: Option<OrientationForm>) -> Vec<Vec<Column>> {
         let (ours, kind) = (form.names(), form.kind());
         match form {
@@ -339,7 +339,7 @@ impl Finder<'_> {
                 let mut families = self.families(names, POSITION, kind, |prefix| {
                     is_prefix(prefix, &kinds, &[&CONTEXT])
                 });
-                families.extend(self.indexed("actual_tcp_pose", &[3, 4, 5], ours, kind));
+                families.extend(self.find_indexed("actual_tcp_pose", &[3, 4, 5], ours, kind));
                 families
             }
             OrientationForm::RollPitchYaw => {
@@ -349,7 +349,7 @@ impl Finder<'_> {
                     is_prefix(prefix, &kinds, &[&CONTEXT])
                 });
                 if chosen == Some(form) && families.is_empty() {
-                    // Who says that the angles are these may call them by their axes.
+                    // If an option states that the columns are angles, they may be named after their axes.
                     families = self.families(names, POSITION, kind, |prefix| {
                         is_prefix(prefix, &["r", "rot", "rpy", "euler"], &[&CONTEXT])
                     });
@@ -368,7 +368,7 @@ impl Finder<'_> {
             }
             OrientationForm::Matrix => {
                 let indices: Vec<usize> = (0..16).collect();
-                self.indexed("o_t_ee", &indices, ours, kind)
+                self.find_indexed("o_t_ee", &indices, ours, kind)
                     .into_iter()
                     .collect()
             }
@@ -385,7 +385,7 @@ impl Finder<'_> {
             return Ok(columns);
         }
         if form == OrientationForm::Matrix {
-            // The last column of the matrix.
+            // The position is the last column of the matrix.
             let columns = POSITION.into_iter().zip(&turn[12..]);
             let columns =
                 columns.map(|(ours, column)| self.column(ours, column.index, UnitKind::Length));
@@ -395,11 +395,16 @@ impl Finder<'_> {
         let mut families = self.families(POSITION, POSITION, UnitKind::Length, |prefix| {
             is_prefix(prefix, &kinds, &[&CONTEXT])
         });
-        families.extend(self.indexed("actual_tcp_pose", &[0, 1, 2], &POSITION, UnitKind::Length));
+        families.extend(self.find_indexed(
+            "actual_tcp_pose",
+            &[0, 1, 2],
+            &POSITION,
+            UnitKind::Length,
+        ));
         self.one_of("position", families, &POSITION)
     }
 
-    /// Columns of our names, if all are there; an error if some were renamed and others are missing.
+    /// Returns the columns with this crate's names, if all exist; fails if some are renamed and others are missing.
     fn complete<const N: usize>(
         &self,
         columns: [Option<Column>; N],
@@ -418,12 +423,12 @@ impl Finder<'_> {
         Ok(None)
     }
 
-    /// Whether there is a column of a name, its unit left out.
+    /// Whether a column of this name exists, ignoring its unit.
     fn has(&self, base: &str) -> bool {
         self.names.iter().any(|name| name.is(base).is_some())
     }
 
-    /// Every set of columns whose names are the same prefix before some leaves.
+    /// Finds every set of columns whose names consist of a common prefix and the given leaves.
     fn families<const N: usize>(
         &self,
         ours: [&'static str; N],
@@ -456,8 +461,8 @@ impl Finder<'_> {
         prefixes.iter().filter_map(family).collect()
     }
 
-    /// The columns of an array with some indices.
-    fn indexed(
+    /// Finds the columns of an array with the given indices.
+    fn find_indexed(
         &self,
         base: &str,
         indices: &[usize],
@@ -476,7 +481,7 @@ impl Finder<'_> {
         columns.collect()
     }
 
-    /// The only set of columns that was found; without any, the first of our names that is not there is at fault.
+    /// Returns the only set of columns that was found. Without any, the error names the first missing column.
     fn one_of(
         &mut self,
         what: &'static str,
@@ -495,7 +500,7 @@ impl Finder<'_> {
                 Err(self.missing(ours.iter().find(is_missing).unwrap_or(&ours[0])))
             }
             [one] => {
-                let said = format!("{what} by columns {}", listed(one));
+                let said = format!("{what} from columns {}", listed(one));
                 self.remarks.push(said);
                 Ok(families.into_iter().flatten().collect())
             }
@@ -506,15 +511,15 @@ impl Finder<'_> {
         }
     }
 
-    /// That the form of an orientation is assumed, where names leave it open.
-    fn say_assumed(&mut self, form: OrientationForm, chosen: Option<OrientationForm>) {
+    /// Adds the remark that the form of an orientation is assumed, if the names leave it open.
+    fn remark_assumed(&mut self, form: OrientationForm, chosen: Option<OrientationForm>) {
         let is_known = self
             .names
             .iter()
             .any(|name| indexed_base(&name.whole, "actual_tcp_pose", 3));
         if form == OrientationForm::RotationVector && chosen.is_none() && !is_known {
             self.remarks.push(
-                "the orientation is taken for a rotation vector; --orientation states another form"
+                "the orientation is read as a rotation vector; --orientation states another form"
                     .to_owned(),
             );
         }
@@ -529,7 +534,7 @@ impl Finder<'_> {
 }
 
 impl OrientationForm {
-    /// The kind of unit that its numbers have.
+    /// Kind of unit of its numbers.
     const fn kind(self) -> UnitKind {
         match self {
             Self::Quaternion | Self::Matrix => UnitKind::None,

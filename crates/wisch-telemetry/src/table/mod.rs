@@ -1,4 +1,4 @@
-//! Logs as tables: text with a line of names, or columns with names in a binary file.
+//! Logs as tables: text with a line of names, or named columns in a binary file.
 
 mod arrow;
 #[cfg(feature = "arrow")]
@@ -29,13 +29,13 @@ use super::quantity::{Quantity, QuantityError};
 use super::track::{JointPositions, RawLog, Track};
 use wisch::geometry::Vector3;
 
-/// Above this angle in radians, numbers that should be angles are degrees [1].
+/// Angles above this value are degrees [rad].
 const MOST_RADIANS: f64 = 2.0 * std::f64::consts::PI + 0.01;
 
-/// Above this distance from their origin [m], positions beside KUKA's angles are millimetres: no arm reaches so far.
+/// Positions beside KUKA's angles above this distance are millimetres [m]: no arm reaches that far.
 const MOST_METRES: f64 = 20.0;
 
-/// Reads a table: text whose lines are comments, names, perhaps units, and numbers; or a binary file of columns.
+/// Reads a table: text with comments, names, optional units, and numbers; or a binary file of columns.
 pub(crate) fn read(bytes: &[u8], options: &LogOptions) -> Result<RawLog, ReadFault> {
     let (source, layout) = Source::open(bytes, options)?;
     let mut table = Table {
@@ -51,15 +51,15 @@ pub(crate) fn read(bytes: &[u8], options: &LogOptions) -> Result<RawLog, ReadFau
     table.collect(&times)
 }
 
-/// Takes a row of numbers: its number and its cells.
+/// Callback that receives a row of numbers: its number and its cells.
 type TakeNumbers<'a> = dyn FnMut(usize, &[Cell<'_>]) -> Result<(), ReadFault> + 'a;
 
-/// A table with what its columns mean.
+/// A table with the meaning of its columns.
 struct Table<'a> {
     source: Source<'a>,
     layout: Layout,
     options: &'a LogOptions,
-    /// By what the numbers of each column that is read are to be multiplied; of times, the unit [s].
+    /// Factor for the numbers of each column; for times, the unit [s].
     scales: Vec<f64>,
     /// Whether the first row states units.
     has_units_line: bool,
@@ -67,7 +67,7 @@ struct Table<'a> {
 }
 
 impl Table<'_> {
-    /// Takes the units from the names and from a line of units, but for those that the options give.
+    /// Reads the units in names and in a line of units, except where the options state them.
     fn read_units(&mut self) -> Result<(), ReadFault> {
         let indices = self.layout.indices();
         let mut first: Vec<String> = Vec::new();
@@ -93,7 +93,7 @@ impl Table<'_> {
                 UnitKind::Force => self.options.force_unit,
                 UnitKind::Angle | UnitKind::None => None,
             };
-            // What the options give, `understood` applies to lengths and forces.
+            // `combine` applies units of length and force from the options.
             if let (Some(unit), UnitKind::Time) = (given, column.kind) {
                 self.scales[index] = unit;
             }
@@ -122,16 +122,16 @@ impl Table<'_> {
                 self.remarks.push(format!("{what}: {}", list.join(", ")));
             }
         };
-        say("by its line of units", by_line);
-        say("by its names of columns", by_name);
+        say("from its line of units", by_line);
+        say("from its names of columns", by_name);
         say(
-            "its units name what is not known and was taken for SI units",
+            "its units include unknown ones, which are read as SI units",
             unknown,
         );
         Ok(())
     }
 
-    /// Calls `take` with the number of each row of numbers and its cells of some of the columns that are read.
+    /// Calls `take` with the number and the requested cells of each row of numbers.
     fn each(&self, columns: &[usize], take: &mut TakeNumbers<'_>) -> Result<(), ReadFault> {
         let indices: Vec<usize> = (columns.iter())
             .map(|&column| self.layout.columns[column].index)
@@ -145,7 +145,7 @@ impl Table<'_> {
         })
     }
 
-    /// Goes through the table once for its times [ns] and for the units that only the size of its numbers tells.
+    /// First pass: reads the times [ns], and finds the units that only the size of the numbers reveals.
     fn survey(&mut self) -> Result<Vec<Option<i64>>, ReadFault> {
         let layout = &self.layout;
         let angles = layout.angles();
@@ -189,7 +189,7 @@ impl Table<'_> {
                 self.scales[column] = 1e-3;
             }
             self.remarks.push(format!(
-                "positions are taken for millimetres, as one beside the angles A, B, C is {largest_length:.0}; --length-unit-m states another unit"
+                "positions are read as millimetres, because a position beside the angles A, B, C is {largest_length:.0}; --length-unit-m states another unit"
             ));
         }
         if let Some(rate) = self.options.rate {
@@ -204,13 +204,13 @@ impl Table<'_> {
             self.options.time_unit.is_some() || self.layout.columns[column].is_unit_known
         });
         let given = given.map(|column| self.scales[column]);
-        let scaled = times::scaled(&instants, given)
+        let scaled = times::scale_times(&instants, given)
             .map_err(|fault| fault.at(|index| self.source.place(rows[index])))?;
         self.remarks.extend(scaled.remarks);
         Ok(scaled.times)
     }
 
-    /// Turns angles into radians where no unit is stated.
+    /// Converts angles to radians where no unit is stated.
     fn assume_angles(&mut self, largest: f64) {
         let angles = self.layout.angles();
         let is_stated = (angles.clone()).any(|column| self.layout.columns[column].is_unit_known);
@@ -223,9 +223,9 @@ impl Table<'_> {
             let first = &self.layout.columns[angles.start].ours;
             let last = &self.layout.columns[angles.end - 1].ours;
             self.remarks.push(match self.layout.form {
-                OrientationForm::Abc => format!("angles {first} to {last} are taken for degrees"),
+                OrientationForm::Abc => format!("angles {first} to {last} are read as degrees"),
                 _ => format!(
-                    "angles {first} to {last} are taken for degrees, as one is {largest:.1}"
+                    "angles {first} to {last} are read as degrees, because one is {largest:.1}"
                 ),
             });
             for column in angles {
@@ -234,7 +234,7 @@ impl Table<'_> {
         }
     }
 
-    /// Goes through the table again for its poses and forces.
+    /// Second pass: reads poses and forces.
     fn collect(mut self, times: &[Option<i64>]) -> Result<RawLog, ReadFault> {
         let window = self.options.reorder_window;
         let mut poses = Track::new("the table's pose".to_owned(), window);
@@ -270,7 +270,7 @@ impl Table<'_> {
         })?;
         if without_time > 0 {
             self.remarks.push(format!(
-                "left out: {without_time} of {number} rows, which bear no time"
+                "left out: {without_time} of {number} rows, which state no time"
             ));
         }
         let (poses, wrenches) = (poses.finish()?, wrenches.finish()?);
@@ -281,12 +281,12 @@ impl Table<'_> {
             .extend(poses.reordering().or_else(|| wrenches.reordering()));
         if self.source.has_decimal_commas() {
             self.remarks
-                .push("commas are taken for decimal points".to_owned());
+                .push("commas are read as decimal points".to_owned());
         }
         let unfinished = self.source.is_cut_off();
         if unfinished {
             self.remarks
-                .push("left out: the last line, which ends in its middle".to_owned());
+                .push("left out: the last line, which is incomplete".to_owned());
         }
         Ok(RawLog {
             poses,
@@ -304,8 +304,8 @@ impl Table<'_> {
         })
     }
 
-    /// The numbers of a quantity in SI units from column `first` of those that are read on; nothing where all its cells
-    /// are empty.
+    /// Reads the numbers of a quantity in SI units, from column `first` of the columns that are read. Returns `None` if
+    /// all its cells are empty.
     fn numbers(
         &self,
         row: usize,

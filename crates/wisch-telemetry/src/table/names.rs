@@ -1,25 +1,25 @@
 //! Names of columns, and the units in them.
 
-/// What a column's unit is of.
+/// Kind of a column's unit.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum UnitKind {
     Time,
     Length,
     Force,
     Angle,
-    /// A number without a unit, as those of a quaternion.
+    /// Dimensionless, as the numbers of a quaternion.
     None,
 }
 
-/// A unit as a name states it.
+/// A unit, as a name states it.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) struct Unit {
     pub text: String,
-    /// Whether brackets or a slash part it from the name; the last word of a name may be something else.
+    /// Whether brackets or a slash separate it from the name; the last word of a name may also not be a unit.
     pub is_apart: bool,
 }
 
-/// Units of time [s], length [m], force [N] and angle [rad] that a name or a line of units may state.
+/// Units of time [s], length [m], force [N] and angle [rad] in names and lines of units.
 const TIME_UNITS: [(&str, f64); 13] = [
     ("s", 1.0),
     ("sec", 1.0),
@@ -60,13 +60,13 @@ const ANGLE_UNITS: [(&str, f64); 5] = [
 ];
 const DEGREE: f64 = std::f64::consts::PI / 180.0;
 
-/// Units that end a name after an underscore; shorter or rarer ones may be anything there.
+/// Units that may end a name after an underscore; shorter or rarer words there are ambiguous.
 const SUFFIXES: [&str; 14] = [
     "s", "sec", "ms", "us", "ns", "m", "cm", "mm", "um", "n", "kn", "mn", "rad", "deg",
 ];
 
 impl UnitKind {
-    /// The size of a unit of this kind in SI units, if it is known.
+    /// Returns the size of a unit of this kind in SI units, if it is known.
     pub fn size_of(self, text: &str) -> Option<f64> {
         let known: &[(&str, f64)] = match self {
             Self::Time => &TIME_UNITS,
@@ -75,7 +75,7 @@ impl UnitKind {
             Self::Angle => &ANGLE_UNITS,
             Self::None => &[],
         };
-        // There are two micro signs.
+        // Unicode has two micro signs.
         let text = text.replace('μ', "µ");
         let exact = known.iter().find(|(name, _)| *name == text);
         let found = exact.or_else(|| {
@@ -87,20 +87,20 @@ impl UnitKind {
     }
 }
 
-/// A name of a column as names are compared: lower case, its words joined by single underscores.
+/// A name of a column in a form for comparison: lower case, words joined by single underscores.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) struct Name {
     /// The whole name.
     pub whole: String,
-    /// The name without a unit that ends it, and the unit.
+    /// The name without a final unit, and the unit.
     pub without_unit: Option<(String, Unit)>,
 }
 
 impl Name {
-    /// Takes a name apart: `x [mm]`, `fx (N)`, `x / mm` and `tcp_x_mm` end with units, `O_T_EE[12]` with an index.
+    /// Parses a name: `x [mm]`, `fx (N)`, `x / mm` and `tcp_x_mm` end with units, `O_T_EE[12]` with an index.
     pub fn of(text: &str) -> Self {
         let text = text.trim().trim_start_matches('%');
-        let (head, bracketed) = bracketed(text);
+        let (head, bracketed) = split_unit(text);
         if let Some(unit) = bracketed {
             return Self {
                 whole: words(text),
@@ -133,7 +133,7 @@ impl Name {
         }
     }
 
-    /// The unit, if the name without it is `base`.
+    /// Returns the unit, if the name without it is `base`.
     pub fn is(&self, base: &str) -> Option<Option<&Unit>> {
         if self.whole == base {
             return Some(None);
@@ -149,8 +149,8 @@ impl Name {
     }
 }
 
-/// What stands before a unit in brackets or after a slash at the end, and the unit; an index in brackets is none.
-fn bracketed(text: &str) -> (&str, Option<&str>) {
+/// Splits off a final unit in brackets or after a slash; an index in brackets is not a unit.
+fn split_unit(text: &str) -> (&str, Option<&str>) {
     for [open, close] in [['[', ']'], ['(', ')']] {
         if let Some((head, unit)) =
             (text.strip_suffix(close)).and_then(|rest| rest.rsplit_once(open))
@@ -174,7 +174,7 @@ fn bracketed(text: &str) -> (&str, Option<&str>) {
         UnitKind::Angle,
     ];
     let is_unit = kinds.iter().any(|kind| kind.size_of(unit.trim()).is_some());
-    // A path, as /tool/pose/position/x, has more of them.
+    // A path such as /tool/pose/position/x has more slashes.
     if is_unit && !head.trim().is_empty() && !head.contains('/') {
         (head, Some(unit.trim()))
     } else {
@@ -182,7 +182,7 @@ fn bracketed(text: &str) -> (&str, Option<&str>) {
     }
 }
 
-/// The words of a name in lower case, joined by underscores.
+/// Returns the words of a name in lower case, joined by underscores.
 fn words(text: &str) -> String {
     let lower = text.to_lowercase();
     let words = lower.split(|c: char| !c.is_alphanumeric());

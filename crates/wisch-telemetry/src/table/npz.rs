@@ -1,4 +1,4 @@
-//! Tables in archives of NumPy arrays (.npz): one array for each column, or one with a column for each number of a row.
+//! Tables in archives of NumPy arrays (.npz): an array for each column, or an array with several columns.
 
 use super::columnar::{Heads, MISSING, Values, check_rows, check_unpacked, damaged};
 use crate::error::ReadFault;
@@ -7,26 +7,26 @@ use std::io::{Cursor, Read};
 use zip::ZipArchive;
 use zip::result::ZipError;
 
-/// What an archive begins with.
+/// First bytes of an archive.
 pub(super) const MAGIC: &[u8] = b"PK\x03\x04";
 
-/// What it is called.
+/// Name of the format in messages.
 pub(super) const KIND: &str = "npz";
 
-/// Most arrays of an archive.
+/// Largest number of arrays in an archive.
 const MOST_MEMBERS: usize = 1000;
 
-/// Most numbers of a row in one array.
+/// Largest number of columns in one array.
 const MOST_PER_ROW: usize = 1024;
 
-/// Longest head of an array that is read [bytes].
+/// Largest length of an array's head [bytes].
 const HEAD_READ: u64 = 65_536;
 
-/// An archive, and where in it its columns are.
+/// An archive, and the positions of its columns.
 pub(super) struct NpzTable<'a> {
     archive: RefCell<ZipArchive<Cursor<&'a [u8]>>>,
     members: Vec<Member>,
-    /// The member and the place in its rows of each column.
+    /// Member of the archive, and position in its rows, of each column.
     places: Vec<(usize, usize)>,
 }
 
@@ -38,7 +38,7 @@ struct Member {
     head: Head,
 }
 
-/// What the head of an array says.
+/// Head of an array.
 #[derive(Debug, Clone, PartialEq)]
 struct Head {
     /// Its length [bytes].
@@ -54,7 +54,7 @@ struct Head {
     per_row: usize,
 }
 
-/// Reads the names of the columns.
+/// Opens an archive and reads the names of its columns.
 pub(super) fn open(bytes: &[u8]) -> Result<(Heads, NpzTable<'_>), ReadFault> {
     let mut archive = ZipArchive::new(Cursor::new(bytes)).map_err(fault)?;
     if archive.len() > MOST_MEMBERS {
@@ -100,7 +100,7 @@ pub(super) fn open(bytes: &[u8]) -> Result<(Heads, NpzTable<'_>), ReadFault> {
     Ok((heads, table))
 }
 
-/// Reads some columns, in the order of the archive.
+/// Reads the columns with these indices, in the order of the archive.
 pub(super) fn read(table: &NpzTable<'_>, indices: &[usize]) -> Result<Vec<Values>, ReadFault> {
     let mut archive = table.archive.borrow_mut();
     let mut columns = Vec::with_capacity(indices.len());
@@ -123,7 +123,7 @@ fn fault(error: ZipError) -> ReadFault {
 }
 
 impl Head {
-    /// Reads the head of an array; nothing where it is no table of numbers.
+    /// Parses the head of an array; `None` if the array is not a table of numbers.
     fn parse(bytes: &[u8]) -> Option<Self> {
         let version = *bytes.strip_prefix(b"\x93NUMPY")?.first()?;
         let (start, text_len) = match version {
@@ -172,7 +172,7 @@ impl Head {
     }
 }
 
-/// The unit of a date or duration [ns]: datetime64[ns] is "<M8[ns]".
+/// Returns the unit of a date or duration [ns]: datetime64[ns] is "<M8[ns]".
 fn time_unit(descr: &str) -> Option<i64> {
     Some(match descr.split_once('[')?.1 {
         "s]" => 1_000_000_000,
@@ -184,7 +184,7 @@ fn time_unit(descr: &str) -> Option<i64> {
 }
 
 impl Member {
-    /// The numbers of the array.
+    /// Unpacks the numbers of the array.
     fn unpack(&self, archive: &mut ZipArchive<Cursor<&[u8]>>) -> Result<Vec<u8>, ReadFault> {
         let head = &self.head;
         check_rows(head.rows)?;
@@ -193,14 +193,14 @@ impl Member {
         check_unpacked(format_args!("array {:?}", self.name), len as u64)?;
         let mut file = archive.by_index(self.index).map_err(fault)?;
         let mut bytes = Vec::new();
-        // One more than there should be: at the end the archive's checksum is looked at.
+        // Reading one byte more than expected reaches the end, where the archive's checksum is verified.
         let mut source = (&mut file).take((head.len + len + 1) as u64);
         let read = source.read_to_end(&mut bytes);
         read.map_err(|error| damaged(KIND, format!("array {:?}: {error}", self.name)))?;
         if bytes.len() != head.len + len {
             let (found, expected) = (bytes.len().saturating_sub(head.len), len);
             let error = format!(
-                "array {:?} has {found} bytes of numbers and not {expected}",
+                "array {:?} has {found} bytes of numbers; expected {expected}",
                 self.name
             );
             return Err(damaged(KIND, error));
@@ -208,7 +208,7 @@ impl Member {
         Ok(bytes.split_off(head.len))
     }
 
-    /// The numbers at one place of each row.
+    /// Returns the numbers at one position of each row.
     fn column(&self, bytes: &[u8], place: usize) -> Result<Values, ReadFault> {
         let head = &self.head;
         let (of_row, of_place) = if head.by_columns {
@@ -225,7 +225,7 @@ impl Member {
                 bytes.iter().rev().fold(0, join)
             }
         });
-        // The sign is in the first bit.
+        // Sign extension: the top bit holds the sign.
         let signed = |bits: u64| {
             let unused = 64 - 8 * head.size;
             (bits << unused) as i64 >> unused

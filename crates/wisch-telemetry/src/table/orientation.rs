@@ -1,15 +1,15 @@
-//! Orientations as the numbers that logs state them by.
+//! Orientations from the numbers in logs.
 
 use crate::options::OrientationForm;
 use crate::quantity::{Quantity, QuantityError, check_finite};
 use nalgebra::{Matrix3, Rotation3, UnitQuaternion};
 use wisch::geometry::{Pose, Vector3};
 
-/// By how much a matrix may miss being a rotation [1]: logs round to some digits.
+/// Largest deviation of a matrix from a rotation [1]: logs round to a few digits.
 const MATRIX_TOLERANCE: f64 = 0.02;
 
 impl OrientationForm {
-    /// Our names of its numbers.
+    /// This crate's names of its numbers.
     pub(super) const fn names(self) -> &'static [&'static str] {
         match self {
             Self::Quaternion => &["qx", "qy", "qz", "qw"],
@@ -24,7 +24,7 @@ impl OrientationForm {
     }
 }
 
-/// The pose that a position [m] and the numbers of an orientation, angles in radians, make.
+/// Returns the pose with a position [m] and the numbers of an orientation, with angles in radians.
 pub(super) fn pose(form: OrientationForm, numbers: &[f64]) -> Result<Pose, QuantityError> {
     let (position, turn) = numbers.split_at(3);
     check_finite(Pose::NUMBERS, position)?;
@@ -45,7 +45,7 @@ pub(super) fn pose(form: OrientationForm, numbers: &[f64]) -> Result<Pose, Quant
     Ok(Pose::from_parts(position.into(), rotation))
 }
 
-/// The rotation in a homogeneous matrix, column by column.
+/// Returns the rotation in a homogeneous matrix, column by column.
 fn rotation_of(columns: &[f64]) -> Result<UnitQuaternion<f64>, QuantityError> {
     let column = |k: usize| Vector3::from_row_slice(&columns[4 * k..4 * k + 3]);
     let matrix = Matrix3::from_columns(&[column(0), column(1), column(2)]);
@@ -63,7 +63,7 @@ mod tests {
     use proptest::prelude::*;
 
     proptest! {
-        /// A turn about x by c, then about y by b, then about z by a, in every form that can state it.
+        /// A rotation about x by c, then about y by b, then about z by a, in every form that can state it.
         #[test]
         fn every_form_states_the_same_turn(a in -3.0..3.0, b in -1.5..1.5, c in -3.0..3.0) {
             let about = |axis: Vector3, angle: f64| UnitQuaternion::from_scaled_axis(axis * angle);
@@ -93,7 +93,7 @@ mod tests {
         let numbers = [&[0.0; 3], matrix.as_slice()].concat();
         let mirrored = pose(OrientationForm::Matrix, &numbers).unwrap_err();
         assert!(
-            mirrored.to_string().contains("is no rotation"),
+            mirrored.to_string().contains("is not a rotation"),
             "{mirrored}"
         );
     }

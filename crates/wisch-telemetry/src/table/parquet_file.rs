@@ -10,22 +10,22 @@ use parquet::errors::ParquetError;
 use parquet::file::reader::{FileReader, SerializedFileReader};
 use parquet::schema::types::ColumnDescriptor;
 
-/// What a Parquet file begins with.
+/// First bytes of a Parquet file.
 pub(super) const MAGIC: &[u8] = b"PAR1";
 
-/// What it is called.
+/// Name of the format in messages.
 pub(super) const KIND: &str = "Parquet";
 
-/// How many values are read at once.
+/// Number of values in one batch.
 const BATCH: usize = 8192;
 
-/// A file and the places of its columns among the leaves of its schema.
+/// A file and the indices of its columns among the leaves of its schema.
 pub(super) struct ParquetTable {
     file: SerializedFileReader<Bytes>,
     leaves: Vec<usize>,
 }
 
-/// Reads the names of the columns.
+/// Opens a file and reads the names of its columns.
 pub(super) fn open(bytes: &[u8]) -> Result<(Heads, ParquetTable), ReadFault> {
     let file = SerializedFileReader::new(Bytes::copy_from_slice(bytes)).map_err(fault)?;
     let metadata = file.metadata();
@@ -37,7 +37,7 @@ pub(super) fn open(bytes: &[u8]) -> Result<(Heads, ParquetTable), ReadFault> {
     for leaf in 0..schema.num_columns() {
         let column = schema.column(leaf);
         let name = column.path().string();
-        // A value of a list repeats.
+        // Values of a list repeat within a row.
         if column.max_rep_level() == 0 {
             heads.names.push(name);
             leaves.push(leaf);
@@ -48,7 +48,7 @@ pub(super) fn open(bytes: &[u8]) -> Result<(Heads, ParquetTable), ReadFault> {
     Ok((heads, ParquetTable { file, leaves }))
 }
 
-/// Reads some columns.
+/// Reads the columns with these indices.
 pub(super) fn read(table: &ParquetTable, indices: &[usize]) -> Result<Vec<Values>, ReadFault> {
     let metadata = table.file.metadata();
     let schema = metadata.file_metadata().schema_descr();
@@ -82,7 +82,7 @@ fn fault(error: ParquetError) -> ReadFault {
     damaged(KIND, error)
 }
 
-/// No values yet of a column, if its type is read.
+/// Returns an empty column, if its type is supported.
 fn empty(column: &ColumnDescriptor) -> Option<Values> {
     let is_text = matches!(column.logical_type_ref(), Some(LogicalType::String))
         || column.converted_type() == ConvertedType::UTF8;
@@ -99,7 +99,7 @@ fn empty(column: &ColumnDescriptor) -> Option<Values> {
     })
 }
 
-/// The unit of a time since 1970 [ns], and whether it is in UTC.
+/// Returns the unit of a time since 1970 [ns], and whether the time is in UTC.
 fn timestamp(column: &ColumnDescriptor) -> Option<(i64, bool)> {
     match (column.logical_type_ref(), column.converted_type()) {
         (Some(LogicalType::Timestamp(time)), _) => {
@@ -171,7 +171,7 @@ fn append(
     }
 }
 
-/// Hands each value of a column over, none where it is missing; `before` rows are there already.
+/// Passes each value of a column on, `None` for a missing one; `before` rows were read earlier.
 fn each<T: DataType>(
     mut reader: ColumnReaderImpl<T>,
     column: &ColumnDescriptor,
@@ -189,7 +189,7 @@ fn each<T: DataType>(
             return Ok(());
         }
         rows += records;
-        // A few bytes may stand for any number of values that are the same.
+        // A few bytes may stand for any number of equal values.
         check_rows(rows)?;
         let mut values = values.into_iter();
         if full == 0 {

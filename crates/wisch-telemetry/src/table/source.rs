@@ -3,7 +3,7 @@
 #[cfg(feature = "arrow")]
 use super::arrow_file;
 use super::cell::TakeRow;
-use super::columnar::{Columnar, Heads, Values, guarded};
+use super::columnar::{Columnar, Heads, Values, catch_panics};
 use super::delimited::Delimited;
 use super::layout::Layout;
 use super::{arrow, npz, parquet_file};
@@ -17,19 +17,19 @@ pub(super) enum Source<'a> {
 }
 
 impl<'a> Source<'a> {
-    /// Opens a table, whose first bytes tell its format, and finds its columns.
+    /// Opens a table, recognises its format by its first bytes, and finds its columns.
     pub fn open(bytes: &'a [u8], options: &LogOptions) -> Result<(Self, Layout), ReadFault> {
         if bytes.starts_with(parquet_file::MAGIC) {
             let (kind, open) = (parquet_file::KIND, parquet_file::open);
             return Self::columns(kind, || open(bytes), parquet_file::read, options);
         }
         #[cfg(feature = "arrow")]
-        if arrow::is_one(bytes) {
+        if arrow::is_arrow(bytes) {
             let (kind, open) = (arrow_file::KIND, arrow_file::open);
             return Self::columns(kind, || open(bytes), arrow_file::read, options);
         }
         #[cfg(not(feature = "arrow"))]
-        if arrow::is_one(bytes) {
+        if arrow::is_arrow(bytes) {
             return Err(ReadFault::NoArrow);
         }
         if bytes.starts_with(npz::MAGIC) {
@@ -42,14 +42,14 @@ impl<'a> Source<'a> {
         Ok((Self::Text(table), layout))
     }
 
-    /// Reads those columns of a file that the names of all tell to be wanted.
+    /// Reads the requested columns of a file, which are found by the names of all its columns.
     fn columns<File>(
         kind: &'static str,
         open: impl FnOnce() -> Result<(Heads, File), ReadFault>,
         read: impl FnOnce(&File, &[usize]) -> Result<Vec<Values>, ReadFault>,
         options: &LogOptions,
     ) -> Result<(Self, Layout), ReadFault> {
-        let (heads, file) = guarded(kind, open)?;
+        let (heads, file) = catch_panics(kind, open)?;
         let layout = Layout::of(&heads.names, options).map_err(|fault| {
             if heads.unread.is_empty() {
                 return fault;
@@ -62,12 +62,12 @@ impl<'a> Source<'a> {
         let mut indices = layout.indices();
         indices.sort_unstable();
         indices.dedup();
-        let values = guarded(kind, || read(&file, &indices))?;
+        let values = catch_panics(kind, || read(&file, &indices))?;
         let table = Columnar::of(heads.names, &indices, values)?;
         Ok((Self::Columns(table), layout))
     }
 
-    /// The names of all columns.
+    /// Names of all columns.
     pub fn names(&self) -> &[String] {
         match self {
             Self::Text(table) => table.names(),
@@ -75,7 +75,7 @@ impl<'a> Source<'a> {
         }
     }
 
-    /// Hands each row over.
+    /// Passes each row on.
     pub fn each(&self, wanted: &[usize], take: &mut TakeRow<'_>) -> Result<(), ReadFault> {
         match self {
             Self::Text(table) => table.each(wanted, take),
@@ -83,7 +83,7 @@ impl<'a> Source<'a> {
         }
     }
 
-    /// Where a row stands, in words.
+    /// Returns the name of a row in messages.
     pub fn place(&self, row: usize) -> String {
         match self {
             Self::Text(_) => format!("line {row}"),
@@ -91,12 +91,12 @@ impl<'a> Source<'a> {
         }
     }
 
-    /// Whether commas were read as decimal points.
+    /// Whether commas were read as decimal separators.
     pub fn has_decimal_commas(&self) -> bool {
         matches!(self, Self::Text(table) if table.has_decimal_commas())
     }
 
-    /// Whether the table ends in the middle of a row.
+    /// Whether the table ends within a row.
     pub fn is_cut_off(&self) -> bool {
         matches!(self, Self::Text(table) if table.is_cut_off())
     }

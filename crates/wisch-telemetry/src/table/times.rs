@@ -1,4 +1,4 @@
-//! Times of a table: counts of some unit, dates, or a rate.
+//! Times of a table: counts of a unit, dates, or a sample rate.
 
 use super::cell::Cell;
 use crate::error::ReadFault;
@@ -6,10 +6,10 @@ use crate::ros2::NANOSECONDS_PER_SECOND;
 use jiff::civil::DateTime;
 use jiff::{Timestamp, civil, tz::TimeZone};
 
-/// Longest time that a table may tell [s]: with nanoseconds, what an integer holds.
+/// Largest time of a table [s], so that its nanoseconds fit into an integer.
 const MAX_TIME: f64 = 9e9;
 
-/// Units that the size of times may tell, the largest first: their size [s] and name.
+/// Units that the size of times may reveal, the largest first: their size [s] and name.
 const UNITS: [(f64, &str); 4] = [
     (1.0, "seconds"),
     (1e-3, "milliseconds"),
@@ -17,13 +17,13 @@ const UNITS: [(f64, &str); 4] = [
     (1e-9, "nanoseconds"),
 ];
 
-/// Seconds since 1970 in the years 1990 to 2100.
+/// Range of seconds since 1970 in the years 1990 to 2100.
 const SINCE_1970: [f64; 2] = [6.3e8, 4.1e9];
 
-/// From this step on, steps of seconds are too long for samples, and the unit is a smaller one [s].
+/// Steps from this length on are too long for samples in seconds, so the unit is smaller [s].
 const LONG_STEP: f64 = 2.0;
 
-/// The longest step between samples of a unit that is assumed [s]: 5 samples per second.
+/// Longest step between samples for an assumed unit [s]: 5 samples per second.
 const USUAL_STEP: f64 = 0.2;
 
 /// A time as a cell states it.
@@ -31,14 +31,14 @@ const USUAL_STEP: f64 = 0.2;
 pub(super) enum Instant {
     /// A whole number of some unit.
     Whole(i64),
-    /// A number of some unit.
+    /// A real number of some unit.
     Real(f64),
-    /// A date or time of day, in nanoseconds since 1970 or midnight; whether it bears a time zone.
+    /// A date or time of day, in nanoseconds since 1970 or midnight, and whether it states a time zone.
     Date(i64, bool),
 }
 
 impl Instant {
-    /// Reads a cell.
+    /// Parses a cell.
     pub fn of(cell: &Cell<'_>) -> Option<Self> {
         let text = match cell {
             Cell::Empty => return None,
@@ -64,7 +64,7 @@ impl Instant {
         }
     }
 
-    /// Nanoseconds of a count of some unit [s].
+    /// Converts a count of a unit [s] to nanoseconds.
     fn nanoseconds(self, unit: f64) -> Option<i64> {
         let per_unit = unit * NANOSECONDS_PER_SECOND as f64;
         match self {
@@ -83,7 +83,7 @@ impl Instant {
     }
 }
 
-/// Nanoseconds since 1970, or since midnight, and whether a zone is stated.
+/// Parses a date: nanoseconds since 1970, or since midnight, and whether a zone is stated.
 fn date(text: &str) -> Option<(i64, bool)> {
     if let Ok(time) = text.parse::<Timestamp>() {
         return Some((i64::try_from(time.as_nanosecond()).ok()?, true));
@@ -103,7 +103,7 @@ fn date(text: &str) -> Option<(i64, bool)> {
     Some((i64::try_from(since.as_nanos()).ok()?, false))
 }
 
-/// Times of rows that follow one another at a rate [Hz], in nanoseconds.
+/// Returns the times [ns] of rows at a constant rate [Hz].
 pub(super) fn at_rate(count: usize, rate: f64) -> Vec<i64> {
     let period = NANOSECONDS_PER_SECOND as f64 / rate;
     (0..count)
@@ -111,14 +111,14 @@ pub(super) fn at_rate(count: usize, rate: f64) -> Vec<i64> {
         .collect()
 }
 
-/// Times in nanoseconds, and what was assumed of their unit, in words.
+/// Times in nanoseconds, and a remark on an assumed unit.
 #[derive(Debug)]
 pub(super) struct Scaled {
     pub times: Vec<Option<i64>>,
     pub remarks: Vec<String>,
 }
 
-/// A time that no log bears, by its index.
+/// A time out of range, with its index.
 #[derive(Debug)]
 pub(super) struct TimeFault {
     index: usize,
@@ -126,7 +126,7 @@ pub(super) struct TimeFault {
 }
 
 impl TimeFault {
-    /// The fault of a log, with the place of an index in words.
+    /// Returns the fault of a log, with `place` naming the index.
     pub fn at(self, place: impl Fn(usize) -> String) -> ReadFault {
         ReadFault::Time {
             place: place(self.index),
@@ -136,8 +136,8 @@ impl TimeFault {
     }
 }
 
-/// Brings times into nanoseconds, by a given unit [s] or by one that their size tells.
-pub(super) fn scaled(
+/// Converts times to nanoseconds, by a given unit [s] or by a unit that their size implies.
+pub(super) fn scale_times(
     instants: &[Option<Instant>],
     given: Option<f64>,
 ) -> Result<Scaled, TimeFault> {
@@ -160,14 +160,14 @@ pub(super) fn scaled(
         .flatten()
         .any(|instant| matches!(instant, Instant::Date(_, false)));
     let zone = lacks_zone
-        .then(|| "dates and times of day are taken for UTC, as they bear no zone".to_owned());
+        .then(|| "dates and times of day are read as UTC, because they state no zone".to_owned());
     Ok(Scaled {
         times,
         remarks: remark.into_iter().chain(zone).collect(),
     })
 }
 
-/// The unit of times [s] that their size and steps tell, and what is to be said of it.
+/// Returns the unit of times [s] that their size and steps imply, with a remark.
 fn assumed_unit(instants: &[Option<Instant>]) -> (f64, Option<String>) {
     let is_count = |instant: &Instant| !matches!(instant, Instant::Date(..));
     let counts = instants
@@ -180,10 +180,10 @@ fn assumed_unit(instants: &[Option<Instant>]) -> (f64, Option<String>) {
     };
     for (unit, name) in UNITS {
         let is_date = (SINCE_1970[0]..=SINCE_1970[1]).contains(&(first * unit));
-        // The clock of a controller may count since it was switched on.
+        // A controller's clock may count from when it was switched on.
         if is_date && step.is_none_or(|step| step * unit < LONG_STEP) {
             let said =
-                format!("times are taken for {name} since 1970; --time-unit-s states another unit");
+                format!("times are read as {name} since 1970; --time-unit-s states another unit");
             return (unit, (unit < 1.0).then_some(said));
         }
     }
@@ -195,12 +195,12 @@ fn assumed_unit(instants: &[Option<Instant>]) -> (f64, Option<String>) {
         return (1.0, None);
     };
     let said = format!(
-        "times are taken for {name}, as {step} s from sample to sample would be long; --time-unit-s states another unit"
+        "times are read as {name}, as {step} s from sample to sample would be long; --time-unit-s states another unit"
     );
     (*unit, Some(said))
 }
 
-/// The median of the steps forward.
+/// Returns the median of the positive steps.
 fn median_step(counts: &[f64]) -> Option<f64> {
     let steps = counts.windows(2).map(|pair| pair[1] - pair[0]);
     let mut steps: Vec<f64> = steps
@@ -222,7 +222,7 @@ mod tests {
         let instants: Vec<Option<Instant>> = (texts.iter())
             .map(|text| Some(Instant::of(&Cell::Text((*text).into())).unwrap()))
             .collect();
-        let scaled = scaled(&instants, None).unwrap();
+        let scaled = scale_times(&instants, None).unwrap();
         (scaled.times.into_iter().flatten().collect(), scaled.remarks)
     }
 
@@ -296,12 +296,12 @@ mod tests {
 
     #[test]
     fn times_that_no_log_bears_are_refused_and_others_are_no_dates() {
-        let refused = scaled(&[Some(Instant::Real(1e300)), None], None).unwrap_err();
+        let refused = scale_times(&[Some(Instant::Real(1e300)), None], None).unwrap_err();
         let shown = refused
             .at(|index| format!("line {}", index + 2))
             .to_string();
         assert!(
-            shown.starts_with("line 2: a time of 1000000000000000"),
+            shown.starts_with("line 2: the time 1000000000000000"),
             "{shown}"
         );
         for text in ["zero", "", "1e", "2025", "10:53"] {

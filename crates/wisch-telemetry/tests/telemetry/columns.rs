@@ -335,7 +335,7 @@ fn what_is_not_read_is_named() {
     let shown = refused_bytes(&arrow_file(&batch_with(&columns, "fz", &flags), None));
     assert_eq!(
         shown,
-        ": column \"fz\" holds Boolean, and only numbers, times and text are read"
+        ": column \"fz\" holds Boolean, but only numbers, times and text are read"
     );
     let lists = (0..COUNT).map(|_| Some([Some(1.0), Some(2.0)]));
     let lists: ArrayRef = Arc::new(ListArray::from_iter_primitive::<Float64Type, _, _>(lists));
@@ -361,7 +361,7 @@ fn what_is_not_read_is_named() {
     let shown = refused_bytes(&npz(CompressionMethod::Stored, arrays));
     assert_eq!(
         shown,
-        ": the npz file cannot be read: array \"fz\" has 8 bytes of numbers and not 2000"
+        ": the npz file cannot be read: array \"fz\" has 8 bytes of numbers; expected 2000"
     );
     let shown = refused_bytes(b"PK\x03\x04 and so on");
     assert!(

@@ -36,7 +36,7 @@ fn a_bag_that_is_cut_off_anywhere_is_read_up_to_its_last_whole_second() {
         fs::write(folder.path().join("finished.mcap"), cut_bytes).unwrap();
         let shown = refused(&folder.path().join("finished.mcap"), &LogOptions::default());
         let expected = format!(
-            ": the bag ends at byte {} in the middle of a record, as one that is being written does",
+            ": the bag ends at byte {} in the middle of a record, like a bag that is still being written",
             cut_bytes.len()
         );
         assert_eq!(shown, expected);

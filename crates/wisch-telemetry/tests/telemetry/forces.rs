@@ -70,7 +70,7 @@ fn weight_is_taken_off_in_every_orientation() {
     assert_eq!(
         with.remarks,
         [
-            "by --payload-mass, the weight of 1 kg behind the sensor is taken off the force as each pose turns it: 9.81 N along the world's -z"
+            "by --payload-mass, the weight of 1 kg behind the sensor is subtracted from the force, rotated by each pose: 9.81 N along the world's -z"
         ]
     );
     // By the tool, and turned in its frame.
@@ -134,7 +134,7 @@ fn bias_and_scale_are_taken_off_before_all_else() {
     assert_eq!(
         log.remarks[..2],
         [
-            "by --force-bias, (0.5, -30, 4) N are taken off the measured force, in its own axes",
+            "by --force-bias, (0.5, -30, 4) N are subtracted from the measured force, in its own axes",
             "by --force-scale, the measured force is multiplied by 1.25"
         ]
     );

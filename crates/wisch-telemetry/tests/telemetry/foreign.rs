@@ -201,7 +201,7 @@ fn two_topics_that_might_be_meant_are_told_and_none_as_well() {
     bag.finish();
     assert_eq!(
         refused(&path, &LogOptions::default()),
-        ": 2 topics hold a pose, and one has to be chosen: /left, /right"
+        ": 2 topics hold a pose; choose one of: /left, /right"
     );
     let options = LogOptions {
         pose_topic: TopicChoice::Named("/left".to_owned()),
@@ -209,7 +209,7 @@ fn two_topics_that_might_be_meant_are_told_and_none_as_well() {
     };
     assert_eq!(
         refused(&path, &options),
-        ": no topic holds a wrench; there are: /left (geometry_msgs/msg/PoseStamped), /right (geometry_msgs/msg/PoseStamped)"
+        ": no topic holds a wrench; the topics are: /left (geometry_msgs/msg/PoseStamped), /right (geometry_msgs/msg/PoseStamped)"
     );
 }
 
@@ -249,11 +249,11 @@ fn encodings_and_schemas_that_are_not_read_are_told() {
     let cases = [
         (
             ["ros1msg", "ros1", ""],
-            ": topic /p: its message encoding is \"ros1\", and only \"cdr\" is read",
+            ": topic /p: its message encoding is \"ros1\", but only \"cdr\" is read",
         ),
         (
             ["ros2idl", "cdr", ""],
-            ": topic /p: its schema encoding is \"ros2idl\", and only \"ros2msg\" is read",
+            ": topic /p: its schema encoding is \"ros2idl\", but only \"ros2msg\" is read",
         ),
         (
             ["ros2msg", "cdr", "Pose pose\n"],
@@ -283,20 +283,20 @@ fn what_is_no_bag_is_told_by_its_first_bytes() {
     fs::write(&path, b"#ROSBAG V2.0\n").unwrap();
     assert_eq!(
         refused(&path, &LogOptions::default()),
-        ": this is a bag of ROS 1, and only MCAP files are read"
+        ": this is a bag of ROS 1, but only MCAP files are read; convert it to MCAP first"
     );
     fs::write(&path, b"SQLite format 3\0...").unwrap();
     assert_eq!(
         refused(&path, &LogOptions::default()),
-        ": this is a bag of ROS 2 in a SQLite database (.db3), and only MCAP files are read"
+        ": this is a bag of ROS 2 in a SQLite database (.db3), but only MCAP files are read; convert it to MCAP first"
     );
     fs::write(&path, b"PK\x03\x04 what?").unwrap();
     assert_eq!(
         refused(&path, &LogOptions::default()),
-        ": this is no bag: it begins with bytes 50 4b 03 04 20 77 68 61, and an MCAP file with 89 4d 43 41 50 30 0d 0a"
+        ": this is not a bag: it begins with bytes 50 4b 03 04 20 77 68 61, but an MCAP file begins with 89 4d 43 41 50 30 0d 0a"
     );
     fs::write(&path, b"").unwrap();
-    assert!(refused(&path, &LogOptions::default()).starts_with(": this is no bag"));
+    assert!(refused(&path, &LogOptions::default()).starts_with(": this is not a bag"));
     let shown = refused(Path::new("/no/such/place.mcap"), &LogOptions::default());
     assert!(shown.starts_with(": No such file"), "{shown}");
 }
@@ -366,8 +366,8 @@ fn topics_that_are_not_read_are_told_with_the_reason() {
     bag.finish();
     assert_eq!(
         refused(&path, &LogOptions::default()),
-        ": no topic holds a pose; there are: /ft (geometry_msgs/msg/WrenchStamped). What is not read: topic /tcp_pose: \
-         its message encoding is \"json\", and only \"cdr\" is read"
+        ": no topic holds a pose; the topics are: /ft (geometry_msgs/msg/WrenchStamped). Not readable: topic /tcp_pose: \
+         its message encoding is \"json\", but only \"cdr\" is read"
     );
 }
 
@@ -377,6 +377,6 @@ fn a_pipe_is_refused_at_once() {
     let (_folder, path) = in_folder();
     let made = std::process::Command::new("mkfifo").arg(&path).status();
     assert!(made.unwrap().success());
-    let expected = ": this is a pipe, and only files and folders are read";
+    let expected = ": this is a pipe, but only files and folders are read";
     assert_eq!(refused(&path, &LogOptions::default()), expected);
 }

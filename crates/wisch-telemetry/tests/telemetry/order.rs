@@ -57,9 +57,8 @@ fn messages_are_put_into_the_order_of_their_stamps() {
     let log = read(&path, &LogOptions::default()).unwrap();
     assert_ramp(&log, 101);
     assert!(
-        log.remarks[0].ends_with(
-            "of /tool/pose came up to 0.300 s late and were put into the order of time (limit 5 s)"
-        ),
+        log.remarks[0]
+            .ends_with("of /tool/pose came up to 0.300 s late and were sorted by time (limit 5 s)"),
         "{:?}",
         log.remarks
     );
@@ -107,7 +106,7 @@ fn stamps_that_are_missing_are_taken_from_the_recording() {
     assert!(
         log.remarks
             .iter()
-            .any(|said| said.starts_with("21 of 101 messages of /tool/pose bear no stamp")),
+            .any(|said| said.starts_with("21 of 101 messages of /tool/pose have no stamp")),
         "{:?}",
         log.remarks
     );

@@ -194,7 +194,7 @@ fn tables_of_known_robots_are_read_by_themselves() {
         assert_is_it(&log, "libfranka");
         let said = log.remarks.join("; ");
         assert!(
-            said.contains("(O_F_ext_hat_K) are taken to be by the tool"),
+            said.contains("(O_F_ext_hat_K) are read as those of the tool on its surroundings"),
             "{said}"
         );
     }
@@ -209,7 +209,7 @@ fn tables_of_known_robots_are_read_by_themselves() {
     assert_is_it(&log, "KUKA");
     let said = log.remarks.join("; ");
     assert!(
-        said.contains("a to c are taken for degrees") && said.contains("millimetres"),
+        said.contains("a to c are read as degrees") && said.contains("millimetres"),
         "{said}"
     );
 }
@@ -279,7 +279,7 @@ fn times_of_other_units_and_a_rate_stand_for_seconds() {
     let log = read_text(&milliseconds, &LogOptions::default());
     assert_is_it(&log, "milliseconds");
     assert!(
-        log.remarks[0].contains("taken for milliseconds"),
+        log.remarks[0].contains("read as milliseconds"),
         "{:?}",
         log.remarks
     );
@@ -293,7 +293,7 @@ fn times_of_other_units_and_a_rate_stand_for_seconds() {
     let without = table(&NAMES[2..], |_, x| plain(0.0, x)[2..].to_owned());
     let shown = refused_text(&without, &LogOptions::default());
     assert!(
-        shown.starts_with(": no column holds the time; there are: x, y, z"),
+        shown.starts_with(": no column holds the time; the columns are: x, y, z"),
         "{shown}"
     );
     let options = LogOptions {
@@ -332,7 +332,7 @@ fn tables_that_can_be_misread_are_refused_with_the_place() {
     let cases = [
         (
             format!("# c\n\n{good}# d\n{},1\n", line),
-            ": line 255: it has 12 values, but there are 11 names",
+            ": line 255: it has 12 values, but the table has 11 names",
         ),
         (
             format!("{good}{}", &line[..9]) + "\n",
@@ -351,7 +351,7 @@ fn tables_that_can_be_misread_are_refused_with_the_place() {
         ),
         (
             format!("{good}{}\n", line.replacen("0.8", "O.8", 1)),
-            ": line 252, column \"z\": \"O.8\" is no number",
+            ": line 252, column \"z\": \"O.8\" is not a number",
         ),
     ];
     for (text, expected) in cases {

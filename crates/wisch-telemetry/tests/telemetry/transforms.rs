@@ -137,8 +137,8 @@ fn frames_are_resolved_by_the_joints_of_a_robot() {
     assert_eq!(
         log.frames_used,
         [
-            "poses in \"camera\" are brought into \"robot_base\" by the log's transforms and the robot's joints",
-            "forces in \"ft_sensor\" are turned into \"camera\" by the log's transforms and the robot's joints",
+            "poses in \"camera\" are transformed into \"robot_base\" by the log's transforms and the robot's joints",
+            "forces in \"ft_sensor\" are rotated into \"camera\" by the log's transforms and the robot's joints",
         ]
     );
     for sample in &log.samples {

@@ -415,8 +415,5 @@ fn a_node_left_out_and_a_stroke_elsewhere_are_found() {
 
     let mut elsewhere = followed;
     elsewhere.strokes[0].poses[0].position.x += 1e-3;
-    assert_eq!(
-        found(&elsewhere),
-        ["stroke 0 is not the line that is wiped"]
-    );
+    assert_eq!(found(&elsewhere), ["stroke 0 is not the executed line"]);
 }

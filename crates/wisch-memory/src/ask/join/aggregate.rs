@@ -1,4 +1,4 @@
-//! What is made of all solutions of a block.
+//! Aggregates over all solutions of a block.
 
 use super::expression::{Binary, binary};
 use super::goal::{Aggregate, Block};
@@ -7,11 +7,11 @@ use super::value::{JoinValue, Pattern, standard_order};
 use crate::ask::term::Term;
 use std::cmp::Ordering;
 
-/// Most terms that are kept for a list or for means; for more, the engine's limits hold.
+/// Largest number of terms that are kept for a list or for means; more are left to the engine.
 const MOST_TERMS: usize = 2_000_000;
 
 impl Solver<'_> {
-    /// The result; `None` where there is none, as of the largest of nothing.
+    /// Returns the result; `None` without a result, such as the maximum of no solutions.
     pub(super) fn aggregated(
         &mut self,
         block: &Block,
@@ -78,7 +78,7 @@ impl Solver<'_> {
         }
     }
 
-    /// Key, mean and count of each group of solutions, by the key.
+    /// Returns key, mean and count of each group of solutions, sorted by key.
     pub(super) fn means(
         &mut self,
         block: &Block,
@@ -144,7 +144,7 @@ fn quotient(sum: JoinValue, count: i64) -> Result<JoinValue, Stop> {
     binary(Binary::Over, sum, JoinValue::Integer(count)).ok_or(Stop::Declined)
 }
 
-/// Sorts by the standard order of a key; equal ones stay as they stood.
+/// Sorts by the standard order of a key; the sort is stable.
 fn sort<T>(all: &mut [T], key: impl Fn(&T) -> &Term) -> Result<(), Stop> {
     let mut is_agreed = true;
     all.sort_by(|a, b| {

@@ -1,4 +1,4 @@
-//! From terms to goals: what names mean is looked up here, once. What is beyond joins is left to the engine.
+//! Compiler from terms to goals, which resolves all names once. Unsupported terms are left to the engine.
 
 mod lookup;
 
@@ -10,24 +10,24 @@ use crate::ask::streams::Knowledge;
 use crate::ask::term::Term;
 use std::collections::{HashMap, HashSet};
 
-/// Most goals, nested ones counted: more are no question that a person asks.
+/// Largest number of goals, including nested ones; longer queries are left to the engine.
 const MOST_GOALS: usize = 256;
 
-/// Makes goals of terms.
+/// Compiler of goals.
 pub struct Compiler<'a> {
     known: &'a Knowledge,
     numbers: HashMap<String, usize>,
-    /// Whether each variable surely holds something at this place.
+    /// Whether each variable is certainly bound at this point.
     bound: Vec<bool>,
     goals: usize,
-    /// Whether a variable may become another name of a second.
+    /// Whether a variable may become an alias of another.
     may_alias: bool,
-    /// Variables of the goals that follow the block being compiled.
+    /// Variables of the goals after the block that is being compiled.
     later: HashSet<String>,
 }
 
 impl<'a> Compiler<'a> {
-    /// A compiler of goals about these episodes.
+    /// Creates a compiler of goals about these episodes.
     pub fn new(known: &'a Knowledge) -> Self {
         Self {
             known,
@@ -39,12 +39,12 @@ impl<'a> Compiler<'a> {
         }
     }
 
-    /// How many variables there are.
+    /// Number of variables.
     pub fn len(&self) -> usize {
         self.bound.len()
     }
 
-    /// The block of a list of goals; `None` if any of them is left to the engine.
+    /// Compiles a list of goals to a block; `None` if any goal is left to the engine.
     pub fn block(&mut self, goals: &Term) -> Option<Block> {
         let Term::List(terms) = goals else {
             return None;
@@ -61,7 +61,7 @@ impl<'a> Compiler<'a> {
             for after in &terms[place + 1..] {
                 names_in(after, &mut self.later);
             }
-            // The engine says which variable has to be bound.
+            // The engine reports which variable must be bound.
             (!self.depends_on_order(term)).then_some(())?;
             if let Some(goal) = self.goal(term)? {
                 for variable in binds(&goal) {
@@ -75,7 +75,7 @@ impl<'a> Compiler<'a> {
         Some(ordered(goals, is_bound, &self.known.catalogue))
     }
 
-    /// Whether the answers of a goal would be others if a variable were bound that only a later goal binds.
+    /// Whether the answers of a goal would change if a variable were bound that only a later goal binds.
     fn depends_on_order(&self, term: &Term) -> bool {
         let (mut of, mut own) = (HashSet::new(), HashSet::new());
         match term.parts() {
@@ -97,7 +97,7 @@ impl<'a> Compiler<'a> {
         (of.difference(&own)).any(|name| self.later.contains(name) && is_open(name))
     }
 
-    /// A block of which nothing is bound afterwards.
+    /// Compiles a block that leaves no variable bound.
     fn inner(&mut self, goals: &Term) -> Option<Block> {
         let (numbers, bound) = (self.numbers.clone(), self.bound.clone());
         let block = self.block(goals)?;
@@ -105,7 +105,7 @@ impl<'a> Compiler<'a> {
         Some(block)
     }
 
-    /// Forgets what was bound, and the names of variables, since.
+    /// Restores the bindings and names of variables to an earlier state.
     fn leave(&mut self, numbers: HashMap<String, usize>, bound: &[bool]) {
         self.numbers = numbers;
         for (place, now) in self.bound.iter_mut().enumerate() {
@@ -123,7 +123,7 @@ impl<'a> Compiler<'a> {
         number
     }
 
-    /// What a term stands for.
+    /// Returns the pattern of a term.
     pub fn pattern(&mut self, term: &Term) -> Option<Pattern> {
         Some(match term {
             Term::Variable(name) => Pattern::Variable(self.variable(name)),
@@ -145,7 +145,7 @@ impl<'a> Compiler<'a> {
         variables.into_iter().all(|variable| self.bound[variable])
     }
 
-    /// A variable, or the thing of this name.
+    /// Returns the pattern of a variable, or of the thing with this name.
     fn thing(&mut self, term: &Term) -> Option<Pattern> {
         match term {
             Term::Variable(name) => Some(Pattern::Variable(self.variable(name))),
@@ -154,7 +154,7 @@ impl<'a> Compiler<'a> {
         }
     }
 
-    /// The same; what is no thing is a value.
+    /// Returns the pattern of a variable, thing or value.
     fn object(&mut self, term: &Term) -> Option<Pattern> {
         match term {
             Term::Variable(_) => self.thing(term),
@@ -163,19 +163,19 @@ impl<'a> Compiler<'a> {
         }
     }
 
-    /// Compiles a thing; `None` if it is a variable that may not be bound yet.
+    /// Compiles a thing; `None` for a variable that may be unbound.
     fn require_bound_thing(&mut self, term: &Term) -> Option<Pattern> {
         let thing = self.thing(term)?;
         self.is_bound(&thing).then_some(thing)
     }
 
-    /// Compiles a pattern; `None` if a variable in it may not be bound yet.
+    /// Compiles a pattern; `None` if a variable in it may be unbound.
     fn require_bound_pattern(&mut self, term: &Term) -> Option<Pattern> {
         let pattern = self.pattern(term)?;
         self.is_bound(&pattern).then_some(pattern)
     }
 
-    /// The goal of a term; inside, `None` of one that always holds.
+    /// Compiles a term to a goal; the inner `None` stands for a goal that always holds.
     fn goal(&mut self, term: &Term) -> Option<Option<Goal>> {
         let (name, arguments) = term.parts()?;
         match (name, arguments) {
@@ -197,7 +197,7 @@ impl<'a> Compiler<'a> {
         }
     }
 
-    /// Compiles a goal that calculates, compares or goes over solutions; any other looks something up.
+    /// Compiles a goal that calculates, compares or iterates over solutions; other goals look facts up.
     fn compile_condition(&mut self, name: &str, arguments: &[Term]) -> Option<Goal> {
         Some(match (name, arguments) {
             ("=", [left, right]) => Goal::Same(self.pattern(left)?, self.pattern(right)?),
@@ -238,7 +238,7 @@ impl<'a> Compiler<'a> {
         })
     }
 
-    /// Compiles `episode/2`: another name of a known thing, or any wiping episode under both names.
+    /// Compiles `episode/2`: an alias of a known thing, or any wiping episode under both names.
     fn name_episode(&mut self, episode: &Term, name: &Term) -> Option<Option<Goal>> {
         let thing = self.thing(episode)?;
         let is_bound = self.is_bound(&thing);
@@ -249,7 +249,7 @@ impl<'a> Compiler<'a> {
         }
     }
 
-    /// A second name of a pattern; inside, a goal that they are the same, where it has a meaning already.
+    /// Makes a variable an alias of a pattern. If it is bound already, returns the goal that both are equal.
     fn alias(&mut self, pattern: Pattern, name: &Term) -> Option<Option<Goal>> {
         match (&pattern, name) {
             (Pattern::Variable(number), Term::Variable(name))
@@ -269,7 +269,7 @@ impl<'a> Compiler<'a> {
         }
     }
 
-    /// Alternatives. What is bound in one is the same variable in another, and bound afterwards if it is in all.
+    /// Compiles alternatives. A variable is bound afterwards if every alternative binds it.
     fn either(&mut self, branches: &[Term]) -> Option<Goal> {
         let may_alias = std::mem::replace(&mut self.may_alias, false);
         let before = self.bound.clone();
@@ -327,7 +327,7 @@ impl<'a> Compiler<'a> {
         [of, mean, count]: [&Term; 3],
     ) -> Option<Goal> {
         let (numbers, bound) = (self.numbers.clone(), self.bound.clone());
-        // What is known of the key narrows the goals down.
+        // Values that are known for the key restrict the goals.
         let block = self.block(goals)?;
         let (key, number) = (self.pattern(key)?, self.pattern(number)?);
         self.leave(numbers, &bound);
@@ -374,7 +374,7 @@ impl<'a> Compiler<'a> {
     }
 }
 
-/// The variables that hold something after a goal.
+/// Returns the variables that a goal binds.
 fn binds(goal: &Goal) -> Vec<usize> {
     let mut found = Vec::new();
     match goal {
@@ -391,7 +391,7 @@ fn binds(goal: &Goal) -> Vec<usize> {
     found
 }
 
-/// Adds the names of the variables of a term.
+/// Collects the names of a term's variables.
 fn names_in(term: &Term, found: &mut HashSet<String>) {
     match term {
         Term::Variable(name) => {
@@ -404,7 +404,7 @@ fn names_in(term: &Term, found: &mut HashSet<String>) {
     }
 }
 
-/// Whether there is no variable in a term.
+/// Whether a term has no variable.
 pub fn is_ground(term: &Term) -> bool {
     match term {
         Term::Variable(_) => false,
@@ -413,13 +413,13 @@ pub fn is_ground(term: &Term) -> bool {
     }
 }
 
-/// The thing of a name, if there is one.
+/// Returns the thing with a name, if there is one.
 pub fn thing_of(known: &Knowledge, name: &Term) -> Option<JoinValue> {
     let name = known.names.resolve("thing", name).ok()?;
     Some(named(known, name))
 }
 
-/// The thing of this full name.
+/// Returns the thing with this full name.
 pub fn named(known: &Knowledge, name: String) -> JoinValue {
     match known.names.node(&name) {
         Some(crate::catalogue::CatalogueNode::Individual(id)) => JoinValue::Individual(id),
@@ -428,7 +428,7 @@ pub fn named(known: &Knowledge, name: String) -> JoinValue {
     }
 }
 
-/// What stands for an object: a thing where the name is one's, otherwise a value.
+/// Returns the pattern of an object: a thing if the name is a thing's, otherwise a value.
 pub fn object_of(known: &Knowledge, term: &Term) -> JoinValue {
     match term {
         Term::Integer(_) | Term::Float(_) => JoinValue::of(term.clone()),

@@ -1,11 +1,11 @@
-//! Arithmetic, as far as all engines agree on it.
+//! Arithmetic on which all engines agree.
 
 use super::value::{JoinValue, Pattern};
 
-/// Whole numbers up to here are numbers of double precision, too.
+/// Largest magnitude up to which all integers are exact in double precision.
 const EXACT: i64 = 1 << 53;
 
-/// What `is` and comparisons evaluate.
+/// Expressions that `is` and comparisons evaluate.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Expression {
     /// A variable or a number.
@@ -19,29 +19,29 @@ pub enum Expression {
 /// Functions of one number.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Unary {
-    /// The number with the other sign.
+    /// Negation.
     Minus,
-    /// The number without its sign.
+    /// Absolute value.
     Absolute,
-    /// The whole part.
+    /// Integer part.
     Truncate,
 }
 
 /// Functions of two numbers.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Binary {
-    /// The sum.
+    /// Sum.
     Plus,
-    /// The difference.
+    /// Difference.
     Minus,
-    /// The product.
+    /// Product.
     Times,
-    /// The quotient, of numbers of which one has a fraction.
+    /// Quotient, if at least one operand is a floating-point number.
     Over,
 }
 
 impl Expression {
-    /// The variables in it.
+    /// Collects its variables.
     pub fn variables(&self, found: &mut Vec<usize>) {
         match self {
             Self::Pattern(pattern) => pattern.variables(found),
@@ -53,7 +53,7 @@ impl Expression {
         }
     }
 
-    /// Its value, if it has one on which all engines agree.
+    /// Returns its value, if all engines agree on it.
     pub fn evaluate(&self, value: &impl Fn(&Pattern) -> Option<JoinValue>) -> Option<JoinValue> {
         match self {
             Self::Pattern(pattern) => {
@@ -88,7 +88,7 @@ fn unary(function: Unary, of: JoinValue) -> Option<JoinValue> {
     })
 }
 
-/// The value of a function of two numbers.
+/// Returns the value of a function of two numbers.
 pub fn binary(function: Binary, left: JoinValue, right: JoinValue) -> Option<JoinValue> {
     if let (JoinValue::Integer(a), JoinValue::Integer(b)) = (&left, &right) {
         let (a, b) = (*a, *b);
@@ -96,7 +96,7 @@ pub fn binary(function: Binary, left: JoinValue, right: JoinValue) -> Option<Joi
             Binary::Plus => a.checked_add(b),
             Binary::Minus => a.checked_sub(b),
             Binary::Times => a.checked_mul(b),
-            // Engines differ.
+            // Engines differ here.
             Binary::Over => None,
         };
         return whole
@@ -110,29 +110,29 @@ pub fn binary(function: Binary, left: JoinValue, right: JoinValue) -> Option<Joi
         Binary::Times => a * b,
         Binary::Over => a / b,
     };
-    // What is no number is an error that the engine words.
+    // The engine reports operands that are not numbers.
     found.is_finite().then_some(JoinValue::Float(found))
 }
 
-/// How two numbers compare.
+/// Comparison of two numbers.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Comparison {
-    /// At most.
+    /// Less than or equal.
     AtMost,
-    /// At least.
+    /// Greater than or equal.
     AtLeast,
-    /// Less.
+    /// Less than.
     Less,
-    /// More.
+    /// Greater than.
     More,
-    /// Of the same value.
+    /// Equal in value.
     Equal,
-    /// Of different values.
+    /// Different in value.
     Different,
 }
 
 impl Comparison {
-    /// The comparison of this name.
+    /// Returns the comparison with this operator.
     pub fn named(name: &str) -> Option<Self> {
         Some(match name {
             "=<" => Self::AtMost,
@@ -146,7 +146,7 @@ impl Comparison {
     }
 
     /// Whether it holds.
-    #[allow(clippy::float_cmp, reason = "what is asked for")]
+    #[allow(clippy::float_cmp, reason = "the query asks for exact equality")]
     pub fn holds(self, a: f64, b: f64) -> bool {
         match self {
             Self::AtMost => a <= b,

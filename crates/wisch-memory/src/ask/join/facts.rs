@@ -1,4 +1,4 @@
-//! The facts of the catalogue, from whichever end they are known.
+//! Facts of the catalogue, found from any known argument.
 
 use super::expression::{Comparison, Expression};
 use super::goal::{GoalSource, Side};
@@ -10,7 +10,7 @@ use crate::ask::term::Term;
 use crate::catalogue::{CatalogueNode, IndividualId, entries};
 use std::slice;
 
-/// Passes a wish for no more on.
+/// Returns early if no more solutions are wanted.
 macro_rules! go_on {
     ($flow:expr) => {
         if $flow? == Flow::Stop {
@@ -19,7 +19,7 @@ macro_rules! go_on {
     };
 }
 
-/// The key of a solution: what was gone through first counts most.
+/// Returns the sort key of a solution; outer positions count most.
 fn key(source: usize, place: usize) -> u64 {
     (source as u64) << 40 | place as u64
 }
@@ -85,7 +85,7 @@ impl<'s> Solver<'s> {
         let of = match self.individual(subject)? {
             Ok(id) => Some(id),
             Err(true) => None,
-            // Nothing is stated of what episodes share.
+            // Shared things have no statements.
             Err(false) => return Ok(Flow::Continue),
         };
         for (number, source) in sources.iter().enumerate() {
@@ -199,7 +199,7 @@ impl<'s> Solver<'s> {
         for (place, (id, value)) in (first..).zip(some) {
             let subject = (subject, JoinValue::Individual(*id));
             let key = key(source, place);
-            #[allow(clippy::float_cmp, reason = "what is asked for")]
+            #[allow(clippy::float_cmp, reason = "the query asks for exact equality")]
             let flow = match number {
                 Some(number) if is_lenient => {
                     if number != *value {
@@ -277,7 +277,7 @@ impl<'s> Solver<'s> {
                         };
                         let timeline = self.indices.timeline(catalogue);
                         let found = timeline.intervals.related(Relation::Equals, [start, end]);
-                        // As the engine takes them: the times are what was asked for, 1 or 1.0.
+                        // As the engine does: the answer repeats the given times, 1 or 1.0.
                         for id in found {
                             let pair = [(event, JoinValue::Individual(id))];
                             go_on!(self.candidate(&pair, u64::from(id), next));
@@ -292,12 +292,12 @@ impl<'s> Solver<'s> {
             let Some([from, to]) = catalogue.interval(id) else {
                 continue;
             };
-            // A time that is asked for need not be written as it is stored: 1 is 1.0.
+            // A given time need not have the stored form: 1 equals 1.0.
             let mut pairs = vec![(event, JoinValue::Individual(id))];
             let mut is_then = true;
             for (pattern, time) in [(start, from), (end, to)] {
                 match self.instance(pattern).and_then(|value| value.as_number()) {
-                    #[allow(clippy::float_cmp, reason = "what is asked for")]
+                    #[allow(clippy::float_cmp, reason = "the query asks for exact equality")]
                     Some(asked) => is_then &= asked == time,
                     None => pairs.push((pattern, JoinValue::Float(time))),
                 }
@@ -367,7 +367,7 @@ impl<'s> Solver<'s> {
         }
     }
 
-    /// What is known of a side; `None` if it is nothing that has a time.
+    /// Returns the known side of a relation; `None` if it has no time.
     fn side<'p>(&self, side: &'p Side) -> Result<Option<Known<'p>>, Stop> {
         Ok(match side {
             Side::Event(event) => match self.individual(event)? {
@@ -472,7 +472,7 @@ impl<'s> Solver<'s> {
         };
         let (channel, statistic) = (self.term(channel)?, self.term(statistic)?);
         let request = Term::compound("telemetry", [channel, start, end, statistic, of]);
-        // What is wrong with it is said when the engine asks for it.
+        // The engine reports this fault when it asks for the fact.
         let found = self.telemetry.rows(&known.catalogue, &request);
         for (place, row) in (0..).zip(found.map_err(|_| Stop::Declined)?) {
             if let Term::Compound(_, parts) = row
@@ -487,15 +487,15 @@ impl<'s> Solver<'s> {
     }
 }
 
-/// What is known of a side of a relation of time.
+/// Side of a relation of time.
 enum Known<'p> {
-    /// Its times [s since 1970], and which individual it is, if it is one.
+    /// Its times [s since 1970], and its individual, if it has one.
     Times([f64; 2], Option<IndividualId>),
-    /// It is to be found.
+    /// Still unknown.
     Nothing(&'p Pattern),
 }
 
-/// The entries of one individual, or of all, and the place of the first.
+/// Returns the entries of one individual, or of all, and the position of the first.
 fn part_of<T>(
     column: &[(IndividualId, T)],
     of: Option<IndividualId>,
@@ -509,7 +509,7 @@ fn part_of<T>(
     }
 }
 
-/// All parts of a whole, each before its own parts.
+/// Returns all parts of a whole, each before its own parts.
 fn parts_below(children: &Children, whole: IndividualId, found: &mut Vec<IndividualId>) {
     for &id in children.of(whole) {
         found.push(id);

@@ -1,55 +1,55 @@
-//! The goals that the program joins by itself.
+//! Goals that the program joins itself.
 
 use super::expression::{Comparison, Expression};
 use super::value::Pattern;
 use crate::ask::intervals::Relation;
 
-/// A goal. What it says of a variable is told beside it.
+/// A goal. Each field states what the goal requires of it.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Goal {
-    /// A thing is of one of these classes.
+    /// A thing is an instance of one of these classes.
     Class {
         /// The thing.
         thing: Pattern,
-        /// The classes, each exactly, in the order in which they are gone through.
+        /// The classes, each without subclasses, in the order in which they are searched.
         classes: Vec<String>,
     },
-    /// A subject stands in a relation to an object, or has it for a value.
+    /// A subject has a relation or value.
     Statement {
         /// The subject.
         subject: Pattern,
         /// The object.
         object: Pattern,
-        /// Where such statements are, in the order in which they are gone through.
+        /// Sources of the statement, in the order in which they are searched.
         sources: Vec<GoalSource>,
     },
-    /// A number of a thing meets a condition.
+    /// A number of a thing meets a comparison.
     Compared {
         /// The thing.
         thing: Pattern,
-        /// The properties, each exactly.
+        /// The properties, each without subproperties.
         properties: Vec<String>,
-        /// The condition.
+        /// The comparison.
         comparison: Comparison,
-        /// What the number is compared with.
+        /// The bound of the comparison.
         bound: Expression,
     },
-    /// An event lasts from a start to an end.
+    /// An event has this begin and end.
     Timed {
         /// The event.
         event: Pattern,
-        /// Its start [s since 1970].
+        /// Its begin [s since 1970].
         start: Pattern,
         /// Its end [s since 1970].
         end: Pattern,
     },
-    /// How two intervals lie to each other.
+    /// Two intervals have a relation of time.
     Related {
-        /// How.
+        /// The relation.
         relation: Relation,
-        /// The first.
+        /// The first interval.
         first: Side,
-        /// The second.
+        /// The second interval.
         second: Side,
     },
     /// A part of a known whole, at any depth.
@@ -58,16 +58,16 @@ pub enum Goal {
         whole: Pattern,
         /// The part.
         part: Pattern,
-        /// The classes of the part, each exactly.
+        /// The classes of the part, each without subclasses.
         classes: Vec<String>,
     },
-    /// The next whole of this kind above a known part.
+    /// The nearest whole of some classes above a known part.
     Above {
         /// The part.
         part: Pattern,
         /// The whole.
         whole: Pattern,
-        /// The classes of the whole, each exactly.
+        /// The classes of the whole, each without subclasses.
         classes: Vec<String>,
     },
     /// The latest episode, and its end [s since 1970].
@@ -77,98 +77,98 @@ pub enum Goal {
         /// Its end.
         time: Pattern,
     },
-    /// A statistic of telemetry during a known time, by episode.
+    /// A statistic of telemetry in a known interval, by episode.
     Telemetry {
         /// The episode.
         episode: Pattern,
-        /// Of what.
+        /// The channel.
         channel: Pattern,
-        /// When: an event, or a list of start and end.
+        /// The interval: an event, or a list of begin and end.
         when: Pattern,
-        /// Which statistic.
+        /// The statistic.
         statistic: Pattern,
         /// Its value.
         value: Pattern,
     },
-    /// A pattern is the value of an expression.
+    /// A pattern equals the value of an expression.
     Is(Pattern, Expression),
-    /// Two expressions compare so.
+    /// Two expressions meet a comparison.
     Comparison(Comparison, Expression, Expression),
-    /// Two patterns are the same.
+    /// Two patterns are equal.
     Same(Pattern, Pattern),
-    /// It is a number.
+    /// A pattern is a number.
     Number(Pattern),
-    /// A list has so many elements.
+    /// A list has this length.
     Length(Pattern, Pattern),
-    /// None of it holds.
+    /// The block has no solution.
     Not(Block),
-    /// Any of these.
+    /// At least one of these blocks has a solution.
     Either(Vec<Block>),
-    /// The first solution only.
+    /// The first solution of a block only.
     Once(Block),
-    /// A result over all solutions.
+    /// An aggregate over all solutions of a block.
     Over {
-        /// What is gone through.
+        /// The block.
         block: Block,
-        /// What is made of them.
+        /// The aggregate.
         aggregate: Aggregate,
         /// The result.
         result: Pattern,
     },
-    /// Means by key, as `mean_by_key` has them.
+    /// Means by key, as in `mean_by_key`.
     MeanByKey {
-        /// What is gone through.
+        /// The block.
         block: Block,
         /// The key of a solution.
         key: Pattern,
-        /// Its number.
+        /// The number of a solution.
         number: Pattern,
         /// `Key`, `Mean` and `Count` of a group.
         result: [Pattern; 3],
     },
 }
 
-/// What is made of the solutions of a block.
+/// Aggregate over the solutions of a block.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Aggregate {
     /// A list of instances of a pattern.
     All(Pattern),
-    /// The same, sorted and without repetitions.
+    /// A list of instances of a pattern, sorted and without repetitions.
     Set(Pattern),
-    /// How many there are.
+    /// The number of solutions.
     Count,
     /// The sum of an expression.
     Sum(Expression),
     /// The mean of an expression.
     Mean(Expression),
-    /// The largest (`is_max`) or smallest value of an expression, and, as in `max(E, W)`, a pattern where it is.
+    /// The largest (`is_max`) or smallest value of an expression, and, as in `max(E, W)`, the pattern's value there.
     Extreme {
-        /// Whether the largest is meant.
+        /// Whether the largest value is wanted.
         is_max: bool,
-        /// Of what.
+        /// The expression.
         of: Expression,
-        /// What is told with it.
+        /// The pattern that is reported with it.
         witness: Option<Pattern>,
     },
 }
 
-/// One side of a relation of time.
+/// A side of a relation of time.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Side {
     /// An event.
     Event(Pattern),
-    /// From when to when [s since 1970].
+    /// Begin and end [s since 1970].
     Times(Pattern, Pattern),
 }
 
-/// Where statements are.
+/// Source of statements.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum GoalSource {
     /// The object is a part of the subject.
     Parts,
     /// Relations of exactly this property.
     Relations(String),
-    /// Values of exactly this property; where `is_lenient`, 1 finds 1.0.
+    /// Values of exactly this property; if `is_lenient`, 1 matches 1.0.
     Values {
         /// The property.
         property: String,
@@ -177,19 +177,19 @@ pub enum GoalSource {
     },
 }
 
-/// Goals that hold together, in the order in which they are solved.
+/// A conjunction of goals, in the order in which they are solved.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Block {
     /// The goals.
     pub goals: Vec<Goal>,
-    /// Where each of them stood before they were put into this order; empty where they stand as they stood.
+    /// Original position of each goal; empty if the goals were not moved.
     pub stood: Vec<usize>,
     /// The variables that they bind.
     pub binds: Vec<usize>,
 }
 
 impl Goal {
-    /// Whether it looks something up, and may so be moved among its like.
+    /// Whether the goal looks facts up, and may therefore be moved.
     pub fn is_fact(&self) -> bool {
         matches!(
             self,
@@ -304,7 +304,7 @@ impl Block {
 }
 
 impl Side {
-    /// The variables in it.
+    /// Collects the variables in it.
     pub fn variables(&self, found: &mut Vec<usize>) {
         match self {
             Self::Event(event) => event.variables(found),

@@ -1,11 +1,11 @@
-//! What finds facts from their other end; made when it is needed first, and kept.
+//! Indices that find facts by their objects; built on first use.
 
 use crate::ask::intervals::IntervalIndex;
 use crate::catalogue::{Catalogue, CatalogueNode, IndividualId};
 use std::collections::HashMap;
 use std::sync::Arc;
 
-/// Relations of a property by what they lead to: places in the column.
+/// Relations of a property by their objects: positions in the column.
 pub type ByObject = HashMap<CatalogueNode, Vec<u32>>;
 
 /// Intervals in the order of their starts.
@@ -13,21 +13,21 @@ pub type ByObject = HashMap<CatalogueNode, Vec<u32>>;
 pub struct Timeline {
     /// The intervals.
     pub intervals: Arc<IntervalIndex>,
-    /// The place of each individual among them.
+    /// Position of each individual among them.
     places: Vec<u32>,
 }
 
 impl Timeline {
-    /// The place of an individual that has a time.
+    /// Returns the position of an individual with a time.
     pub fn place(&self, id: IndividualId) -> u32 {
         self.places[id as usize]
     }
 }
 
-/// The parts of each individual.
+/// Parts of each individual.
 #[derive(Debug)]
 pub struct Children {
-    /// Where those of an individual begin among all; one more than there are individuals.
+    /// Begin of each individual's parts in the list of all parts, with a final end.
     begins: Vec<u32>,
     all: Vec<IndividualId>,
 }
@@ -49,14 +49,14 @@ impl Children {
         Self { begins, all }
     }
 
-    /// The direct parts of an individual.
+    /// Returns the direct parts of an individual.
     pub fn of(&self, whole: IndividualId) -> &[IndividualId] {
         let [from, to] = [whole, whole + 1].map(|place| self.begins[place as usize] as usize);
         &self.all[from..to]
     }
 }
 
-/// The indices of a catalogue.
+/// Indices of a catalogue.
 #[derive(Debug, Default)]
 pub struct Indices {
     timeline: Option<Arc<Timeline>>,
@@ -65,7 +65,7 @@ pub struct Indices {
 }
 
 impl Indices {
-    /// All intervals.
+    /// Returns all intervals.
     pub fn timeline(&mut self, catalogue: &Catalogue) -> Arc<Timeline> {
         let timeline = self.timeline.get_or_insert_with(|| {
             let intervals = Arc::new(IntervalIndex::of(catalogue));
@@ -79,13 +79,13 @@ impl Indices {
         Arc::clone(timeline)
     }
 
-    /// The parts of all.
+    /// Returns the parts of all individuals.
     pub fn children(&mut self, catalogue: &Catalogue) -> Arc<Children> {
         let children = &mut self.children;
         Arc::clone(children.get_or_insert_with(|| Arc::new(Children::of_all(catalogue))))
     }
 
-    /// Relations of a property by what they lead to.
+    /// Returns the relations of a property by their objects.
     pub fn by_object(&mut self, catalogue: &Catalogue, property: &str) -> Arc<ByObject> {
         if let Some(found) = self.by_object.get(property) {
             return Arc::clone(found);

@@ -1,10 +1,10 @@
-//! Joins: what a query asks of facts alone is found here, over the catalogue's columns, in place of a conversation with
-//! the engine about each of them.
+//! Joins: goals that only look facts up are solved here, over the catalogue's columns, instead of exchanging messages
+//! with the engine about each fact.
 //!
-//! The engine sends goals as terms (`prolog/plan.pl` says which, and puts definitions in place of predicates that stand
-//! for them). They are compiled, ordered by what they leave to go through, and solved; solutions come in the order in
-//! which Prolog would find them. Whatever is beyond this, or on which engines do not agree, is declined: then the engine
-//! calls the same goals itself, and says what is wrong with them if something is.
+//! The engine sends goals as terms; `prolog/plan.pl` selects them, and replaces predicates by their definitions. This
+//! module compiles the goals, orders them by the number of candidates, and solves them; solutions arrive in Prolog's
+//! order. Goals that this module does not support, or on which engines disagree, are declined. Then the engine calls
+//! the same goals itself, and reports their faults.
 
 mod aggregate;
 mod compile;
@@ -33,27 +33,28 @@ use value::Pattern;
 /// Solutions of goals.
 #[derive(Debug, Default, PartialEq)]
 pub struct Solutions {
-    /// What was asked for, by solution.
+    /// Values of the wanted terms, by solution.
     pub rows: Vec<Vec<Term>>,
-    /// Whether there are as many as were wanted, and perhaps more.
+    /// Whether the wanted number is reached, so that there may be more solutions.
     pub is_cut: bool,
 }
 
-/// What goals are solved with.
+/// Data for solving goals.
 pub struct Joins<'a> {
-    /// What is known.
+    /// Episodes and statements.
     pub known: &'a Knowledge,
-    /// What finds it faster.
+    /// Indices that speed up the search.
     pub indices: &'a mut Indices,
-    /// What was felt.
+    /// Telemetry of the episodes.
     pub telemetry: &'a mut TelemetryPredicates,
 }
 
 impl Joins<'_> {
-    /// At most so many solutions of a list of goals, with what each of these terms is in them; `None` where the engine
-    /// is to solve them.
+    /// Returns at most the wanted number of solutions of a list of goals, as values of the wanted terms; `None` if the
+    /// engine must solve them.
     ///
     /// # Errors
+    /// If the query must end.
     /// If the query has to end.
     pub fn solve(
         self,

@@ -1,4 +1,4 @@
-//! In which order goals are solved: the one that leaves the least to go through first.
+//! Order of goals: the one that leaves the fewest candidates first.
 
 use super::goal::{Block, Goal, GoalSource, Side};
 use super::value::Pattern;
@@ -6,15 +6,15 @@ use crate::ask::intervals::Relation;
 use crate::catalogue::Catalogue;
 use std::collections::HashSet;
 
-/// Another order is taken where it leaves so many times less to go through.
+/// Factor by which another order must reduce the candidates to be chosen [1].
 const WORTH_IT: f64 = 2.0;
-/// Parts that a whole has, about.
+/// Estimated number of parts of a whole.
 const PARTS: f64 = 8.0;
-/// Events that have a time in common with another, about.
+/// Estimated number of events that overlap another event.
 const AT_A_TIME: f64 = 8.0;
 
-/// A block of these goals, which stand in the order in which they were asked. What looks things up may be moved; the
-/// rest stays after what it knows its variables from.
+/// Returns a block of goals in the best order. Goals that look facts up may move; other goals stay behind those that
+/// bind their variables.
 pub fn ordered(goals: Vec<Goal>, is_bound: impl Fn(usize) -> bool, catalogue: &Catalogue) -> Block {
     let variables: Vec<Vec<usize>> = goals.iter().map(Goal::variables).collect();
     let mut binds: Vec<usize> = variables.concat();
@@ -75,7 +75,7 @@ fn greedy(
     order
 }
 
-/// Candidates that are gone through in all.
+/// Returns the estimated number of candidates of an order.
 fn cost(
     order: &[usize],
     goals: &[Goal],
@@ -94,7 +94,7 @@ fn cost(
     sum
 }
 
-/// Solutions that a goal has, about, where these variables are known.
+/// Returns the estimated number of a goal's solutions, given which variables are known.
 fn fan_out(goal: &Goal, known: &impl Fn(usize) -> bool, catalogue: &Catalogue) -> f64 {
     let is_known = |pattern: &Pattern| {
         let mut variables = Vec::new();
@@ -141,7 +141,7 @@ fn fan_out(goal: &Goal, known: &impl Fn(usize) -> bool, catalogue: &Catalogue) -
                     },
                 );
             let of_each: Vec<f64> = of_each.collect();
-            // A subject has its value in one of them.
+            // A subject has its value in only one of the sources.
             if is_known(subject) {
                 of_each.into_iter().fold(0.0, f64::max)
             } else {

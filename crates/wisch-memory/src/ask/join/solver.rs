@@ -1,4 +1,4 @@
-//! Solves goals from first to last, solution by solution, as Prolog does, with numbers in place of names.
+//! Solver of goals: depth first, solution by solution, like Prolog, with indices instead of names.
 
 use super::compile::{named, thing_of};
 use super::expression::Expression;
@@ -13,46 +13,47 @@ use crate::catalogue::IndividualId;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 
-/// Most solutions that are put back into their order; for more, the engine's limits hold.
+/// Largest number of solutions that are sorted back into their order; more are left to the engine.
 const MOST_SORTED: usize = 1_000_000;
-/// Candidates between two looks at the clock.
+/// Number of candidates between two checks of the clock.
 const LOOK_UP: u64 = 4096;
 
-/// Whether there is to be more.
+/// Whether more solutions are wanted.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Flow {
     /// The next solution is wanted.
     Continue,
-    /// There are enough.
+    /// No more solutions are wanted.
     Stop,
 }
 
-/// Why nothing is found.
+/// Why solving ends early.
 #[derive(Debug)]
 pub enum Stop {
-    /// The engine is to do it.
+    /// The engine must solve the goals.
     Declined,
     /// The query ends.
     Error(AskError),
 }
 
-/// What solving may take.
+/// Limits of solving.
 #[derive(Debug, Clone, Copy)]
 pub struct SolverBudget<'a> {
-    /// When the query has to be answered.
+    /// Deadline of the query.
     pub deadline: Instant,
-    /// How much time it had.
+    /// Time limit of the query, for the error.
     pub time: Duration,
-    /// Ends the query where it is set.
+    /// Flag that ends the query when it is set.
     pub interrupt: &'a AtomicBool,
-    /// Candidates after which the engine is to do it, which does not look for more than are asked for.
+    /// Number of candidates above which the engine must solve the goals, since it searches no further than the wanted
+    /// solutions.
     pub candidates: u64,
 }
 
-/// What is done with each solution.
+/// Callback for each solution.
 pub type Next<'n, 's> = &'n mut dyn FnMut(&mut Solver<'s>, u64) -> Result<Flow, Stop>;
 
-/// Solves goals.
+/// Solver of goals.
 pub struct Solver<'s> {
     pub(super) known: &'s Knowledge,
     pub(super) indices: &'s mut Indices,
@@ -60,13 +61,13 @@ pub struct Solver<'s> {
     budget: SolverBudget<'s>,
     bindings: Vec<Option<JoinValue>>,
     trail: Vec<usize>,
-    /// Which solution of each goal this is: what solutions are sorted by where goals were moved.
+    /// Number of the current solution of each goal, by which solutions are sorted if goals were moved.
     keys: Vec<u64>,
     candidates: u64,
 }
 
 impl<'s> Solver<'s> {
-    /// A solver of goals with so many variables.
+    /// Creates a solver for goals with this number of variables.
     pub fn new(
         known: &'s Knowledge,
         indices: &'s mut Indices,
@@ -86,10 +87,10 @@ impl<'s> Solver<'s> {
         }
     }
 
-    /// All solutions of a block, in the order in which Prolog would find them.
+    /// Passes all solutions of a block on, in Prolog's order.
     ///
     /// # Errors
-    /// What ends the query, or leaves it to the engine.
+    /// If the query must end, or the engine must solve the goals.
     pub fn solve(
         &mut self,
         block: &Block,
@@ -226,7 +227,7 @@ impl<'s> Solver<'s> {
         self.candidate(&[(result, value)], 0, next)
     }
 
-    /// Goes on if two known patterns are the same, or unifies an unknown one with the other.
+    /// Continues if two known patterns are equal, or unifies an unknown pattern with the other.
     fn equate(
         &mut self,
         left: &Pattern,
@@ -244,7 +245,7 @@ impl<'s> Solver<'s> {
         }
     }
 
-    /// Goes on if a pattern is a number.
+    /// Continues if a pattern is a number.
     fn check_number(&mut self, pattern: &Pattern, next: Next<'_, 's>) -> Result<Flow, Stop> {
         let value = self.instance(pattern);
         self.only_if(value.is_some_and(|value| value.as_number().is_some()), next)
@@ -264,7 +265,7 @@ impl<'s> Solver<'s> {
         self.candidate(&[(len, JoinValue::Integer(found))], 0, next)
     }
 
-    /// Goes on if a block has no solution.
+    /// Continues if a block has no solution.
     fn solve_negation(&mut self, block: &Block, next: Next<'_, 's>) -> Result<Flow, Stop> {
         let mut is_found = false;
         self.solve(block, &mut |_| {
@@ -274,7 +275,7 @@ impl<'s> Solver<'s> {
         self.only_if(!is_found, next)
     }
 
-    /// Goes on with the solutions of each block, one block after the other.
+    /// Continues with the solutions of each block, one block after the other.
     fn solve_each(&mut self, blocks: &[Block], next: Next<'_, 's>) -> Result<Flow, Stop> {
         for block in blocks {
             if self.solve(block, &mut |solver| next(solver, 0))? == Flow::Stop {
@@ -284,7 +285,7 @@ impl<'s> Solver<'s> {
         Ok(Flow::Continue)
     }
 
-    /// Goes on with the first solution of a block.
+    /// Continues with the first solution of a block.
     fn solve_once(&mut self, block: &Block, next: Next<'_, 's>) -> Result<Flow, Stop> {
         let mut flow = Flow::Continue;
         self.solve(block, &mut |solver| {
@@ -334,7 +335,7 @@ impl<'s> Solver<'s> {
         }
     }
 
-    /// Goes on with these patterns unified with these values, if they can be; then takes that back.
+    /// Continues with patterns unified with values, if possible; then undoes the bindings.
     pub(super) fn candidate(
         &mut self,
         pairs: &[(&Pattern, JoinValue)],
@@ -355,7 +356,7 @@ impl<'s> Solver<'s> {
         Ok(flow)
     }
 
-    /// Counts a candidate, and looks now and then whether there is time for more.
+    /// Counts a candidate, and checks time and interrupt regularly.
     pub(super) fn tick(&mut self) -> Result<(), Stop> {
         self.candidates += 1;
         if !self.candidates.is_multiple_of(LOOK_UP) {
@@ -373,13 +374,13 @@ impl<'s> Solver<'s> {
         Ok(())
     }
 
-    /// Whether two values are the same as the engine's `same/2` has it; `None` where names have to be looked up.
+    /// Whether two values are equal by the engine's `same/2`; `None` if names must be resolved.
     fn are_same(&self, left: &JoinValue, right: &JoinValue) -> Option<bool> {
         if left.is_same(right, &self.known.catalogue) {
             return Some(true);
         }
         if let (Some(left), Some(right)) = (left.as_number(), right.as_number()) {
-            #[allow(clippy::float_cmp, reason = "what is asked for")]
+            #[allow(clippy::float_cmp, reason = "the query asks for exact equality")]
             return Some(left == right);
         }
         let may_name = |value: &JoinValue| match value {
@@ -438,7 +439,7 @@ impl<'s> Solver<'s> {
             && pairs.all(|(pattern, item)| self.unify(pattern, &JoinValue::of(item.clone())))
     }
 
-    /// What a pattern stands for, if all of it is known.
+    /// Returns the value of a pattern, if all of it is known.
     pub(super) fn instance(&self, pattern: &Pattern) -> Option<JoinValue> {
         match pattern {
             Pattern::Variable(variable) => self.bindings[*variable].clone(),
@@ -457,19 +458,19 @@ impl<'s> Solver<'s> {
         terms.collect()
     }
 
-    /// The instance of a pattern as a term.
+    /// Returns the value of a pattern as a term.
     ///
     /// # Errors
-    /// Something in it is not known.
+    /// If a variable in it is unbound.
     pub fn term(&self, pattern: &Pattern) -> Result<Term, Stop> {
         let value = self.instance(pattern).ok_or(Stop::Declined)?;
         Ok(value.to_term(&self.known.catalogue))
     }
 
-    /// The same for an answer: a variable may be left that nothing was asked of outside `findall/3` and its like.
+    /// Returns the value of a pattern as an answer, which may be an unbound variable itself.
     ///
     /// # Errors
-    /// Something within the term is not known.
+    /// If a variable within the term is unbound.
     pub fn answer(&self, pattern: &Pattern) -> Result<Term, Stop> {
         match pattern {
             Pattern::Variable(variable) if self.bindings[*variable].is_none() => {
@@ -479,10 +480,10 @@ impl<'s> Solver<'s> {
         }
     }
 
-    /// The thing that a pattern stands for; `None` of a variable that is not bound.
+    /// Returns the thing that a pattern refers to; `None` for an unbound variable.
     pub(super) fn thing(&self, pattern: &Pattern) -> Result<Option<JoinValue>, Stop> {
         match self.instance(pattern) {
-            // Only under its full name is it the same as what is found.
+            // Only a full name equals the name that a goal finds.
             Some(JoinValue::Term(Term::Atom(name))) => {
                 let thing = thing_of(self.known, &Term::atom(&name)).ok_or(Stop::Declined)?;
                 let is_full = thing.to_term(&self.known.catalogue).as_atom() == Some(&name);
@@ -494,7 +495,7 @@ impl<'s> Solver<'s> {
         }
     }
 
-    /// The individual that a pattern stands for: `Ok(Err(true))` of a variable that is not bound, `Ok(Err(false))` of
+    /// Returns the individual that a pattern refers to: `Ok(Err(true))` for an unbound variable, `Ok(Err(false))` for
     /// another thing.
     pub(super) fn individual(&self, pattern: &Pattern) -> Result<Result<IndividualId, bool>, Stop> {
         Ok(match self.thing(pattern)? {
@@ -504,7 +505,7 @@ impl<'s> Solver<'s> {
         })
     }
 
-    /// The thing of a full name.
+    /// Returns the thing with a full name.
     pub(super) fn named(&self, name: String) -> JoinValue {
         named(self.known, name)
     }

@@ -104,7 +104,7 @@ fn solve_within(
     joins.solve(&Term::List(terms(goals)), &terms(wanted), most, budget)
 }
 
-/// The solutions as text; `None` where the engine is to find them.
+/// Returns the solutions as text; `None` where the engine must find them.
 fn solve(goals: &str, wanted: &str) -> Option<Vec<String>> {
     let solved = solve_within(goals, wanted, 100, Duration::from_secs(10)).unwrap()?;
     let row = |row: Vec<Term>| {
@@ -132,7 +132,7 @@ fn facts_are_joined_from_whichever_end() {
 
 #[test]
 fn what_was_moved_comes_in_the_order_in_which_it_was_asked() {
-    // By the collision first: there are fewer of them, and strokes are found by their times.
+    // By the collision first: it has fewer solutions, and strokes are then found by their times.
     let goals = "[instance_of(S,'Stroke'),instance_of(C,'HumanCollision'),related(before,S,C)]";
     let found = solve(goals, "[S,C]").unwrap();
     let strokes = ["e0-3", "e0-3", "e0-4", "e0-5", "e1-3"];

@@ -1,27 +1,27 @@
-//! What variables of a join hold, and what stands in its goals for them.
+//! Values of variables in a join, and patterns in its goals.
 
 use crate::ask::rows::name_of;
 use crate::ask::term::Term;
 use crate::catalogue::{Catalogue, IndividualId};
 use std::cmp::Ordering;
 
-/// What a variable holds: always something definite.
+/// Value of a bound variable.
 #[derive(Debug, Clone, PartialEq)]
 pub enum JoinValue {
     /// An individual of an episode.
     Individual(IndividualId),
-    /// Something that episodes share: its place in [`Catalogue::shared`].
+    /// Something that episodes share: its index in [`Catalogue::shared`].
     Shared(u32),
     /// A whole number.
     Integer(i64),
-    /// A number with a fraction.
+    /// A floating-point number.
     Float(f64),
-    /// Any other term; no variable is in it.
+    /// Any other term without variables.
     Term(Term),
 }
 
 impl JoinValue {
-    /// A term without variables; names in it stay names.
+    /// Converts a term without variables; names in it stay names.
     pub fn of(term: Term) -> Self {
         match term {
             Term::Integer(value) => Self::Integer(value),
@@ -30,7 +30,7 @@ impl JoinValue {
         }
     }
 
-    /// As the engine takes it.
+    /// Returns the value as a term for the engine.
     pub fn to_term(&self, catalogue: &Catalogue) -> Term {
         match self {
             Self::Individual(id) => name_of(catalogue, *id),
@@ -57,7 +57,7 @@ impl JoinValue {
         }
     }
 
-    /// The value of a number.
+    /// Returns the numeric value, for a number.
     pub fn as_number(&self) -> Option<f64> {
         match self {
             Self::Integer(value) => Term::Integer(*value).as_number(),
@@ -67,7 +67,8 @@ impl JoinValue {
     }
 }
 
-/// The standard order of terms: numbers, then atoms, then terms with arguments. `None` where engines differ: lists.
+/// Compares in the standard order of terms: numbers, then atoms, then compound terms. `None` where engines differ:
+/// lists.
 pub fn standard_order(a: &Term, b: &Term) -> Option<Ordering> {
     let rank = |term: &Term| match term {
         Term::Variable(_) | Term::List(_) => None,
@@ -100,21 +101,21 @@ pub fn standard_order(a: &Term, b: &Term) -> Option<Ordering> {
     }
 }
 
-/// What stands in a goal: a variable, a value, or a term with variables in it.
+/// Argument of a goal: a variable, a value, or a term with variables.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Pattern {
-    /// A variable, by its number.
+    /// A variable, by its index.
     Variable(usize),
     /// A value.
     JoinValue(JoinValue),
-    /// A list of which something is a variable.
+    /// A list with variables.
     List(Vec<Pattern>),
-    /// A term of which something is a variable.
+    /// A compound term with variables.
     Compound(String, Vec<Pattern>),
 }
 
 impl Pattern {
-    /// The variables in it.
+    /// Collects its variables.
     pub fn variables(&self, found: &mut Vec<usize>) {
         match self {
             Self::Variable(number) => found.push(*number),

@@ -5,7 +5,7 @@ mod stored;
 
 use super::dump::Documents;
 use super::*;
-use crate::observations::tests::looked;
+use crate::observations::tests::example_observations;
 use crate::record::{EPISODE_SCHEMA, EpisodeRecord, Individual, Origin, Value};
 use bson::{DateTime, RawDocumentBuf};
 use std::collections::BTreeMap;
@@ -317,7 +317,9 @@ fn an_export_has_the_bytes_of_the_recorded_one() {
         interval: bumped().interval,
         surface: "chopping_board",
     };
-    writer.observations(&round, &looked()).unwrap();
+    writer
+        .observations(&round, &example_observations())
+        .unwrap();
     writer.finish().unwrap();
     let written = RECORDED.map(|(collection, _)| {
         let bytes = std::fs::read(collection_file(&neem, collection)).unwrap();

@@ -3,7 +3,7 @@
 use super::super::collection_file;
 use super::super::{NeemConfig, NeemError, NeemWriter, PoseSource, import, observations};
 use super::{bumped, documents, meta};
-use crate::observations::tests::looked;
+use crate::observations::tests::example_observations;
 use crate::store::Memory;
 use crate::telemetry::{Mark, TelemetryHead};
 use bson::{DateTime, RawDocumentBuf};
@@ -52,7 +52,7 @@ fn stored(folder: &std::path::Path, robot: &RobotModel) -> Memory {
         log.push(time, mark, row).unwrap();
     }
     log.finish().unwrap();
-    writer.observations(1, &looked()).unwrap();
+    writer.observations(1, &example_observations()).unwrap();
     writer.commit(&bumped()).unwrap();
     memory
 }
@@ -82,7 +82,7 @@ fn a_stored_episode_brings_its_poses_and_wrenches() {
     assert_eq!((report.poses, report.wrenches), (10 * frames, 1000));
     for neem in [&by_tool, &by_robot] {
         assert_eq!(import(neem).unwrap(), [bumped()]);
-        let rounds = [(1, looked())].into();
+        let rounds = [(1, example_observations())].into();
         let seen = [(bumped().id, rounds)].into();
         assert_eq!(observations(neem).unwrap(), seen);
         let documents = documents(neem, "observation");
@@ -156,10 +156,10 @@ fn a_document_that_is_no_observation_is_named() {
         (
             &b"dirt_before"[..],
             &b"dirt_during"[..],
-            "document 0 is no observation: __topic",
+            "document 0 is not an observation: __topic",
         ),
         (b"dirt_before", b"dirt_after\0", "document 0"),
-        (b"detections", b"Detections", "detections are no lists"),
+        (b"detections", b"Detections", "detections are not lists"),
         (b"episode", b"Episode", "it has no episode"),
     ] {
         let error = refused(&changed(part, other));
@@ -171,7 +171,7 @@ fn a_document_that_is_no_observation_is_named() {
     let twice = [&whole[..], &whole].concat();
     let error = refused(&twice);
     assert!(
-        error.contains("document 2") && error.contains("this look already"),
+        error.contains("document 2") && error.contains("already has this observation"),
         "{error}"
     );
     assert!(refused(&whole[..whole.len() - 3]).contains("observation.bson"));

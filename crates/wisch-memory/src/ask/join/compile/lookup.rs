@@ -24,7 +24,7 @@ impl Compiler<'_> {
                 self.compile_triple(subject, property, object)?
             }
             ("stated", [subject, Term::Atom(property), object]) => {
-                self.stated(subject, property, object)?
+                self.compile_statement(subject, property, object)?
             }
             ("has_data_value", [thing, condition]) => self.has_data_value(thing, condition)?,
             ("value", [thing, Term::Atom(property), value]) => {
@@ -81,7 +81,7 @@ impl Compiler<'_> {
         match (property.as_str(), object) {
             ("rdf:type", Term::Variable(_)) | ("rdfs:subClassOf", _) => None,
             ("rdf:type", class) => self.compile_named_class(subject, class),
-            _ => self.stated(subject, &property, object),
+            _ => self.compile_statement(subject, &property, object),
         }
     }
 
@@ -115,7 +115,7 @@ impl Compiler<'_> {
         atoms(self.known.names.subclasses(class))
     }
 
-    fn stated(&mut self, subject: &Term, property: &str, object: &Term) -> Option<Goal> {
+    fn compile_statement(&mut self, subject: &Term, property: &str, object: &Term) -> Option<Goal> {
         if WITH_INVERSE.contains(&property) {
             return None;
         }

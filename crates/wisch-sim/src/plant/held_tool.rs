@@ -1,4 +1,4 @@
-//! The tool as it really is, and how it really sits in the hand.
+//! The real tool, and its real pose in the hand.
 
 use crate::RealTool;
 use nalgebra::{Translation3, UnitQuaternion};
@@ -6,38 +6,38 @@ use wisch::follow::Workcell;
 use wisch::geometry::{Edge, Point2, Point3, Polygon, Pose, Region, Vector2, Vector3};
 use wisch::represent::Task;
 
-/// What a rigid tool gives way by at nominal force all the same [m]: a contact of two stiff bodies is not resolved
-/// at 1 kHz.
+/// Compression of a rigid tool at nominal force [m]: at 1 kHz the engine does not resolve a contact of two stiff
+/// bodies.
 const LEAST_DEPTH: f64 = 1e-3;
 
-/// A tool in a hand.
+/// The real tool in a hand.
 #[derive(Debug, Clone)]
-pub(crate) struct Wielded {
-    /// Its underside, in its own frame [m].
+pub(crate) struct HeldTool {
+    /// The tool's underside, in its own frame [m].
     pub footprint: Region,
-    /// Length and width of that [m].
+    /// Length and width of the underside [m].
     pub size: Vector2,
-    /// Length and width of what it acts on [m].
+    /// Length and width of the tool's area of effect [m].
     pub area_of_effect: Vector2,
     /// The vertices of each connected part of its mesh, in its own frame [m].
     pub parts: Vec<Vec<Point3>>,
-    /// Where the hand's link really holds it.
+    /// Real pose of the tool in the frame of the hand's link.
     pub tip_from_tool: Pose,
-    /// The force that it shall be pressed on with [N].
+    /// Nominal press force [N].
     pub press_force: f64,
-    /// How far it gives way at that force [m].
+    /// Compression depth at that force [m].
     pub depth: f64,
-    /// How far its underside hangs below the tool centre point when nothing presses [m]: what is believed, for a
-    /// tool is measured unloaded.
+    /// Height of the unloaded underside below the tool centre point [m]. It equals the believed value, because a tool
+    /// is measured unloaded.
     pub rest: f64,
-    /// How high it hovers over the surface instead [m]; 0 where it is pressed on.
+    /// Gap between the tool and the surface for a tool that hovers [m]; 0 for a tool that is pressed on.
     pub gap: f64,
-    /// Pressure at that force over the one that a tool of the believed area has [1].
+    /// Mean pressure at nominal force over the one of a tool with the believed area [1].
     pub pressure: f64,
 }
 
-impl Wielded {
-    /// The tool of a task, as the world has it.
+impl HeldTool {
+    /// Returns the real tool of a task.
     pub fn new(cell: &Workcell, task: &Task, real: &RealTool) -> Self {
         let size = real.footprint;
         let scaled = |p: &Point2| Point2::from(p.coords * size);
@@ -49,14 +49,14 @@ impl Wielded {
         let polygons = task.tool.footprint.polygons().iter().map(polygon);
         let footprint = Region::new(polygons.collect());
         let area_of_effect = task.tool.area_of_effect * size;
-        // A stick does not make a cone of its broom.
+        // Each part is convex by itself: the hull of a broom with its stick would be a cone.
         let mut parts = task.tool.mesh.parts();
         for vertex in parts.iter_mut().flatten() {
             (vertex.x, vertex.y) = (vertex.x * size, vertex.y * size);
         }
         let gap = task.interaction.gap_m;
         let depth = nominal_depth(task);
-        // One that hovers hangs above the tool centre point.
+        // A hovering tool hangs above the tool centre point.
         let rest = if gap > 0.0 { -gap } else { depth };
         let offset = Translation3::new(real.grasp_offset.x, real.grasp_offset.y, 0.0);
         let turn = UnitQuaternion::from_axis_angle(&Vector3::z_axis(), real.grasp_turn);
@@ -85,7 +85,7 @@ impl Wielded {
     }
 }
 
-/// How far the tool is believed to give way at nominal force, as far as that is simulated [m].
+/// Returns the believed compression depth at nominal force, but at least what the engine resolves [m].
 fn nominal_depth(task: &Task) -> f64 {
     task.interaction.compression_depth_m.max(LEAST_DEPTH)
 }

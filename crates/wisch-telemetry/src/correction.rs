@@ -1,37 +1,36 @@
-//! What a force sensor shows beside the force that the surroundings do to the tool: a bias, a wrong scale, and the weight
-//! of what hangs behind it.
+//! Corrections of a force sensor: its bias, its scale, and the weight of the payload behind it.
 
 use super::error::ReadFault;
 use super::options::LogOptions;
 use wisch::geometry::Vector3;
 
-/// The acceleration of free fall [m/s²], which is along the world's −z.
+/// Acceleration of free fall [m/s²], along the world's −z.
 const FREE_FALL: f64 = 9.806_65;
 
-/// What is taken off a measured force.
+/// Correction of measured forces.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Correction {
-    /// In the axes and with the sign in which the force is measured [N].
+    /// Bias, in the axes and with the sign of the measured force [N].
     bias: Vector3,
-    /// Factor on what remains [1].
+    /// Factor on the force without bias [1].
     scale: f64,
-    /// Of what hangs behind the sensor, in the task's world [N].
+    /// Weight of the payload behind the sensor, in the task's world [N].
     weight: Vector3,
-    /// What is done, in words.
+    /// Remarks on the corrections that apply.
     pub remarks: Vec<String>,
 }
 
 impl Correction {
-    /// What the options say.
+    /// Returns the correction that the options state.
     ///
     /// # Errors
-    /// Numbers that no sensor has.
+    /// If a number is not finite or out of its range.
     pub fn of(options: &LogOptions) -> Result<Self, ReadFault> {
         let mut remarks = Vec::new();
         if let Some(bias) = options.force_bias {
             check("--force-bias", bias.as_slice(), FINITE, f64::is_finite)?;
             remarks.push(format!(
-                "by --force-bias, ({}, {}, {}) N are taken off the measured force, in its own axes",
+                "by --force-bias, ({}, {}, {}) N are subtracted from the measured force, in its own axes",
                 bias.x, bias.y, bias.z
             ));
         }
@@ -55,12 +54,12 @@ impl Correction {
             )?;
             weight = Vector3::z() * (-FREE_FALL * mass);
             remarks.push(format!(
-                "by --payload-mass, the weight of {mass} kg behind the sensor is taken off the force as each pose turns it: {:.2} N along the world's -z",
+                "by --payload-mass, the weight of {mass} kg behind the sensor is subtracted from the force, rotated by each pose: {:.2} N along the world's -z",
                 weight.norm()
             ));
             if centre != Vector3::zeros() {
                 remarks.push(
-                    "--payload-centre is not used: it matters to torques, which are not read"
+                    "--payload-centre is not used: it affects torques only, which are not read"
                         .to_owned(),
                 );
             }
@@ -73,12 +72,12 @@ impl Correction {
         })
     }
 
-    /// A force [N] as a right sensor would measure it, in the same axes and with the same sign.
+    /// Returns the force without bias and scaled [N], in the same axes and with the same sign: (F − b) · s.
     pub fn unbiased(&self, measured: Vector3) -> Vector3 {
         (measured - self.bias) * self.scale
     }
 
-    /// A force on the tool, in the task's world [N], without the weight of what hangs behind the sensor.
+    /// Subtracts the payload's weight from a force on the tool in the task's world [N].
     pub fn without_weight(&self, force: Vector3) -> Vector3 {
         force - self.weight
     }

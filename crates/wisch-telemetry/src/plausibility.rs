@@ -1,25 +1,25 @@
-//! Logs whose numbers are so far from any wiping that their units are in doubt.
+//! Plausibility checks of a log, which reveal wrong units.
 
 use super::options::LogOptions;
 use wisch::interpret::TouchSample;
 
-/// The slowest rate of samples that shows what a tool does [s].
+/// Longest period between samples that still shows what a tool does [s].
 const LONG_PERIOD: f64 = 1.0;
-/// The fastest that robots wipe, and the slowest that a log is made of [m/s].
+/// Least and largest plausible speed of a wiping tool [m/s].
 const SPEEDS: [f64; 2] = [1e-3, 10.0];
-/// The shortest way that says something of a speed [m].
+/// Least distance from which a speed is computed [m].
 const LEAST_WAY: f64 = 0.02;
-/// The farthest that a tool is from what it wipes [m].
+/// Distance from the surface above which a length unit is in doubt [m].
 const FAR: f64 = 10.0;
-/// How near it is where its unit is right [m].
+/// Distance from the surface that counts as near, in a candidate for the unit [m].
 const NEAR: f64 = 3.0;
-/// The largest force that a robot that wipes measures [N].
+/// Largest force that a wiping robot measures [N].
 const MOST_FORCE: f64 = 2000.0;
 
 /// Smaller units that a length may have: size [m] and name.
 const LENGTHS: [(f64, &str); 2] = [(1e-3, "millimetres"), (1e-6, "micrometres")];
 
-/// What is absurd about a log, in words, with what would make it plausible.
+/// Returns implausible facts about a log, each with an option that may correct it.
 pub(crate) fn doubts(samples: &[TouchSample], options: &LogOptions) -> Vec<String> {
     let mut doubts = Vec::new();
     let steps = || samples.windows(2).map(|pair| (&pair[0], &pair[1]));
@@ -30,7 +30,7 @@ pub(crate) fn doubts(samples: &[TouchSample], options: &LogOptions) -> Vec<Strin
         && period > LONG_PERIOD
     {
         doubts.push(format!(
-            "a sample every {period:.3} s is too few to follow a tool: are the times in s? (--time-unit-s)"
+            "a sample every {period:.3} s is too slow to show how a tool moves: check --time-unit-s"
         ));
     }
     let distance = |unit: f64| {
@@ -49,7 +49,7 @@ pub(crate) fn doubts(samples: &[TouchSample], options: &LogOptions) -> Vec<Strin
                 unit * options.length_unit.unwrap_or(1.0),
                 distance(*unit)
             ),
-            None => "are surface.position_m and --world-from-log right?".to_owned(),
+            None => "check surface.position_m and --world-from-log".to_owned(),
         };
         doubts.push(format!("the tool is {far:.1} m from the surface: {advice}"));
     }
@@ -60,19 +60,17 @@ pub(crate) fn doubts(samples: &[TouchSample], options: &LogOptions) -> Vec<Strin
         .filter(|speed| moved > LEAST_WAY && far <= FAR && !(SPEEDS[0]..=SPEEDS[1]).contains(speed))
     {
         doubts.push(format!(
-            "the tool moves with {speed:.1e} m/s: are times in s (--time-unit-s, --rate) and lengths in m (--length-unit-m)?"
+            "the tool moves at {speed:.1e} m/s: check --time-unit-s, --rate and --length-unit-m"
         ));
     }
     let force = median(samples.iter().map(|sample| sample.force.norm()));
     if let Some(force) = force.filter(|force| *force > MOST_FORCE) {
-        doubts.push(format!(
-            "forces of {force:.0} N: are they in N? (--force-unit-n)"
-        ));
+        doubts.push(format!("the forces are {force:.0} N: check --force-unit-n"));
     }
     doubts
 }
 
-/// The median of some numbers; nothing of none.
+/// Returns the median; `None` without numbers.
 fn median(numbers: impl Iterator<Item = f64>) -> Option<f64> {
     let mut numbers: Vec<f64> = numbers.collect();
     if numbers.is_empty() {
@@ -88,7 +86,8 @@ mod tests {
     use super::*;
     use wisch::geometry::{Pose, Vector3};
 
-    /// A tool that goes 0.1 m/s for 10 s on a surface 0.8 m from the world's origin, in other units.
+    /// Warnings for a tool that moves at 0.1 m/s for 10 s on a surface 0.8 m from the world's origin, in the given
+    /// units.
     fn log(time_unit: f64, length_unit: f64, force: f64) -> Vec<String> {
         let sample = |tick: u32| {
             let time = f64::from(tick) / 25.0;
@@ -122,7 +121,7 @@ mod tests {
             "{micrometres}"
         );
         assert!(one(log(1e-3, 1.0, 10.0)).starts_with("a sample every 40.000 s"));
-        assert!(one(log(1e3, 1.0, 10.0)).starts_with("the tool moves with 1.0e2 m/s"));
-        assert!(one(log(1.0, 1.0, 1e4)).starts_with("forces of 10000 N"));
+        assert!(one(log(1e3, 1.0, 10.0)).starts_with("the tool moves at 1.0e2 m/s"));
+        assert!(one(log(1.0, 1.0, 1e4)).starts_with("the forces are 10000 N"));
     }
 }
