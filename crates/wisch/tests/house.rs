@@ -1,7 +1,6 @@
 //! The rules of the house, read off the source: what a stage may import, and what it may not do.
 
 mod circles;
-mod crates;
 mod documents;
 mod names;
 

@@ -65,7 +65,9 @@ impl SqlLimits {
 
     fn large(&self) -> String {
         let limit = self.memory >> 20;
-        format!("the statement takes more memory than the limit of {limit} MB; --memory-limit raises it")
+        format!(
+            "the statement takes more memory than the limit of {limit} MB; --memory-limit raises it"
+        )
     }
 }
 

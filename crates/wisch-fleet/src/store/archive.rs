@@ -151,8 +151,7 @@ impl Archive {
             let mut entry = entry.map_err(broken)?;
             let length = entry.path_bytes().len();
             if length > LONGEST_PATH {
-                let what =
-                    format!("a path in it has {length} bytes; the limit is {LONGEST_PATH}");
+                let what = format!("a path in it has {length} bytes; the limit is {LONGEST_PATH}");
                 return Err(damaged(what));
             }
             let name = entry.path().map_err(broken)?.to_string_lossy().into_owned();

@@ -138,18 +138,8 @@ const CLASS: Column = column(
     "–",
     "class in the ontology, without prefix",
 );
-const START: Column = column(
-    "start_s",
-    ColumnKind::Number,
-    "s",
-    "begin, since 1970 UTC",
-);
-const END: Column = column(
-    "end_s",
-    ColumnKind::Number,
-    "s",
-    "end, since 1970 UTC",
-);
+const START: Column = column("start_s", ColumnKind::Number, "s", "begin, since 1970 UTC");
+const END: Column = column("end_s", ColumnKind::Number, "s", "end, since 1970 UTC");
 const TOOL: Column = column("tool", ColumnKind::Text, "–", "tool that was used");
 const MEDIUM: Column = column(
     "medium",
@@ -260,12 +250,7 @@ pub const TABLES: [Table; 7] = [
                 "1",
                 "performance at which the goal counted as met",
             ),
-            column(
-                "rounds",
-                ColumnKind::Whole,
-                "–",
-                "number of rounds",
-            ),
+            column("rounds", ColumnKind::Whole, "–", "number of rounds"),
             column(
                 "collisions",
                 ColumnKind::Whole,
