@@ -1,30 +1,32 @@
-//! Candidate plans for the same dirt, of which the predicted effect chooses one.
+//! Candidate plans for the same dirt; the caller keeps the one with the best predicted effect.
 
 use super::policies::{covering, some_of};
 use super::subplans::composed;
 use super::{CoverageStrategy, FreeSpace, Plan, PlanConfig, PlanError};
 use crate::represent::{Action, ParticleDistribution, Task};
 
-/// Bandwidths of the density estimate that are tried beside the configured one, over half the radius of the
-/// collision sphere. The density's peaks, and with them the strokes, differ from one to the next.
+/// Bandwidths of the density estimate that are tried beside the configured bandwidth, over half the radius of
+/// the collision sphere [1]. The density's peaks, and with them the strokes, differ from bandwidth to
+/// bandwidth.
 const BANDWIDTHS: [f64; 9] = [0.5, 0.7, 0.85, 1.0, 1.2, 1.4, 1.7, 2.0, 2.6];
 
-/// Corners of the surface at which strokes are begun.
+/// Number of corners of the surface from which candidate strokes start, at most.
 const MAX_CORNERS: usize = 8;
 
-/// Candidates are compared by their effect on no more particles than this: a random choice of more.
+/// Largest number of particles by which candidates are compared; of more particles, a random subset is used.
 pub(super) const MOST_COMPARED: usize = 5000;
 
-/// Candidate plans of a coverage strategy, at least one: the first `count` settings.
+/// Returns candidate plans of a coverage strategy: at least one, and one for each of the first `count` settings
+/// that work.
 ///
-/// Nodes are placed on `to_plan_on`, such as the dirt that is not yet where it belongs. Candidates differ in the
-/// bandwidth of the density estimate, if the strategy uses one, and then in where the strokes begin: at the tool, or at a
-/// corner of the surface. The first is the plan as configured, unless that fails. Where as many as there are bandwidths
-/// are asked for, each of their graphs also gives a plan whose strokes are chosen one by one by their predicted effect,
-/// among them straight ones.
+/// Nodes are placed on `to_plan_on`, for example the dirt that is not yet where it belongs. Candidates differ
+/// in the bandwidth of the density estimate, if the strategy uses one, and then in the start of the strokes:
+/// the tool's position, or a corner of the surface. The first candidate is the plan as configured, unless that
+/// fails. If `count` is at least the number of bandwidths, each of their graphs gives a second plan: its
+/// strokes are chosen one by one by their predicted effect, straight strokes among them.
 ///
 /// # Errors
-/// Those of the first, if no candidate gives a plan.
+/// The error of the first setting, if no setting gives a plan.
 pub(super) fn candidate_plans(
     task: &Task,
     to_plan_on: &ParticleDistribution,
@@ -43,7 +45,7 @@ pub(super) fn candidate_plans(
     Ok(plans)
 }
 
-/// Up to `count` plans, at least one; the first is the plan as configured, unless that fails.
+/// Returns up to `count` plans, at least one; the first is the plan as configured, unless that fails.
 pub(super) fn varied_plans(
     task: &Task,
     to_plan_on: &ParticleDistribution,
@@ -86,7 +88,8 @@ pub(super) fn varied_plans(
     }
 }
 
-/// The task with as much of its dirt as candidates are compared by; all of a surface that is treated.
+/// Returns the task with at most [`MOST_COMPARED`] particles. An action that treats the surface keeps all of
+/// them.
 pub(super) fn some_to_compare(task: &Task) -> Task {
     let most = match task.action.treats() {
         true => usize::MAX,

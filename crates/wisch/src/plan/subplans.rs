@@ -1,23 +1,24 @@
-//! One subplan at a time: what is best wiped next, before anybody looks; paper §4.3.
+//! Subplans: the best single stroke to execute before the next observation; paper §4.3.
 
 use super::heading::Headings;
 use super::objective::{objective, objective_at_rest};
 use super::{FreeSpace, Plan, PlanError, SemanticDirectedGraph, Stroke, predict};
 use crate::represent::{GoalState, Task};
 
-/// Length of a subplan of a tour, over the radius r_s of the collision sphere: about three widths of the
-/// tool, as far as a wipe reaches before one looks.
+/// Length of a subplan of a tour, over the radius r_s of the collision sphere: about three widths of the tool,
+/// as long as a wipe between two observations.
 const TOUR_SUBPLAN: f64 = 6.0;
-/// Of so many particles a subplan has to gain one to be worth its way.
+/// Smallest gain of a subplan: one of this many particles.
 const GAIN: usize = 250;
-/// Nodes of a tree from which subplans begin, at most: of more, some that are evenly spread.
+/// Largest number of tree nodes at which subplans begin; of more nodes, an evenly spread subset is used.
 const MAX_BEGINNINGS: usize = 500;
-/// Subplans of a plan that is made of nothing else, at most.
+/// Largest number of subplans in a plan that consists of subplans.
 const MAX_SUBPLANS: usize = 24;
 
-/// A plan made of subplans, the best first and each chosen by what those before are predicted to leave.
+/// Returns a plan of subplans. Each is the best for the dirt that the subplans before it are predicted to
+/// leave.
 ///
-/// Straight ways do not turn the tool, which near an edge pushes over it what lies beside the tool.
+/// Straight paths do not turn the tool; near an edge, a turn would push dirt beside the tool over that edge.
 pub(super) fn composed(task: &Task, plan: &Plan, space: &FreeSpace) -> Plan {
     let candidates = subplans(plan, task, space);
     let mut state = task.clone();
@@ -39,7 +40,7 @@ pub(super) fn space_of(task: &Task) -> Result<FreeSpace, PlanError> {
     FreeSpace::new(&task.surface, &scene, task.tool.collision_radius())
 }
 
-/// A subplan, and what is said for it.
+/// A subplan with its objective and length.
 struct Found {
     stroke: Stroke,
     objective: i64,
@@ -53,7 +54,7 @@ impl Found {
     }
 }
 
-/// The best subplan of several plans; the first without any stroke if none gains anything.
+/// Returns the best subplan of several plans; the first plan without strokes if no subplan gains anything.
 pub(super) fn best_of(task: &Task, plans: &[Plan], space: &FreeSpace) -> Plan {
     let mut best: Option<(Found, &Plan)> = None;
     for plan in plans {
@@ -70,7 +71,7 @@ pub(super) fn best_of(task: &Task, plans: &[Plan], space: &FreeSpace) -> Plan {
     }
 }
 
-/// The best of some strokes, if any gains anything.
+/// Returns the best of some strokes, if it gains enough.
 fn best_among(task: &Task, plan: &Plan, strokes: &[Stroke]) -> Option<Found> {
     let now = objective_at_rest(task, &plan.graph.goal);
     let least = now + (task.particles.len() / GAIN).max(1) as i64;
@@ -119,12 +120,13 @@ fn subplans(plan: &Plan, task: &Task, space: &FreeSpace) -> Vec<Stroke> {
     Headings::Blended.strokes(task, graph, &chains)
 }
 
-/// From a node along the tree's edges to its root.
+/// Returns the nodes from a node along the tree's edges to its root.
 fn way_to_goal(successors: &[Option<usize>], node: usize) -> Vec<usize> {
     std::iter::successors(Some(node), |&at| successors[at]).collect()
 }
 
-/// From a way's first node straight to its last, where that is another way and nothing stands between.
+/// Returns the straight path from the first to the last node, if it differs from the path along the tree and is
+/// free.
 fn straight_way(
     graph: &SemanticDirectedGraph,
     way: &[usize],
@@ -135,8 +137,8 @@ fn straight_way(
     (way.len() > 2 && is_clear()).then(|| vec![first, last])
 }
 
-/// For every node of a chain the piece that begins there and is as long as is allowed; pieces that only end
-/// what another piece wipes as well are left out.
+/// Returns for every node of a chain the longest allowed piece that begins there. Pieces at the end that
+/// another piece contains are left out.
 fn pieces(graph: &SemanticDirectedGraph, chain: &[usize], longest: f64) -> Vec<Vec<usize>> {
     let mut pieces = Vec::new();
     for first in 0..chain.len() {
@@ -145,7 +147,7 @@ fn pieces(graph: &SemanticDirectedGraph, chain: &[usize], longest: f64) -> Vec<V
         while let Some(&next) = chain.get(last + 1) {
             let edge = graph.position(next) - graph.position(chain[last]);
             length += edge.norm();
-            // An edge longer than that is a piece of its own.
+            // An edge longer than the limit is a piece of its own.
             if length > longest && last > first {
                 break;
             }
@@ -159,8 +161,7 @@ fn pieces(graph: &SemanticDirectedGraph, chain: &[usize], longest: f64) -> Vec<V
     pieces
 }
 
-/// The plan with these strokes, and with their edges in the place of those that the tree has from the same
-/// nodes.
+/// Returns the plan with these strokes; their edges replace the tree's edges from the same nodes.
 fn with_edges_of(plan: &Plan, strokes: Vec<Stroke>) -> Plan {
     let mut plan = with_strokes(plan, strokes);
     let legs = plan.strokes.iter().flat_map(|stroke| {
@@ -225,7 +226,7 @@ mod tests {
             [vec![0, 1, 2], vec![1, 2, 3], vec![2, 3], vec![3, 4]]
         );
         assert_eq!(pieces(&graph, &all, 9.0), [all.to_vec()]);
-        // An edge that is too long is not left out for that.
+        // An edge longer than the limit is kept.
         assert_eq!(pieces(&graph, &[3, 4], 0.1), [vec![3, 4]]);
         assert_eq!(pieces(&graph, &[2], 0.1), [vec![2]]);
     }

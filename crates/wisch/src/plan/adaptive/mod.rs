@@ -1,9 +1,9 @@
-//! Strokes found by trying: whole plans are changed at random, and kept by what they are simulated to do.
+//! Search for strokes: random moves change whole plans, and the simulated effect decides which are kept.
 //!
-//! Simulated annealing (Kirkpatrick, Gelatt and Vecchi, 1983) over the poses of all strokes. A step moves, turns, adds,
-//! drops, joins or reorders strokes (`draft`), and the effect model says what the plan then does to all of the dirt
-//! (`trials`, `value`). Nothing is bound to nodes of a coverage graph: those of the other strategies only give the plans to begin
-//! with.
+//! Simulated annealing (Kirkpatrick, Gelatt and Vecchi, 1983) over the poses of all strokes. A move shifts,
+//! turns, adds, drops, joins or reorders strokes (`draft`); the effect model then simulates the plan's effect
+//! on all of the dirt (`trials`, `value`). Poses are not bound to nodes of a coverage graph: plans of coverage
+//! strategies only start the search.
 
 mod draft;
 mod trials;
@@ -24,26 +24,30 @@ pub(super) use value::Judge;
 use value::Value;
 use ways::KnownWays;
 
-/// Independent searches, of which the best counts; so many however many threads there are.
+/// Number of independent searches, of which the best counts; it does not depend on the number of threads.
 const SEARCHES: usize = 4;
-/// Loss of value that is accepted with probability 1/e at the beginning and at the end, in shares of the dirt [1].
+/// Temperatures at the start and at the end: the loss of value accepted with probability 1/e, in shares of the
+/// dirt [1].
 const TEMPERATURES: [f64; 2] = [0.01, 2e-4];
-/// The former where a plan is only mended [1], and the share of the evaluations that this takes [1].
+/// Start temperature where a plan is only repaired [1], and the share of the evaluations that the repair takes
+/// [1].
 const MENDING_TEMPERATURE: f64 = 1e-3;
 const MENDING: f64 = 0.3;
-/// Share of the evaluations that go into a plan for the tool as it is as well, where that is certain [1], and the loss of value that
-/// is accepted then at the beginning, as above [1].
+/// Share of the evaluations that also value the plan for the tool at its exact size, where the dirt is certain
+/// [1]; and the start temperature of that phase [1].
 const POLISHING: f64 = 0.4;
 const POLISHING_TEMPERATURE: f64 = 3e-3;
-/// Steps that lead nowhere for each that is judged, at most.
+/// Largest number of impossible moves per evaluated plan.
 const MAX_REFUSED: usize = 8;
-/// Beyond this many strokes, a draft begins without those that meet no dirt.
+/// Above this number of strokes, a draft starts without strokes that touch no dirt.
 const MANY_STROKES: usize = 200;
-/// Steps that are simulated for each plan that is judged, at most on average: plans of thousands of strokes are tried less often.
+/// Largest mean number of simulated steps per evaluated plan: plans of thousands of strokes get fewer
+/// evaluations.
 const MAX_STEPS: usize = 1000;
 
-/// The best plan for dirt that may lie like any of these, which the search finds from these plans on the same whatever the number of
-/// threads. A plan that is only mended leads to none of these places [m].
+/// Returns the best plan that the search finds from the given plans, for all given distributions of the dirt.
+/// The result does not depend on the number of threads. A plan that is only repaired leads to none of the
+/// places in `avoid` [m].
 pub(super) fn searched(
     task: &Task,
     dirt: &[ParticleDistribution],
@@ -106,7 +110,8 @@ pub(super) fn searched(
     best.map(|(_, draft)| assembled(pattern, draft))
 }
 
-/// A draft of very many strokes without those that meet no dirt of any world: a grid over a floor has mostly such.
+/// Removes from a draft of very many strokes those that touch no dirt in any world: of a grid over a floor,
+/// most do not.
 fn without_idle(mut draft: Draft, judge: &Judge<'_>) -> Draft {
     if draft.strokes.len() <= MANY_STROKES {
         return draft;
@@ -132,7 +137,7 @@ fn without_idle(mut draft: Draft, judge: &Judge<'_>) -> Draft {
     draft
 }
 
-/// The score of a plan, term by term.
+/// Returns the score of a plan, term by term.
 pub(super) fn score(judge: &Judge<'_>, plan: &Plan) -> PlanScore {
     let draft = Draft::exactly(plan);
     Trials::new(judge, &draft.goal).score(&draft)
@@ -175,7 +180,7 @@ fn annealed(
     best
 }
 
-/// A draft as a plan: each stroke has nodes of its own, those that it ends at where dirt belongs are goals.
+/// Returns the plan of a draft: each stroke has its own nodes, and final nodes where dirt belongs are goals.
 fn assembled(pattern: &Plan, draft: Draft) -> Plan {
     let Draft { strokes, goal } = draft;
     let is_goal =

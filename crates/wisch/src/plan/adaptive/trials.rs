@@ -1,4 +1,5 @@
-//! Plans tried in worlds, one after the other; what they begin with alike is simulated once.
+//! Simulation of drafts in several worlds; the part that a draft shares with the last kept draft is simulated
+//! only once.
 
 use super::draft::Draft;
 use super::value::{Judge, State, Value, World};
@@ -8,21 +9,21 @@ use crate::plan::objective::EdgeMargin;
 use crate::represent::{Effect, EffectModel, GoalState, Task, ToolMotion};
 use std::rc::Rc;
 
-/// How far the force has not yet risen when a stroke begins [m].
+/// Distance from the start of a stroke on which the force is still rising [m].
 const LANDING: f64 = 0.005;
-/// Depth of a heap of all particles, over the radius of the collision sphere: between what the belief draws and
-/// [`HEAP_DEPTH`](crate::represent::HEAP_DEPTH) [1].
+/// Depth of a heap of all particles, over the radius of the collision sphere [1]: between what the belief draws
+/// and [`HEAP_DEPTH`](crate::represent::HEAP_DEPTH).
 const HEAP: f64 = 0.2;
-/// States are kept this many steps apart, or farther in drafts of very many steps: so many states at most.
+/// Number of steps between kept states, more in long drafts; and the largest number of kept states.
 const APART: usize = 4;
 const MOST_STATES: usize = 256;
 
-/// What the tool does at once: a motion in contact, or none where it only touches down.
+/// One step of the tool: a motion in contact, or a touch without motion.
 #[derive(Debug, Clone, Copy, PartialEq)]
 struct Step {
     motion: Option<ToolMotion>,
     is_first: bool,
-    /// Whether the tool lifts off after it.
+    /// Whether the tool is lifted after the step.
     lifts: bool,
 }
 
@@ -49,26 +50,26 @@ fn steps_of(draft: &Draft) -> Vec<Step> {
     steps
 }
 
-/// The steps of a draft, and for each world how it was before some of them.
+/// The steps of a draft, and for each world its state before some of the steps.
 #[derive(Default)]
 struct Rollout {
     steps: Vec<Step>,
     states: Vec<Vec<(usize, Rc<State>)>>,
 }
 
-/// Values one draft after the other. What a draft has in common with the one that was kept last, from its beginning on, is
-/// not simulated again.
+/// Simulation of one draft after the other. Steps that a draft shares from its start with the draft kept last
+/// are not simulated again.
 pub(super) struct Trials<'a> {
     judge: &'a Judge<'a>,
     models: Vec<EffectModel>,
     kept: Rollout,
     tried: Rollout,
-    /// Steps that were simulated so far, over all worlds.
+    /// Number of steps simulated so far, over all worlds.
     simulated: usize,
 }
 
 impl<'a> Trials<'a> {
-    /// For drafts with the action of this goal.
+    /// Prepares the simulation of drafts whose action is that of `goal`.
     pub(super) fn new(judge: &'a Judge<'a>, goal: &GoalState) -> Self {
         let effect = goal.action().effect();
         let models = judge.worlds().iter().map(|world| {
@@ -103,24 +104,24 @@ impl<'a> Trials<'a> {
         }
     }
 
-    /// Steps that were simulated so far, over all worlds.
+    /// Number of steps simulated so far, over all worlds.
     pub(super) fn simulated(&self) -> usize {
         self.simulated
     }
 
-    /// What a draft is worth on average.
+    /// Returns the mean value of a draft over all worlds.
     pub(super) fn value(&mut self, draft: &Draft) -> Value {
         let after = self.simulate(draft);
         self.judge.value(draft, &after)
     }
 
-    /// The score of a draft, term by term.
+    /// Returns the score of a draft, term by term.
     pub(super) fn score(&mut self, draft: &Draft) -> PlanScore {
         let after = self.simulate(draft);
         self.judge.score(draft, &after)
     }
 
-    /// How a draft leaves its worlds.
+    /// Returns the state of each world after a draft.
     fn simulate(&mut self, draft: &Draft) -> Vec<State> {
         let steps = steps_of(draft);
         let pairs = steps.iter().zip(&self.kept.steps);
@@ -142,13 +143,13 @@ impl<'a> Trials<'a> {
         after
     }
 
-    /// Keeps the draft that was valued last: the next ones are like it.
+    /// Keeps the draft that was simulated last; the next drafts resemble it.
     pub(super) fn keep(&mut self) {
         std::mem::swap(&mut self.kept, &mut self.tried);
     }
 }
 
-/// Plays the rest of some steps in a world, from the last state on that is known; adds some of those on the way.
+/// Simulates the remaining steps in a world, from its last known state; adds states on the way to `states`.
 fn rolled_out(
     model: &mut EffectModel,
     (task, world): (&Task, &World),
@@ -161,7 +162,7 @@ fn rolled_out(
     model.resume_after(steps[..from].iter().filter(|step| step.lifts).count() as u32);
     let apart = APART.max(steps.len().div_ceil(MOST_STATES));
     for (at, step) in steps.iter().enumerate().skip(from) {
-        // Amid a stroke a tool that pushes may carry something, which is no part of a state.
+        // Amid a stroke, a pushing tool may carry dirt, which a state does not contain.
         let is_whole = state.margin.is_none() || at == 0 || steps[at - 1].lifts;
         if at > from && at % apart == 0 && is_whole {
             states.push((at, Rc::new(state.clone())));
@@ -195,7 +196,7 @@ fn rolled_out(
     state
 }
 
-/// A motion whose contact begins a little late, if it is a stroke's first.
+/// Returns a motion whose contact begins [`LANDING`] late, if it is the first of a stroke.
 fn late(motion: ToolMotion, is_first: bool) -> ToolMotion {
     let (along, length) = motion.travel();
     if !is_first || length <= LANDING {
@@ -209,7 +210,7 @@ fn late(motion: ToolMotion, is_first: bool) -> ToolMotion {
     }
 }
 
-/// A tool's pose if it sits so in the hand.
+/// Returns the true tool pose for a commanded pose, with the tool displaced in the hand by `grasp`.
 fn held(pose: &PlanarPose, grasp: &PlanarPose) -> PlanarPose {
     PlanarPose::new(pose.transform(grasp.position), pose.heading + grasp.heading)
 }
