@@ -1,4 +1,4 @@
-//! From a plan to joint motion: placements, strokes, times.
+//! The follower: from a plan to base poses, joint paths and times.
 
 use super::open_stroke::{Open, Waiting, apart, give_up, waiting};
 use super::path::arm::Arm;
@@ -21,29 +21,29 @@ use crate::robot::{CapabilityMap, JointPositions};
 use rayon::prelude::*;
 use std::cmp::Ordering;
 
-/// How often a way back to the ready posture is looked for.
+/// Number of searches for a path back to the ready posture.
 const WAYS_BACK: u64 = 3;
 
-/// Share of the planned effect with which no further placement is tried.
+/// Share of the planned effect above which no further base pose is tried [1].
 const ENOUGH: f64 = 0.95;
 
-/// How many placements are tried at the same time; a constant, so that the outcome is the same on any
-/// number of threads.
+/// Number of base poses that are tried in parallel; a constant, so that the result is the same for any number
+/// of threads.
 const AT_ONCE: usize = 2;
 
-/// What the arm does from one placement.
+/// A base visit: the motions of the arm at one base pose.
 struct Stay {
     world_from_base: PlanarPose,
     runs: Vec<(Vec<usize>, Run)>,
-    /// From the last stroke back to the ready posture.
+    /// Path from the last stroke back to the ready posture.
     back: Vec<JointPositions>,
     open: Vec<Open>,
-    /// Why it went no further.
+    /// Why the visit did not follow more of the plan.
     stopped: Vec<Attempt>,
 }
 
 impl Stay {
-    /// The length of the joints' way [rad].
+    /// Length of the joint path [rad].
     fn movement(&self) -> f64 {
         let runs = self.runs.iter().flat_map(|(_, run)| &run.pieces);
         let paths = runs.map(|piece| &piece.path).chain([&self.back]);
@@ -51,33 +51,31 @@ impl Stay {
     }
 }
 
-/// The way to a place, the place, and what is done from there.
+/// The drive to a base pose, the placement, and the visit.
 type Reached = (Vec<PlanarPose>, Placement, Stay);
 
-/// What is left, joined anew, and the nodes that are no longer in it.
+/// The pending strokes after a new join, and the nodes that they no longer contain.
 type Joined = (Vec<Open>, Vec<AbandonedNode>);
 
-/// What is to be expected of a stay.
+/// Predicted result of a base visit.
 struct Outcome {
-    /// Nodes still to be passed.
+    /// Number of pending nodes.
     left: usize,
-    /// Particles where the action wants them.
+    /// Number of particles that meet the goal.
     achieved: usize,
 }
 
-/// Follows a plan with a robot: the base is placed so that much of the path is in reach, each stroke is
-/// followed by Algorithm 1 of paper §3.3, and everything is timed within the limits of the joints.
+/// Follows a plan with a robot. The base is placed so that much of the path is in reach, each stroke is
+/// followed by Algorithm 1 of paper §3.3, and all motions are timed within the limits of the joints.
 ///
-/// `map` rates places for the base; without one, each place is rated by inverse kinematics, which
-/// is slower and coarser. A robot whose base is fixed needs none. `progress` is called with the number
-/// of nodes passed so far.
+/// `map` rates base poses; without a map, each is rated by inverse kinematics, which is slower and coarser. A
+/// robot with a fixed base needs no map. `progress` is called with the number of nodes followed so far.
 ///
-/// A node that no way leads to is abandoned and told with what was tried; that is an outcome, not an
-/// error. The same arguments give the same bytes on any number of threads.
+/// A node that cannot be reached is abandoned and reported with the attempts to reach it; this is no error. The
+/// same arguments give the same bytes for any number of threads.
 ///
 /// # Errors
-/// A configuration out of range, a robot that touches something in its ready posture, or a path that
-/// cannot be timed.
+/// A configuration out of range, a robot in collision in its ready posture, or a path that cannot be timed.
 pub fn follow(
     task: &Task,
     plan: &Plan,
@@ -117,7 +115,7 @@ fn can_start(cell: &Workcell, config: &FollowConfig) -> Result<(), FollowError> 
     }
 }
 
-/// Whether the hand stays clear of the surface somewhere where the tool touches it.
+/// Checks that the hand is clear of the surface at some node where the tool touches it.
 fn can_touch(task: &Task, plan: &Plan, cell: &Workcell) -> Result<(), FollowError> {
     match cell.hand_below(task, plan)? {
         None => Ok(()),
@@ -138,7 +136,7 @@ struct Follower<'a> {
     config: &'a FollowConfig,
     map: Option<&'a CapabilityMap>,
     orientations: Vec<ToolOrientation>,
-    /// Particles where the action wants them if the plan is followed exactly.
+    /// Number of particles that meet the goal if the plan is followed exactly.
     planned: usize,
 }
 
@@ -165,14 +163,15 @@ impl Follower<'_> {
                 }
                 None => abandoned.extend(self.give_up(&mut open, &at, stopped)?),
             }
-            // What is joined anew may pass a node where branches meet more often.
+            // Strokes that were joined anew may visit a node more often, where branches meet.
             progress(all.saturating_sub(waiting(&open)));
         }
         self.timed(stays, abandoned, rated)
     }
 
-    /// Works off what is open from several places, and takes the one from which least is left, of these the
-    /// one with the best predicted effect. Also why it went no further where nothing came of any.
+    /// Tries the pending strokes from several base poses, and returns the visit with the fewest pending nodes;
+    /// of equal visits the one with the best predicted effect. Also returns the attempts of the first visit
+    /// that failed.
     fn best_stay(
         &self,
         places: &[Candidate],
@@ -218,7 +217,7 @@ impl Follower<'_> {
         Ok((chosen, stopped))
     }
 
-    /// What comes of a stay after those before it, as the effect model predicts.
+    /// Predicts the result of a visit after the earlier visits.
     fn outcome(&self, before: &[Reached], stay: &Stay) -> Outcome {
         let stays = before.iter().map(|(.., stay)| stay).chain([stay]);
         let strokes = stays.flat_map(|stay| stay.runs.iter().map(|(nodes, run)| run.stroke(nodes)));
@@ -232,8 +231,8 @@ impl Follower<'_> {
         }
     }
 
-    /// What is open, with the tool turned so that the joints move little: in another order in which they may move less, and
-    /// in the planned one. None of which the predicted effect is not as good.
+    /// Returns the pending strokes with the yaw chosen so that the joints move little: in another order in
+    /// which they may move less, and in the planned order. Leaves out versions with a worse predicted effect.
     fn eased(&self, arm: &Arm, open: &[Open]) -> Vec<Vec<Open>> {
         if !self.config.free_yaw || arm.keeps_heading || self.cell.second().is_some() {
             return Vec::new();
@@ -248,13 +247,13 @@ impl Follower<'_> {
             .collect()
     }
 
-    /// What is open with the tool turned so that the joints move little.
+    /// Returns the pending strokes in their order, with the yaw chosen so that the joints move little.
     fn eased_in_order(&self, arm: &Arm, open: &[Open]) -> Vec<Open> {
         let mut at = arm.ready();
         let mut turned = open.to_vec();
         for (i, open) in turned.iter_mut().enumerate() {
             let seed = self.config.seed ^ (i as u64) << 32;
-            // The tool does not turn on the spot any more.
+            // The tool no longer turns on the spot.
             open.nodes.dedup_by_key(|waiting| waiting.node);
             let poses: Vec<PlanarPose> = open.nodes.iter().map(|w| w.corner.pose).collect();
             let line: Vec<Point2> = poses.iter().map(|pose| pose.position).collect();
@@ -270,8 +269,8 @@ impl Follower<'_> {
         turned
     }
 
-    /// All nodes that are open in an order in which the joints move less; nothing if there is none, or if the order is not
-    /// the robot's to choose.
+    /// Returns all pending nodes in an order in which the joints move less; `None` if there is none, or if the
+    /// robot may not choose the order.
     fn reordered(&self, arm: &Arm, open: &[Open]) -> Option<Vec<Open>> {
         if !self.config.free_order || self.task.action != Action::Absorb {
             return None;
@@ -297,7 +296,7 @@ impl Follower<'_> {
         Some(strokes.collect())
     }
 
-    /// Particles where the action wants them once strokes have been wiped, as the effect model predicts.
+    /// Predicts the number of particles that meet the goal after the pending strokes.
     fn achieved(&self, open: &[Open]) -> usize {
         let wiped = Plan {
             strokes: open.iter().map(Open::stroke).collect(),
@@ -314,10 +313,10 @@ impl Follower<'_> {
             .collect()
     }
 
-    /// Takes off what is open what cannot be gone on with, from any place.
+    /// Removes the nodes from the pending strokes that no base pose can reach, and returns them as abandoned.
     ///
-    /// Where it is known of which nodes the tool cannot be put down on, only these are given up, and what they leave is
-    /// joined anew.
+    /// Where the nodes are known at which the tool cannot touch down, only these are abandoned, and the
+    /// remaining nodes are joined anew.
     fn give_up(
         &self,
         open: &mut Vec<Open>,
@@ -344,7 +343,7 @@ impl Follower<'_> {
         let mut left: Vec<Waiting> = open.iter().flat_map(Open::unpassed).copied().collect();
         left.dedup_by_key(|waiting| waiting.node);
         let mut untouched = self.untouched(&left, at)?;
-        // Of the first it is known, whether the base can move or not.
+        // The first node is known to be out of reach, even if the base can move.
         if let Some(first) = untouched.first_mut() {
             *first = Some(attempts);
         }
@@ -360,17 +359,18 @@ impl Follower<'_> {
         Ok(abandoned)
     }
 
-    /// What is left of branches once no node is in them any more on which the tool cannot be put down, and those nodes.
+    /// Returns the pending branches without nodes at which the tool cannot touch down, and these nodes.
     ///
-    /// Branches that such nodes only begin lead to the goals as before. Nothing where there are no such nodes; where the
-    /// base can move, so that another place may reach them; or where what is left leads to no goal.
+    /// Branches that only start at such nodes keep their way to the goal. Returns `None` in three cases: there
+    /// are no such nodes; the base can move, so that another base pose may reach them; or the remaining nodes
+    /// lead to no goal.
     fn joined_to_goals(
         &self,
         open: &[Open],
         at: &PlanarPose,
     ) -> Result<Option<Joined>, FollowError> {
         let mut left: Vec<Waiting> = Vec::new();
-        // A branch ends at a node of another one.
+        // A branch ends at a node of another branch.
         for waiting in open.iter().flat_map(Open::unpassed) {
             if left.iter().all(|known| known.node != waiting.node) {
                 left.push(*waiting);
@@ -390,7 +390,7 @@ impl Follower<'_> {
             open.retain(|open| !open.nodes.is_empty());
             return Ok(Some((open, abandoned)));
         }
-        // What has been pushed before the tool still has to go on.
+        // Carried material still has to reach the goal.
         if let [
             Open {
                 begun: true,
@@ -413,7 +413,7 @@ impl Follower<'_> {
         Ok(joined.filter(is_whole).map(|strokes| (strokes, abandoned)))
     }
 
-    /// New strokes through some of what is left, from its first node on.
+    /// Joins some of the pending nodes to new strokes, from the first pending node.
     fn joined(&self, left: &[Waiting], nodes: &[usize]) -> Option<Vec<Open>> {
         let from = left
             .first()
@@ -427,8 +427,8 @@ impl Follower<'_> {
         Some(open.collect())
     }
 
-    /// For each node what was tried, if the tool cannot be put down there; nothing is known of that where the base can
-    /// move.
+    /// Returns for each node the failed attempts, if the tool cannot touch down there. If the base can move,
+    /// this is unknown and `None` for every node.
     fn untouched(
         &self,
         nodes: &[Waiting],
@@ -457,7 +457,7 @@ impl Follower<'_> {
         Ok(nodes.par_iter().map(touch).collect())
     }
 
-    /// Rated places for the rest of the path; none for a robot without a planar base.
+    /// Returns rated base poses for the rest of the path; none for a robot without a planar base.
     fn candidates(&self, open: &[Open]) -> Result<Vec<Candidate>, FollowError> {
         if self.cell.base().is_none() {
             return Ok(Vec::new());
@@ -484,7 +484,7 @@ impl Follower<'_> {
         Ok(reachability.rated(&ahead, self.config))
     }
 
-    /// The best heading of every place.
+    /// Returns the best heading of every place.
     fn rated_places(&self, candidates: &[Candidate]) -> Vec<RatedPlace> {
         let mut places: Vec<RatedPlace> = Vec::new();
         let mut sorted: Vec<RatedPlace> = candidates.iter().map(RatedPlace::from).collect();
@@ -504,9 +504,9 @@ impl Follower<'_> {
         places
     }
 
-    /// Works off what is open from one placement: of the ways to do so the one of which least is left, and of these the one
-    /// on which the joints move least. As planned where the tool is not turned otherwise, or where an arm that is bolted down
-    /// leaves something so.
+    /// Follows the pending strokes from one base pose, in several versions. Takes the version with the fewest
+    /// pending nodes, of equal ones that with the shortest joint path. The planned version is tried if there is
+    /// no other, or if a fixed arm leaves nodes pending in all others.
     fn work(&self, world_from_base: &PlanarPose, open: &[Open]) -> Result<Stay, FollowError> {
         let arm =
             Arm::new(self.cell, self.task, self.config, world_from_base)?.following(self.plan);
@@ -530,7 +530,7 @@ impl Follower<'_> {
         Ok(best.expect("at least one way"))
     }
 
-    /// Works off strokes from one placement, in order, until one cannot be gone on with.
+    /// Follows strokes from one base pose, in order, until one cannot be continued.
     fn worked_off(&self, arm: &Arm, world_from_base: &PlanarPose, open: Vec<Open>) -> Stay {
         let mut now = Now {
             q: arm.ready(),
@@ -560,9 +560,9 @@ impl Follower<'_> {
                     break;
                 }
             };
-            // Putting the tool down where it has wiped already is no progress.
+            // Touching down where the tool has wiped already is no progress.
             if run.last == 0 && first.begun && planned.len() > 1 {
-                // Where the way makes no difference and no other place may be better, it is gone on with at the next.
+                // If paths do not matter and no other base pose may be better, the next node is tried.
                 if self.task.action == Action::Absorb && self.cell.base().is_none() {
                     first.put_down_anew();
                     continue;
@@ -586,14 +586,14 @@ impl Follower<'_> {
                 .find_map(|i| free_motion(arm, &now.q, &ready, self.config.seed.wrapping_add(i)));
             match back {
                 Some(path) => stay.back = path,
-                // Without a way back the base could not move on.
+                // Without a path back to the ready posture the base could not drive on.
                 None => stay.runs.clear(),
             }
         }
         stay
     }
 
-    /// Of each node of the plan how amply it is in reach from where it is best; none without a map.
+    /// Returns for each node of the plan its reachability from the best base pose; empty without a map.
     fn node_reachability(&self, stays: &[Reached]) -> Result<Vec<f64>, FollowError> {
         if self.map.is_none() {
             return Ok(Vec::new());
@@ -616,7 +616,7 @@ impl Follower<'_> {
         Ok(reachability.of_each(&poses, &places))
     }
 
-    /// Puts everything in order and times it.
+    /// Assembles all motions in order and times them.
     fn timed(
         &self,
         stays: Vec<Reached>,
@@ -683,8 +683,8 @@ impl Follower<'_> {
     }
 }
 
-/// The places to try; where the robot is if it has no planar base, or if the path is in reach of none, so
-/// that what is out of reach is told with the reason.
+/// Returns the base poses to try. If the robot has no planar base, or no base pose reaches the path, returns
+/// the present one, so that the obstruction is reported.
 fn best_or_here(
     cell: &Workcell,
     candidates: &[Candidate],

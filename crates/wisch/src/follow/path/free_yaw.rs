@@ -1,4 +1,4 @@
-//! Headings of the tool that are the robot's to choose, where its effect does not depend on them.
+//! Yaw of the tool chosen by the robot, where the effect does not depend on it.
 
 use super::arm::Arm;
 use super::taut::{drawn_taut, on_surface, way};
@@ -7,20 +7,22 @@ use crate::robot::JointPositions;
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
-/// Random configurations in which a stroke may begin, beside the current one and the ready posture.
+/// Number of random configurations from which a stroke may start, beside the current one and the ready posture.
 const STARTS: usize = 8;
 
-/// The tool moved along the line with its yaw left to the arm.
+/// Configurations of the arm along the line, with the tool's yaw free.
 struct Track {
-    /// At the corners that it comes to, at least one.
+    /// Configurations at the corners that are reached, at least one.
     at: Vec<JointPositions>,
-    /// The length of the joints' way, that to the start included [rad].
+    /// Length of the joint path, with the path to the start [rad].
     movement: f64,
 }
 
-/// Configurations at the corners of a line between which the joints move little, none at a corner where the tool cannot be put
-/// down: of the tracks from several configurations the one that leads furthest, and of these the one along which they move
-/// least, drawn taut. Where none leads on, the next begin anew.
+/// Returns configurations at the corners of a line between which the joints move little; `None` at a corner
+/// where the tool cannot touch down.
+///
+/// Tracks start from several configurations. The longest is taken, of equal ones that with the shortest joint
+/// path, and its joint travel is minimised. Where no track continues, the next tracks start anew.
 pub(in crate::follow) fn eased(
     arm: &Arm,
     now: &JointPositions,
@@ -43,8 +45,7 @@ pub(in crate::follow) fn eased(
     near
 }
 
-/// Configurations from which tracks may lead, of which some put the tool down at a place: the current one, the ready posture
-/// and random ones.
+/// Returns start configurations for tracks: the current one, the ready posture and random ones.
 pub(in crate::follow) fn starts(arm: &Arm, now: &JointPositions, seed: u64) -> Vec<JointPositions> {
     let (ranges, mut random) = (arm.ranges(), ChaCha8Rng::seed_from_u64(seed));
     let anywhere = (0..STARTS).map(|_| {
@@ -54,7 +55,7 @@ pub(in crate::follow) fn starts(arm: &Arm, now: &JointPositions, seed: u64) -> V
     [*now, arm.ready()].into_iter().chain(anywhere).collect()
 }
 
-/// The poses of the tool at some places with the headings that it has in these configurations, without wraps.
+/// Returns the planned poses with the headings of the tool in these configurations, not wrapped.
 pub(in crate::follow) fn headed(
     arm: &Arm,
     planned: &[PlanarPose],
@@ -72,7 +73,8 @@ pub(in crate::follow) fn headed(
     heading.collect()
 }
 
-/// Of the tracks from several configurations the best; nothing if the tool cannot be put down at the first corner.
+/// Returns the best track from several start configurations; `None` if the tool cannot touch down at the first
+/// corner.
 fn best_track(arm: &Arm, now: &JointPositions, line: &[Point2], seed: u64) -> Option<Track> {
     let near = starts(arm, now, seed).into_iter();
     let starts = near.filter_map(|near| arm.reach_with_free_yaw(&on_surface(line[0]), &near));
@@ -93,7 +95,8 @@ fn best_track(arm: &Arm, now: &JointPositions, line: &[Point2], seed: u64) -> Op
 }
 
 impl Track {
-    /// The tool along the line from a configuration on, as far as it comes before joints have moved further than `most` [rad].
+    /// Moves the tool along the line from a configuration, until it is out of reach or the joints have moved
+    /// more than `most` [rad].
     fn along(
         arm: &Arm,
         now: &JointPositions,

@@ -1,10 +1,10 @@
 //! The global method: a deterministic search over the discretised null space along an edge, after
 //! Huaman and Stilman (2012); paper §3.3.
 //!
-//! The edge is cut into layers. Each layer has configurations for all orientations of the tool
-//! from several starts; a way from one layer to the next exists if the tool can follow its line while
-//! the joints go from the one to the other. Depth first, the nearest configuration first; what has
-//! failed once is not entered again, so the search ends, and within the discretisation it is complete.
+//! The edge is cut into layers. Each layer has configurations for all orientations of the tool, from several
+//! starts. Two configurations of consecutive layers are connected if the tool can follow its line while the
+//! joints move from one to the other. The search is depth first, nearest configuration first. It never enters a
+//! failed configuration again, so it ends, and it is complete within the discretisation.
 
 use super::arm::{Arm, between, widest_step};
 use super::tool_redundancy::{ToolOrientation, deviation, turned_along};
@@ -14,15 +14,15 @@ use crate::robot::JointPositions;
 
 /// Distance between layers [m].
 const LAYER: f64 = 0.03;
-/// Turn between layers of an edge on which the tool only turns [rad].
+/// Rotation between layers of an edge on which the tool only turns [rad].
 const LAYER_TURN: f64 = 0.2;
 /// Starts of the inverse kinematics for each pose, the current configuration among them.
 const STARTS: u64 = 4;
-/// Most orientations that are looked at in a layer.
+/// Largest number of orientations in a layer.
 const MAX_ORIENTATIONS: usize = 18;
-/// Furthest a joint moves from one layer to the next [rad or m].
+/// Largest movement of a joint from one layer to the next [rad or m].
 const MAX_CHANGE: f64 = 0.8;
-/// Configurations nearer than this are the same [rad or m].
+/// Configurations nearer than this count as the same [rad or m].
 const SAME: f64 = 0.05;
 
 /// Part of a stroke, from one node to the next.
@@ -32,7 +32,7 @@ pub(in crate::follow) struct Leg {
     pub configurations: Vec<JointPositions>,
     /// Corners of the tool's line after the start, the last at the node.
     pub line: Vec<ToolPose>,
-    /// How far the tool is turned away from the plan at the node, and by how much more on the way [rad].
+    /// Rotation of the tool away from the plan at the node, and the additional rotation on the way [rad].
     pub turned: f64,
 }
 
@@ -42,7 +42,7 @@ struct State {
     failed: bool,
 }
 
-/// A way in contact to the node at `goal`, in any of these orientations of the tool.
+/// Searches for a path in contact to the node at `goal`, in any of these orientations of the tool.
 pub(in crate::follow) fn search(
     arm: &Arm,
     start: &JointPositions,
@@ -86,7 +86,7 @@ pub(in crate::follow) fn search(
     })
 }
 
-/// Free configurations at a share of the edge.
+/// Returns free configurations at a share of the edge.
 fn states(
     arm: &Arm,
     start: &JointPositions,
@@ -158,13 +158,13 @@ fn descend(
             return true;
         }
         legs.pop();
-        // Whatever leads here: there is no way on.
+        // No path continues from here, from whichever configuration it is reached.
         layers[depth][i].failed = true;
     }
     false
 }
 
-/// The way of the joints from one configuration to another while the tool follows its line.
+/// Returns the joint path from one configuration to another while the tool follows its line.
 fn connect(
     arm: &Arm,
     start: &JointPositions,

@@ -1,7 +1,8 @@
-//! A tour in joint space: the order of nodes and the configurations on them in which the joints move little.
+//! A tour in joint space: an order of nodes, and configurations at them, with little joint travel.
 //!
-//! From one configuration on all nodes are reached, each from one near it, so that neighbours have configurations alike.
-//! These are relaxed, a tour is found by the joints' ways between them, and along it they are drawn taut.
+//! A tree of nearest neighbours reaches all nodes from one configuration, each from a node near it, so that
+//! neighbours have similar configurations. These are smoothed, a tour is found by the joint distances between
+//! them, and the joint travel along the tour is minimised.
 
 use super::arm::{Arm, widest_step};
 use super::free_yaw::starts;
@@ -11,35 +12,35 @@ use crate::plan::{Plan, order_nodes};
 use crate::robot::JointPositions;
 use rayon::prelude::*;
 
-/// Widest step of a joint between neighbours whose configurations are alike [rad or m].
+/// Largest step of a joint between neighbours with similar configurations [rad or m].
 const ALIKE: f64 = 0.6;
-/// Neighbours to whose mean a configuration is drawn.
+/// Number of neighbours whose mean a configuration moves to.
 const NEIGHBOURS: usize = 6;
-/// How often all configurations are drawn to their neighbours' means.
+/// Number of smoothing passes over all configurations.
 const SWEEPS: usize = 10;
-/// What the way of the tool costs, over what the joints move for it on average: of orders in which they move as little the
-/// shorter is the faster.
+/// Weight of the tool's path against the mean joint travel per path length [1]: of orders with the same joint
+/// travel, the shorter is faster.
 const WAY_SHARE: f64 = 0.25;
 
-/// An order of nodes with a configuration on each.
+/// An order of nodes with a configuration at each.
 pub(in crate::follow) struct JointTour {
-    /// Numbers among the given nodes, stroke by stroke.
+    /// Indices of the given nodes, stroke by stroke.
     pub strokes: Vec<Vec<usize>>,
-    /// For each of the given nodes.
+    /// Configuration at each of the given nodes.
     pub at: Vec<JointPositions>,
 }
 
-/// One configuration on each place, neighbours' alike.
+/// One configuration at each place, similar between neighbours.
 struct Spread {
     at: Vec<JointPositions>,
-    /// The joints' ways from each place to the one that it was reached from, summed up [rad].
+    /// Sum of the joint distances from each place to the place that it was reached from [rad].
     movement: f64,
-    /// The lengths of these ways, summed up [m].
+    /// Sum of the distances between these places [m].
     length: f64,
 }
 
-/// An order of nodes of a plan to absorb in which the joints move less than in theirs; nothing if there is none, or if a node
-/// is not reached from its neighbours.
+/// Returns an order of the nodes of a plan to absorb in which the joints move less than in the given order;
+/// `None` if there is none, or if a node is not reached from its neighbours.
 pub(in crate::follow) fn joint_tour(
     arm: &Arm,
     now: &JointPositions,
@@ -78,7 +79,8 @@ pub(in crate::follow) fn joint_tour(
 }
 
 impl Spread {
-    /// From where the tool is nearest to a place in a configuration, place by place, the nearest to what is reached first.
+    /// Reaches all places from the one nearest to the tool in a configuration, always the place nearest to
+    /// those reached so far.
     fn from(arm: &Arm, places: &[Point2], start: &JointPositions) -> Option<Self> {
         let tool = arm.tool_on_surface(start)?;
         let distance = |i: usize| (places[i] - tool).norm();
@@ -116,7 +118,7 @@ impl Spread {
                         length += distance;
                         break (i, q);
                     }
-                    // From another one, once that is reached.
+                    // Tries again from another place, once one is reached.
                     _ => nearest[i].0 = f64::INFINITY,
                 }
             };
@@ -124,7 +126,7 @@ impl Spread {
     }
 }
 
-/// Draws each configuration to the mean of its neighbours', where these are alike.
+/// Smoothing: moves each configuration to the mean of its neighbours' configurations, where these are similar.
 fn relax(arm: &Arm, places: &[Point2], at: &mut [JointPositions]) {
     let neighbours: Vec<Vec<usize>> = (0..places.len())
         .map(|i| {

@@ -1,5 +1,5 @@
-//! The arm from one placement of the base: a stroke from touching down to lifting off, its edges (Algorithm 1 of
-//! paper §3.3), the local and the global method, and free motion between strokes.
+//! The arm at one base pose: a stroke from touching down to lifting off, its edges (Algorithm 1 of paper §3.3),
+//! the local and the global method, and free motion between strokes.
 
 pub(super) mod arm;
 mod edge;

@@ -1,4 +1,4 @@
-//! One stroke from touching down to lifting off, from one placement of the base.
+//! One stroke from touching down to lifting off, at one base pose.
 
 use super::arm::Arm;
 use super::edge::follow_edge;
@@ -10,34 +10,34 @@ use crate::geometry::PlanarPose;
 use crate::plan::Stroke;
 use crate::robot::JointPositions;
 
-/// Starts for each orientation in which a stroke may begin, beside the current configuration: for the
-/// planned orientation, and for any.
+/// Number of starts for each orientation of the tool at the start of a stroke, beside the current
+/// configuration: for the planned orientation, and for any orientation.
 const EXACT_STARTS: u64 = 8;
 const STARTS: u64 = 2;
-/// Configurations that are looked at for one that touches nothing.
+/// Number of configurations that are checked for one without collision.
 const FREE_TRIES: u64 = 4;
-/// A stroke on which the tool is turned away from the plan by less than this per node is as planned [rad].
+/// Rotation from the plan per node below which a stroke counts as planned [rad].
 const TURNED: f64 = 0.2;
 
-/// Where the arm is between strokes.
+/// State of the arm between strokes.
 #[derive(Debug, Clone, Copy)]
 pub(in crate::follow) struct Now {
     pub q: JointPositions,
-    /// Where the lifted tool is over the surface; `None` away from it.
+    /// Pose of the lifted tool above the surface; `None` away from it.
     pub tool: Option<ToolPose>,
 }
 
-/// A motion of the arm that has no times yet.
+/// A motion of the arm without times.
 #[derive(Debug, Clone)]
 pub(in crate::follow) struct UntimedMotion {
     pub phase: UntimedPhase,
-    /// Configurations, the first where the piece before ended.
+    /// Configurations; the first is where the last piece ended.
     pub path: Vec<JointPositions>,
     /// Corners of the tool's line; empty in free motion.
     pub line: Vec<ToolPose>,
 }
 
-/// What a piece is for; strokes are numbered once all are known.
+/// Purpose of a piece; strokes get their numbers once all are known.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(in crate::follow) enum UntimedPhase {
     Plain(Phase),
@@ -47,30 +47,30 @@ pub(in crate::follow) enum UntimedPhase {
 /// A corner of a stroke.
 #[derive(Debug, Clone, Copy)]
 pub(in crate::follow) struct Corner {
-    /// How the tool is wanted there.
+    /// Planned pose of the tool.
     pub pose: PlanarPose,
-    /// A configuration of the tool there from which the arm goes on well, if one is known.
+    /// A known configuration of the arm at this corner from which the stroke continues well.
     pub near: Option<JointPositions>,
 }
 
-/// What became of a stroke.
+/// The result of following a stroke.
 #[derive(Debug, Clone)]
 pub(in crate::follow) struct Run {
     pub pieces: Vec<UntimedMotion>,
-    /// The last of the given nodes that was passed.
+    /// Index of the last given node that was reached.
     pub last: usize,
-    /// The tool at every corner of the wiped line.
+    /// Poses of the tool at every corner of the wiped line.
     pub wiped: Vec<ToolPose>,
-    /// How far the tool is turned away from its planned orientation, summed over the nodes [rad].
+    /// Rotation of the tool from its planned orientation, summed over the nodes [rad].
     pub turned: f64,
-    /// Where the arm is now, lifted.
+    /// State of the arm after the stroke, lifted.
     pub now: Now,
-    /// Why it went no further; empty if it went all the way.
+    /// Why the stroke did not continue; empty if it is complete.
     pub stopped: Vec<Attempt>,
 }
 
 impl Run {
-    /// The stroke as it is wiped, through these nodes of the graph.
+    /// Returns the executed stroke through these nodes of the graph.
     pub fn stroke(&self, nodes: &[usize]) -> Stroke {
         Stroke {
             nodes: nodes.to_vec(),
@@ -83,7 +83,7 @@ impl Run {
     }
 }
 
-/// The stroke in contact alone.
+/// The part of a stroke in contact.
 struct Contact {
     legs: Vec<Leg>,
     end: JointPositions,
@@ -93,11 +93,11 @@ struct Contact {
 
 /// Follows a stroke through its `planned` corners as far as possible from any of several configurations.
 ///
-/// From the configuration that is known at the first of them before others. First with the tool oriented exactly as planned; only if no configuration can do that, with all its
-/// orientations.
+/// The known configuration at the first corner is tried before all others. The tool first keeps the planned
+/// orientation exactly; only if no configuration can do that, all its orientations are tried.
 ///
 /// # Errors
-/// What was tried, if the tool cannot even be put down at the first of them.
+/// The failed attempts, if the tool cannot even touch down at the first corner.
 pub(in crate::follow) fn run(
     arm: &Arm,
     now: &Now,
@@ -119,7 +119,7 @@ pub(in crate::follow) fn run(
         attempts: Vec::new(),
         best: None,
     };
-    // Where the orientation makes no difference, it need not be kept to.
+    // Where the orientation does not matter, it need not be kept.
     let is_exact = arm.keeps_heading && search.try_any(&exact, EXACT_STARTS);
     if !is_exact
         && !search.try_any(orientations, STARTS)
@@ -138,14 +138,14 @@ struct Search<'a> {
     lift_height: f64,
     seed: u64,
     attempts: Vec<Attempt>,
-    /// With the orientation and the start that it began with.
+    /// The best run so far, with its orientation and start.
     best: Option<(Run, ToolOrientation, u64)>,
 }
 
 impl Search<'_> {
-    /// Tries configurations until a run goes all the way about as planned; whether one does.
+    /// Tries configurations until a run completes the stroke about as planned; returns whether one does.
     ///
-    /// The tool is carried on over the surface, then put down in configurations reached by free motion.
+    /// The lifted tool first moves on over the surface; then configurations reached by free motion are tried.
     fn try_any(&mut self, orientations: &[ToolOrientation], starts: u64) -> bool {
         let mut tried = 0;
         for start in 0..=starts {
@@ -170,7 +170,7 @@ impl Search<'_> {
         self.is_whole()
     }
 
-    /// The best run again, with the global search where it stopped.
+    /// Repeats the best run, with the global search where it stopped.
     fn globally(&mut self, orientations: &[ToolOrientation]) {
         if let Some((_, orientation, start)) = self.best {
             self.try_one(&orientation, start, orientations, SearchScope::Global);
@@ -186,7 +186,7 @@ impl Search<'_> {
         self.is_whole() && (self.best.as_ref()).is_some_and(|(run, ..)| run.turned <= most)
     }
 
-    /// Whether a way in contact is longer than the best run, or as long and less turned.
+    /// Whether a contact is longer than the best run, or as long with less rotation from the plan.
     fn is_better(&self, contact: &Contact, begun: &Begun) -> bool {
         let (length, turned) = (contact.legs.len(), contact.turned(begun, self.arm));
         self.best.as_ref().is_none_or(|(best, ..)| {
@@ -194,7 +194,7 @@ impl Search<'_> {
         })
     }
 
-    /// The tool put down at the first pose, in an orientation.
+    /// Puts the tool down at the first pose, in an orientation.
     fn begin(&self, orientation: &ToolOrientation, start: u64) -> Result<Begun, Attempt> {
         let (
             arm,
@@ -229,7 +229,7 @@ impl Search<'_> {
                 let near: Vec<&[f64]> = (known.into_iter().chain([&now.q, &ready]))
                     .map(|q| &q[..])
                     .collect();
-                // The first start looks near the current configuration, the others anywhere.
+                // The first start searches near the current configuration, the others anywhere.
                 let mut found =
                     arm.reach_free(&lifted, if start == 1 { &near } else { &[] }, seed ^ start);
                 for i in 1..FREE_TRIES {
@@ -258,7 +258,8 @@ impl Search<'_> {
         })
     }
 
-    /// One configuration: whether it gives the best run so far; `None` if the tool cannot be put down.
+    /// Tries one configuration; returns whether it gives the best run so far, or an error if the tool cannot
+    /// touch down.
     fn try_one(
         &mut self,
         orientation: &ToolOrientation,
@@ -295,9 +296,9 @@ impl Search<'_> {
     }
 }
 
-/// The tool put down at the begin of a stroke.
+/// The tool put down at the start of a stroke.
 struct Begun {
-    /// Over the surface and down: `None` for the first if it has to be reached by free motion.
+    /// Path over the surface and down; the first is `None` if free motion has to reach it.
     over: Option<Vec<JointPositions>>,
     above: JointPositions,
     down: Vec<JointPositions>,
@@ -312,8 +313,7 @@ impl Begun {
 }
 
 impl Contact {
-    /// How far the tool is turned away from the plan, summed over the nodes [rad]; nothing where that
-    /// makes no difference.
+    /// Returns the rotation of the tool from the plan, summed over the nodes [rad]; 0 where it does not matter.
     fn turned(&self, begun: &Begun, arm: &Arm) -> f64 {
         if !arm.keeps_heading {
             return 0.0;
@@ -362,8 +362,8 @@ fn wipe(
     contact
 }
 
-/// Lifts the tool at the end of a stroke, or where it cannot be lifted there, at the last node before where it can: the
-/// rest is gone on with in another configuration. At the first node it goes up as it came down.
+/// Lifts the tool at the end of a stroke. If that fails, lifts it at the last node before where it can; the
+/// rest continues in another configuration. At the first node the tool goes up as it came down.
 fn lifted_off(
     arm: &Arm,
     begun: &Begun,
@@ -399,7 +399,7 @@ fn lifted_off(
     (contact, up)
 }
 
-/// Finds the way to where the tool was put down, and puts the pieces together.
+/// Finds the path to where the tool touches down, and assembles all pieces.
 fn finish(
     arm: &Arm,
     now: &Now,

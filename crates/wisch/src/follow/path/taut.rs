@@ -1,8 +1,9 @@
-//! Configurations in a row drawn taut: the tool keeps its places, its yaw and the rest of the null space give way until the
-//! joints move little.
+//! Minimisation of joint travel along a row of configurations: the tool keeps its positions, while its yaw and
+//! the rest of the null space are free.
 //!
-//! Steps of Gauss and Newton in the null spaces, least squares reweighted so that they minimise the length of the way and
-//! not its square: a chain of configurations is a block-tridiagonal system, solved in one sweep.
+//! Gauss-Newton steps in the null spaces, with iteratively reweighted least squares, so that they minimise the
+//! length of the path and not its square. A chain of configurations gives a block-tridiagonal system, which one
+//! sweep solves.
 
 use super::arm::Arm;
 use crate::follow::{AllowedContact, ToolPose};
@@ -11,20 +12,20 @@ use crate::robot::JointPositions;
 use nalgebra::{Cholesky, DMatrix, DVector, Dyn};
 use rayon::prelude::*;
 
-/// Most steps.
+/// Largest number of steps.
 const MAX_STEPS: usize = 20;
-/// A step that shortens the way by less than this share of it is the last.
+/// Relative gain below which a step is the last [1].
 const LEAST_GAIN: f64 = 1e-3;
-/// Farthest that a joint moves in one step [rad or m].
+/// Largest movement of a joint in one step [rad or m].
 const MAX_CHANGE: f64 = 0.3;
-/// How often a step that does not shorten the way is halved.
+/// Largest number of halvings of a step that does not shorten the path.
 const MAX_HALVINGS: i32 = 3;
-/// Below this a way between two configurations weighs as much as one as long [rad].
+/// Length below which the weight of a piece grows no further [rad].
 const SHORTEST: f64 = 1e-3;
 /// Damping of the steps, against weights of the order of 1 / [`SHORTEST`].
 const DAMPING: f64 = 1e-2;
 
-/// Moves configurations that put the tool down at `places`, with any yaw, to where the joints move less between them.
+/// Moves configurations that touch down at `places`, with any yaw, so that the joints move less between them.
 pub(super) fn drawn_taut(arm: &Arm, places: &[Point2], row: &mut Vec<JointPositions>) {
     if row.len() < 2 {
         return;
@@ -48,7 +49,7 @@ pub(super) fn drawn_taut(arm: &Arm, places: &[Point2], row: &mut Vec<JointPositi
     }
 }
 
-/// How each configuration is to move within its null space; nothing if there is none.
+/// Returns the step of each configuration within its null space; `None` if a null space is empty.
 fn step(arm: &Arm, row: &[JointPositions]) -> Option<Vec<DVector<f64>>> {
     let spaces: Vec<DMatrix<f64>> = row.par_iter().map(|q| arm.null_space(q)).collect();
     if spaces.iter().any(|space| space.ncols() == 0) {
@@ -111,7 +112,8 @@ fn step(arm: &Arm, row: &[JointPositions]) -> Option<Vec<DVector<f64>>> {
     Some(steps)
 }
 
-/// The configurations after a share of a step, put back on their places; those where that cannot be done stay.
+/// Returns the configurations after a share of a step, corrected to their places; those that cannot be
+/// corrected stay.
 fn moved(
     arm: &Arm,
     places: &[Point2],
@@ -127,13 +129,13 @@ fn moved(
     moved.collect()
 }
 
-/// The configuration nearest to one, about, that puts the tool down at a place, touching nothing else.
+/// Returns approximately the nearest configuration to `near` that touches down at a place without collision.
 pub(super) fn put_back(arm: &Arm, place: Point2, near: &JointPositions) -> Option<JointPositions> {
     arm.nearest_with_free_yaw(&on_surface(place), near)
         .filter(|q| arm.is_free_at(q, AllowedContact::Surface))
 }
 
-/// The tool on the surface at a place, with any yaw.
+/// Returns the pose of the tool on the surface at a place; its yaw is arbitrary.
 pub(super) fn on_surface(place: Point2) -> ToolPose {
     ToolPose {
         surface_from_tool: PlanarPose::new(place, 0.0),
@@ -142,12 +144,12 @@ pub(super) fn on_surface(place: Point2) -> ToolPose {
     }
 }
 
-/// The length of the joints' way through these configurations [rad].
+/// Length of the joint path through these configurations [rad].
 pub(in crate::follow) fn movement(row: &[JointPositions]) -> f64 {
     row.windows(2).map(|pair| way(&pair[0], &pair[1])).sum()
 }
 
-/// The length of the joints' straight way between two configurations [rad].
+/// Joint distance between two configurations [rad].
 pub(in crate::follow) fn way(from: &JointPositions, to: &JointPositions) -> f64 {
     let squares = from.iter().zip(to.iter()).map(|(a, b)| (b - a) * (b - a));
     squares.sum::<f64>().sqrt()

@@ -1,5 +1,5 @@
-//! The way of the base between placements: A* over position and heading round obstacles, straightened;
-//! paper §3.3.
+//! The drive of the base between its poses: A* over position and heading around obstacles, straightened; paper
+//! §3.3.
 
 use crate::follow::{FollowConfig, Workcell};
 use crate::geometry::{PlanarPose, wrap_angle};
@@ -10,25 +10,24 @@ use std::f64::consts::TAU;
 
 /// Pitch of the grid [m].
 const PITCH: f64 = 0.1;
-/// Headings of the grid.
+/// Number of headings of the grid.
 const HEADINGS: i32 = 24;
-/// How far round start and goal the base may swerve [cells].
+/// Number of cells around start and goal in which the path may lie [cells].
 const SWERVE: i32 = 30;
-/// Cost of turning: as long as driving so far takes [m/rad]. Base: 0.5 m/s, 0.5 rad/s.
+/// Cost of rotation, as a driving distance [m/rad]. The base drives at 0.5 m/s and turns at 0.5 rad/s.
 const TURN_COST: f64 = 1.0;
-/// Costs are whole micrometres, so that they compare exactly.
+/// Costs are whole micrometres, so that comparisons are exact.
 const COST_UNIT: f64 = 1e-6;
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 enum Node {
     Start,
-    /// Cells and headings from the goal.
+    /// Cells and headings relative to the goal.
     Cell([i32; 3]),
 }
 
-/// Poses of the base from one to another, both included; `None` if there is no free way.
-///
-/// The arm stays in the ready posture.
+/// Returns poses of the base from one pose to another, both included; `None` if there is no free path. The arm
+/// stays in the ready posture.
 pub(in crate::follow) fn drive(
     cell: &Workcell,
     from: &PlanarPose,
@@ -108,8 +107,9 @@ pub(in crate::follow) fn drive(
     Some(straightened(path, is_free))
 }
 
-/// The cheapest way from one node to another, both included (Hart, Nilsson and Raphael, *A Formal Basis for the Heuristic
-/// Determination of Minimum Cost Paths*, 1968). `estimate` is never more than the cost to the goal.
+/// Returns the cheapest path from one node to another, both included (Hart, Nilsson and Raphael, *A Formal
+/// Basis for the Heuristic Determination of Minimum Cost Paths*, 1968). `estimate` must never exceed the cost
+/// to the goal.
 fn cheapest(
     start: Node,
     goal: Node,
@@ -129,7 +129,7 @@ fn cheapest(
             path.reverse();
             return Some(path);
         }
-        // A cheaper way to it was found since.
+        // A cheaper path to this node has been found since.
         if cost > reached[&node].1 {
             continue;
         }
@@ -147,7 +147,7 @@ fn cheapest(
     None
 }
 
-/// A node to look at: first that with the least cost through it, of these the farthest from the start.
+/// A node of the open list: the least total cost first, of equal costs the node farthest from the start.
 struct Open {
     key: (Reverse<u64>, u64),
     node: Node,
@@ -173,7 +173,7 @@ impl PartialEq for Open {
 
 impl Eq for Open {}
 
-/// Leaves out every pose that can be left out.
+/// Removes every pose that is not needed for a free path.
 fn straightened(
     path: Vec<PlanarPose>,
     is_free: impl Fn(&PlanarPose, &PlanarPose) -> bool,

@@ -1,4 +1,4 @@
-//! How hands hold a tool, and its shape in the hand.
+//! How hands hold a tool, and the tool's shape in the hand.
 
 use crate::follow::FollowError;
 use crate::geometry::{Mesh, Point3, Pose, Vector3};
@@ -7,15 +7,16 @@ use crate::robot::{Collision, LinkId, RobotModel, Shape};
 use nalgebra::{Translation3, UnitQuaternion};
 use std::f64::consts::PI;
 
-/// The end of a hand in the frame of its link: on the z axis, as far out as the hand's shapes go.
+/// Returns the end of a hand in the frame of its link: on the z axis, at the outermost point of the hand's
+/// shapes.
 pub(in crate::follow) fn tip_from_hand(robot: &RobotModel, tip: LinkId) -> Pose {
     let hand = &robot.links()[tip.index()].collision;
     let reach = hand.iter().map(outermost).fold(0.0, f64::max);
     Pose::translation(0.0, 0.0, reach)
 }
 
-/// A tool in the frame of the link that leads it: by its grip, or else by the rear edge of its upper face,
-/// the hand leaning back by `lean` [rad].
+/// Returns the pose of a tool in the frame of the link that leads it: by its grip, or without a grip by the
+/// rear edge of its upper face, with the hand leaning back by `lean` [rad].
 pub(in crate::follow) fn tip_from_tool(
     robot: &RobotModel,
     tip: LinkId,
@@ -29,7 +30,8 @@ pub(in crate::follow) fn tip_from_tool(
     tip_from_hand(robot, tip) * hand_from_tool
 }
 
-/// The rear edge of the tool's upper face at the end of the hand, the hand leaning back: hand from tool.
+/// Returns the pose of the tool in the hand, held at the rear edge of its upper face, with the hand leaning
+/// back.
 fn by_the_rear_edge(tool: &Tool, lean: f64) -> Pose {
     let (low, high) = tool.mesh.bounds();
     let turned = UnitQuaternion::from_axis_angle(&Vector3::x_axis(), PI)
@@ -38,8 +40,8 @@ fn by_the_rear_edge(tool: &Tool, lean: f64) -> Pose {
     turned * Translation3::from(-grasped_in_tool)
 }
 
-/// The tool without its rim: kept clear of the scene by less than the margin, because the plan keeps its
-/// collision sphere, which just holds the tool, clear already.
+/// Returns the tool without its rim. It may keep less clearance from the scene than the margin, because the
+/// plan already keeps the collision sphere clear, which just contains the tool.
 pub(in crate::follow) fn without_rim(mesh: &Mesh, rim: f64) -> Result<Mesh, FollowError> {
     let (low, high) = mesh.bounds();
     let middle = nalgebra::center(&low, &high);
@@ -50,8 +52,8 @@ pub(in crate::follow) fn without_rim(mesh: &Mesh, rim: f64) -> Result<Mesh, Foll
     Mesh::new(vertices.collect(), mesh.triangles().to_vec()).map_err(FollowError::Tool)
 }
 
-/// The tool while nothing presses it: its underside lies as far below the tool centre point as it is compressed
-/// when it wipes.
+/// Returns the tool without compression: its underside lies below the tool centre point by the depth of its
+/// compression in contact.
 pub(in crate::follow) fn relaxed(mesh: &Mesh, compression_depth: f64) -> Result<Mesh, FollowError> {
     let stretched = |v: &Point3| {
         let share = (1.0 - v.z / (2.0 * compression_depth)).clamp(0.0, 1.0);
@@ -64,7 +66,7 @@ pub(in crate::follow) fn relaxed(mesh: &Mesh, compression_depth: f64) -> Result<
     Mesh::new(vertices.collect(), mesh.triangles().to_vec()).map_err(FollowError::Tool)
 }
 
-/// How far a shape reaches along its link's z axis [m].
+/// Returns the largest coordinate of a shape along its link's z axis [m].
 fn outermost(collision: &Collision) -> f64 {
     let pose = &collision.link_from_shape;
     let along = |z: f64| (pose * Point3::new(0.0, 0.0, z)).z;
