@@ -1,7 +1,7 @@
 //! Candidate plans for the same dirt; the caller keeps the one with the best predicted effect.
 
-use super::policies::{covering, some_of};
-use super::subplans::composed;
+use super::policies::{plan_by_coverage, sample_particles};
+use super::subplans::compose_subplans;
 use super::{CoverageStrategy, FreeSpace, Plan, PlanConfig, PlanError};
 use crate::represent::{Action, ParticleDistribution, Task};
 
@@ -19,7 +19,7 @@ pub(super) const MOST_COMPARED: usize = 5000;
 /// Returns candidate plans of a coverage strategy: at least one, and one for each of the first `count` settings
 /// that work.
 ///
-/// Nodes are placed on `to_plan_on`, for example the dirt that is not yet where it belongs. Candidates differ
+/// Nodes are placed on `remaining`, for example the dirt that is not yet where it belongs. Candidates differ
 /// in the bandwidth of the density estimate, if the strategy uses one, and then in the start of the strokes:
 /// the tool's position, or a corner of the surface. The first candidate is the plan as configured, unless that
 /// fails. If `count` is at least the number of bandwidths, each of their graphs gives a second plan: its
@@ -29,17 +29,19 @@ pub(super) const MOST_COMPARED: usize = 5000;
 /// The error of the first setting, if no setting gives a plan.
 pub(super) fn candidate_plans(
     task: &Task,
-    to_plan_on: &ParticleDistribution,
+    remaining: &ParticleDistribution,
     space: &FreeSpace,
     strategy: CoverageStrategy,
     config: &PlanConfig,
     count: usize,
 ) -> Result<Vec<Plan>, PlanError> {
-    let mut plans = varied_plans(task, to_plan_on, space, strategy, config, count)?;
+    let mut plans = varied_plans(task, remaining, space, strategy, config, count)?;
     let is_rooted = matches!(task.action, Action::Collect | Action::Skim);
     if is_rooted && count >= BANDWIDTHS.len() {
         let graphs = plans.iter().take(BANDWIDTHS.len());
-        let composed: Vec<Plan> = graphs.map(|plan| composed(task, plan, space)).collect();
+        let composed: Vec<Plan> = graphs
+            .map(|plan| compose_subplans(task, plan, space))
+            .collect();
         plans.extend(composed);
     }
     Ok(plans)
@@ -48,14 +50,14 @@ pub(super) fn candidate_plans(
 /// Returns up to `count` plans, at least one; the first is the plan as configured, unless that fails.
 pub(super) fn varied_plans(
     task: &Task,
-    to_plan_on: &ParticleDistribution,
+    remaining: &ParticleDistribution,
     space: &FreeSpace,
     strategy: CoverageStrategy,
     config: &PlanConfig,
     count: usize,
 ) -> Result<Vec<Plan>, PlanError> {
     let mut open = task.clone();
-    open.particles = to_plan_on.clone();
+    open.particles = remaining.clone();
     let half_radius = task.tool.collision_radius() / 2.0;
     let mut bandwidths = vec![config.bandwidth];
     if strategy.uses_bandwidth() {
@@ -72,7 +74,7 @@ pub(super) fn varied_plans(
             bandwidth,
             ..config.clone()
         };
-        match covering(&open, space, strategy, &candidate) {
+        match plan_by_coverage(&open, space, strategy, &candidate) {
             Ok(plan) => plans.push(Plan {
                 tool_start: task.tool_start,
                 ..plan
@@ -90,13 +92,13 @@ pub(super) fn varied_plans(
 
 /// Returns the task with at most [`MOST_COMPARED`] particles. An action that treats the surface keeps all of
 /// them.
-pub(super) fn some_to_compare(task: &Task) -> Task {
+pub(super) fn reduce_for_comparison(task: &Task) -> Task {
     let most = match task.action.treats() {
         true => usize::MAX,
         false => MOST_COMPARED,
     };
     Task {
-        particles: some_of(&task.particles, most),
+        particles: sample_particles(&task.particles, most),
         ..task.clone()
     }
 }

@@ -8,7 +8,7 @@ use crate::represent::Action;
 pub enum PlanError {
     /// No node fits on the surface.
     #[error(
-        "surface \"{surface}\": nowhere is there {diameter:.3} m of clearance for the tool; take a smaller tool or move the obstacles"
+        "surface \"{surface}\": no free place for the tool, which needs {diameter:.3} m of clearance; take a smaller tool or move the obstacles"
     )]
     NoFreeNode {
         /// Name of the surface.

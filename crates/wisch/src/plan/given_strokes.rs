@@ -214,7 +214,7 @@ pub fn plan_of_strokes(
 }
 
 /// Rounds a coordinate to the nanometre, so that rounding errors around zero are shown as zero [m].
-fn shown(coordinate: f64) -> f64 {
+fn round_to_nanometre(coordinate: f64) -> f64 {
     (coordinate * 1e9).round() / 1e9 + 0.0
 }
 
@@ -286,18 +286,18 @@ impl Check<'_> {
             _ => poses.windows(2).map(|leg| [leg[0], leg[1]]).collect(),
         };
         for (pose, leg) in legs.iter().enumerate() {
-            if let Some(found) = self.carried(stroke, pose, leg)? {
+            if let Some(found) = self.check_support(stroke, pose, leg)? {
                 let distance = found.distance.max(over_border.map_or(0.0, |o| o.distance));
                 over_border = Some(StrokeOverBorder { distance, ..found });
             }
-            self.clear(stroke, pose, leg)?;
+            self.check_clearance(stroke, pose, leg)?;
         }
         Ok(over_border)
     }
 
     /// Checks that the surface carries the tool on a leg; returns the distance by which the tool leaves it
     /// within the limit.
-    fn carried(
+    fn check_support(
         &self,
         stroke: usize,
         pose: usize,
@@ -323,8 +323,8 @@ impl Check<'_> {
                             stroke,
                             pose,
                             length,
-                            x: shown(middle.x),
-                            y: shown(middle.y),
+                            x: round_to_nanometre(middle.x),
+                            y: round_to_nanometre(middle.y),
                         });
                     }
                 }
@@ -333,22 +333,22 @@ impl Check<'_> {
                     // greatest in the middle.
                     let places = [begin, (begin + end) / 2.0, end].map(at);
                     let excess = |place: &Point2| {
-                        let (distance, limit, _) = self.beyond(*place);
+                        let (distance, limit, _) = self.overhang(*place);
                         distance - limit
                     };
                     let farther = |a: &Point2, b: &Point2| excess(a).total_cmp(&excess(b));
                     let Some(place) = places.into_iter().max_by(farther) else {
                         continue;
                     };
-                    let (distance, limit, skims) = self.beyond(place);
+                    let (distance, limit, skims) = self.overhang(place);
                     if distance > limit + TOLERANCE {
                         return Err(StrokeFault::OffSurface {
                             stroke,
                             pose,
                             distance,
                             limit,
-                            x: shown(place.x),
-                            y: shown(place.y),
+                            x: round_to_nanometre(place.x),
+                            y: round_to_nanometre(place.y),
                         });
                     }
                     let is_farther = farthest.is_none_or(|known| known.distance < distance);
@@ -367,7 +367,7 @@ impl Check<'_> {
 
     /// Returns how far a place is beyond the border [m], how far it may be [m], and whether a skim over an edge
     /// allows that.
-    fn beyond(&self, place: Point2) -> (f64, f64, bool) {
+    fn overhang(&self, place: Point2) -> (f64, f64, bool) {
         let surface = &self.task.surface;
         let edges: Vec<_> = surface.outline.edges().collect();
         let distances = edges.iter().map(|edge| edge.distance(place));
@@ -397,7 +397,7 @@ impl Check<'_> {
     }
 
     /// Checks that the tool collides with nothing on a leg.
-    fn clear(
+    fn check_clearance(
         &self,
         stroke: usize,
         pose: usize,
@@ -413,13 +413,13 @@ impl Check<'_> {
             let share = step as f64 / steps;
             let place = from.position + along * share;
             let heading = from.heading + turn * share;
-            if let Some(object) = self.met_at(place, heading) {
+            if let Some(object) = self.object_at(place, heading) {
                 return Err(StrokeFault::Obstacle {
                     stroke,
                     pose,
                     object: object.to_owned(),
-                    x: shown(place.x),
-                    y: shown(place.y),
+                    x: round_to_nanometre(place.x),
+                    y: round_to_nanometre(place.y),
                 });
             }
         }
@@ -432,7 +432,7 @@ impl Check<'_> {
     }
 
     /// Returns the object with which the tool collides at a pose.
-    fn met_at(&self, place: Point2, heading: f64) -> Option<&str> {
+    fn object_at(&self, place: Point2, heading: f64) -> Option<&str> {
         let turn = Rotation::from_rotation_z(heading);
         let surface_from_tool = ParryPose::from_parts(Vector::new(place.x, place.y, 0.0), turn);
         let meets = |obstacle: &&Obstacle| {

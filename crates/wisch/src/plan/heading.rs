@@ -63,7 +63,7 @@ impl Headings {
         let symmetric = is_symmetric(task);
         let strokes = chains.iter().flat_map(|chain| {
             let planned = self.along(graph, chain, symmetric);
-            unwound(planned)
+            split_by_winding(planned)
         });
         strokes.collect()
     }
@@ -120,7 +120,7 @@ fn edge_headings(graph: &SemanticDirectedGraph, nodes: &[usize], symmetric: bool
 
 /// Splits a stroke where its headings exceed the range [`WINDING`]: between the parts the tool is lifted and
 /// turned back.
-fn unwound(stroke: Stroke) -> Vec<Stroke> {
+fn split_by_winding(stroke: Stroke) -> Vec<Stroke> {
     let mut strokes = Vec::new();
     let mut begin = 0;
     let mut range = Range::default();
@@ -237,7 +237,7 @@ mod tests {
         for headings in [Headings::Blended, Headings::AlongEdges] {
             for symmetric in [false, true] {
                 let whole = headings.along(&graph, &chain, symmetric);
-                let parts = unwound(whole.clone());
+                let parts = split_by_winding(whole.clone());
                 assert!(parts.iter().all(|part| turned(part) <= WINDING));
                 // A tool that is symmetric under half a turn need not be lifted.
                 assert_eq!(parts.len() > 1, !symmetric, "{headings:?}");

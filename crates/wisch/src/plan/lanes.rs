@@ -43,7 +43,7 @@ pub(super) fn lanes(
     };
     let directions = [0.0, FRAC_PI_2]
         .map(|heading| Lanes::new(task, space, goal, heading, config.search.margin_m));
-    if let Some(count) = (directions.iter().map(Lanes::most_nodes)).find(|&most| most > MAX_NODES) {
+    if let Some(count) = (directions.iter().map(Lanes::max_nodes)).find(|&most| most > MAX_NODES) {
         return Err(PlanError::TooManyNodes {
             surface: task.surface.name.clone(),
             count,
@@ -51,7 +51,7 @@ pub(super) fn lanes(
             advice: "take a wider tool, fewer passes or a smaller surface",
         });
     }
-    let plans = directions.map(|lanes| assembled(task, space, goal, config, lanes.strokes()));
+    let plans = directions.map(|lanes| assemble_plan(task, space, goal, config, lanes.strokes()));
     let [along_x, along_y] = plans;
     let [x, y] = [&along_x, &along_y].map(|plan| (objective(task, plan), plan.contact_distance()));
     let is_along_y = y.0 > x.0 || y.0 == x.0 && y.1 < x.1;
@@ -67,7 +67,7 @@ pub(super) fn lanes(
 
 /// A place that still needs passes, in the frame of the lanes.
 #[derive(Debug, Clone, Copy)]
-struct Open {
+struct UntreatedPlace {
     along: f64,
     across: f64,
     /// Number of passes that it still needs.
@@ -84,9 +84,9 @@ struct Lanes<'a> {
     strip: f64,
     /// Whether places may have more passes than they need: then lanes overlap, and the tool repeats their ends.
     is_lenient: bool,
-    open: Vec<Open>,
+    open: Vec<UntreatedPlace>,
     /// All places of the surface: along and across [m], and the number of passes that each may still have.
-    room: Vec<([f64; 2], f64)>,
+    passes_left: Vec<([f64; 2], f64)>,
     start: Point2,
 }
 
@@ -104,7 +104,7 @@ impl<'a> Lanes<'a> {
         let to_lanes = PlanarPose::new(Point2::origin(), heading);
         let open = places_of(task).map(|(place, fate)| {
             let there = to_lanes.inverse_transform(place);
-            Open {
+            UntreatedPlace {
                 along: there.x,
                 across: there.y,
                 missing: goal.missing_passes(fate.passes()),
@@ -114,7 +114,7 @@ impl<'a> Lanes<'a> {
             Some(Treatment::Polish { max_passes, .. }) => f64::from(max_passes),
             _ => f64::INFINITY,
         };
-        let room = places_of(task).map(|(place, fate)| {
+        let passes_left = places_of(task).map(|(place, fate)| {
             let there = to_lanes.inverse_transform(place);
             ([there.x, there.y], most - fate.passes())
         });
@@ -125,7 +125,7 @@ impl<'a> Lanes<'a> {
             strip,
             is_lenient,
             open: open.filter(|open| open.missing > 0).collect(),
-            room: room.collect(),
+            passes_left: passes_left.collect(),
             start: to_lanes.inverse_transform(task.tool_start),
         }
     }
@@ -159,8 +159,8 @@ impl<'a> Lanes<'a> {
     }
 
     /// Upper bound of the number of nodes of all lanes.
-    fn most_nodes(&self) -> usize {
-        let extent = |of: fn(&Open) -> f64| {
+    fn max_nodes(&self) -> usize {
+        let extent = |of: fn(&UntreatedPlace) -> f64| {
             let all = self.open.iter().map(of);
             let (low, high) = all.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), at| {
                 (low.min(at), high.max(at))
@@ -176,7 +176,7 @@ impl<'a> Lanes<'a> {
 
     /// Returns for each lane its places: each place belongs to the nearest lane, of two equally near lanes to
     /// the first.
-    fn places_by_lane(&self, middles: &[f64]) -> Vec<Vec<Open>> {
+    fn places_by_lane(&self, middles: &[f64]) -> Vec<Vec<UntreatedPlace>> {
         let mut by_lane = vec![Vec::new(); middles.len()];
         let pitch = middles.get(1).map_or(1.0, |second| second - middles[0]);
         for open in &self.open {
@@ -218,8 +218,8 @@ impl<'a> Lanes<'a> {
                 self.space.is_clear(at) && is_carried(at)
             });
             of_lane.sort_by(|a, b| a.along.total_cmp(&b.along));
-            let mut runs: Vec<&[Open]> = of_lane
-                .chunk_by(|a, b| self.goes_on(a.along, b.along, across))
+            let mut runs: Vec<&[UntreatedPlace]> = of_lane
+                .chunk_by(|a, b| self.is_continuous(a.along, b.along, across))
                 .collect();
             let [first, last] = [of_lane.first(), of_lane.last()].map(|open| open.map(|o| o.along));
             let is_backward = match (first, last) {
@@ -230,7 +230,7 @@ impl<'a> Lanes<'a> {
                 runs.reverse();
             }
             for run in runs {
-                for way in self.ways(run, across, is_backward) {
+                for way in self.turning_points(run, across, is_backward) {
                     at = way.last().map_or(at, |turn| turn[0]);
                     strokes.push(self.poses(&way));
                 }
@@ -240,14 +240,19 @@ impl<'a> Lanes<'a> {
     }
 
     /// Whether a lane continues from one place to the next.
-    fn goes_on(&self, from: f64, to: f64, across: f64) -> bool {
+    fn is_continuous(&self, from: f64, to: f64, across: f64) -> bool {
         let [a, b] = [from, to].map(|along| self.in_surface(along, across));
         to - from <= 2.0 * self.space.radius() && self.space.is_clear_between(a, b)
     }
 
     /// Returns the turning points of the tool, along and across [m], stroke by stroke. The tool moves to and
     /// fro until no place of the run needs more passes, or until a place would have more than it may.
-    fn ways(&mut self, run: &[Open], across: f64, is_backward: bool) -> Vec<Vec<[f64; 2]>> {
+    fn turning_points(
+        &mut self,
+        run: &[UntreatedPlace],
+        across: f64,
+        is_backward: bool,
+    ) -> Vec<Vec<[f64; 2]>> {
         let most = run.iter().map(|open| open.missing).max().unwrap_or(0);
         let mut ways: Vec<Vec<[f64; 2]>> = Vec::new();
         let mut whole: Vec<[f64; 2]> = Vec::new();
@@ -256,12 +261,12 @@ impl<'a> Lanes<'a> {
             let mended = needy.clone().count();
             let Some(first) = needy.next() else { break };
             let last = needy.next_back().unwrap_or(first);
-            let across = self.shifted(run, across, pass, most);
+            let across = self.pass_coordinate(run, across, pass, most);
             let mut ends = [
                 self.end(first.along, across, -1.0),
                 self.end(last.along, across, 1.0),
             ];
-            if !self.passes_over([ends[0].place, ends[1].place], across, mended) {
+            if !self.count_pass([ends[0].place, ends[1].place], across, mended) {
                 break;
             }
             if is_backward != (pass % 2 == 0) {
@@ -283,9 +288,9 @@ impl<'a> Lanes<'a> {
 
     /// Returns the coordinate of a pass across the lane [m]: shifted, unless the shifted pass would meet an
     /// obstacle.
-    fn shifted(&self, run: &[Open], across: f64, pass: u32, passes: u32) -> f64 {
+    fn pass_coordinate(&self, run: &[UntreatedPlace], across: f64, pass: u32, passes: u32) -> f64 {
         let shifted = across + self.shift(pass, passes);
-        let at = |open: &Open| self.in_surface(open.along, shifted);
+        let at = |open: &UntreatedPlace| self.in_surface(open.along, shifted);
         let is_clear = run.iter().all(|open| self.space.is_clear(at(open)))
             && (run.windows(2)).all(|pair| self.space.is_clear_between(at(&pair[0]), at(&pair[1])));
         if is_clear { shifted } else { across }
@@ -293,20 +298,25 @@ impl<'a> Lanes<'a> {
 
     /// Counts a pass over the places under the tool. Refuses the pass, and returns false, if it serves few
     /// places and gives too many others more passes than they may have.
-    fn passes_over(&mut self, [from, to]: [f64; 2], across: f64, mended: usize) -> bool {
+    fn count_pass(&mut self, [from, to]: [f64; 2], across: f64, mended: usize) -> bool {
         let half = self.tool / 2.0;
         let is_under = |[x, y]: [f64; 2]| {
             (y - across).abs() < half.y && (from - half.x..=to + half.x).contains(&x)
         };
         // Sliding over half of the tool counts as a pass.
-        let is_full = |(place, room): &([f64; 2], f64)| is_under(*place) && *room < 0.5;
-        let full = self.room.iter().filter(|place| is_full(place)).count();
+        let is_full =
+            |(place, passes_left): &([f64; 2], f64)| is_under(*place) && *passes_left < 0.5;
+        let full = self
+            .passes_left
+            .iter()
+            .filter(|place| is_full(place))
+            .count();
         if full as f64 > MOST_EXCEEDED * mended as f64 {
             return false;
         }
-        for (place, room) in &mut self.room {
+        for (place, passes_left) in &mut self.passes_left {
             if is_under(*place) {
-                *room -= 1.0;
+                *passes_left -= 1.0;
             }
         }
         true
@@ -386,7 +396,7 @@ struct LaneEnd {
 }
 
 /// Returns the plan of strokes with these poses; each pose is a node of its own.
-fn assembled(
+fn assemble_plan(
     task: &Task,
     space: &FreeSpace,
     goal: GoalState,

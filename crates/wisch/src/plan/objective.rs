@@ -23,7 +23,7 @@ const HEAP_PLACES: [f64; 4] = [0.125, 0.375, 0.625, 0.875];
 /// Objective of doing nothing [particles]: the particles where they belong, less [`LOSS`] for each lost
 /// particle.
 pub(super) fn objective_at_rest(task: &Task, goal: &GoalState) -> i64 {
-    counted(&Performance::of(&task.particles, goal, &task.surface))
+    weigh(&Performance::of(&task.particles, goal, &task.surface))
 }
 
 /// Whether a plan is predicted to be better than doing nothing.
@@ -31,9 +31,9 @@ pub fn is_gainful(task: &Task, plan: &Plan) -> bool {
     objective(task, plan) > objective_at_rest(task, &plan.graph.goal)
 }
 
-/// Objective of a plan [particles]: the particles that it is predicted to leave where they belong, less
-/// [`LOSS`] for each that falls over a wrong edge, less a share for each that is pushed so near an edge that
-/// part of the heap would fall. Pushed dirt heaps up before the tool: of a heap brought just to the rim of the
+/// Objective of a plan [particles]: the number of particles predicted to end where they belong, less two costs.
+/// Each particle that falls over a wrong edge costs [`LOSS`]. Each that is pushed so near an edge that part of the
+/// heap would fall costs a share. Pushed dirt heaps up before the tool: of a heap brought just to the rim of the
 /// goal, part lies beyond it.
 pub(super) fn objective(task: &Task, plan: &Plan) -> i64 {
     let mut margin = EdgeMargin::new(
@@ -59,7 +59,7 @@ pub(super) fn objective(task: &Task, plan: &Plan) -> i64 {
     }
     let performance = Performance::of(&field.distribution(), &plan.graph.goal, &task.surface);
     let risk = RISK * margin.nearness() + margin.beyond(&plan.graph.goal, &task.surface.outline);
-    counted(&performance) - risk.round() as i64
+    weigh(&performance) - risk.round() as i64
 }
 
 /// Returns the plan with the highest objective; of equal plans the one with the shortest path in contact.
@@ -83,7 +83,7 @@ pub(super) fn best_by_objective(
     best.map(|(_, _, plan)| plan)
 }
 
-const fn counted(performance: &Performance) -> i64 {
+const fn weigh(performance: &Performance) -> i64 {
     performance.achieved as i64 - LOSS * performance.lost as i64
 }
 
@@ -144,11 +144,13 @@ impl EdgeMargin {
             self.before.put(i, place, fate);
         }
         let share = self.pushed.len() as f64 / self.before.len().max(1) as f64;
+        // The margin is as wide as the heap of the particles that this motion pushed is deep.
         let width = heap_depth(self.heap, share);
         for &(i, from) in &self.pushed {
             let (place, _) = after.place(i);
             let distances = self.edges.iter().map(|edge| edge.distance(place));
             let distance = distances.fold(width, f64::min);
+            // Nearness 1 − d / width: 0 at the border of the margin, 1 at the edge.
             self.nearness[i] = self.nearness[i].max(1.0 - distance / width);
             let along = (place - from).normalize();
             let reach = along + heap_slide(&self.world_from_surface, along);

@@ -1,16 +1,16 @@
 //! The planner: one request, and the plan of any strategy that answers it.
 
-use super::adaptive::{Judge, score, searched};
-use super::candidates::{MOST_COMPARED, candidate_plans, some_to_compare, varied_plans};
+use super::adaptive::{Valuation, score, search};
+use super::candidates::{MOST_COMPARED, candidate_plans, reduce_for_comparison, varied_plans};
 use super::objective::best_by_objective;
-use super::policies::{covering, some_of};
-use super::subplans::{best_of, space_of};
+use super::policies::{plan_by_coverage, sample_particles};
+use super::subplans::{best_of, free_space_of};
 use super::{CoverageStrategy, FreeSpace, Plan, PlanConfig, PlanError, PlanScore, Strategy};
 use crate::geometry::Point2;
 use crate::represent::{ParticleDistribution, Task};
 
 /// Coverage strategies whose plans start the search for strokes, and the number of settings of each.
-const BEGUN_WITH: [(CoverageStrategy, usize); 2] =
+const START_PLANS: [(CoverageStrategy, usize); 2] =
     [(CoverageStrategy::Kde, 9), (CoverageStrategy::Grid, 1)];
 
 /// Largest number of particles in the search for strokes; of more particles, a random subset is used.
@@ -122,17 +122,17 @@ impl<'a> Planner<'a> {
         if config.strategy.turns_tool() {
             return self.plan();
         }
-        let space = space_of(task)?;
+        let space = free_space_of(task)?;
         let remaining = self.remaining.unwrap_or(&task.particles);
         let strategy = config.strategy.covering();
-        let few = some_to_compare(task);
+        let few = reduce_for_comparison(task);
         let some = match task.action.treats() {
             true => remaining.clone(),
-            false => some_of(remaining, MOST_COMPARED),
+            false => sample_particles(remaining, MOST_COMPARED),
         };
         let plans = candidate_plans(&few, &some, &space, strategy, config, count)?;
         let plan = best_by_objective(&few, plans)
-            .map_or_else(|| covering(&few, &space, strategy, config), Ok)?;
+            .map_or_else(|| plan_by_coverage(&few, &space, strategy, config), Ok)?;
         let on = Task {
             particles: remaining.clone(),
             ..task.clone()
@@ -146,10 +146,10 @@ impl<'a> Planner<'a> {
     /// # Errors
     /// The errors of [`Self::plan`], if no setting gives a plan.
     pub fn best_subplan_of(&self, count: usize) -> Result<Plan, PlanError> {
-        let space = space_of(self.task)?;
-        let task = &some_to_compare(self.task);
+        let space = free_space_of(self.task)?;
+        let task = &reduce_for_comparison(self.task);
         let remaining = self.remaining.unwrap_or(&self.task.particles);
-        let some = some_of(remaining, MOST_COMPARED);
+        let some = sample_particles(remaining, MOST_COMPARED);
         let strategy = self.config.strategy.covering();
         let plans = varied_plans(task, &some, &space, strategy, self.config, count)?;
         Ok(best_of(task, &plans, &space))
@@ -167,7 +167,7 @@ impl<'a> Planner<'a> {
     /// If the scene's geometry cannot be used.
     pub fn best_subplan(&self, plan: &Plan) -> Result<Plan, PlanError> {
         let plans = std::slice::from_ref(plan);
-        Ok(best_of(self.task, plans, &space_of(self.task)?))
+        Ok(best_of(self.task, plans, &free_space_of(self.task)?))
     }
 
     /// Plans by every strategy that fits the action, and scores each plan.
@@ -177,14 +177,14 @@ impl<'a> Planner<'a> {
     pub fn plan_by_every_strategy(&self) -> Result<Portfolio, PlanError> {
         let (task, few, space) = self.prepare()?;
         let (task, config) = (&task, self.config);
-        let judge = Judge::new(task, &few, &space, config.search.margin_m, None);
+        let valuation = Valuation::new(task, &few, &space, config.search.margin_m, None);
         let strategies = (Strategy::ALL.into_iter())
             .filter(|&strategy| strategy != Strategy::Best && strategy.fits(task.action));
         let candidates = strategies.map(|strategy| {
             let plan = plan_by(strategy, task, &few, &space, config);
             let candidate = plan.map(|plan| {
                 let plan = finish(plan, task, &space, config);
-                let score = score(&judge, &plan);
+                let score = score(&valuation, &plan);
                 Candidate { plan, score }
             });
             (strategy, candidate)
@@ -203,7 +203,7 @@ impl<'a> Planner<'a> {
     pub fn plan_around(&self, plan: &Plan, avoid: &[Point2]) -> Result<Plan, PlanError> {
         let (task, few, space) = self.prepare()?;
         let begun_with = std::slice::from_ref(plan);
-        let found = searched(&task, &few, &space, begun_with, Some(avoid), self.config);
+        let found = search(&task, &few, &space, begun_with, Some(avoid), self.config);
         let found = found.unwrap_or_else(|| plan.clone());
         Ok(finish(found, &task, &space, self.config))
     }
@@ -215,8 +215,8 @@ impl<'a> Planner<'a> {
     pub fn score(&self, plan: &Plan) -> Result<PlanScore, PlanError> {
         let (task, few, space) = self.prepare()?;
         let margin = self.config.search.margin_m;
-        let judge = Judge::new(&task, &few, &space, margin, None);
-        Ok(score(&judge, plan))
+        let valuation = Valuation::new(&task, &few, &space, margin, None);
+        Ok(score(&valuation, plan))
     }
 
     /// Returns the task with the first of the possible distributions, a subset of each distribution for the
@@ -230,8 +230,10 @@ impl<'a> Planner<'a> {
             particles: dirt[0].clone(),
             ..self.task.clone()
         };
-        let few = dirt.iter().map(|dirt| some_of(dirt, MAX_PARTICLES));
-        Ok((of_first, few.collect(), space_of(self.task)?))
+        let few = dirt
+            .iter()
+            .map(|dirt| sample_particles(dirt, MAX_PARTICLES));
+        Ok((of_first, few.collect(), free_space_of(self.task)?))
     }
 }
 
@@ -280,7 +282,7 @@ fn plan_by(
 ) -> Result<Plan, PlanError> {
     match strategy {
         Strategy::Coverage(_) | Strategy::Lanes => {
-            covering(task, space, strategy.covering(), config)
+            plan_by_coverage(task, space, strategy.covering(), config)
         }
         Strategy::Adaptive | Strategy::Best | Strategy::Own => {
             search_strokes(task, dirt, space, config)
@@ -316,7 +318,7 @@ fn search_strokes(
     };
     let mut begun_with = Vec::new();
     let mut failure = None;
-    for (strategy, count) in BEGUN_WITH {
+    for (strategy, count) in START_PLANS {
         match candidate_plans(task, first, space, strategy, config, count) {
             Ok(plans) => begun_with.extend(plans),
             Err(error) => {
@@ -324,7 +326,7 @@ fn search_strokes(
             }
         }
     }
-    match searched(task, dirt, space, &begun_with, None, config) {
+    match search(task, dirt, space, &begun_with, None, config) {
         Some(plan) => Ok(plan),
         None => Err(failure.unwrap_or_else(|| PlanError::NoFreeNode {
             surface: task.surface.name.clone(),

@@ -29,7 +29,7 @@ const TRIED_GOAL_NODES: usize = 250_000;
 const FEWEST_GOALS: usize = 9;
 
 /// Plans with the strokes of a coverage strategy and of the action's policy.
-pub(super) fn covering(
+pub(super) fn plan_by_coverage(
     task: &Task,
     space: &FreeSpace,
     strategy: CoverageStrategy,
@@ -300,7 +300,14 @@ fn collect(
         center: goal,
         radius: space.radius(),
     };
-    Ok(rooted(task, config, space, nodes, &[goal], state))
+    Ok(build_forest_plan(
+        task,
+        config,
+        space,
+        nodes,
+        &[goal],
+        state,
+    ))
 }
 
 /// Collect without a given goal: the node with the best predicted performance, then the shortest path. Of many
@@ -346,7 +353,7 @@ fn skim(
             surface: task.surface.name.clone(),
         });
     }
-    Ok(rooted(
+    Ok(build_forest_plan(
         task,
         config,
         space,
@@ -381,7 +388,7 @@ fn skim_goals(space: &FreeSpace) -> Vec<Point2> {
 }
 
 /// Builds the trees that lead the nodes to the goals, and their branches as strokes.
-fn rooted(
+fn build_forest_plan(
     task: &Task,
     config: &PlanConfig,
     space: &FreeSpace,
@@ -430,25 +437,25 @@ fn assemble(
         tool_start: task.tool_start,
         lift_height: config.lift_height,
     };
-    best_headed(task, &plan, config.heading, &chains)
+    choose_headings(task, &plan, config.heading, &chains)
 }
 
 /// Returns the plan with strokes through these chains of its nodes, with the headings of the best predicted
 /// effect.
-fn best_headed(task: &Task, plan: &Plan, rule: HeadingRule, chains: &[Vec<usize>]) -> Plan {
+fn choose_headings(task: &Task, plan: &Plan, rule: HeadingRule, chains: &[Vec<usize>]) -> Plan {
     let headed = rule.choices(task).into_iter().map(|headings| Plan {
         strokes: headings.strokes(task, &plan.graph, chains),
         ..plan.clone()
     });
     let few = Task {
-        particles: some_of(&task.particles, CHOSEN_BY),
+        particles: sample_particles(&task.particles, CHOSEN_BY),
         ..task.clone()
     };
     best_by_objective(&few, headed).expect("a rule has at least one heading")
 }
 
 /// Returns the dirt, or a random subset of `most` of its particles.
-pub(super) fn some_of(dirt: &ParticleDistribution, most: usize) -> ParticleDistribution {
+pub(super) fn sample_particles(dirt: &ParticleDistribution, most: usize) -> ParticleDistribution {
     if dirt.len() <= most {
         return dirt.clone();
     }

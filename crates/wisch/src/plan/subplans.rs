@@ -19,7 +19,7 @@ const MAX_SUBPLANS: usize = 24;
 /// leave.
 ///
 /// Straight paths do not turn the tool; near an edge, a turn would push dirt beside the tool over that edge.
-pub(super) fn composed(task: &Task, plan: &Plan, space: &FreeSpace) -> Plan {
+pub(super) fn compose_subplans(task: &Task, plan: &Plan, space: &FreeSpace) -> Plan {
     let candidates = subplans(plan, task, space);
     let mut state = task.clone();
     let mut strokes = Vec::new();
@@ -35,19 +35,19 @@ pub(super) fn composed(task: &Task, plan: &Plan, space: &FreeSpace) -> Plan {
 }
 
 /// The free space of a task.
-pub(super) fn space_of(task: &Task) -> Result<FreeSpace, PlanError> {
+pub(super) fn free_space_of(task: &Task) -> Result<FreeSpace, PlanError> {
     let scene: Vec<_> = task.obstacles_in_surface().collect();
     FreeSpace::new(&task.surface, &scene, task.tool.collision_radius())
 }
 
 /// A subplan with its objective and length.
-struct Found {
+struct ScoredSubplan {
     stroke: Stroke,
     objective: i64,
     length: f64,
 }
 
-impl Found {
+impl ScoredSubplan {
     fn is_better_than(&self, other: &Self) -> bool {
         self.objective > other.objective
             || self.objective == other.objective && self.length < other.length
@@ -56,7 +56,7 @@ impl Found {
 
 /// Returns the best subplan of several plans; the first plan without strokes if no subplan gains anything.
 pub(super) fn best_of(task: &Task, plans: &[Plan], space: &FreeSpace) -> Plan {
-    let mut best: Option<(Found, &Plan)> = None;
+    let mut best: Option<(ScoredSubplan, &Plan)> = None;
     for plan in plans {
         let found = best_among(task, plan, &subplans(plan, task, space));
         if let Some(found) = found
@@ -72,14 +72,14 @@ pub(super) fn best_of(task: &Task, plans: &[Plan], space: &FreeSpace) -> Plan {
 }
 
 /// Returns the best of some strokes, if it gains enough.
-fn best_among(task: &Task, plan: &Plan, strokes: &[Stroke]) -> Option<Found> {
+fn best_among(task: &Task, plan: &Plan, strokes: &[Stroke]) -> Option<ScoredSubplan> {
     let now = objective_at_rest(task, &plan.graph.goal);
     let least = now + (task.particles.len() / GAIN).max(1) as i64;
     let mut one = with_strokes(plan, Vec::new());
-    let mut best: Option<Found> = None;
+    let mut best: Option<ScoredSubplan> = None;
     for stroke in strokes {
         one.strokes = vec![stroke.clone()];
-        let found = Found {
+        let found = ScoredSubplan {
             objective: objective(task, &one),
             length: stroke.length(),
             stroke: stroke.clone(),
@@ -97,12 +97,12 @@ fn subplans(plan: &Plan, task: &Task, space: &FreeSpace) -> Vec<Stroke> {
     let chains: Vec<Vec<usize>> = match graph.goal {
         GoalState::Collected { .. } | GoalState::Skimmed => {
             let successors = graph.successors();
-            let apart = graph.nodes.len().div_ceil(MAX_BEGINNINGS).max(1);
+            let spacing = graph.nodes.len().div_ceil(MAX_BEGINNINGS).max(1);
             (0..graph.nodes.len())
-                .step_by(apart)
+                .step_by(spacing)
                 .flat_map(|node| {
-                    let way = way_to_goal(&successors, node);
-                    let straight = straight_way(graph, &way, space);
+                    let way = path_to_goal(&successors, node);
+                    let straight = straight_path(graph, &way, space);
                     std::iter::once(way).chain(straight)
                 })
                 .filter(|chain| chain.len() > 1)
@@ -121,13 +121,13 @@ fn subplans(plan: &Plan, task: &Task, space: &FreeSpace) -> Vec<Stroke> {
 }
 
 /// Returns the nodes from a node along the tree's edges to its root.
-fn way_to_goal(successors: &[Option<usize>], node: usize) -> Vec<usize> {
+fn path_to_goal(successors: &[Option<usize>], node: usize) -> Vec<usize> {
     std::iter::successors(Some(node), |&at| successors[at]).collect()
 }
 
 /// Returns the straight path from the first to the last node, if it differs from the path along the tree and is
 /// free.
-fn straight_way(
+fn straight_path(
     graph: &SemanticDirectedGraph,
     way: &[usize],
     space: &FreeSpace,
@@ -234,7 +234,7 @@ mod tests {
     #[test]
     fn a_way_ends_at_the_root() {
         let graph = chain(&[0.25, 0.25]);
-        assert_eq!(way_to_goal(&graph.successors(), 0), [0, 1, 2]);
-        assert_eq!(way_to_goal(&graph.successors(), 2), [2]);
+        assert_eq!(path_to_goal(&graph.successors(), 0), [0, 1, 2]);
+        assert_eq!(path_to_goal(&graph.successors(), 2), [2]);
     }
 }

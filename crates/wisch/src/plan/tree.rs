@@ -35,7 +35,7 @@ pub(super) fn forest(
     roots: &[usize],
     max_length: f64,
 ) -> Forest {
-    let mut joined = Joined::of(nodes.len());
+    let mut joined = Components::of(nodes.len());
     for pair in roots.windows(2) {
         joined.union(pair[0], pair[1]);
     }
@@ -120,7 +120,7 @@ pub(super) fn branches(
     for to in parent.iter().flatten() {
         pending[*to] += 1;
     }
-    let mut leaves = PointGrid::new(leaf_cell(nodes));
+    let mut leaves = PointGrid::new(cell_size(nodes));
     for leaf in (0..nodes.len()).filter(|&i| pending[i] == 0 && parent[i].is_some()) {
         leaves.insert(leaf, nodes[leaf]);
     }
@@ -145,19 +145,19 @@ pub(super) fn branches(
 }
 
 /// Side of square cells that hold about one node each [m].
-fn leaf_cell(nodes: &[Point2]) -> f64 {
+fn cell_size(nodes: &[Point2]) -> f64 {
     let size = Bounds2::of(nodes.iter().copied()).map_or(1.0, |bounds| bounds.size().max());
     (size / (nodes.len().max(1) as f64).sqrt()).max(1e-6)
 }
 
 /// Disjoint sets of connected nodes, with their sizes (union-find).
-struct Joined {
+struct Components {
     parts_of: DisjointSets,
     sizes: Vec<usize>,
     parts: usize,
 }
 
-impl Joined {
+impl Components {
     fn of(count: usize) -> Self {
         Self {
             parts_of: DisjointSets::new(count),

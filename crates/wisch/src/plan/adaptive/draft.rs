@@ -16,7 +16,7 @@ const TURN: f64 = 0.15;
 const ALIGNED: f64 = 0.6;
 /// Probability that a new push ends on another stroke, which takes its dirt along [1], and the number of
 /// strokes considered for that.
-const LEADING_ON: f64 = 0.4;
+const ENDING_ON_STROKE: f64 = 0.4;
 const TRIED_STROKES: usize = 3;
 /// Length of a stroke at a place that no existing stroke can pass [m], and the number of strokes considered for
 /// a detour.
@@ -24,10 +24,10 @@ const DAB: f64 = 0.01;
 const TRIED_DETOURS: usize = 3;
 /// Probability that a new push begins with a corner of the tool just over the dirt; and of all other pushes,
 /// that it begins with the tool over the dirt, turned at random [1].
-const REACHING: f64 = 0.25;
-const COVERING: f64 = 0.25;
+const WITH_CORNER: f64 = 0.25;
+const WITH_TOOL_OVER: f64 = 0.25;
 /// Probability that a push with a corner of the tool ends within the tool's size, in any direction [1].
-const HANDING_ON: f64 = 0.3;
+const SHORT_PUSH: f64 = 0.3;
 /// Number of steps towards a place in search of a free pose, largest share of the reach that they use, and
 /// number of directions.
 const REACHES: i32 = 13;
@@ -53,7 +53,7 @@ impl Draft {
         let strokes = if plan.graph.goal == GoalState::Absorbed {
             strokes.collect()
         } else {
-            strokes.flat_map(|poses| straight(&poses)).collect()
+            strokes.flat_map(|poses| split_into_edges(&poses)).collect()
         };
         Self {
             strokes,
@@ -182,7 +182,7 @@ impl Mutator<'_> {
     }
 
     /// Returns a random index below `count`; `None` if `count` is 0.
-    fn one_of(&mut self, count: usize) -> Option<usize> {
+    fn random_index(&mut self, count: usize) -> Option<usize> {
         (count > 0).then(|| self.random.random_range(0..count))
     }
 
@@ -193,17 +193,17 @@ impl Mutator<'_> {
     }
 
     fn move_pose(&mut self, draft: &mut Draft) -> Option<Vec<usize>> {
-        let stroke = self.one_of(draft.strokes.len())?;
-        let pose = self.one_of(draft.strokes[stroke].len())?;
+        let stroke = self.random_index(draft.strokes.len())?;
+        let pose = self.random_index(draft.strokes[stroke].len())?;
         draft.strokes[stroke][pose].position += self.step();
         if draft.goal != GoalState::Absorbed && self.random.random::<f64>() < ALIGNED {
-            aligned(&mut draft.strokes[stroke]);
+            align_to_motion(&mut draft.strokes[stroke]);
         }
         Some(vec![stroke])
     }
 
     fn move_stroke(&mut self, draft: &mut Draft) -> Option<Vec<usize>> {
-        let stroke = self.one_of(draft.strokes.len())?;
+        let stroke = self.random_index(draft.strokes.len())?;
         let step = self.step();
         for pose in &mut draft.strokes[stroke] {
             pose.position += step;
@@ -213,7 +213,7 @@ impl Mutator<'_> {
 
     /// Turns the tool at one pose, or along a whole stroke.
     fn turn(&mut self, draft: &mut Draft) -> Option<Vec<usize>> {
-        let stroke = self.one_of(draft.strokes.len())?;
+        let stroke = self.random_index(draft.strokes.len())?;
         let poses = &mut draft.strokes[stroke];
         let by = normal(&mut self.random) * TURN;
         match self.random.random_range(0..3) {
@@ -233,26 +233,26 @@ impl Mutator<'_> {
 
     /// Turns the broad side of the tool across the motion again.
     fn align(&mut self, draft: &mut Draft) -> Option<Vec<usize>> {
-        let stroke = self.one_of(draft.strokes.len())?;
-        aligned(&mut draft.strokes[stroke]);
+        let stroke = self.random_index(draft.strokes.len())?;
+        align_to_motion(&mut draft.strokes[stroke]);
         Some(vec![stroke])
     }
 
     /// Adds a stroke that pushes remaining dirt to where it belongs.
     fn add_push(&mut self, draft: &mut Draft, left: &[Point2]) -> Option<Vec<usize>> {
-        let dirt = match self.one_of(left.len()) {
+        let dirt = match self.random_index(left.len()) {
             Some(i) => left[i],
             None => {
                 let places: Vec<Point2> = self.task.particles.remaining().collect();
-                places[self.one_of(places.len())?]
+                places[self.random_index(places.len())?]
             }
         };
-        let landing = match self.random.random::<f64>() < REACHING {
-            true => Some(self.reaching(dirt)?),
+        let landing = match self.random.random::<f64>() < WITH_CORNER {
+            true => Some(self.pose_with_corner_over(dirt)?),
             false => None,
         };
         if let Some(landing) = landing
-            && self.random.random::<f64>() < HANDING_ON
+            && self.random.random::<f64>() < SHORT_PUSH
         {
             // Only out of its corner, from where another stroke may fetch it.
             let angle = std::f64::consts::TAU * self.random.random::<f64>();
@@ -263,8 +263,8 @@ impl Mutator<'_> {
             draft.strokes.insert(at, vec![landing, out]);
             return Some(vec![at]);
         }
-        let leads_on = match self.random.random::<f64>() < LEADING_ON {
-            true => self.taken_along(draft, dirt, landing.as_ref()),
+        let leads_on = match self.random.random::<f64>() < ENDING_ON_STROKE {
+            true => self.find_carrying_stroke(draft, dirt, landing.as_ref()),
             false => None,
         };
         let (target, taken_by) = match leads_on {
@@ -283,11 +283,11 @@ impl Mutator<'_> {
         let from = dirt - along * behind + aside;
         let to = target - along * before + aside * self.random.random::<f64>();
         let mut poses = vec![PlanarPose::new(from, 0.0), PlanarPose::new(to, 0.0)];
-        aligned(&mut poses);
+        align_to_motion(&mut poses);
         let landing = match landing {
-            None if self.random.random::<f64>() < COVERING => {
+            None if self.random.random::<f64>() < WITH_TOOL_OVER => {
                 let heading = poses[0].heading + 3.0 * TURN * normal(&mut self.random);
-                Some(self.covering(dirt, heading))
+                Some(self.pose_over(dirt, heading))
             }
             landing => landing,
         };
@@ -308,7 +308,7 @@ impl Mutator<'_> {
     /// Returns a place near some dirt that a stroke passes, and the index of that stroke: the stroke takes dirt
     /// along that is pushed there. Of a few strokes the nearest is taken that the tool can reach straight from
     /// this landing pose.
-    fn taken_along(
+    fn find_carrying_stroke(
         &mut self,
         draft: &Draft,
         dirt: Point2,
@@ -316,7 +316,7 @@ impl Mutator<'_> {
     ) -> Option<(Point2, usize)> {
         let mut nearest: Option<(f64, Point2, usize)> = None;
         for _ in 0..TRIED_STROKES {
-            let stroke = self.one_of(draft.strokes.len())?;
+            let stroke = self.random_index(draft.strokes.len())?;
             for leg in draft.strokes[stroke].windows(2) {
                 let (from, along) = (leg[0].position, leg[1].position - leg[0].position);
                 let share = (dirt - from).dot(&along) / along.norm_squared().max(1e-12);
@@ -343,7 +343,7 @@ impl Mutator<'_> {
             GoalState::Absorbed | GoalState::Polished { .. } | GoalState::Emitted { .. } => None,
             GoalState::Collected { center, .. } => Some(*center),
             GoalState::Skimmed => {
-                let edge = self.allowed_edges[self.one_of(self.allowed_edges.len())?];
+                let edge = self.allowed_edges[self.random_index(self.allowed_edges.len())?];
                 let along = edge.end - edge.start;
                 let share = (dirt - edge.start).dot(&along) / along.norm_squared();
                 let share = (share + 0.15 * normal(&mut self.random)).clamp(0.0, 1.0);
@@ -354,7 +354,7 @@ impl Mutator<'_> {
     }
 
     /// Returns a pose with this heading whose footprint covers a place, at a random position under the tool.
-    fn covering(&mut self, place: Point2, heading: f64) -> PlanarPose {
+    fn pose_over(&mut self, place: Point2, heading: f64) -> PlanarPose {
         let Bounds2 { min, max } = self.footprint;
         let mut within = |min: f64, max: f64| min + (max - min) * self.random.random::<f64>();
         let under = Vector2::new(within(min.x, max.x), within(min.y, max.y));
@@ -364,7 +364,7 @@ impl Mutator<'_> {
 
     /// Returns a pose with a corner of the tool over a place, from a random direction, as near to the place as
     /// the scene allows.
-    fn reaching(&mut self, place: Point2) -> Option<PlanarPose> {
+    fn pose_with_corner_over(&mut self, place: Point2) -> Option<PlanarPose> {
         let Bounds2 { min, max } = self.footprint;
         let corners = Bounds2 { min, max }.corners();
         let corner = corners[self.random.random_range(0..corners.len())].coords;
@@ -383,14 +383,14 @@ impl Mutator<'_> {
     }
 
     fn drop_stroke(&mut self, draft: &mut Draft) -> Option<Vec<usize>> {
-        let stroke = self.one_of(draft.strokes.len())?;
+        let stroke = self.random_index(draft.strokes.len())?;
         draft.strokes.remove(stroke);
         Some(Vec::new())
     }
 
     fn reorder(&mut self, draft: &mut Draft) -> Option<Vec<usize>> {
-        let from = self.one_of(draft.strokes.len())?;
-        let to = self.one_of(draft.strokes.len())?;
+        let from = self.random_index(draft.strokes.len())?;
+        let to = self.random_index(draft.strokes.len())?;
         if from == to {
             return None;
         }
@@ -400,7 +400,7 @@ impl Mutator<'_> {
     }
 
     fn drop_pose(&mut self, draft: &mut Draft) -> Option<Vec<usize>> {
-        let stroke = self.one_of(draft.strokes.len())?;
+        let stroke = self.random_index(draft.strokes.len())?;
         let poses = &mut draft.strokes[stroke];
         if poses.len() <= 2 {
             return None;
@@ -408,23 +408,23 @@ impl Mutator<'_> {
         let pose = self.random.random_range(0..poses.len());
         poses.remove(pose);
         if draft.goal != GoalState::Absorbed {
-            aligned(&mut draft.strokes[stroke]);
+            align_to_motion(&mut draft.strokes[stroke]);
         }
         Some(vec![stroke])
     }
 
     /// Inserts a place with remaining dirt into a stroke, where the detour is shortest.
     fn visit(&mut self, draft: &mut Draft, left: &[Point2]) -> Option<Vec<usize>> {
-        let dirt = left[self.one_of(left.len())?];
+        let dirt = left[self.random_index(left.len())?];
         // With the tool's present heading, or turned so that it reaches into a corner.
         let (place, turned) = if self.random.random::<f64>() < ALIGNED {
             (dirt + self.step(), None)
         } else if self.random.random::<bool>() {
-            let pose = self.reaching(dirt)?;
+            let pose = self.pose_with_corner_over(dirt)?;
             (pose.position, Some(pose.heading))
         } else {
             let heading = std::f64::consts::TAU * self.random.random::<f64>();
-            (self.covering(dirt, heading).position, Some(heading))
+            (self.pose_over(dirt, heading).position, Some(heading))
         };
         let mut detours = Vec::new();
         for (s, poses) in draft.strokes.iter().enumerate() {
@@ -465,7 +465,7 @@ impl Mutator<'_> {
 
     /// Reverses the order of some poses (2-opt).
     fn reverse(&mut self, draft: &mut Draft) -> Option<Vec<usize>> {
-        let stroke = self.one_of(draft.strokes.len())?;
+        let stroke = self.random_index(draft.strokes.len())?;
         let poses = &mut draft.strokes[stroke];
         let a = self.random.random_range(0..poses.len());
         let b = self.random.random_range(0..poses.len());
@@ -479,7 +479,7 @@ impl Mutator<'_> {
 
     /// Cuts a stroke in two.
     fn cut(&mut self, draft: &mut Draft) -> Option<Vec<usize>> {
-        let stroke = self.one_of(draft.strokes.len())?;
+        let stroke = self.random_index(draft.strokes.len())?;
         if draft.strokes[stroke].len() < 4 {
             return None;
         }
@@ -491,7 +491,7 @@ impl Mutator<'_> {
 
     /// Joins two consecutive strokes.
     fn join(&mut self, draft: &mut Draft) -> Option<Vec<usize>> {
-        let stroke = self.one_of(draft.strokes.len().saturating_sub(1))?;
+        let stroke = self.random_index(draft.strokes.len().saturating_sub(1))?;
         let mut next = draft.strokes.remove(stroke + 1);
         let poses = &mut draft.strokes[stroke];
         // The present heading, up to whole turns.
@@ -504,10 +504,10 @@ impl Mutator<'_> {
 
     /// Replaces two strokes by one straight stroke, from the start of the first to the end of the second.
     fn straighten(&mut self, draft: &mut Draft) -> Option<Vec<usize>> {
-        let stroke = self.one_of(draft.strokes.len().saturating_sub(1))?;
+        let stroke = self.random_index(draft.strokes.len().saturating_sub(1))?;
         let next = draft.strokes.remove(stroke + 1);
         let mut poses = vec![*draft.strokes[stroke].first()?, *next.last()?];
-        aligned(&mut poses);
+        align_to_motion(&mut poses);
         draft.strokes[stroke] = poses;
         Some(vec![stroke])
     }
@@ -529,17 +529,17 @@ fn is_near(avoid: &[Point2], place: Point2) -> bool {
 }
 
 /// Returns a stroke's edges as separate strokes, each with the broad side of the tool across it.
-fn straight(poses: &[PlanarPose]) -> Vec<Vec<PlanarPose>> {
+fn split_into_edges(poses: &[PlanarPose]) -> Vec<Vec<PlanarPose>> {
     let edges = poses.windows(2).map(|pair| {
         let mut edge = pair.to_vec();
-        aligned(&mut edge);
+        align_to_motion(&mut edge);
         edge
     });
     edges.collect()
 }
 
 /// Turns every pose of a stroke towards the next pose; the last pose keeps the heading before it.
-fn aligned(poses: &mut [PlanarPose]) {
+fn align_to_motion(poses: &mut [PlanarPose]) {
     let mut heading = None;
     for i in 0..poses.len() {
         if let Some(next) = poses.get(i + 1) {

@@ -2,7 +2,7 @@
 //! only once.
 
 use super::draft::Draft;
-use super::value::{Judge, State, Value, World};
+use super::value::{State, Valuation, Value, World};
 use crate::geometry::PlanarPose;
 use crate::plan::PlanScore;
 use crate::plan::objective::EdgeMargin;
@@ -15,7 +15,7 @@ const LANDING: f64 = 0.005;
 /// and [`HEAP_DEPTH`](crate::represent::HEAP_DEPTH).
 const HEAP: f64 = 0.2;
 /// Number of steps between kept states, more in long drafts; and the largest number of kept states.
-const APART: usize = 4;
+const SPACING: usize = 4;
 const MOST_STATES: usize = 256;
 
 /// One step of the tool: a motion in contact, or a touch without motion.
@@ -60,7 +60,7 @@ struct Rollout {
 /// Simulation of one draft after the other. Steps that a draft shares from its start with the draft kept last
 /// are not simulated again.
 pub(super) struct Trials<'a> {
-    judge: &'a Judge<'a>,
+    valuation: &'a Valuation<'a>,
     models: Vec<EffectModel>,
     kept: Rollout,
     tried: Rollout,
@@ -70,21 +70,21 @@ pub(super) struct Trials<'a> {
 
 impl<'a> Trials<'a> {
     /// Prepares the simulation of drafts whose action is that of `goal`.
-    pub(super) fn new(judge: &'a Judge<'a>, goal: &GoalState) -> Self {
+    pub(super) fn new(valuation: &'a Valuation<'a>, goal: &GoalState) -> Self {
         let effect = goal.action().effect();
-        let models = judge.worlds().iter().map(|world| {
+        let models = valuation.worlds().iter().map(|world| {
             let model = EffectModel::new(&world.footprint, effect);
             match world.heap {
                 Some(seed) if effect == Effect::Push => {
-                    model.with_heap(HEAP * judge.radius(), seed)
+                    model.with_heap(HEAP * valuation.radius(), seed)
                 }
                 _ => model,
             }
         });
-        let surface = &judge.task().surface;
-        let begin = judge.worlds().iter().map(|world| {
+        let surface = &valuation.task().surface;
+        let begin = valuation.worlds().iter().map(|world| {
             let margin = (effect == Effect::Push)
-                .then(|| EdgeMargin::new(&world.dirt, surface, goal, judge.radius()));
+                .then(|| EdgeMargin::new(&world.dirt, surface, goal, valuation.radius()));
             let state = State {
                 field: world.field.clone(),
                 margin,
@@ -93,7 +93,7 @@ impl<'a> Trials<'a> {
             vec![(0, Rc::new(state))]
         });
         Self {
-            judge,
+            valuation,
             models: models.collect(),
             kept: Rollout {
                 steps: Vec::new(),
@@ -112,13 +112,13 @@ impl<'a> Trials<'a> {
     /// Returns the mean value of a draft over all worlds.
     pub(super) fn value(&mut self, draft: &Draft) -> Value {
         let after = self.simulate(draft);
-        self.judge.value(draft, &after)
+        self.valuation.value(draft, &after)
     }
 
     /// Returns the score of a draft, term by term.
     pub(super) fn score(&mut self, draft: &Draft) -> PlanScore {
         let after = self.simulate(draft);
-        self.judge.score(draft, &after)
+        self.valuation.score(draft, &after)
     }
 
     /// Returns the state of each world after a draft.
@@ -127,14 +127,14 @@ impl<'a> Trials<'a> {
         let pairs = steps.iter().zip(&self.kept.steps);
         let common = pairs.take_while(|(one, other)| one == other).count();
         let mut states = Vec::with_capacity(self.models.len());
-        let worlds = self.judge.worlds().iter().zip(&mut self.models);
+        let worlds = self.valuation.worlds().iter().zip(&mut self.models);
         let after = worlds
             .zip(&self.kept.states)
             .map(|((world, model), before)| {
                 let shared = before.partition_point(|(at, _)| *at <= common);
                 let mut known = before[..shared].to_vec();
                 self.simulated += steps.len() - known.last().map_or(0, |(at, _)| *at);
-                let state = rolled_out(model, (self.judge.task(), world), &steps, &mut known);
+                let state = roll_out(model, (self.valuation.task(), world), &steps, &mut known);
                 states.push(known);
                 state
             });
@@ -150,7 +150,7 @@ impl<'a> Trials<'a> {
 }
 
 /// Simulates the remaining steps in a world, from its last known state; adds states on the way to `states`.
-fn rolled_out(
+fn roll_out(
     model: &mut EffectModel,
     (task, world): (&Task, &World),
     steps: &[Step],
@@ -160,18 +160,18 @@ fn rolled_out(
     let (from, state) = states.last().expect("that before all steps");
     let (from, mut state) = (*from, State::clone(state));
     model.resume_after(steps[..from].iter().filter(|step| step.lifts).count() as u32);
-    let apart = APART.max(steps.len().div_ceil(MOST_STATES));
+    let spacing = SPACING.max(steps.len().div_ceil(MOST_STATES));
     for (at, step) in steps.iter().enumerate().skip(from) {
         // Amid a stroke, a pushing tool may carry dirt, which a state does not contain.
         let is_whole = state.margin.is_none() || at == 0 || steps[at - 1].lifts;
-        if at > from && at % apart == 0 && is_whole {
+        if at > from && at % spacing == 0 && is_whole {
             states.push((at, Rc::new(state.clone())));
         }
         if let Some(mut motion) = step.motion {
             if world.heap.is_some() {
-                motion = late(motion, step.is_first);
-                motion.from = held(&motion.from, &world.grasp);
-                motion.to = held(&motion.to, &world.grasp);
+                motion = delay_contact(motion, step.is_first);
+                motion.from = displace_in_hand(&motion.from, &world.grasp);
+                motion.to = displace_in_hand(&motion.to, &world.grasp);
             }
             match &mut state.margin {
                 None => {
@@ -197,7 +197,7 @@ fn rolled_out(
 }
 
 /// Returns a motion whose contact begins [`LANDING`] late, if it is the first of a stroke.
-fn late(motion: ToolMotion, is_first: bool) -> ToolMotion {
+fn delay_contact(motion: ToolMotion, is_first: bool) -> ToolMotion {
     let (along, length) = motion.travel();
     if !is_first || length <= LANDING {
         return motion;
@@ -211,6 +211,6 @@ fn late(motion: ToolMotion, is_first: bool) -> ToolMotion {
 }
 
 /// Returns the true tool pose for a commanded pose, with the tool displaced in the hand by `grasp`.
-fn held(pose: &PlanarPose, grasp: &PlanarPose) -> PlanarPose {
+fn displace_in_hand(pose: &PlanarPose, grasp: &PlanarPose) -> PlanarPose {
     PlanarPose::new(pose.transform(grasp.position), pose.heading + grasp.heading)
 }

@@ -31,7 +31,7 @@ const BEYOND: f64 = 3.0;
 #[derive(Debug, Clone)]
 pub(super) struct Value {
     /// Value in shares of the dirt; more is better [1].
-    pub(super) worth: f64,
+    pub(super) total: f64,
     /// Positions of dirt that is not where it belongs [m].
     pub(super) left: Vec<Point2>,
 }
@@ -76,7 +76,7 @@ pub(super) struct State {
 }
 
 /// The valuation of drafts for one task.
-pub(in crate::plan) struct Judge<'a> {
+pub(in crate::plan) struct Valuation<'a> {
     task: &'a Task,
     radius: f64,
     worlds: Vec<World>,
@@ -91,7 +91,7 @@ pub(in crate::plan) struct Judge<'a> {
     rim: f64,
 }
 
-impl<'a> Judge<'a> {
+impl<'a> Valuation<'a> {
     /// Prepares the valuation for a task whose dirt has one or several possible distributions `dirt`.
     ///
     /// A single distribution is taken for certain, with a tool that is narrower by `margin` on each side [m].
@@ -144,13 +144,13 @@ impl<'a> Judge<'a> {
 
     /// Returns the valuation for the search. With several worlds, dirt must end well within the goal, because
     /// dirt at the rim in these worlds may end outside it in another.
-    pub(super) fn searching(self) -> Self {
+    pub(super) fn for_search(self) -> Self {
         Self { rim: RIM, ..self }
     }
 
     /// Returns the valuation that also counts the effect of the tool at its exact size, so that the search does
     /// not abandon dirt that only this tool reaches. `None` where the dirt is not certain.
-    pub(super) fn polishing(&self) -> Option<Self> {
+    pub(super) fn for_refinement(&self) -> Option<Self> {
         let [world] = &self.worlds[..] else {
             return None;
         };
@@ -179,7 +179,8 @@ impl<'a> Judge<'a> {
         let gain = gains.sum::<f64>();
         let beyond = (draft.distance() - self.max_distance).max(0.0);
         Value {
-            worth: gain - self.per_metre * self.cost(draft) - BEYOND * beyond,
+            // Mean gain over the worlds − cost of the path − cost of the excess length.
+            total: gain - self.per_metre * self.cost(draft) - BEYOND * beyond,
             left,
         }
     }
@@ -192,6 +193,7 @@ impl<'a> Judge<'a> {
             let (Some(first), Some(last)) = (stroke.first(), stroke.last()) else {
                 continue;
             };
+            // Path in contact + 0.02 m per lift + 0.2 of the lifted path + 0.02 m per radian.
             cost += LIFT + LIFTED * (first.position - tool).norm();
             tool = last.position;
             let motions = stroke.windows(2).map(|pair| ToolMotion {
@@ -254,7 +256,7 @@ impl<'a> Judge<'a> {
     /// Returns the score of a draft from the states `after` it, term by term.
     pub(super) fn score(&self, draft: &Draft, after: &[State]) -> PlanScore {
         let mut score = PlanScore {
-            total: self.value(draft, after).worth,
+            total: self.value(draft, after).total,
             way: self.per_metre * self.cost(draft),
             too_long: BEYOND * (draft.distance() - self.max_distance).max(0.0),
             ..PlanScore::default()

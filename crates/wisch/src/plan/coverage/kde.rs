@@ -125,6 +125,7 @@ impl CoverageDensity {
     /// Convolves rows, then columns, with the Gaussian of (2).
     fn smooth(&mut self, bandwidth: f64) {
         let reach = (CUT_OFF * bandwidth / self.step).ceil() as usize;
+        // exp(−d² / h²) at the distances d = i · step.
         let kernel: Vec<f64> = (0..=reach)
             .map(|i| (-(i as f64 * self.step / bandwidth).powi(2)).exp())
             .collect();

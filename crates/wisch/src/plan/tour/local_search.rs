@@ -41,7 +41,7 @@ impl Saving {
     }
 
     /// Whether the saving exceeds rounding errors; so two exchanges cannot undo each other for ever.
-    fn pays(self) -> bool {
+    fn is_gain(self) -> bool {
         self.amount > RELATIVE_ROUNDING * self.magnitude
     }
 }
@@ -149,7 +149,7 @@ impl<'a> LocalSearch<'a> {
         let first = opened.node(&self.tour, 0);
         for near in self.neighbours.of(first).iter().take(breadth) {
             let linked = removed.adding(near.cost);
-            if !linked.pays() {
+            if !linked.is_gain() {
                 break;
             }
             let index = opened.index(&self.tour, near.node);
@@ -163,7 +163,7 @@ impl<'a> LocalSearch<'a> {
             let cut = linked.removing(self.problem.cost(new_first, near.node));
             opened.turned.push((0, index - 1));
             let closed = cut.adding(self.problem.cost(new_first, opened.last));
-            if closed.pays() {
+            if closed.is_gain() {
                 return Some(closed.amount);
             }
             if let Some(saving) = self.exchange_by_turning(opened, cut, depth + 1) {
@@ -179,7 +179,7 @@ impl<'a> LocalSearch<'a> {
     fn exchange_by_moving(&self, opened: &mut OpenedTour, removed: Saving) -> Option<f64> {
         for near in self.neighbours.of(opened.first).iter().take(BREADTH[0]) {
             let linked = removed.adding(near.cost);
-            if !linked.pays() {
+            if !linked.is_gain() {
                 break;
             }
             let ring_end = opened.index(&self.tour, near.node);
@@ -193,7 +193,7 @@ impl<'a> LocalSearch<'a> {
             let cut = linked.removing(self.problem.cost(near.node, rest));
             for joint in self.neighbours.of(rest).iter().take(BREADTH[1]) {
                 let joined = cut.adding(joint.cost);
-                if !joined.pays() {
+                if !joined.is_gain() {
                     break;
                 }
                 let split = opened.index(&self.tour, joint.node);
@@ -218,7 +218,7 @@ impl<'a> LocalSearch<'a> {
                     let closed = joined
                         .removing(self.problem.cost(joint.node, new_first))
                         .adding(self.problem.cost(new_first, opened.last));
-                    if closed.pays() {
+                    if closed.is_gain() {
                         opened.turned.extend(turned);
                         return Some(closed.amount);
                     }
@@ -309,7 +309,7 @@ pub(super) fn solve(problem: &Problem, config: &TourConfig) -> Vec<usize> {
             if kicked + search.settle() >= 0.0 {
                 search.tour.keep();
             } else {
-                search.tour.take_back();
+                search.tour.undo();
             }
         }
     }
@@ -371,7 +371,7 @@ mod tests {
                     prop_assert!(search.tour.next(a) == b || search.tour.previous(a) == b);
                 }
                 if saved < 0.0 {
-                    search.tour.take_back();
+                    search.tour.undo();
                     prop_assert_eq!(&search.tour.order, &before);
                 }
                 search.tour.keep();

@@ -95,7 +95,7 @@ impl ArrayTour {
     }
 
     /// Undoes everything since the last [`ArrayTour::keep`].
-    pub(super) fn take_back(&mut self) {
+    pub(super) fn undo(&mut self) {
         while let Some((first, last)) = self.reversed.pop() {
             self.reverse_places(first, last);
         }
