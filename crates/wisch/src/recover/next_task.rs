@@ -58,12 +58,12 @@ pub fn relocalized(task: &Task, world_from_surface: Pose) -> Task {
 /// # Errors
 /// A position is not finite.
 pub fn unfinished(task: &Task, goal: &GoalState) -> Result<ParticleDistribution, ParticleError> {
-    let open: Vec<_> = open_particles(&task.particles, goal, &task.surface).collect();
+    let open: Vec<_> = remaining_particles(&task.particles, goal, &task.surface).collect();
     ParticleDistribution::with_fates(&open)
 }
 
 /// Returns the particles on the surface that do not meet the goal.
-fn open_particles<'a>(
+fn remaining_particles<'a>(
     particles: &'a ParticleDistribution,
     goal: &'a GoalState,
     surface: &'a Surface,
@@ -91,7 +91,7 @@ pub fn is_done(
         Some(places) => places,
         None => belief.draws(PLANNING_DRAWS, seed)?,
     };
-    Ok(open_particles(&draws, goal, surface).next().is_none())
+    Ok(remaining_particles(&draws, goal, surface).next().is_none())
 }
 
 /// Number of candidate plans for remaining dirt. Prediction time grows with the edges of the tool's footprint,

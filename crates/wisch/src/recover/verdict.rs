@@ -241,17 +241,17 @@ impl RoundJudge {
         } else {
             Verdict::NoProgress
         };
-        self.known(interpretation, ended)
+        self.or_unknowable(interpretation, ended)
     }
 
     /// Returns the verdict where no plan has a predicted gain.
     pub fn without_gain(&self, interpretation: &Interpretation) -> Verdict {
-        self.known(interpretation, Verdict::NothingToGain)
+        self.or_unknowable(interpretation, Verdict::NothingToGain)
     }
 
     /// Returns `ended`, or [`Verdict::UnknowableByTouch`] where touch cannot decide whether the goal is met; a
     /// camera could.
-    fn known(&self, interpretation: &Interpretation, ended: Verdict) -> Verdict {
+    fn or_unknowable(&self, interpretation: &Interpretation, ended: Verdict) -> Verdict {
         let is_seen = interpretation.observation.is_some();
         if !interpretation.can_be_told() {
             Verdict::CannotBeTold
@@ -273,7 +273,7 @@ mod tests {
     const TARGET: f64 = 0.9;
 
     /// Returns the interpretation of a round that found a plane, with these equally likely performances.
-    fn felt(shares: &[f64]) -> Interpretation {
+    fn touched_round(shares: &[f64]) -> Interpretation {
         let shares = shares.iter().map(|share| (*share, 1.0));
         let distribution = PerformanceDistribution::of_shares(shares, 0.0);
         Interpretation {
@@ -315,7 +315,7 @@ mod tests {
         };
         Interpretation {
             events: vec![push],
-            ..felt(shares)
+            ..touched_round(shares)
         }
     }
 
@@ -350,15 +350,15 @@ mod tests {
     #[test]
     fn a_goal_is_claimed_where_it_is_hardly_missed_by_far() {
         use Verdict::{Again, GoalMet};
-        assert_eq!(of_one(felt(&[0.95; 8])), GoalMet);
+        assert_eq!(of_one(touched_round(&[0.95; 8])), GoalMet);
         // The expected performance meets the target, but one of eight draws is far below it.
         let mut doubtful = [0.95; 8];
         doubtful[0] = 0.7;
-        assert_eq!(of_one(felt(&doubtful)), Again);
+        assert_eq!(of_one(touched_round(&doubtful)), Again);
         doubtful[0] = 0.81;
-        assert_eq!(of_one(felt(&doubtful)), GoalMet);
-        assert_eq!(of_one(felt(&[0.89; 8])), Again);
-        assert_eq!(of_one(felt(&[TARGET; 7])), GoalMet, "exactly");
+        assert_eq!(of_one(touched_round(&doubtful)), GoalMet);
+        assert_eq!(of_one(touched_round(&[0.89; 8])), Again);
+        assert_eq!(of_one(touched_round(&[TARGET; 7])), GoalMet, "exactly");
     }
 
     #[test]
@@ -372,16 +372,19 @@ mod tests {
             diagnosis: Diagnosis::NoContact,
             ..interpretation
         };
-        assert_eq!(of_one(untouched(felt(&done))), CannotBeTold);
+        assert_eq!(of_one(untouched(touched_round(&done))), CannotBeTold);
         assert_eq!(of_one(untouched(pushed(&done))), Again);
         // A later round without contact shows nothing either.
-        let rounds = [felt(&[0.6; 8]), untouched(felt(&[0.6; 8]))];
+        let rounds = [
+            touched_round(&[0.6; 8]),
+            untouched(touched_round(&[0.6; 8])),
+        ];
         let verdicts = verdicts(Pace::Whole, false, &rounds);
         assert_eq!(verdicts, [Again, CannotBeTold]);
-        assert_eq!(of_one(untouched(seen(felt(&done)))), GoalMet);
+        assert_eq!(of_one(untouched(seen(touched_round(&done)))), GoalMet);
         let mut judge = RoundJudge::new(TARGET, Pace::Whole);
         let stopped = RoundOutcome {
-            interpretation: &felt(&done),
+            interpretation: &touched_round(&done),
             performance_before: 0.0,
             is_done: false,
             is_protective_stop: true,
@@ -394,7 +397,7 @@ mod tests {
         let hovering = |shares: &[f64]| Interpretation {
             plane: None,
             diagnosis: Diagnosis::Hovering,
-            ..felt(shares)
+            ..touched_round(shares)
         };
         assert_eq!(of_one(hovering(&[0.95; 8])), Verdict::UnknowableByTouch);
         assert_eq!(of_one(seen(hovering(&[0.95; 8]))), Verdict::GoalMet);
@@ -406,31 +409,34 @@ mod tests {
         use Verdict::{Again, NoProgress, NothingToGain, UnknowableByTouch};
         let mut wide = [0.95; 8];
         wide[0] = 0.5;
-        let twice = |shares: &[f64]| [felt(shares), felt(shares)];
+        let twice = |shares: &[f64]| [touched_round(shares), touched_round(shares)];
         let of_two = |rounds: &[Interpretation]| verdicts(Pace::Whole, false, rounds);
         assert_eq!(of_two(&twice(&wide)), [Again, UnknowableByTouch]);
         assert_eq!(of_two(&twice(&[0.6; 8])), [Again, NoProgress]);
         assert_eq!(of_two(&twice(&wide).map(seen)), [Again, NoProgress]);
         assert_eq!(of_two(&twice(&wide).map(|_| pushed(&wide))), [Again, Again]);
-        let done = |shares| verdicts(Pace::Whole, true, &[felt(shares)])[0];
+        let done = |shares| verdicts(Pace::Whole, true, &[touched_round(shares)])[0];
         assert_eq!(done(&[0.6; 8]), NothingToGain);
         assert_eq!(done(&wide), UnknowableByTouch);
         let judge = RoundJudge::new(TARGET, Pace::Whole);
         let without_gain = |interpretation| judge.without_gain(&interpretation);
-        assert_eq!(without_gain(felt(&[0.6; 8])), NothingToGain);
-        assert_eq!(without_gain(felt(&wide)), UnknowableByTouch);
-        assert_eq!(without_gain(seen(felt(&wide))), NothingToGain);
+        assert_eq!(without_gain(touched_round(&[0.6; 8])), NothingToGain);
+        assert_eq!(without_gain(touched_round(&wide)), UnknowableByTouch);
+        assert_eq!(without_gain(seen(touched_round(&wide))), NothingToGain);
         // A narrower interval is progress.
         let mut surer = wide;
         surer[0] = 0.7;
-        assert_eq!(of_two(&[felt(&wide), felt(&surer)]), [Again, Again]);
+        assert_eq!(
+            of_two(&[touched_round(&wide), touched_round(&surer)]),
+            [Again, Again]
+        );
     }
 
     #[test]
     fn a_single_stroke_may_bring_nothing_and_four_in_a_row_may_not() {
         use Verdict::{Again, NoProgress};
-        let mut rounds = vec![felt(&[0.5; 8]); 4];
-        rounds.extend(vec![felt(&[0.6; 8]); 5]);
+        let mut rounds = vec![touched_round(&[0.5; 8]); 4];
+        rounds.extend(vec![touched_round(&[0.6; 8]); 5]);
         let mut expected = [Again; 9];
         expected[8] = NoProgress;
         assert_eq!(verdicts(Pace::Greedy, false, &rounds), expected);

@@ -8,9 +8,9 @@ use std::sync::{Mutex, PoisonError};
 
 /// Score that the robot's reach may cost a plan before the planner searches for other strokes, in shares of the
 /// dirt [1].
-const LOST: f64 = 0.01;
+const MAX_REACH_LOSS: f64 = 0.01;
 /// Largest number of repeated searches around the places out of the robot's reach.
-const REPLANNED: usize = 3;
+const MAX_REPLANS: usize = 3;
 
 /// The evaluation of a candidate plan.
 #[derive(Debug, Clone)]
@@ -36,7 +36,7 @@ pub struct ConsideredMotion {
 }
 
 /// Evaluates each plan of a portfolio by its predicted effect alone.
-pub(super) fn unfollowed(task: &Task, portfolio: Portfolio) -> Vec<Considered> {
+pub(super) fn evaluate_plans(task: &Task, portfolio: Portfolio) -> Vec<Considered> {
     let considered = portfolio.into_iter().map(|(strategy, candidate)| {
         let plan = candidate.as_ref().ok().map(|candidate| &candidate.plan);
         Considered {
@@ -51,7 +51,7 @@ pub(super) fn unfollowed(task: &Task, portfolio: Portfolio) -> Vec<Considered> {
 
 /// Evaluates each plan of a portfolio as the robot executes it; also returns the motion of the plan with the
 /// highest score. Plans are followed in parallel: the result is the same for any number of threads.
-pub(super) fn followed(
+pub(super) fn evaluate_motions(
     planner: &Planner<'_>,
     portfolio: Portfolio,
     follow: impl Fn(Plan) -> Result<PlannedRound, RunError> + Sync,
@@ -62,8 +62,8 @@ pub(super) fn followed(
         let (mut prediction, mut motion) = (None, None);
         let candidate = candidate.map_err(RunError::from).and_then(|candidate| {
             let (score, round) = match strategy {
-                Strategy::Adaptive => within_reach(planner, candidate.plan, &follow)?,
-                _ => as_done(planner, candidate.plan, &follow)?,
+                Strategy::Adaptive => evaluate_within_reach(planner, candidate.plan, &follow)?,
+                _ => evaluate_motion(planner, candidate.plan, &follow)?,
             };
             motion = Some(ConsideredMotion {
                 duration: round.followed.duration(),
@@ -112,7 +112,7 @@ impl Best {
 }
 
 /// Returns the motion for a plan, and the score of the part that the robot executes.
-fn as_done(
+fn evaluate_motion(
     planner: &Planner<'_>,
     plan: Plan,
     follow: &impl Fn(Plan) -> Result<PlannedRound, RunError>,
@@ -124,25 +124,25 @@ fn as_done(
 
 /// Does the same for a plan of a search strategy. Where the robot does not reach all of it, the search is
 /// repeated without the places out of reach, and the best result is kept.
-pub(super) fn within_reach(
+pub(super) fn evaluate_within_reach(
     planner: &Planner<'_>,
     plan: Plan,
     follow: &impl Fn(Plan) -> Result<PlannedRound, RunError>,
 ) -> Result<(PlanScore, PlannedRound), RunError> {
-    let mut best = as_done(planner, plan, follow)?;
+    let mut best = evaluate_motion(planner, plan, follow)?;
     let mut last = best.1.clone();
     let mut avoid = Vec::new();
-    for _ in 0..REPLANNED {
+    for _ in 0..MAX_REPLANS {
         let wiped = last.wiped();
         let planned = planner.score(&last.plan)?.total;
         let lost = planned - planner.score(&wiped)?.total;
-        if last.followed.abandoned.is_empty() && lost < LOST {
+        if last.followed.abandoned.is_empty() && lost < MAX_REACH_LOSS {
             break;
         }
         let failed = last.followed.abandoned.iter();
         avoid.extend(failed.map(|abandoned| last.plan.graph.position(abandoned.node)));
         let around = planner.plan_around(&wiped, &avoid)?;
-        let next = as_done(planner, around, follow)?;
+        let next = evaluate_motion(planner, around, follow)?;
         last = next.1.clone();
         if next.0.total > best.0.total {
             best = next;

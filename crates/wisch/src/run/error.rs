@@ -41,7 +41,7 @@ pub enum RunError {
     Follow(#[from] FollowError),
     /// The plan is predicted to lose too much of the dirt.
     #[error(
-        "the plan is not executed: it is predicted to bring {:.1} % of the dirt where it belongs and to lose {:.1} %, a score of {score:.2} (the former less three times the latter), the least is {least:.2}; try another strategy, as --strategy best, another goal or skim edge, or let it by [plan] min_score",
+        "the plan is not executed: it is predicted to bring {:.1} % of the dirt where it belongs and to lose {:.1} %, a score of {score:.2} (the first share less three times the second), below the limit of {least:.2}; try another strategy, for example --strategy best, another goal or skim edge, or lower [plan] min_score",
         100.0 * achieved, 100.0 * lost
     )]
     LosesDirt {

@@ -119,7 +119,7 @@ pub struct RecordedRound {
 pub struct Recording<E> {
     rounds: VecDeque<RecordedRound>,
     /// Observations before the first recorded round and after each.
-    looks: VecDeque<Option<Observation>>,
+    observations: VecDeque<Option<Observation>>,
     then: E,
 }
 
@@ -127,14 +127,14 @@ impl<E> Recording<E> {
     /// Returns an executor that replays `rounds` in order, then passes motions to `then`. `first`: the
     /// observation before the first round.
     pub fn new(first: Option<Observation>, rounds: Vec<RecordedRound>, then: E) -> Self {
-        let mut looks = VecDeque::new();
+        let mut observations = VecDeque::new();
         if !rounds.is_empty() {
-            looks.push_back(first);
-            looks.extend(rounds.iter().map(|round| round.observation.clone()));
+            observations.push_back(first);
+            observations.extend(rounds.iter().map(|round| round.observation.clone()));
         }
         Self {
             rounds: rounds.into(),
-            looks,
+            observations,
             then,
         }
     }
@@ -176,7 +176,7 @@ impl<E: Executor> Executor for Recording<E> {
     }
 
     fn observe(&mut self, task: &Task) -> Result<Option<Observation>, ExecutorError> {
-        match self.looks.pop_front() {
+        match self.observations.pop_front() {
             Some(look) => Ok(look),
             None => self.then.observe(task),
         }

@@ -2,7 +2,7 @@
 
 mod planning;
 
-use super::stance::{begins_at, positions_of_all, standing};
+use super::stance::{check_positions, check_start, root_pose};
 use super::stroke_watch::StrokeWatch;
 use super::{
     AfterStop, Ending, Execution, Executor, MotionOrder, Observer, OwnStrategy, Performer,
@@ -60,7 +60,7 @@ pub struct Session<'a> {
     state: State,
     rounds: Vec<Round>,
     /// The observation before the first round, if there is a camera; the outer `None` before it is taken.
-    first_look: Option<Option<Observation>>,
+    first_observation: Option<Option<Observation>>,
     is_stopped: bool,
     /// Joint positions as far as they are known, all n variables [rad or m]; `None` before the first
     /// measurement.
@@ -100,7 +100,7 @@ impl<'a> Session<'a> {
             judge: RoundJudge::new(config.target, config.pace),
             state: State::Begin,
             rounds: Vec::new(),
-            first_look: None,
+            first_observation: None,
             is_stopped: false,
             stands: None,
             retreats: false,
@@ -124,7 +124,7 @@ impl<'a> Session<'a> {
 
     /// The observation before the first round, if there is a camera.
     pub fn first_observation(&self) -> Option<&Observation> {
-        self.first_look.as_ref()?.as_ref()
+        self.first_observation.as_ref()?.as_ref()
     }
 
     /// Sets the plan for the first round; with `None` the session plans it.
@@ -252,8 +252,8 @@ impl<'a> Session<'a> {
                 self.execute_round(planned, audit, executor, &mut watch)
             }
             State::Executed(planned, audit, execution, interpreter) => {
-                let felt = (planned, audit, execution);
-                self.interpret_round(felt, *interpreter, executor, &mut watch)
+                let executed = (planned, audit, execution);
+                self.interpret_round(executed, *interpreter, executor, &mut watch)
             }
             State::Interpreted(planned, audit, execution, interpretation) => {
                 self.judge_round(*planned, audit, execution, *interpretation, &mut watch)
@@ -297,8 +297,8 @@ impl<'a> Session<'a> {
             return Ok(self.end(None, observer));
         }
         let _ = observer(&RunEvent::Planning { round });
-        if self.config.sight.is_some() && self.first_look.is_none() {
-            self.look_first(executor, observer)?;
+        if self.config.sight.is_some() && self.first_observation.is_none() {
+            self.observe_first(executor, observer)?;
         }
         if let Some(stands) = executor.state()? {
             self.stands = Some(stands);
@@ -324,13 +324,13 @@ impl<'a> Session<'a> {
     }
 
     /// Observes the surface before the first round; the first plan uses the observation.
-    fn look_first(
+    fn observe_first(
         &mut self,
         executor: &mut dyn Executor,
         observer: &mut Observer<'_>,
     ) -> Result<(), RunError> {
         let Some(observation) = executor.observe(&self.task)? else {
-            self.first_look = Some(None);
+            self.first_observation = Some(None);
             return Ok(());
         };
         let _ = observer(&RunEvent::Observed {
@@ -350,7 +350,7 @@ impl<'a> Session<'a> {
             });
             self.task.particles = self.belief.sample(self.task.seed)?;
         }
-        self.first_look = Some(Some(observation));
+        self.first_observation = Some(Some(observation));
         Ok(())
     }
 
@@ -360,9 +360,9 @@ impl<'a> Session<'a> {
         observer: &mut Observer<'_>,
     ) -> Result<Stage, RunError> {
         let planned = match next {
-            NextPlan::Alone(plan) => self.followed(plan, observer).map(Box::new),
+            NextPlan::Alone(plan) => self.compute_motion(plan, observer).map(Box::new),
             NextPlan::Followed(planned) => {
-                show_followed(&planned, observer);
+                report_motion(&planned, observer);
                 Ok(planned)
             }
         };
@@ -377,7 +377,11 @@ impl<'a> Session<'a> {
     }
 
     /// Computes the joint motion of a plan and its predicted effect.
-    fn followed(&self, plan: Plan, observer: &mut Observer<'_>) -> Result<PlannedRound, RunError> {
+    fn compute_motion(
+        &self,
+        plan: Plan,
+        observer: &mut Observer<'_>,
+    ) -> Result<PlannedRound, RunError> {
         let performer = self.performer.ok_or(RunError::NoRobot)?;
         let (task, round) = (&self.task, self.number());
         let mut cell = Workcell::new(
@@ -487,7 +491,7 @@ impl<'a> Session<'a> {
             self.stands = Some(stands);
         }
         if let Some(stands) = &self.stands {
-            begins_at(stands, &planned, self.config.start_tolerance)?;
+            check_start(stands, &planned, self.config.start_tolerance)?;
         }
         let mut interpreter = Interpreter::new(&planned.task, &InterpretConfig::of(&planned.task))?;
         let order = MotionOrder {
@@ -500,7 +504,7 @@ impl<'a> Session<'a> {
         let mut refused = None;
         let mut watch = (self.config.end_strokes_early).then(|| StrokeWatch::new(&planned.task));
         let mut ended_early = None;
-        let mut felt: Option<f64> = None;
+        let mut measured_until: Option<f64> = None;
         let mut at: Vec<f64> = Vec::new();
         let executed = executor.execute(&order, &mut |sample| {
             let touch = TouchSample {
@@ -512,14 +516,14 @@ impl<'a> Session<'a> {
                 refused = Some(error);
                 return ControlFlow::Break(());
             }
-            felt = Some(sample.time);
+            measured_until = Some(sample.time);
             if !sample.positions.is_empty() {
                 at.clear();
                 at.extend_from_slice(sample.positions);
             }
             let flow = observer(&RunEvent::Sample(sample));
             if flow.is_continue()
-                && let Some(cause) = watch.as_mut().and_then(|watch| watch.look(sample))
+                && let Some(cause) = watch.as_mut().and_then(|watch| watch.check(sample))
             {
                 let time = sample.time;
                 ended_early = Some(Ending::Early { time, cause });
@@ -530,9 +534,9 @@ impl<'a> Session<'a> {
         let executed = match (executed, refused) {
             (_, Some(error)) => Err(error.into()),
             (Err(error), None) => Err(error.into()),
-            (Ok(execution), None) => positions_of_all(execution, &planned.cell, planned.number),
+            (Ok(execution), None) => check_positions(execution, &planned.cell, planned.number),
         };
-        let mut execution = match (executed, felt) {
+        let mut execution = match (executed, measured_until) {
             (Ok(execution), _) => execution,
             // The data measured until then are still interpreted and judged.
             (Err(error), Some(duration)) => {
@@ -617,7 +621,7 @@ impl<'a> Session<'a> {
         self.stands = Some(stands).filter(|stands| !stands.is_empty());
         self.retreats = execution.ending != Ending::Complete;
         self.belief = interpretation.belief.clone();
-        self.workcell.world_from_robot = Some(standing(&planned, &execution, &self.config));
+        self.workcell.world_from_robot = Some(root_pose(&planned, &execution, &self.config));
         self.task = next;
         let round = Round {
             motion: planned,
@@ -642,7 +646,7 @@ impl<'a> Session<'a> {
 }
 
 /// Reports a motion that was computed earlier to the observer, as if it were computed now.
-fn show_followed(planned: &PlannedRound, observer: &mut Observer<'_>) {
+fn report_motion(planned: &PlannedRound, observer: &mut Observer<'_>) {
     let PlannedRound {
         number: round,
         task,

@@ -6,7 +6,7 @@ use crate::geometry::{PlanarPose, Point2, Pose, Vector3};
 use nalgebra::{Translation3, UnitQuaternion};
 
 /// Checks that an execution reports the position of every joint, or of none.
-pub(super) fn positions_of_all(
+pub(super) fn check_positions(
     execution: Execution,
     cell: &Workcell,
     round: usize,
@@ -23,7 +23,7 @@ pub(super) fn positions_of_all(
 }
 
 /// Checks that the robot is where its motion begins. `limit`: largest distance of a joint [rad or m].
-pub(super) fn begins_at(
+pub(super) fn check_start(
     stands: &[f64],
     planned: &PlannedRound,
     limit: f64,
@@ -63,7 +63,7 @@ pub(super) fn begins_at(
 }
 
 /// Returns the pose of the robot's root after an execution; the planned pose if the joints are not measured.
-pub(super) fn standing(planned: &PlannedRound, execution: &Execution, config: &RunConfig) -> Pose {
+pub(super) fn root_pose(planned: &PlannedRound, execution: &Execution, config: &RunConfig) -> Pose {
     let PlannedRound { cell, followed, .. } = planned;
     let Some(base) = cell.base() else {
         return *cell.world_from_root();

@@ -59,9 +59,9 @@ impl StrokeWatch {
     }
 
     /// Returns why the stroke no longer has an effect, if this sample shows it.
-    pub(super) fn look(&mut self, sample: &TelemetrySample<'_>) -> Option<StrokeEnd> {
+    pub(super) fn check(&mut self, sample: &TelemetrySample<'_>) -> Option<StrokeEnd> {
         let Phase::Wipe(stroke) = sample.phase else {
-            self.begin_anew();
+            self.reset();
             return None;
         };
         let in_surface = |pose: &Pose| (self.surface_from_world * pose).translation.vector.xy();
@@ -70,7 +70,7 @@ impl StrokeWatch {
         let way = match self.last.replace((stroke, at)) {
             Some((last, before)) if last == stroke => (at - before).norm(),
             _ => {
-                self.begin_anew();
+                self.reset();
                 self.last = Some((stroke, at));
                 0.0
             }
@@ -92,7 +92,7 @@ impl StrokeWatch {
             .map(|_| StrokeEnd::LedAway { distance })
     }
 
-    fn begin_anew(&mut self) {
+    fn reset(&mut self) {
         self.last = None;
         self.without_contact = 0.0;
         self.led_since = None;
@@ -124,7 +124,7 @@ mod tests {
             let time = f64::from(i) * 1e-3;
             let (pressed, off) = touch(time);
             let pose = Pose::translation(0.1 * time, off, 0.0);
-            let end = watch.look(&TelemetrySample {
+            let end = watch.check(&TelemetrySample {
                 time,
                 positions: &[],
                 velocities: &[],

@@ -125,6 +125,7 @@ impl TrajectoryClock {
         let ahead = (FASTEST * step).max(2.0 * PERIOD);
         let (along, path_residual) = nearest(path, &state, [self.along, self.along + ahead]);
         let (_, clock_residual) = nearest(path, &state, [by_clock; 2]);
+        // Exponential average of the squared residuals with the time constant MEMORY.
         let weight = 1.0 - libm::exp(-step / MEMORY);
         let average = |mean: &mut f64, residual: f64| {
             *mean += weight * (residual.min(1.0).powi(2) - *mean);

@@ -4,7 +4,7 @@ use super::Session;
 use crate::plan::{Plan, PlanConfig, PlanError, Planner, Strategy, highest_score, is_gainful};
 use crate::recover::{PLANNING_DRAWS, Pace, recovery_candidates, unfinished};
 use crate::represent::{ParticleDistribution, Task};
-use crate::run::considered::{followed, unfollowed, within_reach};
+use crate::run::considered::{evaluate_motions, evaluate_plans, evaluate_within_reach};
 use crate::run::{Considered, Observer, PlannedRound, RunError, RunEvent, unobserved};
 
 /// The plan of the next round.
@@ -117,10 +117,10 @@ impl Session<'_> {
         let planner = Planner::new(task, config).with_possible_dirt(&dirt);
         let portfolio = planner.plan_by_every_strategy()?;
         Ok(match self.performer {
-            Some(_) => followed(&planner, portfolio, |plan| {
-                self.followed(plan, &mut unobserved)
+            Some(_) => evaluate_motions(&planner, portfolio, |plan| {
+                self.compute_motion(plan, &mut unobserved)
             }),
-            None => (unfollowed(task, portfolio), None),
+            None => (evaluate_plans(task, portfolio), None),
         })
     }
 
@@ -151,8 +151,8 @@ impl Session<'_> {
         if self.performer.is_none() {
             return Ok(NextPlan::Alone(plan));
         }
-        let follow = |plan| self.followed(plan, &mut unobserved);
-        let (_, round) = within_reach(&planner, plan, &follow)?;
+        let follow = |plan| self.compute_motion(plan, &mut unobserved);
+        let (_, round) = evaluate_within_reach(&planner, plan, &follow)?;
         Ok(NextPlan::Followed(Box::new(round)))
     }
 }
