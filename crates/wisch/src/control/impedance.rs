@@ -159,11 +159,11 @@ impl ImpedanceController {
         // the tool.
         self.efforts.copy_from(&self.posture);
         mass.solve_mut(&mut self.posture);
-        let mut felt = Vector6::zeros();
+        let mut tool_force = Vector6::zeros();
         for (k, column) in self.jacobian.column_iter().enumerate() {
-            felt += column * self.posture[k];
+            tool_force += column * self.posture[k];
         }
-        let felt = self.tool_inertia * felt;
+        let tool_force = self.tool_inertia * tool_force;
         let force = Vector6::new(
             wrench.force.x,
             wrench.force.y,
@@ -171,7 +171,7 @@ impl ImpedanceController {
             wrench.moment.x,
             wrench.moment.y,
             wrench.moment.z,
-        ) - felt;
+        ) - tool_force;
         for (k, &i) in self.compliant.iter().enumerate() {
             let row = state.mass_matrix().row(i);
             let ahead: f64 = row.iter().zip(posture.qdd).map(|(m, a)| m * a).sum();
@@ -274,6 +274,7 @@ impl ImpedanceController {
         for &i in &self.compliant {
             velocity -= measured.jacobian.column(i) * measured.qd[i];
         }
+        // f = K Δx + D Δẋ.
         let wrench = self.stiffness * error + self.damping * velocity;
         Wrench {
             force: saturated(wrench.fixed_rows::<3>(0).into(), self.force_limit),
@@ -307,6 +308,7 @@ pub fn beyond(range: &Range, position: f64) -> Option<f64> {
 /// further out.
 pub fn end_stop(beyond: f64, velocity: f64, inertia: f64) -> f64 {
     let outwards = (velocity * beyond.signum()).max(0.0) * beyond.signum();
+    // Critically damped: −m (ω² x + 2 ω v), with the velocity v outwards only.
     -inertia * (END_STOP_RATE * END_STOP_RATE * beyond + 2.0 * END_STOP_RATE * outwards)
 }
 

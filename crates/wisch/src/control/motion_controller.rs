@@ -27,6 +27,7 @@ pub fn pressed_in(
     let height = (surface.inverse() * tool).z;
     let normal = surface * Vector3::z();
     let interaction = &task.interaction;
+    // The spring presses with the margin times the contact force at depth = margin · F / k.
     let depth = config.press_margin * interaction.contact_force() / interaction.stiffness_n_per_m;
     let presses = matches!(phase, Some(Phase::Lower | Phase::Wipe(_) | Phase::Lift));
     let share = if presses {
@@ -40,6 +41,7 @@ pub fn pressed_in(
 /// Returns the load of a tool of this mass [kg] on the link that holds it: a cuboid of this extent [m] at the
 /// tool centre point.
 pub fn tool_load(tip_from_tool: &Pose, extent: Vector2, mass: f64) -> Body {
+    // Moment of inertia of a cuboid: m (a² + b²) / 12.
     let about = |a: f64, b: f64| mass / 12.0 * (a * a + b * b) + 1e-6;
     let depth = extent.min();
     Body {

@@ -56,9 +56,8 @@ pub struct FollowConfig {
 }
 
 impl Default for FollowConfig {
-    /// Poses every 10 mm and 2°, yaw and tilt in steps of 10°, clearance of 5 mm and 30 mm in free motion,
-    /// deviation from the line of 1 mm and 0.5°, 0.25 m/s in contact, 0.1 m/s on the way down, changes of the
-    /// acceleration over 40 ms.
+    /// Poses every 10 mm and 2°, yaw and tilt in steps of 10°. Clearance of 5 mm, and 30 mm in free motion. At most
+    /// 1 mm and 0.5° off the line. 0.25 m/s in contact, 0.1 m/s on the way down; accelerations change over 40 ms.
     fn default() -> Self {
         Self {
             step: 0.01,
@@ -87,7 +86,7 @@ impl FollowConfig {
     ///
     /// # Errors
     /// The first field outside its range.
-    pub(super) fn checked(&self) -> Result<(), FollowError> {
+    pub(super) fn check(&self) -> Result<(), FollowError> {
         let steps = "0.0001 to 1 m";
         let speeds = "0.001 to 10 m/s";
         let placements = self.placements as f64;

@@ -30,7 +30,7 @@ pub enum FollowError {
     },
     /// A robot that moves over the floor has a pose off the floor.
     #[error(
-        "robot: {what} is {value}, but this robot moves over the floor; only x, y and yaw may be given"
+        "robot: {what} is {value}, but this robot moves over the floor; only x, y and yaw are free"
     )]
     OffFloor {
         /// Name of the coordinate.
@@ -58,7 +58,7 @@ pub enum FollowError {
     /// No path was found from where the robot was stopped to its ready posture.
     #[error(
         "no path was found from where the robot was stopped to its ready posture{}",
-        because(why)
+        reason_suffix(why)
     )]
     NoRetreat {
         /// The obstruction that prevents lifting the tool off the surface; `None` if the motion after the lift
@@ -131,7 +131,7 @@ pub enum FollowError {
     },
 }
 
-fn because(why: &Option<super::Obstruction>) -> String {
+fn reason_suffix(why: &Option<super::Obstruction>) -> String {
     why.as_ref()
         .map_or_else(String::new, |why| format!(": {why}"))
 }

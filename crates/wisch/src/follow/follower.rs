@@ -1,13 +1,15 @@
 //! The follower: from a plan to base poses, joint paths and times.
 
-use super::open_stroke::{Open, Waiting, apart, give_up, waiting};
 use super::path::arm::Arm;
 use super::path::free_motion::free_motion;
-use super::path::free_yaw::{eased, headed};
+use super::path::free_yaw::{configurations_with_free_yaw, poses_with_yaws};
 use super::path::joint_tour::joint_tour;
+use super::path::joint_travel::movement;
 use super::path::stroke_run::{Corner, Now, Run, UntimedMotion, UntimedPhase, run};
-use super::path::taut::movement;
 use super::path::tool_redundancy::{ToolOrientation, orientations};
+use super::pending_stroke::{
+    PendingNode, PendingStroke, abandon_next, count_pending, split_by_touch,
+};
 use super::placement::{Candidate, Reachability, best, drive::drive};
 use super::workcell::HandBelow;
 use super::{
@@ -22,7 +24,7 @@ use rayon::prelude::*;
 use std::cmp::Ordering;
 
 /// Number of searches for a path back to the ready posture.
-const WAYS_BACK: u64 = 3;
+const RETURN_SEARCHES: u64 = 3;
 
 /// Share of the planned effect above which no further base pose is tried [1].
 const ENOUGH: f64 = 0.95;
@@ -32,17 +34,17 @@ const ENOUGH: f64 = 0.95;
 const AT_ONCE: usize = 2;
 
 /// A base visit: the motions of the arm at one base pose.
-struct Stay {
+struct BaseVisit {
     world_from_base: PlanarPose,
     runs: Vec<(Vec<usize>, Run)>,
     /// Path from the last stroke back to the ready posture.
     back: Vec<JointPositions>,
-    open: Vec<Open>,
+    open: Vec<PendingStroke>,
     /// Why the visit did not follow more of the plan.
     stopped: Vec<Attempt>,
 }
 
-impl Stay {
+impl BaseVisit {
     /// Length of the joint path [rad].
     fn movement(&self) -> f64 {
         let runs = self.runs.iter().flat_map(|(_, run)| &run.pieces);
@@ -52,10 +54,10 @@ impl Stay {
 }
 
 /// The drive to a base pose, the placement, and the visit.
-type Reached = (Vec<PlanarPose>, Placement, Stay);
+type ReachedVisit = (Vec<PlanarPose>, Placement, BaseVisit);
 
 /// The pending strokes after a new join, and the nodes that they no longer contain.
-type Joined = (Vec<Open>, Vec<AbandonedNode>);
+type Rejoined = (Vec<PendingStroke>, Vec<AbandonedNode>);
 
 /// Predicted result of a base visit.
 struct Outcome {
@@ -84,7 +86,7 @@ pub fn follow(
     config: &FollowConfig,
     progress: &mut dyn FnMut(usize),
 ) -> Result<Followed, FollowError> {
-    config.checked()?;
+    config.check()?;
     can_touch(task, plan, cell)?;
     can_start(cell, config)?;
     let follower = Follower {
@@ -142,10 +144,10 @@ struct Follower<'a> {
 
 impl Follower<'_> {
     fn follow(&self, progress: &mut dyn FnMut(usize)) -> Result<Followed, FollowError> {
-        let mut open: Vec<Open> = self.open();
-        let all = waiting(&open);
+        let mut open: Vec<PendingStroke> = self.pending_strokes();
+        let all = count_pending(&open);
         let mut at = self.cell.base_pose(self.cell.ready());
-        let mut stays: Vec<Reached> = Vec::new();
+        let mut visits: Vec<ReachedVisit> = Vec::new();
         let mut abandoned: Vec<AbandonedNode> = Vec::new();
         let mut rated: Vec<RatedPlace> = Vec::new();
         while !open.is_empty() {
@@ -154,44 +156,44 @@ impl Follower<'_> {
                 rated = self.rated_places(&candidates);
             }
             let places = best_or_here(self.cell, &candidates, &at, self.config);
-            let (chosen, stopped) = self.best_stay(&places, &at, &open, &stays)?;
+            let (chosen, stopped) = self.best_visit(&places, &at, &open, &visits)?;
             match chosen {
                 Some(next) => {
                     open.clone_from(&next.2.open);
                     at = *next.0.last().unwrap_or(&at);
-                    stays.push(next);
+                    visits.push(next);
                 }
-                None => abandoned.extend(self.give_up(&mut open, &at, stopped)?),
+                None => abandoned.extend(self.abandon(&mut open, &at, stopped)?),
             }
             // Strokes that were joined anew may visit a node more often, where branches meet.
-            progress(all.saturating_sub(waiting(&open)));
+            progress(all.saturating_sub(count_pending(&open)));
         }
-        self.timed(stays, abandoned, rated)
+        self.assemble(visits, abandoned, rated)
     }
 
     /// Tries the pending strokes from several base poses, and returns the visit with the fewest pending nodes;
     /// of equal visits the one with the best predicted effect. Also returns the attempts of the first visit
     /// that failed.
-    fn best_stay(
+    fn best_visit(
         &self,
         places: &[Candidate],
         at: &PlanarPose,
-        open: &[Open],
-        before: &[Reached],
-    ) -> Result<(Option<Reached>, Vec<Attempt>), FollowError> {
-        let mut chosen: Option<(Outcome, Reached)> = None;
+        open: &[PendingStroke],
+        before: &[ReachedVisit],
+    ) -> Result<(Option<ReachedVisit>, Vec<Attempt>), FollowError> {
+        let mut chosen: Option<(Outcome, ReachedVisit)> = None;
         let mut stopped = Vec::new();
         for some in places.chunks(AT_ONCE) {
-            let stays = some.par_iter().map(|place| {
+            let visits = some.par_iter().map(|place| {
                 let way = drive(self.cell, at, &place.world_from_base, self.config);
                 way.map(|way| {
-                    let stay = self.work(way.last().unwrap_or(at), open)?;
-                    Ok((way, Placement::from(place), stay))
+                    let visit = self.visit_base_pose(way.last().unwrap_or(at), open)?;
+                    Ok((way, Placement::from(place), visit))
                 })
                 .transpose()
             });
-            let stays = stays.collect::<Result<Vec<Option<Reached>>, FollowError>>()?;
-            for reached in stays.into_iter().flatten() {
+            let visits = visits.collect::<Result<Vec<Option<ReachedVisit>>, FollowError>>()?;
+            for reached in visits.into_iter().flatten() {
                 if stopped.is_empty() {
                     stopped.clone_from(&reached.2.stopped);
                 }
@@ -218,37 +220,36 @@ impl Follower<'_> {
     }
 
     /// Predicts the result of a visit after the earlier visits.
-    fn outcome(&self, before: &[Reached], stay: &Stay) -> Outcome {
-        let stays = before.iter().map(|(.., stay)| stay).chain([stay]);
-        let strokes = stays.flat_map(|stay| stay.runs.iter().map(|(nodes, run)| run.stroke(nodes)));
+    fn outcome(&self, before: &[ReachedVisit], visit: &BaseVisit) -> Outcome {
+        let visits = before.iter().map(|(.., visit)| visit).chain([visit]);
+        let strokes =
+            visits.flat_map(|visit| visit.runs.iter().map(|(nodes, run)| run.stroke(nodes)));
         let wiped = Plan {
             strokes: strokes.collect(),
             ..self.plan.clone()
         };
         Outcome {
-            left: waiting(&stay.open),
+            left: count_pending(&visit.open),
             achieved: predict(self.task, &wiped, |_| ()).performance.achieved,
         }
     }
 
     /// Returns the pending strokes with the yaw chosen so that the joints move little: in another order in
     /// which they may move less, and in the planned order. Leaves out versions with a worse predicted effect.
-    fn eased(&self, arm: &Arm, open: &[Open]) -> Vec<Vec<Open>> {
+    fn free_yaw_versions(&self, arm: &Arm, open: &[PendingStroke]) -> Vec<Vec<PendingStroke>> {
         if !self.config.free_yaw || arm.keeps_heading || self.cell.second().is_some() {
             return Vec::new();
         }
-        let achieved = self.achieved(open);
-        let (reordered, in_order) = rayon::join(
-            || self.reordered(arm, open),
-            || self.eased_in_order(arm, open),
-        );
+        let achieved = self.predict_achieved(open);
+        let (reordered, in_order) =
+            rayon::join(|| self.reorder(arm, open), || self.choose_yaws(arm, open));
         let all = reordered.into_iter().chain([in_order]);
-        all.filter(|eased| self.achieved(eased) >= achieved)
+        all.filter(|eased| self.predict_achieved(eased) >= achieved)
             .collect()
     }
 
     /// Returns the pending strokes in their order, with the yaw chosen so that the joints move little.
-    fn eased_in_order(&self, arm: &Arm, open: &[Open]) -> Vec<Open> {
+    fn choose_yaws(&self, arm: &Arm, open: &[PendingStroke]) -> Vec<PendingStroke> {
         let mut at = arm.ready();
         let mut turned = open.to_vec();
         for (i, open) in turned.iter_mut().enumerate() {
@@ -257,11 +258,11 @@ impl Follower<'_> {
             open.nodes.dedup_by_key(|waiting| waiting.node);
             let poses: Vec<PlanarPose> = open.nodes.iter().map(|w| w.corner.pose).collect();
             let line: Vec<Point2> = poses.iter().map(|pose| pose.position).collect();
-            let near = eased(arm, &at, &line, seed);
+            let near = configurations_with_free_yaw(arm, &at, &line, seed);
             if let Some(&last) = near.iter().flatten().last() {
                 at = last;
             }
-            let poses = headed(arm, &poses, &near);
+            let poses = poses_with_yaws(arm, &poses, &near);
             for (waiting, (pose, near)) in open.nodes.iter_mut().zip(poses.into_iter().zip(near)) {
                 waiting.corner = Corner { pose, near };
             }
@@ -271,12 +272,12 @@ impl Follower<'_> {
 
     /// Returns all pending nodes in an order in which the joints move less; `None` if there is none, or if the
     /// robot may not choose the order.
-    fn reordered(&self, arm: &Arm, open: &[Open]) -> Option<Vec<Open>> {
+    fn reorder(&self, arm: &Arm, open: &[PendingStroke]) -> Option<Vec<PendingStroke>> {
         if !self.config.free_order || self.task.action != Action::Absorb {
             return None;
         }
-        let mut left: Vec<Waiting> = Vec::new();
-        for waiting in open.iter().flat_map(Open::unpassed) {
+        let mut left: Vec<PendingNode> = Vec::new();
+        for waiting in open.iter().flat_map(PendingStroke::pending) {
             if left.iter().all(|known| known.node != waiting.node) {
                 left.push(*waiting);
             }
@@ -286,9 +287,9 @@ impl Follower<'_> {
         let strokes = tour.strokes.iter().map(|stroke| {
             let poses: Vec<PlanarPose> = stroke.iter().map(|&i| left[i].corner.pose).collect();
             let at: Vec<_> = stroke.iter().map(|&i| Some(tour.at[i])).collect();
-            let corners = headed(arm, &poses, &at).into_iter().zip(at);
+            let corners = poses_with_yaws(arm, &poses, &at).into_iter().zip(at);
             let nodes = stroke.iter().zip(corners);
-            Open::through(nodes.map(|(&i, (pose, near))| Waiting {
+            PendingStroke::through(nodes.map(|(&i, (pose, near))| PendingNode {
                 corner: Corner { pose, near },
                 ..left[i]
             }))
@@ -297,19 +298,19 @@ impl Follower<'_> {
     }
 
     /// Predicts the number of particles that meet the goal after the pending strokes.
-    fn achieved(&self, open: &[Open]) -> usize {
+    fn predict_achieved(&self, open: &[PendingStroke]) -> usize {
         let wiped = Plan {
-            strokes: open.iter().map(Open::stroke).collect(),
+            strokes: open.iter().map(PendingStroke::stroke).collect(),
             ..self.plan.clone()
         };
         predict(self.task, &wiped, |_| ()).performance.achieved
     }
 
-    fn open(&self) -> Vec<Open> {
+    fn pending_strokes(&self) -> Vec<PendingStroke> {
         let strokes = self.plan.strokes.iter().enumerate();
         strokes
             .filter(|(_, stroke)| !stroke.poses.is_empty())
-            .map(|(number, stroke)| Open::of(stroke, |_| number))
+            .map(|(number, stroke)| PendingStroke::of(stroke, |_| number))
             .collect()
     }
 
@@ -317,38 +318,42 @@ impl Follower<'_> {
     ///
     /// Where the nodes are known at which the tool cannot touch down, only these are abandoned, and the
     /// remaining nodes are joined anew.
-    fn give_up(
+    fn abandon(
         &self,
-        open: &mut Vec<Open>,
+        open: &mut Vec<PendingStroke>,
         at: &PlanarPose,
         attempts: Vec<Attempt>,
     ) -> Result<Vec<AbandonedNode>, FollowError> {
         if self.task.action.treats() {
-            return Ok(give_up(open, attempts).into_iter().collect());
+            return Ok(abandon_next(open, attempts).into_iter().collect());
         }
         if self.task.action != Action::Absorb {
-            return match self.joined_to_goals(open, at)? {
+            return match self.rejoin_to_goals(open, at)? {
                 Some((strokes, abandoned)) => {
                     *open = strokes;
                     Ok(abandoned)
                 }
-                None => Ok(give_up(open, attempts).into_iter().collect()),
+                None => Ok(abandon_next(open, attempts).into_iter().collect()),
             };
         }
         let first = &mut open[0];
         if first.begun && first.nodes.len() > 1 {
-            first.put_down_anew();
+            first.touch_down_at_next();
             return Ok(Vec::new());
         }
-        let mut left: Vec<Waiting> = open.iter().flat_map(Open::unpassed).copied().collect();
+        let mut left: Vec<PendingNode> = open
+            .iter()
+            .flat_map(PendingStroke::pending)
+            .copied()
+            .collect();
         left.dedup_by_key(|waiting| waiting.node);
-        let mut untouched = self.untouched(&left, at)?;
+        let mut untouched = self.find_untouchable(&left, at)?;
         // The first node is known to be out of reach, even if the base can move.
         if let Some(first) = untouched.first_mut() {
             *first = Some(attempts);
         }
-        let (nodes, abandoned) = apart(&left, untouched);
-        if let Some(strokes) = self.joined(&left, &nodes) {
+        let (nodes, abandoned) = split_by_touch(&left, untouched);
+        if let Some(strokes) = self.rejoin(&left, &nodes) {
             *open = strokes;
         } else {
             for open in &mut *open {
@@ -364,20 +369,21 @@ impl Follower<'_> {
     /// Branches that only start at such nodes keep their way to the goal. Returns `None` in three cases: there
     /// are no such nodes; the base can move, so that another base pose may reach them; or the remaining nodes
     /// lead to no goal.
-    fn joined_to_goals(
+    fn rejoin_to_goals(
         &self,
-        open: &[Open],
+        open: &[PendingStroke],
         at: &PlanarPose,
-    ) -> Result<Option<Joined>, FollowError> {
-        let mut left: Vec<Waiting> = Vec::new();
+    ) -> Result<Option<Rejoined>, FollowError> {
+        let mut left: Vec<PendingNode> = Vec::new();
         // A branch ends at a node of another branch.
-        for waiting in open.iter().flat_map(Open::unpassed) {
+        for waiting in open.iter().flat_map(PendingStroke::pending) {
             if left.iter().all(|known| known.node != waiting.node) {
                 left.push(*waiting);
             }
         }
-        let (mut nodes, abandoned) = apart(&left, self.untouched(&left, at)?);
-        let is_lost = |waiting: &Waiting| abandoned.iter().any(|lost| lost.node == waiting.node);
+        let (mut nodes, abandoned) = split_by_touch(&left, self.find_untouchable(&left, at)?);
+        let is_lost =
+            |waiting: &PendingNode| abandoned.iter().any(|lost| lost.node == waiting.node);
         if abandoned.is_empty() {
             return Ok(None);
         }
@@ -392,7 +398,7 @@ impl Follower<'_> {
         }
         // Carried material still has to reach the goal.
         if let [
-            Open {
+            PendingStroke {
                 begun: true,
                 nodes: first,
                 ..
@@ -405,8 +411,8 @@ impl Follower<'_> {
                 nodes.insert(0, first[0].node);
             }
         }
-        let joined = self.joined(&left, &nodes);
-        let is_whole = |strokes: &Vec<Open>| {
+        let joined = self.rejoin(&left, &nodes);
+        let is_whole = |strokes: &Vec<PendingStroke>| {
             let is_in = |node: &usize| strokes.iter().any(|open| open.has(*node));
             nodes.iter().all(is_in)
         };
@@ -414,7 +420,7 @@ impl Follower<'_> {
     }
 
     /// Joins some of the pending nodes to new strokes, from the first pending node.
-    fn joined(&self, left: &[Waiting], nodes: &[usize]) -> Option<Vec<Open>> {
+    fn rejoin(&self, left: &[PendingNode], nodes: &[usize]) -> Option<Vec<PendingStroke>> {
         let from = left
             .first()
             .map_or(self.plan.tool_start, |w| w.corner.pose.position);
@@ -423,15 +429,17 @@ impl Follower<'_> {
             let planned = left.iter().find(|waiting| waiting.node == node);
             planned.map_or(0, |waiting| waiting.stroke)
         };
-        let open = strokes.iter().map(|stroke| Open::of(stroke, stroke_of));
+        let open = strokes
+            .iter()
+            .map(|stroke| PendingStroke::of(stroke, stroke_of));
         Some(open.collect())
     }
 
     /// Returns for each node the failed attempts, if the tool cannot touch down there. If the base can move,
     /// this is unknown and `None` for every node.
-    fn untouched(
+    fn find_untouchable(
         &self,
-        nodes: &[Waiting],
+        nodes: &[PendingNode],
         at: &PlanarPose,
     ) -> Result<Vec<Option<Vec<Attempt>>>, FollowError> {
         if self.cell.base().is_some() {
@@ -443,7 +451,7 @@ impl Follower<'_> {
             tool: None,
         };
         let (lift, seed) = (self.plan.lift_height, self.config.seed);
-        let touch = |waiting: &Waiting| {
+        let touch = |waiting: &PendingNode| {
             run(
                 &arm,
                 &now,
@@ -458,7 +466,7 @@ impl Follower<'_> {
     }
 
     /// Returns rated base poses for the rest of the path; none for a robot without a planar base.
-    fn candidates(&self, open: &[Open]) -> Result<Vec<Candidate>, FollowError> {
+    fn candidates(&self, open: &[PendingStroke]) -> Result<Vec<Candidate>, FollowError> {
         if self.cell.base().is_none() {
             return Ok(Vec::new());
         }
@@ -481,7 +489,7 @@ impl Follower<'_> {
                 }
             }
         }
-        Ok(reachability.rated(&ahead, self.config))
+        Ok(reachability.rate_base_poses(&ahead, self.config))
     }
 
     /// Returns the best heading of every place.
@@ -507,45 +515,54 @@ impl Follower<'_> {
     /// Follows the pending strokes from one base pose, in several versions. Takes the version with the fewest
     /// pending nodes, of equal ones that with the shortest joint path. The planned version is tried if there is
     /// no other, or if a fixed arm leaves nodes pending in all others.
-    fn work(&self, world_from_base: &PlanarPose, open: &[Open]) -> Result<Stay, FollowError> {
+    fn visit_base_pose(
+        &self,
+        world_from_base: &PlanarPose,
+        open: &[PendingStroke],
+    ) -> Result<BaseVisit, FollowError> {
         let arm =
             Arm::new(self.cell, self.task, self.config, world_from_base)?.following(self.plan);
-        let eased = self.eased(&arm, open);
-        let stays = eased
+        let eased = self.free_yaw_versions(&arm, open);
+        let visits = eased
             .into_par_iter()
-            .map(|open| self.worked_off(&arm, world_from_base, open));
-        let mut stays: Vec<Stay> = stays.collect();
-        let is_whole = stays.iter().any(|stay| stay.open.is_empty());
-        if stays.is_empty() || !is_whole && self.cell.base().is_none() {
-            stays.push(self.worked_off(&arm, world_from_base, open.to_vec()));
+            .map(|open| self.follow_strokes(&arm, world_from_base, open));
+        let mut visits: Vec<BaseVisit> = visits.collect();
+        let is_whole = visits.iter().any(|visit| visit.open.is_empty());
+        if visits.is_empty() || !is_whole && self.cell.base().is_none() {
+            visits.push(self.follow_strokes(&arm, world_from_base, open.to_vec()));
         }
-        let rank = |stay: &Stay| (stay.runs.is_empty(), waiting(&stay.open));
-        let best = stays.into_iter().reduce(|best, stay| {
-            let is_better = match rank(&stay).cmp(&rank(&best)) {
-                Ordering::Equal => stay.movement() < best.movement(),
+        let rank = |visit: &BaseVisit| (visit.runs.is_empty(), count_pending(&visit.open));
+        let best = visits.into_iter().reduce(|best, visit| {
+            let is_better = match rank(&visit).cmp(&rank(&best)) {
+                Ordering::Equal => visit.movement() < best.movement(),
                 order => order == Ordering::Less,
             };
-            if is_better { stay } else { best }
+            if is_better { visit } else { best }
         });
         Ok(best.expect("at least one way"))
     }
 
     /// Follows strokes from one base pose, in order, until one cannot be continued.
-    fn worked_off(&self, arm: &Arm, world_from_base: &PlanarPose, open: Vec<Open>) -> Stay {
+    fn follow_strokes(
+        &self,
+        arm: &Arm,
+        world_from_base: &PlanarPose,
+        open: Vec<PendingStroke>,
+    ) -> BaseVisit {
         let mut now = Now {
             q: arm.ready(),
             tool: None,
         };
-        let mut stay = Stay {
+        let mut visit = BaseVisit {
             world_from_base: *world_from_base,
             runs: Vec::new(),
             back: Vec::new(),
             open,
             stopped: Vec::new(),
         };
-        while let Some(first) = stay.open.first_mut() {
+        while let Some(first) = visit.open.first_mut() {
             let planned: Vec<Corner> = first.nodes.iter().map(|w| w.corner).collect();
-            let seed = self.config.seed ^ (stay.runs.len() as u64) << 32;
+            let seed = self.config.seed ^ (visit.runs.len() as u64) << 32;
             let run = match run(
                 arm,
                 &now,
@@ -556,7 +573,7 @@ impl Follower<'_> {
             ) {
                 Ok(run) => run,
                 Err(attempts) => {
-                    stay.stopped = attempts;
+                    visit.stopped = attempts;
                     break;
                 }
             };
@@ -564,10 +581,10 @@ impl Follower<'_> {
             if run.last == 0 && first.begun && planned.len() > 1 {
                 // If paths do not matter and no other base pose may be better, the next node is tried.
                 if self.task.action == Action::Absorb && self.cell.base().is_none() {
-                    first.put_down_anew();
+                    first.touch_down_at_next();
                     continue;
                 }
-                stay.stopped = run.stopped;
+                visit.stopped = run.stopped;
                 break;
             }
             let nodes: Vec<usize> = first.nodes[..=run.last].iter().map(|w| w.node).collect();
@@ -576,32 +593,32 @@ impl Follower<'_> {
             first.begun = true;
             first.skipped &= run.last == 0;
             if first.nodes.len() == 1 {
-                stay.open.remove(0);
+                visit.open.remove(0);
             }
-            stay.runs.push((nodes, run));
+            visit.runs.push((nodes, run));
         }
-        if !stay.runs.is_empty() {
+        if !visit.runs.is_empty() {
             let ready = arm.ready();
-            let back = (0..WAYS_BACK)
+            let back = (0..RETURN_SEARCHES)
                 .find_map(|i| free_motion(arm, &now.q, &ready, self.config.seed.wrapping_add(i)));
             match back {
-                Some(path) => stay.back = path,
+                Some(path) => visit.back = path,
                 // Without a path back to the ready posture the base could not drive on.
-                None => stay.runs.clear(),
+                None => visit.runs.clear(),
             }
         }
-        stay
+        visit
     }
 
     /// Returns for each node of the plan its reachability from the best base pose; empty without a map.
-    fn node_reachability(&self, stays: &[Reached]) -> Result<Vec<f64>, FollowError> {
+    fn node_reachability(&self, visits: &[ReachedVisit]) -> Result<Vec<f64>, FollowError> {
         if self.map.is_none() {
             return Ok(Vec::new());
         }
         let reachability = Reachability::new(self.cell, self.task, self.map)?;
-        let mut places: Vec<PlanarPose> = stays
+        let mut places: Vec<PlanarPose> = visits
             .iter()
-            .map(|(.., stay)| stay.world_from_base)
+            .map(|(.., visit)| visit.world_from_base)
             .collect();
         if places.is_empty() {
             places.push(self.cell.base_pose(self.cell.ready()));
@@ -617,9 +634,9 @@ impl Follower<'_> {
     }
 
     /// Assembles all motions in order and times them.
-    fn timed(
+    fn assemble(
         &self,
-        stays: Vec<Reached>,
+        visits: Vec<ReachedVisit>,
         abandoned: Vec<AbandonedNode>,
         rated: Vec<RatedPlace>,
     ) -> Result<Followed, FollowError> {
@@ -627,12 +644,12 @@ impl Follower<'_> {
             motions: Vec::new(),
             strokes: Vec::new(),
             placements: Vec::new(),
-            node_reachability: self.node_reachability(&stays)?,
+            node_reachability: self.node_reachability(&visits)?,
             rated,
             abandoned,
             tip_from_tool: *self.cell.tip_from_tool(),
         };
-        for (way, placement, stay) in stays {
+        for (way, placement, visit) in visits {
             if self.cell.base().is_some() {
                 followed.placements.push(placement);
                 let path: Vec<Vec<f64>> = way
@@ -641,8 +658,8 @@ impl Follower<'_> {
                     .collect();
                 self.append(&mut followed, Phase::Drive, &path, Vec::new())?;
             }
-            let arm = Arm::new(self.cell, self.task, self.config, &stay.world_from_base)?;
-            for (nodes, run) in stay.runs {
+            let arm = Arm::new(self.cell, self.task, self.config, &visit.world_from_base)?;
+            for (nodes, run) in visit.runs {
                 let stroke = followed.strokes.len();
                 let wiped = run.stroke(&nodes);
                 for UntimedMotion { phase, path, line } in run.pieces {
@@ -655,7 +672,7 @@ impl Follower<'_> {
                 }
                 followed.strokes.push(wiped);
             }
-            let back: Vec<Vec<f64>> = stay.back.iter().map(|q| arm.to_robot(q)).collect();
+            let back: Vec<Vec<f64>> = visit.back.iter().map(|q| arm.to_robot(q)).collect();
             self.append(&mut followed, Phase::FreeMotion, &back, Vec::new())?;
         }
         Ok(followed)
@@ -670,7 +687,7 @@ impl Follower<'_> {
     ) -> Result<(), FollowError> {
         let start = followed.duration();
         let trajectory =
-            schedule::timed(self.cell, self.task, self.config, phase, path, &tool_line)?;
+            schedule::time_motion(self.cell, self.task, self.config, phase, path, &tool_line)?;
         if let Some(trajectory) = trajectory {
             followed.motions.push(Motion {
                 phase,

@@ -7,7 +7,7 @@ use crate::plan::Stroke;
 
 /// A pending node.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Waiting {
+pub(super) struct PendingNode {
     pub node: usize,
     pub corner: Corner,
     /// Index of its stroke in the plan.
@@ -16,20 +16,20 @@ pub(super) struct Waiting {
 
 /// The pending part of a planned stroke, or a stroke that was joined anew.
 #[derive(Debug, Clone)]
-pub(super) struct Open {
+pub(super) struct PendingStroke {
     /// The pending nodes; the tool touches down at the first.
-    pub nodes: Vec<Waiting>,
+    pub nodes: Vec<PendingNode>,
     /// Whether the first node has been wiped already.
     pub begun: bool,
     /// Whether the node after the first has been abandoned.
     pub skipped: bool,
 }
 
-impl Open {
+impl PendingStroke {
     /// Returns a whole stroke as pending. `stroke_of` returns the index of a node's stroke in the plan.
     pub fn of(stroke: &Stroke, stroke_of: impl Fn(usize) -> usize) -> Self {
         let nodes = stroke.nodes.iter().zip(&stroke.poses);
-        Self::through(nodes.map(|(&node, &pose)| Waiting {
+        Self::through(nodes.map(|(&node, &pose)| PendingNode {
             node,
             corner: Corner { pose, near: None },
             stroke: stroke_of(node),
@@ -37,7 +37,7 @@ impl Open {
     }
 
     /// Returns a pending stroke through these nodes.
-    pub fn through(nodes: impl Iterator<Item = Waiting>) -> Self {
+    pub fn through(nodes: impl Iterator<Item = PendingNode>) -> Self {
         Self {
             nodes: nodes.collect(),
             begun: false,
@@ -51,7 +51,7 @@ impl Open {
     }
 
     /// The nodes that are still pending.
-    pub fn unpassed(&self) -> &[Waiting] {
+    pub fn pending(&self) -> &[PendingNode] {
         let passed = if self.begun { self.copies(0) } else { 0 };
         &self.nodes[passed..]
     }
@@ -61,12 +61,12 @@ impl Open {
         let [first, ..] = &self.nodes[at..] else {
             return 0;
         };
-        let same = |waiting: &&Waiting| waiting.node == first.node;
+        let same = |waiting: &&PendingNode| waiting.node == first.node;
         self.nodes[at..].iter().take_while(same).count()
     }
 
     /// Leaves the wiped node: the tool touches down at the next.
-    pub fn put_down_anew(&mut self) {
+    pub fn touch_down_at_next(&mut self) {
         self.nodes.remove(0);
         self.begun = false;
         self.skipped = false;
@@ -86,8 +86,8 @@ impl Open {
 }
 
 /// Splits nodes into those at which the tool can touch down, and abandoned nodes with their attempts.
-pub(super) fn apart(
-    left: &[Waiting],
+pub(super) fn split_by_touch(
+    left: &[PendingNode],
     untouched: Vec<Option<Vec<Attempt>>>,
 ) -> (Vec<usize>, Vec<AbandonedNode>) {
     let (mut nodes, mut abandoned) = (Vec::new(), Vec::new());
@@ -105,17 +105,20 @@ pub(super) fn apart(
 }
 
 /// Number of pending nodes.
-pub(super) fn waiting(open: &[Open]) -> usize {
-    open.iter().map(|open| open.unpassed().len()).sum()
+pub(super) fn count_pending(open: &[PendingStroke]) -> usize {
+    open.iter().map(|open| open.pending().len()).sum()
 }
 
 /// Removes the next node from the pending strokes. If the node before it has been wiped already, the tool moves
 /// from there to the node after. If that has failed before, the tool touches down anew at the node after.
-pub(super) fn give_up(open: &mut Vec<Open>, attempts: Vec<Attempt>) -> Option<AbandonedNode> {
+pub(super) fn abandon_next(
+    open: &mut Vec<PendingStroke>,
+    attempts: Vec<Attempt>,
+) -> Option<AbandonedNode> {
     let first = &mut open[0];
     let is_turn = first.begun && first.copies(0) > 1;
     if first.begun && first.skipped || is_turn {
-        first.put_down_anew();
+        first.touch_down_at_next();
         return None;
     }
     let at = usize::from(first.begun && first.nodes.len() > 1);

@@ -2,17 +2,17 @@
 
 use super::path::arm::Arm;
 use super::path::free_motion::free_motion;
-use super::path::taut::movement;
+use super::path::joint_travel::movement;
 use super::{FollowConfig, FollowError, Motion, Phase, Workcell, schedule};
 use crate::represent::Task;
 use crate::robot::JointPositions;
 
 /// Number of searches for a path to the ready posture.
-const WAYS: u64 = 3;
+const RETURN_SEARCHES: u64 = 3;
 /// Joint distance below which a robot is in its ready posture [rad].
 const AT_READY: f64 = 1e-3;
 /// Paths shorter than this are left out [m].
-const NO_WAY: f64 = 1e-4;
+const MIN_LIFT: f64 = 1e-4;
 
 /// Plans the retreat from the robot's measured state to its ready posture. The tool first lifts along the
 /// normal of the surface, no faster than it would come down; a free motion follows.
@@ -42,13 +42,13 @@ pub fn retreat(
     }
     let blocked = |why| FollowError::NoRetreat { why };
     let way = height - arm.height(&at).unwrap_or(0.0);
-    let up = if way > NO_WAY {
-        arm.risen(&at, way).map_err(|why| blocked(Some(why)))?
+    let up = if way > MIN_LIFT {
+        arm.lift_path(&at, way).map_err(|why| blocked(Some(why)))?
     } else {
         Vec::new()
     };
     let top = *up.last().unwrap_or(&at);
-    let back = (0..WAYS)
+    let back = (0..RETURN_SEARCHES)
         .find_map(|i| free_motion(&arm, &top, &ready, config.seed.wrapping_add(i)))
         .ok_or_else(|| blocked(None))?;
     let up: Vec<JointPositions> = std::iter::once(at).chain(up).collect();
@@ -59,7 +59,7 @@ pub fn retreat(
         (Phase::FreeMotion, Phase::FreeMotion, back),
     ] {
         let path: Vec<Vec<f64>> = path.iter().map(|q| arm.to_robot(q)).collect();
-        let timed = schedule::timed(cell, task, config, timed_as, &path, &[])?;
+        let timed = schedule::time_motion(cell, task, config, timed_as, &path, &[])?;
         motions.extend(timed.map(|trajectory| Motion {
             phase,
             start: motions.last().map_or(0.0, Motion::end),

@@ -35,7 +35,7 @@ const LINE_STEP: f64 = 1e-3;
 const HALVINGS: usize = 6;
 
 /// Returns the fastest motion along a path of all n variables; `None` if nothing moves.
-pub(super) fn timed(
+pub(super) fn time_motion(
     cell: &Workcell,
     task: &Task,
     config: &FollowConfig,
@@ -62,7 +62,7 @@ pub(super) fn timed(
             ..TimingConfig::default()
         };
         let fastest = time_path(&joints, cell.limits(), &timing)?;
-        Ok(within_efforts(cell, fastest)?.with_acceleration_ramp(config.acceleration_ramp))
+        Ok(slow_to_efforts(cell, fastest)?.with_acceleration_ramp(config.acceleration_ramp))
     };
     let mut blend = if tool_line.is_empty() {
         FREE_BLEND
@@ -84,7 +84,7 @@ pub(super) fn timed(
 
 /// Slows a motion down until no joint exceeds its effort limit by its weight and the robot's own inertia, mimic
 /// joints included. Weight alone beyond a limit is left to the audit to report.
-fn within_efforts(cell: &Workcell, trajectory: Trajectory) -> Result<Trajectory, FollowError> {
+fn slow_to_efforts(cell: &Workcell, trajectory: Trajectory) -> Result<Trajectory, FollowError> {
     let robot = cell.robot();
     let all = vec![true; robot.dof()];
     let articulation = Articulation::new(robot, cell.world_from_root(), cell.ready(), &all, &[])?;
@@ -127,12 +127,13 @@ fn within_efforts(cell: &Workcell, trajectory: Trajectory) -> Result<Trajectory,
             let moving = whole - carrying;
             let left = EFFORT_SHARE * limit - carrying * moving.signum();
             if left > LEAST_LEFT * limit && left.is_finite() {
+                // Slower by a factor s, the efforts of the motion shrink by s²; s² is the largest ratio needed.
                 square = square.max(moving.abs() / left);
             }
         }
     }
     Ok(if square > 1.0 {
-        trajectory.slowed(square.sqrt())
+        trajectory.slow_down(square.sqrt())
     } else {
         trajectory
     })
@@ -206,7 +207,7 @@ fn line_deviation(
         if last.is_none() {
             add(between(&line.poses[0], &line.poses[0], &world_from_tool));
         }
-        add(line.off(&mut at, &world_from_tool));
+        add(line.deviation(&mut at, &world_from_tool));
         last = Some(world_from_tool);
     }
     if let (Some(tool), Some(end)) = (last, line.poses.last()) {
@@ -239,7 +240,7 @@ impl Line {
     }
 
     /// Returns the deviation of a pose from the line; searches from index `at` on, which advances.
-    fn off(&self, at: &mut usize, pose: &Pose) -> LineDeviation {
+    fn deviation(&self, at: &mut usize, pose: &Pose) -> LineDeviation {
         let measure = |i: usize| between(&self.poses[i], &self.poses[i + 1], pose);
         let cost = |off: &LineDeviation| off.position + 0.1 * off.rotation;
         let last = self.poses.len() - 2;

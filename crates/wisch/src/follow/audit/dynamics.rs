@@ -47,6 +47,7 @@ pub(super) fn joint_efforts(
             frame,
             angular_velocity: spin,
             angular_acceleration: turn,
+            // a = a_parent + α × r + ω × (ω × r).
             acceleration: parent.acceleration + turn.cross(&arm) + spin.cross(&spin.cross(&arm)),
         };
         match joint.kind {
@@ -74,6 +75,7 @@ pub(super) fn joint_efforts(
             let inertia = rotation * body.inertia_about_center * rotation.transpose();
             let force = body.mass
                 * (motion.acceleration + turn.cross(&arm) + spin.cross(&spin.cross(&arm)));
+            // Euler: moment = I α + ω × (I ω).
             let moment = inertia * turn + spin.cross(&(inertia * spin));
             (force, moment + (motion.frame.origin + arm).cross(&force))
         })

@@ -30,6 +30,7 @@ impl Frame {
     pub fn turned(axis: &Vector3, angle: f64) -> Self {
         let (sin, cos) = angle.sin_cos();
         Self {
+            // Rodrigues: R = cos φ I + (1 − cos φ) a aᵀ + sin φ [a]×.
             rotation: Matrix3::identity() * cos
                 + axis * axis.transpose() * (1.0 - cos)
                 + axis.cross_matrix() * sin,
@@ -62,6 +63,7 @@ impl Frame {
         if norm == 0.0 {
             return twice_sine;
         }
+        // For a rotation by φ, |twice_sine| = 2 sin φ and trace − 1 = 2 cos φ.
         twice_sine * (norm.atan2(turn.trace() - 1.0) / norm)
     }
 }

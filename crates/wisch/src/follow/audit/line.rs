@@ -97,16 +97,16 @@ impl<'a> Line<'a> {
     }
 
     /// Deviation of the tool from the start of the line.
-    pub fn off_begin(&self, tool: &Frame) -> LineDeviation {
-        self.off_at(0, 0.0, tool)
+    pub fn deviation_at_start(&self, tool: &Frame) -> LineDeviation {
+        self.deviation_at(0, 0.0, tool)
     }
 
     /// Deviation of the tool from the end of the line.
-    pub fn off_end(&self, tool: &Frame) -> LineDeviation {
-        self.off_at(self.segments.len() - 1, 1.0, tool)
+    pub fn deviation_at_end(&self, tool: &Frame) -> LineDeviation {
+        self.deviation_at(self.segments.len() - 1, 1.0, tool)
     }
 
-    fn off_at(&self, segment: usize, share: f64, tool: &Frame) -> LineDeviation {
+    fn deviation_at(&self, segment: usize, share: f64, tool: &Frame) -> LineDeviation {
         let Segment { from, change, .. } = &self.segments[segment];
         let wanted = placed(
             self.task,
@@ -119,14 +119,14 @@ impl<'a> Line<'a> {
     }
 
     /// Returns the deviation of the tool from the nearest place of the line that is not behind the last one.
-    pub fn off(&mut self, tool: &Frame) -> LineDeviation {
+    pub fn deviation(&mut self, tool: &Frame) -> LineDeviation {
         let cost = |off: &LineDeviation| off.position + METRES_PER_RADIAN * off.rotation;
         let mut nearest: Option<(LineDeviation, usize, f64)> = None;
         let mut passed = 0.0;
         for (i, segment) in self.segments.iter().enumerate().skip(self.segment) {
             let least = if i == self.segment { self.share } else { 0.0 };
             let share = segment.nearest(tool).clamp(least, 1.0);
-            let off = self.off_at(i, share, tool);
+            let off = self.deviation_at(i, share, tool);
             if nearest.is_none_or(|(best, ..)| cost(&off) + NEARER < cost(&best)) {
                 nearest = Some((off, i, share));
             }
@@ -136,7 +136,7 @@ impl<'a> Line<'a> {
             }
         }
         let Some((off, segment, share)) = nearest else {
-            return self.off_end(tool);
+            return self.deviation_at_end(tool);
         };
         (self.segment, self.share) = (segment, share);
         off

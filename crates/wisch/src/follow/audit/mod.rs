@@ -43,7 +43,7 @@ const FAR: f64 = 0.5;
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum MotionFault {
     /// A motion breaks the limits of its joints or does not keep to its times.
-    #[error("motion {motion}: {fault}{}", named(fault, joint))]
+    #[error("motion {motion}: {fault}{}", joint_suffix(fault, joint))]
     Trajectory {
         /// Index of the motion.
         motion: usize,
@@ -177,7 +177,7 @@ pub struct Audit {
 }
 
 /// Returns the name of the joint that a fault gives by its number, as a suffix of the message.
-fn named(fault: &TrajectoryFault, joint: &Option<String>) -> String {
+fn joint_suffix(fault: &TrajectoryFault, joint: &Option<String>) -> String {
     match (fault.joint(), joint) {
         (Some(number), Some(name)) => format!(" (joint {number} is {name:?})"),
         _ => String::new(),
@@ -226,21 +226,21 @@ pub fn audit(
             }));
         }
         if let Some((end, q)) = &before {
-            gap(number, motion, *end, q, &first.q, &mut audit.faults);
+            check_gap(number, motion, *end, q, &first.q, &mut audit.faults);
         }
         before = Some((motion.start + last.time, last.q.clone()));
-        ranges(motion, &samples, robot, &mut audit.faults);
-        timing(number, &samples, &moving, &mut audit.faults)?;
-        efforts(motion, &samples, cell, &mut audit.faults);
-        clearance(motion, &samples, cell, &mut audit)?;
-        base(number, motion.phase, &samples, cell, &mut audit.faults);
+        check_ranges(motion, &samples, robot, &mut audit.faults);
+        check_timing(number, &samples, &moving, &mut audit.faults)?;
+        check_efforts(motion, &samples, cell, &mut audit.faults);
+        check_clearance(motion, &samples, cell, &mut audit)?;
+        check_base(number, motion.phase, &samples, cell, &mut audit.faults);
         let surface_faults = surface
             .iter()
             .flat_map(|check| check.faults(motion, &samples));
-        (audit.faults).extend(surface_faults.map(|fault| before_surface(fault, motion, task)));
+        (audit.faults).extend(surface_faults.map(|fault| surface_fault(fault, motion, task)));
         let samples = self::samples(&motion.trajectory, LINE_PERIOD);
-        grip(motion, &samples, cell, &mut audit);
-        on_line(number, motion, &samples, cell, task, config, &mut audit);
+        check_grip(motion, &samples, cell, &mut audit);
+        check_line(number, motion, &samples, cell, task, config, &mut audit);
     }
     Ok(audit)
 }
@@ -322,7 +322,7 @@ impl<'a> MovingJoints<'a> {
     }
 }
 
-fn gap(
+fn check_gap(
     number: usize,
     motion: &Motion,
     end: f64,
@@ -343,7 +343,7 @@ fn gap(
 }
 
 /// Checks the positions of all joints, mimic joints included.
-fn ranges(
+fn check_ranges(
     motion: &Motion,
     samples: &[TrajectorySample],
     robot: &RobotModel,
@@ -372,7 +372,7 @@ fn ranges(
     }
 }
 
-fn timing(
+fn check_timing(
     number: usize,
     samples: &[TrajectorySample],
     moving: &MovingJoints,
@@ -393,7 +393,7 @@ fn timing(
 
 /// Checks efforts against the limits of all joints. The effort of a variable includes all joints that it moves;
 /// the effort of a mimic joint is what it transmits. A limit that is not positive counts as no limit.
-fn efforts(
+fn check_efforts(
     motion: &Motion,
     samples: &[TrajectorySample],
     cell: &Workcell,
@@ -431,7 +431,7 @@ fn efforts(
     }
 }
 
-fn clearance(
+fn check_clearance(
     motion: &Motion,
     samples: &[TrajectorySample],
     cell: &Workcell,
@@ -458,7 +458,7 @@ fn clearance(
     Ok(())
 }
 
-fn grip(motion: &Motion, samples: &[TrajectorySample], cell: &Workcell, audit: &mut Audit) {
+fn check_grip(motion: &Motion, samples: &[TrajectorySample], cell: &Workcell, audit: &mut Audit) {
     for sample in samples {
         let GripDeviation { position, lean } = off_grip(cell, &sample.q);
         audit.grip.position = audit.grip.position.max(position);
@@ -475,7 +475,7 @@ fn grip(motion: &Motion, samples: &[TrajectorySample], cell: &Workcell, audit: &
 
 /// Returns the deviation of the tool from its line over a motion. At the start and the end of the motion it is
 /// compared with those of the line, in between with the nearest place that is not behind the last one.
-fn on_line(
+fn check_line(
     number: usize,
     motion: &Motion,
     samples: &[TrajectorySample],
@@ -495,11 +495,11 @@ fn on_line(
             worst.rotation = worst.rotation.max(off.rotation);
         };
         if i == 0 {
-            add(line.off_begin(&tool));
+            add(line.deviation_at_start(&tool));
         }
-        add(line.off(&tool));
+        add(line.deviation(&tool));
         if i + 1 == samples.len() {
-            add(line.off_end(&tool));
+            add(line.deviation_at_end(&tool));
         }
     }
     let LineDeviation { position, rotation } = worst;
@@ -515,7 +515,7 @@ fn on_line(
 }
 
 /// Returns a fault of the surface check, with its time on the clock of all motions.
-fn before_surface(fault: SurfaceFault, motion: &Motion, task: &Task) -> MotionFault {
+fn surface_fault(fault: SurfaceFault, motion: &Motion, task: &Task) -> MotionFault {
     let surface = task.surface.name.clone();
     match fault {
         SurfaceFault::Through {
@@ -538,7 +538,7 @@ fn before_surface(fault: SurfaceFault, motion: &Motion, task: &Task) -> MotionFa
     }
 }
 
-fn base(
+fn check_base(
     number: usize,
     phase: Phase,
     samples: &[TrajectorySample],

@@ -79,7 +79,7 @@ impl Body {
     }
 
     /// Returns the vertices in the frame of the surface [m].
-    fn placed(&self, surface_from_link: &Frame) -> Vec<Vector3> {
+    fn vertices_in_surface(&self, surface_from_link: &Frame) -> Vec<Vector3> {
         let vertices = self.mesh.vertices().iter();
         vertices.map(|p| surface_from_link.point(p)).collect()
     }
@@ -102,9 +102,9 @@ impl<'a> SurfaceCheck<'a> {
         let mut check = Self {
             bounds: Bounds2::of(task.surface.outline.outer().iter().copied())?,
             links: Vec::new(),
-            relaxed: tool(&hanging(&task.tool.mesh, depth)),
+            relaxed: tool(&relax_tool(&task.tool.mesh, depth)),
             pressed: tool(&task.tool.mesh),
-            pressed_depth: leaning_depth(task) + depth + may_be_off(&task.tool.mesh, config),
+            pressed_depth: leaning_depth(task) + depth + line_allowance(&task.tool.mesh, config),
             waits_behind: false,
             surface_from_root,
             task,
@@ -195,7 +195,9 @@ impl<'a> SurfaceCheck<'a> {
                 }
             }
             if over_hole.is_none() && matches!(motion.phase, Phase::Wipe(_)) {
-                over_hole = self.over_hole(&frames).map(|place| (sample.time, place));
+                over_hole = self
+                    .hole_under_tool(&frames)
+                    .map(|place| (sample.time, place));
             }
             before = Some(frames);
         }
@@ -234,13 +236,13 @@ impl<'a> SurfaceCheck<'a> {
         if side_now.is_some() && (earlier.is_none() || side_now == side_before) {
             return None;
         }
-        let corners = body.placed(now);
+        let corners = body.vertices_in_surface(now);
         if let Some(found) = self.section(&body.mesh, &corners, may_be_deep) {
             return Some(found);
         }
         // Vertices on the other side have passed through the surface if they crossed its plane within the
         // outline.
-        let earlier = body.placed(earlier?);
+        let earlier = body.vertices_in_surface(earlier?);
         let mut passed = corners.iter().zip(&earlier).filter_map(|(now, earlier)| {
             let [before, after] = [earlier.z + may_be_deep, now.z + may_be_deep];
             if (before < 0.0) == (after < 0.0) {
@@ -317,7 +319,7 @@ impl<'a> SurfaceCheck<'a> {
         if middle - tool.reach > -may_be_deep || middle + tool.reach < -BEHIND {
             return None;
         }
-        let mut corners = tool.placed(frame).into_iter();
+        let mut corners = tool.vertices_in_surface(frame).into_iter();
         corners.find_map(|at| {
             let place = Point2::new(at.x, at.y);
             let is_behind = (-BEHIND..-may_be_deep).contains(&at.z);
@@ -329,7 +331,7 @@ impl<'a> SurfaceCheck<'a> {
     }
 
     /// Returns where the tool centre point is over a hole, farther from the hole's border than the tolerance.
-    fn over_hole(&self, frames: &[Frame]) -> Option<Point2> {
+    fn hole_under_tool(&self, frames: &[Frame]) -> Option<Point2> {
         let outline = &self.task.surface.outline;
         if outline.holes().is_empty() || self.task.interaction.gap_m > 0.0 {
             return None;
@@ -353,7 +355,7 @@ impl<'a> SurfaceCheck<'a> {
 
 /// Returns the mesh of a tool at rest: its underside lies below the tool centre point by the depth of its
 /// compression in contact [m].
-fn hanging(mesh: &Mesh, compression_depth: f64) -> Mesh {
+fn relax_tool(mesh: &Mesh, compression_depth: f64) -> Mesh {
     let lowered = |p: &Point3| {
         let share = (1.0 - p.z / (2.0 * compression_depth)).clamp(0.0, 1.0);
         Point3::new(p.x, p.y, p.z - compression_depth * share)
@@ -382,7 +384,7 @@ fn leaning_depth(task: &Task) -> f64 {
 }
 
 /// Returns the largest displacement of a point of the tool within the tolerances of its line [m].
-fn may_be_off(mesh: &Mesh, config: &FollowConfig) -> f64 {
+fn line_allowance(mesh: &Mesh, config: &FollowConfig) -> f64 {
     let vertices = mesh.vertices().iter();
     let across = vertices.map(|p| p.coords.norm()).fold(0.0, f64::max);
     DEPTH_TOLERANCE + config.line_tolerance + config.turn_tolerance * across

@@ -84,7 +84,7 @@ pub enum TrajectoryFault {
         upper: f64,
     },
     /// A joint exceeds its velocity or acceleration limit.
-    #[error("{}", rate.told(*sample, *joint, *value, *limit))]
+    #[error("{}", rate.describe(*sample, *joint, *value, *limit))]
     TooFast {
         /// The quantity that exceeds the limit.
         rate: Rate,
@@ -190,7 +190,7 @@ pub enum Rate {
 }
 
 impl Rate {
-    fn told(self, sample: usize, joint: usize, value: f64, limit: f64) -> String {
+    fn describe(self, sample: usize, joint: usize, value: f64, limit: f64) -> String {
         let exceeds = |what: &str, whose: &str| {
             format!("sample {sample}, joint {joint}: {what} {value} exceeds {limit}{whose}")
         };
@@ -257,7 +257,7 @@ pub fn trajectory_faults(
         check.limits_after(sample, &mut faults);
     }
     check.ends(&mut faults);
-    check.way(&mut faults);
+    check.check_path(&mut faults);
     faults
 }
 
@@ -420,7 +420,7 @@ impl Check<'_> {
     }
 
     /// Compares samples and path step by step.
-    fn way(&self, faults: &mut Vec<TrajectoryFault>) {
+    fn check_path(&self, faults: &mut Vec<TrajectoryFault>) {
         let bound = self.config.path_deviation;
         let last = self.path.waypoint_count() - 1;
         // The motion may be on the segments from `rear` to the one after waypoint `front`.

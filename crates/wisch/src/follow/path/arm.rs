@@ -43,7 +43,7 @@ pub(in crate::follow) struct Arm<'a> {
 
 /// Where and why a line could not be followed further.
 #[derive(Debug, Clone)]
-pub(in crate::follow) struct Broken {
+pub(in crate::follow) struct BrokenLine {
     /// Followed share of the line, 0 to 1.
     pub progress: f64,
     pub obstruction: Obstruction,
@@ -125,7 +125,7 @@ impl<'a> Arm<'a> {
     }
 
     /// Whether every joint that the group moves is within its range less the margin, mimic joints included.
-    pub fn keeps_ranges(&self, arm: &JointPositions) -> bool {
+    pub fn is_within_ranges(&self, arm: &JointPositions) -> bool {
         let q = self.to_robot(arm);
         self.moved_joints().all(|joint| {
             let position = joint.drive.position(&q);
@@ -158,7 +158,7 @@ impl<'a> Arm<'a> {
         let target = self.base_from_tool(pose);
         let (leading, second) = start.split_at(self.leading());
         let outcome = (self.cell.ik()).solve_from(&target, RotationGoal::Full, leading, &self.ik);
-        self.held(&self.solved(outcome)?, second)
+        self.hold_near(&self.to_configuration(outcome)?, second)
     }
 
     /// Finds a configuration with the tool at a position with any yaw, near `start`. For one arm alone: a
@@ -207,6 +207,8 @@ impl<'a> Arm<'a> {
         let axis = (kinematics.base_from_tip() * tip_from_tool).rotation * Vector3::z();
         let (linear, angular) = (jacobian.view(), jacobian.view());
         let (linear, angular) = (linear.fixed_rows::<3>(0), angular.fixed_rows::<3>(3));
+        // Constrained rows of the Jacobian: the linear part, and the angular part without the tool's axis a,
+        // (I − a aᵀ) J_ω.
         let mut tied = DMatrix::zeros(6, n);
         tied.rows_mut(0, 3).copy_from(&linear);
         (tied.rows_mut(3, 3)).copy_from(&(angular - axis * (axis.transpose() * angular)));
@@ -227,6 +229,7 @@ impl<'a> Arm<'a> {
         let rank = (tied.row_iter().map(|row| row.transpose()))
             .filter(|row| add(row.clone_owned()))
             .count();
+        // The unit vectors complete the row space; the added directions span the null space.
         for i in 0..n {
             let mut unit = DVector::zeros(n);
             unit[i] = 1.0;
@@ -258,8 +261,8 @@ impl<'a> Arm<'a> {
     /// Returns configurations that lift the tool along the surface's normal with its orientation kept; `from`
     /// is left out.
     ///
-    /// `way`: height of the lift [m], more than 0.
-    pub fn risen(
+    /// `free_path`: height of the lift [m], more than 0.
+    pub fn lift_path(
         &self,
         from: &JointPositions,
         way: f64,
@@ -280,8 +283,8 @@ impl<'a> Arm<'a> {
             let (leading, second) = at.split_at(self.leading());
             let outcome =
                 (self.cell.ik()).solve_from(&target, RotationGoal::Full, leading, &self.ik);
-            let next = self.held(&self.solved(outcome)?, second)?;
-            if self.jumps(&at, &next) {
+            let next = self.hold_near(&self.to_configuration(outcome)?, second)?;
+            if self.is_jump(&at, &next) {
                 return Err(self.jump(&at, &next));
             }
             path.push(next);
@@ -321,7 +324,7 @@ impl<'a> Arm<'a> {
         let n = self.leading();
         let leading: Vec<&[f64]> = starts.iter().map(|start| &start[..n]).collect();
         let outcome = (self.cell.ik()).solve(&target, RotationGoal::Full, &leading, seed, &config);
-        let found = self.solved(outcome)?;
+        let found = self.to_configuration(outcome)?;
         let Some(second) = self.cell.second() else {
             return Ok(found);
         };
@@ -330,9 +333,9 @@ impl<'a> Arm<'a> {
             .chain([&*ready])
             .map(|start| &start[n..])
             .collect();
-        Ok(both(
+        Ok(join_arms(
             &found,
-            &second.held_anyhow(&found, &seconds, seed, &config)?,
+            &second.hold_from_any_start(&found, &seconds, seed, &config)?,
         ))
     }
 
@@ -342,21 +345,21 @@ impl<'a> Arm<'a> {
     }
 
     /// Returns a configuration of the leading arm with the second hand on the tool, near `second`.
-    fn held(&self, leading: &[f64], second: &[f64]) -> Result<JointPositions, Obstruction> {
+    fn hold_near(&self, leading: &[f64], second: &[f64]) -> Result<JointPositions, Obstruction> {
         match self.cell.second() {
             None => Ok(leading.iter().copied().collect()),
-            Some(arm) => Ok(both(leading, &arm.held(leading, second, &self.ik)?)),
+            Some(arm) => Ok(join_arms(leading, &arm.hold(leading, second, &self.ik)?)),
         }
     }
 
     /// Returns a configuration with the second hand brought back to the tool.
     pub fn hold(&self, q: &JointPositions) -> Option<JointPositions> {
         let (leading, second) = q.split_at(self.leading());
-        self.held(leading, second).ok()
+        self.hold_near(leading, second).ok()
     }
 
     /// Whether the second hand is near enough to its grip for a configuration between two solved poses.
-    fn keeps_grip(&self, q: &JointPositions) -> bool {
+    fn is_in_grip(&self, q: &JointPositions) -> bool {
         let Some(arm) = self.cell.second() else {
             return true;
         };
@@ -369,7 +372,7 @@ impl<'a> Arm<'a> {
 
     /// Returns a free path between two configurations that keeps both hands on the tool: straight for the
     /// leading arm. It leaves `from` out and includes the end.
-    pub fn way(
+    pub fn free_path(
         &self,
         from: &JointPositions,
         to: &JointPositions,
@@ -388,15 +391,15 @@ impl<'a> Arm<'a> {
             } else {
                 let straight = between(from, to, i as f64 / count as f64);
                 let (leading, second) = straight.split_at(self.leading());
-                self.held(leading, second)?
+                self.hold_near(leading, second)?
             };
-            self.halved(&at, &next, allowed, &mut way, MAX_HALVINGS)?;
+            self.halve(&at, &next, allowed, &mut way, MAX_HALVINGS)?;
             at = next;
         }
         Ok(way)
     }
 
-    fn halved(
+    fn halve(
         &self,
         from: &JointPositions,
         to: &JointPositions,
@@ -405,7 +408,7 @@ impl<'a> Arm<'a> {
         halvings: u32,
     ) -> Result<(), Obstruction> {
         let middle = between(from, to, 0.5);
-        if !self.jumps(from, to) && self.keeps_grip(&middle) {
+        if !self.is_jump(from, to) && self.is_in_grip(&middle) {
             self.is_free(from, to, allowed)?;
             way.push(*to);
             return Ok(());
@@ -414,9 +417,9 @@ impl<'a> Arm<'a> {
             return Err(self.jump(from, to));
         }
         let (leading, second) = middle.split_at(self.leading());
-        let middle = self.held(leading, second)?;
-        self.halved(from, &middle, allowed, way, halvings - 1)?;
-        self.halved(&middle, to, allowed, way, halvings - 1)
+        let middle = self.hold_near(leading, second)?;
+        self.halve(from, &middle, allowed, way, halvings - 1)?;
+        self.halve(&middle, to, allowed, way, halvings - 1)
     }
 
     /// Finds a configuration as [`Self::reach_anyhow`], without collision.
@@ -430,7 +433,7 @@ impl<'a> Arm<'a> {
         self.is_free(&q, &q, AllowedContact::None).map(|()| q)
     }
 
-    fn solved(
+    fn to_configuration(
         &self,
         outcome: Result<IkOutcome, RobotError>,
     ) -> Result<JointPositions, Obstruction> {
@@ -512,14 +515,14 @@ impl<'a> Arm<'a> {
     ///
     /// Collisions are checked only after all poses have been reached, at the most likely places first. Most
     /// lines that cannot be followed end out of reach, which is cheap to detect.
-    pub fn along(
+    pub fn follow_line(
         &self,
         start: &JointPositions,
         from: &ToolPose,
         to: &ToolPose,
         near: Option<&JointPositions>,
         allowed: AllowedContact,
-    ) -> Result<Vec<JointPositions>, Broken> {
+    ) -> Result<Vec<JointPositions>, BrokenLine> {
         let count = steps(from, to, self.config);
         let mut path = Vec::with_capacity(count);
         let mut at = *start;
@@ -528,7 +531,7 @@ impl<'a> Arm<'a> {
             let near = near.map(|near| between(&at, near, 1.0 / (count - i + 1) as f64));
             let near = near.as_ref();
             self.step(&mut at, [from, to], [s0, s1], near, &mut path, MAX_HALVINGS)
-                .map_err(|obstruction| Broken {
+                .map_err(|obstruction| BrokenLine {
                     progress: s0,
                     obstruction,
                 })?;
@@ -543,8 +546,8 @@ impl<'a> Arm<'a> {
         start: &JointPositions,
         path: &[JointPositions],
         allowed: AllowedContact,
-    ) -> Result<(), Broken> {
-        let broken = |i: usize, obstruction| Broken {
+    ) -> Result<(), BrokenLine> {
+        let broken = |i: usize, obstruction| BrokenLine {
             progress: i as f64 / path.len() as f64,
             obstruction,
         };
@@ -576,7 +579,7 @@ impl<'a> Arm<'a> {
         let next = self.reach(&from.towards(to, s1), near.unwrap_or(at))?;
         let middle_s = 0.5 * (s0 + s1);
         let on_line =
-            !self.jumps(at, &next) && self.is_on_line(at, &next, &from.towards(to, middle_s));
+            !self.is_jump(at, &next) && self.is_on_line(at, &next, &from.towards(to, middle_s));
         if on_line {
             path.push(next);
             *at = next;
@@ -592,7 +595,7 @@ impl<'a> Arm<'a> {
     }
 
     /// Whether a joint moves more than allowed between two neighbouring poses.
-    pub fn jumps(&self, from: &JointPositions, to: &JointPositions) -> bool {
+    pub fn is_jump(&self, from: &JointPositions, to: &JointPositions) -> bool {
         widest_step(from, to) > self.config.max_joint_step
     }
 
@@ -631,12 +634,12 @@ impl<'a> Arm<'a> {
         let turned = base_from_tool.rotation.angle_to(&wanted.rotation);
         off <= SHARE_BETWEEN * self.config.line_tolerance
             && turned <= SHARE_BETWEEN * self.config.turn_tolerance
-            && self.keeps_grip(&q)
+            && self.is_in_grip(&q)
     }
 }
 
 /// Joins the positions of the leading arm and of the second.
-fn both(leading: &[f64], second: &[f64]) -> JointPositions {
+fn join_arms(leading: &[f64], second: &[f64]) -> JointPositions {
     leading.iter().chain(second).copied().collect()
 }
 

@@ -2,7 +2,7 @@
 
 use super::arm::Arm;
 use super::global::{self, Leg};
-use super::tool_redundancy::{ToolOrientation, change, deviation, nearest_first, turned_along};
+use super::tool_redundancy::{ToolOrientation, change, deviation, nearest_first, turn_along_edge};
 use crate::follow::{AllowedContact, Attempt, SearchScope, ToolPose};
 use crate::geometry::PlanarPose;
 use crate::represent::Action;
@@ -27,8 +27,8 @@ pub(in crate::follow) fn follow_edge(
     let mut attempts = Vec::new();
     let symmetric = arm.task.tool.is_half_turn_symmetric();
     if let (Some(near), Some(as_planned)) = (near, orientations.first()) {
-        let to = turned_along(planned, as_planned, from);
-        let found = arm.along(start, from, &to, Some(near), AllowedContact::Surface);
+        let to = turn_along_edge(planned, as_planned, from);
+        let found = arm.follow_line(start, from, &to, Some(near), AllowedContact::Surface);
         if let Ok(configurations) = found {
             return Ok(Leg {
                 configurations,
@@ -43,8 +43,8 @@ pub(in crate::follow) fn follow_edge(
         order.retain(|orientation| change(planned[0], orientation, from).abs() <= MAX_TURN);
     }
     for orientation in &order {
-        let to = turned_along(planned, orientation, from);
-        match arm.along(start, from, &to, None, AllowedContact::Surface) {
+        let to = turn_along_edge(planned, orientation, from);
+        match arm.follow_line(start, from, &to, None, AllowedContact::Surface) {
             Ok(configurations) => {
                 return Ok(Leg {
                     configurations,

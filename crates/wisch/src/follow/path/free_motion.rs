@@ -48,7 +48,7 @@ impl Tree {
         } else {
             *q
         };
-        arm.way(&from, &to, AllowedContact::None).ok()?;
+        arm.free_path(&from, &to, AllowedContact::None).ok()?;
         self.nodes.push((to, parent));
         Some(self.nodes.len() - 1)
     }
@@ -71,22 +71,22 @@ pub(in crate::follow) fn free_motion(
     to: &JointPositions,
     seed: u64,
 ) -> Option<Vec<JointPositions>> {
-    let clear = free_way(
+    let clear = search_free_path(
         &arm.at_free_clearance(),
         [from, to],
         seed,
         MAX_DRAWS_AT_CLEARANCE,
     );
-    clear.or_else(|| free_way(arm, [from, to], seed, MAX_DRAWS))
+    clear.or_else(|| search_free_path(arm, [from, to], seed, MAX_DRAWS))
 }
 
-fn free_way(
+fn search_free_path(
     arm: &Arm,
     [from, to]: [&JointPositions; 2],
     seed: u64,
     draws: usize,
 ) -> Option<Vec<JointPositions>> {
-    if let Ok(way) = arm.way(from, to, AllowedContact::None) {
+    if let Ok(way) = arm.free_path(from, to, AllowedContact::None) {
         return Some([vec![*from], way].concat());
     }
     if !(arm.is_free_at(from, AllowedContact::None) && arm.is_free_at(to, AllowedContact::None)) {
@@ -100,7 +100,7 @@ fn free_way(
             .iter()
             .map(|&[lower, upper]| random.random_range(lower..=upper))
             .collect();
-        if !arm.keeps_ranges(&q) {
+        if !arm.is_within_ranges(&q) {
             continue;
         }
         let Some(q) = arm.hold(&q) else { continue };
@@ -145,8 +145,9 @@ fn shorten(arm: &Arm, path: &mut Vec<JointPositions>, random: &mut ChaCha8Rng) {
         };
         let (a, b) = ((a, from_a), (b, from_b));
         let ((i, from), (k, to)) = if a.0 <= b.0 { (a, b) } else { (b, a) };
-        let is_free =
-            |a: &JointPositions, b: &JointPositions| arm.way(a, b, AllowedContact::None).is_ok();
+        let is_free = |a: &JointPositions, b: &JointPositions| {
+            arm.free_path(a, b, AllowedContact::None).is_ok()
+        };
         // With two hands on the tool, the rest of a piece need not be free if the whole piece is.
         let is_rest = |a, b| arm.cell.second().is_none() || is_free(a, b);
         if i < k && is_free(&from, &to) && is_rest(&path[i], &from) && is_rest(&to, &path[k + 1]) {
@@ -159,7 +160,10 @@ fn shorten(arm: &Arm, path: &mut Vec<JointPositions>, random: &mut ChaCha8Rng) {
 fn whole(arm: &Arm, corners: &[JointPositions]) -> Option<Vec<JointPositions>> {
     let mut path = vec![corners[0]];
     for pair in corners.windows(2) {
-        path.extend(arm.way(&pair[0], &pair[1], AllowedContact::None).ok()?);
+        path.extend(
+            arm.free_path(&pair[0], &pair[1], AllowedContact::None)
+                .ok()?,
+        );
     }
     Some(path)
 }

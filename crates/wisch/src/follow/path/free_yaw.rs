@@ -1,7 +1,7 @@
 //! Yaw of the tool chosen by the robot, where the effect does not depend on it.
 
 use super::arm::Arm;
-use super::taut::{drawn_taut, on_surface, way};
+use super::joint_travel::{joint_distance, minimise_joint_travel, on_surface};
 use crate::geometry::{PlanarPose, Point2, wrap_angle};
 use crate::robot::JointPositions;
 use rand::{RngExt, SeedableRng};
@@ -23,7 +23,7 @@ struct Track {
 ///
 /// Tracks start from several configurations. The longest is taken, of equal ones that with the shortest joint
 /// path, and its joint travel is minimised. Where no track continues, the next tracks start anew.
-pub(in crate::follow) fn eased(
+pub(in crate::follow) fn configurations_with_free_yaw(
     arm: &Arm,
     now: &JointPositions,
     line: &[Point2],
@@ -38,7 +38,7 @@ pub(in crate::follow) fn eased(
             near.push(None);
             continue;
         };
-        drawn_taut(arm, &line[begin..begin + at.len()], &mut at);
+        minimise_joint_travel(arm, &line[begin..begin + at.len()], &mut at);
         last = at[at.len() - 1];
         near.extend(at.into_iter().map(Some));
     }
@@ -46,7 +46,11 @@ pub(in crate::follow) fn eased(
 }
 
 /// Returns start configurations for tracks: the current one, the ready posture and random ones.
-pub(in crate::follow) fn starts(arm: &Arm, now: &JointPositions, seed: u64) -> Vec<JointPositions> {
+pub(in crate::follow) fn start_configurations(
+    arm: &Arm,
+    now: &JointPositions,
+    seed: u64,
+) -> Vec<JointPositions> {
     let (ranges, mut random) = (arm.ranges(), ChaCha8Rng::seed_from_u64(seed));
     let anywhere = (0..STARTS).map(|_| {
         let any = |&[lower, upper]: &[f64; 2]| random.random_range(lower..=upper);
@@ -56,7 +60,7 @@ pub(in crate::follow) fn starts(arm: &Arm, now: &JointPositions, seed: u64) -> V
 }
 
 /// Returns the planned poses with the headings of the tool in these configurations, not wrapped.
-pub(in crate::follow) fn headed(
+pub(in crate::follow) fn poses_with_yaws(
     arm: &Arm,
     planned: &[PlanarPose],
     at: &[Option<JointPositions>],
@@ -76,13 +80,13 @@ pub(in crate::follow) fn headed(
 /// Returns the best track from several start configurations; `None` if the tool cannot touch down at the first
 /// corner.
 fn best_track(arm: &Arm, now: &JointPositions, line: &[Point2], seed: u64) -> Option<Track> {
-    let near = starts(arm, now, seed).into_iter();
+    let near = start_configurations(arm, now, seed).into_iter();
     let starts = near.filter_map(|near| arm.reach_with_free_yaw(&on_surface(line[0]), &near));
     let mut best: Option<Track> = None;
     for start in starts {
         let whole = best.as_ref().filter(|best| best.at.len() == line.len());
         let most = whole.map_or(f64::INFINITY, |best| best.movement);
-        let track = Track::along(arm, now, start, line, most);
+        let track = Track::follow_line(arm, now, start, line, most);
         let is_better = best.as_ref().is_none_or(|best| {
             let (new, old) = (track.at.len(), best.at.len());
             new > old || new == old && track.movement < best.movement
@@ -97,7 +101,7 @@ fn best_track(arm: &Arm, now: &JointPositions, line: &[Point2], seed: u64) -> Op
 impl Track {
     /// Moves the tool along the line from a configuration, until it is out of reach or the joints have moved
     /// more than `most` [rad].
-    fn along(
+    fn follow_line(
         arm: &Arm,
         now: &JointPositions,
         start: JointPositions,
@@ -106,7 +110,7 @@ impl Track {
     ) -> Self {
         let mut track = Self {
             at: vec![start],
-            movement: way(now, &start),
+            movement: joint_distance(now, &start),
         };
         let mut q = start;
         for edge in line.windows(2) {
@@ -118,8 +122,8 @@ impl Track {
                 let Some(next) = arm.reach_with_free_yaw(&on_surface(place), &q) else {
                     return track;
                 };
-                movement += way(&q, &next);
-                if arm.jumps(&q, &next) || movement >= most {
+                movement += joint_distance(&q, &next);
+                if arm.is_jump(&q, &next) || movement >= most {
                     return track;
                 }
                 q = next;

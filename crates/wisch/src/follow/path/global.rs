@@ -7,7 +7,7 @@
 //! failed configuration again, so it ends, and it is complete within the discretisation.
 
 use super::arm::{Arm, between, widest_step};
-use super::tool_redundancy::{ToolOrientation, deviation, turned_along};
+use super::tool_redundancy::{ToolOrientation, deviation, turn_along_edge};
 use crate::follow::{AllowedContact, ToolPose};
 use crate::geometry::PlanarPose;
 use crate::robot::JointPositions;
@@ -50,7 +50,7 @@ pub(in crate::follow) fn search(
     planned: [&PlanarPose; 2],
     orientations: &[ToolOrientation],
 ) -> Option<Leg> {
-    let straight = turned_along(planned, orientations.first()?, from);
+    let straight = turn_along_edge(planned, orientations.first()?, from);
     let way = from.distance(&straight) / LAYER;
     let turn = (straight.surface_from_tool.heading - from.surface_from_tool.heading).abs();
     let count = (way.max(turn / LAYER_TURN).ceil() as usize).max(1);
@@ -99,7 +99,7 @@ fn states(
     let mut states: Vec<State> = Vec::new();
     for (i, orientation) in orientations.iter().step_by(stride).enumerate() {
         // The rotation against the plan is that at the goal, all along: layers change it where they must.
-        let end = turned_along(planned, orientation, from);
+        let end = turn_along_edge(planned, orientation, from);
         let place = from.towards(&end, s).surface_from_tool.position;
         let turn_left = (1.0 - s) * (planned[1].heading - planned[0].heading);
         let heading = end.surface_from_tool.heading - turn_left;
@@ -187,7 +187,7 @@ fn connect(
                 .ok()?
         };
         let middle = from.towards(to, (i as f64 - 0.5) / steps as f64);
-        let is_way = !arm.jumps(&at, &next)
+        let is_way = !arm.is_jump(&at, &next)
             && arm.is_on_line(&at, &next, &middle)
             && arm.is_free(&at, &next, AllowedContact::Surface).is_ok();
         if !is_way {

@@ -5,8 +5,8 @@
 //! them, and the joint travel along the tour is minimised.
 
 use super::arm::{Arm, widest_step};
-use super::free_yaw::starts;
-use super::taut::{drawn_taut, movement, put_back, way};
+use super::free_yaw::start_configurations;
+use super::joint_travel::{joint_distance, minimise_joint_travel, movement, touch_down_near};
 use crate::geometry::Point2;
 use crate::plan::{Plan, order_nodes};
 use crate::robot::JointPositions;
@@ -49,7 +49,7 @@ pub(in crate::follow) fn joint_tour(
     seed: u64,
 ) -> Option<JointTour> {
     let places: Vec<Point2> = nodes.iter().map(|&n| plan.graph.position(n)).collect();
-    let from = starts(arm, now, seed);
+    let from = start_configurations(arm, now, seed);
     let spreads: Vec<Spread> = (from.par_iter())
         .filter_map(|start| Spread::from(arm, &places, start))
         .collect();
@@ -57,21 +57,22 @@ pub(in crate::follow) fn joint_tour(
     let mut at = spread.at;
     relax(arm, &places, &mut at);
     let rate = spread.movement / spread.length.max(plan.lift_height);
-    let start = (0..at.len()).min_by(|&a, &b| way(now, &at[a]).total_cmp(&way(now, &at[b])))?;
+    let start = (0..at.len())
+        .min_by(|&a, &b| joint_distance(now, &at[a]).total_cmp(&joint_distance(now, &at[b])))?;
     let cost = |a: usize, b: usize| {
-        way(&at[a], &at[b]) + WAY_SHARE * rate * (places[a] - places[b]).norm()
+        joint_distance(&at[a], &at[b]) + WAY_SHARE * rate * (places[a] - places[b]).norm()
     };
     let lift = 2.0 * plan.lift_height * rate;
     let strokes = order_nodes(arm.task, plan, nodes, start, cost, lift, seed).ok()?;
-    let taut = |order: &[usize]| {
+    let minimised = |order: &[usize]| {
         let line: Vec<Point2> = order.iter().map(|&i| places[i]).collect();
         let mut row: Vec<JointPositions> = order.iter().map(|&i| at[i]).collect();
-        drawn_taut(arm, &line, &mut row);
-        (way(now, &row[0]) + movement(&row), row)
+        minimise_joint_travel(arm, &line, &mut row);
+        (joint_distance(now, &row[0]) + movement(&row), row)
     };
     let order: Vec<usize> = strokes.iter().flatten().copied().collect();
     let given: Vec<usize> = (0..at.len()).collect();
-    let ((least, row), (most, _)) = rayon::join(|| taut(&order), || taut(&given));
+    let ((least, row), (most, _)) = rayon::join(|| minimised(&order), || minimised(&given));
     for (&i, q) in order.iter().zip(row) {
         at[i] = q;
     }
@@ -87,7 +88,7 @@ impl Spread {
         let first = (0..places.len()).min_by(|&a, &b| distance(a).total_cmp(&distance(b)))?;
         let mut at: Vec<Option<JointPositions>> = vec![None; places.len()];
         let mut nearest: Vec<(f64, usize)> = vec![(f64::INFINITY, first); places.len()];
-        let (mut next, mut configuration) = (first, put_back(arm, places[first], start)?);
+        let (mut next, mut configuration) = (first, touch_down_near(arm, places[first], start)?);
         let (mut movement, mut length) = (0.0, 0.0);
         loop {
             at[next] = Some(configuration);
@@ -112,9 +113,9 @@ impl Spread {
                     return None;
                 }
                 let from = at[from]?;
-                match put_back(arm, places[i], &from) {
+                match touch_down_near(arm, places[i], &from) {
                     Some(q) if widest_step(&from, &q) <= ALIKE => {
-                        movement += way(&from, &q);
+                        movement += joint_distance(&from, &q);
                         length += distance;
                         break (i, q);
                     }
@@ -148,7 +149,7 @@ fn relax(arm: &Arm, places: &[Point2], at: &mut [JointPositions]) {
             let mean: JointPositions = (0..at[i].len())
                 .map(|k| alike.iter().map(|q| q[k]).sum::<f64>() / alike.len() as f64)
                 .collect();
-            if let Some(q) = put_back(arm, places[i], &mean) {
+            if let Some(q) = touch_down_near(arm, places[i], &mean) {
                 at[i] = q;
             }
         }

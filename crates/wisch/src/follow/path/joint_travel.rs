@@ -26,7 +26,7 @@ const SHORTEST: f64 = 1e-3;
 const DAMPING: f64 = 1e-2;
 
 /// Moves configurations that touch down at `places`, with any yaw, so that the joints move less between them.
-pub(super) fn drawn_taut(arm: &Arm, places: &[Point2], row: &mut Vec<JointPositions>) {
+pub(super) fn minimise_joint_travel(arm: &Arm, places: &[Point2], row: &mut Vec<JointPositions>) {
     if row.len() < 2 {
         return;
     }
@@ -35,7 +35,7 @@ pub(super) fn drawn_taut(arm: &Arm, places: &[Point2], row: &mut Vec<JointPositi
         let Some(step) = step(arm, row) else { return };
         let shorter = (0..=MAX_HALVINGS).find_map(|halvings| {
             let share = 0.5_f64.powi(halvings);
-            let tried = moved(arm, places, row, &step, share);
+            let tried = apply_step(arm, places, row, &step, share);
             Some((movement(&tried), tried)).filter(|(shorter, _)| *shorter < length)
         });
         let Some((shorter, tried)) = shorter else {
@@ -61,11 +61,14 @@ fn step(arm: &Arm, row: &[JointPositions]) -> Option<Vec<DVector<f64>>> {
                 pair[0].len(),
                 pair[0].iter().zip(pair[1].iter()).map(|(a, b)| b - a),
             );
+            // With the weight w = 1 / |Δq|, half the sum of w |Δq|² has the gradient of the sum of |Δq|.
             let weight = 1.0 / step.norm().max(SHORTEST);
             (step, weight)
         })
         .collect();
     let count = row.len();
+    // Normal equations (N, null spaces): diagonal blocks (w₋ + w₊ + damping) I, off-diagonal blocks −w N_iᵀ N_{i+1}.
+    // Forward elimination by blocks, then back substitution.
     let mut pivots: Vec<Cholesky<f64, Dyn>> = Vec::with_capacity(count);
     let mut rests: Vec<DVector<f64>> = Vec::with_capacity(count);
     let coupling = |i: usize| spaces[i].tr_mul(&spaces[i + 1]) * -between[i].1;
@@ -114,7 +117,7 @@ fn step(arm: &Arm, row: &[JointPositions]) -> Option<Vec<DVector<f64>>> {
 
 /// Returns the configurations after a share of a step, corrected to their places; those that cannot be
 /// corrected stay.
-fn moved(
+fn apply_step(
     arm: &Arm,
     places: &[Point2],
     row: &[JointPositions],
@@ -124,13 +127,17 @@ fn moved(
     let moved = (0..row.len()).into_par_iter().map(|i| {
         let wanted = row[i].iter().zip(step[i].iter());
         let wanted: JointPositions = wanted.map(|(q, step)| q + share * step).collect();
-        put_back(arm, places[i], &wanted).unwrap_or(row[i])
+        touch_down_near(arm, places[i], &wanted).unwrap_or(row[i])
     });
     moved.collect()
 }
 
 /// Returns approximately the nearest configuration to `near` that touches down at a place without collision.
-pub(super) fn put_back(arm: &Arm, place: Point2, near: &JointPositions) -> Option<JointPositions> {
+pub(super) fn touch_down_near(
+    arm: &Arm,
+    place: Point2,
+    near: &JointPositions,
+) -> Option<JointPositions> {
     arm.nearest_with_free_yaw(&on_surface(place), near)
         .filter(|q| arm.is_free_at(q, AllowedContact::Surface))
 }
@@ -146,11 +153,13 @@ pub(super) fn on_surface(place: Point2) -> ToolPose {
 
 /// Length of the joint path through these configurations [rad].
 pub(in crate::follow) fn movement(row: &[JointPositions]) -> f64 {
-    row.windows(2).map(|pair| way(&pair[0], &pair[1])).sum()
+    row.windows(2)
+        .map(|pair| joint_distance(&pair[0], &pair[1]))
+        .sum()
 }
 
 /// Joint distance between two configurations [rad].
-pub(in crate::follow) fn way(from: &JointPositions, to: &JointPositions) -> f64 {
+pub(in crate::follow) fn joint_distance(from: &JointPositions, to: &JointPositions) -> f64 {
     let squares = from.iter().zip(to.iter()).map(|(a, b)| (b - a) * (b - a));
     squares.sum::<f64>().sqrt()
 }

@@ -7,6 +7,6 @@ pub(super) mod free_motion;
 pub(super) mod free_yaw;
 mod global;
 pub(super) mod joint_tour;
+pub(super) mod joint_travel;
 pub(super) mod stroke_run;
-pub(super) mod taut;
 pub(super) mod tool_redundancy;

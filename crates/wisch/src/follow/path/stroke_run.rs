@@ -4,7 +4,7 @@ use super::arm::Arm;
 use super::edge::follow_edge;
 use super::free_motion::free_motion;
 use super::global::Leg;
-use super::tool_redundancy::{ToolOrientation, rank, turned};
+use super::tool_redundancy::{ToolOrientation, rank, turn_pose};
 use crate::follow::{AllowedContact, Attempt, Obstruction, Phase, SearchScope, ToolPose};
 use crate::geometry::PlanarPose;
 use crate::plan::Stroke;
@@ -125,7 +125,7 @@ pub(in crate::follow) fn run(
         && !search.try_any(orientations, STARTS)
         && arm.config.search == SearchScope::Global
     {
-        search.globally(orientations);
+        search.repeat_globally(orientations);
     }
     search.best.map(|(run, ..)| run).ok_or(search.attempts)
 }
@@ -171,7 +171,7 @@ impl Search<'_> {
     }
 
     /// Repeats the best run, with the global search where it stopped.
-    fn globally(&mut self, orientations: &[ToolOrientation]) {
+    fn repeat_globally(&mut self, orientations: &[ToolOrientation]) {
         if let Some((_, orientation, start)) = self.best {
             self.try_one(&orientation, start, orientations, SearchScope::Global);
         }
@@ -187,15 +187,15 @@ impl Search<'_> {
     }
 
     /// Whether a contact is longer than the best run, or as long with less rotation from the plan.
-    fn is_better(&self, contact: &Contact, begun: &Begun) -> bool {
-        let (length, turned) = (contact.legs.len(), contact.turned(begun, self.arm));
+    fn is_better(&self, contact: &Contact, touch_down: &TouchDown) -> bool {
+        let (length, turned) = (contact.legs.len(), contact.turned(touch_down, self.arm));
         self.best.as_ref().is_none_or(|(best, ..)| {
             length > best.last || length == best.last && turned < best.turned
         })
     }
 
     /// Puts the tool down at the first pose, in an orientation.
-    fn begin(&self, orientation: &ToolOrientation, start: u64) -> Result<Begun, Attempt> {
+    fn begin(&self, orientation: &ToolOrientation, start: u64) -> Result<TouchDown, Attempt> {
         let (
             arm,
             now,
@@ -208,7 +208,7 @@ impl Search<'_> {
         let heading = now
             .tool
             .map_or(planned.heading, |tool| tool.surface_from_tool.heading);
-        let pose = turned(planned, orientation, heading);
+        let pose = turn_pose(planned, orientation, heading);
         let lifted = pose.lifted(lift_height);
         let failed = |progress: f64, obstruction| Attempt {
             rotation: orientation.rotation,
@@ -219,7 +219,7 @@ impl Search<'_> {
         let (over, above) = match (start, now.tool) {
             (0, Some(tool)) => {
                 let path = arm
-                    .along(&now.q, &tool, &lifted, None, AllowedContact::None)
+                    .follow_line(&now.q, &tool, &lifted, None, AllowedContact::None)
                     .map_err(|broken| failed(broken.progress, broken.obstruction))?;
                 let above = *path.last().unwrap_or(&now.q);
                 (Some(path), above)
@@ -247,9 +247,9 @@ impl Search<'_> {
             }
         };
         let down = arm
-            .along(&above, &lifted, &pose, None, AllowedContact::Surface)
+            .follow_line(&above, &lifted, &pose, None, AllowedContact::Surface)
             .map_err(|broken| failed(broken.progress, broken.obstruction))?;
-        Ok(Begun {
+        Ok(TouchDown {
             over,
             above,
             down,
@@ -268,22 +268,30 @@ impl Search<'_> {
         search: SearchScope,
     ) -> Option<bool> {
         let (arm, now, planned) = (self.arm, self.now, self.planned);
-        let begun = match self.begin(orientation, start) {
-            Ok(begun) => begun,
+        let touch_down = match self.begin(orientation, start) {
+            Ok(touch_down) => touch_down,
             Err(attempt) => {
                 self.attempts.push(attempt);
                 return None;
             }
         };
-        let contact = wipe(arm, &begun, planned, orientations, search);
-        if !self.is_better(&contact, &begun) {
+        let contact = wipe(arm, &touch_down, planned, orientations, search);
+        if !self.is_better(&contact, &touch_down) {
             return Some(false);
         }
-        let (contact, up) = lifted_off(arm, &begun, contact, self.lift_height);
-        if !self.is_better(&contact, &begun) {
+        let (contact, up) = lift_off(arm, &touch_down, contact, self.lift_height);
+        if !self.is_better(&contact, &touch_down) {
             return Some(false);
         }
-        match finish(arm, now, begun, contact, up, self.lift_height, self.seed) {
+        match finish(
+            arm,
+            now,
+            touch_down,
+            contact,
+            up,
+            self.lift_height,
+            self.seed,
+        ) {
             Ok(run) => {
                 self.best = Some((run, *orientation, start));
                 Some(true)
@@ -297,7 +305,7 @@ impl Search<'_> {
 }
 
 /// The tool put down at the start of a stroke.
-struct Begun {
+struct TouchDown {
     /// Path over the surface and down; the first is `None` if free motion has to reach it.
     over: Option<Vec<JointPositions>>,
     above: JointPositions,
@@ -306,7 +314,7 @@ struct Begun {
     orientation: ToolOrientation,
 }
 
-impl Begun {
+impl TouchDown {
     fn start(&self) -> JointPositions {
         *self.down.last().unwrap_or(&self.above)
     }
@@ -314,27 +322,27 @@ impl Begun {
 
 impl Contact {
     /// Returns the rotation of the tool from the plan, summed over the nodes [rad]; 0 where it does not matter.
-    fn turned(&self, begun: &Begun, arm: &Arm) -> f64 {
+    fn turned(&self, touch_down: &TouchDown, arm: &Arm) -> f64 {
         if !arm.keeps_heading {
             return 0.0;
         }
         let symmetric = arm.task.tool.is_half_turn_symmetric();
         let legs = self.legs.iter().map(|leg| leg.turned);
-        rank(&begun.orientation, symmetric) + legs.sum::<f64>()
+        rank(&touch_down.orientation, symmetric) + legs.sum::<f64>()
     }
 }
 
 fn wipe(
     arm: &Arm,
-    begun: &Begun,
+    touch_down: &TouchDown,
     planned: &[Corner],
     orientations: &[ToolOrientation],
     search: SearchScope,
 ) -> Contact {
     let mut contact = Contact {
         legs: Vec::new(),
-        end: begun.start(),
-        end_pose: begun.pose,
+        end: touch_down.start(),
+        end_pose: touch_down.pose,
         stopped: Vec::new(),
     };
     for edge in planned.windows(2) {
@@ -364,9 +372,9 @@ fn wipe(
 
 /// Lifts the tool at the end of a stroke. If that fails, lifts it at the last node before where it can; the
 /// rest continues in another configuration. At the first node the tool goes up as it came down.
-fn lifted_off(
+fn lift_off(
     arm: &Arm,
-    begun: &Begun,
+    touch_down: &TouchDown,
     mut contact: Contact,
     lift_height: f64,
 ) -> (Contact, Vec<JointPositions>) {
@@ -374,14 +382,14 @@ fn lifted_off(
     while !contact.legs.is_empty() {
         let lifted = contact.end_pose.lifted(lift_height);
         let (end, pose) = (&contact.end, &contact.end_pose);
-        match arm.along(end, pose, &lifted, None, AllowedContact::Surface) {
+        match arm.follow_line(end, pose, &lifted, None, AllowedContact::Surface) {
             Ok(up) => {
                 contact.stopped.extend(stuck);
                 return (contact, up);
             }
             Err(broken) => stuck.push(Attempt {
-                rotation: begun.orientation.rotation,
-                tilt: begun.orientation.tilt,
+                rotation: touch_down.orientation.rotation,
+                tilt: touch_down.orientation.tilt,
                 progress: 1.0,
                 obstruction: broken.obstruction,
             }),
@@ -389,13 +397,13 @@ fn lifted_off(
         contact.legs.pop();
         let last = contact.legs.last();
         let end = last.and_then(|leg| leg.configurations.last());
-        contact.end = end.copied().unwrap_or_else(|| begun.start());
+        contact.end = end.copied().unwrap_or_else(|| touch_down.start());
         let pose = last.and_then(|leg| leg.line.last());
-        contact.end_pose = pose.copied().unwrap_or(begun.pose);
+        contact.end_pose = pose.copied().unwrap_or(touch_down.pose);
     }
     contact.stopped.extend(stuck);
-    let down = begun.down.iter().rev().skip(1);
-    let up = down.chain([&begun.above]).copied().collect();
+    let down = touch_down.down.iter().rev().skip(1);
+    let up = down.chain([&touch_down.above]).copied().collect();
     (contact, up)
 }
 
@@ -403,30 +411,30 @@ fn lifted_off(
 fn finish(
     arm: &Arm,
     now: &Now,
-    begun: Begun,
+    touch_down: TouchDown,
     contact: Contact,
     up: Vec<JointPositions>,
     lift_height: f64,
     seed: u64,
 ) -> Result<Run, Attempt> {
     let failed = |obstruction| Attempt {
-        rotation: begun.orientation.rotation,
-        tilt: begun.orientation.tilt,
+        rotation: touch_down.orientation.rotation,
+        tilt: touch_down.orientation.tilt,
         progress: 1.0,
         obstruction,
     };
     let lifted = contact.end_pose.lifted(lift_height);
-    let above_start = begun.pose.lifted(lift_height);
+    let above_start = touch_down.pose.lifted(lift_height);
     let mut pieces = Vec::new();
-    match (&begun.over, now.tool) {
+    match (&touch_down.over, now.tool) {
         (Some(path), Some(tool)) => pieces.push(UntimedMotion {
             phase: UntimedPhase::Plain(Phase::Lifted),
             path: with_start(now.q, path),
             line: vec![tool, above_start],
         }),
         _ => {
-            let path = free_motion(arm, &now.q, &begun.above, seed).ok_or_else(|| {
-                let blocked = arm.way(&now.q, &begun.above, AllowedContact::None);
+            let path = free_motion(arm, &now.q, &touch_down.above, seed).ok_or_else(|| {
+                let blocked = arm.free_path(&now.q, &touch_down.above, AllowedContact::None);
                 failed(blocked.err().unwrap_or(Obstruction::OutOfReach {
                     position_error: 0.0,
                     rotation_error: 0.0,
@@ -439,15 +447,15 @@ fn finish(
             });
         }
     }
-    let start = begun.start();
+    let start = touch_down.start();
     pieces.push(UntimedMotion {
         phase: UntimedPhase::Plain(Phase::Lower),
-        path: with_start(begun.above, &begun.down),
-        line: vec![above_start, begun.pose],
+        path: with_start(touch_down.above, &touch_down.down),
+        line: vec![above_start, touch_down.pose],
     });
     let last = contact.legs.len();
-    let turned = contact.turned(&begun, arm);
-    let mut wiped = vec![begun.pose];
+    let turned = contact.turned(&touch_down, arm);
+    let mut wiped = vec![touch_down.pose];
     let mut path = vec![start];
     for leg in contact.legs {
         wiped.extend(leg.line);

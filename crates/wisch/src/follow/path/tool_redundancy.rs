@@ -112,7 +112,7 @@ fn multiples(min: f64, max: f64, increment: f64, whole_turn: bool) -> Vec<f64> {
 
 /// Returns a planned pose with another rotation and tilt of the tool, on the surface, as it is first reached:
 /// turned from `heading` by at most half a turn.
-pub(in crate::follow) fn turned(
+pub(in crate::follow) fn turn_pose(
     planned: &PlanarPose,
     orientation: &ToolOrientation,
     heading: f64,
@@ -129,7 +129,7 @@ pub(in crate::follow) fn turned(
 ///
 /// The effect of a turning tool on particles depends on the direction of rotation, so that this direction is
 /// kept.
-pub(in crate::follow) fn turned_along(
+pub(in crate::follow) fn turn_along_edge(
     planned: [&PlanarPose; 2],
     orientation: &ToolOrientation,
     from: &ToolPose,

@@ -102,26 +102,26 @@ pub(in crate::follow) fn drive(
     };
     let estimate = |&node: &Node| cost(&pose(node), &to);
     let goal = Node::Cell([0, 0, 0]);
-    let nodes = cheapest(Node::Start, goal, successors, estimate)?;
+    let nodes = cheapest_path(Node::Start, goal, successors, estimate)?;
     let path: Vec<PlanarPose> = nodes.into_iter().map(pose).collect();
-    Some(straightened(path, is_free))
+    Some(straighten(path, is_free))
 }
 
 /// Returns the cheapest path from one node to another, both included (Hart, Nilsson and Raphael, *A Formal
 /// Basis for the Heuristic Determination of Minimum Cost Paths*, 1968). `estimate` must never exceed the cost
 /// to the goal.
-fn cheapest(
+fn cheapest_path(
     start: Node,
     goal: Node,
     successors: impl Fn(&Node) -> Vec<(Node, u64)>,
     estimate: impl Fn(&Node) -> u64,
 ) -> Option<Vec<Node>> {
     let mut reached: HashMap<Node, (Option<Node>, u64)> = HashMap::from([(start, (None, 0))]);
-    let mut open = BinaryHeap::from([Open {
+    let mut open = BinaryHeap::from([OpenNode {
         key: (Reverse(0), 0),
         node: start,
     }]);
-    while let Some(Open { key, node }) = open.pop() {
+    while let Some(OpenNode { key, node }) = open.pop() {
         let (_, cost) = key;
         if node == goal {
             let parent = |node: &Node| reached[node].0;
@@ -141,40 +141,40 @@ fn cheapest(
                 Entry::Vacant(new) => _ = new.insert((Some(node), cost)),
             }
             let key = (Reverse(cost + estimate(&next)), cost);
-            open.push(Open { key, node: next });
+            open.push(OpenNode { key, node: next });
         }
     }
     None
 }
 
 /// A node of the open list: the least total cost first, of equal costs the node farthest from the start.
-struct Open {
+struct OpenNode {
     key: (Reverse<u64>, u64),
     node: Node,
 }
 
-impl Ord for Open {
+impl Ord for OpenNode {
     fn cmp(&self, other: &Self) -> std::cmp::Ordering {
         self.key.cmp(&other.key)
     }
 }
 
-impl PartialOrd for Open {
+impl PartialOrd for OpenNode {
     fn partial_cmp(&self, other: &Self) -> Option<std::cmp::Ordering> {
         Some(self.cmp(other))
     }
 }
 
-impl PartialEq for Open {
+impl PartialEq for OpenNode {
     fn eq(&self, other: &Self) -> bool {
         self.key == other.key
     }
 }
 
-impl Eq for Open {}
+impl Eq for OpenNode {}
 
 /// Removes every pose that is not needed for a free path.
-fn straightened(
+fn straighten(
     path: Vec<PlanarPose>,
     is_free: impl Fn(&PlanarPose, &PlanarPose) -> bool,
 ) -> Vec<PlanarPose> {

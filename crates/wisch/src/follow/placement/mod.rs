@@ -22,7 +22,7 @@ const MAX_POSES: usize = 80;
 /// Largest number of poses that are rated without a capability map.
 const SPARSE_POSES: usize = 16;
 /// Base poses nearer than this, in position and heading, are not both tried [m, rad].
-const APART: (f64, f64) = (0.15, 0.4);
+const MIN_SEPARATION: (f64, f64) = (0.15, 0.4);
 /// Ratings that differ by less than this count as equal: then the nearer base pose is taken [1].
 const SAME_RATING: f64 = 0.05;
 /// Step of the tool's yaw in a rating [rad].
@@ -47,7 +47,7 @@ pub(in crate::follow) struct Reachability<'a> {
 struct Turn {
     rotation: UnitQuaternion<f64>,
     /// Weight of the rotation: 1 as planned, smaller away from it.
-    worth: f64,
+    weight: f64,
 }
 
 fn turns(tool: &Tool) -> Vec<Turn> {
@@ -56,7 +56,7 @@ fn turns(tool: &Tool) -> Vec<Turn> {
         .filter(|orientation| orientation.tilt.abs() < TURN / 2.0)
         .map(|orientation| Turn {
             rotation: UnitQuaternion::from_axis_angle(&Vector3::z_axis(), orientation.rotation),
-            worth: 1.0 / (1.0 + rank(orientation, symmetric)),
+            weight: 1.0 / (1.0 + rank(orientation, symmetric)),
         })
         .collect()
 }
@@ -91,7 +91,7 @@ impl<'a> Reachability<'a> {
         let mut poses = self
             .turns
             .iter()
-            .map(|turn| (base_from_tool * turn.rotation, turn.worth));
+            .map(|turn| (base_from_tool * turn.rotation, turn.weight));
         match self.map {
             Some(map) => poses.find_map(|(base_from_tool, worth)| {
                 let base_from_tip = base_from_tool * self.cell.tip_from_tool().inverse();
@@ -132,8 +132,8 @@ impl<'a> Reachability<'a> {
 
     /// Rates base poses around the path: by the number of consecutive poses in reach, and by their
     /// reachability.
-    pub fn rated(&self, ahead: &[ToolPose], config: &FollowConfig) -> Vec<Candidate> {
-        let poses = self.sampled(ahead);
+    pub fn rate_base_poses(&self, ahead: &[ToolPose], config: &FollowConfig) -> Vec<Candidate> {
+        let poses = self.sample_poses(ahead);
         let Some(places) = self.places(&poses) else {
             return Vec::new();
         };
@@ -165,7 +165,7 @@ impl<'a> Reachability<'a> {
             .collect()
     }
 
-    fn sampled(&self, ahead: &[ToolPose]) -> Vec<Pose> {
+    fn sample_poses(&self, ahead: &[ToolPose]) -> Vec<Pose> {
         let most = if self.map.is_some() {
             MAX_POSES
         } else {
@@ -262,8 +262,8 @@ pub(in crate::follow) fn best(
         let at = &candidate.world_from_base;
         let is_apart = |other: &Candidate| {
             let other = &other.world_from_base;
-            (other.position - at.position).norm() > APART.0
-                || wrap_angle(other.heading - at.heading).abs() > APART.1
+            (other.position - at.position).norm() > MIN_SEPARATION.0
+                || wrap_angle(other.heading - at.heading).abs() > MIN_SEPARATION.1
         };
         if chosen.iter().all(is_apart) {
             chosen.push(*candidate);

@@ -3,10 +3,8 @@
 //! The path parameter σ is the time [s] in which the fastest joint could cover the path at its velocity limit,
 //! so that along a straight piece the joint limits mean σ̇ ≤ 1. Around a waypoint, from σ − ℓ to σ + ℓ, the
 //! direction dq/dσ turns linearly from that of one segment to that of the other. The parabola misses the
-//! waypoint by ℓ·
-//! Δdirection
-//! /4 and stays within that distance of the segments. It lies in the triangle of its ends and the waypoint,
-//! hence within the range of every joint.
+//! waypoint by ℓ·|Δdirection|/4 and stays within that distance of the segments. It lies in the triangle of its
+//! ends and the waypoint, hence within the range of every joint.
 
 use super::{JointLimits, JointPath};
 
@@ -131,6 +129,7 @@ impl BlendedPath {
                 });
                 let turn = direction.iter().zip(&directions[segment + 1]);
                 let corner = waypoints[segment + 1].iter().zip(turn);
+                // A blend of length 2 ℓ: q(σ) = w − ℓ d₁ + σ d₁ + σ² (d₂ − d₁) / (4 ℓ).
                 blended.terms.extend(
                     corner.map(|(q, (from, to))| {
                         [q - after * from, *from, (to - from) / (2.0 * after)]
@@ -158,6 +157,7 @@ fn blend_reaches(lengths: &[f64], directions: &[Vec<f64>], tolerance: f64) -> Ve
         let turn = directions[corner - 1].iter().zip(&directions[corner]);
         let sharpest = turn.map(|(a, b)| (b - a).abs()).fold(0.0, f64::max);
         let room = 0.5 * lengths[corner - 1].min(lengths[corner]);
+        // The parabola misses the waypoint by ℓ · |Δdirection| / 4 ≤ tolerance.
         reaches[corner] = room.min(4.0 * tolerance / sharpest);
     }
     // A straight piece of vanishing length would consist only of rounding errors.

@@ -7,7 +7,7 @@ use thiserror::Error;
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum TimingError {
     /// The path has fewer than two waypoints.
-    #[error("the path has {count} waypoints, expected at least 2")]
+    #[error("the path needs at least 2 waypoints, {count} given")]
     TooFewWaypoints {
         /// Number of waypoints given.
         count: usize,

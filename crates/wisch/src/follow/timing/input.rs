@@ -213,7 +213,7 @@ impl JointLimits {
     ///
     /// A range is empty, or a velocity or acceleration is not positive and finite.
     pub fn new(joints: Vec<JointLimit>) -> Result<Self, TimingError> {
-        joints.iter().try_for_each(JointLimit::checked)?;
+        joints.iter().try_for_each(JointLimit::check)?;
         let followers = Vec::new();
         Ok(Self { joints, followers })
     }
@@ -240,7 +240,7 @@ impl JointLimits {
     /// The errors of [`JointLimits::new`], or a mimic joint that refers to a column that does not exist.
     pub fn with_followers(mut self, followers: Vec<FollowerLimit>) -> Result<Self, TimingError> {
         for FollowerLimit { limit, drive } in &followers {
-            limit.checked()?;
+            limit.check()?;
             let columns = self.joints.len();
             if let Some(&(column, _)) = drive.terms.iter().find(|(i, _)| *i >= columns) {
                 return Err(TimingError::NoSuchColumn {
@@ -311,7 +311,7 @@ impl JointLimits {
 }
 
 impl JointLimit {
-    fn checked(&self) -> Result<(), TimingError> {
+    fn check(&self) -> Result<(), TimingError> {
         let ends_are_numbers = !(self.lower.is_nan() || self.upper.is_nan());
         if !ends_are_numbers || self.lower > self.upper {
             return Err(TimingError::EmptyRange {

@@ -131,7 +131,7 @@ impl Trajectory {
 
     /// Returns the same motion, slower by `factor`: velocities are divided by the factor, accelerations by its
     /// square.
-    pub(in crate::follow) fn slowed(mut self, factor: f64) -> Self {
+    pub(in crate::follow) fn slow_down(mut self, factor: f64) -> Self {
         for stretch in &mut self.stretches {
             stretch.time *= factor;
             stretch.speed /= factor;
@@ -303,6 +303,7 @@ impl Trajectory {
         } = self.stretches[index];
         // The columns of mimic joints are behind those of the joints.
         let [q, d1, d2] = self.path.terms(piece)[joint];
+        // σ(t) = σ₀ + σ̇₀ t + σ̈ t² / 2; q(σ) = q + σ q′ + σ² q″ / 2; q̇ = q′(σ) σ̇; q̈ = q′(σ) σ̈ + q″ σ̇².
         let along = offset + since * (speed + 0.5 * since * acceleration);
         let slope = d1 + along * d2;
         let speed_now = speed + since * acceleration;

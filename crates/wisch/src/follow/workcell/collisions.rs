@@ -1,7 +1,7 @@
 //! Collision models of a robot with its tool in a scene, by what the tool may touch.
 
 use super::FLOOR_TOLERANCE;
-use super::grasp::{relaxed, without_rim};
+use super::grasp::{relax, without_rim};
 use super::group::{PlanarBase, hand_and_holder, standing_links};
 use super::target_surface::{TargetSurface, ToolMount, is_tool_behind};
 use crate::follow::FollowError;
@@ -61,7 +61,7 @@ impl<'a> MountedTool<'a> {
         let (tip, tip_from_tool) = (mount.tip, mount.tip_from_tool);
         let bare = CollisionModel::new(robot, srdf)?;
         // A tool in free motion is not compressed.
-        let relaxed = relaxed(mesh, task.interaction.compression_depth_m)?;
+        let relaxed = relax(mesh, task.interaction.compression_depth_m)?;
         let mut free = bare.clone();
         free.attach(&tool, tip, tip_from_tool, &relaxed)?;
         let mut in_contact = bare.clone();

@@ -25,14 +25,14 @@ pub(in crate::follow) fn tip_from_tool(
 ) -> Pose {
     let hand_from_tool = match &tool.grip {
         Some(grip) => grip.tool_from_hand.inverse(),
-        None => by_the_rear_edge(tool, lean),
+        None => grip_at_rear_edge(tool, lean),
     };
     tip_from_hand(robot, tip) * hand_from_tool
 }
 
 /// Returns the pose of the tool in the hand, held at the rear edge of its upper face, with the hand leaning
 /// back.
-fn by_the_rear_edge(tool: &Tool, lean: f64) -> Pose {
+fn grip_at_rear_edge(tool: &Tool, lean: f64) -> Pose {
     let (low, high) = tool.mesh.bounds();
     let turned = UnitQuaternion::from_axis_angle(&Vector3::x_axis(), PI)
         * UnitQuaternion::from_axis_angle(&Vector3::y_axis(), lean);
@@ -54,7 +54,7 @@ pub(in crate::follow) fn without_rim(mesh: &Mesh, rim: f64) -> Result<Mesh, Foll
 
 /// Returns the tool without compression: its underside lies below the tool centre point by the depth of its
 /// compression in contact.
-pub(in crate::follow) fn relaxed(mesh: &Mesh, compression_depth: f64) -> Result<Mesh, FollowError> {
+pub(in crate::follow) fn relax(mesh: &Mesh, compression_depth: f64) -> Result<Mesh, FollowError> {
     let stretched = |v: &Point3| {
         let share = (1.0 - v.z / (2.0 * compression_depth)).clamp(0.0, 1.0);
         Point3::new(v.x, v.y, v.z - compression_depth * share)
@@ -98,12 +98,12 @@ mod tests {
     fn a_tool_at_rest_hangs_as_low_as_it_is_compressed_when_it_wipes() {
         let sponge = Mesh::cuboid(Vector3::new(0.07, 0.11, 0.05)).unwrap();
         let (low, high) = sponge.bounds();
-        let (low_at_rest, high_at_rest) = relaxed(&sponge, 0.005).unwrap().bounds();
+        let (low_at_rest, high_at_rest) = relax(&sponge, 0.005).unwrap().bounds();
         assert!(
             (low.z - low_at_rest.z - 0.005).abs() < 1e-12,
             "{low_at_rest}"
         );
         assert_eq!((high, low.xy()), (high_at_rest, low_at_rest.xy()));
-        assert_eq!(relaxed(&sponge, 0.0).unwrap(), sponge);
+        assert_eq!(relax(&sponge, 0.0).unwrap(), sponge);
     }
 }

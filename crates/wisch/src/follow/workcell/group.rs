@@ -115,12 +115,12 @@ fn ready(robot: &RobotModel, srdf: Option<&Srdf>) -> Vec<f64> {
         range.map_or(0.0, |range| (range.lower + range.upper) / 2.0)
     };
     let mut q: Vec<f64> = (0..robot.dof()).map(middle).collect();
-    put_in(&mut q, srdf, READY_STATE);
+    set_named_state(&mut q, srdf, READY_STATE);
     q
 }
 
 /// Sets the positions of the SRDF's states of a name.
-pub(in crate::follow) fn put_in(q: &mut [f64], srdf: Option<&Srdf>, state: &str) {
+pub(in crate::follow) fn set_named_state(q: &mut [f64], srdf: Option<&Srdf>, state: &str) {
     let states = srdf.map_or(&[][..], |srdf| &srdf.states);
     for state in states.iter().filter(|known| known.name == state) {
         for &(variable, position) in &state.positions {

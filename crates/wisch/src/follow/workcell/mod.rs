@@ -19,7 +19,7 @@ use crate::robot::{
 };
 use collisions::{MountedTool, WorkcellCollisions};
 use grasp::tip_from_tool;
-use group::{planar_base, put_in};
+use group::{planar_base, set_named_state};
 use nalgebra::{Translation3, UnitQuaternion};
 use std::f64::consts::TAU;
 pub(in crate::follow) use target_surface::HandBelow;
@@ -110,7 +110,7 @@ impl Workcell {
     ) -> Result<Self, FollowError> {
         let mut group = PlanningGroup::choose(&robot, srdf, config.group.as_deref())?;
         let ready_with_tool = format!("{READY_STATE}_{}", task.tool.name);
-        put_in(&mut group.ready, srdf, &ready_with_tool);
+        set_named_state(&mut group.ready, srdf, &ready_with_tool);
         let base = planar_base(&robot, group.base)?;
         let world_from_root = place_base(base, config.world_from_robot, &mut group.ready)?;
         let tip_from_tool = (config.tip_from_tool)
@@ -323,7 +323,7 @@ fn place_base(
     let Some(base) = base else {
         return Ok(world_from_robot);
     };
-    let on_floor = on_floor(&world_from_robot)?;
+    let on_floor = project_to_floor(&world_from_robot)?;
     ready[base.x] = on_floor.position.x;
     ready[base.y] = on_floor.position.y;
     ready[base.yaw] = on_floor.heading;
@@ -372,7 +372,7 @@ fn grip_with_second_hand(
     let mut first = None;
     for seed in 0..SECOND_STARTS {
         let starts: &[&[f64]] = if seed == 0 { &[&start] } else { &[] };
-        let held = match second.held_anyhow(&leading, starts, seed, &config) {
+        let held = match second.hold_from_any_start(&leading, starts, seed, &config) {
             Ok(held) => held,
             Err(why) => {
                 return Err(FollowError::NoSecondHold {
@@ -398,7 +398,7 @@ fn grip_with_second_hand(
     Ok(())
 }
 
-fn on_floor(world_from_robot: &Pose) -> Result<PlanarPose, FollowError> {
+fn project_to_floor(world_from_robot: &Pose) -> Result<PlanarPose, FollowError> {
     let (roll, pitch, yaw) = world_from_robot.rotation.euler_angles();
     let at = world_from_robot.translation.vector;
     for (what, value) in [("z_m", at.z), ("roll_rad", roll), ("pitch_rad", pitch)] {

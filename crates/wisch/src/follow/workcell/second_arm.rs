@@ -119,13 +119,13 @@ impl SecondArm {
     fn fork_from_grip(&self, fork_from_tool: &Pose, hand: &Vector3) -> Pose {
         let point = fork_from_tool * self.grip.point_in_tool;
         let bar = fork_from_tool * self.grip.axis_in_tool.into_inner();
-        let along = leaning(&bar, hand, self.grip.max_lean);
+        let along = limit_lean(&bar, hand, self.grip.max_lean);
         Pose::from_parts(Translation3::from(point), z_to(&along))
     }
 
     /// Returns positions of the second arm that keep the grip for these of the leading arm, near `start`. The
     /// hand keeps its present lean, or, if that is out of reach, comes across the bar.
-    pub(in crate::follow) fn held(
+    pub(in crate::follow) fn hold(
         &self,
         leading: &[f64],
         start: &[f64],
@@ -140,21 +140,21 @@ impl SecondArm {
             .and_then(|fork_from_tool| Ok((fork_from_tool, self.hand_axis(start)?)));
         // All positions are computed here and finite.
         let (fork_from_tool, hand) = wanted.map_err(|_| Obstruction::unreachable())?;
-        solved(solve(&fork_from_tool, &hand)).or_else(|_| {
+        to_configuration(solve(&fork_from_tool, &hand)).or_else(|_| {
             let bar = fork_from_tool * self.grip.axis_in_tool.into_inner();
-            solved(solve(&fork_from_tool, &(bar * bar.dot(&hand).signum())))
+            to_configuration(solve(&fork_from_tool, &(bar * bar.dot(&hand).signum())))
         })
     }
 
     /// Tries the same from several starts, then from random ones.
-    pub(in crate::follow) fn held_anyhow(
+    pub(in crate::follow) fn hold_from_any_start(
         &self,
         leading: &[f64],
         starts: &[&[f64]],
         seed: u64,
         config: &IkConfig,
     ) -> Result<JointPositions, Obstruction> {
-        let near = starts.iter().map(|start| self.held(leading, start, config));
+        let near = starts.iter().map(|start| self.hold(leading, start, config));
         if let Some(found) = near.into_iter().find_map(Result::ok) {
             return Ok(found);
         }
@@ -166,7 +166,7 @@ impl SecondArm {
                 let target = self.fork_from_grip(&fork_from_tool, &(sign * bar));
                 (self.ik).solve(&target, RotationGoal::AboutToolZFree, &[], seed, config)
             };
-            match solved(solve()) {
+            match to_configuration(solve()) {
                 Ok(found) => return Ok(found),
                 Err(obstruction) => last = obstruction,
             }
@@ -220,7 +220,7 @@ pub(in crate::follow) fn off_grip(
 
 /// Returns the direction nearest to `hand` that is within `max_lean` of the bar; the bar has no sense of
 /// direction.
-fn leaning(bar: &Vector3, hand: &Vector3, max_lean: f64) -> Vector3 {
+fn limit_lean(bar: &Vector3, hand: &Vector3, max_lean: f64) -> Vector3 {
     let bar = if bar.dot(hand) < 0.0 { -bar } else { *bar };
     let normal = bar.cross(hand);
     let angle = normal.norm().atan2(bar.dot(hand));
@@ -230,7 +230,7 @@ fn leaning(bar: &Vector3, hand: &Vector3, max_lean: f64) -> Vector3 {
     UnitQuaternion::from_axis_angle(&Unit::new_normalize(normal), max_lean) * bar
 }
 
-fn solved(outcome: Result<IkOutcome, RobotError>) -> Result<JointPositions, Obstruction> {
+fn to_configuration(outcome: Result<IkOutcome, RobotError>) -> Result<JointPositions, Obstruction> {
     match outcome {
         Ok(IkOutcome::Solved(q)) => Ok(q),
         Ok(IkOutcome::Stuck {
@@ -271,7 +271,7 @@ mod tests {
         fn a_hand_leans_no_further_than_allowed_and_turns_no_more_than_it_must(
             bar in unit(), hand in unit(), max_lean in 0.0..FRAC_PI_2,
         ) {
-            let along = leaning(&bar, &hand, max_lean);
+            let along = limit_lean(&bar, &hand, max_lean);
             let line = |v: &Vector3| bar.cross(v).norm().atan2(bar.dot(v).abs());
             prop_assert!((along.norm() - 1.0).abs() < 1e-12);
             prop_assert!(line(&along) <= max_lean + 1e-9);
