@@ -119,7 +119,7 @@ impl<'a> Line<'a> {
     }
 
     /// Returns the deviation of the tool from the nearest place of the line that is not behind the last one.
-    pub fn deviation(&mut self, tool: &Frame) -> LineDeviation {
+    pub fn deviation_ahead(&mut self, tool: &Frame) -> LineDeviation {
         let cost = |off: &LineDeviation| off.position + METRES_PER_RADIAN * off.rotation;
         let mut nearest: Option<(LineDeviation, usize, f64)> = None;
         let mut passed = 0.0;

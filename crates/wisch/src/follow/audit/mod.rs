@@ -497,7 +497,7 @@ fn check_line(
         if i == 0 {
             add(line.deviation_at_start(&tool));
         }
-        add(line.deviation(&tool));
+        add(line.deviation_ahead(&tool));
         if i + 1 == samples.len() {
             add(line.deviation_at_end(&tool));
         }
