@@ -24,8 +24,7 @@ pub struct PlanConfig {
 /// Effort of the search for strokes ([`Strategy::Adaptive`]).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SearchConfig {
-    /// Number of plans that the search evaluates. The same number gives the same plan, whatever the computing
-    /// time.
+    /// Number of plans that the search evaluates. The same number gives the same plan, however long the search takes.
     pub evaluations: usize,
     /// Lateral error of the tool that the plan has to tolerate, to either side [m]. Dirt that only an exact
     /// tool reaches counts half.

@@ -141,7 +141,7 @@ pub fn check_strokes(task: &Task, strokes: &[Stroke]) -> Result<Vec<StrokeOverBo
     };
     let mut over_border = Vec::new();
     for (number, stroke) in strokes.iter().enumerate() {
-        over_border.extend(check.stroke(number, &stroke.poses)?);
+        over_border.extend(check.check_stroke(number, &stroke.poses)?);
     }
     Ok(over_border)
 }
@@ -225,6 +225,7 @@ struct Obstacle {
     stands_on: OccupiedArea,
 }
 
+/// Returns the obstacles of the scene, in the surface frame.
 fn obstacles(task: &Task, meshes: &[Mesh]) -> Result<Vec<Obstacle>, PlanError> {
     let obstacle = |(object, mesh): (&crate::represent::SceneObject, &Mesh)| {
         let clipped = mesh.clipped_above(SURFACE_SKIN).into_iter().flatten();
@@ -262,7 +263,7 @@ struct Check<'a> {
 }
 
 impl Check<'_> {
-    fn stroke(
+    fn check_stroke(
         &self,
         stroke: usize,
         poses: &[PlanarPose],

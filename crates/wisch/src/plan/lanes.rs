@@ -354,6 +354,7 @@ impl<'a> Lanes<'a> {
         }
     }
 
+    /// Returns the tool's poses along the turning points, in the surface frame, no farther apart than the node pitch.
     fn poses(&self, way: &[[f64; 2]]) -> Vec<PlanarPose> {
         let pitch = NODE_PITCH * self.space.radius();
         let mut poses: Vec<PlanarPose> = Vec::new();
@@ -375,6 +376,7 @@ impl<'a> Lanes<'a> {
         poses
     }
 
+    /// Transforms a point of the lanes' frame to the surface frame [m].
     fn in_surface(&self, along: f64, across: f64) -> Point2 {
         PlanarPose::new(Point2::origin(), self.heading).transform(Point2::new(along, across))
     }

@@ -83,6 +83,7 @@ pub(super) fn best_by_objective(
     best.map(|(_, _, plan)| plan)
 }
 
+/// Number of particles where they belong, less [`LOSS`] for each lost particle.
 const fn weigh(performance: &Performance) -> i64 {
     performance.achieved as i64 - LOSS * performance.lost as i64
 }

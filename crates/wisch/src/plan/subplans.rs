@@ -92,6 +92,7 @@ fn best_among(task: &Task, plan: &Plan, strokes: &[Stroke]) -> Option<ScoredSubp
     best
 }
 
+/// Returns all candidate subplans of a plan.
 fn subplans(plan: &Plan, task: &Task, space: &FreeSpace) -> Vec<Stroke> {
     let graph = &plan.graph;
     let chains: Vec<Vec<usize>> = match graph.goal {

@@ -166,10 +166,12 @@ impl Components {
         }
     }
 
+    /// Returns the representative of a node's part.
     fn part(&self, node: usize) -> usize {
         self.parts_of.find(node)
     }
 
+    /// Joins the parts of two nodes.
     fn union(&mut self, a: usize, b: usize) {
         let size = self.sizes[self.part(a)] + self.sizes[self.part(b)];
         if self.parts_of.union(a, b) {

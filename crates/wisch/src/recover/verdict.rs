@@ -78,7 +78,7 @@ pub fn is_claimable(believed: &PerformanceDistribution, target: f64) -> bool {
 /// assert!(!claim.holds());
 /// assert_eq!(
 ///     claim.to_string(),
-///     "96.6 % expected reaches the target of 95.0 %, but less than 85.0 % has a probability of 5.0 %, and a claim allows 0.2 %"
+///     "the expected performance of 96.6 % reaches the target of 95.0 %, but the probability of less than 85.0 % is 5.0 %; a claim allows 0.2 %"
 /// );
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -110,21 +110,24 @@ impl fmt::Display for Claim {
         let percent = |share: f64| format!("{:.1} %", 100.0 * share);
         let [expected, target] = [self.expected, self.target].map(percent);
         if self.expected < self.target {
-            return write!(f, "{expected} expected is below the target of {target}");
+            return write!(
+                f,
+                "the expected performance of {expected} is below the target of {target}"
+            );
         }
         let tail = percent((self.target - FALSE_BY).max(0.0));
         let allowed = percent(FALSE_CLAIMS);
         if self.holds() {
             return write!(
                 f,
-                "{expected} expected reaches the target of {target}, and less than {tail} has a probability of at most {allowed}"
+                "the expected performance of {expected} reaches the target of {target}, and the probability of less than {tail} is at most {allowed}"
             );
         }
         // Never print the allowed probability itself: the value found is larger.
         let found = (1e3 * self.far_below).ceil().max(1e3 * FALSE_CLAIMS + 1.0) / 10.0;
         write!(
             f,
-            "{expected} expected reaches the target of {target}, but less than {tail} has a probability of {found:.1} %, and a claim allows {allowed}"
+            "the expected performance of {expected} reaches the target of {target}, but the probability of less than {tail} is {found:.1} %; a claim allows {allowed}"
         )
     }
 }

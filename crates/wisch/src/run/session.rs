@@ -62,7 +62,7 @@ pub struct Session<'a> {
     /// The observation before the first round, if there is a camera; the outer `None` before it is taken.
     first_observation: Option<Option<Observation>>,
     is_stopped: bool,
-    /// Joint positions as far as they are known, all n variables [rad or m]; `None` before the first
+    /// Last known joint positions, all n variables [rad or m]; `None` before the first
     /// measurement.
     stands: Option<Vec<f64>>,
     /// Whether the last motion ended before its end, so that the next begins with a retreat.
@@ -287,6 +287,7 @@ impl<'a> Session<'a> {
         Stage::Ended
     }
 
+    /// Plans a round: the given plan, the user's own strategy, or the planner.
     fn plan_round(
         &mut self,
         executor: &mut dyn Executor,
@@ -354,6 +355,7 @@ impl<'a> Session<'a> {
         Ok(())
     }
 
+    /// Computes the joint motion of the round's plan.
     fn follow_round(
         &mut self,
         next: NextPlan,
@@ -435,6 +437,7 @@ impl<'a> Session<'a> {
         })
     }
 
+    /// Audits the motion; a motion with faults ends the session.
     fn audit_round(
         &mut self,
         planned: Box<PlannedRound>,
@@ -468,6 +471,7 @@ impl<'a> Session<'a> {
         Ok(ended)
     }
 
+    /// Executes the motion and passes each sample to the interpreter and the observer.
     fn execute_round(
         &mut self,
         planned: Box<PlannedRound>,
@@ -558,6 +562,7 @@ impl<'a> Session<'a> {
         Ok(Stage::Executed)
     }
 
+    /// Interprets the measured data, and the camera's observation if there is one.
     fn interpret_round(
         &mut self,
         (planned, audit, execution): (Box<PlannedRound>, Audit, Execution),
@@ -596,6 +601,7 @@ impl<'a> Session<'a> {
         Ok(Stage::Interpreted)
     }
 
+    /// Reaches the verdict on the round; either ends the session or prepares the next round.
     fn judge_round(
         &mut self,
         planned: PlannedRound,

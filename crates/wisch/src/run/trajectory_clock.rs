@@ -114,6 +114,7 @@ impl TrajectoryClock {
         self.reached
     }
 
+    /// Estimates the trajectory time from the measured state, by the better of the two hypotheses [s].
     fn estimate(&mut self, time: f64, positions: &[f64], world_from_tool: &Pose) -> f64 {
         let by_clock = time.clamp(0.0, self.duration);
         let (state, path) = if positions.is_empty() {

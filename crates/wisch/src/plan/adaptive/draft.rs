@@ -186,12 +186,14 @@ impl Mutator<'_> {
         (count > 0).then(|| self.random.random_range(0..count))
     }
 
+    /// Draws a random step of a position [m], with one of the standard deviations [`STEPS`].
     fn step(&mut self) -> Vector2 {
         let size = self.footprint.size().max();
         let scale = STEPS[self.random.random_range(0..STEPS.len())] * size;
         Vector2::new(normal(&mut self.random), normal(&mut self.random)) * scale
     }
 
+    /// Moves one pose of a stroke. Each move returns the indices of the strokes that it changed.
     fn move_pose(&mut self, draft: &mut Draft) -> Option<Vec<usize>> {
         let stroke = self.random_index(draft.strokes.len())?;
         let pose = self.random_index(draft.strokes[stroke].len())?;
@@ -202,6 +204,7 @@ impl Mutator<'_> {
         Some(vec![stroke])
     }
 
+    /// Moves a whole stroke.
     fn move_stroke(&mut self, draft: &mut Draft) -> Option<Vec<usize>> {
         let stroke = self.random_index(draft.strokes.len())?;
         let step = self.step();
@@ -382,12 +385,14 @@ impl Mutator<'_> {
         Some(PlanarPose::new(stands, heading))
     }
 
+    /// Removes a stroke.
     fn drop_stroke(&mut self, draft: &mut Draft) -> Option<Vec<usize>> {
         let stroke = self.random_index(draft.strokes.len())?;
         draft.strokes.remove(stroke);
         Some(Vec::new())
     }
 
+    /// Moves a stroke to another position in the order of execution.
     fn reorder(&mut self, draft: &mut Draft) -> Option<Vec<usize>> {
         let from = self.random_index(draft.strokes.len())?;
         let to = self.random_index(draft.strokes.len())?;
@@ -399,6 +404,7 @@ impl Mutator<'_> {
         Some(Vec::new())
     }
 
+    /// Removes a pose from a stroke.
     fn drop_pose(&mut self, draft: &mut Draft) -> Option<Vec<usize>> {
         let stroke = self.random_index(draft.strokes.len())?;
         let poses = &mut draft.strokes[stroke];
@@ -512,6 +518,7 @@ impl Mutator<'_> {
         Some(vec![stroke])
     }
 
+    /// Moves the goal of a collect whose goal the planner may choose.
     fn move_goal(&mut self, draft: &mut Draft) -> Option<Vec<usize>> {
         let step = self.step();
         let GoalState::Collected { center, .. } = &mut draft.goal else {

@@ -147,6 +147,9 @@ pub(super) fn score(valuation: &Valuation<'_>, plan: &Plan) -> PlanScore {
     Trials::new(valuation, &draft.goal).score(&draft)
 }
 
+/// Runs simulated annealing from a draft and returns the best draft found, with its value.
+///
+/// `budget`: number of evaluations. `hot`: temperature at the start [1].
 fn anneal(
     valuation: &Valuation<'_>,
     mutator: &mut Mutator<'_>,

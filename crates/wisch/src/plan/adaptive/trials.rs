@@ -157,7 +157,7 @@ fn roll_out(
     states: &mut Vec<(usize, Rc<State>)>,
 ) -> State {
     let surface = &task.surface;
-    let (from, state) = states.last().expect("that before all steps");
+    let (from, state) = states.last().expect("the state before all steps");
     let (from, mut state) = (*from, State::clone(state));
     model.resume_after(steps[..from].iter().filter(|step| step.lifts).count() as u32);
     let spacing = SPACING.max(steps.len().div_ceil(MOST_STATES));

@@ -100,7 +100,7 @@ impl Session<'_> {
         }))
     }
 
-    /// Evaluates the plans of all strategies for the believed dirt, whatever the session's own strategy. With a
+    /// Evaluates the plans of all strategies for the believed dirt, also of those that the session does not use. With a
     /// robot, each plan is evaluated as the robot executes it.
     ///
     /// # Errors
