@@ -271,6 +271,7 @@ impl MotionController {
         })
     }
 
+    /// Returns the desired pose and twist of the tool at a time [s], the press into the surface included.
     fn desired(&mut self, task: &Task, followed: &Followed, time: f64) -> Desired {
         let motion = followed.motion_at(time);
         if let Some(motion) = motion {

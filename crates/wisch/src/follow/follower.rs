@@ -87,8 +87,8 @@ pub fn follow(
     progress: &mut dyn FnMut(usize),
 ) -> Result<Followed, FollowError> {
     config.check()?;
-    can_touch(task, plan, cell)?;
-    can_start(cell, config)?;
+    check_touch(task, plan, cell)?;
+    check_start(cell, config)?;
     let follower = Follower {
         task,
         plan,
@@ -101,7 +101,8 @@ pub fn follow(
     follower.follow(progress)
 }
 
-fn can_start(cell: &Workcell, config: &FollowConfig) -> Result<(), FollowError> {
+/// Checks that the robot's ready posture is within its limits and free of collision.
+fn check_start(cell: &Workcell, config: &FollowConfig) -> Result<(), FollowError> {
     if let Some(fault) = cell.robot().limit_faults(cell.ready())?.into_iter().next() {
         return Err(FollowError::StartOutOfLimits(fault));
     }
@@ -118,7 +119,7 @@ fn can_start(cell: &Workcell, config: &FollowConfig) -> Result<(), FollowError> 
 }
 
 /// Checks that the hand is clear of the surface at some node where the tool touches it.
-fn can_touch(task: &Task, plan: &Plan, cell: &Workcell) -> Result<(), FollowError> {
+fn check_touch(task: &Task, plan: &Plan, cell: &Workcell) -> Result<(), FollowError> {
     match cell.hand_below(task, plan)? {
         None => Ok(()),
         Some(HandBelow { link, depth }) => Err(FollowError::HandBelowSurface {
@@ -306,6 +307,7 @@ impl Follower<'_> {
         predict(self.task, &wiped, |_| ()).performance.achieved
     }
 
+    /// Returns all strokes of the plan as pending.
     fn pending_strokes(&self) -> Vec<PendingStroke> {
         let strokes = self.plan.strokes.iter().enumerate();
         strokes

@@ -322,6 +322,7 @@ impl<'a> MovingJoints<'a> {
     }
 }
 
+/// Checks that a motion begins where and when the last one ends.
 fn check_gap(
     number: usize,
     motion: &Motion,
@@ -372,6 +373,7 @@ fn check_ranges(
     }
 }
 
+/// Checks the velocities and accelerations of all joints at the samples and between them.
 fn check_timing(
     number: usize,
     samples: &[TrajectorySample],
@@ -431,6 +433,7 @@ fn check_efforts(
     }
 }
 
+/// Checks the clearance between all bodies at every time of a motion.
 fn check_clearance(
     motion: &Motion,
     samples: &[TrajectorySample],
@@ -458,6 +461,7 @@ fn check_clearance(
     Ok(())
 }
 
+/// Checks the grip of the second hand over a motion.
 fn check_grip(motion: &Motion, samples: &[TrajectorySample], cell: &Workcell, audit: &mut Audit) {
     for sample in samples {
         let GripDeviation { position, lean } = off_grip(cell, &sample.q);
@@ -538,6 +542,7 @@ fn surface_fault(fault: SurfaceFault, motion: &Motion, task: &Task) -> MotionFau
     }
 }
 
+/// Checks that the base stands still while the tool is at the surface.
 fn check_base(
     number: usize,
     phase: Phase,

@@ -253,10 +253,10 @@ pub fn trajectory_faults(
     };
     let mut faults = Vec::new();
     for sample in 0..samples.len() {
-        check.limits_at(sample, &mut faults);
-        check.limits_after(sample, &mut faults);
+        check.check_limits_at(sample, &mut faults);
+        check.check_limits_after(sample, &mut faults);
     }
-    check.ends(&mut faults);
+    check.check_ends(&mut faults);
     check.check_path(&mut faults);
     faults
 }
@@ -317,7 +317,8 @@ impl Check<'_> {
         })
     }
 
-    fn limits_at(&self, sample: usize, faults: &mut Vec<TrajectoryFault>) {
+    /// Checks the limits at a sample.
+    fn check_limits_at(&self, sample: usize, faults: &mut Vec<TrajectoryFault>) {
         let state = &self.samples[sample];
         for (joint, limit) in self.limits.joints().iter().enumerate() {
             let (q, qd, qdd) = (state.q[joint], state.qd[joint], state.qdd[joint]);
@@ -340,7 +341,7 @@ impl Check<'_> {
     }
 
     /// Checks the steps from a sample to the next, and to the one after that.
-    fn limits_after(&self, sample: usize, faults: &mut Vec<TrajectoryFault>) {
+    fn check_limits_after(&self, sample: usize, faults: &mut Vec<TrajectoryFault>) {
         let Some(next) = self.samples.get(sample + 1) else {
             return;
         };
@@ -391,7 +392,8 @@ impl Check<'_> {
         }
     }
 
-    fn ends(&self, faults: &mut Vec<TrajectoryFault>) {
+    /// Checks that the motion starts and ends at rest on the ends of the path.
+    fn check_ends(&self, faults: &mut Vec<TrajectoryFault>) {
         let last = self.path.waypoint_count() - 1;
         let ends = [
             (End::Start, &self.samples[0], 0),
@@ -447,7 +449,7 @@ impl Check<'_> {
                 Some(first) => {
                     rear = first.0;
                     let last = (rear..=foremost).rev().find_map(on).unwrap_or(first);
-                    self.segment_speeds(sample, self.round_corners(first, last), faults);
+                    self.check_segment_speeds(sample, self.round_corners(first, last), faults);
                 }
                 None => faults.push(TrajectoryFault::OffPath {
                     sample,
@@ -489,7 +491,7 @@ impl Check<'_> {
     }
 
     /// Checks velocities against the shortest times of the segments that may contain a sample.
-    fn segment_speeds(
+    fn check_segment_speeds(
         &self,
         sample: usize,
         segments: impl Iterator<Item = usize>,

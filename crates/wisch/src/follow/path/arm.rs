@@ -399,6 +399,7 @@ impl<'a> Arm<'a> {
         Ok(way)
     }
 
+    /// Adds the path between two configurations, halved until both hands stay on the tool.
     fn halve(
         &self,
         from: &JointPositions,

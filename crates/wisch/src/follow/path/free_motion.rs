@@ -80,6 +80,7 @@ pub(in crate::follow) fn free_motion(
     clear.or_else(|| search_free_path(arm, [from, to], seed, MAX_DRAWS))
 }
 
+/// Searches for a free path with two random trees that grow towards each other.
 fn search_free_path(
     arm: &Arm,
     [from, to]: [&JointPositions; 2],

@@ -127,6 +127,7 @@ fn states(
     states
 }
 
+/// Continues the depth-first search from a configuration of a layer.
 fn descend(
     arm: &Arm,
     start: &JointPositions,

@@ -91,7 +91,7 @@ struct Contact {
     stopped: Vec<Attempt>,
 }
 
-/// Follows a stroke through its `planned` corners as far as possible from any of several configurations.
+/// Follows the longest possible part of a stroke through its `planned` corners, from any of several configurations.
 ///
 /// The known configuration at the first corner is tried before all others. The tool first keeps the planned
 /// orientation exactly; only if no configuration can do that, all its orientations are tried.
@@ -332,6 +332,7 @@ impl Contact {
     }
 }
 
+/// Follows the stroke in contact from the touch-down as far as possible.
 fn wipe(
     arm: &Arm,
     touch_down: &TouchDown,

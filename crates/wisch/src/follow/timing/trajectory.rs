@@ -260,6 +260,7 @@ impl Trajectory {
         }
     }
 
+    /// Returns the part of the trajectory that contains a time [s].
     fn place(&self, time: f64) -> Place {
         if time >= self.duration {
             let since = time - self.duration;

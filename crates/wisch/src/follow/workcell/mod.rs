@@ -398,6 +398,7 @@ fn grip_with_second_hand(
     Ok(())
 }
 
+/// Returns a pose on the floor as a planar pose; an error if it is off the floor.
 fn project_to_floor(world_from_robot: &Pose) -> Result<PlanarPose, FollowError> {
     let (roll, pitch, yaw) = world_from_robot.rotation.euler_angles();
     let at = world_from_robot.translation.vector;
