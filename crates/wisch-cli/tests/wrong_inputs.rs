@@ -317,7 +317,7 @@ fn meaning_cases() -> Vec<Case> {
             "no free node",
             CUP,
             "box_m = [0.75, 0.45, 0.10] # ",
-            &["surface \"chopping_board\": no place is free"],
+            &["surface \"chopping_board\": no free place"],
         ),
         Case {
             edits: vec![

@@ -198,7 +198,7 @@ fn a_child_that_goes_wrong_ends_in_an_error_that_says_how() {
         ),
         (
             "sample(0, trajectory_time_s=2); sample(1, trajectory_time_s=1)",
-            "at 1 s: trajectory time 1 s follows 2 s",
+            "at 1 s: trajectory time 1 s is earlier than the last reported time, 2 s",
         ),
         (
             "sample(-5)",

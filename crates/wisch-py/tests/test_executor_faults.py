@@ -128,7 +128,7 @@ def test_what_an_executor_returns_is_checked(task, robot):
         ({"ending": "exploded"}, 'unknown ending "exploded"'),
         ({"duration": 3.0}, 'unknown key "duration"; nearest: duration_s'),
         ({"duration_s": float("inf")}, "at the end a number is inf"),
-        ({"positions": [0.0, 1.0]}, "ended with 2 positions, the robot has 7 joints"),
+        ({"positions": [0.0, 1.0]}, "reported 2 joint positions at the end, expected 7"),
     ]:
         with pytest.raises(wisch.WischError) as caught:
             task.session(robot, rounds=1).run(Returns(task.surface_reaction, returned))

@@ -587,7 +587,7 @@ fn wrong_input_is_named() {
     let message = |result: Result<JointPath, TimingError>| result.unwrap_err().to_string();
     assert_eq!(
         message(JointPath::new(&[[0.0]])),
-        "a path needs at least 2 waypoints, not 1"
+        "the path needs at least 2 waypoints, 1 given"
     );
     assert_eq!(
         message(JointPath::new(&vec![[0.0]; 1_000_001])),
@@ -595,7 +595,7 @@ fn wrong_input_is_named() {
     );
     assert_eq!(
         message(JointPath::new(&[vec![], vec![]])),
-        "waypoint 0 has no joint positions"
+        "waypoint 0 has no joint positions; expected at least one"
     );
     assert_eq!(
         message(JointPath::new(&[vec![0.0], vec![0.0, 1.0]])),

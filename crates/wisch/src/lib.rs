@@ -1,23 +1,23 @@
-//! wisch lets a robot understand wiping: dirt as particles, tools as what they do to them.
+//! wisch plans, executes and interprets wiping by a robot: dirt is a set of particles, and a tool is its effect on them.
 //!
-//! # From a task file to a question
+//! # From a task file to a query
 //!
-//! Each step is a program of at most 25 lines: `crates/wisch/examples/01_load.rs` and so on; `docs/tutorial.md` shows them
-//! all.
+//! Each step is a program of at most 25 lines: `crates/wisch/examples/01_load.rs` and so on; `docs/tutorial.md` shows all
+//! of them.
 //!
-//! 1. **Load a task.** `wisch_io::load_task` makes of a task file a [`Task`](represent::Task): what is to be wiped, where
-//!    and with what, with the dirt as particles.
-//! 2. **Plan and predict.** A [`Session`](run::Session) goes on stage by stage; up to [`Stage::Planned`](run::Stage) it needs
-//!    neither robot nor world. [`predict`](plan::predict) says what a [`Plan`](plan::Plan) does to the dirt.
-//! 3. **Follow.** `wisch_io::Robot::load` reads a URDF; with it the session makes joint motion of the plan
-//!    ([`Followed`](follow::Followed)), and an independent [`Audit`](follow::Audit) of that.
-//! 4. **Execute.** Whatever implements [`Executor`](run::Executor) is given the motion and hands on what is measured: a
-//!    driver, the simulator `wisch_sim::World`, or another process by `wisch_io::ProcessExecutor`. The session goes on until
-//!    there is a [`Verdict`](recover::Verdict).
+//! 1. **Load a task.** `wisch_io::load_task` reads a task file into a [`Task`](represent::Task): the surface, the tool, the
+//!    action, and the dirt as particles.
+//! 2. **Plan and predict.** A [`Session`](run::Session) advances stage by stage; up to [`Stage::Planned`](run::Stage) it
+//!    needs neither robot nor world. [`predict`](plan::predict) returns the effect of a [`Plan`](plan::Plan) on the dirt.
+//! 3. **Follow.** `wisch_io::Robot::load` reads a URDF. With this robot the session computes the joint motion of the plan
+//!    ([`Followed`](follow::Followed)) and an independent [`Audit`](follow::Audit) of the motion.
+//! 4. **Execute.** An [`Executor`](run::Executor) executes the motion and returns the measurements. It is a driver, the
+//!    simulator `wisch_sim::World`, or another process by `wisch_io::ProcessExecutor`. The session continues until its
+//!    [`Verdict`](recover::Verdict) ends it.
 //! 5. **Interpret.** [`interpret`](interpret::interpret()) takes poses and forces, from any bag that `wisch_telemetry::read`
-//!    reads, and says where there was contact, where the surface is and what was wiped;
-//!    [`next_task`](recover::next_task) is what is left to do.
-//! 6. **Ask.** `wisch_memory` keeps runs as episodes and answers queries in Prolog.
+//!    reads. It estimates the contact, the plane of the surface, and the wiped dirt; [`next_task`](recover::next_task)
+//!    returns the rest of the task.
+//! 6. **Query.** `wisch_memory` stores runs as episodes and answers queries in Prolog.
 //!
 //! ```
 //! use wisch::run::{NoExecutor, Stage, unobserved};
@@ -34,36 +34,36 @@
 //!
 //! # The crates
 //!
-//! | crate | what it holds |
+//! | crate | contents |
 //! |---|---|
 //! | `wisch` | the method: dirt, plans, motions, control, interpretation, the loop |
-//! | [`wisch_io`](../wisch_io/index.html) | task files, knowledge, robots, plans, trajectories, executors in other processes |
-//! | [`wisch_sim`](../wisch_sim/index.html) | a physics world to wipe in |
+//! | [`wisch_io`](../wisch_io/index.html) | task files, knowledge base, robots, plans, trajectories, executors in other processes |
+//! | [`wisch_sim`](../wisch_sim/index.html) | a physics simulator |
 //! | [`wisch_telemetry`](../wisch_telemetry/index.html) | bags (MCAP, ROS 2 messages) and tables of poses and forces |
-//! | [`wisch_report`](../wisch_report/index.html) | pictures and pages |
-//! | [`wisch_memory`](../wisch_memory/index.html) | episodes, and queries to them; the engine is the program `wisch-prolog` |
-//! | `wisch-cli` | the program `wisch` |
+//! | [`wisch_report`](../wisch_report/index.html) | pictures and HTML reports |
+//! | [`wisch_memory`](../wisch_memory/index.html) | episodes and their queries; the query engine is the companion program `wisch-prolog` |
+//! | `wisch-cli` | the command line `wisch` |
 //!
-//! # The house
+//! # The modules
 //!
-//! The data walks one way, and every stage imports only the stages before it:
+//! Data flows in one direction, and every stage imports only the stages before it:
 //!
-//! | stage | what it does | begin with |
+//! | stage | task | entry point |
 //! |---|---|---|
-//! | [`geometry`] | poses, polygons, meshes and what they leave on a surface | [`geometry::footprint()`] |
-//! | [`represent`] | surface, tool and dirt, and the one model of what wiping does to it | [`represent::Task`], [`represent::EffectModel`] |
+//! | [`geometry`] | poses, polygons, meshes and their footprints on a surface | [`geometry::footprint()`] |
+//! | [`represent`] | surface, tool and dirt, and the effect model of wiping | [`represent::Task`], [`represent::EffectModel`] |
 //! | [`goal`] | from a goal in PDDL to an action and a tool | [`goal::resolve_goal`] |
 //! | [`plan`](mod@plan) | from a task to strokes, and their predicted effect | [`plan::plan()`], [`plan::predict()`] |
-//! | [`robot`] | a URDF as kinematics, dynamics, collisions, reach; knows nothing of wiping | [`robot::RobotModel`] |
-//! | [`follow`](mod@follow) | from strokes to joint motion, and an audit of it | [`follow::follow()`], [`follow::audit()`] |
+//! | [`robot`] | a URDF as kinematics, dynamics, collisions and reach; independent of wiping | [`robot::RobotModel`] |
+//! | [`follow`](mod@follow) | from strokes to joint motion, and the audit of that motion | [`follow::follow()`], [`follow::audit()`] |
 //! | [`control`] | the compliant controller (8) and the observer of external forces | [`control::ImpedanceController`] |
-//! | [`interpret`] | from poses and forces to contact, plane, events and what was wiped | [`interpret::Interpreter`] |
-//! | [`learn`](mod@learn) | what rounds that were looked at before and after say of the laws | [`learn::learn()`] |
-//! | [`recover`] | what follows from that: the next task, or the end | [`recover::next_task()`] |
-//! | [`run`] | the loop of all these, with whatever executes motions | [`run::Session`], [`run::Executor`] |
+//! | [`interpret`] | from poses and forces to contact, plane, events and wiped dirt | [`interpret::Interpreter`] |
+//! | [`learn`](mod@learn) | estimates of the model's parameters from rounds with observations before and after | [`learn::learn()`] |
+//! | [`recover`] | the next task, or the end of the session | [`recover::next_task()`] |
+//! | [`run`] | the loop over all stages, with an executor of motions | [`run::Session`], [`run::Executor`] |
 //!
-//! Nothing here reads a clock, a file or the network: task files, knowledge and robots are read by the crate
-//! `wisch-io`; randomness comes in as a seed.
+//! This crate reads no clock, no file and no network: the crate `wisch-io` reads task files, knowledge and robots, and
+//! random numbers come from a seed.
 //!
 //! Method: Leidner, Bartels, Bejjani, Albu-Schäffer, Beetz, *Cognition-enabled robotic wiping*,
 //! Robotics and Autonomous Systems 114 (2019). `PAPER.md` maps its sections and equations to items.

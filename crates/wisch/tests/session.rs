@@ -650,9 +650,9 @@ fn a_motion_that_begins_elsewhere_is_not_executed() {
     for (off, expected) in [
         (
             2.88,
-            "stands 2.880 rad from where the motion begins, more than the limit of 0.05 rad",
+            "is 2.880 rad from the start of the motion, more than the limit of 0.05 rad",
         ),
-        (-0.051, "stands 0.051 rad"),
+        (-0.051, "is 0.051 rad from the start"),
         (0.049, "it was executed"),
     ] {
         let mut session = loaded.session().with_robot(robot.performer());

@@ -234,11 +234,14 @@ fn a_strategy_that_does_not_fit_the_action_is_refused() {
     let error = plan(&task, &kde).unwrap_err().to_string();
     assert_eq!(
         error,
-        "strategy \"kde\" plans no polish; it is planned by lanes, best"
+        "strategy \"kde\" cannot plan the action polish; strategies that can: lanes, best"
     );
     let wiped = board(Action::Absorb, [0.0, 0.0, 0.0]);
     let error = plan(&wiped, &lanes()).unwrap_err().to_string();
-    assert!(error.contains("\"lanes\" plans no absorb"), "{error}");
+    assert!(
+        error.contains("\"lanes\" cannot plan the action absorb"),
+        "{error}"
+    );
 }
 
 #[test]

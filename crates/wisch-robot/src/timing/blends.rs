@@ -1,17 +1,17 @@
 //! A path with round corners: straight pieces joined by parabolic blends.
 //!
-//! The path parameter σ is the time [s] in which the fastest joint could cover the way at its velocity
-//! limit, so that along a straight piece the joint limits say σ̇ ≤ 1. Around a waypoint, from σ − ℓ to
-//! σ + ℓ, the direction dq/dσ turns linearly from the one segment's into the other's; the parabola
-//! misses the waypoint by ℓ·|Δdirection|/4 and stays within that distance of the segments. It lies in
-//! the triangle of its ends and the waypoint, hence within the range of every joint.
+//! The path parameter σ is the time [s] in which the fastest joint could cover the path at its velocity limit,
+//! so that along a straight piece the joint limits mean σ̇ ≤ 1. Around a waypoint, from σ − ℓ to σ + ℓ, the
+//! direction dq/dσ turns linearly from that of one segment to that of the other. The parabola misses the
+//! waypoint by ℓ·|Δdirection|/4 and stays within that distance of the segments. It lies in the triangle of its
+//! ends and the waypoint, hence within the range of every joint.
 
 use super::{JointLimits, JointPath};
 
-/// Waypoints nearer than this share of the blend tolerance to the one before are passed over.
+/// Waypoints nearer to the last one than this share of the blend tolerance are skipped [1].
 const MERGED_SHARE: f64 = 0.1;
 
-/// What rounding leaves of a segment between two blends; relative to the segment.
+/// Remainder of a segment between two blends that is only rounding; relative to the segment.
 const NO_REMAINDER: f64 = 1e-13;
 
 /// The shortest straight piece kept between two blends; relative to its segment.
@@ -24,16 +24,16 @@ pub(super) struct BlendedPiece {
     pub length: f64,
     /// Largest σ̇ [1] that the segments' shortest times allow.
     pub speed_cap: f64,
-    /// So short a link between two blends that one grid interval does.
+    /// Whether the piece is a link between two blends, so short that one grid interval suffices.
     pub is_link: bool,
 }
 
-/// A path whose direction is continuous.
+/// A path with a continuous direction.
 #[derive(Debug, Clone)]
 pub(super) struct BlendedPath {
     joint_count: usize,
     pieces: Vec<BlendedPiece>,
-    /// Per piece and joint: q, dq/dσ at the piece's begin, and d²q/dσ².
+    /// Per piece and joint: q, dq/dσ at the piece's start, and d²q/dσ².
     terms: Vec<[f64; 3]>,
 }
 
@@ -58,7 +58,7 @@ impl<'a> Polyline<'a> {
                 if index < last {
                     continue;
                 }
-                // The last waypoint takes the place of the one it is near, unless that is the first.
+                // The last waypoint replaces the one that it is near, unless that is the first.
                 if waypoints.len() > 1 {
                     waypoints.pop();
                     pending += times.pop().unwrap_or(0.0);
@@ -75,8 +75,8 @@ impl<'a> Polyline<'a> {
 }
 
 impl BlendedPath {
-    /// Rounds the corners so that no joint deviates from the polyline by more than `tolerance` [rad or m].
-    /// Without pieces if all waypoints are the same.
+    /// Rounds the corners so that no joint deviates from the polyline by more than `tolerance` [rad or m]. The
+    /// path has no pieces if all waypoints are the same.
     pub fn new(path: &JointPath, limits: &JointLimits, tolerance: f64) -> Self {
         let merged = MERGED_SHARE * tolerance;
         let polyline = Polyline::new(path, merged);
@@ -129,6 +129,7 @@ impl BlendedPath {
                 });
                 let turn = direction.iter().zip(&directions[segment + 1]);
                 let corner = waypoints[segment + 1].iter().zip(turn);
+                // A blend of length 2 ℓ: q(σ) = w − ℓ d₁ + σ d₁ + σ² (d₂ − d₁) / (4 ℓ).
                 blended.terms.extend(
                     corner.map(|(q, (from, to))| {
                         [q - after * from, *from, (to - from) / (2.0 * after)]
@@ -143,22 +144,23 @@ impl BlendedPath {
         &self.pieces
     }
 
-    /// Of each joint: q, dq/dσ at the piece's begin, and d²q/dσ².
+    /// For each joint: q, dq/dσ at the piece's start, and d²q/dσ².
     pub fn terms(&self, piece: usize) -> &[[f64; 3]] {
         &self.terms[piece * self.joint_count..][..self.joint_count]
     }
 }
 
-/// How far each waypoint's blend reaches into its two segments [s]; 0 at the ends.
+/// Returns the length by which each waypoint's blend reaches into its two segments [s]; 0 at the ends.
 fn blend_reaches(lengths: &[f64], directions: &[Vec<f64>], tolerance: f64) -> Vec<f64> {
     let mut reaches = vec![0.0; lengths.len() + 1];
     for corner in 1..lengths.len() {
         let turn = directions[corner - 1].iter().zip(&directions[corner]);
         let sharpest = turn.map(|(a, b)| (b - a).abs()).fold(0.0, f64::max);
         let room = 0.5 * lengths[corner - 1].min(lengths[corner]);
+        // The parabola misses the waypoint by ℓ · |Δdirection| / 4 ≤ tolerance.
         reaches[corner] = room.min(4.0 * tolerance / sharpest);
     }
-    // A straight piece of vanishing length would be nothing but rounding.
+    // A straight piece of vanishing length would consist only of rounding errors.
     for (segment, &length) in lengths.iter().enumerate() {
         let remainder = length - reaches[segment] - reaches[segment + 1];
         if remainder > NO_REMAINDER * length && remainder < LEAST_REMAINDER * length {

@@ -1,8 +1,8 @@
-//! Faults of a timed motion, seen from its samples alone.
+//! Faults of a timed motion, found from its samples alone.
 //!
-//! Nothing here knows how motions are timed. Between samples a mean-value theorem stands in for
-//! interpolation: if a joint obeys its limits at every time, then so do the divided differences of its
-//! recorded positions and velocities, whatever the sample period; those that do not are faults.
+//! The check does not know how motions are timed. Between samples it uses a mean-value theorem instead of
+//! interpolation. If a joint obeys its limits at every time, so do the divided differences of its recorded
+//! positions and velocities, for any sample period; differences that do not are faults.
 
 use super::{JointLimits, JointPath, TrajectorySample};
 use thiserror::Error;
@@ -10,11 +10,11 @@ use thiserror::Error;
 /// Tolerances beyond which a timed motion counts as faulty; see [`trajectory_faults`].
 #[derive(Debug, Clone, PartialEq)]
 pub struct CheckConfig {
-    /// How far a joint may deviate from the path's segments, and from a waypoint when passing it [rad or m].
+    /// Largest deviation of a joint from the path's segments, and from a waypoint when passing it [rad or m].
     pub path_deviation: f64,
-    /// How far a velocity or acceleration may exceed its limit, relative to it; for rounding.
+    /// Relative excess of a velocity or acceleration over its limit that is allowed for rounding [1].
     pub relative_tolerance: f64,
-    /// How uncertain recorded positions are [rad or m]; for rounding, and for files with few digits.
+    /// Uncertainty of recorded positions [rad or m]; for rounding, and for files with few digits.
     pub position_resolution: f64,
 }
 
@@ -29,7 +29,7 @@ impl Default for CheckConfig {
     }
 }
 
-/// The end of a motion at which it should be at rest on a waypoint.
+/// The end of a motion, where it should be at rest on a waypoint.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum End {
     /// The first sample.
@@ -38,123 +38,123 @@ pub enum End {
     Finish,
 }
 
-/// A way in which a motion is wrong. Samples, waypoints and joints count from 0; values are in rad or m,
-/// rad/s or m/s, rad/s² or m/s², as the joint's.
+/// A fault of a motion. Samples, waypoints and joints count from 0; values are in rad or m, rad/s or m/s,
+/// rad/s² or m/s², by the kind of the joint.
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum TrajectoryFault {
-    /// There is nothing to check.
+    /// There are no samples.
     #[error("there are no samples")]
     Empty,
     /// A sample does not have one position, velocity and acceleration per joint.
     #[error("sample {sample} does not have {joints} positions, velocities and accelerations")]
     Shape {
-        /// The sample.
+        /// Index of the sample.
         sample: usize,
-        /// How many joints the path has.
+        /// Number of joints of the path.
         joints: usize,
     },
     /// A number is not finite.
     #[error("sample {sample} contains a number that is not finite")]
     NotFinite {
-        /// The sample.
+        /// Index of the sample.
         sample: usize,
     },
     /// Time does not increase.
     #[error("sample {sample}: time {time} s does not come after {before} s")]
     TimeNotIncreasing {
-        /// The later sample.
+        /// Index of the later sample.
         sample: usize,
         /// Its time [s].
         time: f64,
-        /// The time of the sample before [s].
+        /// Time of the sample before [s].
         before: f64,
     },
     /// A position is outside the joint's range.
     #[error("sample {sample}, joint {joint}: position {value} is outside {lower} to {upper}")]
     Position {
-        /// The sample.
+        /// Index of the sample.
         sample: usize,
-        /// The joint.
+        /// Index of the joint.
         joint: usize,
-        /// Its position.
+        /// Position.
         value: f64,
-        /// The range's lower end.
+        /// Lower end of the range.
         lower: f64,
-        /// The range's upper end.
+        /// Upper end of the range.
         upper: f64,
     },
-    /// A joint is faster than its limit.
-    #[error("{}", rate.told(*sample, *joint, *value, *limit))]
+    /// A joint exceeds its velocity or acceleration limit.
+    #[error("{}", rate.describe(*sample, *joint, *value, *limit))]
     TooFast {
-        /// In what way.
+        /// The quantity that exceeds the limit.
         rate: Rate,
-        /// The sample; the earlier or the middle one of several.
+        /// Index of the sample; the earlier or the middle one of several.
         sample: usize,
-        /// The joint.
+        /// Index of the joint.
         joint: usize,
-        /// What it does.
+        /// Value.
         value: f64,
-        /// The limit.
+        /// Limit.
         limit: f64,
     },
-    /// Reported velocities are not the rate at which positions change.
+    /// Reported velocities do not match the change of positions.
     #[error(
-        "joint {joint}: velocities say {value} from sample {sample} to the next, positions {step}"
+        "joint {joint}: from sample {sample} to the next, the velocities give a step of {value}, the positions a step of {step}"
     )]
     VelocityMismatch {
-        /// The earlier sample.
+        /// Index of the earlier sample.
         sample: usize,
-        /// The joint.
+        /// Index of the joint.
         joint: usize,
-        /// Way by the trapezoid rule over the velocities.
+        /// Step by the trapezoid rule over the velocities.
         value: f64,
-        /// Way by the positions.
+        /// Step of the positions.
         step: f64,
     },
-    /// A joint moves at an end.
+    /// A joint is not at rest at an end of the motion.
     #[error("joint {joint} is not at rest at the {end:?}: {value}")]
     NotAtRest {
-        /// Which end.
+        /// The end.
         end: End,
-        /// The joint.
+        /// Index of the joint.
         joint: usize,
-        /// Its velocity.
+        /// Velocity.
         value: f64,
     },
     /// The motion does not start at the first or end at the last waypoint.
     #[error("joint {joint} is at {value} at the {end:?} instead of {waypoint}")]
     WrongEnd {
-        /// Which end.
+        /// The end.
         end: End,
-        /// The joint.
+        /// Index of the joint.
         joint: usize,
-        /// Its position.
+        /// Position.
         value: f64,
-        /// Where the waypoint is.
+        /// Position of the waypoint.
         waypoint: f64,
     },
-    /// A sample is further from the path than allowed.
-    #[error("sample {sample} is further than {bound} from the path around waypoint {waypoint}")]
+    /// A sample is farther from the path than allowed.
+    #[error("sample {sample} is farther than {bound} from the path around waypoint {waypoint}")]
     OffPath {
-        /// The sample.
+        /// Index of the sample.
         sample: usize,
-        /// The last waypoint passed.
+        /// Last waypoint passed.
         waypoint: usize,
-        /// The deviation allowed.
+        /// Deviation allowed.
         bound: f64,
     },
-    /// A waypoint is not passed, or not in order.
-    #[error("waypoint {waypoint} is never within {bound}")]
+    /// A waypoint is not passed, or not in its order.
+    #[error("waypoint {waypoint} is never passed within {bound}")]
     WaypointMissed {
-        /// The waypoint.
+        /// Index of the waypoint.
         waypoint: usize,
-        /// The deviation allowed.
+        /// Deviation allowed.
         bound: f64,
     },
 }
 
 impl TrajectoryFault {
-    /// The number of the joint whose fault it is; `None` if it is not one joint's.
+    /// Index of the joint of the fault; `None` if it concerns no single joint.
     pub const fn joint(&self) -> Option<usize> {
         match self {
             Self::Position { joint, .. }
@@ -172,25 +172,25 @@ impl TrajectoryFault {
     }
 }
 
-/// In what way a joint is too fast.
+/// The quantity by which a joint exceeds its limit.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Rate {
     /// The velocity that a sample reports.
     Velocity,
     /// The acceleration that a sample reports.
     Acceleration,
-    /// Positions from one sample to the next: too fast there, or a jump.
+    /// Step of the positions from one sample to the next: too fast, or a jump.
     PositionStep,
-    /// Velocities from one sample to the next: too fast, or a jump.
+    /// Step of the velocities from one sample to the next: too fast, or a jump.
     VelocityStep,
-    /// Mean acceleration by the positions of three samples.
+    /// Mean acceleration from the positions of three samples.
     PositionBend,
-    /// The velocity against the shortest times of the segments that the sample may be on.
+    /// Velocity against the shortest times of the segments that contain the sample.
     SegmentVelocity,
 }
 
 impl Rate {
-    fn told(self, sample: usize, joint: usize, value: f64, limit: f64) -> String {
+    fn describe(self, sample: usize, joint: usize, value: f64, limit: f64) -> String {
         let exceeds = |what: &str, whose: &str| {
             format!("sample {sample}, joint {joint}: {what} {value} exceeds {limit}{whose}")
         };
@@ -212,8 +212,8 @@ impl Rate {
     }
 }
 
-/// Everything that is wrong with a motion, in order of the samples; empty if it obeys all limits, starts and
-/// ends at rest at the path's ends, and follows the path.
+/// Returns all faults of a motion, in the order of the samples. It is empty if the motion obeys all limits,
+/// starts and ends at rest at the path's ends, and follows the path.
 ///
 /// ```
 /// use wisch_robot::timing::{
@@ -253,15 +253,15 @@ pub fn trajectory_faults(
     };
     let mut faults = Vec::new();
     for sample in 0..samples.len() {
-        check.limits_at(sample, &mut faults);
-        check.limits_after(sample, &mut faults);
+        check.check_limits_at(sample, &mut faults);
+        check.check_limits_after(sample, &mut faults);
     }
-    check.ends(&mut faults);
-    check.way(&mut faults);
+    check.check_ends(&mut faults);
+    check.check_path(&mut faults);
     faults
 }
 
-/// Faults that leave nothing to compute with.
+/// Returns the faults that prevent any further check.
 fn shape_faults(samples: &[TrajectorySample], joints: usize) -> Vec<TrajectoryFault> {
     let mut faults = Vec::new();
     if samples.is_empty() {
@@ -299,7 +299,7 @@ impl Check<'_> {
         value.abs() > limit * (1.0 + self.config.relative_tolerance) + uncertainty
     }
 
-    /// The fault of a value that exceeds its limit, the two of `values`.
+    /// Returns the fault of a value beyond its limit; `values` holds both.
     fn too_fast(
         &self,
         rate: Rate,
@@ -317,7 +317,8 @@ impl Check<'_> {
         })
     }
 
-    fn limits_at(&self, sample: usize, faults: &mut Vec<TrajectoryFault>) {
+    /// Checks the limits at a sample.
+    fn check_limits_at(&self, sample: usize, faults: &mut Vec<TrajectoryFault>) {
         let state = &self.samples[sample];
         for (joint, limit) in self.limits.joints().iter().enumerate() {
             let (q, qd, qdd) = (state.q[joint], state.qd[joint], state.qdd[joint]);
@@ -339,8 +340,8 @@ impl Check<'_> {
         }
     }
 
-    /// Between a sample and the next, and over the one after that.
-    fn limits_after(&self, sample: usize, faults: &mut Vec<TrajectoryFault>) {
+    /// Checks the steps from a sample to the next, and to the one after that.
+    fn check_limits_after(&self, sample: usize, faults: &mut Vec<TrajectoryFault>) {
         let Some(next) = self.samples.get(sample + 1) else {
             return;
         };
@@ -391,7 +392,8 @@ impl Check<'_> {
         }
     }
 
-    fn ends(&self, faults: &mut Vec<TrajectoryFault>) {
+    /// Checks that the motion starts and ends at rest on the ends of the path.
+    fn check_ends(&self, faults: &mut Vec<TrajectoryFault>) {
         let last = self.path.waypoint_count() - 1;
         let ends = [
             (End::Start, &self.samples[0], 0),
@@ -419,11 +421,11 @@ impl Check<'_> {
         }
     }
 
-    /// Walks along samples and path together.
-    fn way(&self, faults: &mut Vec<TrajectoryFault>) {
+    /// Compares samples and path step by step.
+    fn check_path(&self, faults: &mut Vec<TrajectoryFault>) {
         let bound = self.config.path_deviation;
         let last = self.path.waypoint_count() - 1;
-        // The segments that the motion may be on: from `rear` to the one after waypoint `front`.
+        // The motion may be on the segments from `rear` to the one after waypoint `front`.
         let (mut rear, mut front) = (0, 0);
         let mut before = &self.samples[0];
         for (sample, state) in self.samples.iter().enumerate() {
@@ -447,7 +449,7 @@ impl Check<'_> {
                 Some(first) => {
                     rear = first.0;
                     let last = (rear..=foremost).rev().find_map(on).unwrap_or(first);
-                    self.segment_speeds(sample, self.round_corners(first, last), faults);
+                    self.check_segment_speeds(sample, self.round_corners(first, last), faults);
                 }
                 None => faults.push(TrajectoryFault::OffPath {
                     sample,
@@ -465,8 +467,8 @@ impl Check<'_> {
         }
     }
 
-    /// The segments between two places, each a segment and the share of it, and those that a rounded corner at
-    /// either place leads to.
+    /// Returns the segments between two places, each as a segment and the share of it, with the segments that a
+    /// rounded corner at either place reaches.
     fn round_corners(
         &self,
         first: (usize, f64),
@@ -488,8 +490,8 @@ impl Check<'_> {
         from..=to
     }
 
-    /// Velocities against the shortest times of the segments that a sample may lie on.
-    fn segment_speeds(
+    /// Checks velocities against the shortest times of the segments that may contain a sample.
+    fn check_segment_speeds(
         &self,
         sample: usize,
         segments: impl Iterator<Item = usize>,
@@ -521,7 +523,7 @@ impl Check<'_> {
     }
 }
 
-/// Where on a chord, as a share of it, no joint is further than `near` from a point; `None` if nowhere.
+/// Returns the share of a chord at which no joint is farther than `near` from a point; `None` if there is none.
 fn meeting(point: &[f64], from: &[f64], to: &[f64], near: f64) -> Option<f64> {
     let mut joints = from.iter().zip(to).zip(point);
     if joints.any(|((a, b), p)| *p < a.min(*b) - near || *p > a.max(*b) + near) {
@@ -536,7 +538,7 @@ fn meeting(point: &[f64], from: &[f64], to: &[f64], near: f64) -> Option<f64> {
     if let Some(end) = [0.0, 1.0].into_iter().find(|&end| at(end) <= near) {
         return Some(end);
     }
-    // The difference is convex along the chord: a search by thirds closes in on its least value.
+    // The distance is convex along the chord: a ternary search converges to its minimum.
     let (mut low, mut high) = (0.0, 1.0);
     for _ in 0..CHORD_SEARCH_STEPS {
         let middle = 0.5 * (low + high);
@@ -553,13 +555,12 @@ fn meeting(point: &[f64], from: &[f64], to: &[f64], near: f64) -> Option<f64> {
     None
 }
 
-/// Each step of the search leaves two thirds; 60 of them leave 3·10⁻¹¹ of the chord.
+/// Number of steps of the ternary search. Each leaves two thirds; 60 steps leave 3·10⁻¹¹ of the chord.
 const CHORD_SEARCH_STEPS: usize = 60;
 
-/// Waypoints nearer than this share of the deviation may count as one, which lengthens segments by it at
-/// both ends.
+/// Waypoints nearer than this share of the deviation may count as one, which lengthens segments by it at both
+/// ends.
 const NEAR_SHARE: f64 = 0.1;
 
-/// A rounded corner reaches no further than half a segment, and a little more where near waypoints count as
-/// one.
+/// A rounded corner reaches at most half a segment, and a little more where near waypoints count as one.
 const CORNER_REACH: f64 = 0.6;

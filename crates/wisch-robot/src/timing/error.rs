@@ -1,42 +1,42 @@
-//! Why a path cannot be timed.
+//! Reasons why a path cannot be timed.
 
 use super::{MAX_GRID_INTERVALS, MAX_WAYPOINTS, MIN_BLEND_TOLERANCE};
 use thiserror::Error;
 
-/// Why a path cannot be timed. Waypoints, segments and joints count from 0.
+/// The reason why a path cannot be timed. Waypoints, segments and joints count from 0.
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum TimingError {
-    /// A motion needs a start and an end.
-    #[error("a path needs at least 2 waypoints, not {count}")]
+    /// The path has fewer than two waypoints.
+    #[error("the path needs at least 2 waypoints, {count} given")]
     TooFewWaypoints {
-        /// How many were given.
+        /// Number of waypoints given.
         count: usize,
     },
     /// There are more waypoints than [`MAX_WAYPOINTS`].
     #[error("{count} waypoints exceed the limit of {MAX_WAYPOINTS}")]
     TooManyWaypoints {
-        /// How many were given.
+        /// Number of waypoints given.
         count: usize,
     },
-    /// A path needs joints.
-    #[error("waypoint 0 has no joint positions")]
+    /// A waypoint has no joints.
+    #[error("waypoint 0 has no joint positions; expected at least one")]
     NoJoints,
     /// A waypoint has another number of joints than the first one.
     #[error("waypoint {waypoint} has {count} joint positions, but waypoint 0 has {expected}")]
     UnequalWaypoints {
-        /// The offending waypoint.
+        /// Index of the waypoint.
         waypoint: usize,
-        /// How many positions it has.
+        /// Number of its positions.
         count: usize,
-        /// How many the first one has.
+        /// Number of positions of the first waypoint.
         expected: usize,
     },
     /// A position is not a finite number.
     #[error("waypoint {waypoint}, joint {joint}: position {value} is not a finite number")]
     PositionNotFinite {
-        /// The offending waypoint.
+        /// Index of the waypoint.
         waypoint: usize,
-        /// The offending joint.
+        /// Index of the joint.
         joint: usize,
         /// Its position [rad or m].
         value: f64,
@@ -46,9 +46,9 @@ pub enum TimingError {
         "waypoint {waypoint}, joint \"{joint}\": position {value} is outside its range {lower} to {upper}"
     )]
     PositionOutOfRange {
-        /// The offending waypoint.
+        /// Index of the waypoint.
         waypoint: usize,
-        /// The joint's name.
+        /// Name of the joint.
         joint: String,
         /// Its position [rad or m].
         value: f64,
@@ -57,12 +57,12 @@ pub enum TimingError {
         /// The range's upper end [rad or m].
         upper: f64,
     },
-    /// Limits and path disagree on the number of joints.
+    /// Limits and path disagree about the number of joints.
     #[error("limits are given for {limits} joints, but the path has {path}")]
     UnequalJoints {
-        /// Joints with limits.
+        /// Number of joints with limits.
         limits: usize,
-        /// Joints of the path.
+        /// Number of joints of the path.
         path: usize,
     },
     /// A joint's range is empty or not a number.
@@ -85,28 +85,28 @@ pub enum TimingError {
         /// The limit given.
         value: f64,
     },
-    /// A joint follows a column that there is not.
+    /// A mimic joint refers to a column that does not exist.
     #[error("joint \"{joint}\" follows column {column}, but there are limits of {columns} columns")]
     NoSuchColumn {
         /// The joint's name.
         joint: String,
-        /// The column.
+        /// Index of the column.
         column: usize,
-        /// How many there are.
+        /// Number of columns.
         columns: usize,
     },
-    /// Not one time per segment.
+    /// The number of times differs from the number of segments.
     #[error("{times} segment times are given for {segments} segments")]
     UnequalSegments {
-        /// How many times were given.
+        /// Number of times given.
         times: usize,
-        /// How many segments the path has.
+        /// Number of segments of the path.
         segments: usize,
     },
     /// A segment's shortest time is negative or not finite.
     #[error("segment {segment}: shortest time {value} s is not a finite number of at least 0")]
     SegmentTimeOutOfRange {
-        /// The offending segment; segment i joins waypoints i and i + 1.
+        /// Index of the segment; segment i joins waypoints i and i + 1.
         segment: usize,
         /// The time given [s].
         value: f64,
@@ -120,7 +120,7 @@ pub enum TimingError {
     /// The grid is too coarse or too fine.
     #[error("{value} grid intervals per piece are not between 2 and {MAX_GRID_INTERVALS}")]
     GridOutOfRange {
-        /// The number given.
+        /// Number of intervals given.
         value: usize,
     },
 }

@@ -1,9 +1,9 @@
-//! What is to be timed: waypoints and the limits of the joints.
+//! The input of the timing: waypoints and the limits of the joints.
 
 use super::{MAX_WAYPOINTS, TimingError};
 use crate::{ASSUMED_SLIDE_RATES, ASSUMED_TURN_RATES, Drive};
 
-/// Waypoints in joint space, joined by straight segments; to be followed from rest to rest.
+/// Waypoints in joint space, joined by straight segments, for a motion from rest to rest.
 #[derive(Debug, Clone, PartialEq)]
 pub struct JointPath {
     joint_count: usize,
@@ -14,7 +14,7 @@ pub struct JointPath {
 }
 
 impl JointPath {
-    /// A path through n waypoints of d joint positions each [rad or m].
+    /// Returns a path through n waypoints of d joint positions each [rad or m].
     ///
     /// ```
     /// use wisch_robot::timing::JointPath;
@@ -66,11 +66,11 @@ impl JointPath {
         })
     }
 
-    /// The same path, slowed down: along segment i the speed never exceeds that which would take
-    /// `times[i]` seconds for the whole segment; 0 leaves it to the joint limits.
+    /// Sets shortest times. Along segment i the speed never exceeds the speed that takes `times[i]` seconds for
+    /// the whole segment; 0 leaves the speed to the joint limits.
     ///
-    /// For a tool that is to wipe at a given speed this is the tool's way along the segment over that
-    /// speed. Round a corner the slower of both speeds holds. Where waypoints are passed over
+    /// For a tool that wipes at a given speed, the time is the tool's path length along the segment over that
+    /// speed. Around a corner, the slower of both speeds holds. Where waypoints are skipped
     /// ([`time_path`](super::time_path)), their segments' times add up.
     ///
     /// ```
@@ -128,7 +128,7 @@ impl JointPath {
     }
 }
 
-/// What one joint can do. A revolute joint's units are rad, rad/s, rad/s²; a prismatic one's m, m/s, m/s².
+/// Limits of one joint. Units of a revolute joint are rad, rad/s, rad/s²; of a prismatic joint m, m/s, m/s².
 #[derive(Debug, Clone, PartialEq)]
 pub struct JointLimit {
     /// Name, for messages.
@@ -144,7 +144,7 @@ pub struct JointLimit {
 }
 
 impl JointLimit {
-    /// A revolute joint of the paper's robot (§3.4): 1 rad/s and 10 rad/s².
+    /// Returns the limits of a revolute joint of the paper's robot (§3.4): 1 rad/s and 10 rad/s².
     ///
     /// ```
     /// let elbow = wisch_robot::timing::JointLimit::arm("elbow", -2.0, 2.0);
@@ -160,7 +160,8 @@ impl JointLimit {
         }
     }
 
-    /// A translation of the paper's mobile base (§3.4): 0.5 m/s and 1 m/s², without end.
+    /// Returns the limits of a translation of the paper's mobile base (§3.4): 0.5 m/s and 1 m/s², unlimited
+    /// range.
     ///
     /// ```
     /// let forward = wisch_robot::timing::JointLimit::base("forward");
@@ -177,19 +178,19 @@ impl JointLimit {
     }
 }
 
-/// What a joint can do that follows others, such as one that rods hold parallel or the second finger of a hand.
+/// Limits of a mimic joint, for example of a joint that rods hold parallel, or of the second finger of a hand.
 #[derive(Debug, Clone, PartialEq)]
 pub struct FollowerLimit {
     /// Its own limits.
     pub limit: JointLimit,
-    /// Where it is, in terms of the path's columns.
+    /// Its position, as a function of the path's columns.
     pub drive: Drive,
 }
 
-/// How far rounding may take the position of a joint that follows others out of its range [rad or m].
+/// Allowance for rounding by which the position of a mimic joint may leave its range [rad or m].
 const FOLLOWER_ROUNDING: f64 = 1e-12;
 
-/// The limits of all joints: of those that are a path's columns, in their order, and of those that follow them.
+/// The limits of all joints: those of a path's columns, in their order, and those of mimic joints.
 #[derive(Debug, Clone, PartialEq)]
 pub struct JointLimits {
     joints: Vec<JointLimit>,
@@ -197,7 +198,7 @@ pub struct JointLimits {
 }
 
 impl JointLimits {
-    /// Limits of d joints.
+    /// Returns the limits of d joints.
     ///
     /// ```
     /// use wisch_robot::timing::{JointLimit, JointLimits};
@@ -210,14 +211,14 @@ impl JointLimits {
     ///
     /// # Errors
     ///
-    /// If a range is empty or a velocity or acceleration is not positive and finite.
+    /// A range is empty, or a velocity or acceleration is not positive and finite.
     pub fn new(joints: Vec<JointLimit>) -> Result<Self, TimingError> {
-        joints.iter().try_for_each(JointLimit::checked)?;
+        joints.iter().try_for_each(JointLimit::check)?;
         let followers = Vec::new();
         Ok(Self { joints, followers })
     }
 
-    /// The same limits, and those of joints that follow the path's columns: a motion keeps these as well.
+    /// Adds the limits of mimic joints of the path's columns: a motion then keeps these as well.
     ///
     /// ```
     /// use wisch_robot::timing::{FollowerLimit, JointLimit, JointLimits, JointPath, TimingConfig, time_path};
@@ -236,10 +237,10 @@ impl JointLimits {
     ///
     /// # Errors
     ///
-    /// As [`JointLimits::new`], and if a joint follows a column that there is not.
+    /// The errors of [`JointLimits::new`], or a mimic joint that refers to a column that does not exist.
     pub fn with_followers(mut self, followers: Vec<FollowerLimit>) -> Result<Self, TimingError> {
         for FollowerLimit { limit, drive } in &followers {
-            limit.checked()?;
+            limit.check()?;
             let columns = self.joints.len();
             if let Some(&(column, _)) = drive.terms.iter().find(|(i, _)| *i >= columns) {
                 return Err(TimingError::NoSuchColumn {
@@ -258,15 +259,15 @@ impl JointLimits {
         &self.joints
     }
 
-    /// Those of the joints that follow others.
+    /// The limits of the mimic joints.
     pub fn followers(&self) -> &[FollowerLimit] {
         &self.followers
     }
 
-    /// Path and limits with a column for each joint that follows others, behind those of the path.
+    /// Returns path and limits with a column for each mimic joint, after those of the path.
     ///
-    /// A straight piece of the path is one of these columns too, and a blend is the same parabola: what holds of
-    /// columns holds of joints that follow them.
+    /// A straight piece of the path is straight in these columns too, and a blend is the same parabola:
+    /// properties of columns hold for mimic joints.
     pub(super) fn with_columns_of_followers(&self, path: &JointPath) -> (Self, JointPath) {
         let followed = self.followers.iter().map(|follower| &follower.limit);
         let limits = Self {
@@ -288,7 +289,7 @@ impl JointLimits {
         (limits, path)
     }
 
-    /// Whether a path keeps within the ranges.
+    /// Checks that a path keeps within the ranges.
     pub(super) fn admit(&self, path: &JointPath) -> Result<(), TimingError> {
         if self.joints.len() != path.joint_count() {
             return Err(TimingError::UnequalJoints {
@@ -310,7 +311,7 @@ impl JointLimits {
 }
 
 impl JointLimit {
-    fn checked(&self) -> Result<(), TimingError> {
+    fn check(&self) -> Result<(), TimingError> {
         let ends_are_numbers = !(self.lower.is_nan() || self.upper.is_nan());
         if !ends_are_numbers || self.lower > self.upper {
             return Err(TimingError::EmptyRange {
@@ -334,7 +335,7 @@ impl JointLimit {
         Ok(())
     }
 
-    /// Whether a waypoint's position is in the range, up to rounding.
+    /// Checks that a waypoint's position is in the range, up to rounding.
     fn admit(&self, waypoint: usize, value: f64, rounding: f64) -> Result<(), TimingError> {
         if value < self.lower - rounding || value > self.upper + rounding {
             return Err(TimingError::PositionOutOfRange {

@@ -1,8 +1,7 @@
 //! From waypoints in joint space to a motion that obeys velocity and acceleration limits.
 //!
-//! Corners are rounded by parabolas within a tolerance (`blends.rs`), the fastest speed along that
-//! fixed path is found by reachability analysis (`profile.rs`), and the answer is exact at every
-//! time (`trajectory.rs`).
+//! Corners are rounded by parabolas within a tolerance (`blends.rs`). Reachability analysis finds the fastest
+//! speed along that fixed path (`profile.rs`). The result is exact at every time (`trajectory.rs`).
 
 mod blends;
 mod check;
@@ -18,24 +17,24 @@ pub use input::{FollowerLimit, JointLimit, JointLimits, JointPath};
 use trajectory::Stretch;
 pub use trajectory::{SAMPLE_PERIOD, Trajectory, TrajectorySample};
 
-/// The most waypoints a [`JointPath`] may have.
+/// Largest number of waypoints of a [`JointPath`].
 pub const MAX_WAYPOINTS: usize = 1_000_000;
 
-/// About the most grid intervals of a whole path; very long paths get a coarser grid, which costs
-/// time, never a limit.
+/// Approximately the largest number of grid intervals of a whole path. Very long paths get a coarser grid,
+/// which costs time and never breaks a limit.
 pub const MAX_GRID_INTERVALS: usize = 4_000_000;
 
 /// The smallest blend tolerance [rad or m]: nearly a stop in every corner.
 pub const MIN_BLEND_TOLERANCE: f64 = 1e-6;
 
-/// How much corners are rounded and how finely speeds are searched for by [`time_path`].
+/// How much [`time_path`] rounds corners, and how finely it searches for speeds.
 #[derive(Debug, Clone, PartialEq)]
 pub struct TimingConfig {
-    /// How far any joint may deviate from the straight segments, and from a waypoint when passing it
-    /// [rad or m]; at least [`MIN_BLEND_TOLERANCE`]. Larger is faster round corners.
+    /// Largest deviation of any joint from the straight segments, and from a waypoint when passing it [rad or
+    /// m]; at least [`MIN_BLEND_TOLERANCE`]. A larger value gives a faster motion around corners.
     pub blend_tolerance: f64,
-    /// Grid intervals per blend, and on straight pieces per distance needed to reach full speed; from 2.
-    /// More of them lower the duration by ever less.
+    /// Number of grid intervals per blend, and on straight pieces per distance needed to reach full speed; at
+    /// least 2. More intervals lower the duration by ever less.
     pub grid_intervals: usize,
 }
 
@@ -49,13 +48,13 @@ impl Default for TimingConfig {
     }
 }
 
-/// The fastest motion from rest to rest along a path with rounded corners, within the limits of every
-/// joint at every time, those that follow others included (paper §3.4; time-optimal path parametrisation after Pham and Pham, 2018).
+/// Returns the fastest motion from rest to rest along a path with rounded corners, within the limits of every
+/// joint at every time, mimic joints included (paper §3.4; time-optimal path parametrisation after Pham and
+/// Pham, 2018).
 ///
-/// The motion starts and ends exactly at the first and last waypoint and passes the others in order.
-/// Waypoints nearer than a tenth of the tolerance to the one before are passed over, repeated ones too;
-/// their shortest times are kept. If all waypoints are the same, the duration is 0. The same input
-/// gives the same bytes.
+/// The motion starts and ends exactly at the first and last waypoint and passes all others in order. Waypoints
+/// nearer to the last one than a tenth of the tolerance are skipped, repeated ones too; their shortest times
+/// are kept. If all waypoints are the same, the duration is 0. The same input gives the same bytes.
 ///
 /// ```
 /// use wisch_robot::timing::{JointLimit, JointLimits, JointPath, TimingConfig, time_path};

@@ -2,26 +2,26 @@
 //! (Pham and Pham, *A new approach to time-optimal path parameterization based on reachability
 //! analysis*, IEEE Transactions on Robotics 34(3), 2018).
 //!
-//! Between grid points σ̈ is constant, so x = σ̇² is linear in σ. There dq/dσ is linear and d²q/dσ²
-//! constant, hence q̈ = (dq/dσ) σ̈ + (d²q/dσ²) x is linear in σ as well: limits that hold at both ends
-//! of an interval hold throughout, and nothing is left to the fineness of the grid but speed.
+//! Between grid points σ̈ is constant, so x = σ̇² is linear in σ. There dq/dσ is linear and d²q/dσ² constant,
+//! hence q̈ = (dq/dσ) σ̈ + (d²q/dσ²) x is linear in σ as well. Limits that hold at both ends of an interval
+//! therefore hold throughout, and a coarser grid only costs speed.
 
 use super::blends::BlendedPath;
 use super::{JointLimits, MAX_GRID_INTERVALS};
 
-/// Limits are kept short of by this share, far more than rounding takes and far less than matters.
+/// Relative distance kept from the limits [1]: far more than rounding errors, far less than matters.
 const LIMIT_MARGIN: f64 = 1e-8;
 
 /// Controllable speeds are reduced by this share, so that rounding cannot leave them without a successor.
 const CONTROLLABLE_MARGIN: f64 = 1e-10;
 
-/// A grid interval of the path with its limits.
+/// A grid interval of the path.
 pub(super) struct Interval {
-    /// The piece it lies in.
+    /// Index of its piece.
     pub piece: usize,
-    /// σ from the piece's begin to the interval's [s].
+    /// σ from the start of the piece to that of the interval [s].
     pub offset: f64,
-    /// Its length in σ [s].
+    /// Length in σ [s].
     pub step: f64,
 }
 
@@ -38,7 +38,7 @@ impl Strip {
     }
 }
 
-/// Grid of the whole path: `density` intervals or more per piece.
+/// Returns the grid of the whole path: at least `density` intervals per piece.
 pub(super) fn grid(path: &BlendedPath, limits: &JointLimits, density: usize) -> Vec<Interval> {
     let most = (MAX_GRID_INTERVALS / path.pieces().len().max(1)).max(2);
     let mut intervals = Vec::new();
@@ -55,12 +55,12 @@ pub(super) fn grid(path: &BlendedPath, limits: &JointLimits, density: usize) -> 
                 .fold(f64::INFINITY, f64::min);
             // Speed 1 is reached within 1 / (2 σ̈).
             let runs_up = part.length * 2.0 * acceleration;
-            // An even number puts a grid point where a rest-to-rest motion turns to braking.
+            // An even number puts a grid point where a rest-to-rest motion starts to brake.
             let count = ((runs_up * density as f64) as usize).max(density);
             count.next_multiple_of(2).min(most)
         };
-        // Straight pieces are where the speed changes most, and near rest it goes with the root of σ: there
-        // the grid is finer towards both ends. Blends have much the same speed throughout.
+        // The speed changes most on straight pieces, and near rest it grows with the root of σ: there the grid
+        // is finer towards both ends. Blends have almost constant speed.
         let is_straight = path.terms(piece).iter().all(|[_, _, d2]| *d2 == 0.0);
         let at = |k: usize| {
             let share = k as f64 / count as f64;
@@ -80,14 +80,14 @@ pub(super) fn grid(path: &BlendedPath, limits: &JointLimits, density: usize) -> 
     intervals
 }
 
-/// σ̇² at every grid point, the fastest from rest to rest within the limits.
+/// Returns σ̇² at every grid point, the fastest from rest to rest within the limits.
 pub(super) fn fastest(path: &BlendedPath, limits: &JointLimits, grid: &[Interval]) -> Vec<f64> {
     let ceiling = velocity_ceiling(path, limits, grid);
     let last = grid.len();
     let mut strips = Vec::new();
 
-    // Backward: the largest x at each grid point from which the end can be reached at rest. Rest is
-    // always among them, so what can reach the end is the interval from 0 to that x.
+    // Backward pass: the largest x at each grid point from which the end can be reached at rest. x = 0 is
+    // always controllable, so the controllable set is the interval from 0 to that x.
     let mut controllable = ceiling;
     controllable[0] = 0.0;
     controllable[last] = 0.0;
@@ -97,7 +97,7 @@ pub(super) fn fastest(path: &BlendedPath, limits: &JointLimits, grid: &[Interval
         controllable[k] = most * (1.0 - CONTROLLABLE_MARGIN);
     }
 
-    // Forward: always as fast as can still be stopped.
+    // Forward pass: always as fast as the motion can still be stopped.
     let mut squares = controllable;
     for k in 0..last {
         acceleration_strips(path, limits, &grid[k], &mut strips);
@@ -106,7 +106,7 @@ pub(super) fn fastest(path: &BlendedPath, limits: &JointLimits, grid: &[Interval
     squares
 }
 
-/// The largest σ̇² at every grid point that velocity limits and shortest times allow.
+/// Returns the largest σ̇² at every grid point that velocity limits and shortest times allow.
 fn velocity_ceiling(path: &BlendedPath, limits: &JointLimits, grid: &[Interval]) -> Vec<f64> {
     let mut ceiling = vec![f64::INFINITY; grid.len() + 1];
     for (k, interval) in grid.iter().enumerate() {
@@ -125,7 +125,7 @@ fn velocity_ceiling(path: &BlendedPath, limits: &JointLimits, grid: &[Interval])
     ceiling
 }
 
-/// The acceleration limits of all joints at both ends of an interval.
+/// Returns the acceleration limits of all joints at both ends of an interval.
 fn acceleration_strips(
     path: &BlendedPath,
     limits: &JointLimits,
@@ -153,10 +153,10 @@ fn acceleration_strips(
     }
 }
 
-/// The largest x ≤ `most_begin` for which some y in 0 ≤ y ≤ `most_end` keeps to all strips.
+/// Returns the largest x ≤ `most_begin` for which some y in 0 ≤ y ≤ `most_end` satisfies all strips.
 ///
-/// A linear programme in two variables, solved one constraint after the other (Seidel 1991): as long as
-/// the optimum so far obeys the next constraint it stays, else the new one lies on that constraint's line.
+/// This is a linear programme in two variables, solved one constraint after the other (Seidel 1991). While the
+/// optimum so far satisfies the next constraint it stays; else the new optimum lies on that constraint's line.
 fn largest_begin(strips: &[Strip], most_begin: f64, most_end: f64) -> f64 {
     let (mut x, mut y) = (most_begin, most_end);
     for (count, strip) in strips.iter().enumerate() {
@@ -167,7 +167,7 @@ fn largest_begin(strips: &[Strip], most_begin: f64, most_end: f64) -> f64 {
         let side = value.signum();
         let (a, b) = (strip.at_begin, strip.at_end);
         let norm = a.hypot(b);
-        // Along the line a·x + b·y = side, towards larger x; where x stands still, towards larger y.
+        // Along the line a·x + b·y = side, towards larger x; if x is constant on it, towards larger y.
         let (from_x, from_y) = (side * a / norm / norm, side * b / norm / norm);
         let (to_x, to_y) = if b == 0.0 {
             (0.0, 1.0)
@@ -184,18 +184,18 @@ fn largest_begin(strips: &[Strip], most_begin: f64, most_end: f64) -> f64 {
         let along = if range.0 <= range.1 {
             range.1
         } else {
-            // Empty by rounding only: the origin obeys every constraint.
+            // Empty only by rounding: the origin satisfies every constraint.
             0.5 * (range.0 + range.1)
         };
         x = (from_x + along * to_x).clamp(0.0, most_begin);
         y = (from_y + along * to_y).clamp(0.0, most_end);
     }
-    // The origin obeys every constraint, so moving towards it mends what rounding has broken.
+    // The origin satisfies every constraint, so that a scaling towards it repairs rounding errors.
     let worst = strips.iter().map(|strip| strip.value(x, y).abs());
     x / worst.fold(1.0, f64::max)
 }
 
-/// Narrows `range` to where lower ≤ from + t·to ≤ upper.
+/// Restricts `range` to where lower ≤ from + t·to ≤ upper.
 fn clip(range: &mut (f64, f64), from: f64, to: f64, lower: f64, upper: f64) {
     if to != 0.0 {
         let (one, other) = ((lower - from) / to, (upper - from) / to);
@@ -204,11 +204,11 @@ fn clip(range: &mut (f64, f64), from: f64, to: f64, lower: f64, upper: f64) {
     }
 }
 
-/// The largest y ≤ `most_end` that keeps to all strips, given a controllable x.
+/// Returns the largest y ≤ `most_end` that satisfies all strips, for a controllable x.
 fn largest_end(strips: &[Strip], x: f64, most_end: f64) -> f64 {
     let mut range = (0.0, most_end);
     for strip in strips {
-        // A strip that no y can leave says nothing but what x already obeys.
+        // A strip that restricts no y says no more than the bound on x.
         if (strip.at_end * most_end).abs() > CONTROLLABLE_MARGIN {
             clip(&mut range, strip.at_begin * x, strip.at_end, -1.0, 1.0);
         }
@@ -221,7 +221,7 @@ mod tests {
     use super::*;
     use proptest::prelude::*;
 
-    /// All corners of the region, tried one by one.
+    /// Tries all corners of the region one by one.
     fn largest_begin_by_corners(strips: &[Strip], most_begin: f64, most_end: f64) -> f64 {
         let mut lines = vec![
             (1.0, 0.0, 0.0),

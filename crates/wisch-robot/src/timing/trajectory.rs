@@ -1,9 +1,9 @@
-//! The answer: where every joint is at every time.
+//! The result of the timing: the position of every joint at every time.
 
 use super::JointPath;
 use super::blends::BlendedPath;
 
-/// Period of a usual joint controller [s].
+/// Period of a common joint controller [s].
 pub const SAMPLE_PERIOD: f64 = 1e-3;
 
 /// State of all d joints at one time; units per joint as in its [`JointLimit`](super::JointLimit).
@@ -15,12 +15,12 @@ pub struct TrajectorySample {
     pub q: Vec<f64>,
     /// Velocities [rad/s or m/s].
     pub qd: Vec<f64>,
-    /// Accelerations [rad/s² or m/s²]; where they jump, those that follow.
+    /// Accelerations [rad/s² or m/s²]; at a jump, the value after it.
     pub qdd: Vec<f64>,
 }
 
 impl TrajectorySample {
-    /// At rest at these positions, at time 0.
+    /// Returns the state at rest at these positions, at time 0.
     pub fn at_rest(q: &[f64]) -> Self {
         Self {
             time: 0.0,
@@ -31,63 +31,63 @@ impl TrajectorySample {
     }
 }
 
-/// A stretch of constant path acceleration.
+/// A part of the trajectory with constant path acceleration.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Stretch {
-    /// When it begins [s].
+    /// Start time [s].
     pub time: f64,
-    /// The piece of the path it lies in.
+    /// Index of the piece of the path.
     pub piece: usize,
-    /// σ since the piece's begin [s].
+    /// σ from the piece's start [s].
     pub offset: f64,
-    /// σ̇ at its begin [1].
+    /// σ̇ at the start [1].
     pub speed: f64,
     /// σ̈ throughout [1/s].
     pub acceleration: f64,
 }
 
-/// Where in a trajectory a time lies, before accelerations are ramped.
+/// The part of a trajectory that contains a time, before accelerations are ramped.
 #[derive(Debug, Clone, Copy)]
 enum Place {
-    /// At rest at the start.
+    /// At rest before the start.
     Start,
-    /// In a stretch, and since when [s].
+    /// In a stretch, and the time since its start [s].
     Stretch { index: usize, since: f64 },
-    /// At rest at the end, and since when [s].
+    /// At rest after the end, and the time since then [s].
     End { since: f64 },
 }
 
-/// A joint at one time, before accelerations are ramped.
+/// The state of a joint at one time, before accelerations are ramped.
 #[derive(Debug, Clone, Copy)]
 struct JointState {
-    /// Integral over time of the way since the start [rad s or m s].
+    /// Integral over time of the displacement since the start [rad s or m s].
     integral: f64,
     q: f64,
     qd: f64,
     qdd: f64,
 }
 
-/// A timed path, exact at every time: between switches of the path acceleration, positions are polynomials
-/// of degree 2 (straight pieces) or 4 (blends) in time, and [`Trajectory::sample`] evaluates these and
-/// their derivatives; where accelerations are ramped, their moving average.
+/// A timed path, exact at every time. Between switches of the path acceleration, positions are polynomials in
+/// time, of degree 2 (straight pieces) or 4 (blends). [`Trajectory::sample`] evaluates these and their
+/// derivatives, or, with an acceleration ramp, their moving average.
 #[derive(Debug, Clone)]
 pub struct Trajectory {
     path: BlendedPath,
     stretches: Vec<Stretch>,
-    /// Without the ramp [s].
+    /// Duration without the ramp [s].
     duration: f64,
     start: Vec<f64>,
     end: Vec<f64>,
-    /// Least and greatest position of each joint: an average may leave them by rounding.
+    /// Smallest and largest position of each joint, which an average may leave by rounding.
     ranges: Vec<[f64; 2]>,
-    /// Over which a change of the acceleration is spread [s]; 0 for none.
+    /// Time over which a change of the acceleration is spread [s]; 0 for no ramp.
     ramp: f64,
-    /// Per stretch, then at the end, and joint: [`JointState::integral`]; empty without a ramp.
+    /// [`JointState::integral`] per stretch and at the end, for each joint; empty without a ramp.
     integrals: Vec<f64>,
 }
 
 impl Trajectory {
-    /// Along this path with rounded corners, in these stretches, from rest to rest.
+    /// Returns the trajectory along this path with rounded corners, in these stretches, from rest to rest.
     pub(super) fn new(
         path: &JointPath,
         rounded: BlendedPath,
@@ -115,7 +115,7 @@ impl Trajectory {
         }
     }
 
-    /// Time from rest to rest [s]; 0 if all waypoints are the same.
+    /// Duration from rest to rest [s]; 0 if all waypoints are the same.
     pub fn duration(&self) -> f64 {
         if self.stretches.is_empty() {
             0.0
@@ -129,9 +129,9 @@ impl Trajectory {
         self.end.len()
     }
 
-    /// The same way, so many times slower at every place: velocities are divided by the factor, accelerations by its
+    /// Returns the same motion, slower by `factor`: velocities are divided by the factor, accelerations by its
     /// square.
-    pub fn slowed(mut self, factor: f64) -> Self {
+    pub fn slow_down(mut self, factor: f64) -> Self {
         for stretch in &mut self.stretches {
             stretch.time *= factor;
             stretch.speed /= factor;
@@ -142,12 +142,13 @@ impl Trajectory {
         self.with_acceleration_ramp(ramp)
     }
 
-    /// The same motion as its moving average over a time [s]: accelerations no longer jump, a change is spread over that
-    /// time, and the motion takes so much longer. The jerk is at most twice the largest acceleration over it.
+    /// Returns the moving average of the motion over the time `ramp` [s]. Accelerations no longer jump; a
+    /// change is spread over that time, and the motion takes that much longer. The jerk is at most twice the
+    /// largest acceleration over `ramp`.
     ///
-    /// Ranges, velocities and accelerations keep their limits, being averages; start and end stay where they are. A joint
-    /// leaves its path by at most its acceleration times the square of the ramp over 24 (Biagiotti and Melchiorri 2012:
-    /// trajectories by moving-average filters).
+    /// As averages, positions, velocities and accelerations keep their limits; start and end stay the same. A
+    /// joint leaves its path by at most its acceleration times the square of the ramp over 24 (Biagiotti and
+    /// Melchiorri 2012: trajectories by moving-average filters).
     ///
     /// ```
     /// use wisch_robot::timing::{JointLimit, JointLimits, JointPath, TimingConfig, time_path};
@@ -163,7 +164,7 @@ impl Trajectory {
     ///
     /// # Panics
     ///
-    /// If the time is negative or not finite.
+    /// If `ramp` is negative or not finite.
     #[must_use]
     pub fn with_acceleration_ramp(mut self, ramp: f64) -> Self {
         assert!(
@@ -176,7 +177,7 @@ impl Trajectory {
             return self;
         }
         let joints = self.joint_count();
-        // At its begin nothing of a stretch is integrated yet.
+        // At its start no part of a stretch is integrated.
         self.integrals.resize(joints, 0.0);
         for index in 0..self.stretches.len() {
             let next = self.stretches.get(index + 1);
@@ -190,8 +191,8 @@ impl Trajectory {
         self
     }
 
-    /// When the path acceleration changes or a blend begins or ends [s]; first 0, last the duration. Where accelerations are
-    /// ramped, the begins of these ramps, and then their ends.
+    /// Times at which the path acceleration changes or a blend begins or ends [s]; the first is 0, the last the
+    /// duration. With an acceleration ramp, first the starts of these ramps, then their ends.
     pub fn switch_times(&self) -> impl Iterator<Item = f64> {
         let begins = (self.stretches.iter())
             .map(|stretch| stretch.time)
@@ -203,7 +204,7 @@ impl Trajectory {
         begins.chain(ends)
     }
 
-    /// The joints' state at a time [s]; at rest at the start before 0, at the end after the duration.
+    /// Returns the joints' state at a time [s]; at rest at the start before 0, at the end after the duration.
     ///
     /// ```
     /// use wisch_robot::timing::{JointLimit, JointLimits, JointPath, TimingConfig, time_path};
@@ -221,12 +222,12 @@ impl Trajectory {
         sample
     }
 
-    /// As [`Trajectory::sample`], into a sample of as many joints that is there already: without allocation,
-    /// for control loops.
+    /// Evaluates the state as [`Trajectory::sample`] into an existing sample of the same number of joints:
+    /// without allocation, for control loops.
     ///
     /// # Panics
     ///
-    /// If the sample is of fewer joints.
+    /// If the sample has fewer joints.
     pub fn sample_into(&self, time: f64, sample: &mut TrajectorySample) {
         sample.time = time;
         let is_over = time >= self.duration();
@@ -259,6 +260,7 @@ impl Trajectory {
         }
     }
 
+    /// Returns the part of the trajectory that contains a time [s].
     fn place(&self, time: f64) -> Place {
         if time >= self.duration {
             let since = time - self.duration;
@@ -273,7 +275,7 @@ impl Trajectory {
         }
     }
 
-    /// A joint there.
+    /// Returns the state of a joint at a place.
     fn joint(&self, place: Place, joint: usize) -> JointState {
         let joints = self.joint_count();
         let begun = |stretch: usize| (self.integrals.get(stretch * joints + joint)).copied();
@@ -300,13 +302,14 @@ impl Trajectory {
             acceleration,
             ..
         } = self.stretches[index];
-        // Behind the joints' columns are those of joints that follow them.
+        // The columns of mimic joints are behind those of the joints.
         let [q, d1, d2] = self.path.terms(piece)[joint];
+        // σ(t) = σ₀ + σ̇₀ t + σ̈ t² / 2; q(σ) = q + σ q′ + σ² q″ / 2; q̇ = q′(σ) σ̇; q̈ = q′(σ) σ̈ + q″ σ̇².
         let along = offset + since * (speed + 0.5 * since * acceleration);
         let slope = d1 + along * d2;
         let speed_now = speed + since * acceleration;
         let integral = begun(index).map_or(0.0, |begun| {
-            // Of σ and of σ² over the time since the stretch began.
+            // Integrals of σ and of σ² over the time since the start of the stretch.
             let of_way = since * (offset + since * (speed / 2.0 + since * acceleration / 6.0));
             let cubic = (speed * speed + offset * acceleration) / 3.0;
             let quartic = speed * acceleration / 4.0;
@@ -325,8 +328,8 @@ impl Trajectory {
         }
     }
 
-    /// The states at 0, p, 2p, … for a period p > 0 [s], such as [`SAMPLE_PERIOD`]; the last one is the
-    /// first at or after the duration, at rest at the end.
+    /// Returns the states at 0, p, 2p, … for a period p > 0 [s], for example [`SAMPLE_PERIOD`]. The last state
+    /// is the first at or after the duration, at rest at the end.
     ///
     /// ```
     /// use wisch_robot::timing::{JointLimit, JointLimits, JointPath, SAMPLE_PERIOD, TimingConfig, time_path};
@@ -347,7 +350,7 @@ impl Trajectory {
         let count = (self.duration() / period).ceil() as usize;
         (0..=count).map(move |k| {
             let time = k as f64 * period;
-            // Rounding must not leave the last sample an instant before the end.
+            // Rounding must not put the last sample an instant before the end.
             let state = self.sample(if k == count { self.duration() } else { time });
             TrajectorySample { time, ..state }
         })

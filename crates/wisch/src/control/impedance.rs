@@ -1,5 +1,5 @@
-//! The whole-body impedance controller (8): a saturated spring and damper at the tool, the weight
-//! carried, and a posture held in the null space.
+//! The whole-body impedance controller (8): a saturated spring and damper at the tool, compensation of the
+//! weight, and a posture task in the null space.
 
 use super::{ControlConfig, Wrench};
 use crate::geometry::{Pose, Vector3};
@@ -7,34 +7,34 @@ use crate::represent::Interaction;
 use crate::robot::{ArticulationState, Range};
 use nalgebra::{Cholesky, DMatrix, DVector, Dyn, Matrix3, Matrix6, Matrix6xX, Vector6};
 
-/// After how many periods the damping is designed anew; the inertia changes slowly.
+/// Number of periods between two designs of the damping; the inertia changes slowly.
 const DESIGN_EVERY: usize = 10;
-/// Inertia at the tool that damping is designed for: at least [kg, kg m²], and at most, shifting [kg] and
-/// turning [kg m²]. Where a wrist is singular the inertia about one direction is without bounds; damping for
-/// it would, a moment later and beside the singularity, throw the wrist.
+/// Smallest inertia at the tool for the design of the damping [kg, kg m²], and largest for translation [kg] and
+/// rotation [kg m²]. Where a wrist is singular, the inertia about one direction is unbounded. A damping
+/// designed for that inertia would throw the wrist a moment later, beside the singularity.
 const LEAST_INERTIA: f64 = 1e-3;
 const MOST_INERTIA: [f64; 2] = [50.0, 0.5];
-/// Least mobility of the tool that is reckoned with [1/kg, 1/(kg m²)], and as shares of that in all three
-/// directions in which it shifts, and about which it turns [1]. Turning, directions differ more.
+/// Smallest mobility of the tool [1/kg, 1/(kg m²)], and as shares of the mobility in all three directions of
+/// translation and of rotation [1]. Directions of rotation differ more.
 const LEAST_MOBILITY: f64 = 1e-6;
 const LEAST_SHIFT: f64 = 1e-5;
 const LEAST_TURN: f64 = 1e-7;
 /// Damping ratio of the posture task [1].
 const POSTURE_DAMPING: f64 = 0.7;
-/// Natural frequency of a joint's end stop, critically damped [rad/s]: stiff enough for a hand to lean on,
+/// Natural frequency of a joint's end stop, critically damped [rad/s]: stiff enough for a person to lean on,
 /// slow against the period of control.
 const END_STOP_RATE: f64 = 200.0;
 
-/// Where the tool shall be, and how fast it shall move there.
+/// Desired pose and velocity of the tool.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Desired {
-    /// Where the tool shall be, the press into the surface included.
+    /// Desired pose of the tool, the press into the surface included.
     pub world_from_tool: Pose,
-    /// Linear first, in the axes of the world [m/s, rad/s].
+    /// Desired twist, linear first, in the axes of the world [m/s, rad/s].
     pub velocity: Vector6<f64>,
 }
 
-/// The joints' share of what is desired, one entry per variable of the articulation.
+/// Desired motion of the joints, one entry per variable of the articulation.
 #[derive(Debug, Clone, Copy)]
 pub struct Posture<'a> {
     /// Positions [rad or m].
@@ -45,8 +45,8 @@ pub struct Posture<'a> {
     pub qdd: &'a [f64],
 }
 
-/// Where the robot is and how fast it moves, by its own joint sensors. Arrays have one entry per variable of the
-/// articulation, in its order.
+/// Measured state by the robot's joint sensors. Arrays have one entry per variable of the articulation, in its
+/// order.
 #[derive(Debug, Clone, Copy)]
 pub struct Measured<'a> {
     /// Positions of the articulation's variables [rad or m].
@@ -59,12 +59,12 @@ pub struct Measured<'a> {
     pub jacobian: &'a Matrix6xX<f64>,
 }
 
-/// Computes efforts for the compliant ones among the variables of an articulation. All room it needs is
-/// taken at the start: a control loop must not wait for an allocator.
+/// The controller of the compliant variables of an articulation. It allocates all memory at the start, because
+/// a control loop must not wait for an allocator.
 #[derive(Debug, Clone)]
 pub struct ImpedanceController {
     compliant: Vec<usize>,
-    /// Where each of them ends.
+    /// Range of each compliant variable.
     ranges: Vec<Option<Range>>,
     stiffness: Matrix6<f64>,
     damping_ratio: f64,
@@ -84,8 +84,8 @@ pub struct ImpedanceController {
 }
 
 impl ImpedanceController {
-    /// A controller that moves the variables `compliant` of an articulation within their ranges, stiff along
-    /// the surface and as the knowledge base says across it.
+    /// Returns a controller that moves the variables `compliant` of an articulation within their ranges. Its
+    /// stiffness along the surface is that of the configuration, along the normal that of the knowledge base.
     pub fn new(
         compliant: Vec<usize>,
         ranges: Vec<Option<Range>>,
@@ -134,8 +134,8 @@ impl ImpedanceController {
         self.efforts.as_slice()
     }
 
-    /// Computes the efforts and returns f_c. `None` if the mass matrix is none, which a robot without
-    /// inertia would have.
+    /// Computes the efforts and returns f_c. Returns `None` if the mass matrix is not positive definite, as for
+    /// a robot without inertia.
     pub fn command(
         &mut self,
         state: &ArticulationState,
@@ -146,6 +146,7 @@ impl ImpedanceController {
         self.factorize(state, measured)?;
         let wrench = self.spring_and_damper(measured, desired);
         let mass = self.mass.as_ref()?;
+        // PD control of the posture with damping 2 ζ √(k m) for the joint's own inertia m.
 
         for (k, &i) in self.compliant.iter().enumerate() {
             let stiffness = self.posture_stiffness;
@@ -154,14 +155,15 @@ impl ImpedanceController {
             self.posture[k] = stiffness * (posture.q[i] - measured.q[i])
                 + damping * (posture.qd[i] - measured.qd[i]);
         }
-        // The posture's efforts, less those of them that the tool would feel (dynamically consistent).
+        // Null-space projection, dynamically consistent: τ = τ₀ − Jᵀ Λ J M⁻¹ τ₀, so that τ₀ does not accelerate
+        // the tool.
         self.efforts.copy_from(&self.posture);
         mass.solve_mut(&mut self.posture);
-        let mut felt = Vector6::zeros();
+        let mut tool_force = Vector6::zeros();
         for (k, column) in self.jacobian.column_iter().enumerate() {
-            felt += column * self.posture[k];
+            tool_force += column * self.posture[k];
         }
-        let felt = self.tool_inertia * felt;
+        let tool_force = self.tool_inertia * tool_force;
         let force = Vector6::new(
             wrench.force.x,
             wrench.force.y,
@@ -169,7 +171,7 @@ impl ImpedanceController {
             wrench.moment.x,
             wrench.moment.y,
             wrench.moment.z,
-        ) - felt;
+        ) - tool_force;
         for (k, &i) in self.compliant.iter().enumerate() {
             let row = state.mass_matrix().row(i);
             let ahead: f64 = row.iter().zip(posture.qdd).map(|(m, a)| m * a).sum();
@@ -179,7 +181,7 @@ impl ImpedanceController {
         Some(wrench)
     }
 
-    /// Holds the joints in their ranges, whoever pushes the arm.
+    /// Keeps the joints within their ranges, also if a person pushes the arm.
     fn stop_at_ends(&mut self, measured: &Measured<'_>) {
         let Some(mass) = self.mass.as_ref() else {
             return;
@@ -189,8 +191,8 @@ impl ImpedanceController {
             let Some(beyond) = self.ranges[k].and_then(|range| beyond(&range, position)) else {
                 continue;
             };
-            // The inertia of this joint while the others are free: that of a wrist is small where another
-            // axis comes to lie along it, and a stop that is too stiff for it would hammer.
+            // Inertia of this joint with all other joints free, 1 / (M⁻¹)ᵢᵢ. It is small for a wrist where
+            // another axis is parallel to it, and a stop that is too stiff for it would hammer.
             self.posture.fill(0.0);
             self.posture[k] = 1.0;
             mass.solve_mut(&mut self.posture);
@@ -199,7 +201,7 @@ impl ImpedanceController {
         }
     }
 
-    /// Mass matrix and inertia at the tool, and from time to time the damping.
+    /// Computes the mass matrix and the inertia at the tool, and at intervals the damping.
     fn factorize(&mut self, state: &ArticulationState, measured: &Measured<'_>) -> Option<()> {
         let used = self.mass.take().map(Cholesky::unpack_dirty);
         let mut mass = used.or_else(|| self.spare.take())?;
@@ -212,6 +214,7 @@ impl ImpedanceController {
         let mass = Cholesky::new(mass)?;
         self.jacobian.transpose_to(&mut self.carried);
         mass.solve_mut(&mut self.carried);
+        // Mobility at the tool: Λ⁻¹ = J M⁻¹ Jᵀ.
         let mut mobility = Matrix6::<f64>::zeros();
         for row in 0..6 {
             for column in 0..6 {
@@ -220,8 +223,8 @@ impl ImpedanceController {
                 mobility[(row, column)] = products.sum();
             }
         }
-        // Directions in which the tool cannot be moved have no finite inertia: bounded from above, each by
-        // its own kind, as the tool turns far more easily than it shifts.
+        // Directions in which the tool cannot move have no finite inertia. A lower bound of the mobility bounds
+        // it, separately for translation and rotation, because the tool turns far more easily than it shifts.
         for (first, share) in [(0, LEAST_SHIFT), (3, LEAST_TURN)] {
             let trace: f64 = (first..first + 3).map(|i| mobility[(i, i)]).sum();
             for i in first..first + 3 {
@@ -237,8 +240,8 @@ impl ImpedanceController {
         Some(())
     }
 
-    /// D with the wanted damping ratio in every mode of stiffness and inertia: with Λ = Q Qᵀ and
-    /// K = Q K₀ Qᵀ, D = 2 ζ Q √K₀ Qᵀ (Albu-Schäffer, Ott, Frese, Hirzinger 2003).
+    /// Designs D with the desired damping ratio in every mode of stiffness and inertia: with Λ = Q Qᵀ and K = Q
+    /// K₀ Qᵀ, D = 2 ζ Q √K₀ Qᵀ (Albu-Schäffer, Ott, Frese, Hirzinger 2003).
     fn design_damping(&mut self, mut mobility: Matrix6<f64>) {
         for i in 0..6 {
             mobility[(i, i)] += 1.0 / MOST_INERTIA[i / 3];
@@ -261,7 +264,7 @@ impl ImpedanceController {
             2.0 * self.damping_ratio * q * Matrix6::from_diagonal(&roots) * q.transpose();
     }
 
-    /// f_c: spring and damper at the tool, saturated in norm with their direction kept.
+    /// Returns f_c: spring and damper at the tool, K Δx + D Δẋ, saturated in norm with the direction kept.
     fn spring_and_damper(&self, measured: &Measured<'_>, desired: &Desired) -> Wrench {
         let linear = desired.world_from_tool.translation.vector
             - measured.world_from_tool.translation.vector;
@@ -271,6 +274,7 @@ impl ImpedanceController {
         for &i in &self.compliant {
             velocity -= measured.jacobian.column(i) * measured.qd[i];
         }
+        // f = K Δx + D Δẋ.
         let wrench = self.stiffness * error + self.damping * velocity;
         Wrench {
             force: saturated(wrench.fixed_rows::<3>(0).into(), self.force_limit),
@@ -278,7 +282,7 @@ impl ImpedanceController {
         }
     }
 
-    /// The external force that external efforts of the compliant variables come from.
+    /// Returns the external wrench that causes the external efforts of the compliant variables: Λ J M⁻¹ τ_ext.
     pub fn external_wrench(&self, external_efforts: &[f64]) -> Wrench {
         let mut moved = Vector6::zeros();
         for (k, effort) in external_efforts.iter().enumerate() {
@@ -294,19 +298,21 @@ impl ImpedanceController {
     }
 }
 
-/// How far a position is beyond the nearer end of a range, with its sign.
+/// Returns the signed distance of a position beyond the nearer end of a range; `None` within the range.
 pub fn beyond(range: &Range, position: f64) -> Option<f64> {
     let over = (position - range.upper).max(0.0) + (position - range.lower).min(0.0);
     (over != 0.0).then_some(over)
 }
 
-/// A spring back to the end of a joint's range, and a damper as long as the joint goes further beyond.
+/// Effort of a joint's end stop: a spring back to the end of its range, and a damper while the joint moves
+/// further out.
 pub fn end_stop(beyond: f64, velocity: f64, inertia: f64) -> f64 {
     let outwards = (velocity * beyond.signum()).max(0.0) * beyond.signum();
+    // Critically damped: −m (ω² x + 2 ω v), with the velocity v outwards only.
     -inertia * (END_STOP_RATE * END_STOP_RATE * beyond + 2.0 * END_STOP_RATE * outwards)
 }
 
-/// S: no longer than the limit, the direction kept.
+/// S: returns the vector, shortened to the limit with its direction kept.
 pub fn saturated(vector: Vector3, limit: f64) -> Vector3 {
     let norm = vector.norm();
     if norm > limit {
@@ -316,8 +322,8 @@ pub fn saturated(vector: Vector3, limit: f64) -> Vector3 {
     }
 }
 
-/// The rotation vector that turns one frame into the other, in the axes of the world [rad]. By atan2,
-/// which keeps its digits near 0 and π.
+/// Returns the rotation vector that turns one frame into the other, in the axes of the world [rad]. It uses
+/// atan2, which is accurate near 0 and π.
 pub fn turn_between(from: &Pose, to: &Pose) -> Vector3 {
     let between = to.rotation * from.rotation.inverse();
     let (scalar, vector) = (between.w, between.imag());

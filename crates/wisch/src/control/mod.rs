@@ -1,9 +1,9 @@
-//! What a robot's driver needs to wipe compliantly: the whole-body impedance controller (8) and the observer that tells
-//! external forces from joint torques; paper §4.1.
+//! Compliant control for a robot's driver: the whole-body impedance controller (8), and the observer that
+//! estimates external forces from joint torques; paper §4.1.
 //!
-//! Torso and arm are driven by torques alone. The controller pulls the tool along its line with a spring that is
-//! commanded into the surface and saturated at the force of the task, so that whoever pushes the robot meets no more
-//! than that. Nothing here knows whether the robot is real.
+//! Torso and arm are driven by torques alone. The controller pulls the tool along its line with a spring that
+//! is commanded into the surface and saturated at the force of the task. A person who pushes the robot
+//! therefore meets no larger force. The controller does not know whether the robot is real or simulated.
 
 mod config;
 mod impedance;

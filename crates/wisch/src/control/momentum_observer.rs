@@ -1,10 +1,10 @@
-//! The external-torque observer: what the joints feel beyond what the model explains.
+//! The external-torque observer: joint torques that the model does not explain.
 
 use crate::robot::ArticulationState;
 use nalgebra::DMatrix;
 
-/// A generalised-momentum observer (De Luca, Albu-Schäffer, Haddadin, Hirzinger 2006): first-order
-/// filtered external efforts, without accelerations.
+/// A generalised-momentum observer (De Luca, Albu-Schäffer, Haddadin, Hirzinger 2006). It estimates external
+/// efforts, filtered to first order, without accelerations.
 #[derive(Debug, Clone)]
 pub struct MomentumObserver {
     gain: f64,
@@ -17,7 +17,7 @@ pub struct MomentumObserver {
 }
 
 impl MomentumObserver {
-    /// An observer of these variables of an articulation of `n`, of a bandwidth [1/s].
+    /// Returns an observer of some variables of an articulation of `n` variables. `gain`: its bandwidth [1/s].
     pub fn new(variables: &[usize], n: usize, gain: f64) -> Self {
         Self {
             gain,
@@ -30,8 +30,10 @@ impl MomentumObserver {
         }
     }
 
-    /// Takes in the present state, and the efforts that the observed variables had since the one before;
-    /// returns the external efforts [Nm or N].
+    /// Updates the observer with the present state and with the efforts of the observed variables since the
+    /// last call, and returns the external efforts [Nm or N].
+    ///
+    /// `qd`: velocities of all variables. `period`: time since the last call [s].
     pub fn update(
         &mut self,
         state: &ArticulationState,
@@ -46,6 +48,8 @@ impl MomentumObserver {
                 let change: f64 = (0..qd.len())
                     .map(|j| (present[(i, j)] - self.mass[(i, j)]) * qd[j])
                     .sum();
+                // r = K (p − ∫ (τ − b + r + Ṁ q̇) dt) with the momentum p = M q̇;
+                // the bias b holds gravity and Coriolis terms.
                 self.explained[k] +=
                     period * (efforts_since[k] - self.bias[i] + self.residual[k]) + change;
                 self.residual[k] = self.gain * (momentum - self.explained[k]);

@@ -1,4 +1,5 @@
-//! The controller (8) along a motion: what is desired at each time, the efforts for it, and the force that is felt.
+//! The controller (8) along a motion: the desired state at each time, the efforts for it, and the external
+//! force.
 
 use super::{
     ControlConfig, Desired, ImpedanceController, Measured, MomentumObserver, Posture, Wrench,
@@ -12,8 +13,9 @@ use nalgebra::{Matrix3, Matrix6xX, Translation3, Vector6};
 /// Acceleration of free fall in the world [m/s²].
 const GRAVITY: Vector3 = Vector3::new(0.0, 0.0, -9.81);
 
-/// Where the tool is commanded so that it presses: its place on the believed surface, pushed into it by as much as the
-/// spring needs, the more the nearer to the surface it comes down. In free motion it stays where it is.
+/// Returns the commanded pose that makes the tool press: its pose on the estimated surface, shifted into the
+/// surface by as much as the spring needs. The shift grows as the tool comes down. In free motion the pose
+/// stays as it is.
 pub fn pressed_in(
     world_from_tool: Pose,
     phase: Option<Phase>,
@@ -25,6 +27,7 @@ pub fn pressed_in(
     let height = (surface.inverse() * tool).z;
     let normal = surface * Vector3::z();
     let interaction = &task.interaction;
+    // The spring presses with the margin times the contact force at depth = margin · F / k.
     let depth = config.press_margin * interaction.contact_force() / interaction.stiffness_n_per_m;
     let presses = matches!(phase, Some(Phase::Lower | Phase::Wipe(_) | Phase::Lift));
     let share = if presses {
@@ -35,9 +38,10 @@ pub fn pressed_in(
     Translation3::from(-normal * (depth * share)) * world_from_tool
 }
 
-/// The load that a tool of this mass [kg] is to the link that holds it, spread over its extent [m] about the tool centre
-/// point.
+/// Returns the load of a tool of this mass [kg] on the link that holds it: a cuboid of this extent [m] at the
+/// tool centre point.
 pub fn tool_load(tip_from_tool: &Pose, extent: Vector2, mass: f64) -> Body {
+    // Moment of inertia of a cuboid: m (a² + b²) / 12.
     let about = |a: f64, b: f64| mass / 12.0 * (a * a + b * b) + 1e-6;
     let depth = extent.min();
     Body {
@@ -51,30 +55,30 @@ pub fn tool_load(tip_from_tool: &Pose, extent: Vector2, mass: f64) -> Body {
     }
 }
 
-/// What the controller says at one instant.
+/// The controller's output at one instant.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ControlCommand {
-    /// Where the tool is, by forward kinematics.
+    /// Measured pose of the tool, by forward kinematics.
     pub world_from_tool: Pose,
-    /// Where it shall be and how it shall move, the press into the surface included.
+    /// Desired pose and twist of the tool, the press into the surface included.
     pub desired: Desired,
-    /// f_c: what the controller asks of the tool, saturated.
+    /// f_c: the controller's wrench on the tool, saturated.
     pub controller: Wrench,
-    /// f_ext: what the surroundings do to it, as observed.
+    /// f_ext: the observed external wrench on the tool.
     pub external: Wrench,
 }
 
 impl ControlCommand {
-    /// From where the tool is to where it is commanded, in the world [m].
+    /// Vector from the tool to its commanded position, in the world [m].
     pub fn error(&self) -> Vector3 {
         self.desired.world_from_tool.translation.vector - self.world_from_tool.translation.vector
     }
 }
 
-/// Drives a robot along a motion by torques, compliantly; all room it needs is taken at the start.
+/// Drives a robot along a motion by torques, compliantly. It allocates all memory at the start.
 ///
-/// Of the variables that move, those of the arm and torso that wield the tool are compliant; others, such as a mobile
-/// base, are to be held at the planned positions by drives of their own.
+/// Of the moving variables, those of arm and torso are compliant. All other variables, for example those of a
+/// mobile base, must be held at their planned positions by their own drives.
 #[derive(Debug, Clone)]
 pub struct MotionController {
     config: ControlConfig,
@@ -91,16 +95,16 @@ pub struct MotionController {
     planned_q: [Vec<f64>; 3],
     q: Vec<f64>,
     qd: Vec<f64>,
-    /// What the drives give of what is asked for, and at most [Nm or N].
+    /// Efforts of the drives after limitation, and their limits [Nm or N].
     efforts: Vec<f64>,
     effort_limits: Vec<f64>,
 }
 
 impl MotionController {
-    /// A controller for a motion of a robot with a tool of this mass [kg] in its hand.
+    /// Returns a controller for a motion of a robot with a tool of this mass [kg] in its hand.
     ///
     /// # Errors
-    /// [`RobotError`] of a robot that has no such joints.
+    /// [`RobotError`] if the robot does not have these joints.
     pub fn new(
         task: &Task,
         cell: &Workcell,
@@ -160,13 +164,13 @@ impl MotionController {
         }))
     }
 
-    /// The robot's variables that are compliant, in the order of [`Self::efforts`].
+    /// The robot's compliant variables, in the order of [`Self::efforts`].
     pub fn compliant(&self) -> impl Iterator<Item = usize> + '_ {
         let own = self.own_compliant().iter();
         own.map(|&k| self.articulation.variables()[k])
     }
 
-    /// The same as indices into the articulation's variables.
+    /// The compliant variables as indices into the articulation's variables.
     pub fn own_compliant(&self) -> &[usize] {
         self.controller.compliant()
     }
@@ -191,7 +195,8 @@ impl MotionController {
         &self.jacobian
     }
 
-    /// Positions, velocities and accelerations of the articulation's variables as planned for the last command's time.
+    /// Positions, velocities and accelerations of the articulation's variables, as planned for the time of the
+    /// last command.
     pub const fn planned_variables(&self) -> &[Vec<f64>; 3] {
         &self.planned_q
     }
@@ -204,19 +209,19 @@ impl MotionController {
             .inverse_dynamics(&mut self.state, &self.qd, qdd, GRAVITY);
     }
 
-    /// What the drives of the compliant variables are to give, within their limits [Nm or N].
+    /// Commanded efforts of the compliant variables, within their limits [Nm or N].
     pub fn efforts(&self) -> &[f64] {
         &self.efforts
     }
 
-    /// All n variables of the robot as planned for the last command's time.
+    /// All n variables of the robot, as planned for the time of the last command.
     pub const fn planned(&self) -> &TrajectorySample {
         &self.planned_sample
     }
 
-    /// One period: from all n variables of the robot as measured [rad or m] and their velocities [rad/s or m/s] to the
-    /// efforts. The observer takes it that the efforts of the call before were given for one period since. `None` if the
-    /// mass matrix is none, which a robot without inertia would have.
+    /// Runs one control period: from the measured positions [rad or m] and velocities [rad/s or m/s] of all n
+    /// variables to the efforts. The observer assumes that the efforts of the last call acted for one period
+    /// since. Returns `None` if the mass matrix is not positive definite, as for a robot without inertia.
     ///
     /// # Panics
     /// If an array is shorter than the robot has variables.
@@ -266,6 +271,7 @@ impl MotionController {
         })
     }
 
+    /// Returns the desired pose and twist of the tool at a time [s], the press into the surface included.
     fn desired(&mut self, task: &Task, followed: &Followed, time: f64) -> Desired {
         let motion = followed.motion_at(time);
         if let Some(motion) = motion {
@@ -298,7 +304,7 @@ impl MotionController {
     }
 }
 
-/// Whether a variable of the robot moves at all.
+/// Whether a variable of the robot moves during the motion.
 fn varies(followed: &Followed, variable: usize, start: f64) -> bool {
     let ends = followed.motions.iter().flat_map(|motion| {
         let duration = motion.trajectory.duration();

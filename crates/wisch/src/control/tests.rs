@@ -42,7 +42,7 @@ fn interaction(damping_ratio: f64) -> Interaction {
     }
 }
 
-/// A robot without a world: its equations of motion, integrated.
+/// A simulated robot without surroundings: its equations of motion, integrated.
 struct Machine {
     moving: Articulation,
     state: ArticulationState,
@@ -81,7 +81,7 @@ impl Machine {
         self.state.pose(self.carrier)
     }
 
-    /// Evaluates where it is.
+    /// Evaluates the present state.
     fn measure(&mut self) {
         self.moving
             .evaluate(&mut self.state, &self.q, &self.qd, GRAVITY);
@@ -91,7 +91,7 @@ impl Machine {
             .jacobian(state, carrier, tool, &mut self.jacobian);
     }
 
-    /// The controller's force when the tool shall stand still at a place.
+    /// Computes the controller's force when the tool is to stand still at a pose.
     fn command(&mut self, world_from_tool: Pose, posture: &[f64]) -> Vector3 {
         let still = vec![0.0; posture.len()];
         let measured = Measured {
@@ -115,7 +115,7 @@ impl Machine {
         wrench.unwrap().force
     }
 
-    /// One period under the controller's efforts and these of somebody else.
+    /// Simulates one period under the controller's efforts and external efforts.
     fn step(&mut self, external: &[f64]) {
         let count = self.q.len();
         let forces = DVector::from_fn(count, |i, _| {
@@ -130,7 +130,8 @@ impl Machine {
     }
 }
 
-/// Greatest way past the goal over the way to it, after a start 1 mm off, at which no force is cut.
+/// Returns the largest overshoot past the goal over the distance to it, after a start 1 mm off, at which no
+/// force is saturated.
 fn overshoot(machine: &mut Machine) -> f64 {
     let start = 1e-3;
     machine.q[0] = start;
@@ -149,7 +150,7 @@ fn the_damping_ratio_is_the_one_that_was_wanted() {
     for ratio in [0.3, 0.5, 0.7] {
         let mut rail = Machine::new(RAIL, "slider", &[0.0], ratio);
         let found = overshoot(&mut rail);
-        // Of a linear oscillator.
+        // The overshoot of a linear oscillator.
         let expected = (-std::f64::consts::PI * ratio / (1.0 - ratio * ratio).sqrt()).exp();
         assert!(
             (found - expected).abs() < 0.02,
@@ -165,7 +166,7 @@ fn the_spring_has_the_stiffness_of_the_task_and_ends_at_its_force() {
     for (depth, expected) in [(0.004, -2.0), (0.02, -10.0), (0.5, -10.0)] {
         let force = rail.command(Pose::translation(0.0, 0.0, -depth), &[0.0]);
         assert!((force - Vector3::new(0.0, 0.0, expected)).norm() < 1e-9);
-        // On the rail, the force and the weight are all that the drive has to give.
+        // On the rail, the drive carries only the force and the weight.
         let effort = rail.controller.efforts()[0];
         assert!((effort - (expected + 3.0 * 9.81)).abs() < 1e-3, "{effort}");
     }
@@ -202,7 +203,7 @@ fn an_observer_converges_to_an_effort_that_nobody_told_it_of() {
             (share - 0.63).abs() < 0.06,
             "{share} after one time constant"
         );
-        // What is left is how the mass matrix changes within a period.
+        // What remains is the change of the mass matrix within a period.
         let error = seen.last().unwrap()[i] - wanted;
         assert!(
             error.abs() < 0.02 * wanted.abs() + 0.01,
@@ -299,7 +300,7 @@ proptest! {
     }
 }
 
-/// The posture task must not be felt at the tool: its efforts accelerate the tool no more than none do.
+/// The posture task must not act at the tool: its efforts must not accelerate the tool.
 #[test]
 fn a_posture_that_is_pulled_to_does_not_move_the_tool() {
     let urdf = include_str!("../../../../robots/arm7.urdf");

@@ -1,63 +1,63 @@
-//! How closely a plan is followed, and how hard a way is looked for.
+//! Settings of the follower: how closely a plan is followed, and how thoroughly a path is searched for.
 
 use super::FollowError;
 use std::f64::consts::PI;
 
-/// How hard a way along an edge is looked for.
+/// How thoroughly a path along an edge is searched for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum SearchScope {
-    /// Step by step only.
+    /// Only step by step along the edge.
     Local,
-    /// Where that fails, by a search over the discretised null space, complete within its discretisation.
+    /// If that fails, by a search over the discretised null space, complete within its discretisation.
     Global,
 }
 
-/// How closely a plan is followed, and how hard a way is looked for.
+/// Settings of the follower.
 #[derive(Debug, Clone, PartialEq)]
 pub struct FollowConfig {
-    /// Longest step of the tool between two poses that are solved [m].
+    /// Longest step of the tool between two solved poses [m].
     pub step: f64,
-    /// Largest turn between two poses that are solved [rad].
+    /// Largest rotation of the tool between two solved poses [rad].
     pub turn: f64,
     /// δ of Algorithm 1: increment of the tool's free rotation and tilt [rad].
     pub orientation_increment: f64,
-    /// Clearance that every pair of bodies keeps [m].
+    /// Clearance between all pairs of bodies [m].
     pub margin: f64,
-    /// Clearance that the arm keeps from obstacles in free motion where there is room for it [m]: they may not be where they
-    /// are believed to be.
+    /// Clearance of the arm from obstacles in free motion, where the scene leaves space for it [m]: obstacles
+    /// may have a localisation error.
     pub free_clearance: f64,
-    /// Largest change of a joint over one step; more is a jump [rad or m].
+    /// Largest change of a joint over one step; a larger change is a jump [rad or m].
     pub max_joint_step: f64,
-    /// How far the tool centre point may leave its line [m].
+    /// Largest distance of the tool centre point from its line [m].
     pub line_tolerance: f64,
-    /// How far the tool may turn away from its line [rad].
+    /// Largest rotation of the tool away from its line [rad].
     pub turn_tolerance: f64,
-    /// Fastest the tool moves in contact [m/s].
+    /// Largest speed of the tool in contact [m/s].
     pub contact_speed: f64,
-    /// Fastest the tool comes down to the surface [m/s].
+    /// Largest speed of the tool on its way down to the surface [m/s].
     pub approach_speed: f64,
-    /// Over which a change of a joint's acceleration is spread [s]: its jerk is at most twice its largest acceleration over
-    /// this; 0 lets accelerations jump.
+    /// Time over which a change of a joint's acceleration is spread [s]. The jerk is at most twice the joint's
+    /// largest acceleration over this time; with 0, accelerations jump.
     pub acceleration_ramp: f64,
-    /// Whether the robot turns the tool so that its joints move little, where one hand holds it and its predicted effect is
-    /// as good; else it is turned as planned.
+    /// Whether the robot may choose the tool's yaw so that its joints move little. It does so only if one hand
+    /// holds the tool and the predicted effect is as good; else it keeps the planned yaw.
     pub free_yaw: bool,
-    /// Whether, where its yaw is free so, the robot passes the nodes of a plan to absorb in another order if its joints move
-    /// less in it and its predicted effect is as good; else strokes go as planned.
+    /// Whether the robot may visit the nodes of a plan to absorb in another order, if the yaw is free, its
+    /// joints move less, and the predicted effect is as good.
     pub free_order: bool,
-    /// How hard a way along an edge is looked for.
+    /// How thoroughly a path along an edge is searched for.
     pub search: SearchScope,
-    /// How many configurations are tried at the begin of a stroke.
+    /// Number of configurations that are tried at the start of a stroke.
     pub start_configurations: usize,
-    /// How many placements of the base are tried for the same piece of the path.
+    /// Number of base poses that are tried for the same piece of the path.
     pub placements: usize,
-    /// Seed of the random starts of searches.
+    /// Seed of the random starts of all searches.
     pub seed: u64,
 }
 
 impl Default for FollowConfig {
-    /// Poses each 10 mm and 2°, the tool turned by 10°, 5 mm of clearance, 30 mm in free motion, 1 mm and 0.5° off the line,
-    /// 0.25 m/s in contact, 0.1 m/s down to it, accelerations that change over 40 ms.
+    /// Poses every 10 mm and 2°, yaw and tilt in steps of 10°. Clearance of 5 mm, and 30 mm in free motion. At most
+    /// 1 mm and 0.5° off the line. 0.25 m/s in contact, 0.1 m/s on the way down; accelerations change over 40 ms.
     fn default() -> Self {
         Self {
             step: 0.01,
@@ -82,11 +82,11 @@ impl Default for FollowConfig {
 }
 
 impl FollowConfig {
-    /// Whether the numbers make sense.
+    /// Checks that all numbers are in their ranges.
     ///
     /// # Errors
-    /// The first field that does not.
-    pub(super) fn checked(&self) -> Result<(), FollowError> {
+    /// The first field outside its range.
+    pub(super) fn check(&self) -> Result<(), FollowError> {
         let steps = "0.0001 to 1 m";
         let speeds = "0.001 to 10 m/s";
         let placements = self.placements as f64;

@@ -1,25 +1,25 @@
-//! Why a plan cannot be followed at all. What is merely out of reach is part of the outcome.
+//! Reasons why a plan cannot be followed at all. Nodes out of reach are no error but part of the result.
 
 use super::TimingError;
 use crate::geometry::MeshError;
 use crate::robot::RobotError;
 use crate::source_location::UnknownName;
 
-/// Why a plan cannot be followed at all.
+/// The reason why a plan cannot be followed at all.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum FollowError {
-    /// The robot cannot be used.
+    /// The robot model cannot be used.
     #[error(transparent)]
     Robot(#[from] RobotError),
     /// A joint path cannot be timed.
     #[error("timing: {0}")]
     Timing(#[from] TimingError),
-    /// A group that the SRDF does not have.
+    /// The SRDF does not have the group.
     #[error("{0}")]
     UnknownGroup(Box<UnknownName>),
-    /// The group's base is moved by joints that are no planar base.
+    /// Joints that are not a planar base move the group's base.
     #[error(
-        "link {link:?}, the base of the group, is moved by {}; a base is fixed, or moves by a prismatic x, a prismatic y and a revolute z",
+        "link {link:?}, the base of the group, is moved by {}; expected a fixed base, or a prismatic x, a prismatic y and a revolute z joint",
         joints.join(", ")
     )]
     NoPlanarBase {
@@ -28,107 +28,110 @@ pub enum FollowError {
         /// The joints that move it.
         joints: Vec<String>,
     },
-    /// A robot that moves over its floor is placed off it.
+    /// A robot that moves over the floor has a pose off the floor.
     #[error(
-        "robot: {what} is {value}, but this robot moves over the floor: only x, y and yaw are free"
+        "robot: {what} is {value}, but this robot moves over the floor; only x, y and yaw are free"
     )]
     OffFloor {
-        /// The coordinate.
+        /// Name of the coordinate.
         what: &'static str,
         /// Its value [m or rad].
         value: f64,
     },
-    /// The robot touches something before it has moved.
+    /// The robot is in collision before it has moved.
     #[error(
-        "the robot cannot start: in its ready posture {a:?} comes within {distance:.4} m of {b:?}, the limit is {limit} m"
+        "the robot cannot start: in its ready posture {a:?} comes within {distance:.4} m of {b:?}, the limit is {limit} m; move the robot or the scene, or change the ready posture"
     )]
     StartBlocked {
-        /// One body.
+        /// First body.
         a: String,
-        /// The other.
+        /// Second body.
         b: String,
-        /// Their distance [m]; negative inside.
+        /// Distance between them [m]; negative if they penetrate.
         distance: f64,
-        /// The clearance asked for [m].
+        /// Required clearance [m].
         limit: f64,
     },
     /// The robot's ready posture is outside its limits.
     #[error("the robot cannot start: {0}")]
     StartOutOfLimits(crate::robot::LimitFault),
-    /// There is no way from where the robot was stopped to its ready posture.
+    /// No path was found from where the robot was stopped to its ready posture.
     #[error(
-        "no way back from where the robot was stopped to its ready posture{}",
-        because(why)
+        "no path was found from where the robot was stopped to its ready posture{}",
+        reason_suffix(why)
     )]
     NoRetreat {
-        /// What is in the way of lifting the tool off the surface; `None` where it is the way after that.
+        /// The obstruction that prevents lifting the tool off the surface; `None` if the motion after the lift
+        /// fails.
         why: Option<super::Obstruction>,
     },
-    /// A second hand is to hold a tool that has no grip for it.
+    /// The tool has no grip for a second hand.
     #[error("tool {tool:?} has no second_grip that the group {group:?} could hold")]
     NoSecondGrip {
-        /// The tool.
+        /// Name of the tool.
         tool: String,
-        /// The group of the second hand.
+        /// Group of the second hand.
         group: String,
     },
-    /// The second hand is on the arm that leads.
+    /// The second hand is part of the leading arm.
     #[error("{link:?} moves with the arm that leads the tool: it is no second hand")]
     NoSecondArm {
-        /// The hand.
+        /// Link of the hand.
         link: String,
     },
-    /// The second arm is moved by a joint of the one that leads.
-    #[error("the second arm, to {link:?}, is moved by {joint:?}, which moves the leading arm too")]
+    /// A joint moves both the leading and the second arm.
+    #[error(
+        "the second arm, to {link:?}, shares the joint {joint:?} with the leading arm; choose a group without it"
+    )]
     SharedJoint {
-        /// The second hand.
+        /// Link of the second hand.
         link: String,
-        /// The joint.
+        /// Name of the joint.
         joint: String,
     },
-    /// The second hand does not reach the tool in the ready posture.
+    /// The second hand does not reach its grip on the tool in the ready posture.
     #[error("{link:?} cannot hold the tool in the ready posture: {why}")]
     NoSecondHold {
-        /// The second hand.
+        /// Link of the second hand.
         link: String,
-        /// What keeps it.
+        /// The obstruction.
         why: super::Obstruction,
     },
-    /// The hand is below the surface wherever the tool touches it.
+    /// The hand is below the surface at every node where the tool touches it.
     #[error(
-        "{link:?} would be {depth:.3} m below the surface {surface:?} wherever {tool:?} touches it: the tool is taken to be held at the end of {tip:?}; name the link that holds it, as the tip of the SRDF's group, or give the tool a grip"
+        "{link:?} would be {depth:.3} m below the surface {surface:?} at every node of the plan, because {tool:?} is held at the end of {tip:?}; name the link that holds it, as the tip of the SRDF's group, or give the tool a grip"
     )]
     HandBelowSurface {
-        /// The link of the hand.
+        /// Link of the hand.
         link: String,
-        /// How far it reaches below the tool's contact plane [m].
+        /// Depth below the tool's contact plane [m].
         depth: f64,
-        /// The surface.
+        /// Name of the surface.
         surface: String,
-        /// The tool.
+        /// Name of the tool.
         tool: String,
-        /// The link that the tool is taken to be held by.
+        /// The link that holds the tool.
         tip: String,
     },
-    /// The target surface cannot be used as an obstacle.
+    /// The target surface cannot serve as an obstacle.
     #[error("surface: {0}")]
     Surface(#[source] MeshError),
     /// The tool's mesh cannot be used.
     #[error("tool: {0}")]
     Tool(#[source] MeshError),
-    /// A number of the configuration that makes no sense.
+    /// A number of the configuration is out of range.
     #[error("{name} is {value}, expected {expected}")]
     Config {
-        /// The field.
+        /// Name of the field.
         name: &'static str,
-        /// What it is.
+        /// Its value.
         value: f64,
-        /// What it may be.
+        /// The values allowed.
         expected: &'static str,
     },
 }
 
-fn because(why: &Option<super::Obstruction>) -> String {
+fn reason_suffix(why: &Option<super::Obstruction>) -> String {
     why.as_ref()
         .map_or_else(String::new, |why| format!(": {why}"))
 }

@@ -1,13 +1,15 @@
-//! From a plan to joint motion: placements, strokes, times.
+//! The follower: from a plan to base poses, joint paths and times.
 
-use super::open_stroke::{Open, Waiting, apart, give_up, waiting};
 use super::path::arm::Arm;
 use super::path::free_motion::free_motion;
-use super::path::free_yaw::{eased, headed};
+use super::path::free_yaw::{configurations_with_free_yaw, poses_with_yaws};
 use super::path::joint_tour::joint_tour;
+use super::path::joint_travel::movement;
 use super::path::stroke_run::{Corner, Now, Run, UntimedMotion, UntimedPhase, run};
-use super::path::taut::movement;
 use super::path::tool_redundancy::{ToolOrientation, orientations};
+use super::pending_stroke::{
+    PendingNode, PendingStroke, abandon_next, count_pending, split_by_touch,
+};
 use super::placement::{Candidate, Reachability, best, drive::drive};
 use super::workcell::HandBelow;
 use super::{
@@ -21,29 +23,29 @@ use crate::robot::{CapabilityMap, JointPositions};
 use rayon::prelude::*;
 use std::cmp::Ordering;
 
-/// How often a way back to the ready posture is looked for.
-const WAYS_BACK: u64 = 3;
+/// Number of searches for a path back to the ready posture.
+const RETURN_SEARCHES: u64 = 3;
 
-/// Share of the planned effect with which no further placement is tried.
+/// Share of the planned effect above which no further base pose is tried [1].
 const ENOUGH: f64 = 0.95;
 
-/// How many placements are tried at the same time; a constant, so that the outcome is the same on any
-/// number of threads.
+/// Number of base poses that are tried in parallel; a constant, so that the result is the same for any number
+/// of threads.
 const AT_ONCE: usize = 2;
 
-/// What the arm does from one placement.
-struct Stay {
+/// A base visit: the motions of the arm at one base pose.
+struct BaseVisit {
     world_from_base: PlanarPose,
     runs: Vec<(Vec<usize>, Run)>,
-    /// From the last stroke back to the ready posture.
+    /// Path from the last stroke back to the ready posture.
     back: Vec<JointPositions>,
-    open: Vec<Open>,
-    /// Why it went no further.
+    open: Vec<PendingStroke>,
+    /// Why the visit did not follow more of the plan.
     stopped: Vec<Attempt>,
 }
 
-impl Stay {
-    /// The length of the joints' way [rad].
+impl BaseVisit {
+    /// Length of the joint path [rad].
     fn movement(&self) -> f64 {
         let runs = self.runs.iter().flat_map(|(_, run)| &run.pieces);
         let paths = runs.map(|piece| &piece.path).chain([&self.back]);
@@ -51,33 +53,31 @@ impl Stay {
     }
 }
 
-/// The way to a place, the place, and what is done from there.
-type Reached = (Vec<PlanarPose>, Placement, Stay);
+/// The drive to a base pose, the placement, and the visit.
+type ReachedVisit = (Vec<PlanarPose>, Placement, BaseVisit);
 
-/// What is left, joined anew, and the nodes that are no longer in it.
-type Joined = (Vec<Open>, Vec<AbandonedNode>);
+/// The pending strokes after a new join, and the nodes that they no longer contain.
+type Rejoined = (Vec<PendingStroke>, Vec<AbandonedNode>);
 
-/// What is to be expected of a stay.
+/// Predicted result of a base visit.
 struct Outcome {
-    /// Nodes still to be passed.
+    /// Number of pending nodes.
     left: usize,
-    /// Particles where the action wants them.
+    /// Number of particles that meet the goal.
     achieved: usize,
 }
 
-/// Follows a plan with a robot: the base is placed so that much of the path is in reach, each stroke is
-/// followed by Algorithm 1 of paper §3.3, and everything is timed within the limits of the joints.
+/// Follows a plan with a robot. The base is placed so that much of the path is in reach, each stroke is
+/// followed by Algorithm 1 of paper §3.3, and all motions are timed within the limits of the joints.
 ///
-/// `map` rates places for the base; without one, each place is rated by inverse kinematics, which
-/// is slower and coarser. A robot whose base is fixed needs none. `progress` is called with the number
-/// of nodes passed so far.
+/// `map` rates base poses; without a map, each is rated by inverse kinematics, which is slower and coarser. A
+/// robot with a fixed base needs no map. `progress` is called with the number of nodes followed so far.
 ///
-/// A node that no way leads to is abandoned and told with what was tried; that is an outcome, not an
-/// error. The same arguments give the same bytes on any number of threads.
+/// A node that cannot be reached is abandoned and reported with the attempts to reach it; this is no error. The
+/// same arguments give the same bytes for any number of threads.
 ///
 /// # Errors
-/// A configuration out of range, a robot that touches something in its ready posture, or a path that
-/// cannot be timed.
+/// A configuration out of range, a robot in collision in its ready posture, or a path that cannot be timed.
 pub fn follow(
     task: &Task,
     plan: &Plan,
@@ -86,9 +86,9 @@ pub fn follow(
     config: &FollowConfig,
     progress: &mut dyn FnMut(usize),
 ) -> Result<Followed, FollowError> {
-    config.checked()?;
-    can_touch(task, plan, cell)?;
-    can_start(cell, config)?;
+    config.check()?;
+    check_touch(task, plan, cell)?;
+    check_start(cell, config)?;
     let follower = Follower {
         task,
         plan,
@@ -101,7 +101,8 @@ pub fn follow(
     follower.follow(progress)
 }
 
-fn can_start(cell: &Workcell, config: &FollowConfig) -> Result<(), FollowError> {
+/// Checks that the robot's ready posture is within its limits and free of collision.
+fn check_start(cell: &Workcell, config: &FollowConfig) -> Result<(), FollowError> {
     if let Some(fault) = cell.robot().limit_faults(cell.ready())?.into_iter().next() {
         return Err(FollowError::StartOutOfLimits(fault));
     }
@@ -117,8 +118,8 @@ fn can_start(cell: &Workcell, config: &FollowConfig) -> Result<(), FollowError> 
     }
 }
 
-/// Whether the hand stays clear of the surface somewhere where the tool touches it.
-fn can_touch(task: &Task, plan: &Plan, cell: &Workcell) -> Result<(), FollowError> {
+/// Checks that the hand is clear of the surface at some node where the tool touches it.
+fn check_touch(task: &Task, plan: &Plan, cell: &Workcell) -> Result<(), FollowError> {
     match cell.hand_below(task, plan)? {
         None => Ok(()),
         Some(HandBelow { link, depth }) => Err(FollowError::HandBelowSurface {
@@ -138,16 +139,16 @@ struct Follower<'a> {
     config: &'a FollowConfig,
     map: Option<&'a CapabilityMap>,
     orientations: Vec<ToolOrientation>,
-    /// Particles where the action wants them if the plan is followed exactly.
+    /// Number of particles that meet the goal if the plan is followed exactly.
     planned: usize,
 }
 
 impl Follower<'_> {
     fn follow(&self, progress: &mut dyn FnMut(usize)) -> Result<Followed, FollowError> {
-        let mut open: Vec<Open> = self.open();
-        let all = waiting(&open);
+        let mut open: Vec<PendingStroke> = self.pending_strokes();
+        let all = count_pending(&open);
         let mut at = self.cell.base_pose(self.cell.ready());
-        let mut stays: Vec<Reached> = Vec::new();
+        let mut visits: Vec<ReachedVisit> = Vec::new();
         let mut abandoned: Vec<AbandonedNode> = Vec::new();
         let mut rated: Vec<RatedPlace> = Vec::new();
         while !open.is_empty() {
@@ -156,43 +157,44 @@ impl Follower<'_> {
                 rated = self.rated_places(&candidates);
             }
             let places = best_or_here(self.cell, &candidates, &at, self.config);
-            let (chosen, stopped) = self.best_stay(&places, &at, &open, &stays)?;
+            let (chosen, stopped) = self.best_visit(&places, &at, &open, &visits)?;
             match chosen {
                 Some(next) => {
                     open.clone_from(&next.2.open);
                     at = *next.0.last().unwrap_or(&at);
-                    stays.push(next);
+                    visits.push(next);
                 }
-                None => abandoned.extend(self.give_up(&mut open, &at, stopped)?),
+                None => abandoned.extend(self.abandon(&mut open, &at, stopped)?),
             }
-            // What is joined anew may pass a node where branches meet more often.
-            progress(all.saturating_sub(waiting(&open)));
+            // Strokes that were joined anew may visit a node more often, where branches meet.
+            progress(all.saturating_sub(count_pending(&open)));
         }
-        self.timed(stays, abandoned, rated)
+        self.assemble(visits, abandoned, rated)
     }
 
-    /// Works off what is open from several places, and takes the one from which least is left, of these the
-    /// one with the best predicted effect. Also why it went no further where nothing came of any.
-    fn best_stay(
+    /// Tries the pending strokes from several base poses, and returns the visit with the fewest pending nodes;
+    /// of equal visits the one with the best predicted effect. Also returns the attempts of the first visit
+    /// that failed.
+    fn best_visit(
         &self,
         places: &[Candidate],
         at: &PlanarPose,
-        open: &[Open],
-        before: &[Reached],
-    ) -> Result<(Option<Reached>, Vec<Attempt>), FollowError> {
-        let mut chosen: Option<(Outcome, Reached)> = None;
+        open: &[PendingStroke],
+        before: &[ReachedVisit],
+    ) -> Result<(Option<ReachedVisit>, Vec<Attempt>), FollowError> {
+        let mut chosen: Option<(Outcome, ReachedVisit)> = None;
         let mut stopped = Vec::new();
         for some in places.chunks(AT_ONCE) {
-            let stays = some.par_iter().map(|place| {
+            let visits = some.par_iter().map(|place| {
                 let way = drive(self.cell, at, &place.world_from_base, self.config);
                 way.map(|way| {
-                    let stay = self.work(way.last().unwrap_or(at), open)?;
-                    Ok((way, Placement::from(place), stay))
+                    let visit = self.visit_base_pose(way.last().unwrap_or(at), open)?;
+                    Ok((way, Placement::from(place), visit))
                 })
                 .transpose()
             });
-            let stays = stays.collect::<Result<Vec<Option<Reached>>, FollowError>>()?;
-            for reached in stays.into_iter().flatten() {
+            let visits = visits.collect::<Result<Vec<Option<ReachedVisit>>, FollowError>>()?;
+            for reached in visits.into_iter().flatten() {
                 if stopped.is_empty() {
                     stopped.clone_from(&reached.2.stopped);
                 }
@@ -218,51 +220,50 @@ impl Follower<'_> {
         Ok((chosen, stopped))
     }
 
-    /// What comes of a stay after those before it, as the effect model predicts.
-    fn outcome(&self, before: &[Reached], stay: &Stay) -> Outcome {
-        let stays = before.iter().map(|(.., stay)| stay).chain([stay]);
-        let strokes = stays.flat_map(|stay| stay.runs.iter().map(|(nodes, run)| run.stroke(nodes)));
+    /// Predicts the result of a visit after the earlier visits.
+    fn outcome(&self, before: &[ReachedVisit], visit: &BaseVisit) -> Outcome {
+        let visits = before.iter().map(|(.., visit)| visit).chain([visit]);
+        let strokes =
+            visits.flat_map(|visit| visit.runs.iter().map(|(nodes, run)| run.stroke(nodes)));
         let wiped = Plan {
             strokes: strokes.collect(),
             ..self.plan.clone()
         };
         Outcome {
-            left: waiting(&stay.open),
+            left: count_pending(&visit.open),
             achieved: predict(self.task, &wiped, |_| ()).performance.achieved,
         }
     }
 
-    /// What is open, with the tool turned so that the joints move little: in another order in which they may move less, and
-    /// in the planned one. None of which the predicted effect is not as good.
-    fn eased(&self, arm: &Arm, open: &[Open]) -> Vec<Vec<Open>> {
+    /// Returns the pending strokes with the yaw chosen so that the joints move little: in another order in
+    /// which they may move less, and in the planned order. Leaves out versions with a worse predicted effect.
+    fn free_yaw_versions(&self, arm: &Arm, open: &[PendingStroke]) -> Vec<Vec<PendingStroke>> {
         if !self.config.free_yaw || arm.keeps_heading || self.cell.second().is_some() {
             return Vec::new();
         }
-        let achieved = self.achieved(open);
-        let (reordered, in_order) = rayon::join(
-            || self.reordered(arm, open),
-            || self.eased_in_order(arm, open),
-        );
+        let achieved = self.predict_achieved(open);
+        let (reordered, in_order) =
+            rayon::join(|| self.reorder(arm, open), || self.choose_yaws(arm, open));
         let all = reordered.into_iter().chain([in_order]);
-        all.filter(|eased| self.achieved(eased) >= achieved)
+        all.filter(|eased| self.predict_achieved(eased) >= achieved)
             .collect()
     }
 
-    /// What is open with the tool turned so that the joints move little.
-    fn eased_in_order(&self, arm: &Arm, open: &[Open]) -> Vec<Open> {
+    /// Returns the pending strokes in their order, with the yaw chosen so that the joints move little.
+    fn choose_yaws(&self, arm: &Arm, open: &[PendingStroke]) -> Vec<PendingStroke> {
         let mut at = arm.ready();
         let mut turned = open.to_vec();
         for (i, open) in turned.iter_mut().enumerate() {
             let seed = self.config.seed ^ (i as u64) << 32;
-            // The tool does not turn on the spot any more.
+            // The tool no longer turns on the spot.
             open.nodes.dedup_by_key(|waiting| waiting.node);
             let poses: Vec<PlanarPose> = open.nodes.iter().map(|w| w.corner.pose).collect();
             let line: Vec<Point2> = poses.iter().map(|pose| pose.position).collect();
-            let near = eased(arm, &at, &line, seed);
+            let near = configurations_with_free_yaw(arm, &at, &line, seed);
             if let Some(&last) = near.iter().flatten().last() {
                 at = last;
             }
-            let poses = headed(arm, &poses, &near);
+            let poses = poses_with_yaws(arm, &poses, &near);
             for (waiting, (pose, near)) in open.nodes.iter_mut().zip(poses.into_iter().zip(near)) {
                 waiting.corner = Corner { pose, near };
             }
@@ -270,14 +271,14 @@ impl Follower<'_> {
         turned
     }
 
-    /// All nodes that are open in an order in which the joints move less; nothing if there is none, or if the order is not
-    /// the robot's to choose.
-    fn reordered(&self, arm: &Arm, open: &[Open]) -> Option<Vec<Open>> {
+    /// Returns all pending nodes in an order in which the joints move less; `None` if there is none, or if the
+    /// robot may not choose the order.
+    fn reorder(&self, arm: &Arm, open: &[PendingStroke]) -> Option<Vec<PendingStroke>> {
         if !self.config.free_order || self.task.action != Action::Absorb {
             return None;
         }
-        let mut left: Vec<Waiting> = Vec::new();
-        for waiting in open.iter().flat_map(Open::unpassed) {
+        let mut left: Vec<PendingNode> = Vec::new();
+        for waiting in open.iter().flat_map(PendingStroke::pending) {
             if left.iter().all(|known| known.node != waiting.node) {
                 left.push(*waiting);
             }
@@ -287,9 +288,9 @@ impl Follower<'_> {
         let strokes = tour.strokes.iter().map(|stroke| {
             let poses: Vec<PlanarPose> = stroke.iter().map(|&i| left[i].corner.pose).collect();
             let at: Vec<_> = stroke.iter().map(|&i| Some(tour.at[i])).collect();
-            let corners = headed(arm, &poses, &at).into_iter().zip(at);
+            let corners = poses_with_yaws(arm, &poses, &at).into_iter().zip(at);
             let nodes = stroke.iter().zip(corners);
-            Open::through(nodes.map(|(&i, (pose, near))| Waiting {
+            PendingStroke::through(nodes.map(|(&i, (pose, near))| PendingNode {
                 corner: Corner { pose, near },
                 ..left[i]
             }))
@@ -297,59 +298,64 @@ impl Follower<'_> {
         Some(strokes.collect())
     }
 
-    /// Particles where the action wants them once strokes have been wiped, as the effect model predicts.
-    fn achieved(&self, open: &[Open]) -> usize {
+    /// Predicts the number of particles that meet the goal after the pending strokes.
+    fn predict_achieved(&self, open: &[PendingStroke]) -> usize {
         let wiped = Plan {
-            strokes: open.iter().map(Open::stroke).collect(),
+            strokes: open.iter().map(PendingStroke::stroke).collect(),
             ..self.plan.clone()
         };
         predict(self.task, &wiped, |_| ()).performance.achieved
     }
 
-    fn open(&self) -> Vec<Open> {
+    /// Returns all strokes of the plan as pending.
+    fn pending_strokes(&self) -> Vec<PendingStroke> {
         let strokes = self.plan.strokes.iter().enumerate();
         strokes
             .filter(|(_, stroke)| !stroke.poses.is_empty())
-            .map(|(number, stroke)| Open::of(stroke, |_| number))
+            .map(|(number, stroke)| PendingStroke::of(stroke, |_| number))
             .collect()
     }
 
-    /// Takes off what is open what cannot be gone on with, from any place.
+    /// Removes the nodes from the pending strokes that no base pose can reach, and returns them as abandoned.
     ///
-    /// Where it is known of which nodes the tool cannot be put down on, only these are given up, and what they leave is
-    /// joined anew.
-    fn give_up(
+    /// Where the nodes are known at which the tool cannot touch down, only these are abandoned, and the
+    /// remaining nodes are joined anew.
+    fn abandon(
         &self,
-        open: &mut Vec<Open>,
+        open: &mut Vec<PendingStroke>,
         at: &PlanarPose,
         attempts: Vec<Attempt>,
     ) -> Result<Vec<AbandonedNode>, FollowError> {
         if self.task.action.treats() {
-            return Ok(give_up(open, attempts).into_iter().collect());
+            return Ok(abandon_next(open, attempts).into_iter().collect());
         }
         if self.task.action != Action::Absorb {
-            return match self.joined_to_goals(open, at)? {
+            return match self.rejoin_to_goals(open, at)? {
                 Some((strokes, abandoned)) => {
                     *open = strokes;
                     Ok(abandoned)
                 }
-                None => Ok(give_up(open, attempts).into_iter().collect()),
+                None => Ok(abandon_next(open, attempts).into_iter().collect()),
             };
         }
         let first = &mut open[0];
         if first.begun && first.nodes.len() > 1 {
-            first.put_down_anew();
+            first.touch_down_at_next();
             return Ok(Vec::new());
         }
-        let mut left: Vec<Waiting> = open.iter().flat_map(Open::unpassed).copied().collect();
+        let mut left: Vec<PendingNode> = open
+            .iter()
+            .flat_map(PendingStroke::pending)
+            .copied()
+            .collect();
         left.dedup_by_key(|waiting| waiting.node);
-        let mut untouched = self.untouched(&left, at)?;
-        // Of the first it is known, whether the base can move or not.
+        let mut untouched = self.find_untouchable(&left, at)?;
+        // The first node is known to be out of reach, even if the base can move.
         if let Some(first) = untouched.first_mut() {
             *first = Some(attempts);
         }
-        let (nodes, abandoned) = apart(&left, untouched);
-        if let Some(strokes) = self.joined(&left, &nodes) {
+        let (nodes, abandoned) = split_by_touch(&left, untouched);
+        if let Some(strokes) = self.rejoin(&left, &nodes) {
             *open = strokes;
         } else {
             for open in &mut *open {
@@ -360,24 +366,26 @@ impl Follower<'_> {
         Ok(abandoned)
     }
 
-    /// What is left of branches once no node is in them any more on which the tool cannot be put down, and those nodes.
+    /// Returns the pending branches without nodes at which the tool cannot touch down, and these nodes.
     ///
-    /// Branches that such nodes only begin lead to the goals as before. Nothing where there are no such nodes; where the
-    /// base can move, so that another place may reach them; or where what is left leads to no goal.
-    fn joined_to_goals(
+    /// Branches that only start at such nodes keep their way to the goal. Returns `None` in three cases: there
+    /// are no such nodes; the base can move, so that another base pose may reach them; or the remaining nodes
+    /// lead to no goal.
+    fn rejoin_to_goals(
         &self,
-        open: &[Open],
+        open: &[PendingStroke],
         at: &PlanarPose,
-    ) -> Result<Option<Joined>, FollowError> {
-        let mut left: Vec<Waiting> = Vec::new();
-        // A branch ends at a node of another one.
-        for waiting in open.iter().flat_map(Open::unpassed) {
+    ) -> Result<Option<Rejoined>, FollowError> {
+        let mut left: Vec<PendingNode> = Vec::new();
+        // A branch ends at a node of another branch.
+        for waiting in open.iter().flat_map(PendingStroke::pending) {
             if left.iter().all(|known| known.node != waiting.node) {
                 left.push(*waiting);
             }
         }
-        let (mut nodes, abandoned) = apart(&left, self.untouched(&left, at)?);
-        let is_lost = |waiting: &Waiting| abandoned.iter().any(|lost| lost.node == waiting.node);
+        let (mut nodes, abandoned) = split_by_touch(&left, self.find_untouchable(&left, at)?);
+        let is_lost =
+            |waiting: &PendingNode| abandoned.iter().any(|lost| lost.node == waiting.node);
         if abandoned.is_empty() {
             return Ok(None);
         }
@@ -390,9 +398,9 @@ impl Follower<'_> {
             open.retain(|open| !open.nodes.is_empty());
             return Ok(Some((open, abandoned)));
         }
-        // What has been pushed before the tool still has to go on.
+        // Carried material still has to reach the goal.
         if let [
-            Open {
+            PendingStroke {
                 begun: true,
                 nodes: first,
                 ..
@@ -405,16 +413,16 @@ impl Follower<'_> {
                 nodes.insert(0, first[0].node);
             }
         }
-        let joined = self.joined(&left, &nodes);
-        let is_whole = |strokes: &Vec<Open>| {
+        let joined = self.rejoin(&left, &nodes);
+        let is_whole = |strokes: &Vec<PendingStroke>| {
             let is_in = |node: &usize| strokes.iter().any(|open| open.has(*node));
             nodes.iter().all(is_in)
         };
         Ok(joined.filter(is_whole).map(|strokes| (strokes, abandoned)))
     }
 
-    /// New strokes through some of what is left, from its first node on.
-    fn joined(&self, left: &[Waiting], nodes: &[usize]) -> Option<Vec<Open>> {
+    /// Joins some of the pending nodes to new strokes, from the first pending node.
+    fn rejoin(&self, left: &[PendingNode], nodes: &[usize]) -> Option<Vec<PendingStroke>> {
         let from = left
             .first()
             .map_or(self.plan.tool_start, |w| w.corner.pose.position);
@@ -423,15 +431,17 @@ impl Follower<'_> {
             let planned = left.iter().find(|waiting| waiting.node == node);
             planned.map_or(0, |waiting| waiting.stroke)
         };
-        let open = strokes.iter().map(|stroke| Open::of(stroke, stroke_of));
+        let open = strokes
+            .iter()
+            .map(|stroke| PendingStroke::of(stroke, stroke_of));
         Some(open.collect())
     }
 
-    /// For each node what was tried, if the tool cannot be put down there; nothing is known of that where the base can
-    /// move.
-    fn untouched(
+    /// Returns for each node the failed attempts, if the tool cannot touch down there. If the base can move,
+    /// this is unknown and `None` for every node.
+    fn find_untouchable(
         &self,
-        nodes: &[Waiting],
+        nodes: &[PendingNode],
         at: &PlanarPose,
     ) -> Result<Vec<Option<Vec<Attempt>>>, FollowError> {
         if self.cell.base().is_some() {
@@ -443,7 +453,7 @@ impl Follower<'_> {
             tool: None,
         };
         let (lift, seed) = (self.plan.lift_height, self.config.seed);
-        let touch = |waiting: &Waiting| {
+        let touch = |waiting: &PendingNode| {
             run(
                 &arm,
                 &now,
@@ -457,8 +467,8 @@ impl Follower<'_> {
         Ok(nodes.par_iter().map(touch).collect())
     }
 
-    /// Rated places for the rest of the path; none for a robot without a planar base.
-    fn candidates(&self, open: &[Open]) -> Result<Vec<Candidate>, FollowError> {
+    /// Returns rated base poses for the rest of the path; none for a robot without a planar base.
+    fn candidates(&self, open: &[PendingStroke]) -> Result<Vec<Candidate>, FollowError> {
         if self.cell.base().is_none() {
             return Ok(Vec::new());
         }
@@ -481,10 +491,10 @@ impl Follower<'_> {
                 }
             }
         }
-        Ok(reachability.rated(&ahead, self.config))
+        Ok(reachability.rate_base_poses(&ahead, self.config))
     }
 
-    /// The best heading of every place.
+    /// Returns the best heading of every place.
     fn rated_places(&self, candidates: &[Candidate]) -> Vec<RatedPlace> {
         let mut places: Vec<RatedPlace> = Vec::new();
         let mut sorted: Vec<RatedPlace> = candidates.iter().map(RatedPlace::from).collect();
@@ -504,48 +514,57 @@ impl Follower<'_> {
         places
     }
 
-    /// Works off what is open from one placement: of the ways to do so the one of which least is left, and of these the one
-    /// on which the joints move least. As planned where the tool is not turned otherwise, or where an arm that is bolted down
-    /// leaves something so.
-    fn work(&self, world_from_base: &PlanarPose, open: &[Open]) -> Result<Stay, FollowError> {
+    /// Follows the pending strokes from one base pose, in several versions. Takes the version with the fewest
+    /// pending nodes, of equal ones that with the shortest joint path. The planned version is tried if there is
+    /// no other, or if a fixed arm leaves nodes pending in all others.
+    fn visit_base_pose(
+        &self,
+        world_from_base: &PlanarPose,
+        open: &[PendingStroke],
+    ) -> Result<BaseVisit, FollowError> {
         let arm =
             Arm::new(self.cell, self.task, self.config, world_from_base)?.following(self.plan);
-        let eased = self.eased(&arm, open);
-        let stays = eased
+        let eased = self.free_yaw_versions(&arm, open);
+        let visits = eased
             .into_par_iter()
-            .map(|open| self.worked_off(&arm, world_from_base, open));
-        let mut stays: Vec<Stay> = stays.collect();
-        let is_whole = stays.iter().any(|stay| stay.open.is_empty());
-        if stays.is_empty() || !is_whole && self.cell.base().is_none() {
-            stays.push(self.worked_off(&arm, world_from_base, open.to_vec()));
+            .map(|open| self.follow_strokes(&arm, world_from_base, open));
+        let mut visits: Vec<BaseVisit> = visits.collect();
+        let is_whole = visits.iter().any(|visit| visit.open.is_empty());
+        if visits.is_empty() || !is_whole && self.cell.base().is_none() {
+            visits.push(self.follow_strokes(&arm, world_from_base, open.to_vec()));
         }
-        let rank = |stay: &Stay| (stay.runs.is_empty(), waiting(&stay.open));
-        let best = stays.into_iter().reduce(|best, stay| {
-            let is_better = match rank(&stay).cmp(&rank(&best)) {
-                Ordering::Equal => stay.movement() < best.movement(),
+        let rank = |visit: &BaseVisit| (visit.runs.is_empty(), count_pending(&visit.open));
+        let best = visits.into_iter().reduce(|best, visit| {
+            let is_better = match rank(&visit).cmp(&rank(&best)) {
+                Ordering::Equal => visit.movement() < best.movement(),
                 order => order == Ordering::Less,
             };
-            if is_better { stay } else { best }
+            if is_better { visit } else { best }
         });
         Ok(best.expect("at least one way"))
     }
 
-    /// Works off strokes from one placement, in order, until one cannot be gone on with.
-    fn worked_off(&self, arm: &Arm, world_from_base: &PlanarPose, open: Vec<Open>) -> Stay {
+    /// Follows strokes from one base pose, in order, until one cannot be continued.
+    fn follow_strokes(
+        &self,
+        arm: &Arm,
+        world_from_base: &PlanarPose,
+        open: Vec<PendingStroke>,
+    ) -> BaseVisit {
         let mut now = Now {
             q: arm.ready(),
             tool: None,
         };
-        let mut stay = Stay {
+        let mut visit = BaseVisit {
             world_from_base: *world_from_base,
             runs: Vec::new(),
             back: Vec::new(),
             open,
             stopped: Vec::new(),
         };
-        while let Some(first) = stay.open.first_mut() {
+        while let Some(first) = visit.open.first_mut() {
             let planned: Vec<Corner> = first.nodes.iter().map(|w| w.corner).collect();
-            let seed = self.config.seed ^ (stay.runs.len() as u64) << 32;
+            let seed = self.config.seed ^ (visit.runs.len() as u64) << 32;
             let run = match run(
                 arm,
                 &now,
@@ -556,18 +575,18 @@ impl Follower<'_> {
             ) {
                 Ok(run) => run,
                 Err(attempts) => {
-                    stay.stopped = attempts;
+                    visit.stopped = attempts;
                     break;
                 }
             };
-            // Putting the tool down where it has wiped already is no progress.
+            // Touching down where the tool has wiped already is no progress.
             if run.last == 0 && first.begun && planned.len() > 1 {
-                // Where the way makes no difference and no other place may be better, it is gone on with at the next.
+                // If paths do not matter and no other base pose may be better, the next node is tried.
                 if self.task.action == Action::Absorb && self.cell.base().is_none() {
-                    first.put_down_anew();
+                    first.touch_down_at_next();
                     continue;
                 }
-                stay.stopped = run.stopped;
+                visit.stopped = run.stopped;
                 break;
             }
             let nodes: Vec<usize> = first.nodes[..=run.last].iter().map(|w| w.node).collect();
@@ -576,32 +595,32 @@ impl Follower<'_> {
             first.begun = true;
             first.skipped &= run.last == 0;
             if first.nodes.len() == 1 {
-                stay.open.remove(0);
+                visit.open.remove(0);
             }
-            stay.runs.push((nodes, run));
+            visit.runs.push((nodes, run));
         }
-        if !stay.runs.is_empty() {
+        if !visit.runs.is_empty() {
             let ready = arm.ready();
-            let back = (0..WAYS_BACK)
+            let back = (0..RETURN_SEARCHES)
                 .find_map(|i| free_motion(arm, &now.q, &ready, self.config.seed.wrapping_add(i)));
             match back {
-                Some(path) => stay.back = path,
-                // Without a way back the base could not move on.
-                None => stay.runs.clear(),
+                Some(path) => visit.back = path,
+                // Without a path back to the ready posture the base could not drive on.
+                None => visit.runs.clear(),
             }
         }
-        stay
+        visit
     }
 
-    /// Of each node of the plan how amply it is in reach from where it is best; none without a map.
-    fn node_reachability(&self, stays: &[Reached]) -> Result<Vec<f64>, FollowError> {
+    /// Returns for each node of the plan its reachability from the best base pose; empty without a map.
+    fn node_reachability(&self, visits: &[ReachedVisit]) -> Result<Vec<f64>, FollowError> {
         if self.map.is_none() {
             return Ok(Vec::new());
         }
         let reachability = Reachability::new(self.cell, self.task, self.map)?;
-        let mut places: Vec<PlanarPose> = stays
+        let mut places: Vec<PlanarPose> = visits
             .iter()
-            .map(|(.., stay)| stay.world_from_base)
+            .map(|(.., visit)| visit.world_from_base)
             .collect();
         if places.is_empty() {
             places.push(self.cell.base_pose(self.cell.ready()));
@@ -616,10 +635,10 @@ impl Follower<'_> {
         Ok(reachability.of_each(&poses, &places))
     }
 
-    /// Puts everything in order and times it.
-    fn timed(
+    /// Assembles all motions in order and times them.
+    fn assemble(
         &self,
-        stays: Vec<Reached>,
+        visits: Vec<ReachedVisit>,
         abandoned: Vec<AbandonedNode>,
         rated: Vec<RatedPlace>,
     ) -> Result<Followed, FollowError> {
@@ -627,12 +646,12 @@ impl Follower<'_> {
             motions: Vec::new(),
             strokes: Vec::new(),
             placements: Vec::new(),
-            node_reachability: self.node_reachability(&stays)?,
+            node_reachability: self.node_reachability(&visits)?,
             rated,
             abandoned,
             tip_from_tool: *self.cell.tip_from_tool(),
         };
-        for (way, placement, stay) in stays {
+        for (way, placement, visit) in visits {
             if self.cell.base().is_some() {
                 followed.placements.push(placement);
                 let path: Vec<Vec<f64>> = way
@@ -641,8 +660,8 @@ impl Follower<'_> {
                     .collect();
                 self.append(&mut followed, Phase::Drive, &path, Vec::new())?;
             }
-            let arm = Arm::new(self.cell, self.task, self.config, &stay.world_from_base)?;
-            for (nodes, run) in stay.runs {
+            let arm = Arm::new(self.cell, self.task, self.config, &visit.world_from_base)?;
+            for (nodes, run) in visit.runs {
                 let stroke = followed.strokes.len();
                 let wiped = run.stroke(&nodes);
                 for UntimedMotion { phase, path, line } in run.pieces {
@@ -655,7 +674,7 @@ impl Follower<'_> {
                 }
                 followed.strokes.push(wiped);
             }
-            let back: Vec<Vec<f64>> = stay.back.iter().map(|q| arm.to_robot(q)).collect();
+            let back: Vec<Vec<f64>> = visit.back.iter().map(|q| arm.to_robot(q)).collect();
             self.append(&mut followed, Phase::FreeMotion, &back, Vec::new())?;
         }
         Ok(followed)
@@ -670,7 +689,7 @@ impl Follower<'_> {
     ) -> Result<(), FollowError> {
         let start = followed.duration();
         let trajectory =
-            schedule::timed(self.cell, self.task, self.config, phase, path, &tool_line)?;
+            schedule::time_motion(self.cell, self.task, self.config, phase, path, &tool_line)?;
         if let Some(trajectory) = trajectory {
             followed.motions.push(Motion {
                 phase,
@@ -683,8 +702,8 @@ impl Follower<'_> {
     }
 }
 
-/// The places to try; where the robot is if it has no planar base, or if the path is in reach of none, so
-/// that what is out of reach is told with the reason.
+/// Returns the base poses to try. If the robot has no planar base, or no base pose reaches the path, returns
+/// the present one, so that the obstruction is reported.
 fn best_or_here(
     cell: &Workcell,
     candidates: &[Candidate],

@@ -1,17 +1,17 @@
-//! From a plan to whole-body motion: where the base stands, how the arm follows the tool's line, and when
-//! each joint is where, within its limits; paper §3.3, §3.4.
+//! From a plan to whole-body motion: where the base stands, how the arm follows the tool's line, and the time
+//! of every joint position, within the limits; paper §3.3, §3.4.
 //!
-//! [`follow`] turns the strokes of a [`Plan`](crate::plan::Plan) into joint motion of a [`Workcell`], a
-//! robot with a tool in its hand before a scene. [`audit`] shows what a motion keeps to by code of its own: what
-//! accepts a motion here and what audits it share the robot model, the collision model and no other code.
+//! [`follow`] turns the strokes of a [`Plan`](crate::plan::Plan) into joint motion of a [`Workcell`], a robot
+//! with a tool in its hand before a scene. [`audit`] checks a motion independently: it shares the robot model
+//! and the collision model with the follower, and no other code.
 
 mod audit;
 mod config;
 mod error;
 mod follower;
 mod motion;
-mod open_stroke;
 mod path;
+mod pending_stroke;
 mod placement;
 mod retreat;
 mod schedule;

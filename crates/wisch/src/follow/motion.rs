@@ -1,37 +1,37 @@
-//! What following a plan gives: motions in the order of execution, and what had to be given up.
+//! The result of following a plan: motions in the order of execution, and abandoned nodes.
 
 use super::{Trajectory, TrajectorySample};
 use crate::geometry::{PlanarPose, Pose};
 use crate::plan::Stroke;
 use crate::robot::Range;
 
-/// How finely movement is summed up [s].
+/// Period at which joint movement is summed [s].
 const MOVEMENT_PERIOD: f64 = 0.01;
 
-/// What a motion is for, and by that what may move and what the tool may touch.
+/// The purpose of a motion, which decides what may move and what the tool may touch.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Phase {
-    /// The base moves to another placement, the arm holds still.
+    /// The base drives to another pose, the arm holds still.
     Drive,
-    /// The arm moves freely, the tool clear of the surface.
+    /// The arm moves freely, the tool is clear of the surface.
     FreeMotion,
-    /// The tool moves over the surface at the height to which it is lifted between strokes.
+    /// The tool moves above the surface at the height of lifts between strokes.
     Lifted,
-    /// The tool comes down to the surface.
+    /// The tool moves down to the surface.
     Lower,
-    /// The tool wipes in contact: the stroke's number in [`Followed::strokes`].
+    /// The tool wipes in contact; the number is the stroke's index in [`Followed::strokes`].
     Wipe(usize),
-    /// The tool comes off the surface.
+    /// The tool lifts off the surface.
     Lift,
 }
 
 impl Phase {
-    /// Whether the tool touches the surface all the time.
+    /// Whether the tool is in contact during the whole motion.
     pub const fn is_contact(self) -> bool {
         matches!(self, Self::Wipe(_))
     }
 
-    /// Index of the stroke in [`Followed::strokes`] that is wiped; `None` where nothing is.
+    /// Index of the wiped stroke in [`Followed::strokes`]; `None` for other motions.
     pub const fn stroke(self) -> Option<usize> {
         match self {
             Self::Wipe(stroke) => Some(stroke),
@@ -52,20 +52,20 @@ impl Phase {
     }
 }
 
-/// Where the tool is, in terms of the target surface.
+/// Pose of the tool relative to the target surface.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ToolPose {
     /// Tool centre point and heading in the surface frame.
     pub surface_from_tool: PlanarPose,
     /// Height above the surface [m].
     pub height: f64,
-    /// How far it leans about its tilt axis [rad]; 0 for tools that have none.
+    /// Lean about the tool's tilt axis [rad]; 0 for tools without a tilt axis.
     pub tilt: f64,
 }
 
 impl ToolPose {
-    /// The pose at share `s` of the way to another, 0 being here: position, height, heading and tilt change linearly, the
-    /// heading without being wrapped to ±π.
+    /// Returns the pose at share `s` of the way to another pose, 0 being this one. Position, height, heading
+    /// and tilt change linearly; the heading is not wrapped to ±π.
     pub fn towards(&self, to: &Self, s: f64) -> Self {
         let between = |a: f64, b: f64| a + s * (b - a);
         let (a, b) = (&self.surface_from_tool, &to.surface_from_tool);
@@ -79,116 +79,116 @@ impl ToolPose {
         }
     }
 
-    /// The same place, heading and tilt at a height above the surface [m].
+    /// Returns the pose at the same place, heading and tilt, at a height above the surface [m].
     pub fn lifted(&self, height: f64) -> Self {
         Self { height, ..*self }
     }
 
-    /// Way of the tool centre point to another pose [m].
+    /// Distance of the tool centre point to another pose [m].
     pub fn distance(&self, to: &Self) -> f64 {
         let flat = (to.surface_from_tool.position - self.surface_from_tool.position).norm();
         flat.hypot(to.height - self.height)
     }
 }
 
-/// How far the tool leaves its line.
+/// Deviation of the tool from its line.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct LineDeviation {
     /// Largest distance of the tool centre point [m].
     pub position: f64,
-    /// Largest angle to the orientation that the line has there [rad].
+    /// Largest angle to the orientation of the line at that place [rad].
     pub rotation: f64,
 }
 
-/// How far the second hand is from where the tool wants it.
+/// Deviation of the second hand from its grip.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct GripDeviation {
     /// Distance of the hand's outermost point from the grip [m].
     pub position: f64,
-    /// How much further than allowed the hand leans on the bar [rad].
+    /// Angle by which the hand leans on the bar beyond the limit [rad].
     pub lean: f64,
 }
 
-/// One motion from rest to rest.
+/// A motion from rest to rest.
 #[derive(Debug, Clone)]
 pub struct Motion {
-    /// What it is for.
+    /// Purpose of the motion.
     pub phase: Phase,
-    /// When it begins [s].
+    /// Start time [s].
     pub start: f64,
     /// All n variables of the robot over time, from 0 to the motion's duration.
     pub trajectory: Trajectory,
-    /// The corners of the tool's line, between which pose and height change linearly; empty where the
-    /// tool follows no line.
+    /// Corners of the tool's line, between which pose and height change linearly; empty if the tool follows no
+    /// line.
     pub tool_line: Vec<ToolPose>,
 }
 
 impl Motion {
-    /// When it ends [s], counted as `start` is from the beginning of all motions.
+    /// End time [s], on the same clock as `start`.
     pub fn end(&self) -> f64 {
         self.start + self.trajectory.duration()
     }
 }
 
-/// Why a way to a node was given up.
+/// Why a node could not be reached.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum Obstruction {
-    /// No configuration puts the tool there.
+    /// No configuration puts the tool at the pose.
     #[error("out of reach by {position_error:.3} m and {rotation_error:.2} rad")]
     OutOfReach {
-        /// How far the nearest configuration found is away [m].
+        /// Distance of the nearest configuration found [m].
         position_error: f64,
-        /// How far it is turned away [rad].
+        /// Rotation of the nearest configuration found from the pose [rad].
         rotation_error: f64,
     },
-    /// Out of reach because a joint has come to its limit.
+    /// A joint has reached its limit.
     #[error("joint {joint:?} is at its limit of {} to {}", limits.lower, limits.upper)]
     JointLimit {
-        /// The joint.
+        /// Name of the joint.
         joint: String,
-        /// Its range [rad or m].
+        /// Range of the joint [rad or m].
         limits: Range,
     },
-    /// Two parts of the robot come too close.
+    /// Two parts of the robot come too close to each other.
     #[error("{a:?} comes within {distance:.4} m of {b:?}")]
     SelfCollision {
-        /// One part.
+        /// First part.
         a: String,
-        /// The other.
+        /// Second part.
         b: String,
-        /// Their distance [m], negative inside.
+        /// Distance between them [m], negative if they penetrate.
         distance: f64,
     },
     /// The robot or its tool comes too close to the scene.
     #[error("{body:?} comes within {distance:.4} m of {object:?}")]
     SceneCollision {
-        /// Link or tool.
+        /// Name of the link or tool.
         body: String,
-        /// Object of the scene.
+        /// Name of the object.
         object: String,
-        /// Their distance [m], negative inside.
+        /// Distance between them [m], negative if they penetrate.
         distance: f64,
     },
     /// The second hand does not reach its grip on the tool.
     #[error("the second hand is off its grip by {position_error:.3} m and {rotation_error:.2} rad")]
     SecondHand {
-        /// How far the nearest configuration found is away [m].
+        /// Distance of the nearest configuration found from the grip [m].
         position_error: f64,
-        /// How far it is turned away [rad].
+        /// Rotation of the nearest configuration found from the grip [rad].
         rotation_error: f64,
     },
     /// The next pose on the line needs a jump of the joints.
-    #[error("joint {joint:?} would jump by {step:.3} between two poses of the line")]
+    #[error("joint {joint:?} would jump by {step:.3} rad or m between two poses of the line")]
     Jump {
         /// The joint that moves most.
         joint: String,
-        /// How far [rad or m].
+        /// Step of the joint [rad or m].
         step: f64,
     },
 }
 
 impl Obstruction {
-    /// Where nothing is known but that there is no way.
+    /// An unreachable pose of which nothing else is known.
     pub(super) const fn unreachable() -> Self {
         Self::OutOfReach {
             position_error: f64::INFINITY,
@@ -197,40 +197,40 @@ impl Obstruction {
     }
 }
 
-/// One way of reaching a node that was tried.
+/// A failed attempt to reach a node.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Attempt {
     /// Rotation about the surface normal against the planned heading [rad].
     pub rotation: f64,
     /// Lean about the tool's tilt axis [rad].
     pub tilt: f64,
-    /// How far along the edge it went, 0 to 1.
+    /// Followed share of the edge, 0 to 1.
     pub progress: f64,
-    /// What stopped it.
+    /// The obstruction that ended the attempt.
     pub obstruction: Obstruction,
 }
 
-/// A node that no way leads to.
+/// A node that the robot could not reach.
 #[derive(Debug, Clone, PartialEq)]
 pub struct AbandonedNode {
-    /// Its number in the graph.
+    /// Index of the node in the graph.
     pub node: usize,
-    /// The planned stroke in which it was to be passed.
+    /// Index of the planned stroke that contains it.
     pub stroke: usize,
-    /// What was tried.
+    /// The failed attempts.
     pub attempts: Vec<Attempt>,
 }
 
-/// Where the base stands while the tool wipes.
+/// A base pose from which the tool wipes.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Placement {
     /// Position and heading in the plane of the world's floor.
     pub world_from_base: PlanarPose,
-    /// How well the rest of the path was expected to be in reach from here, 0 to 1.
+    /// Expected reachability of the rest of the path from here, 0 to 1.
     pub rating: f64,
 }
 
-/// A place that was rated for the base.
+/// A rated base pose.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct RatedPlace {
     /// Position and heading in the plane of the world's floor.
@@ -239,23 +239,22 @@ pub struct RatedPlace {
     pub rating: Option<f64>,
 }
 
-/// A plan as joint motion of a robot: trajectories for all its variables, one after the other, and what had to be given
-/// up; paper §3.3.
+/// A plan as joint motion of a robot: trajectories of all its variables in order, and the abandoned nodes;
+/// paper §3.3.
 #[derive(Debug, Clone)]
 pub struct Followed {
-    /// The motions in order; each begins where and when the one before ends.
+    /// The motions in order; each begins where and when the last one ends.
     pub motions: Vec<Motion>,
-    /// The strokes as they are wiped, with the headings that were used; a planned stroke may be cut
-    /// into several.
+    /// The strokes as executed, with the headings used; a planned stroke may be cut into several.
     pub strokes: Vec<Stroke>,
-    /// Where the base stands, in order; empty for a robot that is bolted down.
+    /// Base poses in order; empty for a robot with a fixed base.
     pub placements: Vec<Placement>,
-    /// Places for the base that were rated for the whole path.
+    /// Rated base poses for the whole path.
     pub rated: Vec<RatedPlace>,
-    /// How amply each node of the plan's graph is in reach, by the capability map and from that of the placements that suits
-    /// it best, 0 (from none) to 1: what extends the semantic directed graph. Empty without a map.
+    /// Reachability of each node of the plan's graph from the best base pose, by the capability map, from 0
+    /// (out of reach of all) to 1. It extends the semantic directed graph. Empty without a map.
     pub node_reachability: Vec<f64>,
-    /// Nodes that are not passed.
+    /// Abandoned nodes.
     pub abandoned: Vec<AbandonedNode>,
     /// The tool in the frame of the link that holds it.
     pub tip_from_tool: Pose,
@@ -267,26 +266,26 @@ impl Followed {
         self.motions.last().map_or(0.0, Motion::end)
     }
 
-    /// The motion that runs at a time [s]: the first before the start, the last after the end.
+    /// Returns the motion at a time [s]: the first before the start, the last after the end.
     pub fn motion_at(&self, time: f64) -> Option<&Motion> {
         self.motions.get(self.index_at(time))
     }
 
-    /// The index of that motion.
+    /// Returns the index of that motion.
     pub fn index_at(&self, time: f64) -> usize {
         let next = self.motions.partition_point(|motion| motion.start <= time);
         next.saturating_sub(1)
     }
 
-    /// The state of all n variables at a time [s]; at rest before the start and after the end.
-    /// `None` if nothing moves.
+    /// Returns the state of all n variables at a time [s]; at rest before the start and after the end. `None`
+    /// without motions.
     pub fn sample(&self, time: f64) -> Option<TrajectorySample> {
         let motion = self.motion_at(time)?;
         let sample = motion.trajectory.sample(time - motion.start);
         Some(TrajectorySample { time, ..sample })
     }
 
-    /// The same after other motions, which come first.
+    /// Returns these motions after `first`, with their times shifted.
     #[must_use]
     pub fn preceded_by(mut self, first: Vec<Motion>) -> Self {
         let begin = first.last().map_or(0.0, Motion::end);
@@ -297,12 +296,12 @@ impl Followed {
         self
     }
 
-    /// Time during which the tool wipes [s].
+    /// Time in contact [s].
     pub fn contact_time(&self) -> f64 {
         self.contact_time_until(f64::INFINITY)
     }
 
-    /// Time during which the tool wipes, of a motion that is broken off at a time [s].
+    /// Time in contact of a motion that ends early, at `end` [s].
     pub fn contact_time_until(&self, end: f64) -> f64 {
         let contact = self.motions.iter().filter(|m| m.phase.is_contact());
         contact.fold(0.0, |sum, motion| {
@@ -310,12 +309,12 @@ impl Followed {
         })
     }
 
-    /// How far some of the variables move, the length of their way in joint space: while the tool wipes, and in all [rad].
+    /// Length of the joint path of some of the variables: in contact, and in total [rad].
     pub fn joint_movement(&self, variables: &[usize]) -> [f64; 2] {
         self.joint_movement_until(variables, f64::INFINITY)
     }
 
-    /// The same of a motion that is broken off at a time [s].
+    /// Length of the joint path of a motion that ends early, at `end` [s]: in contact, and in total [rad].
     pub fn joint_movement_until(&self, variables: &[usize], end: f64) -> [f64; 2] {
         let mut movement = [0.0; 2];
         for motion in &self.motions {

@@ -1,28 +1,28 @@
-//! From where a robot was stopped back to its ready posture: off the surface first.
+//! The retreat from where a robot was stopped to its ready posture: first off the surface.
 
 use super::path::arm::Arm;
 use super::path::free_motion::free_motion;
-use super::path::taut::movement;
+use super::path::joint_travel::movement;
 use super::{FollowConfig, FollowError, Motion, Phase, Workcell, schedule};
 use crate::represent::Task;
 use crate::robot::JointPositions;
 
-/// How often a way to the ready posture is looked for.
-const WAYS: u64 = 3;
-/// A robot whose joints are together no farther from its ready posture than this is there [rad].
+/// Number of searches for a path to the ready posture.
+const RETURN_SEARCHES: u64 = 3;
+/// Joint distance below which a robot is in its ready posture [rad].
 const AT_READY: f64 = 1e-3;
-/// Ways shorter than this are none [m].
-const NO_WAY: f64 = 1e-4;
+/// Paths shorter than this are left out [m].
+const MIN_LIFT: f64 = 1e-4;
 
-/// Plans the way from where the robot was measured to be to its ready posture: along the normal of the surface until the
-/// tool is lifted, no faster than it would come down, then by free motion.
+/// Plans the retreat from the robot's measured state to its ready posture. The tool first lifts along the
+/// normal of the surface, no faster than it would come down; a free motion follows.
 ///
-/// `from`: all n variables [rad or m]; within their limits they are the begin of the first motion, but for those that
-/// neither the base nor the group that wipes moves, which are those of the ready posture. `height`: over the surface, to
-/// which the tool is lifted [m]. No motions where the robot is in its ready posture.
+/// `from`: all n variables [rad or m]. Within their limits they start the first motion. Variables that move
+/// neither the base nor the planning group take their values from the ready posture. `height`: height of the
+/// lift above the surface [m]. Returns no motions if the robot is in its ready posture.
 ///
 /// # Errors
-/// Something is in the way, or there is no way to the ready posture.
+/// An obstacle prevents the lift, or no path to the ready posture was found.
 pub fn retreat(
     task: &Task,
     cell: &Workcell,
@@ -42,24 +42,24 @@ pub fn retreat(
     }
     let blocked = |why| FollowError::NoRetreat { why };
     let way = height - arm.height(&at).unwrap_or(0.0);
-    let up = if way > NO_WAY {
-        arm.risen(&at, way).map_err(|why| blocked(Some(why)))?
+    let up = if way > MIN_LIFT {
+        arm.lift_path(&at, way).map_err(|why| blocked(Some(why)))?
     } else {
         Vec::new()
     };
     let top = *up.last().unwrap_or(&at);
-    let back = (0..WAYS)
+    let back = (0..RETURN_SEARCHES)
         .find_map(|i| free_motion(&arm, &top, &ready, config.seed.wrapping_add(i)))
         .ok_or_else(|| blocked(None))?;
     let up: Vec<JointPositions> = std::iter::once(at).chain(up).collect();
     let mut motions: Vec<Motion> = Vec::new();
-    // It goes up no faster than it comes down.
+    // The tool lifts no faster than it comes down.
     for (phase, timed_as, path) in [
         (Phase::Lift, Phase::Lower, up),
         (Phase::FreeMotion, Phase::FreeMotion, back),
     ] {
         let path: Vec<Vec<f64>> = path.iter().map(|q| arm.to_robot(q)).collect();
-        let timed = schedule::timed(cell, task, config, timed_as, &path, &[])?;
+        let timed = schedule::time_motion(cell, task, config, timed_as, &path, &[])?;
         motions.extend(timed.map(|trajectory| Motion {
             phase,
             start: motions.last().map_or(0.0, Motion::end),

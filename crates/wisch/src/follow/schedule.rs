@@ -1,6 +1,6 @@
 //! Timing of one motion: the fastest along its path that keeps the tool on its line and in both hands.
 //!
-//! What is accepted here is audited by other code (`audit/`); neither may use the other's.
+//! The audit (`audit/`) checks the result with code of its own; neither may use the code of the other.
 
 use super::workcell::second_arm::off_grip;
 use super::{
@@ -11,31 +11,31 @@ use crate::geometry::{Pose, Vector3};
 use crate::represent::Task;
 use crate::robot::{Articulation, ArticulationState};
 
-/// How far a joint may leave its path in free motion [rad or m]; small beside the clearance kept.
+/// Largest deviation of a joint from its path in free motion [rad or m]; small against the clearance.
 const FREE_BLEND: f64 = 5e-4;
-/// The same where the tool follows a line, before it is known how far that takes the tool off.
+/// First deviation of a joint that is tried where the tool follows a line [rad or m].
 const LINE_BLEND: f64 = 2e-4;
-/// Period at which the second hand's grip is looked at [s].
+/// Period at which the second hand's grip is checked [s].
 const GRIP_PERIOD: f64 = 0.01;
 /// Period at which the tool is compared with its line [s].
 const LINE_PERIOD: f64 = 0.005;
-/// Acceleration of a falling body in the world [m/s²].
+/// Gravitational acceleration in the world [m/s²].
 const GRAVITY: Vector3 = Vector3::new(0.0, 0.0, -9.81);
-/// Period at which efforts are looked at [s].
+/// Period at which efforts are checked [s].
 const EFFORT_PERIOD: f64 = 0.005;
-/// How long before a jump of the acceleration efforts are looked at [s].
+/// Time before a jump of the acceleration at which efforts are also checked [s].
 const BEFORE_JUMP: f64 = 1e-9;
-/// The share of their efforts that joints are timed for: what is between samples is not looked at.
+/// Share of the effort limits that the timing uses, because efforts between samples are not checked [1].
 const EFFORT_SHARE: f64 = 0.98;
-/// The share of its effort that weight must leave to a joint for slowing down to help.
+/// Smallest share of its effort limit that the weight must leave to a joint for a slower motion to help [1].
 const LEAST_LEFT: f64 = 1e-3;
-/// Steps in which an arc of the line is compared [m or rad].
+/// Step in which an arc of the line is compared [m or rad].
 const LINE_STEP: f64 = 1e-3;
-/// How often the blend is halved until the tool stays on its line.
+/// Largest number of halvings of the blend until the tool stays on its line.
 const HALVINGS: usize = 6;
 
-/// The fastest motion along a path of all n variables; `None` if nothing moves.
-pub(super) fn timed(
+/// Returns the fastest motion along a path of all n variables; `None` if nothing moves.
+pub(super) fn time_motion(
     cell: &Workcell,
     task: &Task,
     config: &FollowConfig,
@@ -62,7 +62,7 @@ pub(super) fn timed(
             ..TimingConfig::default()
         };
         let fastest = time_path(&joints, cell.limits(), &timing)?;
-        Ok(within_efforts(cell, fastest)?.with_acceleration_ramp(config.acceleration_ramp))
+        Ok(slow_to_efforts(cell, fastest)?.with_acceleration_ramp(config.acceleration_ramp))
     };
     let mut blend = if tool_line.is_empty() {
         FREE_BLEND
@@ -82,15 +82,15 @@ pub(super) fn timed(
     Ok(Some(timed(blend)?))
 }
 
-/// The motion so much slower that no joint needs more effort than it has for the robot's own inertia, beside its weight;
-/// those that follow others included. Weight alone that is too much is left to the audit to tell.
-fn within_efforts(cell: &Workcell, trajectory: Trajectory) -> Result<Trajectory, FollowError> {
+/// Slows a motion down until no joint exceeds its effort limit by its weight and the robot's own inertia, mimic
+/// joints included. Weight alone beyond a limit is left to the audit to report.
+fn slow_to_efforts(cell: &Workcell, trajectory: Trajectory) -> Result<Trajectory, FollowError> {
     let robot = cell.robot();
     let all = vec![true; robot.dof()];
     let articulation = Articulation::new(robot, cell.world_from_root(), cell.ready(), &all, &[])?;
     let mut state = articulation.state();
     let at_rest = vec![0.0; robot.dof()];
-    // Each joint's effort as if it had a drive of its own, then each variable's with all that follows it.
+    // First the effort of each joint by itself, then that of each variable with all joints that it moves.
     let efforts = |state: &ArticulationState| {
         let through = state.joint_efforts();
         let mut of_variables = vec![0.0; robot.dof()];
@@ -123,22 +123,24 @@ fn within_efforts(cell: &Workcell, trajectory: Trajectory) -> Result<Trajectory,
         let carrying = efforts(&state);
         articulation.inverse_dynamics(&mut state, &sample.qd, &sample.qdd, GRAVITY);
         for ((whole, carrying), limit) in efforts(&state).iter().zip(carrying).zip(&limits) {
-            // What is left in the direction in which the motion needs it.
+            // The effort left in the direction of the motion.
             let moving = whole - carrying;
             let left = EFFORT_SHARE * limit - carrying * moving.signum();
             if left > LEAST_LEFT * limit && left.is_finite() {
+                // Slower by a factor s, the efforts of the motion shrink by s²; s² is the largest ratio needed.
                 square = square.max(moving.abs() / left);
             }
         }
     }
     Ok(if square > 1.0 {
-        trajectory.slowed(square.sqrt())
+        trajectory.slow_down(square.sqrt())
     } else {
         trajectory
     })
 }
 
-/// Times at which efforts are looked at: often, and at both sides of every jump of the acceleration [s].
+/// Returns the times at which efforts are checked: periodic, and on both sides of every jump of the
+/// acceleration [s].
 fn effort_times(trajectory: &Trajectory) -> impl Iterator<Item = f64> {
     let count = (trajectory.duration() / EFFORT_PERIOD).ceil() as usize;
     let often = (0..count).map(|k| k as f64 * EFFORT_PERIOD);
@@ -146,7 +148,8 @@ fn effort_times(trajectory: &Trajectory) -> impl Iterator<Item = f64> {
     often.chain(jumps.flat_map(|time| [time - BEFORE_JUMP, time]))
 }
 
-/// How far the second hand leaves its grip over a motion; nothing if one hand holds the tool.
+/// Returns the largest deviation of the second hand from its grip over a motion; zero if one hand holds the
+/// tool.
 fn worst_grip(cell: &Workcell, trajectory: &Trajectory) -> Result<GripDeviation, FollowError> {
     let mut worst = GripDeviation::default();
     let Some(second) = cell.second() else {
@@ -162,7 +165,7 @@ fn worst_grip(cell: &Workcell, trajectory: &Trajectory) -> Result<GripDeviation,
     Ok(worst)
 }
 
-/// How far the tool moves from each configuration to the next [m].
+/// Returns the path length of the tool from each configuration to the next [m].
 fn segment_lengths(cell: &Workcell, path: &[Vec<f64>]) -> Result<Vec<f64>, FollowError> {
     let mut places = Vec::with_capacity(path.len());
     for q in path {
@@ -176,10 +179,10 @@ fn segment_lengths(cell: &Workcell, path: &[Vec<f64>]) -> Result<Vec<f64>, Follo
         .collect())
 }
 
-/// How far the tool leaves its line at any time of a motion; nothing if it follows none.
+/// Returns the largest deviation of the tool from its line over a motion; zero if it follows none.
 ///
-/// The tool is compared with the nearest point of the line that lies no earlier than the one before, at the
-/// begin and the end of the motion with those of the line.
+/// The tool is compared with the nearest point of the line that lies no earlier than the last one. At the start
+/// and the end of the motion it is compared with those of the line.
 fn line_deviation(
     cell: &Workcell,
     task: &Task,
@@ -204,7 +207,7 @@ fn line_deviation(
         if last.is_none() {
             add(between(&line.poses[0], &line.poses[0], &world_from_tool));
         }
-        add(line.off(&mut at, &world_from_tool));
+        add(line.deviation(&mut at, &world_from_tool));
         last = Some(world_from_tool);
     }
     if let (Some(tool), Some(end)) = (last, line.poses.last()) {
@@ -213,7 +216,7 @@ fn line_deviation(
     Ok(deviation)
 }
 
-/// The line of the tool, cut finely.
+/// The line of the tool, finely subdivided.
 struct Line {
     poses: Vec<Pose>,
 }
@@ -236,13 +239,13 @@ impl Line {
         Self { poses }
     }
 
-    /// How far a pose is off the line from `at` on, which moves along.
-    fn off(&self, at: &mut usize, pose: &Pose) -> LineDeviation {
+    /// Returns the deviation of a pose from the line; searches from index `at` on, which advances.
+    fn deviation(&self, at: &mut usize, pose: &Pose) -> LineDeviation {
         let measure = |i: usize| between(&self.poses[i], &self.poses[i + 1], pose);
         let cost = |off: &LineDeviation| off.position + 0.1 * off.rotation;
         let last = self.poses.len() - 2;
         let mut best = measure(*at);
-        // Far enough to pass what may be skipped at a rounded corner.
+        // Far enough to pass the points that a rounded corner may skip.
         const AHEAD: usize = 120;
         for i in *at + 1..=(*at + AHEAD).min(last) {
             let off = measure(i);
@@ -255,7 +258,7 @@ impl Line {
     }
 }
 
-/// How far a pose is off the straight way between two others.
+/// Returns the deviation of a pose from the straight line between two others.
 fn between(from: &Pose, to: &Pose, pose: &Pose) -> LineDeviation {
     let along = to.translation.vector - from.translation.vector;
     let length = along.norm_squared();

@@ -1,59 +1,63 @@
-//! Candidate plans for the same dirt, of which the predicted effect chooses one.
+//! Candidate plans for the same dirt; the caller keeps the one with the best predicted effect.
 
-use super::policies::{covering, some_of};
-use super::subplans::composed;
+use super::policies::{plan_by_coverage, sample_particles};
+use super::subplans::compose_subplans;
 use super::{CoverageStrategy, FreeSpace, Plan, PlanConfig, PlanError};
 use crate::represent::{Action, ParticleDistribution, Task};
 
-/// Bandwidths of the density estimate that are tried beside the configured one, over half the radius of the
-/// collision sphere. The density's peaks, and with them the strokes, differ from one to the next.
+/// Bandwidths of the density estimate that are tried beside the configured bandwidth, over half the radius of
+/// the collision sphere [1]. The density's peaks, and with them the strokes, differ from bandwidth to
+/// bandwidth.
 const BANDWIDTHS: [f64; 9] = [0.5, 0.7, 0.85, 1.0, 1.2, 1.4, 1.7, 2.0, 2.6];
 
-/// Corners of the surface at which strokes are begun.
+/// Number of corners of the surface from which candidate strokes start, at most.
 const MAX_CORNERS: usize = 8;
 
-/// Candidates are compared by their effect on no more particles than this: a random choice of more.
+/// Largest number of particles by which candidates are compared; of more particles, a random subset is used.
 pub(super) const MOST_COMPARED: usize = 5000;
 
-/// Candidate plans of a coverage strategy, at least one: the first `count` settings.
+/// Returns candidate plans of a coverage strategy: at least one, and one for each of the first `count` settings
+/// that work.
 ///
-/// Nodes are placed on `to_plan_on`, such as the dirt that is not yet where it belongs. Candidates differ in the
-/// bandwidth of the density estimate, if the strategy uses one, and then in where the strokes begin: at the tool, or at a
-/// corner of the surface. The first is the plan as configured, unless that fails. Where as many as there are bandwidths
-/// are asked for, each of their graphs also gives a plan whose strokes are chosen one by one by their predicted effect,
-/// among them straight ones.
+/// Nodes are placed on `remaining`, for example the dirt that is not yet where it belongs. Candidates differ
+/// in the bandwidth of the density estimate, if the strategy uses one, and then in the start of the strokes:
+/// the tool's position, or a corner of the surface. The first candidate is the plan as configured, unless that
+/// fails. If `count` is at least the number of bandwidths, each of their graphs gives a second plan: its
+/// strokes are chosen one by one by their predicted effect, straight strokes among them.
 ///
 /// # Errors
-/// Those of the first, if no candidate gives a plan.
+/// The error of the first setting, if no setting gives a plan.
 pub(super) fn candidate_plans(
     task: &Task,
-    to_plan_on: &ParticleDistribution,
+    remaining: &ParticleDistribution,
     space: &FreeSpace,
     strategy: CoverageStrategy,
     config: &PlanConfig,
     count: usize,
 ) -> Result<Vec<Plan>, PlanError> {
-    let mut plans = varied_plans(task, to_plan_on, space, strategy, config, count)?;
+    let mut plans = varied_plans(task, remaining, space, strategy, config, count)?;
     let is_rooted = matches!(task.action, Action::Collect | Action::Skim);
     if is_rooted && count >= BANDWIDTHS.len() {
         let graphs = plans.iter().take(BANDWIDTHS.len());
-        let composed: Vec<Plan> = graphs.map(|plan| composed(task, plan, space)).collect();
+        let composed: Vec<Plan> = graphs
+            .map(|plan| compose_subplans(task, plan, space))
+            .collect();
         plans.extend(composed);
     }
     Ok(plans)
 }
 
-/// Up to `count` plans, at least one; the first is the plan as configured, unless that fails.
+/// Returns up to `count` plans, at least one; the first is the plan as configured, unless that fails.
 pub(super) fn varied_plans(
     task: &Task,
-    to_plan_on: &ParticleDistribution,
+    remaining: &ParticleDistribution,
     space: &FreeSpace,
     strategy: CoverageStrategy,
     config: &PlanConfig,
     count: usize,
 ) -> Result<Vec<Plan>, PlanError> {
     let mut open = task.clone();
-    open.particles = to_plan_on.clone();
+    open.particles = remaining.clone();
     let half_radius = task.tool.collision_radius() / 2.0;
     let mut bandwidths = vec![config.bandwidth];
     if strategy.uses_bandwidth() {
@@ -70,7 +74,7 @@ pub(super) fn varied_plans(
             bandwidth,
             ..config.clone()
         };
-        match covering(&open, space, strategy, &candidate) {
+        match plan_by_coverage(&open, space, strategy, &candidate) {
             Ok(plan) => plans.push(Plan {
                 tool_start: task.tool_start,
                 ..plan
@@ -86,14 +90,15 @@ pub(super) fn varied_plans(
     }
 }
 
-/// The task with as much of its dirt as candidates are compared by; all of a surface that is treated.
-pub(super) fn some_to_compare(task: &Task) -> Task {
+/// Returns the task with at most [`MOST_COMPARED`] particles. An action that treats the surface keeps all of
+/// them.
+pub(super) fn reduce_for_comparison(task: &Task) -> Task {
     let most = match task.action.treats() {
         true => usize::MAX,
         false => MOST_COMPARED,
     };
     Task {
-        particles: some_of(&task.particles, most),
+        particles: sample_particles(&task.particles, most),
         ..task.clone()
     }
 }

@@ -1,7 +1,7 @@
 //! The collision sphere: where a tool's sweep stays clear of the scene; paper §3.2, Fig. 3.
 //!
-//! Only geometry above the surface counts: what lies below its plane supports the surface (the table
-//! under a chopping board) and cannot touch a tool that stands on it.
+//! Only geometry above the surface counts. What lies below its plane supports the surface (the table under a
+//! chopping board) and cannot touch a tool that stands on it.
 
 use super::PlanError;
 use crate::geometry::{Mesh, Point2, Region, Vector2};
@@ -13,7 +13,7 @@ use rayon::prelude::*;
 
 /// Shortest step of the march along an edge [m]: an intrusion thinner than this may be missed.
 pub(super) const MARCH_STEP: f64 = 1e-3;
-/// Room for the tool that is narrower than this may be overlooked [m].
+/// Free space for the tool that is narrower than this may be overlooked [m].
 const REACH_STEP: f64 = 1e-4;
 
 /// The target surface and the scene above it, in the surface frame.
@@ -67,7 +67,7 @@ impl FreeSpace {
         self.radius
     }
 
-    /// The target surface, in whose frame all places here are given.
+    /// The target surface, whose frame all places here refer to.
     pub fn surface(&self) -> &Surface {
         &self.surface
     }
@@ -99,12 +99,13 @@ impl FreeSpace {
         self.distance(point) >= self.radius
     }
 
-    /// Whether a node may stand here: on the surface, its sphere touching nothing.
+    /// Whether a node may stand here: it is on the surface and its sphere touches nothing.
     pub fn is_free(&self, point: Point2) -> bool {
         self.surface.outline.contains(point) && self.is_clear(point)
     }
 
-    /// Whether the tool can be moved straight from `a` to `b`: its collision sphere touches nothing, and the surface carries it.
+    /// Whether the tool can move straight from `a` to `b`: its collision sphere touches nothing, and the
+    /// surface carries it.
     ///
     /// Marches by the distance to the scene: a step as long as the free space ahead is safe.
     pub fn is_clear_between(&self, a: Point2, b: Point2) -> bool {
@@ -129,8 +130,10 @@ impl FreeSpace {
         }
     }
 
-    /// The share of these places that no allowed pose of a tool covers: no free place of its centre, whichever way it is
-    /// turned [1]. 0 without any place.
+    /// Share of `places` [1] that the tool covers at no free position of its centre and no rotation; 0 without
+    /// places.
+    ///
+    /// `footprint`: the tool's footprint, in the tool frame.
     pub fn out_of_reach(&self, places: &[Point2], footprint: &Region) -> f64 {
         let rings = rings(footprint);
         let missed = (places.par_iter())
@@ -139,10 +142,11 @@ impl FreeSpace {
         missed as f64 / places.len().max(1) as f64
     }
 
-    /// Whether a tool whose footprint covers these distances from its centre [m] covers a place from a free one.
+    /// Whether a tool at some free position covers `place`. `rings`: the distances from its centre that the
+    /// footprint covers [m].
     ///
-    /// Squares around the place are divided until their middle is such a place, or until none of their points can be:
-    /// neither distance grows by more than one moves.
+    /// Squares around the place are divided until the centre of one of them is such a position, or until none
+    /// of their points can be. Both distances change by no more than the distance that a point moves.
     fn is_covered(&self, place: Point2, rings: &[[f64; 2]]) -> bool {
         let reach = rings.iter().map(|ring| ring[1]).fold(0.0, f64::max);
         let mut squares = vec![(place, reach)];
@@ -174,7 +178,7 @@ impl FreeSpace {
     }
 }
 
-/// The distances from the tool centre point that a footprint covers in some direction, for each of its parts [m].
+/// Returns the distances from the tool centre point that each part of a footprint covers in some direction [m].
 fn rings(footprint: &Region) -> Vec<[f64; 2]> {
     let center = Point2::origin();
     let parts = footprint.polygons().iter().map(|part| {

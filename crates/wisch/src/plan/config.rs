@@ -5,34 +5,34 @@ use super::{CoverageStrategy, HeadingRule, Strategy};
 /// Planner settings. Tool, medium and action come from the task.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PlanConfig {
-    /// How strokes are found.
+    /// How the planner finds strokes.
     pub strategy: Strategy,
     /// Seed of the random tree, of the tour's kicks and of the search for strokes.
     pub seed: u64,
     /// Bandwidth of the density estimate [m]; `None` takes it from the data.
     pub bandwidth: Option<f64>,
-    /// How the tool is turned along the strokes of a coverage strategy.
+    /// How the planner turns the tool along the strokes of a coverage strategy.
     pub heading: HeadingRule,
-    /// How high the tool is lifted between strokes [m].
+    /// Height by which the tool is lifted between strokes [m].
     pub lift_height: f64,
-    /// How far the tool may go in contact [m]; `None` as far as it takes.
+    /// Longest distance of the tool in contact [m]; `None` sets no limit.
     pub max_distance: Option<f64>,
-    /// How long strokes are searched for.
+    /// Effort of the search for strokes.
     pub search: SearchConfig,
 }
 
-/// How strokes are searched for ([`Strategy::Adaptive`]).
+/// Effort of the search for strokes ([`Strategy::Adaptive`]).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SearchConfig {
-    /// Plans that are tried: the same plan for the same number, however long that takes.
+    /// Number of plans that the search evaluates. The same number gives the same plan, however long the search takes.
     pub evaluations: usize,
-    /// By how much the tool may be off its way to either side, and still do what the plan says [m]. What only the tool exactly on
-    /// its way reaches counts half.
+    /// Lateral error of the tool that the plan has to tolerate, to either side [m]. Dirt that only an exact
+    /// tool reaches counts half.
     pub margin_m: f64,
 }
 
 impl Default for PlanConfig {
-    /// By a grid, lifted by 5 cm, as far as it takes.
+    /// The grid strategy, lifts of 5 cm, and no limit of the distance.
     fn default() -> Self {
         Self {
             strategy: CoverageStrategy::Grid.into(),
@@ -47,7 +47,8 @@ impl Default for PlanConfig {
 }
 
 impl Default for SearchConfig {
-    /// As many as take about a second for 80 particles on a board, and the tracking error of a compliant arm.
+    /// Evaluations that take about a second for 80 particles on a board, and the tracking error of a compliant
+    /// arm.
     fn default() -> Self {
         Self {
             evaluations: 60_000,

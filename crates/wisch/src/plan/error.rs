@@ -1,52 +1,52 @@
-//! Why a task cannot be planned.
+//! Reasons why a task cannot be planned.
 
 use super::{MAX_NODES, StrokeFault, TourError};
 use crate::represent::Action;
 
-/// Why no plan could be made.
+/// The reason why the planner returned no plan.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum PlanError {
     /// No node fits on the surface.
     #[error(
-        "surface \"{surface}\": no place is free for a tool that needs {diameter:.3} m of clearance"
+        "surface \"{surface}\": no free place for the tool, which needs {diameter:.3} m of clearance; take a smaller tool or move the obstacles"
     )]
     NoFreeNode {
         /// Name of the surface.
         surface: String,
-        /// d_s [m].
+        /// Required clearance, d_s [m].
         diameter: f64,
     },
-    /// A surface that is too large for its tool.
+    /// The surface is too large for the tool.
     #[error(
         "surface \"{surface}\": {count} nodes {pitch:.4} m apart exceed the limit of {MAX_NODES}; {advice}"
     )]
     TooManyNodes {
         /// Name of the surface.
         surface: String,
-        /// How many nodes cover it.
+        /// Number of nodes that would cover it.
         count: usize,
-        /// Their distance [m].
+        /// Distance between nodes [m].
         pitch: f64,
-        /// What to do.
+        /// What the user can do.
         advice: &'static str,
     },
-    /// The goal node given by the user cannot be taken.
+    /// The goal node that the task gives is not free.
     #[error(
-        "goal node ({x:.3}, {y:.3}) m on surface \"{surface}\": {distance:.3} m from the nearest obstacle or off the surface, the tool needs {radius:.3} m"
+        "goal node ({x:.3}, {y:.3}) m on surface \"{surface}\" is off the surface or too near an obstacle: the distance is {distance:.3} m, the tool needs {radius:.3} m"
     )]
     GoalNotFree {
         /// Name of the surface.
         surface: String,
-        /// Its x [m].
+        /// x of the goal node in the surface frame [m].
         x: f64,
-        /// Its y [m].
+        /// y of the goal node in the surface frame [m].
         y: f64,
-        /// Distance to the scene [m].
+        /// Distance from the goal node to the scene [m].
         distance: f64,
-        /// r_s [m].
+        /// Radius of the collision sphere, r_s [m].
         radius: f64,
     },
-    /// A skim has no edge to push over.
+    /// A skim has no edge over which it may push.
     #[error(
         "surface \"{surface}\": a skim needs at least one edge in skim_edges with free space beyond it"
     )]
@@ -54,29 +54,31 @@ pub enum PlanError {
         /// Name of the surface.
         surface: String,
     },
-    /// A strategy that is none for what is to be done.
-    #[error("strategy \"{strategy}\" plans no {action}; it is planned by {fitting}")]
+    /// The strategy does not plan the task's action.
+    #[error(
+        "strategy \"{strategy}\" cannot plan the action {action}; strategies that can: {fitting}"
+    )]
     StrategyDoesNotFit {
-        /// As given.
+        /// Name of the strategy.
         strategy: &'static str,
-        /// What is to be done.
+        /// The task's action.
         action: Action,
-        /// Strategies that plan that.
+        /// Names of the strategies that plan this action.
         fitting: String,
     },
-    /// A surface is to be treated, and it is not said to what.
-    #[error("{action}: the task does not say how often, or how thick")]
+    /// The action treats the surface, and the task does not say how many passes or how thick a layer.
+    #[error("{action}: the task gives neither a number of passes nor a layer thickness")]
     NoTreatment {
-        /// What is to be done.
+        /// The task's action.
         action: Action,
     },
     /// The scene's geometry cannot be used.
     #[error("scene: {0}")]
     Scene(String),
-    /// A stroke that came from outside cannot be made.
+    /// The tool cannot make a stroke that the user gave.
     #[error(transparent)]
     Stroke(#[from] StrokeFault),
-    /// The user's own strategy gives no strokes.
+    /// The user's own strategy returned no usable strokes.
     #[error("own strategy: {0}")]
     OwnStrategy(String),
     /// The tour could not be solved.

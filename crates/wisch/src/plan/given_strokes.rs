@@ -1,4 +1,5 @@
-//! Strokes that come from outside, as arrays or in a file: whether the tool can make them, and the plan that they are.
+//! Strokes that the user gives, as arrays or in a file: checks that the tool can make them, and the plan they
+//! form.
 
 use super::{FreeSpace, Node, NodeRole, Plan, PlanError, SemanticDirectedGraph, Strategy, Stroke};
 use crate::geometry::{Bounds2, Mesh, PlanarPose, Point2};
@@ -7,99 +8,102 @@ use parry3d_f64::math::{Pose as ParryPose, Rotation, Vector};
 use parry3d_f64::query::intersection_test;
 use parry3d_f64::shape::{ConvexPolyhedron, Cuboid, TriMesh};
 
-/// How far beyond the outer border the tool centre point may be, over the shorter side of the tool, or its length where the surface
-/// is treated [1]: a quarter of the tool
-/// still lies on the surface, and keeps it from tipping.
+/// Distance of the tool centre point beyond the outer border at most, over the shorter side of the tool, or
+/// over its length where the action treats the surface [1]. A quarter of the tool then still lies on the
+/// surface and keeps it from tipping.
 const OVERHANG: f64 = 0.25;
-/// How far off a place may be before it counts as off the surface, or a part of a way as over a hole [m]: for rounding.
+/// Allowance for rounding: a place this far off still counts as on the surface, and this much of a path as not
+/// over a hole [m].
 const TOLERANCE: f64 = 1e-6;
-/// Steps of a stroke at which the tool is held against the scene [m], and the turn between them [rad].
+/// Step along a stroke between two collision checks of the tool [m], and the rotation between them [rad].
 const STEP: f64 = 0.005;
 const TURN: f64 = 0.05;
-/// How high above the surface the tool is held against the scene [m]; what it touches higher up, a robot finds when it follows.
+/// Height above the surface up to which the tool is checked against the scene [m]. The robot's collision check
+/// covers what is higher.
 const HEIGHT: f64 = 0.05;
 
-/// Why the tool cannot make a stroke. Strokes and poses count from 0.
+/// The reason why the tool cannot make a stroke. Strokes and poses count from 0.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum StrokeFault {
     /// A stroke has no pose.
-    #[error("strokes[{stroke}] has no pose; a stroke has one at least")]
+    #[error("strokes[{stroke}] has no pose; expected at least one")]
     Empty {
-        /// The stroke.
+        /// Index of the stroke.
         stroke: usize,
     },
     /// A number is not finite.
     #[error("strokes[{stroke}], pose {pose}: a number is not finite")]
     NotFinite {
-        /// The stroke.
+        /// Index of the stroke.
         stroke: usize,
-        /// The pose.
+        /// Index of the pose.
         pose: usize,
     },
-    /// The tool meets an object of the scene.
+    /// The tool collides with an object of the scene.
     #[error(
-        "strokes[{stroke}] leads the tool through {object:?} at ({x:.3}, {y:.3}) m of the surface, after pose {pose}; end the stroke before it and begin another behind it"
+        "strokes[{stroke}] leads the tool through {object:?} at ({x:.3}, {y:.3}) m in the surface frame, after pose {pose}; end the stroke before the object and begin another behind it"
     )]
     Obstacle {
-        /// The stroke.
+        /// Index of the stroke.
         stroke: usize,
-        /// The pose before.
+        /// Index of the pose before the collision.
         pose: usize,
-        /// The object.
+        /// Name of the object.
         object: String,
-        /// Where the tool centre point is, in the surface frame [m].
+        /// x of the tool centre point, in the surface frame [m].
         x: f64,
-        /// The same along y.
+        /// y of the tool centre point, in the surface frame [m].
         y: f64,
     },
-    /// The tool would be pressed over a hole.
+    /// The stroke presses the tool over a hole.
     #[error(
         "strokes[{stroke}] presses the tool over a hole of the surface for {length:.3} m about ({x:.3}, {y:.3}) m, after pose {pose}; end the stroke before the hole and begin another behind it"
     )]
     Hole {
-        /// The stroke.
+        /// Index of the stroke.
         stroke: usize,
-        /// The pose before.
+        /// Index of the pose before the hole.
         pose: usize,
-        /// Way over the hole [m].
+        /// Length of the path over the hole [m].
         length: f64,
-        /// The middle of that way, in the surface frame [m].
+        /// x of the middle of that path, in the surface frame [m].
         x: f64,
-        /// The same along y.
+        /// y of the middle of that path, in the surface frame [m].
         y: f64,
     },
-    /// The tool is off the surface.
+    /// The tool leaves the surface too far.
     #[error(
-        "strokes[{stroke}] leaves the surface by {distance:.3} m at ({x:.3}, {y:.3}) m, after pose {pose}; the tool centre point may be {limit:.3} m beyond its border"
+        "strokes[{stroke}] leaves the surface by {distance:.3} m at ({x:.3}, {y:.3}) m, after pose {pose}; the tool centre point may be at most {limit:.3} m beyond the border"
     )]
     OffSurface {
-        /// The stroke.
+        /// Index of the stroke.
         stroke: usize,
-        /// The pose before.
+        /// Index of the pose before.
         pose: usize,
-        /// How far it is from the surface there [m].
+        /// Distance from the surface there [m].
         distance: f64,
-        /// How far it may be [m].
+        /// Largest distance allowed [m].
         limit: f64,
-        /// Where, in the surface frame [m].
+        /// x of the tool centre point, in the surface frame [m].
         x: f64,
-        /// The same along y.
+        /// y of the tool centre point, in the surface frame [m].
         y: f64,
     },
 }
 
-/// A stroke that leaves the surface as it may.
+/// A stroke that leaves the surface within the limit.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct StrokeOverBorder {
-    /// The stroke, from 0.
+    /// Index of the stroke, from 0.
     pub stroke: usize,
-    /// How far the tool centre point goes beyond the border [m].
+    /// Distance of the tool centre point beyond the border [m].
     pub distance: f64,
-    /// Whether it skims over an edge over which the task lets it.
+    /// Whether the stroke skims over an edge that the task allows.
     pub skims: bool,
 }
 
-/// Says which strokes leave the surface, a sentence for skims and one for others; nothing where none does.
+/// Describes which strokes leave the surface: one sentence for skims, one for all other strokes. Empty if no
+/// stroke does.
 pub fn describe_over_border(strokes: &[StrokeOverBorder]) -> Vec<String> {
     let sentence = |skims: bool, how: &str| {
         let some: Vec<_> = strokes.iter().filter(|one| one.skims == skims).collect();
@@ -118,13 +122,14 @@ pub fn describe_over_border(strokes: &[StrokeOverBorder]) -> Vec<String> {
     skims.into_iter().chain(others).collect()
 }
 
-/// Checks strokes against the scene, the holes and the border of a task's surface: the first that the tool cannot make, or else
-/// those that leave the surface as they may.
+/// Checks strokes against the scene, the holes and the border of a task's surface. Returns the strokes that
+/// leave the surface within the limit.
 ///
-/// Where the tool's collision sphere is clear of the scene, so is the tool; elsewhere its footprint is moved along the stroke.
+/// Where the tool's collision sphere is clear of the scene, so is the tool; elsewhere its footprint is moved
+/// along the stroke.
 ///
 /// # Errors
-/// [`PlanError::Stroke`], or geometry that the libraries refuse.
+/// [`PlanError::Stroke`] for the first stroke that the tool cannot make, or geometry that the libraries refuse.
 pub fn check_strokes(task: &Task, strokes: &[Stroke]) -> Result<Vec<StrokeOverBorder>, PlanError> {
     let meshes: Vec<Mesh> = task.obstacles_in_surface().collect();
     let space = FreeSpace::new(&task.surface, &meshes, task.tool.collision_radius())?;
@@ -136,19 +141,23 @@ pub fn check_strokes(task: &Task, strokes: &[Stroke]) -> Result<Vec<StrokeOverBo
     };
     let mut over_border = Vec::new();
     for (number, stroke) in strokes.iter().enumerate() {
-        over_border.extend(check.stroke(number, &stroke.poses)?);
+        over_border.extend(check.check_stroke(number, &stroke.poses)?);
     }
     Ok(over_border)
 }
 
-/// The plan that consists of strokes from outside, each the poses of the tool from touching down to lifting off, in the surface
-/// frame; between poses the tool goes straight and turns evenly.
+/// Returns the plan that consists of the given strokes.
 ///
-/// Each pose becomes a node of the plan's graph. A collect without a goal in the task collects where the last stroke ends.
-/// `lift_height`: how high the tool is lifted between strokes [m].
+/// `strokes`: for each stroke the tool's poses from touching down to lifting off, in the surface frame. Between
+/// poses the tool moves straight and turns evenly. `lift_height`: height by which the tool is lifted between
+/// strokes [m].
+///
+/// Each pose becomes a node of the plan's graph. A collect without a goal in the task collects where the last
+/// stroke ends.
 ///
 /// # Errors
-/// A stroke that the tool cannot make, see [`check_strokes`], or a treatment of which the task does not say how much.
+/// A stroke that the tool cannot make, see [`check_strokes`], or a treatment without a number of passes or a
+/// thickness.
 pub fn plan_of_strokes(
     task: &Task,
     strokes: &[Vec<PlanarPose>],
@@ -204,8 +213,8 @@ pub fn plan_of_strokes(
     })
 }
 
-/// A coordinate to the nanometre: what rounding leaves of zero is zero [m].
-fn shown(coordinate: f64) -> f64 {
+/// Rounds a coordinate to the nanometre, so that rounding errors around zero are shown as zero [m].
+fn round_to_nanometre(coordinate: f64) -> f64 {
     (coordinate * 1e9).round() / 1e9 + 0.0
 }
 
@@ -216,6 +225,7 @@ struct Obstacle {
     stands_on: OccupiedArea,
 }
 
+/// Returns the obstacles of the scene, in the surface frame.
 fn obstacles(task: &Task, meshes: &[Mesh]) -> Result<Vec<Obstacle>, PlanError> {
     let obstacle = |(object, mesh): (&crate::represent::SceneObject, &Mesh)| {
         let clipped = mesh.clipped_above(SURFACE_SKIN).into_iter().flatten();
@@ -233,7 +243,8 @@ fn obstacles(task: &Task, meshes: &[Mesh]) -> Result<Vec<Obstacle>, PlanError> {
     task.obstacles().zip(meshes).map(obstacle).collect()
 }
 
-/// What of the tool is near the surface: the hull of its footprint, as high as the tool, from the surface's skin on.
+/// Returns the part of the tool near the surface: the hull of its footprint, as high as the tool, starting just
+/// above the surface.
 fn tool_body(task: &Task) -> Option<ConvexPolyhedron> {
     let (_, high) = task.tool.mesh.bounds();
     let top = high.z.clamp(2.0 * SURFACE_SKIN, HEIGHT);
@@ -252,7 +263,7 @@ struct Check<'a> {
 }
 
 impl Check<'_> {
-    fn stroke(
+    fn check_stroke(
         &self,
         stroke: usize,
         poses: &[PlanarPose],
@@ -276,17 +287,18 @@ impl Check<'_> {
             _ => poses.windows(2).map(|leg| [leg[0], leg[1]]).collect(),
         };
         for (pose, leg) in legs.iter().enumerate() {
-            if let Some(found) = self.carried(stroke, pose, leg)? {
+            if let Some(found) = self.check_support(stroke, pose, leg)? {
                 let distance = found.distance.max(over_border.map_or(0.0, |o| o.distance));
                 over_border = Some(StrokeOverBorder { distance, ..found });
             }
-            self.clear(stroke, pose, leg)?;
+            self.check_clearance(stroke, pose, leg)?;
         }
         Ok(over_border)
     }
 
-    /// Whether the surface carries the tool on a leg, or how far the tool leaves it as it may.
-    fn carried(
+    /// Checks that the surface carries the tool on a leg; returns the distance by which the tool leaves it
+    /// within the limit.
+    fn check_support(
         &self,
         stroke: usize,
         pose: usize,
@@ -312,31 +324,32 @@ impl Check<'_> {
                             stroke,
                             pose,
                             length,
-                            x: shown(middle.x),
-                            y: shown(middle.y),
+                            x: round_to_nanometre(middle.x),
+                            y: round_to_nanometre(middle.y),
                         });
                     }
                 }
                 Ground::Beyond => {
-                    // The distance from a convex border is greatest at an end; within a notch it may be greatest between.
+                    // The distance from a convex border is greatest at an end; inside a notch it may be
+                    // greatest in the middle.
                     let places = [begin, (begin + end) / 2.0, end].map(at);
                     let excess = |place: &Point2| {
-                        let (distance, limit, _) = self.beyond(*place);
+                        let (distance, limit, _) = self.overhang(*place);
                         distance - limit
                     };
                     let farther = |a: &Point2, b: &Point2| excess(a).total_cmp(&excess(b));
                     let Some(place) = places.into_iter().max_by(farther) else {
                         continue;
                     };
-                    let (distance, limit, skims) = self.beyond(place);
+                    let (distance, limit, skims) = self.overhang(place);
                     if distance > limit + TOLERANCE {
                         return Err(StrokeFault::OffSurface {
                             stroke,
                             pose,
                             distance,
                             limit,
-                            x: shown(place.x),
-                            y: shown(place.y),
+                            x: round_to_nanometre(place.x),
+                            y: round_to_nanometre(place.y),
                         });
                     }
                     let is_farther = farthest.is_none_or(|known| known.distance < distance);
@@ -353,8 +366,9 @@ impl Check<'_> {
         Ok(farthest)
     }
 
-    /// How far a place beyond the border is from it [m], how far it may be, and whether that is because a skim goes over an edge.
-    fn beyond(&self, place: Point2) -> (f64, f64, bool) {
+    /// Returns how far a place is beyond the border [m], how far it may be [m], and whether a skim over an edge
+    /// allows that.
+    fn overhang(&self, place: Point2) -> (f64, f64, bool) {
         let surface = &self.task.surface;
         let edges: Vec<_> = surface.outline.edges().collect();
         let distances = edges.iter().map(|edge| edge.distance(place));
@@ -383,8 +397,8 @@ impl Check<'_> {
         (distance, OVERHANG * side, false)
     }
 
-    /// Whether the tool meets nothing on a leg.
-    fn clear(
+    /// Checks that the tool collides with nothing on a leg.
+    fn check_clearance(
         &self,
         stroke: usize,
         pose: usize,
@@ -400,26 +414,26 @@ impl Check<'_> {
             let share = step as f64 / steps;
             let place = from.position + along * share;
             let heading = from.heading + turn * share;
-            if let Some(object) = self.met_at(place, heading) {
+            if let Some(object) = self.object_at(place, heading) {
                 return Err(StrokeFault::Obstacle {
                     stroke,
                     pose,
                     object: object.to_owned(),
-                    x: shown(place.x),
-                    y: shown(place.y),
+                    x: round_to_nanometre(place.x),
+                    y: round_to_nanometre(place.y),
                 });
             }
         }
         Ok(())
     }
 
-    /// Whether the collision sphere is clear all along.
+    /// Whether the collision sphere is clear along the whole leg.
     fn is_sphere_clear(&self, from: Point2, to: Point2) -> bool {
         self.space.is_clear(from) && self.space.is_clear_between(from, to)
     }
 
-    /// The object that the tool meets at a pose.
-    fn met_at(&self, place: Point2, heading: f64) -> Option<&str> {
+    /// Returns the object with which the tool collides at a pose.
+    fn object_at(&self, place: Point2, heading: f64) -> Option<&str> {
         let turn = Rotation::from_rotation_z(heading);
         let surface_from_tool = ParryPose::from_parts(Vector::new(place.x, place.y, 0.0), turn);
         let meets = |obstacle: &&Obstacle| {

@@ -1,23 +1,23 @@
-//! The semantic directed graph (3): nodes are places of the tool centre point, edges motions in contact.
+//! The semantic directed graph (3): nodes are positions of the tool centre point, edges are motions in contact.
 
 use crate::geometry::{Edge, Point2};
 use crate::represent::GoalState;
 
-/// Whether a node is one to wipe over or one to wipe towards.
+/// What a node is for: to cover the surface, or to collect particles.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum NodeRole {
     /// Covers a part of the surface.
     Coverage,
-    /// Where the particles are to end: n_goal, or a place beyond an edge over which they are skimmed.
+    /// Where the particles are to end: n_goal, or a place beyond the edge over which they are skimmed.
     Goal,
 }
 
-/// A place of the tool centre point on the surface's plane.
+/// A position of the tool centre point on the surface's plane.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Node {
-    /// In the surface frame [m].
+    /// Position in the surface frame [m].
     pub position: Point2,
-    /// What it stands for.
+    /// What the node is for.
     pub role: NodeRole,
 }
 
@@ -42,7 +42,7 @@ impl SemanticDirectedGraph {
         self.nodes[node].position
     }
 
-    /// For each node the one that it leads to, in a tree.
+    /// Returns for each node of a tree the node that its edge leads to.
     pub(crate) fn successors(&self) -> Vec<Option<usize>> {
         let mut successors = vec![None; self.nodes.len()];
         for &(from, to) in &self.edges {

@@ -1,33 +1,32 @@
-//! How the tool is turned while it is moved through nodes.
+//! How the tool turns while it moves through nodes.
 
 use super::{SemanticDirectedGraph, Stroke};
 use crate::geometry::{PlanarPose, wrap_angle};
 use crate::represent::{Action, Task};
 use std::f64::consts::{PI, TAU};
 
-/// How far the tool turns within a stroke at most, from the one end to the other [rad]: the range of a common wrist joint is
-/// somewhat more.
+/// Largest range of headings within a stroke [rad]; the range of a common wrist joint is somewhat larger.
 const WINDING: f64 = 5.0;
-/// Constant headings that are tried, all around.
+/// Number of constant headings that are tried, evenly around the circle.
 const CONSTANT_HEADINGS: usize = 24;
 
-/// How the tool of a coverage strategy is turned along its strokes.
+/// How a coverage strategy turns the tool along its strokes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 pub enum HeadingRule {
-    /// At each node towards the next, and evenly along the edges between; paper §3.3.
+    /// The tool points from each node to the next, and turns evenly along the edges; paper §3.3.
     Blended,
-    /// Broad side across the motion along whole edges; it turns on the spot at nodes.
+    /// The broad side stays across the motion along whole edges; the tool turns on the spot at nodes.
     AlongEdges,
-    /// The same along all strokes: of several the one with the best predicted effect.
+    /// One heading for all strokes: of several, the heading with the best predicted effect.
     Constant,
-    /// Whichever of these has the best predicted effect; constant ones where the tool takes dirt up, as dirt that is
-    /// pushed has to stay before it.
+    /// The rule with the best predicted effect. Constant headings are tried only where the tool takes dirt up,
+    /// because pushed dirt has to stay in front of the tool.
     #[default]
     Best,
 }
 
 impl HeadingRule {
-    /// The headings among which the predicted effect chooses, those that turn the tool least first.
+    /// Returns the headings among which the predicted effect chooses, those that turn the tool least first.
     pub(super) fn choices(self, task: &Task) -> Vec<Headings> {
         let around = if is_symmetric(task) { PI } else { TAU };
         let constant = (0..CONSTANT_HEADINGS)
@@ -44,7 +43,7 @@ impl HeadingRule {
     }
 }
 
-/// The headings of the tool along strokes.
+/// How the tool turns along the strokes of one candidate plan.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Headings {
     Blended,
@@ -54,7 +53,7 @@ pub(super) enum Headings {
 }
 
 impl Headings {
-    /// The strokes through chains of nodes.
+    /// Returns the strokes through chains of nodes.
     pub(super) fn strokes(
         self,
         task: &Task,
@@ -64,7 +63,7 @@ impl Headings {
         let symmetric = is_symmetric(task);
         let strokes = chains.iter().flat_map(|chain| {
             let planned = self.along(graph, chain, symmetric);
-            unwound(planned)
+            split_by_winding(planned)
         });
         strokes.collect()
     }
@@ -95,8 +94,9 @@ impl Headings {
     }
 }
 
-/// The heading of every edge between nodes, continuous (not wrapped) [rad]. A tool that looks the same after half a turn
-/// (`symmetric`) takes the nearer of two, unless that winds it up.
+/// Returns the heading of every edge between nodes, continuous (not wrapped) [rad]. A tool that is the same
+/// after half a turn (`symmetric`) takes the nearer of the two headings, unless that exceeds the range of a
+/// stroke.
 fn edge_headings(graph: &SemanticDirectedGraph, nodes: &[usize], symmetric: bool) -> Vec<f64> {
     let period = if symmetric { PI } else { TAU };
     let mut headings: Vec<f64> = Vec::with_capacity(nodes.len());
@@ -118,8 +118,9 @@ fn edge_headings(graph: &SemanticDirectedGraph, nodes: &[usize], symmetric: bool
     headings
 }
 
-/// A stroke in parts on each of which the tool is not wound up: between them it is lifted and turned back.
-fn unwound(stroke: Stroke) -> Vec<Stroke> {
+/// Splits a stroke where its headings exceed the range [`WINDING`]: between the parts the tool is lifted and
+/// turned back.
+fn split_by_winding(stroke: Stroke) -> Vec<Stroke> {
     let mut strokes = Vec::new();
     let mut begin = 0;
     let mut range = Range::default();
@@ -129,7 +130,8 @@ fn unwound(stroke: Stroke) -> Vec<Stroke> {
             with
         } else {
             strokes.push(part(&stroke, begin..i));
-            // On the way between two nodes the tool goes on from the first, on the spot from its new heading.
+            // Between two nodes the next part starts again at the first, with the heading that the tool has
+            // after turning there.
             begin = if stroke.nodes[i - 1] == stroke.nodes[i] {
                 i
             } else {
@@ -151,7 +153,7 @@ fn part(stroke: &Stroke, of: std::ops::Range<usize>) -> Stroke {
     }
 }
 
-/// The headings that a tool has been turned to [rad].
+/// Range of the headings that a tool has had [rad].
 #[derive(Clone, Copy, Default)]
 struct Range(Option<[f64; 2]>);
 
@@ -161,13 +163,13 @@ impl Range {
         Self(Some([least.min(heading), most.max(heading)]))
     }
 
-    /// Whether a wrist turns that far.
+    /// Whether a wrist can turn through this range.
     fn is_reached(self) -> bool {
         self.0.is_none_or(|[least, most]| most - least <= WINDING)
     }
 }
 
-/// Whether half a turn of the tool changes nothing of what it does.
+/// Whether half a turn of the tool changes nothing about its effect.
 fn is_symmetric(task: &Task) -> bool {
     task.action == Action::Absorb && task.tool.is_half_turn_symmetric()
 }
@@ -235,9 +237,9 @@ mod tests {
         for headings in [Headings::Blended, Headings::AlongEdges] {
             for symmetric in [false, true] {
                 let whole = headings.along(&graph, &chain, symmetric);
-                let parts = unwound(whole.clone());
+                let parts = split_by_winding(whole.clone());
                 assert!(parts.iter().all(|part| turned(part) <= WINDING));
-                // A tool that may be turned by half a turn need not be lifted for it.
+                // A tool that is symmetric under half a turn need not be lifted.
                 assert_eq!(parts.len() > 1, !symmetric, "{headings:?}");
                 let length: f64 = parts.iter().map(Stroke::length).sum();
                 assert!((length - whole.length()).abs() < 1e-12);

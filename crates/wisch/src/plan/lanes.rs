@@ -1,8 +1,9 @@
-//! Lanes: a surface is treated in parallel strips as wide as the tool, gone over to and fro; the policy of actions that treat.
+//! Lanes: the tool treats a surface in parallel strips of its own width, to and fro. This is the policy of
+//! actions that treat the surface.
 //!
-//! The tool keeps its heading: its broad side stays across the lanes. Where a lane ends at the surface's border, the tool
-//! goes on over it as far as it stays carried. Before a hole it stops with its centre on the border: nothing is pressed over a
-//! hole.
+//! The tool keeps its heading: its broad side stays across the lanes. Where a lane ends at the surface's
+//! border, the tool moves over the border while the surface still carries it. Before a hole it stops with its
+//! centre on the border, so that nothing is pressed over a hole.
 
 use super::objective::objective;
 use super::{
@@ -13,23 +14,23 @@ use crate::geometry::{PlanarPose, Point2, Vector2};
 use crate::represent::{Action, Fate, GoalState, Ground, Task, Treatment};
 use std::f64::consts::FRAC_PI_2;
 
-/// How far beyond the border the tool centre point may go, over the tool's length along the lane [1]: a quarter of the tool
-/// still lies on the surface, and keeps it from tipping.
+/// Distance of the tool centre point beyond the border at most, over the tool's length along the lane [1]. A
+/// quarter of the tool then still lies on the surface and keeps it from tipping.
 const OVERHANG: f64 = 0.25;
-/// Nodes of a lane are no farther apart than this, over the radius of the collision sphere [1].
+/// Largest distance between nodes of a lane, over the radius of the collision sphere [1].
 const NODE_PITCH: f64 = 2.0;
-/// A pass is left out if it would give more passes than are allowed to more places than this share of those that it mends
-/// [1]: what lies in the overlap with a lane beside it.
+/// A pass is left out if it gives too many passes to more places than this share of the places that need it
+/// [1]: those in the overlap with a neighbouring lane.
 const MOST_EXCEEDED: f64 = 0.25;
-/// Strips that are missing by rounding alone [1].
+/// Lanes that only rounding would add [1].
 const ROUNDING: f64 = 1e-9;
-/// How far before the border of a hole a lane ends [m].
+/// Distance from the border of a hole at which a lane ends [m].
 const HOLE_MARGIN: f64 = 1e-5;
-/// Halvings until the end of a lane is as exact as is of use: to a micrometre.
+/// Number of halvings in the search for the end of a lane: exact to a micrometre.
 const HALVINGS: usize = 20;
 
-/// Lanes along x or y of the surface, whichever are predicted to do better, or else are shorter, over all places of the task's
-/// dirt that are not done.
+/// Plans lanes over all places that still need treatment, along x or y of the surface. The direction with the
+/// better predicted effect is taken, of equal ones the shorter.
 pub(super) fn lanes(
     task: &Task,
     space: &FreeSpace,
@@ -42,15 +43,15 @@ pub(super) fn lanes(
     };
     let directions = [0.0, FRAC_PI_2]
         .map(|heading| Lanes::new(task, space, goal, heading, config.search.margin_m));
-    if let Some(count) = (directions.iter().map(Lanes::most_nodes)).find(|&most| most > MAX_NODES) {
+    if let Some(count) = (directions.iter().map(Lanes::max_nodes)).find(|&most| most > MAX_NODES) {
         return Err(PlanError::TooManyNodes {
             surface: task.surface.name.clone(),
             count,
             pitch: NODE_PITCH * space.radius(),
-            advice: "take a wider tool, fewer passes or a part of the surface",
+            advice: "take a wider tool, fewer passes or a smaller surface",
         });
     }
-    let plans = directions.map(|lanes| assembled(task, space, goal, config, lanes.strokes()));
+    let plans = directions.map(|lanes| assemble_plan(task, space, goal, config, lanes.strokes()));
     let [along_x, along_y] = plans;
     let [x, y] = [&along_x, &along_y].map(|plan| (objective(task, plan), plan.contact_distance()));
     let is_along_y = y.0 > x.0 || y.0 == x.0 && y.1 < x.1;
@@ -64,12 +65,12 @@ pub(super) fn lanes(
     Ok(best)
 }
 
-/// A place that is not done, in the frame of the lanes.
+/// A place that still needs passes, in the frame of the lanes.
 #[derive(Debug, Clone, Copy)]
-struct Open {
+struct UntreatedPlace {
     along: f64,
     across: f64,
-    /// Passes that it needs.
+    /// Number of passes that it still needs.
     missing: u32,
 }
 
@@ -77,15 +78,15 @@ struct Open {
 struct Lanes<'a> {
     space: &'a FreeSpace,
     heading: f64,
-    /// Length and width of the tool [m].
+    /// Length and width of the tool, along and across the lanes [m].
     tool: Vector2,
-    /// Distance between lanes at most, and whether they fill it exactly.
+    /// Largest distance between lanes [m].
     strip: f64,
-    /// Whether places may have more passes than they need: then lanes overlap, and their ends are gone over again.
+    /// Whether places may have more passes than they need: then lanes overlap, and the tool repeats their ends.
     is_lenient: bool,
-    open: Vec<Open>,
-    /// All places of the surface: along and across, and the passes that each may still have.
-    room: Vec<([f64; 2], f64)>,
+    open: Vec<UntreatedPlace>,
+    /// All places of the surface: along and across [m], and the number of passes that each may still have.
+    passes_left: Vec<([f64; 2], f64)>,
     start: Point2,
 }
 
@@ -94,7 +95,7 @@ impl<'a> Lanes<'a> {
         let size =
             (task.tool.footprint.bounds()).map_or(task.tool.area_of_effect, |bounds| bounds.size());
         let is_lenient = task.action == Action::Polish;
-        // As wide as it is sure to be gone over if the tool is a little off its way.
+        // The strip that the tool covers even with a lateral error of `margin`: w − 2 m, at least w / 2.
         let strip = if is_lenient {
             (size.y - 2.0 * margin).max(size.y / 2.0)
         } else {
@@ -103,7 +104,7 @@ impl<'a> Lanes<'a> {
         let to_lanes = PlanarPose::new(Point2::origin(), heading);
         let open = places_of(task).map(|(place, fate)| {
             let there = to_lanes.inverse_transform(place);
-            Open {
+            UntreatedPlace {
                 along: there.x,
                 across: there.y,
                 missing: goal.missing_passes(fate.passes()),
@@ -113,7 +114,7 @@ impl<'a> Lanes<'a> {
             Some(Treatment::Polish { max_passes, .. }) => f64::from(max_passes),
             _ => f64::INFINITY,
         };
-        let room = places_of(task).map(|(place, fate)| {
+        let passes_left = places_of(task).map(|(place, fate)| {
             let there = to_lanes.inverse_transform(place);
             ([there.x, there.y], most - fate.passes())
         });
@@ -124,12 +125,12 @@ impl<'a> Lanes<'a> {
             strip,
             is_lenient,
             open: open.filter(|open| open.missing > 0).collect(),
-            room: room.collect(),
+            passes_left: passes_left.collect(),
             start: to_lanes.inverse_transform(task.tool_start),
         }
     }
 
-    /// Where the lanes run, across them, in the order in which they are gone over [m].
+    /// Returns the coordinates of the lanes across their direction, in the order of execution [m].
     fn middles(&self) -> Vec<f64> {
         let across = self.open.iter().map(|open| open.across);
         let (low, high) = across.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), at| {
@@ -139,7 +140,7 @@ impl<'a> Lanes<'a> {
             return Vec::new();
         }
         let most = self.open.iter().map(|open| open.missing).max().unwrap_or(0);
-        // Lanes that overlap are shifted from pass to pass, and cover the borders all the same.
+        // Overlapping lanes shift from pass to pass, and must still cover the borders.
         let reach = match self.is_lenient {
             true => 2.0 * self.shift(1, most).abs(),
             false => 0.0,
@@ -157,9 +158,9 @@ impl<'a> Lanes<'a> {
         middles
     }
 
-    /// How many nodes the lanes have at most.
-    fn most_nodes(&self) -> usize {
-        let extent = |of: fn(&Open) -> f64| {
+    /// Upper bound of the number of nodes of all lanes.
+    fn max_nodes(&self) -> usize {
+        let extent = |of: fn(&UntreatedPlace) -> f64| {
             let all = self.open.iter().map(of);
             let (low, high) = all.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), at| {
                 (low.min(at), high.max(at))
@@ -173,8 +174,9 @@ impl<'a> Lanes<'a> {
         (lanes * of_lane * f64::from(passes)) as usize
     }
 
-    /// For each lane the places that it goes over: a place belongs to the nearest lane, of two equally near ones to the first.
-    fn places_by_lane(&self, middles: &[f64]) -> Vec<Vec<Open>> {
+    /// Returns for each lane its places: each place belongs to the nearest lane, of two equally near lanes to
+    /// the first.
+    fn places_by_lane(&self, middles: &[f64]) -> Vec<Vec<UntreatedPlace>> {
         let mut by_lane = vec![Vec::new(); middles.len()];
         let pitch = middles.get(1).map_or(1.0, |second| second - middles[0]);
         for open in &self.open {
@@ -189,20 +191,20 @@ impl<'a> Lanes<'a> {
         by_lane
     }
 
-    /// How far across its lane a pass of several is shifted [m]: by the width in which lanes overlap, so that what one pass
-    /// goes over twice, the next goes over once.
+    /// Lateral shift of a pass [m]: the width by which lanes overlap, so that what one pass covers twice, the
+    /// next covers once.
     fn shift(&self, pass: u32, passes: u32) -> f64 {
         let overlap = self.tool.y - self.strip;
         if !self.is_lenient || overlap <= 0.0 {
             return 0.0;
         }
-        // As many shifts as there is room for in a strip.
+        // As many shifts as fit into a strip.
         let many = (self.strip / overlap).floor().max(1.0) as u32;
         let last = passes.min(many).saturating_sub(1);
         overlap * (f64::from((pass.max(1) - 1) % many) - f64::from(last) / 2.0)
     }
 
-    /// The tool's poses, stroke by stroke.
+    /// Returns the tool's poses, stroke by stroke.
     fn strokes(mut self) -> Vec<Vec<PlanarPose>> {
         let middles = self.middles();
         let places = self.places_by_lane(&middles);
@@ -216,8 +218,8 @@ impl<'a> Lanes<'a> {
                 self.space.is_clear(at) && is_carried(at)
             });
             of_lane.sort_by(|a, b| a.along.total_cmp(&b.along));
-            let mut runs: Vec<&[Open]> = of_lane
-                .chunk_by(|a, b| self.goes_on(a.along, b.along, across))
+            let mut runs: Vec<&[UntreatedPlace]> = of_lane
+                .chunk_by(|a, b| self.is_continuous(a.along, b.along, across))
                 .collect();
             let [first, last] = [of_lane.first(), of_lane.last()].map(|open| open.map(|o| o.along));
             let is_backward = match (first, last) {
@@ -228,7 +230,7 @@ impl<'a> Lanes<'a> {
                 runs.reverse();
             }
             for run in runs {
-                for way in self.ways(run, across, is_backward) {
+                for way in self.turning_points(run, across, is_backward) {
                     at = way.last().map_or(at, |turn| turn[0]);
                     strokes.push(self.poses(&way));
                 }
@@ -237,15 +239,20 @@ impl<'a> Lanes<'a> {
         strokes
     }
 
-    /// Whether a lane goes on from one place to the next.
-    fn goes_on(&self, from: f64, to: f64, across: f64) -> bool {
+    /// Whether a lane continues from one place to the next.
+    fn is_continuous(&self, from: f64, to: f64, across: f64) -> bool {
         let [a, b] = [from, to].map(|along| self.in_surface(along, across));
         to - from <= 2.0 * self.space.radius() && self.space.is_clear_between(a, b)
     }
 
-    /// The turning points of the tool, along and across [m], stroke by stroke: to and fro until no place of the run needs more,
-    /// or until one would have more than it may.
-    fn ways(&mut self, run: &[Open], across: f64, is_backward: bool) -> Vec<Vec<[f64; 2]>> {
+    /// Returns the turning points of the tool, along and across [m], stroke by stroke. The tool moves to and
+    /// fro until no place of the run needs more passes, or until a place would have more than it may.
+    fn turning_points(
+        &mut self,
+        run: &[UntreatedPlace],
+        across: f64,
+        is_backward: bool,
+    ) -> Vec<Vec<[f64; 2]>> {
         let most = run.iter().map(|open| open.missing).max().unwrap_or(0);
         let mut ways: Vec<Vec<[f64; 2]>> = Vec::new();
         let mut whole: Vec<[f64; 2]> = Vec::new();
@@ -254,12 +261,12 @@ impl<'a> Lanes<'a> {
             let mended = needy.clone().count();
             let Some(first) = needy.next() else { break };
             let last = needy.next_back().unwrap_or(first);
-            let across = self.shifted(run, across, pass, most);
+            let across = self.pass_coordinate(run, across, pass, most);
             let mut ends = [
                 self.end(first.along, across, -1.0),
                 self.end(last.along, across, 1.0),
             ];
-            if !self.passes_over([ends[0].place, ends[1].place], across, mended) {
+            if !self.count_pass([ends[0].place, ends[1].place], across, mended) {
                 break;
             }
             if is_backward != (pass % 2 == 0) {
@@ -279,38 +286,44 @@ impl<'a> Lanes<'a> {
         ways
     }
 
-    /// Where a pass goes across [m]: shifted, unless it would then meet what the lane itself keeps clear of.
-    fn shifted(&self, run: &[Open], across: f64, pass: u32, passes: u32) -> f64 {
+    /// Returns the coordinate of a pass across the lane [m]: shifted, unless the shifted pass would meet an
+    /// obstacle.
+    fn pass_coordinate(&self, run: &[UntreatedPlace], across: f64, pass: u32, passes: u32) -> f64 {
         let shifted = across + self.shift(pass, passes);
-        let at = |open: &Open| self.in_surface(open.along, shifted);
+        let at = |open: &UntreatedPlace| self.in_surface(open.along, shifted);
         let is_clear = run.iter().all(|open| self.space.is_clear(at(open)))
             && (run.windows(2)).all(|pair| self.space.is_clear_between(at(&pair[0]), at(&pair[1])));
         if is_clear { shifted } else { across }
     }
 
-    /// Counts a pass over what lies under the tool, unless it mends little for what would have more than it may; whether it
-    /// is counted.
-    fn passes_over(&mut self, [from, to]: [f64; 2], across: f64, mended: usize) -> bool {
+    /// Counts a pass over the places under the tool. Refuses the pass, and returns false, if it serves few
+    /// places and gives too many others more passes than they may have.
+    fn count_pass(&mut self, [from, to]: [f64; 2], across: f64, mended: usize) -> bool {
         let half = self.tool / 2.0;
         let is_under = |[x, y]: [f64; 2]| {
             (y - across).abs() < half.y && (from - half.x..=to + half.x).contains(&x)
         };
-        // What counts as a pass is slid over by half of one.
-        let is_full = |(place, room): &([f64; 2], f64)| is_under(*place) && *room < 0.5;
-        let full = self.room.iter().filter(|place| is_full(place)).count();
+        // Sliding over half of the tool counts as a pass.
+        let is_full =
+            |(place, passes_left): &([f64; 2], f64)| is_under(*place) && *passes_left < 0.5;
+        let full = self
+            .passes_left
+            .iter()
+            .filter(|place| is_full(place))
+            .count();
         if full as f64 > MOST_EXCEEDED * mended as f64 {
             return false;
         }
-        for (place, room) in &mut self.room {
+        for (place, passes_left) in &mut self.passes_left {
             if is_under(*place) {
-                *room -= 1.0;
+                *passes_left -= 1.0;
             }
         }
         true
     }
 
-    /// Where a lane ends whose last place is here, towards one side (1 or -1): where the tool has left that place, or as far as
-    /// it may go.
+    /// Returns the end of a lane whose last place is at `last`, on one side (1 or −1): where the tool has left
+    /// that place, or at the limit of its motion.
     fn end(&self, last: f64, across: f64, side: f64) -> LaneEnd {
         let half = self.tool.x / 2.0;
         let surface = &self.space.surface().outline;
@@ -341,6 +354,7 @@ impl<'a> Lanes<'a> {
         }
     }
 
+    /// Returns the tool's poses along the turning points, in the surface frame, no farther apart than the node pitch.
     fn poses(&self, way: &[[f64; 2]]) -> Vec<PlanarPose> {
         let pitch = NODE_PITCH * self.space.radius();
         let mut poses: Vec<PlanarPose> = Vec::new();
@@ -362,27 +376,29 @@ impl<'a> Lanes<'a> {
         poses
     }
 
+    /// Transforms a point of the lanes' frame to the surface frame [m].
     fn in_surface(&self, along: f64, across: f64) -> Point2 {
         PlanarPose::new(Point2::origin(), self.heading).transform(Point2::new(along, across))
     }
 }
 
-/// The places of the task's surface, with what was done to each.
+/// Returns the places of the task's surface, with the treatment that each has had.
 fn places_of(task: &Task) -> impl Iterator<Item = (Point2, Fate)> + '_ {
     let places = task.particles.iter();
     places.filter(|(_, fate)| fate.is_on_surface())
 }
 
-/// Where a lane ends, along it [m].
+/// The end of a lane.
 #[derive(Debug, Clone, Copy)]
 struct LaneEnd {
     place: f64,
-    /// How far back, and forth again, the tool goes so that the last place is slid over as long as the others.
+    /// Distance by which the tool moves back and forth again, so that it slides over the last place as long as
+    /// over any other [m].
     again: f64,
 }
 
-/// The plan of strokes with these poses, each a node of its own.
-fn assembled(
+/// Returns the plan of strokes with these poses; each pose is a node of its own.
+fn assemble_plan(
     task: &Task,
     space: &FreeSpace,
     goal: GoalState,

@@ -8,33 +8,33 @@ use crate::represent::{
     Performance, Surface, Task, heap_depth, heap_slide,
 };
 
-/// How many particles at the goal one takes back that comes right to an edge; within the margin in proportion.
-/// Chosen on `failure-human-push`, seeds 101 to 130: with 1, and where all within the margin counts in full, dirt
-/// is left elsewhere and fewer of them end well.
+/// Particles at the goal that one particle right at an edge cancels; within the margin, in proportion to its
+/// nearness. Chosen on `failure-human-push`, seeds 101 to 130: with 1, or if all particles within the margin
+/// count in full, more dirt is left on the surface and fewer runs end well.
 pub(super) const RISK: f64 = 0.5;
 
-/// How far a heap of all particles reaches ahead of where it is pushed to, over the radius of the tool's collision sphere
-/// [1]: between what the belief draws (up to 0.12) and [`HEAP_DEPTH`]. An assumption; with the latter, single strokes leave
-/// more dirt elsewhere (87.5 % instead of 90 % on the board, seed 3).
+/// Depth of a heap of all particles ahead of where it is pushed to, over the radius of the tool's collision
+/// sphere [1]. It lies between what the belief draws (up to 0.12) and [`HEAP_DEPTH`]. An assumption; with the
+/// latter, single strokes leave more dirt away from the goal (87.5 % instead of 90 % on the board, seed 3).
 const RIM_DEPTH: f64 = 0.2;
-/// Where in the depth of a heap its particles lie, as a share of it [1].
+/// Positions of the particles of a heap within its depth [1].
 const HEAP_PLACES: [f64; 4] = [0.125, 0.375, 0.625, 0.875];
 
-/// The objective of doing nothing [particles]: those where they belong, less several for each that nothing
-/// brings back.
+/// Objective of doing nothing [particles]: the particles where they belong, less [`LOSS`] for each lost
+/// particle.
 pub(super) fn objective_at_rest(task: &Task, goal: &GoalState) -> i64 {
-    counted(&Performance::of(&task.particles, goal, &task.surface))
+    weigh(&Performance::of(&task.particles, goal, &task.surface))
 }
 
-/// Whether a plan is predicted to be any better than doing nothing.
+/// Whether a plan is predicted to be better than doing nothing.
 pub fn is_gainful(task: &Task, plan: &Plan) -> bool {
     objective(task, plan) > objective_at_rest(task, &plan.graph.goal)
 }
 
-/// The objective of a plan [particles]: those that it is predicted to leave where they belong, less several
-/// for each that leaves the surface over a wrong edge, and less for those that are pushed so near to one that
-/// some of the heap would fall. What is pushed heaps up before the tool: what is brought just to the rim of the goal
-/// is partly beyond it.
+/// Objective of a plan [particles]: the number of particles predicted to end where they belong, less two costs.
+/// Each particle that falls over a wrong edge costs [`LOSS`]. Each that is pushed so near an edge that part of the
+/// heap would fall costs a share. Pushed dirt heaps up before the tool: of a heap brought just to the rim of the
+/// goal, part lies beyond it.
 pub(super) fn objective(task: &Task, plan: &Plan) -> i64 {
     let mut margin = EdgeMargin::new(
         &task.particles,
@@ -52,23 +52,22 @@ pub(super) fn objective(task: &Task, plan: &Plan) -> i64 {
             touched.push(particle);
             true
         });
-        // Only what is pushed comes near an edge.
+        // Only pushed dirt comes near an edge.
         if effect == Effect::Push {
             margin.pass_of(&field, touched.iter().copied());
         }
     }
     let performance = Performance::of(&field.distribution(), &plan.graph.goal, &task.surface);
     let risk = RISK * margin.nearness() + margin.beyond(&plan.graph.goal, &task.surface.outline);
-    counted(&performance) - risk.round() as i64
+    weigh(&performance) - risk.round() as i64
 }
 
-/// Of some plans for the dirt of a task that with the best predicted effect; of equal ones that with the shortest way in
-/// contact.
+/// Returns the plan with the highest objective; of equal plans the one with the shortest path in contact.
 ///
-/// The objective is the number of particles that reach the goal, less several for each that leaves the
-/// surface over a wrong edge: what is left can be wiped again, what is lost cannot; and less for those that
-/// are pushed so near to one that some of a heap would fall. What the plans do is predicted on all of the task's dirt, so
-/// that a stroke that scatters a heap counts against its plan.
+/// The objective is the number of particles that reach the goal, less several for each that falls over a wrong
+/// edge, because remaining dirt can be wiped again and lost dirt cannot. Particles pushed so near an edge that
+/// part of a heap would fall count less. The prediction covers all dirt of the task, so that a stroke that
+/// scatters a heap counts against its plan.
 pub(super) fn best_by_objective(
     task: &Task,
     plans: impl IntoIterator<Item = Plan>,
@@ -84,28 +83,29 @@ pub(super) fn best_by_objective(
     best.map(|(_, _, plan)| plan)
 }
 
-const fn counted(performance: &Performance) -> i64 {
+/// Number of particles where they belong, less [`LOSS`] for each lost particle.
+const fn weigh(performance: &Performance) -> i64 {
     performance.achieved as i64 - LOSS * performance.lost as i64
 }
 
-/// The strip along the edges over which nothing is to fall, as wide as a heap needs.
+/// The strip along the edges over which no dirt may fall, as wide as a heap is deep.
 #[derive(Debug, Clone)]
 pub(super) struct EdgeMargin {
     edges: Vec<Edge>,
     /// Depth of a heap of all particles [m].
     heap: f64,
     before: ParticleDistribution,
-    /// Particles that the last motion pushed, and from where.
+    /// Particles that the last motion pushed, and their positions before it.
     pushed: Vec<(usize, Point2)>,
-    /// How near to an edge each particle came in the worst case, over the width of the margin [1].
+    /// Largest nearness of each particle to an edge so far, over the width of the margin [1].
     nearness: Vec<f64>,
     world_from_surface: Pose,
-    /// How far a heap reaches from each particle on in the direction in which it was pushed last, and down a slope [m].
+    /// Depth of the heap ahead of each particle, in the direction of its last push and down a slope [m].
     ahead: Vec<Vector2>,
 }
 
 impl EdgeMargin {
-    /// For dirt that lies so, a goal, and a collision sphere of this radius [m].
+    /// Returns the margin for dirt at these places. `radius`: that of the collision sphere [m].
     pub(super) fn new(
         particles: &ParticleDistribution,
         surface: &Surface,
@@ -128,7 +128,8 @@ impl EdgeMargin {
         }
     }
 
-    /// Takes in where these particles lie after a motion; no others have moved; one may be named twice.
+    /// Updates the margin with the positions after a motion. `moved`: indices of all particles that moved;
+    /// repetitions do no harm.
     pub(super) fn pass_of(
         &mut self,
         after: &ParticleField,
@@ -144,11 +145,13 @@ impl EdgeMargin {
             self.before.put(i, place, fate);
         }
         let share = self.pushed.len() as f64 / self.before.len().max(1) as f64;
+        // The margin is as wide as the heap of the particles that this motion pushed is deep.
         let width = heap_depth(self.heap, share);
         for &(i, from) in &self.pushed {
             let (place, _) = after.place(i);
             let distances = self.edges.iter().map(|edge| edge.distance(place));
             let distance = distances.fold(width, f64::min);
+            // Nearness 1 − d / width: 0 at the border of the margin, 1 at the edge.
             self.nearness[i] = self.nearness[i].max(1.0 - distance / width);
             let along = (place - from).normalize();
             let reach = along + heap_slide(&self.world_from_surface, along);
@@ -156,19 +159,19 @@ impl EdgeMargin {
         }
     }
 
-    /// How near to an edge the particles came, each over the width of the margin [1].
+    /// Sum of the particles' largest nearness to an edge, each over the width of the margin [1].
     pub(super) fn nearness(&self) -> f64 {
         self.nearness.iter().sum()
     }
 
-    /// How many of the particles that are brought to where dirt is to be collected lie beyond it, as a heap reaches
-    /// ahead of the line that they were pushed to.
+    /// Number of particles within the goal of a collect whose heap reaches beyond the goal, each counted by
+    /// that share of its heap.
     pub(super) fn beyond(&self, goal: &GoalState, outline: &Polygon) -> f64 {
         let GoalState::Collected { center, radius } = goal else {
             return 0.0;
         };
         let is_met = |place: Point2| (place - center).norm() <= *radius;
-        // What is beyond an edge counts by its nearness.
+        // Particles beyond an edge are counted by their nearness instead.
         let is_beyond = |place: &Point2| !is_met(*place) && outline.contains(*place);
         let share_beyond = |(place, ahead): (Point2, &Vector2)| {
             let places = HEAP_PLACES.map(|share| place + ahead * share);
@@ -192,7 +195,7 @@ mod tests {
     };
     use std::f64::consts::FRAC_PI_2;
 
-    /// Crumbs on a board that ends at y = -0.14.
+    /// A task with crumbs on a board that ends at y = -0.14.
     fn task(crumbs: &[Point2]) -> Task {
         Task {
             name: "test".into(),
@@ -241,7 +244,7 @@ mod tests {
         }
     }
 
-    /// A stroke towards the edge that ends there; the goal holds whatever it pushes.
+    /// A plan with one stroke towards the edge that ends before it; the goal holds everything that it pushes.
     fn towards_the_edge(end: f64, goal: GoalState) -> Plan {
         let at = [Point2::new(0.0, 0.0), Point2::new(0.0, end)];
         Plan {
@@ -278,16 +281,16 @@ mod tests {
         let near = towards_the_edge(-0.09, goal);
         let heap = task(&[Point2::new(0.0, -0.06); 50]);
         assert_eq!(objective_at_rest(&heap, &goal), 50);
-        // The leading edge is 35 mm ahead, and a heap of all needs 22.8 mm.
+        // The leading edge is 35 mm ahead, and a heap of all crumbs needs 22.8 mm.
         let ends = [-0.08, -0.09, -0.1, -0.104];
         let objectives = ends.map(|end| objective(&heap, &towards_the_edge(end, goal)));
         assert_eq!(objectives, [50, 41, 30, 26]);
-        // Over the edge.
+        // The tool crosses the edge.
         assert_eq!(objective(&heap, &towards_the_edge(-0.12, goal)), -3 * 50);
         let mut crumbs = vec![Point2::new(0.19, 0.13); 49];
         crumbs.push(Point2::new(0.0, -0.06));
         assert_eq!(objective(&task(&crumbs), &near), 1);
-        // Over this edge the heap is to go.
+        // A skim is to push the heap over this edge.
         let skimmed = towards_the_edge(-0.1, GoalState::Skimmed);
         assert_eq!(objective(&heap, &skimmed), 0);
         let skimmed = towards_the_edge(-0.12, GoalState::Skimmed);
@@ -308,7 +311,7 @@ mod tests {
         assert_eq!([achieved(&rim), achieved(&middle)], [50; 2]);
         assert!(objective(&heap, &rim) < objective(&heap, &middle) - 20);
         assert!(is_gainful(&heap, &middle));
-        // Where it lies already, nothing is gained.
+        // Where the heap lies in the goal already, the push gains nothing.
         let away = towards_the_edge(-0.05, goal(0.0));
         assert!(!is_gainful(&heap, &away));
     }

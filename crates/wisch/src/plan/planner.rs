@@ -1,43 +1,43 @@
-//! The planner: one request, and plans by any strategy that answer it.
+//! The planner: one request, and the plan of any strategy that answers it.
 
-use super::adaptive::{Judge, score, searched};
-use super::candidates::{MOST_COMPARED, candidate_plans, some_to_compare, varied_plans};
+use super::adaptive::{Valuation, score, search};
+use super::candidates::{MOST_COMPARED, candidate_plans, reduce_for_comparison, varied_plans};
 use super::objective::best_by_objective;
-use super::policies::{covering, some_of};
-use super::subplans::{best_of, space_of};
+use super::policies::{plan_by_coverage, sample_particles};
+use super::subplans::{best_of, free_space_of};
 use super::{CoverageStrategy, FreeSpace, Plan, PlanConfig, PlanError, PlanScore, Strategy};
 use crate::geometry::Point2;
 use crate::represent::{ParticleDistribution, Task};
 
-/// Plans of the other strategies from which strokes are searched for: so many settings of each.
-const BEGUN_WITH: [(CoverageStrategy, usize); 2] =
+/// Coverage strategies whose plans start the search for strokes, and the number of settings of each.
+const START_PLANS: [(CoverageStrategy, usize); 2] =
     [(CoverageStrategy::Kde, 9), (CoverageStrategy::Grid, 1)];
 
-/// Strokes are searched for with no more particles than this: a random choice of more.
+/// Largest number of particles in the search for strokes; of more particles, a random subset is used.
 const MAX_PARTICLES: usize = 250;
 
-/// A plan, and its predicted score.
+/// A plan and its predicted score.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Candidate {
-    /// The plan; its strategy says where it comes from.
+    /// The plan; its field `strategy` names the strategy that made it.
     pub plan: Plan,
-    /// Its score.
+    /// The plan's score.
     pub score: PlanScore,
 }
 
-/// A candidate by each strategy, or why it has none, in the order of [`Strategy::ALL`].
+/// For each strategy its candidate, or the reason why it has none, in the order of [`Strategy::ALL`].
 pub type Portfolio = Vec<(Strategy, Result<Candidate, PlanError>)>;
 
 /// Plans the wiping motion of a task for its particles, with [`Planner`].
 ///
 /// # Errors
-/// No free place on the surface, a goal node that is not free, a skim without an edge to push over,
-/// or geometry and costs that the libraries refuse.
+/// No free place on the surface, a goal node that is not free, a skim without an edge to push over, or geometry
+/// and costs that the libraries refuse.
 pub fn plan(task: &Task, config: &PlanConfig) -> Result<Plan, PlanError> {
     Planner::new(task, config).plan()
 }
 
-/// Plans for a task, its settings, and what is known of the dirt.
+/// A planner for one task: the task, the settings, and what is known of the dirt.
 ///
 /// ```
 /// use wisch::plan::{PlanConfig, Planner};
@@ -56,14 +56,14 @@ pub fn plan(task: &Task, config: &PlanConfig) -> Result<Plan, PlanError> {
 pub struct Planner<'a> {
     task: &'a Task,
     config: &'a PlanConfig,
-    /// Where the dirt may lie; empty for where the task's lies.
+    /// Possible distributions of the dirt; empty if the task's own particles are certain.
     dirt: &'a [ParticleDistribution],
-    /// The dirt that is not yet where it belongs; `None` is all of the task's.
+    /// The dirt that is not yet where it belongs; `None` means all of the task's dirt.
     remaining: Option<&'a ParticleDistribution>,
 }
 
 impl<'a> Planner<'a> {
-    /// A planner for the particles of a task, as if it were known that they lie there.
+    /// Returns a planner that takes the task's particles for certain.
     pub fn new(task: &'a Task, config: &'a PlanConfig) -> Self {
         Self {
             task,
@@ -73,27 +73,30 @@ impl<'a> Planner<'a> {
         }
     }
 
-    /// The same for dirt that may lie like any of these; coverage strategies take the first for certain.
+    /// Returns a planner for dirt of which several distributions are possible; coverage strategies take the
+    /// first for certain.
     ///
-    /// With several, the tool is held a little differently in each, heaps need room and contact begins late: what is right to
-    /// the millimetre for one is not for the next.
+    /// With several distributions, each simulation holds the tool a little differently, gives heaps a depth and
+    /// begins contact late. A plan that is right to the millimetre for only one of them then scores less.
     #[must_use]
     pub fn with_possible_dirt(self, dirt: &'a [ParticleDistribution]) -> Self {
         Self { dirt, ..self }
     }
 
-    /// The same where only this much of the task's dirt is not yet where it belongs: coverage strategies place their nodes there.
+    /// Returns a planner that places the nodes of coverage strategies on the remaining dirt alone.
+    ///
+    /// `remaining`: the part of the task's dirt that is not yet where it belongs.
     #[must_use]
     pub fn with_remaining(self, remaining: &'a ParticleDistribution) -> Self {
         let remaining = Some(remaining);
         Self { remaining, ..self }
     }
 
-    /// Plans by the configured strategy; [`Strategy::Best`] is the best of all.
+    /// Plans by the configured strategy; [`Strategy::Best`] plans by all and takes the best.
     ///
     /// # Errors
-    /// A strategy that does not fit the action, no free place on the surface, a goal node that is not free, a skim without an
-    /// edge to push over, or geometry and costs that the libraries refuse.
+    /// A strategy that does not fit the action, no free place on the surface, a goal node that is not free, a
+    /// skim without an edge to push over, or geometry and costs that the libraries refuse.
     pub fn plan(&self) -> Result<Plan, PlanError> {
         let (strategy, config) = (self.config.strategy, self.config);
         check_fits(strategy, self.task)?;
@@ -106,29 +109,30 @@ impl<'a> Planner<'a> {
         Ok(finish(plan, &task, &space, config))
     }
 
-    /// Plans by the configured strategy. A coverage strategy tries `count` settings, which differ in the bandwidth of the density
-    /// and in where strokes begin, and keeps the one with the best predicted effect; of equal ones that with the shortest way in
-    /// contact. The others search anyway.
+    /// Plans by the configured strategy with several settings. A coverage strategy tries `count` settings,
+    /// which differ in the bandwidth of the density and in the start of the strokes. It keeps the plan with the
+    /// best predicted effect; of equal plans the one with the shortest path in contact. Strategies that search
+    /// ignore `count`.
     ///
     /// # Errors
-    /// Those of [`Self::plan`], if no setting gives a plan.
+    /// The errors of [`Self::plan`], if no setting gives a plan.
     pub fn best_of(&self, count: usize) -> Result<Plan, PlanError> {
         let (task, config) = (self.task, self.config);
         check_fits(config.strategy, task)?;
         if config.strategy.turns_tool() {
             return self.plan();
         }
-        let space = space_of(task)?;
+        let space = free_space_of(task)?;
         let remaining = self.remaining.unwrap_or(&task.particles);
         let strategy = config.strategy.covering();
-        let few = some_to_compare(task);
+        let few = reduce_for_comparison(task);
         let some = match task.action.treats() {
             true => remaining.clone(),
-            false => some_of(remaining, MOST_COMPARED),
+            false => sample_particles(remaining, MOST_COMPARED),
         };
         let plans = candidate_plans(&few, &some, &space, strategy, config, count)?;
         let plan = best_by_objective(&few, plans)
-            .map_or_else(|| covering(&few, &space, strategy, config), Ok)?;
+            .map_or_else(|| plan_by_coverage(&few, &space, strategy, config), Ok)?;
         let on = Task {
             particles: remaining.clone(),
             ..task.clone()
@@ -136,33 +140,34 @@ impl<'a> Planner<'a> {
         Ok(finish(plan, &on, &space, config))
     }
 
-    /// The best subplan ([`Self::best_subplan`]) of the plans of a coverage strategy with `count` settings.
+    /// Returns the best subplan ([`Self::best_subplan`]) of the plans of a coverage strategy with `count`
+    /// settings.
     ///
     /// # Errors
-    /// Those of [`Self::plan`], if no setting gives a plan.
+    /// The errors of [`Self::plan`], if no setting gives a plan.
     pub fn best_subplan_of(&self, count: usize) -> Result<Plan, PlanError> {
-        let space = space_of(self.task)?;
-        let task = &some_to_compare(self.task);
+        let space = free_space_of(self.task)?;
+        let task = &reduce_for_comparison(self.task);
         let remaining = self.remaining.unwrap_or(&self.task.particles);
-        let some = some_of(remaining, MOST_COMPARED);
+        let some = sample_particles(remaining, MOST_COMPARED);
         let strategy = self.config.strategy.covering();
         let plans = varied_plans(task, &some, &space, strategy, self.config, count)?;
         Ok(best_of(task, &plans, &space))
     }
 
-    /// Reduces a plan to that one of its subplans which is predicted to gain most; to no stroke, if none is predicted to gain
+    /// Reduces a plan to the subplan with the largest predicted gain; to no stroke, if no subplan gains
     /// anything.
     ///
-    /// A subplan is what makes sense by itself: of a tree, the way from any node on to the goal, along the tree
-    /// or straight, for half of it would bring nothing to where it belongs; of a tour, a piece of three tool
-    /// widths. What counts is the predicted number of particles that reach the goal, less several for each
-    /// that leaves the surface over a wrong edge; among equals the shorter way. Paper §4.3.
+    /// A subplan is useful by itself. Of a tree it is the path from any node to the goal, along the tree or
+    /// straight, because half of that path would bring nothing to where it belongs. Of a tour it is a piece of
+    /// three tool widths. The gain is the predicted number of particles that reach the goal, less several for
+    /// each that falls over a wrong edge; of equal subplans the shorter wins. Paper §4.3.
     ///
     /// # Errors
     /// If the scene's geometry cannot be used.
     pub fn best_subplan(&self, plan: &Plan) -> Result<Plan, PlanError> {
         let plans = std::slice::from_ref(plan);
-        Ok(best_of(self.task, plans, &space_of(self.task)?))
+        Ok(best_of(self.task, plans, &free_space_of(self.task)?))
     }
 
     /// Plans by every strategy that fits the action, and scores each plan.
@@ -172,14 +177,14 @@ impl<'a> Planner<'a> {
     pub fn plan_by_every_strategy(&self) -> Result<Portfolio, PlanError> {
         let (task, few, space) = self.prepare()?;
         let (task, config) = (&task, self.config);
-        let judge = Judge::new(task, &few, &space, config.search.margin_m, None);
+        let valuation = Valuation::new(task, &few, &space, config.search.margin_m, None);
         let strategies = (Strategy::ALL.into_iter())
             .filter(|&strategy| strategy != Strategy::Best && strategy.fits(task.action));
         let candidates = strategies.map(|strategy| {
             let plan = plan_by(strategy, task, &few, &space, config);
             let candidate = plan.map(|plan| {
                 let plan = finish(plan, task, &space, config);
-                let score = score(&judge, &plan);
+                let score = score(&valuation, &plan);
                 Candidate { plan, score }
             });
             (strategy, candidate)
@@ -187,18 +192,18 @@ impl<'a> Planner<'a> {
         Ok(candidates.collect())
     }
 
-    /// Changes a plan so that the tool comes to none of some places, such as those to which a robot does not lead it, and brings
-    /// as much as it can without.
+    /// Changes a plan so that the tool avoids some places, for example places out of the robot's reach, and
+    /// brings as much dirt as it can without them.
     ///
     /// # Parameters
-    /// - `avoid`: the places, in the frame of the surface [m].
+    /// `avoid`: the places, in the surface frame [m].
     ///
     /// # Errors
     /// Geometry that the libraries refuse.
     pub fn plan_around(&self, plan: &Plan, avoid: &[Point2]) -> Result<Plan, PlanError> {
         let (task, few, space) = self.prepare()?;
         let begun_with = std::slice::from_ref(plan);
-        let found = searched(&task, &few, &space, begun_with, Some(avoid), self.config);
+        let found = search(&task, &few, &space, begun_with, Some(avoid), self.config);
         let found = found.unwrap_or_else(|| plan.clone());
         Ok(finish(found, &task, &space, self.config))
     }
@@ -210,12 +215,12 @@ impl<'a> Planner<'a> {
     pub fn score(&self, plan: &Plan) -> Result<PlanScore, PlanError> {
         let (task, few, space) = self.prepare()?;
         let margin = self.config.search.margin_m;
-        let judge = Judge::new(&task, &few, &space, margin, None);
-        Ok(score(&judge, plan))
+        let valuation = Valuation::new(&task, &few, &space, margin, None);
+        Ok(score(&valuation, plan))
     }
 
-    /// The task with the first of the possible places for its dirt, as much of each as strokes are searched for with, and the free
-    /// space.
+    /// Returns the task with the first of the possible distributions, a subset of each distribution for the
+    /// search, and the free space.
     fn prepare(&self) -> Result<(Task, Vec<ParticleDistribution>, FreeSpace), PlanError> {
         let dirt = match self.dirt {
             [] => std::slice::from_ref(&self.task.particles),
@@ -225,18 +230,20 @@ impl<'a> Planner<'a> {
             particles: dirt[0].clone(),
             ..self.task.clone()
         };
-        let few = dirt.iter().map(|dirt| some_of(dirt, MAX_PARTICLES));
-        Ok((of_first, few.collect(), space_of(self.task)?))
+        let few = dirt
+            .iter()
+            .map(|dirt| sample_particles(dirt, MAX_PARTICLES));
+        Ok((of_first, few.collect(), free_space_of(self.task)?))
     }
 }
 
-/// Of some candidates the plan with the highest score.
+/// Returns the plan with the highest score among some candidates.
 ///
 /// # Errors
-/// That of the first candidate, if none has a plan.
+/// The error of the first candidate, if none has a plan.
 ///
 /// # Panics
-/// Without any candidate.
+/// If there is no candidate.
 pub(crate) fn highest_score<E>(
     candidates: impl IntoIterator<Item = Result<Candidate, E>>,
 ) -> Result<Plan, E> {
@@ -251,7 +258,7 @@ pub(crate) fn highest_score<E>(
     best.map(|candidate| candidate.plan)
 }
 
-/// Refuses a strategy that does not plan the task's action.
+/// Returns an error for a strategy that does not plan the task's action.
 fn check_fits(strategy: Strategy, task: &Task) -> Result<(), PlanError> {
     let action = task.action;
     if strategy.fits(action) {
@@ -265,7 +272,7 @@ fn check_fits(strategy: Strategy, task: &Task) -> Result<(), PlanError> {
     }
 }
 
-/// The plan of one strategy; none is [`Strategy::Best`] by itself.
+/// Plans by one strategy, which must not be [`Strategy::Best`].
 fn plan_by(
     strategy: Strategy,
     task: &Task,
@@ -275,7 +282,7 @@ fn plan_by(
 ) -> Result<Plan, PlanError> {
     match strategy {
         Strategy::Coverage(_) | Strategy::Lanes => {
-            covering(task, space, strategy.covering(), config)
+            plan_by_coverage(task, space, strategy.covering(), config)
         }
         Strategy::Adaptive | Strategy::Best | Strategy::Own => {
             search_strokes(task, dirt, space, config)
@@ -283,7 +290,8 @@ fn plan_by(
     }
 }
 
-/// The plan no longer than it may be, with what share of the task's dirt no pose of the tool covers.
+/// Cuts a plan to the longest distance allowed and notes which share of the task's dirt the tool covers at no
+/// pose.
 fn finish(plan: Plan, task: &Task, space: &FreeSpace, config: &PlanConfig) -> Plan {
     let places: Vec<Point2> = task.particles.remaining().collect();
     let plan = match config.max_distance {
@@ -296,7 +304,7 @@ fn finish(plan: Plan, task: &Task, space: &FreeSpace, config: &PlanConfig) -> Pl
     }
 }
 
-/// Strokes that are searched for, begun with those of coverage strategies for the task's dirt.
+/// Searches for strokes, starting from plans of coverage strategies for the task's dirt.
 fn search_strokes(
     task: &Task,
     dirt: &[ParticleDistribution],
@@ -310,7 +318,7 @@ fn search_strokes(
     };
     let mut begun_with = Vec::new();
     let mut failure = None;
-    for (strategy, count) in BEGUN_WITH {
+    for (strategy, count) in START_PLANS {
         match candidate_plans(task, first, space, strategy, config, count) {
             Ok(plans) => begun_with.extend(plans),
             Err(error) => {
@@ -318,7 +326,7 @@ fn search_strokes(
             }
         }
     }
-    match searched(task, dirt, space, &begun_with, None, config) {
+    match search(task, dirt, space, &begun_with, None, config) {
         Some(plan) => Ok(plan),
         None => Err(failure.unwrap_or_else(|| PlanError::NoFreeNode {
             surface: task.surface.name.clone(),

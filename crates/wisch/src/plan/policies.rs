@@ -15,21 +15,21 @@ use crate::represent::{Action, GoalState, ParticleDistribution, Task};
 use rand::RngExt;
 use rand_chacha::{ChaCha8Rng, rand_core::SeedableRng};
 
-/// Headings are chosen by their effect on no more particles than this.
+/// Largest number of particles by which headings are chosen.
 const CHOSEN_BY: usize = 2000;
 
-/// Nodes of a tile of a tour that is made of tiles.
+/// Number of nodes in a tile of a tour that is made of tiles.
 const TILE_NODES: usize = 500;
-/// Random kicks per node of such a tile, of which there are many.
+/// Random kicks per node of a tile.
 const TILE_KICKS: usize = 5;
 
-/// Where a goal is chosen by trying, nodes times goals that are tried at most, which is what that takes time by; and how many
-/// goals are tried however many nodes there are.
+/// Largest product of nodes and tried goals where the planner chooses the goal itself, in proportion to the
+/// computing time; and the number of goals that are tried for any number of nodes.
 const TRIED_GOAL_NODES: usize = 250_000;
 const FEWEST_GOALS: usize = 9;
 
 /// Plans with the strokes of a coverage strategy and of the action's policy.
-pub(super) fn covering(
+pub(super) fn plan_by_coverage(
     task: &Task,
     space: &FreeSpace,
     strategy: CoverageStrategy,
@@ -64,9 +64,9 @@ pub(super) fn covering(
     Ok(plan)
 }
 
-/// New strokes through some nodes of a plan, such as those that a robot reaches. To absorb, an open tour from the one
-/// nearest to `from`, in the surface frame [m]; else trees that lead to those of them that are goals, worked off from
-/// there. A node that no way leads from to any goal is in no stroke.
+/// Returns new strokes through some nodes of a plan, for example those within a robot's reach. To absorb, they
+/// are an open tour from the node nearest to `from`, in the surface frame [m]. Else they are trees that lead to
+/// those of the nodes that are goals. A node without a path to a goal is in no stroke.
 ///
 /// # Errors
 /// Geometry and costs that the libraries refuse.
@@ -94,13 +94,15 @@ pub(crate) fn rejoin_nodes(
     };
     let named = |chain: Vec<usize>| chain.into_iter().map(|i| nodes[i]).collect();
     let chains: Vec<Vec<usize>> = chains.into_iter().map(named).collect();
-    // Where a robot reaches just some nodes, it is the less able to turn the tool on the spot.
+    // A robot that reaches only some nodes is less able to turn the tool on the spot.
     Ok(Headings::Blended.strokes(task, &plan.graph, &chains))
 }
 
-/// Chains of some nodes of a plan to absorb, each number one among `nodes`: an open tour of them from `start`, one of these
-/// numbers, of little cost, cut where the tool has to be lifted. `cost` is that of moving the tool between two of them,
-/// `lift` that of lifting and lowering it, such as the movement of joints.
+/// Returns chains of some nodes of a plan to absorb: an open tour of low cost, cut where the tool has to be
+/// lifted. Numbers in a chain are indices into `nodes`.
+///
+/// `start`: index of the first node. `cost`: cost of moving the tool between two nodes in contact. `lift`: cost
+/// of lifting and lowering it between them, for example the movement of joints.
 ///
 /// # Errors
 /// A cost that is not a number, more nodes than a tour may have, or geometry that the libraries refuse.
@@ -153,7 +155,7 @@ fn absorb(
     Ok(assemble(task, config, space, graph, chains))
 }
 
-/// A short open tour of all nodes from the one nearest to a place, cut where the tool is lifted.
+/// Returns a short open tour of all nodes from the node nearest to a place, cut where the tool is lifted.
 fn nearest_tour(
     space: &FreeSpace,
     nodes: &[Point2],
@@ -175,9 +177,9 @@ fn nearest_tour(
     }
 }
 
-/// A tour of more nodes than one may have: tiles of at most [`TILE_NODES`] nodes are passed in columns to and fro, and each
-/// has a tour of its own from the node nearest to where the one before ends (after Karp, 1977). Time is proportional to the
-/// number of nodes.
+/// Returns a tour of more nodes than a single tour may have. Tiles of at most [`TILE_NODES`] nodes are visited
+/// in columns to and fro. Each has a tour of its own from the node nearest to the end of the last tile (after
+/// Karp, 1977). Time is proportional to the number of nodes.
 fn tour_by_tiles(
     space: &FreeSpace,
     nodes: &[Point2],
@@ -217,7 +219,7 @@ fn tour_by_tiles(
     Ok(chains)
 }
 
-/// Numbers of nodes in tiles of neighbours, in columns to and fro from the corner nearest to a place.
+/// Returns the node numbers in tiles of neighbours, in columns to and fro from the corner nearest to a place.
 fn tiles(nodes: &[Point2], from: Point2) -> Vec<Vec<usize>> {
     let Some(bounds) = Bounds2::of(nodes.iter().copied()) else {
         return Vec::new();
@@ -244,10 +246,10 @@ fn tiles(nodes: &[Point2], from: Point2) -> Vec<Vec<usize>> {
     tiles
 }
 
-/// An open tour of all nodes from one of them, cut where the tool is lifted.
+/// Returns an open tour of all nodes from one of them, cut where the tool is lifted.
 ///
-/// A move that would drag the tool through an obstacle is lifted instead: it costs its length once more, and the
-/// way up and down.
+/// A move that would drag the tool through an obstacle becomes a lifted move: it costs its length once more,
+/// and the lift and the descent.
 fn tour(
     space: &FreeSpace,
     nodes: &[Point2],
@@ -298,11 +300,18 @@ fn collect(
         center: goal,
         radius: space.radius(),
     };
-    Ok(rooted(task, config, space, nodes, &[goal], state))
+    Ok(build_forest_plan(
+        task,
+        config,
+        space,
+        nodes,
+        &[goal],
+        state,
+    ))
 }
 
-/// Collect without a given goal: the node with the best predicted performance, then the shortest way. Of many nodes, some
-/// that are evenly spread among them are tried, fewer the more there are.
+/// Collect without a given goal: the node with the best predicted performance, then the shortest path. Of many
+/// nodes an evenly spread subset is tried, smaller for more nodes.
 fn best_collect(
     task: &Task,
     config: &PlanConfig,
@@ -344,7 +353,7 @@ fn skim(
             surface: task.surface.name.clone(),
         });
     }
-    Ok(rooted(
+    Ok(build_forest_plan(
         task,
         config,
         space,
@@ -354,10 +363,10 @@ fn skim(
     ))
 }
 
-/// Places beyond the skim edges at a pitch of at most r_s, r_s outside the border.
+/// Returns places beyond the skim edges, at a pitch of at most r_s, r_s outside the border.
 ///
-/// At that distance the leading edge, which lies within r_s of the tool centre point, has passed the
-/// border whichever way the tool comes.
+/// The leading edge lies within r_s of the tool centre point. At that distance it has passed the border from
+/// any direction.
 fn skim_goals(space: &FreeSpace) -> Vec<Point2> {
     let radius = space.radius();
     let edges: Vec<Edge> = space.surface().outline.edges().collect();
@@ -378,8 +387,8 @@ fn skim_goals(space: &FreeSpace) -> Vec<Point2> {
         .collect()
 }
 
-/// Trees that lead the nodes to the goals, and their branches as strokes.
-fn rooted(
+/// Builds the trees that lead the nodes to the goals, and their branches as strokes.
+fn build_forest_plan(
     task: &Task,
     config: &PlanConfig,
     space: &FreeSpace,
@@ -428,24 +437,25 @@ fn assemble(
         tool_start: task.tool_start,
         lift_height: config.lift_height,
     };
-    best_headed(task, &plan, config.heading, &chains)
+    choose_headings(task, &plan, config.heading, &chains)
 }
 
-/// The plan with strokes through these chains of its nodes, headed so that their predicted effect is best.
-fn best_headed(task: &Task, plan: &Plan, rule: HeadingRule, chains: &[Vec<usize>]) -> Plan {
+/// Returns the plan with strokes through these chains of its nodes, with the headings of the best predicted
+/// effect.
+fn choose_headings(task: &Task, plan: &Plan, rule: HeadingRule, chains: &[Vec<usize>]) -> Plan {
     let headed = rule.choices(task).into_iter().map(|headings| Plan {
         strokes: headings.strokes(task, &plan.graph, chains),
         ..plan.clone()
     });
     let few = Task {
-        particles: some_of(&task.particles, CHOSEN_BY),
+        particles: sample_particles(&task.particles, CHOSEN_BY),
         ..task.clone()
     };
     best_by_objective(&few, headed).expect("a rule has at least one heading")
 }
 
-/// Some dirt, or a random choice of so many of its particles.
-pub(super) fn some_of(dirt: &ParticleDistribution, most: usize) -> ParticleDistribution {
+/// Returns the dirt, or a random subset of `most` of its particles.
+pub(super) fn sample_particles(dirt: &ParticleDistribution, most: usize) -> ParticleDistribution {
     if dirt.len() <= most {
         return dirt.clone();
     }

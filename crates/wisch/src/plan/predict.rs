@@ -1,25 +1,24 @@
-//! Prediction: the plan's strokes played through the effect model; paper §3.4, Fig. 7.
+//! Prediction: the effect of a plan's strokes by the effect model; paper §3.4, Fig. 7.
 
 use super::Plan;
 use crate::geometry::PlanarPose;
 use crate::represent::{EffectModel, ParticleDistribution, ParticleField, Performance, Task};
 
-/// How many particles that might still be brought to the goal one is worth that never will: whatever is
-/// left on the surface can be wiped again.
+/// Number of remaining particles that weigh as much as one lost particle: remaining dirt can be wiped again.
 pub(super) const LOSS: i64 = 3;
 
-/// What a plan is expected to achieve.
+/// The predicted result of a plan.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Prediction {
-    /// The particles afterwards.
+    /// The particles after the plan.
     pub particles: ParticleDistribution,
-    /// Measured against the plan's goal.
+    /// Performance with respect to the plan's goal.
     pub performance: Performance,
 }
 
 impl Prediction {
-    /// The share of the dirt that the plan brings where it belongs, less three times the share that it loses [1]: from 1 down to
-    /// −3.
+    /// The share of the dirt that the plan brings where it belongs, less three times the share that it loses
+    /// [1]; from 1 down to −3.
     pub fn score(&self) -> f64 {
         let Performance {
             initial,
@@ -39,13 +38,12 @@ pub struct PredictionProgress<'a> {
     pub surface_from_tool: PlanarPose,
     /// Index of the stroke.
     pub stroke: usize,
-    /// The particles as they lie now.
+    /// The particles at this moment.
     pub field: &'a ParticleField,
 }
 
-/// Plays the strokes of a plan through the effect model.
-///
-/// `watch` is called after every motion; use `|_| ()` where nobody looks.
+/// Simulates the strokes of a plan with the effect model. `watch` is called after every motion; pass `|_| ()`
+/// to ignore it.
 pub fn predict(task: &Task, plan: &Plan, mut watch: impl FnMut(&PredictionProgress)) -> Prediction {
     let mut field = ParticleField::new(&task.particles);
     let mut model = EffectModel::new(&task.tool.footprint, plan.graph.goal.action().effect());

@@ -1,33 +1,39 @@
-//! What a plan is predicted to be worth, term by term.
+//! The predicted score of a plan, term by term.
 
-/// The score of a plan, as the mean over all places where the dirt may lie. Every term is a share of the dirt [1], and the total
-/// is the first less the others: wiping all of the surface once costs 0.01.
+/// The score of a plan, as the mean over all possible distributions of the dirt.
+///
+/// Every term is a share of the dirt [1]. The total is `in_place` less all other terms: wiping the whole
+/// surface once costs 0.01.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct PlanScore {
-    /// What the terms add up to [1]: more is better.
+    /// Sum of the terms [1]: more is better.
     pub total: f64,
-    /// The dirt that ends where it belongs [1].
+    /// Dirt that ends where it belongs [1].
     pub in_place: f64,
-    /// The dirt that is lost over a wrong edge, three times [1].
+    /// Dirt that falls over a wrong edge, times 3 [1].
     pub lost: f64,
-    /// The dirt that is pushed so near to an edge, or to the rim of the goal, that part of the heap may go beyond it, by half [1].
+    /// Dirt pushed so near an edge, or the rim of the goal, that part of the heap may go beyond it, times 0.5
+    /// [1].
     pub at_risk: f64,
-    /// The dirt that does not end where it belongs, 0.3 times its distance from there over the diagonal of the surface [1].
+    /// Dirt that ends elsewhere, times 0.3, times its distance from the goal over the diagonal of the surface
+    /// [1].
     pub away: f64,
-    /// The way in contact, lifts and turns [1].
+    /// Cost of the path in contact, of lifts and of turns [1].
     pub way: f64,
-    /// The way in contact beyond [`PlanConfig::max_distance`](super::PlanConfig::max_distance), three for each metre [1].
+    /// Cost of the path in contact beyond [`PlanConfig::max_distance`](super::PlanConfig::max_distance), 3 per
+    /// metre [1].
     pub too_long: f64,
-    /// The duration of the robot's motion, 0.01 for half a minute [1]; 0 of a plan that no robot follows.
+    /// Cost of the duration of the robot's motion, 0.01 for about half a minute [1]; 0 for a plan without a
+    /// robot.
     pub time: f64,
 }
 
 impl PlanScore {
-    /// Share of the dirt that a second of motion costs [1/s]: half a minute, about as long as it takes to wipe a board once, costs
-    /// one part in a hundred.
+    /// Share of the dirt that a second of motion costs [1/s]. Half a minute, about the time to wipe a board
+    /// once, costs one part in a hundred.
     const PER_SECOND: f64 = 3e-4;
 
-    /// The same of a plan that a robot takes so long to follow [s].
+    /// Returns the score with the cost of a robot's motion of this duration [s].
     #[must_use]
     pub fn with_motion(self, duration: f64) -> Self {
         let time = Self::PER_SECOND * duration;

@@ -1,26 +1,27 @@
-//! How strokes are found.
+//! The strategies by which the planner finds strokes.
 
 use super::CoverageStrategy;
 use crate::represent::{Action, UnknownName};
 use std::str::FromStr;
 
-/// How the strokes of a plan are found.
+/// How the planner finds the strokes of a plan.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Strategy {
-    /// Nodes that cover the surface or the dirt, joined by the action's policy; the paper's.
+    /// Nodes that cover the surface or the dirt, joined by the action's policy; the strategies of the paper.
     Coverage(CoverageStrategy),
-    /// Whole plans that are changed at random and kept by what they are simulated to do.
+    /// Simulated annealing over whole plans, each valued by its simulated effect.
     Adaptive,
     /// Parallel strips as wide as the tool, for actions that treat the surface itself.
     Lanes,
-    /// Whichever of the others is predicted to be worth most. No plan has this as its own strategy.
+    /// The strategy whose plan has the highest predicted score. No plan has this as its own strategy.
     Best,
-    /// Strokes that came from outside ([`plan_of_strokes`](super::plan_of_strokes)); nothing is planned by it.
+    /// Strokes that the user gave ([`plan_of_strokes`](super::plan_of_strokes)); the planner does not plan by
+    /// it.
     Own,
 }
 
 impl Strategy {
-    /// Every strategy by which can be planned, the paper's first; names in flags, files and error texts are taken from here.
+    /// Every strategy that plans, the paper's first; names in flags, files and error texts are taken from here.
     pub const ALL: [Self; 6] = [
         Self::Coverage(CoverageStrategy::ALL[0]),
         Self::Coverage(CoverageStrategy::ALL[1]),
@@ -30,7 +31,8 @@ impl Strategy {
         Self::Best,
     ];
 
-    /// Whether it plans an action: lanes those that treat the surface, and the others those that move dirt.
+    /// Whether the strategy plans an action: lanes plan actions that treat the surface, all other strategies
+    /// those that move dirt.
     pub fn fits(self, action: Action) -> bool {
         match self {
             Self::Best => true,
@@ -40,7 +42,7 @@ impl Strategy {
         }
     }
 
-    /// The names of those that plan an action, for people to read.
+    /// Names of the strategies that plan an action, for people to read.
     pub fn names_for(action: Action) -> String {
         let fitting = Self::ALL
             .into_iter()
@@ -48,7 +50,7 @@ impl Strategy {
         fitting.map(Self::as_str).collect::<Vec<_>>().join(", ")
     }
 
-    /// That by which a later round of an action is planned: what is left over is best covered by its density.
+    /// The strategy for later rounds of an action: the density of the remaining dirt places the nodes best.
     pub(crate) fn for_what_is_left(action: Action) -> Self {
         if action.treats() {
             Self::Lanes
@@ -57,17 +59,18 @@ impl Strategy {
         }
     }
 
-    /// Whether strokes are searched for by what they are simulated to do.
+    /// Whether the strategy searches for strokes by their simulated effect.
     pub const fn is_searched(self) -> bool {
         matches!(self, Self::Adaptive | Self::Best)
     }
 
-    /// Whether its strokes turn the tool on purpose, whatever the action.
+    /// Whether the strategy's strokes turn the tool on purpose, for any action.
     pub(crate) const fn turns_tool(self) -> bool {
         matches!(self, Self::Adaptive | Self::Best | Self::Own)
     }
 
-    /// The coverage strategy whose nodes serve where strokes have to run through nodes: the density's, unless it is one.
+    /// The coverage strategy for strokes that have to run through nodes: this strategy if it is one, else the
+    /// density's.
     pub(super) fn covering(self) -> CoverageStrategy {
         match self {
             Self::Coverage(strategy) => strategy,
@@ -103,7 +106,7 @@ impl FromStr for Strategy {
     type Err = UnknownName;
 
     fn from_str(name: &str) -> Result<Self, UnknownName> {
-        // In a plan that was written, not in a task that asks for one.
+        // A written plan may have this strategy; a task cannot ask for it.
         let mut all = Self::ALL.into_iter().chain([Self::Own]);
         let named = all.find(|s| s.as_str() == name);
         named.ok_or_else(|| UnknownName::new("strategy", name, Self::ALL.map(Self::as_str)))

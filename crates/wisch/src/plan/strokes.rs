@@ -1,4 +1,4 @@
-//! Strokes, what the tool does from touching down to lifting off, and the plan that they make up.
+//! Strokes, the tool's motions from touching down to lifting off, and the plan that they form.
 
 use super::{Node, NodeRole, SemanticDirectedGraph, Strategy};
 use crate::geometry::{PlanarPose, Point2};
@@ -7,7 +7,7 @@ use crate::represent::ToolMotion;
 /// One motion in contact through a chain of nodes.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Stroke {
-    /// The nodes it runs through; one on which the tool is turned on the spot stands there twice.
+    /// The nodes of the stroke in order; a node at which the tool turns on the spot stands here twice.
     pub nodes: Vec<usize>,
     /// Pose of the tool in the surface frame at each of these nodes. Headings are continuous (not
     /// wrapped), and change linearly along the edges between.
@@ -39,16 +39,16 @@ impl Stroke {
             .chain(touch)
     }
 
-    /// Way of the tool centre point along this stroke, in contact throughout [m].
+    /// Length of the tool centre point's path in this stroke, all of it in contact [m].
     pub fn length(&self) -> f64 {
         self.motions().map(|motion| motion.travel().1).sum()
     }
 }
 
-/// Planned strokes and the graph they come from.
+/// Planned strokes and the graph that they come from.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Plan {
-    /// How the strokes were found.
+    /// The strategy that found the strokes.
     pub strategy: Strategy,
     /// Nodes and directed edges.
     pub graph: SemanticDirectedGraph,
@@ -56,21 +56,23 @@ pub struct Plan {
     pub strokes: Vec<Stroke>,
     /// Radius r_s of the collision sphere [m].
     pub collision_radius: f64,
-    /// Share of the particles planned for that no allowed pose of the tool covers ([`FreeSpace::out_of_reach`]) [1].
+    /// Share of the planned particles that the tool covers at no allowed pose ([`FreeSpace::out_of_reach`])
+    /// [1].
     pub unreachable_share: f64,
-    /// Where the tool starts, in the surface frame [m].
+    /// Start of the tool, in the surface frame [m].
     pub tool_start: Point2,
-    /// How high the tool is lifted between strokes [m].
+    /// Height by which the tool is lifted between strokes [m].
     pub lift_height: f64,
 }
 
 impl Plan {
-    /// Way of the tool centre point over all strokes, lifted moves left out [m]; the distance of Table 1.
+    /// Length of the tool centre point's path over all strokes, without lifted moves [m]; the distance of Table
+    /// 1.
     pub fn contact_distance(&self) -> f64 {
         self.strokes.iter().map(Stroke::length).sum()
     }
 
-    /// The plan up to a way in contact [m], where the stroke that is being wiped ends.
+    /// Returns the plan up to a distance in contact [m]; the stroke in progress ends there.
     #[must_use]
     pub fn cut_off(&self, distance: f64) -> Self {
         let mut cut = self.clone();
@@ -113,7 +115,7 @@ impl Plan {
         cut
     }
 
-    /// Distance travelled in all, lifted moves included [m].
+    /// Total distance, lifted moves included [m].
     pub fn total_distance(&self) -> f64 {
         self.tcp_path()
             .windows(2)
@@ -125,7 +127,7 @@ impl Plan {
             .sum()
     }
 
-    /// The corners of the tool centre point's whole path: approach, strokes, lifts, retreat.
+    /// The corners of the tool centre point's whole path: approach, strokes, lifts and retreat.
     pub fn tcp_path(&self) -> Vec<TcpWaypoint> {
         let mut path = Vec::new();
         for stroke in &self.strokes {

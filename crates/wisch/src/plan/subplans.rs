@@ -1,24 +1,25 @@
-//! One subplan at a time: what is best wiped next, before anybody looks; paper §4.3.
+//! Subplans: the best single stroke to execute before the next observation; paper §4.3.
 
 use super::heading::Headings;
 use super::objective::{objective, objective_at_rest};
 use super::{FreeSpace, Plan, PlanError, SemanticDirectedGraph, Stroke, predict};
 use crate::represent::{GoalState, Task};
 
-/// Length of a subplan of a tour, over the radius r_s of the collision sphere: about three widths of the
-/// tool, as far as a wipe reaches before one looks.
+/// Length of a subplan of a tour, over the radius r_s of the collision sphere: about three widths of the tool,
+/// as long as a wipe between two observations.
 const TOUR_SUBPLAN: f64 = 6.0;
-/// Of so many particles a subplan has to gain one to be worth its way.
+/// Smallest gain of a subplan: one of this many particles.
 const GAIN: usize = 250;
-/// Nodes of a tree from which subplans begin, at most: of more, some that are evenly spread.
+/// Largest number of tree nodes at which subplans begin; of more nodes, an evenly spread subset is used.
 const MAX_BEGINNINGS: usize = 500;
-/// Subplans of a plan that is made of nothing else, at most.
+/// Largest number of subplans in a plan that consists of subplans.
 const MAX_SUBPLANS: usize = 24;
 
-/// A plan made of subplans, the best first and each chosen by what those before are predicted to leave.
+/// Returns a plan of subplans. Each is the best for the dirt that the subplans before it are predicted to
+/// leave.
 ///
-/// Straight ways do not turn the tool, which near an edge pushes over it what lies beside the tool.
-pub(super) fn composed(task: &Task, plan: &Plan, space: &FreeSpace) -> Plan {
+/// Straight paths do not turn the tool; near an edge, a turn would push dirt beside the tool over that edge.
+pub(super) fn compose_subplans(task: &Task, plan: &Plan, space: &FreeSpace) -> Plan {
     let candidates = subplans(plan, task, space);
     let mut state = task.clone();
     let mut strokes = Vec::new();
@@ -34,28 +35,28 @@ pub(super) fn composed(task: &Task, plan: &Plan, space: &FreeSpace) -> Plan {
 }
 
 /// The free space of a task.
-pub(super) fn space_of(task: &Task) -> Result<FreeSpace, PlanError> {
+pub(super) fn free_space_of(task: &Task) -> Result<FreeSpace, PlanError> {
     let scene: Vec<_> = task.obstacles_in_surface().collect();
     FreeSpace::new(&task.surface, &scene, task.tool.collision_radius())
 }
 
-/// A subplan, and what is said for it.
-struct Found {
+/// A subplan with its objective and length.
+struct ScoredSubplan {
     stroke: Stroke,
     objective: i64,
     length: f64,
 }
 
-impl Found {
+impl ScoredSubplan {
     fn is_better_than(&self, other: &Self) -> bool {
         self.objective > other.objective
             || self.objective == other.objective && self.length < other.length
     }
 }
 
-/// The best subplan of several plans; the first without any stroke if none gains anything.
+/// Returns the best subplan of several plans; the first plan without strokes if no subplan gains anything.
 pub(super) fn best_of(task: &Task, plans: &[Plan], space: &FreeSpace) -> Plan {
-    let mut best: Option<(Found, &Plan)> = None;
+    let mut best: Option<(ScoredSubplan, &Plan)> = None;
     for plan in plans {
         let found = best_among(task, plan, &subplans(plan, task, space));
         if let Some(found) = found
@@ -70,15 +71,15 @@ pub(super) fn best_of(task: &Task, plans: &[Plan], space: &FreeSpace) -> Plan {
     }
 }
 
-/// The best of some strokes, if any gains anything.
-fn best_among(task: &Task, plan: &Plan, strokes: &[Stroke]) -> Option<Found> {
+/// Returns the best of some strokes, if it gains enough.
+fn best_among(task: &Task, plan: &Plan, strokes: &[Stroke]) -> Option<ScoredSubplan> {
     let now = objective_at_rest(task, &plan.graph.goal);
     let least = now + (task.particles.len() / GAIN).max(1) as i64;
     let mut one = with_strokes(plan, Vec::new());
-    let mut best: Option<Found> = None;
+    let mut best: Option<ScoredSubplan> = None;
     for stroke in strokes {
         one.strokes = vec![stroke.clone()];
-        let found = Found {
+        let found = ScoredSubplan {
             objective: objective(task, &one),
             length: stroke.length(),
             stroke: stroke.clone(),
@@ -91,17 +92,18 @@ fn best_among(task: &Task, plan: &Plan, strokes: &[Stroke]) -> Option<Found> {
     best
 }
 
+/// Returns all candidate subplans of a plan.
 fn subplans(plan: &Plan, task: &Task, space: &FreeSpace) -> Vec<Stroke> {
     let graph = &plan.graph;
     let chains: Vec<Vec<usize>> = match graph.goal {
         GoalState::Collected { .. } | GoalState::Skimmed => {
             let successors = graph.successors();
-            let apart = graph.nodes.len().div_ceil(MAX_BEGINNINGS).max(1);
+            let spacing = graph.nodes.len().div_ceil(MAX_BEGINNINGS).max(1);
             (0..graph.nodes.len())
-                .step_by(apart)
+                .step_by(spacing)
                 .flat_map(|node| {
-                    let way = way_to_goal(&successors, node);
-                    let straight = straight_way(graph, &way, space);
+                    let way = path_to_goal(&successors, node);
+                    let straight = straight_path(graph, &way, space);
                     std::iter::once(way).chain(straight)
                 })
                 .filter(|chain| chain.len() > 1)
@@ -119,13 +121,14 @@ fn subplans(plan: &Plan, task: &Task, space: &FreeSpace) -> Vec<Stroke> {
     Headings::Blended.strokes(task, graph, &chains)
 }
 
-/// From a node along the tree's edges to its root.
-fn way_to_goal(successors: &[Option<usize>], node: usize) -> Vec<usize> {
+/// Returns the nodes from a node along the tree's edges to its root.
+fn path_to_goal(successors: &[Option<usize>], node: usize) -> Vec<usize> {
     std::iter::successors(Some(node), |&at| successors[at]).collect()
 }
 
-/// From a way's first node straight to its last, where that is another way and nothing stands between.
-fn straight_way(
+/// Returns the straight path from the first to the last node, if it differs from the path along the tree and is
+/// free.
+fn straight_path(
     graph: &SemanticDirectedGraph,
     way: &[usize],
     space: &FreeSpace,
@@ -135,8 +138,8 @@ fn straight_way(
     (way.len() > 2 && is_clear()).then(|| vec![first, last])
 }
 
-/// For every node of a chain the piece that begins there and is as long as is allowed; pieces that only end
-/// what another piece wipes as well are left out.
+/// Returns for every node of a chain the longest allowed piece that begins there. Pieces at the end that
+/// another piece contains are left out.
 fn pieces(graph: &SemanticDirectedGraph, chain: &[usize], longest: f64) -> Vec<Vec<usize>> {
     let mut pieces = Vec::new();
     for first in 0..chain.len() {
@@ -145,7 +148,7 @@ fn pieces(graph: &SemanticDirectedGraph, chain: &[usize], longest: f64) -> Vec<V
         while let Some(&next) = chain.get(last + 1) {
             let edge = graph.position(next) - graph.position(chain[last]);
             length += edge.norm();
-            // An edge longer than that is a piece of its own.
+            // An edge longer than the limit is a piece of its own.
             if length > longest && last > first {
                 break;
             }
@@ -159,8 +162,7 @@ fn pieces(graph: &SemanticDirectedGraph, chain: &[usize], longest: f64) -> Vec<V
     pieces
 }
 
-/// The plan with these strokes, and with their edges in the place of those that the tree has from the same
-/// nodes.
+/// Returns the plan with these strokes; their edges replace the tree's edges from the same nodes.
 fn with_edges_of(plan: &Plan, strokes: Vec<Stroke>) -> Plan {
     let mut plan = with_strokes(plan, strokes);
     let legs = plan.strokes.iter().flat_map(|stroke| {
@@ -225,7 +227,7 @@ mod tests {
             [vec![0, 1, 2], vec![1, 2, 3], vec![2, 3], vec![3, 4]]
         );
         assert_eq!(pieces(&graph, &all, 9.0), [all.to_vec()]);
-        // An edge that is too long is not left out for that.
+        // An edge longer than the limit is kept.
         assert_eq!(pieces(&graph, &[3, 4], 0.1), [vec![3, 4]]);
         assert_eq!(pieces(&graph, &[2], 0.1), [vec![2]]);
     }
@@ -233,7 +235,7 @@ mod tests {
     #[test]
     fn a_way_ends_at_the_root() {
         let graph = chain(&[0.25, 0.25]);
-        assert_eq!(way_to_goal(&graph.successors(), 0), [0, 1, 2]);
-        assert_eq!(way_to_goal(&graph.successors(), 2), [2]);
+        assert_eq!(path_to_goal(&graph.successors(), 0), [0, 1, 2]);
+        assert_eq!(path_to_goal(&graph.successors(), 2), [2]);
     }
 }

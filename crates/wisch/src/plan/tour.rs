@@ -2,7 +2,7 @@
 //!
 //! Up to [`EXACT_NODES`] nodes the answer is optimal (dynamic programming after Held and Karp, 1962).
 //! Above, a greedy start is improved by sequential exchanges (after Lin and Kernighan, 1973) and then
-//! by many small random kicks, each repaired locally and taken back unless it paid (iterated local
+//! by many small random kicks. Each is repaired locally and undone unless it shortens the tour (iterated local
 //! search; Johnson and McGeoch, 1997, survey both).
 
 mod exact;
@@ -32,9 +32,9 @@ pub enum TourError {
         "cost between nodes {from} and {to} is {cost}; its magnitude must be at most {MAX_TOUR_COST:e}"
     )]
     CostOutOfRange {
-        /// The lower index of the pair.
+        /// The lower index of the two nodes.
         from: usize,
-        /// The higher index of the pair.
+        /// The higher index of the two nodes.
         to: usize,
         /// The offending cost.
         cost: f64,
@@ -48,18 +48,18 @@ pub enum TourError {
     /// The start is not one of the nodes.
     #[error("start node {start} does not exist: there are {count} nodes")]
     StartOutOfRange {
-        /// The start asked for.
+        /// The requested start.
         start: usize,
-        /// How many nodes there are.
+        /// Number of nodes.
         count: usize,
     },
 }
 
 /// Symmetric costs of moving between `n` nodes, n × n, row-major.
 ///
-/// Costs need not obey the triangle inequality and may be negative. A forbidden move is a large
-/// cost, such as a thousand times the sum of all allowed ones: the answer then uses as few forbidden
-/// moves as it can.
+/// Costs need not obey the triangle inequality and may be negative. A forbidden move gets a large cost, for
+/// example a thousand times the sum of all allowed costs: the answer then uses as few forbidden moves as it
+/// can.
 #[derive(Debug, Clone, PartialEq)]
 pub struct CostMatrix {
     node_count: usize,
@@ -67,7 +67,8 @@ pub struct CostMatrix {
 }
 
 impl CostMatrix {
-    /// The costs `cost(i, j)` between `node_count` nodes; asked once per pair, with i < j.
+    /// Returns the matrix of the costs `cost(i, j)` between `node_count` nodes; `cost` is called once per pair,
+    /// with i < j.
     ///
     /// ```
     /// use wisch::plan::CostMatrix;
@@ -102,7 +103,7 @@ impl CostMatrix {
         Ok(Self { node_count, costs })
     }
 
-    /// Straight-line distances [m] between points of one frame [m].
+    /// Returns the matrix of straight-line distances [m] between points of one frame [m].
     ///
     /// ```
     /// use wisch::{geometry::Point2, plan::CostMatrix};
@@ -167,10 +168,10 @@ impl CostMatrix {
     }
 }
 
-/// How long to search; of no effect up to 12 nodes, where the answer is optimal.
+/// Effort of the search; without effect up to 12 nodes, where the answer is optimal.
 #[derive(Debug, Clone, PartialEq)]
 pub struct TourConfig {
-    /// Random kicks tried per node; time grows in proportion.
+    /// Number of random kicks per node; time grows in proportion.
     pub kicks_per_node: usize,
     /// Seed of the kicks; equal seeds give equal answers.
     pub seed: u64,
@@ -185,16 +186,16 @@ impl Default for TourConfig {
     }
 }
 
-/// Where the way ends.
+/// The end of the path.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Finish {
-    /// At the node where it began.
+    /// At the start node.
     AtStart,
-    /// At whichever node is cheapest.
+    /// At the node with the lowest cost.
     Anywhere,
 }
 
-/// An order of all nodes that begins at `start`, ends anywhere and has a low [`CostMatrix::path_cost`].
+/// Returns an order of all nodes that begins at `start`, ends anywhere and has a low [`CostMatrix::path_cost`].
 ///
 /// Optimal up to 12 nodes. The same input gives the same answer.
 ///
@@ -221,9 +222,9 @@ pub fn shortest_path_from(
     Ok(solve(costs, start, Finish::Anywhere, config))
 }
 
-/// An order of all nodes, beginning at node 0, with a low [`CostMatrix::tour_cost`].
+/// Returns an order of all nodes, beginning at node 0, with a low [`CostMatrix::tour_cost`].
 ///
-/// Optimal up to 12 nodes; empty if there are none. The same input gives the same answer.
+/// Optimal up to 12 nodes; empty without nodes. The same input gives the same answer.
 ///
 /// ```
 /// use wisch::{geometry::Point2, plan::{CostMatrix, TourConfig, shortest_tour}};

@@ -5,35 +5,37 @@ use crate::geometry::{Bounds2, DisjointSets, Point2, PointGrid};
 
 /// A forest that leads every connected node to one of the roots.
 pub(super) struct Forest {
-    /// For each node the next one on its way to a root; `None` for roots and unreachable nodes.
+    /// For each node the next node on the path to its root; `None` for roots and unreachable nodes.
     pub(super) parent: Vec<Option<usize>>,
-    /// Nodes without a way to any root.
+    /// Nodes without a path to any root.
     pub(super) unreachable: Vec<usize>,
-    /// The length up to which edges had to be allowed: at least l_max [m].
+    /// Length of the longest edge that was allowed: at least l_max [m].
     pub(super) edge_length: f64,
 }
 
-/// Most pairs of nodes that are looked at: more than 6000 nodes have, so that up to there no edge is overlooked.
+/// Largest number of node pairs that are examined. Up to 6000 nodes have fewer pairs, so that no edge is
+/// overlooked.
 const MOST_PAIRS: usize = 20_000_000;
-/// How much longer the edges of the next band may be [1].
+/// Ratio of the longest edges of two consecutive bands [1].
 const BAND: f64 = 1.5;
 
-/// Kruskal's algorithm from a virtual root that joins all `roots` at no cost.
+/// Computes the minimum spanning forest by Kruskal's algorithm, from a virtual root that joins all `roots` at
+/// no cost.
 ///
-/// The edges of a minimum spanning tree are the shortest that connect, so allowing edges longer than
-/// `max_length` only where the tree would fall apart is what it does by itself. An edge to a goal beyond
-/// the border counts less the r_s by which the goal lies outside: particles are pushed no further than
-/// the border, and by full lengths hardly any tree would start from a goal of its own.
+/// The edges of a minimum spanning tree are the shortest that connect. Edges longer than `max_length` are
+/// therefore taken only where the tree would fall apart without them. An edge to a goal beyond the border
+/// counts less the r_s by which the goal lies outside, because particles are pushed only up to the border. With
+/// full lengths, hardly any tree would start from a goal of its own.
 ///
-/// Edges are looked at in bands of growing length, and only between parts that are still apart: that takes
-/// n log n time on a grid of n nodes. What [`MOST_PAIRS`] pairs do not join is unreachable.
+/// Edges are examined in bands of growing length, and only between parts that are not yet connected: that takes
+/// n log n time on a grid of n nodes. Nodes that [`MOST_PAIRS`] pairs do not connect are unreachable.
 pub(super) fn forest(
     space: &FreeSpace,
     nodes: &[Point2],
     roots: &[usize],
     max_length: f64,
 ) -> Forest {
-    let mut joined = Joined::of(nodes.len());
+    let mut joined = Components::of(nodes.len());
     for pair in roots.windows(2) {
         joined.union(pair[0], pair[1]);
     }
@@ -55,7 +57,7 @@ pub(super) fn forest(
     let [mut least, mut most] = [f64::NEG_INFINITY, max_length];
     while joined.parts > 1 && least < longest && looked_at < MOST_PAIRS {
         let mut pairs: Vec<(f64, usize, usize)> = Vec::new();
-        // A pair of two parts has an end outside the largest.
+        // A pair of nodes from two parts has at least one node outside the largest part.
         let largest = joined.largest();
         for i in (0..nodes.len()).filter(|&i| joined.part(i) != largest) {
             grid.within(nodes[i], most + space.radius(), |j, _| {
@@ -104,11 +106,11 @@ pub(super) fn forest(
     }
 }
 
-/// The branches of a forest in the order in which they are worked off; paper §3.3.
+/// Returns the branches of a forest in the order of execution; paper §3.3.
 ///
-/// From the leaf nearest the tool towards the root, then from the next nearest. A branch ends where
-/// others still have to come in: the last to arrive takes what they brought along, so every edge is
-/// wiped once and nothing is left at a junction.
+/// The first branch starts at the leaf nearest the tool, the next at the nearest leaf that is left. A branch
+/// ends at a junction where another branch still has to arrive. The last branch to arrive takes the dirt of all
+/// of them along, so every edge is wiped once and no dirt stays at a junction.
 pub(super) fn branches(
     nodes: &[Point2],
     parent: &[Option<usize>],
@@ -118,7 +120,7 @@ pub(super) fn branches(
     for to in parent.iter().flatten() {
         pending[*to] += 1;
     }
-    let mut leaves = PointGrid::new(leaf_cell(nodes));
+    let mut leaves = PointGrid::new(cell_size(nodes));
     for leaf in (0..nodes.len()).filter(|&i| pending[i] == 0 && parent[i].is_some()) {
         leaves.insert(leaf, nodes[leaf]);
     }
@@ -142,20 +144,20 @@ pub(super) fn branches(
     branches
 }
 
-/// Side of cells of which each holds about one node [m].
-fn leaf_cell(nodes: &[Point2]) -> f64 {
+/// Side of square cells that hold about one node each [m].
+fn cell_size(nodes: &[Point2]) -> f64 {
     let size = Bounds2::of(nodes.iter().copied()).map_or(1.0, |bounds| bounds.size().max());
     (size / (nodes.len().max(1) as f64).sqrt()).max(1e-6)
 }
 
-/// Nodes joined to parts, and how large the parts are.
-struct Joined {
+/// Disjoint sets of connected nodes, with their sizes (union-find).
+struct Components {
     parts_of: DisjointSets,
     sizes: Vec<usize>,
     parts: usize,
 }
 
-impl Joined {
+impl Components {
     fn of(count: usize) -> Self {
         Self {
             parts_of: DisjointSets::new(count),
@@ -164,10 +166,12 @@ impl Joined {
         }
     }
 
+    /// Returns the representative of a node's part.
     fn part(&self, node: usize) -> usize {
         self.parts_of.find(node)
     }
 
+    /// Joins the parts of two nodes.
     fn union(&mut self, a: usize, b: usize) {
         let size = self.sizes[self.part(a)] + self.sizes[self.part(b)];
         if self.parts_of.union(a, b) {
@@ -177,7 +181,7 @@ impl Joined {
         }
     }
 
-    /// The part with the most nodes.
+    /// Returns the part with the most nodes.
     fn largest(&self) -> usize {
         let size = |node: &usize| {
             (
@@ -226,7 +230,7 @@ mod tests {
         let length: f64 = edges
             .filter_map(|(i, parent)| Some((nodes[i] - nodes[(*parent)?]).norm()))
             .sum();
-        // A spanning tree of square cells is as many pitches long as it has edges.
+        // The length of a spanning tree of square cells is its number of edges times the pitch.
         assert!(
             (length - 0.1 * (nodes.len() - 1) as f64).abs() < 1e-6,
             "{length}"

@@ -1,4 +1,4 @@
-//! What to wipe again: from an interpretation to the next task; paper §4.3.
+//! Recovery: from an interpretation to the next task or the end of a session; paper §4.3.
 
 mod next_task;
 mod verdict;

@@ -1,4 +1,4 @@
-//! The task of the next round, and what it is planned on.
+//! The task of the next round, and the dirt that its plan is for.
 
 use crate::geometry::{Point2, Pose, Region};
 use crate::interpret::{Belief, Diagnosis, Interpretation};
@@ -6,19 +6,20 @@ use crate::represent::{
     Fate, GoalState, ParticleDistribution, ParticleError, ScenePart, Surface, Task,
 };
 
-/// Draws from the belief that plans of later rounds are made on, by [`Belief::draws`] with the seed of the task.
+/// Number of draws from the belief for which later rounds are planned, by [`Belief::draws`] with the seed of
+/// the task.
 pub const PLANNING_DRAWS: usize = 8;
-/// Plans that are tried for what is left over, at most and at least; there the density is that of a few
-/// scattered grains, and the prediction shows best what becomes of them.
+/// Largest and smallest number of plans that are tried for remaining dirt. Its density is that of a few
+/// scattered grains, so the prediction is the best guide.
 const RECOVERY_CANDIDATES: [usize; 2] = [50, 3];
-/// Edges of the tool's footprint times plans that are tried.
+/// Budget of prediction work: edges of the tool's footprint times plans.
 const RECOVERY_EDGES: usize = 2000;
 
-/// The task of the next round: the surface where it was found to be, and the dirt as it is believed to lie
-/// now, one draw from the ensemble.
+/// Returns the task of the next round: the surface at its estimated pose, and the dirt at its estimated places,
+/// one draw from the ensemble.
 ///
 /// # Errors
-/// If the belief holds positions that are none.
+/// The belief holds a position that is not finite.
 pub fn next_task(
     task: &Task,
     goal: &GoalState,
@@ -37,8 +38,8 @@ pub fn next_task(
     Ok(next)
 }
 
-/// The task with its surface elsewhere, and with it everything round it: what was mislocated is the robot
-/// before the scene.
+/// Returns the task with its surface, and everything around it, moved to another pose: the localisation error
+/// is that of the robot before the scene.
 pub fn relocalized(task: &Task, world_from_surface: Pose) -> Task {
     let moved = world_from_surface * task.surface.world_from_surface.inverse();
     let mut next = task.clone();
@@ -51,18 +52,18 @@ pub fn relocalized(task: &Task, world_from_surface: Pose) -> Task {
     next
 }
 
-/// The task with only the dirt that is not yet where it belongs, to be planned on: what has been collected
-/// is not to attract another stroke.
+/// Returns the dirt to plan for: only the dirt that is not yet where it belongs, so that collected dirt
+/// attracts no further stroke.
 ///
 /// # Errors
-/// If a position is none.
+/// A position is not finite.
 pub fn unfinished(task: &Task, goal: &GoalState) -> Result<ParticleDistribution, ParticleError> {
-    let open: Vec<_> = open_particles(&task.particles, goal, &task.surface).collect();
+    let open: Vec<_> = remaining_particles(&task.particles, goal, &task.surface).collect();
     ParticleDistribution::with_fates(&open)
 }
 
-/// The particles on the surface that are not where the goal wants them.
-fn open_particles<'a>(
+/// Returns the particles on the surface that do not meet the goal.
+fn remaining_particles<'a>(
     particles: &'a ParticleDistribution,
     goal: &'a GoalState,
     surface: &'a Surface,
@@ -72,11 +73,12 @@ fn open_particles<'a>(
     })
 }
 
-/// Whether a belief has nothing elsewhere than where it belongs, but for what is lost. With the seed of the next
-/// task, it looks at the same draws as the plan would; of a surface that is treated at the median passes of each place.
+/// Whether the belief has all dirt where it belongs, lost dirt excepted. With the seed of the next task it uses
+/// the same draws as the plan. For an action that treats the surface, it uses the median number of passes of
+/// each place.
 ///
 /// # Errors
-/// If the belief holds positions that are none.
+/// The belief holds a position that is not finite.
 pub fn is_done(
     belief: &Belief,
     goal: &GoalState,
@@ -89,18 +91,18 @@ pub fn is_done(
         Some(places) => places,
         None => belief.draws(PLANNING_DRAWS, seed)?,
     };
-    Ok(open_particles(&draws, goal, surface).next().is_none())
+    Ok(remaining_particles(&draws, goal, surface).next().is_none())
 }
 
-/// How many candidate plans are tried for what is left over: predicting takes time by the edges of the tool's
-/// footprint, and a brush of a thousand tufts tries few plans.
+/// Number of candidate plans for remaining dirt. Prediction time grows with the edges of the tool's footprint,
+/// so a brush of a thousand tufts gets few plans.
 pub fn recovery_candidates(footprint: &Region) -> usize {
     let [most, least] = RECOVERY_CANDIDATES;
     let edges = footprint.edges().count().max(1);
     (RECOVERY_EDGES / edges).clamp(least, most)
 }
 
-/// Expected share of the particles that a belief has where the goal wants them.
+/// Expected share of the particles that meet the goal under a belief [1].
 pub fn believed_performance(belief: &Belief, goal: &GoalState, surface: &Surface) -> f64 {
     belief.performance(goal, surface, 0.0).mean()
 }
@@ -133,7 +135,7 @@ mod tests {
             (vec![lost.clone()], true),
             (vec![near.clone(), lost.clone()], true),
             (vec![far.clone()], false),
-            // Eight draws of either meet what only one of two replays has left.
+            // Eight draws of either order contain the replay that has dirt left.
             (vec![near, far], false),
         ] {
             let belief = Belief::of(replays).unwrap();

@@ -1,53 +1,53 @@
-//! Whether the goal is met, and what follows if it is not.
+//! The verdict on a round: whether the goal is met, and what happens next.
 
 use crate::interpret::{Diagnosis, Doubt, Interpretation, PerformanceDistribution};
 use std::fmt;
 
-/// An estimate that rises by less than this is no progress [1].
+/// Smallest rise of the estimate that counts as progress [1].
 pub const LEAST_PROGRESS: f64 = 0.005;
-/// After so many strokes in a row that brought nothing, the next one is not expected to.
+/// Number of consecutive strokes without progress after which the next is not expected to help.
 const STALLED_STROKES: usize = 4;
-/// A claim is false if the performance is farther than this below the target [1].
+/// Distance of the performance below the target at which a claim is false [1].
 pub const FALSE_BY: f64 = 0.1;
-/// How likely a claim may be false [1].
+/// Largest accepted probability of a false claim [1].
 pub const FALSE_CLAIMS: f64 = 0.002;
 
-/// How far a round is executed before its outcome is looked at.
+/// Amount of work in one round, before its result is interpreted.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Pace {
     /// All strokes, then the interpretation.
     #[default]
     Whole,
-    /// One segment of a plan, that which is predicted to gain most, then the interpretation.
+    /// One segment of a plan, the one with the largest predicted gain, then the interpretation.
     Greedy,
 }
 
-/// What follows from a round: [`Verdict::Again`] goes on, any other ends the session.
+/// The verdict on a round: [`Verdict::Again`] continues the session, any other ends it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Verdict {
-    /// The expected performance reaches the target, it is hardly possible that it is far below, and there was contact, or
-    /// sight, to show for it.
+    /// The expected performance reaches the target, a performance far below it is improbable, and contact or a
+    /// camera gives evidence for it.
     GoalMet,
     /// Wipe again.
     Again,
     /// The estimate no longer rises.
     NoProgress,
-    /// No plan is predicted to do any better: what is not where it belongs has left the surface, or would.
+    /// No plan has a predicted gain: the remaining dirt has left the surface, or would leave it.
     NothingToGain,
-    /// The robot cannot wipe again: no plan or no motion was found for the surface where it was felt.
+    /// The robot cannot wipe again: no plan or no motion was found for the surface at its measured pose.
     NoWay,
-    /// The motion that was found for the next round fails its audit, and is not executed.
+    /// The motion for the next round fails its audit, and is not executed.
     UnsafeMotion,
-    /// The log does not say what was wiped: no contact was found in it, or its doubts speak against what was found. It is
+    /// The log does not show what was wiped: it has no contact, or its doubts contradict the result. This is
     /// neither success nor failure.
     CannotBeTold,
-    /// The goal may be met or not: wiping again is expected to change nothing, and touch cannot tell. Of a tool that hovers it
-    /// never can.
+    /// The goal may be met or not: further wiping is expected to change nothing, and touch cannot decide. For a
+    /// tool that hovers, touch never can.
     UnknowableByTouch,
 }
 
 impl Verdict {
-    /// The verdict in the words of results and reports, such as "goal met".
+    /// The verdict in the words of results and reports, for example "goal met".
     pub const fn as_str(self) -> &'static str {
         match self {
             Self::GoalMet => "goal met",
@@ -62,8 +62,8 @@ impl Verdict {
     }
 }
 
-/// Whether the goal may be claimed: it is expected to be met, and the performance is hardly farther than [`FALSE_BY`] below
-/// the target.
+/// Whether the goal may be claimed: the expected performance reaches the target, and a performance more than
+/// [`FALSE_BY`] below the target is improbable.
 pub fn is_claimable(believed: &PerformanceDistribution, target: f64) -> bool {
     Claim::of(believed, target).holds()
 }
@@ -78,19 +78,19 @@ pub fn is_claimable(believed: &PerformanceDistribution, target: f64) -> bool {
 /// assert!(!claim.holds());
 /// assert_eq!(
 ///     claim.to_string(),
-///     "96.6 % expected reaches the target of 95.0 %, but less than 85.0 % has a probability of 5.0 %, and a claim allows 0.2 %"
+///     "the expected performance of 96.6 % reaches the target of 95.0 %, but the probability of less than 85.0 % is 5.0 %; a claim allows 0.2 %"
 /// );
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Claim {
     expected: f64,
     target: f64,
-    /// Probability that the performance is farther than [`FALSE_BY`] below the target [1].
+    /// Probability that the performance is more than [`FALSE_BY`] below the target [1].
     far_below: f64,
 }
 
 impl Claim {
-    /// Of a belief about the performance and a target [1].
+    /// Returns the claim for a belief about the performance and a target [1].
     pub fn of(believed: &PerformanceDistribution, target: f64) -> Self {
         Self {
             expected: believed.mean(),
@@ -110,30 +110,33 @@ impl fmt::Display for Claim {
         let percent = |share: f64| format!("{:.1} %", 100.0 * share);
         let [expected, target] = [self.expected, self.target].map(percent);
         if self.expected < self.target {
-            return write!(f, "{expected} expected is below the target of {target}");
+            return write!(
+                f,
+                "the expected performance of {expected} is below the target of {target}"
+            );
         }
         let tail = percent((self.target - FALSE_BY).max(0.0));
         let allowed = percent(FALSE_CLAIMS);
         if self.holds() {
             return write!(
                 f,
-                "{expected} expected reaches the target of {target}, and less than {tail} has a probability of at most {allowed}"
+                "the expected performance of {expected} reaches the target of {target}, and the probability of less than {tail} is at most {allowed}"
             );
         }
-        // Never as little as is allowed, which it is more than.
+        // Never print the allowed probability itself: the value found is larger.
         let found = (1e3 * self.far_below).ceil().max(1e3 * FALSE_CLAIMS + 1.0) / 10.0;
         write!(
             f,
-            "{expected} expected reaches the target of {target}, but less than {tail} has a probability of {found:.1} %, and a claim allows {allowed}"
+            "the expected performance of {expected} reaches the target of {target}, but the probability of less than {tail} is {found:.1} %; a claim allows {allowed}"
         )
     }
 }
 
-/// Judges a log by itself, of which no round came before: [`Verdict::GoalMet`], [`Verdict::CannotBeTold`],
+/// Judges a log by itself, without earlier rounds. Returns [`Verdict::GoalMet`], [`Verdict::CannotBeTold`],
 /// [`Verdict::UnknowableByTouch`], or [`Verdict::Again`] where the goal is not met.
 pub fn judge_log(interpretation: &Interpretation, target: f64) -> Verdict {
     let is_seen = interpretation.observation.is_some();
-    // What was wiped before a log begins, or after it ends, may be what is missing.
+    // The missing dirt may have been wiped before the log begins, or after it ends.
     let is_cut = !is_seen && interpretation.doubts.iter().any(Doubt::is_cut);
     if !interpretation.can_be_told() {
         Verdict::CannotBeTold
@@ -150,43 +153,43 @@ pub fn judge_log(interpretation: &Interpretation, target: f64) -> Verdict {
     }
 }
 
-/// What is known of a round when it is judged.
+/// The data by which a round is judged.
 #[derive(Debug, Clone, Copy)]
 pub struct RoundOutcome<'a> {
-    /// What was felt, and seen.
+    /// Interpretation of the measurements and of the camera's observation.
     pub interpretation: &'a Interpretation,
     /// Expected performance before the round [1].
     pub performance_before: f64,
-    /// Nothing is believed to lie elsewhere than where it belongs, but for what is lost; see
+    /// Whether all dirt is believed to be where it belongs, lost dirt excepted; see
     /// [`is_done`](super::is_done).
     pub is_done: bool,
-    /// The robot stopped itself to protect somebody or something.
+    /// Whether the robot stopped itself to protect a person or an object.
     pub is_protective_stop: bool,
 }
 
 impl RoundOutcome<'_> {
-    /// Somebody pushed, or the robot stopped itself.
+    /// Whether a person pushed the robot, or the robot stopped itself.
     fn is_disturbed(&self) -> bool {
         let mut events = self.interpretation.events.iter();
         self.is_protective_stop || events.any(|event| event.kind.is_by_hand())
     }
 }
 
-/// Judges one round after the other: it remembers how sure it was, and for how long nothing was gained.
+/// The termination policy. It remembers the last certainty and the number of rounds without progress.
 #[derive(Debug, Clone)]
 pub struct RoundJudge {
     target: f64,
     pace: Pace,
-    /// 5th percentile of the performance after the round before.
+    /// 5th percentile of the performance after the last round [1].
     low_before: f64,
-    /// Rounds in a row without progress.
+    /// Number of consecutive rounds without progress.
     stalled: usize,
-    /// No round was judged so far.
+    /// Whether no round has been judged so far.
     is_first: bool,
 }
 
 impl RoundJudge {
-    /// No round so far; `target` is the performance at which the goal is met [1].
+    /// Returns the policy before the first round; `target` is the performance at which the goal is met [1].
     pub const fn new(target: f64, pace: Pace) -> Self {
         Self {
             target,
@@ -197,11 +200,11 @@ impl RoundJudge {
         }
     }
 
-    /// Judges the round that has just been interpreted, and remembers it for those to come.
+    /// Judges the round that has just been interpreted, and remembers it for later rounds.
     ///
-    /// What happens while somebody pushes is felt badly: only what is felt in a calm round, or seen, shows that the goal is
-    /// met. But that somebody or something was in the way says nothing against another try, and neither does a surface
-    /// that was found elsewhere.
+    /// Touch is unreliable while a person pushes. Only a round without disturbance, or a camera, shows that the
+    /// goal is met. A disturbance is no reason against another try, and neither is a localisation error of the
+    /// surface.
     pub fn verdict(&mut self, outcome: &RoundOutcome<'_>) -> Verdict {
         let interpretation = outcome.interpretation;
         let is_seen = interpretation.observation.is_some();
@@ -232,7 +235,7 @@ impl RoundJudge {
             };
         }
         self.stalled = if is_rising { 0 } else { self.stalled + 1 };
-        // A single stroke says little: the next best one is another.
+        // A single stroke without progress proves little, because the next stroke is a different one.
         let is_patient = self.pace == Pace::Greedy && self.stalled < STALLED_STROKES;
         let ended = if outcome.is_done {
             Verdict::NothingToGain
@@ -241,16 +244,17 @@ impl RoundJudge {
         } else {
             Verdict::NoProgress
         };
-        self.known(interpretation, ended)
+        self.or_unknowable(interpretation, ended)
     }
 
-    /// What follows where no plan is predicted to bring anything.
+    /// Returns the verdict where no plan has a predicted gain.
     pub fn without_gain(&self, interpretation: &Interpretation) -> Verdict {
-        self.known(interpretation, Verdict::NothingToGain)
+        self.or_unknowable(interpretation, Verdict::NothingToGain)
     }
 
-    /// How it ends where wiping again brings nothing: touch may not tell whether the goal is met. A camera would.
-    fn known(&self, interpretation: &Interpretation, ended: Verdict) -> Verdict {
+    /// Returns `ended`, or [`Verdict::UnknowableByTouch`] where touch cannot decide whether the goal is met; a
+    /// camera could.
+    fn or_unknowable(&self, interpretation: &Interpretation, ended: Verdict) -> Verdict {
         let is_seen = interpretation.observation.is_some();
         if !interpretation.can_be_told() {
             Verdict::CannotBeTold
@@ -271,8 +275,8 @@ mod tests {
 
     const TARGET: f64 = 0.9;
 
-    /// A round that found a plane, with these equally likely performances.
-    fn felt(shares: &[f64]) -> Interpretation {
+    /// Returns the interpretation of a round that found a plane, with these equally likely performances.
+    fn touched_round(shares: &[f64]) -> Interpretation {
         let shares = shares.iter().map(|share| (*share, 1.0));
         let distribution = PerformanceDistribution::of_shares(shares, 0.0);
         Interpretation {
@@ -314,7 +318,7 @@ mod tests {
         };
         Interpretation {
             events: vec![push],
-            ..felt(shares)
+            ..touched_round(shares)
         }
     }
 
@@ -325,7 +329,7 @@ mod tests {
         }
     }
 
-    /// The verdicts on rounds one after the other.
+    /// Returns the verdicts on consecutive rounds.
     fn verdicts(pace: Pace, is_done: bool, rounds: &[Interpretation]) -> Vec<Verdict> {
         let mut judge = RoundJudge::new(TARGET, pace);
         let mut before = 0.0;
@@ -349,15 +353,15 @@ mod tests {
     #[test]
     fn a_goal_is_claimed_where_it_is_hardly_missed_by_far() {
         use Verdict::{Again, GoalMet};
-        assert_eq!(of_one(felt(&[0.95; 8])), GoalMet);
-        // Expected to be met, but one of eight says that it is not by far.
+        assert_eq!(of_one(touched_round(&[0.95; 8])), GoalMet);
+        // The expected performance meets the target, but one of eight draws is far below it.
         let mut doubtful = [0.95; 8];
         doubtful[0] = 0.7;
-        assert_eq!(of_one(felt(&doubtful)), Again);
+        assert_eq!(of_one(touched_round(&doubtful)), Again);
         doubtful[0] = 0.81;
-        assert_eq!(of_one(felt(&doubtful)), GoalMet);
-        assert_eq!(of_one(felt(&[0.89; 8])), Again);
-        assert_eq!(of_one(felt(&[TARGET; 7])), GoalMet, "exactly");
+        assert_eq!(of_one(touched_round(&doubtful)), GoalMet);
+        assert_eq!(of_one(touched_round(&[0.89; 8])), Again);
+        assert_eq!(of_one(touched_round(&[TARGET; 7])), GoalMet, "exactly");
     }
 
     #[test]
@@ -371,16 +375,19 @@ mod tests {
             diagnosis: Diagnosis::NoContact,
             ..interpretation
         };
-        assert_eq!(of_one(untouched(felt(&done))), CannotBeTold);
+        assert_eq!(of_one(untouched(touched_round(&done))), CannotBeTold);
         assert_eq!(of_one(untouched(pushed(&done))), Again);
-        // Neither does a later round that finds nothing to touch.
-        let rounds = [felt(&[0.6; 8]), untouched(felt(&[0.6; 8]))];
+        // A later round without contact shows nothing either.
+        let rounds = [
+            touched_round(&[0.6; 8]),
+            untouched(touched_round(&[0.6; 8])),
+        ];
         let verdicts = verdicts(Pace::Whole, false, &rounds);
         assert_eq!(verdicts, [Again, CannotBeTold]);
-        assert_eq!(of_one(untouched(seen(felt(&done)))), GoalMet);
+        assert_eq!(of_one(untouched(seen(touched_round(&done)))), GoalMet);
         let mut judge = RoundJudge::new(TARGET, Pace::Whole);
         let stopped = RoundOutcome {
-            interpretation: &felt(&done),
+            interpretation: &touched_round(&done),
             performance_before: 0.0,
             is_done: false,
             is_protective_stop: true,
@@ -393,7 +400,7 @@ mod tests {
         let hovering = |shares: &[f64]| Interpretation {
             plane: None,
             diagnosis: Diagnosis::Hovering,
-            ..felt(shares)
+            ..touched_round(shares)
         };
         assert_eq!(of_one(hovering(&[0.95; 8])), Verdict::UnknowableByTouch);
         assert_eq!(of_one(seen(hovering(&[0.95; 8]))), Verdict::GoalMet);
@@ -405,31 +412,34 @@ mod tests {
         use Verdict::{Again, NoProgress, NothingToGain, UnknowableByTouch};
         let mut wide = [0.95; 8];
         wide[0] = 0.5;
-        let twice = |shares: &[f64]| [felt(shares), felt(shares)];
+        let twice = |shares: &[f64]| [touched_round(shares), touched_round(shares)];
         let of_two = |rounds: &[Interpretation]| verdicts(Pace::Whole, false, rounds);
         assert_eq!(of_two(&twice(&wide)), [Again, UnknowableByTouch]);
         assert_eq!(of_two(&twice(&[0.6; 8])), [Again, NoProgress]);
         assert_eq!(of_two(&twice(&wide).map(seen)), [Again, NoProgress]);
         assert_eq!(of_two(&twice(&wide).map(|_| pushed(&wide))), [Again, Again]);
-        let done = |shares| verdicts(Pace::Whole, true, &[felt(shares)])[0];
+        let done = |shares| verdicts(Pace::Whole, true, &[touched_round(shares)])[0];
         assert_eq!(done(&[0.6; 8]), NothingToGain);
         assert_eq!(done(&wide), UnknowableByTouch);
         let judge = RoundJudge::new(TARGET, Pace::Whole);
         let without_gain = |interpretation| judge.without_gain(&interpretation);
-        assert_eq!(without_gain(felt(&[0.6; 8])), NothingToGain);
-        assert_eq!(without_gain(felt(&wide)), UnknowableByTouch);
-        assert_eq!(without_gain(seen(felt(&wide))), NothingToGain);
-        // To become surer is progress.
+        assert_eq!(without_gain(touched_round(&[0.6; 8])), NothingToGain);
+        assert_eq!(without_gain(touched_round(&wide)), UnknowableByTouch);
+        assert_eq!(without_gain(seen(touched_round(&wide))), NothingToGain);
+        // A narrower interval is progress.
         let mut surer = wide;
         surer[0] = 0.7;
-        assert_eq!(of_two(&[felt(&wide), felt(&surer)]), [Again, Again]);
+        assert_eq!(
+            of_two(&[touched_round(&wide), touched_round(&surer)]),
+            [Again, Again]
+        );
     }
 
     #[test]
     fn a_single_stroke_may_bring_nothing_and_four_in_a_row_may_not() {
         use Verdict::{Again, NoProgress};
-        let mut rounds = vec![felt(&[0.5; 8]); 4];
-        rounds.extend(vec![felt(&[0.6; 8]); 5]);
+        let mut rounds = vec![touched_round(&[0.5; 8]); 4];
+        rounds.extend(vec![touched_round(&[0.6; 8]); 5]);
         let mut expected = [Again; 9];
         expected[8] = NoProgress;
         assert_eq!(verdicts(Pace::Greedy, false, &rounds), expected);

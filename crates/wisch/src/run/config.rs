@@ -1,4 +1,4 @@
-//! Who wipes, how each stage works, and when to stop.
+//! The robot of a session, the settings of each stage, and the conditions under which a session ends.
 
 use crate::follow::{FollowConfig, WorkcellConfig};
 use crate::plan::PlanConfig;
@@ -7,32 +7,33 @@ use crate::robot::{CapabilityMap, RobotModel, Srdf};
 
 pub use crate::recover::Pace;
 
-/// The robot that is to wipe, as a session borrows it; `wisch_io::Robot` reads one from files.
+/// The robot setup that a session borrows; `wisch_io::Robot` reads one from files.
 #[derive(Debug, Clone, Copy)]
 pub struct Performer<'a> {
-    /// Its links, joints and limits.
+    /// The robot's links, joints and limits.
     pub robot: &'a RobotModel,
-    /// Its groups, states and pairs that may touch.
+    /// The robot's groups and named states, and the link pairs that may touch.
     pub srdf: Option<&'a Srdf>,
-    /// What its arm reaches, for the placement of the base; `None` rates places by inverse kinematics, slowly.
+    /// Capability map of the arm, for the placement of the base; `None` rates base poses by inverse kinematics,
+    /// slowly.
     pub map: Option<&'a CapabilityMap>,
 }
 
-/// What follows where a person or a safety system stopped the robot.
+/// What happens after a person or a safety system stops the robot.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum AfterStop {
     /// The session ends: the robot waits for its operator.
     #[default]
     Wait,
-    /// The robot retreats from the surface by itself, and the session goes on.
+    /// The robot retreats from the surface by itself, and the session continues.
     Retreat,
 }
 
-/// Least score of a plan that is executed unless the task says otherwise [1]: a plan that loses half of the dirt has less,
-/// whatever it brings where it belongs.
+/// Lowest score of a plan that is executed, unless the task sets another [1]. A plan that loses half of the
+/// dirt has a lower score, however much it brings where it belongs.
 pub const MIN_SCORE: f64 = -1.0;
 
-/// How each stage works, and when to stop. Seeds are those of the task.
+/// Settings of each stage, and the conditions under which a session ends. All seeds derive from the task's.
 ///
 /// ```
 /// use wisch::run::RunConfig;
@@ -41,35 +42,36 @@ pub const MIN_SCORE: f64 = -1.0;
 /// ```
 #[derive(Debug, Clone)]
 pub struct RunConfig {
-    /// Of the plans.
+    /// Settings of the planner.
     pub plan: PlanConfig,
-    /// How many candidate plans the prediction chooses from in the first round.
+    /// Number of candidate plans among which the prediction chooses in the first round.
     pub variants: usize,
-    /// Of robot and tool.
+    /// Settings of robot and tool.
     pub workcell: WorkcellConfig,
-    /// Of the motions.
+    /// Settings of the joint motions.
     pub follow: FollowConfig,
     /// Estimated performance at which the goal is met [1].
     pub target: f64,
-    /// Least score of a plan that is executed in the first round, see [`Prediction::score`](crate::plan::Prediction::score) [1].
+    /// Lowest score of a plan that is executed in the first round, see
+    /// [`Prediction::score`](crate::plan::Prediction::score) [1].
     pub min_score: f64,
-    /// Most rounds.
+    /// Largest number of rounds.
     pub max_rounds: usize,
-    /// How far a round goes.
+    /// Amount of work in one round.
     pub pace: Pace,
-    /// Whether a round ends amid a stroke once touch tells that it brings nothing any more, because contact is lost or the
-    /// tool is led away; what is left is planned anew.
+    /// Whether a round ends amid a stroke that no longer has an effect, because contact is lost or the tool is
+    /// led away; the remaining dirt is planned anew.
     pub end_strokes_early: bool,
-    /// What follows where a person or a safety system stopped the robot.
+    /// What happens after a person or a safety system stops the robot.
     pub after_stop: AfterStop,
-    /// How far any joint may stand from where a motion begins [rad or m].
+    /// Largest distance of any joint from the start of a motion [rad or m].
     pub start_tolerance: f64,
-    /// How well the robot sees dirt; `None` for a robot that only feels.
+    /// Model of the camera; `None` for a robot that only measures forces.
     pub sight: Option<Sight>,
 }
 
 impl Default for RunConfig {
-    /// One plan by grid, until 95 % are reached or four rounds are over.
+    /// One plan by the grid strategy, a target of 95 %, and at most four rounds.
     fn default() -> Self {
         Self {
             plan: PlanConfig::default(),

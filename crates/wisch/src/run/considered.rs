@@ -1,4 +1,4 @@
-//! What is considered before a plan is chosen: each candidate as a robot would do it.
+//! Candidate evaluation: each plan as the robot would execute it.
 
 use super::{PlannedRound, RunError};
 use crate::plan::{Candidate, Plan, PlanScore, Planner, Portfolio, Prediction, Strategy, predict};
@@ -6,36 +6,37 @@ use crate::represent::Task;
 use rayon::prelude::*;
 use std::sync::{Mutex, PoisonError};
 
-/// What a robot may lose of a plan before other strokes are searched for, in shares of the dirt [1].
-const LOST: f64 = 0.01;
-/// How often strokes are searched for anew around the places where the robot failed.
-const REPLANNED: usize = 3;
+/// Score that the robot's reach may cost a plan before the planner searches for other strokes, in shares of the
+/// dirt [1].
+const MAX_REACH_LOSS: f64 = 0.01;
+/// Largest number of repeated searches around the places out of the robot's reach.
+const MAX_REPLANS: usize = 3;
 
-/// A plan that may be chosen, and what is expected of it.
+/// The evaluation of a candidate plan.
 #[derive(Debug, Clone)]
 pub struct Considered {
-    /// How its strokes were found.
+    /// The strategy that found its strokes.
     pub strategy: Strategy,
-    /// The plan and its score; if a robot is to follow it, that of what it wipes, with the duration of its motion. Or why there is
-    /// none, or no motion.
+    /// The plan and its score. With a robot, the score is that of the strokes within reach, with the duration
+    /// of the motion. An error says why there is no plan, or no motion.
     pub candidate: Result<Candidate, RunError>,
-    /// Its predicted effect on the task's dirt; `None` without a plan.
+    /// Predicted effect on the task's dirt; `None` without a plan.
     pub prediction: Option<Prediction>,
     /// The robot's motion; `None` without a robot, or without a motion.
     pub motion: Option<ConsideredMotion>,
 }
 
-/// The motion of a robot that follows a plan.
+/// Key figures of the robot's motion for a plan.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ConsideredMotion {
-    /// How long it takes [s].
+    /// Duration [s].
     pub duration: f64,
-    /// Nodes that it does not reach.
+    /// Number of abandoned nodes.
     pub abandoned: usize,
 }
 
-/// Each plan of a portfolio with what it is expected to do on its own.
-pub(super) fn unfollowed(task: &Task, portfolio: Portfolio) -> Vec<Considered> {
+/// Evaluates each plan of a portfolio by its predicted effect alone.
+pub(super) fn evaluate_plans(task: &Task, portfolio: Portfolio) -> Vec<Considered> {
     let considered = portfolio.into_iter().map(|(strategy, candidate)| {
         let plan = candidate.as_ref().ok().map(|candidate| &candidate.plan);
         Considered {
@@ -48,9 +49,9 @@ pub(super) fn unfollowed(task: &Task, portfolio: Portfolio) -> Vec<Considered> {
     considered.collect()
 }
 
-/// Each plan of a portfolio as the robot does it, and the motion of the one with the highest score. Plans are followed side by
-/// side: the result is the same on any number of threads.
-pub(super) fn followed(
+/// Evaluates each plan of a portfolio as the robot executes it; also returns the motion of the plan with the
+/// highest score. Plans are followed in parallel: the result is the same for any number of threads.
+pub(super) fn evaluate_motions(
     planner: &Planner<'_>,
     portfolio: Portfolio,
     follow: impl Fn(Plan) -> Result<PlannedRound, RunError> + Sync,
@@ -61,8 +62,8 @@ pub(super) fn followed(
         let (mut prediction, mut motion) = (None, None);
         let candidate = candidate.map_err(RunError::from).and_then(|candidate| {
             let (score, round) = match strategy {
-                Strategy::Adaptive => within_reach(planner, candidate.plan, &follow)?,
-                _ => as_done(planner, candidate.plan, &follow)?,
+                Strategy::Adaptive => evaluate_within_reach(planner, candidate.plan, &follow)?,
+                _ => evaluate_motion(planner, candidate.plan, &follow)?,
             };
             motion = Some(ConsideredMotion {
                 duration: round.followed.duration(),
@@ -96,7 +97,7 @@ pub(super) fn followed(
     (considered, best.map(|best| best.round))
 }
 
-/// The plan with the highest score so far: of several the first in the portfolio.
+/// The plan with the highest score so far; of several the first in the portfolio.
 struct Best {
     score: PlanScore,
     index: usize,
@@ -110,8 +111,8 @@ impl Best {
     }
 }
 
-/// The score of a plan as the robot does it, and that.
-fn as_done(
+/// Returns the motion for a plan, and the score of the part that the robot executes.
+fn evaluate_motion(
     planner: &Planner<'_>,
     plan: Plan,
     follow: &impl Fn(Plan) -> Result<PlannedRound, RunError>,
@@ -121,27 +122,27 @@ fn as_done(
     Ok((score.with_motion(round.followed.duration()), round))
 }
 
-/// The same of a plan that is searched for: where the robot does not reach all of it, strokes are searched for that do
-/// without the places where it failed.
-pub(super) fn within_reach(
+/// Does the same for a plan of a search strategy. Where the robot does not reach all of it, the search is
+/// repeated without the places out of reach, and the best result is kept.
+pub(super) fn evaluate_within_reach(
     planner: &Planner<'_>,
     plan: Plan,
     follow: &impl Fn(Plan) -> Result<PlannedRound, RunError>,
 ) -> Result<(PlanScore, PlannedRound), RunError> {
-    let mut best = as_done(planner, plan, follow)?;
+    let mut best = evaluate_motion(planner, plan, follow)?;
     let mut last = best.1.clone();
     let mut avoid = Vec::new();
-    for _ in 0..REPLANNED {
+    for _ in 0..MAX_REPLANS {
         let wiped = last.wiped();
         let planned = planner.score(&last.plan)?.total;
         let lost = planned - planner.score(&wiped)?.total;
-        if last.followed.abandoned.is_empty() && lost < LOST {
+        if last.followed.abandoned.is_empty() && lost < MAX_REACH_LOSS {
             break;
         }
         let failed = last.followed.abandoned.iter();
         avoid.extend(failed.map(|abandoned| last.plan.graph.position(abandoned.node)));
         let around = planner.plan_around(&wiped, &avoid)?;
-        let next = as_done(planner, around, follow)?;
+        let next = evaluate_motion(planner, around, follow)?;
         last = next.1.clone();
         if next.0.total > best.0.total {
             best = next;

@@ -1,4 +1,4 @@
-//! Why a session cannot go on.
+//! Reasons why a session cannot continue.
 
 use super::ExecutorError;
 use crate::follow::FollowError;
@@ -6,8 +6,10 @@ use crate::interpret::InterpretError;
 use crate::plan::{PlanError, Prediction};
 use crate::represent::{Action, ParticleError};
 
-/// Whether a plan is predicted to score well enough for it to be executed, see [`Prediction::score`]. What treats the surface loses
-/// no dirt.
+/// Checks that a plan's predicted score is high enough to execute it, see [`Prediction::score`]. Actions that
+/// treat the surface lose no dirt and always pass.
+///
+/// `least`: lowest score allowed [1].
 ///
 /// # Errors
 /// [`RunError::LosesDirt`] with the score.
@@ -25,76 +27,76 @@ pub fn check_score(prediction: &Prediction, action: Action, least: f64) -> Resul
     })
 }
 
-/// Why a session cannot go on.
+/// The reason why a session cannot continue.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum RunError {
-    /// No plan.
+    /// The planner found no plan.
     #[error(transparent)]
     Plan(#[from] PlanError),
     /// No robot was given that could follow the plan.
     #[error("there is no robot to follow the plan")]
     NoRobot,
-    /// No motion.
+    /// The follower found no motion.
     #[error(transparent)]
     Follow(#[from] FollowError),
     /// The plan is predicted to lose too much of the dirt.
     #[error(
-        "the plan is not executed: it is predicted to bring {:.1} % of the dirt where it belongs and to lose {:.1} %, a score of {score:.2} (the former less three times the latter), the least is {least:.2}; try another strategy, as --strategy best, another goal or skim edge, or let it by [plan] min_score",
+        "the plan is not executed: it is predicted to bring {:.1} % of the dirt where it belongs and to lose {:.1} %, a score of {score:.2} (the first share less three times the second), below the limit of {least:.2}; try another strategy, for example --strategy best, another goal or skim edge, or lower [plan] min_score",
         100.0 * achieved, 100.0 * lost
     )]
     LosesDirt {
-        /// Share of the dirt that is predicted to be where it belongs [1].
+        /// Share of the dirt that is predicted to end where it belongs [1].
         achieved: f64,
-        /// Share that is predicted to be lost [1].
+        /// Share of the dirt that is predicted to be lost [1].
         lost: f64,
         /// The plan's score [1].
         score: f64,
-        /// The least at which it would be executed [1].
+        /// Lowest score at which the plan would be executed [1].
         least: f64,
     },
-    /// No execution.
+    /// The executor failed.
     #[error(transparent)]
     Execute(#[from] ExecutorError),
-    /// An execution that left the robot with another number of joints than it has.
+    /// The executor reported another number of joints than the robot has.
     #[error(
-        "round {round}: the executor ended with {found} positions, the robot has {expected} joints"
+        "round {round}: the executor reported {found} joint positions at the end, expected {expected}"
     )]
     Positions {
         /// The round, from 1.
         round: usize,
-        /// Positions that came back.
+        /// Number of reported positions.
         found: usize,
-        /// Variables of the robot.
+        /// Number of the robot's variables.
         expected: usize,
     },
-    /// The robot does not stand where its motion begins.
+    /// The robot is not where its motion begins.
     #[error(
-        "round {round}: joint {joint:?} stands {distance:.3} {unit} from where the motion begins, more than the limit of {limit} {unit} (start_rad): the motion is not executed"
+        "round {round}: joint {joint:?} is {distance:.3} {unit} from the start of the motion, more than the limit of {limit} {unit} (start_rad): the motion is not executed"
     )]
     Start {
         /// The round, from 1.
         round: usize,
-        /// The joint that is farthest away.
+        /// The joint with the largest distance.
         joint: String,
-        /// How far [rad or m].
+        /// Its distance from the start of the motion [rad or m].
         distance: f64,
         /// The limit [rad or m].
         limit: f64,
         /// "rad" or "m".
         unit: &'static str,
     },
-    /// Nobody knows where the robot was stopped.
+    /// The position at which the robot was stopped is unknown.
     #[error(
-        "round {round}: the executor did not report where the robot was stopped, so no motion can begin there"
+        "round {round}: the executor did not report where the robot was stopped, so the next motion has no start; have the executor report its state"
     )]
     UnknownState {
         /// The round that cannot begin, from 1.
         round: usize,
     },
-    /// No interpretation.
+    /// The interpretation failed.
     #[error(transparent)]
     Interpret(#[from] InterpretError),
-    /// Dirt at places that are none.
+    /// A particle position is not finite.
     #[error(transparent)]
     Particles(#[from] ParticleError),
 }

@@ -1,4 +1,4 @@
-//! What a session says while it goes on.
+//! Events of a session.
 
 use super::{Considered, PlannedRound, Round, TelemetrySample};
 use crate::follow::Audit;
@@ -7,7 +7,7 @@ use crate::recover::Verdict;
 use crate::represent::{Observation, Task};
 use std::ops::ControlFlow;
 
-/// What a session is at or has just done, in the order in which it happens.
+/// What a session is doing or has just done, in the order of the stages.
 #[derive(Debug, Clone, Copy)]
 pub enum RunEvent<'a> {
     /// A round is being planned.
@@ -15,11 +15,11 @@ pub enum RunEvent<'a> {
         /// The round, from 1.
         round: usize,
     },
-    /// Plans of several strategies were weighed against each other; that which is worth most becomes the round's plan.
+    /// Plans of several strategies were evaluated; the plan with the highest score becomes the round's plan.
     Considered {
         /// The round, from 1.
         round: usize,
-        /// One of each strategy.
+        /// One evaluation for each strategy.
         considered: &'a [Considered],
     },
     /// A round is planned.
@@ -33,43 +33,43 @@ pub enum RunEvent<'a> {
     Following {
         /// The round, from 1.
         round: usize,
-        /// Nodes passed.
+        /// Number of nodes followed so far.
         passed: usize,
-        /// Of so many.
+        /// Number of all nodes.
         nodes: usize,
     },
     /// The effect of the followed plan is being predicted.
     Predicting {
         /// The round, from 1.
         round: usize,
-        /// The task, with the dirt that it is predicted on.
+        /// The task, with the dirt of the prediction.
         task: &'a Task,
-        /// The plan as the robot wipes it.
+        /// The part of the plan that the robot executes.
         wiped: &'a Plan,
-        /// How far it has come.
+        /// Progress of the prediction.
         progress: PredictionProgress<'a>,
     },
     /// The motion was checked.
     Audited {
         /// The round, from 1.
         round: usize,
-        /// What the check says.
+        /// Result of the check.
         audit: &'a Audit,
     },
     /// An execution begins.
     Executing(&'a PlannedRound),
-    /// One sample of it.
+    /// A sample of the execution.
     Sample(&'a TelemetrySample<'a>),
     /// The log is being interpreted.
     Interpreting {
         /// The round, from 1.
         round: usize,
     },
-    /// The surface was looked at.
+    /// The camera observed the surface.
     Observed {
-        /// After this round; 0 before the first.
+        /// The round after which it was observed; 0 before the first.
         round: usize,
-        /// What was seen.
+        /// The observation.
         observation: &'a Observation,
     },
     /// A round is over.
@@ -78,11 +78,11 @@ pub enum RunEvent<'a> {
     Ended(Option<Verdict>),
 }
 
-/// An observer that looks away.
+/// An observer that ignores every event.
 pub fn unobserved(_: &RunEvent<'_>) -> ControlFlow<()> {
     ControlFlow::Continue(())
 }
 
-/// Looks on while a session goes on, and may stop it at any event: a motion that is about to be executed is not, an
-/// execution that has begun is interpreted as far as it went.
+/// Receives the events of a session, and may stop it at any of them. A motion that has not begun is then not
+/// executed; an execution in progress is interpreted up to that point.
 pub type Observer<'a> = dyn FnMut(&RunEvent<'_>) -> ControlFlow<()> + 'a;

@@ -1,33 +1,34 @@
-//! What an execution gives, and how it ended.
+//! The result of an execution, and how it ended.
 
 use super::StrokeEnd;
 use crate::robot::Range;
 
-/// How an execution ended; one that ended early is interpreted as far as it went.
+/// How an execution ended. One that ended early is interpreted up to its end.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Ending {
     /// All motions are done.
     Complete,
-    /// Who took the samples stopped it.
+    /// The receiver of the samples stopped it.
     Stopped,
-    /// It was ended amid a stroke that brought nothing any more; see [`RunConfig::end_strokes_early`](super::RunConfig).
+    /// It ended amid a stroke that no longer had an effect; see
+    /// [`RunConfig::end_strokes_early`](super::RunConfig).
     Early {
-        /// When [s].
+        /// Time of the end [s].
         time: f64,
-        /// Why.
+        /// Reason.
         cause: StrokeEnd,
     },
-    /// The robot stopped itself, as robots do that are caught on something or led far astray.
+    /// The robot stopped itself, for example because it was caught on an object or far off its path.
     ProtectiveStop {
-        /// When [s].
+        /// Time of the stop [s].
         time: f64,
-        /// Why.
+        /// Reason.
         cause: StopCause,
     },
 }
 
 impl Ending {
-    /// The kind of it in a word or two, as records call it.
+    /// Short name of the ending, as records have it.
     pub const fn as_str(&self) -> &'static str {
         match self {
             Self::Complete => "complete",
@@ -38,49 +39,53 @@ impl Ending {
     }
 }
 
-/// Why a robot stopped itself: its position, a joint, or its own word.
+/// Why a robot stopped itself: the tool's position, a joint, or a reason that the robot reports.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum StopCause {
-    /// The tool is too far from where it was told to be.
-    #[error("the tool is {distance:.2} m from where it was told to be, more than {limit} m")]
+    /// The tool is too far from its commanded position.
+    #[error(
+        "the tool is {distance:.2} m from its commanded position, more than the limit of {limit} m"
+    )]
     Astray {
-        /// How far [m].
+        /// Distance [m].
         distance: f64,
         /// The limit [m].
         limit: f64,
     },
     /// A joint is too fast.
-    #[error("joint {joint:?} moves at {velocity:.2} rad/s or m/s, more than {limit:.2}")]
+    #[error(
+        "joint {joint:?} moves at {velocity:.2} rad/s or m/s, more than the limit of {limit:.2}"
+    )]
     Overspeed {
-        /// The joint.
+        /// Name of the joint.
         joint: String,
         /// Its velocity [rad/s or m/s].
         velocity: f64,
         /// The limit [rad/s or m/s].
         limit: f64,
     },
-    /// What the robot itself says.
+    /// A reason that the robot reports.
     #[error("{reason}")]
     Reported {
-        /// Its words.
+        /// The reported text.
         reason: String,
     },
     /// A joint is beyond its limits.
-    #[error("joint {joint:?} is at {position:.2} rad or m, beyond its limits {:.2} to {:.2}", limits.lower, limits.upper)]
+    #[error("joint {joint:?} is at {position:.2} rad or m, outside its range of {:.2} to {:.2}", limits.lower, limits.upper)]
     Overshoot {
-        /// The joint.
+        /// Name of the joint.
         joint: String,
-        /// Where it is [rad or m].
+        /// Its position [rad or m].
         position: f64,
-        /// Where it may be [rad or m].
+        /// Its range [rad or m].
         limits: Range,
     },
 }
 
-/// What an execution gives, beside its samples.
+/// The result of an execution, without its samples.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Execution {
-    /// How long it took [s].
+    /// Duration [s].
     pub duration: f64,
     /// How it ended.
     pub ending: Ending,
@@ -89,7 +94,7 @@ pub struct Execution {
 }
 
 impl Execution {
-    /// One in which nothing has moved yet.
+    /// Returns the execution of an empty motion: the robot stays at `positions`.
     pub fn at_rest(positions: &[f64]) -> Self {
         Self {
             duration: 0.0,

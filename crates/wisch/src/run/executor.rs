@@ -1,4 +1,5 @@
-//! The seam between the method and a world: what executes a motion, be it a simulator, a robot or a recording.
+//! The interface between the method and a world: an executor of motions, in a simulator, on a robot or from a
+//! recording.
 
 use super::{Execution, MotionOrder, RecordedSample, TelemetrySample};
 use crate::represent::{Observation, Task};
@@ -6,13 +7,13 @@ use std::collections::VecDeque;
 use std::fmt::Display;
 use std::ops::ControlFlow;
 
-/// Takes what is measured, sample by sample in the order of time, and may stop the execution.
+/// Receives the measured samples in the order of time, and may stop the execution.
 pub type SampleSink<'a> = dyn FnMut(&TelemetrySample<'_>) -> ControlFlow<()> + 'a;
 
-/// The only door to a world.
+/// The only interface to a world.
 ///
-/// Nothing here tells the truth about the world: an executor hands out what a robot measures. A simulator opens its
-/// truth elsewhere, for evaluations, and is nowhere within reach of this library:
+/// An executor reports what a robot measures, never the ground truth. A simulator offers its ground truth
+/// through its own API, for evaluations; this library cannot access it:
 ///
 /// ```compile_fail,E0432
 /// use wisch_sim::World;
@@ -36,30 +37,30 @@ pub type SampleSink<'a> = dyn FnMut(&TelemetrySample<'_>) -> ControlFlow<()> + '
 /// }
 /// ```
 pub trait Executor {
-    /// Executes a motion and hands every sample to the sink; ends early, as [`Stopped`](super::Ending::Stopped), when
-    /// the sink says so.
+    /// Executes a motion and passes every sample to the sink; ends early, as
+    /// [`Stopped`](super::Ending::Stopped), when the sink returns `Break`.
     ///
     /// # Errors
-    /// The world cannot execute it. That the robot stopped itself is no error but an [`Ending`](super::Ending).
+    /// The world cannot execute the motion. A robot that stops itself is not an error but an
+    /// [`Ending`](super::Ending).
     fn execute(
         &mut self,
         order: &MotionOrder<'_>,
         sink: &mut SampleSink<'_>,
     ) -> Result<Execution, ExecutorError>;
 
-    /// Reports where the robot stands: all n variables [rad or m]; `None` where it does not know.
+    /// Reports the robot's state: all n variables [rad or m]; `None` if the executor does not know it.
     ///
     /// # Errors
-    /// The robot knows, and fails to say so.
+    /// The executor knows the state, and reading it fails.
     fn state(&mut self) -> Result<Option<Vec<f64>>, ExecutorError> {
         Ok(None)
     }
 
-    /// Looks at the surface and tells what is seen of the dirt, in the frame of the task's surface; `None` where nothing
-    /// can look.
+    /// Observes the dirt with a camera, in the frame of the task's surface; `None` without a camera.
     ///
     /// # Errors
-    /// There is a camera, and it fails.
+    /// The camera fails.
     fn observe(&mut self, _task: &Task) -> Result<Option<Observation>, ExecutorError> {
         Ok(None)
     }
@@ -83,7 +84,7 @@ impl<E: Executor + ?Sized> Executor for &mut E {
     }
 }
 
-/// Why a world could not execute a motion, in its own words.
+/// The reason why a world could not execute a motion, as the world reports it.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 #[error("{message}")]
 pub struct ExecutorError {
@@ -91,7 +92,7 @@ pub struct ExecutorError {
 }
 
 impl ExecutorError {
-    /// An error that says what the world says.
+    /// Returns an error with the text of its cause.
     pub fn new(cause: impl Display) -> Self {
         Self {
             message: cause.to_string(),
@@ -99,45 +100,46 @@ impl ExecutorError {
     }
 }
 
-/// A round that was executed before: what was measured, and how it went.
+/// A round that was executed earlier, with its samples.
 #[derive(Debug, Clone, PartialEq)]
 pub struct RecordedRound {
-    /// What was measured, in the order of time.
+    /// The samples, in the order of time.
     pub samples: Vec<RecordedSample>,
-    /// How it went.
+    /// The result of the execution.
     pub execution: Execution,
-    /// What was seen afterwards, if anything looked.
+    /// The observation after the round, if there was one.
     pub observation: Option<Observation>,
 }
 
-/// Plays rounds that were executed before, then goes on with another executor.
+/// An executor that replays recorded rounds, then continues with another executor.
 ///
-/// A session that is killed and begun again computes the same motions; what was executed of them need not be
-/// executed again.
+/// An interrupted session that starts again computes the same motions; motions that were already executed need
+/// not be executed again.
 #[derive(Debug, Clone)]
 pub struct Recording<E> {
     rounds: VecDeque<RecordedRound>,
-    /// What was seen before the first of them and after each.
-    looks: VecDeque<Option<Observation>>,
+    /// Observations before the first recorded round and after each.
+    observations: VecDeque<Option<Observation>>,
     then: E,
 }
 
 impl<E> Recording<E> {
-    /// Plays these rounds in their order, then hands the motions on; `first` was seen before the first of them.
+    /// Returns an executor that replays `rounds` in order, then passes motions to `then`. `first`: the
+    /// observation before the first round.
     pub fn new(first: Option<Observation>, rounds: Vec<RecordedRound>, then: E) -> Self {
-        let mut looks = VecDeque::new();
+        let mut observations = VecDeque::new();
         if !rounds.is_empty() {
-            looks.push_back(first);
-            looks.extend(rounds.iter().map(|round| round.observation.clone()));
+            observations.push_back(first);
+            observations.extend(rounds.iter().map(|round| round.observation.clone()));
         }
         Self {
             rounds: rounds.into(),
-            looks,
+            observations,
             then,
         }
     }
 
-    /// The executor of the rounds after the recorded ones.
+    /// The executor of the rounds after the recorded rounds.
     pub const fn inner(&self) -> &E {
         &self.then
     }
@@ -174,14 +176,14 @@ impl<E: Executor> Executor for Recording<E> {
     }
 
     fn observe(&mut self, task: &Task) -> Result<Option<Observation>, ExecutorError> {
-        match self.looks.pop_front() {
+        match self.observations.pop_front() {
             Some(look) => Ok(look),
             None => self.then.observe(task),
         }
     }
 }
 
-/// No world at all, for sessions that end before anything is executed.
+/// An executor without a world, for sessions that end before any execution.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct NoExecutor;
 

@@ -1,7 +1,7 @@
-//! The whole loop: plan, follow, audit, execute, interpret, judge, and again until the goal is met; paper §4.
+//! The whole loop: plan, follow, audit, execute, interpret, judge, until the goal is met; paper §4.
 //!
-//! A [`Session`] is the only thing here with state. It goes on one stage at a time, says what happens by [`RunEvent`]s,
-//! and reaches the world through an [`Executor`] alone.
+//! A [`Session`] is the only item here with state. It advances one stage at a time, reports its progress by
+//! [`RunEvent`]s, and reaches the world only through an [`Executor`].
 
 mod config;
 mod considered;

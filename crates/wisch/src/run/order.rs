@@ -1,4 +1,4 @@
-//! What an executor is given: a motion, with all that a robot's driver needs of it.
+//! The order to an executor: a motion, with all data that a robot's driver needs.
 
 use super::{Ending, Execution, SampleSink, TelemetrySample};
 use crate::follow::{Followed, Phase, Workcell};
@@ -6,15 +6,15 @@ use crate::geometry::Pose;
 use crate::interpret::TouchSample;
 use crate::represent::Task;
 
-/// A motion that is to be executed, with all that a robot's driver needs of it.
+/// A motion to execute, with all data that a robot's driver needs.
 #[derive(Debug, Clone, Copy)]
 pub struct MotionOrder<'a> {
     /// The round, from 1.
     pub round: usize,
-    /// Seed for what is random in a simulated world; a real one has no use for it.
+    /// Seed for the random numbers of a simulated world; a real robot ignores it.
     pub seed: u64,
-    /// Surface, scene and tool as they are believed to be; its interaction has the press force [N], the stiffness
-    /// along the normal [N/m] and the damping ratio that the controller is to keep.
+    /// Estimated surface, scene and tool. `task.interaction` holds the press force [N], the stiffness along the
+    /// normal [N/m] and the damping ratio for the controller.
     pub task: &'a Task,
     /// The robot with the tool in its hand.
     pub cell: &'a Workcell,
@@ -22,7 +22,7 @@ pub struct MotionOrder<'a> {
     pub followed: &'a Followed,
 }
 
-/// Where joints and tool shall be at one instant, without the press into the surface.
+/// Desired state of joints and tool at one instant, without the press into the surface.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Setpoint {
     /// Time since the start [s].
@@ -31,16 +31,16 @@ pub struct Setpoint {
     pub positions: Vec<f64>,
     /// Their velocities [rad/s or m/s].
     pub velocities: Vec<f64>,
-    /// Where the tool shall be.
+    /// Desired pose of the tool.
     pub world_from_tool: Pose,
     /// Index of the motion in [`Followed::motions`].
     pub motion: usize,
-    /// What that motion is for.
+    /// Purpose of that motion.
     pub phase: Phase,
 }
 
 impl MotionOrder<'_> {
-    /// The motion that runs at a time [s], by its index, and what it is for; `None` if nothing moves.
+    /// Returns the index and the phase of the motion at a time [s]; `None` for an empty motion.
     pub fn motion_at(&self, time: f64) -> Option<(usize, Phase)> {
         let motions = &self.followed.motions;
         let next = motions.partition_point(|motion| motion.start <= time);
@@ -48,7 +48,7 @@ impl MotionOrder<'_> {
         Some((index, motions.get(index)?.phase))
     }
 
-    /// Where joints and tool shall be at a time [s]; `None` if nothing moves.
+    /// Returns the desired state at a time [s]; `None` for an empty motion.
     pub fn setpoint(&self, time: f64) -> Option<Setpoint> {
         let (motion, phase) = self.motion_at(time)?;
         let sample = self.followed.sample(time)?;
@@ -66,15 +66,16 @@ impl MotionOrder<'_> {
         })
     }
 
-    /// Setpoints at this period [s], from the start to the end, which is the last; none if nothing moves.
+    /// Returns the setpoints at this period [s], from the start to the end, which is the last; none for an
+    /// empty motion.
     pub fn setpoints(&self, period: f64) -> impl Iterator<Item = Setpoint> {
         let duration = self.followed.duration();
         let count = (duration / period).ceil() as usize + 1;
         (0..count).filter_map(move |k| self.setpoint((k as f64 * period).min(duration)))
     }
 
-    /// Goes through the setpoints at this period [s], hands on what is measured at each, and stops when the sink
-    /// says so.
+    /// Visits the setpoints at this period [s], passes the sample measured at each to the sink, and stops when
+    /// the sink returns `Break`.
     pub fn play(
         &self,
         period: f64,

@@ -1,4 +1,4 @@
-//! A strategy of the user's own: a function that gives the strokes for a task.
+//! A strategy of the user's own: a function that returns the strokes for a task.
 
 use crate::geometry::PlanarPose;
 use crate::plan::{Plan, PlanError, plan_of_strokes};
@@ -6,10 +6,10 @@ use crate::represent::Task;
 use std::fmt;
 use std::sync::Arc;
 
-/// What the function gives: strokes as for [`plan_of_strokes`], or why there are none.
+/// The result of the function: strokes as for [`plan_of_strokes`], or why there are none.
 type OwnStrokes = Result<Vec<Vec<PlanarPose>>, String>;
 
-/// A function that gives the strokes of a round; its plan is checked as any that comes from outside.
+/// A function that returns the strokes of a round. The planner checks them like any strokes that a user gives.
 ///
 /// ```
 /// use wisch::geometry::{PlanarPose, Point2};
@@ -27,15 +27,17 @@ type OwnStrokes = Result<Vec<Vec<PlanarPose>>, String>;
 pub struct OwnStrategy<'a>(Arc<dyn Fn(&Task) -> OwnStrokes + Send + Sync + 'a>);
 
 impl<'a> OwnStrategy<'a> {
-    /// The strategy of a function. It is given the task of the round, whose particles lie where they are estimated to lie by now.
+    /// Returns the strategy of a function. The function gets the task of the round, with the current estimate
+    /// of the particles.
     pub fn new(strokes: impl Fn(&Task) -> OwnStrokes + Send + Sync + 'a) -> Self {
         Self(Arc::new(strokes))
     }
 
-    /// The function's plan for a task. `lift_height`: how high the tool is lifted between strokes [m].
+    /// Returns the function's plan for a task. `lift_height`: height by which the tool is lifted between
+    /// strokes [m].
     ///
     /// # Errors
-    /// [`PlanError::OwnStrategy`] with what the function says, or a stroke that the tool cannot make.
+    /// [`PlanError::OwnStrategy`] with the function's error, or a stroke that the tool cannot make.
     pub fn plan(&self, task: &Task, lift_height: f64) -> Result<Plan, PlanError> {
         let strokes = (self.0)(task).map_err(PlanError::OwnStrategy)?;
         plan_of_strokes(task, &strokes, lift_height)

@@ -1,4 +1,4 @@
-//! One round of a session: what is about to be executed, and what came of it.
+//! One round of a session: the planned motion, and the result of its execution.
 
 use super::{Ending, Execution};
 use crate::follow::{Audit, Followed, Workcell};
@@ -7,14 +7,14 @@ use crate::plan::{Plan, Prediction, predict};
 use crate::recover::Verdict;
 use crate::represent::Task;
 
-/// What is about to be executed.
+/// The plan and motion of a round before its execution.
 #[derive(Debug, Clone)]
 pub struct PlannedRound {
     /// The round, from 1.
     pub number: usize,
-    /// The task as it was believed.
+    /// The task with the estimate of the round.
     pub task: Task,
-    /// Where the dirt was believed to lie.
+    /// The belief about the dirt before the round.
     pub believed: Belief,
     /// The plan.
     pub plan: Plan,
@@ -22,12 +22,12 @@ pub struct PlannedRound {
     pub cell: Workcell,
     /// The joint motion.
     pub followed: Followed,
-    /// What it is predicted to do.
+    /// The predicted effect of the motion.
     pub prediction: Prediction,
 }
 
 impl PlannedRound {
-    /// The plan as the robot wipes it: without what had to be given up.
+    /// Returns the plan as the robot executes it: without abandoned nodes.
     pub fn wiped(&self) -> Plan {
         Plan {
             strokes: self.followed.strokes.clone(),
@@ -35,7 +35,7 @@ impl PlannedRound {
         }
     }
 
-    /// Share of the particles that abandoned nodes are predicted to cost [1].
+    /// Share of the particles that the abandoned nodes are predicted to cost [1].
     pub fn abandoned_share(&self) -> f64 {
         if self.followed.abandoned.is_empty() {
             return 0.0;
@@ -45,34 +45,35 @@ impl PlannedRound {
     }
 }
 
-/// How much of a round's motion was executed.
+/// The executed part of a round's motion.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct ExecutedMotion {
-    /// Time during which the tool wiped [s].
+    /// Time in contact [s].
     pub contact_time: f64,
-    /// Length of the way of the arm's joints while the tool wiped, and in all [rad].
+    /// Length of the arm's joint path in contact, and in total [rad].
     pub joint_movement: [f64; 2],
-    /// Way of the tool in contact, and in all [m].
+    /// Path length of the tool in contact, and in total [m].
     pub distance: [f64; 2],
 }
 
-/// One round that is over: what was planned, executed and felt, and what follows.
+/// A completed round: plan, execution, interpretation and verdict.
 #[derive(Debug, Clone)]
 pub struct Round {
-    /// What was planned.
+    /// The plan and its motion.
     pub motion: PlannedRound,
-    /// What an independent check says of its motion; one with faults is never executed.
+    /// Result of the independent check of the motion; a motion with faults is never executed.
     pub audit: Audit,
-    /// What was executed.
+    /// Result of the execution.
     pub execution: Execution,
-    /// What the robot makes of it.
+    /// The interpretation of the measured data.
     pub interpretation: Interpretation,
-    /// What follows.
+    /// The verdict on the round.
     pub verdict: Verdict,
 }
 
 impl Round {
-    /// How much of the motion was executed: all of one that is complete, of another what was planned until it ended.
+    /// Returns the executed part of the motion: all of a complete one, else the planned part up to the time at
+    /// which it ended.
     pub fn executed(&self) -> ExecutedMotion {
         let PlannedRound { cell, followed, .. } = &self.motion;
         let end = match self.execution.ending {

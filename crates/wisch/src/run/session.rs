@@ -1,8 +1,8 @@
-//! The loop itself: one session, one stage at a time.
+//! The loop itself: a session advances one stage at a time.
 
 mod planning;
 
-use super::stance::{begins_at, positions_of_all, standing};
+use super::stance::{check_positions, check_start, root_pose};
 use super::stroke_watch::StrokeWatch;
 use super::{
     AfterStop, Ending, Execution, Executor, MotionOrder, Observer, OwnStrategy, Performer,
@@ -16,22 +16,22 @@ use crate::represent::{GoalState, Observation, Task};
 use planning::NextPlan;
 use std::ops::ControlFlow;
 
-/// Where a session has come to.
+/// The stage that a session has completed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Stage {
-    /// Strokes are chosen.
+    /// The strokes are planned.
     Planned,
-    /// There is a joint motion, and its effect is predicted.
+    /// The joint motion and its predicted effect are computed.
     Followed,
-    /// The motion was checked.
+    /// The motion is checked.
     Audited,
-    /// It was executed.
+    /// The motion is executed.
     Executed,
-    /// What was felt is interpreted.
+    /// The measured data are interpreted.
     Interpreted,
-    /// It is known what follows.
+    /// The verdict on the round is known.
     Judged,
-    /// Nothing follows.
+    /// The session has ended.
     Ended,
 }
 
@@ -59,18 +59,19 @@ pub struct Session<'a> {
     judge: RoundJudge,
     state: State,
     rounds: Vec<Round>,
-    /// What was seen before the first round, if anything looked; `None` before.
-    first_look: Option<Option<Observation>>,
+    /// The observation before the first round, if there is a camera; the outer `None` before it is taken.
+    first_observation: Option<Option<Observation>>,
     is_stopped: bool,
-    /// Where the joints stand as far as known, all n variables [rad or m]; `None` before anything was measured.
+    /// Last known joint positions, all n variables [rad or m]; `None` before the first
+    /// measurement.
     stands: Option<Vec<f64>>,
-    /// Whether the last motion ended amid it, so that the next begins with a retreat.
+    /// Whether the last motion ended before its end, so that the next begins with a retreat.
     retreats: bool,
-    /// Why the execution at hand broke off.
+    /// The error that ended the current execution.
     failure: Option<RunError>,
 }
 
-/// What there is of the round at hand.
+/// Progress of the current round.
 #[derive(Debug)]
 enum State {
     Begin,
@@ -79,12 +80,12 @@ enum State {
     Audited(Box<PlannedRound>, Audit),
     Executed(Box<PlannedRound>, Audit, Execution, Box<Interpreter>),
     Interpreted(Box<PlannedRound>, Audit, Execution, Box<Interpretation>),
-    /// With the motion that was not executed because of its faults, if that is why.
+    /// With the motion that was not executed because of its faults, if there is one.
     Ended(Option<Box<(PlannedRound, Audit)>>),
 }
 
 impl<'a> Session<'a> {
-    /// A session that has not planned yet. Every seed derives from the task's.
+    /// Returns a session before its first plan. Every seed derives from the task's.
     pub fn new(task: &Task, mut config: RunConfig) -> Self {
         config.plan.seed = task.seed;
         config.follow.seed = task.seed;
@@ -99,7 +100,7 @@ impl<'a> Session<'a> {
             judge: RoundJudge::new(config.target, config.pace),
             state: State::Begin,
             rounds: Vec::new(),
-            first_look: None,
+            first_observation: None,
             is_stopped: false,
             stands: None,
             retreats: false,
@@ -108,31 +109,31 @@ impl<'a> Session<'a> {
         }
     }
 
-    /// The same session with a robot that follows its plans.
+    /// Adds a robot that follows the plans.
     #[must_use]
     pub fn with_robot(self, performer: Performer<'a>) -> Self {
         let performer = Some(performer);
         Self { performer, ..self }
     }
 
-    /// The same session with another belief of where the dirt lies; without, it is certain of the task's particles.
+    /// Sets the belief about the dirt; without it, the session takes the task's particles for certain.
     #[must_use]
     pub fn with_belief(self, belief: Belief) -> Self {
         Self { belief, ..self }
     }
 
-    /// What was seen before the first round, if anything looked.
+    /// The observation before the first round, if there is a camera.
     pub fn first_observation(&self) -> Option<&Observation> {
-        self.first_look.as_ref()?.as_ref()
+        self.first_observation.as_ref()?.as_ref()
     }
 
-    /// The same session with a plan for the first round; `None` plans it.
+    /// Sets the plan for the first round; with `None` the session plans it.
     #[must_use]
     pub fn with_plan(self, given: Option<Plan>) -> Self {
         Self { given, ..self }
     }
 
-    /// The same session with a strategy of the user's own, by which every round is planned that has no plan given.
+    /// Sets a strategy of the user's own, by which the session plans every round without a given plan.
     #[must_use]
     pub fn with_strategy(self, own: OwnStrategy<'a>) -> Self {
         Self {
@@ -141,7 +142,7 @@ impl<'a> Session<'a> {
         }
     }
 
-    /// The plan of the round at hand, or of the last one.
+    /// The plan of the current round, or of the last one.
     pub fn plan(&self) -> Option<&Plan> {
         match &self.state {
             State::Planned(next) => Some(next.plan()),
@@ -149,7 +150,7 @@ impl<'a> Session<'a> {
         }
     }
 
-    /// The motion of the round at hand, or of the last one.
+    /// The planned motion of the current round, or of the last one.
     pub fn planned(&self) -> Option<&PlannedRound> {
         match &self.state {
             State::Followed(planned)
@@ -163,7 +164,7 @@ impl<'a> Session<'a> {
         }
     }
 
-    /// What the check says of that motion; `None` before it was checked.
+    /// The audit of that motion; `None` before the check.
     pub fn audit(&self) -> Option<&Audit> {
         match &self.state {
             State::Audited(_, audit)
@@ -175,7 +176,7 @@ impl<'a> Session<'a> {
         }
     }
 
-    /// The first round's motion with what the check says of it; `None` before it was checked.
+    /// The first round's motion with its audit; `None` before the check.
     pub fn first(&self) -> Option<(&PlannedRound, &Audit)> {
         match self.rounds.first() {
             Some(round) => Some((&round.motion, &round.audit)),
@@ -183,21 +184,21 @@ impl<'a> Session<'a> {
         }
     }
 
-    /// The rounds that were executed and judged, in order; a motion that was refused by the audit is not among them.
+    /// The executed and judged rounds, in order; a motion with faults is not among them.
     pub fn rounds(&self) -> &[Round] {
         &self.rounds
     }
 
-    /// The same as [`Self::rounds`], handed over.
+    /// Returns the same rounds as [`Self::rounds`], by value.
     pub fn into_rounds(self) -> Vec<Round> {
         self.rounds
     }
 
-    /// Goes on to the end.
+    /// Runs the session to its end.
     ///
     /// # Errors
-    /// Those of the stages. That of an execution comes when what was felt until then is interpreted and judged: the round is
-    /// among [`Self::rounds`], [stopped](Ending::Stopped).
+    /// The errors of the stages. If an execution fails, the data measured until then are first interpreted and
+    /// judged: the round is among [`Self::rounds`], [stopped](Ending::Stopped).
     pub fn run(
         &mut self,
         executor: &mut dyn Executor,
@@ -206,10 +207,10 @@ impl<'a> Session<'a> {
         self.run_until(Stage::Ended, executor, observer)
     }
 
-    /// Goes on until a stage is reached, or the end.
+    /// Runs the session until it has completed a stage, or to its end.
     ///
     /// # Errors
-    /// Those of the stages.
+    /// The errors of the stages.
     pub fn run_until(
         &mut self,
         stage: Stage,
@@ -224,16 +225,16 @@ impl<'a> Session<'a> {
         }
     }
 
-    /// Goes on by one stage.
+    /// Advances the session by one stage.
     ///
     /// # Errors
-    /// Those of the stage, in the first round; in later ones, that no plan or no motion is found is a verdict.
+    /// The errors of the stage in the first round. In later rounds a missing plan or motion is a verdict.
     pub fn step(
         &mut self,
         executor: &mut dyn Executor,
         observer: &mut Observer<'_>,
     ) -> Result<Stage, RunError> {
-        // An execution that was stopped is yet interpreted and judged.
+        // An execution that was stopped is still interpreted and judged.
         if self.is_stopped && !matches!(self.state, State::Executed(..) | State::Interpreted(..)) {
             return Ok(self.end(None, observer));
         }
@@ -251,8 +252,8 @@ impl<'a> Session<'a> {
                 self.execute_round(planned, audit, executor, &mut watch)
             }
             State::Executed(planned, audit, execution, interpreter) => {
-                let felt = (planned, audit, execution);
-                self.interpret_round(felt, *interpreter, executor, &mut watch)
+                let executed = (planned, audit, execution);
+                self.interpret_round(executed, *interpreter, executor, &mut watch)
             }
             State::Interpreted(planned, audit, execution, interpretation) => {
                 self.judge_round(*planned, audit, execution, *interpretation, &mut watch)
@@ -266,7 +267,7 @@ impl<'a> Session<'a> {
         Ok(stage)
     }
 
-    /// The goal of the first plan, which is that of all rounds.
+    /// The goal of the first plan, which holds for all rounds.
     fn goal_of(&self, plan: &Plan) -> GoalState {
         self.goal.unwrap_or(plan.graph.goal)
     }
@@ -275,7 +276,7 @@ impl<'a> Session<'a> {
         self.rounds.len() + 1
     }
 
-    /// Ends the session, and says so; a verdict that is given is that of the last round.
+    /// Ends the session and reports it; `verdict`, if given, replaces that of the last round.
     fn end(&mut self, verdict: Option<Verdict>, observer: &mut Observer<'_>) -> Stage {
         if let (Some(last), Some(verdict)) = (self.rounds.last_mut(), verdict) {
             last.verdict = verdict;
@@ -286,6 +287,7 @@ impl<'a> Session<'a> {
         Stage::Ended
     }
 
+    /// Plans a round: the given plan, the user's own strategy, or the planner.
     fn plan_round(
         &mut self,
         executor: &mut dyn Executor,
@@ -296,8 +298,8 @@ impl<'a> Session<'a> {
             return Ok(self.end(None, observer));
         }
         let _ = observer(&RunEvent::Planning { round });
-        if self.config.sight.is_some() && self.first_look.is_none() {
-            self.look_first(executor, observer)?;
+        if self.config.sight.is_some() && self.first_observation.is_none() {
+            self.observe_first(executor, observer)?;
         }
         if let Some(stands) = executor.state()? {
             self.stands = Some(stands);
@@ -322,14 +324,14 @@ impl<'a> Session<'a> {
         Ok(Stage::Planned)
     }
 
-    /// Looks at the surface before anything is wiped; what is seen is what the first plan is made for.
-    fn look_first(
+    /// Observes the surface before the first round; the first plan uses the observation.
+    fn observe_first(
         &mut self,
         executor: &mut dyn Executor,
         observer: &mut Observer<'_>,
     ) -> Result<(), RunError> {
         let Some(observation) = executor.observe(&self.task)? else {
-            self.first_look = Some(None);
+            self.first_observation = Some(None);
             return Ok(());
         };
         let _ = observer(&RunEvent::Observed {
@@ -337,7 +339,8 @@ impl<'a> Session<'a> {
             observation: &observation,
         });
         if let Some(sight) = self.config.sight {
-            // Nothing is where it belongs yet as far as a look can tell; a goal that is left to the planner is no place.
+            // A camera cannot see that dirt is at a goal that the planner has not chosen yet: nothing counts as
+            // done.
             let goal = self.task.goal().unwrap_or(GoalState::Skimmed);
             self.belief = self.belief.seen(&Look {
                 observation: &observation,
@@ -348,19 +351,20 @@ impl<'a> Session<'a> {
             });
             self.task.particles = self.belief.sample(self.task.seed)?;
         }
-        self.first_look = Some(Some(observation));
+        self.first_observation = Some(Some(observation));
         Ok(())
     }
 
+    /// Computes the joint motion of the round's plan.
     fn follow_round(
         &mut self,
         next: NextPlan,
         observer: &mut Observer<'_>,
     ) -> Result<Stage, RunError> {
         let planned = match next {
-            NextPlan::Alone(plan) => self.followed(plan, observer).map(Box::new),
+            NextPlan::Alone(plan) => self.compute_motion(plan, observer).map(Box::new),
             NextPlan::Followed(planned) => {
-                show_followed(&planned, observer);
+                report_motion(&planned, observer);
                 Ok(planned)
             }
         };
@@ -374,8 +378,12 @@ impl<'a> Session<'a> {
         }
     }
 
-    /// The joint motion of a plan, and what it is predicted to do.
-    fn followed(&self, plan: Plan, observer: &mut Observer<'_>) -> Result<PlannedRound, RunError> {
+    /// Computes the joint motion of a plan and its predicted effect.
+    fn compute_motion(
+        &self,
+        plan: Plan,
+        observer: &mut Observer<'_>,
+    ) -> Result<PlannedRound, RunError> {
         let performer = self.performer.ok_or(RunError::NoRobot)?;
         let (task, round) = (&self.task, self.number());
         let mut cell = Workcell::new(
@@ -429,6 +437,7 @@ impl<'a> Session<'a> {
         })
     }
 
+    /// Audits the motion; a motion with faults ends the session.
     fn audit_round(
         &mut self,
         planned: Box<PlannedRound>,
@@ -451,7 +460,7 @@ impl<'a> Session<'a> {
             self.state = State::Audited(planned, audit);
             return Ok(Stage::Audited);
         }
-        // A motion without a stroke moves nothing, and nothing is ordered of the robot.
+        // A motion without a stroke moves nothing; the executor gets no order.
         let verdict = if audit.faults.is_empty() {
             Verdict::NoWay
         } else {
@@ -462,6 +471,7 @@ impl<'a> Session<'a> {
         Ok(ended)
     }
 
+    /// Executes the motion and passes each sample to the interpreter and the observer.
     fn execute_round(
         &mut self,
         planned: Box<PlannedRound>,
@@ -470,7 +480,7 @@ impl<'a> Session<'a> {
         observer: &mut Observer<'_>,
     ) -> Result<Stage, RunError> {
         if planned.number == 1 {
-            // Later ones are gainful.
+            // Plans of later rounds have a positive predicted gain.
             check_score(
                 &planned.prediction,
                 planned.task.action,
@@ -485,7 +495,7 @@ impl<'a> Session<'a> {
             self.stands = Some(stands);
         }
         if let Some(stands) = &self.stands {
-            begins_at(stands, &planned, self.config.start_tolerance)?;
+            check_start(stands, &planned, self.config.start_tolerance)?;
         }
         let mut interpreter = Interpreter::new(&planned.task, &InterpretConfig::of(&planned.task))?;
         let order = MotionOrder {
@@ -498,7 +508,7 @@ impl<'a> Session<'a> {
         let mut refused = None;
         let mut watch = (self.config.end_strokes_early).then(|| StrokeWatch::new(&planned.task));
         let mut ended_early = None;
-        let mut felt: Option<f64> = None;
+        let mut measured_until: Option<f64> = None;
         let mut at: Vec<f64> = Vec::new();
         let executed = executor.execute(&order, &mut |sample| {
             let touch = TouchSample {
@@ -510,14 +520,14 @@ impl<'a> Session<'a> {
                 refused = Some(error);
                 return ControlFlow::Break(());
             }
-            felt = Some(sample.time);
+            measured_until = Some(sample.time);
             if !sample.positions.is_empty() {
                 at.clear();
                 at.extend_from_slice(sample.positions);
             }
             let flow = observer(&RunEvent::Sample(sample));
             if flow.is_continue()
-                && let Some(cause) = watch.as_mut().and_then(|watch| watch.look(sample))
+                && let Some(cause) = watch.as_mut().and_then(|watch| watch.check(sample))
             {
                 let time = sample.time;
                 ended_early = Some(Ending::Early { time, cause });
@@ -528,11 +538,11 @@ impl<'a> Session<'a> {
         let executed = match (executed, refused) {
             (_, Some(error)) => Err(error.into()),
             (Err(error), None) => Err(error.into()),
-            (Ok(execution), None) => positions_of_all(execution, &planned.cell, planned.number),
+            (Ok(execution), None) => check_positions(execution, &planned.cell, planned.number),
         };
-        let mut execution = match (executed, felt) {
+        let mut execution = match (executed, measured_until) {
             (Ok(execution), _) => execution,
-            // What was felt until then is yet interpreted and judged.
+            // The data measured until then are still interpreted and judged.
             (Err(error), Some(duration)) => {
                 self.failure = Some(error);
                 Execution {
@@ -552,6 +562,7 @@ impl<'a> Session<'a> {
         Ok(Stage::Executed)
     }
 
+    /// Interprets the measured data, and the camera's observation if there is one.
     fn interpret_round(
         &mut self,
         (planned, audit, execution): (Box<PlannedRound>, Audit, Execution),
@@ -563,11 +574,11 @@ impl<'a> Session<'a> {
         let _ = observer(&RunEvent::Interpreting { round });
         let goal = self.goal_of(&planned.plan);
         let mut interpretation = interpreter.conclude(&planned.believed, &goal)?;
-        // An executor that broke off is asked nothing more.
+        // After an executor failed, the session does not ask it for an observation.
         let sight = self.config.sight.filter(|_| self.failure.is_none());
         let seen = match sight.map(|_| executor.observe(&planned.task)).transpose() {
             Ok(seen) => seen.flatten(),
-            // What was executed is judged by touch, and kept.
+            // The executed part is judged by touch alone, and kept.
             Err(error) => {
                 self.failure = Some(error.into());
                 None
@@ -590,6 +601,7 @@ impl<'a> Session<'a> {
         Ok(Stage::Interpreted)
     }
 
+    /// Reaches the verdict on the round; either ends the session or prepares the next round.
     fn judge_round(
         &mut self,
         planned: PlannedRound,
@@ -615,7 +627,7 @@ impl<'a> Session<'a> {
         self.stands = Some(stands).filter(|stands| !stands.is_empty());
         self.retreats = execution.ending != Ending::Complete;
         self.belief = interpretation.belief.clone();
-        self.workcell.world_from_robot = Some(standing(&planned, &execution, &self.config));
+        self.workcell.world_from_robot = Some(root_pose(&planned, &execution, &self.config));
         self.task = next;
         let round = Round {
             motion: planned,
@@ -639,8 +651,8 @@ impl<'a> Session<'a> {
     }
 }
 
-/// Shows a motion that was found before as one that is found now.
-fn show_followed(planned: &PlannedRound, observer: &mut Observer<'_>) {
+/// Reports a motion that was computed earlier to the observer, as if it were computed now.
+fn report_motion(planned: &PlannedRound, observer: &mut Observer<'_>) {
     let PlannedRound {
         number: round,
         task,

@@ -1,12 +1,12 @@
-//! Where the robot stands before and after a motion.
+//! The robot's position before and after a motion.
 
 use super::{Execution, PlannedRound, RunConfig, RunError};
 use crate::follow::{Followed, Workcell};
 use crate::geometry::{PlanarPose, Point2, Pose, Vector3};
 use nalgebra::{Translation3, UnitQuaternion};
 
-/// Checks that an execution tells the position of every joint, or of none.
-pub(super) fn positions_of_all(
+/// Checks that an execution reports the position of every joint, or of none.
+pub(super) fn check_positions(
     execution: Execution,
     cell: &Workcell,
     round: usize,
@@ -22,8 +22,8 @@ pub(super) fn positions_of_all(
     })
 }
 
-/// Checks that the robot stands where its motion begins.
-pub(super) fn begins_at(
+/// Checks that the robot is where its motion begins. `limit`: largest distance of a joint [rad or m].
+pub(super) fn check_start(
     stands: &[f64],
     planned: &PlannedRound,
     limit: f64,
@@ -62,8 +62,8 @@ pub(super) fn begins_at(
     }
 }
 
-/// Where the robot stands after an execution; where its joints are not measured, as planned.
-pub(super) fn standing(planned: &PlannedRound, execution: &Execution, config: &RunConfig) -> Pose {
+/// Returns the pose of the robot's root after an execution; the planned pose if the joints are not measured.
+pub(super) fn root_pose(planned: &PlannedRound, execution: &Execution, config: &RunConfig) -> Pose {
     let PlannedRound { cell, followed, .. } = planned;
     let Some(base) = cell.base() else {
         return *cell.world_from_root();

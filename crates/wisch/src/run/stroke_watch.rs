@@ -1,35 +1,35 @@
-//! Whether a stroke still brings anything, as far as that is felt while it is wiped.
+//! Detection, during a stroke, that the stroke no longer has an effect.
 
 use super::TelemetrySample;
 use crate::follow::Phase;
 use crate::geometry::{Point2, Pose};
 use crate::represent::Task;
 
-/// The share of the force that is pressed with below which nothing is wiped.
+/// Share of the press force below which the tool is out of contact [1].
 const CONTACT_SHARE: f64 = 0.2;
-/// How far the tool wipes without contact before that is sure, in collision radii.
+/// Path without contact after which contact counts as lost, over the collision radius [1].
 const WITHOUT_CONTACT: f64 = 2.0;
-/// How long it is led off its way before that is sure [s].
+/// Time off its path after which the tool counts as led away [s].
 const LED_FOR: f64 = 0.3;
 
-/// Why a round was ended amid a stroke.
+/// Why a round ended amid a stroke.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
 pub enum StrokeEnd {
-    /// The tool went on without pressing on anything.
+    /// The tool moved on without pressing on the surface.
     #[error("the tool had lost contact for {way:.2} m of its stroke")]
     ContactLost {
-        /// How far [m].
+        /// Path without contact [m].
         way: f64,
     },
-    /// Something led the tool off its stroke.
+    /// A person or an object led the tool off its stroke.
     #[error("the tool had been led {distance:.2} m off its stroke")]
     LedAway {
-        /// How far [m].
+        /// Distance from the stroke [m].
         distance: f64,
     },
 }
 
-/// Looks at the samples of a round, one after the other.
+/// A detector that checks the samples of a round one by one.
 #[derive(Debug)]
 pub(super) struct StrokeWatch {
     surface_from_world: Pose,
@@ -58,10 +58,10 @@ impl StrokeWatch {
         }
     }
 
-    /// Why the stroke brings nothing any more, if this sample shows it.
-    pub(super) fn look(&mut self, sample: &TelemetrySample<'_>) -> Option<StrokeEnd> {
+    /// Returns why the stroke no longer has an effect, if this sample shows it.
+    pub(super) fn check(&mut self, sample: &TelemetrySample<'_>) -> Option<StrokeEnd> {
         let Phase::Wipe(stroke) = sample.phase else {
-            self.begin_anew();
+            self.reset();
             return None;
         };
         let in_surface = |pose: &Pose| (self.surface_from_world * pose).translation.vector.xy();
@@ -70,7 +70,7 @@ impl StrokeWatch {
         let way = match self.last.replace((stroke, at)) {
             Some((last, before)) if last == stroke => (at - before).norm(),
             _ => {
-                self.begin_anew();
+                self.reset();
                 self.last = Some((stroke, at));
                 0.0
             }
@@ -92,7 +92,7 @@ impl StrokeWatch {
             .map(|_| StrokeEnd::LedAway { distance })
     }
 
-    fn begin_anew(&mut self) {
+    fn reset(&mut self) {
         self.last = None;
         self.without_contact = 0.0;
         self.led_since = None;
@@ -116,14 +116,15 @@ mod tests {
         }
     }
 
-    /// A stroke of 0.3 m in 3 s; `touch` says at a time how hard the tool presses and how far it is off.
+    /// Simulates a stroke of 0.3 m in 3 s. `touch` returns the press force [N] and the distance off the path
+    /// [m] at a time [s].
     fn ended(phase: Phase, touch: impl Fn(f64) -> (f64, f64)) -> Option<(f64, StrokeEnd)> {
         let mut watch = watch();
         (0..3000).find_map(|i| {
             let time = f64::from(i) * 1e-3;
             let (pressed, off) = touch(time);
             let pose = Pose::translation(0.1 * time, off, 0.0);
-            let end = watch.look(&TelemetrySample {
+            let end = watch.check(&TelemetrySample {
                 time,
                 positions: &[],
                 velocities: &[],
@@ -145,7 +146,7 @@ mod tests {
     #[test]
     fn a_stroke_that_presses_where_it_should_is_not_ended() {
         assert_eq!(ended(Phase::Wipe(0), |_| (10.0, 0.01)), None);
-        // A tool that jumps over an edge now and then, and one that is shoved for a moment.
+        // A tool that jumps over an edge now and then, and one that is pushed for a moment.
         let bumpy = |time: f64| (if time % 1.0 < 0.5 { 0.0 } else { 10.0 }, 0.0);
         assert_eq!(ended(Phase::Wipe(0), bumpy), None);
         let shoved = |time: f64| (10.0, if (1.0..1.2).contains(&time) { 0.1 } else { 0.0 });
@@ -160,7 +161,7 @@ mod tests {
         .expect("it is ended");
         assert!((time - 2.0).abs() < 0.01, "{time} s");
         assert!(matches!(end, StrokeEnd::ContactLost { way } if (way - 0.1).abs() < 1e-3));
-        // In the air nothing is pressed on.
+        // In the air the tool presses on nothing.
         assert_eq!(ended(Phase::Lifted, |_| (0.0, 0.0)), None);
     }
 

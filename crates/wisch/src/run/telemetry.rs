@@ -1,12 +1,12 @@
-//! What a robot measures while it wipes.
+//! The measurements of a robot while it wipes.
 
 use crate::control::Wrench;
 use crate::follow::Phase;
 use crate::geometry::Pose;
 use crate::interpret::TouchSample;
 
-/// What is measured at one instant; arrays have one entry per variable of the robot, in its order,
-/// or none: velocities and efforts where an executor does not measure them.
+/// The measurements of one instant. Arrays have one entry per variable of the robot, in its order; velocities
+/// and efforts are empty where an executor does not measure them.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct TelemetrySample<'a> {
     /// Time since the start [s].
@@ -17,23 +17,23 @@ pub struct TelemetrySample<'a> {
     pub velocities: &'a [f64],
     /// Efforts of the drives [Nm or N].
     pub efforts: &'a [f64],
-    /// Where the tool was told to be, the press into the surface included.
+    /// Commanded pose of the tool, the press into the surface included.
     pub world_from_commanded: Pose,
-    /// Where the tool is, by the joints' positions.
+    /// Pose of the tool by forward kinematics of the measured joints.
     pub world_from_tool: Pose,
-    /// f_c: what the controller asks of the tool, saturated (8).
+    /// f_c: the controller's wrench on the tool, saturated (8).
     pub controller: Wrench,
-    /// f_ext: what the surroundings do to the tool, as estimated from the drives' efforts.
+    /// f_ext: external wrench on the tool, estimated from the drives' efforts.
     pub external: Wrench,
     /// Index of the motion in [`Followed::motions`](crate::follow::Followed).
     pub motion: usize,
-    /// What that motion is for.
+    /// Purpose of that motion.
     pub phase: Phase,
 }
 
 impl TelemetrySample<'_> {
-    /// A sample of who measures nothing but a tool's pose and the force on it: where the tool was told to be, is where
-    /// it is.
+    /// Returns the sample of a device that measures only the tool's pose and the force on it; the commanded
+    /// pose is the measured pose.
     pub fn of_touch(touch: &TouchSample, motion: usize, phase: Phase) -> Self {
         Self {
             time: touch.time,
@@ -53,27 +53,28 @@ impl TelemetrySample<'_> {
     }
 }
 
-/// A sample that is kept.
+/// A stored sample.
 #[derive(Debug, Clone, PartialEq)]
 pub struct RecordedSample {
     /// Time since the start [s].
     pub time: f64,
     /// Positions, velocities and efforts, one list after the other [rad or m, rad/s or m/s, Nm or N].
     pub joints: Vec<f64>,
-    /// How many numbers each of these lists has.
+    /// Number of entries in each of these lists.
     pub counts: [usize; 3],
-    /// Where the tool was told to be.
+    /// Commanded pose of the tool.
     pub world_from_commanded: Pose,
-    /// Where it was.
+    /// Measured pose of the tool.
     pub world_from_tool: Pose,
-    /// What the controller asked of it.
+    /// The controller's wrench.
     pub controller: Wrench,
-    /// What the surroundings did to it.
+    /// External wrench.
     pub external: Wrench,
 }
 
 impl RecordedSample {
-    /// The sample, taken in a motion for a purpose; `None` where the counts are not those of the joints' numbers.
+    /// Returns the sample with its motion and phase; `None` if `counts` does not match the number of entries in
+    /// `joints`.
     pub fn during(&self, motion: usize, phase: Phase) -> Option<TelemetrySample<'_>> {
         let [positions, velocities, efforts] = self.counts;
         let (measured, last) = self.joints.split_at_checked(positions + velocities)?;

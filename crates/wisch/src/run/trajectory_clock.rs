@@ -1,63 +1,65 @@
-//! Where along its trajectory a robot is, by what it reports: a robot may run slower than planned, or pause.
+//! Trajectory time from the reported state of a robot, which may run slower than planned, or pause.
 
 use super::MotionOrder;
 use crate::geometry::Pose;
 
-/// Period of the places along the trajectory that a measured state is compared with [s].
+/// Period of the path points with which a measured state is compared [s].
 const PERIOD: f64 = 0.01;
-/// How many times as fast as planned a robot is followed [1].
+/// Fastest progress that is followed, over the planned speed [1].
 const FASTEST: f64 = 2.0;
 /// Time over which residuals are averaged [s].
 const MEMORY: f64 = 1.0;
-/// A residual below this says nothing against the clock [rad or m].
+/// A residual below this is no evidence against the clock [rad or m].
 const SMALL: f64 = 0.005;
-/// The clock is not believed beyond this residual [rad or m].
+/// A residual above this refutes the clock [rad or m].
 const LARGE: f64 = 0.05;
-/// A squared residual has to be this many times as large for the other explanation to be taken [1].
+/// Factor between the squared residuals that decides for the other hypothesis [1].
 const CLEARLY: f64 = 4.0;
-/// A tool that is turned by one radian is as far away as one that is moved by so much [m].
+/// Weight of a rotation against a translation [m/rad].
 const METRES_PER_RADIAN: f64 = 0.2;
-/// A later place has to be nearer by more than this, relative to the distance [1].
+/// A later place has to be nearer by more than this share of the distance [1].
 const NEARER: f64 = 1e-9;
 
-/// The time on the trajectory that a robot has reached, from the states that it reports.
+/// The trajectory time that a robot has reached, estimated from the states that it reports.
 ///
-/// Two explanations are held against each other: that trajectory time is the time of the sample (a robot that keeps to
-/// the plan's times, wherever somebody pushes it to), and that the robot follows the path at a speed of its own. The
-/// second is taken only where it explains the reported states clearly better.
+/// Two hypotheses are compared. In the first, trajectory time is the time of the sample: the robot keeps the
+/// plan's times, even if a person pushes it away. In the second, the robot follows the path at a speed of its
+/// own. The second is taken only where it explains the reported states clearly better.
 #[derive(Debug)]
 pub struct TrajectoryClock {
     duration: f64,
-    /// What is expected every [`PERIOD`], all joints; empty where the robot reports none.
+    /// Planned positions of all joints, every [`PERIOD`]; empty where the robot reports none.
     joints: Vec<Vec<f64>>,
-    /// The same of the tool.
+    /// Planned poses of the tool, as [`coordinates`].
     tool: Vec<Vec<f64>>,
-    /// Time of the sample before [s].
+    /// Time of the last sample [s].
     time: Option<f64>,
-    /// Trajectory time by the path [s].
+    /// Trajectory time by the path hypothesis [s].
     along: f64,
-    /// Mean squared residuals of the two explanations [rad² or m²].
+    /// Mean squared residuals of the two hypotheses [rad² or m²].
     by_clock: f64,
     by_path: f64,
     keeps_time: bool,
-    /// The last trajectory time that the robot itself reported [s].
+    /// Trajectory time that the robot itself reported last [s].
     reported: Option<f64>,
-    /// The furthest so far [s].
+    /// Largest trajectory time so far [s].
     reached: f64,
 }
 
-/// A trajectory time that lies before one that was reported.
+/// A reported trajectory time that is earlier than the last.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
-#[error("trajectory time {now} s follows {before} s")]
+#[error(
+    "trajectory time {now} s is earlier than the last reported time, {before} s; expected times that never decrease"
+)]
 pub struct TrajectoryTimeError {
-    /// What is reported [s].
+    /// The reported time [s].
     pub now: f64,
-    /// What was reported before [s].
+    /// The time reported before [s].
     pub before: f64,
 }
 
 impl TrajectoryClock {
-    /// The clock of a motion that has not begun.
+    /// Returns the clock of a motion that has not begun.
     pub fn new(order: &MotionOrder<'_>) -> Self {
         let setpoints = || order.setpoints(PERIOD);
         Self {
@@ -76,13 +78,14 @@ impl TrajectoryClock {
         }
     }
 
-    /// Takes what is measured at a time and returns the trajectory time [s], from 0 to the motion's duration.
+    /// Updates the clock with the measurements at `time` and returns the trajectory time [s], from 0 to the
+    /// motion's duration.
     ///
-    /// `reported`: the trajectory time where the robot knows it [s]. `positions`: all n joints, or none where they are not
-    /// measured; then the tool's pose is used.
+    /// `reported`: the trajectory time, if the robot knows it [s]. `positions`: all n joints, or empty where
+    /// they are not measured; then the tool's pose is used.
     ///
     /// # Errors
-    /// A reported time before the one reported last.
+    /// The reported time is earlier than the last reported time.
     pub fn advance(
         &mut self,
         time: f64,
@@ -106,11 +109,12 @@ impl TrajectoryClock {
         Ok(at)
     }
 
-    /// The furthest trajectory time so far [s].
+    /// The largest trajectory time so far [s].
     pub const fn reached(&self) -> f64 {
         self.reached
     }
 
+    /// Estimates the trajectory time from the measured state, by the better of the two hypotheses [s].
     fn estimate(&mut self, time: f64, positions: &[f64], world_from_tool: &Pose) -> f64 {
         let by_clock = time.clamp(0.0, self.duration);
         let (state, path) = if positions.is_empty() {
@@ -122,6 +126,7 @@ impl TrajectoryClock {
         let ahead = (FASTEST * step).max(2.0 * PERIOD);
         let (along, path_residual) = nearest(path, &state, [self.along, self.along + ahead]);
         let (_, clock_residual) = nearest(path, &state, [by_clock; 2]);
+        // Exponential average of the squared residuals with the time constant MEMORY.
         let weight = 1.0 - libm::exp(-step / MEMORY);
         let average = |mean: &mut f64, residual: f64| {
             *mean += weight * (residual.min(1.0).powi(2) - *mean);
@@ -135,7 +140,7 @@ impl TrajectoryClock {
         } else if self.by_clock > CLEARLY * self.by_path {
             self.keeps_time = false;
         }
-        // Somebody held the robot while its clock went on.
+        // A person held the robot while its clock ran on.
         if self.keeps_time && self.by_path > CLEARLY * self.by_clock + small {
             self.along = by_clock;
             self.by_path = self.by_clock;
@@ -148,7 +153,7 @@ impl TrajectoryClock {
     }
 }
 
-/// A pose as numbers between which distances are metres: its origin and two of its axes, scaled.
+/// Returns a pose as numbers whose distances are metres: its origin and two of its axes, scaled.
 fn coordinates(pose: &Pose) -> Vec<f64> {
     let turn = pose.rotation.to_rotation_matrix();
     let axes = turn.matrix();
@@ -161,7 +166,7 @@ fn coordinates(pose: &Pose) -> Vec<f64> {
         .collect()
 }
 
-/// The time within an interval at which a path is nearest to a state, and how far it is then.
+/// Returns the time within an interval at which a path is nearest to a state [s], and that distance.
 fn nearest(path: &[Vec<f64>], state: &[f64], [from, to]: [f64; 2]) -> (f64, f64) {
     let end = path.len().saturating_sub(1) as f64;
     let [from, to] = [from, to].map(|time| (time / PERIOD).clamp(0.0, end));
@@ -182,7 +187,7 @@ fn nearest(path: &[Vec<f64>], state: &[f64], [from, to]: [f64; 2]) -> (f64, f64)
     (best.0 * PERIOD, best.1)
 }
 
-/// The share of a segment within an interval at which it is nearest to a state, and how far it is then.
+/// Returns the share of a segment within an interval at which it is nearest to a state, and that distance.
 fn on_segment(path: &[Vec<f64>], i: usize, [from, to]: [f64; 2], state: &[f64]) -> (f64, f64) {
     let Some(a) = path.get(i) else {
         return (from, f64::INFINITY);
@@ -206,7 +211,7 @@ fn on_segment(path: &[Vec<f64>], i: usize, [from, to]: [f64; 2], state: &[f64]) 
 mod tests {
     use super::*;
 
-    /// A joint that goes to 1 and back five times, each way in 2 s, then rests for 1 s.
+    /// A joint that moves to 1 and back five times, each way in 2 s, then rests for 1 s.
     fn clock() -> TrajectoryClock {
         let position = |time: f64| {
             let phase = (time.min(20.0) / 2.0).rem_euclid(2.0);
@@ -229,7 +234,8 @@ mod tests {
         }
     }
 
-    /// The largest error of the trajectory time [s], and the time of the last sample at which it exceeds 50 ms.
+    /// Returns the largest error of the trajectory time [s], and the time of the last sample at which it
+    /// exceeds 50 ms.
     fn worst(
         trajectory_time: impl Fn(f64) -> f64,
         push: impl Fn(f64) -> f64,

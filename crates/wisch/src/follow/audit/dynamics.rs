@@ -1,6 +1,6 @@
-//! Efforts of the audit: what moves and carries the robot's own bodies, link by link.
+//! Efforts of the audit: joint efforts for the robot's own weight and inertia, link by link.
 //!
-//! Newton's and Euler's equations of every link in the frame of the root, summed from the links outward (Luh, Walker,
+//! Newton-Euler equations of every link in the frame of the root, summed from the links outward (Luh, Walker,
 //! Paul 1980).
 
 use super::kinematics::{Frame, moved_by};
@@ -8,18 +8,18 @@ use crate::follow::TrajectorySample;
 use crate::geometry::Vector3;
 use crate::robot::{Joint, JointKind, RobotModel};
 
-/// How a link moves, in the frame of the root.
+/// Motion of a link, in the frame of the root.
 #[derive(Debug, Clone)]
 struct LinkMotion {
     frame: Frame,
     angular_velocity: Vector3,
     angular_acceleration: Vector3,
-    /// Of its origin, less that of a falling body.
+    /// Acceleration of its origin, less gravity.
     acceleration: Vector3,
 }
 
-/// The effort of every joint [Nm or N], in the order of the robot's, as if each had a drive of its own; 0 for a fixed
-/// one. The acceleration of a falling body is given in the frame of the root [m/s²].
+/// Returns the effort of every joint [Nm or N] in the order of the robot's, as if each had its own drive; 0 for
+/// a fixed joint. Gravity is given in the frame of the root [m/s²].
 pub(super) fn joint_efforts(
     robot: &RobotModel,
     sample: &TrajectorySample,
@@ -47,6 +47,7 @@ pub(super) fn joint_efforts(
             frame,
             angular_velocity: spin,
             angular_acceleration: turn,
+            // a = a_parent + α × r + ω × (ω × r).
             acceleration: parent.acceleration + turn.cross(&arm) + spin.cross(&spin.cross(&arm)),
         };
         match joint.kind {
@@ -62,7 +63,7 @@ pub(super) fn joint_efforts(
         links.push(link);
         axes.push(axis);
     }
-    // Of each link and what hangs on it: force, and moment about the origin of the root.
+    // For each link with all links that it carries: force, and moment about the origin of the root.
     let mut wrenches: Vec<(Vector3, Vector3)> = (robot.links().iter().zip(&links))
         .map(|(link, motion)| {
             let Some(body) = &link.body else {
@@ -74,6 +75,7 @@ pub(super) fn joint_efforts(
             let inertia = rotation * body.inertia_about_center * rotation.transpose();
             let force = body.mass
                 * (motion.acceleration + turn.cross(&arm) + spin.cross(&spin.cross(&arm)));
+            // Euler: moment = I α + ω × (I ω).
             let moment = inertia * turn + spin.cross(&(inertia * spin));
             (force, moment + (motion.frame.origin + arm).cross(&force))
         })

@@ -26,10 +26,11 @@ impl Frame {
         }
     }
 
-    /// Turned by an angle [rad] about an axis through the origin.
+    /// Returns the frame rotated by an angle [rad] about an axis through the origin.
     pub fn turned(axis: &Vector3, angle: f64) -> Self {
         let (sin, cos) = angle.sin_cos();
         Self {
+            // Rodrigues: R = cos φ I + (1 − cos φ) a aᵀ + sin φ [a]×.
             rotation: Matrix3::identity() * cos
                 + axis * axis.transpose() * (1.0 - cos)
                 + axis.cross_matrix() * sin,
@@ -37,7 +38,7 @@ impl Frame {
         }
     }
 
-    /// A frame given in this one, in the frame that this one is given in.
+    /// Composes two frames: `a_from_b.then(b_from_c)` is `a_from_c`.
     pub fn then(&self, inner: &Self) -> Self {
         Self {
             rotation: self.rotation * inner.rotation,
@@ -45,12 +46,12 @@ impl Frame {
         }
     }
 
-    /// A point given in this frame.
+    /// Transforms a point from this frame to the outer frame.
     pub fn point(&self, inner: &Point3) -> Vector3 {
         self.rotation * inner.coords + self.origin
     }
 
-    /// The rotation vector from this frame's orientation to another's [rad], in this frame.
+    /// Returns the rotation vector from this frame's orientation to another's [rad], in this frame.
     pub fn rotation_to(&self, other: &Self) -> Vector3 {
         let turn = self.rotation.transpose() * other.rotation;
         let twice_sine = Vector3::new(
@@ -62,11 +63,12 @@ impl Frame {
         if norm == 0.0 {
             return twice_sine;
         }
+        // For a rotation by φ, |twice_sine| = 2 sin φ and trace − 1 = 2 cos φ.
         twice_sine * (norm.atan2(turn.trace() - 1.0) / norm)
     }
 }
 
-/// What a joint holds in the frame of its holder, at the positions of all n variables [rad or m].
+/// Returns the frame of a joint's child in its parent, at the positions of all n variables [rad or m].
 pub(super) fn moved_by(joint: &Joint, q: &[f64]) -> Frame {
     let terms = joint.drive.terms.iter();
     let position = joint.drive.offset + terms.map(|(i, factor)| factor * q[*i]).sum::<f64>();
@@ -81,7 +83,7 @@ pub(super) fn moved_by(joint: &Joint, q: &[f64]) -> Frame {
     Frame::from_pose(&joint.parent_from_joint).then(&moved)
 }
 
-/// A link in the frame of the robot's root, at the positions of all n variables [rad or m].
+/// Returns the frame of a link in the robot's root, at the positions of all n variables [rad or m].
 pub(super) fn root_from_link(robot: &RobotModel, link: LinkId, q: &[f64]) -> Frame {
     let mut at = link;
     let mut above_from_link = Frame::identity();
@@ -97,7 +99,7 @@ pub(super) fn root_from_link(robot: &RobotModel, link: LinkId, q: &[f64]) -> Fra
 mod tests {
     use super::*;
 
-    /// A bent slide and a turn, of which the slide counts twice.
+    /// A tilted slide and a mimic revolute joint that counts the slide twice.
     const BENT: &str = r#"<robot name="bent"><link name="wall"/><link name="slide"/><link name="arm"/><link name="tip"/>
         <joint name="out" type="prismatic"><parent link="wall"/><child link="slide"/><axis xyz="0 0 1"/>
           <origin xyz="0 1 0" rpy="1.5707963267948966 0 0"/><limit lower="-1" upper="1" velocity="1" effort="1"/></joint>

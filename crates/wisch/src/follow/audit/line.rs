@@ -1,47 +1,47 @@
-//! How far the tool is off its line, and the second hand off its grip, at the positions of a robot.
+//! Deviation of the tool from its line, and of the second hand from its grip, at the positions of a robot.
 
 use super::kinematics::{Frame, root_from_link};
 use crate::follow::{GripDeviation, LineDeviation, ToolPose, Workcell};
 use crate::geometry::Vector3;
 use crate::represent::Task;
 
-/// Widest turn of a segment; corners further apart are joined by several [rad].
+/// Largest rotation of a segment; corners farther apart are joined by several [rad].
 const MAX_TURN: f64 = 0.5;
-/// How far ahead on its line the tool is looked for: further than a rounded corner skips [m]. A turn of a
-/// radian counts as a metre.
+/// Length of the line ahead that is searched for the nearest point: longer than a rounded corner skips [m]. A
+/// rotation of a radian counts as a metre.
 const AHEAD: f64 = 0.12;
-/// A turn of a radian counts as so many metres where the nearest point of a line is looked for.
+/// Weight of a rotation against a translation where the nearest point of a line is searched for [m/rad].
 const METRES_PER_RADIAN: f64 = 0.1;
-/// A later place of the line has to be nearer by more than this [m]: where a line goes back on itself, what inverse kinematics
-/// leaves of an error passes nothing over.
+/// A later place of the line has to be nearer by more than this [m]. Without it, errors of the inverse
+/// kinematics could skip a piece where a line returns on itself.
 const NEARER: f64 = 1e-5;
 
-/// The tool in the world.
+/// Returns the tool's frame in the world.
 pub(super) fn world_from_tool(cell: &Workcell, q: &[f64]) -> Frame {
     let root_from_tip = root_from_link(cell.robot(), cell.tip(), q);
     let root_from_tool = root_from_tip.then(&Frame::from_pose(cell.tip_from_tool()));
     Frame::from_pose(cell.world_from_root()).then(&root_from_tool)
 }
 
-/// A segment of a line: the tool goes straight from one point to another and turns on the way.
+/// A segment of a line: the tool moves straight from one point to another and turns on the way.
 struct Segment {
-    /// The tool at its begin, in terms of the surface: x, y, height [m], heading, tilt [rad].
+    /// The tool at the start, relative to the surface: x, y, height [m], heading, tilt [rad].
     from: [f64; 5],
-    /// What is added to these over the segment.
+    /// Change of these over the segment.
     change: [f64; 5],
     world_from_begin: Frame,
-    /// Straight way of the tool in the world [m].
+    /// Vector of the straight path in the world [m].
     way: Vector3,
-    /// Rotation vector from the begin to the end [rad], in the tool's frame at the begin.
+    /// Rotation vector from the start to the end [rad], in the tool's frame at the start.
     turn: Vector3,
 }
 
-/// The line that a tool is to follow, with how far along it the tool has come.
+/// The line of a tool, with the tool's progress along it.
 pub(super) struct Line<'a> {
     task: &'a Task,
     segments: Vec<Segment>,
     segment: usize,
-    /// Share of the segment.
+    /// Share of the current segment.
     share: f64,
 }
 
@@ -56,7 +56,7 @@ fn coordinates(pose: &ToolPose) -> [f64; 5] {
     ]
 }
 
-/// The tool in the world where it is said to be on the surface.
+/// Returns the tool's frame in the world for coordinates relative to the surface.
 fn placed(task: &Task, [x, y, height, heading, tilt]: [f64; 5]) -> Frame {
     let mut tool = Frame::turned(&Vector3::z(), heading);
     tool.origin = Vector3::new(x, y, height);
@@ -67,7 +67,7 @@ fn placed(task: &Task, [x, y, height, heading, tilt]: [f64; 5]) -> Frame {
 }
 
 impl<'a> Line<'a> {
-    /// The line through these corners; `None` if there are fewer than two.
+    /// Returns the line through these corners; `None` if there are fewer than two.
     pub fn new(task: &'a Task, corners: &[ToolPose]) -> Option<Self> {
         let mut segments = Vec::new();
         for pair in corners.windows(2) {
@@ -96,17 +96,17 @@ impl<'a> Line<'a> {
         })
     }
 
-    /// How far the tool is off the begin of the line.
-    pub fn off_begin(&self, tool: &Frame) -> LineDeviation {
-        self.off_at(0, 0.0, tool)
+    /// Deviation of the tool from the start of the line.
+    pub fn deviation_at_start(&self, tool: &Frame) -> LineDeviation {
+        self.deviation_at(0, 0.0, tool)
     }
 
-    /// How far the tool is off the end of the line.
-    pub fn off_end(&self, tool: &Frame) -> LineDeviation {
-        self.off_at(self.segments.len() - 1, 1.0, tool)
+    /// Deviation of the tool from the end of the line.
+    pub fn deviation_at_end(&self, tool: &Frame) -> LineDeviation {
+        self.deviation_at(self.segments.len() - 1, 1.0, tool)
     }
 
-    fn off_at(&self, segment: usize, share: f64, tool: &Frame) -> LineDeviation {
+    fn deviation_at(&self, segment: usize, share: f64, tool: &Frame) -> LineDeviation {
         let Segment { from, change, .. } = &self.segments[segment];
         let wanted = placed(
             self.task,
@@ -118,15 +118,15 @@ impl<'a> Line<'a> {
         }
     }
 
-    /// How far the tool is off the nearest place of the line that is not behind the one before.
-    pub fn off(&mut self, tool: &Frame) -> LineDeviation {
+    /// Returns the deviation of the tool from the nearest place of the line that is not behind the last one.
+    pub fn deviation_ahead(&mut self, tool: &Frame) -> LineDeviation {
         let cost = |off: &LineDeviation| off.position + METRES_PER_RADIAN * off.rotation;
         let mut nearest: Option<(LineDeviation, usize, f64)> = None;
         let mut passed = 0.0;
         for (i, segment) in self.segments.iter().enumerate().skip(self.segment) {
             let least = if i == self.segment { self.share } else { 0.0 };
             let share = segment.nearest(tool).clamp(least, 1.0);
-            let off = self.off_at(i, share, tool);
+            let off = self.deviation_at(i, share, tool);
             if nearest.is_none_or(|(best, ..)| cost(&off) + NEARER < cost(&best)) {
                 nearest = Some((off, i, share));
             }
@@ -136,7 +136,7 @@ impl<'a> Line<'a> {
             }
         }
         let Some((off, segment, share)) = nearest else {
-            return self.off_end(tool);
+            return self.deviation_at_end(tool);
         };
         (self.segment, self.share) = (segment, share);
         off
@@ -144,8 +144,8 @@ impl<'a> Line<'a> {
 }
 
 impl Segment {
-    /// The share of the segment at which the tool is nearest to it, beyond its ends too: by its place, or
-    /// where it mostly turns by its orientation.
+    /// Returns the share of the segment that is nearest to the tool, also beyond its ends. It goes by the
+    /// position, or by the orientation if the segment is mostly a rotation.
     fn nearest(&self, tool: &Frame) -> f64 {
         let (way, turn) = (self.way, self.turn);
         if way.norm() >= METRES_PER_RADIAN * turn.norm() && way.norm() > 0.0 {
@@ -158,7 +158,7 @@ impl Segment {
     }
 }
 
-/// How far the second hand is off its grip; nothing if one hand holds the tool.
+/// Deviation of the second hand from its grip; zero if one hand holds the tool.
 pub(super) fn off_grip(cell: &Workcell, q: &[f64]) -> GripDeviation {
     let Some(second) = cell.second() else {
         return GripDeviation::default();
@@ -168,7 +168,7 @@ pub(super) fn off_grip(cell: &Workcell, q: &[f64]) -> GripDeviation {
         root_from_link(robot, cell.tip(), q).then(&Frame::from_pose(cell.tip_from_tool()));
     let root_from_hand = root_from_link(robot, second.chain().tip(), q)
         .then(&Frame::from_pose(second.tip_from_hand()));
-    // The hand closes along its y axis, the bar has no sense of direction.
+    // The hand closes along its y axis; the bar has no direction, so the angle is taken to the nearer end.
     let along_bar = (root_from_tool.rotation * grip.axis_in_tool.into_inner())
         .dot(&root_from_hand.rotation.column(1));
     GripDeviation {

@@ -1,10 +1,10 @@
-//! Whether a followed plan keeps its limits, its clearance and the tool's line over the whole timed motion.
+//! The audit: whether a motion keeps its limits, its clearance and the tool's line at every time.
 //!
-//! Nothing here knows how the motion was found or timed: positions are read off the timed motion, the tool's pose
-//! is computed from the robot model by kinematics of the audit's own, and limits are the robot model's. Shared
-//! are only data, and the collision model, which is tested by itself (`robot/clearance`); whether anything is in the target surface
-//! is seen without it (`surface.rs`). Between samples the
-//! motion of every body is bounded, so that "clear" holds at every time and not only at the samples.
+//! The audit does not know how the motion was found or timed. It reads positions from the timed motion,
+//! computes the tool's pose from the robot model by kinematics of its own, and takes limits from the robot
+//! model. It shares only data and the collision model, which has its own tests (`robot/clearance`). Penetration
+//! of the target surface is checked without the collision model (`surface.rs`). Between samples the motion of
+//! every body is bounded, so that clearance holds at every time and not only at the samples.
 
 mod dynamics;
 mod kinematics;
@@ -25,78 +25,80 @@ use dynamics::joint_efforts;
 use line::{Line, off_grip, world_from_tool};
 use surface::{SurfaceCheck, SurfaceFault};
 
-/// Period at which limits and clearance are looked at [s].
+/// Period at which limits and clearance are checked [s].
 const PERIOD: f64 = 0.01;
-/// Period at which the tool's line and the second hand's grip are looked at [s].
+/// Period at which the tool's line and the second hand's grip are checked [s].
 const LINE_PERIOD: f64 = 0.002;
-/// The time before the end in which no sample is taken but the last [s].
+/// Time before the end in which only the last sample is taken [s].
 const LAST: f64 = 1e-9;
-/// Acceleration of a falling body in the world [m/s²].
+/// Gravitational acceleration in the world [m/s²].
 const GRAVITY: Vector3 = Vector3::new(0.0, 0.0, -9.81);
-/// How far an effort may exceed its limit, relative to it; for rounding.
+/// Relative excess of an effort over its limit that is allowed for rounding [1].
 const EFFORT_TOLERANCE: f64 = 1e-6;
-/// Distances beyond this are not told apart [m].
+/// Distances beyond this are all reported as this [m].
 const FAR: f64 = 0.5;
 
-/// A way in which a followed plan is wrong.
+/// A fault of a motion.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum MotionFault {
     /// A motion breaks the limits of its joints or does not keep to its times.
-    #[error("motion {motion}: {fault}{}", named(fault, joint))]
+    #[error("motion {motion}: {fault}{}", joint_suffix(fault, joint))]
     Trajectory {
-        /// The motion's number.
+        /// Index of the motion.
         motion: usize,
-        /// The joint of the fault, if it is one joint's; joints that follow others are numbered behind the
+        /// Name of the joint of the fault, if it concerns one joint; mimic joints are numbered after the
         /// variables.
         joint: Option<String>,
-        /// What is wrong.
+        /// The fault.
         fault: TrajectoryFault,
     },
-    /// A joint is outside its range; those that follow several others included.
+    /// A joint is outside its range, mimic joints included.
     #[error("at {time:.3} s: {fault}")]
     Limit {
-        /// When [s].
+        /// Time [s].
         time: f64,
-        /// Which joint.
+        /// The joint and its limit.
         fault: crate::robot::LimitFault,
     },
-    /// A joint needs more effort than it has to carry and accelerate the robot's own bodies; tool and contact not
-    /// counted.
+    /// A joint needs more effort than its limit to carry and accelerate the robot's own bodies, without tool
+    /// and contact.
     #[error(
-        "at {time:.3} s: joint {joint:?} needs {effort:.2} {unit} to carry and move the robot, its limit is {limit} {unit}"
+        "at {time:.3} s: joint {joint:?} needs {effort:.2} {unit} to carry and move the robot, more than its limit of {limit} {unit}"
     )]
     Effort {
-        /// When [s].
+        /// Time [s].
         time: f64,
-        /// The joint.
+        /// Name of the joint.
         joint: String,
-        /// What it needs [Nm or N].
+        /// Required effort [Nm or N].
         effort: f64,
-        /// What it has [Nm or N].
+        /// Effort limit [Nm or N].
         limit: f64,
         /// "Nm" or "N".
         unit: &'static str,
     },
-    /// A motion does not begin where and when the one before ends.
-    #[error("motion {motion} begins {step} from where the one before ends, {gap} s later")]
+    /// A motion does not begin where and when the last one ends.
+    #[error(
+        "motion {motion} begins {step} rad or m from where the last motion ends, {gap} s later; expected no step and no gap"
+    )]
     Gap {
-        /// The later motion's number.
+        /// Index of the later motion.
         motion: usize,
-        /// The widest step of a joint [rad or m].
+        /// Largest step of a joint [rad or m].
         step: f64,
-        /// The time between [s].
+        /// Time between the motions [s].
         gap: f64,
     },
-    /// Two bodies that must not touch do.
+    /// Two bodies that must not touch come too close.
     #[error("at {time:.3} s: {a:?} comes within {distance:.5} m of {b:?}")]
     Contact {
-        /// When [s].
+        /// Time [s].
         time: f64,
-        /// One body.
+        /// First body.
         a: String,
-        /// The other.
+        /// Second body.
         b: String,
-        /// Their distance [m]; negative inside.
+        /// Distance between them [m]; negative if they penetrate.
         distance: f64,
     },
     /// Robot, hand or tool is in the target surface or has passed through it, or the tool is behind it.
@@ -105,89 +107,95 @@ pub enum MotionFault {
         place[0], place[1]
     )]
     ThroughSurface {
-        /// When it is deepest [s].
+        /// Time of the largest depth [s].
         time: f64,
-        /// Link or tool.
+        /// Name of the link or tool.
         body: String,
-        /// The surface.
+        /// Name of the surface.
         surface: String,
-        /// How far its lowest point is below the surface [m].
+        /// Depth of its lowest point below the surface [m].
         depth: f64,
-        /// Where, in the surface frame [m].
+        /// Position in the surface frame [m].
         place: [f64; 2],
     },
-    /// The tool is pressed where the surface has a hole.
+    /// The tool is pressed over a hole of the surface.
     #[error(
         "at {time:.3} s: the tool is pressed over a hole of the surface {surface:?}, at ({:.3}, {:.3}) m of it",
         place[0], place[1]
     )]
     OverHole {
-        /// When first [s].
+        /// First time [s].
         time: f64,
-        /// The surface.
+        /// Name of the surface.
         surface: String,
-        /// Where the tool centre point is, in the surface frame [m].
+        /// Position of the tool centre point in the surface frame [m].
         place: [f64; 2],
     },
     /// The tool leaves its line.
     #[error("motion {motion}: the tool leaves its line by {position:.5} m and {rotation:.5} rad")]
     OffLine {
-        /// The motion's number.
+        /// Index of the motion.
         motion: usize,
-        /// How far [m].
+        /// Largest distance [m].
         position: f64,
-        /// How far turned [rad].
+        /// Largest rotation [rad].
         rotation: f64,
     },
     /// The second hand leaves its grip on the tool.
     #[error(
-        "at {time:.3} s: the second hand is {position:.5} m off its grip and leans {lean:.4} rad too far"
+        "at {time:.3} s: the second hand is {position:.5} m off its grip and leans {lean:.4} rad beyond its limit"
     )]
     OffGrip {
-        /// When [s].
+        /// Time [s].
         time: f64,
-        /// How far [m].
+        /// Distance from the grip [m].
         position: f64,
-        /// How much further than the grip allows [rad].
+        /// Lean beyond the limit of the grip [rad].
         lean: f64,
     },
     /// The base moves while the tool wipes.
     #[error("motion {motion}: the base moves while the tool is at the surface")]
     BaseMoves {
-        /// The motion's number.
+        /// Index of the motion.
         motion: usize,
     },
 }
 
-/// What a followed plan keeps to.
+/// The result of an audit.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Audit {
-    /// How far the tool leaves its lines over all motions.
+    /// Largest deviation of the tool from its lines over all motions.
     pub line: LineDeviation,
-    /// How far the second hand leaves its grip over all motions; nothing where one hand holds the tool.
+    /// Largest deviation of the second hand from its grip over all motions; zero if one hand holds the tool.
     pub grip: GripDeviation,
-    /// Smallest distance of bodies that must not touch, at most 0.5 m; the tool and the object that
-    /// carries the surface count where the tool is not coming down, wiping or lifting off [m].
+    /// Smallest distance of bodies that must not touch, at most 0.5 m [m]. The tool against the object that
+    /// carries the surface counts only while the tool is not coming down, wiping or lifting off.
     pub min_clearance: f64,
-    /// What is wrong; empty for a sound motion.
+    /// All faults; empty for a sound motion.
     pub faults: Vec<MotionFault>,
 }
 
-/// The name of the joint that a fault has by its number.
-fn named(fault: &TrajectoryFault, joint: &Option<String>) -> String {
+/// Returns the name of the joint that a fault gives by its number, as a suffix of the message.
+fn joint_suffix(fault: &TrajectoryFault, joint: &Option<String>) -> String {
     match (fault.joint(), joint) {
         (Some(number), Some(name)) => format!(" (joint {number} is {name:?})"),
         _ => String::new(),
     }
 }
 
-/// Checks every motion: limits of position, velocity and acceleration of every joint, those that follow others
-/// included, efforts for the robot's own weight and inertia, clearance at every time, the tool's line, the second hand's grip, joints
-/// between motions, that the base stands still while the tool is down, that nothing but the pad in contact is in the target surface
-/// or behind it, and that the tool is pressed over no hole.
+/// Checks every motion.
+///
+/// - Position, velocity and acceleration of every joint are within its limits, mimic joints included.
+/// - Efforts for the robot's own weight and inertia are within their limits.
+/// - Bodies keep their clearance at every time.
+/// - The tool keeps its line, and the second hand its grip.
+/// - Each motion begins where and when the last one ends.
+/// - The base stands still while the tool is down.
+/// - Only the pad in contact is in the target surface, and nothing is behind it.
+/// - The tool is pressed over no hole.
 ///
 /// # Errors
-/// If the motions are not of this robot.
+/// The motions are not of this robot.
 pub fn audit(
     followed: &Followed,
     cell: &Workcell,
@@ -217,26 +225,26 @@ pub fn audit(
             }));
         }
         if let Some((end, q)) = &before {
-            gap(number, motion, *end, q, &first.q, &mut audit.faults);
+            check_gap(number, motion, *end, q, &first.q, &mut audit.faults);
         }
         before = Some((motion.start + last.time, last.q.clone()));
-        ranges(motion, &samples, robot, &mut audit.faults);
-        timing(number, &samples, &moving, &mut audit.faults)?;
-        efforts(motion, &samples, cell, &mut audit.faults);
-        clearance(motion, &samples, cell, &mut audit)?;
-        base(number, motion.phase, &samples, cell, &mut audit.faults);
+        check_ranges(motion, &samples, robot, &mut audit.faults);
+        check_timing(number, &samples, &moving, &mut audit.faults)?;
+        check_efforts(motion, &samples, cell, &mut audit.faults);
+        check_clearance(motion, &samples, cell, &mut audit)?;
+        check_base(number, motion.phase, &samples, cell, &mut audit.faults);
         let surface_faults = surface
             .iter()
             .flat_map(|check| check.faults(motion, &samples));
-        (audit.faults).extend(surface_faults.map(|fault| before_surface(fault, motion, task)));
+        (audit.faults).extend(surface_faults.map(|fault| surface_fault(fault, motion, task)));
         let samples = self::samples(&motion.trajectory, LINE_PERIOD);
-        grip(motion, &samples, cell, &mut audit);
-        on_line(number, motion, &samples, cell, task, config, &mut audit);
+        check_grip(motion, &samples, cell, &mut audit);
+        check_line(number, motion, &samples, cell, task, config, &mut audit);
     }
     Ok(audit)
 }
 
-/// The states at 0, p, 2p, … for a period p [s], and at the end of the motion.
+/// Returns the states at 0, p, 2p, … for a period p [s], and at the end of the motion.
 fn samples(trajectory: &Trajectory, period: f64) -> Vec<TrajectorySample> {
     let end = trajectory.duration();
     let count = ((end - LAST) / period).ceil().max(0.0) as usize;
@@ -244,17 +252,17 @@ fn samples(trajectory: &Trajectory, period: f64) -> Vec<TrajectorySample> {
     times.map(|time| trajectory.sample(time)).collect()
 }
 
-/// The joints that move: the n variables, then those that follow them.
+/// The moving joints: the n variables, then their mimic joints.
 struct MovingJoints<'a> {
     robot: &'a RobotModel,
     followers: Vec<&'a Joint>,
-    /// Of velocity and acceleration; ranges are looked at by themselves.
+    /// Limits of velocity and acceleration; ranges are checked separately.
     limits: JointLimits,
 }
 
 impl<'a> MovingJoints<'a> {
-    /// Limits are those of the robot model. Where it gives none, a variable has the work cell's, and a joint that
-    /// follows variables what these can make it do.
+    /// Returns the limits of the robot model. Where it gives none, a variable has the work cell's limits, and a
+    /// mimic joint the limits that follow from its variables.
     fn new(cell: &'a Workcell) -> Result<Self, FollowError> {
         let robot = cell.robot();
         let is_follower = |i: usize| robot.variables().iter().all(|id| id.index() != i);
@@ -290,7 +298,7 @@ impl<'a> MovingJoints<'a> {
         })
     }
 
-    /// The state of all of them at the state of the variables.
+    /// Returns the state of all moving joints for a state of the variables.
     fn state(&self, variables: &TrajectorySample) -> TrajectorySample {
         let mut state = variables.clone();
         for joint in &self.followers {
@@ -313,7 +321,8 @@ impl<'a> MovingJoints<'a> {
     }
 }
 
-fn gap(
+/// Checks that a motion begins where and when the last one ends.
+fn check_gap(
     number: usize,
     motion: &Motion,
     end: f64,
@@ -333,8 +342,8 @@ fn gap(
     }
 }
 
-/// Positions of all joints, those that follow others included.
-fn ranges(
+/// Checks the positions of all joints, mimic joints included.
+fn check_ranges(
     motion: &Motion,
     samples: &[TrajectorySample],
     robot: &RobotModel,
@@ -363,7 +372,8 @@ fn ranges(
     }
 }
 
-fn timing(
+/// Checks the velocities and accelerations of all joints at the samples and between them.
+fn check_timing(
     number: usize,
     samples: &[TrajectorySample],
     moving: &MovingJoints,
@@ -371,7 +381,7 @@ fn timing(
 ) -> Result<(), FollowError> {
     let states: Vec<TrajectorySample> = samples.iter().map(|sample| moving.state(sample)).collect();
     let path: Vec<&[f64]> = states.iter().map(|state| state.q.as_slice()).collect();
-    // The samples themselves are the path: what is checked here is not the way but its times.
+    // The samples themselves serve as the path: this check concerns the times, not the path.
     let path = JointPath::new(&path)?;
     let found = trajectory_faults(&states, &path, &moving.limits, &CheckConfig::default());
     faults.extend(found.into_iter().map(|fault| MotionFault::Trajectory {
@@ -382,9 +392,9 @@ fn timing(
     Ok(())
 }
 
-/// Efforts against the limits of all joints: of a variable, what moves it and all that follows it; of a joint that
-/// follows others, what passes through it. A limit that is not positive is none.
-fn efforts(
+/// Checks efforts against the limits of all joints. The effort of a variable includes all joints that it moves;
+/// the effort of a mimic joint is what it transmits. A limit that is not positive counts as no limit.
+fn check_efforts(
     motion: &Motion,
     samples: &[TrajectorySample],
     cell: &Workcell,
@@ -422,7 +432,8 @@ fn efforts(
     }
 }
 
-fn clearance(
+/// Checks the clearance between all bodies at every time of a motion.
+fn check_clearance(
     motion: &Motion,
     samples: &[TrajectorySample],
     cell: &Workcell,
@@ -434,7 +445,7 @@ fn clearance(
     };
     let model = cell.all_collisions(allowed);
     for pair in samples.windows(2) {
-        // Bodies that overlap are told apart from those that touch by the fault below.
+        // A distance of 0 does not distinguish overlap from contact; the fault below does.
         let near = model.clearance(&pair[0].q, audit.min_clearance.max(0.0))?;
         audit.min_clearance = audit.min_clearance.min(near.distance);
         if let Some(contact) = model.segment_contact(&pair[0].q, &pair[1].q, 0.0)? {
@@ -449,7 +460,8 @@ fn clearance(
     Ok(())
 }
 
-fn grip(motion: &Motion, samples: &[TrajectorySample], cell: &Workcell, audit: &mut Audit) {
+/// Checks the grip of the second hand over a motion.
+fn check_grip(motion: &Motion, samples: &[TrajectorySample], cell: &Workcell, audit: &mut Audit) {
     for sample in samples {
         let GripDeviation { position, lean } = off_grip(cell, &sample.q);
         audit.grip.position = audit.grip.position.max(position);
@@ -464,9 +476,9 @@ fn grip(motion: &Motion, samples: &[TrajectorySample], cell: &Workcell, audit: &
     }
 }
 
-/// How far the tool leaves its line at any time of a motion, where it follows one: at the begin and the end of the
-/// motion from those of the line, in between from the nearest place of the line that is not behind the last.
-fn on_line(
+/// Returns the deviation of the tool from its line over a motion. At the start and the end of the motion it is
+/// compared with those of the line, in between with the nearest place that is not behind the last one.
+fn check_line(
     number: usize,
     motion: &Motion,
     samples: &[TrajectorySample],
@@ -486,11 +498,11 @@ fn on_line(
             worst.rotation = worst.rotation.max(off.rotation);
         };
         if i == 0 {
-            add(line.off_begin(&tool));
+            add(line.deviation_at_start(&tool));
         }
-        add(line.off(&tool));
+        add(line.deviation_ahead(&tool));
         if i + 1 == samples.len() {
-            add(line.off_end(&tool));
+            add(line.deviation_at_end(&tool));
         }
     }
     let LineDeviation { position, rotation } = worst;
@@ -505,8 +517,8 @@ fn on_line(
     }
 }
 
-/// A fault before the target surface, in the time of all motions.
-fn before_surface(fault: SurfaceFault, motion: &Motion, task: &Task) -> MotionFault {
+/// Returns a fault of the surface check, with its time on the clock of all motions.
+fn surface_fault(fault: SurfaceFault, motion: &Motion, task: &Task) -> MotionFault {
     let surface = task.surface.name.clone();
     match fault {
         SurfaceFault::Through {
@@ -529,7 +541,8 @@ fn before_surface(fault: SurfaceFault, motion: &Motion, task: &Task) -> MotionFa
     }
 }
 
-fn base(
+/// Checks that the base stands still while the tool is at the surface.
+fn check_base(
     number: usize,
     phase: Phase,
     samples: &[TrajectorySample],

@@ -1,5 +1,5 @@
-//! Whether robot, hand and tool stay on their side of the target surface, and the tool is pressed on nothing but it: by the
-//! audit's own kinematics and geometry, not by the collision model.
+//! Checks that robot, hand and tool stay on their side of the target surface, and that the tool is pressed only
+//! on the surface. It uses the audit's own kinematics and geometry, not the collision model.
 
 use super::kinematics::{Frame, moved_by};
 use crate::follow::{FollowConfig, Motion, Phase, TrajectorySample, Workcell};
@@ -7,45 +7,46 @@ use crate::geometry::{Bounds2, Edge, Mesh, Point2, Point3, Vector3, encloses};
 use crate::represent::Task;
 use nalgebra::UnitQuaternion;
 
-/// How deep a body may be in the surface [m]: for rounding.
+/// Depth of a body in the surface that is allowed for rounding [m].
 const DEPTH_TOLERANCE: f64 = 1e-4;
-/// How far behind the surface the tool must not be [m].
+/// Depth of the space behind the surface that the tool must avoid [m].
 const BEHIND: f64 = 1.0;
-/// How far the tool centre point may be over a hole while the tool is pressed [m]: twice what it may be off its line.
+/// Allowed distance of the tool centre point over a hole while the tool is pressed [m]: twice its allowed
+/// deviation from the line.
 const HOLE_TOLERANCE: f64 = 2e-3;
 
 /// A rigid body: the shapes of a link, or the tool.
 struct Body {
     name: String,
     link: usize,
-    /// In the frame of the link [m].
+    /// Mesh in the frame of the link [m].
     mesh: Mesh,
-    /// A ball round it, in the frame of the link [m].
+    /// Bounding sphere in the frame of the link [m].
     middle: Point3,
     reach: f64,
 }
 
-/// The bodies of a work cell before its target surface.
+/// The bodies of a work cell, to be checked against its target surface.
 pub(super) struct SurfaceCheck<'a> {
     task: &'a Task,
     cell: &'a Workcell,
     surface_from_root: Frame,
     bounds: Bounds2,
-    /// Links that variables move, but for those that stand on a floor that is the surface.
+    /// Links that variables move, without those that stand on a floor that is the surface.
     links: Vec<Body>,
-    /// The tool while nothing presses it, and while it wipes.
+    /// The tool at rest, and while it is pressed.
     relaxed: Body,
     pressed: Body,
-    /// How far points of the tool may be below the surface while it wipes [m].
+    /// Allowed depth of points of the tool below the surface while it wipes [m].
     pressed_depth: f64,
-    /// Whether the tool waits behind the surface, so that it has to come out of there.
+    /// Whether the tool waits behind the surface, so that its way to the surface passes through that space.
     waits_behind: bool,
 }
 
-/// What is wrong before the surface; times are those of the motion [s], places in the surface frame.
+/// A fault at the surface; times are those of the motion [s], places in the surface frame.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) enum SurfaceFault {
-    /// A body is in the surface, has passed through it, or is the tool behind it.
+    /// A body is in the surface or has passed through it, or the tool is behind it.
     Through {
         time: f64,
         body: String,
@@ -77,8 +78,8 @@ impl Body {
         }
     }
 
-    /// The corners in the frame of the surface [m].
-    fn placed(&self, surface_from_link: &Frame) -> Vec<Vector3> {
+    /// Returns the vertices in the frame of the surface [m].
+    fn vertices_in_surface(&self, surface_from_link: &Frame) -> Vec<Vector3> {
         let vertices = self.mesh.vertices().iter();
         vertices.map(|p| surface_from_link.point(p)).collect()
     }
@@ -101,9 +102,9 @@ impl<'a> SurfaceCheck<'a> {
         let mut check = Self {
             bounds: Bounds2::of(task.surface.outline.outer().iter().copied())?,
             links: Vec::new(),
-            relaxed: tool(&hanging(&task.tool.mesh, depth)),
+            relaxed: tool(&relax_tool(&task.tool.mesh, depth)),
             pressed: tool(&task.tool.mesh),
-            pressed_depth: leaning_depth(task) + depth + may_be_off(&task.tool.mesh, config),
+            pressed_depth: leaning_depth(task) + depth + line_allowance(&task.tool.mesh, config),
             waits_behind: false,
             surface_from_root,
             task,
@@ -134,7 +135,8 @@ impl<'a> SurfaceCheck<'a> {
         Some(check)
     }
 
-    /// Of each link whether it stands on the surface: only the base moves it, over a floor that the surface is part of.
+    /// Returns for each link whether it stands on the surface: only the base moves it, over a floor that
+    /// contains the surface.
     fn standing_on_surface(&self) -> Vec<bool> {
         let robot = self.cell.robot();
         let mut stands = vec![false; robot.links().len()];
@@ -154,7 +156,7 @@ impl<'a> SurfaceCheck<'a> {
         stands
     }
 
-    /// Every link in the frame of the surface, at the positions of all n variables [rad or m].
+    /// Returns the frame of every link in that of the surface, at the positions of all n variables [rad or m].
     fn frames(&self, q: &[f64]) -> Vec<Frame> {
         let robot = self.cell.robot();
         let mut frames = vec![self.surface_from_root; robot.links().len()];
@@ -165,7 +167,7 @@ impl<'a> SurfaceCheck<'a> {
         frames
     }
 
-    /// The faults of a motion, the deepest of each body.
+    /// Returns the faults of a motion, for each body the deepest.
     pub fn faults(&self, motion: &Motion, samples: &[TrajectorySample]) -> Vec<SurfaceFault> {
         let touches = matches!(motion.phase, Phase::Wipe(_) | Phase::Lower | Phase::Lift);
         let (tool, tool_depth) = match touches {
@@ -193,7 +195,9 @@ impl<'a> SurfaceCheck<'a> {
                 }
             }
             if over_hole.is_none() && matches!(motion.phase, Phase::Wipe(_)) {
-                over_hole = self.over_hole(&frames).map(|place| (sample.time, place));
+                over_hole = self
+                    .hole_under_tool(&frames)
+                    .map(|place| (sample.time, place));
             }
             before = Some(frames);
         }
@@ -210,7 +214,8 @@ impl<'a> SurfaceCheck<'a> {
         through.chain(over_hole).collect()
     }
 
-    /// Where a body is deeper in the surface than it may be, or has passed through it since the sample before.
+    /// Returns where a body is deeper in the surface than allowed, or has passed through it since the last
+    /// sample.
     fn penetration(
         &self,
         body: &Body,
@@ -231,12 +236,13 @@ impl<'a> SurfaceCheck<'a> {
         if side_now.is_some() && (earlier.is_none() || side_now == side_before) {
             return None;
         }
-        let corners = body.placed(now);
+        let corners = body.vertices_in_surface(now);
         if let Some(found) = self.section(&body.mesh, &corners, may_be_deep) {
             return Some(found);
         }
-        // What is on the other side now has passed through, if it did so within the outline.
-        let earlier = body.placed(earlier?);
+        // Vertices on the other side have passed through the surface if they crossed its plane within the
+        // outline.
+        let earlier = body.vertices_in_surface(earlier?);
         let mut passed = corners.iter().zip(&earlier).filter_map(|(now, earlier)| {
             let [before, after] = [earlier.z + may_be_deep, now.z + may_be_deep];
             if (before < 0.0) == (after < 0.0) {
@@ -256,7 +262,8 @@ impl<'a> SurfaceCheck<'a> {
         passed.next()
     }
 
-    /// The section of a mesh with the plane as far below the surface as the body may be, if it meets the outline.
+    /// Returns the section of a mesh with the plane at depth `may_be_deep` below the surface, if it meets the
+    /// outline.
     fn section(&self, mesh: &Mesh, corners: &[Vector3], may_be_deep: f64) -> Option<Penetration> {
         let height = |i: u32| corners[i as usize].z + may_be_deep;
         let lowest = corners.iter().map(|p| p.z).fold(f64::INFINITY, f64::min);
@@ -294,7 +301,7 @@ impl<'a> SurfaceCheck<'a> {
         };
         let place = match section.iter().find(|edge| meets(edge)) {
             Some(edge) => edge.start,
-            // The section may be round all of the surface.
+            // The section may enclose the whole surface.
             None => {
                 let corner = *outline.outer().first()?;
                 encloses(section.iter().copied(), corner).then_some(corner)?
@@ -306,13 +313,13 @@ impl<'a> SurfaceCheck<'a> {
         })
     }
 
-    /// Where the tool is behind the surface, deeper than it may be.
+    /// Returns where the tool is behind the surface, deeper than allowed.
     fn behind(&self, tool: &Body, frame: &Frame, may_be_deep: f64) -> Option<Penetration> {
         let middle = frame.point(&tool.middle).z;
         if middle - tool.reach > -may_be_deep || middle + tool.reach < -BEHIND {
             return None;
         }
-        let mut corners = tool.placed(frame).into_iter();
+        let mut corners = tool.vertices_in_surface(frame).into_iter();
         corners.find_map(|at| {
             let place = Point2::new(at.x, at.y);
             let is_behind = (-BEHIND..-may_be_deep).contains(&at.z);
@@ -323,8 +330,8 @@ impl<'a> SurfaceCheck<'a> {
         })
     }
 
-    /// Where the tool centre point is over a hole of the surface, farther from its border than it may be off its line.
-    fn over_hole(&self, frames: &[Frame]) -> Option<Point2> {
+    /// Returns where the tool centre point is over a hole, farther from the hole's border than the tolerance.
+    fn hole_under_tool(&self, frames: &[Frame]) -> Option<Point2> {
         let outline = &self.task.surface.outline;
         if outline.holes().is_empty() || self.task.interaction.gap_m > 0.0 {
             return None;
@@ -346,8 +353,9 @@ impl<'a> SurfaceCheck<'a> {
     }
 }
 
-/// A tool that nothing presses, whose underside lies as far below the tool centre point as it gives way when it wipes [m].
-fn hanging(mesh: &Mesh, compression_depth: f64) -> Mesh {
+/// Returns the mesh of a tool at rest: its underside lies below the tool centre point by the depth of its
+/// compression in contact [m].
+fn relax_tool(mesh: &Mesh, compression_depth: f64) -> Mesh {
     let lowered = |p: &Point3| {
         let share = (1.0 - p.z / (2.0 * compression_depth)).clamp(0.0, 1.0);
         Point3::new(p.x, p.y, p.z - compression_depth * share)
@@ -359,7 +367,7 @@ fn hanging(mesh: &Mesh, compression_depth: f64) -> Mesh {
     Mesh::new(vertices, mesh.triangles().to_vec()).unwrap_or_else(|_| mesh.clone())
 }
 
-/// How far below its contact plane a tool reaches, upright or leaning as far as it may [m].
+/// Returns the largest depth of a tool below its contact plane, upright or at its largest lean [m].
 fn leaning_depth(task: &Task) -> f64 {
     let upright = UnitQuaternion::identity();
     let leans = task.tool.tilt.map_or(vec![upright], |tilt| {
@@ -375,8 +383,8 @@ fn leaning_depth(task: &Task) -> f64 {
     -leans.iter().map(lowest).fold(0.0, f64::min)
 }
 
-/// How far a point of the tool may be off its place where the tool is as far off its line as it may be [m].
-fn may_be_off(mesh: &Mesh, config: &FollowConfig) -> f64 {
+/// Returns the largest displacement of a point of the tool within the tolerances of its line [m].
+fn line_allowance(mesh: &Mesh, config: &FollowConfig) -> f64 {
     let vertices = mesh.vertices().iter();
     let across = vertices.map(|p| p.coords.norm()).fold(0.0, f64::max);
     DEPTH_TOLERANCE + config.line_tolerance + config.turn_tolerance * across

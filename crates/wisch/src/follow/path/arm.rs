@@ -1,7 +1,7 @@
-//! The arm at one placement of the base: along lines of the tool, the local method (7) of paper §3.3.
+//! The arm at one base pose: it follows lines of the tool by the local method (7) of paper §3.3.
 //!
-//! Where a second hand holds the tool, a configuration has the variables of the leading arm, then those of
-//! the second, and every configuration keeps both hands on the tool.
+//! Where a second hand holds the tool, a configuration has the variables of the leading arm, then those of the
+//! second arm, and every configuration keeps both hands on the tool.
 
 use crate::follow::workcell::second_arm::{GRIP_TOLERANCE, LEAN_TOLERANCE};
 use crate::follow::{AllowedContact, FollowConfig, Obstruction, ToolPose, Workcell};
@@ -14,25 +14,25 @@ use crate::robot::{
 use nalgebra::{DMatrix, DVector};
 use std::f64::consts::PI;
 
-/// How near to its limit a joint is at it [rad or m].
+/// Distance from its limit at which a joint counts as at its limit [rad or m].
 const AT_LIMIT: f64 = 1e-4;
-/// How much of the tolerance the middle between two solved poses may use up.
+/// Share of the tolerance that the middle between two solved poses may use up [1].
 const SHARE_BETWEEN: f64 = 0.25;
-/// Random starts of the inverse kinematics for one pose.
+/// Number of random starts of the inverse kinematics for one pose.
 const RESTARTS: usize = 6;
-/// Widest step of a joint between configurations at which the second hand is brought to the tool [rad or m].
+/// Largest step of a joint between configurations at which the second hand is brought to the tool [rad or m].
 const HELD_STEP: f64 = 0.1;
-/// Part of a vector below which it depends on others.
+/// Remaining share of a vector below which it counts as linearly dependent [1].
 const DEPENDENT: f64 = 1e-6;
-/// How often a step is halved to stay on the line.
+/// Largest number of halvings of a step to stay on the line.
 const MAX_HALVINGS: u32 = 6;
 
-/// The group's variables where the base stands.
+/// The variables of the planning group at one base pose.
 pub(in crate::follow) struct Arm<'a> {
     pub cell: &'a Workcell,
     pub task: &'a Task,
     pub config: &'a FollowConfig,
-    /// Whether it matters how the tool is turned: it pushes, or the plan turned it on purpose.
+    /// Whether the yaw of the tool matters: it pushes, or the plan turned it on purpose.
     pub keeps_heading: bool,
     /// All n variables; those of the group are overwritten.
     template: Vec<f64>,
@@ -41,10 +41,10 @@ pub(in crate::follow) struct Arm<'a> {
     margins: Margins,
 }
 
-/// Where a line broke off.
+/// Where and why a line could not be followed further.
 #[derive(Debug, Clone)]
-pub(in crate::follow) struct Broken {
-    /// How far along the line, 0 to 1.
+pub(in crate::follow) struct BrokenLine {
+    /// Followed share of the line, 0 to 1.
     pub progress: f64,
     pub obstruction: Obstruction,
 }
@@ -74,7 +74,7 @@ impl<'a> Arm<'a> {
         })
     }
 
-    /// The same arm for a plan, which may turn the tool on purpose even where it does not push.
+    /// Returns the arm for a plan, which may turn the tool on purpose even where it does not push.
     pub fn following(self, plan: &Plan) -> Self {
         Self {
             keeps_heading: self.keeps_heading || plan.strategy.turns_tool(),
@@ -82,7 +82,7 @@ impl<'a> Arm<'a> {
         }
     }
 
-    /// The same arm, which stays farther from obstacles.
+    /// Returns the arm with the larger clearance of free motion.
     pub fn at_free_clearance(&self) -> Self {
         let obstacles = self.config.free_clearance.max(self.config.margin);
         Self {
@@ -95,13 +95,13 @@ impl<'a> Arm<'a> {
         }
     }
 
-    /// The group's variables of the robot's.
+    /// Returns the group's variables out of the robot's.
     pub fn of_robot(&self, q: &[f64]) -> JointPositions {
         let variables = self.cell.arm_variables();
         variables.iter().map(|&i| q[i]).collect()
     }
 
-    /// The robot's variables with the group's.
+    /// Returns the robot's variables with those of the group.
     pub fn to_robot(&self, arm: &JointPositions) -> Vec<f64> {
         let mut q = self.template.clone();
         for (&variable, &value) in self.cell.arm_variables().iter().zip(arm.iter()) {
@@ -115,7 +115,7 @@ impl<'a> Arm<'a> {
         self.of_robot(&self.template)
     }
 
-    /// Where the group's variables are to be; one turn either way for joints without limits.
+    /// Returns the ranges of the group's variables; one turn either way for joints without limits.
     pub fn ranges(&self) -> Vec<[f64; 2]> {
         let range = |&i: &usize| {
             let range = self.cell.range_kept(self.cell.robot().variable(i));
@@ -124,9 +124,8 @@ impl<'a> Arm<'a> {
         self.cell.arm_variables().iter().map(range).collect()
     }
 
-    /// Whether every joint that the group moves is within the range that is kept to, those that follow several others
-    /// included.
-    pub fn keeps_ranges(&self, arm: &JointPositions) -> bool {
+    /// Whether every joint that the group moves is within its range less the margin, mimic joints included.
+    pub fn is_within_ranges(&self, arm: &JointPositions) -> bool {
         let q = self.to_robot(arm);
         self.moved_joints().all(|joint| {
             let position = joint.drive.position(&q);
@@ -145,12 +144,12 @@ impl<'a> Arm<'a> {
         self.cell.robot().joints().iter().filter(is_moved)
     }
 
-    /// Where the tool is wanted, from the group's base.
+    /// Returns the pose of the tool from the group's base.
     pub fn base_from_tool(&self, pose: &ToolPose) -> Pose {
         self.base_from_world * Workcell::world_from_tool(self.task, pose)
     }
 
-    /// A configuration that puts the tool there, near `start`.
+    /// Finds a configuration with the tool at a pose, near `start`.
     pub fn reach(
         &self,
         pose: &ToolPose,
@@ -159,11 +158,11 @@ impl<'a> Arm<'a> {
         let target = self.base_from_tool(pose);
         let (leading, second) = start.split_at(self.leading());
         let outcome = (self.cell.ik()).solve_from(&target, RotationGoal::Full, leading, &self.ik);
-        self.held(&self.solved(outcome)?, second)
+        self.hold_near(&self.to_configuration(outcome)?, second)
     }
 
-    /// A configuration that puts the tool there, turned about its z axis in any way, near `start`. One arm alone: a second
-    /// hand is not brought to the tool.
+    /// Finds a configuration with the tool at a position with any yaw, near `start`. For one arm alone: a
+    /// second hand is not brought to the tool.
     pub fn reach_with_free_yaw(
         &self,
         pose: &ToolPose,
@@ -177,7 +176,8 @@ impl<'a> Arm<'a> {
         }
     }
 
-    /// The configuration about nearest to `start` that puts the tool there, turned about its z axis in any way. One arm alone.
+    /// Finds approximately the nearest configuration to `start` with the tool at a position with any yaw. For
+    /// one arm alone.
     pub fn nearest_with_free_yaw(
         &self,
         pose: &ToolPose,
@@ -196,8 +196,7 @@ impl<'a> Arm<'a> {
         }
     }
 
-    /// Directions in which the joints move while the tool stays where it is, but for its yaw: orthonormal columns. One arm
-    /// alone.
+    /// Returns the joint directions that move the tool only in yaw: orthonormal columns. For one arm alone.
     pub fn null_space(&self, q: &JointPositions) -> DMatrix<f64> {
         let n = q.len();
         let Ok(kinematics) = self.cell.ik().chain().forward_kinematics(q) else {
@@ -208,13 +207,15 @@ impl<'a> Arm<'a> {
         let axis = (kinematics.base_from_tip() * tip_from_tool).rotation * Vector3::z();
         let (linear, angular) = (jacobian.view(), jacobian.view());
         let (linear, angular) = (linear.fixed_rows::<3>(0), angular.fixed_rows::<3>(3));
+        // Constrained rows of the Jacobian: the linear part, and the angular part without the tool's axis a,
+        // (I − a aᵀ) J_ω.
         let mut tied = DMatrix::zeros(6, n);
         tied.rows_mut(0, 3).copy_from(&linear);
         (tied.rows_mut(3, 3)).copy_from(&(angular - axis * (axis.transpose() * angular)));
         let mut basis: Vec<DVector<f64>> = Vec::new();
         let mut add = |vector: DVector<f64>| {
             let mut rest = vector;
-            // Twice, because the first time leaves rounding errors.
+            // Gram-Schmidt orthogonalisation, twice, because the first pass leaves rounding errors.
             for known in basis.iter().chain(&basis) {
                 rest -= known * known.dot(&rest);
             }
@@ -228,6 +229,7 @@ impl<'a> Arm<'a> {
         let rank = (tied.row_iter().map(|row| row.transpose()))
             .filter(|row| add(row.clone_owned()))
             .count();
+        // The unit vectors complete the row space; the added directions span the null space.
         for i in 0..n {
             let mut unit = DVector::zeros(n);
             unit[i] = 1.0;
@@ -236,7 +238,7 @@ impl<'a> Arm<'a> {
         DMatrix::from_columns(&basis[rank..])
     }
 
-    /// Where the tool centre point is over the surface, whatever its height, in the surface frame.
+    /// Returns the tool centre point projected onto the surface, in the surface frame.
     pub fn tool_on_surface(&self, q: &JointPositions) -> Option<Point2> {
         let kinematics = self.cell.ik().chain().forward_kinematics(q).ok()?;
         let base_from_tool = kinematics.base_from_tip() * self.cell.tip_from_tool();
@@ -246,7 +248,7 @@ impl<'a> Arm<'a> {
         Some(Point2::new(tool.x, tool.y))
     }
 
-    /// How high the tool centre point is over the surface [m].
+    /// Height of the tool centre point above the surface [m].
     pub fn height(&self, q: &JointPositions) -> Option<f64> {
         let leading = &q[..self.leading()];
         let kinematics = (self.cell.ik().chain()).forward_kinematics(leading).ok()?;
@@ -256,10 +258,11 @@ impl<'a> Arm<'a> {
         Some((surface_from_base * base_from_tool).translation.z)
     }
 
-    /// The configurations in which the tool rises along the surface's normal, turned as it is; `from` left out.
+    /// Returns configurations that lift the tool along the surface's normal with its orientation kept; `from`
+    /// is left out.
     ///
-    /// `way`: how far [m], more than 0.
-    pub fn risen(
+    /// `free_path`: height of the lift [m], more than 0.
+    pub fn lift_path(
         &self,
         from: &JointPositions,
         way: f64,
@@ -280,8 +283,8 @@ impl<'a> Arm<'a> {
             let (leading, second) = at.split_at(self.leading());
             let outcome =
                 (self.cell.ik()).solve_from(&target, RotationGoal::Full, leading, &self.ik);
-            let next = self.held(&self.solved(outcome)?, second)?;
-            if self.jumps(&at, &next) {
+            let next = self.hold_near(&self.to_configuration(outcome)?, second)?;
+            if self.is_jump(&at, &next) {
                 return Err(self.jump(&at, &next));
             }
             path.push(next);
@@ -292,7 +295,7 @@ impl<'a> Arm<'a> {
         Ok(path)
     }
 
-    /// How the tool is turned about the surface's normal [rad].
+    /// Rotation of the tool about the surface's normal [rad].
     pub fn heading(&self, q: &JointPositions) -> f64 {
         let Ok(kinematics) = (self.cell.ik().chain()).forward_kinematics(&q[..self.leading()])
         else {
@@ -305,7 +308,7 @@ impl<'a> Arm<'a> {
         libm::atan2(x.y, x.x)
     }
 
-    /// A configuration that puts the tool there, from `starts` and from random ones.
+    /// Finds a configuration with the tool at a pose, from `starts` and from random ones.
     pub fn reach_anyhow(
         &self,
         pose: &ToolPose,
@@ -321,7 +324,7 @@ impl<'a> Arm<'a> {
         let n = self.leading();
         let leading: Vec<&[f64]> = starts.iter().map(|start| &start[..n]).collect();
         let outcome = (self.cell.ik()).solve(&target, RotationGoal::Full, &leading, seed, &config);
-        let found = self.solved(outcome)?;
+        let found = self.to_configuration(outcome)?;
         let Some(second) = self.cell.second() else {
             return Ok(found);
         };
@@ -330,33 +333,33 @@ impl<'a> Arm<'a> {
             .chain([&*ready])
             .map(|start| &start[n..])
             .collect();
-        Ok(both(
+        Ok(join_arms(
             &found,
-            &second.held_anyhow(&found, &seconds, seed, &config)?,
+            &second.hold_from_any_start(&found, &seconds, seed, &config)?,
         ))
     }
 
-    /// How many of a configuration's values are the leading arm's.
+    /// Number of a configuration's values that belong to the leading arm.
     fn leading(&self) -> usize {
         self.cell.ik().chain().dof()
     }
 
-    /// A configuration with the leading arm there and the second hand on the tool, near `second`.
-    fn held(&self, leading: &[f64], second: &[f64]) -> Result<JointPositions, Obstruction> {
+    /// Returns a configuration of the leading arm with the second hand on the tool, near `second`.
+    fn hold_near(&self, leading: &[f64], second: &[f64]) -> Result<JointPositions, Obstruction> {
         match self.cell.second() {
             None => Ok(leading.iter().copied().collect()),
-            Some(arm) => Ok(both(leading, &arm.held(leading, second, &self.ik)?)),
+            Some(arm) => Ok(join_arms(leading, &arm.hold(leading, second, &self.ik)?)),
         }
     }
 
-    /// Any configuration, with the second hand brought back to the tool.
+    /// Returns a configuration with the second hand brought back to the tool.
     pub fn hold(&self, q: &JointPositions) -> Option<JointPositions> {
         let (leading, second) = q.split_at(self.leading());
-        self.held(leading, second).ok()
+        self.hold_near(leading, second).ok()
     }
 
-    /// Whether the second hand is at its grip, as far as between two solved poses is enough.
-    fn keeps_grip(&self, q: &JointPositions) -> bool {
+    /// Whether the second hand is near enough to its grip for a configuration between two solved poses.
+    fn is_in_grip(&self, q: &JointPositions) -> bool {
         let Some(arm) = self.cell.second() else {
             return true;
         };
@@ -367,9 +370,9 @@ impl<'a> Arm<'a> {
         })
     }
 
-    /// The free way between two configurations that keeps both hands on the tool: straight for the leading
-    /// arm. `from` left out, the end included.
-    pub fn way(
+    /// Returns a free path between two configurations that keeps both hands on the tool: straight for the
+    /// leading arm. It leaves `from` out and includes the end.
+    pub fn free_path(
         &self,
         from: &JointPositions,
         to: &JointPositions,
@@ -388,15 +391,16 @@ impl<'a> Arm<'a> {
             } else {
                 let straight = between(from, to, i as f64 / count as f64);
                 let (leading, second) = straight.split_at(self.leading());
-                self.held(leading, second)?
+                self.hold_near(leading, second)?
             };
-            self.halved(&at, &next, allowed, &mut way, MAX_HALVINGS)?;
+            self.halve(&at, &next, allowed, &mut way, MAX_HALVINGS)?;
             at = next;
         }
         Ok(way)
     }
 
-    fn halved(
+    /// Adds the path between two configurations, halved until both hands stay on the tool.
+    fn halve(
         &self,
         from: &JointPositions,
         to: &JointPositions,
@@ -405,7 +409,7 @@ impl<'a> Arm<'a> {
         halvings: u32,
     ) -> Result<(), Obstruction> {
         let middle = between(from, to, 0.5);
-        if !self.jumps(from, to) && self.keeps_grip(&middle) {
+        if !self.is_jump(from, to) && self.is_in_grip(&middle) {
             self.is_free(from, to, allowed)?;
             way.push(*to);
             return Ok(());
@@ -414,12 +418,12 @@ impl<'a> Arm<'a> {
             return Err(self.jump(from, to));
         }
         let (leading, second) = middle.split_at(self.leading());
-        let middle = self.held(leading, second)?;
-        self.halved(from, &middle, allowed, way, halvings - 1)?;
-        self.halved(&middle, to, allowed, way, halvings - 1)
+        let middle = self.hold_near(leading, second)?;
+        self.halve(from, &middle, allowed, way, halvings - 1)?;
+        self.halve(&middle, to, allowed, way, halvings - 1)
     }
 
-    /// The same, touching nothing.
+    /// Finds a configuration as [`Self::reach_anyhow`], without collision.
     pub fn reach_free(
         &self,
         pose: &ToolPose,
@@ -430,7 +434,7 @@ impl<'a> Arm<'a> {
         self.is_free(&q, &q, AllowedContact::None).map(|()| q)
     }
 
-    fn solved(
+    fn to_configuration(
         &self,
         outcome: Result<IkOutcome, RobotError>,
     ) -> Result<JointPositions, Obstruction> {
@@ -444,7 +448,7 @@ impl<'a> Arm<'a> {
                 position_error,
                 rotation_error,
             })),
-            // Poses and starts come from here and are finite.
+            // All poses and starts are computed here and finite.
             Err(_) => Err(Obstruction::unreachable()),
         }
     }
@@ -463,7 +467,7 @@ impl<'a> Arm<'a> {
         })
     }
 
-    /// Whether the straight way between two configurations is free.
+    /// Whether the straight path between two configurations is free.
     pub fn is_free(
         &self,
         from: &JointPositions,
@@ -507,19 +511,19 @@ impl<'a> Arm<'a> {
         }
     }
 
-    /// The configurations along the tool's line from where the arm is, `start` left out, the end
-    /// included. Where there is a choice they lead to `near`, if that is given.
+    /// Returns the configurations along the tool's line from `start`, which is left out; the end is included.
+    /// Where there is a choice they lead to `near`, if given.
     ///
-    /// What is in the way is looked for once all poses have been reached, where it is most likely first: most
-    /// lines that cannot be followed break off out of reach, which is cheap to see.
-    pub fn along(
+    /// Collisions are checked only after all poses have been reached, at the most likely places first. Most
+    /// lines that cannot be followed end out of reach, which is cheap to detect.
+    pub fn follow_line(
         &self,
         start: &JointPositions,
         from: &ToolPose,
         to: &ToolPose,
         near: Option<&JointPositions>,
         allowed: AllowedContact,
-    ) -> Result<Vec<JointPositions>, Broken> {
+    ) -> Result<Vec<JointPositions>, BrokenLine> {
         let count = steps(from, to, self.config);
         let mut path = Vec::with_capacity(count);
         let mut at = *start;
@@ -528,7 +532,7 @@ impl<'a> Arm<'a> {
             let near = near.map(|near| between(&at, near, 1.0 / (count - i + 1) as f64));
             let near = near.as_ref();
             self.step(&mut at, [from, to], [s0, s1], near, &mut path, MAX_HALVINGS)
-                .map_err(|obstruction| Broken {
+                .map_err(|obstruction| BrokenLine {
                     progress: s0,
                     obstruction,
                 })?;
@@ -537,18 +541,18 @@ impl<'a> Arm<'a> {
         Ok(path)
     }
 
-    /// Whether the straight ways from each configuration to the next are free.
+    /// Whether the straight paths from each configuration to the next are free.
     fn is_free_along(
         &self,
         start: &JointPositions,
         path: &[JointPositions],
         allowed: AllowedContact,
-    ) -> Result<(), Broken> {
-        let broken = |i: usize, obstruction| Broken {
+    ) -> Result<(), BrokenLine> {
+        let broken = |i: usize, obstruction| BrokenLine {
             progress: i as f64 / path.len() as f64,
             obstruction,
         };
-        // A configuration is cheaper than the way between two.
+        // A configuration is cheaper to check than the path between two.
         for i in [path.len() - 1, path.len() / 2] {
             self.is_free(&path[i], &path[i], allowed)
                 .map_err(|obstruction| broken(i, obstruction))?;
@@ -562,7 +566,7 @@ impl<'a> Arm<'a> {
         Ok(())
     }
 
-    /// One step of the line, halved where the joints' straight way between leaves it.
+    /// Takes one step of the line; halves it if the straight joint path leaves the line.
     fn step(
         &self,
         at: &mut JointPositions,
@@ -576,7 +580,7 @@ impl<'a> Arm<'a> {
         let next = self.reach(&from.towards(to, s1), near.unwrap_or(at))?;
         let middle_s = 0.5 * (s0 + s1);
         let on_line =
-            !self.jumps(at, &next) && self.is_on_line(at, &next, &from.towards(to, middle_s));
+            !self.is_jump(at, &next) && self.is_on_line(at, &next, &from.towards(to, middle_s));
         if on_line {
             path.push(next);
             *at = next;
@@ -591,8 +595,8 @@ impl<'a> Arm<'a> {
         self.step(at, line, second, near, path, halvings - 1)
     }
 
-    /// Whether a joint moves further than it may between two neighbouring poses.
-    pub fn jumps(&self, from: &JointPositions, to: &JointPositions) -> bool {
+    /// Whether a joint moves more than allowed between two neighbouring poses.
+    pub fn is_jump(&self, from: &JointPositions, to: &JointPositions) -> bool {
         widest_step(from, to) > self.config.max_joint_step
     }
 
@@ -609,7 +613,7 @@ impl<'a> Arm<'a> {
         }
     }
 
-    /// Whether the tool is where it should be half way between two configurations.
+    /// Whether the tool is at the right pose half way between two configurations.
     pub fn is_on_line(
         &self,
         from: &JointPositions,
@@ -631,16 +635,16 @@ impl<'a> Arm<'a> {
         let turned = base_from_tool.rotation.angle_to(&wanted.rotation);
         off <= SHARE_BETWEEN * self.config.line_tolerance
             && turned <= SHARE_BETWEEN * self.config.turn_tolerance
-            && self.keeps_grip(&q)
+            && self.is_in_grip(&q)
     }
 }
 
-/// The leading arm's positions, then the second's.
-fn both(leading: &[f64], second: &[f64]) -> JointPositions {
+/// Joins the positions of the leading arm and of the second.
+fn join_arms(leading: &[f64], second: &[f64]) -> JointPositions {
     leading.iter().chain(second).copied().collect()
 }
 
-/// Between two configurations, `b` itself at 1.
+/// Returns the configuration at share `s` between two; at 1 exactly `b`.
 pub(in crate::follow) fn between(a: &JointPositions, b: &JointPositions, s: f64) -> JointPositions {
     if s >= 1.0 {
         return *b;
@@ -651,13 +655,13 @@ pub(in crate::follow) fn between(a: &JointPositions, b: &JointPositions, s: f64)
         .collect()
 }
 
-/// The widest step of a joint between two configurations [rad or m].
+/// Largest step of a joint between two configurations [rad or m].
 pub(in crate::follow) fn widest_step(from: &JointPositions, to: &JointPositions) -> f64 {
     let steps = from.iter().zip(to.iter()).map(|(a, b)| (b - a).abs());
     steps.fold(0.0, f64::max)
 }
 
-/// Into how many steps the line between two poses of the tool is cut.
+/// Number of steps into which the line between two poses of the tool is cut.
 fn steps(from: &ToolPose, to: &ToolPose, config: &FollowConfig) -> usize {
     let turn = (to.surface_from_tool.heading - from.surface_from_tool.heading).abs();
     let lean = (to.tilt - from.tilt).abs();

@@ -1,19 +1,20 @@
-//! Algorithm 1 of paper §3.3: an edge is followed with the tool's free degrees of freedom.
+//! Algorithm 1 of paper §3.3: follows an edge with the tool's free degrees of freedom.
 
 use super::arm::Arm;
 use super::global::{self, Leg};
-use super::tool_redundancy::{ToolOrientation, change, deviation, nearest_first, turned_along};
+use super::tool_redundancy::{ToolOrientation, change, deviation, nearest_first, turn_along_edge};
 use crate::follow::{AllowedContact, Attempt, SearchScope, ToolPose};
 use crate::geometry::PlanarPose;
 use crate::represent::Action;
 use crate::robot::JointPositions;
 
-/// Most that the tool turns on an edge beyond what is planned [rad]: turning on the spot scatters what lies under
-/// it, so that further than this it is better lifted and put down again.
+/// Largest rotation of the tool on an edge beyond the planned one [rad]. Turning on the spot scatters the dirt
+/// under the tool, so that beyond this it is lifted and put down again.
 const MAX_TURN: f64 = 0.8;
 
-/// Follows an edge in contact to a node: as planned to the configuration `near` that is known there, if one is; else
-/// locally in every orientation, nearest first, then, if asked for, by the global search.
+/// Follows an edge in contact to a node. First it tries the planned orientation, towards the known
+/// configuration `near`, if any; then the local method in every orientation, nearest first; then the global
+/// search, if enabled.
 pub(in crate::follow) fn follow_edge(
     arm: &Arm,
     start: &JointPositions,
@@ -26,8 +27,8 @@ pub(in crate::follow) fn follow_edge(
     let mut attempts = Vec::new();
     let symmetric = arm.task.tool.is_half_turn_symmetric();
     if let (Some(near), Some(as_planned)) = (near, orientations.first()) {
-        let to = turned_along(planned, as_planned, from);
-        let found = arm.along(start, from, &to, Some(near), AllowedContact::Surface);
+        let to = turn_along_edge(planned, as_planned, from);
+        let found = arm.follow_line(start, from, &to, Some(near), AllowedContact::Surface);
         if let Ok(configurations) = found {
             return Ok(Leg {
                 configurations,
@@ -37,13 +38,13 @@ pub(in crate::follow) fn follow_edge(
         }
     }
     let mut order = nearest_first(orientations, planned[0], from, symmetric);
-    // Where the orientation makes no difference, neither does turning.
+    // Where the orientation does not matter, turning does not either.
     if arm.task.action != Action::Absorb {
         order.retain(|orientation| change(planned[0], orientation, from).abs() <= MAX_TURN);
     }
     for orientation in &order {
-        let to = turned_along(planned, orientation, from);
-        match arm.along(start, from, &to, None, AllowedContact::Surface) {
+        let to = turn_along_edge(planned, orientation, from);
+        match arm.follow_line(start, from, &to, None, AllowedContact::Surface) {
             Ok(configurations) => {
                 return Ok(Leg {
                     configurations,

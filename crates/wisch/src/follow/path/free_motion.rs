@@ -7,13 +7,13 @@ use crate::robot::JointPositions;
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
-/// Longest new branch of a tree, any joint [rad or m].
+/// Longest new branch of a tree, for any joint [rad or m].
 const BRANCH: f64 = 0.5;
-/// Most random configurations.
+/// Largest number of random configurations.
 const MAX_DRAWS: usize = 1500;
-/// The same where more than the least clearance is to be kept.
+/// Largest number of random configurations with the larger clearance.
 const MAX_DRAWS_AT_CLEARANCE: usize = 200;
-/// Attempts to shorten the way.
+/// Number of attempts to shorten the path.
 const SHORTCUTS: usize = 60;
 
 struct Tree {
@@ -35,18 +35,20 @@ impl Tree {
             .unwrap_or(0)
     }
 
-    /// Grows towards `q`, which keeps both hands on the tool; the new node, if the way is free.
+    /// Grows the tree towards `q`, which keeps both hands on the tool; returns the new node, if the path is
+    /// free.
     fn grow(&mut self, arm: &Arm, q: &JointPositions) -> Option<usize> {
         let parent = self.nearest(q);
         let from = self.nodes[parent].0;
         let share = (BRANCH / widest_step(&from, q)).min(1.0);
-        // `q` itself is held already: held anew it might be elsewhere, and never be met.
+        // `q` itself already keeps both hands on the tool. Correcting it again might move it, and the trees
+        // would never meet.
         let to = if share < 1.0 {
             arm.hold(&between(&from, q, share))?
         } else {
             *q
         };
-        arm.way(&from, &to, AllowedContact::None).ok()?;
+        arm.free_path(&from, &to, AllowedContact::None).ok()?;
         self.nodes.push((to, parent));
         Some(self.nodes.len() - 1)
     }
@@ -61,30 +63,31 @@ impl Tree {
     }
 }
 
-/// A free way between two configurations, both ends included; `None` if none is found within the
-/// budget. Where there is room, it keeps [`free_clearance`](crate::follow::FollowConfig::free_clearance) from obstacles.
+/// Returns a free path between two configurations, both included; `None` if none is found within the budget. If
+/// possible, the path keeps [`free_clearance`](crate::follow::FollowConfig::free_clearance) from obstacles.
 pub(in crate::follow) fn free_motion(
     arm: &Arm,
     from: &JointPositions,
     to: &JointPositions,
     seed: u64,
 ) -> Option<Vec<JointPositions>> {
-    let clear = free_way(
+    let clear = search_free_path(
         &arm.at_free_clearance(),
         [from, to],
         seed,
         MAX_DRAWS_AT_CLEARANCE,
     );
-    clear.or_else(|| free_way(arm, [from, to], seed, MAX_DRAWS))
+    clear.or_else(|| search_free_path(arm, [from, to], seed, MAX_DRAWS))
 }
 
-fn free_way(
+/// Searches for a free path with two random trees that grow towards each other.
+fn search_free_path(
     arm: &Arm,
     [from, to]: [&JointPositions; 2],
     seed: u64,
     draws: usize,
 ) -> Option<Vec<JointPositions>> {
-    if let Ok(way) = arm.way(from, to, AllowedContact::None) {
+    if let Ok(way) = arm.free_path(from, to, AllowedContact::None) {
         return Some([vec![*from], way].concat());
     }
     if !(arm.is_free_at(from, AllowedContact::None) && arm.is_free_at(to, AllowedContact::None)) {
@@ -98,7 +101,7 @@ fn free_way(
             .iter()
             .map(|&[lower, upper]| random.random_range(lower..=upper))
             .collect();
-        if !arm.keeps_ranges(&q) {
+        if !arm.is_within_ranges(&q) {
             continue;
         }
         let Some(q) = arm.hold(&q) else { continue };
@@ -117,7 +120,7 @@ fn free_way(
                 shorten(arm, &mut path, &mut random);
                 return whole(arm, &path);
             }
-            // Bringing the second hand back to the tool may lead away again.
+            // Bringing the second hand back to the tool may increase the distance again.
             let before = std::mem::replace(&mut left, distance(&trees[other].nodes[met].0, &goal));
             if left >= before {
                 break;
@@ -127,7 +130,7 @@ fn free_way(
     None
 }
 
-/// Replaces pieces of the way by straight ones.
+/// Shortcuts: replaces pieces of the path by straight ones.
 fn shorten(arm: &Arm, path: &mut Vec<JointPositions>, random: &mut ChaCha8Rng) {
     for _ in 0..SHORTCUTS {
         if path.len() < 3 {
@@ -143,9 +146,10 @@ fn shorten(arm: &Arm, path: &mut Vec<JointPositions>, random: &mut ChaCha8Rng) {
         };
         let (a, b) = ((a, from_a), (b, from_b));
         let ((i, from), (k, to)) = if a.0 <= b.0 { (a, b) } else { (b, a) };
-        let is_free =
-            |a: &JointPositions, b: &JointPositions| arm.way(a, b, AllowedContact::None).is_ok();
-        // With two hands on the tool the rest of a piece need not be as free as the whole.
+        let is_free = |a: &JointPositions, b: &JointPositions| {
+            arm.free_path(a, b, AllowedContact::None).is_ok()
+        };
+        // With two hands on the tool, the rest of a piece need not be free if the whole piece is.
         let is_rest = |a, b| arm.cell.second().is_none() || is_free(a, b);
         if i < k && is_free(&from, &to) && is_rest(&path[i], &from) && is_rest(&to, &path[k + 1]) {
             path.splice(i + 1..=k, [from, to]);
@@ -153,11 +157,14 @@ fn shorten(arm: &Arm, path: &mut Vec<JointPositions>, random: &mut ChaCha8Rng) {
     }
 }
 
-/// With every configuration on the way.
+/// Returns the corners with all configurations between them.
 fn whole(arm: &Arm, corners: &[JointPositions]) -> Option<Vec<JointPositions>> {
     let mut path = vec![corners[0]];
     for pair in corners.windows(2) {
-        path.extend(arm.way(&pair[0], &pair[1], AllowedContact::None).ok()?);
+        path.extend(
+            arm.free_path(&pair[0], &pair[1], AllowedContact::None)
+                .ok()?,
+        );
     }
     Some(path)
 }

@@ -1,27 +1,29 @@
-//! Headings of the tool that are the robot's to choose, where its effect does not depend on them.
+//! Yaw of the tool chosen by the robot, where the effect does not depend on it.
 
 use super::arm::Arm;
-use super::taut::{drawn_taut, on_surface, way};
+use super::joint_travel::{joint_distance, minimise_joint_travel, on_surface};
 use crate::geometry::{PlanarPose, Point2, wrap_angle};
 use crate::robot::JointPositions;
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
-/// Random configurations in which a stroke may begin, beside the current one and the ready posture.
+/// Number of random configurations from which a stroke may start, beside the current one and the ready posture.
 const STARTS: usize = 8;
 
-/// The tool moved along the line with its yaw left to the arm.
+/// Configurations of the arm along the line, with the tool's yaw free.
 struct Track {
-    /// At the corners that it comes to, at least one.
+    /// Configurations at the corners that are reached, at least one.
     at: Vec<JointPositions>,
-    /// The length of the joints' way, that to the start included [rad].
+    /// Length of the joint path, with the path to the start [rad].
     movement: f64,
 }
 
-/// Configurations at the corners of a line between which the joints move little, none at a corner where the tool cannot be put
-/// down: of the tracks from several configurations the one that leads furthest, and of these the one along which they move
-/// least, drawn taut. Where none leads on, the next begin anew.
-pub(in crate::follow) fn eased(
+/// Returns configurations at the corners of a line between which the joints move little; `None` at a corner
+/// where the tool cannot touch down.
+///
+/// Tracks start from several configurations. The longest is taken, of equal ones that with the shortest joint
+/// path, and its joint travel is minimised. Where no track continues, the next tracks start anew.
+pub(in crate::follow) fn configurations_with_free_yaw(
     arm: &Arm,
     now: &JointPositions,
     line: &[Point2],
@@ -36,16 +38,19 @@ pub(in crate::follow) fn eased(
             near.push(None);
             continue;
         };
-        drawn_taut(arm, &line[begin..begin + at.len()], &mut at);
+        minimise_joint_travel(arm, &line[begin..begin + at.len()], &mut at);
         last = at[at.len() - 1];
         near.extend(at.into_iter().map(Some));
     }
     near
 }
 
-/// Configurations from which tracks may lead, of which some put the tool down at a place: the current one, the ready posture
-/// and random ones.
-pub(in crate::follow) fn starts(arm: &Arm, now: &JointPositions, seed: u64) -> Vec<JointPositions> {
+/// Returns start configurations for tracks: the current one, the ready posture and random ones.
+pub(in crate::follow) fn start_configurations(
+    arm: &Arm,
+    now: &JointPositions,
+    seed: u64,
+) -> Vec<JointPositions> {
     let (ranges, mut random) = (arm.ranges(), ChaCha8Rng::seed_from_u64(seed));
     let anywhere = (0..STARTS).map(|_| {
         let any = |&[lower, upper]: &[f64; 2]| random.random_range(lower..=upper);
@@ -54,8 +59,8 @@ pub(in crate::follow) fn starts(arm: &Arm, now: &JointPositions, seed: u64) -> V
     [*now, arm.ready()].into_iter().chain(anywhere).collect()
 }
 
-/// The poses of the tool at some places with the headings that it has in these configurations, without wraps.
-pub(in crate::follow) fn headed(
+/// Returns the planned poses with the headings of the tool in these configurations, not wrapped.
+pub(in crate::follow) fn poses_with_yaws(
     arm: &Arm,
     planned: &[PlanarPose],
     at: &[Option<JointPositions>],
@@ -72,15 +77,16 @@ pub(in crate::follow) fn headed(
     heading.collect()
 }
 
-/// Of the tracks from several configurations the best; nothing if the tool cannot be put down at the first corner.
+/// Returns the best track from several start configurations; `None` if the tool cannot touch down at the first
+/// corner.
 fn best_track(arm: &Arm, now: &JointPositions, line: &[Point2], seed: u64) -> Option<Track> {
-    let near = starts(arm, now, seed).into_iter();
+    let near = start_configurations(arm, now, seed).into_iter();
     let starts = near.filter_map(|near| arm.reach_with_free_yaw(&on_surface(line[0]), &near));
     let mut best: Option<Track> = None;
     for start in starts {
         let whole = best.as_ref().filter(|best| best.at.len() == line.len());
         let most = whole.map_or(f64::INFINITY, |best| best.movement);
-        let track = Track::along(arm, now, start, line, most);
+        let track = Track::follow_line(arm, now, start, line, most);
         let is_better = best.as_ref().is_none_or(|best| {
             let (new, old) = (track.at.len(), best.at.len());
             new > old || new == old && track.movement < best.movement
@@ -93,8 +99,9 @@ fn best_track(arm: &Arm, now: &JointPositions, line: &[Point2], seed: u64) -> Op
 }
 
 impl Track {
-    /// The tool along the line from a configuration on, as far as it comes before joints have moved further than `most` [rad].
-    fn along(
+    /// Moves the tool along the line from a configuration, until it is out of reach or the joints have moved
+    /// more than `most` [rad].
+    fn follow_line(
         arm: &Arm,
         now: &JointPositions,
         start: JointPositions,
@@ -103,7 +110,7 @@ impl Track {
     ) -> Self {
         let mut track = Self {
             at: vec![start],
-            movement: way(now, &start),
+            movement: joint_distance(now, &start),
         };
         let mut q = start;
         for edge in line.windows(2) {
@@ -115,8 +122,8 @@ impl Track {
                 let Some(next) = arm.reach_with_free_yaw(&on_surface(place), &q) else {
                     return track;
                 };
-                movement += way(&q, &next);
-                if arm.jumps(&q, &next) || movement >= most {
+                movement += joint_distance(&q, &next);
+                if arm.is_jump(&q, &next) || movement >= most {
                     return track;
                 }
                 q = next;

@@ -1,28 +1,28 @@
 //! The global method: a deterministic search over the discretised null space along an edge, after
 //! Huaman and Stilman (2012); paper §3.3.
 //!
-//! The edge is cut into layers. Each layer has configurations for all orientations of the tool
-//! from several starts; a way from one layer to the next exists if the tool can follow its line while
-//! the joints go from the one to the other. Depth first, the nearest configuration first; what has
-//! failed once is not entered again, so the search ends, and within the discretisation it is complete.
+//! The edge is cut into layers. Each layer has configurations for all orientations of the tool, from several
+//! starts. Two configurations of consecutive layers are connected if the tool can follow its line while the
+//! joints move from one to the other. The search is depth first, nearest configuration first. It never enters a
+//! failed configuration again, so it ends, and it is complete within the discretisation.
 
 use super::arm::{Arm, between, widest_step};
-use super::tool_redundancy::{ToolOrientation, deviation, turned_along};
+use super::tool_redundancy::{ToolOrientation, deviation, turn_along_edge};
 use crate::follow::{AllowedContact, ToolPose};
 use crate::geometry::PlanarPose;
 use crate::robot::JointPositions;
 
 /// Distance between layers [m].
 const LAYER: f64 = 0.03;
-/// Turn between layers of an edge on which the tool only turns [rad].
+/// Rotation between layers of an edge on which the tool only turns [rad].
 const LAYER_TURN: f64 = 0.2;
 /// Starts of the inverse kinematics for each pose, the current configuration among them.
 const STARTS: u64 = 4;
-/// Most orientations that are looked at in a layer.
+/// Largest number of orientations in a layer.
 const MAX_ORIENTATIONS: usize = 18;
-/// Furthest a joint moves from one layer to the next [rad or m].
+/// Largest movement of a joint from one layer to the next [rad or m].
 const MAX_CHANGE: f64 = 0.8;
-/// Configurations nearer than this are the same [rad or m].
+/// Configurations nearer than this count as the same [rad or m].
 const SAME: f64 = 0.05;
 
 /// Part of a stroke, from one node to the next.
@@ -32,7 +32,7 @@ pub(in crate::follow) struct Leg {
     pub configurations: Vec<JointPositions>,
     /// Corners of the tool's line after the start, the last at the node.
     pub line: Vec<ToolPose>,
-    /// How far the tool is turned away from the plan at the node, and by how much more on the way [rad].
+    /// Rotation of the tool away from the plan at the node, and the additional rotation on the way [rad].
     pub turned: f64,
 }
 
@@ -42,7 +42,7 @@ struct State {
     failed: bool,
 }
 
-/// A way in contact to the node at `goal`, in any of these orientations of the tool.
+/// Searches for a path in contact to the node at `goal`, in any of these orientations of the tool.
 pub(in crate::follow) fn search(
     arm: &Arm,
     start: &JointPositions,
@@ -50,7 +50,7 @@ pub(in crate::follow) fn search(
     planned: [&PlanarPose; 2],
     orientations: &[ToolOrientation],
 ) -> Option<Leg> {
-    let straight = turned_along(planned, orientations.first()?, from);
+    let straight = turn_along_edge(planned, orientations.first()?, from);
     let way = from.distance(&straight) / LAYER;
     let turn = (straight.surface_from_tool.heading - from.surface_from_tool.heading).abs();
     let count = (way.max(turn / LAYER_TURN).ceil() as usize).max(1);
@@ -86,7 +86,7 @@ pub(in crate::follow) fn search(
     })
 }
 
-/// Free configurations at a share of the edge.
+/// Returns free configurations at a share of the edge.
 fn states(
     arm: &Arm,
     start: &JointPositions,
@@ -99,7 +99,7 @@ fn states(
     let mut states: Vec<State> = Vec::new();
     for (i, orientation) in orientations.iter().step_by(stride).enumerate() {
         // The rotation against the plan is that at the goal, all along: layers change it where they must.
-        let end = turned_along(planned, orientation, from);
+        let end = turn_along_edge(planned, orientation, from);
         let place = from.towards(&end, s).surface_from_tool.position;
         let turn_left = (1.0 - s) * (planned[1].heading - planned[0].heading);
         let heading = end.surface_from_tool.heading - turn_left;
@@ -127,6 +127,7 @@ fn states(
     states
 }
 
+/// Continues the depth-first search from a configuration of a layer.
 fn descend(
     arm: &Arm,
     start: &JointPositions,
@@ -158,13 +159,13 @@ fn descend(
             return true;
         }
         legs.pop();
-        // Whatever leads here: there is no way on.
+        // No path continues from here, from whichever configuration it is reached.
         layers[depth][i].failed = true;
     }
     false
 }
 
-/// The way of the joints from one configuration to another while the tool follows its line.
+/// Returns the joint path from one configuration to another while the tool follows its line.
 fn connect(
     arm: &Arm,
     start: &JointPositions,
@@ -187,7 +188,7 @@ fn connect(
                 .ok()?
         };
         let middle = from.towards(to, (i as f64 - 0.5) / steps as f64);
-        let is_way = !arm.jumps(&at, &next)
+        let is_way = !arm.is_jump(&at, &next)
             && arm.is_on_line(&at, &next, &middle)
             && arm.is_free(&at, &next, AllowedContact::Surface).is_ok();
         if !is_way {

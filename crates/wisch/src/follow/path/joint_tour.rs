@@ -1,45 +1,46 @@
-//! A tour in joint space: the order of nodes and the configurations on them in which the joints move little.
+//! A tour in joint space: an order of nodes, and configurations at them, with little joint travel.
 //!
-//! From one configuration on all nodes are reached, each from one near it, so that neighbours have configurations alike.
-//! These are relaxed, a tour is found by the joints' ways between them, and along it they are drawn taut.
+//! A tree of nearest neighbours reaches all nodes from one configuration, each from a node near it, so that
+//! neighbours have similar configurations. These are smoothed, a tour is found by the joint distances between
+//! them, and the joint travel along the tour is minimised.
 
 use super::arm::{Arm, widest_step};
-use super::free_yaw::starts;
-use super::taut::{drawn_taut, movement, put_back, way};
+use super::free_yaw::start_configurations;
+use super::joint_travel::{joint_distance, minimise_joint_travel, movement, touch_down_near};
 use crate::geometry::Point2;
 use crate::plan::{Plan, order_nodes};
 use crate::robot::JointPositions;
 use rayon::prelude::*;
 
-/// Widest step of a joint between neighbours whose configurations are alike [rad or m].
+/// Largest step of a joint between neighbours with similar configurations [rad or m].
 const ALIKE: f64 = 0.6;
-/// Neighbours to whose mean a configuration is drawn.
+/// Number of neighbours whose mean a configuration moves to.
 const NEIGHBOURS: usize = 6;
-/// How often all configurations are drawn to their neighbours' means.
+/// Number of smoothing passes over all configurations.
 const SWEEPS: usize = 10;
-/// What the way of the tool costs, over what the joints move for it on average: of orders in which they move as little the
-/// shorter is the faster.
+/// Weight of the tool's path against the mean joint travel per path length [1]: of orders with the same joint
+/// travel, the shorter is faster.
 const WAY_SHARE: f64 = 0.25;
 
-/// An order of nodes with a configuration on each.
+/// An order of nodes with a configuration at each.
 pub(in crate::follow) struct JointTour {
-    /// Numbers among the given nodes, stroke by stroke.
+    /// Indices of the given nodes, stroke by stroke.
     pub strokes: Vec<Vec<usize>>,
-    /// For each of the given nodes.
+    /// Configuration at each of the given nodes.
     pub at: Vec<JointPositions>,
 }
 
-/// One configuration on each place, neighbours' alike.
+/// One configuration at each place, similar between neighbours.
 struct Spread {
     at: Vec<JointPositions>,
-    /// The joints' ways from each place to the one that it was reached from, summed up [rad].
+    /// Sum of the joint distances from each place to the place that it was reached from [rad].
     movement: f64,
-    /// The lengths of these ways, summed up [m].
+    /// Sum of the distances between these places [m].
     length: f64,
 }
 
-/// An order of nodes of a plan to absorb in which the joints move less than in theirs; nothing if there is none, or if a node
-/// is not reached from its neighbours.
+/// Returns an order of the nodes of a plan to absorb in which the joints move less than in the given order;
+/// `None` if there is none, or if a node is not reached from its neighbours.
 pub(in crate::follow) fn joint_tour(
     arm: &Arm,
     now: &JointPositions,
@@ -48,7 +49,7 @@ pub(in crate::follow) fn joint_tour(
     seed: u64,
 ) -> Option<JointTour> {
     let places: Vec<Point2> = nodes.iter().map(|&n| plan.graph.position(n)).collect();
-    let from = starts(arm, now, seed);
+    let from = start_configurations(arm, now, seed);
     let spreads: Vec<Spread> = (from.par_iter())
         .filter_map(|start| Spread::from(arm, &places, start))
         .collect();
@@ -56,21 +57,22 @@ pub(in crate::follow) fn joint_tour(
     let mut at = spread.at;
     relax(arm, &places, &mut at);
     let rate = spread.movement / spread.length.max(plan.lift_height);
-    let start = (0..at.len()).min_by(|&a, &b| way(now, &at[a]).total_cmp(&way(now, &at[b])))?;
+    let start = (0..at.len())
+        .min_by(|&a, &b| joint_distance(now, &at[a]).total_cmp(&joint_distance(now, &at[b])))?;
     let cost = |a: usize, b: usize| {
-        way(&at[a], &at[b]) + WAY_SHARE * rate * (places[a] - places[b]).norm()
+        joint_distance(&at[a], &at[b]) + WAY_SHARE * rate * (places[a] - places[b]).norm()
     };
     let lift = 2.0 * plan.lift_height * rate;
     let strokes = order_nodes(arm.task, plan, nodes, start, cost, lift, seed).ok()?;
-    let taut = |order: &[usize]| {
+    let minimised = |order: &[usize]| {
         let line: Vec<Point2> = order.iter().map(|&i| places[i]).collect();
         let mut row: Vec<JointPositions> = order.iter().map(|&i| at[i]).collect();
-        drawn_taut(arm, &line, &mut row);
-        (way(now, &row[0]) + movement(&row), row)
+        minimise_joint_travel(arm, &line, &mut row);
+        (joint_distance(now, &row[0]) + movement(&row), row)
     };
     let order: Vec<usize> = strokes.iter().flatten().copied().collect();
     let given: Vec<usize> = (0..at.len()).collect();
-    let ((least, row), (most, _)) = rayon::join(|| taut(&order), || taut(&given));
+    let ((least, row), (most, _)) = rayon::join(|| minimised(&order), || minimised(&given));
     for (&i, q) in order.iter().zip(row) {
         at[i] = q;
     }
@@ -78,14 +80,15 @@ pub(in crate::follow) fn joint_tour(
 }
 
 impl Spread {
-    /// From where the tool is nearest to a place in a configuration, place by place, the nearest to what is reached first.
+    /// Reaches all places from the one nearest to the tool in a configuration, always the place nearest to
+    /// those reached so far.
     fn from(arm: &Arm, places: &[Point2], start: &JointPositions) -> Option<Self> {
         let tool = arm.tool_on_surface(start)?;
         let distance = |i: usize| (places[i] - tool).norm();
         let first = (0..places.len()).min_by(|&a, &b| distance(a).total_cmp(&distance(b)))?;
         let mut at: Vec<Option<JointPositions>> = vec![None; places.len()];
         let mut nearest: Vec<(f64, usize)> = vec![(f64::INFINITY, first); places.len()];
-        let (mut next, mut configuration) = (first, put_back(arm, places[first], start)?);
+        let (mut next, mut configuration) = (first, touch_down_near(arm, places[first], start)?);
         let (mut movement, mut length) = (0.0, 0.0);
         loop {
             at[next] = Some(configuration);
@@ -110,13 +113,13 @@ impl Spread {
                     return None;
                 }
                 let from = at[from]?;
-                match put_back(arm, places[i], &from) {
+                match touch_down_near(arm, places[i], &from) {
                     Some(q) if widest_step(&from, &q) <= ALIKE => {
-                        movement += way(&from, &q);
+                        movement += joint_distance(&from, &q);
                         length += distance;
                         break (i, q);
                     }
-                    // From another one, once that is reached.
+                    // Tries again from another place, once one is reached.
                     _ => nearest[i].0 = f64::INFINITY,
                 }
             };
@@ -124,7 +127,7 @@ impl Spread {
     }
 }
 
-/// Draws each configuration to the mean of its neighbours', where these are alike.
+/// Smoothing: moves each configuration to the mean of its neighbours' configurations, where these are similar.
 fn relax(arm: &Arm, places: &[Point2], at: &mut [JointPositions]) {
     let neighbours: Vec<Vec<usize>> = (0..places.len())
         .map(|i| {
@@ -146,7 +149,7 @@ fn relax(arm: &Arm, places: &[Point2], at: &mut [JointPositions]) {
             let mean: JointPositions = (0..at[i].len())
                 .map(|k| alike.iter().map(|q| q[k]).sum::<f64>() / alike.len() as f64)
                 .collect();
-            if let Some(q) = put_back(arm, places[i], &mean) {
+            if let Some(q) = touch_down_near(arm, places[i], &mean) {
                 at[i] = q;
             }
         }

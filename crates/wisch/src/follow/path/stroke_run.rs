@@ -1,43 +1,43 @@
-//! One stroke from touching down to lifting off, from one placement of the base.
+//! One stroke from touching down to lifting off, at one base pose.
 
 use super::arm::Arm;
 use super::edge::follow_edge;
 use super::free_motion::free_motion;
 use super::global::Leg;
-use super::tool_redundancy::{ToolOrientation, rank, turned};
+use super::tool_redundancy::{ToolOrientation, rank, turn_pose};
 use crate::follow::{AllowedContact, Attempt, Obstruction, Phase, SearchScope, ToolPose};
 use crate::geometry::PlanarPose;
 use crate::plan::Stroke;
 use crate::robot::JointPositions;
 
-/// Starts for each orientation in which a stroke may begin, beside the current configuration: for the
-/// planned orientation, and for any.
+/// Number of starts for each orientation of the tool at the start of a stroke, beside the current
+/// configuration: for the planned orientation, and for any orientation.
 const EXACT_STARTS: u64 = 8;
 const STARTS: u64 = 2;
-/// Configurations that are looked at for one that touches nothing.
+/// Number of configurations that are checked for one without collision.
 const FREE_TRIES: u64 = 4;
-/// A stroke on which the tool is turned away from the plan by less than this per node is as planned [rad].
+/// Rotation from the plan per node below which a stroke counts as planned [rad].
 const TURNED: f64 = 0.2;
 
-/// Where the arm is between strokes.
+/// State of the arm between strokes.
 #[derive(Debug, Clone, Copy)]
 pub(in crate::follow) struct Now {
     pub q: JointPositions,
-    /// Where the lifted tool is over the surface; `None` away from it.
+    /// Pose of the lifted tool above the surface; `None` away from it.
     pub tool: Option<ToolPose>,
 }
 
-/// A motion of the arm that has no times yet.
+/// A motion of the arm without times.
 #[derive(Debug, Clone)]
 pub(in crate::follow) struct UntimedMotion {
     pub phase: UntimedPhase,
-    /// Configurations, the first where the piece before ended.
+    /// Configurations; the first is where the last piece ended.
     pub path: Vec<JointPositions>,
     /// Corners of the tool's line; empty in free motion.
     pub line: Vec<ToolPose>,
 }
 
-/// What a piece is for; strokes are numbered once all are known.
+/// Purpose of a piece; strokes get their numbers once all are known.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(in crate::follow) enum UntimedPhase {
     Plain(Phase),
@@ -47,30 +47,30 @@ pub(in crate::follow) enum UntimedPhase {
 /// A corner of a stroke.
 #[derive(Debug, Clone, Copy)]
 pub(in crate::follow) struct Corner {
-    /// How the tool is wanted there.
+    /// Planned pose of the tool.
     pub pose: PlanarPose,
-    /// A configuration of the tool there from which the arm goes on well, if one is known.
+    /// A known configuration of the arm at this corner from which the stroke continues well.
     pub near: Option<JointPositions>,
 }
 
-/// What became of a stroke.
+/// The result of following a stroke.
 #[derive(Debug, Clone)]
 pub(in crate::follow) struct Run {
     pub pieces: Vec<UntimedMotion>,
-    /// The last of the given nodes that was passed.
+    /// Index of the last given node that was reached.
     pub last: usize,
-    /// The tool at every corner of the wiped line.
+    /// Poses of the tool at every corner of the wiped line.
     pub wiped: Vec<ToolPose>,
-    /// How far the tool is turned away from its planned orientation, summed over the nodes [rad].
+    /// Rotation of the tool from its planned orientation, summed over the nodes [rad].
     pub turned: f64,
-    /// Where the arm is now, lifted.
+    /// State of the arm after the stroke, lifted.
     pub now: Now,
-    /// Why it went no further; empty if it went all the way.
+    /// Why the stroke did not continue; empty if it is complete.
     pub stopped: Vec<Attempt>,
 }
 
 impl Run {
-    /// The stroke as it is wiped, through these nodes of the graph.
+    /// Returns the executed stroke through these nodes of the graph.
     pub fn stroke(&self, nodes: &[usize]) -> Stroke {
         Stroke {
             nodes: nodes.to_vec(),
@@ -83,7 +83,7 @@ impl Run {
     }
 }
 
-/// The stroke in contact alone.
+/// The part of a stroke in contact.
 struct Contact {
     legs: Vec<Leg>,
     end: JointPositions,
@@ -91,13 +91,13 @@ struct Contact {
     stopped: Vec<Attempt>,
 }
 
-/// Follows a stroke through its `planned` corners as far as possible from any of several configurations.
+/// Follows the longest possible part of a stroke through its `planned` corners, from any of several configurations.
 ///
-/// From the configuration that is known at the first of them before others. First with the tool oriented exactly as planned; only if no configuration can do that, with all its
-/// orientations.
+/// The known configuration at the first corner is tried before all others. The tool first keeps the planned
+/// orientation exactly; only if no configuration can do that, all its orientations are tried.
 ///
 /// # Errors
-/// What was tried, if the tool cannot even be put down at the first of them.
+/// The failed attempts, if the tool cannot even touch down at the first corner.
 pub(in crate::follow) fn run(
     arm: &Arm,
     now: &Now,
@@ -119,13 +119,13 @@ pub(in crate::follow) fn run(
         attempts: Vec::new(),
         best: None,
     };
-    // Where the orientation makes no difference, it need not be kept to.
+    // Where the orientation does not matter, it need not be kept.
     let is_exact = arm.keeps_heading && search.try_any(&exact, EXACT_STARTS);
     if !is_exact
         && !search.try_any(orientations, STARTS)
         && arm.config.search == SearchScope::Global
     {
-        search.globally(orientations);
+        search.repeat_globally(orientations);
     }
     search.best.map(|(run, ..)| run).ok_or(search.attempts)
 }
@@ -138,14 +138,14 @@ struct Search<'a> {
     lift_height: f64,
     seed: u64,
     attempts: Vec<Attempt>,
-    /// With the orientation and the start that it began with.
+    /// The best run so far, with its orientation and start.
     best: Option<(Run, ToolOrientation, u64)>,
 }
 
 impl Search<'_> {
-    /// Tries configurations until a run goes all the way about as planned; whether one does.
+    /// Tries configurations until a run completes the stroke about as planned; returns whether one does.
     ///
-    /// The tool is carried on over the surface, then put down in configurations reached by free motion.
+    /// The lifted tool first moves on over the surface; then configurations reached by free motion are tried.
     fn try_any(&mut self, orientations: &[ToolOrientation], starts: u64) -> bool {
         let mut tried = 0;
         for start in 0..=starts {
@@ -170,8 +170,8 @@ impl Search<'_> {
         self.is_whole()
     }
 
-    /// The best run again, with the global search where it stopped.
-    fn globally(&mut self, orientations: &[ToolOrientation]) {
+    /// Repeats the best run, with the global search where it stopped.
+    fn repeat_globally(&mut self, orientations: &[ToolOrientation]) {
         if let Some((_, orientation, start)) = self.best {
             self.try_one(&orientation, start, orientations, SearchScope::Global);
         }
@@ -186,16 +186,16 @@ impl Search<'_> {
         self.is_whole() && (self.best.as_ref()).is_some_and(|(run, ..)| run.turned <= most)
     }
 
-    /// Whether a way in contact is longer than the best run, or as long and less turned.
-    fn is_better(&self, contact: &Contact, begun: &Begun) -> bool {
-        let (length, turned) = (contact.legs.len(), contact.turned(begun, self.arm));
+    /// Whether a contact is longer than the best run, or as long with less rotation from the plan.
+    fn is_better(&self, contact: &Contact, touch_down: &TouchDown) -> bool {
+        let (length, turned) = (contact.legs.len(), contact.turned(touch_down, self.arm));
         self.best.as_ref().is_none_or(|(best, ..)| {
             length > best.last || length == best.last && turned < best.turned
         })
     }
 
-    /// The tool put down at the first pose, in an orientation.
-    fn begin(&self, orientation: &ToolOrientation, start: u64) -> Result<Begun, Attempt> {
+    /// Puts the tool down at the first pose, in an orientation.
+    fn begin(&self, orientation: &ToolOrientation, start: u64) -> Result<TouchDown, Attempt> {
         let (
             arm,
             now,
@@ -208,7 +208,7 @@ impl Search<'_> {
         let heading = now
             .tool
             .map_or(planned.heading, |tool| tool.surface_from_tool.heading);
-        let pose = turned(planned, orientation, heading);
+        let pose = turn_pose(planned, orientation, heading);
         let lifted = pose.lifted(lift_height);
         let failed = |progress: f64, obstruction| Attempt {
             rotation: orientation.rotation,
@@ -219,7 +219,7 @@ impl Search<'_> {
         let (over, above) = match (start, now.tool) {
             (0, Some(tool)) => {
                 let path = arm
-                    .along(&now.q, &tool, &lifted, None, AllowedContact::None)
+                    .follow_line(&now.q, &tool, &lifted, None, AllowedContact::None)
                     .map_err(|broken| failed(broken.progress, broken.obstruction))?;
                 let above = *path.last().unwrap_or(&now.q);
                 (Some(path), above)
@@ -229,7 +229,7 @@ impl Search<'_> {
                 let near: Vec<&[f64]> = (known.into_iter().chain([&now.q, &ready]))
                     .map(|q| &q[..])
                     .collect();
-                // The first start looks near the current configuration, the others anywhere.
+                // The first start searches near the current configuration, the others anywhere.
                 let mut found =
                     arm.reach_free(&lifted, if start == 1 { &near } else { &[] }, seed ^ start);
                 for i in 1..FREE_TRIES {
@@ -247,9 +247,9 @@ impl Search<'_> {
             }
         };
         let down = arm
-            .along(&above, &lifted, &pose, None, AllowedContact::Surface)
+            .follow_line(&above, &lifted, &pose, None, AllowedContact::Surface)
             .map_err(|broken| failed(broken.progress, broken.obstruction))?;
-        Ok(Begun {
+        Ok(TouchDown {
             over,
             above,
             down,
@@ -258,7 +258,8 @@ impl Search<'_> {
         })
     }
 
-    /// One configuration: whether it gives the best run so far; `None` if the tool cannot be put down.
+    /// Tries one configuration; returns whether it gives the best run so far, or an error if the tool cannot
+    /// touch down.
     fn try_one(
         &mut self,
         orientation: &ToolOrientation,
@@ -267,22 +268,30 @@ impl Search<'_> {
         search: SearchScope,
     ) -> Option<bool> {
         let (arm, now, planned) = (self.arm, self.now, self.planned);
-        let begun = match self.begin(orientation, start) {
-            Ok(begun) => begun,
+        let touch_down = match self.begin(orientation, start) {
+            Ok(touch_down) => touch_down,
             Err(attempt) => {
                 self.attempts.push(attempt);
                 return None;
             }
         };
-        let contact = wipe(arm, &begun, planned, orientations, search);
-        if !self.is_better(&contact, &begun) {
+        let contact = wipe(arm, &touch_down, planned, orientations, search);
+        if !self.is_better(&contact, &touch_down) {
             return Some(false);
         }
-        let (contact, up) = lifted_off(arm, &begun, contact, self.lift_height);
-        if !self.is_better(&contact, &begun) {
+        let (contact, up) = lift_off(arm, &touch_down, contact, self.lift_height);
+        if !self.is_better(&contact, &touch_down) {
             return Some(false);
         }
-        match finish(arm, now, begun, contact, up, self.lift_height, self.seed) {
+        match finish(
+            arm,
+            now,
+            touch_down,
+            contact,
+            up,
+            self.lift_height,
+            self.seed,
+        ) {
             Ok(run) => {
                 self.best = Some((run, *orientation, start));
                 Some(true)
@@ -295,9 +304,9 @@ impl Search<'_> {
     }
 }
 
-/// The tool put down at the begin of a stroke.
-struct Begun {
-    /// Over the surface and down: `None` for the first if it has to be reached by free motion.
+/// The tool put down at the start of a stroke.
+struct TouchDown {
+    /// Path over the surface and down; the first is `None` if free motion has to reach it.
     over: Option<Vec<JointPositions>>,
     above: JointPositions,
     down: Vec<JointPositions>,
@@ -305,36 +314,36 @@ struct Begun {
     orientation: ToolOrientation,
 }
 
-impl Begun {
+impl TouchDown {
     fn start(&self) -> JointPositions {
         *self.down.last().unwrap_or(&self.above)
     }
 }
 
 impl Contact {
-    /// How far the tool is turned away from the plan, summed over the nodes [rad]; nothing where that
-    /// makes no difference.
-    fn turned(&self, begun: &Begun, arm: &Arm) -> f64 {
+    /// Returns the rotation of the tool from the plan, summed over the nodes [rad]; 0 where it does not matter.
+    fn turned(&self, touch_down: &TouchDown, arm: &Arm) -> f64 {
         if !arm.keeps_heading {
             return 0.0;
         }
         let symmetric = arm.task.tool.is_half_turn_symmetric();
         let legs = self.legs.iter().map(|leg| leg.turned);
-        rank(&begun.orientation, symmetric) + legs.sum::<f64>()
+        rank(&touch_down.orientation, symmetric) + legs.sum::<f64>()
     }
 }
 
+/// Follows the stroke in contact from the touch-down as far as possible.
 fn wipe(
     arm: &Arm,
-    begun: &Begun,
+    touch_down: &TouchDown,
     planned: &[Corner],
     orientations: &[ToolOrientation],
     search: SearchScope,
 ) -> Contact {
     let mut contact = Contact {
         legs: Vec::new(),
-        end: begun.start(),
-        end_pose: begun.pose,
+        end: touch_down.start(),
+        end_pose: touch_down.pose,
         stopped: Vec::new(),
     };
     for edge in planned.windows(2) {
@@ -362,11 +371,11 @@ fn wipe(
     contact
 }
 
-/// Lifts the tool at the end of a stroke, or where it cannot be lifted there, at the last node before where it can: the
-/// rest is gone on with in another configuration. At the first node it goes up as it came down.
-fn lifted_off(
+/// Lifts the tool at the end of a stroke. If that fails, lifts it at the last node before where it can; the
+/// rest continues in another configuration. At the first node the tool goes up as it came down.
+fn lift_off(
     arm: &Arm,
-    begun: &Begun,
+    touch_down: &TouchDown,
     mut contact: Contact,
     lift_height: f64,
 ) -> (Contact, Vec<JointPositions>) {
@@ -374,14 +383,14 @@ fn lifted_off(
     while !contact.legs.is_empty() {
         let lifted = contact.end_pose.lifted(lift_height);
         let (end, pose) = (&contact.end, &contact.end_pose);
-        match arm.along(end, pose, &lifted, None, AllowedContact::Surface) {
+        match arm.follow_line(end, pose, &lifted, None, AllowedContact::Surface) {
             Ok(up) => {
                 contact.stopped.extend(stuck);
                 return (contact, up);
             }
             Err(broken) => stuck.push(Attempt {
-                rotation: begun.orientation.rotation,
-                tilt: begun.orientation.tilt,
+                rotation: touch_down.orientation.rotation,
+                tilt: touch_down.orientation.tilt,
                 progress: 1.0,
                 obstruction: broken.obstruction,
             }),
@@ -389,44 +398,44 @@ fn lifted_off(
         contact.legs.pop();
         let last = contact.legs.last();
         let end = last.and_then(|leg| leg.configurations.last());
-        contact.end = end.copied().unwrap_or_else(|| begun.start());
+        contact.end = end.copied().unwrap_or_else(|| touch_down.start());
         let pose = last.and_then(|leg| leg.line.last());
-        contact.end_pose = pose.copied().unwrap_or(begun.pose);
+        contact.end_pose = pose.copied().unwrap_or(touch_down.pose);
     }
     contact.stopped.extend(stuck);
-    let down = begun.down.iter().rev().skip(1);
-    let up = down.chain([&begun.above]).copied().collect();
+    let down = touch_down.down.iter().rev().skip(1);
+    let up = down.chain([&touch_down.above]).copied().collect();
     (contact, up)
 }
 
-/// Finds the way to where the tool was put down, and puts the pieces together.
+/// Finds the path to where the tool touches down, and assembles all pieces.
 fn finish(
     arm: &Arm,
     now: &Now,
-    begun: Begun,
+    touch_down: TouchDown,
     contact: Contact,
     up: Vec<JointPositions>,
     lift_height: f64,
     seed: u64,
 ) -> Result<Run, Attempt> {
     let failed = |obstruction| Attempt {
-        rotation: begun.orientation.rotation,
-        tilt: begun.orientation.tilt,
+        rotation: touch_down.orientation.rotation,
+        tilt: touch_down.orientation.tilt,
         progress: 1.0,
         obstruction,
     };
     let lifted = contact.end_pose.lifted(lift_height);
-    let above_start = begun.pose.lifted(lift_height);
+    let above_start = touch_down.pose.lifted(lift_height);
     let mut pieces = Vec::new();
-    match (&begun.over, now.tool) {
+    match (&touch_down.over, now.tool) {
         (Some(path), Some(tool)) => pieces.push(UntimedMotion {
             phase: UntimedPhase::Plain(Phase::Lifted),
             path: with_start(now.q, path),
             line: vec![tool, above_start],
         }),
         _ => {
-            let path = free_motion(arm, &now.q, &begun.above, seed).ok_or_else(|| {
-                let blocked = arm.way(&now.q, &begun.above, AllowedContact::None);
+            let path = free_motion(arm, &now.q, &touch_down.above, seed).ok_or_else(|| {
+                let blocked = arm.free_path(&now.q, &touch_down.above, AllowedContact::None);
                 failed(blocked.err().unwrap_or(Obstruction::OutOfReach {
                     position_error: 0.0,
                     rotation_error: 0.0,
@@ -439,15 +448,15 @@ fn finish(
             });
         }
     }
-    let start = begun.start();
+    let start = touch_down.start();
     pieces.push(UntimedMotion {
         phase: UntimedPhase::Plain(Phase::Lower),
-        path: with_start(begun.above, &begun.down),
-        line: vec![above_start, begun.pose],
+        path: with_start(touch_down.above, &touch_down.down),
+        line: vec![above_start, touch_down.pose],
     });
     let last = contact.legs.len();
-    let turned = contact.turned(&begun, arm);
-    let mut wiped = vec![begun.pose];
+    let turned = contact.turned(&touch_down, arm);
+    let mut wiped = vec![touch_down.pose];
     let mut path = vec![start];
     for leg in contact.legs {
         wiped.extend(leg.line);

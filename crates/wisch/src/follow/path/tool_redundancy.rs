@@ -5,10 +5,10 @@ use crate::geometry::{PlanarPose, wrap_angle};
 use crate::represent::Tool;
 use std::f64::consts::{PI, TAU};
 
-/// Angles nearer than this are the same [rad].
+/// Angles nearer than this count as the same [rad].
 const SAME_ANGLE: f64 = 1e-6;
 
-/// An orientation of the tool, measured against the planned one.
+/// An orientation of the tool relative to the planned one.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(in crate::follow) struct ToolOrientation {
     /// Rotation about the surface normal against the planned heading [rad].
@@ -17,10 +17,11 @@ pub(in crate::follow) struct ToolOrientation {
     pub tilt: f64,
 }
 
-/// All orientations that a tool may have, each `increment` [rad], nearest to the planned one first.
+/// Returns all orientations that a tool may have, in steps of `increment` [rad], nearest to the planned one
+/// first.
 ///
-/// A tool that half a turn maps onto itself is as near at half a turn as at none: it may be turned as far
-/// from there, leaning the other way.
+/// A tool that is symmetric under half a turn may also be reversed: half a turn counts as no rotation, and the
+/// lean changes its sign.
 pub(in crate::follow) fn orientations(tool: &Tool, increment: f64) -> Vec<ToolOrientation> {
     let range = tool.rotation_about_normal;
     let whole_turn = range.max_rad - range.min_rad > TAU - increment / 2.0;
@@ -52,8 +53,8 @@ pub(in crate::follow) fn orientations(tool: &Tool, increment: f64) -> Vec<ToolOr
     all
 }
 
-/// Orientations in the order in which they are tried: by how far they are from the planned one, and how
-/// far the tool turns on this edge beyond what is planned.
+/// Returns orientations in the order of trial: by their angle from the planned one, and by the rotation on this
+/// edge beyond the planned one.
 pub(in crate::follow) fn nearest_first(
     orientations: &[ToolOrientation],
     begin: &PlanarPose,
@@ -66,8 +67,8 @@ pub(in crate::follow) fn nearest_first(
     order
 }
 
-/// How far the tool is turned away from the plan at the end of an edge, and by how much more it turns on
-/// the way [rad].
+/// Returns the rotation of the tool from the plan at the end of an edge, and the additional rotation on the way
+/// [rad].
 pub(in crate::follow) fn deviation(
     orientation: &ToolOrientation,
     begin: &PlanarPose,
@@ -77,7 +78,7 @@ pub(in crate::follow) fn deviation(
     rank(orientation, symmetric) + change(begin, orientation, from).abs()
 }
 
-/// How far an orientation is from the planned one [rad], in steps fine enough for comparison.
+/// Returns the angle between an orientation and the planned one [rad], rounded for comparison.
 pub(in crate::follow) fn rank(orientation: &ToolOrientation, symmetric: bool) -> f64 {
     let turned = wrap_angle(orientation.rotation).abs();
     let turned = if symmetric {
@@ -88,19 +89,19 @@ pub(in crate::follow) fn rank(orientation: &ToolOrientation, symmetric: bool) ->
     ((turned + orientation.tilt.abs()) / SAME_ANGLE).round() * SAME_ANGLE
 }
 
-/// Whether two orientations are the same, whole turns apart.
+/// Whether two orientations are the same up to whole turns.
 fn is_same(a: &ToolOrientation, b: &ToolOrientation) -> bool {
     wrap_angle(a.rotation - b.rotation).abs() < SAME_ANGLE && (a.tilt - b.tilt).abs() < SAME_ANGLE
 }
 
-/// Multiples of an increment within a range; the nearest to zero if none is.
+/// Returns the multiples of an increment within a range; the value nearest to zero if there is none.
 fn multiples(min: f64, max: f64, increment: f64, whole_turn: bool) -> Vec<f64> {
     let slack = 1e-9;
     let first = ((min - slack) / increment).ceil() as i64;
     let last = ((max + slack) / increment).floor() as i64;
     let mut values: Vec<f64> = (first..=last).map(|i| i as f64 * increment).collect();
     if whole_turn && values.len() > 1 {
-        // Half a turn either way is the same.
+        // Half a turn in either direction is the same.
         values.remove(0);
     }
     if values.is_empty() {
@@ -109,9 +110,9 @@ fn multiples(min: f64, max: f64, increment: f64, whole_turn: bool) -> Vec<f64> {
     values
 }
 
-/// A planned pose with another rotation and tilt of the tool, on the surface, as it is first reached: turned from
-/// `heading` by at most half a turn.
-pub(in crate::follow) fn turned(
+/// Returns a planned pose with another rotation and tilt of the tool, on the surface, as it is first reached:
+/// turned from `heading` by at most half a turn.
+pub(in crate::follow) fn turn_pose(
     planned: &PlanarPose,
     orientation: &ToolOrientation,
     heading: f64,
@@ -124,10 +125,11 @@ pub(in crate::follow) fn turned(
     }
 }
 
-/// The end of an edge: the tool turns as planned, and by what its rotation against the plan changes.
+/// Returns the end of an edge: the tool turns as planned, and by the change of its rotation against the plan.
 ///
-/// What a turning tool does to particles depends on which way round it turns, so that this way is kept.
-pub(in crate::follow) fn turned_along(
+/// The effect of a turning tool on particles depends on the direction of rotation, so that this direction is
+/// kept.
+pub(in crate::follow) fn turn_along_edge(
     planned: [&PlanarPose; 2],
     orientation: &ToolOrientation,
     from: &ToolPose,
@@ -142,7 +144,7 @@ pub(in crate::follow) fn turned_along(
     }
 }
 
-/// By how much the rotation against the plan changes on an edge [rad].
+/// Returns the change of the rotation against the plan on an edge [rad].
 pub(in crate::follow) fn change(
     begin: &PlanarPose,
     orientation: &ToolOrientation,
@@ -195,7 +197,7 @@ mod tests {
                 orientation.tilt >= 0.0
             });
         }
-        // As near as the planned one.
+        // It ranks like the planned one.
         assert_eq!(rank(&all[0], true), 0.0);
         assert_eq!(rank(&all[1], true), 0.0);
     }

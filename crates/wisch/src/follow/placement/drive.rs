@@ -1,5 +1,5 @@
-//! The way of the base between placements: A* over position and heading round obstacles, straightened;
-//! paper §3.3.
+//! The drive of the base between its poses: A* over position and heading around obstacles, straightened; paper
+//! §3.3.
 
 use crate::follow::{FollowConfig, Workcell};
 use crate::geometry::{PlanarPose, wrap_angle};
@@ -10,25 +10,24 @@ use std::f64::consts::TAU;
 
 /// Pitch of the grid [m].
 const PITCH: f64 = 0.1;
-/// Headings of the grid.
+/// Number of headings of the grid.
 const HEADINGS: i32 = 24;
-/// How far round start and goal the base may swerve [cells].
+/// Number of cells around start and goal in which the path may lie [cells].
 const SWERVE: i32 = 30;
-/// Cost of turning: as long as driving so far takes [m/rad]. Base: 0.5 m/s, 0.5 rad/s.
+/// Cost of rotation, as a driving distance [m/rad]. The base drives at 0.5 m/s and turns at 0.5 rad/s.
 const TURN_COST: f64 = 1.0;
-/// Costs are whole micrometres, so that they compare exactly.
+/// Costs are whole micrometres, so that comparisons are exact.
 const COST_UNIT: f64 = 1e-6;
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 enum Node {
     Start,
-    /// Cells and headings from the goal.
+    /// Cells and headings relative to the goal.
     Cell([i32; 3]),
 }
 
-/// Poses of the base from one to another, both included; `None` if there is no free way.
-///
-/// The arm stays in the ready posture.
+/// Returns poses of the base from one pose to another, both included; `None` if there is no free path. The arm
+/// stays in the ready posture.
 pub(in crate::follow) fn drive(
     cell: &Workcell,
     from: &PlanarPose,
@@ -103,25 +102,26 @@ pub(in crate::follow) fn drive(
     };
     let estimate = |&node: &Node| cost(&pose(node), &to);
     let goal = Node::Cell([0, 0, 0]);
-    let nodes = cheapest(Node::Start, goal, successors, estimate)?;
+    let nodes = cheapest_path(Node::Start, goal, successors, estimate)?;
     let path: Vec<PlanarPose> = nodes.into_iter().map(pose).collect();
-    Some(straightened(path, is_free))
+    Some(straighten(path, is_free))
 }
 
-/// The cheapest way from one node to another, both included (Hart, Nilsson and Raphael, *A Formal Basis for the Heuristic
-/// Determination of Minimum Cost Paths*, 1968). `estimate` is never more than the cost to the goal.
-fn cheapest(
+/// Returns the cheapest path from one node to another, both included (Hart, Nilsson and Raphael, *A Formal
+/// Basis for the Heuristic Determination of Minimum Cost Paths*, 1968). `estimate` must never exceed the cost
+/// to the goal.
+fn cheapest_path(
     start: Node,
     goal: Node,
     successors: impl Fn(&Node) -> Vec<(Node, u64)>,
     estimate: impl Fn(&Node) -> u64,
 ) -> Option<Vec<Node>> {
     let mut reached: HashMap<Node, (Option<Node>, u64)> = HashMap::from([(start, (None, 0))]);
-    let mut open = BinaryHeap::from([Open {
+    let mut open = BinaryHeap::from([OpenNode {
         key: (Reverse(0), 0),
         node: start,
     }]);
-    while let Some(Open { key, node }) = open.pop() {
+    while let Some(OpenNode { key, node }) = open.pop() {
         let (_, cost) = key;
         if node == goal {
             let parent = |node: &Node| reached[node].0;
@@ -129,7 +129,7 @@ fn cheapest(
             path.reverse();
             return Some(path);
         }
-        // A cheaper way to it was found since.
+        // A cheaper path to this node has been found since.
         if cost > reached[&node].1 {
             continue;
         }
@@ -141,40 +141,40 @@ fn cheapest(
                 Entry::Vacant(new) => _ = new.insert((Some(node), cost)),
             }
             let key = (Reverse(cost + estimate(&next)), cost);
-            open.push(Open { key, node: next });
+            open.push(OpenNode { key, node: next });
         }
     }
     None
 }
 
-/// A node to look at: first that with the least cost through it, of these the farthest from the start.
-struct Open {
+/// A node of the open list: the least total cost first, of equal costs the node farthest from the start.
+struct OpenNode {
     key: (Reverse<u64>, u64),
     node: Node,
 }
 
-impl Ord for Open {
+impl Ord for OpenNode {
     fn cmp(&self, other: &Self) -> std::cmp::Ordering {
         self.key.cmp(&other.key)
     }
 }
 
-impl PartialOrd for Open {
+impl PartialOrd for OpenNode {
     fn partial_cmp(&self, other: &Self) -> Option<std::cmp::Ordering> {
         Some(self.cmp(other))
     }
 }
 
-impl PartialEq for Open {
+impl PartialEq for OpenNode {
     fn eq(&self, other: &Self) -> bool {
         self.key == other.key
     }
 }
 
-impl Eq for Open {}
+impl Eq for OpenNode {}
 
-/// Leaves out every pose that can be left out.
-fn straightened(
+/// Removes every pose that is not needed for a free path.
+fn straighten(
     path: Vec<PlanarPose>,
     is_free: impl Fn(&PlanarPose, &PlanarPose) -> bool,
 ) -> Vec<PlanarPose> {

@@ -1,5 +1,4 @@
-//! Where the base stands while the arm wipes: places rated by how much of the rest of the path is in
-//! reach; paper §3.3.
+//! Base poses for the arm's work, rated by how much of the rest of the path is in reach; paper §3.3.
 
 pub(super) mod drive;
 
@@ -12,43 +11,43 @@ use nalgebra::UnitQuaternion;
 use rayon::prelude::*;
 use std::f64::consts::{PI, TAU};
 
-/// Pitch of the places [m].
+/// Pitch of the candidate positions [m].
 const PITCH: f64 = 0.1;
-/// Headings of each place.
+/// Number of headings at each position.
 const HEADINGS: usize = 12;
-/// Pitch and headings where there is no capability map and each pose is solved for.
+/// Pitch [m] and number of headings without a capability map, where each pose is solved by inverse kinematics.
 const SPARSE: (f64, usize) = (0.2, 8);
-/// Most poses of the path that are looked at.
+/// Largest number of poses of the path that are rated.
 const MAX_POSES: usize = 80;
-/// The same without a capability map.
+/// Largest number of poses that are rated without a capability map.
 const SPARSE_POSES: usize = 16;
-/// Places nearer than this, in position and heading, are not tried after each other [m, rad].
-const APART: (f64, f64) = (0.15, 0.4);
-/// Ratings that differ less than this are the same: then the nearer place is taken.
+/// Base poses nearer than this, in position and heading, are not both tried [m, rad].
+const MIN_SEPARATION: (f64, f64) = (0.15, 0.4);
+/// Ratings that differ by less than this count as equal: then the nearer base pose is taken [1].
 const SAME_RATING: f64 = 0.05;
-/// Increment in which the tool is turned for a rating [rad].
+/// Step of the tool's yaw in a rating [rad].
 const TURN: f64 = PI / 4.0;
-/// Ratings above this are in reach, as in a capability map.
+/// Ratings above this count as in reach, as in a capability map [1].
 const IN_REACH: f64 = 0.5;
-/// How far round the path places are looked for [m].
+/// Distance around the path in which base poses are searched [m].
 const AROUND: f64 = 1.6;
 
-/// What rates a pose.
+/// The rating of tool poses by their reachability.
 pub(in crate::follow) struct Reachability<'a> {
     cell: &'a Workcell,
     task: &'a Task,
     map: Option<&'a CapabilityMap>,
-    /// Ways to turn the tool, nearest to the plan first.
+    /// Rotations of the tool, nearest to the plan first.
     turns: Vec<Turn>,
-    /// The group's base where the planar base is at the origin.
+    /// Pose of the group's base with the planar base at the origin.
     root_from_base: Pose,
 }
 
 /// A rotation of the tool about the surface normal against the plan.
 struct Turn {
     rotation: UnitQuaternion<f64>,
-    /// 1 as planned, less away from it.
-    worth: f64,
+    /// Weight of the rotation: 1 as planned, smaller away from it.
+    weight: f64,
 }
 
 fn turns(tool: &Tool) -> Vec<Turn> {
@@ -57,7 +56,7 @@ fn turns(tool: &Tool) -> Vec<Turn> {
         .filter(|orientation| orientation.tilt.abs() < TURN / 2.0)
         .map(|orientation| Turn {
             rotation: UnitQuaternion::from_axis_angle(&Vector3::z_axis(), orientation.rotation),
-            worth: 1.0 / (1.0 + rank(orientation, symmetric)),
+            weight: 1.0 / (1.0 + rank(orientation, symmetric)),
         })
         .collect()
 }
@@ -81,8 +80,8 @@ impl<'a> Reachability<'a> {
         })
     }
 
-    /// Whether a pose is in reach, and how amply, 0 to 1: the share of directions from which the place can
-    /// be reached, less where the tool has to be turned away from the plan.
+    /// Returns the reachability of a pose, 0 to 1, or `None` out of reach: the share of directions from which
+    /// the position can be reached, smaller where the tool has to be turned from the plan.
     fn of(&self, world_from_tool: &Pose, world_from_base: &PlanarPose) -> Option<f64> {
         let stands = Pose::new(
             Vector3::new(world_from_base.position.x, world_from_base.position.y, 0.0),
@@ -92,7 +91,7 @@ impl<'a> Reachability<'a> {
         let mut poses = self
             .turns
             .iter()
-            .map(|turn| (base_from_tool * turn.rotation, turn.worth));
+            .map(|turn| (base_from_tool * turn.rotation, turn.weight));
         match self.map {
             Some(map) => poses.find_map(|(base_from_tool, worth)| {
                 let base_from_tip = base_from_tool * self.cell.tip_from_tool().inverse();
@@ -113,7 +112,8 @@ impl<'a> Reachability<'a> {
         }
     }
 
-    /// How amply poses of the tool on the surface are in reach from that of some places that suits each best, 0 to 1.
+    /// Returns for each pose of the tool on the surface its reachability from the best of some base poses, 0 to
+    /// 1.
     pub fn of_each(&self, poses: &[PlanarPose], places: &[PlanarPose]) -> Vec<f64> {
         let ample = |&surface_from_tool: &PlanarPose| {
             let pose = ToolPose {
@@ -130,9 +130,10 @@ impl<'a> Reachability<'a> {
         poses.par_iter().map(ample).collect()
     }
 
-    /// Places round the path: how many of its poses are in reach one after the other, and how amply.
-    pub fn rated(&self, ahead: &[ToolPose], config: &FollowConfig) -> Vec<Candidate> {
-        let poses = self.sampled(ahead);
+    /// Rates base poses around the path: by the number of consecutive poses in reach, and by their
+    /// reachability.
+    pub fn rate_base_poses(&self, ahead: &[ToolPose], config: &FollowConfig) -> Vec<Candidate> {
+        let poses = self.sample_poses(ahead);
         let Some(places) = self.places(&poses) else {
             return Vec::new();
         };
@@ -164,7 +165,7 @@ impl<'a> Reachability<'a> {
             .collect()
     }
 
-    fn sampled(&self, ahead: &[ToolPose]) -> Vec<Pose> {
+    fn sample_poses(&self, ahead: &[ToolPose]) -> Vec<Pose> {
         let most = if self.map.is_some() {
             MAX_POSES
         } else {
@@ -206,15 +207,15 @@ impl<'a> Reachability<'a> {
     }
 }
 
-/// A rated place.
+/// A rated base pose.
 #[derive(Debug, Clone, Copy)]
 pub(in crate::follow) struct Candidate {
     pub world_from_base: PlanarPose,
-    /// How many poses from the first on are in reach; `None` where the robot cannot stand.
+    /// Number of poses in reach, from the first on; `None` where the robot cannot stand.
     pub in_reach: Option<usize>,
-    /// The same as a share of all.
+    /// The same number as a share of all poses [1].
     pub share: f64,
-    /// How amply the first poses are in reach, 0 to 1.
+    /// Reachability of the first poses, 0 to 1.
     pub rating: f64,
 }
 
@@ -236,8 +237,8 @@ impl From<&Candidate> for Placement {
     }
 }
 
-/// The places worth trying, best first and apart from each other: those from which most of the path
-/// can be followed before the base has to move, of these those with ample reach, of these the nearest.
+/// Returns the base poses to try, best first and apart from each other. The best follow most of the path before
+/// the base has to move; of equal ones those with high reachability come first, then the nearest.
 pub(in crate::follow) fn best(
     candidates: &[Candidate],
     from: &PlanarPose,
@@ -261,8 +262,8 @@ pub(in crate::follow) fn best(
         let at = &candidate.world_from_base;
         let is_apart = |other: &Candidate| {
             let other = &other.world_from_base;
-            (other.position - at.position).norm() > APART.0
-                || wrap_angle(other.heading - at.heading).abs() > APART.1
+            (other.position - at.position).norm() > MIN_SEPARATION.0
+                || wrap_angle(other.heading - at.heading).abs() > MIN_SEPARATION.1
         };
         if chosen.iter().all(is_apart) {
             chosen.push(*candidate);

@@ -1,7 +1,7 @@
-//! Collision models of a robot with its tool before a scene, by what the tool may touch.
+//! Collision models of a robot with its tool in a scene, by what the tool may touch.
 
 use super::FLOOR_TOLERANCE;
-use super::grasp::{relaxed, without_rim};
+use super::grasp::{relax, without_rim};
 use super::group::{PlanarBase, hand_and_holder, standing_links};
 use super::target_surface::{TargetSurface, ToolMount, is_tool_behind};
 use crate::follow::FollowError;
@@ -10,28 +10,29 @@ use crate::represent::{SceneObject, ScenePart, Surface, Task};
 use crate::robot::{CollisionModel, LinkId, RobotError, RobotModel, Srdf};
 use std::collections::BTreeSet;
 
-/// How much less than the margin the sides of the tool keep clear of the scene while it wipes [m]. A corner
-/// loses √3 times as much, which is still less than the usual margin.
+/// Reduction of the clearance between the sides of the tool and the scene while it wipes [m]. A corner loses √3
+/// times as much, which is still less than the usual margin.
 const TOOL_RIM: f64 = 2.8e-3;
 
-/// What may not touch, by what the tool may touch and which variables move.
+/// Collision models, by what the tool may touch and which variables move.
 #[derive(Debug, Clone)]
 pub(super) struct WorkcellCollisions {
-    /// In free motion.
+    /// For free motion.
     pub(super) free: CollisionModel,
     /// While the tool touches the surface.
     pub(super) in_contact: CollisionModel,
-    /// In free motion, as far as the base's variables can change it.
+    /// For free motion, only pairs whose distance the base's variables change.
     pub(super) base: CollisionModel,
-    /// In free motion, as far as the arm's variables can change it.
+    /// For free motion, only pairs whose distance the arm's variables change.
     pub(super) arm: CollisionModel,
-    /// While the tool touches the surface, as far as the arm's variables can change it: without the tool's rim.
+    /// While the tool touches the surface, only pairs whose distance the arm's variables change, without the
+    /// tool's rim.
     pub(super) arm_in_contact: CollisionModel,
     /// Names of the scene's objects and of the target surface.
     pub(super) obstacles: BTreeSet<String>,
 }
 
-/// A robot with its tool, not yet before the scene of a task.
+/// A robot with its tool, before it is placed in the scene of a task.
 pub(super) struct MountedTool<'a> {
     robot: &'a RobotModel,
     task: &'a Task,
@@ -47,7 +48,7 @@ pub(super) struct MountedTool<'a> {
 type NamedObject<'a> = (String, &'a SceneObject);
 
 impl<'a> MountedTool<'a> {
-    /// Fixes the tool of a task to its link.
+    /// Attaches the tool of a task to its link.
     pub(super) fn attach(
         robot: &'a RobotModel,
         srdf: Option<&Srdf>,
@@ -59,13 +60,13 @@ impl<'a> MountedTool<'a> {
         let mesh = &task.tool.mesh;
         let (tip, tip_from_tool) = (mount.tip, mount.tip_from_tool);
         let bare = CollisionModel::new(robot, srdf)?;
-        // Nothing presses a tool in free motion.
-        let relaxed = relaxed(mesh, task.interaction.compression_depth_m)?;
+        // A tool in free motion is not compressed.
+        let relaxed = relax(mesh, task.interaction.compression_depth_m)?;
         let mut free = bare.clone();
         free.attach(&tool, tip, tip_from_tool, &relaxed)?;
         let mut in_contact = bare.clone();
         in_contact.attach(&tool, tip, tip_from_tool, mesh)?;
-        // Whole against the robot, without its rim against the scene.
+        // The whole tool against the robot, the tool without its rim against the scene.
         let mut rimless = bare;
         let core_mesh = without_rim(mesh, TOOL_RIM)?;
         rimless.attach(&tool, tip, tip_from_tool, mesh)?;
@@ -88,7 +89,7 @@ impl<'a> MountedTool<'a> {
         })
     }
 
-    /// Lets a second hand touch the tool that it holds.
+    /// Allows a second hand to touch the tool that it holds.
     pub(super) fn allow_second_hand(&mut self, tip: LinkId) -> Result<(), FollowError> {
         for link in hand_and_holder(self.robot, tip) {
             self.models.allow_in_all(&self.tool, &link)?;
@@ -96,8 +97,8 @@ impl<'a> MountedTool<'a> {
         Ok(())
     }
 
-    /// Puts the robot before the scene of the task. `ready`: where it starts, all n variables [rad or m];
-    /// `arm`: the variables of its arms.
+    /// Places the robot in the scene of the task. `ready`: start posture, all n variables [rad or m]; `arm`:
+    /// the variables of its arms.
     pub(super) fn place_in_scene(
         mut self,
         base: Option<PlanarBase>,
@@ -174,7 +175,7 @@ impl<'a> MountedTool<'a> {
         TargetSurface::add(self.task, &root_from_world, &unused, waits_behind, models)
     }
 
-    /// Lets the links that stand on the floor touch what is not above it.
+    /// Allows the links that stand on the floor to touch what is not above it.
     fn allow_driving(
         &mut self,
         base: &PlanarBase,
@@ -194,7 +195,8 @@ impl<'a> MountedTool<'a> {
         Ok(())
     }
 
-    /// Lets the tool touch the surface and its carrier while it wipes, and its rim the other objects.
+    /// Allows the tool to touch the surface and its carrier while it wipes, and its rim to touch the other
+    /// objects.
     fn allow_wiping(
         &mut self,
         objects: &[NamedObject<'_>],
@@ -220,21 +222,21 @@ impl<'a> MountedTool<'a> {
 
 /// Models of the same bodies that differ in what the tool may touch.
 struct ContactModels {
-    /// Nothing, and nothing presses it.
+    /// The tool, not compressed, may touch nothing.
     free: CollisionModel,
-    /// The surface and its carrier.
+    /// The tool may touch the surface and its carrier.
     in_contact: CollisionModel,
-    /// The same, and the other objects with its rim.
+    /// The tool may touch the surface and its carrier, and its rim the other objects.
     rimless: CollisionModel,
 }
 
 impl ContactModels {
-    /// Every model, to change it.
+    /// All models, for changes.
     const fn all(&mut self) -> [&mut CollisionModel; 3] {
         [&mut self.free, &mut self.in_contact, &mut self.rimless]
     }
 
-    /// Lets two bodies touch in every model.
+    /// Allows two bodies to touch in every model.
     fn allow_in_all(&mut self, a: &str, b: &str) -> Result<(), RobotError> {
         self.all()
             .into_iter()

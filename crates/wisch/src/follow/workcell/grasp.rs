@@ -1,4 +1,4 @@
-//! How hands hold a tool, and its shape in the hand.
+//! How hands hold a tool, and the tool's shape in the hand.
 
 use crate::follow::FollowError;
 use crate::geometry::{Mesh, Point3, Pose, Vector3};
@@ -7,15 +7,16 @@ use crate::robot::{Collision, LinkId, RobotModel, Shape};
 use nalgebra::{Translation3, UnitQuaternion};
 use std::f64::consts::PI;
 
-/// The end of a hand in the frame of its link: on the z axis, as far out as the hand's shapes go.
+/// Returns the end of a hand in the frame of its link: on the z axis, at the outermost point of the hand's
+/// shapes.
 pub(in crate::follow) fn tip_from_hand(robot: &RobotModel, tip: LinkId) -> Pose {
     let hand = &robot.links()[tip.index()].collision;
     let reach = hand.iter().map(outermost).fold(0.0, f64::max);
     Pose::translation(0.0, 0.0, reach)
 }
 
-/// A tool in the frame of the link that leads it: by its grip, or else by the rear edge of its upper face,
-/// the hand leaning back by `lean` [rad].
+/// Returns the pose of a tool in the frame of the link that leads it: by its grip, or without a grip by the
+/// rear edge of its upper face, with the hand leaning back by `lean` [rad].
 pub(in crate::follow) fn tip_from_tool(
     robot: &RobotModel,
     tip: LinkId,
@@ -24,13 +25,14 @@ pub(in crate::follow) fn tip_from_tool(
 ) -> Pose {
     let hand_from_tool = match &tool.grip {
         Some(grip) => grip.tool_from_hand.inverse(),
-        None => by_the_rear_edge(tool, lean),
+        None => grip_at_rear_edge(tool, lean),
     };
     tip_from_hand(robot, tip) * hand_from_tool
 }
 
-/// The rear edge of the tool's upper face at the end of the hand, the hand leaning back: hand from tool.
-fn by_the_rear_edge(tool: &Tool, lean: f64) -> Pose {
+/// Returns the pose of the tool in the hand, held at the rear edge of its upper face, with the hand leaning
+/// back.
+fn grip_at_rear_edge(tool: &Tool, lean: f64) -> Pose {
     let (low, high) = tool.mesh.bounds();
     let turned = UnitQuaternion::from_axis_angle(&Vector3::x_axis(), PI)
         * UnitQuaternion::from_axis_angle(&Vector3::y_axis(), lean);
@@ -38,8 +40,8 @@ fn by_the_rear_edge(tool: &Tool, lean: f64) -> Pose {
     turned * Translation3::from(-grasped_in_tool)
 }
 
-/// The tool without its rim: kept clear of the scene by less than the margin, because the plan keeps its
-/// collision sphere, which just holds the tool, clear already.
+/// Returns the tool without its rim. It may keep less clearance from the scene than the margin, because the
+/// plan already keeps the collision sphere clear, which just contains the tool.
 pub(in crate::follow) fn without_rim(mesh: &Mesh, rim: f64) -> Result<Mesh, FollowError> {
     let (low, high) = mesh.bounds();
     let middle = nalgebra::center(&low, &high);
@@ -50,9 +52,9 @@ pub(in crate::follow) fn without_rim(mesh: &Mesh, rim: f64) -> Result<Mesh, Foll
     Mesh::new(vertices.collect(), mesh.triangles().to_vec()).map_err(FollowError::Tool)
 }
 
-/// The tool while nothing presses it: its underside lies as far below the tool centre point as it is compressed
-/// when it wipes.
-pub(in crate::follow) fn relaxed(mesh: &Mesh, compression_depth: f64) -> Result<Mesh, FollowError> {
+/// Returns the tool without compression: its underside lies below the tool centre point by the depth of its
+/// compression in contact.
+pub(in crate::follow) fn relax(mesh: &Mesh, compression_depth: f64) -> Result<Mesh, FollowError> {
     let stretched = |v: &Point3| {
         let share = (1.0 - v.z / (2.0 * compression_depth)).clamp(0.0, 1.0);
         Point3::new(v.x, v.y, v.z - compression_depth * share)
@@ -64,7 +66,7 @@ pub(in crate::follow) fn relaxed(mesh: &Mesh, compression_depth: f64) -> Result<
     Mesh::new(vertices.collect(), mesh.triangles().to_vec()).map_err(FollowError::Tool)
 }
 
-/// How far a shape reaches along its link's z axis [m].
+/// Returns the largest coordinate of a shape along its link's z axis [m].
 fn outermost(collision: &Collision) -> f64 {
     let pose = &collision.link_from_shape;
     let along = |z: f64| (pose * Point3::new(0.0, 0.0, z)).z;
@@ -96,12 +98,12 @@ mod tests {
     fn a_tool_at_rest_hangs_as_low_as_it_is_compressed_when_it_wipes() {
         let sponge = Mesh::cuboid(Vector3::new(0.07, 0.11, 0.05)).unwrap();
         let (low, high) = sponge.bounds();
-        let (low_at_rest, high_at_rest) = relaxed(&sponge, 0.005).unwrap().bounds();
+        let (low_at_rest, high_at_rest) = relax(&sponge, 0.005).unwrap().bounds();
         assert!(
             (low.z - low_at_rest.z - 0.005).abs() < 1e-12,
             "{low_at_rest}"
         );
         assert_eq!((high, low.xy()), (high_at_rest, low_at_rest.xy()));
-        assert_eq!(relaxed(&sponge, 0.0).unwrap(), sponge);
+        assert_eq!(relax(&sponge, 0.0).unwrap(), sponge);
     }
 }

@@ -1,4 +1,4 @@
-//! Which part of a robot wipes, what carries it, and where it waits.
+//! The part of a robot that wipes, the base that carries it, and its ready posture.
 
 use crate::follow::FollowError;
 use crate::geometry::Vector3;
@@ -19,20 +19,20 @@ pub struct PlanarBase {
 /// The part of a robot that wipes.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PlanningGroup {
-    /// The link that its chain begins at.
+    /// The link at which its chain begins.
     pub base: LinkId,
     /// The link that holds the tool.
     pub tip: LinkId,
-    /// The robot's ready posture: the SRDF's states of that name over the middle of the limits; all n
-    /// variables [rad or m].
+    /// The robot's ready posture: the SRDF's states of that name, and the middle of the limits for all other
+    /// variables; all n variables [rad or m].
     pub ready: Vec<f64>,
 }
 
 impl PlanningGroup {
-    /// The group of a name, or the SRDF's first, or without an SRDF the longest chain.
+    /// Returns the group with a name, or the SRDF's first, or without an SRDF the longest chain.
     ///
     /// # Errors
-    /// If the SRDF has no group of that name.
+    /// The SRDF has no group of that name.
     pub fn choose(
         robot: &RobotModel,
         srdf: Option<&Srdf>,
@@ -59,14 +59,14 @@ impl PlanningGroup {
     }
 }
 
-/// From the root to the link that most moving joints lead to.
+/// Returns the chain from the root to the link with the most moving joints before it.
 fn longest_chain(robot: &RobotModel) -> (LinkId, LinkId) {
     let mut moving = vec![0; robot.links().len()];
     let mut best = robot.root();
     for joint in robot.joints() {
         let own = usize::from(joint.kind != JointKind::Fixed);
         moving[joint.child.index()] = moving[joint.parent.index()] + own;
-        // The outermost of equals: a flange behind fixed joints.
+        // The outermost of equal links: a flange behind fixed joints.
         if moving[joint.child.index()] >= moving[best.index()] {
             best = joint.child;
         }
@@ -74,7 +74,7 @@ fn longest_chain(robot: &RobotModel) -> (LinkId, LinkId) {
     (robot.root(), best)
 }
 
-/// The planar base that carries a link: x, y and heading, if that is all that moves it.
+/// Returns the planar base that carries a link: x, y and heading, if only these move it.
 pub(in crate::follow) fn planar_base(
     robot: &RobotModel,
     link: LinkId,
@@ -108,19 +108,19 @@ pub(in crate::follow) fn planar_base(
     }
 }
 
-/// The SRDF's ready states over the middle of the limits.
+/// Returns the SRDF's ready states, with the middle of the limits for all other variables.
 fn ready(robot: &RobotModel, srdf: Option<&Srdf>) -> Vec<f64> {
     let middle = |i: usize| {
         let range = robot.variable(i).limits.position;
         range.map_or(0.0, |range| (range.lower + range.upper) / 2.0)
     };
     let mut q: Vec<f64> = (0..robot.dof()).map(middle).collect();
-    put_in(&mut q, srdf, READY_STATE);
+    set_named_state(&mut q, srdf, READY_STATE);
     q
 }
 
-/// Puts in the positions of the SRDF's states of a name.
-pub(in crate::follow) fn put_in(q: &mut [f64], srdf: Option<&Srdf>, state: &str) {
+/// Sets the positions of the SRDF's states of a name.
+pub(in crate::follow) fn set_named_state(q: &mut [f64], srdf: Option<&Srdf>, state: &str) {
     let states = srdf.map_or(&[][..], |srdf| &srdf.states);
     for state in states.iter().filter(|known| known.name == state) {
         for &(variable, position) in &state.positions {
@@ -129,7 +129,7 @@ pub(in crate::follow) fn put_in(q: &mut [f64], srdf: Option<&Srdf>, state: &str)
     }
 }
 
-/// A hand and the next link with shapes that holds it.
+/// Returns a hand and the next link with shapes that holds it.
 pub(in crate::follow) fn hand_and_holder(robot: &RobotModel, tip: LinkId) -> Vec<String> {
     let above = robot.joints_above(tip).map(|joint| joint.parent);
     std::iter::once(tip)
@@ -141,7 +141,7 @@ pub(in crate::follow) fn hand_and_holder(robot: &RobotModel, tip: LinkId) -> Vec
         .collect()
 }
 
-/// The links with shapes that only the base moves, and that so stand on the floor.
+/// Returns the links with shapes that only the base moves, which therefore stand on the floor.
 pub(in crate::follow) fn standing_links(robot: &RobotModel, base: &PlanarBase) -> Vec<String> {
     let variables = [base.x, base.y, base.yaw];
     let mut stands = vec![true; robot.links().len()];

@@ -1,4 +1,4 @@
-//! Robot, tool and scene as one: what is to move, where it may move, and what is in the way.
+//! The work cell: the robot, its tool and the scene, with what may move and what is in the way.
 
 mod collisions;
 mod grasp;
@@ -19,18 +19,18 @@ use crate::robot::{
 };
 use collisions::{MountedTool, WorkcellCollisions};
 use grasp::tip_from_tool;
-use group::{planar_base, put_in};
+use group::{planar_base, set_named_state};
 use nalgebra::{Translation3, UnitQuaternion};
 use std::f64::consts::TAU;
 pub(in crate::follow) use target_surface::HandBelow;
 use target_surface::{ToolMount, hand_below};
 
-/// How far a base may stand off the plane of its floor before that is an error [m, rad].
+/// Largest distance of a base from the plane of its floor [m, rad].
 const FLOOR_TOLERANCE: f64 = 1e-6;
-/// Random starts from which the second hand is brought to its grip in the ready posture.
+/// Number of random starts from which the second hand is brought to its grip in the ready posture.
 const SECOND_STARTS: u64 = 40;
 
-/// What the tool may touch while a motion is checked for collisions.
+/// What the tool may touch in a collision check.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum AllowedContact {
     /// Nothing, as in free motion.
@@ -39,30 +39,29 @@ pub enum AllowedContact {
     Surface,
 }
 
-/// Which part of the robot wipes, and where the robot stands.
+/// The planning group, and the robot's pose.
 #[derive(Debug, Clone)]
 pub struct WorkcellConfig {
     /// Name of the SRDF's group; `None` takes its first, or without an SRDF the longest chain.
     pub group: Option<String>,
     /// Name of the SRDF's group whose hand holds the tool's second grip; `None` leaves it free.
     pub second_group: Option<String>,
-    /// Where the robot stands in the world. For a robot on a planar base: where it starts, in the
-    /// plane of the floor.
+    /// Pose of the robot in the world. For a robot on a planar base: its start, in the plane of the floor.
     pub world_from_robot: Option<Pose>,
-    /// The tool in the frame of the link that holds it; `None` takes the tool's grip, or if it has none puts
-    /// the rear edge of its upper face at the hand's outermost point.
+    /// The tool in the frame of the link that holds it; `None` takes the tool's grip. For a tool without a
+    /// grip, it puts the rear edge of its upper face at the hand's outermost point.
     pub tip_from_tool: Option<Pose>,
-    /// How far the hand leans back from upright over the tool, against its motion [rad].
+    /// Angle by which the hand leans back from upright over the tool, against its motion [rad].
     pub hand_lean: f64,
-    /// How far inside their limits turning joints are kept while the tool is wielded [rad]: a compliant arm is not
-    /// exactly where it is wanted.
+    /// Distance of revolute joints from their limits while the robot uses the tool [rad]: a compliant arm is
+    /// not exactly at its planned position.
     pub limit_margin: f64,
 }
 
 impl Default for WorkcellConfig {
-    /// The first group, the robot at the origin, the hand leaning back by 0.8 rad: so far that a hand as
-    /// thick as the tool is wide reaches along obstacles, not so far that it touches the surface. Joints
-    /// stay 0.02 rad inside their limits, twice what a torso sags by.
+    /// The first group, the robot at the origin, the hand leaning back by 0.8 rad. With this lean a hand as
+    /// thick as the tool is wide reaches along obstacles and does not touch the surface. Joints stay 0.02 rad
+    /// inside their limits, twice the sag of a torso.
     fn default() -> Self {
         Self {
             group: None,
@@ -75,7 +74,7 @@ impl Default for WorkcellConfig {
     }
 }
 
-/// A robot with a tool in its hand before a scene.
+/// A robot with a tool in its hand, in a scene.
 #[derive(Debug, Clone)]
 pub struct Workcell {
     robot: RobotModel,
@@ -93,17 +92,16 @@ pub struct Workcell {
 }
 
 impl Workcell {
-    /// The robot before the scene of a task, with the task's tool in its hand.
+    /// Returns the robot in the scene of a task, with the task's tool in its hand.
     ///
-    /// While it wipes, comes down or lifts off, the tool may touch the target surface and the object that carries it; otherwise
-    /// nothing may touch anything. The surface is an obstacle whether or not the scene has an object that carries it, and
-    /// the tool keeps out of the space behind it, unless that is where it waits in the ready posture. A surface that lies in
-    /// the plane of the floor may be driven on.
+    /// While it wipes, comes down or lifts off, the tool may touch the target surface and the object that
+    /// carries it; otherwise no contact is allowed. The surface is an obstacle whether or not the scene has an
+    /// object that carries it. The tool keeps out of the space behind it, unless that is where it waits in the
+    /// ready posture. A robot may drive on a surface that lies in the plane of the floor.
     ///
     /// # Errors
-    /// A group or link that does not exist, a group whose base hangs on joints that are no planar
-    /// base, a planar base that does not stand on its floor, or geometry that no collision check
-    /// takes.
+    /// A group or link that does not exist, a group whose base is moved by joints that are not a planar base, a
+    /// planar base off its floor, or geometry that no collision check takes.
     pub fn new(
         robot: RobotModel,
         srdf: Option<&Srdf>,
@@ -112,7 +110,7 @@ impl Workcell {
     ) -> Result<Self, FollowError> {
         let mut group = PlanningGroup::choose(&robot, srdf, config.group.as_deref())?;
         let ready_with_tool = format!("{READY_STATE}_{}", task.tool.name);
-        put_in(&mut group.ready, srdf, &ready_with_tool);
+        set_named_state(&mut group.ready, srdf, &ready_with_tool);
         let base = planar_base(&robot, group.base)?;
         let world_from_root = place_base(base, config.world_from_robot, &mut group.ready)?;
         let tip_from_tool = (config.tip_from_tool)
@@ -161,12 +159,12 @@ impl Workcell {
         })
     }
 
-    /// The robot as described, without the tool; its n variables are the order of every array of positions.
+    /// The robot as described, without the tool; its n variables give the order of every array of positions.
     pub const fn robot(&self) -> &RobotModel {
         &self.robot
     }
 
-    /// Where the robot's root link is. For a robot on a planar base this is the world's origin.
+    /// Pose of the robot's root link in the world. For a robot on a planar base this is the world's origin.
     pub const fn world_from_root(&self) -> &Pose {
         &self.world_from_root
     }
@@ -186,12 +184,12 @@ impl Workcell {
         &self.ik
     }
 
-    /// The arm whose hand holds the tool as well, if one does.
+    /// The arm whose hand also holds the tool, if there is one.
     pub const fn second(&self) -> Option<&SecondArm> {
         self.second.as_ref()
     }
 
-    /// For each variable of the arm its position among the robot's: those of the group, then those of the
+    /// Returns for each variable of the arm its index among the robot's: those of the group, then those of the
     /// second arm.
     pub fn arm_variables(&self) -> &[usize] {
         &self.arm_variables
@@ -202,17 +200,17 @@ impl Workcell {
         self.base
     }
 
-    /// Where the robot starts: all n variables [rad or m].
+    /// Start posture of the robot: all n variables [rad or m].
     pub fn ready(&self) -> &[f64] {
         &self.ready
     }
 
-    /// Robot, tool and scene with all pairs that may not touch in free motion.
+    /// Collision model with all pairs that may not touch in free motion.
     pub const fn collisions(&self) -> &CollisionModel {
         &self.collisions.free
     }
 
-    /// What may not touch while the tool touches this.
+    /// Collision model with all pairs that may not touch while the tool touches `allowed`.
     pub const fn all_collisions(&self, allowed: AllowedContact) -> &CollisionModel {
         match allowed {
             AllowedContact::None => &self.collisions.free,
@@ -220,12 +218,12 @@ impl Workcell {
         }
     }
 
-    /// What may not touch, as far as the base's variables can change it.
+    /// Collision model with the pairs whose distance the base's variables change.
     pub(in crate::follow) const fn base_collisions(&self) -> &CollisionModel {
         &self.collisions.base
     }
 
-    /// What may not touch, as far as the group's variables can change it.
+    /// Collision model with the pairs whose distance the group's variables change.
     pub const fn arm_collisions(&self, allowed: AllowedContact) -> &CollisionModel {
         match allowed {
             AllowedContact::None => &self.collisions.arm,
@@ -233,27 +231,27 @@ impl Workcell {
         }
     }
 
-    /// The range of a joint that is kept to, inside its limits by [`WorkcellConfig::limit_margin`]; `None` for one
-    /// without limits.
+    /// Range of a joint inside its limits by [`WorkcellConfig::limit_margin`]; `None` for a joint without
+    /// limits.
     pub(crate) fn range_kept(&self, joint: &Joint) -> Option<Range> {
         let limits = joint.limits.position?;
         let slides = joint.kind == JointKind::Prismatic;
         Some(limits.narrowed(if slides { 0.0 } else { self.limit_margin }))
     }
 
-    /// Position, velocity and acceleration limits of all n variables, in the order of the robot's, and of the
-    /// joints that follow them.
+    /// Position, velocity and acceleration limits of all n variables, in the order of the robot's, and of their
+    /// mimic joints.
     pub const fn limits(&self) -> &JointLimits {
         &self.limits
     }
 
-    /// Whether a name in a contact is one of the scene's objects.
+    /// Whether a name in a contact is that of an obstacle.
     pub(in crate::follow) fn is_obstacle(&self, name: &str) -> bool {
         self.collisions.obstacles.contains(name)
     }
 
-    /// The part of the hand that would be below the target surface wherever the tool touches it at the nodes of a plan; `None`
-    /// where the hand is free of it somewhere.
+    /// Returns the part of the hand that would be below the target surface at every node of a plan where the
+    /// tool touches it; `None` if the hand is free of it at some node.
     pub(in crate::follow) fn hand_below(
         &self,
         task: &Task,
@@ -268,7 +266,7 @@ impl Workcell {
         Ok(hand_below(task, plan, &self.robot, &kinematics, &tool))
     }
 
-    /// Pose of the tool in the world where it is said to be on the surface.
+    /// Returns the pose of the tool in the world for its pose relative to the surface.
     pub fn world_from_tool(task: &Task, pose: &ToolPose) -> Pose {
         let PlanarPose { position, heading } = pose.surface_from_tool;
         let upright = Pose::from_parts(
@@ -281,10 +279,10 @@ impl Workcell {
         task.surface.world_from_surface * upright * lean
     }
 
-    /// Counts the whole turns of a base on wheels as the robot does, so that no motion begins with turns that bring it
-    /// nowhere.
+    /// Counts the whole turns of a base on wheels as the robot does, so that no motion begins with turns that
+    /// lead nowhere.
     ///
-    /// `stands`: all n variables as the robot was measured [rad or m].
+    /// `stands`: all n variables as measured [rad or m].
     pub fn with_turns_of(mut self, stands: &[f64]) -> Self {
         if let Some(base) = self.base
             && let Some(heading) = stands.get(base.yaw)
@@ -295,7 +293,7 @@ impl Workcell {
         self
     }
 
-    /// The variables with the base standing somewhere.
+    /// Returns the variables with the base at a pose.
     pub(in crate::follow) fn standing(&self, q: &[f64], world_from_base: &PlanarPose) -> Vec<f64> {
         let mut q = q.to_vec();
         if let Some(base) = self.base {
@@ -306,7 +304,7 @@ impl Workcell {
         q
     }
 
-    /// Where the base stands; the origin for a robot without one.
+    /// Pose of the base; the origin for a robot without a base.
     pub(in crate::follow) fn base_pose(&self, q: &[f64]) -> PlanarPose {
         self.base
             .map_or(PlanarPose::new(Point2::origin(), 0.0), |base| {
@@ -315,7 +313,7 @@ impl Workcell {
     }
 }
 
-/// Puts a planar base where the robot starts, and returns the pose of the robot's root in the world.
+/// Puts a planar base at the robot's start, and returns the pose of the robot's root in the world.
 fn place_base(
     base: Option<PlanarBase>,
     world_from_robot: Option<Pose>,
@@ -325,14 +323,14 @@ fn place_base(
     let Some(base) = base else {
         return Ok(world_from_robot);
     };
-    let on_floor = on_floor(&world_from_robot)?;
+    let on_floor = project_to_floor(&world_from_robot)?;
     ready[base.x] = on_floor.position.x;
     ready[base.y] = on_floor.position.y;
     ready[base.yaw] = on_floor.heading;
     Ok(Pose::identity())
 }
 
-/// Makes the inverse kinematics of the tool, which prefers the ready posture.
+/// Returns the inverse kinematics of the tool, which prefers the ready posture.
 fn make_tool_solver(
     robot: &RobotModel,
     group: &PlanningGroup,
@@ -345,7 +343,7 @@ fn make_tool_solver(
     Ok((ik.with_posture(&posture)?).with_limit_margin(limit_margin)?)
 }
 
-/// Finds the link that is to hold the tool's second grip, and that grip.
+/// Finds the link for the tool's second grip, and that grip.
 fn find_second_grip(
     robot: &RobotModel,
     srdf: Option<&Srdf>,
@@ -360,7 +358,7 @@ fn find_second_grip(
     Ok((tip, grip))
 }
 
-/// Brings the second hand to its grip in the ready posture: where it touches nothing, if there is such a way.
+/// Brings the second hand to its grip in the ready posture, without contact if there is such a configuration.
 fn grip_with_second_hand(
     robot: &RobotModel,
     second: &SecondArm,
@@ -374,7 +372,7 @@ fn grip_with_second_hand(
     let mut first = None;
     for seed in 0..SECOND_STARTS {
         let starts: &[&[f64]] = if seed == 0 { &[&start] } else { &[] };
-        let held = match second.held_anyhow(&leading, starts, seed, &config) {
+        let held = match second.hold_from_any_start(&leading, starts, seed, &config) {
             Ok(held) => held,
             Err(why) => {
                 return Err(FollowError::NoSecondHold {
@@ -393,14 +391,15 @@ fn grip_with_second_hand(
         }
         first.get_or_insert(q);
     }
-    // What it touches is told when it is to start.
+    // The check before the start reports the contact.
     if let Some(first) = first {
         *ready = first;
     }
     Ok(())
 }
 
-fn on_floor(world_from_robot: &Pose) -> Result<PlanarPose, FollowError> {
+/// Returns a pose on the floor as a planar pose; an error if it is off the floor.
+fn project_to_floor(world_from_robot: &Pose) -> Result<PlanarPose, FollowError> {
     let (roll, pitch, yaw) = world_from_robot.rotation.euler_angles();
     let at = world_from_robot.translation.vector;
     for (what, value) in [("z_m", at.z), ("roll_rad", roll), ("pitch_rad", pitch)] {
@@ -411,11 +410,11 @@ fn on_floor(world_from_robot: &Pose) -> Result<PlanarPose, FollowError> {
     Ok(PlanarPose::new(Point2::new(at.x, at.y), yaw))
 }
 
-/// The limits of a robot's variables, and of the joints that follow them.
+/// Returns the limits of a robot's variables, and of their mimic joints.
 fn limits(robot: &RobotModel) -> Result<JointLimits, FollowError> {
     let of_variable = |i: usize| {
         let joint = robot.variable(i);
-        // The paper's, where the URDF gives none.
+        // The limits of the paper, where the URDF gives none.
         let usual = match joint.kind {
             JointKind::Prismatic => JointLimit::base(&joint.name),
             _ => JointLimit::arm(&joint.name, f64::NEG_INFINITY, f64::INFINITY),
@@ -424,7 +423,7 @@ fn limits(robot: &RobotModel) -> Result<JointLimits, FollowError> {
     };
     let variables: Vec<JointLimit> = (0..robot.dof()).map(of_variable).collect();
     let follower = |joint: &Joint| {
-        // Without limits of its own it has those of what it follows.
+        // Without limits of its own, a mimic joint has those of the variables that drive it.
         let drive = joint.drive.clone();
         let sum = |of: fn(&JointLimit) -> f64| -> f64 {
             let terms = drive.terms.iter();
@@ -441,7 +440,7 @@ fn limits(robot: &RobotModel) -> Result<JointLimits, FollowError> {
     Ok(JointLimits::new(variables)?.with_followers(followers)?)
 }
 
-/// The limits of a joint, with these of velocity and acceleration where it has none.
+/// Returns the limits of a joint, with these for velocity and acceleration where it has none.
 fn limit(joint: &Joint, [velocity, acceleration]: [f64; 2]) -> JointLimit {
     let range = joint.limits.position;
     JointLimit {

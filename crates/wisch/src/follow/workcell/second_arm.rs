@@ -1,8 +1,8 @@
-//! The second hand on a tool: its arm is led along by the one that leads.
+//! The second hand on a tool: its arm follows the leading arm.
 //!
-//! The hand's outermost point stays at the tool's second grip; the hand turns freely about the bar there,
-//! and leans on it no further than the grip allows. Between two configurations it turns no more than it
-//! must, so that the way of the leading arm decides that of the second.
+//! The hand's outermost point stays at the tool's second grip. The hand turns freely about the bar there, and
+//! leans on it no further than the grip allows. Between two configurations it turns as little as possible, so
+//! that the path of the leading arm determines that of the second.
 
 use super::grasp::tip_from_hand;
 use crate::follow::{FollowError, GripDeviation, Obstruction};
@@ -15,21 +15,22 @@ use crate::robot::{
 use nalgebra::{Translation3, Unit, UnitQuaternion};
 use std::f64::consts::FRAC_PI_2;
 
-/// Farthest that the second hand may be off its grip on the tool [m].
+/// Largest distance of the second hand from its grip on the tool [m].
 pub const GRIP_TOLERANCE: f64 = 2e-3;
-/// How much further than allowed a hand may seem to lean on its bar, by rounding and between samples [rad].
+/// Allowance by which a hand may lean on its bar beyond the limit, for rounding and between samples [rad].
 pub const LEAN_TOLERANCE: f64 = 1e-2;
 
-/// An arm that holds the tool that another one leads.
+/// An arm that holds the tool of another, leading arm.
 #[derive(Debug, Clone)]
 pub struct SecondArm {
-    /// From the link at which the arms part to the hand; its tool's z axis is the hand's y axis.
+    /// Inverse kinematics from the link at which the arms part to the hand; its tool's z axis is the hand's y
+    /// axis.
     ik: IkSolver,
-    /// From the group's base to that link.
+    /// Chain from the group's base to that link.
     trunk: Chain,
-    /// Where the trunk's variables are among the leading arm's.
+    /// Indices of the trunk's variables among the leading arm's.
     trunk_in_leading: Vec<usize>,
-    /// From the group's base to the hand that leads.
+    /// Chain from the group's base to the leading hand.
     leading: Chain,
     leading_tip_from_tool: Pose,
     tip_from_hand: Pose,
@@ -42,7 +43,7 @@ impl GripDeviation {
         self.position <= GRIP_TOLERANCE && self.lean <= LEAN_TOLERANCE
     }
 
-    /// The worse of both, each by itself.
+    /// The larger of both deviations, in each component.
     #[must_use]
     pub fn max(self, other: Self) -> Self {
         Self {
@@ -53,10 +54,10 @@ impl GripDeviation {
 }
 
 impl SecondArm {
-    /// The arm that ends at `tip`, beside a leading one.
+    /// Returns the arm that ends at `tip`, beside a leading arm.
     ///
     /// # Errors
-    /// If it has no variable of its own, or one of the leading arm.
+    /// The arm has no variable of its own, or shares one with the leading arm.
     pub(in crate::follow) fn new(
         robot: &RobotModel,
         leading: &IkSolver,
@@ -103,7 +104,7 @@ impl SecondArm {
         self.ik.chain()
     }
 
-    /// Where the tool is, from the link at which the arms part.
+    /// Returns the pose of the tool from the link at which the arms part.
     fn fork_from_tool(&self, leading: &[f64]) -> Result<Pose, RobotError> {
         let trunk: JointPositions = (self.trunk_in_leading.iter())
             .map(|&i| leading[i])
@@ -113,18 +114,18 @@ impl SecondArm {
         Ok(base_from_fork.inv_mul(&(base_from_tip * self.leading_tip_from_tool)))
     }
 
-    /// Where the second hand is to be: its origin at the grip, its z axis along the hand's y axis, as near to
-    /// `hand` as the bar allows.
+    /// Returns the pose for the second hand: its origin at the grip, its z axis along the hand's y axis, as
+    /// near to `hand` as the bar allows.
     fn fork_from_grip(&self, fork_from_tool: &Pose, hand: &Vector3) -> Pose {
         let point = fork_from_tool * self.grip.point_in_tool;
         let bar = fork_from_tool * self.grip.axis_in_tool.into_inner();
-        let along = leaning(&bar, hand, self.grip.max_lean);
+        let along = limit_lean(&bar, hand, self.grip.max_lean);
         Pose::from_parts(Translation3::from(point), z_to(&along))
     }
 
-    /// Positions of the second arm that keep the grip for these of the leading one, near `start`. The hand
-    /// leans as it does there, or where that is out of reach comes across the bar.
-    pub(in crate::follow) fn held(
+    /// Returns positions of the second arm that keep the grip for these of the leading arm, near `start`. The
+    /// hand keeps its present lean, or, if that is out of reach, comes across the bar.
+    pub(in crate::follow) fn hold(
         &self,
         leading: &[f64],
         start: &[f64],
@@ -137,23 +138,23 @@ impl SecondArm {
         let wanted = self
             .fork_from_tool(leading)
             .and_then(|fork_from_tool| Ok((fork_from_tool, self.hand_axis(start)?)));
-        // Positions come from here and are finite.
+        // All positions are computed here and finite.
         let (fork_from_tool, hand) = wanted.map_err(|_| Obstruction::unreachable())?;
-        solved(solve(&fork_from_tool, &hand)).or_else(|_| {
+        to_configuration(solve(&fork_from_tool, &hand)).or_else(|_| {
             let bar = fork_from_tool * self.grip.axis_in_tool.into_inner();
-            solved(solve(&fork_from_tool, &(bar * bar.dot(&hand).signum())))
+            to_configuration(solve(&fork_from_tool, &(bar * bar.dot(&hand).signum())))
         })
     }
 
-    /// The same from any of several starts, then from random ones.
-    pub(in crate::follow) fn held_anyhow(
+    /// Tries the same from several starts, then from random ones.
+    pub(in crate::follow) fn hold_from_any_start(
         &self,
         leading: &[f64],
         starts: &[&[f64]],
         seed: u64,
         config: &IkConfig,
     ) -> Result<JointPositions, Obstruction> {
-        let near = starts.iter().map(|start| self.held(leading, start, config));
+        let near = starts.iter().map(|start| self.hold(leading, start, config));
         if let Some(found) = near.into_iter().find_map(Result::ok) {
             return Ok(found);
         }
@@ -165,7 +166,7 @@ impl SecondArm {
                 let target = self.fork_from_grip(&fork_from_tool, &(sign * bar));
                 (self.ik).solve(&target, RotationGoal::AboutToolZFree, &[], seed, config)
             };
-            match solved(solve()) {
+            match to_configuration(solve()) {
                 Ok(found) => return Ok(found),
                 Err(obstruction) => last = obstruction,
             }
@@ -178,7 +179,7 @@ impl SecondArm {
         Ok(fork_from_tip * Vector3::y())
     }
 
-    /// Where and how the second hand holds the tool, in the tool frame.
+    /// Position and direction of the second hand's grip on the tool, in the tool frame.
     pub const fn grip(&self) -> &SecondGrip {
         &self.grip
     }
@@ -188,7 +189,7 @@ impl SecondArm {
         &self.tip_from_hand
     }
 
-    /// How far the hand is off its grip.
+    /// Deviation of the hand from its grip.
     pub(in crate::follow) fn deviation(
         &self,
         leading: &[f64],
@@ -201,7 +202,7 @@ impl SecondArm {
     }
 }
 
-/// How far a hand is off a grip on a tool, both in one frame.
+/// Returns the deviation of a hand from a grip on a tool, both in one frame.
 pub(in crate::follow) fn off_grip(
     grip: &SecondGrip,
     from_tool: &Pose,
@@ -217,8 +218,9 @@ pub(in crate::follow) fn off_grip(
     }
 }
 
-/// The direction nearest to `hand` that is within `max_lean` of the bar, which has no sense of direction.
-fn leaning(bar: &Vector3, hand: &Vector3, max_lean: f64) -> Vector3 {
+/// Returns the direction nearest to `hand` that is within `max_lean` of the bar; the bar has no sense of
+/// direction.
+fn limit_lean(bar: &Vector3, hand: &Vector3, max_lean: f64) -> Vector3 {
     let bar = if bar.dot(hand) < 0.0 { -bar } else { *bar };
     let normal = bar.cross(hand);
     let angle = normal.norm().atan2(bar.dot(hand));
@@ -228,7 +230,7 @@ fn leaning(bar: &Vector3, hand: &Vector3, max_lean: f64) -> Vector3 {
     UnitQuaternion::from_axis_angle(&Unit::new_normalize(normal), max_lean) * bar
 }
 
-fn solved(outcome: Result<IkOutcome, RobotError>) -> Result<JointPositions, Obstruction> {
+fn to_configuration(outcome: Result<IkOutcome, RobotError>) -> Result<JointPositions, Obstruction> {
     match outcome {
         Ok(IkOutcome::Solved(q)) => Ok(q),
         Ok(IkOutcome::Stuck {
@@ -239,12 +241,12 @@ fn solved(outcome: Result<IkOutcome, RobotError>) -> Result<JointPositions, Obst
             position_error,
             rotation_error,
         }),
-        // Poses and starts come from here and are finite.
+        // All poses and starts are computed here and finite.
         Err(_) => Err(Obstruction::unreachable()),
     }
 }
 
-/// The link nearest to two others that both hang on.
+/// Returns the last link that is common to the chains of two links.
 fn fork(robot: &RobotModel, a: LinkId, b: LinkId) -> LinkId {
     let up = |link| std::iter::once(link).chain(robot.joints_above(link).map(|joint| joint.parent));
     let of_a: Vec<LinkId> = up(a).collect();
@@ -269,7 +271,7 @@ mod tests {
         fn a_hand_leans_no_further_than_allowed_and_turns_no_more_than_it_must(
             bar in unit(), hand in unit(), max_lean in 0.0..FRAC_PI_2,
         ) {
-            let along = leaning(&bar, &hand, max_lean);
+            let along = limit_lean(&bar, &hand, max_lean);
             let line = |v: &Vector3| bar.cross(v).norm().atan2(bar.dot(v).abs());
             prop_assert!((along.norm() - 1.0).abs() < 1e-12);
             prop_assert!(line(&along) <= max_lean + 1e-9);

@@ -1,4 +1,5 @@
-//! The target surface as an obstacle: to the robot and its hand always, to the tool wherever it is not to touch it.
+//! The target surface as an obstacle: to the robot and its hand always, to the tool whenever it must not touch
+//! it.
 
 use crate::follow::FollowError;
 use crate::geometry::{Point2, Point3, Pose, Vector3};
@@ -8,27 +9,27 @@ use crate::robot::{CollisionModel, JointKind, Kinematics, LinkId, RobotModel};
 use nalgebra::{Translation3, UnitQuaternion};
 use std::f64::consts::TAU;
 
-/// How thick the surface is taken to be [m]: nothing is known of what carries it, so that it is no more than a sheet.
+/// Assumed thickness of the surface [m]: its carrier is unknown, so that it is only a sheet.
 const THICKNESS: f64 = 1e-3;
-/// How far behind the surface the tool does not go either [m]: nothing says what is there.
+/// Depth of the space behind the surface that the tool avoids [m]: its contents are unknown.
 const BEHIND: f64 = 1.0;
-/// How far the hand may reach below the tool's contact plane before it counts as below the surface [m].
+/// Depth of the hand below the tool's contact plane above which it counts as below the surface [m].
 const HAND_TOLERANCE: f64 = 1e-3;
-/// Most points of the hand by which its places are judged: the deepest.
+/// Largest number of points of the hand that are checked: the deepest.
 const HAND_POINTS: usize = 64;
-/// Directions of the tool that are tried for a place where the hand beside it hangs over the border.
+/// Number of yaws of the tool that are tried for a place where the hand beside it hangs over the border.
 const HAND_YAWS: usize = 16;
 
 /// The surface and the space behind it, as obstacles of collision models.
 pub(super) struct TargetSurface {
-    /// Name of the surface itself among the obstacles.
+    /// Name of the surface among the obstacles.
     pub face: String,
-    /// Name of the space behind it, which only the tool keeps out of; `None` where the tool waits there.
+    /// Name of the space behind it, which only the tool avoids; `None` where the tool waits there.
     pub behind: Option<String>,
 }
 
 impl TargetSurface {
-    /// Adds the surface of a task to models of a robot with its tool. `names` makes a name that nothing else has.
+    /// Adds the surface of a task to models of a robot with its tool. `names` makes a name unique.
     ///
     /// # Errors
     /// An outline without area, or geometry that no collision check takes.
@@ -60,7 +61,7 @@ impl TargetSurface {
     }
 }
 
-/// Whether the tool is behind the surface in a posture, as far as the surface reaches.
+/// Whether the tool is behind the surface in a posture, within the extent of the surface.
 pub(super) fn is_tool_behind(task: &Task, kinematics: &Kinematics<'_>, tool: &ToolMount) -> bool {
     let root_from_tool = kinematics.world_from_link(tool.tip) * tool.tip_from_tool;
     let surface_from_root = task.surface.world_from_surface.inverse() * tool.world_from_root;
@@ -72,23 +73,23 @@ pub(super) fn is_tool_behind(task: &Task, kinematics: &Kinematics<'_>, tool: &To
     task.tool.mesh.vertices().iter().any(is_behind)
 }
 
-/// Where the robot holds the tool.
+/// Where and how the robot holds the tool.
 pub(super) struct ToolMount {
     pub world_from_root: Pose,
     pub tip: LinkId,
     pub tip_from_tool: Pose,
 }
 
-/// Part of the hand that is below the surface wherever the tool touches it.
+/// Part of the hand that is below the surface at every node.
 #[derive(Debug, Clone, PartialEq)]
 pub(in crate::follow) struct HandBelow {
     pub link: String,
-    /// How far it reaches below the tool's contact plane [m].
+    /// Depth below the tool's contact plane [m].
     pub depth: f64,
 }
 
-/// The part of the hand that would be below the surface at every node of a plan, whichever way the tool is turned and leans;
-/// `None` where the hand is free somewhere, or the plan has no nodes.
+/// Returns the part of the hand that would be below the surface at every node of a plan, at any yaw and lean of
+/// the tool; `None` if the hand is free at some node, or the plan has no nodes.
 pub(super) fn hand_below(
     task: &Task,
     plan: &Plan,
@@ -149,7 +150,7 @@ pub(super) fn hand_below(
     worst
 }
 
-/// The links that move with the tool: those fixed to the tip, and all that these hold.
+/// Returns the links that move with the tool: those fixed to the tip, and all links that these carry.
 fn hand_links(robot: &RobotModel, tip: LinkId) -> Vec<LinkId> {
     let mut first = tip;
     for joint in robot.joints_above(tip) {

@@ -1,4 +1,4 @@
-//! Plans in the making, and the ways to change them.
+//! Drafts of plans, and the random moves that change them.
 
 use super::ways::KnownWays;
 use crate::geometry::{Bounds2, Edge, PlanarPose, Point2, Vector2, wrap_angle};
@@ -8,48 +8,52 @@ use crate::represent::{Action, GoalState, Task};
 use rand::RngExt;
 use rand_chacha::ChaCha8Rng;
 
-/// Small and large steps of a place [m] and of a heading [rad], as standard deviations; places over the tool's size.
+/// Standard deviations of small, medium and large steps of a position, over the tool's size [1], and of a
+/// heading [rad].
 const STEPS: [f64; 3] = [0.03, 0.12, 0.5];
 const TURN: f64 = 0.15;
-/// Share of the strokes that are turned across their motion when they change [1].
+/// Probability that a changed stroke is turned so that the tool's broad side is across its motion [1].
 const ALIGNED: f64 = 0.6;
-/// Share of new pushes that lead only to where another stroke takes along what they bring [1], the nearest of so many.
-const LEADING_ON: f64 = 0.4;
+/// Probability that a new push ends on another stroke, which takes its dirt along [1], and the number of
+/// strokes considered for that.
+const ENDING_ON_STROKE: f64 = 0.4;
 const TRIED_STROKES: usize = 3;
-/// A visit of a place that no stroke can pass is a stroke as long as this [m], after so many strokes have been tried.
+/// Length of a stroke at a place that no existing stroke can pass [m], and the number of strokes considered for
+/// a detour.
 const DAB: f64 = 0.01;
 const TRIED_DETOURS: usize = 3;
-/// Share of new pushes that begin where a corner of the tool just comes over the dirt, and of the others those that begin with the
-/// tool over it, turned at random [1].
-const REACHING: f64 = 0.25;
-const COVERING: f64 = 0.25;
-/// Share of the former pushes that go on for no more than the tool's size, whichever way [1].
-const HANDING_ON: f64 = 0.3;
-/// Steps towards a place in search of where the tool may stand, up to this share of its reach, and directions that are tried.
+/// Probability that a new push begins with a corner of the tool just over the dirt; and of all other pushes,
+/// that it begins with the tool over the dirt, turned at random [1].
+const WITH_CORNER: f64 = 0.25;
+const WITH_TOOL_OVER: f64 = 0.25;
+/// Probability that a push with a corner of the tool ends within the tool's size, in any direction [1].
+const SHORT_PUSH: f64 = 0.3;
+/// Number of steps towards a place in search of a free pose, largest share of the reach that they use, and
+/// number of directions.
 const REACHES: i32 = 13;
 const FARTHEST: f64 = 0.99;
 const TRIED_DIRECTIONS: usize = 12;
-/// The tool keeps this far from places that are to be avoided [m].
+/// Distance that the tool keeps from places to avoid [m].
 const AVOIDED: f64 = 0.03;
-/// A stroke ends within this way of the border over which it skims, beyond it, over the radius of the collision sphere [1].
+/// A skimming stroke ends at most this far beyond the border, over the radius of the collision sphere [1].
 const BEYOND: f64 = 1.0;
 
-/// Strokes that may change.
+/// The strokes of a plan, in the form that the search changes.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Draft {
-    /// Poses of the tool from touching down to lifting off, at least one each.
+    /// For each stroke the tool's poses from touching down to lifting off, at least one.
     pub(super) strokes: Vec<Vec<PlanarPose>>,
     pub(super) goal: GoalState,
 }
 
 impl Draft {
-    /// A plan's strokes as the search changes them: pushes are straight.
+    /// Returns a plan's strokes as the search changes them: every push is straight.
     pub(super) fn of(plan: &Plan) -> Self {
         let strokes = plan.strokes.iter().map(|stroke| stroke.poses.clone());
         let strokes = if plan.graph.goal == GoalState::Absorbed {
             strokes.collect()
         } else {
-            strokes.flat_map(|poses| straight(&poses)).collect()
+            strokes.flat_map(|poses| split_into_edges(&poses)).collect()
         };
         Self {
             strokes,
@@ -59,7 +63,7 @@ impl Draft {
 }
 
 impl Draft {
-    /// A plan's strokes as they are.
+    /// Returns a plan's strokes unchanged.
     pub(super) fn exactly(plan: &Plan) -> Self {
         Self {
             strokes: plan
@@ -71,7 +75,8 @@ impl Draft {
         }
     }
 
-    /// The draft without what leads to places that are to be avoided: poses of strokes that absorb, whole pushes.
+    /// Returns the draft without poses near places to avoid: of strokes that absorb the poses, of pushes the
+    /// whole stroke.
     pub(super) fn without(mut self, avoid: &[Point2]) -> Self {
         if self.goal == GoalState::Absorbed {
             for poses in &mut self.strokes {
@@ -86,7 +91,7 @@ impl Draft {
         self
     }
 
-    /// The way in contact [m].
+    /// Length of the path in contact [m].
     pub(super) fn distance(&self) -> f64 {
         let legs = self.strokes.iter().flat_map(|stroke| stroke.windows(2));
         legs.map(|leg| (leg[1].position - leg[0].position).norm())
@@ -94,12 +99,12 @@ impl Draft {
     }
 }
 
-/// Changes drafts at random, within what the tool may do.
+/// Random moves of the annealing, within the limits of the tool.
 pub(super) struct Mutator<'a> {
     pub(super) task: &'a Task,
     pub(super) space: &'a FreeSpace,
     pub(super) allowed_edges: &'a [Edge],
-    /// Where the tool must not go, such as where no robot leads it [m].
+    /// Places that the tool must avoid, for example places out of the robot's reach [m].
     pub(super) avoid: &'a [Point2],
     pub(super) ways: KnownWays<'a>,
     pub(super) footprint: Bounds2,
@@ -107,7 +112,8 @@ pub(super) struct Mutator<'a> {
 }
 
 impl Mutator<'_> {
-    /// A neighbour of a draft that leaves dirt at these places; `None` where the step leads nowhere.
+    /// Returns a neighbour of a draft; `None` if the random move is not possible. `left`: places of dirt that
+    /// the draft leaves [m].
     pub(super) fn neighbour(&mut self, draft: &Draft, left: &[Point2]) -> Option<Draft> {
         let mut next = draft.clone();
         let choice = self.random.random::<f64>();
@@ -146,7 +152,7 @@ impl Mutator<'_> {
         is_possible.then_some(next)
     }
 
-    /// Whether the tool may make a stroke.
+    /// Whether the tool can make a stroke.
     pub(super) fn is_possible(&mut self, poses: &[PlanarPose]) -> bool {
         let ends_well = poses
             .last()
@@ -161,7 +167,7 @@ impl Mutator<'_> {
                 .all(|pair| ways.is_clear_between(pair[0].position, pair[1].position))
     }
 
-    /// Whether a stroke may end at a place: on the surface, or a little beyond an edge over which dirt is to go.
+    /// Whether a stroke may end at a place: on the surface, or a little beyond an edge over which dirt may go.
     fn is_allowed(&mut self, place: Point2) -> bool {
         let beyond = BEYOND * self.space.radius() + 1e-9;
         let is_beyond = || {
@@ -175,29 +181,32 @@ impl Mutator<'_> {
         self.task.action == Action::Collect && self.task.collect_goal.is_none()
     }
 
-    /// A place of a number out of so many, if there is any.
-    fn one_of(&mut self, count: usize) -> Option<usize> {
+    /// Returns a random index below `count`; `None` if `count` is 0.
+    fn random_index(&mut self, count: usize) -> Option<usize> {
         (count > 0).then(|| self.random.random_range(0..count))
     }
 
+    /// Draws a random step of a position [m], with one of the standard deviations [`STEPS`].
     fn step(&mut self) -> Vector2 {
         let size = self.footprint.size().max();
         let scale = STEPS[self.random.random_range(0..STEPS.len())] * size;
         Vector2::new(normal(&mut self.random), normal(&mut self.random)) * scale
     }
 
+    /// Moves one pose of a stroke. Each move returns the indices of the strokes that it changed.
     fn move_pose(&mut self, draft: &mut Draft) -> Option<Vec<usize>> {
-        let stroke = self.one_of(draft.strokes.len())?;
-        let pose = self.one_of(draft.strokes[stroke].len())?;
+        let stroke = self.random_index(draft.strokes.len())?;
+        let pose = self.random_index(draft.strokes[stroke].len())?;
         draft.strokes[stroke][pose].position += self.step();
         if draft.goal != GoalState::Absorbed && self.random.random::<f64>() < ALIGNED {
-            aligned(&mut draft.strokes[stroke]);
+            align_to_motion(&mut draft.strokes[stroke]);
         }
         Some(vec![stroke])
     }
 
+    /// Moves a whole stroke.
     fn move_stroke(&mut self, draft: &mut Draft) -> Option<Vec<usize>> {
-        let stroke = self.one_of(draft.strokes.len())?;
+        let stroke = self.random_index(draft.strokes.len())?;
         let step = self.step();
         for pose in &mut draft.strokes[stroke] {
             pose.position += step;
@@ -205,9 +214,9 @@ impl Mutator<'_> {
         Some(vec![stroke])
     }
 
-    /// Turns the tool at a pose, or all along a stroke.
+    /// Turns the tool at one pose, or along a whole stroke.
     fn turn(&mut self, draft: &mut Draft) -> Option<Vec<usize>> {
-        let stroke = self.one_of(draft.strokes.len())?;
+        let stroke = self.random_index(draft.strokes.len())?;
         let poses = &mut draft.strokes[stroke];
         let by = normal(&mut self.random) * TURN;
         match self.random.random_range(0..3) {
@@ -225,28 +234,28 @@ impl Mutator<'_> {
         Some(vec![stroke])
     }
 
-    /// The broad side across the motion again.
+    /// Turns the broad side of the tool across the motion again.
     fn align(&mut self, draft: &mut Draft) -> Option<Vec<usize>> {
-        let stroke = self.one_of(draft.strokes.len())?;
-        aligned(&mut draft.strokes[stroke]);
+        let stroke = self.random_index(draft.strokes.len())?;
+        align_to_motion(&mut draft.strokes[stroke]);
         Some(vec![stroke])
     }
 
-    /// A stroke that pushes dirt which is left to where it belongs.
+    /// Adds a stroke that pushes remaining dirt to where it belongs.
     fn add_push(&mut self, draft: &mut Draft, left: &[Point2]) -> Option<Vec<usize>> {
-        let dirt = match self.one_of(left.len()) {
+        let dirt = match self.random_index(left.len()) {
             Some(i) => left[i],
             None => {
                 let places: Vec<Point2> = self.task.particles.remaining().collect();
-                places[self.one_of(places.len())?]
+                places[self.random_index(places.len())?]
             }
         };
-        let landing = match self.random.random::<f64>() < REACHING {
-            true => Some(self.reaching(dirt)?),
+        let landing = match self.random.random::<f64>() < WITH_CORNER {
+            true => Some(self.pose_with_corner_over(dirt)?),
             false => None,
         };
         if let Some(landing) = landing
-            && self.random.random::<f64>() < HANDING_ON
+            && self.random.random::<f64>() < SHORT_PUSH
         {
             // Only out of its corner, from where another stroke may fetch it.
             let angle = std::f64::consts::TAU * self.random.random::<f64>();
@@ -257,8 +266,8 @@ impl Mutator<'_> {
             draft.strokes.insert(at, vec![landing, out]);
             return Some(vec![at]);
         }
-        let leads_on = match self.random.random::<f64>() < LEADING_ON {
-            true => self.taken_along(draft, dirt, landing.as_ref()),
+        let leads_on = match self.random.random::<f64>() < ENDING_ON_STROKE {
+            true => self.find_carrying_stroke(draft, dirt, landing.as_ref()),
             false => None,
         };
         let (target, taken_by) = match leads_on {
@@ -277,11 +286,11 @@ impl Mutator<'_> {
         let from = dirt - along * behind + aside;
         let to = target - along * before + aside * self.random.random::<f64>();
         let mut poses = vec![PlanarPose::new(from, 0.0), PlanarPose::new(to, 0.0)];
-        aligned(&mut poses);
+        align_to_motion(&mut poses);
         let landing = match landing {
-            None if self.random.random::<f64>() < COVERING => {
+            None if self.random.random::<f64>() < WITH_TOOL_OVER => {
                 let heading = poses[0].heading + 3.0 * TURN * normal(&mut self.random);
-                Some(self.covering(dirt, heading))
+                Some(self.pose_over(dirt, heading))
             }
             landing => landing,
         };
@@ -289,7 +298,7 @@ impl Mutator<'_> {
             let towards = landing.position + (to - dirt);
             poses = vec![landing, PlanarPose::new(towards, landing.heading)];
         }
-        // Most often last, as what is left lies where it lies only then.
+        // Most often last, because the remaining dirt reaches its place only then.
         let at = match taken_by {
             Some(stroke) => stroke,
             None if self.random.random::<f64>() < 0.6 => draft.strokes.len(),
@@ -299,9 +308,10 @@ impl Mutator<'_> {
         Some(vec![at])
     }
 
-    /// A place that a stroke passes near some dirt, and which stroke: pushed there, it is taken along. The nearest of a few
-    /// strokes, to which the tool can go straight if it lands like this.
-    fn taken_along(
+    /// Returns a place near some dirt that a stroke passes, and the index of that stroke: the stroke takes dirt
+    /// along that is pushed there. Of a few strokes the nearest is taken that the tool can reach straight from
+    /// this landing pose.
+    fn find_carrying_stroke(
         &mut self,
         draft: &Draft,
         dirt: Point2,
@@ -309,7 +319,7 @@ impl Mutator<'_> {
     ) -> Option<(Point2, usize)> {
         let mut nearest: Option<(f64, Point2, usize)> = None;
         for _ in 0..TRIED_STROKES {
-            let stroke = self.one_of(draft.strokes.len())?;
+            let stroke = self.random_index(draft.strokes.len())?;
             for leg in draft.strokes[stroke].windows(2) {
                 let (from, along) = (leg[0].position, leg[1].position - leg[0].position);
                 let share = (dirt - from).dot(&along) / along.norm_squared().max(1e-12);
@@ -330,13 +340,13 @@ impl Mutator<'_> {
         Some((place + self.step() * 0.5, stroke))
     }
 
-    /// Where dirt is to be pushed: the goal, or a place beyond an edge near it.
+    /// Returns the target of a push: the goal, or a place beyond a nearby edge over which dirt may go.
     fn target(&mut self, goal: &GoalState, dirt: Point2) -> Option<Point2> {
         match goal {
             GoalState::Absorbed | GoalState::Polished { .. } | GoalState::Emitted { .. } => None,
             GoalState::Collected { center, .. } => Some(*center),
             GoalState::Skimmed => {
-                let edge = self.allowed_edges[self.one_of(self.allowed_edges.len())?];
+                let edge = self.allowed_edges[self.random_index(self.allowed_edges.len())?];
                 let along = edge.end - edge.start;
                 let share = (dirt - edge.start).dot(&along) / along.norm_squared();
                 let share = (share + 0.15 * normal(&mut self.random)).clamp(0.0, 1.0);
@@ -346,8 +356,8 @@ impl Mutator<'_> {
         }
     }
 
-    /// A pose of this heading in which the tool stands on a place, anywhere under it.
-    fn covering(&mut self, place: Point2, heading: f64) -> PlanarPose {
+    /// Returns a pose with this heading whose footprint covers a place, at a random position under the tool.
+    fn pose_over(&mut self, place: Point2, heading: f64) -> PlanarPose {
         let Bounds2 { min, max } = self.footprint;
         let mut within = |min: f64, max: f64| min + (max - min) * self.random.random::<f64>();
         let under = Vector2::new(within(min.x, max.x), within(min.y, max.y));
@@ -355,9 +365,9 @@ impl Mutator<'_> {
         PlanarPose::new(place - turned.coords, heading)
     }
 
-    /// A pose in which a corner of the tool comes over a place, from as near to it as the scene lets the tool stand in some
-    /// direction.
-    fn reaching(&mut self, place: Point2) -> Option<PlanarPose> {
+    /// Returns a pose with a corner of the tool over a place, from a random direction, as near to the place as
+    /// the scene allows.
+    fn pose_with_corner_over(&mut self, place: Point2) -> Option<PlanarPose> {
         let Bounds2 { min, max } = self.footprint;
         let corners = Bounds2 { min, max }.corners();
         let corner = corners[self.random.random_range(0..corners.len())].coords;
@@ -370,20 +380,22 @@ impl Mutator<'_> {
             let stands = steps.find(|&stands| self.is_allowed(stands))?;
             Some((away, stands))
         })?;
-        // The corner a little beyond the place.
+        // The corner lies a little beyond the place.
         let heading = libm::atan2(-away.y, -away.x) - libm::atan2(corner.y, corner.x);
         Some(PlanarPose::new(stands, heading))
     }
 
+    /// Removes a stroke.
     fn drop_stroke(&mut self, draft: &mut Draft) -> Option<Vec<usize>> {
-        let stroke = self.one_of(draft.strokes.len())?;
+        let stroke = self.random_index(draft.strokes.len())?;
         draft.strokes.remove(stroke);
         Some(Vec::new())
     }
 
+    /// Moves a stroke to another position in the order of execution.
     fn reorder(&mut self, draft: &mut Draft) -> Option<Vec<usize>> {
-        let from = self.one_of(draft.strokes.len())?;
-        let to = self.one_of(draft.strokes.len())?;
+        let from = self.random_index(draft.strokes.len())?;
+        let to = self.random_index(draft.strokes.len())?;
         if from == to {
             return None;
         }
@@ -392,8 +404,9 @@ impl Mutator<'_> {
         Some(Vec::new())
     }
 
+    /// Removes a pose from a stroke.
     fn drop_pose(&mut self, draft: &mut Draft) -> Option<Vec<usize>> {
-        let stroke = self.one_of(draft.strokes.len())?;
+        let stroke = self.random_index(draft.strokes.len())?;
         let poses = &mut draft.strokes[stroke];
         if poses.len() <= 2 {
             return None;
@@ -401,23 +414,23 @@ impl Mutator<'_> {
         let pose = self.random.random_range(0..poses.len());
         poses.remove(pose);
         if draft.goal != GoalState::Absorbed {
-            aligned(&mut draft.strokes[stroke]);
+            align_to_motion(&mut draft.strokes[stroke]);
         }
         Some(vec![stroke])
     }
 
-    /// Comes by a place where dirt is left, where that is the shortest detour.
+    /// Inserts a place with remaining dirt into a stroke, where the detour is shortest.
     fn visit(&mut self, draft: &mut Draft, left: &[Point2]) -> Option<Vec<usize>> {
-        let dirt = left[self.one_of(left.len())?];
-        // As the tool stands there already, or turned so that it reaches into a corner.
+        let dirt = left[self.random_index(left.len())?];
+        // With the tool's present heading, or turned so that it reaches into a corner.
         let (place, turned) = if self.random.random::<f64>() < ALIGNED {
             (dirt + self.step(), None)
         } else if self.random.random::<bool>() {
-            let pose = self.reaching(dirt)?;
+            let pose = self.pose_with_corner_over(dirt)?;
             (pose.position, Some(pose.heading))
         } else {
             let heading = std::f64::consts::TAU * self.random.random::<f64>();
-            (self.covering(dirt, heading).position, Some(heading))
+            (self.pose_over(dirt, heading).position, Some(heading))
         };
         let mut detours = Vec::new();
         for (s, poses) in draft.strokes.iter().enumerate() {
@@ -456,9 +469,9 @@ impl Mutator<'_> {
         Some(vec![stroke])
     }
 
-    /// Runs through some poses the other way round (2-opt).
+    /// Reverses the order of some poses (2-opt).
     fn reverse(&mut self, draft: &mut Draft) -> Option<Vec<usize>> {
-        let stroke = self.one_of(draft.strokes.len())?;
+        let stroke = self.random_index(draft.strokes.len())?;
         let poses = &mut draft.strokes[stroke];
         let a = self.random.random_range(0..poses.len());
         let b = self.random.random_range(0..poses.len());
@@ -470,9 +483,9 @@ impl Mutator<'_> {
         Some(vec![stroke])
     }
 
-    /// Two strokes of one.
+    /// Cuts a stroke in two.
     fn cut(&mut self, draft: &mut Draft) -> Option<Vec<usize>> {
-        let stroke = self.one_of(draft.strokes.len())?;
+        let stroke = self.random_index(draft.strokes.len())?;
         if draft.strokes[stroke].len() < 4 {
             return None;
         }
@@ -482,12 +495,12 @@ impl Mutator<'_> {
         Some(Vec::new())
     }
 
-    /// One stroke of two that follow one another.
+    /// Joins two consecutive strokes.
     fn join(&mut self, draft: &mut Draft) -> Option<Vec<usize>> {
-        let stroke = self.one_of(draft.strokes.len().saturating_sub(1))?;
+        let stroke = self.random_index(draft.strokes.len().saturating_sub(1))?;
         let mut next = draft.strokes.remove(stroke + 1);
         let poses = &mut draft.strokes[stroke];
-        // As it is turned already, but for whole turns.
+        // The present heading, up to whole turns.
         let heading = poses.last()?.heading;
         let turns = heading + wrap_angle(next[0].heading - heading) - next[0].heading;
         next.iter_mut().for_each(|pose| pose.heading += turns);
@@ -495,16 +508,17 @@ impl Mutator<'_> {
         Some(vec![stroke])
     }
 
-    /// One straight stroke from the beginning of one to the end of another.
+    /// Replaces two strokes by one straight stroke, from the start of the first to the end of the second.
     fn straighten(&mut self, draft: &mut Draft) -> Option<Vec<usize>> {
-        let stroke = self.one_of(draft.strokes.len().saturating_sub(1))?;
+        let stroke = self.random_index(draft.strokes.len().saturating_sub(1))?;
         let next = draft.strokes.remove(stroke + 1);
         let mut poses = vec![*draft.strokes[stroke].first()?, *next.last()?];
-        aligned(&mut poses);
+        align_to_motion(&mut poses);
         draft.strokes[stroke] = poses;
         Some(vec![stroke])
     }
 
+    /// Moves the goal of a collect whose goal the planner may choose.
     fn move_goal(&mut self, draft: &mut Draft) -> Option<Vec<usize>> {
         let step = self.step();
         let GoalState::Collected { center, .. } = &mut draft.goal else {
@@ -516,23 +530,23 @@ impl Mutator<'_> {
     }
 }
 
-/// Whether a place is one of those that are to be avoided, or beside it.
+/// Whether a place is within [`AVOIDED`] of a place to avoid.
 fn is_near(avoid: &[Point2], place: Point2) -> bool {
     avoid.iter().any(|other| (place - other).norm() < AVOIDED)
 }
 
-/// A stroke's edges, each with the broad side of the tool across it.
-fn straight(poses: &[PlanarPose]) -> Vec<Vec<PlanarPose>> {
+/// Returns a stroke's edges as separate strokes, each with the broad side of the tool across it.
+fn split_into_edges(poses: &[PlanarPose]) -> Vec<Vec<PlanarPose>> {
     let edges = poses.windows(2).map(|pair| {
         let mut edge = pair.to_vec();
-        aligned(&mut edge);
+        align_to_motion(&mut edge);
         edge
     });
     edges.collect()
 }
 
-/// Lets every pose of a stroke head for the next one, the last as the one before.
-fn aligned(poses: &mut [PlanarPose]) {
+/// Turns every pose of a stroke towards the next pose; the last pose keeps the heading before it.
+fn align_to_motion(poses: &mut [PlanarPose]) {
     let mut heading = None;
     for i in 0..poses.len() {
         if let Some(next) = poses.get(i + 1) {

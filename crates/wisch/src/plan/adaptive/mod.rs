@@ -1,9 +1,9 @@
-//! Strokes found by trying: whole plans are changed at random, and kept by what they are simulated to do.
+//! Search for strokes: random moves change whole plans, and the simulated effect decides which are kept.
 //!
-//! Simulated annealing (Kirkpatrick, Gelatt and Vecchi, 1983) over the poses of all strokes. A step moves, turns, adds,
-//! drops, joins or reorders strokes (`draft`), and the effect model says what the plan then does to all of the dirt
-//! (`trials`, `value`). Nothing is bound to nodes of a coverage graph: those of the other strategies only give the plans to begin
-//! with.
+//! Simulated annealing (Kirkpatrick, Gelatt and Vecchi, 1983) over the poses of all strokes. A move shifts,
+//! turns, adds, drops, joins or reorders strokes (`draft`); the effect model then simulates the plan's effect
+//! on all of the dirt (`trials`, `value`). Poses are not bound to nodes of a coverage graph: plans of coverage
+//! strategies only start the search.
 
 mod draft;
 mod trials;
@@ -20,31 +20,35 @@ use rand::RngExt;
 use rand_chacha::{ChaCha8Rng, rand_core::SeedableRng};
 use rayon::prelude::*;
 use trials::Trials;
-pub(super) use value::Judge;
+pub(super) use value::Valuation;
 use value::Value;
 use ways::KnownWays;
 
-/// Independent searches, of which the best counts; so many however many threads there are.
+/// Number of independent searches, of which the best counts; it does not depend on the number of threads.
 const SEARCHES: usize = 4;
-/// Loss of value that is accepted with probability 1/e at the beginning and at the end, in shares of the dirt [1].
+/// Temperatures at the start and at the end: the loss of value accepted with probability 1/e, in shares of the
+/// dirt [1].
 const TEMPERATURES: [f64; 2] = [0.01, 2e-4];
-/// The former where a plan is only mended [1], and the share of the evaluations that this takes [1].
-const MENDING_TEMPERATURE: f64 = 1e-3;
-const MENDING: f64 = 0.3;
-/// Share of the evaluations that go into a plan for the tool as it is as well, where that is certain [1], and the loss of value that
-/// is accepted then at the beginning, as above [1].
-const POLISHING: f64 = 0.4;
-const POLISHING_TEMPERATURE: f64 = 3e-3;
-/// Steps that lead nowhere for each that is judged, at most.
+/// Start temperature where a plan is only repaired [1], and the share of the evaluations that the repair takes
+/// [1].
+const REPAIR_TEMPERATURE: f64 = 1e-3;
+const REPAIR: f64 = 0.3;
+/// Share of the evaluations that also value the plan for the tool at its exact size, where the dirt is certain
+/// [1]; and the start temperature of that phase [1].
+const REFINEMENT: f64 = 0.4;
+const REFINEMENT_TEMPERATURE: f64 = 3e-3;
+/// Largest number of impossible moves per evaluated plan.
 const MAX_REFUSED: usize = 8;
-/// Beyond this many strokes, a draft begins without those that meet no dirt.
+/// Above this number of strokes, a draft starts without strokes that touch no dirt.
 const MANY_STROKES: usize = 200;
-/// Steps that are simulated for each plan that is judged, at most on average: plans of thousands of strokes are tried less often.
+/// Largest mean number of simulated steps per evaluated plan: plans of thousands of strokes get fewer
+/// evaluations.
 const MAX_STEPS: usize = 1000;
 
-/// The best plan for dirt that may lie like any of these, which the search finds from these plans on the same whatever the number of
-/// threads. A plan that is only mended leads to none of these places [m].
-pub(super) fn searched(
+/// Returns the best plan that the search finds from the given plans, for all given distributions of the dirt.
+/// The result does not depend on the number of threads. A plan that is only repaired leads to none of the
+/// places in `avoid` [m].
+pub(super) fn search(
     task: &Task,
     dirt: &[ParticleDistribution],
     space: &FreeSpace,
@@ -55,19 +59,20 @@ pub(super) fn searched(
     let search = &config.search;
     let avoid = mending.unwrap_or_default();
     let (hot, share) = match mending {
-        Some(_) => (MENDING_TEMPERATURE, MENDING),
+        Some(_) => (REPAIR_TEMPERATURE, REPAIR),
         None => (TEMPERATURES[0], 1.0),
     };
     let evaluations = (share * search.evaluations as f64) as usize;
-    let judge = Judge::new(task, dirt, space, search.margin_m, config.max_distance).searching();
+    let valuation =
+        Valuation::new(task, dirt, space, search.margin_m, config.max_distance).for_search();
     let mut starts: Vec<(Value, Draft)> = begun_with
         .iter()
-        .map(|plan| without_idle(Draft::of(plan).without(avoid), &judge))
-        .map(|draft| (Trials::new(&judge, &draft.goal).value(&draft), draft))
+        .map(|plan| drop_idle_strokes(Draft::of(plan).without(avoid), &valuation))
+        .map(|draft| (Trials::new(&valuation, &draft.goal).value(&draft), draft))
         .collect();
-    starts.sort_by(|a, b| b.0.worth.total_cmp(&a.0.worth));
+    starts.sort_by(|a, b| b.0.total.total_cmp(&a.0.total));
     let pattern = begun_with.first()?;
-    let polishing = judge.polishing();
+    let polishing = valuation.for_refinement();
     let searches = (0..SEARCHES).into_par_iter().map(|number| {
         let (value, draft) = starts[number % starts.len().min(SEARCHES)].clone();
         let mut random = ChaCha8Rng::seed_from_u64(config.seed);
@@ -75,45 +80,49 @@ pub(super) fn searched(
         let mut mutator = Mutator {
             task,
             space,
-            allowed_edges: judge.allowed_edges(),
+            allowed_edges: valuation.allowed_edges(),
             avoid,
             ways: KnownWays::new(space),
             footprint: task.tool.footprint.bounds()?,
             random,
         };
-        let steps = |share: f64, judge: &Judge| {
-            (share * evaluations as f64) as usize / (SEARCHES * judge.worlds().len()).max(1)
+        let steps = |share: f64, valuation: &Valuation| {
+            (share * evaluations as f64) as usize / (SEARCHES * valuation.worlds().len()).max(1)
         };
         let Some(polishing) = &polishing else {
-            let steps = steps(1.0, &judge);
-            return Some(annealed(&judge, &mut mutator, (value, draft), steps, hot));
+            let steps = steps(1.0, &valuation);
+            return Some(anneal(&valuation, &mut mutator, (value, draft), steps, hot));
         };
-        let first = steps(1.0 - POLISHING, &judge);
-        let (_, draft) = annealed(&judge, &mut mutator, (value, draft), first, hot);
+        let first = steps(1.0 - REFINEMENT, &valuation);
+        let (_, draft) = anneal(&valuation, &mut mutator, (value, draft), first, hot);
         let value = Trials::new(polishing, &draft.goal).value(&draft);
-        let (hot, last) = (hot.min(POLISHING_TEMPERATURE), steps(POLISHING, polishing));
+        let (hot, last) = (
+            hot.min(REFINEMENT_TEMPERATURE),
+            steps(REFINEMENT, polishing),
+        );
         let start = (value, draft);
-        Some(annealed(polishing, &mut mutator, start, last, hot))
+        Some(anneal(polishing, &mut mutator, start, last, hot))
     });
     let found: Vec<Option<(Value, Draft)>> = searches.collect();
     let best = (found.into_iter().flatten()).reduce(|best, next| {
-        if next.0.worth > best.0.worth {
+        if next.0.total > best.0.total {
             next
         } else {
             best
         }
     });
-    best.map(|(_, draft)| assembled(pattern, draft))
+    best.map(|(_, draft)| assemble_plan(pattern, draft))
 }
 
-/// A draft of very many strokes without those that meet no dirt of any world: a grid over a floor has mostly such.
-fn without_idle(mut draft: Draft, judge: &Judge<'_>) -> Draft {
+/// Removes from a draft of very many strokes those that touch no dirt in any world: of a grid over a floor,
+/// most do not.
+fn drop_idle_strokes(mut draft: Draft, valuation: &Valuation<'_>) -> Draft {
     if draft.strokes.len() <= MANY_STROKES {
         return draft;
     }
-    let task = judge.task();
+    let task = valuation.task();
     let mut meets = vec![false; draft.strokes.len()];
-    for world in judge.worlds() {
+    for world in valuation.worlds() {
         let mut model = EffectModel::new(&task.tool.footprint, draft.goal.action().effect());
         let mut field = world.field.clone();
         for (poses, meets) in draft.strokes.iter().zip(&mut meets) {
@@ -132,14 +141,17 @@ fn without_idle(mut draft: Draft, judge: &Judge<'_>) -> Draft {
     draft
 }
 
-/// The score of a plan, term by term.
-pub(super) fn score(judge: &Judge<'_>, plan: &Plan) -> PlanScore {
+/// Returns the score of a plan, term by term.
+pub(super) fn score(valuation: &Valuation<'_>, plan: &Plan) -> PlanScore {
     let draft = Draft::exactly(plan);
-    Trials::new(judge, &draft.goal).score(&draft)
+    Trials::new(valuation, &draft.goal).score(&draft)
 }
 
-fn annealed(
-    judge: &Judge<'_>,
+/// Runs simulated annealing from a draft and returns the best draft found, with its value.
+///
+/// `budget`: number of evaluations. `hot`: temperature at the start [1].
+fn anneal(
+    valuation: &Valuation<'_>,
     mutator: &mut Mutator<'_>,
     start: (Value, Draft),
     budget: usize,
@@ -147,27 +159,29 @@ fn annealed(
 ) -> (Value, Draft) {
     let mut now = start.clone();
     let mut best = start;
-    let mut trials = Trials::new(judge, &now.1.goal);
+    let mut trials = Trials::new(valuation, &now.1.goal);
     trials.value(&now.1);
     trials.keep();
     let cold = TEMPERATURES[1];
     let (mut judged, mut refused) = (0, 0);
-    let most_steps = MAX_STEPS * budget * judge.worlds().len();
+    let most_steps = MAX_STEPS * budget * valuation.worlds().len();
     while judged < budget && refused < MAX_REFUSED * budget && trials.simulated() < most_steps {
         let Some(draft) = mutator.neighbour(&now.1, &now.0.left) else {
             refused += 1;
             continue;
         };
         let passed = judged as f64 / budget as f64;
+        // Geometric cooling: T = T_hot (T_cold / T_hot)^progress.
         let temperature = hot * libm::pow(cold / hot, passed);
         judged += 1;
         let value = trials.value(&draft);
-        let gain = value.worth - now.0.worth;
+        let gain = value.total - now.0.total;
         let chance: f64 = mutator.random.random();
+        // Metropolis rule: a loss is accepted with probability exp(gain / T).
         if gain >= 0.0 || chance < libm::exp(gain / temperature) {
             trials.keep();
             now = (value, draft);
-            if now.0.worth > best.0.worth {
+            if now.0.total > best.0.total {
                 best = now.clone();
             }
         }
@@ -175,8 +189,8 @@ fn annealed(
     best
 }
 
-/// A draft as a plan: each stroke has nodes of its own, those that it ends at where dirt belongs are goals.
-fn assembled(pattern: &Plan, draft: Draft) -> Plan {
+/// Returns the plan of a draft: each stroke has its own nodes, and final nodes where dirt belongs are goals.
+fn assemble_plan(pattern: &Plan, draft: Draft) -> Plan {
     let Draft { strokes, goal } = draft;
     let is_goal =
         |stroke: &[PlanarPose], i: usize| goal != GoalState::Absorbed && i + 1 == stroke.len();

@@ -1,28 +1,29 @@
-//! Plans tried in worlds, one after the other; what they begin with alike is simulated once.
+//! Simulation of drafts in several worlds; the part that a draft shares with the last kept draft is simulated
+//! only once.
 
 use super::draft::Draft;
-use super::value::{Judge, State, Value, World};
+use super::value::{State, Valuation, Value, World};
 use crate::geometry::PlanarPose;
 use crate::plan::PlanScore;
 use crate::plan::objective::EdgeMargin;
 use crate::represent::{Effect, EffectModel, GoalState, Task, ToolMotion};
 use std::rc::Rc;
 
-/// How far the force has not yet risen when a stroke begins [m].
+/// Distance from the start of a stroke on which the force is still rising [m].
 const LANDING: f64 = 0.005;
-/// Depth of a heap of all particles, over the radius of the collision sphere: between what the belief draws and
-/// [`HEAP_DEPTH`](crate::represent::HEAP_DEPTH) [1].
+/// Depth of a heap of all particles, over the radius of the collision sphere [1]: between what the belief draws
+/// and [`HEAP_DEPTH`](crate::represent::HEAP_DEPTH).
 const HEAP: f64 = 0.2;
-/// States are kept this many steps apart, or farther in drafts of very many steps: so many states at most.
-const APART: usize = 4;
+/// Number of steps between kept states, more in long drafts; and the largest number of kept states.
+const SPACING: usize = 4;
 const MOST_STATES: usize = 256;
 
-/// What the tool does at once: a motion in contact, or none where it only touches down.
+/// One step of the tool: a motion in contact, or a touch without motion.
 #[derive(Debug, Clone, Copy, PartialEq)]
 struct Step {
     motion: Option<ToolMotion>,
     is_first: bool,
-    /// Whether the tool lifts off after it.
+    /// Whether the tool is lifted after the step.
     lifts: bool,
 }
 
@@ -49,41 +50,41 @@ fn steps_of(draft: &Draft) -> Vec<Step> {
     steps
 }
 
-/// The steps of a draft, and for each world how it was before some of them.
+/// The steps of a draft, and for each world its state before some of the steps.
 #[derive(Default)]
 struct Rollout {
     steps: Vec<Step>,
     states: Vec<Vec<(usize, Rc<State>)>>,
 }
 
-/// Values one draft after the other. What a draft has in common with the one that was kept last, from its beginning on, is
-/// not simulated again.
+/// Simulation of one draft after the other. Steps that a draft shares from its start with the draft kept last
+/// are not simulated again.
 pub(super) struct Trials<'a> {
-    judge: &'a Judge<'a>,
+    valuation: &'a Valuation<'a>,
     models: Vec<EffectModel>,
     kept: Rollout,
     tried: Rollout,
-    /// Steps that were simulated so far, over all worlds.
+    /// Number of steps simulated so far, over all worlds.
     simulated: usize,
 }
 
 impl<'a> Trials<'a> {
-    /// For drafts with the action of this goal.
-    pub(super) fn new(judge: &'a Judge<'a>, goal: &GoalState) -> Self {
+    /// Prepares the simulation of drafts whose action is that of `goal`.
+    pub(super) fn new(valuation: &'a Valuation<'a>, goal: &GoalState) -> Self {
         let effect = goal.action().effect();
-        let models = judge.worlds().iter().map(|world| {
+        let models = valuation.worlds().iter().map(|world| {
             let model = EffectModel::new(&world.footprint, effect);
             match world.heap {
                 Some(seed) if effect == Effect::Push => {
-                    model.with_heap(HEAP * judge.radius(), seed)
+                    model.with_heap(HEAP * valuation.radius(), seed)
                 }
                 _ => model,
             }
         });
-        let surface = &judge.task().surface;
-        let begin = judge.worlds().iter().map(|world| {
+        let surface = &valuation.task().surface;
+        let begin = valuation.worlds().iter().map(|world| {
             let margin = (effect == Effect::Push)
-                .then(|| EdgeMargin::new(&world.dirt, surface, goal, judge.radius()));
+                .then(|| EdgeMargin::new(&world.dirt, surface, goal, valuation.radius()));
             let state = State {
                 field: world.field.clone(),
                 margin,
@@ -92,7 +93,7 @@ impl<'a> Trials<'a> {
             vec![(0, Rc::new(state))]
         });
         Self {
-            judge,
+            valuation,
             models: models.collect(),
             kept: Rollout {
                 steps: Vec::new(),
@@ -103,37 +104,37 @@ impl<'a> Trials<'a> {
         }
     }
 
-    /// Steps that were simulated so far, over all worlds.
+    /// Number of steps simulated so far, over all worlds.
     pub(super) fn simulated(&self) -> usize {
         self.simulated
     }
 
-    /// What a draft is worth on average.
+    /// Returns the mean value of a draft over all worlds.
     pub(super) fn value(&mut self, draft: &Draft) -> Value {
         let after = self.simulate(draft);
-        self.judge.value(draft, &after)
+        self.valuation.value(draft, &after)
     }
 
-    /// The score of a draft, term by term.
+    /// Returns the score of a draft, term by term.
     pub(super) fn score(&mut self, draft: &Draft) -> PlanScore {
         let after = self.simulate(draft);
-        self.judge.score(draft, &after)
+        self.valuation.score(draft, &after)
     }
 
-    /// How a draft leaves its worlds.
+    /// Returns the state of each world after a draft.
     fn simulate(&mut self, draft: &Draft) -> Vec<State> {
         let steps = steps_of(draft);
         let pairs = steps.iter().zip(&self.kept.steps);
         let common = pairs.take_while(|(one, other)| one == other).count();
         let mut states = Vec::with_capacity(self.models.len());
-        let worlds = self.judge.worlds().iter().zip(&mut self.models);
+        let worlds = self.valuation.worlds().iter().zip(&mut self.models);
         let after = worlds
             .zip(&self.kept.states)
             .map(|((world, model), before)| {
                 let shared = before.partition_point(|(at, _)| *at <= common);
                 let mut known = before[..shared].to_vec();
                 self.simulated += steps.len() - known.last().map_or(0, |(at, _)| *at);
-                let state = rolled_out(model, (self.judge.task(), world), &steps, &mut known);
+                let state = roll_out(model, (self.valuation.task(), world), &steps, &mut known);
                 states.push(known);
                 state
             });
@@ -142,35 +143,35 @@ impl<'a> Trials<'a> {
         after
     }
 
-    /// Keeps the draft that was valued last: the next ones are like it.
+    /// Keeps the draft that was simulated last; the next drafts resemble it.
     pub(super) fn keep(&mut self) {
         std::mem::swap(&mut self.kept, &mut self.tried);
     }
 }
 
-/// Plays the rest of some steps in a world, from the last state on that is known; adds some of those on the way.
-fn rolled_out(
+/// Simulates the remaining steps in a world, from its last known state; adds states on the way to `states`.
+fn roll_out(
     model: &mut EffectModel,
     (task, world): (&Task, &World),
     steps: &[Step],
     states: &mut Vec<(usize, Rc<State>)>,
 ) -> State {
     let surface = &task.surface;
-    let (from, state) = states.last().expect("that before all steps");
+    let (from, state) = states.last().expect("the state before all steps");
     let (from, mut state) = (*from, State::clone(state));
     model.resume_after(steps[..from].iter().filter(|step| step.lifts).count() as u32);
-    let apart = APART.max(steps.len().div_ceil(MOST_STATES));
+    let spacing = SPACING.max(steps.len().div_ceil(MOST_STATES));
     for (at, step) in steps.iter().enumerate().skip(from) {
-        // Amid a stroke a tool that pushes may carry something, which is no part of a state.
+        // Amid a stroke, a pushing tool may carry dirt, which a state does not contain.
         let is_whole = state.margin.is_none() || at == 0 || steps[at - 1].lifts;
-        if at > from && at % apart == 0 && is_whole {
+        if at > from && at % spacing == 0 && is_whole {
             states.push((at, Rc::new(state.clone())));
         }
         if let Some(mut motion) = step.motion {
             if world.heap.is_some() {
-                motion = late(motion, step.is_first);
-                motion.from = held(&motion.from, &world.grasp);
-                motion.to = held(&motion.to, &world.grasp);
+                motion = delay_contact(motion, step.is_first);
+                motion.from = displace_in_hand(&motion.from, &world.grasp);
+                motion.to = displace_in_hand(&motion.to, &world.grasp);
             }
             match &mut state.margin {
                 None => {
@@ -195,8 +196,8 @@ fn rolled_out(
     state
 }
 
-/// A motion whose contact begins a little late, if it is a stroke's first.
-fn late(motion: ToolMotion, is_first: bool) -> ToolMotion {
+/// Returns a motion whose contact begins [`LANDING`] late, if it is the first of a stroke.
+fn delay_contact(motion: ToolMotion, is_first: bool) -> ToolMotion {
     let (along, length) = motion.travel();
     if !is_first || length <= LANDING {
         return motion;
@@ -209,7 +210,7 @@ fn late(motion: ToolMotion, is_first: bool) -> ToolMotion {
     }
 }
 
-/// A tool's pose if it sits so in the hand.
-fn held(pose: &PlanarPose, grasp: &PlanarPose) -> PlanarPose {
+/// Returns the true tool pose for a commanded pose, with the tool displaced in the hand by `grasp`.
+fn displace_in_hand(pose: &PlanarPose, grasp: &PlanarPose) -> PlanarPose {
     PlanarPose::new(pose.transform(grasp.position), pose.heading + grasp.heading)
 }

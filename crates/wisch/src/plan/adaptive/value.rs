@@ -1,4 +1,4 @@
-//! What a plan is worth: the dirt that it brings where it belongs, less what it costs.
+//! The value of a plan: the dirt that it brings where it belongs, less its costs.
 
 use super::draft::Draft;
 use crate::geometry::{Bounds2, Edge, PlanarPose, Point2, Region};
@@ -12,30 +12,31 @@ use crate::represent::{
 use rand::RngExt;
 use rand_chacha::{ChaCha8Rng, rand_core::SeedableRng};
 
-/// What the way that wipes all of the surface once costs, as a share of the dirt [1].
+/// Cost of the path that wipes the whole surface once, as a share of the dirt [1].
 const WAY: f64 = 0.01;
-/// Way in contact that one lift of the tool is worth [m], and one metre of lifted way [1].
+/// Path in contact that costs as much as one lift of the tool [m], and as one metre of lifted path [1].
 const LIFT: f64 = 0.02;
 const LIFTED: f64 = 0.2;
-/// Way in contact that a radian of turning is worth [m].
+/// Path in contact that costs as much as a radian of turning [m].
 const TURN: f64 = 0.02;
-/// What dirt counts less that is not yet where it belongs, for each diagonal of the surface that it is away [1]: to bring it
-/// nearer is worth something too.
+/// Cost of dirt that is not where it belongs, per diagonal of the surface of distance [1]: a plan that brings
+/// dirt nearer scores more.
 const AWAY: f64 = 0.3;
 
-/// What a metre costs by which a plan is longer than it may be, in shares of the dirt [1/m]: more than a stroke brings.
+/// Cost per metre by which a plan exceeds its longest distance, in shares of the dirt [1/m]: more than a stroke
+/// brings.
 const BEYOND: f64 = 3.0;
 
-/// The worth of a plan, and what it leaves to be done.
+/// The value of a draft, and the dirt that it leaves.
 #[derive(Debug, Clone)]
 pub(super) struct Value {
-    /// In shares of the dirt; more is better [1].
-    pub(super) worth: f64,
-    /// Where dirt is left that does not belong there [m].
+    /// Value in shares of the dirt; more is better [1].
+    pub(super) total: f64,
+    /// Positions of dirt that is not where it belongs [m].
     pub(super) left: Vec<Point2>,
 }
 
-/// What a plan gains and loses in one world, in particles.
+/// Gains and losses of a plan in one world, in particles.
 struct Terms {
     in_place: f64,
     lost: f64,
@@ -43,29 +44,29 @@ struct Terms {
     away: f64,
 }
 
-/// How much it counts what the tool does exactly as it is, beside what one does that is smaller by the margin [1].
+/// Weight of the tool at its exact size, beside a tool that is smaller by the margin [1].
 const WHOLE_TOOL: f64 = 0.5;
-/// By how much the tool is narrower to each side, at most, than what it carries needs: heaps leak at its ends [m].
+/// Largest width by which the effective tool is narrower on each side, because heaps leak at its ends [m].
 const LEAK: f64 = 0.012;
-/// Radius of the goal within which dirt is to end where strokes are searched for, over the goal's [1].
+/// Radius of the goal that the search aims at, over the goal's radius [1].
 const RIM: f64 = 0.75;
-/// Stream of random numbers for how the tool is held.
+/// Stream of random numbers for the displacement of the tool in the hand.
 const STREAM: u64 = 0x6772_6173_7000_0000;
 
-/// Dirt as it may lie, and the tool as it may be held.
+/// A possible distribution of the dirt, and a possible displacement of the tool in the hand.
 #[derive(Clone)]
 pub(super) struct World {
     pub(super) dirt: ParticleDistribution,
     pub(super) field: ParticleField,
-    /// Of the tool in the hand, and its size over the believed one.
+    /// Displacement of the tool in the hand, and its effective footprint.
     pub(super) grasp: PlanarPose,
     pub(super) footprint: Region,
     pub(super) heap: Option<u64>,
-    /// How much it counts among all [1].
+    /// Weight of this world among all [1].
     weight: f64,
 }
 
-/// A world amid a draft.
+/// The state of a world between two steps of a draft.
 #[derive(Clone)]
 pub(super) struct State {
     pub(super) field: ParticleField,
@@ -74,26 +75,28 @@ pub(super) struct State {
     pub(super) touched: Vec<usize>,
 }
 
-/// Judges plans for one task.
-pub(in crate::plan) struct Judge<'a> {
+/// The valuation of drafts for one task.
+pub(in crate::plan) struct Valuation<'a> {
     task: &'a Task,
     radius: f64,
     worlds: Vec<World>,
-    /// Edges over which dirt is to go.
+    /// Edges over which dirt may go.
     allowed_edges: Vec<Edge>,
     diagonal: f64,
     /// Cost of a metre in contact [1/m].
     per_metre: f64,
-    /// How far the tool may go in contact [m].
+    /// Longest distance of the tool in contact [m].
     max_distance: f64,
-    /// Radius within which dirt is to end that may lie elsewhere, over the goal's [1].
+    /// Radius within which uncertain dirt is to end, over the goal's radius [1].
     rim: f64,
 }
 
-impl<'a> Judge<'a> {
-    /// For a task with dirt that may lie like any of these. One alone is taken for certain, and the tool for one that
-    /// reaches `margin` less far to each side [m]; with several, the tool is off by so much in each of them, heaps need
-    /// room, and contact begins a little late. Plans lose worth for what they are longer than `max_distance` [m].
+impl<'a> Valuation<'a> {
+    /// Prepares the valuation for a task whose dirt has one or several possible distributions `dirt`.
+    ///
+    /// A single distribution is taken for certain, with a tool that is narrower by `margin` on each side [m].
+    /// With several, each world displaces the tool by a random offset of this size, heaps have a depth, and
+    /// contact begins late. Plans lose value for the distance by which they exceed `max_distance` [m].
     pub(in crate::plan) fn new(
         task: &'a Task,
         dirt: &[ParticleDistribution],
@@ -139,15 +142,15 @@ impl<'a> Judge<'a> {
         }
     }
 
-    /// The same where strokes are searched for: with several worlds dirt is to be brought well within the goal, as what ends
-    /// at its rim for these may end beside it for another.
-    pub(super) fn searching(self) -> Self {
+    /// Returns the valuation for the search. With several worlds, dirt must end well within the goal, because
+    /// dirt at the rim in these worlds may end outside it in another.
+    pub(super) fn for_search(self) -> Self {
         Self { rim: RIM, ..self }
     }
 
-    /// The same where dirt that is certain counts in part for what the tool does to it exactly as it is, so that what lies within
-    /// reach of no smaller one is not given up; `None` where dirt is not certain.
-    pub(super) fn polishing(&self) -> Option<Self> {
+    /// Returns the valuation that also counts the effect of the tool at its exact size, so that the search does
+    /// not abandon dirt that only this tool reaches. `None` where the dirt is not certain.
+    pub(super) fn for_refinement(&self) -> Option<Self> {
         let [world] = &self.worlds[..] else {
             return None;
         };
@@ -167,7 +170,7 @@ impl<'a> Judge<'a> {
         })
     }
 
-    /// What a draft is worth that leaves its worlds so.
+    /// Returns the value of a draft from the states `after` it.
     pub(super) fn value(&self, draft: &Draft, after: &[State]) -> Value {
         let mut left = Vec::new();
         let worlds = self.worlds.iter().zip(after);
@@ -176,12 +179,13 @@ impl<'a> Judge<'a> {
         let gain = gains.sum::<f64>();
         let beyond = (draft.distance() - self.max_distance).max(0.0);
         Value {
-            worth: gain - self.per_metre * self.cost(draft) - BEYOND * beyond,
+            // Mean gain over the worlds − cost of the path − cost of the excess length.
+            total: gain - self.per_metre * self.cost(draft) - BEYOND * beyond,
             left,
         }
     }
 
-    /// Way, lifts and turns of a draft, as a way in contact [m].
+    /// Cost of the path, lifts and turns of a draft, as an equivalent path in contact [m].
     fn cost(&self, draft: &Draft) -> f64 {
         let mut cost = 0.0;
         let mut tool = self.task.tool_start;
@@ -189,6 +193,7 @@ impl<'a> Judge<'a> {
             let (Some(first), Some(last)) = (stroke.first(), stroke.last()) else {
                 continue;
             };
+            // Path in contact + 0.02 m per lift + 0.2 of the lifted path + 0.02 m per radian.
             cost += LIFT + LIFTED * (first.position - tool).norm();
             tool = last.position;
             let motions = stroke.windows(2).map(|pair| ToolMotion {
@@ -202,15 +207,16 @@ impl<'a> Judge<'a> {
         cost
     }
 
-    /// The share of the dirt that is brought where it belongs in a world, less what is lost or at risk [1]; and where dirt is
-    /// left.
+    /// Returns the share of the dirt brought where it belongs in a world, less lost dirt and dirt at risk [1].
+    /// Adds the positions of the remaining dirt to `left`.
     fn gain(&self, world: &World, state: &State, goal: &GoalState, left: &mut Vec<Point2>) -> f64 {
         let terms = self.terms(world, state, goal, left);
         let gain = terms.in_place - terms.lost - terms.at_risk - terms.away;
         gain / world.dirt.len().max(1) as f64
     }
 
-    /// What a draft that leaves a world so gains and loses there, in particles; and where dirt is left.
+    /// Returns the gains and losses of a draft in one world, in particles. Adds the positions of the remaining
+    /// dirt to `left`.
     fn terms(
         &self,
         world: &World,
@@ -247,10 +253,10 @@ impl<'a> Judge<'a> {
         }
     }
 
-    /// The score of a draft that leaves its worlds so, term by term.
+    /// Returns the score of a draft from the states `after` it, term by term.
     pub(super) fn score(&self, draft: &Draft, after: &[State]) -> PlanScore {
         let mut score = PlanScore {
-            total: self.value(draft, after).worth,
+            total: self.value(draft, after).total,
             way: self.per_metre * self.cost(draft),
             too_long: BEYOND * (draft.distance() - self.max_distance).max(0.0),
             ..PlanScore::default()
@@ -266,7 +272,7 @@ impl<'a> Judge<'a> {
         score
     }
 
-    /// How far dirt is from where it belongs [m].
+    /// Distance of dirt from where it belongs [m].
     fn distance(&self, goal: &GoalState, place: Point2) -> f64 {
         match goal {
             GoalState::Absorbed | GoalState::Polished { .. } | GoalState::Emitted { .. } => 0.0,
@@ -278,7 +284,7 @@ impl<'a> Judge<'a> {
         }
     }
 
-    /// The worlds that a draft is tried in: each takes an evaluation.
+    /// The worlds in which each draft is simulated.
     pub(super) fn worlds(&self) -> &[World] {
         &self.worlds
     }
@@ -292,7 +298,7 @@ impl<'a> Judge<'a> {
         self.radius
     }
 
-    /// The edges over which dirt is to go.
+    /// The edges over which dirt may go.
     pub(super) fn allowed_edges(&self) -> &[Edge] {
         &self.allowed_edges
     }

@@ -1,33 +1,35 @@
-//! Where the tool may go, found out once: searches ask for places beside those that they asked for before.
+//! A cache of where the tool can move: the search asks about places near those that it asked about before.
 
 use crate::geometry::{Bounds2, Point2};
 use crate::plan::FreeSpace;
 use crate::plan::clearance::MARCH_STEP;
 use std::collections::HashMap;
 
-/// Distances to the scene are kept this far apart [m], or farther where there were more than so many.
+/// Pitch of the grid of cached distances [m], and the largest number of grid nodes, beyond which the pitch
+/// grows.
 const PITCH: f64 = 0.005;
 const MOST_NODES: f64 = 262_144.0;
-/// Steps along a way that are as long as what is known allows are no shorter than this [m].
+/// Shortest step along a path when marching by cached distances [m].
 const LEAST_STEP: f64 = 0.003;
 
-/// What is known of where the tool may go.
+/// Cached distances to the scene, and legs that were checked.
 ///
-/// Distances to the scene are found out at the nodes of a grid, each when it is first needed. From one place to another they change
-/// by no more than the way between them, and so a node says for most places near it whether the tool may stand there.
+/// Distances are computed at the nodes of a grid, each when first needed. The distance changes by no more than
+/// the way between two places (Lipschitz constant 1), so a node decides for most places near it whether the
+/// tool can stand there.
 pub(super) struct KnownWays<'a> {
     space: &'a FreeSpace,
     origin: Point2,
     pitch: f64,
     columns: usize,
     rows: usize,
-    /// NaN where it is not yet known [m].
+    /// Distance at each node [m]; NaN if it has not been computed.
     distances: Vec<f64>,
     legs: HashMap<[u64; 4], bool>,
 }
 
 impl<'a> KnownWays<'a> {
-    /// At most so many legs are remembered.
+    /// Largest number of cached legs.
     const MOST: usize = 1 << 16;
 
     pub(super) fn new(space: &'a FreeSpace) -> Self {
@@ -52,7 +54,7 @@ impl<'a> KnownWays<'a> {
         }
     }
 
-    /// Least and largest distance that the scene may have from a place [m].
+    /// Lower and upper bound of the distance from a place to the scene [m].
     fn distance(&mut self, place: Point2) -> [f64; 2] {
         let at = (place - self.origin) / self.pitch;
         let (column, row) = (at.x.round(), at.y.round());
@@ -82,7 +84,7 @@ impl<'a> KnownWays<'a> {
         self.space.surface().outline.contains(place) && self.is_clear(place)
     }
 
-    /// Whether the tool may go straight from `a` to `b`.
+    /// Whether the tool can move straight from `a` to `b`.
     pub(super) fn is_clear_between(&mut self, a: Point2, b: Point2) -> bool {
         if self.legs.len() >= Self::MOST {
             self.legs.clear();
@@ -96,7 +98,8 @@ impl<'a> KnownWays<'a> {
         is_clear
     }
 
-    /// Goes from `a` by steps as long as the free space ahead is known to be; where that is short, the scene is asked.
+    /// Marches from `a` by steps as long as the known free space ahead; where that is short, the exact distance
+    /// is computed.
     fn march(&mut self, a: Point2, b: Point2) -> bool {
         let length = (b - a).norm();
         let mut at = 0.0;

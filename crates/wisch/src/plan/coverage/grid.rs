@@ -1,16 +1,16 @@
-//! The discretised grid: uninformed, as long as the surface is wide.
+//! The discretised grid: it covers the whole surface without regard to the dirt.
 
 use crate::geometry::{Bounds2, Point2};
 use crate::plan::FreeSpace;
 
-/// Centres of square cells of pitch r_s that are free, row by row along x.
+/// Returns the centres of the free square cells of pitch r_s, row by row along x.
 ///
 /// ⌊length / r_s⌋ cells per side of the outline's bounding box, centred on it (at least one).
 pub fn grid(space: &FreeSpace) -> Vec<Point2> {
     free_cells(space, space.radius())
 }
 
-/// Centres of the square cells of this pitch [m] that are free.
+/// Returns the centres of the free square cells of this pitch [m].
 pub(super) fn free_cells(space: &FreeSpace, pitch: f64) -> Vec<Point2> {
     let Some(bounds) = Bounds2::of(space.surface().outline.outer().iter().copied()) else {
         return Vec::new();
@@ -30,13 +30,13 @@ pub(super) fn free_cells(space: &FreeSpace, pitch: f64) -> Vec<Point2> {
         .collect()
 }
 
-/// How many square cells of this pitch [m] the surface's bounding box has, free or not.
+/// Number of square cells of this pitch [m] in the surface's bounding box, free or not.
 pub(super) fn cell_count(space: &FreeSpace, pitch: f64) -> usize {
     let bounds = Bounds2::of(space.surface().outline.outer().iter().copied());
     bounds.map_or(0, |bounds| shape(&bounds, pitch).iter().product())
 }
 
-/// Cells along x and along y.
+/// Number of cells along x and along y.
 fn shape(bounds: &Bounds2, pitch: f64) -> [usize; 2] {
     let cells = |length: f64| ((length / pitch) as usize).max(1);
     [cells(bounds.size().x), cells(bounds.size().y)]

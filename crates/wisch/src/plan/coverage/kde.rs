@@ -10,19 +10,19 @@ const CUT_OFF: f64 = 4.0;
 /// Most samples of a density map.
 const MAX_SAMPLES: usize = 4_000_000;
 
-/// How wide the kernel of (2) is, and how far a node at a peak reaches.
+/// Width of the kernel of (2), and reach of the tool at a peak.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct KdeConfig {
     /// Bandwidth h [m]; `None` takes it from the data, see [`data_bandwidth`].
     pub bandwidth: Option<f64>,
-    /// Distance within which a node reaches a particle [m].
+    /// Distance within which the tool at a node reaches a particle [m].
     pub reach: f64,
 }
 
-/// Scott's rule for the kernel of (2): h = √2 σ N^(−1/6), at most r_s [m].
+/// Returns the bandwidth of the kernel of (2) by Scott's rule: h = √2 σ N^(−1/6), at most r_s [m].
 ///
-/// √2 because (2) divides by h² where a normal distribution divides by 2σ²; at most r_s because a
-/// wider kernel blurs gaps that are wider than the tool.
+/// The factor √2 is there because (2) divides by h² where a normal distribution divides by 2σ². The limit r_s
+/// is there because a wider kernel blurs gaps that are wider than the tool.
 pub fn data_bandwidth(points: &[Point2], radius: f64) -> f64 {
     if points.len() < 2 {
         return radius;
@@ -44,8 +44,8 @@ pub fn data_bandwidth(points: &[Point2], radius: f64) -> f64 {
 
 /// The density K(x) of (2), sampled on a grid.
 ///
-/// Particles are shared out to the samples round them, then smoothed by the separable Gaussian. The
-/// relative error stays below 1e-3 where the density is above a hundredth of its peak.
+/// Each particle is distributed to the samples around it, then smoothed by the separable Gaussian. The relative
+/// error stays below 1e-3 where the density is above a hundredth of its peak.
 #[derive(Debug, Clone, PartialEq)]
 pub struct CoverageDensity {
     origin: Point2,
@@ -82,7 +82,7 @@ impl CoverageDensity {
         (self.columns, self.rows)
     }
 
-    /// Where sample (column, row) lies [m].
+    /// Position of sample (column, row) [m].
     pub fn sample_position(&self, column: usize, row: usize) -> Point2 {
         self.origin + Vector2::new(column as f64, row as f64) * self.step
     }
@@ -100,7 +100,8 @@ impl CoverageDensity {
         self.step
     }
 
-    /// Gives each particle to the 4 × 4 samples round it, so that its moments up to the third stay.
+    /// Distributes each particle to the 4 × 4 samples around it, so that its moments up to the third are
+    /// conserved.
     fn share_out(&mut self, points: &[Point2]) {
         let weight = 1.0 / points.len().max(1) as f64;
         for point in points {
@@ -124,6 +125,7 @@ impl CoverageDensity {
     /// Convolves rows, then columns, with the Gaussian of (2).
     fn smooth(&mut self, bandwidth: f64) {
         let reach = (CUT_OFF * bandwidth / self.step).ceil() as usize;
+        // exp(−d² / h²) at the distances d = i · step.
         let kernel: Vec<f64> = (0..=reach)
             .map(|i| (-(i as f64 * self.step / bandwidth).powi(2)).exp())
             .collect();
@@ -156,7 +158,7 @@ impl CoverageDensity {
     }
 }
 
-/// Weights of the samples at −1, 0, 1 and 2 for a particle at `offset` in [0, 1): those of cubic
+/// Returns the weights of the samples at −1, 0, 1 and 2 for a particle at `offset` in [0, 1): those of cubic
 /// interpolation.
 fn cubic_shares(offset: f64) -> [f64; 4] {
     let f = offset;
@@ -168,11 +170,11 @@ fn cubic_shares(offset: f64) -> [f64; 4] {
     ]
 }
 
-/// Peaks of the particle density, highest first.
+/// Returns the peaks of the particle density, highest first.
 ///
-/// Each peak keeps the clearance d_s = 2 r_s from the nodes before it and brings at least one particle
-/// into reach, until every particle is within reach of a node. Where no such place is left at that
-/// clearance and particles are still out of reach, further peaks keep r_s.
+/// Each peak keeps the clearance d_s = 2 r_s from the nodes before it and brings at least one particle into
+/// reach, until every particle is within reach of a node. If no such peak is left while particles are still out
+/// of reach, further peaks keep only r_s.
 pub fn kde(space: &FreeSpace, particles: &[Point2], config: &KdeConfig) -> Vec<Point2> {
     let Some(bounds) = Bounds2::of(space.surface().outline.outer().iter().copied()) else {
         return Vec::new();

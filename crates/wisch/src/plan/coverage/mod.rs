@@ -14,10 +14,11 @@ use crate::geometry::Point2;
 use crate::represent::UnknownName;
 use std::str::FromStr;
 
-/// Most nodes by which a surface is covered, as many as cells r_s apart of its bounding box: 20 m x 20 m for a sponge.
+/// Largest number of nodes for one surface. It is the number of cells r_s apart in the surface's bounding box:
+/// 20 m x 20 m for a sponge.
 pub const MAX_NODES: usize = 100_000;
 
-/// How nodes are spread over the surface.
+/// How nodes are distributed over the surface.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum CoverageStrategy {
     /// Centres of square cells, blind to the particles.
@@ -46,10 +47,10 @@ impl CoverageStrategy {
         self == Self::Kde
     }
 
-    /// The nodes that it places, in the surface frame [m].
+    /// Returns the nodes of the strategy, in the surface frame [m].
     ///
     /// # Errors
-    /// [`PlanError::TooManyNodes`] before any is placed.
+    /// [`PlanError::TooManyNodes`] before any node is placed.
     pub(super) fn nodes(self, input: &CoverageInput<'_>) -> Result<Vec<Point2>, PlanError> {
         let pitch = input.space.radius();
         let count = cell_count(input.space, pitch);
@@ -60,7 +61,7 @@ impl CoverageStrategy {
                     surface,
                     count,
                     pitch,
-                    advice: "take a wider tool, plan a part of the surface, or take the strategy kde, which goes where the dirt lies",
+                    advice: "take a wider tool, plan a part of the surface, or use the strategy kde, which places nodes only where dirt lies",
                 });
             }
             Self::Grid => grid(input.space),
@@ -84,12 +85,12 @@ impl CoverageStrategy {
     }
 }
 
-/// What a strategy may go by. Places are in the surface frame.
+/// Input of a coverage strategy. Places are in the surface frame.
 pub(super) struct CoverageInput<'a> {
     pub(super) space: &'a FreeSpace,
-    /// Where dirt lies [m].
+    /// Positions of the dirt [m].
     pub(super) particles: &'a [Point2],
-    /// Where the tool starts [m].
+    /// Start of the tool [m].
     pub(super) tool_start: Point2,
     /// Distance within which the tool at a node reaches a particle [m].
     pub(super) tool_reach: f64,

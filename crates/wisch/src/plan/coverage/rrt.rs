@@ -6,15 +6,15 @@ use crate::plan::FreeSpace;
 use rand::RngExt;
 use rand_chacha::{ChaCha8Rng, rand_core::SeedableRng};
 
-/// So many samples in a row that lead to no node are always made before the tree gives up.
+/// Smallest number of consecutive samples without a new node after which the tree stops growing.
 const FRUITLESS: usize = 100_000;
 
-/// How a rapidly exploring random tree grows, see [`rrt`]: its seed, and when it gives up.
+/// Seed and effort of a rapidly exploring random tree, see [`rrt`].
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct RrtConfig {
     /// Seed of the random samples.
     pub seed: u64,
-    /// Samples per cell to cover before the tree gives up on what is left.
+    /// Samples per cell after which the tree stops growing towards uncovered cells.
     pub samples_per_cell: usize,
 }
 
@@ -27,13 +27,13 @@ impl Default for RrtConfig {
     }
 }
 
-/// Nodes of a tree that grows from the free place nearest `start` by at most r_s at a time.
+/// Grows a tree from the free place nearest to `start`, by at most r_s at a time, and returns its nodes.
 ///
 /// Samples are drawn in cells of pitch r_s / 2 that no node covers yet, which biases the tree towards
-/// unexplored regions; a node covers the cells whose centre is within r_s / √2 of it, about as far as
-/// a footprint reaches on average. Growth ends when every free cell is covered, when the budget of samples is spent, or
-/// when samples for what is left have led to no node for as long as `samples_per_cell` says. Time is about proportional to
-/// the number of cells.
+/// unexplored regions. A node covers the cells whose centre is within r_s / √2 of it, about as far as a
+/// footprint reaches on average. Growth ends when every free cell is covered, when the budget of samples is
+/// spent, or when the last `samples_per_cell` samples per uncovered cell gave no node. Time is about
+/// proportional to the number of cells.
 pub fn rrt(space: &FreeSpace, start: Point2, config: &RrtConfig) -> Vec<Point2> {
     let step = space.radius();
     let pitch = step / 2.0;
@@ -82,10 +82,10 @@ pub fn rrt(space: &FreeSpace, start: Point2, config: &RrtConfig) -> Vec<Point2> 
     nodes
 }
 
-/// The cells that no node covers yet, in their order: one of a rank is found, and one removed, in logarithmic time.
+/// The cells that no node covers yet, in order: finding a cell by rank and removing it take logarithmic time.
 struct Uncovered {
     grid: PointGrid,
-    /// Sums of a Fenwick tree (Fenwick, 1994) over the cells, 1 for each that is not covered.
+    /// Sums of a Fenwick tree (Fenwick, 1994) over the cells; each uncovered cell counts 1.
     sums: Vec<usize>,
 }
 
@@ -102,7 +102,7 @@ impl Uncovered {
         self.grid.len()
     }
 
-    /// The number of the cell of this rank.
+    /// Number of the cell with this rank.
     fn number(&self, rank: usize) -> usize {
         let (mut at, mut left) = (0, rank);
         let mut step = self.sums.len().next_power_of_two();
@@ -116,7 +116,7 @@ impl Uncovered {
         at
     }
 
-    /// Takes out the cells that a node covers.
+    /// Removes the cells that a node covers.
     fn cover(&mut self, node: Point2, reach: f64) {
         for number in self.grid.remove_within(node, reach) {
             let mut at = number + 1;

@@ -2,14 +2,14 @@
 
 use super::{CostMatrix, Finish};
 
-/// The cheapest way to have visited a subset and to stand at one of its nodes.
+/// The cheapest path that visits a subset and ends at one of its nodes.
 #[derive(Debug, Clone, Copy)]
 struct Arrival {
     cost: f64,
     previous: usize,
 }
 
-/// An optimal order of all nodes that begins at `start`; at least one node, time grows as 2ⁿ n².
+/// Returns an optimal order of all nodes that begins at `start`. Needs at least one node; time grows as 2ⁿ n².
 pub(super) fn solve(costs: &CostMatrix, start: usize, finish: Finish) -> Vec<usize> {
     let others: Vec<usize> = (0..costs.node_count()).filter(|&i| i != start).collect();
     let m = others.len();

@@ -5,7 +5,7 @@ use super::problem::{Neighbours, Problem};
 /// Fragments of a growing tour: every node has at most two links and no links close a ring.
 struct Fragments {
     links: Vec<[Option<usize>; 2]>,
-    /// For the end of a fragment, its other end; itself for a lone node.
+    /// For the end of a fragment, its other end; for a lone node, the node itself.
     other_end: Vec<usize>,
 }
 
@@ -35,7 +35,7 @@ impl Fragments {
         self.other_end[far_b] = far_a;
     }
 
-    /// The nodes of a fragment from one of its ends to the other.
+    /// Iterates over the nodes of a fragment from one of its ends to the other.
     fn walk(&self, end: usize) -> impl Iterator<Item = usize> + '_ {
         let mut previous = None;
         let mut current = Some(end);
@@ -51,7 +51,7 @@ impl Fragments {
     }
 }
 
-/// A closed tour through all nodes of the problem that uses its fixed edge.
+/// Returns a closed tour through all nodes of the problem that uses its fixed edge.
 pub(super) fn tour(problem: &Problem, neighbours: &Neighbours) -> Vec<usize> {
     let node_count = problem.node_count();
     let mut fragments = Fragments::of_lone_nodes(node_count);

@@ -1,4 +1,5 @@
-//! Iterated local search: repair a tour by sequential exchanges, kick it somewhere, keep what pays.
+//! Iterated local search: repair a tour by sequential exchanges, kick it at a random place, keep what shortens
+//! it.
 
 use super::problem::{Neighbours, Problem};
 use super::ring::{ArrayTour, Direction, OpenedTour, Reversal};
@@ -7,8 +8,8 @@ use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use std::collections::VecDeque;
 
-/// How many of a node's neighbours are tried at each step of an exchange, and so how many steps it
-/// may have. Wider and deeper gave shorter tours for equal kicks, but longer ones for equal time.
+/// Number of a node's neighbours that are tried at each step of an exchange; its length is the largest number
+/// of steps. Wider and deeper searches gave shorter tours for equal kicks, but longer ones for equal time.
 const BREADTH: [usize; 3] = [6, 4, 3];
 
 /// Steps of the random walks that choose where to kick.
@@ -17,7 +18,7 @@ const KICK_WALK: usize = 15;
 /// A saving below this share of the costs it was computed from may be rounding.
 const RELATIVE_ROUNDING: f64 = 1e-14;
 
-/// Costs taken out of the tour and put into it so far.
+/// Costs removed from the tour and added to it so far.
 #[derive(Debug, Clone, Copy, Default)]
 struct Saving {
     amount: f64,
@@ -39,9 +40,8 @@ impl Saving {
         }
     }
 
-    /// Whether it saves more than rounding could pretend; so no exchange can be undone by another
-    /// for ever.
-    fn pays(self) -> bool {
+    /// Whether the saving exceeds rounding errors; so two exchanges cannot undo each other for ever.
+    fn is_gain(self) -> bool {
         self.amount > RELATIVE_ROUNDING * self.magnitude
     }
 }
@@ -87,7 +87,7 @@ impl<'a> LocalSearch<'a> {
         }
     }
 
-    /// Improves round the queued nodes until no exchange pays; the saving is ≥ 0.
+    /// Improves the tour around the queued nodes until no exchange saves cost; returns the saving, ≥ 0.
     fn settle(&mut self) -> f64 {
         let mut saved = 0.0;
         while let Some(node) = self.queue.pop() {
@@ -98,7 +98,7 @@ impl<'a> LocalSearch<'a> {
         saved
     }
 
-    /// Makes the first exchange found that pays and removes an edge of `node`; its saving.
+    /// Makes the first exchange that removes an edge of `node` and saves cost; returns the saving.
     fn improve_at(&mut self, node: usize) -> Option<f64> {
         for direction in [Direction::Forward, Direction::Backward] {
             let first = match direction {
@@ -137,8 +137,8 @@ impl<'a> LocalSearch<'a> {
         None
     }
 
-    /// Links the path's first node to a near one and turns the stretch between, so that the path has
-    /// a new first node; deeper if closing the path there does not pay.
+    /// Links the path's first node to a near node and reverses the stretch between, so that the path has a new
+    /// first node. Goes one step deeper if closing the path there saves nothing.
     fn exchange_by_turning(
         &self,
         opened: &mut OpenedTour,
@@ -149,7 +149,7 @@ impl<'a> LocalSearch<'a> {
         let first = opened.node(&self.tour, 0);
         for near in self.neighbours.of(first).iter().take(breadth) {
             let linked = removed.adding(near.cost);
-            if !linked.pays() {
+            if !linked.is_gain() {
                 break;
             }
             let index = opened.index(&self.tour, near.node);
@@ -163,7 +163,7 @@ impl<'a> LocalSearch<'a> {
             let cut = linked.removing(self.problem.cost(new_first, near.node));
             opened.turned.push((0, index - 1));
             let closed = cut.adding(self.problem.cost(new_first, opened.last));
-            if closed.pays() {
+            if closed.is_gain() {
                 return Some(closed.amount);
             }
             if let Some(saving) = self.exchange_by_turning(opened, cut, depth + 1) {
@@ -174,12 +174,12 @@ impl<'a> LocalSearch<'a> {
         None
     }
 
-    /// Links the path's first node to a near one behind a stretch, which so becomes a ring, and
-    /// opens the ring elsewhere to link it to the rest: moves a segment of any length.
+    /// Links the path's first node to a near node behind a stretch, which then becomes a ring, and opens the
+    /// ring at another edge to link it to the rest. This moves a segment of any length.
     fn exchange_by_moving(&self, opened: &mut OpenedTour, removed: Saving) -> Option<f64> {
         for near in self.neighbours.of(opened.first).iter().take(BREADTH[0]) {
             let linked = removed.adding(near.cost);
-            if !linked.pays() {
+            if !linked.is_gain() {
                 break;
             }
             let ring_end = opened.index(&self.tour, near.node);
@@ -193,15 +193,15 @@ impl<'a> LocalSearch<'a> {
             let cut = linked.removing(self.problem.cost(near.node, rest));
             for joint in self.neighbours.of(rest).iter().take(BREADTH[1]) {
                 let joined = cut.adding(joint.cost);
-                if !joined.pays() {
+                if !joined.is_gain() {
                     break;
                 }
                 let split = opened.index(&self.tour, joint.node);
                 if split >= ring_end {
                     continue;
                 }
-                // Opened behind the joint, the two parts of the ring change places; before it,
-                // each is turned round where it is (and a stretch of one node fills the array).
+                // Opened behind the joint, the two parts of the ring change places; before it, each is reversed
+                // where it is (and a stretch of one node fills the array).
                 let behind = [
                     (0, ring_end),
                     (0, ring_end - split - 1),
@@ -218,7 +218,7 @@ impl<'a> LocalSearch<'a> {
                     let closed = joined
                         .removing(self.problem.cost(joint.node, new_first))
                         .adding(self.problem.cost(new_first, opened.last));
-                    if closed.pays() {
+                    if closed.is_gain() {
                         opened.turned.extend(turned);
                         return Some(closed.amount);
                     }
@@ -228,15 +228,15 @@ impl<'a> LocalSearch<'a> {
         None
     }
 
-    /// Cuts the tour behind four nodes close to each other and joins the stretches in the opposite
-    /// order without turning any of them round: a double bridge (Martin, Otto and Felten, 1991), which
-    /// the exchanges above cannot simply undo. The saving is mostly negative; `None` if four
-    /// different nodes were not found or the fixed edge would break.
+    /// Cuts the tour behind four nodes close to each other and joins the stretches in the opposite order
+    /// without reversing any: a double bridge (Martin, Otto and Felten, 1991), which the exchanges above cannot
+    /// simply undo. The saving is mostly negative. Returns `None` if four different nodes were not found or the
+    /// fixed edge would break.
     fn kick(&mut self, rng: &mut ChaCha8Rng) -> Option<f64> {
         let count = self.tour.len();
         let mut places = self.places_near_each_other(rng)?;
         places.sort_unstable();
-        // The longest stretch stays where it is; the other three follow it.
+        // The longest stretch stays in place; the three other stretches follow it.
         let stretch = |k: usize| self.tour.steps(places[k], places[(k + 1) % 4]);
         let longest = (0..4).max_by_key(|&k| stretch(k))?;
         places.rotate_left((longest + 1) % 4);
@@ -265,8 +265,8 @@ impl<'a> LocalSearch<'a> {
         Some(saving)
     }
 
-    /// Places of four different nodes: one anywhere and the ends of random walks from neighbour to
-    /// neighbour that begin there. `None` if the walks meet too often.
+    /// Returns the places of four different nodes: a random node, and the ends of random walks from neighbour
+    /// to neighbour that begin there. `None` if the walks meet too often.
     fn places_near_each_other(&self, rng: &mut ChaCha8Rng) -> Option<[usize; 4]> {
         let centre = rng.random_range(0..self.tour.len());
         let mut places = [self.tour.place[centre]; 4];
@@ -280,13 +280,13 @@ impl<'a> LocalSearch<'a> {
         Some(places)
     }
 
-    /// Where a random walk from neighbour to neighbour ends.
+    /// Returns the end of a random walk from neighbour to neighbour.
     fn walk(&self, from: usize, rng: &mut ChaCha8Rng) -> usize {
         let mut node = from;
         for _ in 0..KICK_WALK {
             let near = self.neighbours.of(node);
             let next = near[rng.random_range(0..near.len())].node;
-            // The extra node of an open path is next to everything: it would be a way to anywhere.
+            // The extra node of an open path is next to every node, so the walk must not pass it.
             if next < self.problem.costs.node_count() {
                 node = next;
             }
@@ -295,7 +295,7 @@ impl<'a> LocalSearch<'a> {
     }
 }
 
-/// A short order of all nodes that begins at the problem's start.
+/// Returns a short order of all nodes that begins at the problem's start.
 pub(super) fn solve(problem: &Problem, config: &TourConfig) -> Vec<usize> {
     let neighbours = Neighbours::nearest(problem);
     let order = greedy::tour(problem, &neighbours);
@@ -309,14 +309,14 @@ pub(super) fn solve(problem: &Problem, config: &TourConfig) -> Vec<usize> {
             if kicked + search.settle() >= 0.0 {
                 search.tour.keep();
             } else {
-                search.tour.take_back();
+                search.tour.undo();
             }
         }
     }
     from_start(problem, &search.tour)
 }
 
-/// The nodes in tour order from the start; for an open path, away from the extra node.
+/// Returns the nodes in tour order from the start; for an open path, away from the extra node.
 fn from_start(problem: &Problem, tour: &ArrayTour) -> Vec<usize> {
     let away = problem
         .fixed_edge()
@@ -371,7 +371,7 @@ mod tests {
                     prop_assert!(search.tour.next(a) == b || search.tour.previous(a) == b);
                 }
                 if saved < 0.0 {
-                    search.tour.take_back();
+                    search.tour.undo();
                     prop_assert_eq!(&search.tour.order, &before);
                 }
                 search.tour.keep();

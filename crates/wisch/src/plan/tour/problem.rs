@@ -1,14 +1,14 @@
-//! The tour to be found, closed or open, and which nodes are near which.
+//! The tour problem, closed or open, and the nearest neighbours of each node.
 //!
 //! An open path is a closed tour with one more node: it is next to the start by a fixed edge, and it
 //! costs nothing to reach from anywhere. Leaving it out leaves a path with a free end.
 
 use super::{CostMatrix, Finish};
 
-/// How many of its nearest others a node knows.
+/// Number of nearest neighbours that are kept for each node.
 const NEIGHBOUR_COUNT: usize = 8;
 
-/// A closed tour to be found, of which one edge may be given.
+/// The problem of a closed tour; one edge may be fixed.
 pub(super) struct Problem<'a> {
     pub(super) costs: &'a CostMatrix,
     pub(super) start: usize,
@@ -45,14 +45,14 @@ impl Problem<'_> {
     }
 }
 
-/// A node near another and the cost between them.
+/// A neighbour of a node and the cost between the two.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Neighbour {
     pub(super) node: usize,
     pub(super) cost: f64,
 }
 
-/// For each node its nearest others, nearest first.
+/// For each node its nearest neighbours, nearest first.
 pub(super) struct Neighbours {
     all: Vec<Neighbour>,
 }

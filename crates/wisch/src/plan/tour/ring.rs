@@ -1,6 +1,6 @@
-//! A tour in an array, changed by turning stretches of it round: for good, or on paper only.
+//! A tour in an array, changed by reversing stretches of it, in the array or only in the bookkeeping.
 
-/// A closed tour in an array, with every change on record so that it can be taken back.
+/// A closed tour in an array that records every change, so that changes can be undone.
 pub(super) struct ArrayTour {
     /// Node at each place of the tour.
     pub(super) order: Vec<usize>,
@@ -47,7 +47,7 @@ impl ArrayTour {
         self.order[self.previous_place(self.place[node])]
     }
 
-    /// How many steps lead forward from one place to another.
+    /// Number of steps forward from one place to another.
     pub(super) fn steps(&self, from: usize, to: usize) -> usize {
         if to >= from {
             to - from
@@ -73,8 +73,8 @@ impl ArrayTour {
         self.reversed.push((first, last));
     }
 
-    /// Turns a stretch round. Turning the rest instead gives the same ring, read backwards, so the
-    /// shorter of the two is turned.
+    /// Reverses a stretch. Reversing the rest instead gives the same ring, read backwards, so the shorter of
+    /// the two is reversed.
     pub(super) fn reverse(&mut self, reversal: Reversal) {
         let Reversal {
             before,
@@ -94,8 +94,8 @@ impl ArrayTour {
         }
     }
 
-    /// Takes back everything since the last [`ArrayTour::keep`].
-    pub(super) fn take_back(&mut self) {
+    /// Undoes everything since the last [`ArrayTour::keep`].
+    pub(super) fn undo(&mut self) {
         while let Some((first, last)) = self.reversed.pop() {
             self.reverse_places(first, last);
         }
@@ -106,7 +106,7 @@ impl ArrayTour {
     }
 }
 
-/// A stretch of the tour to be turned round, from `first` to `last`, and the nodes beside it. Given by
+/// A stretch of the tour to be reversed, from `first` to `last`, and the nodes beside it. Because it names
 /// nodes, it means the same in either reading direction.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Reversal {
@@ -122,10 +122,10 @@ pub(super) enum Direction {
     Backward,
 }
 
-/// The tour cut open at one edge and read as a path from `first` to `last`, with stretches of it
-/// turned round on paper only: `turned` lists first and last index of each, in order.
+/// The tour cut open at one edge and read as a path from `first` to `last`. Reversed stretches are only
+/// recorded: `turned` lists first and last index of each, in order.
 ///
-/// Asking for an index or a node costs time in proportion to the stretches turned, not to the nodes.
+/// Looking up an index or a node costs time in proportion to the number of reversed stretches, not of nodes.
 pub(super) struct OpenedTour {
     pub(super) first: usize,
     pub(super) last: usize,
@@ -149,7 +149,7 @@ impl OpenedTour {
         self.node_after(tour, index, self.turned.len())
     }
 
-    /// The node at an index once the first `turned_count` stretches are turned.
+    /// Returns the node at an index after the first `turned_count` reversals.
     fn node_after(&self, tour: &ArrayTour, index: usize, turned_count: usize) -> usize {
         let index = self.turned[..turned_count]
             .iter()
@@ -167,7 +167,7 @@ impl OpenedTour {
         }]
     }
 
-    /// The turns so far as reversals of the closed tour.
+    /// Returns the recorded turns as reversals of the closed tour.
     pub(super) fn reversals(&self, tour: &ArrayTour) -> Vec<Reversal> {
         let mut reversals = Vec::with_capacity(self.turned.len());
         for (count, &(low, high)) in self.turned.iter().enumerate() {

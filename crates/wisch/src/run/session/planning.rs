@@ -1,18 +1,18 @@
-//! Which plan comes next in a session.
+//! The choice of the next plan in a session.
 
 use super::Session;
 use crate::plan::{Plan, PlanConfig, PlanError, Planner, Strategy, highest_score, is_gainful};
 use crate::recover::{PLANNING_DRAWS, Pace, recovery_candidates, unfinished};
 use crate::represent::{ParticleDistribution, Task};
-use crate::run::considered::{followed, unfollowed, within_reach};
+use crate::run::considered::{evaluate_motions, evaluate_plans, evaluate_within_reach};
 use crate::run::{Considered, Observer, PlannedRound, RunError, RunEvent, unobserved};
 
-/// What is to be done in a round.
+/// The plan of the next round.
 #[derive(Debug)]
 pub(super) enum NextPlan {
-    /// A plan for which no motion was looked for yet.
+    /// A plan without a motion so far.
     Alone(Plan),
-    /// A plan that was chosen for its motion.
+    /// A plan that was chosen with its motion.
     Followed(Box<PlannedRound>),
 }
 
@@ -26,7 +26,7 @@ impl NextPlan {
 }
 
 impl Session<'_> {
-    /// A plan for what is not yet done; in later rounds none where none is predicted to bring anything.
+    /// Plans the rest of the task. In later rounds returns `None` if no plan is predicted to gain anything.
     pub(super) fn next_plan(
         &mut self,
         observer: &mut Observer<'_>,
@@ -42,7 +42,8 @@ impl Session<'_> {
             (None, None) if config.plan.strategy.is_searched() => self.searched_plan(observer)?,
             (None, None) => {
                 let variants = if self.first_observation().is_some() {
-                    // A prediction for dirt that was seen is worth choosing by, as one for what is left over is.
+                    // A plan for observed dirt is chosen among several by its prediction, like a plan for
+                    // remaining dirt.
                     let more = recovery_candidates(&task.tool.footprint);
                     config.variants.max(more)
                 } else {
@@ -62,11 +63,11 @@ impl Session<'_> {
                 };
                 let mut open = unfinished(task, goal)?;
                 if is_treated {
-                    // A round goes only where it is believed that something is missing.
+                    // The round covers only places where the belief expects missing treatment.
                     if open.is_empty() {
                         return Ok(None);
                     }
-                    // What is done is to get no more than it may.
+                    // Places that are done still limit the number of passes.
                     open = task.particles.clone();
                 }
                 let left = PlanConfig {
@@ -81,7 +82,7 @@ impl Session<'_> {
                         self.searched_plan(observer)?
                     }
                     Pace::Whole => match planner.best_of(count) {
-                        // What is missing lies where another pass would give too many to what is done.
+                        // Every pass over the missing places would give too many passes to finished places.
                         Err(PlanError::NoFreeNode { .. }) if is_treated => return Ok(None),
                         plan => NextPlan::Alone(plan?),
                     },
@@ -99,8 +100,8 @@ impl Session<'_> {
         }))
     }
 
-    /// The plans of all strategies for the dirt as it is believed to lie, whichever of them the session plans with; each
-    /// as its robot does it, if it has one.
+    /// Evaluates the plans of all strategies for the believed dirt, also of those that the session does not use. With a
+    /// robot, each plan is evaluated as the robot executes it.
     ///
     /// # Errors
     /// Geometry that the libraries refuse.
@@ -109,25 +110,27 @@ impl Session<'_> {
         Ok(considered)
     }
 
-    /// The same, and the motion of the plan that is worth most, if a robot is to follow it.
+    /// Does the same, and also returns the motion of the plan with the highest score, if the session has a
+    /// robot.
     fn consider_plans(&self) -> Result<(Vec<Considered>, Option<Box<PlannedRound>>), RunError> {
         let (task, dirt, config) = (&self.task, self.dirt(), &self.config.plan);
         let planner = Planner::new(task, config).with_possible_dirt(&dirt);
         let portfolio = planner.plan_by_every_strategy()?;
         Ok(match self.performer {
-            Some(_) => followed(&planner, portfolio, |plan| {
-                self.followed(plan, &mut unobserved)
+            Some(_) => evaluate_motions(&planner, portfolio, |plan| {
+                self.compute_motion(plan, &mut unobserved)
             }),
-            None => (unfollowed(task, portfolio), None),
+            None => (evaluate_plans(task, portfolio), None),
         })
     }
 
-    /// The dirt as it may lie.
+    /// The possible distributions of the dirt.
     fn dirt(&self) -> Vec<ParticleDistribution> {
         self.belief.members(PLANNING_DRAWS, self.task.seed)
     }
 
-    /// A plan for all that the belief holds possible; with the best of several, that which is worth most with the robot.
+    /// Returns a plan for all distributions that the belief holds possible. [`Strategy::Best`] takes the plan
+    /// with the highest score on the robot.
     fn searched_plan(&self, observer: &mut Observer<'_>) -> Result<NextPlan, RunError> {
         let (task, dirt, config) = (&self.task, self.dirt(), &self.config.plan);
         if config.strategy == Strategy::Best {
@@ -148,8 +151,8 @@ impl Session<'_> {
         if self.performer.is_none() {
             return Ok(NextPlan::Alone(plan));
         }
-        let follow = |plan| self.followed(plan, &mut unobserved);
-        let (_, round) = within_reach(&planner, plan, &follow)?;
+        let follow = |plan| self.compute_motion(plan, &mut unobserved);
+        let (_, round) = evaluate_within_reach(&planner, plan, &follow)?;
         Ok(NextPlan::Followed(Box::new(round)))
     }
 }

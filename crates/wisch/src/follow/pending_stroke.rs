@@ -1,43 +1,43 @@
-//! What of a plan is still to be wiped.
+//! Pending strokes: the part of a plan that is not yet followed.
 
 use super::path::stroke_run::Corner;
 use super::{AbandonedNode, Attempt};
 use crate::geometry::wrap_angle;
 use crate::plan::Stroke;
 
-/// A node still to be passed.
+/// A pending node.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Waiting {
+pub(super) struct PendingNode {
     pub node: usize,
     pub corner: Corner,
-    /// The number of its stroke in the plan.
+    /// Index of its stroke in the plan.
     pub stroke: usize,
 }
 
-/// What is left of a planned stroke, or one of what was joined anew.
+/// The pending part of a planned stroke, or a stroke that was joined anew.
 #[derive(Debug, Clone)]
-pub(super) struct Open {
-    /// Its nodes from the next on; the first is where the tool has to be put down.
-    pub nodes: Vec<Waiting>,
-    /// Whether the first of them has been wiped already.
+pub(super) struct PendingStroke {
+    /// The pending nodes; the tool touches down at the first.
+    pub nodes: Vec<PendingNode>,
+    /// Whether the first node has been wiped already.
     pub begun: bool,
-    /// Whether the node after it has been given up.
+    /// Whether the node after the first has been abandoned.
     pub skipped: bool,
 }
 
-impl Open {
-    /// A whole stroke; `stroke_of` says of a node in which of the plan it is.
+impl PendingStroke {
+    /// Returns a whole stroke as pending. `stroke_of` returns the index of a node's stroke in the plan.
     pub fn of(stroke: &Stroke, stroke_of: impl Fn(usize) -> usize) -> Self {
         let nodes = stroke.nodes.iter().zip(&stroke.poses);
-        Self::through(nodes.map(|(&node, &pose)| Waiting {
+        Self::through(nodes.map(|(&node, &pose)| PendingNode {
             node,
             corner: Corner { pose, near: None },
             stroke: stroke_of(node),
         }))
     }
 
-    /// A stroke through these nodes, not begun.
-    pub fn through(nodes: impl Iterator<Item = Waiting>) -> Self {
+    /// Returns a pending stroke through these nodes.
+    pub fn through(nodes: impl Iterator<Item = PendingNode>) -> Self {
         Self {
             nodes: nodes.collect(),
             begun: false,
@@ -45,34 +45,34 @@ impl Open {
         }
     }
 
-    /// Whether a node is in it.
+    /// Whether the stroke contains a node.
     pub fn has(&self, node: usize) -> bool {
         self.nodes.iter().any(|waiting| waiting.node == node)
     }
 
-    /// The nodes that are still to be passed.
-    pub fn unpassed(&self) -> &[Waiting] {
+    /// The nodes that are still pending.
+    pub fn pending(&self) -> &[PendingNode] {
         let passed = if self.begun { self.copies(0) } else { 0 };
         &self.nodes[passed..]
     }
 
-    /// How often in a row the node there is in it: twice where the tool is turned on it.
+    /// Number of consecutive copies of the node at an index: two if the tool turns on it.
     pub fn copies(&self, at: usize) -> usize {
         let [first, ..] = &self.nodes[at..] else {
             return 0;
         };
-        let same = |waiting: &&Waiting| waiting.node == first.node;
+        let same = |waiting: &&PendingNode| waiting.node == first.node;
         self.nodes[at..].iter().take_while(same).count()
     }
 
-    /// Leaves the wiped node that it has come to: the tool is put down at the next.
-    pub fn put_down_anew(&mut self) {
+    /// Leaves the wiped node: the tool touches down at the next.
+    pub fn touch_down_at_next(&mut self) {
         self.nodes.remove(0);
         self.begun = false;
         self.skipped = false;
     }
 
-    /// The stroke through its nodes.
+    /// Returns the stroke through its nodes.
     pub fn stroke(&self) -> Stroke {
         Stroke {
             nodes: self.nodes.iter().map(|waiting| waiting.node).collect(),
@@ -85,9 +85,9 @@ impl Open {
     }
 }
 
-/// The nodes on which the tool can be put down, and the others with what was tried.
-pub(super) fn apart(
-    left: &[Waiting],
+/// Splits nodes into those at which the tool can touch down, and abandoned nodes with their attempts.
+pub(super) fn split_by_touch(
+    left: &[PendingNode],
     untouched: Vec<Option<Vec<Attempt>>>,
 ) -> (Vec<usize>, Vec<AbandonedNode>) {
     let (mut nodes, mut abandoned) = (Vec::new(), Vec::new());
@@ -104,18 +104,21 @@ pub(super) fn apart(
     (nodes, abandoned)
 }
 
-/// How many nodes are still to be passed.
-pub(super) fn waiting(open: &[Open]) -> usize {
-    open.iter().map(|open| open.unpassed().len()).sum()
+/// Number of pending nodes.
+pub(super) fn count_pending(open: &[PendingStroke]) -> usize {
+    open.iter().map(|open| open.pending().len()).sum()
 }
 
-/// Takes the next node off what is open. The node before it, if wiped already, heads for the one after; if
-/// that has failed before, the tool is put down anew at the one after.
-pub(super) fn give_up(open: &mut Vec<Open>, attempts: Vec<Attempt>) -> Option<AbandonedNode> {
+/// Removes the next node from the pending strokes. If the node before it has been wiped already, the tool moves
+/// from there to the node after. If that has failed before, the tool touches down anew at the node after.
+pub(super) fn abandon_next(
+    open: &mut Vec<PendingStroke>,
+    attempts: Vec<Attempt>,
+) -> Option<AbandonedNode> {
     let first = &mut open[0];
     let is_turn = first.begun && first.copies(0) > 1;
     if first.begun && first.skipped || is_turn {
-        first.put_down_anew();
+        first.touch_down_at_next();
         return None;
     }
     let at = usize::from(first.begun && first.nodes.len() > 1);

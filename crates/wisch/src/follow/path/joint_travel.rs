@@ -1,8 +1,9 @@
-//! Configurations in a row drawn taut: the tool keeps its places, its yaw and the rest of the null space give way until the
-//! joints move little.
+//! Minimisation of joint travel along a row of configurations: the tool keeps its positions, while its yaw and
+//! the rest of the null space are free.
 //!
-//! Steps of Gauss and Newton in the null spaces, least squares reweighted so that they minimise the length of the way and
-//! not its square: a chain of configurations is a block-tridiagonal system, solved in one sweep.
+//! Gauss-Newton steps in the null spaces, with iteratively reweighted least squares, so that they minimise the
+//! length of the path and not its square. A chain of configurations gives a block-tridiagonal system, which one
+//! sweep solves.
 
 use super::arm::Arm;
 use crate::follow::{AllowedContact, ToolPose};
@@ -11,21 +12,21 @@ use crate::robot::JointPositions;
 use nalgebra::{Cholesky, DMatrix, DVector, Dyn};
 use rayon::prelude::*;
 
-/// Most steps.
+/// Largest number of steps.
 const MAX_STEPS: usize = 20;
-/// A step that shortens the way by less than this share of it is the last.
+/// Relative gain below which a step is the last [1].
 const LEAST_GAIN: f64 = 1e-3;
-/// Farthest that a joint moves in one step [rad or m].
+/// Largest movement of a joint in one step [rad or m].
 const MAX_CHANGE: f64 = 0.3;
-/// How often a step that does not shorten the way is halved.
+/// Largest number of halvings of a step that does not shorten the path.
 const MAX_HALVINGS: i32 = 3;
-/// Below this a way between two configurations weighs as much as one as long [rad].
+/// Length below which the weight of a piece grows no further [rad].
 const SHORTEST: f64 = 1e-3;
 /// Damping of the steps, against weights of the order of 1 / [`SHORTEST`].
 const DAMPING: f64 = 1e-2;
 
-/// Moves configurations that put the tool down at `places`, with any yaw, to where the joints move less between them.
-pub(super) fn drawn_taut(arm: &Arm, places: &[Point2], row: &mut Vec<JointPositions>) {
+/// Moves configurations that touch down at `places`, with any yaw, so that the joints move less between them.
+pub(super) fn minimise_joint_travel(arm: &Arm, places: &[Point2], row: &mut Vec<JointPositions>) {
     if row.len() < 2 {
         return;
     }
@@ -34,7 +35,7 @@ pub(super) fn drawn_taut(arm: &Arm, places: &[Point2], row: &mut Vec<JointPositi
         let Some(step) = step(arm, row) else { return };
         let shorter = (0..=MAX_HALVINGS).find_map(|halvings| {
             let share = 0.5_f64.powi(halvings);
-            let tried = moved(arm, places, row, &step, share);
+            let tried = apply_step(arm, places, row, &step, share);
             Some((movement(&tried), tried)).filter(|(shorter, _)| *shorter < length)
         });
         let Some((shorter, tried)) = shorter else {
@@ -48,7 +49,7 @@ pub(super) fn drawn_taut(arm: &Arm, places: &[Point2], row: &mut Vec<JointPositi
     }
 }
 
-/// How each configuration is to move within its null space; nothing if there is none.
+/// Returns the step of each configuration within its null space; `None` if a null space is empty.
 fn step(arm: &Arm, row: &[JointPositions]) -> Option<Vec<DVector<f64>>> {
     let spaces: Vec<DMatrix<f64>> = row.par_iter().map(|q| arm.null_space(q)).collect();
     if spaces.iter().any(|space| space.ncols() == 0) {
@@ -60,11 +61,14 @@ fn step(arm: &Arm, row: &[JointPositions]) -> Option<Vec<DVector<f64>>> {
                 pair[0].len(),
                 pair[0].iter().zip(pair[1].iter()).map(|(a, b)| b - a),
             );
+            // With the weight w = 1 / |Δq|, half the sum of w |Δq|² has the gradient of the sum of |Δq|.
             let weight = 1.0 / step.norm().max(SHORTEST);
             (step, weight)
         })
         .collect();
     let count = row.len();
+    // Normal equations (N, null spaces): diagonal blocks (w₋ + w₊ + damping) I, off-diagonal blocks −w N_iᵀ N_{i+1}.
+    // Forward elimination by blocks, then back substitution.
     let mut pivots: Vec<Cholesky<f64, Dyn>> = Vec::with_capacity(count);
     let mut rests: Vec<DVector<f64>> = Vec::with_capacity(count);
     let coupling = |i: usize| spaces[i].tr_mul(&spaces[i + 1]) * -between[i].1;
@@ -111,8 +115,9 @@ fn step(arm: &Arm, row: &[JointPositions]) -> Option<Vec<DVector<f64>>> {
     Some(steps)
 }
 
-/// The configurations after a share of a step, put back on their places; those where that cannot be done stay.
-fn moved(
+/// Returns the configurations after a share of a step, corrected to their places; those that cannot be
+/// corrected stay.
+fn apply_step(
     arm: &Arm,
     places: &[Point2],
     row: &[JointPositions],
@@ -122,18 +127,22 @@ fn moved(
     let moved = (0..row.len()).into_par_iter().map(|i| {
         let wanted = row[i].iter().zip(step[i].iter());
         let wanted: JointPositions = wanted.map(|(q, step)| q + share * step).collect();
-        put_back(arm, places[i], &wanted).unwrap_or(row[i])
+        touch_down_near(arm, places[i], &wanted).unwrap_or(row[i])
     });
     moved.collect()
 }
 
-/// The configuration nearest to one, about, that puts the tool down at a place, touching nothing else.
-pub(super) fn put_back(arm: &Arm, place: Point2, near: &JointPositions) -> Option<JointPositions> {
+/// Returns approximately the nearest configuration to `near` that touches down at a place without collision.
+pub(super) fn touch_down_near(
+    arm: &Arm,
+    place: Point2,
+    near: &JointPositions,
+) -> Option<JointPositions> {
     arm.nearest_with_free_yaw(&on_surface(place), near)
         .filter(|q| arm.is_free_at(q, AllowedContact::Surface))
 }
 
-/// The tool on the surface at a place, with any yaw.
+/// Returns the pose of the tool on the surface at a place; its yaw is arbitrary.
 pub(super) fn on_surface(place: Point2) -> ToolPose {
     ToolPose {
         surface_from_tool: PlanarPose::new(place, 0.0),
@@ -142,13 +151,15 @@ pub(super) fn on_surface(place: Point2) -> ToolPose {
     }
 }
 
-/// The length of the joints' way through these configurations [rad].
+/// Length of the joint path through these configurations [rad].
 pub(in crate::follow) fn movement(row: &[JointPositions]) -> f64 {
-    row.windows(2).map(|pair| way(&pair[0], &pair[1])).sum()
+    row.windows(2)
+        .map(|pair| joint_distance(&pair[0], &pair[1]))
+        .sum()
 }
 
-/// The length of the joints' straight way between two configurations [rad].
-pub(in crate::follow) fn way(from: &JointPositions, to: &JointPositions) -> f64 {
+/// Joint distance between two configurations [rad].
+pub(in crate::follow) fn joint_distance(from: &JointPositions, to: &JointPositions) -> f64 {
     let squares = from.iter().zip(to.iter()).map(|(a, b)| (b - a) * (b - a));
     squares.sum::<f64>().sqrt()
 }
