@@ -21,19 +21,7 @@ pub fn surface(size: [f64; 2]) -> Surface {
 
 /// Returns the sponge; its lower face is in the contact plane.
 pub fn sponge() -> Tool {
-    let [depth, width, height] = SPONGE;
-    let tool_from_mesh = Pose::translation(0.0, 0.0, height / 2.0);
-    let block = Mesh::cuboid(Vector3::new(depth, width, height)).expect("a box");
-    Tool {
-        name: "sponge".into(),
-        mesh: block.transformed(&tool_from_mesh),
-        footprint: Region::new(vec![Polygon::rectangle(Vector2::new(depth, width))]),
-        area_of_effect: Vector2::new(depth, width),
-        rotation_about_normal: AngleRange::FULL,
-        tilt: None,
-        grip: None,
-        second_grip: None,
-    }
+    Tool::pad("sponge", Vector3::from(SPONGE)).expect("a box")
 }
 
 /// Returns the interaction of the sponge with breadcrumbs.

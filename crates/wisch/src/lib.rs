@@ -83,6 +83,24 @@ pub mod run;
 
 pub use wisch_robot::{self as robot, geometry, source_location};
 
+/// What most programs name: `use wisch::prelude::*;`.
+pub mod prelude {
+    pub use crate::follow::{Audit, Followed, Workcell};
+    pub use crate::geometry::{Mesh, PlanarPose, Point2, Point3, Polygon, Pose, Vector2, Vector3};
+    pub use crate::interpret::{Belief, Interpretation, TouchSample, interpret};
+    pub use crate::plan::{Plan, PlanConfig, Planner, Strategy, plan, predict};
+    pub use crate::recover::{Verdict, next_task};
+    pub use crate::represent::{
+        Action, Interaction, Observation, ParticleDistribution, SceneObject, ScenePart, Surface,
+        Task, Tool,
+    };
+    pub use crate::robot::{IkSolver, RobotModel, Srdf};
+    pub use crate::run::{
+        Execution, Executor, ExecutorError, MotionOrder, Round, RunConfig, RunEvent, SampleSink,
+        Session, Stage, unobserved,
+    };
+}
+
 /// The README's example runs.
 #[cfg(doctest)]
 #[doc = include_str!("../../../README.md")]

@@ -9,8 +9,8 @@ use crate::knowledge::is_entry_name;
 use std::collections::BTreeSet;
 use wisch::geometry::Vector3;
 use wisch::represent::{
-    Action, AngleRange, GrainSize, Interaction, KnowledgeBase, KnowledgeError, LogNormal,
-    LogNormalSpread, MediumEntry, Redraw, SurfaceEntry, SurfaceScope, ToolEntry, ToolMesh,
+    Action, AngleRange, GrainSize, Interaction, KnowledgeBase, KnowledgeError, MediumEntry,
+    SurfaceEntry, SurfaceScope, ToolEntry, ToolMesh,
 };
 use wisch::source_location::Place;
 
@@ -23,20 +23,6 @@ const GRAIN_SIZE: GrainSize = GrainSize {
     min_m: 0.0005,
     max_m: 0.002,
 };
-/// A sponge's force on crumbs [N].
-const PRESS_FORCE: f64 = 10.0;
-/// Yields to a hand, holds against friction [N/m].
-const STIFFNESS: f64 = 500.0;
-/// Settles without much overshoot.
-const DAMPING_RATIO: f64 = 0.7;
-/// The posture gives way to the tool.
-const POSTURE_WEIGHT: f64 = 0.2;
-/// A sponge on crumbs: half of them are taken along at a third of the nominal pressure.
-const LIKELIHOOD: LogNormal = LogNormal {
-    mu: -1.05,
-    sigma: 0.25,
-};
-
 /// What a task file defines itself.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Definitions {
@@ -288,19 +274,9 @@ impl TaskFile {
 /// Returns the interaction that stands in for a pair of which nothing is known.
 fn assume_interaction(tool: &ToolEntry, medium: &str, surface: &str) -> Interaction {
     Interaction {
-        tool: tool.name.clone(),
-        medium: medium.to_owned(),
         surface: SurfaceScope::Named(surface.to_owned()),
-        actions: Action::ALL.into_iter().collect(),
-        press_force_n: PRESS_FORCE,
-        stiffness_n_per_m: STIFFNESS,
-        damping_ratio: DAMPING_RATIO,
-        nullspace_posture_weight: POSTURE_WEIGHT,
         compression_depth_m: tool.compression_depth_m,
-        gap_m: 0.0,
-        likelihood: LIKELIHOOD,
-        likelihood_spread: LogNormalSpread::default(),
-        redraw: Redraw::default(),
+        ..Interaction::assume(&tool.name, medium)
     }
 }
 

@@ -15,6 +15,22 @@ pub struct Surface {
     pub skim_edges: Vec<usize>,
 }
 
+impl Surface {
+    /// Returns a surface over no edge of which dirt may be skimmed.
+    ///
+    /// # Parameters
+    /// - `outline`: its outline in the surface frame [m].
+    /// - `world_from_surface`: the pose of its frame in the world; z is the outward normal.
+    pub fn new(name: impl Into<String>, outline: Polygon, world_from_surface: Pose) -> Self {
+        Self {
+            name: name.into(),
+            outline,
+            world_from_surface,
+            skim_edges: Vec::new(),
+        }
+    }
+}
+
 /// What lies at a point of the surface's plane.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Ground {

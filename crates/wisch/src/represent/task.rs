@@ -4,7 +4,7 @@ use super::{
     Action, AngleRange, GoalState, Grip, Interaction, ParticleDistribution, SceneObject, ScenePart,
     SecondGrip, Surface, TiltFreedom, Treatment,
 };
-use crate::geometry::{Mesh, Point2, Pose, Region, Vector2, Vector3};
+use crate::geometry::{Mesh, MeshError, Point2, Polygon, Pose, Region, Vector2, Vector3};
 
 /// A tool with its geometry and degrees of freedom.
 #[derive(Debug, Clone, PartialEq)]
@@ -28,6 +28,28 @@ pub struct Tool {
 }
 
 impl Tool {
+    /// Returns a rectangular pad that wipes with its whole lower face and is held upright, in any yaw.
+    ///
+    /// # Parameters
+    /// - `size`: depth along the motion, width across it, and thickness [m].
+    ///
+    /// # Errors
+    /// A size that no mesh has.
+    pub fn pad(name: impl Into<String>, size: Vector3) -> Result<Self, MeshError> {
+        let face = Vector2::new(size.x, size.y);
+        let tool_from_mesh = Pose::translation(0.0, 0.0, size.z / 2.0);
+        Ok(Self {
+            name: name.into(),
+            mesh: Mesh::cuboid(size)?.transformed(&tool_from_mesh),
+            footprint: Region::new(vec![Polygon::rectangle(face)]),
+            area_of_effect: face,
+            rotation_about_normal: AngleRange::FULL,
+            tilt: None,
+            grip: None,
+            second_grip: None,
+        })
+    }
+
     /// Radius r_s = ‖D_aoe‖ / 2 of the collision sphere [m].
     pub fn collision_radius(&self) -> f64 {
         self.area_of_effect.norm() / 2.0
@@ -101,6 +123,49 @@ pub struct Task {
 }
 
 impl Task {
+    /// Returns a task for which nothing is known but what it is given: the tool presses as [`Interaction::assume`] says, the
+    /// scene is empty, the planner chooses where to collect, and the tool starts at the middle of the surface. Every field can
+    /// be set afterwards.
+    ///
+    /// # Parameters
+    /// - `particles`: where the dirt is believed to lie, in the surface frame [m].
+    ///
+    /// ```
+    /// use wisch::prelude::*;
+    ///
+    /// let outline = Polygon::rectangle(Vector2::new(0.4, 0.3));
+    /// let surface = Surface::new("tray", outline, Pose::translation(0.5, 0.0, 0.8));
+    /// let sponge = Tool::pad("sponge", Vector3::new(0.07, 0.11, 0.05))?;
+    /// let crumbs = [Point2::new(-0.1, 0.05), Point2::new(0.0, -0.04), Point2::new(0.12, 0.1)];
+    /// let task = Task::new(Action::Absorb, surface, sponge, "crumbs", ParticleDistribution::new(&crumbs)?);
+    /// let plan = Planner::new(&task, &PlanConfig::default()).plan()?;
+    /// assert_eq!(predict(&task, &plan, |_| ()).performance.achieved, 3);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn new(
+        action: Action,
+        surface: Surface,
+        tool: Tool,
+        medium: impl Into<String>,
+        particles: ParticleDistribution,
+    ) -> Self {
+        let medium = medium.into();
+        Self {
+            name: surface.name.clone(),
+            action,
+            interaction: Interaction::assume(&tool.name, &medium),
+            scene: Vec::new(),
+            collect_goal: None,
+            treatment: None,
+            tool_start: Point2::origin(),
+            seed: 0,
+            surface,
+            tool,
+            medium,
+            particles,
+        }
+    }
+
     /// Returns the goal of the task; `None` if the planner chooses where to collect.
     pub fn goal(&self) -> Option<GoalState> {
         match (self.action, self.collect_goal) {
