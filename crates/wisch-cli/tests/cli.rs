@@ -146,11 +146,11 @@ fn the_plans_of_all_strategies_are_listed_with_why_one_is_taken() {
         }
     }
     assert!(plan(&["--explain"]).contains(" has the highest score, 0."));
-    // Another than the best is said to be that.
+    // A requested plan that is not the best is marked as requested.
     let grid = plan(&["--explain", "--strategy", "grid"]);
     assert!(grid.contains("  * grid "), "{grid}");
     assert!(
-        grid.contains("grid is what was asked for; --strategy best would take"),
+        grid.contains("grid was requested; --strategy best would choose"),
         "{grid}"
     );
     // Nobody asked.

@@ -128,7 +128,7 @@ fn episodes_are_selected_of_a_fleet_only() {
     let (code, _, err) = wisch(folder.path(), &["ask", "--since", "2026-11-01", "true"]);
     assert_eq!(code, 2);
     assert!(
-        err.contains("is said of a fleet only") && err.contains("--fleet"),
+        err.contains("options that select episodes need --fleet") && err.contains("--fleet"),
         "{err}"
     );
 }

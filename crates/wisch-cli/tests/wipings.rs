@@ -286,9 +286,9 @@ fn what_is_wrong_is_named_with_its_place() {
         ),
         (
             sweep(&["--set", "seed=1,2"]),
-            "--set seed: a sweep has its seeds from elsewhere",
+            "--set seed: a sweep sets the seeds itself",
         ),
-        (sweep(&["--set", "particles.count"]), "it has no \"=\""),
+        (sweep(&["--set", "particles.count"]), "\"=\" is missing"),
         (
             sweep(&["--set", "particles.count=1:9:0"]),
             "particles.count: the range 1:9:0 has no step",

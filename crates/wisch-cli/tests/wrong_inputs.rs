@@ -528,7 +528,7 @@ fn line_cases() -> Vec<Case> {
         line(
             "a setting without value",
             &["run", "task.toml", "--set", "seed"],
-            &["--set", "it has no \"=\""],
+            &["--set", "\"=\" is missing"],
         ),
         line(
             "a setting of no key",
