@@ -54,11 +54,11 @@ pub(crate) fn outcome(goal: &GoalState, surface: &Surface, particle: Particle) -
 /// What the performance counts, in two or three words.
 pub(crate) fn achieved(goal: &GoalState) -> &'static str {
     match goal {
-        GoalState::Absorbed => "taken up",
-        GoalState::Collected { .. } => "at the goal",
-        GoalState::Skimmed => "over the allowed edge",
-        GoalState::Polished { .. } => "passed often enough",
-        GoalState::Emitted { .. } => "as thick as wanted",
+        GoalState::Absorbed => "absorbed",
+        GoalState::Collected { .. } => "in the goal area",
+        GoalState::Skimmed => "over the skim edge",
+        GoalState::Polished { .. } => "polished",
+        GoalState::Emitted { .. } => "coated",
     }
 }
 
@@ -74,8 +74,8 @@ pub(crate) fn open(goal: &GoalState) -> &'static str {
 /// What is lost, in a few words.
 pub(crate) fn lost(goal: &GoalState) -> &'static str {
     match goal {
-        GoalState::Emitted { .. } => "under too thick a coat",
-        _ => "lost over a wrong edge",
+        GoalState::Emitted { .. } => "coated too thickly",
+        _ => "lost over another edge",
     }
 }
 

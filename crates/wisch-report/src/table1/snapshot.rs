@@ -114,7 +114,7 @@ pub(super) fn entries() -> Vec<Entry> {
             sample: html! { path class="mark-lost" d="M8.5-3.5l7 7m0-7l-7 7" {} },
         },
         legend::line("trail", "way of the tool in contact"),
-        legend::area("goal-reach", "counts as collected"),
+        legend::area("goal-reach", "goal area"),
         legend::area("obstacle", "obstacle"),
     ]
 }

@@ -297,14 +297,14 @@ const cases = {
       const { pose } = wisch.recording.rounds[0].plan.surface;
       const row = (y) => Array.from({ length: 9 }, (_, i) => [-0.08 + 0.02 * i, y]);
       wisch.view.showParticles([
-        { name: "dirt before round 1, as asked", state: "before", pose, places: row(-0.03), color: "#00ff00" },
-        { name: "dirt as estimated after round 1, as asked", state: "estimated", pose, places: row(0.03) },
+        { name: "dirt before round 1, as queried", state: "before", pose, places: row(-0.03), color: "#00ff00" },
+        { name: "estimated dirt after round 1, as queried", state: "estimated", pose, places: row(0.03) },
       ]);
       wisch.view.highlight([1, 1.4, 1.8, 2.1, 9, 9.2].map((start, i) => ({ start, end: start + 0.3, label: ["HumanCollision", "UnreachedNode"][i % 2] })));
     });
     await page.waitForTimeout(1000);
     assert.ok((await green()) > 100, "the particles are not seen");
-    assert.deepEqual(await page.locator(".w-named li").allInnerTexts(), ["dirt before round 1, as asked", "dirt as estimated after round 1, as asked"]);
+    assert.deepEqual(await page.locator(".w-named li").allInnerTexts(), ["dirt before round 1, as queried", "estimated dirt after round 1, as queried"]);
     const box = await page.locator(".w-timeline").boundingBox();
     const duration = await page.evaluate(() => wisch.view.clock.duration);
     await page.mouse.move(box.x + 112 + (1.1 / duration) * (box.width - 112 - 22), box.y + 100);
