@@ -50,7 +50,7 @@ fn packages_are_resolved_where_they_are_named() {
     assert_eq!(code, 2);
     assert_eq!(out.matches("add --package rods=DIR").count(), 1, "{out}");
     assert!(!out.contains("note "), "{out}");
-    assert!(err.contains("no robot can be made of it: 1 error"), "{err}");
+    assert!(err.contains("the robot cannot be loaded: 1 error"), "{err}");
 
     let meshes = folder.path().join("elsewhere");
     fs::create_dir(&meshes).expect("made");

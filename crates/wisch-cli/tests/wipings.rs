@@ -295,7 +295,7 @@ fn what_is_wrong_is_named_with_its_place() {
         ),
         (
             sweep(&["--set", "particles.count=1", "--set", "particles.count=2"]),
-            "--set particles.count: the key is there twice",
+            "--set particles.count: the key is given twice",
         ),
         (
             vec![

@@ -243,7 +243,7 @@ fn toml_cases() -> Vec<Case> {
             "a name twice",
             "name = \"cup\"",
             "name = \"board\"",
-            &["\"board\" is already at"],
+            &["\"board\" is already defined at"],
         ),
         task(
             "unknown carrier",
@@ -299,7 +299,7 @@ fn meaning_cases() -> Vec<Case> {
             "a tool that does not fit",
             "name = \"sponge\"",
             "name = \"vacuum_nozzle\"",
-            &["vacuum_nozzle", "only to absorb"],
+            &["vacuum_nozzle", "only absorb"],
         ),
         task(
             "an unreachable collect goal",
@@ -336,7 +336,7 @@ fn meaning_cases() -> Vec<Case> {
             "a mesh of no format",
             CUP,
             "mesh = { file = \"tap.step\" }",
-            &["tap.step", "ends in .stl, .obj or .dae"],
+            &["tap.step", "must end in .stl, .obj or .dae"],
         ),
         task(
             "a goal that is no PDDL",

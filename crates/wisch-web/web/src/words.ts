@@ -28,7 +28,7 @@ const known = (value: number | null, text: (value: number) => string): string =>
 /** The candidate plans, the one with the highest score first. */
 function choice(considered: readonly Considered[]): HTMLElement {
   const list = [...considered].sort((a, b) => (b.worth ?? -Infinity) - (a.worth ?? -Infinity));
-  const names = ["Strategy", "Score", "Predicted", "Lost", "In contact", "Time"];
+  const names = ["Strategy", "Score", "Done", "Lost", "Contact", "Time"];
   const cells = (one: Considered): string[] => [
     known(one.worth, (worth) => fixed(worth, 2)), known(one.predicted, percent), known(one.lost, percent), known(one.in_contact, (way) => `${fixed(way, 2)} m`), known(one.duration, (time) => `${fixed(time, 0)} s`),
   ];

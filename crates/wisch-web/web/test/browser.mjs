@@ -52,10 +52,10 @@ const cases = {
     assert.ok(first < 5000);
     await picture("story-light");
     const rows = await page.locator(".w-choice tbody tr").allInnerTexts();
-    assert.deepEqual(rows.map((row) => row.split("\t")[0].replace(/[^a-z]/g, "")), ["adaptivechosen", "kde", "rrt"], "that of most worth first");
+    assert.deepEqual(rows.map((row) => row.split("\t")[0].replace(/[^a-z]/g, "")), ["adaptivechosen", "kde", "rrt"], "the highest score first");
     assert.match(rows[0], /0\.76\t100\u202f%\t0\u202f%\t0\.94 m\t17 s$/);
     assert.ok(await page.evaluate(() => document.querySelector(".w-choice").scrollWidth <= document.querySelector(".w-choice").clientWidth), "the table is cut off");
-    assert.match(rows[2], /none: no way leads to the goal$/);
+    assert.match(rows[2], /no plan: no way leads to the goal$/);
     await page.evaluate(() => document.querySelector(".w-view").scrollIntoView());
 
     await page.keyboard.press("Space");
