@@ -152,7 +152,7 @@ fn a_silent_executor_is_abandoned_and_the_episode_is_kept() {
     let output = command.output().expect("it runs");
     let err = String::from_utf8_lossy(&output.stderr);
     assert_eq!(output.status.code(), Some(2), "{err}");
-    assert!(err.contains("it said nothing for 2 s"), "{err}");
+    assert!(err.contains("no message for 2 s"), "{err}");
     assert!(err.contains("the episode was kept in"), "{err}");
     let kept = fs::read_dir(folder.path().join("memory")).expect("a memory");
     assert!(kept.count() > 0);

@@ -293,7 +293,7 @@ fn what_is_odd_about_a_log_is_said() {
         &[&["interpret", "log.csv", "--task", "task.toml"], &frame[..]].concat(),
     );
     for part in [
-        "left out: 1 sample, the first of them line 102: z is NaN",
+        "left out: 1 sample; the first: line 102: z is NaN",
         "gaps in the log: 2.0",
     ] {
         assert!(words.contains(part), "{part} in {words}");

@@ -418,7 +418,7 @@ fn file_cases() -> Vec<Case> {
         list(
             "a list of words",
             "x,y\n0.1,abc\n",
-            &["crumbs.csv:2", "y = \"abc\" is no number"],
+            &["crumbs.csv:2", "y = \"abc\" is not a number"],
         ),
         list(
             "a list with NaN",
@@ -439,7 +439,7 @@ fn file_cases() -> Vec<Case> {
             "no PNG",
             b"not a picture",
             CORNERS,
-            &["photo.png", "no PNG or JPEG"],
+            &["photo.png", "not a readable PNG or JPEG"],
         ),
         image(
             "corners that are none",
@@ -563,7 +563,7 @@ fn line_cases() -> Vec<Case> {
         line(
             "results in a file",
             &["run", "task.toml", "--out", "task.toml"],
-            &["task.toml", "a file stands there"],
+            &["task.toml", "but this is a file"],
         ),
         line(
             "results below a file",

@@ -345,11 +345,11 @@ fn what_the_knowledge_or_a_file_lacks_is_refused_with_its_place() {
         (mesh("broken.stl", ""), "17:17: mesh \"broken.stl\": "),
         (
             source("source = \"csv\"\nfile = \"empty.csv\""),
-            "12:1: particles: empty.csv: it lists no particle",
+            "12:1: particles: empty.csv: the list has no particles",
         ),
         (
             source("source = \"csv\"\nfile = \"off.csv\""),
-            "12:1: particles: off.csv:3: (9, 0) m lies off the surface's outline",
+            "12:1: particles: off.csv:3: (9, 0) m is outside the surface's outline",
         ),
         (
             source("source = \"csv\"\nfile = \"none.csv\""),
@@ -359,7 +359,7 @@ fn what_the_knowledge_or_a_file_lacks_is_refused_with_its_place() {
             source(
                 "source = \"image\"\nfile = \"text.png\"\ncorners_px = [[0, 1], [1, 1], [1, 0], [0, 0]]\ncolor = [1, 2, 3]\ntolerance = 1\ncount = 1",
             ),
-            "12:1: particles: text.png: it is no PNG or JPEG",
+            "12:1: particles: text.png: not a readable PNG or JPEG",
         ),
     ] {
         let file = parsed(&text).unwrap_or_else(|error| panic!("{error}"));
