@@ -13,7 +13,7 @@ use wisch_sim::{Places, SimulationSettings};
 
 /// Stream of random numbers, independent of the task's.
 const STREAM: u64 = 0x776f_726c_6400_0000;
-/// Maximum difference between μ of the true law and the believed one.
+/// Difference between μ of the true law and the believed one; its sign is random.
 const LAW: f64 = 0.5;
 /// A law that is much harder than believed.
 const HARD: LogNormal = LogNormal {
@@ -23,7 +23,7 @@ const HARD: LogNormal = LogNormal {
 /// Relative differences between the true and the believed tool: stiffness and size [1].
 const STIFFNESS: f64 = 0.3;
 const FOOTPRINT: f64 = 0.1;
-/// Maximum offset of the tool in the hand [m].
+/// Offset of the tool in the hand [m]; its direction is random.
 const GRASP: f64 = 0.01;
 /// Maximum tilt of the true surface about its x and y [rad], and maximum offset along its normal [m].
 const TILT: f64 = 3.0 * PI / 180.0;
@@ -53,7 +53,7 @@ pub enum MismatchKind {
     Clusters,
     /// Grains are in a band.
     Stripe,
-    /// μ of the law is higher or lower by up to 0.5.
+    /// μ of the law is higher or lower by 0.5.
     Law,
     /// Grains are much harder to move: μ = -0.35, σ = 0.4.
     HardLaw,

@@ -1,4 +1,4 @@
-//! What a query shows in space, as the page's script reads it.
+//! The data of a query in space, in the format of the page's script.
 
 use super::names::local;
 use crate::scene::{Meshes, Solid, tenths, vector};
@@ -110,7 +110,7 @@ impl Space {
             self.items.push(item);
         }
         if !round.objects.is_empty() {
-            let mut item = Item::new("what stands there", "obstacle");
+            let mut item = Item::new("scene objects", "obstacle");
             item.alpha = 0.5;
             for (world_from_object, mesh) in &round.objects {
                 (item.solids).push(self.meshes.solid(world_from_object, mesh));
@@ -124,7 +124,7 @@ impl Space {
         let episode = &view.episodes[round.episode].id;
         let [_, tool, _] = &round.names;
         let name = format!(
-            "all of the {tool}'s way, round {} of {episode}",
+            "full path of the {tool}, round {} of {episode}",
             round.number
         );
         let mut item = Item::new(&name, "quiet");

@@ -1,4 +1,4 @@
-//! Where the base stands, seen from above.
+//! The base poses, seen from above.
 
 use super::input::{MotionInput, ShownContact, ShownPhase, ShownPlace, ShownPlacement};
 use super::sampled::{SampledMotion, world_from_link};
@@ -283,12 +283,12 @@ fn legend(input: &MotionInput, drives: bool, top: f64) -> (Markup, f64) {
     let entries = [
         (
             true,
-            "base, looks along the arrow",
+            "base; the arrow is its heading",
             html! { rect class="robot-plan" x="3" y="-6" width="18" height="12" rx="4" {} },
         ),
         (
             drives,
-            "way driven",
+            "path of the base",
             html! { path class="driven" d="M0 0h24" {} },
         ),
         (
@@ -313,7 +313,7 @@ fn legend(input: &MotionInput, drives: bool, top: f64) -> (Markup, f64) {
         ),
         (
             input.ratings.iter().any(is_blocked),
-            "blocked place",
+            "blocked position",
             html! { path class="mark-blocked" d="M8-4l8 8m0-8l-8 8" {} },
         ),
     ];

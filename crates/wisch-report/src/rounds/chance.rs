@@ -1,4 +1,4 @@
-//! How likely contact of some force has its effect, and how strong contact was; paper Fig. 11.
+//! The probability of an effect over contact force, and the measured contact forces; paper Fig. 11.
 
 use super::input::{RoundView, RoundsInput};
 use super::reduce;
@@ -75,7 +75,8 @@ pub(crate) fn figure(input: &RoundsInput, round: &RoundView) -> Figure {
             },
         },
         entries: Vec::new(),
-        what: "The chance of an effect, and the force of contact in this round".to_owned(),
+        what: "Probability of an effect over contact force, and contact forces of this round"
+            .to_owned(),
     }
 }
 
@@ -146,7 +147,7 @@ fn chance(likelihood: &LogNormal, histogram: &Histogram) -> Markup {
         }
         path class="curve" d=(curve.path()) {}
         text class="text small quiet" x="8" y=(px(CURVE + 18.0)) {
-            @if most > 0.0 { "share of the time in contact, at most " (percent(most)) } @else { "no time in contact" }
+            @if most > 0.0 { "share of the contact time, at most " (percent(most)) } @else { "no contact" }
         }
         @for (left, width, top) in (0..BINS).map(bar) {
             @if BARS - top > 0.05 {

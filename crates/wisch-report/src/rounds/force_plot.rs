@@ -1,4 +1,4 @@
-//! Force and height over time, with what happened below; paper Fig. 9, 16 and 18.
+//! Force and height over time, with events below; paper Fig. 9, 16 and 18.
 
 use super::input::{RoundView, RoundsInput};
 use super::reduce::{self, Dot};
@@ -174,7 +174,7 @@ fn bands(plot: &Plot, places: &[(f64, f64)], class: &str) -> Markup {
     }
 }
 
-/// The force that is wanted, and the band in which contact is certain.
+/// Draws the commanded force, and the band of confident contact.
 fn intended(plot: &Plot, press: f64) -> Markup {
     let [weak, full] = CONFIDENT.map(|share| plot.down(-share * press));
     html! {
@@ -244,7 +244,7 @@ const fn class(touch: Touch) -> &'static str {
     }
 }
 
-/// A row of spans for each kind of event that occurs, and one for what truly happened; gives their height too.
+/// Draws a row of spans for each kind of event, and a row of true pushes; returns their height, too.
 fn lanes(events: &[Event], pushes: &[(f64, f64)], times: &Times, top: f64) -> (Markup, f64) {
     let spans = |kind: EventKind| -> Vec<(f64, f64)> {
         let of_kind = events.iter().filter(|event| event.kind == kind);
@@ -254,7 +254,7 @@ fn lanes(events: &[Event], pushes: &[(f64, f64)], times: &Times, top: f64) -> (M
             .collect()
     };
     let felt = words::KINDS.map(|kind| (words::kind(kind), event_class(kind), spans(kind)));
-    let truth = ("pushed (truth)", "event-push", pushes.to_vec());
+    let truth = ("true push", "event-push", pushes.to_vec());
     let lanes: Vec<_> = (felt.into_iter().chain([truth]))
         .filter(|(_, _, spans)| !spans.is_empty())
         .collect();
@@ -330,7 +330,7 @@ fn entries(path: &[PathPiece], losses: &[(f64, f64)], pushes: &[(f64, f64)]) -> 
     if !pushes.is_empty() {
         entries.push(legend::area(
             "true-push",
-            "truly pushed, which the robot does not know",
+            "true push (unknown to the robot)",
         ));
     }
     entries

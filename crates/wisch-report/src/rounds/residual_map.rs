@@ -1,4 +1,4 @@
-//! What is left: as planned on, as estimated and in truth, and how sure the estimate is of each place.
+//! The remaining dirt: believed, estimated and true, and the uncertainty of the estimate by location.
 
 use super::input::{RoundView, RoundsInput};
 use crate::draw::{
@@ -26,7 +26,7 @@ const NARROWEST: f64 = 600.0;
 /// Most particles that are drawn.
 const MAX_DRAWN: usize = 3_000;
 
-/// The particles that are still to be wiped, counted in square cells; of a surface that is treated, its mean passes there.
+/// A map in square cells of the remaining particles, or of the mean passes over a treated surface.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Cells {
     pub(crate) low: Point2,
@@ -157,8 +157,7 @@ pub(crate) fn particles_figure(input: &RoundsInput, round: &RoundView) -> Figure
     Figure {
         panel: beside(panels),
         entries: particle_entries(input, round),
-        what: "What was planned on, what is estimated to be left, and what is left in truth"
-            .to_owned(),
+        what: "Believed dirt before the round, and estimated and true dirt after it".to_owned(),
     }
 }
 
@@ -174,7 +173,7 @@ pub(crate) fn density_figure(input: &RoundsInput, round: &RoundView) -> Figure {
     }
 }
 
-/// What the maps show, as a title.
+/// Returns the title of the maps.
 fn counted(goal: &GoalState) -> &'static str {
     if goal.action().treats() {
         "Passes"
@@ -239,7 +238,7 @@ fn views(input: &RoundsInput, round: &RoundView, cells: &Cells) -> Vec<(Panel, S
         ),
     ];
     if let Some((truth, share)) = round.truth {
-        let name = format!("in truth: {}", percent(share));
+        let name = format!("true: {}", percent(share));
         views.push(framed(input, &view, &name, particles(input, &view, truth)));
     }
     views
@@ -332,9 +331,9 @@ fn particle_entries(input: &RoundsInput, round: &RoundView) -> Vec<Entry> {
         entries.push(legend::line("trail", "planned stroke"));
     }
     let dark = if input.goal.action().treats() {
-        "where more passes are believed"
+        "more believed passes"
     } else {
-        "where more is believed to be left"
+        "more believed dirt"
     };
     entries.push(legend::area("band-4", dark));
     entries
@@ -371,7 +370,7 @@ fn maps(input: &RoundsInput, round: &RoundView, cells: &Cells) -> [Panel; 2] {
     })
 }
 
-/// What the colours of a map mean.
+/// Draws the colour scale of a map.
 fn ramp(top: f64, values: &[f64], side: f64) -> Markup {
     const CELL: f64 = 24.0;
     let peak = peak(values);
