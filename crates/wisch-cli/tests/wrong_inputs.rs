@@ -139,7 +139,7 @@ fn toml_cases() -> Vec<Case> {
             "wrong schema",
             "schema = 1 ",
             "schema = 7 ",
-            &["schema 7 is not supported, only schema 1"],
+            &["schema 7 is not supported; this version reads schema 1"],
         ),
         task("no schema", "schema = 1 ", "# ", &["\"schema\" is missing"]),
         task(
@@ -469,12 +469,12 @@ fn file_cases() -> Vec<Case> {
         plan(
             "a plan of others",
             "{\"format\": \"map\", \"schema\": 1}",
-            &["this is no plan of wisch"],
+            &["this is not a plan of wisch"],
         ),
         plan(
             "a plan of the future",
             "{\"format\": \"wisch-plan\", \"schema\": 9}",
-            &["schema 9 is not supported, only schema 1"],
+            &["schema 9 is not supported; this version reads schema 1"],
         ),
         plan(
             "half a plan",

@@ -130,7 +130,7 @@ fn a_broken_text_is_told_with_its_line() {
         (
             "schema = 1",
             "schema = 2",
-            "small.toml:1:10: schema 2 is not supported, only schema 1",
+            "small.toml:1:10: schema 2 is not supported; this version reads schema 1",
         ),
         ("schema = 1\n", "", "small.toml:1:1: missing field `schema`"),
     ];

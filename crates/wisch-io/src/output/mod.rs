@@ -41,7 +41,7 @@ pub const RECORDING_FILE: &str = "recording.jsonl.gz";
 pub const REPORT_FILE: &str = "report.html";
 
 /// Returns the subfolder of a file in a folder of results; the main files are at the top level.
-fn room(name: &str) -> &'static str {
+fn subfolder(name: &str) -> &'static str {
     let is = |ending: &str| name.ends_with(ending);
     if is(".svg") || is(".png") {
         "figures"
@@ -82,7 +82,7 @@ const SUBFOLDERS: [&str; 4] = ["figures", "telemetry", "particles", "trajectorie
 
 /// Returns the path of a file within a folder of results.
 pub fn path_in_results(name: &str) -> PathBuf {
-    Path::new(room(name)).join(name)
+    Path::new(subfolder(name)).join(name)
 }
 
 /// An unfinished file, which appears at its target complete or not at all.
@@ -220,8 +220,8 @@ impl OutputFolder {
             found,
             _made: made,
         };
-        let rooms = SUBFOLDERS.map(|room| folder.new_path().join(room));
-        for path in rooms.into_iter().chain([folder.state()]) {
+        let subfolders = SUBFOLDERS.map(|name| folder.new_path().join(name));
+        for path in subfolders.into_iter().chain([folder.state()]) {
             fs::create_dir_all(&path).map_err(|error| cannot_write(&path, &error))?;
         }
         Ok(folder)
@@ -270,9 +270,9 @@ impl OutputFolder {
     /// # Errors
     /// If the folder cannot be moved; the target is then unchanged.
     pub fn finish(self) -> Result<(), Error> {
-        for room in SUBFOLDERS {
+        for subfolder in SUBFOLDERS {
             // Folders with contents stay.
-            let _ = fs::remove_dir(self.new_path().join(room));
+            let _ = fs::remove_dir(self.new_path().join(subfolder));
         }
         // The target may have changed since the beginning.
         check_replaceable(&self.target)?;

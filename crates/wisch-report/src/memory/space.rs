@@ -10,7 +10,7 @@ use wisch_memory::view::{
 
 /// Most triangles of one mesh.
 const MAX_TRIANGLES: usize = 3000;
-/// Most particles that are drawn; more are drawn as every so many.
+/// Maximum number of drawn particles; with more particles, every n-th is drawn.
 const MAX_PARTICLES: usize = 3000;
 /// Radius of a line that is asked for, as a share of the surface's diagonal.
 const LINE: f64 = 0.011;
@@ -20,7 +20,7 @@ const FAR_SHARE: f64 = 0.5;
 const PARTICLE: f64 = 0.7;
 /// Limits of that radius [m].
 const LINE_LIMITS: [f64; 2] = [0.0025, 0.02];
-/// What lies on the surface is drawn so much above it [m].
+/// Height above the surface at which flat items are drawn [m].
 const ABOVE: f64 = 0.0015;
 /// How solid a robot is drawn beside the first one.
 const GHOST: f64 = 0.28;

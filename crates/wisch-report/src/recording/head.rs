@@ -1,4 +1,4 @@
-//! Who is to do what.
+//! The first piece of a recording: task, program, robot and tool.
 
 use super::robot::RobotRecord;
 use super::{RECORDING_SCHEMA, RecordingHead, words};

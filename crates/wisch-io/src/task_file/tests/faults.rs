@@ -75,7 +75,7 @@ fn a_fault_is_refused_with_its_place() {
         (
             "schema = 1",
             "schema = 2",
-            "1:10: schema 2 is not supported, only schema 1",
+            "1:10: schema 2 is not supported; this version reads schema 1",
         ),
         ("schema = 1", "", "1:1: key \"schema\" is missing"),
         ("name = \"small\"", "", "1:1: key \"name\" is missing"),
