@@ -309,7 +309,7 @@ fn what_is_wrong_is_named_with_its_place() {
         ),
         (
             vec!["eval", "table1", "--cells", "bord"],
-            "\"bord\" is no cell of Table 1",
+            "\"bord\" is not a cell of Table 1",
         ),
         (vec!["eval", "table1", "--strategies", "gird"], "'gird'"),
         (

@@ -11,16 +11,16 @@ const WIDTH: f64 = 430.0;
 const LEFT: f64 = 52.0;
 const RIGHT: f64 = WIDTH - 16.0;
 const TOP: f64 = 28.0;
-/// Where the curve ends below, and the bars.
+/// Bottom of the curve, and of the bars.
 const CURVE: f64 = 190.0;
 const BARS: f64 = 258.0;
 const HEIGHT: f64 = BARS + 42.0;
-/// Bars of the histogram.
+/// Number of bars of the histogram.
 const BINS: usize = 20;
 /// Curves are drawn at this many quantiles, from −Z to Z standard deviations of ln x.
 const POINTS: usize = 160;
 const Z: f64 = 4.0;
-/// Longest axis of the density: beyond, a contact of full force has no effect anyhow.
+/// Maximum of the density's axis; beyond it, a contact with full force has no effect.
 const MOST_X: f64 = 3.0;
 
 /// Time in contact by f'.
@@ -62,7 +62,7 @@ impl Histogram {
     }
 }
 
-/// Both beside each other.
+/// Draws both plots side by side.
 pub(crate) fn figure(input: &RoundsInput, round: &RoundView) -> Figure {
     let [curve, density] = panels(input, round);
     Figure {
@@ -117,7 +117,7 @@ fn forces(likelihood: &LogNormal, most: f64) -> Vec<f64> {
     [0.0].into_iter().chain(inner).chain([most]).collect()
 }
 
-/// P(X ≤ f') with the histogram below.
+/// Draws P(X ≤ f'), with the histogram below.
 fn chance(likelihood: &LogNormal, histogram: &Histogram) -> Markup {
     let mut curve = Pen::default();
     let places = forces(likelihood, 1.0).into_iter().map(|f| {
@@ -158,7 +158,7 @@ fn chance(likelihood: &LogNormal, histogram: &Histogram) -> Markup {
     }
 }
 
-/// p(x) with the part that full force covers.
+/// Draws p(x), with the part that full force covers.
 fn density(likelihood: &LogNormal) -> Markup {
     let LogNormal { mu, sigma } = *likelihood;
     let most = (mu + 2.6 * sigma).exp().clamp(1.2, MOST_X);

@@ -12,18 +12,18 @@ use maud::{Markup, html};
 use wisch::geometry::{Bounds2, Point2, Vector2};
 use wisch::represent::{GoalState, ParticleDistribution, Surface};
 
-/// Width of a view on the page, and its most height as a share of that.
+/// Width of a view on the page, and its maximum height as a share of the width.
 const VIEW: f64 = 306.0;
 const MAP: f64 = 450.0;
 const TALLEST: f64 = 1.1;
-/// Room for the name above, and for the scale of the map below.
+/// Margins for the name above, and for the scale of the map below.
 const NAME: f64 = 24.0;
 const RAMP: f64 = 46.0;
-/// Most cells along the longer side of the surface, about.
+/// Approximate maximum number of cells along the longer side of the surface.
 const MOST_CELLS: f64 = 20.0;
 /// Least width of views side by side.
 const NARROWEST: f64 = 600.0;
-/// Most particles that are drawn.
+/// Maximum number of drawn particles.
 const MAX_DRAWN: usize = 3_000;
 
 /// A map in square cells of the remaining particles, or of the mean passes over a treated surface.
@@ -39,7 +39,7 @@ pub(crate) struct Cells {
 }
 
 impl Cells {
-    /// Counts what lies on the surface and not at the goal, or takes the mean of what was treated, replay by replay.
+    /// Counts the particles on the surface outside the goal, or averages the passes of a treated surface, for each replay.
     pub(crate) fn new(
         replays: &[ParticleDistribution],
         goal: &GoalState,
@@ -93,8 +93,7 @@ impl Cells {
         }
     }
 
-    /// Filled cells, an eighth of the peak a band, as far as they lie on the surface. `id` is this drawing's
-    /// alone on the page.
+    /// Draws filled cells in bands of an eighth of the peak, clipped to the surface. `id`: unique on the page.
     fn draw(&self, view: &View, surface: &Surface, id: &str, values: &[f64]) -> Markup {
         let peak = peak(values);
         let mut bands: [Pen; BANDS] = Default::default();
@@ -122,31 +121,31 @@ impl Cells {
     }
 }
 
-/// A round length [m], so large that particles evenly spread leave about one in a cell: where every cell holds
-/// one or none, colours say nothing.
+/// Returns a round cell size [m] with which uniform particles give about one per cell; with smaller cells, colours have no
+/// meaning.
 pub(crate) fn cell_side(bounds: &Bounds2, particles: usize) -> f64 {
     let size = bounds.size();
-    let room = (size.x * size.y / particles.max(1) as f64).sqrt();
+    let cell = (size.x * size.y / particles.max(1) as f64).sqrt();
     let longest = size.max();
-    tick_step(room.clamp(longest / MOST_CELLS, longest))
+    tick_step(cell.clamp(longest / MOST_CELLS, longest))
 }
 
 fn peak(values: &[f64]) -> f64 {
     values.iter().copied().fold(0.0, f64::max)
 }
 
-/// Which eighth of the peak; `None` for nothing.
+/// Returns the band of a value, an eighth of the peak each; `None` for 0.
 fn band(value: f64, peak: f64) -> Option<usize> {
     let some = value > 0.0 && peak > 0.0;
     some.then(|| ((value / peak * BANDS as f64).ceil() as usize).clamp(1, BANDS) - 1)
 }
 
-/// The surface and what fell beside it.
+/// Returns the bounds of the surface and of particles that fell off it.
 fn shown(surface: &Surface) -> Bounds2 {
     let mut bounds = extent(surface);
-    let room = Vector2::repeat(0.06 * bounds.size().max());
-    bounds.min -= room;
-    bounds.max += room;
+    let margin = Vector2::repeat(0.06 * bounds.size().max());
+    bounds.min -= margin;
+    bounds.max += margin;
     bounds
 }
 
