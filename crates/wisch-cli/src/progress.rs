@@ -6,7 +6,7 @@ use std::io::IsTerminal;
 use std::time::Duration;
 use wisch::source_location::visible;
 
-/// How often the spinner turns.
+/// Period of the spinner.
 const TICK: Duration = Duration::from_millis(100);
 
 /// A spinner that shows the current activity on standard error, if that is a terminal. It is cleared when dropped.

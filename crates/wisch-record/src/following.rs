@@ -161,7 +161,7 @@ impl Following {
         }
     }
 
-    /// What it keeps to, for people.
+    /// Returns the facts about the motion for the page: label, and value with unit.
     pub(crate) fn facts(&self) -> Vec<(String, String)> {
         let followed = &self.followed;
         let total = &self.total;

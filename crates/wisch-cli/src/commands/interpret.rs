@@ -106,7 +106,7 @@ pub(super) fn interpret_log(
         "interpreting {}",
         counted(log.samples.len(), "sample")
     ));
-    let mut interpretation = interpreted(source, prepared, &log, &goal)?;
+    let mut interpretation = interpret_samples(source, prepared, &log, &goal)?;
     if let Some(seen) = seen {
         let sensor = prepared.file.perception().sight.unwrap_or_default();
         interpretation.look(&Look {
@@ -402,7 +402,7 @@ fn advice(fault: &ReadFault, log: &Path) -> Option<String> {
     })
 }
 
-fn interpreted(
+fn interpret_samples(
     args: &LoggedArgs,
     prepared: &Prepared,
     log: &Log,

@@ -190,7 +190,7 @@ impl MaskSource {
             // y points down in an image, so counter-clockwise on the surface is clockwise in the image.
             if turn > 0.0 {
                 return Err(
-                    "corners_px do not go round the surface counter-clockwise as seen in the image: \
+                    "corners_px are not counter-clockwise around the surface in the image: \
                      give the corners at (min x, min y), (max x, min y), (max x, max y), (min x, max y)"
                         .to_owned(),
                 );

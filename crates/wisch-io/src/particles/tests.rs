@@ -271,7 +271,7 @@ fn photos_that_cannot_be_used_are_refused() {
         (
             [d, c, b, a],
             &bytes,
-            "photo.png: corners_px do not go round",
+            "photo.png: corners_px are not counter-clockwise",
         ),
         (
             [a, b, [500.0, 20.0], d],

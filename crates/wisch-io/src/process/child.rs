@@ -123,7 +123,7 @@ impl ChildGroup {
                     }
                     return Heard::Over(self.end_in_words());
                 }
-                // What it started may keep its standard output open.
+                // A process that the child has started may keep the standard output open.
                 Err(RecvTimeoutError::Timeout) if self.has_ended() => {
                     return match self.lines.recv_timeout(LAST_WORDS) {
                         Ok(Ok(line)) => Heard::Line(line),

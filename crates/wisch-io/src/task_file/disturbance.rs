@@ -1,4 +1,4 @@
-//! What disturbs an execution, as a task file tells it.
+//! Disturbances of a simulated execution: pushes and changes of the friction.
 
 use std::fmt;
 use wisch::follow::Followed;

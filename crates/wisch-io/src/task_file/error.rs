@@ -41,7 +41,7 @@ pub enum TaskError {
     /// A missing key.
     #[error("{at}: {}key \"{key}\" is missing", in_table(table))]
     Missing {
-        /// Where its table starts.
+        /// Start of its table.
         at: Place,
         /// The table that lacks the key; empty for the top level.
         table: String,

@@ -134,7 +134,7 @@ ranges! { f64, NumberWithin;
     WavinessM = (0.0, 0.005);
     /// Lengths of such waves [m].
     WaveLengthM = (0.02, 10.0);
-    /// Diameters of grains that are half seen [m]; at 0 all are seen alike.
+    /// Grain diameters at which the detection probability is halved [m]; at 0 it does not depend on size.
     HalfSizeM = (0.0, 0.1);
     /// False detections per area [1/m²].
     FalseAlarms = (0.0, 1e4);

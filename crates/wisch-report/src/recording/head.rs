@@ -66,7 +66,7 @@ impl<'a> Head<'a> {
                 strategy: head.strategy.as_str(),
                 seed: task.seed,
                 target: head.target,
-                asked: words::asked(task, head.target),
+                asked: words::describe_task(task, head.target),
             },
             robot,
             tool,

@@ -63,7 +63,7 @@ impl Judged {
             felt: EstimateRecord::new(found.felt),
             verdict: round.verdict.as_str(),
             ending: round.execution.ending.as_str(),
-            words: words::judged(round, target),
+            words: words::describe_round(round, target),
             found: match &found.diagnosis {
                 Diagnosis::Relocalize { world_from_surface } => Some(seven(world_from_surface)),
                 _ => None,

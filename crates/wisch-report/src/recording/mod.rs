@@ -172,7 +172,9 @@ impl<W: Write> RecordingWriter<W> {
                 self.considered = considered.iter().map(ConsideredRecord::new).collect();
                 Ok(())
             }
-            RunEvent::Planned { round, plan } => self.stage(round, "planned", words::planned(plan)),
+            RunEvent::Planned { round, plan } => {
+                self.stage(round, "planned", words::summarise_plan(plan))
+            }
             RunEvent::Following {
                 round,
                 passed,
@@ -192,7 +194,7 @@ impl<W: Write> RecordingWriter<W> {
                 Ok(())
             }
             RunEvent::Audited { round, audit } => {
-                let found = words::audited(audit);
+                let found = words::describe_audit(audit);
                 self.audited = Some(found.clone());
                 self.stage(round, "audited", found)
             }
@@ -231,7 +233,9 @@ impl<W: Write> RecordingWriter<W> {
     /// # Errors
     /// If the output cannot be written.
     pub fn planned_only(&mut self, planned: &PlannedOnly<'_>) -> io::Result<()> {
-        let audited = planned.followed.map(|(_, _, audit)| words::audited(audit));
+        let audited = planned
+            .followed
+            .map(|(_, _, audit)| words::describe_audit(audit));
         let piece = RoundPiece::planned(planned, audited, &mut self.meshes, self.written)
             .chosen_among(std::mem::take(&mut self.considered), planned.plan.strategy);
         self.written = self.meshes.len();

@@ -84,7 +84,7 @@ impl RoundPiece {
             }
         };
         let followed = Some(&planned.followed);
-        let mut why = words::why(&planned.plan, &wiped, followed);
+        let mut why = words::explain_plan(&planned.plan, &wiped, followed);
         why.extend(audited);
         Shown {
             round: planned.number,
@@ -108,7 +108,7 @@ impl RoundPiece {
         written: usize,
     ) -> Self {
         let followed = planned.followed.map(|(_, followed, _)| followed);
-        let mut why = words::why(planned.plan, planned.plan, followed);
+        let mut why = words::explain_plan(planned.plan, planned.plan, followed);
         why.extend(audited);
         Shown {
             round: 1,

@@ -47,7 +47,7 @@ struct Story {
 
 impl<'a> Ended<'a> {
     pub(super) fn new(outcome: &RunOutcome<'a>, episode: Option<&'a str>) -> Self {
-        let asked = words::asked(outcome.task, outcome.target);
+        let asked = words::describe_task(outcome.task, outcome.target);
         let story = match outcome.last {
             Some((last, rounds)) => executed(outcome, asked, last, rounds),
             None => predicted(outcome, asked),
@@ -91,7 +91,7 @@ fn executed(outcome: &RunOutcome<'_>, asked: String, last: &Round, rounds: usize
             "Estimated from {senses}: {}.{truth}",
             interval(found.performance)
         ),
-        surer: words::surer(last),
+        surer: words::suggest_measures(last),
     }
 }
 

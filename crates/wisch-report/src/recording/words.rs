@@ -10,7 +10,7 @@ use wisch::represent::{Action, Task};
 use wisch::run::{Ending, Round};
 
 /// States the task and its target.
-pub(super) fn asked(task: &Task, target: f64) -> String {
+pub(super) fn describe_task(task: &Task, target: f64) -> String {
     let (medium, surface) = (spaced(&task.medium), spaced(&task.surface.name));
     let doing = match task.action {
         Action::Absorb => format!("Absorb the {medium} on the {surface}"),
@@ -37,7 +37,7 @@ fn spaced(name: &str) -> String {
 }
 
 /// Summarises a plan in one line.
-pub(super) fn planned(plan: &Plan) -> String {
+pub(super) fn summarise_plan(plan: &Plan) -> String {
     format!(
         "planned by {}: {}, {} m in contact",
         plan.strategy.as_str(),
@@ -47,7 +47,7 @@ pub(super) fn planned(plan: &Plan) -> String {
 }
 
 /// Explains a plan. `wiped`: the plan without the nodes that the robot abandons.
-pub(super) fn why(plan: &Plan, wiped: &Plan, followed: Option<&Followed>) -> Vec<String> {
+pub(super) fn explain_plan(plan: &Plan, wiped: &Plan, followed: Option<&Followed>) -> Vec<String> {
     let mut sentences = vec![format!(
         "The strategy {} planned {} for the action {}: {}, {} m in contact.",
         plan.strategy.as_str(),
@@ -85,7 +85,7 @@ pub(super) fn why(plan: &Plan, wiped: &Plan, followed: Option<&Followed>) -> Vec
 }
 
 /// Summarises the check of a motion.
-pub(super) fn audited(audit: &Audit) -> String {
+pub(super) fn describe_audit(audit: &Audit) -> String {
     match audit.faults.as_slice() {
         [] => format!(
             "The motion passes all checks; its clearance is at least {} mm.",
@@ -99,7 +99,7 @@ pub(super) fn audited(audit: &Audit) -> String {
 }
 
 /// Summarises a round: diagnosis, events, ending, estimate and verdict.
-pub(super) fn judged(round: &Round, target: f64) -> Vec<String> {
+pub(super) fn describe_round(round: &Round, target: f64) -> Vec<String> {
     let found = &round.interpretation;
     let mut sentences = vec![diagnosis(found)];
     let felt = tally(&found.events);
@@ -132,12 +132,12 @@ pub(super) fn judged(round: &Round, target: f64) -> Vec<String> {
             format!("The log does not allow an estimate; possible performance: {felt}.")
         });
     }
-    sentences.push(follows(round, target));
+    sentences.push(describe_verdict(round, target));
     sentences
 }
 
 /// States the verdict on a round with its reason.
-fn follows(round: &Round, target: f64) -> String {
+fn describe_verdict(round: &Round, target: f64) -> String {
     let claim = Claim::of(&round.interpretation.distribution, target);
     match round.verdict {
         Verdict::GoalMet => format!("The goal is met: {claim}."),
@@ -163,7 +163,7 @@ fn follows(round: &Round, target: f64) -> String {
 }
 
 /// Lists measures that would narrow the interval of the last round's estimate.
-pub(super) fn surer(last: &Round) -> String {
+pub(super) fn suggest_measures(last: &Round) -> String {
     let found = &last.interpretation;
     let pushed = found
         .events
