@@ -355,7 +355,7 @@ fn results_of_an_earlier_run_are_replaced_and_nothing_else() {
     fs::write(result.join("plan.json"), "{\"format\": \"other\"}").expect("a plan of others");
     let (code, _, err) = run();
     assert_eq!(code, 2);
-    assert!(err.contains("holds no plan.json of wisch"), "{err}");
+    assert!(err.contains("contains no plan.json of wisch"), "{err}");
 
     fs::remove_dir_all(&result).expect("removed");
     fs::write(&result, "a file").expect("a file");
