@@ -1,4 +1,4 @@
-//! What the user may type.
+//! The command line: commands, arguments and help texts.
 
 mod ask;
 mod budget;
@@ -33,10 +33,10 @@ use wisch::represent::Action;
 
 /// Plan robotic wiping, predict what it does to the dirt, and follow the plan with a robot.
 ///
-/// A task file says what is to be wiped, where and with what. wisch places the tool's waypoints on
-/// the surface, joins them to strokes, and plays the strokes through its model of what a tool does
-/// to particles. A robot then follows the strokes: its base is placed, its joints are moved along the
-/// tool's line without touching anything, and everything is timed within their limits.
+/// A task file states what to wipe, where and with which tool. wisch places tool waypoints on the
+/// surface, joins them to strokes, and simulates how the strokes move the dirt particles. A robot then
+/// follows the strokes: wisch places its base, plans collision-free joint motion along the tool's path,
+/// and times it within the joint limits.
 #[derive(Debug, Parser)]
 #[command(
     name = "wisch",
@@ -47,27 +47,27 @@ use wisch::represent::Action;
     after_help = "\
 Examples:
   wisch new board.toml          write a task file with comments to start from
-  wisch check board.toml        say in words what it asks for
+  wisch check board.toml        check it and print a summary of the task
   wisch run board.toml          wipe until the goal is met, and write out/<task>/report.html
 
 Exit codes: 0 the goal is met, 1 the goal is not met, 2 an error."
 )]
 pub struct Cli {
-    /// What to do.
+    /// The command.
     #[command(subcommand)]
     pub command: Command,
-    /// How to do it.
+    /// Options of every command.
     #[command(flatten)]
     pub global: GlobalArgs,
 }
 
 impl Cli {
-    /// Reads the command line.
+    /// Parses the command line.
     ///
     /// # Errors
-    /// Help that was asked for, or what is wrong with the command line.
+    /// Returns clap's error: a requested help or version text, or a message about an invalid argument.
     pub fn read(args: &[OsString]) -> Result<Self, clap::Error> {
-        let command = Self::command().color(match color_asked_for(args.iter().cloned()) {
+        let command = Self::command().color(match find_color_choice(args.iter().cloned()) {
             ColorChoice::Auto => clap::ColorChoice::Auto,
             ColorChoice::Always => clap::ColorChoice::Always,
             ColorChoice::Never => clap::ColorChoice::Never,
@@ -81,13 +81,13 @@ impl Cli {
 #[derive(Debug, Args)]
 #[command(next_help_heading = "Options of every command")]
 pub struct GlobalArgs {
-    /// Print errors only, and the object of --json
+    /// Print only errors and the JSON object of --json
     #[arg(long, short, global = true)]
     pub quiet: bool,
     /// Number of worker threads; results do not depend on it
     #[arg(long, global = true, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
     pub threads: Option<u16>,
-    /// When to use colours; NO_COLOR in the environment turns them off as well
+    /// When to use colours; the environment variable NO_COLOR turns them off, too
     #[arg(
         long,
         global = true,
@@ -101,7 +101,7 @@ pub struct GlobalArgs {
 /// When to use colours.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 pub enum ColorChoice {
-    /// On a terminal.
+    /// If the output is a terminal.
     Auto,
     /// Always.
     Always,
@@ -112,8 +112,8 @@ pub enum ColorChoice {
 /// The commands.
 #[derive(Debug, Subcommand)]
 pub enum Command {
-    /// Wipe: plan, predict, follow with the task's robot, execute in simulation, estimate by touch what was
-    /// wiped, and wipe again until the goal is met
+    /// Wipe: plan, predict, follow with the task's robot, execute in simulation, estimate the dirt that is
+    /// left, and repeat until the goal is met
     #[command(after_help = "\
 Examples:
   wisch run board.toml
@@ -123,13 +123,13 @@ Examples:
   wisch run board.toml --json | jq '.rounds[] | {predicted, estimated, true_performance}'
 
 Writes report.html, plan.json and rounds.json; telemetry/: a bag per round (round-1.mcap, for Foxglove,
-Rerun and ROS 2); trajectories/: joint trajectories and the tool's path; particles/: as estimated and
-as they really are; figures/.
+Rerun and ROS 2); trajectories/: joint trajectories and the tool's path; particles/: the estimate and
+the simulator's ground truth; figures/.
 
-Exit codes: 0 the estimated performance reaches the task's target (without a robot: the predicted one),
-1 it does not, 2 an error.")]
+Exit codes: 0 the estimated performance (without a robot: the predicted performance) reaches the task's
+target, 1 it does not, 2 an error.")]
     Run(WipeArgs),
-    /// Follow a plan with a robot: collision-free joint trajectories for ROS 2
+    /// Follow a plan with a robot: plan collision-free joint trajectories and write them for ROS 2
     #[command(after_help = "\
 Examples:
   wisch follow board.toml
@@ -137,30 +137,30 @@ Examples:
   wisch follow board.toml --json | jq '.execution_time_s, .abandoned_nodes'
 
 Writes into trajectories/: trajectory.json (moveit_msgs/RobotTrajectory: a JointTrajectory, and a
-MultiDOFJointTrajectory for a base that moves; it is YAML too), tcp-path.csv and following.json.
+MultiDOFJointTrajectory for a mobile base; the file is valid YAML, too), tcp-path.csv and following.json.
 
 Exit codes: 0 the predicted performance reaches the task's target, 1 it does not, 2 an error.")]
     Follow(FollowArgs),
-    /// Begin runs, watch them, and ask about any in the memory, on one page in the browser
+    /// Open a page in the browser to start runs, watch them live and query the episodes of the memory
     #[command(after_help = "\
 Examples:
   wisch studio --open
   wisch studio --memory kitchen/episodes --port 8080
-  wisch run chopping-board --live       a run elsewhere, which the page shows while it goes on
+  wisch run chopping-board --live       start a run from a second terminal; the page shows it live
 
-Prints the page's address, which holds a random token; only this machine reaches it, unless --host says otherwise.
-Ends with Ctrl-C, and the runs that were begun on it with it.")]
+Prints the page's address, which contains a random token. Only this machine can open it unless --host is given.
+Ctrl-C ends the studio and the runs that were started on its page.")]
     Studio(StudioArgs),
-    /// Write an episode, a folder of results, or a log as one page that needs nothing but itself
+    /// Write an episode, a folder of results or a log as one self-contained HTML page
     #[command(after_help = "\
 Examples:
   wisch report out/chopping-board
   wisch report 20261122-005612-3f2a --out wiping.html
   wisch report wipe.mcap --task board.toml
 
-The page of a run shows robot, dirt, forces and estimates on one clock, as `wisch studio` does. The page of a log, and of
-what `wisch interpret` and `wisch memory import` made of one, shows path, force, plane and what was wiped. Both open from
-a file.")]
+The page of a run shows robot, dirt, forces and estimates on one timeline, as `wisch studio` does. The page of a log,
+also of one that `wisch interpret` or `wisch memory import` has read, shows the tool's path, the force, the fitted plane
+and the estimated dirt. Both pages open from disk, without a server.")]
     Report(Box<ReportArgs>),
     /// Query the episodic memory in Prolog
     #[command(after_help = "\
@@ -168,21 +168,21 @@ Examples:
   wisch ask 'low_performance(Action, P)'
   wisch ask \"owl_individual_of(C, semco:'Collision'), occurs(C, [S, E])\"
   wisch ask 'has_data_value(A, performance =< 0.8)' --json
-  wisch ask                     line by line, with history and completion
-  wisch ask --list              what queries may use
+  wisch ask                     interactive prompt with history and completion
+  wisch ask --list              list the predicates that queries may call
 
-Exit codes: 0 there is an answer, 1 there is none, 2 an error.")]
+Exit codes: 0 the query has an answer, 1 it has none, 2 an error.")]
     Ask(AskArgs),
-    /// Plan the strokes of a task, without predicting their effect
+    /// Plan the strokes of a task without predicting their effect
     #[command(after_help = "\
 Examples:
   wisch plan board.toml
   wisch plan board.toml --strategy grid --out plans/board-grid
-  wisch plan board.toml --explain           the plans of all strategies side by side
+  wisch plan board.toml --explain           compare the plans of all strategies
   wisch plan board.toml --strategy adaptive --budget 2s
   wisch plan board.toml --json | jq .distance_in_contact_m")]
     Plan(PlanArgs),
-    /// Predict the effect of a plan; without --plan, plan first
+    /// Predict the effect of a plan; without --plan, make a plan first
     #[command(after_help = "\
 Examples:
   wisch predict board.toml
@@ -191,7 +191,7 @@ Examples:
 
 Exit codes: 0 the predicted performance reaches the task's target, 1 it does not, 2 an error.")]
     Predict(PredictArgs),
-    /// Estimate from logged tool poses and forces what was wiped and where the surface really is
+    /// Estimate the remaining dirt and the true surface pose from logged tool poses and forces
     #[command(after_help = "\
 Examples:
   wisch interpret wipe.mcap --task board.toml
@@ -200,100 +200,100 @@ Examples:
   wisch interpret log.csv --task board.toml --csv-columns t=time,x=px --wrench-sign by-tool
   wisch interpret log.parquet --task board.toml --force-bias 0.3 -1.2 4 --payload-mass 1.1
 
-A log is a ROS 2 bag (MCAP), a folder with the parts of one, or a table: text with a line of names,
-Parquet or NumPy's npz, recognised by its first bytes; builds with the feature arrow also read Arrow
-(Feather 2, or a stream). A bag that is being written, or whose writer was killed
-(NAME.mcap.active), is read as far as it goes. Writes interpretation.json and
+A log is a ROS 2 bag (MCAP), a folder with the parts of a bag, or a table: text with a header line,
+Parquet or NumPy's npz, recognised by its first bytes. Builds with the feature arrow also read Arrow
+(Feather 2, or a stream). A bag that is still being written, or whose writer was killed
+(NAME.mcap.active), is read up to its last complete message. Writes interpretation.json and
 particles/particles-estimated.csv.
 
 Exit codes: 0 the estimated performance reaches the task's target, 1 it does not, 2 an error.")]
     Interpret(Box<InterpretArgs>),
-    /// Learn how tools move dirt from rounds that were looked at before and after
+    /// Learn how tools move dirt from rounds with camera observations before and after wiping
     #[command(after_help = "\
 Examples:
-  wisch learn out/chopping-board                the rounds of a run
+  wisch learn out/chopping-board                all rounds of a run
   wisch learn runs/*/telemetry/*.mcap --task board.toml --task table.toml
   wisch learn out/board-* --task board.toml --diff | patch -p1 -d my-knowledge
   wisch learn out/board-* --task board.toml --json | jq '.laws[] | .mu'
-  wisch learn --memory episodes --task board.toml           every episode that was looked at
+  wisch learn --memory episodes --task board.toml           all episodes with camera observations
   wisch learn --episode 20261122-005612-3f2a --task board.toml
 
-A bag and an episode hold what a camera saw before and after each round if the task's robot looks
-(perception.senses). The bags of a run and its episode tell the same: give one of them.
-Writes learned.toml: the interactions of the knowledge base with mu, sigma, how well they are known, and
-the travel after which a grain draws anew.
+Bags and episodes hold camera observations from before and after each round if the task's senses
+(perception.senses) include sight. The bags of a run and its episode hold the same data: give only one of
+them. Writes learned.toml: the interactions of the knowledge base with mu, sigma, their standard errors, and
+the travel distance after which a particle is drawn anew.
 
-Exit codes: 0 something was learned, 2 an error.")]
+Exit codes: 0 at least one interaction was learned, 2 an error.")]
     Learn(LearnArgs),
-    /// Show a tool's footprint: where it touches the surface
+    /// Show a tool's footprint: the area in which it touches the surface
     #[command(after_help = "\
 Examples:
   wisch footprint sponge
   wisch footprint brush --svg brush.svg
   wisch footprint scraper.stl --compression-depth-m 0.002")]
     Footprint(FootprintArgs),
-    /// Write a task file with comments to start from
+    /// Write a commented task file to start from
     #[command(after_help = "\
 Examples:
-  wisch new                     print it
-  wisch new board.toml          write it
-  wisch new board.toml --force  write over what is there")]
+  wisch new                     print the file
+  wisch new board.toml          write it to board.toml
+  wisch new board.toml --force  overwrite an existing board.toml")]
     New(NewArgs),
-    /// List the shipped scenarios, which every command takes by name in place of a task file
+    /// List the shipped scenarios; every command accepts their names in place of a task file
     #[command(after_help = "\
 Examples:
   wisch scenarios
   wisch run chopping-board
-  wisch scenarios chopping-board > board.toml    to change it")]
+  wisch scenarios chopping-board > board.toml    copy a scenario to edit it")]
     Scenarios(ScenariosArgs),
-    /// Print the JSON Schema of task files, by which editors complete and check keys
+    /// Print the JSON Schema of task files, with which editors complete and check keys
     #[command(after_help = "\
 Examples:
   wisch schema > wisch-task.schema.json
   wisch schema | jq '.properties | keys'
 
-An editor with a TOML plug-in (Taplo, Even Better TOML) follows the first line of a task file:
+An editor with a TOML plug-in (Taplo, Even Better TOML) reads the schema named in a task file's first line:
   #:schema wisch-task.schema.json")]
     Schema,
-    /// Print what makes a shell complete the commands and options of wisch
+    /// Print a shell completion script for wisch
     #[command(after_help = "\
 Examples:
   wisch completions bash > ~/.local/share/bash-completion/completions/wisch
   wisch completions zsh > ~/.zfunc/_wisch
   wisch completions fish > ~/.config/fish/completions/wisch.fish")]
     Completions(CompletionsArgs),
-    /// Write the manual pages
+    /// Write the manual pages into a folder
     #[command(after_help = "\
 Examples:
   wisch man ~/.local/share/man/man1
   man wisch-run")]
     Man(ManArgs),
-    /// Check a task and say in words what it asks for
+    /// Check a task and print a summary of it
     #[command(after_help = "\
 Examples:
   wisch check board.toml
   wisch check board.toml --strategy kde --set plan.bandwidth_m=0.04
   wisch check board.toml --robot arm7 --set 'robot.position_m=[0, -0.45, 0.75]'")]
     Check(CheckArgs),
-    /// Check a robot's description, and map what it can reach
+    /// Check a robot's description, or map the poses that it can reach
     #[command(subcommand, arg_required_else_help = true)]
     Robot(RobotCommand),
-    /// Evaluate the method over many simulated worlds
+    /// Evaluate planning, wiping and estimation in many simulated worlds
     #[command(subcommand, arg_required_else_help = true)]
     Eval(EvalCommand),
-    /// List, show, import, verify and export the episodes of the memory
+    /// List, show, import, verify, export and exchange the episodes of the memory
     #[command(subcommand, arg_required_else_help = true)]
     Memory(MemoryCommand),
 }
 
-/// Which task, and what to change about it.
+/// A task file and overrides of its values.
 #[derive(Debug, Clone, Args)]
 pub struct TaskArgs {
     /// The task file
     #[arg(value_name = "TASK", value_hint = ValueHint::FilePath)]
     pub task: PathBuf,
-    /// How strokes are found: by a coverage strategy (grid, rrt, kde), by search, or whichever is worth most
-    /// [default: the task's]
+    /// Strategy that plans the strokes: a coverage strategy (grid, rrt, kde), a search (adaptive), or best, which
+    /// keeps the plan with the highest score [default: the task's]
     #[arg(long, value_name = "STRATEGY", value_parser = strategy_parser())]
     pub strategy: Option<Strategy>,
     /// Wiping action [default: the task's]
@@ -302,9 +302,9 @@ pub struct TaskArgs {
     /// Random seed [default: the task's]
     #[arg(long, value_name = "N")]
     pub seed: Option<u64>,
-    /// What the search of adaptive and best may take: a number of plans to try, such as 60000, which makes the
-    /// same plan everywhere, or a time, such as 2s, for which the pace here is measured first [default: the
-    /// task's plan.evaluations]
+    /// Limit of the search of adaptive and best: a number of plans to try, such as 60000, which gives the same
+    /// plan on every machine, or a time, such as 2s, which depends on this machine's speed [default: the task's
+    /// plan.evaluations]
     #[arg(long, value_name = "N|TIME")]
     pub budget: Option<Budget>,
     /// Override a value of the task file; repeatable
@@ -316,7 +316,7 @@ pub struct TaskArgs {
 }
 
 impl TaskArgs {
-    /// The same of a robot that does not look.
+    /// Returns the same arguments with touch as the robot's only sense.
     pub fn touch_only(&self) -> Self {
         let mut args = self.clone();
         let senses = r#"["touch"]"#.to_owned();
@@ -331,11 +331,11 @@ pub struct PlanArgs {
     /// The task.
     #[command(flatten)]
     pub task: TaskArgs,
-    /// List the plan of every strategy: its predicted effect, its way, and how long the task's robot takes
+    /// Compare the plans of all strategies by predicted effect, path length and the robot's execution time
     #[arg(long)]
     pub explain: bool,
-    /// Plan for the task's particles as if they were known to lie just there, as `wisch eval table1` does. Without, as `wisch run`
-    /// does, the plan is for all places where the dirt may lie: it is longer, and predicted to do less for the one draw
+    /// Plan for the task's particles as if their positions were known exactly, as `wisch eval table1` does. Without
+    /// this option the plan covers all positions that the dirt may have, as in `wisch run`: it is longer
     #[arg(long)]
     pub known_dirt: bool,
     /// The results.
@@ -346,7 +346,7 @@ pub struct PlanArgs {
 /// Arguments of `run`.
 #[derive(Debug, Args)]
 pub struct WipeArgs {
-    /// What is followed.
+    /// Task, plan, robot and results.
     #[command(flatten)]
     pub follow: FollowArgs,
     /// The rounds.
@@ -354,18 +354,18 @@ pub struct WipeArgs {
     pub rounds: LoopArgs,
 }
 
-/// How the closed loop runs.
+/// Options of the closed loop.
 #[derive(Debug, Args)]
 #[command(next_help_heading = "Rounds")]
 pub struct LoopArgs {
-    /// Maximum number of rounds of wiping and estimating [default: the task's, with --greedy ten times as
-    /// many]
+    /// Maximum number of rounds of wiping and estimating [default: the task's; with --greedy, ten times the
+    /// task's]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1000))]
     pub rounds: Option<u16>,
-    /// Estimate after every stroke, and next wipe the stroke with the greatest predicted gain
+    /// Estimate after every stroke, then wipe the stroke with the greatest predicted gain
     #[arg(long)]
     pub greedy: bool,
-    /// Do not look: estimate by touch alone what was wiped, whatever senses the task has
+    /// Use no camera: estimate the dirt from tool poses and forces only, whatever the task's senses are
     #[arg(long)]
     pub touch_only: bool,
     /// Resume a killed run from its last completed round
@@ -374,30 +374,32 @@ pub struct LoopArgs {
     /// Execute in real time instead of as fast as possible
     #[arg(long)]
     pub realtime: bool,
-    /// Command that starts an executor (docs/executor-protocol.md), in place of the built-in simulator
+    /// Command that starts an executor in place of the built-in simulator (see docs/executor-protocol.md)
     #[arg(long, value_name = "COMMAND", conflicts_with = "resume")]
     pub executor: Option<String>,
-    /// Seconds after which an executor is given up that says nothing, makes no progress, or goes on after its end or a stop
+    /// Stop waiting for the executor after this many seconds without a message or progress, or without an exit
+    /// after its last message or a stop
     #[arg(long, value_name = "SECONDS", requires = "executor", default_value_t = 60.0, value_parser = seconds)]
     pub timeout: f64,
-    /// Let others look on while it runs, as `wisch studio` does; needs a memory. Ctrl-C and SIGTERM end it in order
+    /// Publish the run so that `wisch studio` can show it live; needs a memory. Ctrl-C and SIGTERM stop the robot
+    /// and keep what was measured
     #[arg(long, conflicts_with = "no_memory")]
     pub live: bool,
-    /// Write progress events as JSON lines to a file, or with "-" to standard output
+    /// Write progress events as JSON lines to this file; "-" is standard output
     #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]
     pub events: Option<PathBuf>,
-    /// Where the episode is kept.
+    /// The memory that keeps the run as an episode.
     #[command(flatten)]
     pub memory: KeepArgs,
 }
 
-/// Arguments of `follow`, and of `run` in part.
+/// Arguments of `follow`, which `run` shares.
 #[derive(Debug, Args)]
 pub struct FollowArgs {
     /// The task.
     #[command(flatten)]
     pub task: TaskArgs,
-    /// Plan to follow, a plan.json of an earlier run [default: plan anew]
+    /// Plan to follow: a plan.json of an earlier run [default: make a new plan]
     #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath, conflicts_with_all = ["strategy"])]
     pub plan: Option<PathBuf>,
     /// The robot.
@@ -417,10 +419,10 @@ pub struct StudioArgs {
     /// Open the page in the browser
     #[arg(long)]
     pub open: bool,
-    /// Port to listen at; 0 takes any that is free
+    /// Port to listen on; 0 picks a free port
     #[arg(long, value_name = "N", default_value_t = 0)]
     pub port: u16,
-    /// Address to listen at; 0.0.0.0 listens at all addresses of this machine, where other machines reach it, and prints them
+    /// Address to listen on; 0.0.0.0 listens on all addresses of this machine, so that other machines can connect
     #[arg(long, value_name = "ADDRESS", default_value = "127.0.0.1")]
     pub host: String,
 }
@@ -428,19 +430,19 @@ pub struct StudioArgs {
 /// Arguments of `report`.
 #[derive(Debug, Args)]
 pub struct ReportArgs {
-    /// An episode of the memory, a folder of results, or a log (a bag, a folder with one, or a table; with --task)
+    /// Episode of the memory, folder of results, or log (a bag, a folder with a bag, or a table; needs --task)
     #[arg(value_name = "EPISODE|FOLDER|LOG", value_hint = ValueHint::AnyPath)]
     pub what: String,
-    /// The page [default: the name of the episode, folder or log, with .html]
+    /// HTML file to write [default: the name of the episode, folder or log, with .html]
     #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]
     pub out: Option<PathBuf>,
     /// The memory.
     #[command(flatten)]
     pub memory: MemoryArgs,
-    /// Task file of what was executed, for a log
+    /// Task file that was executed when the log was recorded
     #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]
     pub task: Option<PathBuf>,
-    /// Plan that was executed; its goal is used if the task names none
+    /// Plan that was executed; its goal applies if the task has no goal
     #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath, requires = "task")]
     pub plan: Option<PathBuf>,
     /// Wiping action that was executed [default: the task's]
@@ -455,22 +457,22 @@ pub struct ReportArgs {
     /// Knowledge base: folder with tools, media, surfaces, interactions and PDDL domain [default: built in]
     #[arg(long, value_name = "DIR", value_hint = ValueHint::DirPath, requires = "task")]
     pub knowledge: Option<PathBuf>,
-    /// How a log is to be understood.
+    /// Format of the log.
     #[command(flatten)]
     pub reading: LogArgs,
 }
 
-/// Which robot, and what is known of it.
+/// The robot and its files.
 #[derive(Debug, Default, Args)]
 #[command(next_help_heading = "Robot")]
 pub struct RobotArgs {
-    /// Robot: a shipped one (humanoid, arm7, arm6), a URDF, or "none" [default: the task's]
+    /// Robot: a shipped robot (humanoid, arm7, arm6), a URDF file, or "none" [default: the task's]
     #[arg(long, value_name = "ROBOT", value_hint = ValueHint::FilePath)]
     pub robot: Option<String>,
-    /// Planning group of the SRDF that holds the tool [default: the task's, or the first]
+    /// SRDF planning group that holds the tool [default: the task's, or the first group]
     #[arg(long, value_name = "NAME")]
     pub group: Option<String>,
-    /// Capability map for base placement [default: beside the URDF; without one, placement is slow]
+    /// Capability map for base placement [default: the file beside the URDF; without a map, placement is slow]
     #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]
     pub map: Option<PathBuf>,
     /// Folder to which package://NAME resolves; repeatable
@@ -478,14 +480,14 @@ pub struct RobotArgs {
     pub packages: Vec<(String, PathBuf)>,
 }
 
-/// Where the results go.
+/// Options of the results.
 #[derive(Debug, Args)]
 pub struct ResultArgs {
-    /// Output folder; that of a run is replaced by a run only [default: out/NAME-OF-THE-TASK, and for less
-    /// than a run with a robot out/NAME-planned, -predicted or -followed]
+    /// Output folder; only another run may replace the folder of a run [default: out/TASK for a run with a robot,
+    /// else out/TASK-planned, -predicted or -followed]
     #[arg(long, value_name = "DIR", value_hint = ValueHint::DirPath)]
     pub out: Option<PathBuf>,
-    /// Replace an output folder that holds what a run measured, too
+    /// Also replace an output folder that holds a run's measurements
     #[arg(long)]
     pub force: bool,
     /// Print one JSON object instead of the summary
@@ -499,7 +501,7 @@ pub struct PredictArgs {
     /// The task.
     #[command(flatten)]
     pub task: TaskArgs,
-    /// Plan to predict, a plan.json of an earlier run [default: plan anew]
+    /// Plan to predict: a plan.json of an earlier run [default: make a new plan]
     #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath, conflicts_with_all = ["strategy"])]
     pub plan: Option<PathBuf>,
     /// The results.
@@ -510,13 +512,13 @@ pub struct PredictArgs {
 /// Arguments of `footprint`.
 #[derive(Debug, Args)]
 pub struct FootprintArgs {
-    /// Tool of the knowledge base, or a mesh file (.stl, .obj or .dae)
+    /// Tool of the knowledge base, or mesh file (.stl, .obj or .dae)
     #[arg(value_name = "TOOL")]
     pub tool: String,
     /// Compression depth under nominal force [m]; required for a mesh file [default: the tool's]
     #[arg(long, value_name = "METRES", allow_negative_numbers = true)]
     pub compression_depth_m: Option<f64>,
-    /// Draw the footprint to this .svg file
+    /// Draw the footprint into this .svg file
     #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]
     pub svg: Option<PathBuf>,
     /// Knowledge base: folder with the tools [default: built in]
@@ -538,7 +540,7 @@ pub struct NewArgs {
 /// Arguments of `scenarios`.
 #[derive(Debug, Args)]
 pub struct ScenariosArgs {
-    /// Print the task file of this one [default: list them all]
+    /// Print this scenario's task file [default: list all scenarios]
     #[arg(value_name = "NAME")]
     pub name: Option<String>,
 }
@@ -546,14 +548,14 @@ pub struct ScenariosArgs {
 /// Arguments of `completions`.
 #[derive(Debug, Args)]
 pub struct CompletionsArgs {
-    /// The shell
+    /// Shell to complete for
     pub shell: clap_complete::Shell,
 }
 
 /// Arguments of `man`.
 #[derive(Debug, Args)]
 pub struct ManArgs {
-    /// The folder to write them into
+    /// Folder to write the pages into
     #[arg(value_name = "FOLDER", value_hint = ValueHint::DirPath)]
     pub folder: PathBuf,
 }
@@ -580,19 +582,21 @@ fn action_parser() -> impl TypedValueParser<Value = Action> {
 fn setting(text: &str) -> Result<(String, String), String> {
     let (key, value) = text
         .split_once('=')
-        .ok_or("it has no \"=\"; write a key of the task file, \"=\" and its value")?;
+        .ok_or("\"=\" is missing; write KEY=VALUE with a key of the task file")?;
     if key.trim().is_empty() {
-        return Err("there is no key before \"=\"".to_owned());
+        return Err("the key before \"=\" is missing; write KEY=VALUE".to_owned());
     }
     Ok((key.trim().to_owned(), value.trim().to_owned()))
 }
 
 fn seconds(text: &str) -> Result<f64, String> {
-    let number: f64 = text.parse().map_err(|_| "it is no number".to_owned())?;
+    let number: f64 = text
+        .parse()
+        .map_err(|_| "not a number; write seconds, such as 60".to_owned())?;
     if (0.001..=86_400.0).contains(&number) {
         return Ok(number);
     }
-    Err("it is not within 0.001 to 86400 s".to_owned())
+    Err(format!("{number} s is outside 0.001 to 86400 s"))
 }
 
 fn package(text: &str) -> Result<(String, PathBuf), String> {
@@ -600,12 +604,12 @@ fn package(text: &str) -> Result<(String, PathBuf), String> {
         Some((name, folder)) if !name.trim().is_empty() && !folder.is_empty() => {
             Ok((name.trim().to_owned(), PathBuf::from(folder)))
         }
-        _ => Err("write the package's name, \"=\" and its folder".to_owned()),
+        _ => Err("write NAME=DIR: the package's name and its folder".to_owned()),
     }
 }
 
-/// What `--color` says, read before the command line is parsed, for the parser's own messages.
-fn color_asked_for(args: impl IntoIterator<Item = OsString>) -> ColorChoice {
+/// Reads `--color` before the command line is parsed, because the parser's own messages need it.
+fn find_color_choice(args: impl IntoIterator<Item = OsString>) -> ColorChoice {
     let mut args = args.into_iter().filter_map(|arg| arg.into_string().ok());
     let mut color = ColorChoice::Auto;
     while let Some(arg) = args.next() {

@@ -1,9 +1,9 @@
-//! Errors as the user reads them: one sentence, and what to do about it.
+//! Errors as the user reads them: one sentence, and advice on what to do.
 
 use std::path::Path;
 use wisch_record::RecordError;
 
-/// Why a command could not do its work.
+/// An error that ends a command: a sentence and optional advice.
 #[derive(Debug, thiserror::Error)]
 #[error("{sentence}")]
 pub struct Failure {
@@ -12,7 +12,7 @@ pub struct Failure {
 }
 
 impl Failure {
-    /// An error that says what is wrong, where, and what the limit is.
+    /// Makes an error from a sentence that states the problem, its location and the limit.
     pub fn new(sentence: impl std::fmt::Display) -> Self {
         Self {
             sentence: sentence.to_string(),
@@ -20,7 +20,7 @@ impl Failure {
         }
     }
 
-    /// The same, with the file that led there named first.
+    /// Puts the name of a file before the sentence.
     pub fn within(self, file: &Path) -> Self {
         Self {
             sentence: format!("{}: {}", file.display(), self.sentence),
@@ -28,12 +28,12 @@ impl Failure {
         }
     }
 
-    /// What the user can do about it.
+    /// The advice on what to do.
     pub fn help(&self) -> Option<&str> {
         self.help.as_deref()
     }
 
-    /// Adds what the user can do about it.
+    /// Adds advice on what to do.
     pub fn with_help(self, help: impl std::fmt::Display) -> Self {
         Self {
             help: Some(help.to_string()),
@@ -55,7 +55,7 @@ impl From<RecordError> for Failure {
     fn from(error: RecordError) -> Self {
         let help = match &error {
             RecordError::Memory(_) => {
-                "--memory DIR keeps the episode elsewhere, --no-memory nowhere"
+                "choose another folder with --memory DIR, or keep no episode with --no-memory"
             }
             RecordError::Bag(_) | RecordError::State { .. } => "choose another folder with --out",
             RecordError::Results(error) => match error.help() {
@@ -63,14 +63,14 @@ impl From<RecordError> for Failure {
                 None => return Self::new(error),
             },
             RecordError::Live { .. } => {
-                "--memory DIR keeps the episode elsewhere, and without --live nobody can look on"
+                "choose another folder with --memory DIR, or leave out --live"
             }
             RecordError::Sink(_) => "choose another file with --events",
             RecordError::Unreadable { .. } | RecordError::TooLong { .. } => {
                 return Self::new(error);
             }
             RecordError::Nothing | RecordError::Internal(_) => {
-                "this is a fault of wisch, not of your files; please report it"
+                "this is an error in wisch, not in your files; please report it"
             }
         };
         Self::new(error).with_help(help)

@@ -1,7 +1,7 @@
 //! The program `wisch`: plan, predict and report robotic wiping from the command line.
 //!
-//! `args` is what the user may type; each command has its file in `commands`; the crate `wisch_io` reads
-//! and writes files; `records` is what `--json` prints; `output` puts results on the disk.
+//! `args` holds the command line and its help; each command has a file in `commands`. The crate `wisch_io` reads and
+//! writes files: its `records` are the objects that `--json` prints, and its `output` replaces folders of results.
 
 mod args;
 mod commands;
@@ -11,10 +11,10 @@ mod terminal;
 
 use std::ffi::OsString;
 
-/// Runs the program with these arguments, its own name first, and says its exit code: 0 done, 1 goal not met, 2 error.
+/// Runs the program and returns its exit code: 0 done, 1 goal not met, 2 error.
 ///
-/// It is made to be all that its process does: it sets the hook of panics, watches for Ctrl-C where a run can be resumed, and
-/// ends the process where help is asked for or the command line is wrong.
+/// `args`: the command line, with the program's name first. The function assumes that it owns its process: it sets the
+/// panic hook, installs signal handlers during runs, and exits the process after help texts and invalid arguments.
 pub fn main_with(args: impl IntoIterator<Item = OsString>) -> u8 {
     let args: Vec<OsString> = args.into_iter().collect();
     terminal::run(&args, || {

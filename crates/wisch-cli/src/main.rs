@@ -1,4 +1,4 @@
-//! The program; all of it is in the library, which the Python wheel carries too.
+//! The program `wisch`. Its code is in the library, which the Python wheel contains, too.
 
 use std::process::ExitCode;
 

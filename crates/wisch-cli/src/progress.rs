@@ -1,4 +1,4 @@
-//! A spinner for people; nothing for pipes.
+//! A spinner on terminals; no output in pipes.
 
 use crate::args::GlobalArgs;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
@@ -6,16 +6,16 @@ use std::io::IsTerminal;
 use std::time::Duration;
 use wisch::source_location::visible;
 
-/// How often the spinner turns.
+/// Period of the spinner.
 const TICK: Duration = Duration::from_millis(100);
 
-/// Says on standard error what is going on, if that is a terminal; clears itself away at the end.
+/// A spinner that shows the current activity on standard error, if that is a terminal. It is cleared when dropped.
 pub struct Progress {
     spinner: ProgressBar,
 }
 
 impl Progress {
-    /// Starts to spin.
+    /// Starts the spinner.
     pub fn start(args: &GlobalArgs) -> Self {
         let spinner = if args.quiet || !std::io::stderr().is_terminal() {
             ProgressBar::with_draw_target(None, ProgressDrawTarget::hidden())
@@ -30,18 +30,18 @@ impl Progress {
         Self { spinner }
     }
 
-    /// Does something that prints, without the spinner in between.
+    /// Runs a function that prints while the spinner is hidden.
     pub fn aside(&self, print: impl FnOnce()) {
         self.spinner.suspend(print);
     }
 
-    /// Takes the spinner away, from whatever thread.
+    /// Returns a function that clears the spinner; any thread can call it.
     pub fn clearing(&self) -> impl FnOnce() + Send + use<> {
         let spinner = self.spinner.clone();
         move || spinner.finish_and_clear()
     }
 
-    /// Says what is being done now.
+    /// Shows the current activity.
     pub fn say(&self, what: impl Into<std::borrow::Cow<'static, str>>) {
         let what = what.into();
         self.spinner.set_message(visible(&what).into_owned());

@@ -1,4 +1,4 @@
-//! The program's edge: colours, threads, errors, panics, and the exit code.
+//! Terminal output and process setup: colours, threads, errors, panics, and the exit code.
 
 use crate::args::{ColorChoice, GlobalArgs};
 use crate::failure::Failure;
@@ -8,12 +8,12 @@ use std::panic::{self, AssertUnwindSafe};
 use std::sync::atomic::{AtomicBool, Ordering};
 use wisch::source_location::visible;
 
-/// How a command that worked ended.
+/// The outcome of a command that ran without an error.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Outcome {
-    /// It did what was asked, or the goal is met.
+    /// The command is done, or the goal is met.
     Done,
-    /// It ran, but the goal is not met, or a check has something to complain about.
+    /// The command ran, but the goal is not met, or a check found faults.
     GoalNotMet,
 }
 
@@ -21,7 +21,7 @@ pub enum Outcome {
 static COLOR: AtomicBool = AtomicBool::new(false);
 /// Whether only errors are shown.
 static QUIET: AtomicBool = AtomicBool::new(false);
-/// Whether one machine-readable result is asked for.
+/// Whether the command line has `--json`.
 static JSON: AtomicBool = AtomicBool::new(false);
 
 /// Whether a result was printed.
@@ -31,7 +31,7 @@ const EXIT_DONE: u8 = 0;
 const EXIT_GOAL_NOT_MET: u8 = 1;
 const EXIT_ERROR: u8 = 2;
 
-/// Runs the program and turns whatever happens into an exit code: 0 done, 1 goal not met, 2 error.
+/// Runs the program and returns its exit code: 0 done, 1 goal not met, 2 error or panic.
 pub fn run(args: &[OsString], program: impl FnOnce() -> Result<Outcome, Failure>) -> u8 {
     let mut asked = args.iter().skip(1).take_while(|arg| *arg != "--");
     JSON.store(asked.any(|arg| arg == "--json"), Ordering::Relaxed);
@@ -44,11 +44,11 @@ pub fn run(args: &[OsString], program: impl FnOnce() -> Result<Outcome, Failure>
             .map_or_else(String::new, |at| format!(" at {}:{}", at.file(), at.line()));
         let cause = info.payload_as_str().unwrap_or("no message");
         let error = format!("internal error{place}: {cause}");
-        let help = "this is a fault of wisch, not of your files; please report it";
+        let help = "this is an error in wisch, not in your files; please report it";
         print_json_error(&error, Some(help));
         complain(&visible(&format!("{error}\n  help: {help}")));
     }));
-    // Unwinding, unlike leaving from the hook, lets unfinished output folders be removed.
+    // Unwinding drops the unfinished output folders, which removes them; an exit from the hook would leave them.
     match panic::catch_unwind(AssertUnwindSafe(program)) {
         Ok(Ok(Outcome::Done)) => EXIT_DONE,
         Ok(Ok(Outcome::GoalNotMet)) => EXIT_GOAL_NOT_MET,
@@ -81,8 +81,8 @@ pub fn prepare(args: &GlobalArgs) -> Result<(), Failure> {
     Ok(())
 }
 
-/// Shows an error as the command line's own are shown: one line that nothing breaks, so that it can
-/// be searched for, and one with help.
+/// Prints an error in the form of the command-line parser's errors: one unbroken line, so that it can be searched for,
+/// and one line with help.
 pub fn complain_of(failure: &Failure) {
     let (red, green, plain) = if COLOR.load(Ordering::Relaxed) {
         ("\x1b[1;31m", "\x1b[32m", "\x1b[0m")
@@ -97,7 +97,7 @@ pub fn complain_of(failure: &Failure) {
     complain(&format!("{red}error:{plain} {}{help}", visible(&sentence)));
 }
 
-/// Ends the program with the help that was asked for, or with what is wrong with the command line.
+/// Exits with the requested help text, or with the command-line parser's error.
 pub fn refuse(error: &clap::Error) -> ! {
     if error.use_stderr() {
         let text = error.to_string();
@@ -107,10 +107,10 @@ pub fn refuse(error: &clap::Error) -> ! {
     error.exit()
 }
 
-/// Where one machine-readable result is asked for and none was printed, prints the error as that.
+/// Prints the error as a JSON object if the command line has `--json` and no result was printed.
 fn print_json_error(error: &str, help: Option<&str>) {
     if JSON.load(Ordering::Relaxed) && !PRINTED.load(Ordering::Relaxed) {
-        // Whoever reads it may have gone away.
+        // The reader may have closed the pipe.
         let _ = print(&format!(
             "{}\n",
             serde_json::json!({ "error": error, "help": help })
@@ -118,7 +118,7 @@ fn print_json_error(error: &str, help: Option<&str>) {
     }
 }
 
-/// Prints to standard output, without control characters. A reader that has gone away, as `head` does, is no error.
+/// Prints to standard output, without control characters. A closed pipe, as `head` leaves it, is not an error.
 pub fn print(text: &str) -> Result<(), Failure> {
     PRINTED.store(true, Ordering::Relaxed);
     let text = visible(text);
@@ -131,14 +131,14 @@ pub fn print(text: &str) -> Result<(), Failure> {
     }
 }
 
-/// Tells people something besides the results, on standard error, unless only errors are asked for.
+/// Prints a note on standard error, unless `--quiet` is given.
 pub fn remark(text: &str) {
     if !QUIET.load(Ordering::Relaxed) {
         complain(&format!("note: {}", visible(text)));
     }
 }
 
-/// Prints to standard error, where nobody may be listening.
+/// Prints to standard error and ignores failures.
 fn complain(text: &str) {
     let _ = writeln!(io::stderr().lock(), "{text}");
 }

@@ -146,11 +146,11 @@ fn the_plans_of_all_strategies_are_listed_with_why_one_is_taken() {
         }
     }
     assert!(plan(&["--explain"]).contains(" has the highest score, 0."));
-    // Another than the best is said to be that.
+    // A requested plan that is not the best is marked as requested.
     let grid = plan(&["--explain", "--strategy", "grid"]);
     assert!(grid.contains("  * grid "), "{grid}");
     assert!(
-        grid.contains("grid is what was asked for; --strategy best would take"),
+        grid.contains("grid was requested; --strategy best would choose"),
         "{grid}"
     );
     // Nobody asked.
@@ -355,13 +355,13 @@ fn results_of_an_earlier_run_are_replaced_and_nothing_else() {
     fs::write(result.join("plan.json"), "{\"format\": \"other\"}").expect("a plan of others");
     let (code, _, err) = run();
     assert_eq!(code, 2);
-    assert!(err.contains("holds no plan.json of wisch"), "{err}");
+    assert!(err.contains("contains no plan.json of wisch"), "{err}");
 
     fs::remove_dir_all(&result).expect("removed");
     fs::write(&result, "a file").expect("a file");
     let (code, _, err) = run();
     assert_eq!(code, 2);
-    assert!(err.contains("a file stands there"), "{err}");
+    assert!(err.contains("but this is a file"), "{err}");
     assert_eq!(
         names(folder.path()),
         ["board.toml", "result"],
@@ -665,7 +665,7 @@ fn what_a_run_measured_is_not_replaced_by_less() {
         let (code, _, err) = output(folder.path(), &[command, "board.toml", "--out", "here"]);
         assert_eq!(code, 2, "{command}");
         assert!(
-            err.contains("what a run measured") && err.contains("--force"),
+            err.contains("a run's measurements") && err.contains("--force"),
             "{err}"
         );
         assert!(bag.is_file(), "{command}");
@@ -717,7 +717,7 @@ fn a_pipe_that_nobody_writes_into_is_not_waited_for_for_ever() {
     let (code, _, err) = output(folder.path(), &["plan", "pipe.toml"]);
     assert_eq!(code, 2);
     assert!(
-        err.contains("pipe.toml: this is a pipe into which nobody wrote"),
+        err.contains("pipe.toml: no data arrived on this pipe"),
         "{err}"
     );
 }

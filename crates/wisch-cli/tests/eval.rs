@@ -106,7 +106,7 @@ fn seeds_of_several_uses_are_remarked_on() {
     let output = wisch(folder.path(), &[&one[..], &["--out", "out"]].concat());
     let err = String::from_utf8_lossy(&output.stderr);
     assert!(output.status.code() <= Some(1), "{err}");
-    assert!(err.contains("these seeds serve no single use"), "{err}");
+    assert!(err.contains("these seeds mix several ranges"), "{err}");
     let refused = wisch(folder.path(), &["--worlds", "2", "--shard", "3/2"]);
     let err = String::from_utf8_lossy(&refused.stderr);
     assert_eq!(refused.status.code(), Some(2), "{err}");
@@ -147,7 +147,7 @@ fn a_scenario_is_wiped_over_seeds_and_summed_up() {
     let again = eval(folder.path(), "scenarios", &args);
     let err = String::from_utf8_lossy(&again.stderr);
     assert_eq!(again.status.code(), Some(2), "{err}");
-    assert!(err.contains("is there already"), "{err}");
+    assert!(err.contains("the file exists already"), "{err}");
     let none = eval(
         folder.path(),
         "scenarios",

@@ -109,8 +109,8 @@ fn an_executor_that_cannot_be_used_is_an_error() {
     let folder = tempfile::tempdir().expect("a folder");
     for (executor, expected) in [
         ("no-such-robot --fast", "executor \"no-such-robot\""),
-        ("  ", "that is no command"),
-        ("'open", "that is no command"),
+        ("  ", "not a command"),
+        ("'open", "not a command"),
     ] {
         let output = wisch(folder.path(), &["--executor", executor]);
         let err = String::from_utf8_lossy(&output.stderr);
@@ -125,7 +125,7 @@ fn an_executor_that_cannot_be_used_is_an_error() {
 }
 
 #[test]
-fn an_executor_that_falls_silent_is_given_up_and_the_episode_is_kept() {
+fn a_silent_executor_is_abandoned_and_the_episode_is_kept() {
     if !has_python() {
         return;
     }
@@ -152,11 +152,11 @@ fn an_executor_that_falls_silent_is_given_up_and_the_episode_is_kept() {
     let output = command.output().expect("it runs");
     let err = String::from_utf8_lossy(&output.stderr);
     assert_eq!(output.status.code(), Some(2), "{err}");
-    assert!(err.contains("it said nothing for 2 s"), "{err}");
-    assert!(err.contains("the episode is kept all the same"), "{err}");
+    assert!(err.contains("no message for 2 s"), "{err}");
+    assert!(err.contains("the episode was kept in"), "{err}");
     let kept = fs::read_dir(folder.path().join("memory")).expect("a memory");
     assert!(kept.count() > 0);
     let refused = wisch(folder.path(), &["--executor", "true", "--timeout", "0"]);
     let err = String::from_utf8_lossy(&refused.stderr);
-    assert!(err.contains("it is not within 0.001 to 86400 s"), "{err}");
+    assert!(err.contains("0 s is outside 0.001 to 86400 s"), "{err}");
 }

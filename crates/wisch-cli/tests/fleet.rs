@@ -110,11 +110,11 @@ fn a_fleet_is_asked_for_what_is_selected() {
     // An episode that is left out is no reason to answer nothing.
     let (_, _, err) = ended(program.env("CODE", "1").args(args));
     assert!(
-        err.contains("2 of 9 episodes of f are selected; 1 of them were pulled now (2.5 MB)"),
+        err.contains("2 of 9 episodes of f are selected; 1 were pulled now (2.5 MB)"),
         "{err}"
     );
     assert!(
-        err.contains("1 of them cannot be read: the answers lack them"),
+        err.contains("1 of the selected episodes cannot be read"),
         "{err}"
     );
     assert!(!err.contains("wisch-fleet ended"), "{err}");
@@ -128,7 +128,7 @@ fn episodes_are_selected_of_a_fleet_only() {
     let (code, _, err) = wisch(folder.path(), &["ask", "--since", "2026-11-01", "true"]);
     assert_eq!(code, 2);
     assert!(
-        err.contains("is said of a fleet only") && err.contains("--fleet"),
+        err.contains("options that select episodes need --fleet") && err.contains("--fleet"),
         "{err}"
     );
 }

@@ -184,7 +184,7 @@ fn a_task_without_a_robot_is_predicted_and_not_followed() {
         let (code, out, err) = wisch(folder.path(), args);
         assert_eq!((code, out.as_str()), (2, ""));
         assert!(
-            err.contains("task.toml: there is no robot to follow the plan"),
+            err.contains("task.toml: wisch follow needs a robot"),
             "{err}"
         );
         assert!(err.contains("--robot"), "{err}");

@@ -321,7 +321,7 @@ fn on_a_full_disk_the_results_are_kept_and_of_the_episode_what_can_be() {
         .unwrap();
     let [out, err] = [&output.stdout, &output.stderr].map(|b| String::from_utf8_lossy(b));
     assert!(out.contains("code 2\n1 episode: all well"), "{out}{err}");
-    let says = "note: the episode is kept all the same, in episodes/";
+    let says = "note: the episode was kept in episodes/";
     assert!(err.contains(says) && err.contains("round-1.mcap"), "{err}");
     let memory = Memory::open(&folder.path().join("episodes")).unwrap();
     let id = &memory.episodes().unwrap()[0];

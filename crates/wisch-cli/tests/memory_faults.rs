@@ -79,7 +79,7 @@ fn an_episode_is_dated_by_the_clock_whatever_others_are_dated() {
         let is_ahead = begin + duration > now();
         assert_eq!(code, i32::from(is_ahead), "{out}");
         assert_eq!(
-            out.contains(&format!("{other}: it is dated ")),
+            out.contains(&format!("{other}: its interval, ")),
             is_ahead,
             "{out}"
         );

@@ -17,7 +17,7 @@ fn a_report_with_an_error_is_one_object() {
     assert_eq!(report["errors"], 1);
     let findings = report["findings"].as_array().expect("an array");
     assert!(findings.iter().any(|found| found["fault"] == "joint-type"));
-    assert!(error.contains("no robot can be made of it"), "{error}");
+    assert!(error.contains("the robot cannot be loaded"), "{error}");
 }
 
 #[test]

@@ -1,4 +1,4 @@
-//! What is kept of a run to be shown, who may look on meanwhile, and the page that is made of it.
+//! The recording of a run, the live page, and the report that is made of it.
 
 use crate::program::{path, wisch};
 use flate2::read::GzDecoder;
@@ -165,7 +165,7 @@ fn others_look_on_and_may_end_it_in_order() {
     assert_eq!(
         fs::read_dir(&live).expect("a folder").count(),
         0,
-        "nobody looks on any more"
+        "the live file is removed"
     );
     let mut text = String::new();
     held.read_to_string(&mut text).expect("text");
@@ -177,7 +177,7 @@ fn others_look_on_and_may_end_it_in_order() {
         (&"ended".into(), &name.into())
     );
     let happened = last["story"]["happened"].as_str().expect("a story");
-    assert!(happened.ends_with("it was stopped."), "{happened}");
+    assert!(happened.ends_with("(the run was stopped)."), "{happened}");
     let judged = pieces.iter().find(|piece| piece["piece"] == "judged");
     assert_eq!(judged.expect("it is interpreted")["ending"], "stopped");
 }
@@ -203,7 +203,7 @@ fn ended_before_a_round_is_over_nothing_is_kept() {
     let said = String::from_utf8(ended.stderr).expect("text");
     assert_eq!(ended.status.code(), Some(2), "{said}");
     assert!(
-        said.contains("ended before the first round was over"),
+        said.contains("interrupted during the first round"),
         "{said}"
     );
     assert!(episodes(folder.path()).is_empty());

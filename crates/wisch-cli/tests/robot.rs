@@ -50,7 +50,7 @@ fn packages_are_resolved_where_they_are_named() {
     assert_eq!(code, 2);
     assert_eq!(out.matches("add --package rods=DIR").count(), 1, "{out}");
     assert!(!out.contains("note "), "{out}");
-    assert!(err.contains("no robot can be made of it: 1 error"), "{err}");
+    assert!(err.contains("the robot cannot be loaded: 1 error"), "{err}");
 
     let meshes = folder.path().join("elsewhere");
     fs::create_dir(&meshes).expect("made");
@@ -148,10 +148,10 @@ fn an_srdf_is_checked_with_its_urdf() {
         assert_eq!(code, 2, "{out}{err}");
         assert!(out.contains(&format!("error    {expected}")), "{out}");
         assert!(
-            err.contains("arm.srdf: it cannot be used: 1 error"),
+            err.contains("arm.srdf: the SRDF cannot be used: 1 error"),
             "{err}"
         );
-        assert!(!out.contains("nothing is missing"), "{out}");
+        assert!(!out.contains("no findings"), "{out}");
     }
     let (code, _, err) = check(folder_with_srdf(&[0xff, 0xfe, 0]).path(), &["arm.urdf"]);
     assert_eq!(code, 2);

@@ -143,7 +143,7 @@ fn ctrl_c_says_how_to_go_on() {
         .take()
         .map(|mut pipe| pipe.read_to_string(&mut err));
     read.expect("a pipe").expect("text");
-    let said = "error: interrupted after round 1\n  help: the same command with --resume goes on from there\n";
+    let said = "error: interrupted after round 1\n  help: add --resume to the same command to continue from there\n";
     assert_eq!(err, said);
     assert!(left.exists());
     let (code, err) = ended(wisch(folder.path(), "cut", &["--resume"]));

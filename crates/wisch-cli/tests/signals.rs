@@ -218,7 +218,7 @@ fn where_nobody_reads_the_events_any_more_the_robot_is_stopped_and_the_round_kep
     drop(lines);
     let (code, err) = ended(run, &mark);
     assert_eq!(code, Some(2), "{err}");
-    assert!(err.contains("cannot write there"), "{err}");
+    assert!(err.contains("cannot write events"), "{err}");
     assert!(err.contains("1 round kept"), "{err}");
     assert_eq!(heard(folder)[..2], ["execute", "stop"], "{err}");
     check(folder, &err);

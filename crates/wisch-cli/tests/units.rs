@@ -70,7 +70,7 @@ fn told(arm: &Arm, srdf: &str) -> (String, String) {
 fn an_arm_in_metres_kilograms_and_radians_raises_no_remark() {
     let (check, report) = told(&ARM, READY);
     assert!(!check.contains("note:"), "{check}");
-    assert!(report.contains("nothing is missing or odd"), "{report}");
+    assert!(report.contains("no findings"), "{report}");
 }
 
 #[test]
@@ -124,7 +124,7 @@ fn what_is_odd_or_assumed_of_a_robot_is_told_by_both_checks() {
             READY,
             "1 rad/s is assumed",
         ),
-        (ARM, &*no_ready, "no posture"),
+        (ARM, &*no_ready, "no group state"),
         (ARM, &*stale, "unknown link \"gripper_base\""),
     ];
     for (arm, srdf, expected) in cases {

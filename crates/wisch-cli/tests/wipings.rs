@@ -286,16 +286,16 @@ fn what_is_wrong_is_named_with_its_place() {
         ),
         (
             sweep(&["--set", "seed=1,2"]),
-            "--set seed: a sweep has its seeds from elsewhere",
+            "--set seed: a sweep sets the seeds itself",
         ),
-        (sweep(&["--set", "particles.count"]), "it has no \"=\""),
+        (sweep(&["--set", "particles.count"]), "\"=\" is missing"),
         (
             sweep(&["--set", "particles.count=1:9:0"]),
             "particles.count: the range 1:9:0 has no step",
         ),
         (
             sweep(&["--set", "particles.count=1", "--set", "particles.count=2"]),
-            "--set particles.count: the key is there twice",
+            "--set particles.count: the key is given twice",
         ),
         (
             vec![
@@ -309,7 +309,7 @@ fn what_is_wrong_is_named_with_its_place() {
         ),
         (
             vec!["eval", "table1", "--cells", "bord"],
-            "\"bord\" is no cell of Table 1",
+            "\"bord\" is not a cell of Table 1",
         ),
         (vec!["eval", "table1", "--strategies", "gird"], "'gird'"),
         (

@@ -139,7 +139,7 @@ fn toml_cases() -> Vec<Case> {
             "wrong schema",
             "schema = 1 ",
             "schema = 7 ",
-            &["schema 7 is not supported, only schema 1"],
+            &["schema 7 is not supported; this version reads schema 1"],
         ),
         task("no schema", "schema = 1 ", "# ", &["\"schema\" is missing"]),
         task(
@@ -243,7 +243,7 @@ fn toml_cases() -> Vec<Case> {
             "a name twice",
             "name = \"cup\"",
             "name = \"board\"",
-            &["\"board\" is already at"],
+            &["\"board\" is already defined at"],
         ),
         task(
             "unknown carrier",
@@ -299,7 +299,7 @@ fn meaning_cases() -> Vec<Case> {
             "a tool that does not fit",
             "name = \"sponge\"",
             "name = \"vacuum_nozzle\"",
-            &["vacuum_nozzle", "only to absorb"],
+            &["vacuum_nozzle", "only absorb"],
         ),
         task(
             "an unreachable collect goal",
@@ -336,7 +336,7 @@ fn meaning_cases() -> Vec<Case> {
             "a mesh of no format",
             CUP,
             "mesh = { file = \"tap.step\" }",
-            &["tap.step", "ends in .stl, .obj or .dae"],
+            &["tap.step", "must end in .stl, .obj or .dae"],
         ),
         task(
             "a goal that is no PDDL",
@@ -418,7 +418,7 @@ fn file_cases() -> Vec<Case> {
         list(
             "a list of words",
             "x,y\n0.1,abc\n",
-            &["crumbs.csv:2", "y = \"abc\" is no number"],
+            &["crumbs.csv:2", "y = \"abc\" is not a number"],
         ),
         list(
             "a list with NaN",
@@ -439,7 +439,7 @@ fn file_cases() -> Vec<Case> {
             "no PNG",
             b"not a picture",
             CORNERS,
-            &["photo.png", "no PNG or JPEG"],
+            &["photo.png", "not a readable PNG or JPEG"],
         ),
         image(
             "corners that are none",
@@ -469,12 +469,12 @@ fn file_cases() -> Vec<Case> {
         plan(
             "a plan of others",
             "{\"format\": \"map\", \"schema\": 1}",
-            &["this is no plan of wisch"],
+            &["this is not a plan of wisch"],
         ),
         plan(
             "a plan of the future",
             "{\"format\": \"wisch-plan\", \"schema\": 9}",
-            &["schema 9 is not supported, only schema 1"],
+            &["schema 9 is not supported; this version reads schema 1"],
         ),
         plan(
             "half a plan",
@@ -528,7 +528,7 @@ fn line_cases() -> Vec<Case> {
         line(
             "a setting without value",
             &["run", "task.toml", "--set", "seed"],
-            &["--set", "it has no \"=\""],
+            &["--set", "\"=\" is missing"],
         ),
         line(
             "a setting of no key",
@@ -563,7 +563,7 @@ fn line_cases() -> Vec<Case> {
         line(
             "results in a file",
             &["run", "task.toml", "--out", "task.toml"],
-            &["task.toml", "a file stands there"],
+            &["task.toml", "but this is a file"],
         ),
         line(
             "results below a file",

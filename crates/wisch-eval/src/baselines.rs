@@ -1,4 +1,4 @@
-//! Three simpler ways to believe, asked on the very rounds that the method executed.
+//! Three simpler estimators, applied to the rounds that the method executed.
 
 use std::ops::ControlFlow;
 use wisch::interpret::{
@@ -8,21 +8,21 @@ use wisch::interpret::{
 use wisch::represent::{GoalState, Task};
 use wisch::run::{MotionOrder, PlannedRound};
 
-/// Period at which a robot that feels nothing takes its contact for granted [s].
+/// Sampling period of the assumed contact of the force-blind replay [s].
 const PERIOD: f64 = 0.01;
 
-/// What simpler ways believe after a round.
+/// The estimates of the simpler estimators after a round.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Baseline {
-    /// (a) What the plan was predicted to do.
+    /// (a) The plan's predicted performance.
     pub prediction: f64,
-    /// (b) A replay of the plan with contact wherever the plan has it, by the same ensemble.
+    /// (b) A force-blind replay: the same ensemble, with contact wherever the plan has contact.
     pub force_blind: PerformanceDistribution,
-    /// (c) The paper's rule: one draw of the dirt, the law as it stands, what was felt; a single number.
+    /// (c) The paper's rule: one draw of the dirt, the nominal law, and the measured forces; a single number.
     pub paper: f64,
 }
 
-/// The three ways, over the rounds of a world.
+/// The state of the three estimators over the rounds of a world.
 #[derive(Debug, Clone)]
 pub struct Baselines {
     blind: Belief,
@@ -30,7 +30,7 @@ pub struct Baselines {
 }
 
 impl Baselines {
-    /// Before the first round: the method's own prior, and the one draw that the task has.
+    /// Makes the estimators before the first round, from the method's prior and the task's particles.
     pub fn new(prior: &Belief, task: &Task) -> Self {
         Self {
             blind: prior.clone(),
@@ -38,10 +38,10 @@ impl Baselines {
         }
     }
 
-    /// Goes through a round with what was felt in it.
+    /// Updates the estimators with the measurements of a round.
     ///
     /// # Errors
-    /// What an interpretation refuses.
+    /// If the interpretation fails.
     pub fn after(
         &mut self,
         planned: &PlannedRound,

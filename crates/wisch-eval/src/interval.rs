@@ -1,9 +1,9 @@
-//! How well a share is known that was counted.
+//! Confidence intervals of counted shares.
 
-/// Halvings until a bound is as exact as is of use.
+/// Number of bisection steps for a bound.
 const HALVINGS: usize = 60;
 
-/// The interval that holds a share with 95 % when `hits` of `trials` were counted (Clopper and Pearson, 1934).
+/// Returns the 95 % confidence interval of a share for `hits` out of `trials` (Clopper and Pearson, 1934).
 ///
 /// ```
 /// let [low, high] = wisch_eval::binomial_interval(9, 10);
@@ -35,7 +35,7 @@ pub fn binomial_interval(hits: usize, trials: usize) -> [f64; 2] {
     [low, high]
 }
 
-/// Probability of at most `hits` of `trials`.
+/// Returns the probability of at most `hits` out of `trials` (binomial distribution).
 fn at_most(hits: usize, trials: usize, share: f64) -> f64 {
     if share <= 0.0 {
         return 1.0;

@@ -1,11 +1,11 @@
-//! Evaluations over many simulated worlds: what the method believes against what is so.
+//! Evaluations in many simulated worlds, which compare estimates with ground truth.
 //!
-//! A world is drawn by a seed ([`WorldCase`]): which task, how the world differs from what the robot believes of it, and
-//! what disturbs it. [`WorldCase::evaluate`] lets the method wipe in it, asks three simpler ways to believe on the very
-//! same rounds, and holds each against what is so. [`Calibration`] sums up many worlds. [`ScenarioRun`] is a shipped scenario
-//! in its own world, with a seed. [`WipingScore`] is a task that is planned, followed or executed once: the paper's
-//! Table 1 ([`Table1Case`]) is made of such runs, and so are sweeps over any keys of a task ([`Axis`]). What seeds
-//! are for: [`SeedUse`].
+//! A seed determines a world ([`WorldCase`]): its task, how it differs from the robot's belief, and its disturbances.
+//! [`WorldCase::evaluate`] runs the method in the world, and compares the method's estimates and those of three simpler
+//! estimators on the same rounds with ground truth. [`Calibration`] summarises many worlds. [`ScenarioRun`] is one run of a
+//! shipped scenario in its own world. [`WipingScore`] scores a task that is planned, followed or executed once; the paper's
+//! Table 1 ([`Table1Case`]) and sweeps over keys of a task ([`Axis`]) consist of these scores. [`SeedUse`] defines the
+//! ranges of seeds.
 
 mod baselines;
 mod interval;

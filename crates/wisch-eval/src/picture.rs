@@ -1,4 +1,4 @@
-//! What there is to see of a wiped surface, as data: small enough to be kept beside the figures.
+//! Data of a picture of a wiped surface, small enough to be stored with the results.
 
 use serde::{Deserialize, Serialize};
 use wisch::geometry::Point2;
@@ -6,30 +6,30 @@ use wisch::plan::Plan;
 use wisch::represent::{Fate, ParticleDistribution, Task};
 use wisch_io::GoalRecord;
 
-/// Places are kept to a tenth of a millimetre [1/m].
+/// Resolution of stored positions: a tenth of a millimetre [1/m].
 const PER_METRE: f64 = 1e4;
 
-/// Particles before and after, and strokes, in the frame of the surface [m].
+/// Particles before and after wiping, and strokes, in the surface frame [m].
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Picture {
-    /// What was to be reached.
+    /// The goal.
     pub goal: GoalRecord,
     /// Radius of the collision sphere.
     pub collision_radius_m: f64,
-    /// The way of the tool centre point, stroke by stroke.
+    /// Path of the tool centre point for each stroke.
     pub strokes: Vec<Vec<[f64; 2]>>,
-    /// Where the particles lay.
+    /// Particles before wiping.
     pub before: Vec<[f64; 2]>,
-    /// Those that still lie where they should not.
+    /// Particles that have not reached the goal.
     pub left: Vec<[f64; 2]>,
-    /// Those that lie where they should.
+    /// Particles that have reached the goal.
     pub done: Vec<[f64; 2]>,
-    /// Those that went over a wrong edge.
+    /// Particles lost over an edge that is not a skim edge.
     pub lost: Vec<[f64; 2]>,
 }
 
 impl Picture {
-    /// Of what a plan made of particles.
+    /// Makes the data from a plan and its effect on the particles.
     pub(crate) fn new(
         task: &Task,
         wiped: &Plan,

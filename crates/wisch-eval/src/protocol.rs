@@ -1,11 +1,11 @@
-//! Which seeds serve what.
+//! The ranges of seeds and their uses.
 
-/// First and last seed of each use.
+/// First and last seed of each range.
 const DEMONSTRATION: [u64; 2] = [1, 999];
 const CHOICE: [u64; 2] = [1_000, 4_999];
 const PUBLICATION: u64 = 10_000;
 
-/// What this project uses seeds for. A figure that it publishes comes from seeds on which nothing was chosen.
+/// The use of a seed in this project. Published figures come from seeds that were not used to tune constants.
 ///
 /// ```
 /// use wisch_eval::SeedUse;
@@ -16,16 +16,16 @@ const PUBLICATION: u64 = 10_000;
 pub enum SeedUse {
     /// 1 to 999: tests and demonstrations.
     Demonstration,
-    /// 1,000 to 4,999: choosing constants.
+    /// 1,000 to 4,999: tuning of constants.
     Choice,
-    /// From 10,000 on: published figures, each block once.
+    /// 10,000 and above: published figures, each block of seeds once.
     Publication,
     /// Other seeds, or seeds of several uses.
     Mixed,
 }
 
 impl SeedUse {
-    /// What `count` seeds from `first` on are for.
+    /// Returns the use of `count` seeds that start at `first`.
     pub fn of(first: u64, count: u64) -> Self {
         let last = first.saturating_add(count.saturating_sub(1));
         let within = |[least, most]: [u64; 2]| first >= least && last <= most;
@@ -40,7 +40,7 @@ impl SeedUse {
         }
     }
 
-    /// The use in words.
+    /// The use as text.
     pub const fn as_str(self) -> &'static str {
         match self {
             Self::Demonstration => "demonstration",

@@ -1,39 +1,39 @@
-//! Whether people who push were noticed, and when.
+//! Scores of the detection of pushes by people.
 
 use serde::{Deserialize, Serialize};
 use std::iter::Sum;
 use std::ops::Add;
 
-/// Touches with less time between them are one push [s], as for the interpreter.
+/// Touches that are less than this time apart count as one push [s], as in the interpreter.
 const GAP: f64 = 0.35;
-/// A start or an end is found if it was told no more than this apart [s].
+/// Maximum time between a true and a detected start or end [s].
 const TOLERANCE: f64 = 0.05;
 
-/// Pushes of one or many rounds, as they were and as they were told.
+/// True and detected pushes of one or more rounds.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
 pub struct PushCounts {
     /// Rounds.
     pub rounds: usize,
-    /// Rounds in which nobody pushed.
+    /// Rounds without a push.
     pub undisturbed: usize,
-    /// Pushes that were over before the round was.
+    /// Pushes that ended before their round.
     pub pushes: usize,
-    /// Of these, told.
+    /// Detected pushes.
     pub found: usize,
-    /// Told, and begun within 50 ms of when it was told.
+    /// Detected pushes whose detected start is within 50 ms.
     pub starts: usize,
-    /// Told, and ended within 50 ms of when it was told.
+    /// Detected pushes whose detected end is within 50 ms.
     pub ends: usize,
-    /// Collisions told in rounds in which nobody pushed, where robot or tool touched something of the scene.
+    /// Detections in rounds without a push, when robot or tool touched an object of the scene.
     #[serde(default)]
     pub obstructed: usize,
-    /// Collisions told in rounds in which nobody pushed, and nothing was touched.
+    /// False detections: in rounds without a push and without such a touch.
     pub invented: usize,
 }
 
 impl PushCounts {
-    /// Of a round that lasted so long [s], with the times at which a hand touched the tool, at which robot or tool
-    /// touched something of the scene, and at which a collision was told.
+    /// Counts the pushes of a round, from its duration [s], the times at which a hand touched the tool, the times at which
+    /// robot or tool touched an object of the scene, and the detected collisions.
     pub fn of_round(
         duration: f64,
         touches: &[[f64; 2]],
@@ -48,7 +48,7 @@ impl PushCounts {
             }
         }
         let is_undisturbed = pushes.is_empty();
-        // What the end of the round cuts off has no end to be told.
+        // A push that lasts beyond the end of the round has no end to detect.
         pushes.retain(|[_, end]| end + TOLERANCE < duration);
         let is_obstructed = |told: &&[f64; 2]| {
             let around = |at: &&[f64; 2]| told[0] <= at[1] + GAP && told[1] >= at[0] - TOLERANCE;

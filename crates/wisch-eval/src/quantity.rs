@@ -1,11 +1,11 @@
-//! What is measured of a task that was wiped, and how it is summed up over seeds.
+//! Quantities of a wiping run, and their statistics over seeds.
 
 use crate::scenario::Quartiles;
 use crate::wiping::{ExecutionScore, MotionScore, WipingScore};
 use serde::Serialize;
 use std::collections::BTreeMap;
 
-/// A quantity of a run. Its name ends in its unit; those without one are counts, or shares of 1.
+/// A quantity of a run. Its name ends in its unit; quantities without a unit are counts or shares [1].
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Quantity {
@@ -45,12 +45,12 @@ pub enum Quantity {
     ExecutionS,
     /// [`MotionScore::contact_s`].
     ContactS,
-    /// [`WipingScore::computation_s`]: the only one that differs from machine to machine.
+    /// [`WipingScore::computation_s`]: the only quantity that depends on the machine.
     ComputationS,
 }
 
 impl Quantity {
-    /// All of them, in the order in which they are listed.
+    /// All quantities, in the order of tables.
     pub const ALL: [Self; 19] = [
         Self::Planned,
         Self::Predicted,
@@ -98,7 +98,7 @@ impl Quantity {
         }
     }
 
-    /// Its value in a run; `None` where nothing was followed, or executed.
+    /// Returns its value in a run; `None` if the run was not followed or executed.
     pub fn of(self, score: &WipingScore) -> Option<f64> {
         let motion = |of: fn(&MotionScore) -> f64| score.motion.as_ref().map(of);
         let executed = |of: fn(&ExecutionScore) -> f64| score.execution.as_ref().map(of);
@@ -126,19 +126,19 @@ impl Quantity {
     }
 }
 
-/// A quantity over several runs.
+/// Statistics of a quantity over several runs.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Statistics {
     /// Arithmetic mean.
     pub mean: f64,
-    /// Least, quartiles and greatest.
+    /// Minimum, quartiles and maximum.
     pub quartiles: Quartiles,
 }
 
-/// Each quantity that some of the runs have.
+/// Statistics of each quantity that at least one run has.
 pub type QuantitySummary = BTreeMap<Quantity, Statistics>;
 
-/// Sums up runs.
+/// Computes the statistics of runs.
 pub fn summary<'a>(scores: impl IntoIterator<Item = &'a WipingScore> + Clone) -> QuantitySummary {
     let of = |quantity: Quantity| {
         let values: Vec<f64> = (scores.clone().into_iter())

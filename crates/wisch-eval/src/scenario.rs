@@ -1,4 +1,4 @@
-//! A scenario over many seeds: how its rounds end, and what is believed of them.
+//! Runs of a scenario over many seeds: true and estimated performance of their rounds.
 
 use crate::simulated::{SimulatedWorld, robot_of, words};
 use crate::trial::{BeliefScore, EvaluationError};
@@ -12,44 +12,44 @@ use wisch::run::Session;
 use wisch_io::{LoadOptions, load_task};
 use wisch_sim::Dirt;
 
-/// The level of the intervals that are looked at, among [`LEVELS`](crate::LEVELS).
+/// Index of the level of the reported intervals in [`LEVELS`](crate::LEVELS).
 const LEVEL_90: usize = 2;
 
-/// A scenario with one seed, wiped in the world that it describes.
+/// A run of a scenario with one seed, in the simulated world that the scenario describes.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct ScenarioRun {
-    /// As it was asked for.
+    /// Name or path of the scenario, as typed.
     pub scenario: String,
-    /// The seed of belief and world.
+    /// Seed of belief and world.
     pub seed: u64,
-    /// The performance that was to be reached.
+    /// Target performance.
     pub target: f64,
-    /// What was so before anything was wiped.
+    /// True performance before wiping.
     pub before: f64,
     /// Rounds, in order.
     pub rounds: Vec<ScenarioRound>,
 }
 
-/// One round of it.
+/// A round of a scenario run.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct ScenarioRound {
-    /// What was so.
+    /// True performance.
     pub outcome: f64,
-    /// What was believed.
+    /// Score of the estimate.
     pub belief: BeliefScore,
-    /// Pushes that were told.
+    /// Number of detected pushes.
     pub collisions: usize,
-    /// The verdict in words.
+    /// The verdict as text.
     pub verdict: String,
     /// Whether the goal was claimed.
     pub is_claimed: bool,
 }
 
 impl ScenarioRun {
-    /// Wipes a shipped scenario, or a task file, with a seed; by touch alone if told so, in so many rounds at most.
+    /// Runs a shipped scenario or a task file with a seed, optionally with touch only and another maximum number of rounds.
     ///
     /// # Errors
-    /// What a stage refuses, in words.
+    /// A message if a stage fails.
     pub fn evaluate(
         scenario: &str,
         seed: u64,
@@ -60,15 +60,15 @@ impl ScenarioRun {
             .map_err(|message| EvaluationError { seed, message })
     }
 
-    /// What was so after the last round.
+    /// Returns the true performance after the last round.
     pub fn after(&self) -> f64 {
         self.rounds
             .last()
             .map_or(self.before, |round| round.outcome)
     }
 
-    /// Of what was not where it belongs at first, the share that was after a round, from 1; `None` without such a round,
-    /// or if nothing was to be done.
+    /// Returns the share of the initially misplaced dirt that has reached the goal after a round (from 1); `None` without
+    /// that round or without misplaced dirt.
     pub fn moved(&self, round: usize) -> Option<f64> {
         let round = self.rounds.get(round.checked_sub(1)?)?;
         (self.before < 1.0).then(|| (round.outcome - self.before) / (1.0 - self.before))
@@ -131,18 +131,18 @@ fn evaluated(
     })
 }
 
-/// The performance before anything is wiped.
+/// Returns the performance before wiping.
 fn before(dirt: &Dirt, goal: &GoalState, task: &Task) -> Result<f64, String> {
     let particles = dirt.particles().map_err(words)?;
     Ok(Performance::of(&particles, goal, &task.surface).ratio())
 }
 
-/// Least, first quartile, median, third quartile and greatest of some values.
+/// Minimum, first quartile, median, third quartile and maximum of some values.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Quartiles(pub [f64; 5]);
 
 impl Quartiles {
-    /// Of these values; `None` of none.
+    /// Computes the quartiles; `None` without values.
     ///
     /// ```
     /// use wisch_eval::Quartiles;
@@ -161,43 +161,43 @@ impl Quartiles {
         Some(Self([0.0, 0.25, 0.5, 0.75, 1.0].map(at)))
     }
 
-    /// The one in the middle.
+    /// The median.
     pub const fn median(&self) -> f64 {
         self.0[2]
     }
 }
 
-/// A scenario's runs together.
+/// Statistics of a scenario's runs.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct ScenarioScores {
-    /// As it was asked for.
+    /// Name or path of the scenario, as typed.
     pub scenario: String,
-    /// How many seeds, and rounds of all of them.
+    /// Number of runs, one per seed.
     pub runs: usize,
-    /// How many rounds.
+    /// Total number of rounds.
     pub rounds: usize,
-    /// What was so after the first round, and after the last.
+    /// True performance after the first round.
     pub first: Option<Quartiles>,
-    /// After the last.
+    /// True performance after the last round.
     pub last: Option<Quartiles>,
-    /// Of what was not where it belongs at first, the share that was after the first round.
+    /// Share of the initially misplaced dirt that has reached the goal after the first round.
     pub moved: Option<Quartiles>,
-    /// Rounds whose 90 % interval holds what was so.
+    /// Number of rounds whose 90 % interval contains the true performance.
     pub held: usize,
-    /// Mean distance of the estimate from what was so.
+    /// Mean absolute error of the estimate.
     pub error: f64,
-    /// Runs that ended with the goal met, with the goal claimed, and with it claimed falsely by more than 10 points.
+    /// Number of runs whose goal was met at the end.
     pub met: usize,
-    /// Claimed.
+    /// Number of runs that claimed the goal.
     pub claimed: usize,
-    /// Claimed falsely.
+    /// Number of runs that claimed the goal more than 10 percentage points below the target.
     pub false_claims: usize,
-    /// Pushes that were told.
+    /// Number of detected pushes.
     pub collisions: usize,
 }
 
 impl ScenarioScores {
-    /// Of a scenario's runs.
+    /// Summarises a scenario's runs.
     pub fn of(scenario: &str, runs: &[ScenarioRun]) -> Self {
         let rounds: Vec<&ScenarioRound> = runs.iter().flat_map(|run| &run.rounds).collect();
         let error = (rounds.iter()).map(|round| (round.belief.mean - round.outcome).abs());

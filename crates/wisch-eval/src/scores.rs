@@ -1,4 +1,4 @@
-//! Many worlds summed up.
+//! Statistics over many worlds.
 
 use crate::interval::binomial_interval;
 use crate::pushes::PushCounts;
@@ -8,69 +8,69 @@ use serde::Serialize;
 use std::collections::BTreeMap;
 use wisch::recover::FALSE_BY;
 
-/// What many worlds say of the method and of simpler ways to believe.
+/// The calibration of the method and of simpler estimators over many worlds.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Calibration {
-    /// How many worlds.
+    /// Number of worlds.
     pub worlds: usize,
-    /// How many rounds in them.
+    /// Number of rounds in all worlds.
     pub rounds: usize,
-    /// Over all rounds: the method, then the baselines.
+    /// Scores over all rounds: the method first, then the baselines.
     pub methods: Vec<MethodScores>,
-    /// Over the rounds of worlds of one kind each.
+    /// Scores over the rounds of each group of worlds.
     pub groups: Vec<GroupScores>,
-    /// Over the worlds.
+    /// Claimed and met goals over all worlds.
     pub claims: ClaimCounts,
-    /// Over all rounds.
+    /// Detection of pushes over all rounds.
     pub pushes: PushCounts,
 }
 
-/// How one way to believe did.
+/// Scores of an estimator.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct MethodScores {
-    /// What it is.
+    /// Name of the estimator.
     pub name: String,
-    /// Mean continuous ranked probability score; of a single number, its error.
+    /// Mean continuous ranked probability score; for a single number, the mean absolute error.
     pub crps: f64,
-    /// Mean of |expected - so|.
+    /// Mean of |expected - true|.
     pub error: f64,
-    /// Mean of expected - so.
+    /// Mean of expected - true.
     pub bias: f64,
-    /// Of each of [`LEVELS`]; none of a single number.
+    /// Coverage of each of [`LEVELS`]; empty for a single number.
     pub coverage: Vec<LevelCoverage>,
 }
 
-/// How often the interval of a level held what was so.
+/// Coverage of the intervals of one level.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct LevelCoverage {
-    /// The level [1].
+    /// Level [1].
     pub level: f64,
-    /// Share of the rounds [1].
+    /// Share of the rounds whose interval contains the true performance [1].
     pub share: f64,
-    /// Its 95 % interval (Clopper and Pearson).
+    /// 95 % confidence interval of that share (Clopper and Pearson).
     pub bounds: [f64; 2],
     /// Mean width of the interval [1].
     pub width: f64,
 }
 
-/// The method in worlds of one kind.
+/// Scores of the method in a group of worlds.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct GroupScores {
-    /// What they have in common.
+    /// Property that defines the group.
     pub kind: &'static str,
-    /// Which of these.
+    /// Value of that property.
     pub name: String,
-    /// Worlds.
+    /// Number of worlds.
     pub worlds: usize,
-    /// Rounds.
+    /// Number of rounds.
     pub rounds: usize,
-    /// The method.
+    /// Scores of the method.
     pub method: MethodScores,
-    /// The paper's rule, its mean error.
+    /// Mean absolute error of the paper's rule.
     pub paper_error: f64,
-    /// Share of the worlds that end at 90 % or more [1].
+    /// Share of the worlds with a true performance of at least 90 % at the end [1].
     pub ended_at_90: f64,
-    /// Claims.
+    /// Claimed and met goals.
     pub claims: ClaimCounts,
 }
 
@@ -79,13 +79,13 @@ pub struct GroupScores {
 pub struct ClaimCounts {
     /// Worlds in which the goal was claimed.
     pub claimed: usize,
-    /// Worlds in which it was met.
+    /// Worlds in which the goal was met.
     pub met: usize,
-    /// Claimed and met.
+    /// Worlds in which the goal was claimed and met.
     pub claimed_and_met: usize,
-    /// Claimed, and farther than 10 points below the target.
+    /// Worlds in which the goal was claimed more than 10 percentage points below the target.
     pub false_claims: usize,
-    /// Worlds that ended with "unknowable by touch".
+    /// Worlds that ended with the verdict "unknowable by touch".
     pub unknowable: usize,
 }
 
@@ -161,7 +161,7 @@ impl MethodScores {
 }
 
 impl Calibration {
-    /// Sums up worlds, in whatever order, with these variants.
+    /// Summarises worlds, in any order, with the given variants.
     pub fn of(worlds: &[WorldScore], variants: &[Variant]) -> Self {
         let rounds: Vec<&RoundScore> = worlds.iter().flat_map(|world| &world.rounds).collect();
         let each = || rounds.iter().copied();

@@ -1,17 +1,17 @@
-//! The simulated world that a task describes, and the robot that wipes in it.
+//! The simulated world of a task, and its robot.
 
 use wisch_io::{LoadedTask, Robot};
 use wisch_sim::{Dirt, SimulationSettings, Site, World};
 
-/// A world before anything is wiped in it.
+/// A simulated world before wiping.
 pub(crate) struct SimulatedWorld {
     pub(crate) world: World,
-    /// Where the dirt really lies.
+    /// True dirt locations.
     pub(crate) dirt: Dirt,
 }
 
 impl SimulatedWorld {
-    /// The world of a task, drawn by the task's seed.
+    /// Draws the world of a task with the task's seed.
     pub(crate) fn of(loaded: &LoadedTask) -> Result<Self, String> {
         let settings = SimulationSettings::of(loaded).map_err(words)?;
         let (site, seed) = (Site::of(&loaded.task), loaded.task.seed);
@@ -22,7 +22,7 @@ impl SimulatedWorld {
     }
 }
 
-/// The robot of a task, which has to have one.
+/// Returns the robot of a task, or a message without a robot.
 pub(crate) fn robot_of(loaded: &LoadedTask) -> Result<Robot, String> {
     let robot = loaded.robot().map_err(words)?;
     robot.ok_or_else(|| "the scenario has no robot".to_owned())

@@ -1,4 +1,4 @@
-//! A task with each combination of some values of its keys, over seeds.
+//! Sweeps: a task with every combination of given values of its keys, over seeds.
 
 use crate::quantity::{QuantitySummary, summary};
 use crate::wiping::{WipingExtent, WipingOptions, WipingScore};
@@ -8,10 +8,10 @@ use std::path::Path;
 use std::str::FromStr;
 use wisch_io::LoadOptions;
 
-/// Most values of a range, and most combinations of a sweep.
+/// Maximum number of values of a range, and of combinations of a sweep.
 const MAX_COUNT: usize = 100_000;
 
-/// A key of a task, and the values that it takes in turn.
+/// A key of a task with the values of a sweep.
 ///
 /// ```
 /// use wisch_eval::Axis;
@@ -24,47 +24,47 @@ const MAX_COUNT: usize = 100_000;
 /// ```
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Axis {
-    /// The key, dotted, as `--set` takes it.
+    /// Dotted key, as in `--set`.
     pub key: String,
-    /// Its values as a task file has them.
+    /// Values, as in a task file.
     pub values: Vec<String>,
 }
 
-/// A text that is no axis.
+/// An error in the text of an axis.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 pub enum AxisError {
-    /// There is no equals sign.
+    /// The equals sign is missing.
     #[error(
-        "it has no \"=\"; write a key of the task file, \"=\" and its values, such as particles.count=50,100 or 50:200:50"
+        "\"=\" is missing; write a key of the task file, \"=\" and its values, such as particles.count=50,100 or 50:200:50"
     )]
     NoValues,
-    /// There is nothing before it.
-    #[error("there is no key before \"=\"")]
+    /// The key is missing.
+    #[error("the key before \"=\" is missing")]
     NoKey,
     /// A value is empty.
     #[error("{key}: value {number} is empty")]
     EmptyValue {
         /// The key.
         key: String,
-        /// Which value, from 1.
+        /// Number of the value, from 1.
         number: usize,
     },
-    /// A value comes twice.
-    #[error("{key}: {value} is there twice")]
+    /// A value is given twice.
+    #[error("{key}: {value} is given twice")]
     Twice {
         /// The key.
         key: String,
         /// The value.
         value: String,
     },
-    /// A range that leads nowhere.
+    /// A range without a valid step.
     #[error(
-        "{key}: the range {range} has no step that leads from its beginning to its end in at most {MAX_COUNT}"
+        "{key}: the range {range} does not lead from its beginning to its end in at most {MAX_COUNT} steps"
     )]
     Range {
         /// The key.
         key: String,
-        /// As it was written: beginning, end, step.
+        /// The range as typed: beginning, end, step.
         range: String,
     },
 }
@@ -103,7 +103,7 @@ impl FromStr for Axis {
     }
 }
 
-/// The parts of a list, apart at commas that stand in no bracket and no quotes.
+/// Splits a list at commas outside of brackets and quotes.
 fn split(list: &str) -> Vec<&str> {
     let (mut depth, mut quote, mut from) = (0_usize, None, 0);
     let mut parts = Vec::new();
@@ -124,8 +124,8 @@ fn split(list: &str) -> Vec<&str> {
     parts
 }
 
-/// The values of beginning:end:step; `None` if that is no range, `Some(None)` if it leads nowhere. As many decimals are
-/// written as beginning and step have, so that no value is 0.30000000000000004.
+/// Returns the values of a range beginning:end:step; `None` if the text is not a range, `Some(None)` if the range is invalid.
+/// Values have as many decimals as beginning and step, so that no value is 0.30000000000000004.
 fn range(text: &str) -> Option<Option<Vec<String>>> {
     let parts: Vec<&str> = text.split(':').map(str::trim).collect();
     let [begin, end, step] = parts[..] else {
@@ -138,7 +138,7 @@ fn range(text: &str) -> Option<Option<Vec<String>>> {
     let _ = end;
     let decimals = |part: &str| part.split_once('.').map_or(0, |(_, after)| after.len());
     let decimals = decimals(begin).max(decimals(step));
-    // A little more than the whole number of steps that rounding may have taken away.
+    // steps = floor((end - beginning) / step + ε), where ε compensates rounding
     let steps = ((last - first) / by + 1e-9).floor();
     if !(by > 0.0 && (0.0..MAX_COUNT as f64).contains(&steps)) {
         return Some(None);
@@ -147,7 +147,7 @@ fn range(text: &str) -> Option<Option<Vec<String>>> {
     Some(Some((0..=steps as usize).map(at).collect()))
 }
 
-/// The combinations of all axes' values, the last axis' fastest; `None` if there are too many.
+/// Returns all combinations of the axes' values, with the last axis varying fastest; `None` if there are too many.
 pub fn cells(axes: &[Axis]) -> Option<Vec<Vec<String>>> {
     let mut cells = vec![Vec::new()];
     for axis in axes {
@@ -163,20 +163,20 @@ pub fn cells(axes: &[Axis]) -> Option<Vec<Vec<String>>> {
     Some(cells)
 }
 
-/// What is the same in all runs of a sweep.
+/// The common setup of all runs of a sweep.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 pub struct SweepSetup {
     /// Name of a shipped scenario, or path of a task file.
     pub task: String,
-    /// A digest of all that is read for it.
+    /// Digest of all its inputs.
     pub inputs: String,
-    /// The keys whose values change.
+    /// Keys whose values vary.
     pub keys: Vec<String>,
-    /// How far each run is taken.
+    /// Last stage of each run.
     pub extent: WipingExtent,
 }
 
-/// One run of a sweep.
+/// A case of a sweep: values and a seed.
 #[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
 pub struct SweepCase {
     /// The values of the keys.
@@ -185,19 +185,19 @@ pub struct SweepCase {
     pub seed: u64,
 }
 
-/// What came of a run.
+/// A run with its score.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct SweepRun {
-    /// The run.
+    /// The case.
     pub case: SweepCase,
-    /// What all runs share.
+    /// The common setup.
     pub setup: SweepSetup,
-    /// What came of it.
+    /// The score.
     pub score: WipingScore,
 }
 
 impl SweepCase {
-    /// What to load of a task whose keys these are.
+    /// Returns the options to load the task with these keys.
     pub fn load_options(&self, keys: &[String]) -> LoadOptions {
         LoadOptions {
             settings: keys
@@ -210,10 +210,10 @@ impl SweepCase {
         }
     }
 
-    /// Wipes the task once.
+    /// Runs the task once.
     ///
     /// # Errors
-    /// What a stage refuses, in words.
+    /// A message if a stage fails.
     pub fn evaluate(&self, setup: &SweepSetup) -> Result<SweepRun, String> {
         let options = WipingOptions {
             extent: setup.extent,
@@ -230,20 +230,20 @@ impl SweepCase {
     }
 }
 
-/// A combination of values, over the seeds.
+/// A combination of values with its statistics over the seeds.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct SweepCell {
     /// The values of the keys.
     pub values: Vec<String>,
-    /// How many runs there are.
+    /// Number of runs.
     pub runs: usize,
-    /// Runs in which the goal was claimed; `None` where nothing was executed.
+    /// Number of runs that claimed the goal; `None` without execution.
     pub claimed: Option<usize>,
-    /// What came of them.
+    /// Statistics of the runs.
     pub summary: QuantitySummary,
 }
 
-/// The cells of some runs, those without any left out.
+/// Groups runs by combination; combinations without runs are left out.
 pub fn sweep_cells(cells: &[Vec<String>], runs: &[SweepRun]) -> Vec<SweepCell> {
     let mut by_values: HashMap<&[String], Vec<&WipingScore>> = HashMap::new();
     for run in runs {
@@ -297,14 +297,14 @@ mod tests {
     #[test]
     fn what_is_no_axis_says_why() {
         for (text, expected) in [
-            ("a", "it has no \"=\""),
-            ("=3", "there is no key"),
+            ("a", "\"=\" is missing"),
+            ("=3", "the key before"),
             ("a=", "a: value 1 is empty"),
             ("a=1,,2", "a: value 2 is empty"),
-            ("a=1,2,1", "a: 1 is there twice"),
-            ("a=1:2:0", "a: the range 1:2:0 has no step"),
-            ("a=2:1:1", "a: the range 2:1:1 has no step"),
-            ("a=0:1:1e-9", "a: the range 0:1:1e-9 has no step"),
+            ("a=1,2,1", "a: 1 is given twice"),
+            ("a=1:2:0", "a: the range 1:2:0 does not lead"),
+            ("a=2:1:1", "a: the range 2:1:1 does not lead"),
+            ("a=0:1:1e-9", "a: the range 0:1:1e-9 does not lead"),
         ] {
             let error = text.parse::<Axis>().expect_err(text).to_string();
             assert!(error.starts_with(expected), "{text}: {error}");

@@ -1,4 +1,4 @@
-//! The paper's Table 1: three surfaces, three actions, and how strokes are found; §3.4.
+//! The paper's Table 1 (§3.4): three surfaces, three actions, and the strategies.
 
 use crate::quantity::{Quantity, QuantitySummary, summary};
 use crate::task_case::TaskCase;
@@ -8,19 +8,19 @@ use std::path::Path;
 use wisch::plan::{CoverageStrategy, Strategy};
 use wisch_io::LoadOptions;
 
-/// Slack for means that are equal but for rounding [%].
+/// Tolerance for means that differ only by rounding [%].
 const ROUNDING: f64 = 1e-9;
 
-/// What the paper reports of a cell by one strategy: the mean of five trials.
+/// The paper's figures of a cell and strategy: means of five trials.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct PaperFigures {
-    /// Way in contact [m].
+    /// Path length in contact [m].
     pub distance_m: f64,
-    /// Time of computation [s], in 2019.
+    /// Computation time [s], in 2019.
     pub computation_s: f64,
-    /// Time of execution [s].
+    /// Execution time [s].
     pub execution_s: f64,
-    /// Performance in per cent.
+    /// Performance [%].
     pub performance_percent: f64,
 }
 
@@ -95,14 +95,14 @@ const PAPER: [[[PaperFigures; 3]; 3]; 3] = {
 };
 
 impl PaperFigures {
-    /// Of a cell by a strategy of the paper's; `None` by another.
+    /// Returns the figures of a cell for a strategy of the paper; `None` for another strategy.
     pub fn of(task: TaskCase, strategy: Strategy) -> Option<Self> {
         let mut all = CoverageStrategy::ALL.into_iter();
         let column = all.position(|covering| Strategy::from(covering) == strategy)?;
         Some(PAPER[task.action_index()][task.place_index()][column])
     }
 
-    /// The best of the paper's three in each figure: what a strategy is held against that the paper does not have.
+    /// Returns the best of the paper's three strategies in each figure, for the comparison of other strategies.
     pub fn best_of(task: TaskCase) -> Self {
         let [first, rest @ ..] = PAPER[task.action_index()][task.place_index()];
         rest.into_iter().fold(first, |best, other| Self {
@@ -114,44 +114,44 @@ impl PaperFigures {
     }
 }
 
-/// One run of the table.
+/// A case of the table: cell, strategy and seed.
 #[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
 pub struct Table1Case {
     /// The cell.
     pub task: TaskCase,
-    /// Name of the strategy that was asked for.
+    /// Name of the strategy.
     pub strategy: String,
     /// The seed.
     pub seed: u64,
 }
 
-/// How the whole table is evaluated.
+/// The common setup of a table's runs.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Table1Setup {
-    /// How far each task is taken.
+    /// Last stage of each run.
     pub extent: WipingExtent,
-    /// Whether a plan within the shortest of the paper's three ways is predicted too.
+    /// Whether to evaluate also a plan at most as long as the shortest path of the paper's three strategies.
     pub is_limited: bool,
-    /// Keys of every task that were set, with their values.
+    /// Overrides of every task: keys and values.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub settings: Vec<(String, String)>,
-    /// The seed whose runs are pictured.
+    /// Seed whose runs have pictures.
     pub pictured_seed: u64,
 }
 
-/// What came of a run.
+/// A run with its score.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Table1Run {
-    /// The run.
+    /// The case.
     pub case: Table1Case,
-    /// How all runs were evaluated.
+    /// The common setup.
     pub setup: Table1Setup,
-    /// What came of it.
+    /// The score.
     pub score: WipingScore,
 }
 
 impl Table1Case {
-    /// What to load of a task.
+    /// Returns the options to load the task.
     pub fn load_options(&self, setup: &Table1Setup) -> Result<LoadOptions, String> {
         let strategy: Strategy = self.strategy.parse().map_err(|e| format!("{e}"))?;
         Ok(LoadOptions {
@@ -163,16 +163,16 @@ impl Table1Case {
         })
     }
 
-    /// Such as `collect board by kde, seed 3`.
+    /// Name of the case, such as `collect board by kde, seed 3`.
     pub fn name(&self) -> String {
         let (action, place) = (self.task.action(), self.task.place());
         format!("{action} {place} by {}, seed {}", self.strategy, self.seed)
     }
 
-    /// Wipes the task once.
+    /// Runs the task once.
     ///
     /// # Errors
-    /// What a stage refuses, in words.
+    /// A message if a stage fails.
     pub fn evaluate(&self, setup: &Table1Setup) -> Result<Table1Run, String> {
         let options = WipingOptions {
             extent: setup.extent,
@@ -189,30 +189,30 @@ impl Table1Case {
     }
 }
 
-/// A cell by one strategy, over the seeds.
+/// A row of the table: a cell and a strategy, over the seeds.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Table1Row {
-    /// What is done.
+    /// Action.
     pub action: &'static str,
-    /// Where: board, table or windshield.
+    /// Surface: board, table or windshield.
     pub surface: &'static str,
-    /// How strokes are found.
+    /// Strategy.
     pub strategy: String,
-    /// How many runs there are.
+    /// Number of runs.
     pub runs: usize,
-    /// Runs in which the goal was claimed; `None` where nothing was executed.
+    /// Number of runs that claimed the goal; `None` without execution.
     pub claimed: Option<usize>,
-    /// What the paper reports; where it does not have the strategy, the best of its three.
+    /// The paper's figures; for a strategy that the paper does not have, the best of its three.
     pub paper: PaperFigures,
     /// Whether the paper has the strategy.
     pub is_papers_own: bool,
     /// Whether the mean of the predicted performance reaches the paper's.
     pub is_reached: bool,
-    /// Our figures.
+    /// Statistics of the runs.
     pub ours: QuantitySummary,
 }
 
-/// The table of some runs, in whatever order: by action, surface and strategy as in the paper.
+/// Makes the table of runs, given in any order; its rows are sorted by action, surface and strategy as in the paper.
 pub fn table1_rows(runs: &[Table1Run]) -> Vec<Table1Row> {
     let cells = TaskCase::by_action().flat_map(|task| {
         Strategy::ALL
@@ -323,7 +323,8 @@ mod tests {
             ("skim", "windshield", "kde", 1),
         ];
         assert_eq!(names, expected);
-        // The mean of the two is the paper's 84.25 %; what the paper does not have is held against its best, 95.75 %.
+        // The mean of the two is the paper's 84.25 %; a strategy that the paper does not have is compared with its best,
+        // 95.75 %.
         let reached: Vec<bool> = rows.iter().map(|row| row.is_reached).collect();
         assert_eq!(reached, [true, false, true]);
         assert_eq!(rows[1].paper.performance_percent, 95.75);

@@ -3,16 +3,16 @@
 use serde::{Deserialize, Serialize};
 use wisch::represent::Action;
 
-/// A task that is evaluated: an action on the surface of a scenario.
+/// A task of Table 1: an action on the surface of a scenario.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
 pub struct TaskCase {
-    /// Index into the shipped scenarios that have a sponge: board, table, windshield.
+    /// Index of the surface: board, table, windshield.
     place: usize,
     /// Index into [`Action::WIPING`].
     action: usize,
 }
 
-/// The shipped scenarios, and what they are called beside an action.
+/// The shipped scenarios with the names of their surfaces.
 const PLACES: [(&str, &str); 3] = [
     ("chopping-board", "board"),
     ("table", "table"),
@@ -20,13 +20,13 @@ const PLACES: [(&str, &str); 3] = [
 ];
 
 impl TaskCase {
-    /// All nine: each action on each surface.
+    /// Returns all nine tasks, by action.
     pub fn all() -> impl Iterator<Item = Self> {
         (0..PLACES.len())
             .flat_map(|place| (0..Action::WIPING.len()).map(move |action| Self { place, action }))
     }
 
-    /// All nine in the order of the paper's Table 1: each surface with each action.
+    /// Returns all nine tasks in the order of the paper's Table 1, by surface.
     pub fn by_action() -> impl Iterator<Item = Self> {
         (0..Action::WIPING.len())
             .flat_map(|action| (0..PLACES.len()).map(move |place| Self { place, action }))
@@ -47,26 +47,26 @@ impl TaskCase {
         PLACES[self.place_index()].0
     }
 
-    /// The surface in a word: board, table or windshield.
+    /// Name of the surface: board, table or windshield.
     pub fn place(&self) -> &'static str {
         PLACES[self.place_index()].1
     }
 
-    /// What is to be done.
+    /// The action.
     pub fn action(&self) -> Action {
         Action::WIPING[self.action_index()]
     }
 
-    /// Such as `collect chopping-board`.
+    /// Name of the task, such as `collect chopping-board`.
     pub fn name(&self) -> String {
         format!("{} {}", self.action(), self.scenario())
     }
 
-    /// Those of the nine that a text names: a surface, an action, or both, such as `board/absorb`, in the order of
+    /// Returns the tasks that a text names by a surface, an action, or both, such as `board/absorb`, in the order of
     /// [`Self::by_action`].
     ///
     /// # Errors
-    /// A text that names none of them.
+    /// If the text names no task.
     ///
     /// ```
     /// use wisch_eval::TaskCase;
@@ -92,6 +92,6 @@ impl TaskCase {
 /// A text that names no cell of Table 1.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 #[error(
-    "{0:?} is no cell of Table 1: write a surface (board, table, windshield), an action (absorb, collect, skim), or both, such as board/absorb"
+    "{0:?} is not a cell of Table 1: write a surface (board, table, windshield), an action (absorb, collect, skim), or both, such as board/absorb"
 )]
 pub struct UnknownCell(String);

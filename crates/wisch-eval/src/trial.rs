@@ -1,4 +1,4 @@
-//! One world: the method wipes in it, and what it believed is held against what was so.
+//! Evaluation in one world: runs the method and compares its estimates with ground truth.
 
 use crate::baselines::Baselines;
 use crate::pushes::PushCounts;
@@ -16,36 +16,36 @@ use wisch::run::{AfterStop, Round, RunConfig, RunEvent, Session};
 use wisch_io::{LoadOptions, LoadedTask, load_task};
 use wisch_sim::{GroundTruth, SimulationSettings, Site, World};
 
-/// The shares of probability whose intervals are looked at [1].
+/// Nominal probabilities of the scored intervals [1].
 pub const LEVELS: [f64; 4] = [0.5, 0.8, 0.9, 0.95];
-/// Slack for values that are equal but for rounding [1].
+/// Tolerance for values that differ only by rounding [1].
 const ROUNDING: f64 = 1e-9;
 
-/// Why a world could not be evaluated.
+/// The failure of a world's evaluation.
 #[derive(Debug, thiserror::Error)]
 #[error("seed {seed}: {message}")]
 pub struct EvaluationError {
     /// The seed of the world.
     pub seed: u64,
-    /// What went wrong.
+    /// The problem.
     pub message: String,
 }
 
-/// A belief about a performance held against what was so.
+/// The score of an estimated performance against the true performance.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct BeliefScore {
     /// Expected performance.
     pub mean: f64,
-    /// The intervals of [`LEVELS`], their lower ends and upper ends.
+    /// Lower and upper ends of the intervals of [`LEVELS`].
     pub intervals: [[f64; 2]; 4],
-    /// Probability below what was so.
+    /// Estimated probability of a performance below the true one [1].
     pub rank: f64,
     /// Continuous ranked probability score.
     pub crps: f64,
 }
 
 impl BeliefScore {
-    /// The score of a belief.
+    /// Scores a belief.
     pub fn of(belief: &PerformanceDistribution, outcome: f64) -> Self {
         Self {
             mean: belief.mean(),
@@ -55,63 +55,63 @@ impl BeliefScore {
         }
     }
 
-    /// Whether the interval of a level holds what was so.
+    /// Whether the interval of a level contains the true performance.
     pub fn holds(&self, level: usize, outcome: f64) -> bool {
         let [low, high] = self.intervals[level];
         (low - ROUNDING..=high + ROUNDING).contains(&outcome)
     }
 }
 
-/// One round.
+/// The scores of a round.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct RoundScore {
-    /// What was so.
+    /// True performance.
     pub outcome: f64,
-    /// What the method believed.
+    /// Score of the method.
     pub belief: BeliefScore,
-    /// What the plan was predicted to do.
+    /// Predicted performance of the plan.
     pub prediction: f64,
-    /// What a replay without forces believed.
+    /// Score of the force-blind replay.
     pub force_blind: BeliefScore,
-    /// What the paper's rule said.
+    /// Estimate of the paper's rule.
     pub paper: f64,
-    /// What the method would have believed with other uncertainties, in the order in which they were given.
+    /// Scores of the variants, in their order.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub variants: Vec<BeliefScore>,
-    /// Pushes as they were and as they were told.
+    /// True and detected pushes.
     pub pushes: PushCounts,
-    /// The verdict in words.
+    /// The verdict as text.
     pub verdict: String,
     /// Whether the goal was claimed.
     pub is_claimed: bool,
 }
 
-/// One world.
+/// The scores of a world.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct WorldScore {
-    /// What its seed decided.
+    /// The world.
     pub case: WorldCase,
-    /// What the robot perceived the effect by.
+    /// The robot's senses.
     pub senses: Senses,
-    /// What else was asked on the same rounds.
+    /// The variants that were scored on the same rounds.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub variants: Vec<Variant>,
-    /// Keys of the task that were set, with their values.
+    /// Overrides of the task: keys and values.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub settings: Vec<(String, String)>,
-    /// The performance that was to be reached.
+    /// Target performance.
     pub target: f64,
     /// Rounds, in order.
     pub rounds: Vec<RoundScore>,
-    /// How long it took [s].
+    /// Computation time [s].
     pub seconds: f64,
 }
 
 impl WorldCase {
-    /// Lets the method wipe in this world, with these keys of its task set.
+    /// Runs the method in this world, with overrides of the task.
     ///
     /// # Errors
-    /// What a stage refuses, in words.
+    /// A message if a stage fails.
     pub fn evaluate(
         &self,
         senses: Senses,
@@ -137,7 +137,7 @@ impl WorldCase {
         let calm = SimulationSettings::of(&loaded).map_err(words)?;
         let settings = self.settings(&calm, &loaded.task);
         let config = RunConfig {
-            // Whoever pushes lets go, and the robot goes on without an operator.
+            // The person who pushes lets go, and the robot resumes without an operator.
             after_stop: AfterStop::Retreat,
             ..loaded.run_config()
         };
@@ -171,7 +171,7 @@ impl WorldCase {
         })
     }
 
-    /// Loads the task with its seed, action, senses and these settings.
+    /// Loads the task with its seed, action, senses and the overrides.
     fn load(&self, senses: Senses, set: &[(String, String)]) -> Result<LoadedTask, String> {
         let senses_key = match senses {
             Senses::Touch => r#"["touch"]"#,
@@ -188,7 +188,7 @@ impl WorldCase {
     }
 }
 
-/// What the robot perceived during a session.
+/// The measurements of a session.
 #[derive(Debug, Default)]
 struct SensingRecord {
     /// The observation before the first round.
@@ -198,7 +198,7 @@ struct SensingRecord {
 }
 
 impl SensingRecord {
-    /// Adds what an event tells of the senses.
+    /// Adds the measurements of an event.
     fn add(&mut self, event: &RunEvent<'_>) {
         match event {
             RunEvent::Executing(_) => self.touch.push(Vec::new()),
@@ -217,17 +217,17 @@ impl SensingRecord {
     }
 }
 
-/// Scores the rounds of a session, in order, with the baselines and variants beside the method.
+/// A scorer of a session's rounds, in order, for the method, the baselines and the variants.
 struct RoundScorer<'a> {
     sight: Option<Sight>,
     baselines: Baselines,
     variants: Vec<VariantBelief<'a>>,
-    /// The goal of the first round, which all rounds are scored by.
+    /// The goal of the first round, with which all rounds are scored.
     goal: Option<GoalState>,
 }
 
 impl<'a> RoundScorer<'a> {
-    /// A scorer before the first round; the variants start from the prior after the first observation.
+    /// Makes a scorer before the first round; the variants start from the prior after the first observation.
     fn new(
         task: &Task,
         prior: Belief,
@@ -238,7 +238,7 @@ impl<'a> RoundScorer<'a> {
         let baselines = Baselines::new(&prior, task);
         let mut before = prior;
         if let Some(seen) = Seen::of(first_observation, sight) {
-            // As the session does: a goal that is left to the planner is no place.
+            // As in the session: a goal area that the planner chooses is unknown at this point.
             let goal = task.goal().unwrap_or(GoalState::Skimmed);
             before = before.seen(&seen.look(task, &goal));
         }

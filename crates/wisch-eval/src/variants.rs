@@ -1,5 +1,5 @@
-//! The method with other uncertainties or fewer members, asked on the very rounds that the method executed: what each of
-//! its parts costs or brings.
+//! Variants of the method with other uncertainties or fewer members, scored on the rounds that the method executed. They
+//! show the contribution of each part of the method.
 
 use serde::{Deserialize, Serialize};
 use std::str::FromStr;
@@ -10,31 +10,32 @@ use wisch::interpret::{
 use wisch::represent::{GoalState, Observation, Sight, Task};
 use wisch::run::PlannedRound;
 
-/// The field of a variant that is no uncertainty: how many members its belief has.
+/// The field of a variant for the number of members of its belief.
 const MEMBERS: &str = "members";
-/// Seed of which members these are.
+/// Seed of the selection of members.
 const MEMBERS_SEED: u64 = 1;
 
-/// Other uncertainties under a name, such as `no heap:heap_depth=0`, or fewer members, such as `one draw:members=1`.
+/// A named variant with other uncertainties, such as `no heap:heap_depth=0`, or with fewer members, such as
+/// `one draw:members=1`.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Variant {
-    /// What it is called in tables.
+    /// Name in tables.
     pub name: String,
     /// Fields of [`Uncertainty`] with their values, and `members`.
     pub fields: Vec<(String, f64)>,
 }
 
 impl Variant {
-    /// What is not known exactly according to the variant.
+    /// Returns the uncertainties of the variant.
     ///
     /// # Errors
-    /// No such field, or a value out of its range.
+    /// If a field is unknown or a value is outside its limits.
     pub fn uncertainty(&self, method: Uncertainty) -> Result<Uncertainty, InterpretError> {
         let mut fields = self.fields.iter().filter(|(name, _)| name != MEMBERS);
         fields.try_fold(method, |changed, (name, value)| changed.with(name, *value))
     }
 
-    /// How many members its belief has; `None` for the method's.
+    /// Number of members of its belief; `None` for the method's number.
     pub fn members(&self) -> Option<usize> {
         let members = self.fields.iter().rev().find(|(name, _)| name == MEMBERS);
         members.map(|(_, count)| *count as usize)
@@ -53,7 +54,7 @@ impl FromStr for Variant {
                 .split_once('=')
                 .ok_or_else(|| format!("`{field}` is not FIELD=VALUE"))?;
             let value: f64 = (value.trim().parse())
-                .map_err(|_| format!("{}: `{}` is no number", name.trim(), value.trim()))?;
+                .map_err(|_| format!("{}: `{}` is not a number", name.trim(), value.trim()))?;
             Ok((name.trim().to_owned(), value))
         };
         let fields: Result<Vec<_>, String> = fields.split(',').map(field).collect();
@@ -66,7 +67,7 @@ impl FromStr for Variant {
         for (_, count) in counts {
             if !((1.0..=1e6).contains(count) && count.fract() == 0.0) {
                 return Err(format!(
-                    "{MEMBERS}: {count} is no whole number from 1 to 1000000"
+                    "{MEMBERS}: {count} is not a whole number from 1 to 1000000"
                 ));
             }
         }
@@ -74,7 +75,7 @@ impl FromStr for Variant {
     }
 }
 
-/// A look, as far as it does not depend on the round.
+/// The inputs of a belief update that do not depend on the round.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Seen<'a> {
     pub(crate) observation: &'a Observation,
@@ -82,7 +83,7 @@ pub(crate) struct Seen<'a> {
 }
 
 impl<'a> Seen<'a> {
-    /// Of what was observed, if the robot sees at all.
+    /// Model of the camera, if the robot has one.
     pub(crate) fn of(observation: Option<&'a Observation>, sight: Option<Sight>) -> Option<Self> {
         Some(Self {
             observation: observation?,
@@ -101,7 +102,7 @@ impl<'a> Seen<'a> {
     }
 }
 
-/// A variant over the rounds of a world.
+/// The state of a variant over the rounds of a world.
 #[derive(Debug, Clone)]
 pub(crate) struct VariantBelief<'a> {
     variant: &'a Variant,
@@ -109,7 +110,7 @@ pub(crate) struct VariantBelief<'a> {
 }
 
 impl<'a> VariantBelief<'a> {
-    /// Before the first round, with the method's own belief.
+    /// Makes the state before the first round, from the method's belief.
     pub(crate) fn new(variant: &'a Variant, belief: Belief) -> Self {
         let belief = match variant.members() {
             Some(members) => belief.thinned(members, MEMBERS_SEED),
@@ -118,7 +119,7 @@ impl<'a> VariantBelief<'a> {
         Self { variant, belief }
     }
 
-    /// Goes through a round with what was felt in it and what was seen after it.
+    /// Updates the belief with the measurements of a round and the observation after it.
     pub(crate) fn after(
         &mut self,
         planned: &PlannedRound,
@@ -160,7 +161,7 @@ mod tests {
         for (wrong, word) in [
             ("heap_depth=0", "NAME:FIELD=VALUE"),
             ("a:heap_depth", "FIELD=VALUE"),
-            ("a:heap_depth=x", "no number"),
+            ("a:heap_depth=x", "not a number"),
             ("a:depth=1", "no field"),
             ("a:slip_share=2", "0 to 1"),
             ("a:members=0.5", "whole number"),

@@ -1,4 +1,4 @@
-//! A task planned, followed or executed once, and what came of it.
+//! Scores of a task that is planned, followed or executed once.
 
 use crate::picture::Picture;
 use crate::simulated::{SimulatedWorld, robot_of, words};
@@ -13,7 +13,7 @@ use wisch::run::{NoExecutor, PlannedRound, RunConfig, Session, Stage, unobserved
 use wisch_io::{LoadOptions, LoadedTask, load_task};
 use wisch_sim::GroundTruth;
 
-/// How far a task is taken.
+/// The last stage to which a task is taken.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum WipingExtent {
@@ -21,12 +21,12 @@ pub enum WipingExtent {
     Planned,
     /// Followed by the task's robot, and predicted for what it wipes.
     Followed,
-    /// Executed in the world that the task describes, round by round, until the goal is met or no more can be done.
+    /// Executed round by round in the simulated world of the task, until the termination policy ends the run.
     Executed,
 }
 
 impl WipingExtent {
-    /// In words.
+    /// The extent as text.
     pub const fn as_str(self) -> &'static str {
         match self {
             Self::Planned => "planned without a robot",
@@ -36,51 +36,51 @@ impl WipingExtent {
     }
 }
 
-/// What is done with a task beside how far it is taken.
+/// Settings of a wiping run.
 #[derive(Debug, Clone, Copy)]
 pub struct WipingOptions {
-    /// How far it goes.
+    /// Last stage.
     pub extent: WipingExtent,
-    /// Whether the dirt is planned for as if its places were certain, as in the paper's Table 1. What is executed is planned
-    /// for what is believed.
+    /// Whether to plan as if the dirt's positions were known exactly, as in the paper's Table 1. Executed runs always plan
+    /// for the belief.
     pub is_certain: bool,
-    /// Also predict a plan whose way in contact is no longer than this [m].
+    /// Also evaluate a plan whose path in contact is at most this long [m].
     pub limit: Option<f64>,
-    /// Whether a picture is kept.
+    /// Whether to keep the data of a picture.
     pub is_pictured: bool,
 }
 
-/// A task that was wiped once. All but the computation is the same on any machine.
+/// The score of one run of a task. All values but the computation time are the same on any machine.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct WipingScore {
-    /// How the strokes of the first plan were found; with `best` that of the chosen plan.
+    /// Strategy of the first plan; with `best`, that of the chosen plan.
     pub strategy: String,
     /// Nodes of the first plan.
     pub nodes: usize,
-    /// How often the tool is lifted off the surface, at the end of each stroke; in all rounds that were executed.
+    /// Number of lifts of the tool, one at the end of each stroke; over all executed rounds.
     pub lifts: usize,
-    /// Way in contact [m]; in all rounds that were executed.
+    /// Path length in contact [m]; over all executed rounds.
     pub distance_m: f64,
-    /// Share of the particles that no pose of the tool covers [1].
+    /// Share of the particles that no tool pose covers [1].
     pub out_of_reach: f64,
-    /// Predicted performance of the plan, each node passed [1].
+    /// Predicted performance of the whole plan, as if no node were abandoned [1].
     pub planned: f64,
-    /// Predicted performance: with a robot, of what it wipes in the first round [1].
+    /// Predicted performance; with a robot, of the motion of the first round [1].
     pub predicted: f64,
-    /// Share of the particles that is predicted to be lost over a wrong edge [1].
+    /// Predicted share of particles lost over an edge that is not a skim edge [1].
     pub predicted_loss: f64,
-    /// Predicted performance of the plan within the limit of its way [1].
+    /// Predicted performance of the plan with limited path length [1].
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub limited: Option<f64>,
     /// The robot's motion of the first round.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub motion: Option<MotionScore>,
-    /// What was executed.
+    /// The executed rounds.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub execution: Option<ExecutionScore>,
     /// Wall time of planning and, with a robot, following the first round on one core [s].
     pub computation_s: f64,
-    /// What there is to see of it.
+    /// Data of a picture.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub picture: Option<Picture>,
 }
@@ -88,47 +88,47 @@ pub struct WipingScore {
 /// A robot's motion.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct MotionScore {
-    /// Nodes that the robot does not pass.
+    /// Number of abandoned nodes.
     pub abandoned: usize,
-    /// Places of its base.
+    /// Number of base poses.
     pub placements: usize,
-    /// How long the motion takes [s].
+    /// Duration of the motion [s].
     pub duration_s: f64,
-    /// Of it, in contact [s].
+    /// Duration of contact [s].
     pub contact_s: f64,
-    /// Faults that the audit found.
+    /// Number of faults of the motion.
     pub faults: usize,
 }
 
-/// Rounds that were executed.
+/// The score of the executed rounds.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct ExecutionScore {
-    /// How many.
+    /// Number of rounds.
     pub rounds: usize,
-    /// How long they took together [s], in the simulated world's time.
+    /// Total duration in simulated time [s].
     pub duration_s: f64,
-    /// What was so before [1].
+    /// True performance before wiping [1].
     pub before: f64,
-    /// What was so after the first round [1].
+    /// True performance after the first round [1].
     pub first: f64,
-    /// What was so at the end [1].
+    /// True performance at the end [1].
     pub truth: f64,
-    /// Share of the dirt that was really lost over a wrong edge [1].
+    /// True share of dirt lost over an edge that is not a skim edge [1].
     pub loss: f64,
-    /// Estimated at the end, and the ends of its 90 % interval [1].
+    /// Estimated performance at the end [1].
     pub estimated: f64,
-    /// Lower end.
+    /// Lower end of its 90 % interval [1].
     pub low: f64,
-    /// Upper end.
+    /// Upper end of its 90 % interval [1].
     pub high: f64,
-    /// The last verdict in words.
+    /// The last verdict as text.
     pub verdict: String,
     /// Whether the goal was claimed.
     pub is_claimed: bool,
 }
 
 impl WipingScore {
-    /// Time of the execution [s]: as it was executed, or as the motion is planned; `None` without a robot.
+    /// Execution time [s]: measured, or that of the planned motion; `None` without a robot.
     pub fn execution_s(&self) -> Option<f64> {
         let executed = self
             .execution
@@ -137,7 +137,7 @@ impl WipingScore {
         executed.or(self.motion.map(|motion| motion.duration_s))
     }
 
-    /// In how many of some runs the goal was claimed; `None` where nothing was executed.
+    /// Counts the runs that claimed the goal; `None` without execution.
     pub(crate) fn claimed(runs: &[&Self]) -> Option<usize> {
         let executed: Vec<&ExecutionScore> = (runs.iter())
             .filter_map(|score| score.execution.as_ref())
@@ -146,10 +146,10 @@ impl WipingScore {
         (!executed.is_empty()).then(|| claimed.count())
     }
 
-    /// Wipes a shipped scenario, or a task file.
+    /// Runs a shipped scenario or a task file.
     ///
     /// # Errors
-    /// What a stage refuses, in words.
+    /// A message if a stage fails.
     pub fn of(scenario: &Path, load: &LoadOptions, options: WipingOptions) -> Result<Self, String> {
         let loaded = load_task(scenario, load).map_err(words)?;
         let mut score = match options.extent {
@@ -166,7 +166,7 @@ impl WipingScore {
         Ok(score)
     }
 
-    /// Of a plan for a task, and of the strokes that are wiped of it.
+    /// Makes the score of a plan. `wiped`: the plan without abandoned nodes.
     fn predicted(task: &Task, plan: &Plan, wiped: &Plan, computation_s: f64) -> Self {
         let performance = predict(task, wiped, |_| ()).performance;
         Self {
@@ -237,7 +237,7 @@ fn executed(loaded: &LoadedTask, options: WipingOptions) -> Result<WipingScore, 
         .filter_map(Result::transpose)
         .collect::<Result<_, _>>()
         .map_err(words)?;
-    // What the audit refuses is not executed, and changes nothing.
+    // A motion that fails its check is not executed and has no effect.
     let after = truths.last().unwrap_or(&before);
     let rounds = session.rounds();
     let last = rounds
@@ -274,7 +274,7 @@ fn executed(loaded: &LoadedTask, options: WipingOptions) -> Result<WipingScore, 
     Ok(score)
 }
 
-/// What the first round's motion is predicted to do, and how long it takes.
+/// Makes the score of the first round's motion.
 fn first_round(first: &PlannedRound, audit: &Audit, computation_s: f64) -> WipingScore {
     let followed = &first.followed;
     WipingScore {
@@ -289,10 +289,10 @@ fn first_round(first: &PlannedRound, audit: &Audit, computation_s: f64) -> Wipin
     }
 }
 
-/// A session that has not planned yet, without a robot.
+/// Makes a new session without a robot.
 fn session(loaded: &LoadedTask, is_certain: bool) -> Session<'static> {
     let config = RunConfig {
-        // What bad plans do is part of what is evaluated.
+        // The effect of bad plans is part of the evaluation, so the minimum score does not apply.
         min_score: f64::NEG_INFINITY,
         ..loaded.run_config()
     };

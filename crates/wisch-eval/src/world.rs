@@ -1,4 +1,4 @@
-//! Worlds that are drawn: which task, how the world differs from the belief, and what disturbs it.
+//! Randomised worlds: task, mismatch between world and belief, and disturbances.
 
 use crate::task_case::TaskCase;
 use nalgebra::{Translation3, UnitQuaternion};
@@ -11,25 +11,25 @@ use wisch::represent::{LogNormal, Task};
 use wisch_io::{Moment, Push};
 use wisch_sim::{Places, SimulationSettings};
 
-/// Stream of random numbers, apart from those of the task.
+/// Stream of random numbers, independent of the task's.
 const STREAM: u64 = 0x776f_726c_6400_0000;
-/// By how much μ of the real law may differ from the believed one.
+/// Difference between μ of the true law and the believed one; its sign is random.
 const LAW: f64 = 0.5;
 /// A law that is much harder than believed.
 const HARD: LogNormal = LogNormal {
     mu: -0.35,
     sigma: 0.4,
 };
-/// By which share the real tool may be stiffer or softer, and larger or smaller.
+/// Relative differences between the true and the believed tool: stiffness and size [1].
 const STIFFNESS: f64 = 0.3;
 const FOOTPRINT: f64 = 0.1;
-/// How far the tool may sit off in the hand [m].
+/// Offset of the tool in the hand [m]; its direction is random.
 const GRASP: f64 = 0.01;
-/// Tilt of the real surface about its x and y, at most [rad], and how far off along its normal, at most [m].
+/// Maximum tilt of the true surface about its x and y [rad], and maximum offset along its normal [m].
 const TILT: f64 = 3.0 * PI / 180.0;
 const HEIGHT: f64 = 0.010;
-/// Most pushes; force of a push [N], after which share of the motion it begins, how long it lasts [s], speed of the hand
-/// [m/s].
+/// Maximum number of pushes; and for a push, force [N], start as a share of the motion [1], duration [s], and speed of the
+/// hand [m/s].
 const PUSHES: u32 = 2;
 const PUSH_FORCE: [f64; 2] = [10.0, 40.0];
 const PUSH_START: [f64; 2] = [0.1, 0.9];
@@ -37,36 +37,36 @@ const PUSH_DURATION: [f64; 2] = [0.5, 2.5];
 const HAND_SPEED: [f64; 2] = [0.05, 0.5];
 /// Coulomb coefficient between tool and surface [1].
 const FRICTION: [f64; 2] = [0.2, 0.9];
-/// Bias of the force sensor per axis, at most, and standard deviation of its noise [N].
+/// Maximum bias of the force sensor per axis, and standard deviation of its noise [N].
 const BIAS: f64 = 1.0;
 const NOISE: [f64; 2] = [0.0, 0.5];
 
-/// How a world differs from what the robot believes of it.
+/// The mismatch between a world and the robot's belief about it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum MismatchKind {
-    /// Each grain lies where one draw of the belief has it, and moves as believed.
+    /// None: the grains are one draw of the belief and move as believed.
     AsBelieved,
-    /// Grains are spread evenly, but drawn apart.
+    /// Grains are uniformly distributed, drawn independently of the belief.
     Uniform,
-    /// They lie in heaps.
+    /// Grains are in heaps.
     Clusters,
-    /// They lie in a band.
+    /// Grains are in a band.
     Stripe,
-    /// μ is 0.5 more or less.
+    /// μ of the law is higher or lower by 0.5.
     Law,
-    /// They are much harder to move: μ = -0.35, σ = 0.4.
+    /// Grains are much harder to move: μ = -0.35, σ = 0.4.
     HardLaw,
     /// The tool is 30 % stiffer or softer.
     Stiffness,
-    /// It sits 10 mm off in the hand.
+    /// The tool is offset by 10 mm in the hand.
     Grasp,
-    /// Its footprint is 10 % larger or smaller.
+    /// The tool's footprint is 10 % larger or smaller.
     Footprint,
 }
 
 impl MismatchKind {
-    /// All of them.
+    /// All variants.
     pub const ALL: [Self; 9] = [
         Self::AsBelieved,
         Self::Uniform,
@@ -79,7 +79,7 @@ impl MismatchKind {
         Self::Footprint,
     ];
 
-    /// The mismatch in words.
+    /// The mismatch as text.
     pub const fn as_str(self) -> &'static str {
         match self {
             Self::AsBelieved => "as believed",
@@ -121,23 +121,23 @@ impl MismatchKind {
     }
 }
 
-/// What disturbs a world.
+/// The disturbance of a world.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Disturbance {
     /// Nothing.
     None,
-    /// The surface is tilted and shifted, friction, bias and noise differ.
+    /// The surface is tilted and shifted; friction, bias and noise differ from the belief.
     Place,
-    /// The same, and somebody pushes once or twice in the first round.
+    /// As `Place`, and a person pushes once or twice in the first round.
     Push,
 }
 
 impl Disturbance {
-    /// All of them.
+    /// All variants.
     pub const ALL: [Self; 3] = [Self::None, Self::Place, Self::Push];
 
-    /// The disturbance in words.
+    /// The disturbance as text.
     pub const fn as_str(self) -> &'static str {
         match self {
             Self::None => "undisturbed",
@@ -165,7 +165,7 @@ impl Disturbance {
         }
         let count = 1 + between([0.0, f64::from(PUSHES)]) as u32;
         let push = |_| {
-            // Uniform over all directions: so are the height on a sphere and the angle about its axis.
+            // A uniform direction: z uniform in [-1, 1], azimuth uniform in [0, 2π) (Archimedes' hat-box theorem).
             let (up, angle) = (between([-1.0, 1.0]), between([0.0, TAU]));
             let across = (1.0 - up * up).sqrt();
             let direction = Vector3::new(across * libm::cos(angle), across * libm::sin(angle), up);
@@ -181,35 +181,35 @@ impl Disturbance {
     }
 }
 
-/// What the robot perceives the effect by.
+/// The robot's senses.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Senses {
-    /// The paper's way.
+    /// Tool poses and forces, as in the paper.
     Touch,
-    /// A camera looks before the first round and after each.
+    /// Touch, and a camera that observes the dirt before the first round and after each round.
     TouchAndSight,
 }
 
-/// A world of an evaluation: all that its seed decides.
+/// A world of an evaluation, which its seed determines.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub struct WorldCase {
-    /// The seed, of the task as well.
+    /// Seed of world and task.
     pub seed: u64,
     /// The task.
     pub task: TaskCase,
-    /// How the world differs from the belief.
+    /// Mismatch between world and belief.
     pub mismatch: MismatchKind,
-    /// What disturbs it.
+    /// Disturbance.
     pub disturbance: Disturbance,
 }
 
 impl WorldCase {
-    /// The world of a seed. Any 243 seeds in a row have each task with each mismatch and each disturbance once.
+    /// Returns the world of a seed. 243 consecutive seeds cover each combination of task, mismatch and disturbance once.
     pub fn of(seed: u64) -> Self {
         let digit = |place: u64, base: usize| (seed / place) as usize % base;
         let tasks: Vec<TaskCase> = TaskCase::all().collect();
-        // Each seed goes on by one mismatch and, a block later, by one task, so that few seeds in a row are mixed too.
+        // Each seed advances by one mismatch and each block by one task, so that a few consecutive seeds are mixed, too.
         let (mismatch, block) = (digit(1, 9), digit(9, 9));
         Self {
             seed,
@@ -219,7 +219,7 @@ impl WorldCase {
         }
     }
 
-    /// The world's settings, from those that the scenario has without disturbances.
+    /// Returns the world's settings, based on the scenario's settings without disturbances.
     pub fn settings(&self, calm: &SimulationSettings, task: &Task) -> SimulationSettings {
         let mut random = ChaCha8Rng::seed_from_u64(self.seed);
         random.set_stream(STREAM);
@@ -244,7 +244,7 @@ mod tests {
         for first in [1, 1000, 10_000] {
             let all: HashSet<_> = (first..first + 243).map(of).collect();
             assert_eq!(all.len(), 243);
-            // Nine in a row have all mismatches and all tasks.
+            // Nine consecutive seeds have all mismatches and all tasks.
             let few: Vec<_> = (first..first + 9).map(of).collect();
             let mismatches: HashSet<_> = few.iter().map(|case| case.1).collect();
             assert_eq!(mismatches.len(), 9);

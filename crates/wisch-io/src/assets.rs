@@ -1,4 +1,4 @@
-//! Files, with limits, and the knowledge that the library carries.
+//! Reading files with limits, and the embedded knowledge base and scenarios.
 
 use crate::digest::InputDigest;
 use crate::error::Error;
@@ -10,16 +10,16 @@ use std::path::{Path, PathBuf};
 use wisch::goal::Domain;
 use wisch::represent::KnowledgeBase;
 
-/// Longest file that is read [bytes].
+/// Maximum size of a file [bytes].
 const MAX_FILE_LEN: u64 = 256 << 20;
 
-/// From which likeness on, 1 being the same, a file name is offered in place of a missing one.
+/// Minimum similarity of a file name, from 0 to 1 (equal), to be suggested for a missing file.
 const LIKE: f64 = 0.6;
 
-/// The knowledge folder as it was when the program was built.
+/// The knowledge folder at the time of the build.
 static BUILT_IN: Dir = include_dir!("$WISCH_SHIPPED/knowledge");
 
-/// The shipped scenarios as they were when the program was built.
+/// The scenarios at the time of the build.
 static SCENARIOS: Dir = include_dir!("$WISCH_SHIPPED/scenarios");
 
 /// The file with the PDDL domain in a knowledge folder.
@@ -28,7 +28,7 @@ const DOMAIN_FILE: &str = "wiping.pddl";
 /// Reads a whole file.
 ///
 /// # Errors
-/// A file that is not there, a folder, one beyond 256 MiB, or whatever the system says.
+/// If the file is missing, is a folder, exceeds 256 MiB, or cannot be read.
 pub fn read(path: &Path) -> Result<Vec<u8>, Error> {
     let failed = |error: std::io::Error| match error.kind() {
         ErrorKind::NotFound => Error::NoSuchFile {
@@ -46,7 +46,7 @@ pub fn read(path: &Path) -> Result<Vec<u8>, Error> {
         return Err(Error::unusable(path, "this is a folder, not a file"));
     }
     let mut bytes = Vec::new();
-    // Pipes and devices do not tell their length: count what comes.
+    // Pipes and devices have no known length, so count the bytes.
     file.take(MAX_FILE_LEN + 1)
         .read_to_end(&mut bytes)
         .map_err(failed)?;
@@ -58,7 +58,7 @@ pub fn read(path: &Path) -> Result<Vec<u8>, Error> {
     Ok(bytes)
 }
 
-/// How long a pipe that nobody writes into is waited for.
+/// Time to wait for a writer of a named pipe.
 #[cfg(unix)]
 const PATIENCE: std::time::Duration = std::time::Duration::from_secs(10);
 
@@ -75,10 +75,10 @@ fn is_pipe(_: &Path) -> bool {
 
 #[cfg(not(unix))]
 fn read_pipe(path: &Path) -> Result<Vec<u8>, Error> {
-    Err(Error::unusable(path, "this is no file"))
+    Err(Error::unusable(path, "this is not a regular file or pipe"))
 }
 
-/// Reads a named pipe to its end; gives up where nothing comes.
+/// Reads a named pipe to its end; fails if no data arrives in time.
 #[cfg(unix)]
 fn read_pipe(path: &Path) -> Result<Vec<u8>, Error> {
     use std::os::unix::fs::OpenOptionsExt;
@@ -93,7 +93,7 @@ fn read_pipe(path: &Path) -> Result<Vec<u8>, Error> {
     let mut part = [0; 1 << 16];
     loop {
         match pipe.read(&mut part) {
-            // Its end, or nobody has opened the other side yet.
+            // End of the data, or the other side is not open yet.
             Ok(0) if !bytes.is_empty() => return Ok(bytes),
             Ok(count) if count > 0 => {
                 bytes.extend_from_slice(&part[..count]);
@@ -103,12 +103,12 @@ fn read_pipe(path: &Path) -> Result<Vec<u8>, Error> {
             _ => std::thread::sleep(std::time::Duration::from_millis(10)),
         }
         if bytes.len() as u64 > MAX_FILE_LEN {
-            let problem = format!("it exceeds the limit of {MAX_FILE_LEN} bytes");
+            let problem = format!("the data exceed the limit of {MAX_FILE_LEN} bytes");
             return Err(Error::unusable(path, problem));
         }
         if since.elapsed() > PATIENCE {
             let waited = PATIENCE.as_secs();
-            let problem = format!("this is a pipe into which nobody wrote for {waited} s");
+            let problem = format!("no data arrived on this pipe for {waited} s");
             return Err(Error::unusable(path, problem));
         }
     }
@@ -117,7 +117,7 @@ fn read_pipe(path: &Path) -> Result<Vec<u8>, Error> {
 /// Reads a whole file as text.
 ///
 /// # Errors
-/// Those of [`read`], and bytes that are not UTF-8.
+/// Those of [`read`], or if the file is not UTF-8.
 pub fn read_text(path: &Path) -> Result<String, Error> {
     let bytes = read(path)?;
     String::from_utf8(bytes).map_err(|error| {
@@ -134,7 +134,7 @@ pub fn read_text(path: &Path) -> Result<String, Error> {
     })
 }
 
-/// The shipped scenarios, each with its name and the text of its task file, by name.
+/// Returns the shipped scenarios, sorted by name: name and text of the task file.
 ///
 /// ```
 /// let names: Vec<&str> = wisch_io::shipped_scenarios().map(|(name, _)| name).collect();
@@ -149,7 +149,7 @@ pub fn shipped_scenarios() -> impl Iterator<Item = (&'static str, &'static str)>
     scenarios.into_iter()
 }
 
-/// The text of a task file, or, where there is no such file, of the shipped scenario of that name.
+/// Returns the text of a task file, or of the shipped scenario of that name if there is no such file.
 pub(crate) fn read_task_text(path: &Path) -> Result<String, Error> {
     read_text(path).or_else(|error| {
         let Error::NoSuchFile { path, nearest } = error else {
@@ -164,14 +164,14 @@ pub(crate) fn read_task_text(path: &Path) -> Result<String, Error> {
     })
 }
 
-/// The shipped scenario with the name nearest to the one asked for, if one is near.
+/// Returns the shipped scenario with the most similar name, if one is similar.
 fn nearest_scenario(path: &Path) -> Option<String> {
     let wanted = path.to_str()?;
     let names = shipped_scenarios().map(|(name, _)| name.to_owned());
     nearest_of(wanted, names)
 }
 
-/// The name in the same folder that is nearest to the one asked for, if one is near.
+/// Returns the most similar file name in the same folder, if one is similar.
 fn nearest_name(path: &Path) -> Option<String> {
     let wanted = path.file_name()?.to_str()?;
     let folder = match path.parent()? {
@@ -193,7 +193,7 @@ fn nearest_of(wanted: &str, names: impl Iterator<Item = String>) -> Option<Strin
         .map(|(_, name)| name)
 }
 
-/// Reads what a task file refers to: paths count from the task file's folder.
+/// Returns a reader for the files of a task; their paths are relative to the task file's folder.
 pub fn beside(task_file: &Path) -> impl FnMut(&str) -> Result<Vec<u8>, String> + use<> {
     let folder = task_file
         .parent()
@@ -202,26 +202,26 @@ pub fn beside(task_file: &Path) -> impl FnMut(&str) -> Result<Vec<u8>, String> +
     move |path| read(&folder.join(path)).map_err(|error| error.to_string())
 }
 
-/// Where knowledge comes from.
+/// The source of the knowledge base.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub enum KnowledgeSource {
-    /// That which is shipped.
+    /// The shipped knowledge base.
     #[default]
     BuiltIn,
-    /// A folder of the user's.
+    /// A folder of the user.
     Folder(PathBuf),
 }
 
 impl KnowledgeSource {
-    /// The user's folder, or what is built in.
+    /// Returns the user's folder, else the built-in knowledge base.
     pub fn new(folder: Option<&Path>) -> Self {
         folder.map_or(Self::BuiltIn, |folder| Self::Folder(folder.to_path_buf()))
     }
 
-    /// All tools, media, surfaces and interactions.
+    /// Reads all tools, media, surfaces and interactions.
     ///
     /// # Errors
-    /// No folder, a file that cannot be read, or knowledge that does not hold together.
+    /// If the folder or a file cannot be read, or the knowledge is inconsistent.
     pub fn base(&self) -> Result<KnowledgeBase, Error> {
         let texts = self.texts()?;
         let texts: Vec<(&str, &str)> = texts
@@ -231,30 +231,30 @@ impl KnowledgeSource {
         Ok(parse_knowledge(&texts)?)
     }
 
-    /// The files that change if this is written into them; nothing is written.
+    /// Returns the files that the revisions change, without writing them.
     ///
     /// # Errors
-    /// Those of [`base`](Self::base), an interaction that no file has as a table, or one that would be refused.
+    /// Those of [`base`](Self::base), or if no file has an interaction as a table, or a revised one would be invalid.
     pub fn revised(&self, revisions: &[InteractionRevision]) -> Result<Vec<RevisedFile>, Error> {
         revised(&self.texts()?, revisions)
     }
 
-    /// The PDDL domain of wiping.
+    /// Reads the PDDL domain of wiping.
     ///
     /// # Errors
-    /// A file that cannot be read, or is no domain.
+    /// If the file cannot be read or is not a valid domain.
     pub fn domain(&self) -> Result<Domain, Error> {
         let text = self.asset(DOMAIN_FILE).map_err(Error::Asset)?;
         let name = self.shown(DOMAIN_FILE);
         let text = String::from_utf8(text)
-            .map_err(|_| Error::unusable(Path::new(&name), "it is not UTF-8 text"))?;
+            .map_err(|_| Error::unusable(Path::new(&name), "the file is not UTF-8 text"))?;
         Ok(Domain::parse(&name, &text)?)
     }
 
-    /// A file of the knowledge folder, such as a tool's mesh.
+    /// Reads a file of the knowledge folder, such as a tool's mesh.
     ///
     /// # Errors
-    /// A sentence about the file that is not there or cannot be read.
+    /// A message if the file is missing or cannot be read.
     pub fn asset(&self, path: &str) -> Result<Vec<u8>, String> {
         match self {
             Self::BuiltIn => BUILT_IN
@@ -265,7 +265,7 @@ impl KnowledgeSource {
         }
     }
 
-    /// Takes in all knowledge.
+    /// Adds all knowledge files to a digest.
     pub(crate) fn add_to(&self, inputs: &mut InputDigest) -> Result<(), Error> {
         for (name, text) in self.texts()? {
             inputs.add(&name, text);
@@ -281,7 +281,7 @@ impl KnowledgeSource {
         }
     }
 
-    /// Every TOML file of the folder with its name, by name.
+    /// Lists the TOML files of the folder with their texts, sorted by name.
     pub(crate) fn texts(&self) -> Result<Vec<(String, String)>, Error> {
         let mut texts = match self {
             Self::BuiltIn => BUILT_IN

@@ -1,14 +1,14 @@
-//! What tells the inputs of one run from those of another.
+//! Digests that identify the inputs of a run.
 
 use std::hash::{DefaultHasher, Hasher};
 
-/// A digest of files and settings, each with its name. It is the same for the same build of the program alone: enough to
-/// tell whether a killed run can be gone on with.
+/// A digest of named files and settings. It is comparable only within one build of the program, which suffices to check
+/// whether a killed run can be resumed.
 #[derive(Debug, Clone, Default)]
 pub struct InputDigest(DefaultHasher);
 
 impl InputDigest {
-    /// Takes in a file or a setting.
+    /// Adds a file or a setting.
     ///
     /// ```
     /// let digest = |text: &str| {
@@ -21,13 +21,13 @@ impl InputDigest {
     /// ```
     pub fn add(&mut self, name: &str, contents: impl AsRef<[u8]>) {
         for part in [name.as_bytes(), contents.as_ref()] {
-            // Lengths tell ("ab", "c") from ("a", "bc").
+            // Lengths distinguish ("ab", "c") from ("a", "bc").
             self.0.write_usize(part.len());
             self.0.write(part);
         }
     }
 
-    /// The digest of all that was taken in.
+    /// The digest of all added inputs.
     pub fn value(&self) -> u64 {
         self.0.finish()
     }

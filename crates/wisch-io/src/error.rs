@@ -1,4 +1,4 @@
-//! Why files are refused.
+//! Errors of reading and writing files.
 
 use crate::knowledge::KnowledgeFileError;
 use crate::task_file::TaskError;
@@ -8,16 +8,16 @@ use wisch::represent::Action;
 use wisch::robot::{MapError, RobotError};
 use wisch::source_location::UnknownName;
 
-/// Why a file, or what it refers to, cannot be used.
+/// An error of a file, or of a file that it names.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum Error {
-    /// A file that is not there.
+    /// A missing file.
     #[error("{}: there is no such file", path.display())]
     NoSuchFile {
         /// Its path.
         path: PathBuf,
-        /// The name in the same folder, or of a shipped scenario, that is nearest to it, if one is near.
+        /// Most similar name in the same folder or of a shipped scenario, if one is similar.
         nearest: Option<String>,
     },
     /// A file or folder that cannot be read.
@@ -25,94 +25,96 @@ pub enum Error {
     Unusable {
         /// Its path.
         path: PathBuf,
-        /// Why.
+        /// The problem.
         problem: String,
     },
-    /// A file that is to be text and is not.
+    /// A text file that is not UTF-8.
     #[error("{}:{line}: byte {byte} is not UTF-8 text", path.display())]
     NotText {
         /// Its path.
         path: PathBuf,
         /// Line, counted from 1.
         line: usize,
-        /// Index of the first byte that is no text.
+        /// Index of the first invalid byte.
         byte: usize,
     },
-    /// A knowledge folder without knowledge.
+    /// A knowledge folder without files.
     #[error("{}: the folder holds no .toml file", folder.display())]
     NoKnowledge {
         /// The folder.
         folder: PathBuf,
     },
-    /// A file of the knowledge folder that cannot be had.
+    /// A file of the knowledge folder that cannot be read.
     #[error("{0}")]
     Asset(String),
-    /// A knowledge file that is refused.
+    /// An invalid knowledge file.
     #[error(transparent)]
     Knowledge(Box<KnowledgeFileError>),
-    /// A PDDL domain that is refused.
+    /// An invalid PDDL domain.
     #[error(transparent)]
     Domain(Box<GoalError>),
-    /// A task file that is refused.
+    /// An invalid task file.
     #[error(transparent)]
     Task(Box<TaskError>),
-    /// A goal that leads to no action.
+    /// A goal that no action reaches.
     #[error("{file}: goal {literal:?}: {error}")]
     Goal {
         /// The task file.
         file: String,
         /// The goal as typed.
         literal: String,
-        /// Why.
+        /// The cause.
         #[source]
         error: Box<GoalError>,
     },
-    /// An action that was asked for and does not reach the goal.
-    #[error("{file}: --action {asked} contradicts the goal {literal}, which takes {needed}")]
+    /// An action of the command line that does not reach the goal.
+    #[error(
+        "{file}: --action {asked} contradicts the goal {literal}, which needs the action {needed}"
+    )]
     Contradiction {
         /// The task file.
         file: String,
-        /// The action that was asked for.
+        /// The action of the command line.
         asked: Action,
         /// The goal as typed.
         literal: String,
         /// The action that reaches it.
         needed: Action,
     },
-    /// A coverage strategy that does not exist.
+    /// An unknown strategy.
     #[error("{file}: {unknown}")]
     Strategy {
         /// The task file.
         file: String,
-        /// Its name and those near it.
+        /// Its name and similar names.
         unknown: UnknownName,
     },
-    /// A robot that is not shipped.
+    /// An unknown name of a shipped robot.
     #[error("{0}")]
     UnknownRobot(UnknownName),
-    /// A URDF of the user's that is refused.
+    /// An invalid URDF of the user.
     #[error("{error}")]
     Urdf {
         /// The file.
         file: String,
-        /// Why.
+        /// The cause.
         #[source]
         error: Box<RobotError>,
     },
-    /// A shipped robot or an SRDF that is refused.
+    /// An invalid shipped robot or SRDF.
     #[error(transparent)]
     Robot(Box<RobotError>),
-    /// A capability map that is refused.
+    /// An invalid capability map.
     #[error(transparent)]
     Map(Box<MapError>),
-    /// A place where results cannot be written.
+    /// A location where results cannot be written.
     #[error("{}: {problem}", path.display())]
     Output {
-        /// The place.
+        /// The location.
         path: PathBuf,
-        /// Why.
+        /// The problem.
         problem: String,
-        /// What can be done about it.
+        /// Advice.
         help: &'static str,
     },
 }
@@ -143,30 +145,30 @@ impl Error {
         }
     }
 
-    /// What can be done about it, where that is known.
+    /// Returns advice, if there is any.
     pub fn help(&self) -> Option<String> {
         Some(match self {
             Self::NoSuchFile { path, nearest } => match nearest {
                 Some(nearest) => format!("did you mean {nearest}?"),
                 None if path.extension().is_none() => {
-                    "wisch scenarios lists the names of those that are shipped".to_owned()
+                    "wisch scenarios lists the names of the shipped scenarios".to_owned()
                 }
                 None => return None,
             },
-            Self::NotText { .. } => "save the file as UTF-8; is it the right file?".to_owned(),
+            Self::NotText { .. } => "check the file name, or save the file as UTF-8".to_owned(),
             Self::NoKnowledge { .. } => {
-                "knowledge is tools.toml, media.toml, surfaces.toml and interactions.toml"
+                "a knowledge base has tools.toml, media.toml, surfaces.toml and interactions.toml"
                     .to_owned()
             }
             Self::Contradiction { .. } => {
-                "leave --action out, or state an action in the file in place of the goal".to_owned()
+                "leave out --action, or replace the file's goal by an action".to_owned()
             }
             Self::UnknownRobot(_) => {
-                "a robot of your own is a file: a path that ends in .urdf".to_owned()
+                "for your own robot, give a path that ends in .urdf".to_owned()
             }
-            Self::Urdf { file, .. } => format!("wisch robot check {file}"),
+            Self::Urdf { file, .. } => format!("see all findings with wisch robot check {file}"),
             Self::Output { help, .. } => (*help).to_owned(),
-            Self::Map(_) => "wisch robot map builds it anew, for this very robot".to_owned(),
+            Self::Map(_) => "rebuild the map for this robot with wisch robot map".to_owned(),
             _ => return None,
         })
     }

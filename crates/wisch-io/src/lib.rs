@@ -1,8 +1,8 @@
-//! The files of robotic wiping: task files, the knowledge base, robots, plans, trajectories, and what is shipped.
+//! The files of robotic wiping: task files, the knowledge base, robots, plans, trajectories, and shipped data.
 //!
-//! A task file becomes a task and its configuration by [`load_task`]; the method itself is the crate [`wisch`].
+//! [`load_task`] reads a task file and returns a task with its configuration. The method itself is the crate [`wisch`].
 //!
-//! Units are SI and radians, but for file keys that end in another unit.
+//! Units are SI and radians, except for file keys that end in another unit.
 
 mod assets;
 mod digest;

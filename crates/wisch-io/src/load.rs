@@ -1,4 +1,4 @@
-//! From a task file to a task that can be planned.
+//! Loads a task file with all its data into a task that can be planned.
 
 use crate::assets::{KnowledgeSource, beside, read_task_text};
 use crate::digest::InputDigest;
@@ -23,57 +23,55 @@ use wisch::represent::{
 use wisch::run::{RunConfig, Session};
 use wisch::source_location::UnknownName;
 
-/// What a task gets that asks for none: the paper's plainest, which never leaves a free cell out.
+/// Default strategy: the paper's simplest, which leaves no free cell out.
 const DEFAULT_STRATEGY: Strategy = Strategy::Coverage(CoverageStrategy::Grid);
 
-/// What is to be different from what a task file says.
+/// Overrides of a task file.
 #[derive(Debug, Clone, Default)]
 pub struct LoadOptions {
-    /// Values laid over the file's, see [`TaskFile::parse`].
+    /// Settings that override the file's values, see [`TaskFile::parse`].
     pub settings: Vec<(String, String)>,
-    /// The folder with tools, media, surfaces, interactions and the domain; `None` takes those shipped.
+    /// Folder of the knowledge base; `None` takes the shipped one.
     pub knowledge: Option<PathBuf>,
-    /// What to do; `None` leaves it to the file.
+    /// Action; `None` takes the file's.
     pub action: Option<Action>,
-    /// How to place the nodes; `None` leaves it to the file.
+    /// Strategy; `None` takes the file's.
     pub strategy: Option<Strategy>,
-    /// Seed of everything random; `None` leaves it to the file.
+    /// Seed of all random numbers; `None` takes the file's.
     pub seed: Option<u64>,
 }
 
-/// A task with all that its file says about it.
+/// A task with its file, planner settings, knowledge and assumptions.
 #[derive(Debug, Clone)]
 pub struct LoadedTask {
-    /// Where the file is.
+    /// Path of the file.
     pub path: PathBuf,
     /// The text of the file.
     pub text: String,
     /// The task file.
     pub file: TaskFile,
-    /// Values laid over the file's.
+    /// Settings that override the file's values.
     pub settings: Vec<(String, String)>,
-    /// What had to be assumed of a tool, medium or interaction that the file defines, and what is most likely in other units: a
-    /// sentence each.
+    /// Assumptions about tools, media and interactions, and remarks on probable wrong units, one sentence each.
     pub assumptions: Vec<String>,
     /// The task.
     pub task: Task,
-    /// How to plan it.
+    /// Planner settings.
     pub config: PlanConfig,
-    /// The goal and the steps that reach it, where the file states a goal and not an action.
+    /// The derivation of the action, if the file states a goal.
     pub derived: Option<Derivation>,
-    /// What is known of tools, media and surfaces.
+    /// The knowledge base.
     pub knowledge: KnowledgeBase,
-    /// Where the dirt of a simulated world really lies, in the frame of the real surface [m], where `[execution]` names a
-    /// file that lists it.
+    /// True dirt locations of a simulated world, in the frame of the true surface [m], if `[execution]` names a file of them.
     pub real_places: Option<Vec<Point2>>,
-    /// Where the surface is too steep for the medium, so that the task's particles have slid down already.
+    /// The slope of the surface, if it is too steep for the medium, so that the task's particles have already slid down.
     pub steep: Option<SteepSurface>,
-    /// Of all that was read for it, and of the options.
+    /// Digest of all read files and of the options.
     pub inputs: InputDigest,
 }
 
 impl LoadedTask {
-    /// How the stages work for this task, and when to stop.
+    /// Returns the settings of the stages for this task, and the maximum number of rounds.
     pub fn run_config(&self) -> RunConfig {
         let robot = self.file.robot();
         RunConfig {
@@ -97,24 +95,24 @@ impl LoadedTask {
         }
     }
 
-    /// How a robot is to follow the plans of the task.
+    /// Returns the settings for following the plans of the task.
     pub fn follow_config(&self) -> FollowConfig {
         FollowConfig {
             contact_speed: self.file.contact_speed_m_per_s(),
-            // A rule that the user chose is kept to.
+            // A rule that the user has chosen is not changed.
             free_yaw: self.file.heading() == HeadingRule::Best,
             ..FollowConfig::default()
         }
     }
 
-    /// A session that has not planned yet, and has no robot. It plans for all places where the dirt may lie, see
+    /// Makes a new session without a robot. It plans for all positions that the dirt may have; compare
     /// [`Self::plan_for_known_dirt`].
     pub fn session(&self) -> Session<'static> {
         Session::new(&self.task, self.run_config()).with_belief(self.belief())
     }
 
-    /// A plan for the task's particles as if they were known to lie just there; [`Self::session`] plans for all places where the
-    /// belief holds that they may lie, which takes a longer way and is predicted to do less for this one draw.
+    /// Plans for the task's particles as if their positions were known exactly. [`Self::session`] plans for all positions of
+    /// the belief, which gives a longer path and a lower predicted performance for this one draw.
     ///
     /// # Errors
     /// Those of [`wisch::plan::plan`].
@@ -122,15 +120,15 @@ impl LoadedTask {
         plan(&self.task, &self.config)
     }
 
-    /// What is believed of the dirt before anything is felt or seen.
+    /// Returns the belief about the dirt before any measurement.
     pub fn belief(&self) -> Belief {
         self.dirt_prior().belief(&self.task, members(&self.task))
     }
 
-    /// What the source of the particles says of where dirt may lie.
+    /// Returns the prior of the dirt locations from the source of the particles.
     pub fn dirt_prior(&self) -> DirtPrior {
         if self.task.action.treats() || self.steep.is_some() {
-            // Places of the surface are where they are, and what slides ends below wherever it lay.
+            // Points of the surface are known exactly, and sliding dirt ends below its start, wherever that was.
             return DirtPrior::Known;
         }
         match self.file.particle_source() {
@@ -147,11 +145,11 @@ impl LoadedTask {
         }
     }
 
-    /// What a file says was seen of the dirt after wiping: a list of places, or, where the task's own particles come from an
-    /// image, a later image of the same camera.
+    /// Reads an observation of the dirt after wiping from a file: a list of dirt locations, or, if the task's particles come
+    /// from an image, a later image of the same camera.
     ///
     /// # Errors
-    /// A file that cannot be read or is refused, or an image where the task has none.
+    /// If the file cannot be read or is invalid, or is an image although the task has none.
     pub fn observation(&self, path: &Path) -> Result<Observation, Error> {
         let shown = path.display().to_string();
         let refused = |problem: String| Error::Unusable {
@@ -174,14 +172,14 @@ impl LoadedTask {
                 observed_in_image(mask, &before, &shown, &bytes, area, self.task.seed)
             }
             _ => {
-                let problem = "the task's particles come from no image, so that it is not known where the surface is in this one";
+                let problem = "the position of the surface in this image is unknown, because the task's particles do not come from an image";
                 return Err(refused(problem.to_owned()));
             }
         };
         seen.map_err(|error| Error::Asset(error.to_string()))
     }
 
-    /// How well this sensor sees the task's medium.
+    /// Returns the model of this camera for the task's medium.
     pub fn sight(&self, sensor: SensorModel) -> Sight {
         let medium = self.knowledge.medium(&self.task.medium);
         let sizes = medium.ok().and_then(|medium| medium.grain_size);
@@ -191,10 +189,10 @@ impl LoadedTask {
         }
     }
 
-    /// Reads the robot that the file names, if it names one.
+    /// Reads the robot of the file, if it has one.
     ///
     /// # Errors
-    /// An unknown name, a file that cannot be read, or one that is not what it should be.
+    /// If the name is unknown, or a file cannot be read or is invalid.
     pub fn robot(&self) -> Result<Option<Robot>, Error> {
         let named = self.file.robot();
         named
@@ -203,7 +201,7 @@ impl LoadedTask {
     }
 }
 
-/// How an action was derived from a goal.
+/// The derivation of an action from a goal.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Derivation {
     /// The goal.
@@ -212,7 +210,7 @@ pub struct Derivation {
     pub steps: Vec<String>,
 }
 
-/// What is to be done with what.
+/// Action, tool and medium.
 struct Chosen {
     action: Action,
     tool: String,
@@ -220,11 +218,11 @@ struct Chosen {
     derived: Option<Derivation>,
 }
 
-/// Reads a task file, or a shipped scenario by its name, and everything that it refers to: knowledge, meshes and
-/// particles, as paths from the file's folder.
+/// Reads a task file, or a shipped scenario by its name, with its knowledge, meshes and particles. Paths are relative to
+/// the file's folder.
 ///
 /// # Errors
-/// A file that cannot be read or is refused, a goal that no action reaches, or an unknown name.
+/// If a file cannot be read or is invalid, no action reaches the goal, or a name is unknown.
 ///
 /// ```
 /// use wisch_io::{LoadOptions, load_task};
@@ -239,8 +237,10 @@ pub fn load_task(path: &Path, options: &LoadOptions) -> Result<LoadedTask, Error
     task_of_text(path, read_task_text(path)?, &mut beside(path), options)
 }
 
-/// The same from the text of a task file that lies nowhere. `path` is where it would: errors call it by this name, and the
-/// robot's files are looked for beside it; `files` reads what else it refers to, by the path that it gives.
+/// Loads a task from the text of a task file.
+///
+/// - `path`: nominal path of the file, for error messages; the robot's files are relative to it.
+/// - `files`: reads all other files, by the paths in the text.
 ///
 /// # Errors
 /// Those of [`load_task`].
@@ -329,7 +329,7 @@ pub fn task_of_text(
     })
 }
 
-/// Lets the dirt slide that cannot rest on the surface's slope.
+/// Moves the particles that cannot rest on the surface's slope down to where they come to rest.
 fn let_slide(task: &mut Task, knowledge: &KnowledgeBase) -> Option<SteepSurface> {
     let kind = knowledge.medium(&task.medium).ok()?.kind;
     if task.action.treats() {

@@ -1,4 +1,4 @@
-//! Robots: those that are shipped, and the user's.
+//! Shipped robots, and robots of the user.
 
 use crate::assets::{self, beside, read_text};
 use crate::digest::InputDigest;
@@ -13,35 +13,35 @@ use wisch::robot::{
 use wisch::run::Performer;
 use wisch::source_location::UnknownName;
 
-/// The robots folder as it was when the program was built.
+/// The robots folder at the time of the build.
 static BUILT_IN: Dir = include_dir!("$WISCH_SHIPPED/robots");
 
-/// What a capability map's file is called, beside its URDF.
+/// Extension of a capability map's file, beside its URDF.
 pub const MAP_EXTENSION: &str = "reach";
 
-/// A robot with what belongs to it.
+/// A robot with its SRDF, capability map and files.
 pub struct Robot {
     /// The model.
     pub model: RobotModel,
-    /// Groups, states and pairs that may touch.
+    /// SRDF: groups, states and pairs that may touch.
     pub srdf: Option<Srdf>,
-    /// What is in reach of the group that wipes, if that is known.
+    /// Capability map of the wiping group, if there is one.
     pub map: Option<CapabilityMap>,
-    /// What it was read from.
+    /// The files from which it was read.
     pub files: RobotFiles,
-    /// Where its URDF lies, and the packages that it may name; `None` for one that is shipped.
+    /// Path of its URDF, and its packages; `None` for a shipped robot.
     source: Option<(PathBuf, Packages)>,
 }
 
-/// Names of ROS packages, and the folders in which they lie.
+/// Names of ROS packages with their folders.
 type Packages = Vec<(String, PathBuf)>;
 
-/// The files of a robot, so that it can be read again when they have changed.
+/// The contents of a robot's files, from which it can be read again later.
 #[derive(Debug, Clone, Default)]
 pub struct RobotFiles {
     /// The URDF.
     pub urdf: String,
-    /// The SRDF, if there is one.
+    /// The SRDF, if it exists.
     pub srdf: Option<String>,
     /// The collision meshes, under the names that the URDF gives them.
     pub meshes: Vec<(String, Vec<u8>)>,
@@ -50,7 +50,7 @@ pub struct RobotFiles {
 }
 
 impl RobotFiles {
-    /// Takes in all of them.
+    /// Adds all files to a digest.
     pub fn add_to(&self, inputs: &mut InputDigest) {
         inputs.add("urdf", &self.urdf);
         inputs.add("srdf", self.srdf.as_deref().unwrap_or_default());
@@ -62,7 +62,7 @@ impl RobotFiles {
 }
 
 impl Robot {
-    /// The robot as a session takes it.
+    /// Returns the robot in the form for a session.
     pub const fn performer(&self) -> Performer<'_> {
         Performer {
             robot: &self.model,
@@ -71,8 +71,7 @@ impl Robot {
         }
     }
 
-    /// What is to be said before it is used, a sentence each: what is most likely in other units, what its SRDF has of another
-    /// robot, and what had to be assumed of it.
+    /// Returns remarks on the robot, one sentence each: probable wrong units, SRDF entries of another robot, and assumptions.
     ///
     /// ```
     /// # let urdf = concat!(env!("CARGO_MANIFEST_DIR"), "/../../robots/arm7.urdf");
@@ -111,7 +110,7 @@ impl Robot {
                     .collect();
                 if !joints.is_empty() {
                     remarks.push(format!(
-                        "robot {:?}: its URDF gives no {what} limit for {}: {assumed} {unit} is assumed",
+                        "robot {:?}: its URDF has no {what} limit for {}: {assumed} {unit} is assumed",
                         model.name(),
                         joints.join(", ")
                     ));
@@ -122,17 +121,17 @@ impl Robot {
             && !(srdf.states.iter()).any(|state| state.name.starts_with(READY_STATE))
         {
             remarks.push(format!(
-                "robot {:?}: its SRDF has no posture \"{READY_STATE}\": motions begin in the middle of the joints' limits",
+                "robot {:?}: its SRDF has no state \"{READY_STATE}\": motions begin in the middle of the joint limits",
                 model.name()
             ));
         }
         remarks
     }
 
-    /// Reads what it looks like: of its files as they are now.
+    /// Reads the robot's visual geometry from its present files.
     ///
     /// # Errors
-    /// A URDF that is none, as only one that was changed is.
+    /// If the URDF has become invalid since the robot was read.
     pub fn appearance(&self) -> Result<Appearance, Error> {
         let urdf = &self.files.urdf;
         match &self.source {
@@ -153,8 +152,7 @@ impl Robot {
         }
     }
 
-    /// Reads a robot that is shipped, by its name, or a URDF by its path, with the SRDF and the capability map that lie
-    /// beside it.
+    /// Reads a shipped robot by its name, or a URDF by its path with the SRDF and capability map beside it.
     ///
     /// ```
     /// # let urdf = concat!(env!("CARGO_MANIFEST_DIR"), "/../../robots/arm7.urdf");
@@ -164,16 +162,15 @@ impl Robot {
     /// ```
     ///
     /// # Errors
-    /// An unknown name, a file that cannot be read, or one that is not what it should be.
+    /// If the name is unknown, or a file cannot be read or is invalid.
     pub fn load(robot: &str) -> Result<Self, Error> {
         Self::read(&Self::description(robot), Path::new(""), None, &[])
     }
 
-    /// Reads a robot. `task_file` is what paths of the description count from; `map_file` is the
-    /// user's capability map.
+    /// Reads a robot. `task_file`: file to which paths of the description are relative. `map_file`: the user's capability map.
     ///
     /// # Errors
-    /// An unknown name, a file that cannot be read, or one that is not what it should be.
+    /// If the name is unknown, or a file cannot be read or is invalid.
     pub fn read(
         description: &RobotDescription,
         task_file: &Path,
@@ -205,10 +202,10 @@ impl Robot {
         Ok(robot)
     }
 
-    /// The same, whatever maps there are.
+    /// Reads a robot without a capability map.
     ///
     /// # Errors
-    /// An unknown name, a file that cannot be read, or one that is not what it should be.
+    /// If the name is unknown, or a file cannot be read or is invalid.
     pub fn read_without_map(
         description: &RobotDescription,
         task_file: &Path,
@@ -224,12 +221,12 @@ impl Robot {
         }
     }
 
-    /// What a word means: the name of a robot that is shipped, or the path of a URDF from the working directory.
+    /// Interprets a word of the command line as the name of a shipped robot, or as the path of a URDF.
     pub fn description(text: &str) -> RobotDescription {
         if shipped_robots().any(|name| name == text) || !text.contains(['.', '/', '\\']) {
             return RobotDescription::Named(text.to_owned());
         }
-        // Paths on the command line count from the working directory, not from the task file.
+        // Paths on the command line are relative to the working directory, not to the task file.
         let path = std::path::absolute(text).unwrap_or_else(|_| PathBuf::from(text));
         RobotDescription::Files {
             urdf: path.display().to_string(),
@@ -238,7 +235,7 @@ impl Robot {
     }
 }
 
-/// Names of the robots that are shipped.
+/// Names of the shipped robots.
 pub fn shipped_robots() -> impl Iterator<Item = &'static str> {
     BUILT_IN.files().filter_map(|file| {
         let path = file.path();
@@ -287,7 +284,7 @@ fn files(urdf: &Path, srdf: Option<&Path>, packages: &[(String, PathBuf)]) -> Re
     robot(model, text, srdf.transpose()?, found, source)
 }
 
-/// A robot without a map; `srdf` is the name and the text of its SRDF.
+/// Makes a robot without a map. `srdf`: name and text of its SRDF.
 fn robot(
     model: RobotModel,
     urdf: String,
@@ -314,7 +311,7 @@ fn folder(task_file: &Path) -> &Path {
     task_file.parent().unwrap_or(Path::new(""))
 }
 
-/// Reads what a URDF refers to: paths count from the URDF's folder, packages are given.
+/// Returns a reader for the files of a URDF; paths are relative to its folder, and `packages` resolves package URLs.
 pub fn robot_meshes(
     urdf: &Path,
     packages: &[(String, PathBuf)],
@@ -326,8 +323,8 @@ pub fn robot_meshes(
         };
         let (name, rest) = in_package.split_once('/').unwrap_or((in_package, ""));
         let known = packages.iter().find(|(known, _)| known == name);
-        let (_, folder) =
-            known.ok_or_else(|| format!("its package is not known; add --package {name}=DIR"))?;
+        let (_, folder) = known
+            .ok_or_else(|| format!("the package {name} is unknown; add --package {name}=DIR"))?;
         assets::read(&folder.join(rest)).map_err(|error| error.to_string())
     }
 }

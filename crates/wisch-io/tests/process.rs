@@ -142,9 +142,9 @@ fn a_child_that_goes_wrong_ends_in_an_error_that_says_how() {
     }
     let planned = motion();
     let dof = planned.cell.robot().dof();
-    let joints = format!("positions has 1 numbers, the robot {dof} joints");
+    let joints = format!("positions has 1 numbers, but the robot has {dof} joints");
     let cases = [
-        ("time.sleep(60)", "it said nothing for 0.7 s"),
+        ("time.sleep(60)", "no message for 0.7 s"),
         ("print('hullo', flush=True)", "\"hullo\""),
         ("say(hullo=1)", "unknown variant `hullo`"),
         (
@@ -159,11 +159,11 @@ fn a_child_that_goes_wrong_ends_in_an_error_that_says_how() {
         ),
         (
             "sample(0.1); sample(0.1)",
-            "the sample of 0.1 s follows that of 0.1 s",
+            "the sample at 0.1 s follows the sample at 0.1 s",
         ),
         (
             "sample(0.2); sample(0.1)",
-            "the sample of 0.1 s follows that of 0.2 s",
+            "the sample at 0.1 s follows the sample at 0.2 s",
         ),
         ("sample(0, positions=[1])", joints.as_str()),
         (
@@ -172,11 +172,11 @@ fn a_child_that_goes_wrong_ends_in_an_error_that_says_how() {
         ),
         (
             "sample(0); sys.exit(3)",
-            "it ended before it was done (exit status: 3)",
+            "it ended before its motion was done (exit status: 3)",
         ),
         (
             "print('x' * (1 << 20) + 'y', flush=True)",
-            "a line exceeds the limit of 1048576 bytes",
+            "it sent a line above the limit of 1048576 bytes",
         ),
         (
             "sys.stdout.buffer.write(bytes([255, 10])); sys.stdout.flush()",
@@ -202,7 +202,7 @@ fn a_child_that_goes_wrong_ends_in_an_error_that_says_how() {
         ),
         (
             "sample(-5)",
-            "the sample of -5 s is from before the motion, which began at 0 s",
+            "the sample at -5 s is before the start of the motion at 0 s",
         ),
         (
             "sample(0); done('stopped', duration=-5)",
@@ -218,28 +218,28 @@ fn a_child_that_goes_wrong_ends_in_an_error_that_says_how() {
         ),
         (
             "k = 0\nwhile True:\n    k += 1\n    sample(k * 1e-5)",
-            "are more than 10000 a second",
+            "exceed the limit of 10000 samples per second",
         ),
         (
             "sample(0); sample(1e-12)",
-            "follows that of 0 s by less than 1e-6 s",
+            "follows the sample at 0 s by less than 1e-6 s",
         ),
         (
             "k = time.sleep(0) or 0\nwhile True:\n    k += 1\n    sample(k * 1e-3)",
-            "it made no progress for 0.7 s: it is at 0.0 s of a motion of",
+            "no progress for 0.7 s, at 0.0 s of a motion of",
         ),
         (
             "k = time.sleep(0) or points[-1]['time_s']\nfollow()\npoints = points[-1:]\nwhile True:\n    k += 1e-3\n    sample(k)",
-            "it goes on 0.7 s after the end of its motion without \"done\"",
+            "it still sends samples 0.7 s after the end of its motion without \"done\"",
         ),
         ("done('exploded')", "unknown variant `exploded`"),
         (
             "sample(0); done('complete')",
-            "is said to be complete, but the last sample is that of 0 s",
+            "is reported complete, but the last sample is at 0 s",
         ),
         (
             "done('complete')",
-            "is said to be complete, but there is no sample",
+            "is reported complete, but there is no sample",
         ),
     ];
     for (lines, expected) in cases {
@@ -263,9 +263,9 @@ fn a_child_that_does_not_greet_is_refused() {
     for (script, expected) in [
         (
             "print('{\"ready\": {\"version\": 7}}')",
-            "it speaks version 7 of the protocol, not 1",
+            "it uses protocol version 7; expected 1",
         ),
-        ("pass", "it ended before it was done"),
+        ("pass", "it ended before its motion was done"),
         ("print('null')", "null"),
         (
             "print('{\"observation\": null}')",
@@ -294,7 +294,10 @@ fn a_child_is_stopped_when_enough_was_felt() {
     let error = executed(&planned, deaf, 5)
         .expect_err("it goes on")
         .to_string();
-    assert!(error.contains("it goes on 0.7 s after \"stop\""), "{error}");
+    assert!(
+        error.contains("it still sends samples 0.7 s after \"stop\""),
+        "{error}"
+    );
 }
 
 #[test]
@@ -366,7 +369,7 @@ fn what_a_child_sees_is_limited_and_said() {
         ("{'detections': [[1e300, 0]]}", "is farther than 1000 m"),
         (
             "{'detections': [], 'hidden': [[[0, 0]]]}",
-            "hidden[0] has 1 corners; a polygon has 3 or more",
+            "hidden[0] has 1 corners; expected 3 or more",
         ),
         (
             "{'detections': [], 'hidden': [[[k, k * k % 7] for k in range(999)]] * 2}",

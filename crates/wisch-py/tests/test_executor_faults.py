@@ -33,12 +33,12 @@ class Spoiled(Exact):
 WRONG = [
     ({"force_n": [0.0, float("nan"), 0.0]}, "at 2 s force_n[1] is NaN"),
     ({"positions": np.full(7, np.inf)}, "at 2 s positions[0] is inf"),
-    ({"time_s": 1.5}, "the sample of 1.5 s follows that of 1.99 s"),
-    ({"time_s": 1.99}, "the sample of 1.99 s follows that of 1.99 s"),
-    ({"time_s": float("nan")}, "time_s of the sample after 1.99 s is NaN"),
+    ({"time_s": 1.5}, "the sample at 1.5 s follows the sample at 1.99 s"),
+    ({"time_s": 1.99}, "the sample at 1.99 s follows the sample at 1.99 s"),
+    ({"time_s": float("nan")}, "time_s = NaN of the sample after 1.99 s"),
     ({"time_s": "now"}, "time_s: expected a number, found str"),
-    ({"positions": np.zeros(6)}, "at 2 s positions has 6 numbers, the robot 7 joints"),
-    ({"velocities": [0.0] * 8}, "at 2 s velocities has 8 numbers, the robot 7 joints"),
+    ({"positions": np.zeros(6)}, "at 2 s positions has 6 numbers, but the robot has 7 joints"),
+    ({"velocities": [0.0] * 8}, "at 2 s velocities has 8 numbers, but the robot has 7 joints"),
     ({"positions": {"joint_1": 0.0, "elbow": 1.0}}, 'positions: unknown joint "elbow"; nearest: '),
     ({"positions": {"joint_1": 0.0}}, 'positions: joint "joint_2" is missing'),
     ({"world_from_tool": [0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 2.0]}, "at 2 s a quaternion has norm 2"),
@@ -107,9 +107,9 @@ def test_too_few_samples_are_noticed(task, robot):
         def execute(self, motion, sink):
             pass
 
-    with pytest.raises(wisch.WischError, match=r"is said to be complete, but the last sample is that of 0.02 s"):
+    with pytest.raises(wisch.WischError, match=r"is reported complete, but the last sample is at 0.02 s"):
         task.session(robot).run(Lazy(task.surface_reaction))
-    with pytest.raises(wisch.WischError, match="is said to be complete, but there is no sample"):
+    with pytest.raises(wisch.WischError, match="is reported complete, but there is no sample"):
         task.session(robot).run(Idle())
 
 
@@ -284,19 +284,19 @@ def test_an_executor_that_is_served_to_the_program_does_the_same(program, tmp_pa
     ("then", "message"),
     [
         ("raise RuntimeError('the arm is locked')", "RuntimeError: the arm is locked"),
-        ("time.sleep(3600)", "it said nothing for 1.5 s"),
-        ("motion.time_s[k] = 0.5", "the sample of 0.5 s follows that of 1.99 s"),
+        ("time.sleep(3600)", "no message for 1.5 s"),
+        ("motion.time_s[k] = 0.5", "the sample at 0.5 s follows the sample at 1.99 s"),
         ("up[0] = float('nan')", "force_n of a sample holds [nan"),
         ("motion.joints[0] = 'elbow'", "positions: joint 'joint_1' is missing"),
-        ("return", "is said to be complete, but the last sample is that of 1.99 s"),
-        ("sys.exit(3)", "it ended before it was done"),
+        ("return", "is reported complete, but the last sample is at 1.99 s"),
+        ("sys.exit(3)", "it ended before its motion was done"),
     ],
 )
 def test_a_served_executor_that_goes_wrong_ends_the_run_and_keeps_the_episode(program, tmp_path, then, message):
     ended = served(program, tmp_path, then, "--timeout", "1.5")
     assert ended.returncode == 2
     assert message in ended.stderr, ended.stderr
-    assert "the episode is kept all the same" in ended.stderr
+    assert "the episode was kept in" in ended.stderr
     memory = wisch.Memory(tmp_path / "memory")
     [episode] = memory.episodes
     assert len(memory.telemetry(episode, 1)["time_s"]) == GOOD

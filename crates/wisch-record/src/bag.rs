@@ -1,4 +1,4 @@
-//! A bag of each round, written while it is executed.
+//! The bags of a run: one per round, written during execution.
 
 use crate::sink::{RunSink, SinkError};
 use std::path::PathBuf;
@@ -7,34 +7,34 @@ use wisch::represent::{Observation, Task};
 use wisch::run::{PlannedRound, RunEvent};
 use wisch_telemetry::{BagHead, BagWriter, LookTime, RobotShown, SceneShown, WriteError};
 
-/// The name of a round's bag, counted from 1.
+/// Returns the file name of a round's bag. `round`: number from 1.
 pub fn bag_name(round: usize) -> String {
     format!("round-{round}.mcap")
 }
 
-/// Writes what is measured as MCAP: a bag of each round, at full rate. What the viewers of robotics show is in it too: robot,
-/// scene, strokes and particles.
+/// A sink that writes a bag (MCAP) of each round at full rate. For viewers such as Foxglove and Rerun, the bag also holds
+/// robot, scene, strokes and particles.
 pub struct BagSink {
     folder: PathBuf,
-    /// Rounds that an earlier run executed and recorded.
+    /// Number of rounds whose bags a killed run has written.
     taken_over: usize,
-    /// The robot's description.
+    /// The robot's URDF.
     urdf: Option<String>,
     bag: Option<BagWriter>,
-    /// Whether what the bag records is over.
+    /// Whether the round of the bag is executed.
     is_executed: bool,
-    /// Where the surface was believed to be when it was planned, and what was last seen of it.
+    /// Believed surface pose of the current plan, and the last observation.
     world_from_surface: Pose,
     seen: Option<Seen>,
     round: usize,
 }
 
 impl BagSink {
-    /// A sink that writes `round-1.mcap` and so on into a folder that is there.
+    /// Makes a sink that writes `round-1.mcap`, `round-2.mcap`, … into an existing folder.
     ///
     /// # Parameters
-    /// - `urdf`: the robot's description, which the bags hold; `None` leaves it out.
-    /// - `task`: the task, with its surface where it is believed to be at the start.
+    /// - `urdf`: the robot's URDF for the bags; `None` leaves it out.
+    /// - `task`: the task, with its surface at the initially believed pose.
     pub fn new(folder: PathBuf, urdf: Option<&str>, task: &Task) -> Self {
         Self {
             folder,
@@ -48,22 +48,22 @@ impl BagSink {
         }
     }
 
-    /// The same, but the bags of so many rounds are there already.
+    /// Returns the sink for a resumed run. `taken_over`: number of rounds whose bags exist already.
     #[must_use]
     pub fn after(self, taken_over: usize) -> Self {
         Self { taken_over, ..self }
     }
 
-    /// Ends the bag of a round that was executed, whatever became of it afterwards.
+    /// Finishes the bag of an executed round, also if its interpretation failed.
     ///
     /// # Errors
-    /// What the system says.
+    /// If the bag cannot be written.
     pub fn end(&mut self) -> Result<(), WriteError> {
         let bag = self.bag.take_if(|_| self.is_executed);
         bag.map_or(Ok(()), BagWriter::finish)
     }
 
-    /// Takes in one event.
+    /// Receives one event.
     pub(crate) fn take_in(&mut self, event: &RunEvent<'_>) -> Result<(), WriteError> {
         self.follow(event);
         if self.round <= self.taken_over {
@@ -72,14 +72,14 @@ impl BagSink {
         self.write(event)
     }
 
-    /// Follows which round it is and what is seen, taken over or not.
+    /// Tracks the round and the last observation, also in rounds of a killed run.
     fn follow(&mut self, event: &RunEvent<'_>) {
         match event {
             RunEvent::Executing(planned) => {
                 self.round = planned.number;
                 self.world_from_surface = planned.task.surface.world_from_surface;
             }
-            // The bag of this round has been begun with what was seen before it.
+            // The bag of this round already holds the observation from before the round.
             RunEvent::Observed { observation, .. } => {
                 self.seen = Some(Seen {
                     world_from_surface: self.world_from_surface,
@@ -151,20 +151,20 @@ impl BagSink {
 }
 
 impl RunSink for BagSink {
-    /// Takes in one event. A bag that cannot be written ends the run in order.
+    /// Receives one event. A bag that cannot be written stops the run cleanly.
     fn on_event(&mut self, event: &RunEvent<'_>) -> Result<(), SinkError> {
         self.take_in(event).map_err(SinkError::end_in_order)
     }
 }
 
-/// What was seen of a surface that was believed to be there.
+/// An observation with the surface pose that was believed at that time.
 pub(crate) struct Seen {
     pub world_from_surface: Pose,
     pub observation: Observation,
 }
 
 impl Seen {
-    /// The same, of the surface believed elsewhere since.
+    /// Returns the observation in the frame of another surface pose.
     pub fn of_surface(&self, world_from_surface: &Pose) -> Observation {
         if self.world_from_surface == *world_from_surface {
             return self.observation.clone();
@@ -174,7 +174,7 @@ impl Seen {
     }
 }
 
-/// Where a task's particles are believed to lie in the world.
+/// Returns the believed positions of a task's particles in the world [m].
 fn in_world(task: &Task) -> Vec<Point3> {
     let remaining = task.particles.remaining();
     remaining

@@ -1,28 +1,28 @@
-//! The clock of the machine that keeps an episode, and what is odd about it.
+//! The machine's clock, and remarks on implausible times.
 
 use std::time::{SystemTime, UNIX_EPOCH};
 use wisch_memory::{Memory, local_date_and_time};
 
-/// How far clocks may be apart before that is told [s].
+/// Difference of clocks above which a remark is made [s].
 const CLOCKS_APART: f64 = 60.0;
 
-/// Seconds since 1970.
+/// Returns the present time [s since 1970, UTC].
 pub fn now() -> f64 {
     let since = SystemTime::now().duration_since(UNIX_EPOCH);
     since.unwrap_or_default().as_secs_f64()
 }
 
-/// Says that an episode of a memory is dated after now [s since 1970]: this machine's clock was ahead then, or is behind now.
+/// Returns a remark if the memory's last episode begins after `now` [s since 1970]: the clock was fast then or is slow now.
 pub(crate) fn dated_ahead(memory: &Memory, now: f64) -> Option<String> {
     let names = memory.episodes().unwrap_or_default();
-    // Names begin with the date. An episode that cannot be read does not keep others from being written.
+    // Names begin with the date. An unreadable episode must not prevent new episodes.
     let last = names.iter().max()?;
     let record = memory.episode(last).ok()?.record().ok()?;
     let ahead = record.interval[0] - now;
     (ahead > CLOCKS_APART).then(|| {
         format!(
-            "episode {last} is dated {}, {} after this machine's clock, which says {}: the clock was ahead then or is \
-             behind now; the new episode is dated by the clock",
+            "episode {last} is dated {}, {} ahead of this machine's clock ({}): the clock was fast then or is slow now; the \
+             new episode uses the clock",
             local_date_and_time(record.interval[0]),
             lasting(ahead),
             local_date_and_time(now),
@@ -30,19 +30,18 @@ pub(crate) fn dated_ahead(memory: &Memory, now: f64) -> Option<String> {
     })
 }
 
-/// Says that this machine's clock was set during the run, by so many seconds.
+/// Returns a remark if this machine's clock was set during the run. `by`: the change [s].
 pub(crate) fn clock_was_set(by: f64) -> Option<String> {
     let way = if by > 0.0 { "forward" } else { "back" };
     (by.abs() > CLOCKS_APART).then(|| {
         format!(
-            "this machine's clock was set {way} by {} during the run; the episode is dated by the clock as it was at the \
-             beginning",
+            "this machine's clock was set {way} by {} during the run; the episode uses the clock as set at its start",
             lasting(by)
         )
     })
 }
 
-/// A length of time for people.
+/// Formats a duration for people.
 fn lasting(seconds: f64) -> String {
     match seconds.abs() {
         s if s >= 172_800.0 => format!("{:.0} days", s / 86_400.0),
@@ -59,10 +58,10 @@ mod tests {
     const YEAR: f64 = 31_557_600.0;
 
     #[test]
-    fn a_clock_that_is_set_by_a_year_either_way_is_told() {
+    fn a_clock_set_by_a_year_either_way_gives_a_remark() {
         for (by, way) in [(YEAR, "forward by 365 days"), (-YEAR, "back by 365 days")] {
-            let told = clock_was_set(by).expect("it is told");
-            assert!(told.contains(way), "{told}");
+            let remark = clock_was_set(by).expect("a remark");
+            assert!(remark.contains(way), "{remark}");
         }
         for by in [0.0, 0.4, -30.0] {
             assert_eq!(clock_was_set(by), None);
@@ -70,7 +69,7 @@ mod tests {
     }
 
     #[test]
-    fn an_episode_that_is_dated_ahead_is_told() {
+    fn an_episode_that_is_dated_ahead_gives_a_remark() {
         let folder = tempfile::tempdir().expect("a folder");
         let memory = Memory::create(folder.path()).expect("a memory");
         assert_eq!(dated_ahead(&memory, 2e9), None);
@@ -79,7 +78,7 @@ mod tests {
             schema: EPISODE_SCHEMA,
             id: id.clone(),
             task: "board".to_owned(),
-            // Whatever its duration is, it dates no other episode.
+            // Only the start counts; the duration does not matter.
             interval: [2e9, 9e9],
             origin: Origin::Simulated,
             program: "by hand".to_owned(),
@@ -89,8 +88,11 @@ mod tests {
         };
         let writer = memory.begin(&id).expect("a writer");
         writer.commit(&record).expect("an episode");
-        let told = dated_ahead(&memory, 2e9 - YEAR).expect("it is told");
-        assert!(told.contains(&id) && told.contains("365 days"), "{told}");
+        let remark = dated_ahead(&memory, 2e9 - YEAR).expect("a remark");
+        assert!(
+            remark.contains(&id) && remark.contains("365 days"),
+            "{remark}"
+        );
         assert_eq!(dated_ahead(&memory, 2e9 + YEAR), None);
     }
 }

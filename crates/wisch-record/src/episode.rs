@@ -1,4 +1,4 @@
-//! A run kept as an episode: telemetry while it is executed, the rest when it is over.
+//! The episode of a run: telemetry is written during execution, the rest at the end.
 
 use crate::bag::Seen;
 use crate::clock::{clock_was_set, dated_ahead, now};
@@ -24,39 +24,40 @@ use wisch_memory::{
     episode_id, remember,
 };
 
-/// How much longer than this machine's clock says an executor may have been busy, as a share and in [s].
+/// Tolerance of an executor's duration above this machine's clock, as a share [1] and a constant [s].
 const EXECUTOR_SLACK: [f64; 2] = [0.05, 2.0];
-/// How often another name is tried where one is taken.
+/// Maximum number of names that are tried.
 const NAMES_TRIED: u16 = 100;
 
-/// Where an episode is kept, and of whom.
+/// The memory and the executor of an episode.
 #[derive(Debug, Clone, Default)]
 pub struct EpisodeTarget {
-    /// The folder of the memory, which is made where there is none.
+    /// Folder of the memory; it is created if missing.
     pub memory: PathBuf,
-    /// The name of the program that executes; `None` is a simulated world, whose time is not the clock's.
+    /// Name of the executor's program; `None` for a simulated world, whose time differs from the clock.
     pub executor: Option<String>,
-    /// A file that notes the names of the run's episodes, one a line: a run that is resumed keeps one of them.
+    /// File with the names of the run's episodes, one per line. A resumed run replaces these episodes by its own.
     pub names: Option<PathBuf>,
 }
 
-/// Keeps a run as an episode: what is measured as columns while it is executed, the rest by [`Self::commit`]. Telemetry that
-/// cannot be written, as on a full disk, is left out and said: a run does not depend on its memory.
+/// A sink that keeps a run as an episode. It writes telemetry during execution; [`Self::commit`] writes the rest.
+///
+/// If telemetry cannot be written, for example on a full disk, the run continues and the episode states what is missing.
 pub struct EpisodeSink {
     place: PathBuf,
     memory: Memory,
     executor: Option<String>,
-    /// Whether the events come as they happen.
+    /// Whether events arrive at the time at which they happen.
     is_live: bool,
-    /// When the run began, by this machine's clock [s since 1970], and by one that nobody sets.
+    /// Start of the run by this machine's clock [s since 1970], and by the monotonic clock.
     clock_begin: f64,
     since: Instant,
-    /// When the execution of each round began, and how long it took by the clock [s].
+    /// Start of the current round's execution, and durations of executed rounds by the clock [s].
     executing: Option<Instant>,
     executed: BTreeMap<usize, f64>,
-    /// What is odd about the clock.
+    /// Remarks on the clock.
     clock_remarks: Vec<String>,
-    /// Where the names of the run's episodes are noted, and those of the killed run that is resumed.
+    /// File with the names of the run's episodes, and the names that a killed run has written there.
     names: Option<PathBuf>,
     earlier: Vec<String>,
     writer: EpisodeWriter,
@@ -64,24 +65,24 @@ pub struct EpisodeSink {
     /// By number of the round.
     logs: BTreeMap<usize, RoundLog>,
     round: usize,
-    /// Rounds of which the telemetry could not be written, and why.
+    /// Rounds whose telemetry could not be written, with the errors.
     lost: Vec<(usize, MemoryError)>,
 }
 
-/// An episode that is in the memory.
+/// An episode that is stored in the memory.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct KeptEpisode {
     /// Its name.
     pub id: String,
     /// Its folder.
     pub place: PathBuf,
-    /// What it is without, in words.
+    /// Descriptions of missing parts.
     pub without: Vec<String>,
-    /// What is odd about its times.
+    /// Remarks on its times.
     pub remarks: Vec<String>,
 }
 
-/// How a run was asked for, beside its task file.
+/// The options of a run beside its task file.
 #[derive(Serialize)]
 struct Options<'a> {
     task_file: String,
@@ -90,17 +91,17 @@ struct Options<'a> {
     seed: u64,
 }
 
-/// Reads the names of the episodes that a killed run has noted.
-fn noted(names: &Path) -> Vec<String> {
+/// Reads the names of a killed run's episodes.
+fn read_names(names: &Path) -> Vec<String> {
     let text = fs::read_to_string(names).unwrap_or_default();
     text.lines().map(str::to_owned).collect()
 }
 
 impl EpisodeSink {
-    /// Begins an episode, which has its name from the time by the clock.
+    /// Begins an episode, whose name states the time by the clock.
     ///
     /// # Errors
-    /// A folder that cannot be written, or is no memory.
+    /// If the folder cannot be written or is not a memory.
     pub fn begin(target: EpisodeTarget) -> Result<Self, RecordError> {
         let EpisodeTarget {
             memory: folder,
@@ -109,8 +110,8 @@ impl EpisodeSink {
         } = target;
         let memory = Memory::create(&folder)?;
         let clock_begin = now();
-        let earlier = names.as_deref().map(noted).unwrap_or_default();
-        // Programs that begin in the same second seldom share the process number's last digits as well.
+        let earlier = names.as_deref().map(read_names).unwrap_or_default();
+        // Programs that start in the same second rarely share the last digits of their process ids.
         let writer = begin_episode(&memory, clock_begin, std::process::id() as u16)?;
         Ok(Self {
             place: folder.join(writer.id()),
@@ -132,7 +133,7 @@ impl EpisodeSink {
         })
     }
 
-    /// The same, of a run that is over: its events are told afterwards, so that this machine's clock says nothing of them.
+    /// Returns the sink for a finished run, whose events are replayed, so that this machine's clock does not apply to them.
     #[must_use]
     pub fn of_past_run(self) -> Self {
         Self {
@@ -141,12 +142,12 @@ impl EpisodeSink {
         }
     }
 
-    /// Says which program executes, where that is known only now.
+    /// Sets the name of the executor's program, if it becomes known after the beginning.
     pub fn set_executor(&mut self, name: String) {
         self.executor = Some(name);
     }
 
-    /// The run goes on with no round of a killed one: the episodes of that one stay.
+    /// Keeps the episodes of a killed run, because this run resumes none of its rounds.
     pub fn resume_nothing(&mut self) {
         self.earlier.clear();
     }
@@ -156,22 +157,22 @@ impl EpisodeSink {
         self.memory.folder()
     }
 
-    /// Its name.
+    /// The name of the episode.
     pub fn id(&self) -> &str {
         self.writer.id()
     }
 
-    /// Puts the episode into the memory.
+    /// Stores the episode in the memory.
     ///
     /// # Parameters
-    /// - `finished`: the rounds that are over.
-    /// - `first_look`: what was seen before the first round, if anything looked.
-    /// - `robot`: the files of the robot; `None` where nobody knows them.
-    /// - `recording`: the recording, packed; `None` leaves the page out.
-    /// - `program`: what writes it, such as "wisch 0.2.0".
+    /// - `finished`: the finished rounds.
+    /// - `first_look`: observation before the first round, if there is one.
+    /// - `robot`: files of the robot; `None` if they are unknown.
+    /// - `recording`: compressed recording; `None` leaves the page out.
+    /// - `program`: name and version of the program that writes it, such as "wisch 0.2.0".
     ///
     /// # Errors
-    /// What the system says.
+    /// If a file cannot be written.
     pub fn commit(
         mut self,
         finished: &[FinishedRound],
@@ -217,7 +218,7 @@ impl EpisodeSink {
             seed: loaded.config.seed,
             program: program.to_owned(),
         };
-        // A round that was taken over from a killed run was not seen.
+        // This process has no log of the rounds of a killed run.
         let unseen = RoundLog::default();
         let rounds: Vec<_> = (finished.iter().zip(durations))
             .map(|(finished, duration)| {
@@ -244,7 +245,7 @@ impl EpisodeSink {
         }
         self.writer.commit(&record)?;
         for id in &self.earlier {
-            // The killed run had come as far as this; its episode holds less, or the same.
+            // The killed run's episode holds no more rounds than this one, which replaces it.
             match self.memory.forget(id) {
                 Ok(()) | Err(MemoryError::Unknown { .. }) => {}
                 Err(error) => return Err(error.into()),
@@ -290,8 +291,8 @@ impl EpisodeSink {
         Ok(())
     }
 
-    /// How long each round lasted, in the time of its samples [s]; says where that is not what the clock says, as of a
-    /// simulator that is faster than it.
+    /// Returns the duration of each round in the time of its samples [s], and adds a remark if the clock disagrees, as it
+    /// does for a simulator that is faster than real time.
     fn durations(&mut self, finished: &[FinishedRound]) -> Vec<f64> {
         let mut durations = Vec::with_capacity(finished.len());
         for finished in finished {
@@ -303,10 +304,10 @@ impl EpisodeSink {
             durations.push(match clock {
                 Some(&clock) if !(0.0..=clock * (1.0 + share) + slack).contains(&said) => {
                     self.clock_remarks.push(format!(
-                        "round {number} lasted {said} s by its executor and {clock:.1} s by this machine's clock; \
-                         the episode keeps the executor's time: is it in seconds?"
+                        "round {number} lasted {said} s by its executor but {clock:.1} s by this machine's clock; the episode \
+                         keeps the executor's time; check that the executor reports seconds"
                     ));
-                    // What happened in the round has the time of its samples.
+                    // The events of the round use the time of its samples.
                     if said.is_finite() { said } else { clock }
                 }
                 _ => said,
@@ -315,15 +316,17 @@ impl EpisodeSink {
         durations
     }
 
-    /// When the episode began [s since 1970], so that it is over by now: a simulated world is faster than the clock.
+    /// Returns the start of the episode [s since 1970], moved back so that the episode ends by now: a simulated world is
+    /// faster than the clock.
     fn start(&mut self, duration: f64) -> f64 {
         let clock_duration = self.since.elapsed().as_secs_f64();
         let set_by = now() - self.clock_begin - clock_duration;
         self.clock_remarks.extend(clock_was_set(set_by));
+        // start = clock start + min(0, elapsed - duration)
         self.clock_begin + (clock_duration - duration).min(0.0)
     }
 
-    /// Adds what the record of the rounds does not know: the clock, and what was lost.
+    /// Adds the clock's times and the missing telemetry to the record.
     fn annotate(&self, record: &mut EpisodeRecord) {
         let values = &mut record.individuals[0].values;
         let clock_duration = self.since.elapsed().as_secs_f64();
@@ -338,9 +341,10 @@ impl EpisodeSink {
         }
     }
 
-    /// Notes the episode's name where a resumed run finds it. Killed after this and before the commit, there is no episode of
-    /// this name, which is no harm. An episode does not depend on where the results go: where the name cannot be written, as
-    /// on a full disk, there is nothing to resume from either.
+    /// Writes the episode's name into the file that a resumed run reads.
+    ///
+    /// If the process is killed before the commit, no episode has this name, which does no harm. A failure, for example on
+    /// a full disk, is ignored: such a run cannot be resumed either.
     fn note_name(&self) {
         let Some(names) = &self.names else {
             return;
@@ -355,7 +359,7 @@ impl EpisodeSink {
 }
 
 impl RunSink for EpisodeSink {
-    /// Takes in one event. It never fails: what cannot be written is left out of the episode, which says so.
+    /// Receives one event. It never fails: the episode states which telemetry is missing.
     fn on_event(&mut self, event: &RunEvent<'_>) -> Result<(), SinkError> {
         if let Err(error) = self.write(event) {
             if let Some(telemetry) = self.telemetry.take() {
@@ -367,10 +371,10 @@ impl RunSink for EpisodeSink {
     }
 }
 
-/// Attaches the task file, and what was asked for beside it.
+/// Attaches the task file and the run's options.
 ///
 /// # Errors
-/// What the system says.
+/// If a file cannot be written.
 pub fn attach_task(writer: &EpisodeWriter, loaded: &LoadedTask) -> Result<(), RecordError> {
     writer.attach("task.toml", &loaded.text)?;
     let options = Options {
@@ -400,8 +404,8 @@ fn attach_round(writer: &EpisodeWriter, finished: &FinishedRound) -> Result<(), 
     Ok(())
 }
 
-/// What was seen before and after a round, in the frame of the surface as it was believed to be in it; `before` is what was
-/// last seen.
+/// Returns the observations before and after a round, in the frame of the surface pose that was believed in the round.
+/// `before`: the last observation.
 fn observations(finished: &FinishedRound, before: Option<&Seen>) -> RoundObservations {
     let round = &finished.round;
     let world_from_surface = round.motion.task.surface.world_from_surface;
@@ -415,14 +419,14 @@ fn observations(finished: &FinishedRound, before: Option<&Seen>) -> RoundObserva
     }
 }
 
-/// Begins an episode under the first name that is free.
+/// Begins an episode under the first free name.
 ///
 /// # Parameters
-/// - `start`: when it began [s since 1970]; its name says so.
-/// - `first`: the last digits of its name, counted up where an episode has them.
+/// - `start`: start of the episode [s since 1970], which its name states.
+/// - `first`: last digits of its name; they are incremented until the name is free.
 ///
 /// # Errors
-/// What the system says.
+/// If the episode cannot be written, or no name is free.
 pub fn begin_episode(
     memory: &Memory,
     start: f64,

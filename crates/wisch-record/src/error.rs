@@ -1,4 +1,4 @@
-//! Why something of a run could not be kept.
+//! Errors of recording a run.
 
 use crate::sink::SinkError;
 use std::io;
@@ -6,10 +6,10 @@ use std::path::PathBuf;
 use wisch_memory::MemoryError;
 use wisch_telemetry::WriteError;
 
-/// Why something of a run could not be kept.
+/// An error of recording a run.
 #[derive(Debug, thiserror::Error)]
 pub enum RecordError {
-    /// The episode cannot be kept.
+    /// The episode cannot be written.
     #[error(transparent)]
     Memory(#[from] MemoryError),
     /// A bag cannot be written.
@@ -18,20 +18,20 @@ pub enum RecordError {
     /// The results cannot be written.
     #[error(transparent)]
     Results(#[from] wisch_io::Error),
-    /// The file that others read while the run goes on cannot be written.
-    #[error("{}: cannot write there: {error}", .place.display())]
+    /// The file of the live page cannot be written.
+    #[error("{}: cannot write the file: {error}", .place.display())]
     Live {
         /// The file.
         place: PathBuf,
-        /// What the system says.
+        /// The system's error.
         error: io::Error,
     },
-    /// What a killed run could be resumed with cannot be written.
-    #[error("{}: cannot write there: {error}", .place.display())]
+    /// A checkpoint, from which a killed run could be resumed, cannot be written.
+    #[error("{}: cannot write the checkpoint: {error}", .place.display())]
     State {
         /// The folder.
         place: PathBuf,
-        /// What the system says.
+        /// The system's error.
         error: io::Error,
     },
     /// A recording cannot be read.
@@ -39,29 +39,29 @@ pub enum RecordError {
     Unreadable {
         /// The file.
         place: PathBuf,
-        /// What the system says.
+        /// The system's error.
         error: io::Error,
     },
-    /// A recording is longer than any that is read.
-    #[error("{}: the recording is longer than {limit_mib} MiB", .place.display())]
+    /// A recording exceeds the size limit.
+    #[error("{}: the recording exceeds the limit of {limit_mib} MiB", .place.display())]
     TooLong {
         /// The file.
         place: PathBuf,
         /// The limit [MiB].
         limit_mib: u64,
     },
-    /// A sink that was added ended the run.
+    /// A custom sink failed and stopped the run.
     #[error(transparent)]
     Sink(#[from] SinkError),
-    /// Nothing was planned, so that there are no results.
-    #[error("no round was planned, so there is nothing to keep")]
+    /// No round was planned, so there are no results.
+    #[error("no round was planned, so there are no results to write")]
     Nothing,
-    /// A fault of this library.
+    /// An error in this library.
     #[error("internal error: {0}")]
     Internal(String),
 }
 
-/// An error that no input should bring about.
+/// Makes an error for a state that no input should cause.
 pub(crate) fn internal(error: impl std::fmt::Display) -> RecordError {
     RecordError::Internal(error.to_string())
 }

@@ -6,14 +6,14 @@ use std::io::Write;
 use wisch::run::RunEvent;
 use wisch_io::EventWriter;
 
-/// Writes events as JSON lines, those of `wisch run --events`.
+/// A sink that writes events as JSON lines, like `wisch run --events`.
 pub struct EventSink<W> {
     name: String,
     writer: EventWriter<W>,
 }
 
 impl<W: Write> EventSink<W> {
-    /// Writes to this, which errors call by a name.
+    /// Makes a sink. `name`: name of the output in error messages.
     pub fn new(name: impl Into<String>, output: W) -> Self {
         Self {
             name: name.into(),
@@ -23,10 +23,10 @@ impl<W: Write> EventSink<W> {
 }
 
 impl<W: Write> RunSink for EventSink<W> {
-    /// Takes in one event. Where they cannot be written, as where a reader has gone, the run ends in order.
+    /// Writes one event. A failure, such as a closed pipe, stops the run cleanly.
     fn on_event(&mut self, event: &RunEvent<'_>) -> Result<(), SinkError> {
         self.writer.write(event).map_err(|error| {
-            SinkError::end_in_order(format!("{}: cannot write there: {error}", self.name))
+            SinkError::end_in_order(format!("{}: cannot write events: {error}", self.name))
         })
     }
 }

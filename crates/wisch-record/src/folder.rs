@@ -1,7 +1,7 @@
-//! The files with the results of a run.
+//! The files of a folder of results.
 
 use crate::error::{RecordError, internal};
-use crate::packed::packed;
+use crate::packed::pack;
 use crate::results::{FinishedRound, RunResults};
 use crate::words::{json, percent};
 use wisch::follow::{Followed, MotionFault, Workcell};
@@ -18,15 +18,15 @@ use wisch_report::{
 };
 use wisch_web::report_page;
 
-/// Pixels per unit of a picture's own size.
+/// Pixels per unit of length in a picture.
 #[cfg(feature = "png")]
 const PNG_SCALE: f32 = 2.0;
 
-/// Writes the results of a run into a folder in the making: plan, particles, motions, rounds, figures, recording and report.
-/// The bags are written by a [`BagSink`](crate::BagSink).
+/// Writes the results of a run into an unfinished folder: plan, particles, motions, rounds, figures, recording and report.
+/// A [`BagSink`](crate::BagSink) writes the bags.
 ///
 /// # Errors
-/// What the system says.
+/// If a file cannot be written.
 pub fn write_results(
     folder: &OutputFolder,
     loaded: &LoadedTask,
@@ -86,7 +86,7 @@ pub fn write_results(
     Ok(())
 }
 
-/// Writes the motion of a round: how the plan is followed, its trajectory, and the tool's path.
+/// Writes the motion of a round: following record, trajectory, and path of the tool.
 fn write_motion(
     folder: &OutputFolder,
     loaded: &LoadedTask,
@@ -144,7 +144,7 @@ fn write_figures(
     Ok(())
 }
 
-/// What figures show of the rounds.
+/// Returns the views of the rounds for the figures.
 fn views(finished: &[FinishedRound]) -> Vec<RoundView<'_>> {
     (finished.iter())
         .map(|finished| {
@@ -169,12 +169,12 @@ fn write_report(
     recording: &[u8],
 ) -> Result<(), RecordError> {
     let text = std::str::from_utf8(recording).map_err(internal)?;
-    folder.write(RECORDING_FILE, packed(recording)?)?;
+    folder.write(RECORDING_FILE, pack(recording)?)?;
     folder.write(REPORT_FILE, report_page(&title(loaded), text))?;
     Ok(())
 }
 
-/// What the report says beside its pictures.
+/// Returns the facts of the report: label, and value with unit.
 pub(crate) fn facts_of(loaded: &LoadedTask, results: &RunResults) -> Vec<(String, String)> {
     let Some((prediction, _)) = &results.predicted else {
         return Vec::new();
@@ -198,9 +198,9 @@ pub(crate) fn title(loaded: &LoadedTask) -> String {
     )
 }
 
-/// What the report says beside its numbers.
+/// Returns the facts about the task, the plan and its prediction.
 ///
-/// `distance`: of the tool in contact and in all, in all rounds [m].
+/// `distance`: path length of the tool in contact and in total, over all rounds [m].
 fn facts(
     loaded: &LoadedTask,
     plan: &Plan,
@@ -216,13 +216,13 @@ fn facts(
             percent(loaded.file.target_performance()),
         ),
         ("Particles", tally.initial.to_string()),
-        ("Still on the surface", tally.remaining.to_string()),
+        ("On the surface", tally.remaining.to_string()),
         ("Absorbed", tally.absorbed.to_string()),
         ("Off the surface", tally.off_surface.to_string()),
-        ("Lost over a wrong edge", performance.lost.to_string()),
+        ("Lost over another edge", performance.lost.to_string()),
         ("Out of reach", percent(plan.unreachable_share)),
         ("Distance in contact", format!("{:.2} m", distance[0])),
-        ("Distance in all", format!("{:.2} m", distance[1])),
+        ("Distance in total", format!("{:.2} m", distance[1])),
         (
             "Graph",
             format!(
@@ -242,7 +242,7 @@ fn facts(
     .map(|(label, value)| (label.to_owned(), value))
     .to_vec();
     if let Some(longest) = plan.graph.max_edge_length {
-        facts.push(("Longest edge allowed".to_owned(), format!("{longest:.3} m")));
+        facts.push(("Maximum edge length".to_owned(), format!("{longest:.3} m")));
     }
     if let Some(derived) = &loaded.derived {
         facts.push(("Goal".to_owned(), derived.goal.clone()));

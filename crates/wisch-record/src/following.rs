@@ -1,4 +1,4 @@
-//! The motion of a run, and what is said of it.
+//! The robot's motion in a run, with its summary and facts.
 
 use crate::words::percent;
 use wisch::follow::{AbandonedNode, Audit, Followed, Workcell};
@@ -15,35 +15,35 @@ pub struct Following {
     pub cell: Workcell,
     /// The motion.
     pub followed: Followed,
-    /// What an independent check says of it.
+    /// Result of the independent check of the motion.
     pub audit: Audit,
-    /// Share of the particles that abandoned nodes cost [1].
+    /// Share of the particles lost to abandoned nodes [1].
     pub abandoned_share: f64,
-    /// How long finding and checking it took [s].
+    /// Time for planning and checking the motion [s].
     pub time_s: f64,
-    /// Of the motions of all rounds that were executed, or else of this one.
+    /// Totals over all executed rounds, or of this motion if no round was executed.
     pub total: MotionTotal,
 }
 
-/// Of the motions of all rounds together.
+/// Totals over the motions of several rounds.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct MotionTotal {
-    /// How many there are.
+    /// Number of rounds; 0 for a motion that is not executed.
     pub rounds: usize,
-    /// How long they last, and how long of it the tool wipes [s].
+    /// Total duration, and duration of contact [s].
     pub time: [f64; 2],
-    /// How far the arm's joints move while the tool wipes, and in all [rad].
+    /// Movement of the arm's joints in contact, and in total [rad].
     pub joint_movement: [f64; 2],
-    /// Way of the tool in contact, and in all [m].
+    /// Path length of the tool in contact, and in total [m].
     pub distance: [f64; 2],
-    /// How far the tool leaves its line at most [m], [rad].
+    /// Maximum deviation of the tool from its path [m], [rad].
     pub off_line: [f64; 2],
-    /// How near bodies that must not touch come at least [m].
+    /// Minimum clearance between bodies that must not touch [m].
     pub clearance: f64,
 }
 
 impl MotionTotal {
-    /// Of rounds that were executed.
+    /// Sums up executed rounds.
     fn of_rounds(rounds: &[Round]) -> Self {
         let mut total = Self {
             rounds: rounds.len(),
@@ -60,35 +60,36 @@ impl MotionTotal {
             add(&mut total.time, [duration, executed.contact_time]);
             add(&mut total.joint_movement, executed.joint_movement);
             add(&mut total.distance, executed.distance);
-            total.audited(&round.audit);
+            total.add_audit(&round.audit);
         }
         total
     }
 
-    /// Of a motion that is not executed.
+    /// Sums up a motion that is not executed.
     fn of_motion(planned: &PlannedRound, audit: &Audit) -> Self {
         let PlannedRound { cell, followed, .. } = planned;
         let wiped = planned.wiped();
         let mut total = Self {
             rounds: 0,
-            // The sum of nothing is -0.
+            // An empty sum of f64 is -0.0.
             time: [followed.duration(), followed.contact_time() + 0.0],
             joint_movement: followed.joint_movement(cell.arm_variables()),
             distance: [wiped.contact_distance(), wiped.total_distance()],
             off_line: [0.0; 2],
             clearance: f64::INFINITY,
         };
-        total.audited(audit);
+        total.add_audit(audit);
         total
     }
 
-    fn audited(&mut self, audit: &Audit) {
+    /// Takes the extremes of these totals and a check.
+    fn add_audit(&mut self, audit: &Audit) {
         self.off_line[0] = self.off_line[0].max(audit.line.position);
         self.off_line[1] = self.off_line[1].max(audit.line.rotation);
         self.clearance = self.clearance.min(audit.min_clearance);
     }
 
-    /// What they are of, in words: nothing of a single motion.
+    /// Suffix for texts with the number of rounds; empty for a single motion.
     pub(crate) fn in_words(&self) -> String {
         match self.rounds {
             0 | 1 => String::new(),
@@ -97,17 +98,17 @@ impl MotionTotal {
     }
 }
 
-/// What was in the way of a node when it was last tried.
+/// Describes why an abandoned node cannot be reached.
 fn first_obstruction(abandoned: &AbandonedNode) -> String {
     let why = match abandoned.attempts.first() {
         Some(attempt) => attempt.obstruction.to_string(),
-        None => "no place for the base leads there".to_owned(),
+        None => "no base pose reaches it".to_owned(),
     };
     format!("node {}: {why}", abandoned.node)
 }
 
 impl Following {
-    /// The first motion of a session; `None` if no robot followed a plan.
+    /// Returns the first motion of a session; `None` if no robot followed a plan.
     pub fn of(session: &Session<'_>, time_s: f64) -> Option<Self> {
         let (planned, audit) = session.first()?;
         let total = match session.rounds() {
@@ -125,7 +126,7 @@ impl Following {
         })
     }
 
-    /// The plan as the robot wipes it.
+    /// Returns a plan without the nodes that the robot abandons.
     pub fn plan(&self, plan: &Plan) -> Plan {
         Plan {
             strokes: self.followed.strokes.clone(),
@@ -133,7 +134,7 @@ impl Following {
         }
     }
 
-    /// The summary.
+    /// Returns the summary for `--json`.
     pub fn summary(&self) -> FollowingSummary {
         let total = &self.total;
         let [in_contact, in_all] = total.joint_movement;
@@ -160,7 +161,7 @@ impl Following {
         }
     }
 
-    /// What it keeps to, for people.
+    /// Returns the facts about the motion for the page: label, and value with unit.
     pub(crate) fn facts(&self) -> Vec<(String, String)> {
         let followed = &self.followed;
         let total = &self.total;
@@ -180,10 +181,10 @@ impl Following {
             ("Time in contact", format!("{:.1} s{rounds}", total.time[1])),
             (
                 "Joint movement",
-                format!("{in_contact:.1} rad in contact, {in_all:.1} rad in all{rounds}"),
+                format!("{in_contact:.1} rad in contact, {in_all:.1} rad in total{rounds}"),
             ),
             (
-                "Off the line at most",
+                "Maximum path error",
                 format!(
                     "{:.2} mm, {:.2}°",
                     1e3 * total.off_line[0],
@@ -191,25 +192,19 @@ impl Following {
                 ),
             ),
             (
-                "Clearance at least",
+                "Minimum clearance",
                 format!("{:.1} mm", 1e3 * total.clearance),
             ),
         ];
         if self.cell.base().is_some() {
-            facts.push((
-                "Placements of the base",
-                followed.placements.len().to_string(),
-            ));
+            facts.push(("Base poses", followed.placements.len().to_string()));
         }
         if self.cell.second().is_some() {
             let off = format!("{:.2} mm", 1e3 * self.audit.grip.position);
-            facts.push(("Second hand off its grip at most", off));
+            facts.push(("Maximum grip error of the second hand", off));
         }
         if !self.audit.faults.is_empty() {
-            facts.push((
-                "Faults found by the check",
-                self.audit.faults.len().to_string(),
-            ));
+            facts.push(("Faults of the motion", self.audit.faults.len().to_string()));
         }
         (facts.into_iter())
             .map(|(label, value)| (label.to_owned(), value))

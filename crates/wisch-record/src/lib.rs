@@ -1,17 +1,17 @@
-//! What a run of robotic wiping leaves: bags, an episode, the recording of which its page is made, and a folder with the results.
+//! Records of robotic wiping runs: bags, episodes, the recordings of the pages, and folders of results.
 //!
-//! A run tells what happens as [`RunEvent`](wisch::run::RunEvent)s. A [`RunSink`] takes them in:
+//! A run reports its progress as [`RunEvent`](wisch::run::RunEvent)s. A [`RunSink`] receives them:
 //!
-//! | sink | keeps | when it fails |
+//! | sink | output | after a failure |
 //! |---|---|---|
-//! | [`BagSink`] | a bag of each round (MCAP), written while it is executed | the run ends in order; with an episode it goes on |
-//! | [`EpisodeSink`] | an episode in a memory | that telemetry is left out, and the episode says so |
-//! | [`PageSink`] | the recording of which the page is made | the run ends in order |
-//! | [`EventSink`] | events as JSON lines | the run ends in order |
-//! | [`StageSink`] | how long each stage took | it does not |
-//! | one's own, in a [`SinkSet`] or [`RunRecord::add`] | | as its [`SinkError`] says |
+//! | [`BagSink`] | a bag of each round (MCAP), written during execution | the run stops cleanly, or continues if it has an episode |
+//! | [`EpisodeSink`] | an episode in a memory | the run continues; the episode states the missing telemetry |
+//! | [`PageSink`] | the recording for the page | the run stops cleanly |
+//! | [`EventSink`] | events as JSON lines | the run stops cleanly |
+//! | [`StageSink`] | the duration of each stage | it cannot fail |
+//! | a custom sink, in a [`SinkSet`] or by [`RunRecord::add`] | | as its [`SinkError`] states |
 //!
-//! [`RunRecord`] is all of them together.
+//! [`RunRecord`] combines them. A clean stop begins no further motion; the executed part is interpreted and kept.
 
 mod bag;
 mod clock;

@@ -1,4 +1,4 @@
-//! Recordings as they lie in folders.
+//! Compressed recordings in folders of results and episodes.
 
 use crate::error::{RecordError, internal};
 use flate2::{Compression, GzBuilder};
@@ -6,20 +6,20 @@ use std::fs::File;
 use std::io::{self, Read, Write};
 use std::path::Path;
 
-/// Most bytes of a recording that is read.
+/// Maximum size of a recording that is read [bytes].
 const MAX_BYTES: u64 = 512 << 20;
 
-/// A recording as it lies in a folder, by gzip: the same recording is the same bytes.
-pub(crate) fn packed(recording: &[u8]) -> Result<Vec<u8>, RecordError> {
+/// Compresses a recording with gzip; equal recordings give equal bytes.
+pub(crate) fn pack(recording: &[u8]) -> Result<Vec<u8>, RecordError> {
     let mut packing = GzBuilder::new().write(Vec::new(), Compression::default());
     let packed = packing.write_all(recording).and_then(|()| packing.finish());
     packed.map_err(internal)
 }
 
-/// Reads the text of a recording from a file that [`write_results`](crate::write_results) or an episode holds.
+/// Reads a recording from a file that [`write_results`](crate::write_results) has written, or from an episode's.
 ///
 /// # Errors
-/// A file that cannot be read, or a recording of more than 512 MiB.
+/// If the file cannot be read, or if the recording exceeds 512 MiB.
 pub fn read_recording(path: &Path) -> Result<String, RecordError> {
     let broken = |error: io::Error| RecordError::Unreadable {
         place: path.to_owned(),

@@ -1,4 +1,4 @@
-//! A run as it is shown: for its report and its episode, and while it goes on for others.
+//! The recording of a run for its report, its episode and the live page.
 
 use crate::error::{RecordError, internal};
 use crate::folder::{facts_of, title};
@@ -14,34 +14,33 @@ use wisch_io::{LoadedTask, Robot};
 use wisch_memory::live_place;
 use wisch_report::{PlannedOnly, RecordingHead, RecordingWriter, RoundTruth, RunOutcome};
 
-/// Writes the recording of a run, of which the page is made: into memory, and where it is asked for into a file that others
-/// read while the run goes on.
+/// A sink that writes the recording for a run's page into memory, and optionally into a file that live pages read.
 #[derive(Debug)]
 pub struct PageSink {
     writer: RecordingWriter<Outputs>,
     remarks: Vec<String>,
 }
 
-/// What is kept, and what others read meanwhile.
+/// The output of a recording: a buffer, and the file of the live page.
 #[derive(Debug)]
 struct Outputs {
     kept: Vec<u8>,
     live: Option<Live>,
 }
 
-/// A file that grows while the run goes on.
+/// The file of the live page, which grows during the run.
 #[derive(Debug)]
 struct Live {
     file: File,
     lines: PathBuf,
-    /// Who writes it.
+    /// The card with the process that writes it.
     card: PathBuf,
 }
 
 impl Write for Outputs {
     fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
         self.kept.extend_from_slice(bytes);
-        // A reader never stops a run.
+        // A failure of the live page never stops a run.
         if let Some(live) = &mut self.live
             && live.file.write_all(bytes).is_err()
         {
@@ -58,7 +57,7 @@ impl Write for Outputs {
 impl Drop for Live {
     fn drop(&mut self) {
         for path in [&self.card, &self.lines] {
-            // The next reader finds no such process.
+            // The next reader finds that the process has ended.
             let _ = fs::remove_file(path);
         }
     }
@@ -68,11 +67,11 @@ impl PageSink {
     /// Begins a recording.
     ///
     /// # Parameters
-    /// - `program`: what writes it, such as "wisch 0.2.0".
-    /// - `robot`: the robot and which part of it wipes from where; `None` for a run without one.
+    /// - `program`: name and version of the program that writes it, such as "wisch 0.2.0".
+    /// - `robot`: the robot with its planning groups and pose; `None` for a run without a robot.
     ///
     /// # Errors
-    /// [`RecordError::Internal`], which no input should bring about.
+    /// [`RecordError::Internal`], which no input should cause.
     pub fn begin(
         loaded: &LoadedTask,
         program: &str,
@@ -81,10 +80,10 @@ impl PageSink {
         Self::begin_with(loaded, program, robot, None)
     }
 
-    /// Begins one that can be followed in a memory, under the name of the episode to be.
+    /// Begins a recording that live pages can read in a memory, under the name of the future episode.
     ///
     /// # Errors
-    /// A file that cannot be written there.
+    /// If the file of the live page cannot be written.
     pub fn begin_live(
         loaded: &LoadedTask,
         program: &str,
@@ -121,7 +120,7 @@ impl PageSink {
         let mut remarks = Vec::new();
         let cell = robot.and_then(|(robot, config)| {
             let performer = robot.performer();
-            // Where there is none, the session says why.
+            // If the workcell cannot be built, the session reports the error.
             let (model, task) = (performer.robot.clone(), &loaded.task);
             Workcell::new(model, performer.srdf, task, config).ok()
         });
@@ -139,15 +138,15 @@ impl PageSink {
         Ok(Self { writer, remarks })
     }
 
-    /// What is odd about the looks of the robot, a sentence each.
+    /// Remarks about the robot's visual geometry, one sentence each.
     pub fn remarks(&self) -> &[String] {
         &self.remarks
     }
 
-    /// Ends it with what came of the run: the recording as it is kept, JSON lines.
+    /// Finishes the recording with the results of the run and returns it as JSON lines.
     ///
     /// # Errors
-    /// [`RecordError::Internal`], which no input should bring about.
+    /// [`RecordError::Internal`], which no input should cause.
     pub fn end(
         &mut self,
         loaded: &LoadedTask,
@@ -183,7 +182,7 @@ impl PageSink {
                 world_from_surface: known.world_from_surface,
             })?;
         }
-        // Readers are told where the episode lies as well, once it lies there.
+        // Live pages get the episode's name later, once the episode is stored.
         let live = self.writer.get_mut().live.take();
         self.write_end(loaded, results, None)?;
         let outputs = self.writer.get_mut();
@@ -191,10 +190,10 @@ impl PageSink {
         Ok(std::mem::take(&mut outputs.kept))
     }
 
-    /// Tells those who read it meanwhile how it ended, and under which name the episode is kept.
+    /// Writes the outcome and the episode's name into the file of the live page.
     pub fn leave(mut self, loaded: &LoadedTask, results: &RunResults, episode: Option<&str>) {
         if self.writer.get_mut().live.is_some() {
-            // Only what is kept can fail.
+            // Failures of the live page are ignored.
             let _ = self.write_end(loaded, results, episode);
         }
     }
@@ -224,13 +223,13 @@ impl PageSink {
 }
 
 impl RunSink for PageSink {
-    /// Takes in one event; that this fails is a fault of this library, which ends the run in order.
+    /// Records one event. A failure is an error in this library and stops the run cleanly.
     fn on_event(&mut self, event: &RunEvent<'_>) -> Result<(), SinkError> {
         self.writer.see(event).map_err(SinkError::end_in_order)
     }
 }
 
-/// What a robot looks like. It is shown and nothing else: what cannot be read is a remark and no more.
+/// Reads the robot's visual geometry. It is used for display only, so a failure is a remark.
 fn appearance(robot: &Robot, remarks: &mut Vec<String>) -> Option<Appearance> {
     match robot.appearance() {
         Ok(looks) => {
@@ -239,7 +238,7 @@ fn appearance(robot: &Robot, remarks: &mut Vec<String>) -> Option<Appearance> {
         }
         Err(error) => {
             remarks.push(format!(
-                "the robot is shown by its collision geometry: {error}"
+                "the page shows the robot's collision geometry, because its visual geometry cannot be read: {error}"
             ));
             None
         }

@@ -1,10 +1,10 @@
-//! Everything that a run leaves, by one call at its beginning, one for each event, and one at its end.
+//! The complete record of a run: one call at its beginning, one per event, and one at its end.
 
 use crate::bag::{BagSink, bag_name};
 use crate::episode::{EpisodeSink, EpisodeTarget, KeptEpisode};
 use crate::error::{RecordError, internal};
 use crate::folder::write_results;
-use crate::packed::packed;
+use crate::packed::pack;
 use crate::page::PageSink;
 use crate::results::{KnownTruth, RunResults};
 use crate::sink::{AfterFailure, RunSink, SinkSet};
@@ -16,26 +16,26 @@ use wisch::represent::Observation;
 use wisch::run::{RunEvent, Session};
 use wisch_io::{ExecutedBy, Leftover, LoadedTask, OutputFolder, Replaceable, Robot};
 
-/// What is to be kept of a run, and where.
+/// Settings of a run's record: the parts to keep, and their locations.
 #[derive(Debug, Clone, Default)]
 pub struct RecordOptions {
-    /// What writes it, such as "wisch 0.2.0".
+    /// Name and version of the program that writes the record, such as "wisch 0.2.0".
     pub program: String,
-    /// The folder of the results, which replaces one of an earlier run; `None` writes none.
+    /// Folder of the results; it replaces the folder of an earlier run. `None` writes no results.
     pub out: Option<PathBuf>,
-    /// A folder that is there, for the bags alone; `None` puts them among the results.
+    /// Existing folder for the bags; `None` writes them into the folder of the results.
     pub bags: Option<PathBuf>,
-    /// Rounds of which an earlier run wrote the bags.
+    /// Number of rounds whose bags a killed run has written.
     pub taken_over: usize,
-    /// Where the episode is kept; `None` keeps none.
+    /// Memory for the episode; `None` keeps no episode.
     pub episode: Option<EpisodeTarget>,
-    /// Whether others can read the recording in the episode's memory while the run goes on.
+    /// Whether to publish the recording in the episode's memory during the run, for live pages.
     pub is_live: bool,
-    /// Which part of the robot wipes, and where the robot stands; `None` is as the task says.
+    /// Planning groups and pose of the robot; `None` uses those of the task.
     pub workcell: Option<WorkcellConfig>,
 }
 
-/// Keeps a run: a bag of each round, the recording of which the page is made, an episode, and the folder with the results.
+/// The record of a run: a bag of each round, the recording for the page, an episode, and the folder of results.
 ///
 /// ```no_run
 /// use wisch_io::{ExecutedBy, LoadOptions, load_task};
@@ -75,27 +75,27 @@ pub struct RunRecord {
     is_ending: bool,
 }
 
-/// What was kept of a run.
+/// The outputs of a finished record.
 #[derive(Debug)]
 pub struct KeptRun {
-    /// What came of it.
+    /// The results of the run.
     pub results: RunResults,
-    /// The episode, if one was wanted, or why there is none.
+    /// The episode; `None` if none was requested, or the error that prevented it.
     pub episode: Result<Option<KeptEpisode>, RecordError>,
-    /// Why bags are missing, where they are and the run went on for the sake of its episode.
+    /// The error after which no further bags were written, if the run continued for its episode.
     pub no_bag: Option<RecordError>,
-    /// Why the run ended in order before its end, where that was a sink.
+    /// The failure of a sink that stopped the run, if there was one.
     pub failure: Option<RecordError>,
 }
 
 impl RunRecord {
-    /// Begins to keep a run that has not begun.
+    /// Begins the record, before the run begins.
     ///
     /// # Parameters
-    /// - `robot`: the robot of the session; `None` for one without.
+    /// - `robot`: the robot of the session; `None` for a session without a robot.
     ///
     /// # Errors
-    /// A place that cannot be written, or that holds something else than results or episodes.
+    /// If a folder cannot be written, or holds files that are neither results nor episodes.
     pub fn begin(
         loaded: &LoadedTask,
         robot: Option<&Robot>,
@@ -144,37 +144,36 @@ impl RunRecord {
         })
     }
 
-    /// Adds a sink of one's own.
+    /// Adds a custom sink.
     pub fn add(&mut self, sink: Box<dyn RunSink + Send>) {
         self.more.add(sink);
     }
 
-    /// What is odd about what is shown, a sentence each.
+    /// Remarks about the recording, one sentence each.
     pub fn remarks(&self) -> &[String] {
         self.page.remarks()
     }
 
-    /// The episode in the making.
+    /// The unfinished episode.
     pub fn episode_mut(&mut self) -> Option<&mut EpisodeSink> {
         self.episode.as_mut()
     }
 
-    /// How long the stages of the rounds took.
+    /// The durations of the stages of each round.
     pub fn stages_mut(&mut self) -> &mut StageSink {
         &mut self.stages
     }
 
-    /// Whether a sink failed without which the run cannot go on, or cannot be gone on with later.
+    /// Whether a failure stops the run or prevents resuming it later.
     pub const fn has_failed(&self) -> bool {
         self.failure.is_some() || self.no_bag.is_some()
     }
 
-    /// Passes an event on to every sink. `Break` asks the session to end in order, because a sink failed whose failure means
-    /// that: pass it on to the session.
+    /// Passes an event to every sink. Returns `Break` if the session must stop cleanly; return that to the session.
     ///
-    /// Where an episode is kept the run goes on without bags that cannot be written, as it does not depend on the results.
+    /// With an episode, the run continues after bags cannot be written, because the episode does not need them.
     pub fn on_event(&mut self, event: &RunEvent<'_>) -> ControlFlow<()> {
-        // It takes the time and does nothing that fails.
+        // This sink only measures time and cannot fail.
         let _ = self.stages.on_event(event);
         if let Err(error) = self.page.on_event(event) {
             self.fail(internal(format!("a recording cannot be written: {error}")));
@@ -206,7 +205,7 @@ impl RunRecord {
         self.is_ending = true;
     }
 
-    /// Writes no more bags, because of this: with an episode the run goes on all the same, without one it ends in order.
+    /// Stops writing bags after an error. With an episode the run continues; without an episode it stops cleanly.
     pub fn give_up_bags(&mut self, error: RecordError) {
         self.bags = None;
         if self.episode.is_some() {
@@ -216,7 +215,7 @@ impl RunRecord {
         }
     }
 
-    /// Ends the bag that is being written; no event follows.
+    /// Finishes the bag that is being written; the caller passes no further events.
     pub fn end_bags(&mut self) {
         let ended = self.bags.as_mut().map_or(Ok(()), BagSink::end);
         if let Err(error) = ended {
@@ -224,15 +223,15 @@ impl RunRecord {
         }
     }
 
-    /// Why the run ended in order before its end, where that was a sink.
+    /// Takes the failure of the sink that stopped the run, if there was one.
     pub fn take_failure(&mut self) -> Option<RecordError> {
         self.failure.take()
     }
 
-    /// Ends the recording with what came of the run, and puts the episode into the memory; writes no results.
+    /// Finishes the recording and stores the episode in the memory, without writing the results.
     ///
     /// # Errors
-    /// [`RecordError::Internal`], which no input should bring about.
+    /// [`RecordError::Internal`], which no input should cause.
     pub fn keep(
         mut self,
         loaded: &LoadedTask,
@@ -242,7 +241,7 @@ impl RunRecord {
     ) -> Result<KeptRun, RecordError> {
         self.end_bags();
         results.recording = self.page.end(loaded, &results)?;
-        let packed = packed(&results.recording)?;
+        let packed = pack(&results.recording)?;
         let files = robot.map(|robot| &robot.files);
         let program = &self.program;
         let episode = (self.episode)
@@ -262,13 +261,13 @@ impl RunRecord {
         })
     }
 
-    /// The same, with the results: to be called once the session has come to its end or failed.
+    /// Finishes the recording, stores the episode and writes the results. Call it after the session has ended or failed.
     ///
     /// # Parameters
-    /// - `truths`: what a simulated world knows of the rounds, in their order; empty for a real one.
+    /// - `truths`: ground truth of the rounds in a simulated world, in their order; empty for a real robot.
     ///
     /// # Errors
-    /// [`RecordError::Nothing`] if no round was planned, or what the system says.
+    /// [`RecordError::Nothing`] if no round was planned, or an error if a file cannot be written.
     pub fn finish(
         mut self,
         loaded: &LoadedTask,
@@ -283,10 +282,10 @@ impl RunRecord {
         self.finish_with(loaded, robot, results, first_look)
     }
 
-    /// The same of results that are there.
+    /// Finishes the record like [`finish`](Self::finish), with results that the caller has collected.
     ///
     /// # Errors
-    /// What the system says.
+    /// If a file cannot be written.
     pub fn finish_with(
         mut self,
         loaded: &LoadedTask,

@@ -1,4 +1,4 @@
-//! What came of a run.
+//! The results of a run.
 
 use crate::error::RecordError;
 use crate::following::Following;
@@ -11,73 +11,73 @@ use wisch::run::{Considered, Round, Session};
 use wisch_io::{ExecutedBy, RoundSummary};
 use wisch_report::EffectFrames;
 
-/// What a simulated world knows of a round, and nobody else.
+/// The simulated world's ground truth of a round.
 #[derive(Debug, Clone, Default)]
 pub struct KnownTruth {
-    /// Where the dirt really lies after it, in the frame of the real surface [m]; `None` where none was simulated.
+    /// True dirt after the round, in the frame of the true surface [m]; `None` without simulated dirt.
     pub particles: Option<ParticleDistribution>,
-    /// The true performance, in [0, 1]; `None` where no dirt was simulated.
+    /// True performance, in [0, 1]; `None` without simulated dirt.
     pub performance: Option<f64>,
-    /// When somebody pushed: from, to [s].
+    /// Times of pushes: start, end [s].
     pub pushes: Vec<[f64; 2]>,
-    /// In words, what was to disturb the round and did not, because the motion ended before.
+    /// Descriptions of disturbances that did not happen because the motion ended before them.
     pub missed: Vec<String>,
-    /// Where the surface really is, in the world.
+    /// True pose of the surface in the world.
     pub world_from_surface: Option<Pose>,
 }
 
-/// A round that is over, with what was kept of it meanwhile.
+/// A finished round with its record.
 #[derive(Debug, Clone)]
 pub struct FinishedRound {
     /// The round.
     pub round: Round,
-    /// How long its stages took, and what it was predicted to do.
+    /// Durations of its stages, and its predicted effect.
     pub stages: RoundStages,
-    /// What executed it.
+    /// The executor.
     pub executed_by: ExecutedBy,
-    /// What a simulated world knows of it; `None` of a real one.
+    /// Ground truth of a simulated world; `None` for a real robot.
     pub truth: Option<KnownTruth>,
 }
 
 impl FinishedRound {
-    /// The true performance, in [0, 1]; `None` where nobody knows it.
+    /// The true performance, in [0, 1]; `None` without ground truth.
     pub fn true_performance(&self) -> Option<f64> {
         self.truth.as_ref()?.performance
     }
 
-    /// What `--json` says of the round.
+    /// Returns the summary of the round for `--json`.
     pub fn summary(&self) -> RoundSummary {
         let truth = self.true_performance();
         RoundSummary::new(&self.round, &self.stages.times, self.executed_by, truth)
     }
 }
 
-/// What came of a run, or of the stages of one that executed nothing.
+/// The results of a run, or of its first stages if nothing was executed.
 #[derive(Debug, Clone)]
 pub struct RunResults {
-    /// The task, with the dirt as it was believed to lie when the plan was made.
+    /// The task, with the dirt as believed when the plan was made.
     pub task: Task,
     /// The plan of the first round.
     pub plan: Plan,
-    /// How long planning it took [s]; `None` where a plan was given.
+    /// Planning time [s]; `None` if the user gave the plan.
     pub planning_time_s: Option<f64>,
     /// The motion of the first round; `None` without a robot.
     pub following: Option<Following>,
-    /// What the first round is predicted to do.
+    /// Predicted effect of the first round.
     pub predicted: Option<(Prediction, EffectFrames)>,
-    /// All plans that there were to choose from; `None` where nobody asked for them.
+    /// All candidate plans; `None` if they were not requested.
     pub considered: Option<Vec<Considered>>,
-    /// What was executed.
+    /// The executed rounds.
     pub rounds: Vec<FinishedRound>,
-    /// All that its report shows, JSON lines; empty where there is nothing to show.
+    /// The recording for its page, as JSON lines; empty if no page is made.
     pub recording: Vec<u8>,
 }
 
 impl RunResults {
-    /// What a session has come to, without its rounds.
+    /// Collects the results of a session, without its rounds.
     ///
     /// # Errors
-    /// [`RecordError::Nothing`] if it has planned no round.
+    /// [`RecordError::Nothing`] if no round was planned.
     pub fn of(session: &Session<'_>, stages: &mut StageSink) -> Result<Self, RecordError> {
         let (planned, _) = session.first().ok_or(RecordError::Nothing)?;
         let first = stages.round(1);
@@ -94,10 +94,10 @@ impl RunResults {
         })
     }
 
-    /// Adds the rounds that are over.
+    /// Adds the finished rounds.
     ///
     /// # Parameters
-    /// - `truths`: what the simulated world knows of them, in their order; empty for a real one.
+    /// - `truths`: their ground truth in a simulated world, in the same order; empty for a real robot.
     pub fn add_rounds(
         &mut self,
         rounds: Vec<Round>,
@@ -119,7 +119,7 @@ impl RunResults {
         }));
     }
 
-    /// Whether the goal is met: by the estimate of the last round, or where no robot was to do it by the prediction.
+    /// Whether the goal is met: by the last round's estimate, or without executed rounds by the prediction.
     pub fn is_goal_met(&self, target: f64) -> bool {
         match (self.rounds.last(), &self.following, &self.predicted) {
             (Some(last), ..) => last.round.verdict == Verdict::GoalMet,
@@ -129,7 +129,7 @@ impl RunResults {
         }
     }
 
-    /// The plan of the first round as it is wiped: where a robot follows it, without what had to be given up.
+    /// Returns the plan of the first round without the nodes that the robot abandons.
     pub fn wiped(&self) -> Plan {
         let following = self.following.as_ref();
         following.map_or_else(|| self.plan.clone(), |f| f.plan(&self.plan))

@@ -1,9 +1,9 @@
-//! Sinks: what takes in the events of a run while it goes on.
+//! Sinks: receivers of a run's events.
 
 use std::ops::ControlFlow;
 use wisch::run::RunEvent;
 
-/// Takes in the events of a run, in the order in which they happen.
+/// A receiver of a run's events, in the order in which they happen.
 ///
 /// ```
 /// use wisch::run::RunEvent;
@@ -26,35 +26,35 @@ use wisch::run::RunEvent;
 /// # Ok::<(), SinkError>(())
 /// ```
 pub trait RunSink {
-    /// Takes in one event.
+    /// Receives one event.
     ///
     /// # Errors
-    /// Whatever keeps the sink from its work, with what that means for the run. A sink that has failed gets no more events.
+    /// If the sink fails. The error states whether the run continues. A failed sink receives no further events.
     fn on_event(&mut self, event: &RunEvent<'_>) -> Result<(), SinkError>;
 }
 
-/// What the failure of a sink means for the run.
+/// The consequence of a sink's failure for the run.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum AfterFailure {
-    /// The run goes on without the sink.
+    /// The run continues without the sink.
     GoOn,
-    /// The run ends in order: no other motion begins, and what was executed is interpreted and kept.
+    /// The run stops cleanly: no further motion begins, and the executed part is interpreted and kept.
     EndInOrder,
 }
 
-/// Why a sink takes in no more events.
+/// The failure of a sink.
 #[derive(Debug, thiserror::Error)]
 #[error("{error}")]
 pub struct SinkError {
-    /// What went wrong.
+    /// The cause.
     #[source]
     pub error: Box<dyn std::error::Error + Send + Sync>,
-    /// What that means for the run.
+    /// The consequence for the run.
     pub after: AfterFailure,
 }
 
 impl SinkError {
-    /// A failure without which the run goes on.
+    /// Makes a failure after which the run continues without the sink.
     pub fn go_on(error: impl Into<Box<dyn std::error::Error + Send + Sync>>) -> Self {
         Self {
             error: error.into(),
@@ -62,7 +62,7 @@ impl SinkError {
         }
     }
 
-    /// A failure that ends the run in order.
+    /// Makes a failure that stops the run cleanly.
     pub fn end_in_order(error: impl Into<Box<dyn std::error::Error + Send + Sync>>) -> Self {
         Self {
             error: error.into(),
@@ -71,7 +71,7 @@ impl SinkError {
     }
 }
 
-/// Passes events on to several sinks, and remembers which of them failed.
+/// A set of sinks that receive the same events. It collects their failures.
 #[derive(Default)]
 pub struct SinkSet {
     sinks: Vec<Box<dyn RunSink + Send>>,
@@ -80,13 +80,12 @@ pub struct SinkSet {
 }
 
 impl SinkSet {
-    /// Adds a sink, after those that are there.
+    /// Adds a sink at the end of the set.
     pub fn add(&mut self, sink: Box<dyn RunSink + Send>) {
         self.sinks.push(sink);
     }
 
-    /// Passes an event on to every sink that has not failed. `Break` asks the session to end in order, because a sink
-    /// failed whose failure means that.
+    /// Passes an event to every sink that has not failed. Returns `Break` if a failure requires the session to stop cleanly.
     pub fn on_event(&mut self, event: &RunEvent<'_>) -> ControlFlow<()> {
         let failed = &mut self.failed;
         self.sinks.retain_mut(|sink| {
@@ -101,7 +100,7 @@ impl SinkSet {
         }
     }
 
-    /// The failures since the last call, in their order.
+    /// Returns the failures since the last call, in order of time.
     pub fn take_failures(&mut self) -> Vec<SinkError> {
         std::mem::take(&mut self.failed)
     }
@@ -158,7 +157,7 @@ mod tests {
         for _ in 0..2 {
             assert!(
                 set.on_event(&event).is_break(),
-                "it goes on asking for the end"
+                "every later event requests the stop"
             );
         }
         assert_eq!(set.take_failures()[0].to_string(), "disk full");

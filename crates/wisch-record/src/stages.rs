@@ -1,4 +1,4 @@
-//! How long the stages of each round took, and what it was predicted to do.
+//! Durations of the stages of each round, and its predicted effect.
 
 use crate::sink::{RunSink, SinkError};
 use std::time::Instant;
@@ -8,33 +8,33 @@ use wisch::run::RunEvent;
 use wisch_io::RoundTimes;
 use wisch_report::EffectFrames;
 
-/// What is kept of a round while it goes on.
+/// Durations and predicted effect of a round.
 #[derive(Debug, Clone, Default)]
 pub struct RoundStages {
-    /// How long its stages took.
+    /// Durations of its stages.
     pub times: RoundTimes,
-    /// What it was predicted to do, over time; `None` for a plan without strokes, which does nothing.
+    /// Predicted effect over time; `None` for a plan without strokes.
     pub frames: Option<EffectFrames>,
 }
 
 impl RoundStages {
-    /// What the round was predicted to do to a task's particles, over time.
+    /// Returns the predicted effect of the round on a task's particles, over time.
     pub fn effect(&self, task: &Task, wiped: &Plan) -> EffectFrames {
         let frames = self.frames.clone();
         frames.unwrap_or_else(|| EffectFrames::new(task, wiped))
     }
 }
 
-/// Takes the time of every stage, and keeps the effect that is predicted. It never fails.
+/// A sink that measures the duration of every stage and keeps the predicted effect. It never fails.
 #[derive(Debug)]
 pub struct StageSink {
-    /// The rounds that have begun, in order.
+    /// The rounds that have begun, by number.
     rounds: Vec<RoundStages>,
     since: Instant,
 }
 
 impl Default for StageSink {
-    /// Begins to take the time.
+    /// Starts measuring.
     fn default() -> Self {
         Self {
             rounds: Vec::new(),
@@ -44,14 +44,14 @@ impl Default for StageSink {
 }
 
 impl StageSink {
-    /// A round, counted from 1.
+    /// The entry of a round. `number`: from 1.
     pub fn round(&mut self, number: usize) -> &mut RoundStages {
         self.rounds
             .resize(self.rounds.len().max(number), RoundStages::default());
         &mut self.rounds[number - 1]
     }
 
-    /// Books the time since the last booking.
+    /// Adds the time since the last call to a stage of a round.
     fn take(&mut self, round: usize, part: impl Fn(&mut RoundTimes) -> &mut f64) {
         let seconds = self.since.elapsed().as_secs_f64();
         *part(&mut self.round(round).times) += seconds;

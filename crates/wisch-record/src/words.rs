@@ -1,13 +1,13 @@
-//! Numbers as people read them, and records as text.
+//! Numbers and records as text.
 
 use crate::error::{RecordError, internal};
 
-/// A share of 1 in percent.
+/// Formats a share [1] in percent.
 pub(crate) fn percent(share: f64) -> String {
     format!("{:.1} %", 100.0 * share)
 }
 
-/// A record as text for a file.
+/// Formats a record as indented JSON for a file.
 pub(crate) fn json(record: &impl serde::Serialize) -> Result<String, RecordError> {
     let mut text = serde_json::to_string_pretty(record).map_err(internal)?;
     text.push('\n');

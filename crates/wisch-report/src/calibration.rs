@@ -1,4 +1,4 @@
-//! How well what was believed holds: the reliability of intervals, and how wide they are.
+//! The drawing of an estimator's calibration: reliability and width of its intervals.
 
 use crate::draw::{Figure, Panel, Pen, axes, legend, percent, px};
 use maud::{Markup, html};
@@ -7,25 +7,25 @@ const WIDTH: f64 = 760.0;
 const HEIGHT: f64 = 372.0;
 const TOP: f64 = 28.0;
 const BOTTOM: f64 = 330.0;
-/// From left to right, the two plots.
+/// Widths of the two plots, from left to right.
 const RELIABILITY: [f64; 2] = [60.0, 362.0];
 const WIDTHS: [f64; 2] = [440.0, 742.0];
 
-/// A way to believe, and how its intervals did.
+/// An estimator with the statistics of its intervals.
 #[derive(Debug, Clone, PartialEq)]
 pub struct CalibrationCurve {
-    /// What it is.
+    /// Name of the estimator.
     pub name: String,
-    /// Its intervals, by level.
+    /// Statistics of its intervals, by level.
     pub levels: Vec<CalibrationLevel>,
 }
 
-/// How the intervals of one level did.
+/// Statistics of the intervals of one level.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct CalibrationLevel {
-    /// Share of probability within the interval [1].
+    /// Nominal probability of the interval [1].
     pub level: f64,
-    /// Share of the outcomes within the interval [1].
+    /// Observed share of outcomes within the interval [1].
     pub held: f64,
     /// The 95 % interval of that share [1].
     pub bounds: [f64; 2],
@@ -33,7 +33,7 @@ pub struct CalibrationLevel {
     pub width: f64,
 }
 
-/// The reliability diagram, and the width of the intervals beside it, as SVG; the first curve is the method's own.
+/// Draws the reliability diagram and the widths of the intervals as SVG. The first curve is that of wisch.
 pub fn calibration_drawing(title: &str, what: &str, curves: &[CalibrationCurve]) -> String {
     let classes = ["curve", "course", "trail", "driven"];
     let classed = || curves.iter().zip(classes.iter().cycle());
@@ -41,7 +41,7 @@ pub fn calibration_drawing(title: &str, what: &str, curves: &[CalibrationCurve])
     let mut entries: Vec<_> = entries.collect();
     entries.push(legend::line(
         "lifted",
-        "as many outcomes within the interval as it says",
+        "ideal: as many outcomes within the interval as stated",
     ));
     let widest = (curves.iter().flat_map(|curve| &curve.levels))
         .map(|level| level.width)

@@ -5,15 +5,15 @@ use wisch::geometry::Point2;
 use wisch::represent::Tool;
 use wisch::source_location::visible;
 
-/// Space round the drawing, as a share of the collision sphere's diameter.
+/// Margin around the drawing, as a share of the collision sphere's diameter [1].
 const MARGIN: f64 = 0.1;
 /// Width of the drawing on a page [pixels].
 const WIDTH: u32 = 640;
-/// The part of the drawing's width that the scale bar may take.
+/// Maximum share of the drawing's width for the scale bar [1].
 const SCALE_BAR_SHARE: f64 = 0.4;
 
-/// The footprint, the tool centre point, the collision sphere r_s, the direction of motion, and a
-/// scale. The view is from above with the tool's x axis, the motion, to the right; units are millimetres.
+/// Draws the footprint, the tool centre point, the collision sphere r_s, the direction of motion and a scale as SVG.
+/// The view is from above, with the tool's x axis (the motion) to the right; units are millimetres.
 pub fn footprint_drawing(tool: &Tool) -> String {
     let mm = |metres: f64| 1e3 * metres;
     let radius = mm(tool.collision_radius());
@@ -48,7 +48,7 @@ pub fn footprint_drawing(tool: &Tool) -> String {
     )
 }
 
-/// All rings as one path. The picture's y axis runs down, the tool's up.
+/// Formats all rings as one path. The picture's y axis points down, the tool's up.
 fn outline(tool: &Tool) -> String {
     let mut path = String::new();
     for ring in tool.footprint.polygons().iter().flat_map(|p| p.rings()) {
@@ -67,7 +67,7 @@ fn outline(tool: &Tool) -> String {
     path
 }
 
-/// The largest of 1, 2 and 5 times a power of ten that is at most `length`.
+/// Returns the largest number of the form 1, 2 or 5 times a power of ten that is at most `length`.
 fn round_length(length: f64) -> f64 {
     let power = 10f64.powf(length.log10().floor());
     [5.0, 2.0, 1.0]

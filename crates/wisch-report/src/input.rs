@@ -1,4 +1,4 @@
-//! A run, as it is to be shown.
+//! Input of the figures of a run.
 
 use crate::motion::MotionInput;
 use crate::prediction::frames::EffectFrames;
@@ -6,23 +6,23 @@ use crate::rounds::RoundsInput;
 use wisch::plan::{Plan, Prediction};
 use wisch::represent::Task;
 
-/// What a report is made of.
+/// Input of the figures of a run.
 #[derive(Debug, Clone, Copy)]
 pub struct ReportInput<'a> {
-    /// Headline of the figures; the task's name as a rule.
+    /// Headline of the figures; usually the task's name.
     pub title: &'a str,
-    /// What was to be done.
+    /// The task.
     pub task: &'a Task,
-    /// How it is to be done.
+    /// The plan.
     pub plan: &'a Plan,
-    /// What is to be expected of it.
+    /// Predicted effect of the plan.
     pub prediction: &'a Prediction,
-    /// The effect over time, recorded while the prediction ran.
+    /// Predicted effect over time, recorded during the prediction.
     pub frames: &'a EffectFrames,
-    /// Bandwidth that the plan was asked for, [`wisch::plan::PlanConfig::bandwidth`] [m].
+    /// Bandwidth of the planner settings, [`wisch::plan::PlanConfig::bandwidth`] [m].
     pub bandwidth: Option<f64>,
-    /// How a robot does it; `None` if none was asked to.
+    /// The robot's motion; `None` without a robot.
     pub motion: Option<&'a MotionInput<'a>>,
-    /// What came of it, round by round; `None` if nothing was executed.
+    /// The executed rounds; `None` without execution.
     pub rounds: Option<&'a RoundsInput<'a>>,
 }

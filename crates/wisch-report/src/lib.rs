@@ -1,21 +1,21 @@
-//! Pictures and pages of robotic wiping: what a plan is predicted to do, how a robot moves, what touch told of
-//! it round by round, and what the memory answers.
+//! Pictures and pages of robotic wiping: predicted effects of plans, robot motions, interpreted rounds, and answers of the
+//! memory.
 //!
 //! | drawn | from | by |
 //! |---|---|---|
-//! | a run as it goes on, for the page of `wisch-web` | run events | [`RecordingWriter`] |
+//! | a run, live or finished, for the page of `wisch-web` | run events | [`RecordingWriter`] |
 //! | figures for papers, in SVG | [`ReportInput`] | [`pictures`] |
 //! | the effect over the distance wiped | a running prediction | [`EffectFrames`], part of [`ReportInput`] |
 //! | a robot in motion: joints, base placements | [`ShownMotion`] of what follows a plan, or any [`MotionInput`] | part of [`ReportInput`], or [`joint_plots`], [`placements_plan`] |
 //! | a log of wiping as one page | [`LogPageInput`] | [`log_page`] |
-//! | rounds: force, path, chance of an effect, residue | [`RoundsInput`] | part of [`ReportInput`] |
+//! | rounds: force, path, probability of an effect, remaining dirt | [`RoundsInput`] | part of [`ReportInput`] |
 //! | answers of the memory, in space and over time | [`AnswersInput`] | [`answers_page`] |
 //! | a tool's footprint | [`wisch::represent::Tool`] | [`footprint_drawing`] |
-//! | how well beliefs hold | [`CalibrationCurve`]s | [`calibration_drawing`] |
-//! | tasks by several strategies beside the paper's figures | [`Table1Input`] | [`table1_page`] |
+//! | the calibration of estimates | [`CalibrationCurve`]s | [`calibration_drawing`] |
+//! | tasks by several strategies, compared with the paper's figures | [`Table1Input`] | [`table1_page`] |
 //! | any of the SVG as PNG, with the feature `png` | its text | `rasterize` |
 //!
-//! Everything is drawn in memory, with fonts of its own: no file is read, and no page asks anything of the network.
+//! Everything is drawn in memory with embedded fonts. The crate reads no files, and its pages load nothing from the network.
 //!
 //! ```
 //! use wisch::geometry::{Mesh, Polygon, Region, Vector2, Vector3};

@@ -1,4 +1,4 @@
-//! A log of wiping as one page: the path, the force, the plane, and what was wiped.
+//! The page of an interpreted log: path, force, fitted plane and estimated dirt.
 
 use crate::draw::{GAP, metres};
 use crate::page::document::document;
@@ -6,25 +6,25 @@ use crate::rounds::{RoundView, RoundsInput, log_figures, words};
 use maud::{Markup, PreEscaped, html};
 use wisch::interpret::Event;
 
-/// Most events of the table.
+/// Maximum number of events in the table.
 const MAX_EVENTS: usize = 500;
 const STYLE: &str = "table.facts th { text-align: left; padding-right: 1.5em; font-weight: normal; vertical-align: top; } \
                      figure { margin: 1.5em 0; } figure svg { max-width: 100%; height: auto; }";
 
-/// What the page of a log is made of.
+/// Input of the page of a log.
 #[derive(Debug, Clone, Copy)]
 pub struct LogPageInput<'a> {
     /// Headline.
     pub title: &'a str,
     /// Task, goal and target, and the log as its only round.
     pub rounds: &'a RoundsInput<'a>,
-    /// What is said of the log and its interpretation: name and value.
+    /// Facts about the log and its interpretation: name and value.
     pub facts: &'a [(String, String)],
-    /// What was assumed, is odd, or speaks against the interpretation.
+    /// Assumptions, remarks, and doubts about the interpretation.
     pub notes: &'a [String],
 }
 
-/// Returns one HTML file that asks nothing of the network.
+/// Returns one self-contained HTML file, which loads nothing from the network.
 pub fn log_page(input: &LogPageInput) -> String {
     let main = html! {
         h1 { (input.title) }
@@ -43,7 +43,7 @@ pub fn log_page(input: &LogPageInput) -> String {
             (events(&round.interpretation.events))
         }
         footer class="note" {
-            "Made by wisch from a log of poses and forces. What was wiped is estimated from touch: no camera is assumed."
+            "Made by wisch from a log of tool poses and forces. The dirt is estimated from touch, without a camera."
         }
     };
     document(input.title, STYLE, &main)
@@ -61,7 +61,7 @@ fn figures(input: &LogPageInput, round: &RoundView) -> Vec<String> {
 fn events(events: &[Event]) -> Markup {
     html! {
         @if !events.is_empty() {
-            h2 { "What happened" }
+            h2 { "Events" }
             div class="scroll" {
                 table class="answers" {
                     thead { tr {

@@ -147,7 +147,7 @@ try {
   step("particles are shown where they lay");
   await page.fill(".s-query", "show([particles(semco:'breadcrumbs')])");
   await page.press(".s-query", "Enter");
-  await page.waitForFunction(() => [...document.querySelectorAll(".w-named li")].some((li) => /^dirt as estimated after round/.test(li.textContent)), null, { timeout: 60_000 });
+  await page.waitForFunction(() => [...document.querySelectorAll(".w-named li")].some((li) => /^estimated dirt after round/.test(li.textContent)), null, { timeout: 60_000 });
   await page.waitForTimeout(1000);
   await shoot(page, "09-particles");
 
@@ -188,7 +188,7 @@ try {
   await page.waitForFunction(() => window.wisch.stage.shown[0]?.recording.live === false, null, { timeout: 60_000 });
   // What was executed until then is interpreted and kept.
   await page.waitForSelector("text='kept as an episode'");
-  assert.match(await page.textContent("body"), /it was stopped/);
+  assert.match(await page.textContent("body"), /the run was stopped/);
   await shoot(page, "12-stopped");
 
   step("dark");

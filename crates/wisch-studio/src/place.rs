@@ -31,10 +31,8 @@ pub fn place(fault: &QueryFault, query: &str) -> Option<ErrorPlace> {
             let start = query.find(term.as_str())?;
             (start, start + term.len())
         }
-        QueryFault::Prolog { what } if what.starts_with("the query is not valid Prolog") => {
-            syntax(&tokens, query)
-        }
-        QueryFault::Prolog { what } if what.starts_with("text after the full stop") => {
+        QueryFault::Syntax { .. } => syntax(&tokens, query),
+        QueryFault::AfterStop { .. } => {
             let stop = tokens
                 .iter()
                 .position(|token| token.kind == TokenKind::Stop)?;
@@ -244,8 +242,8 @@ mod tests {
 
     #[test]
     fn a_syntax_error_lies_at_the_first_token_that_does_not_fit() {
-        let fault = QueryFault::Prolog {
-            what: "the query is not valid Prolog: incomplete reduction".to_owned(),
+        let fault = QueryFault::Syntax {
+            what: "incomplete reduction".to_owned(),
         };
         for (query, at) in [
             ("foo(A, B", "("),

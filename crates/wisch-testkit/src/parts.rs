@@ -1,9 +1,8 @@
 //! A surface, the sponge, and the sponge's interaction with breadcrumbs.
 
-use wisch::geometry::{Mesh, Polygon, Pose, Region, Vector2, Vector3};
+use wisch::geometry::{Polygon, Pose, Vector2, Vector3};
 use wisch::represent::{
-    Action, AngleRange, Interaction, LogNormal, LogNormalSpread, Redraw, Surface, SurfaceScope,
-    Tool,
+    Action, Interaction, LogNormal, LogNormalSpread, Redraw, Surface, SurfaceScope, Tool,
 };
 
 /// Depth, width and height of the sponge [m].

@@ -10,16 +10,16 @@ pub struct AskArgs {
     /// Prolog query; without one, an interactive prompt
     #[arg(value_name = "QUERY")]
     pub query: Option<String>,
-    /// Folder of the memory [default: episodes; with --fleet one that is gone afterwards]
+    /// Folder of the memory [default: episodes; with --fleet a temporary folder]
     #[arg(long, value_name = "DIR", value_hint = ValueHint::DirPath)]
     pub memory: Option<PathBuf>,
-    /// Ask episodes of a fleet (s3://BUCKET/PREFIX or a folder): those selected are brought into the memory first
+    /// Query episodes of a fleet (s3://BUCKET/PREFIX or a folder); the selected episodes are copied to the memory first
     #[arg(long, value_name = "URL")]
     pub fleet: Option<String>,
-    /// Which episodes of a fleet.
+    /// The selected episodes of a fleet.
     #[command(flatten)]
     pub selection: SelectionArgs,
-    /// Prolog system: scryer (the program wisch-prolog) or swi (SWI-Prolog) [default: the first that is installed]
+    /// Prolog system: scryer (the companion program wisch-prolog) or swi (SWI-Prolog) [default: the first installed]
     #[arg(long, value_name = "NAME")]
     pub engine: Option<EngineChoice>,
     /// Print the answers as one JSON object
@@ -28,7 +28,7 @@ pub struct AskArgs {
     /// Print the answers as CSV
     #[arg(long)]
     pub csv: bool,
-    /// Draw what the query shows, with its answers, to an HTML file
+    /// Draw the plots that the query requests, with its answers, into this HTML file
     #[arg(long, value_name = "FILE", requires = "query", value_hint = ValueHint::FilePath)]
     pub view: Option<PathBuf>,
     /// Maximum number of answers
@@ -48,7 +48,7 @@ pub struct AskArgs {
 /// A Prolog system.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 pub enum EngineChoice {
-    /// Scryer Prolog, the program wisch-prolog.
+    /// Scryer Prolog, in the companion program wisch-prolog.
     Scryer,
     /// SWI-Prolog.
     Swi,

@@ -7,52 +7,52 @@ use std::str::FromStr;
 use wisch::plan::Strategy;
 use wisch_eval::{Axis, TaskCase, Variant, WipingExtent};
 
-/// What is evaluated.
+/// The subcommands of `eval`.
 #[derive(Debug, Subcommand)]
 pub enum EvalCommand {
-    /// Hold what is believed of the effect against what is so, in many simulated worlds that differ from the belief
+    /// Compare estimates with ground truth in many randomised simulated worlds
     #[command(after_help = "\
 Examples:
   wisch eval calibration --worlds 27                       a demonstration on seeds 1 to 27
-  wisch eval calibration --first-seed 1000 --worlds 500    to choose constants
+  wisch eval calibration --first-seed 1000 --worlds 500    the seeds for tuning constants
   wisch eval calibration --first-seed 10000 --worlds 1000 --senses sight --out out/published
   wisch eval calibration --variant 'law known:law_mu=0,law_sigma=0' --variant 'no heap:heap_depth=0' --variant 'one draw:members=1'
-  wisch eval calibration --set execution.grains_resist=false    worlds whose grains the tool does not feel
+  wisch eval calibration --set execution.grains_resist=false    worlds whose dirt exerts no force on the tool
   wisch eval calibration --first-seed 10000 --worlds 1000 --shard 1/4 --out out/published --resume
 
-Writes worlds-*.jsonl (a line per world), and of all the worlds in the folder calibration.json,
-calibration.md and reliability.svg. Seeds 1 to 999 are for tests and demonstrations, 1000 to 4999 for
-choosing constants, those from 10000 on for figures that are published. See docs/evaluation.md.
+Writes worlds-*.jsonl (a line per world), and from all worlds in the folder calibration.json,
+calibration.md and reliability.svg. Use seeds 1 to 999 for tests and demonstrations, 1000 to 4999 for
+tuning constants, and 10000 and above for published figures. See docs/evaluation.md.
 
-Exit codes: 0 all worlds were evaluated, 1 some could not be, 2 an error.")]
+Exit codes: 0 all worlds were evaluated, 1 some worlds failed, 2 an error.")]
     Calibration(CalibrationArgs),
-    /// Wipe shipped scenarios, or tasks, over many seeds, each in the world that it describes
+    /// Run shipped scenarios or tasks over many seeds, each in the simulated world that it describes
     #[command(after_help = "\
 Examples:
-  wisch eval scenarios failure-human-push --worlds 20      quartiles of what is so after the rounds
+  wisch eval scenarios failure-human-push --worlds 20      quartiles of the true performance
   wisch eval scenarios solar-panel-wiper solar-panel-brush --rounds 1 --first-seed 11000 --worlds 50
   wisch eval scenarios chopping-board --touch-only --json
 
-Writes scenarios.json and scenarios.md. Seeds serve what they serve in `wisch eval calibration`.
+Writes scenarios.json and scenarios.md. The ranges of seeds are those of `wisch eval calibration`.
 
-Exit codes: 0 all runs were evaluated, 1 some could not be, 2 an error.")]
+Exit codes: 0 all runs were evaluated, 1 some runs failed, 2 an error.")]
     Scenarios(ScenarioEvaluationArgs),
-    /// Make the paper's Table 1 anew: three surfaces, three actions, every strategy, over seeds
+    /// Reproduce the paper's Table 1: three surfaces, three actions, every strategy, over seeds
     #[command(after_help = "\
 Examples:
-  wisch eval table1                                        planned without a robot, seeds 1 to 5
-  wisch eval table1 --follow --strategies kde,adaptive     and followed by the humanoid
-  wisch eval table1 --execute --cells board,table/absorb   through the loop, in the simulated world
+  wisch eval table1                                        plan without a robot, seeds 1 to 5
+  wisch eval table1 --follow --strategies kde,adaptive     follow the plans with the humanoid, too
+  wisch eval table1 --execute --cells board,table/absorb   run the whole loop in the simulated world
   wisch eval table1 --first-seed 1000 --seeds 20 --shard 2/4 --out out/tuned --resume
 
 Writes table1.html (with pictures of the first seed), table1.md, table1.csv and table1.json with the paper's
-figures beside ours, runs.csv (a row per run), and runs-*.jsonl, from which --resume and other shards go
-on. All but computation_s is the same on any machine, number of threads and shards. Seeds serve what they
-serve in `wisch eval calibration`.
+figures beside those of wisch, runs.csv (a row per run), and runs-*.jsonl, which --resume and other shards
+read. All results but computation_s are the same on any machine and for any number of threads and shards.
+The ranges of seeds are those of `wisch eval calibration`.
 
-Exit codes: 0 all runs were evaluated, 1 some could not be, 2 an error.")]
+Exit codes: 0 all runs were evaluated, 1 some runs failed, 2 an error.")]
     Table1(Table1Args),
-    /// Wipe a task with each combination of some values of its keys, over seeds
+    /// Run a task with every combination of the given values of its keys, over seeds
     #[command(after_help = "\
 Examples:
   wisch eval sweep chopping-board --set strategy=grid,kde,adaptive --set particles.count=50:200:50
@@ -60,38 +60,39 @@ Examples:
   wisch eval sweep table --execute --set 'perception.senses=[\"touch\"],[\"touch\", \"sight\"]'
   wisch eval sweep table --set plan.max_distance_m=1:4:0.5 --shard 1/2 --out out/ways --resume
 
-Values are as in a task file, apart by commas; BEGINNING:END:STEP is a range. Writes sweep.md (median and
-quartiles of each combination), sweep.json, runs.csv (a row per run) and runs-*.jsonl, from which --resume
-and other shards go on. All but computation_s is the same on any machine, number of threads and shards.
+Write values as in a task file, separated by commas; BEGINNING:END:STEP is a range. Writes sweep.md (median and
+quartiles of each combination), sweep.json, runs.csv (a row per run) and runs-*.jsonl, which --resume and
+other shards read. All results but computation_s are the same on any machine and for any number of threads
+and shards.
 
-Exit codes: 0 all runs were evaluated, 1 some could not be, 2 an error.")]
+Exit codes: 0 all runs were evaluated, 1 some runs failed, 2 an error.")]
     Sweep(SweepArgs),
 }
 
-/// Which part of an evaluation is done now.
+/// The part of an evaluation to do in this call.
 #[derive(Debug, Args)]
 pub struct JournalArgs {
     /// Evaluate only the I-th of N parts
     #[arg(long, value_name = "I/N", default_value = "1/1")]
     pub shard: Shard,
-    /// Go on where an earlier evaluation of the same ended
+    /// Resume an interrupted evaluation that had the same arguments
     #[arg(long)]
     pub resume: bool,
 }
 
-/// How far tasks are taken.
+/// The last stage to which tasks are taken.
 #[derive(Debug, Clone, Copy, Args)]
 pub struct ExtentArgs {
-    /// Let the task's robot follow the plans
+    /// Follow the plans with the task's robot
     #[arg(long)]
     follow: bool,
-    /// Execute in the simulated world that the task describes, round by round
+    /// Run the whole loop, round by round, in the simulated world that the task describes
     #[arg(long, conflicts_with = "follow")]
     execute: bool,
 }
 
 impl ExtentArgs {
-    /// How far.
+    /// Returns the last stage.
     pub const fn extent(self) -> WipingExtent {
         match self {
             Self { execute: true, .. } => WipingExtent::Executed,
@@ -107,7 +108,7 @@ pub struct SeedArgs {
     /// Number of seeds
     #[arg(long, value_name = "N", default_value_t = 5, value_parser = clap::value_parser!(u64).range(1..=1_000_000))]
     pub seeds: u64,
-    /// First seed; the others follow
+    /// First seed; the next seeds count up from it
     #[arg(long, value_name = "N", default_value_t = 1)]
     pub first_seed: u64,
 }
@@ -115,36 +116,37 @@ pub struct SeedArgs {
 /// Arguments of `eval table1`.
 #[derive(Debug, Args)]
 pub struct Table1Args {
-    /// Cells: surfaces (board, table, windshield), actions, or both, such as board/absorb [default: all nine]
+    /// Cells of the table: surfaces (board, table, windshield), actions, or SURFACE/ACTION, such as board/absorb
+    /// [default: all nine]
     #[arg(long, value_name = "CELL,…", value_delimiter = ',', value_parser = cells)]
     pub cells: Vec<Cells>,
-    /// How strokes are found [default: by every strategy]
+    /// Strategies that plan the strokes [default: all]
     #[arg(long, value_name = "STRATEGY,…", value_delimiter = ',', value_parser = strategy_parser())]
     pub strategies: Vec<Strategy>,
     /// The seeds.
     #[command(flatten)]
     pub seeds: SeedArgs,
-    /// How far.
+    /// The last stage.
     #[command(flatten)]
     pub extent: ExtentArgs,
-    /// Also predict plans whose way is no longer than the shortest of the paper's three
+    /// Also evaluate plans whose path is at most as long as the shortest path of the paper's three strategies
     #[arg(long, conflicts_with_all = ["follow", "execute"])]
     pub within_shortest: bool,
     /// Override a value of every task; repeatable
     #[arg(long = "set", value_name = "KEY=VALUE", value_parser = setting)]
     pub settings: Vec<(String, String)>,
-    /// Which part.
+    /// The part to do.
     #[command(flatten)]
     pub journal: JournalArgs,
     /// Folder for the results
     #[arg(long, value_name = "DIR", default_value = "out/table1", value_hint = ValueHint::DirPath)]
     pub out: PathBuf,
-    /// Print one machine-readable result
+    /// Print one JSON object instead of the summary
     #[arg(long)]
     pub json: bool,
 }
 
-/// Cells of Table 1 that one word names.
+/// Cells of Table 1 that one word of the command line names.
 #[derive(Debug, Clone)]
 pub struct Cells(pub Vec<TaskCase>);
 
@@ -158,22 +160,22 @@ pub struct SweepArgs {
     /// Name of a shipped scenario, or a task file
     #[arg(value_name = "TASK", value_hint = ValueHint::FilePath)]
     pub task: String,
-    /// A key of the task and its values; repeatable: all combinations are run
+    /// Key of the task and its values; repeatable, all combinations are run
     #[arg(long = "set", value_name = "KEY=VALUE,…", required = true)]
     pub axes: Vec<Axis>,
     /// The seeds.
     #[command(flatten)]
     pub seeds: SeedArgs,
-    /// How far.
+    /// The last stage.
     #[command(flatten)]
     pub extent: ExtentArgs,
-    /// Which part.
+    /// The part to do.
     #[command(flatten)]
     pub journal: JournalArgs,
     /// Folder for the results
     #[arg(long, value_name = "DIR", default_value = "out/sweep", value_hint = ValueHint::DirPath)]
     pub out: PathBuf,
-    /// Print one machine-readable result
+    /// Print one JSON object instead of the summary
     #[arg(long)]
     pub json: bool,
 }
@@ -184,22 +186,22 @@ pub struct ScenarioEvaluationArgs {
     /// Names of shipped scenarios, or task files
     #[arg(required = true, value_name = "TASK", value_hint = ValueHint::FilePath)]
     pub tasks: Vec<String>,
-    /// Number of worlds of each: one for every seed
+    /// Number of worlds for each task; each world has its own seed
     #[arg(long, value_name = "N", default_value_t = 5, value_parser = clap::value_parser!(u64).range(1..=1_000_000))]
     pub worlds: u64,
-    /// Seed of the first world; the others follow
+    /// Seed of the first world; the next worlds count up from it
     #[arg(long, value_name = "N", default_value_t = 1)]
     pub first_seed: u64,
-    /// Most rounds [default: the task's]
+    /// Maximum number of rounds [default: the task's]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..=100))]
     pub rounds: Option<u64>,
-    /// Do not look, whatever senses the tasks have
+    /// Use no camera, whatever the tasks' senses are
     #[arg(long)]
     pub touch_only: bool,
     /// Folder for the results
     #[arg(long, value_name = "DIR", default_value = "out/scenarios", value_hint = ValueHint::DirPath)]
     pub out: PathBuf,
-    /// Print one machine-readable result
+    /// Print one JSON object instead of the summary
     #[arg(long)]
     pub json: bool,
 }
@@ -210,16 +212,16 @@ pub struct CalibrationArgs {
     /// Number of worlds
     #[arg(long, value_name = "N", default_value_t = 27, value_parser = clap::value_parser!(u64).range(1..=1_000_000))]
     pub worlds: u64,
-    /// Seed of the first world; the others follow
+    /// Seed of the first world; the next worlds count up from it
     #[arg(long, value_name = "N", default_value_t = 1)]
     pub first_seed: u64,
-    /// What the robot perceives the effect by
+    /// Senses with which the robot perceives the effect
     #[arg(long, value_name = "SENSES", default_value = "touch")]
     pub senses: SensesChoice,
-    /// Which part.
+    /// The part to do.
     #[command(flatten)]
     pub journal: JournalArgs,
-    /// Also score the method with other uncertainties or fewer members, on the same rounds; may be repeated
+    /// Also score the estimator with other uncertainties or fewer members on the same rounds; repeatable
     #[arg(long, value_name = "NAME:FIELD=VALUE[,…]")]
     pub variant: Vec<Variant>,
     /// Override a value of every task, such as execution.grains_resist=false; repeatable
@@ -228,26 +230,26 @@ pub struct CalibrationArgs {
     /// Folder for the results
     #[arg(long, value_name = "DIR", default_value = "out/calibration", value_hint = ValueHint::DirPath)]
     pub out: PathBuf,
-    /// Print one machine-readable result
+    /// Print one JSON object instead of the summary
     #[arg(long)]
     pub json: bool,
 }
 
-/// What the robot perceives the effect by.
+/// The robot's senses.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 pub enum SensesChoice {
-    /// Poses and forces
+    /// Tool poses and forces
     Touch,
-    /// These, and a camera that looks before the first round and after each
+    /// Touch, and a camera that observes the dirt before the first round and after each round
     Sight,
 }
 
-/// A part of the worlds: the `index`-th of `count`, from 1.
+/// One of `count` equal parts of an evaluation, as typed: `I/N`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Shard {
-    /// Which part, from 1.
+    /// Number of this part, from 1 to `count`.
     pub index: u64,
-    /// How many parts there are.
+    /// Number of parts.
     pub count: u64,
 }
 

@@ -1,33 +1,34 @@
-//! Arguments of what concerns a fleet: a store of the episodes of many robots.
+//! Arguments of the commands that use a fleet: a store with the episodes of many robots.
 
 use super::MemoryArgs;
 use clap::Args;
 
-/// Which episodes of a fleet are meant; of each kind of condition one must hold.
+/// A selection of episodes of a fleet. An episode must meet every given kind of condition, and of a repeated
+/// condition at least one value.
 #[derive(Debug, Args)]
 pub struct SelectionArgs {
-    /// Of a fleet, episodes that ended then or later: a day or a time (UTC), such as 2026-11-22
+    /// Fleet episodes that ended at or after this day or time (UTC), such as 2026-11-22
     #[arg(long, value_name = "TIME")]
     pub since: Option<String>,
-    /// Of a fleet, episodes that began then or earlier
+    /// Fleet episodes that began at or before this day or time (UTC)
     #[arg(long, value_name = "TIME")]
     pub until: Option<String>,
-    /// Of a fleet, episodes of this robot; repeatable
+    /// Fleet episodes of this robot; repeatable
     #[arg(long, value_name = "NAME")]
     pub robot: Vec<String>,
-    /// Of a fleet, episodes in which something of this class happened, such as HumanCollision; repeatable
+    /// Fleet episodes with an event of this class, such as HumanCollision; repeatable
     #[arg(long, value_name = "CLASS")]
     pub class: Vec<String>,
-    /// Of a fleet, this episode; repeatable
+    /// Fleet episode with this name; repeatable
     #[arg(long, value_name = "ID")]
     pub episode: Vec<String>,
-    /// Of a fleet, episodes for which this is true, in SQL over its table of episodes, such as "performance <= 0.8"
+    /// Fleet episodes that meet this SQL condition on the table of episodes, such as "performance <= 0.8"
     #[arg(long = "where", value_name = "SQL")]
     pub condition: Option<String>,
 }
 
 impl SelectionArgs {
-    /// The same arguments again.
+    /// Returns the selection as command-line arguments, for the companion program.
     pub fn to_arguments(&self) -> Vec<String> {
         let one = |name: &str, value: &Option<String>| {
             let value = value.iter();
@@ -61,7 +62,7 @@ pub struct MemoryPushArgs {
     /// The memory.
     #[command(flatten)]
     pub memory: MemoryArgs,
-    /// Name of this robot, where the model's name in the episodes does not tell robots apart
+    /// Name of this robot; needed if several robots of the fleet share the model name in their episodes
     #[arg(long, value_name = "NAME")]
     pub robot: Option<String>,
     /// Print one JSON object instead of the summary
@@ -77,7 +78,7 @@ pub struct MemoryPullArgs {
     /// The memory.
     #[command(flatten)]
     pub memory: MemoryArgs,
-    /// Which episodes.
+    /// The selected episodes.
     #[command(flatten)]
     pub selection: SelectionArgs,
     /// Print one JSON object instead of the summary

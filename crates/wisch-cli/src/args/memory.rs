@@ -1,14 +1,14 @@
-//! Arguments of `memory`, and where runs are kept.
+//! Arguments of `memory`, and the memory that keeps runs.
 
 use super::{LoggedArgs, MemoryPullArgs, MemoryPushArgs};
 use clap::{Args, Subcommand, ValueHint};
 use std::path::PathBuf;
 use wisch_memory::neem::NeemConfig;
 
-/// Where a run is kept as an episode.
+/// The memory that keeps a run as an episode.
 #[derive(Debug, Args)]
 pub struct KeepArgs {
-    /// Folder of the memory in which the run is stored as an episode with its telemetry
+    /// Folder of the memory that stores the run as an episode with its telemetry
     #[arg(long, value_name = "DIR", default_value = DEFAULT_MEMORY, value_hint = ValueHint::DirPath)]
     pub memory: PathBuf,
     /// Do not store the run as an episode
@@ -16,7 +16,7 @@ pub struct KeepArgs {
     pub no_memory: bool,
 }
 
-/// Which memory is looked into.
+/// The memory to read.
 #[derive(Debug, Args)]
 pub struct MemoryArgs {
     /// Folder of the memory
@@ -24,10 +24,10 @@ pub struct MemoryArgs {
     pub memory: PathBuf,
 }
 
-/// Where episodes are kept if nothing else is said.
+/// Default folder of the memory.
 pub const DEFAULT_MEMORY: &str = "episodes";
 
-/// What to do with a memory of episodes.
+/// The subcommands of `memory`.
 #[derive(Debug, Subcommand)]
 pub enum MemoryCommand {
     /// List the episodes, oldest first
@@ -38,24 +38,24 @@ Examples:
 
 With --json, one object per line.")]
     List(MemoryListArgs),
-    /// Show what happened in an episode
+    /// Show the events of an episode
     #[command(after_help = "\
 Examples:
   wisch memory show 20261122-005612-3f2a
   wisch memory show 20261122-005612-3f2a --json | jq '.individuals[] | .class' | sort | uniq -c")]
     Show(EpisodeArgs),
-    /// Interpret a log of the tool's pose and force, and add it to the memory as an episode
+    /// Interpret a log of tool poses and forces, and add it to the memory as an episode
     #[command(after_help = "\
 Examples:
   wisch memory import wipe.mcap --task board.toml
   wisch memory import log.csv --task board.toml --csv-columns t=time,x=px --start-s 1795308972
 
-The log is read as wisch interpret reads it. Tables and simulated bags often count time from 0: then
---start-s says when it was.")]
+The options of the log are those of `wisch interpret`. Tables and simulated bags often count time from 0:
+then give the date with --start-s.")]
     Import(Box<ImportArgs>),
     /// Verify the checksum and contents of every file of every episode
     #[command(after_help = "\
-Exit codes: 0 all is well, 1 something is broken, 2 an error.")]
+Exit codes: 0 all episodes are intact, 1 some files are damaged, 2 an error.")]
     Verify(MemoryVerifyArgs),
     /// Delete an episode for good
     Forget(EpisodeArgs),
@@ -66,19 +66,20 @@ Examples:
   wisch memory export --neem neem 20261122-005612-3f2a --tf-rate-hz 50
 
 The folder has one subfolder for each collection, each a dump that mongorestore and KnowRob read: triples,
-annotations, inferred, tf, and two of our own: wrench, and observation, what a camera saw of the dirt.
-Beside them are meta.json and semco.owl.")]
+annotations, inferred and tf, and two collections that only wisch writes: wrench, and observation with the
+camera's dirt locations. It also holds meta.json and semco.owl.")]
     Export(ExportArgs),
-    /// Bring the episodes into a fleet: a store that many robots share
+    /// Copy the episodes to a fleet: a store that many robots share
     #[command(after_help = "\
 Examples:
   wisch memory push s3://robots/fleet --robot kitchen-7
   wisch memory push /mnt/fleet --memory episodes
 
-The program wisch-fleet does it: what is there already is passed over, and what was cut off is gone on with. Credentials
-come from the environment (AWS_ACCESS_KEY_ID, AWS_SECRET_ACCESS_KEY, AWS_ENDPOINT, …) or from the usual files.")]
+Needs the companion program wisch-fleet. It skips episodes that the fleet already has, and resumes an interrupted push.
+Credentials come from the environment (AWS_ACCESS_KEY_ID, AWS_SECRET_ACCESS_KEY, AWS_ENDPOINT, …) or from
+~/.aws/credentials.")]
     Push(MemoryPushArgs),
-    /// Bring episodes of a fleet into this memory, byte for byte
+    /// Copy episodes of a fleet into this memory, byte for byte
     #[command(after_help = "\
 Examples:
   wisch memory pull s3://robots/fleet --since 2026-11-01 --class HumanCollision
@@ -92,7 +93,7 @@ pub struct ImportArgs {
     /// The log.
     #[command(flatten)]
     pub source: LoggedArgs,
-    /// Time of the log's first sample, in seconds since 1970 (UTC) [default: as the log says]
+    /// Time of the log's first sample, in seconds since 1970 (UTC) [default: from the log]
     #[arg(long, value_name = "SECONDS", value_parser = start_s)]
     pub start_s: Option<f64>,
     /// The memory.
@@ -145,7 +146,7 @@ pub struct MemoryVerifyArgs {
     pub json: bool,
 }
 
-/// Which episode.
+/// An episode of a memory.
 #[derive(Debug, Args)]
 pub struct EpisodeArgs {
     /// Name of the episode, as listed by `wisch memory list`
@@ -160,12 +161,14 @@ pub struct EpisodeArgs {
 }
 
 fn start_s(text: &str) -> Result<f64, String> {
-    let seconds: f64 = text.parse().map_err(|_| format!("{text:?} is no number"))?;
+    let seconds: f64 = text
+        .parse()
+        .map_err(|_| format!("{text:?} is not a number"))?;
     if (0.0..LATEST_START_S).contains(&seconds) {
         return Ok(seconds);
     }
-    Err(format!("{seconds} is not between 0 and {LATEST_START_S}"))
+    Err(format!("{seconds} s is outside 0 to {LATEST_START_S} s"))
 }
 
-/// The year 2286, the last time whose seconds have ten digits.
+/// Upper limit of a start time [s since 1970]: the year 2286, when the seconds reach eleven digits.
 const LATEST_START_S: f64 = 1e10;

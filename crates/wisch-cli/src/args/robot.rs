@@ -5,10 +5,10 @@ use clap::{Args, Subcommand, ValueHint};
 use std::path::PathBuf;
 use wisch::robot::MapConfig;
 
-/// What to do with a robot.
+/// The subcommands of `robot`.
 #[derive(Debug, Subcommand)]
 pub enum RobotCommand {
-    /// Check a URDF, and the SRDF with it, for what is missing or inconsistent
+    /// Check a URDF and its SRDF for missing or inconsistent data
     #[command(after_help = "\
 Examples:
   wisch robot check robots/humanoid.urdf
@@ -16,16 +16,16 @@ Examples:
   wisch robot check arm.urdf --srdf config/arm.srdf
   wisch robot check arm.urdf --json | jq '.findings[] | select(.severity == \"warning\")'
 
-Exit codes: 0 fine (notes at most), 1 warnings that matter, 2 no robot can be made of it.")]
+Exit codes: 0 no warnings, 1 warnings, 2 the robot cannot be loaded.")]
     Check(RobotCheckArgs),
-    /// Build a capability map: which poses an arm reaches, by voxel and direction
+    /// Build a capability map: the poses that an arm reaches, by voxel and direction
     #[command(after_help = "\
 Examples:
   wisch robot map humanoid
   wisch robot map my_robot.urdf --group manipulator --out my_robot.reach
 
-The map is used for base placement. Beside the URDF, with its name and the ending .reach, it is found
-automatically; elsewhere, --map names it. It is bound to this very robot: rebuild it after changing the
+wisch uses the map for base placement. It finds a map beside the URDF with the same name and the ending
+.reach; for a map in another folder, give --map. A map holds for one robot: rebuild it after changing the
 robot.")]
     Map(RobotMapArgs),
 }
@@ -33,10 +33,10 @@ robot.")]
 /// Arguments of `robot map`.
 #[derive(Debug, Args)]
 pub struct RobotMapArgs {
-    /// Shipped robot (humanoid, arm7, arm6), or a URDF
+    /// Shipped robot (humanoid, arm7, arm6), or URDF file
     #[arg(value_name = "ROBOT", value_hint = ValueHint::FilePath)]
     pub robot: String,
-    /// Planning group of the SRDF to map [default: the first]
+    /// SRDF planning group to map [default: the first group]
     #[arg(long, value_name = "NAME")]
     pub group: Option<String>,
     /// Voxel size [m], 0.001 to 10
@@ -45,7 +45,7 @@ pub struct RobotMapArgs {
     /// Number of random configurations to sample
     #[arg(long, value_name = "N", default_value_t = MapConfig::default().samples)]
     pub samples: u64,
-    /// File to write, ending in .reach [default: beside the URDF; of a shipped robot, the working
+    /// File to write, ending in .reach [default: beside the URDF; for a shipped robot, in the working
     /// directory]
     #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]
     pub out: Option<PathBuf>,
@@ -63,7 +63,7 @@ pub struct RobotCheckArgs {
     /// URDF to check; expand xacro files first
     #[arg(value_name = "FILE", value_hint = ValueHint::FilePath)]
     pub file: PathBuf,
-    /// SRDF to check with it [default: the one beside the URDF that has its name, if there is one]
+    /// SRDF to check with the URDF [default: the file beside the URDF with the same name, if it exists]
     #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]
     pub srdf: Option<PathBuf>,
     /// Folder to which package://NAME resolves; repeatable

@@ -1,4 +1,4 @@
-//! `wisch ask`: queries in Prolog to a memory, one or line by line.
+//! `wisch ask`: answers Prolog queries of a memory, from the command line, a pipe or a prompt.
 
 use super::{engine, fleet, look};
 use crate::args::{AskArgs, DEFAULT_MEMORY, GlobalArgs};
@@ -24,10 +24,10 @@ use wisch_memory::{Catalogue, Memory};
 
 /// Version of what `--json` prints.
 const ANSWERS_SCHEMA: &str = "wisch.answers/1";
-/// Where the lines that were typed are kept, in the memory's folder.
+/// File in the memory's folder with the history of the prompt.
 const HISTORY_FILE: &str = ".history";
 
-/// Asks.
+/// Answers the query of the arguments, or the queries of standard input.
 pub fn ask(args: &AskArgs, global: &GlobalArgs) -> Result<Outcome, Failure> {
     if args.list {
         print(&listing(&predicates()))?;
@@ -42,10 +42,10 @@ pub fn ask(args: &AskArgs, global: &GlobalArgs) -> Result<Outcome, Failure> {
     }
 }
 
-/// Where the memory that is asked stands.
+/// The folder of the queried memory.
 enum Place {
     Folder(PathBuf),
-    /// Pulled from a fleet, and gone afterwards.
+    /// A temporary folder with episodes of a fleet.
     Pulled(TempDir),
 }
 
@@ -54,10 +54,8 @@ impl Place {
         let folder = args.memory.clone();
         let Some(url) = &args.fleet else {
             if !args.selection.to_arguments().is_empty() {
-                return Err(
-                    Failure::new("which episodes are asked is said of a fleet only")
-                        .with_help("--fleet names it; of one memory, the query says which"),
-                );
+                return Err(Failure::new("options that select episodes need --fleet")
+                    .with_help("name the fleet with --fleet, or select episodes in the query"));
             }
             return Ok(Self::Folder(
                 folder.unwrap_or_else(|| DEFAULT_MEMORY.into()),
@@ -65,9 +63,9 @@ impl Place {
         };
         let place = match folder {
             Some(folder) => Self::Folder(folder),
-            None => Self::Pulled(
-                tempfile::tempdir().map_err(|error| Failure::new(format!("a folder: {error}")))?,
-            ),
+            None => Self::Pulled(tempfile::tempdir().map_err(|error| {
+                Failure::new(format!("cannot create a temporary folder: {error}"))
+            })?),
         };
         fleet::fetch(url, &args.selection, place.folder(), global)?;
         Ok(place)
@@ -81,7 +79,7 @@ impl Place {
     }
 }
 
-/// A memory that is asked.
+/// A memory with its query engine.
 struct Asked {
     memory: Memory,
     catalogue: Arc<Catalogue>,
@@ -91,13 +89,14 @@ struct Asked {
 impl Asked {
     fn open(folder: &Path, args: &AskArgs, global: &GlobalArgs) -> Result<Self, Failure> {
         let memory = Memory::open(folder).map_err(|error| {
-            Failure::new(error).with_help("wisch run makes a memory; --memory names another one")
+            Failure::new(error)
+                .with_help("wisch run creates a memory; choose another folder with --memory DIR")
         })?;
         let catalogue = Arc::new(memory.catalogue().map_err(Failure::new)?);
         if !global.quiet {
             for why in catalogue.left_out() {
                 remark(&format!(
-                    "{why}: left out; wisch memory verify says what is broken"
+                    "{why}: left out; wisch memory verify lists damaged files"
                 ));
             }
         }
@@ -128,7 +127,7 @@ fn asker(
     ))
 }
 
-/// One query; the goal is met if it holds.
+/// Answers one query; `Done` if it has an answer.
 fn answer(
     asked: &mut Asked,
     query: &str,
@@ -150,7 +149,7 @@ fn answer(
         let not_shown = look::draw(page, query, &answers, &asked.memory, &asked.catalogue)?;
         remarks.extend(not_shown);
     } else if !answers.views.is_empty() && !global.quiet {
-        remark("the query shows something; --view FILE draws it");
+        remark("the query requests a plot; draw it with --view FILE");
     }
     if !global.quiet {
         remarks.iter().for_each(|what| remark(what));
@@ -166,15 +165,17 @@ fn failure(error: &AskError) -> Failure {
     let failure = Failure::new(error);
     match error {
         AskError::Fault(QueryFault::Unknown { kind, .. }) if kind == "predicate" => {
-            failure.with_help("wisch ask --list lists what queries may use")
+            failure.with_help("wisch ask --list lists the predicates that queries may call")
         }
-        AskError::Time(_) => failure.with_help("--timeout gives it more"),
-        AskError::EngineEnded { .. } => failure.with_help("--memory-limit gives it more memory"),
+        AskError::Time(_) => failure.with_help("raise the limit with --timeout"),
+        AskError::EngineEnded { .. } => {
+            failure.with_help("raise the memory limit with --memory-limit")
+        }
         _ => failure,
     }
 }
 
-/// Queries from standard input, a line each.
+/// Answers queries from standard input, one per line.
 fn lines(asked: &mut Asked, args: &AskArgs, global: &GlobalArgs) -> Result<Outcome, Failure> {
     let mut outcome = Outcome::Done;
     for line in std::io::stdin().lines() {
@@ -231,12 +232,12 @@ fn interactive(asked: &mut Asked, args: &AskArgs, global: &GlobalArgs) -> Result
         predicates: predicates(),
     }));
     let history = asked.memory.folder().join(HISTORY_FILE);
-    // A history that is not there yet, or cannot be read, is none.
+    // A missing or unreadable history counts as empty.
     let _ = editor.load_history(&history);
     if !global.quiet {
-        print("Ask in Prolog, or type help; quit ends it, Ctrl-C a query.\n")?;
+        print("Type a Prolog query, help or quit; Ctrl-C ends a query.\n")?;
     }
-    // While a line is typed, the editor sees to it.
+    // While the user types a line, the editor handles Ctrl-C.
     register(SIGINT, asked.asker.interrupt())
         .map_err(|error| Failure::new(format!("Ctrl-C: {error}")))?;
     loop {
@@ -264,7 +265,7 @@ fn interactive(asked: &mut Asked, args: &AskArgs, global: &GlobalArgs) -> Result
 }
 
 fn save_history(editor: &mut Editor<Typing, DefaultHistory>, file: &Path) {
-    // Nothing depends on it.
+    // A failure is ignored: only the history is lost.
     let _ = editor.save_history(file);
 }
 
@@ -288,7 +289,7 @@ fn in_words(answers: &Answers) -> String {
     }
     if answers.is_cut {
         text.push_str(&format!(
-            "… after {} answers; --limit asks for more\n",
+            "… the first {} answers; raise the limit with --limit\n",
             answers.rows.len()
         ));
     }
@@ -343,5 +344,5 @@ fn listing(predicates: &[Predicate]) -> String {
         }
     });
     let own = lines.collect::<String>();
-    own + &format!("  Prolog's own\n      {}\n", builtins().join(" "))
+    own + &format!("  Prolog built-ins\n      {}\n", builtins().join(" "))
 }

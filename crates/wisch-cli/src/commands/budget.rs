@@ -1,4 +1,4 @@
-//! `--budget`: how many plans a search tries, and how many that are in a time.
+//! `--budget`: the number of plans that a search tries, also computed from a time.
 
 use super::prepare::Prepared;
 use crate::args::{Budget, TaskArgs};
@@ -8,12 +8,12 @@ use std::time::Instant;
 use wisch::plan::Strategy;
 use wisch::run::{NoExecutor, RunError, Session, Stage, unobserved};
 
-/// Plans tried to see how long they take.
+/// Numbers of plans in the two trial searches that measure this machine's speed.
 const TRIED: [usize; 2] = [1, 20_000];
-/// Plans are counted in steps of one part in so many.
+/// Inverse of the relative step to which numbers of plans are rounded.
 const STEPS: f64 = 20.0;
 
-/// The same arguments with the budget as a value of the task file: what is kept of a run says how many plans were tried.
+/// Returns the arguments with the budget as a setting `plan.evaluations`, so that a run's record states it.
 pub(super) fn in_evaluations(args: &TaskArgs) -> Result<TaskArgs, Failure> {
     let Some(budget) = args.budget else {
         return Ok(args.clone());
@@ -25,9 +25,9 @@ pub(super) fn in_evaluations(args: &TaskArgs) -> Result<TaskArgs, Failure> {
     let prepared = Prepared::load(&args)?;
     let strategy = prepared.strategy();
     if !matches!(strategy, Strategy::Adaptive | Strategy::Best) {
-        let problem = format!("the strategy {strategy} does not search, so it has no budget");
+        let problem = format!("--budget has no effect: the strategy {strategy} does not search");
         let failure = Failure::new(problem).within(&args.task);
-        return Err(failure.with_help("--strategy adaptive and best search"));
+        return Err(failure.with_help("choose --strategy adaptive or best, or leave out --budget"));
     }
     let evaluations = match budget {
         Budget::Evaluations(evaluations) => evaluations,
@@ -36,8 +36,8 @@ pub(super) fn in_evaluations(args: &TaskArgs) -> Result<TaskArgs, Failure> {
             let pace = Pace::measured(&prepared).map_err(|error| prepared.failure(&args, error))?;
             let evaluations = pace.affordable(seconds);
             remark(&format!(
-                "in {seconds} s a search tries about {evaluations} plans here, beside {:.1} s for those that it begins with; \
-                 --budget {evaluations} makes the same plan again",
+                "in {seconds} s this machine tries about {evaluations} plans after {:.1} s for the initial plans; \
+                 --budget {evaluations} reproduces the plan",
                 pace.begun
             ));
             evaluations
@@ -48,16 +48,16 @@ pub(super) fn in_evaluations(args: &TaskArgs) -> Result<TaskArgs, Failure> {
     Ok(args)
 }
 
-/// How long a search takes.
+/// Duration of a search on this machine.
 struct Pace {
-    /// For the plans that it begins with [s].
+    /// Time for the initial plans [s].
     begun: f64,
-    /// For each plan that is tried [s].
+    /// Time for each further plan [s].
     each: f64,
 }
 
 impl Pace {
-    /// By planning as the commands do, without a robot.
+    /// Measures two searches without a robot. Time is linear in plans: `begun + each * plans`.
     fn measured(prepared: &Prepared) -> Result<Self, RunError> {
         let belief = prepared.belief();
         let mut took = [0.0; 2];
@@ -77,14 +77,14 @@ impl Pace {
         })
     }
 
-    /// How many plans are tried in a time [s].
+    /// Returns the number of plans that fit into a time [s].
     fn affordable(&self, seconds: f64) -> u64 {
-        rounded((seconds - self.begun) / self.each)
+        round((seconds - self.begun) / self.each)
     }
 }
 
-/// A number of plans that is easily read.
-fn rounded(plans: f64) -> u64 {
+/// Rounds a number of plans to about two digits, and clamps it to the limits of a task.
+fn round(plans: f64) -> u64 {
     let plans = plans.clamp(1.0, 1e7);
     let step = 10_f64.powf((plans / STEPS).log10().floor()).max(1.0);
     ((plans / step).round() * step) as u64
@@ -92,11 +92,11 @@ fn rounded(plans: f64) -> u64 {
 
 #[cfg(test)]
 mod tests {
-    use super::{Pace, rounded};
+    use super::{Pace, round};
 
     #[test]
     fn numbers_of_plans_are_round_and_within_what_a_task_takes() {
-        let plans = [-5.0, 7.4, 123.0, 48_211.0, 3e9].map(rounded);
+        let plans = [-5.0, 7.4, 123.0, 48_211.0, 3e9].map(round);
         assert_eq!(plans, [1, 7, 123, 48_000, 10_000_000]);
     }
 

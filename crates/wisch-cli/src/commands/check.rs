@@ -1,7 +1,7 @@
-//! `wisch check`: what a task asks for, in words.
+//! `wisch check`: checks a task and prints a summary of it.
 
 use super::budget::in_evaluations;
-use super::follow::{Chosen, can_start, stand_in_words, workcell};
+use super::follow::{Chosen, can_start, describe_stand, workcell};
 use super::prepare::Prepared;
 use super::words::{counted, internal, percent};
 use crate::args::{CheckArgs, GlobalArgs};
@@ -13,35 +13,35 @@ use wisch::plan::{FreeSpace, NodeRole, Plan, Prediction, predict};
 use wisch::represent::{GoalState, Task, dirt_friction};
 use wisch::run::{NoExecutor, Session, Stage, check_score, unobserved};
 
-/// Points along the longer side of the surface at which free space is looked up.
+/// Number of sample points for free space along the longer side of the surface.
 const RASTER: usize = 120;
-/// After how many obstacles it is said how far it has come.
-const OBSTACLES_A_WORD: usize = 100;
+/// Number of obstacles between two updates of the progress.
+const OBSTACLES_PER_UPDATE: usize = 100;
 /// Obstacles that are listed by name.
 const LISTED: usize = 8;
 
-/// Reads and plans the task, and tells what it found.
+/// Reads the task, plans it, checks the robot's start, predicts the effect and prints a summary.
 pub fn check(args: &CheckArgs, global: &GlobalArgs) -> Result<Outcome, Failure> {
     let progress = Progress::start(global);
     progress.say("reading the task");
     let task_args = &in_evaluations(&args.task)?;
     let prepared = Prepared::read(task_args)?;
     let failure = |error| prepared.failure(task_args, error);
-    let room = Room::of(&prepared.task, &progress).map_err(failure)?;
+    let free_area = FreeArea::of(&prepared.task, &progress).map_err(failure)?;
     progress.say(format!("planning ({})", prepared.strategy()));
     let mut session = Session::new(&prepared.task, prepared.run_config());
     (session.run_until(Stage::Planned, &mut NoExecutor, &mut unobserved))
         .map_err(|error| prepared.failure(task_args, error))?;
     let plan = (session.plan()).ok_or_else(|| internal("no plan was made"))?;
     let objects = counted(prepared.task.scene.len(), "object");
-    progress.say(format!("putting the robot before {objects}"));
+    progress.say(format!("placing the robot among {objects}"));
     let robot = match Chosen::new(&args.robot, &prepared)? {
         Some(chosen) => {
             let (cell, _) = workcell(&chosen, task_args, &prepared)?;
             can_start(&cell, &chosen, task_args, &prepared, plan)?;
-            stand_in_words(&cell)
+            describe_stand(&cell)
         }
-        None => "none; the plan can be predicted, but not followed".to_owned(),
+        None => "none: wisch can predict the plan but not follow it".to_owned(),
     };
     progress.say("predicting");
     let prediction = predict(&prepared.task, plan, |_| ());
@@ -50,13 +50,13 @@ pub fn check(args: &CheckArgs, global: &GlobalArgs) -> Result<Outcome, Failure> 
     drop(progress);
     if !global.quiet {
         let found = Found {
-            room,
+            free_area,
             plan,
             robot,
             prediction,
         };
         let heading = match &refusal {
-            None => "the task is sound".to_owned(),
+            None => "the task is valid".to_owned(),
             Some(refusal) => refusal.to_string(),
         };
         print(&explanation(&prepared, &found, &heading))?;
@@ -67,24 +67,24 @@ pub fn check(args: &CheckArgs, global: &GlobalArgs) -> Result<Outcome, Failure> 
     })
 }
 
-/// What was found out about a task.
+/// The results of a check.
 struct Found<'a> {
-    room: Room,
+    free_area: FreeArea,
     plan: &'a Plan,
-    /// Which robot stands where.
+    /// Description of the robot and its position.
     robot: String,
     prediction: Prediction,
 }
 
-/// How much of the surface is free.
-struct Room {
-    /// Share of the surface on which a node may stand.
+/// The free area of a surface.
+struct FreeArea {
+    /// Share of the surface on which a node can be placed [1].
     free_share: f64,
-    /// Objects that keep the tool from a part of the surface, with that share.
+    /// Obstacles, each with the share of the surface that it blocks for the tool [1].
     obstacles: Vec<(String, f64)>,
 }
 
-impl Room {
+impl FreeArea {
     fn of(task: &Task, progress: &Progress) -> Result<Self, wisch::plan::PlanError> {
         let radius = task.tool.collision_radius();
         progress.say("looking for free space");
@@ -95,7 +95,7 @@ impl Room {
         let free = raster.iter().filter(|&&p| space.is_free(p)).count();
         let mut obstacles = Vec::new();
         for (i, (object, mesh)) in task.obstacles().zip(&scene).enumerate() {
-            if i % OBSTACLES_A_WORD == 0 {
+            if i % OBSTACLES_PER_UPDATE == 0 {
                 let count = counted(scene.len(), "obstacle");
                 progress.say(format!("looking for free space beside {count} ({i} done)"));
             }
@@ -113,7 +113,7 @@ impl Room {
     }
 }
 
-/// Of evenly spaced points, row by row, those whose distance from a mesh can be below a radius.
+/// Selects the points whose distance from a mesh can be below a radius [m]. `raster`: points by rows of rising y.
 fn points_near<'a>(
     raster: &'a [Point2],
     mesh: &Mesh,
@@ -151,7 +151,7 @@ fn raster(task: &Task) -> Vec<Point2> {
 fn explanation(prepared: &Prepared, found: &Found<'_>, heading: &str) -> String {
     let task = &prepared.task;
     let Found {
-        room,
+        free_area,
         plan,
         robot,
         prediction,
@@ -170,19 +170,19 @@ fn explanation(prepared: &Prepared, found: &Found<'_>, heading: &str) -> String 
         "particles",
         format!("{} of {}", task.particles.len(), task.medium),
     ));
-    lines.push(("obstacles", obstacles(room)));
+    lines.push(("obstacles", obstacles(free_area)));
     lines.push((
         "free",
         format!(
-            "{:.0} % of the surface has room for the tool's centre point",
-            100.0 * room.free_share
+            "the tool's centre point can reach {:.0} % of the surface",
+            100.0 * free_area.free_share
         ),
     ));
-    lines.push(("to reach", destination(plan)));
+    lines.push(("goal area", destination(plan)));
     lines.push((
         "plan",
         format!(
-            "{} gives {}, {} and {:.2} m in contact; {} of the particles are out of reach",
+            "{}: {}, {}, {:.2} m in contact; {} of the particles are out of reach",
             prepared.strategy(),
             counted(plan.graph.nodes.len(), "node"),
             counted(plan.strokes.len(), "stroke"),
@@ -195,7 +195,7 @@ fn explanation(prepared: &Prepared, found: &Found<'_>, heading: &str) -> String 
     lines.push((
         "predicted",
         format!(
-            "{} where it belongs, {} lost: a score of {:.2}, and a plan is executed from {:.2} on",
+            "{} in the goal area, {} lost: score {:.2} (limit for execution: {:.2})",
             percent(performance.ratio()),
             share(performance.lost),
             prediction.score(),
@@ -240,7 +240,7 @@ fn surface(task: &Task) -> String {
     )
 }
 
-/// What the surface's slope means for the dirt; nothing where a tool would not slide down it either.
+/// Describes the effect of the surface's slope on the dirt, or returns `None` if the slope is below the tool's friction.
 fn slope(prepared: &Prepared) -> Option<String> {
     if let Some(steep) = &prepared.steep {
         return Some(steep.to_string());
@@ -258,7 +258,7 @@ fn slope(prepared: &Prepared) -> Option<String> {
         return None;
     }
     Some(format!(
-        "tan({:.1}°) = {:.2} exceeds the surface's friction of {friction}; {} is assumed to lie still up to {:.2}",
+        "tan({:.1}°) = {:.2} exceeds the surface's friction of {friction}; assumption: {} stays in place up to {:.2}",
         slope.to_degrees(),
         slope.tan(),
         task.medium,
@@ -269,7 +269,7 @@ fn slope(prepared: &Prepared) -> Option<String> {
 fn tool(task: &Task) -> String {
     let tool = &task.tool;
     format!(
-        "{}, touches {:.1} cm2 in {}; area of effect {:.3} m along and {:.3} m across the motion; r_s = {:.4} m",
+        "{}, contact area {:.1} cm2 in {}; area of effect {:.3} m along and {:.3} m across the motion; r_s = {:.4} m",
         tool.name,
         1e4 * tool.footprint.area(),
         counted(tool.footprint.polygons().len(), "piece"),
@@ -279,37 +279,37 @@ fn tool(task: &Task) -> String {
     )
 }
 
-fn obstacles(room: &Room) -> String {
-    if room.obstacles.is_empty() {
+fn obstacles(free_area: &FreeArea) -> String {
+    if free_area.obstacles.is_empty() {
         return "none near the surface".to_owned();
     }
-    let mut listed: Vec<String> = room
+    let mut listed: Vec<String> = free_area
         .obstacles
         .iter()
         .take(LISTED)
-        .map(|(name, kept)| format!("{name} (keeps the tool from {:.0} %)", 100.0 * kept))
+        .map(|(name, kept)| format!("{name} (blocks {:.0} %)", 100.0 * kept))
         .collect();
-    if room.obstacles.len() > LISTED {
-        listed.push(format!("{} more", room.obstacles.len() - LISTED));
+    if free_area.obstacles.len() > LISTED {
+        listed.push(format!("{} more", free_area.obstacles.len() - LISTED));
     }
     listed.join(", ")
 }
 
 fn destination(plan: &Plan) -> String {
     match plan.graph.goal {
-        GoalState::Absorbed => "every particle taken up".to_owned(),
+        GoalState::Absorbed => "all particles absorbed".to_owned(),
         GoalState::Collected { center, radius } => format!(
-            "every particle within {radius:.4} m of ({:.3}, {:.3}) m on the surface",
+            "all particles within {radius:.4} m of ({:.3}, {:.3}) m on the surface",
             center.x, center.y
         ),
         GoalState::Polished { passes } => {
-            format!("every place passed {}", counted(passes as usize, "time"))
+            format!("every point passed {}", counted(passes as usize, "time"))
         }
         GoalState::Emitted {
             thickness,
             per_pass,
         } => format!(
-            "a coat of {:.4} mm everywhere, {:.4} mm in each pass",
+            "a coat of {:.4} mm everywhere, {:.4} mm per pass",
             1e3 * thickness,
             1e3 * per_pass
         ),
@@ -317,8 +317,8 @@ fn destination(plan: &Plan) -> String {
             let goals = plan.graph.nodes.iter();
             let goals = goals.filter(|node| node.role == NodeRole::Goal).count();
             format!(
-                "every particle over a skim edge, towards {} beyond it",
-                counted(goals, "place")
+                "all particles over a skim edge, towards {} beyond it",
+                counted(goals, "goal node")
             )
         }
     }

@@ -1,5 +1,5 @@
-//! Programs that belong to this one and are compiled apart, as few need them: where they are found, and how a checkout of
-//! the source builds them.
+//! Companion programs, which are installed separately because few users need them: finds them, and builds them in a
+//! checkout of the source.
 
 use crate::args::GlobalArgs;
 use crate::failure::Failure;
@@ -7,19 +7,19 @@ use crate::terminal::remark;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
-/// A program of this source.
+/// A companion program.
 #[derive(Debug, Clone, Copy)]
 pub struct Companion {
-    /// Its package and name.
+    /// Name of its package and program.
     pub name: &'static str,
-    /// What is said while it is built.
+    /// The note that is shown while it is built.
     pub building: &'static str,
-    /// Whether it is a workspace of its own, with its own lock file, and no member of the program's.
+    /// Whether its package is a separate Cargo workspace with its own lock file.
     pub is_workspace: bool,
 }
 
 impl Companion {
-    /// Beside this program, in the folder above (as of cargo's examples), or in `PATH`.
+    /// Finds it beside this program, in the parent folder (for cargo's examples), or in `PATH`.
     pub fn find(&self) -> Option<PathBuf> {
         let program = std::env::current_exe().unwrap_or_default();
         let beside = program.ancestors().skip(1).take(2).map(Path::to_path_buf);
@@ -34,7 +34,7 @@ impl Companion {
     /// Finds it, or builds it in a checkout.
     ///
     /// # Errors
-    /// That it cannot be had, and what installs it.
+    /// If it is neither found nor built; the advice names the command that installs it.
     pub fn find_or_build(&self, global: &GlobalArgs) -> Result<PathBuf, Failure> {
         if let Some(program) = self.find() {
             return Ok(program);
@@ -43,14 +43,15 @@ impl Companion {
         let built = built.map_err(|why| Failure::new(why).with_help(self.install()))?;
         let program = built.then(|| self.find()).flatten();
         program.ok_or_else(|| {
-            Failure::new(format!("{} cannot be found", self.name)).with_help(self.install())
+            Failure::new(format!("{} is not installed", self.name)).with_help(self.install())
         })
     }
 
-    /// Builds it beside this program, if that lies in the target folder of a checkout, as after `cargo run`: whether it did.
+    /// Builds it beside this program if this program is in the target folder of a checkout, as after `cargo run`.
+    /// Returns whether it was built.
     ///
     /// # Errors
-    /// Why it cannot be built.
+    /// If cargo fails.
     pub fn build(&self, global: &GlobalArgs) -> Result<bool, String> {
         let program = std::env::current_exe().unwrap_or_default();
         let Some((folder, target, checkout)) = self.checkout(&program) else {
@@ -82,15 +83,15 @@ impl Companion {
         }
     }
 
-    /// What installs it.
+    /// Returns advice with the command that installs it.
     pub fn install(&self) -> String {
         format!(
-            "cargo install --path crates/{} --locked, in wisch's source, installs it",
+            "install it from wisch's source: cargo install --path crates/{} --locked",
             self.name
         )
     }
 
-    /// The folder of the profile, the target folder and the checkout in which a program lies.
+    /// Returns the profile folder, the target folder and the checkout that contain a program.
     fn checkout<'a>(&self, program: &'a Path) -> Option<(&'a Path, &'a Path, &'a Path)> {
         let folder = program.parent()?;
         let target = folder.parent()?;

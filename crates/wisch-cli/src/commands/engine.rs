@@ -1,4 +1,4 @@
-//! Where `wisch ask` finds its Prolog engine; in a checkout of the source it builds it.
+//! Finds the Prolog engine of `wisch ask`, and builds it in a checkout of the source.
 
 use super::companion::Companion;
 use crate::args::{EngineChoice, GlobalArgs};
@@ -8,16 +8,16 @@ use wisch_memory::ask::EngineCommand;
 
 const ENGINE: Companion = Companion {
     name: "wisch-prolog",
-    building: "building the Prolog engine, once: some minutes (4 on two cores)",
+    building: "building the Prolog engine; this happens once and takes about 4 minutes on two cores",
     is_workspace: false,
 };
 
-/// The engine of this choice; without one, Scryer Prolog if it can be had, else SWI-Prolog if it is installed.
+/// Finds the chosen engine. Without a choice, prefers Scryer Prolog, which is built if possible, to SWI-Prolog.
 pub fn find(choice: Option<EngineChoice>, global: &GlobalArgs) -> Result<EngineCommand, Failure> {
     if choice == Some(EngineChoice::Swi) {
         return EngineCommand::swi().ok_or_else(|| {
-            Failure::new("there is no SWI-Prolog: swipl cannot be found")
-                .with_help("install it, so that swipl is in PATH, or leave out --engine")
+            Failure::new("SWI-Prolog is not installed: swipl is not in PATH")
+                .with_help("install SWI-Prolog, or leave out --engine")
         });
     }
     if let Some(engine) = EngineCommand::scryer() {
@@ -26,7 +26,7 @@ pub fn find(choice: Option<EngineChoice>, global: &GlobalArgs) -> Result<EngineC
     let (name, install) = (ENGINE.name, ENGINE.install());
     let built = ENGINE.build(global).map_err(|why| {
         Failure::new(format!("the Prolog engine {why}"))
-            .with_help(format!("{install}; --engine swi asks SWI-Prolog instead"))
+            .with_help(format!("{install}; --engine swi uses SWI-Prolog instead"))
     })?;
     if let (true, Some(engine)) = (built, EngineCommand::scryer()) {
         return Ok(engine);
@@ -36,13 +36,13 @@ pub fn find(choice: Option<EngineChoice>, global: &GlobalArgs) -> Result<EngineC
     {
         if !global.quiet {
             remark(&format!(
-                "SWI-Prolog answers, for {name} cannot be found; {install}"
+                "using SWI-Prolog, because {name} is not installed; {install}"
             ));
         }
         return Ok(engine);
     }
-    Err(
-        Failure::new(format!("there is no Prolog engine: {name} cannot be found"))
-            .with_help(install),
-    )
+    Err(Failure::new(format!(
+        "there is no Prolog engine: {name} is not installed"
+    ))
+    .with_help(install))
 }

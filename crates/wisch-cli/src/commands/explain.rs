@@ -6,11 +6,11 @@ use wisch::represent::{GoalState, Task};
 use wisch::run::Considered;
 use wisch_io::CandidateSummary;
 
-/// What a plan's score is.
-const SCORE: &str = "the dirt brought where it belongs, on average over all places where \
-                     it may lie, less three times what is lost, less way and time";
+/// The definition of a plan's score, for people.
+const SCORE: &str = "score = share of the dirt in the goal area, averaged over all positions that the dirt may \
+                     have, minus three times the lost share, minus costs of path length and time";
 
-/// All that was considered, with which of it became the plan.
+/// Returns a summary of every evaluated candidate and marks the chosen plan.
 pub(super) fn candidates(
     considered: &[Considered],
     chosen: &Plan,
@@ -43,19 +43,19 @@ pub(super) fn candidates(
     candidates.collect()
 }
 
-/// The share of the dirt that the tool passes over where it lies now [1].
+/// The share of the particles that the tool passes over if they do not move [1].
 fn covered(plan: &Plan, task: &Task) -> f64 {
     let mut taken_up = plan.clone();
     taken_up.graph.goal = GoalState::Absorbed;
     predict(task, &taken_up, |_| ()).performance.ratio()
 }
 
-/// The candidates for people, the plan marked, and why it is the plan.
+/// Formats the candidates as a table with the chosen plan marked, and adds the reason for the choice.
 pub(super) fn table(candidates: &[CandidateSummary]) -> String {
     let has_motion = candidates.iter().any(|one| one.execution_time_s.is_some());
     let mut text = format!(
         "\n    {:<9} {:>6} {:>9} {:>7} {:>7} {:>11} {:>7} {:>7}",
-        "strategy", "score", "predicted", "lost", "covered", "in contact", "in all", "strokes"
+        "strategy", "score", "predicted", "lost", "covered", "in contact", "total", "strokes"
     );
     if has_motion {
         text += &format!(" {:>7} {:>9}", "time", "abandoned");
@@ -65,7 +65,7 @@ pub(super) fn table(candidates: &[CandidateSummary]) -> String {
         let mark = if one.chosen { '*' } else { ' ' };
         text += &format!("  {mark} {:<9}", one.strategy);
         if let Some(error) = &one.error {
-            text += &format!(" none: {error}\n");
+            text += &format!(" no plan: {error}\n");
             continue;
         }
         let share = |share: Option<f64>| share.map_or_else(|| "–".to_owned(), percent);
@@ -89,7 +89,7 @@ pub(super) fn table(candidates: &[CandidateSummary]) -> String {
     text + &reason(candidates)
 }
 
-/// Why the plan is what it is.
+/// Formats the reason why the marked candidate was chosen.
 fn reason(candidates: &[CandidateSummary]) -> String {
     let mut by_score: Vec<(&str, f64)> = (candidates.iter())
         .filter_map(|one| Some((one.strategy.as_str(), one.worth?)))
@@ -102,12 +102,12 @@ fn reason(candidates: &[CandidateSummary]) -> String {
     match by_score[..] {
         [(best, score), (next, less), ..] if best == name.as_str() => {
             format!(
-                "\n    {name} has the highest score, {score:.3} against {less:.3} of {next}: {SCORE}\n"
+                "\n    {name} has the highest score, {score:.3}; {next} follows with {less:.3}\n    {SCORE}\n"
             )
         }
         [(best, _), _, ..] => format!(
-            "\n    {name} is what was asked for; --strategy best would take {best}, which has the highest score: {SCORE}\n"
+            "\n    {name} was requested; --strategy best would choose {best}, which has the highest score\n    {SCORE}\n"
         ),
-        _ => format!("\n    {name} is the only one with a plan\n"),
+        _ => format!("\n    only {name} found a plan\n"),
     }
 }

@@ -1,4 +1,4 @@
-//! `wisch memory export`: episodes in the form in which openEASE and KnowRob keep theirs.
+//! `wisch memory export`: writes episodes in the format of openEASE and KnowRob.
 
 use super::PROGRAM;
 use super::memory::{broken, open};
@@ -12,7 +12,7 @@ use wisch_memory::neem::{NeemConfig, NeemError, NeemMeta, NeemReport, NeemWriter
 use wisch_memory::{Episode, EpisodeRecord, Memory, Ontology};
 use wisch_record::now;
 
-/// Writes the episodes that are named, or all, as one NEEM.
+/// Writes the named episodes, or all, as one NEEM.
 pub fn export(args: &ExportArgs, global: &GlobalArgs) -> Result<Outcome, Failure> {
     let progress = Progress::start(global);
     let memory = open(&args.memory)?;
@@ -46,7 +46,7 @@ fn episodes(memory: &Memory, ids: &[String]) -> Result<Vec<Episode>, Failure> {
 
 fn write(neem: &mut NeemWriter, episode: &Episode) -> Result<(), Failure> {
     let files = episode.files().map_err(broken)?;
-    // An episode of a log does not say which robot it was.
+    // An episode of an imported log has no robot.
     let written = if files.iter().any(|file| file == "robot.urdf") {
         let robot = episode.robot().map_err(broken)?;
         neem.stored(episode, PoseSource::Robot(&robot))
@@ -56,7 +56,7 @@ fn write(neem: &mut NeemWriter, episode: &Episode) -> Result<(), Failure> {
     written.map_err(not_written)
 }
 
-/// Who did what with what, in all the episodes.
+/// The tasks, tools, media, surfaces and robots of all episodes.
 #[derive(Debug, Default)]
 struct About {
     tasks: BTreeSet<String>,
@@ -148,9 +148,9 @@ fn tell(args: &ExportArgs, global: &GlobalArgs, report: &NeemReport) -> Result<(
 
 fn not_written(error: NeemError) -> Failure {
     let help = match error {
-        NeemError::Exists { .. } => "--neem DIR must be a folder that is not there yet",
-        NeemError::Rate { .. } => "--tf-rate-hz 10 is the default",
-        _ => "wisch memory verify says what is broken",
+        NeemError::Exists { .. } => "choose a new folder with --neem DIR",
+        NeemError::Rate { .. } => "choose a positive rate with --tf-rate-hz; the default is 10",
+        _ => "wisch memory verify lists damaged files",
     };
     Failure::new(error).with_help(help)
 }

@@ -1,4 +1,4 @@
-//! A fleet's memory. Who brings episodes there and back is a program of its own.
+//! The memory of a fleet. The companion program `wisch-fleet` copies episodes there and back.
 
 use super::companion::Companion;
 use crate::args::{GlobalArgs, MemoryPullArgs, MemoryPushArgs, SelectionArgs};
@@ -11,29 +11,29 @@ use std::process::{Command, Stdio};
 
 const FLEET: Companion = Companion {
     name: "wisch-fleet",
-    building: "building wisch-fleet, once: a quarter of an hour on two cores",
+    building: "building wisch-fleet; this happens once and takes about 15 minutes on two cores",
     is_workspace: true,
 };
 
-/// Brings the episodes of a memory into a fleet.
+/// Copies the episodes of a memory to a fleet.
 pub fn push(args: &MemoryPushArgs, global: &GlobalArgs) -> Result<Outcome, Failure> {
     let memory: &OsStr = args.memory.memory.as_ref();
     let mut fleet = begin(global, ["push".as_ref(), memory, args.url.as_ref()])?;
     if let Some(robot) = &args.robot {
         fleet.args(["--robot", robot]);
     }
-    ended(fleet, args.json, global)
+    run_to_end(fleet, args.json, global)
 }
 
-/// Brings episodes of a fleet into a memory.
+/// Copies episodes of a fleet into a memory.
 pub fn pull(args: &MemoryPullArgs, global: &GlobalArgs) -> Result<Outcome, Failure> {
     let memory: &OsStr = args.memory.memory.as_ref();
     let mut fleet = begin(global, ["pull".as_ref(), args.url.as_ref(), memory])?;
     fleet.args(args.selection.to_arguments());
-    ended(fleet, args.json, global)
+    run_to_end(fleet, args.json, global)
 }
 
-/// Brings what is selected into a memory that is to be asked, and says what that was.
+/// Copies the selected episodes into a memory before a query, and prints a note with their number.
 ///
 /// # Errors
 /// If the fleet cannot be read.
@@ -48,7 +48,7 @@ pub fn fetch(
     fleet.stdout(Stdio::piped());
     let output = fleet.spawn().and_then(|child| child.wait_with_output());
     let output = output.map_err(|error| Failure::new(format!("{}: {error}", FLEET.name)))?;
-    // With 1, episodes were left out, each of which was named.
+    // Exit code 1: some episodes were left out, and wisch-fleet has named them.
     if !matches!(output.status.code(), Some(0 | 1)) {
         return Err(failed(output.status));
     }
@@ -56,7 +56,7 @@ pub fn fetch(
     if !global.quiet {
         let number = |name: &str| said[name].as_u64().unwrap_or_default();
         remark(&format!(
-            "{} of {} episodes of {url} are selected; {} of them were pulled now ({:.1} MB)",
+            "{} of {} episodes of {url} are selected; {} were pulled now ({:.1} MB)",
             number("selected"),
             number("of"),
             number("episodes"),
@@ -65,7 +65,7 @@ pub fn fetch(
         let left_out = said["left_out"].as_array().map_or(0, Vec::len);
         if left_out > 0 {
             remark(&format!(
-                "{left_out} of them cannot be read: the answers lack them"
+                "{left_out} of the selected episodes cannot be read and are missing from the answers"
             ));
         }
     }
@@ -78,7 +78,7 @@ fn begin<const N: usize>(global: &GlobalArgs, arguments: [&OsStr; N]) -> Result<
     Ok(fleet)
 }
 
-fn ended(mut fleet: Command, json: bool, global: &GlobalArgs) -> Result<Outcome, Failure> {
+fn run_to_end(mut fleet: Command, json: bool, global: &GlobalArgs) -> Result<Outcome, Failure> {
     if json {
         fleet.arg("--json");
     } else if global.quiet {
@@ -93,7 +93,7 @@ fn ended(mut fleet: Command, json: bool, global: &GlobalArgs) -> Result<Outcome,
     }
 }
 
-/// It has said why.
+/// Makes a failure from an exit status; wisch-fleet has printed the reason.
 fn failed(status: std::process::ExitStatus) -> Failure {
     Failure::new(format!("{} ended: {status}", FLEET.name))
 }

@@ -1,4 +1,4 @@
-//! The robot's part of a run: who follows, and from where.
+//! The robot that follows plans: its description, its workcell and its first posture.
 
 use super::prepare::Prepared;
 use crate::args::{RobotArgs, TaskArgs};
@@ -9,20 +9,20 @@ use wisch::plan::Plan;
 use wisch::robot::CapabilityMap;
 use wisch_io::{Robot, RobotDescription, RobotRecord};
 
-/// What `--robot` says to leave the robot out.
+/// Value of `--robot` for no robot.
 const NO_ROBOT: &str = "none";
 
-/// The robot that is to follow, with what the command line says of it.
+/// The robot of the task file or the command line, with the options for it.
 pub struct Chosen<'a> {
     record: RobotRecord,
     args: &'a RobotArgs,
 }
 
 impl<'a> Chosen<'a> {
-    /// The robot that is to follow, if there is one.
+    /// Chooses the robot of `--robot`, else the task's robot; `None` without either.
     ///
     /// # Errors
-    /// Options that are of no use without a robot.
+    /// If there is no robot but `--group` or `--map` is given.
     pub fn new(args: &'a RobotArgs, prepared: &Prepared) -> Result<Option<Self>, Failure> {
         let in_file = prepared.file.robot();
         let record = match (args.robot.as_deref(), in_file) {
@@ -42,7 +42,7 @@ impl<'a> Chosen<'a> {
 }
 
 impl Chosen<'_> {
-    /// A failure to follow, with what can be done about it.
+    /// Makes a failure from an error of following, with advice.
     pub fn cannot_follow(
         &self,
         error: &FollowError,
@@ -59,16 +59,16 @@ fn no_robot(args: &RobotArgs) -> Result<(), Failure> {
         ("--map", args.map.is_some()),
     ];
     match useless.iter().find(|(_, given)| *given) {
-        Some((option, _)) => Err(
-            Failure::new(format!("{option}: there is no robot to use it"))
-                .with_help("add a [robot] table to the task, or name a robot with --robot"),
-        ),
+        Some((option, _)) => Err(Failure::new(format!(
+            "{option}: needs a robot, but the task has none"
+        ))
+        .with_help("add a [robot] table to the task, or choose a robot with --robot")),
         None => Ok(()),
     }
 }
 
-/// The robot, as it is described; says what is odd about it and what is assumed of it.
-pub fn performer(chosen: &Chosen<'_>, task_args: &TaskArgs) -> Result<Robot, Failure> {
+/// Reads the robot's description and prints its warnings and assumptions as notes.
+pub fn read_robot(chosen: &Chosen<'_>, task_args: &TaskArgs) -> Result<Robot, Failure> {
     let Chosen { record, args } = chosen;
     let task_file = &task_args.task;
     let robot = Robot::read(
@@ -85,25 +85,25 @@ pub fn performer(chosen: &Chosen<'_>, task_args: &TaskArgs) -> Result<Robot, Fai
     Ok(robot)
 }
 
-/// Which part of the robot wipes, and where the robot stands.
+/// The planning groups that wipe, and the pose of the robot.
 pub fn workcell_config(chosen: &Chosen<'_>, prepared: &Prepared) -> WorkcellConfig {
     chosen.record.workcell_config(&prepared.task)
 }
 
-/// Robot, tool and scene, and what is known of the robot's reach.
+/// Reads the robot and returns its workcell with the tool and the scene, and its capability map if it has one.
 pub fn workcell(
     chosen: &Chosen<'_>,
     task_args: &TaskArgs,
     prepared: &Prepared,
 ) -> Result<(Workcell, Option<CapabilityMap>), Failure> {
-    let robot = performer(chosen, task_args)?;
+    let robot = read_robot(chosen, task_args)?;
     let config = workcell_config(chosen, prepared);
     let cell = Workcell::new(robot.model, robot.srdf.as_ref(), &prepared.task, &config)
         .map_err(|error| cannot_follow(&error, &chosen.record, task_args, prepared))?;
     Ok((cell, robot.map))
 }
 
-/// Whether the robot can start; there need not be a plan.
+/// Checks that the robot can take its first posture, by following the plan without its strokes.
 pub fn can_start(
     cell: &Workcell,
     chosen: &Chosen<'_>,
@@ -121,8 +121,8 @@ pub fn can_start(
     Ok(())
 }
 
-/// Which robot stands where, in one line.
-pub fn stand_in_words(cell: &Workcell) -> String {
+/// Describes in one line the robot, the link that holds the tool, and the robot's position.
+pub fn describe_stand(cell: &Workcell) -> String {
     let robot = cell.robot();
     let tip = &robot.links()[cell.tip().index()].name;
     let place = match cell.base() {
@@ -150,14 +150,14 @@ fn cannot_follow(
     let failure = prepared.failure(task_args, error);
     match (error, &record.description) {
         (FollowError::UnknownGroup(_), _) => {
-            failure.with_help("groups are those of the robot's SRDF; without --group and group in [robot], its first wipes")
+            failure.with_help("choose a group of the robot's SRDF with --group, or group in [robot]; the default is the first group")
         }
         (_, RobotDescription::Named(_)) => failure.with_help(
-            "[robot] in the task file says where the robot stands; --robot none leaves it out",
+            "set the robot's position in the task's [robot] table, or use no robot with --robot none",
         ),
         (_, RobotDescription::Files { urdf, .. }) => failure.with_help(format!(
-            "[robot] in the task file says where the robot stands, the SRDF beside {urdf} which \
-             group wipes and a \"ready\" state that touches nothing"
+            "check the robot's position in the task's [robot] table, and in the SRDF beside {urdf} the planning \
+             group and a collision-free state named \"ready\""
         )),
     }
 }

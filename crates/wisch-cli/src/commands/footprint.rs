@@ -1,4 +1,4 @@
-//! `wisch footprint`: where a tool touches the surface.
+//! `wisch footprint`: the area in which a tool touches the surface.
 
 use crate::args::{FootprintArgs, GlobalArgs};
 use crate::failure::Failure;
@@ -14,21 +14,21 @@ use wisch_report::footprint_drawing;
 /// A tool longer than this is probably given in millimetres [m].
 const SUSPICIOUS_LENGTH: f64 = 5.0;
 
-/// A tool, and how it came to its footprint.
+/// A tool with the source of its footprint.
 struct Touch {
     tool: Tool,
     compression_depth: f64,
-    /// Whether it acts on a rectangle and not where it touches.
+    /// Whether the knowledge base gives an area of effect, which replaces the contact area.
     by_area_of_effect: bool,
 }
 
-/// Cuts the footprint, and tells its measures.
+/// Computes the footprint and prints its measures.
 pub fn footprint(args: &FootprintArgs, global: &GlobalArgs) -> Result<Outcome, Failure> {
     if let Some(path) = args.svg.as_deref()
         && path.extension().is_none_or(|ending| ending != "svg")
     {
         return Err(Failure::new(format!(
-            "--svg {}: the name does not end in .svg",
+            "--svg {}: the file name must end in .svg",
             path.display()
         )));
     }
@@ -51,9 +51,9 @@ fn of_file(name: &str, format: MeshFormat, depth: Option<f64>) -> Result<Touch, 
     let bytes = read(Path::new(name))?;
     let Some(depth) = depth else {
         return Err(Failure::new(format!(
-            "{name}: a mesh alone does not tell how deep the tool gives way"
+            "{name}: the compression depth of a mesh file is unknown"
         ))
-        .with_help("say it with --compression-depth-m, such as 0.002 for a hard tool"));
+        .with_help("give it with --compression-depth-m, such as 0.002 for a hard tool"));
     };
     touch_of(name, &bytes, format, depth, None)
 }
@@ -64,14 +64,14 @@ fn of_knowledge(args: &FootprintArgs) -> Result<Touch, Failure> {
     let entry = tool_entry(&args.tool, &knowledge)?;
     let ToolMesh::InKnowledge(file) = &entry.mesh else {
         return Err(Failure::new(format!(
-            "tool {:?} is not of the knowledge base",
+            "tool {:?} has no mesh in the knowledge base",
             entry.name
         )));
     };
     let bytes = source.asset(file).map_err(Failure::new)?;
     let format = MeshFormat::from_file_name(file).ok_or_else(|| {
         Failure::new(format!(
-            "tool {:?}: {file:?} is no mesh file: it does not end in .stl, .obj or .dae",
+            "tool {:?}: {file:?} is not a mesh file; its name must end in .stl, .obj or .dae",
             entry.name
         ))
     })?;
@@ -86,10 +86,11 @@ fn tool_entry<'a>(name: &str, knowledge: &'a KnowledgeBase) -> Result<&'a ToolEn
         let failure = Failure::new(error);
         if Path::new(name).exists() {
             failure.with_help(format!(
-                "{name:?} is a file, but its name does not end in .stl, .obj or .dae"
+                "{name:?} is a file, but the name of a mesh file must end in .stl, .obj or .dae"
             ))
         } else {
-            failure.with_help("a mesh file ends in .stl, .obj or .dae")
+            failure
+                .with_help("name a tool of the knowledge base, or a mesh file (.stl, .obj or .dae)")
         }
     })
 }
@@ -144,7 +145,7 @@ fn in_words(touch: &Touch, drawing: Option<&Path>) -> String {
     let size = tool.area_of_effect;
     let radius = tool.collision_radius();
     let mut lines = vec![
-        ("gives way", format!("{:.4} m", touch.compression_depth)),
+        ("compression", format!("{:.4} m", touch.compression_depth)),
         ("pieces", pieces.to_string()),
         ("holes", holes.to_string()),
         (
@@ -168,13 +169,13 @@ fn in_words(touch: &Touch, drawing: Option<&Path>) -> String {
     if touch.by_area_of_effect {
         lines.push((
             "note",
-            "it acts on the whole area of effect, not only where it touches".to_owned(),
+            "the tool acts on the whole area of effect, not only in the contact area".to_owned(),
         ));
     }
     if size.amax() > SUSPICIOUS_LENGTH {
         lines.push((
             "note",
-            "this is large for a tool: is the mesh in millimetres? wisch takes metres".to_owned(),
+            "the tool is longer than 5 m: wisch reads meshes in metres; is this mesh in millimetres?".to_owned(),
         ));
     }
     if let Some(path) = drawing {

@@ -1,4 +1,4 @@
-//! `wisch memory import`: a log of some robot as an episode.
+//! `wisch memory import`: interprets a robot's log and stores it as an episode.
 
 use super::PROGRAM;
 use super::interpret::{Interpreted, interpret_log, task_args};
@@ -35,15 +35,15 @@ const COLUMNS: [&str; 10] = [
     "external/fz",
 ];
 const NANOSECONDS_PER_SECOND: f64 = 1e9;
-/// How the log was understood: what of the command line changes it.
+/// Attachment with the options of the command line that change the interpretation of the log.
 const READING_FILE: &str = "reading.txt";
 
-/// Reads and interprets the log, and keeps it.
+/// Reads and interprets the log, and stores it as an episode.
 pub fn import(args: &ImportArgs, global: &GlobalArgs) -> Result<Outcome, Failure> {
     let progress = Progress::start(global);
     let source = &args.source;
     let task_args = task_args(source);
-    progress.say("looking whether the log is there already");
+    progress.say("checking whether the memory has this log");
     let digest = digest_of(&source.log)
         .map_err(|error| Failure::new(format!("{}: {error}", source.log.display())))?;
     let memory = Memory::create(&args.memory.memory).map_err(cannot_keep)?;
@@ -52,7 +52,7 @@ pub fn import(args: &ImportArgs, global: &GlobalArgs) -> Result<Outcome, Failure
     let reading = reading(args, &prepared);
     if let Some(id) = episode_of(&memory, &digest)? {
         drop(progress);
-        return known(&memory, &id, &reading, args, global);
+        return report_known(&memory, &id, &reading, args, global);
     }
     let interpreted = interpret_log(source, &task_args, &mut prepared, None, &progress)?;
     progress.say("keeping the episode");
@@ -60,7 +60,7 @@ pub fn import(args: &ImportArgs, global: &GlobalArgs) -> Result<Outcome, Failure
     drop(progress);
 
     let read = &interpreted.record;
-    // Where a plane was found, the remarks say the doubts.
+    // With a fitted plane, the log's remarks include the doubts.
     let doubts = (read.doubts.iter()).filter(|_| read.plane.is_none());
     for what in read.log.remarks.iter().chain(doubts) {
         remark(what);
@@ -69,8 +69,8 @@ pub fn import(args: &ImportArgs, global: &GlobalArgs) -> Result<Outcome, Failure
         let verdict = verdict_of(&record);
         let mean = interpreted.interpretation.performance.mean;
         let estimate = match is_estimated(&record) {
-            true => format!("performance {} estimated ({verdict})", percent(mean)),
-            false => format!("the performance {verdict}"),
+            true => format!("estimated performance {} ({verdict})", percent(mean)),
+            false => format!("performance: {verdict}"),
         };
         format!(
             "{}: {} in {:.1} s, {estimate}\n  episode  {place}\n",
@@ -82,12 +82,12 @@ pub fn import(args: &ImportArgs, global: &GlobalArgs) -> Result<Outcome, Failure
     Ok(Outcome::Done)
 }
 
-/// From the start of a log to its last sample [s].
+/// The time from the start of a log to its last sample [s].
 fn duration_of(log: &Log) -> f64 {
     log.samples.last().map_or(0.0, |sample| sample.time)
 }
 
-/// Puts what was read and found into the memory, as one episode.
+/// Stores the log and its interpretation in the memory, as one episode.
 fn keep(
     args: &ImportArgs,
     memory: &Memory,
@@ -97,7 +97,7 @@ fn keep(
 ) -> Result<EpisodeRecord, Failure> {
     let log = &interpreted.log;
     let start = (args.start_s).unwrap_or(log.start as f64 / NANOSECONDS_PER_SECOND);
-    // The name comes from the log: whoever imports the same one at the same time meets this one.
+    // The name is derived from the log, so that two simultaneous imports of a log collide.
     let writer = begin_episode(memory, start, digest.hash as u16).map_err(cannot_keep)?;
     let believed = prepared.task.surface.world_from_surface;
     let seen = RoundObservations {
@@ -141,7 +141,7 @@ fn keep(
     Ok(record)
 }
 
-/// Attaches the task, how the log was understood, and what was found in it.
+/// Attaches the task, the options of the log, and the results of the interpretation.
 fn attach(
     writer: &EpisodeWriter,
     (prepared, reading): (&Prepared, &str),
@@ -165,7 +165,7 @@ fn cannot_keep(error: MemoryError) -> Failure {
     RecordError::from(error).into()
 }
 
-/// How a log is understood, whatever it is called.
+/// Formats all options that change the interpretation of a log; its file name is not among them.
 fn reading(args: &ImportArgs, prepared: &Prepared) -> String {
     let source = &args.source;
     let options = (
@@ -219,8 +219,9 @@ fn say(
     Ok(())
 }
 
-/// A log that is in the memory: nothing is added. Read otherwise, it would be another episode of the same wiping.
-fn known(
+/// Reports a log that the memory has already, and adds nothing. Other options than at its import are an error, because
+/// they would make a second episode of the same wiping.
+fn report_known(
     memory: &Memory,
     id: &str,
     reading: &str,
@@ -231,21 +232,21 @@ fn known(
     let log = args.source.log.display();
     if episode.attachment(READING_FILE).ok().as_deref() != Some(reading.as_bytes()) {
         return Err(Failure::new(format!(
-            "{log}: this log is in the memory already, as episode {id}, imported with another task or other options"
+            "{log}: the memory has this log already, as episode {id}, imported with another task or other options"
         ))
-        .with_help(format!("wisch memory forget {id} removes that episode, then the log can be imported anew")));
+        .with_help(format!("remove that episode with wisch memory forget {id}, then import the log again")));
     }
     let record = episode.record().map_err(cannot_keep)?;
     say(&record, args, global, |place| {
         format!(
-            "{}: this log is in the memory already, so nothing was added\n  episode  {place}\n",
+            "{}: the memory has this log already; nothing was added\n  episode  {place}\n",
             record.task
         )
     })?;
     Ok(Outcome::Done)
 }
 
-/// The episode that was imported from a log of this digest.
+/// Finds the episode that was imported from a log with this digest.
 fn episode_of(memory: &Memory, digest: &LogDigest) -> Result<Option<String>, Failure> {
     let catalogue: Catalogue = memory.catalogue().map_err(cannot_keep)?;
     let digests = catalogue.texts("semco:logDigest");
@@ -257,12 +258,12 @@ fn episode_of(memory: &Memory, digest: &LogDigest) -> Result<Option<String>, Fai
     Ok(found.map(|row| row.id.clone()))
 }
 
-/// What tells a log from others.
+/// A digest that identifies the contents of a log.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 struct LogDigest {
-    /// How long its files are [bytes].
+    /// Total size of its files [bytes].
     bytes: u64,
-    /// FNV-1a of their contents, of 64 bits (Fowler, Noll, Vo).
+    /// 64-bit FNV-1a hash of their contents (Fowler, Noll, Vo).
     hash: u64,
 }
 
@@ -272,7 +273,7 @@ impl std::fmt::Display for LogDigest {
     }
 }
 
-/// The digest of a log: a file, or the files in a folder by name.
+/// Computes the digest of a log: of a file, or of all files in a folder, sorted by name.
 fn digest_of(log: &Path) -> io::Result<LogDigest> {
     let mut digest = LogDigest {
         bytes: 0,
@@ -300,6 +301,7 @@ fn digest_of(log: &Path) -> io::Result<LogDigest> {
             };
             digest.bytes += read as u64;
             for byte in &block[..read] {
+                // FNV-1a: hash = (hash xor byte) * (2^40 + 2^8 + 0xb3) modulo 2^64
                 digest.hash = (digest.hash ^ u64::from(*byte)).wrapping_mul(0x0100_0000_01b3);
             }
         }
@@ -317,7 +319,7 @@ fn write_telemetry(
     let (tool, surface) = (&prepared.task.tool.name, &prepared.task.surface.name);
     let scene = RoundScene::of_log(tool, surface, &seen.world_from_surface);
     let mut telemetry = writer.telemetry_with_columns(1, scene.head(Vec::new()), &columns)?;
-    // Of a log nobody knows what the robot was about.
+    // A log does not state the robot's phases.
     let mark = Mark {
         motion: 0,
         phase: Phase::FreeMotion,

@@ -1,4 +1,4 @@
-//! `wisch interpret`: what a log of poses and forces says about the dirt and the surface.
+//! `wisch interpret`: estimates the dirt and the surface from a log of tool poses and forces.
 
 use super::log_report::page;
 use super::out_folder::folder_name;
@@ -24,15 +24,15 @@ use wisch_telemetry::{
     AxesChoice, AxesSource, Log, LogOptions, Payload, ReadFault, RecordingKind, TopicChoice, read,
 };
 
-/// Reads the log, interprets it, and writes what it says.
+/// Reads the log, interprets it, and writes the results.
 pub fn interpret(args: &InterpretArgs, global: &GlobalArgs) -> Result<Outcome, Failure> {
     let progress = Progress::start(global);
     progress.say("reading the task");
     let task_args = task_args(&args.source);
     let mut prepared = Prepared::read(&task_args)?;
     let out = (args.out.clone()).unwrap_or_else(|| default_out(&prepared));
-    check_apart(&args.source.log, &out)?;
-    // Before the long part: nobody likes to wait for "permission denied".
+    check_log_is_kept(&args.source.log, &out)?;
+    // The folder comes before the long computation, so that a missing permission is reported at once.
     let replaceable = if args.force {
         Replaceable::All
     } else {
@@ -63,17 +63,17 @@ pub fn interpret(args: &InterpretArgs, global: &GlobalArgs) -> Result<Outcome, F
     })
 }
 
-/// A log, and what it says.
+/// A log and its interpretation.
 pub(super) struct Interpreted {
     pub log: Log,
     pub goal: GoalState,
     pub interpretation: Interpretation,
-    /// The same as it is written.
+    /// The record that is written to `interpretation.json`.
     pub record: InterpretationRecord,
 }
 
 impl Interpreted {
-    /// Its page.
+    /// Writes the page of the log as HTML.
     pub fn page(&self, prepared: &Prepared) -> String {
         let lines = summary_lines(&self.record).into_iter();
         let facts: Vec<(String, String)> = lines
@@ -84,14 +84,14 @@ impl Interpreted {
         page(prepared, &self.goal, &self.interpretation, &facts, notes)
     }
 
-    /// Where the dirt is estimated to lie.
+    /// Draws one particle distribution from the estimated belief.
     pub fn estimated(&self, prepared: &Prepared) -> Result<ParticleDistribution, Failure> {
         let belief = &self.interpretation.belief;
         belief.sample(prepared.task.seed).map_err(internal)
     }
 }
 
-/// Reads a log and interprets it, with what was seen of the dirt afterwards in a file, if anything.
+/// Reads a log and interprets it. `seen`: file with an observation of the dirt after the log, if there is one.
 pub(super) fn interpret_log(
     source: &LoggedArgs,
     task_args: &TaskArgs,
@@ -106,7 +106,7 @@ pub(super) fn interpret_log(
         "interpreting {}",
         counted(log.samples.len(), "sample")
     ));
-    let mut interpretation = interpreted(source, prepared, &log, &goal)?;
+    let mut interpretation = interpret_samples(source, prepared, &log, &goal)?;
     if let Some(seen) = seen {
         let sensor = prepared.file.perception().sight.unwrap_or_default();
         interpretation.look(&Look {
@@ -132,7 +132,7 @@ pub(super) fn interpret_log(
     })
 }
 
-/// What is written of a log that was read from a file.
+/// Makes the record of a log that was read from a file.
 fn log_record(file: &Path, log: &Log, remarks: Vec<String>) -> LogRecord {
     let times = [log.samples.first(), log.samples.last()]
         .map(|sample| sample.map_or(0.0, |sample| sample.time));
@@ -154,13 +154,13 @@ fn log_record(file: &Path, log: &Log, remarks: Vec<String>) -> LogRecord {
     }
 }
 
-/// What is odd about a log, in words.
+/// Describes what users should know about a log: frames used, samples left out, gaps and doubts.
 fn remarks(log: &Log, prepared: &Prepared, interpretation: &Interpretation) -> Vec<String> {
     let mut remarks = log.frames_used.clone();
     remarks.extend(log.remarks.iter().cloned());
     let skipped = log.skipped.iter().map(|skipped| {
         let count = counted(skipped.count, "sample");
-        format!("left out: {count}, the first of them {}", skipped.first)
+        format!("left out: {count}; the first: {}", skipped.first)
     });
     remarks.extend(skipped);
     remarks.extend(gaps_in_words(&log.gaps));
@@ -171,27 +171,27 @@ fn remarks(log: &Log, prepared: &Prepared, interpretation: &Interpretation) -> V
     if let Some(logged) = log.world_from_surface {
         let apart = logged.inverse() * prepared.task.surface.world_from_surface;
         let (distance, angle) = (apart.translation.vector.norm(), apart.rotation.angle());
-        // A later round of a run may plan on a surface that touch has found elsewhere.
+        // A later round of a run may plan on a surface pose that touch has corrected.
         if distance > ELSEWHERE_M || angle > ELSEWHERE_RAD {
             remarks.push(format!(
-                "the log has its surface {distance:.3} m and {:.1}° from the task's: is it another task's?",
+                "the log's surface is {distance:.3} m and {:.1}° away from the task's surface: is --task the task of this log?",
                 angle.to_degrees()
             ));
         }
     }
-    // The others say why nothing can be told, beside the performance.
+    // Decisive doubts are shown beside the performance.
     let assumed = (interpretation.doubts.iter()).filter(|doubt| !doubt.is_decisive());
     remarks.extend(assumed.map(ToString::to_string));
     remarks
 }
 
-/// How far a log's surface may be from the task's to be the same [m] and [rad].
+/// Limits up to which a log's surface pose counts as the task's [m] and [rad].
 const ELSEWHERE_M: f64 = 0.05;
 const ELSEWHERE_RAD: f64 = 0.18;
 
 fn gaps_in_words(gaps: &[[f64; 2]]) -> Option<String> {
     let shown: Vec<String> = (gaps.iter().take(GAPS_SHOWN))
-        .map(|[start, end]| format!("{:.2} s from {start:.2} s on", end - start))
+        .map(|[start, end]| format!("{:.2} s at {start:.2} s", end - start))
         .collect();
     let more = match gaps.len().saturating_sub(GAPS_SHOWN) {
         0 => String::new(),
@@ -199,16 +199,16 @@ fn gaps_in_words(gaps: &[[f64; 2]]) -> Option<String> {
     };
     (!gaps.is_empty()).then(|| {
         format!(
-            "nothing was recorded for {}{more}: what was wiped meanwhile is not counted",
+            "gaps in the log: {}{more}; wiping during gaps is not counted",
             shown.join(", ")
         )
     })
 }
 
-/// How many gaps are told one by one.
+/// Number of gaps that are listed one by one.
 const GAPS_SHOWN: usize = 5;
 
-/// The part of the arguments that says which task it was.
+/// Returns the arguments that select the task.
 pub(super) fn task_args(args: &LoggedArgs) -> TaskArgs {
     TaskArgs {
         task: args.task.clone(),
@@ -221,7 +221,7 @@ pub(super) fn task_args(args: &LoggedArgs) -> TaskArgs {
     }
 }
 
-/// What the particles are measured against. Where to collect, the planner may have chosen: then only its plan knows.
+/// Returns the goal. If the task leaves the collection area open, only the plan has it.
 fn goal(
     args: &LoggedArgs,
     task_args: &TaskArgs,
@@ -234,11 +234,9 @@ fn goal(
         prepared
             .failure(
                 task_args,
-                "the task leaves open where to collect, so nothing says what was to be reached",
+                "the task has no collection area, so the goal is unknown",
             )
-            .with_help(
-                "name the plan that was followed with --plan, or state collect.goal_m in the task",
-            )
+            .with_help("give the executed plan with --plan, or set collect.goal_m in the task")
     })
 }
 
@@ -247,8 +245,8 @@ fn default_out(prepared: &Prepared) -> PathBuf {
     Path::new("out").join(format!("{name}-interpreted"))
 }
 
-/// The results replace what stands in their folder, which must not be the log.
-fn check_apart(log: &Path, out: &Path) -> Result<(), Failure> {
+/// Refuses an output folder that contains the log, because the results would replace it.
+fn check_log_is_kept(log: &Path, out: &Path) -> Result<(), Failure> {
     let (Ok(real_log), Ok(real_out)) = (log.canonicalize(), out.canonicalize()) else {
         return Ok(());
     };
@@ -256,14 +254,14 @@ fn check_apart(log: &Path, out: &Path) -> Result<(), Failure> {
         return Ok(());
     }
     Err(Failure::new(format!(
-        "{}: the results would replace this folder, in which the log {} is",
+        "{}: the results would replace this folder, which contains the log {}",
         out.display(),
         log.display()
     ))
     .with_help("choose another folder with --out"))
 }
 
-/// Reads the log, as the arguments and the task say.
+/// Reads the log with the options of the arguments and the task.
 fn read_log(args: &LoggedArgs, prepared: &Prepared) -> Result<Log, Failure> {
     let options = log_options(&args.reading, prepared)?;
     read(&args.log, &options).map_err(|error| {
@@ -322,7 +320,7 @@ fn log_options(args: &LogArgs, prepared: &Prepared) -> Result<LogOptions, Failur
     })
 }
 
-/// A vector of three numbers, if they are given.
+/// Returns a vector of three numbers, or `None` if there are none.
 fn vector(numbers: &[f64]) -> Option<Vector3> {
     match *numbers {
         [x, y, z] => Some(Vector3::new(x, y, z)),
@@ -330,7 +328,7 @@ fn vector(numbers: &[f64]) -> Option<Vector3> {
     }
 }
 
-/// A pose of six numbers, if they are given.
+/// Returns a pose of six numbers (position, roll, pitch, yaw), or `None` if there are none.
 fn pose(numbers: &[f64]) -> Option<Pose> {
     let [x, y, z, roll, pitch, yaw] = *numbers else {
         return None;
@@ -341,70 +339,70 @@ fn pose(numbers: &[f64]) -> Option<Pose> {
     ))
 }
 
-/// What the user can do about a log that cannot be read.
+/// Returns advice for a log that cannot be read.
 fn advice(fault: &ReadFault, log: &Path) -> Option<String> {
     Some(match fault {
         ReadFault::Several { what, .. } => format!("choose one with --{what}-topic"),
         ReadFault::Nothing { what, unread, .. } if unread.is_empty() => {
-            format!("--{what}-topic TOPIC:FIELD names a part of a larger message; --urdf takes the pose from /joint_states")
+            format!("choose a field of a larger message with --{what}-topic TOPIC:FIELD, or compute the pose from /joint_states with --urdf")
         }
         ReadFault::Nothing { .. } | ReadFault::Encoding { .. } => {
-            "only messages of ROS 2 (cdr with ros2msg schemas) are read: record the topics with ros2 bag record -s mcap, or export poses and forces as a table (CSV), as PlotJuggler and Foxglove do".to_owned()
+            "wisch reads ROS 2 messages only (cdr with ros2msg schemas): record the topics with ros2 bag record -s mcap, or export poses and forces as a table (CSV) with PlotJuggler or Foxglove".to_owned()
         }
         ReadFault::Truncated { .. } => {
-            "with .active appended to its name, it is read as far as it goes".to_owned()
+            "append .active to the file name to read the complete part".to_owned()
         }
         ReadFault::OtherRecording {
             kind: RecordingKind::Sqlite | RecordingKind::Ros1,
         } => {
             let converted = log.with_extension("converted");
             format!(
-                "rosbags-convert --src {} --dst {} --dst-storage mcap makes a folder of it that is read (pip install rosbags)",
+                "convert it (pip install rosbags): rosbags-convert --src {} --dst {} --dst-storage mcap",
                 log.display(),
                 converted.display()
             )
         }
-        ReadFault::Compression { .. } => "mcap compress --compression lz4 packs it anew".to_owned(),
+        ReadFault::Compression { .. } => "recompress it with mcap compress --compression lz4".to_owned(),
         ReadFault::Apart { .. } => "see --max-gap-s".to_owned(),
         ReadFault::Unknown(error) if error.kind == "column" => {
-            "say with --csv-columns what the columns are called".to_owned()
+            "name the columns with --csv-columns".to_owned()
         }
         ReadFault::NoTime { .. } => {
-            "--rate HZ gives the samples per second, --csv-columns t=NAME a column of times".to_owned()
+            "give the sampling rate with --rate HZ, or the time column with --csv-columns t=NAME".to_owned()
         }
         ReadFault::SeveralColumns { .. } | ReadFault::DuplicateColumn { .. } => {
-            "choose with --csv-columns OURS=THEIRS".to_owned()
+            "choose one with --csv-columns OURS=THEIRS".to_owned()
         }
         ReadFault::ValueCount { count, names, .. } if count > names => {
-            "a value with separators in it stands in quotes (\"[1, 2]\")".to_owned()
+            "put values that contain separators in quotes (\"[1, 2]\")".to_owned()
         }
         ReadFault::Backwards { .. } => {
-            "--reorder-s SECONDS allows later ones; two logs in one file are read one by one; --time log takes a bag's times of recording".to_owned()
+            "allow longer delays with --reorder-s SECONDS, use a bag's recording times with --time log, or split a file that holds two logs".to_owned()
         }
         ReadFault::Time { .. } => {
-            "--time-unit-s states the unit: 1e-9 for nanoseconds".to_owned()
+            "set the unit with --time-unit-s, such as 1e-9 for nanoseconds".to_owned()
         }
         ReadFault::StillFrame { .. } => {
-            "--pose-topic /tf:FRAME names another frame".to_owned()
+            "choose another frame with --pose-topic /tf:FRAME".to_owned()
         }
         ReadFault::BesideUnread { .. } => {
-            "write a column for each number, or say with --csv-columns what the columns are called".to_owned()
+            "write one column per number, or name the columns with --csv-columns".to_owned()
         }
         ReadFault::Table { .. } | ReadFault::ColumnType { .. } => {
-            "write the table anew, or as text (CSV)".to_owned()
+            "export the table again, or as text (CSV)".to_owned()
         }
         ReadFault::TooManyRows { .. } | ReadFault::Unpacked { .. } => {
-            "read a part of it, or fewer samples per second".to_owned()
+            "split the log, or reduce its sampling rate".to_owned()
         }
         ReadFault::NoArrow => {
-            "write it as Parquet (DataFrame.to_parquet in pandas), or build wisch with --features arrow".to_owned()
+            "export it as Parquet (DataFrame.to_parquet in pandas), or build wisch with --features arrow".to_owned()
         }
         ReadFault::NoFile { .. } => "write it to a file first".to_owned(),
         _ => return None,
     })
 }
 
-fn interpreted(
+fn interpret_samples(
     args: &LoggedArgs,
     prepared: &Prepared,
     log: &Log,
@@ -430,7 +428,7 @@ fn in_words(record: &InterpretationRecord, out: &Path) -> String {
     text
 }
 
-/// What a log says, line by line: a name, or none where the line goes on from the one before, and a value.
+/// The summary as lines of name and value; a line without a name continues the line before.
 pub(super) fn summary_lines(record: &InterpretationRecord) -> Vec<(&'static str, String)> {
     let log = &record.log;
     let assumed = if log.wrench_frame_assumed {
@@ -454,7 +452,7 @@ pub(super) fn summary_lines(record: &InterpretationRecord) -> Vec<(&'static str,
         (
             "contact",
             format!(
-                "{} of the time on or near the surface",
+                "on or near the surface for {} of the time",
                 percent(record.contact_share)
             ),
         ),
@@ -462,7 +460,7 @@ pub(super) fn summary_lines(record: &InterpretationRecord) -> Vec<(&'static str,
         (
             "force",
             format!(
-                "{}bias {:+.2} N on the tool along the normal, taken off",
+                "{}bias {:+.2} N along the surface normal, subtracted",
                 (record.pressed_force_n)
                     .map_or_else(String::new, |force| format!("pressed with {force:.1} N; ")),
                 record.force_bias_n
@@ -472,14 +470,14 @@ pub(super) fn summary_lines(record: &InterpretationRecord) -> Vec<(&'static str,
     ];
     if let Some(stiffness) = &record.tool_stiffness {
         let line = format!(
-            "{:.0} N/m stiff, give or take {}",
+            "stiffness {:.0} N/m ± {}",
             stiffness.n_per_m,
             percent(stiffness.ln_deviation)
         );
         lines.push(("tool", line));
     }
     if log.unfinished {
-        let line = "the log ends before its writer was done".to_owned();
+        let line = "the log is incomplete: its writer did not finish it".to_owned();
         lines.insert(1, ("", line));
     }
     for remark in log.remarks.iter().rev() {
@@ -487,7 +485,7 @@ pub(super) fn summary_lines(record: &InterpretationRecord) -> Vec<(&'static str,
     }
     if log.repeated + log.unpaired > 0 {
         let line = format!(
-            "left out: {} with the time of the one before, {} without a partner",
+            "left out: {} samples with the time of the sample before, {} without a partner on the other topic",
             log.repeated, log.unpaired
         );
         lines.insert(1, ("", line));
@@ -504,12 +502,12 @@ fn performance_in_words(record: &InterpretationRecord) -> String {
     .map(percent);
     if !record.can_be_told {
         return format!(
-            "cannot be told: {} ({low} to {high} is possible, target {target})",
+            "cannot be told: {} (between {low} and {high}, target {target})",
             record.reason
         );
     }
     let advice = match record.verdict {
-        "cannot be told" => "; --seen takes what a camera saw",
+        "cannot be told" => "; add a camera observation with --seen",
         _ => "",
     };
     format!(
@@ -524,11 +522,11 @@ fn surface_in_words(record: &InterpretationRecord) -> String {
     let (Some(plane), Some(tilt), Some(offset)) =
         (&record.plane, record.plane_tilt_rad, record.plane_offset_m)
     else {
-        let advice = "are surface.position_m and --world-from-log right?";
+        let advice = "check surface.position_m and --world-from-log";
         return format!("not found: no contact ({advice})");
     };
     let tilt = match plane.tilt_directions {
-        0 => "tilt unknown, as the contacts lie in one place".to_owned(),
+        0 => "tilt unknown, because all contacts are at one point".to_owned(),
         1 => format!(
             "tilted by {:.2}° along the line of the contacts, unknown across it",
             tilt.to_degrees()
@@ -536,11 +534,11 @@ fn surface_in_words(record: &InterpretationRecord) -> String {
         _ => format!("tilted by {:.2}°", tilt.to_degrees()),
     };
     let verdict = match record.world_from_surface {
-        Some(_) => "elsewhere than believed",
-        None => "where it was believed",
+        Some(_) => "localisation error",
+        None => "at its believed pose",
     };
     format!(
-        "{verdict}: {tilt}, {:+.1} mm off ({} of {} confident contacts, {:.2} mm rms)",
+        "{verdict}: {tilt}, offset {:+.1} mm ({} of {} confident contacts, {:.2} mm rms)",
         1e3 * offset,
         plane.inliers,
         plane.confident,

@@ -1,4 +1,4 @@
-//! Ctrl-C during a run: how to go on with it, or how it ends in order.
+//! Signals during a run: a clean stop, or a hint how to resume.
 
 use crate::failure::Failure;
 use crate::progress::Progress;
@@ -9,17 +9,19 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::time::Duration;
 
-/// What shells say of a program that Ctrl-C ended.
+/// Exit code of a program that Ctrl-C ended, as shells define it.
 const EXIT_INTERRUPTED: i32 = 130;
-/// How often it is looked for.
+/// Period at which the flag of a signal is checked.
 const PERIOD: Duration = Duration::from_millis(20);
 
-/// From now on, Ctrl-C, SIGTERM and SIGHUP ask for an end in order, which the flag says: a robot is told to stop, and what it
-/// did is interpreted and kept. The second of them ends the program, and every executor, at once.
+/// Installs handlers with which Ctrl-C, SIGTERM and SIGHUP request a clean stop.
+///
+/// The first signal sets the returned flag: the robot is stopped, and the executed part of the round is interpreted and
+/// kept. The second signal ends the program and all executors at once.
 ///
 /// # Errors
-/// What the system says.
-pub fn end_in_order() -> Result<Arc<AtomicBool>, Failure> {
+/// If the system refuses a handler.
+pub fn stop_on_signal() -> Result<Arc<AtomicBool>, Failure> {
     let signalled = Arc::new(AtomicBool::new(false));
     for signal in [SIGINT, SIGTERM, SIGHUP] {
         register(signal, Arc::clone(&signalled))
@@ -37,22 +39,26 @@ pub fn end_in_order() -> Result<Arc<AtomicBool>, Failure> {
                 wisch_io::kill_executors();
                 std::process::exit(EXIT_INTERRUPTED);
             }
-            remark("ending in order: what was executed is kept; a second signal ends at once");
+            remark(
+                "stopping the robot and keeping the executed part; a second signal ends the program at once",
+            );
         }
     });
     Ok(stop)
 }
 
-/// From now on, Ctrl-C ends the program as a kill would, so that what `--resume` goes on with stays, and says so. The
-/// number is that of the rounds that are kept: whoever keeps one counts it up.
+/// Installs a handler with which Ctrl-C ends the program at once and prints how to resume.
+///
+/// The checkpoints stay, as after a kill. `kept`: number of rounds with a checkpoint; the caller increments the returned
+/// counter after each further checkpoint.
 ///
 /// # Errors
-/// What the system says.
+/// If the system refuses the handler.
 pub fn say_how_to_resume(progress: &Progress, kept: usize) -> Result<Arc<AtomicUsize>, Failure> {
     let kept = Arc::new(AtomicUsize::new(kept));
     let interrupted = Arc::new(AtomicBool::new(false));
     let failed = |error| Failure::new(format!("Ctrl-C: {error}"));
-    // The second one does not wait for anything. It looks at the flag before the first one sets it.
+    // The second Ctrl-C ends the program at once: its handler reads the flag before the first one sets it.
     register_conditional_shutdown(SIGINT, EXIT_INTERRUPTED, Arc::clone(&interrupted))
         .and_then(|_| register(SIGINT, Arc::clone(&interrupted)))
         .map_err(failed)?;
@@ -71,8 +77,8 @@ pub fn say_how_to_resume(progress: &Progress, kept: usize) -> Result<Arc<AtomicU
 
 fn interruption(kept: usize) -> Failure {
     if kept == 0 {
-        return Failure::new("interrupted before the first round was over, so nothing is kept");
+        return Failure::new("interrupted during the first round; nothing is kept");
     }
     Failure::new(format!("interrupted after round {kept}"))
-        .with_help("the same command with --resume goes on from there")
+        .with_help("add --resume to the same command to continue from there")
 }

@@ -1,4 +1,4 @@
-//! What the commands have in common that go through a session.
+//! The inputs that all commands with a session share.
 
 use super::follow::{Chosen, workcell_config};
 use super::prepare::Prepared;
@@ -13,10 +13,10 @@ use wisch_io::{OutputFolder, Robot};
 use wisch_record::KnownTruth;
 use wisch_sim::GroundTruth;
 
-/// Rounds of a single stroke that stand for one of a whole plan.
+/// Number of single-stroke rounds that replace one round of a whole plan.
 const GREEDY_ROUNDS: usize = 10;
 
-/// What all commands work with that go through a session.
+/// The inputs of a command that runs a session.
 pub(super) struct Job<'a> {
     pub task_args: &'a TaskArgs,
     pub prepared: &'a Prepared,
@@ -26,7 +26,7 @@ pub(super) struct Job<'a> {
 }
 
 impl Job<'_> {
-    /// How the stages work, and when to stop.
+    /// Returns the settings of the stages and the maximum number of rounds.
     pub fn config(&self, args: Option<&LoopArgs>) -> RunConfig {
         let (pace, usual_rounds) = if args.is_some_and(|args| args.greedy) {
             (Pace::Greedy, GREEDY_ROUNDS * self.prepared.max_rounds())
@@ -44,7 +44,7 @@ impl Job<'_> {
         }
     }
 
-    /// A session for the task that begins with this plan, if one is given.
+    /// Makes a session for the task. `given`: the plan of the first round, if there is one.
     pub fn session(&self, config: RunConfig, given: Option<Plan>) -> Session<'_> {
         let session = Session::new(&self.prepared.task, config)
             .with_belief(self.prepared.belief())
@@ -55,7 +55,7 @@ impl Job<'_> {
         }
     }
 
-    /// A failure of the session.
+    /// Makes a failure from an error of the session.
     pub fn failed(&self, error: RunError) -> Failure {
         match (error, &self.robot) {
             (RunError::Follow(error), Some((chosen, _))) => {
@@ -66,7 +66,7 @@ impl Job<'_> {
     }
 }
 
-/// What the simulated world knows of the rounds that are over.
+/// Returns the simulated world's ground truth of the finished rounds.
 pub(super) fn known_truths(
     prepared: &Prepared,
     rounds: &[Round],

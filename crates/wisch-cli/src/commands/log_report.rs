@@ -1,11 +1,11 @@
-//! The page of a log: what `wisch interpret`, `wisch memory import` and `wisch report LOG` make of it.
+//! The page of an interpreted log, for `wisch interpret`, `wisch memory import` and `wisch report LOG`.
 
 use super::prepare::Prepared;
 use wisch::interpret::Interpretation;
 use wisch::represent::GoalState;
 use wisch_report::{LogPageInput, RoundView, RoundsInput, log_page};
 
-/// The page of an interpreted log, with what is said of it: name and value, and notes.
+/// Writes the page of an interpreted log as HTML. `facts`: pairs of name and value for its table.
 pub(super) fn page(
     prepared: &Prepared,
     goal: &GoalState,

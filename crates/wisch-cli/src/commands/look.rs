@@ -1,4 +1,4 @@
-//! `wisch ask --view`: what a query shows, as one page.
+//! `wisch ask --view`: draws the plots of a query into one page.
 
 use super::prepare::Prepared;
 use crate::args::TaskArgs;
@@ -12,21 +12,21 @@ use wisch_memory::view::{Surroundings, gather};
 use wisch_memory::{Catalogue, Episode, Memory};
 use wisch_report::{AnswersInput, answers_page};
 
-/// What an episode keeps of the command line, as far as it changes the task.
+/// The options of the command line that change the task, as an episode keeps them.
 #[derive(Debug, Default, Deserialize)]
 struct Options {
     #[serde(default)]
     settings: Vec<(String, String)>,
 }
 
-/// Begins the page, before a query takes its time.
+/// Begins the page before the query runs, so that a missing permission is reported at once.
 pub(super) fn begin(file: &Path) -> Result<OutputFile, Failure> {
     OutputFile::begin(file).map_err(|error| Failure::from(error).with_help(OTHER_FILE))
 }
 
 const OTHER_FILE: &str = "choose another file with --view";
 
-/// Writes the page; gives what it does not show, and why.
+/// Writes the page and returns remarks on data that it does not show.
 pub(super) fn draw(
     file: OutputFile,
     query: &str,
@@ -42,7 +42,7 @@ pub(super) fn draw(
         &mut surroundings,
     );
     let view = view.map_err(|error| {
-        Failure::new(error).with_help("wisch ask --list says how things are shown")
+        Failure::new(error).with_help("wisch ask --list describes the predicates that draw")
     })?;
     let input = AnswersInput {
         query,
@@ -55,8 +55,8 @@ pub(super) fn draw(
     Ok(view.remarks)
 }
 
-/// What stood round the robot, by the episode's task. A task that is not there, or refers to files that are not,
-/// leaves the picture without: where things were is known all the same.
+/// Returns the scene around the robot from the episode's task. If the task or one of its files is missing, the picture
+/// shows no scene.
 fn surroundings(episode: &Episode) -> Surroundings {
     let options = episode.attachment("options.json").ok();
     let options = options.and_then(|bytes| serde_json::from_slice::<Options>(&bytes).ok());

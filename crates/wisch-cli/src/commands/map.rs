@@ -1,4 +1,4 @@
-//! `wisch robot map`: what a robot's arm can reach, as a file.
+//! `wisch robot map`: computes the capability map of a robot's arm.
 
 use crate::args::{GlobalArgs, RobotMapArgs};
 use crate::failure::Failure;
@@ -15,7 +15,7 @@ use wisch_io::{MAP_EXTENSION, Robot, RobotDescription};
 
 /// The schema of the object that `--json` prints.
 const SCHEMA: u32 = 1;
-/// Clearance that a posture has to keep to count [m].
+/// Clearance that a posture must keep to count as collision-free [m].
 const MARGIN: f64 = 5e-3;
 
 /// The object that `--json` prints.
@@ -40,7 +40,7 @@ pub fn map(args: &RobotMapArgs, global: &GlobalArgs) -> Result<Outcome, Failure>
     let progress = Progress::start(global);
     progress.say("reading the robot");
     let description = Robot::description(&args.robot);
-    // A path on the command line counts from the working directory.
+    // A path on the command line is relative to the working directory.
     let robot = Robot::read_without_map(&description, Path::new(""), &args.packages)?;
     let of_robot = |error| Failure::new(format!("{}: {error}", args.robot));
     let group = PlanningGroup::choose(&robot.model, robot.srdf.as_ref(), args.group.as_deref())
@@ -62,13 +62,13 @@ pub fn map(args: &RobotMapArgs, global: &GlobalArgs) -> Result<Outcome, Failure>
     let config = MapConfig {
         voxel: args.voxel_m,
         samples: args.samples,
-        // Coarser than the default: half the file and time, agreement with inverse kinematics as good.
+        // Coarser than the default: half the file size and time, with the same agreement with inverse kinematics.
         frequency: 3,
         starts: 3,
         refinements: 2,
         ..MapConfig::default()
     };
-    // Before the long part: nobody likes to wait for "permission denied".
+    // The file comes before the long computation, so that a missing permission is reported at once.
     let out = out_file(args, &description, robot.model.name())?;
     let file = OutputFile::begin(&out)?;
     let start = Instant::now();
@@ -76,8 +76,8 @@ pub fn map(args: &RobotMapArgs, global: &GlobalArgs) -> Result<Outcome, Failure>
     let built = CapabilityMap::build(&tool, is_free, &config, |stage, done, total| {
         let what = match stage {
             MapStage::Sampling => "random postures",
-            MapStage::Spreading => "from cell to cell",
-            MapStage::Refining => "along the boundary",
+            MapStage::Spreading => "spreading to neighbouring cells",
+            MapStage::Refining => "refining the boundary",
         };
         progress.say(format!("{what}: {done} of {total}"));
     })
@@ -103,8 +103,9 @@ pub fn map(args: &RobotMapArgs, global: &GlobalArgs) -> Result<Outcome, Failure>
         out: out.display().to_string(),
     };
     if args.json {
-        let line = serde_json::to_string(&record)
-            .map_err(|error| Failure::new(format!("the report is no JSON: {error}")))?;
+        let line = serde_json::to_string(&record).map_err(|error| {
+            Failure::new(format!("the report cannot be written as JSON: {error}"))
+        })?;
         print(&(line + "\n"))?;
     } else if !global.quiet {
         print(&in_words(&record))?;
@@ -112,17 +113,17 @@ pub fn map(args: &RobotMapArgs, global: &GlobalArgs) -> Result<Outcome, Failure>
     Ok(Outcome::Done)
 }
 
-/// Where the map goes: beside a URDF, where it is found by itself.
+/// Returns the file of `--out`, else the file beside the URDF, where wisch finds the map automatically.
 fn out_file(
     args: &RobotMapArgs,
     description: &RobotDescription,
     robot: &str,
 ) -> Result<PathBuf, Failure> {
     match (&args.out, description) {
-        // So that no task or URDF is written over by mistake.
+        // The check prevents overwriting a task or a URDF by mistake.
         (Some(out), _) if out.extension().is_none_or(|e| e != MAP_EXTENSION) => {
             Err(Failure::new(format!(
-                "{}: the file of a capability map ends in .{MAP_EXTENSION}",
+                "{}: the file name of a capability map must end in .{MAP_EXTENSION}",
                 out.display()
             )))
         }
@@ -137,7 +138,7 @@ fn out_file(
 fn in_words(record: &MapRecord) -> String {
     let [x, y, z] = record.voxels;
     format!(
-        "{}: what {} reaches from {}\n  {:<12} {x} x {y} x {z} of {} m, {} directions each\n  {:<12} {:.1} s\n  {:<12} {} ({} kB)\n",
+        "{}: reach of {} from {}\n  {:<12} {x} x {y} x {z} of {} m, {} directions each\n  {:<12} {:.1} s\n  {:<12} {} ({} kB)\n",
         record.robot,
         record.tip,
         record.base,

@@ -1,4 +1,4 @@
-//! `wisch memory`: what is in the memory of episodes.
+//! `wisch memory`: lists, shows, verifies and removes the episodes of a memory.
 
 use super::words::{counted, internal, percent};
 use crate::args::{EpisodeArgs, GlobalArgs, MemoryArgs, MemoryListArgs, MemoryVerifyArgs};
@@ -12,7 +12,7 @@ use wisch_memory::{
     local_date_and_time,
 };
 
-/// What the list says of an episode.
+/// An episode in the list.
 #[derive(Debug, Serialize)]
 struct Listed<'a> {
     id: &'a str,
@@ -20,7 +20,7 @@ struct Listed<'a> {
     start_s: f64,
     duration_s: f64,
     rounds: usize,
-    /// As it was estimated in the end; absent where nothing was wiped.
+    /// Estimated performance after the last round; absent without a wiping action.
     #[serde(skip_serializing_if = "Option::is_none")]
     performance: Option<f64>,
     succeeded: bool,
@@ -34,7 +34,7 @@ pub fn list(args: &MemoryListArgs) -> Result<Outcome, Failure> {
     let catalogue = open(&args.memory)?.catalogue().map_err(broken)?;
     for why in catalogue.left_out() {
         remark(&format!(
-            "{why}: left out; wisch memory verify says what is broken"
+            "{why}: left out; wisch memory verify lists damaged files"
         ));
     }
     let actions = actions(&catalogue);
@@ -44,7 +44,7 @@ pub fn list(args: &MemoryListArgs) -> Result<Outcome, Failure> {
         .iter()
         .map(|row| Listed::new(&catalogue, row, &actions, &collisions))
         .collect();
-    // Simulated worlds are faster than the clock: one may have begun before one that it follows.
+    // Simulation runs faster than the clock, so the starts of two episodes can be out of sequence; the ends are not.
     let end = |one: &Listed<'_>| one.start_s + one.duration_s;
     listed.sort_by(|a, b| end(a).total_cmp(&end(b)).then(a.id.cmp(b.id)));
     let mut text = String::new();
@@ -54,7 +54,7 @@ pub fn list(args: &MemoryListArgs) -> Result<Outcome, Failure> {
             text.push('\n');
         }
     } else if listed.is_empty() {
-        text = "no episodes yet: wisch run adds one\n".to_owned();
+        text = "the memory has no episodes; wisch run adds one\n".to_owned();
     } else {
         text = table(&listed);
     }
@@ -107,7 +107,7 @@ fn actions(catalogue: &Catalogue) -> BTreeMap<IndividualId, IndividualId> {
     by_episode.collect()
 }
 
-/// How many individuals of a class each episode has, by the episode's first individual.
+/// The number of individuals of a class in each episode, by the episode's first individual.
 fn counts(catalogue: &Catalogue, class: &str) -> BTreeMap<IndividualId, usize> {
     let mut counts = BTreeMap::new();
     for &id in catalogue.of_class(class) {
@@ -171,7 +171,7 @@ fn in_words(record: &EpisodeRecord, files: &[String]) -> String {
     text + &format!("  files: {}\n", files.join(", "))
 }
 
-/// An individual in one line.
+/// Formats an individual as one line.
 fn line(individual: &Individual, depth: usize, start: f64) -> String {
     let time = individual.interval.map_or_else(String::new, |[from, to]| {
         format!("{:.2} to {:.2} s", from - start, to - start)
@@ -190,7 +190,7 @@ fn line(individual: &Individual, depth: usize, start: f64) -> String {
     format!("{}\n", line.trim_end())
 }
 
-/// A number with at most four digits behind the point.
+/// Formats a number with at most four decimals.
 fn short(number: f64) -> String {
     let text = format!("{number:.4}");
     text.trim_end_matches('0').trim_end_matches('.').to_owned()
@@ -201,14 +201,14 @@ fn local(name: &str) -> &str {
     name.split_once(':').map_or(name, |(_, local)| local)
 }
 
-/// What `verify --json` prints.
+/// The object that `verify --json` prints.
 #[derive(Debug, Serialize)]
 struct Verified {
     episodes: usize,
     faults: Vec<String>,
 }
 
-/// Looks for what is broken.
+/// Verifies all episodes and prints the faults.
 pub fn verify(args: &MemoryVerifyArgs, global: &GlobalArgs) -> Result<Outcome, Failure> {
     let memory = open(&args.memory)?;
     let episodes = memory.episodes().map_err(broken)?.len();
@@ -223,7 +223,7 @@ pub fn verify(args: &MemoryVerifyArgs, global: &GlobalArgs) -> Result<Outcome, F
     } else if !global.quiet || !is_well {
         let mut text: String = faults.iter().map(|fault| format!("{fault}\n")).collect();
         let found = if is_well {
-            "all well".to_owned()
+            "no faults".to_owned()
         } else {
             counted(faults.len(), "fault")
         };
@@ -237,7 +237,7 @@ pub fn verify(args: &MemoryVerifyArgs, global: &GlobalArgs) -> Result<Outcome, F
     })
 }
 
-/// Episodes that are not over yet by this machine's clock.
+/// Reports episodes that end in the future of this machine's clock.
 fn dated_ahead(catalogue: &Catalogue) -> Vec<String> {
     let now = wisch_record::now();
     let ahead = catalogue
@@ -247,8 +247,8 @@ fn dated_ahead(catalogue: &Catalogue) -> Vec<String> {
     let faults = ahead.map(|row| {
         let [begin, end] = row.interval.map(local_date_and_time);
         format!(
-            "{}: it is dated {begin} to {end}, which this machine's clock has not reached: the clock was ahead then, is \
-             behind now, or a duration is wrong",
+            "{}: its interval, {begin} to {end}, ends in the future: the clock was fast then, is slow now, or a duration \
+             is wrong",
             row.id
         )
     });
@@ -269,14 +269,15 @@ pub fn forget(args: &EpisodeArgs, global: &GlobalArgs) -> Result<Outcome, Failur
 
 pub(super) fn open(args: &MemoryArgs) -> Result<Memory, Failure> {
     Memory::open(&args.memory).map_err(|error| {
-        Failure::new(error).with_help("wisch run adds an episode; --memory DIR looks elsewhere")
+        Failure::new(error)
+            .with_help("wisch run creates a memory; choose another folder with --memory DIR")
     })
 }
 
 pub(super) fn broken(error: MemoryError) -> Failure {
     let help = match error {
-        MemoryError::Unknown { .. } => "wisch memory list says which there are",
-        _ => "wisch memory verify says what is broken, wisch memory forget ID removes an episode",
+        MemoryError::Unknown { .. } => "wisch memory list lists the episodes",
+        _ => "wisch memory verify lists damaged files, wisch memory forget ID removes an episode",
     };
     Failure::new(error).with_help(help)
 }

@@ -1,4 +1,4 @@
-//! The commands, each in its file.
+//! The commands, one file each.
 
 mod ask;
 mod budget;
@@ -39,10 +39,10 @@ use crate::args::{Cli, Command, EvalCommand, MemoryCommand, RobotCommand};
 use crate::failure::Failure;
 use crate::terminal::Outcome;
 
-/// What writes results and episodes.
+/// Name and version of this program, as results and episodes state it.
 const PROGRAM: &str = concat!("wisch ", env!("CARGO_PKG_VERSION"));
 
-/// Does what the command line says.
+/// Runs the command of the command line.
 pub fn run(cli: &Cli) -> Result<Outcome, Failure> {
     match &cli.command {
         Command::Run(args) => run::run(args, &cli.global),

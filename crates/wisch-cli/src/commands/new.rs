@@ -1,4 +1,4 @@
-//! `wisch new` and `wisch schema`: a task file to start from, and what editors check it against.
+//! `wisch new` and `wisch schema`: a commented task file, and the JSON Schema with which editors check it.
 
 use crate::args::{GlobalArgs, NewArgs};
 use crate::failure::Failure;
@@ -34,8 +34,8 @@ pub fn new(args: &NewArgs, global: &GlobalArgs) -> Result<Outcome, Failure> {
         .open(path)
         .and_then(|mut file| file.write_all(TaskFile::TEMPLATE.as_bytes()))
         .map_err(|error| match error.kind() {
-            ErrorKind::AlreadyExists => Failure::new(format!("{shown}: there is a file already"))
-                .with_help("choose another name, or write over it with --force"),
+            ErrorKind::AlreadyExists => Failure::new(format!("{shown}: the file exists already"))
+                .with_help("choose another name, or overwrite it with --force"),
             _ => Failure::new(format!("{shown}: cannot write there: {error}")),
         })?;
     let schema = path.with_file_name(SCHEMA_FILE);
@@ -44,7 +44,7 @@ pub fn new(args: &NewArgs, global: &GlobalArgs) -> Result<Outcome, Failure> {
     })?;
     if !global.quiet {
         print(&format!(
-            "wrote {shown} and {}, by which editors check it\nnext: wisch check {shown}, then wisch run {shown}\n",
+            "wrote {shown} and its schema for editors, {}\nnext: wisch check {shown}, then wisch run {shown}\n",
             schema.display()
         ))?;
     }

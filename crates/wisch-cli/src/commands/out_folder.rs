@@ -1,4 +1,4 @@
-//! Where results go.
+//! The default folder of results.
 
 use super::prepare::Prepared;
 use crate::args::ResultArgs;
@@ -7,8 +7,7 @@ use std::path::{Path, PathBuf};
 /// Longest name of a folder that is derived from a task's [characters]; file systems take 255 bytes.
 const MAX_NAME_LEN: usize = 60;
 
-/// Where the results go: those of a run into a folder of the task's name, those of less beside it, under that name and
-/// what was done.
+/// Returns the folder of `--out`, or by default `out/TASK` with the suffix `done`, which names the command's last stage.
 pub(super) fn out_folder(results: &ResultArgs, prepared: &Prepared, done: &str) -> PathBuf {
     results.out.clone().unwrap_or_else(|| {
         let name = folder_name(&prepared.task.name);
@@ -16,7 +15,7 @@ pub(super) fn out_folder(results: &ResultArgs, prepared: &Prepared, done: &str) 
     })
 }
 
-/// A task's name as that of a folder: a name may be anything, a path may not.
+/// Returns a task's name as a folder name: characters that are unsafe in paths become dashes.
 pub(super) fn folder_name(task: &str) -> String {
     let plain = |c: char| {
         if c.is_alphanumeric() || "-_.".contains(c) {

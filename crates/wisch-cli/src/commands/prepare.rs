@@ -8,11 +8,11 @@ use wisch::plan::Strategy;
 use wisch_io::{LoadOptions, LoadedTask, load_task};
 use wisch_sim::SimulationSettings;
 
-/// A task with what the command line says about it.
+/// A task with the overrides of the command line.
 pub struct Prepared {
-    /// The task, its file and how to plan it.
+    /// The task, its file and its planner settings.
     pub loaded: LoadedTask,
-    /// What a simulated execution takes for real.
+    /// The simulated world's ground truth: where it differs from the task.
     pub reality: SimulationSettings,
 }
 
@@ -31,14 +31,14 @@ impl DerefMut for Prepared {
 }
 
 impl Prepared {
-    /// Reads the task file and everything that it refers to, and says what it takes for granted.
+    /// Reads the task file and all files that it names, and prints its assumptions as notes.
     pub fn read(args: &TaskArgs) -> Result<Self, Failure> {
         let prepared = Self::load(args)?;
         prepared.assumptions.iter().for_each(|text| remark(text));
         Ok(prepared)
     }
 
-    /// The same without a word.
+    /// Reads the task file like [`read`](Self::read), without notes.
     pub fn load(args: &TaskArgs) -> Result<Self, Failure> {
         let options = LoadOptions {
             settings: args.settings.clone(),
@@ -53,17 +53,17 @@ impl Prepared {
         Ok(Self { loaded, reality })
     }
 
-    /// Most rounds.
+    /// The task's maximum number of rounds.
     pub fn max_rounds(&self) -> usize {
         self.file.max_rounds()
     }
 
-    /// How the nodes are placed.
+    /// The strategy that plans the strokes.
     pub fn strategy(&self) -> Strategy {
         self.config.strategy
     }
 
-    /// A failure of a later stage, with the name of the task file.
+    /// Makes a failure from a later stage's error, with the name of the task file.
     pub fn failure(&self, args: &TaskArgs, error: impl std::fmt::Display) -> Failure {
         Failure::new(format!("{}: {error}", args.task.display()))
     }

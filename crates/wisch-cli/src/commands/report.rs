@@ -1,4 +1,4 @@
-//! `wisch report`: an episode, a folder of results or a log as one page.
+//! `wisch report`: writes an episode, a folder of results or a log as one HTML page.
 
 use super::interpret::{interpret_log, task_args};
 use super::prepare::Prepared;
@@ -28,15 +28,15 @@ pub fn report(args: &ReportArgs, global: &GlobalArgs) -> Result<Outcome, Failure
     Ok(Outcome::Done)
 }
 
-/// What a page is made of.
+/// The source of a page.
 enum Source {
     /// A folder of results, or of an episode.
     Results(PathBuf),
-    /// A log, and how it is to be understood.
+    /// A log with its task and format.
     Log(Box<LoggedArgs>),
 }
 
-/// What is asked for.
+/// Finds the source that the arguments name.
 fn find(args: &ReportArgs) -> Result<Source, Failure> {
     let path = Path::new(&args.what);
     let holds = |name: &str| path.join(name).is_file();
@@ -49,10 +49,10 @@ fn find(args: &ReportArgs) -> Result<Source, Failure> {
     if path.exists() {
         let Some(task) = &args.task else {
             return Err(Failure::new(format!(
-                "{}: a log, or a folder with one, says nothing of the surface that was wiped",
+                "{}: a log does not state the surface, so it needs a task",
                 path.display()
             ))
-            .with_help("name the task file of what was executed with --task"));
+            .with_help("name the executed task file with --task"));
         };
         return Ok(Source::Log(Box::new(LoggedArgs {
             log: path.to_path_buf(),
@@ -70,7 +70,7 @@ fn find(args: &ReportArgs) -> Result<Source, Failure> {
         .map(|episode| Source::Results(episode.folder().to_path_buf()))
         .map_err(|error| {
             Failure::new(error).with_help(
-                "name an episode of --memory, a folder of results as out/chopping-board, or a log with --task",
+                "name an episode of --memory, a folder of results such as out/chopping-board, or a log with --task",
             )
         })
 }
@@ -79,7 +79,7 @@ fn name_of(name: Option<&OsStr>) -> String {
     name.and_then(OsStr::to_str).unwrap_or("report").to_owned()
 }
 
-/// The page of a folder: of its recording, or that which was written with it.
+/// Returns the page of a folder: made from its recording, else its report.html.
 fn page_of(folder: &Path) -> Result<String, Failure> {
     let recording = folder.join(RECORDING_FILE);
     if recording.is_file() {
@@ -95,15 +95,15 @@ fn page_of(folder: &Path) -> Result<String, Failure> {
             .map_err(|error| Failure::new(format!("{}: {error}", page.display())));
     }
     Err(Failure::new(format!(
-        "{}: there is neither {RECORDING_FILE} nor {REPORT_FILE} in it",
+        "{}: the folder has neither {RECORDING_FILE} nor {REPORT_FILE}",
         folder.display()
     ))
     .with_help(
-        "it was written before these were kept: wisch report LOG --task FILE makes the page of a log",
+        "an older version of wisch wrote it; make the page of its log with wisch report LOG --task FILE",
     ))
 }
 
-/// The page of a log that is interpreted now; nothing is kept.
+/// Interprets a log and returns its page, without storing the results.
 fn page_of_log(source: &LoggedArgs, global: &GlobalArgs) -> Result<String, Failure> {
     let progress = Progress::start(global);
     progress.say("reading the task");
@@ -113,7 +113,7 @@ fn page_of_log(source: &LoggedArgs, global: &GlobalArgs) -> Result<String, Failu
     Ok(interpreted.page(&prepared))
 }
 
-/// What the recording calls itself.
+/// Returns the title in the head of a recording, else `otherwise`.
 fn title(recording: &str, otherwise: &str) -> String {
     let head = recording.lines().next().unwrap_or_default();
     let head: serde_json::Value = serde_json::from_str(head).unwrap_or_default();

@@ -1,4 +1,4 @@
-//! `wisch robot check`: what is missing or odd in a robot's URDF and SRDF.
+//! `wisch robot check`: finds missing or inconsistent data in a robot's URDF and SRDF.
 
 use super::words::counted;
 use crate::args::{GlobalArgs, RobotCheckArgs};
@@ -22,9 +22,9 @@ struct CheckRecord<'a> {
     format: &'static str,
     schema: u32,
     file: String,
-    /// Null if there is none, or no robot to hold it against.
+    /// Null without an SRDF, or if the robot cannot be loaded.
     srdf: Option<String>,
-    /// Null if no robot can be made of the file.
+    /// Null if the robot cannot be loaded from the file.
     robot: Option<RobotRecord<'a>>,
     errors: usize,
     warnings: usize,
@@ -37,7 +37,7 @@ struct RobotRecord<'a> {
     name: &'a str,
     links: usize,
     joints: usize,
-    /// Names of the joints that move by themselves, in order.
+    /// Names of the independent joints, in the order of the robot's variables.
     variables: Vec<&'a str>,
     mass_kg: f64,
 }
@@ -63,8 +63,7 @@ pub fn check_robot(args: &RobotCheckArgs, global: &GlobalArgs) -> Result<Outcome
     let name = args.file.display().to_string();
     let mut meshes = robot_meshes(&args.file, &args.packages);
     let mut findings = check(&name, &text, &mut meshes).map_err(|error| {
-        Failure::new(error)
-            .with_help("xacro files are to be expanded first: xacro robot.xacro > robot.urdf")
+        Failure::new(error).with_help("expand xacro files first: xacro robot.xacro > robot.urdf")
     })?;
     let robot = if count(&findings, Severity::Error) == 0 {
         let read = RobotModel::from_urdf(&name, &text, &mut meshes);
@@ -103,8 +102,9 @@ pub fn check_robot(args: &RobotCheckArgs, global: &GlobalArgs) -> Result<Outcome
             notes: count(&findings, Severity::Note),
             findings: findings.iter().map(FindingRecord::new).collect(),
         };
-        let line = serde_json::to_string(&record)
-            .map_err(|error| Failure::new(format!("the report is no JSON: {error}")))?;
+        let line = serde_json::to_string(&record).map_err(|error| {
+            Failure::new(format!("the report cannot be written as JSON: {error}"))
+        })?;
         print(&(line + "\n"))?;
     } else if !global.quiet {
         print(&report(&name, robot.as_ref(), srdf.as_deref(), &findings))?;
@@ -113,16 +113,19 @@ pub fn check_robot(args: &RobotCheckArgs, global: &GlobalArgs) -> Result<Outcome
         (0, 0) => Ok(Outcome::Done),
         (0, _) => Ok(Outcome::GoalNotMet),
         _ => Err(Failure::new(match srdf {
-            Some(srdf) => format!("{srdf}: it cannot be used: {}", counted(errors, "error")),
+            Some(srdf) => format!(
+                "{srdf}: the SRDF cannot be used: {}",
+                counted(errors, "error")
+            ),
             None => format!(
-                "{name}: no robot can be made of it: {}",
+                "{name}: the robot cannot be loaded: {}",
                 counted(errors, "error")
             ),
         })),
     }
 }
 
-/// A note on an SRDF without the posture in which the robot waits.
+/// Returns a note if the SRDF has no state named "ready".
 fn no_ready(name: &str, text: &str, robot: &RobotModel) -> Option<Diagnostic> {
     let srdf = Srdf::parse(name, text, robot).ok()?;
     let is_ready = |state: &GroupState| state.name.starts_with(READY_STATE);
@@ -131,13 +134,13 @@ fn no_ready(name: &str, text: &str, robot: &RobotModel) -> Option<Diagnostic> {
         at: Place::at_offset(name, text, 0),
         subject: Subject::Robot,
         kind: DiagnosticKind::Srdf,
-        value: format!("no posture is named \"{READY_STATE}\""),
+        value: format!("no group state is named \"{READY_STATE}\""),
         limit: "a <group_state> of that name, in which motions begin and end".to_owned(),
-        advice: "add one; without it they begin in the middle of the joints' limits".to_owned(),
+        advice: "add it; without it, motions begin in the middle of the joints' limits".to_owned(),
     })
 }
 
-/// The SRDF that is named, or lies beside the URDF.
+/// Returns the SRDF of `--srdf`, else the file beside the URDF.
 fn srdf_of(args: &RobotCheckArgs) -> Option<PathBuf> {
     let beside = || Some(args.file.with_extension("srdf")).filter(|path| path.is_file());
     args.srdf.clone().or_else(beside)
@@ -208,7 +211,7 @@ fn report(
     match (robot, srdf) {
         (Some(_), Some(srdf)) => text += &format!("  with {srdf}\n"),
         (Some(_), None) => {
-            text += "  no SRDF: the longest chain wipes, and no posture is \"ready\"\n"
+            text += "  no SRDF: the longest chain wipes, and there is no \"ready\" state\n"
         }
         (None, _) => {}
     }
@@ -218,7 +221,7 @@ fn report(
         }
     }
     if findings.is_empty() {
-        text += "  nothing is missing or odd\n";
+        text += "  no findings\n";
     }
     text
 }

@@ -6,7 +6,7 @@ use wisch::recover::{Claim, Verdict};
 use wisch::run::Ending;
 use wisch_record::FinishedRound;
 
-/// The rounds for people: a line each, then one for each doubt about its log.
+/// Describes each round in one line, followed by a line for each doubt about its log.
 pub fn rounds_in_words(finished: &[FinishedRound], target: f64) -> Vec<(&'static str, String)> {
     (finished.iter())
         .flat_map(|finished| {
@@ -17,7 +17,7 @@ pub fn rounds_in_words(finished: &[FinishedRound], target: f64) -> Vec<(&'static
             let mut text = if interpretation.can_be_told() {
                 format!("estimated {} ({interval})", percent(estimate.mean))
             } else {
-                format!("what was wiped cannot be told ({interval} is possible)")
+                format!("no estimate possible ({interval})")
             };
             if let Some(truth) = finished.true_performance() {
                 text += &format!(", true {}", percent(truth));
@@ -32,13 +32,13 @@ pub fn rounds_in_words(finished: &[FinishedRound], target: f64) -> Vec<(&'static
                 && let Some(plane) = &interpretation.plane
             {
                 text += &format!(
-                    ", surface found tilted by {:.1}° and {:.1} mm off",
+                    ", surface tilted by {:.1}° and offset by {:.1} mm",
                     plane.tilt.to_degrees(),
                     1e3 * plane.offset
                 );
             }
             if let Ending::Early { time, cause } = &round.execution.ending {
-                text += &format!(", ended at {time:.1} s, as {cause}");
+                text += &format!(", ended early at {time:.1} s: {cause}");
             }
             if let Ending::ProtectiveStop { time, cause } = &round.execution.ending {
                 text += &format!(", stopped at {time:.1} s: {cause}");
@@ -52,7 +52,7 @@ pub fn rounds_in_words(finished: &[FinishedRound], target: f64) -> Vec<(&'static
             text += &format!(": {}", round.verdict.as_str());
             if round.verdict == Verdict::UnknowableByTouch {
                 let claim = Claim::of(&round.interpretation.distribution, target);
-                text += &format!(" ({claim}; a camera would tell)");
+                text += &format!(" ({claim}; needs a camera)");
             }
             let number = round.motion.number;
             let name = if number == 1 { "rounds" } else { "" };

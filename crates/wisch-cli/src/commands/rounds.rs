@@ -1,4 +1,4 @@
-//! The closed loop of `wisch run`: rounds of planning, wiping and interpreting, and what is kept of them.
+//! The closed loop of `wisch run`: rounds of planning, wiping and interpreting, with their records.
 
 use super::PROGRAM;
 use super::interrupt::say_how_to_resume;
@@ -26,21 +26,21 @@ use wisch_record::{
 };
 use wisch_sim::{Checkpoints, GroundTruth, KeptRound, Site, World};
 
-/// In the state of a run: the names of its episodes.
+/// File in a run's state folder with the names of its episodes.
 const EPISODES_FILE: &str = "episodes";
 
-/// An episode that is kept, if one is wanted, or why it is not.
+/// The kept episode, `None` with `--no-memory`, or the reason why it was not kept.
 pub type Kept = Result<Option<KeptEpisode>, Failure>;
 
-/// What came of a run.
+/// The results of an executed run.
 pub struct Executed {
     pub results: RunResults,
     pub kept: Kept,
-    /// Why it ended before its end, if something failed: what was done until then is in the results.
+    /// The failure that ended the run early, if there was one; the results hold the rounds until then.
     pub broken: Option<Failure>,
 }
 
-/// Wipes until the goal is met, or no more can be done, or `stop` asks for an end in order, and keeps the episode.
+/// Wipes until the goal is met, the termination policy ends the run, or `stop` is set; then keeps the episode.
 pub fn execute(
     job: &Job<'_>,
     args: &LoopArgs,
@@ -61,10 +61,10 @@ pub fn execute(
     }
     if args.resume && job.folder.found().is_taken_over {
         let rounds = counted(killed.len(), "round");
-        let text = format!("{rounds} of the killed run taken over");
+        let text = format!("resuming after {rounds} of the killed run");
         job.progress.aside(|| remark(&text));
     }
-    // Where a run ends in order it is not resumed, and of what another program executes nothing is kept to go on with.
+    // A run with a stop flag ends cleanly and is not resumed; neither is a run of an external executor.
     let kept_count = match stop {
         None => Some(say_how_to_resume(job.progress, killed.len())?),
         Some(_) => None,
@@ -72,7 +72,7 @@ pub fn execute(
     if let Some(path) = &args.events {
         record.add(Box::new(event_sink(path)?));
     }
-    let mut executor = executing(job, args, killed, stop)?;
+    let mut executor = start_executing(job, args, killed, stop)?;
     let mut sinks = Sinks {
         watch: Watch::new(job, checkpoints, taken_over.len(), args.realtime),
         record,
@@ -87,7 +87,7 @@ pub fn execute(
         kept_count.as_ref(),
     );
     sinks.record.end_bags();
-    // The child that was told to stop is gone before the results are written.
+    // The executor's process ends before the results are written.
     executor.end();
     let run = run.err().map(|error| job.failed(error));
     let finished = session.rounds().len();
@@ -105,7 +105,7 @@ pub fn execute(
     let kept = record.keep(&job.prepared.loaded, Some(robot), results, first_look)?;
     let episode = kept.episode.map_err(Failure::from);
     if let Some(error) = kept.no_bag {
-        say_where(&episode);
+        remark_episode_folder(&episode);
         return Err(error.into());
     }
     Ok(Executed {
@@ -115,7 +115,7 @@ pub fn execute(
     })
 }
 
-/// What is kept of the run, beside the results.
+/// Options of the run's record: bags, episode and live page.
 fn record_options(
     job: &Job<'_>,
     args: &LoopArgs,
@@ -139,7 +139,7 @@ fn record_options(
     }
 }
 
-/// The rounds of a killed run that are whole; their bags stay in the folder.
+/// Reads the completed rounds of a killed run; only their bags stay in the folder.
 fn rounds_of_killed_run(
     job: &Job<'_>,
     checkpoints: &Checkpoints,
@@ -156,8 +156,8 @@ fn rounds_of_killed_run(
     Ok(kept)
 }
 
-/// What executes the motions: the program of `--executor`, or a simulated world after the rounds of a killed run.
-fn executing(
+/// Starts the executor: the program of `--executor`, or a simulated world in its state after a killed run's rounds.
+fn start_executing(
     job: &Job<'_>,
     args: &LoopArgs,
     kept: Vec<KeptRound>,
@@ -177,7 +177,7 @@ fn executing(
     Ok(Executing::World(Box::new(recording)))
 }
 
-/// What came of the rounds.
+/// Collects the results of the rounds.
 fn results(
     job: &Job<'_>,
     args: &LoopArgs,
@@ -198,23 +198,25 @@ fn results(
     let later = later.filter(|_| args.executor.is_none());
     for round in later.filter(|round| *round > rounds.len()) {
         let count = counted(rounds.len(), "round");
-        let text = format!("the push of round {round} did not happen: the run ended after {count}");
+        let text = format!(
+            "the task's push in round {round} did not happen, because the run ended after {count}"
+        );
         job.progress.aside(|| remark(&text));
     }
     results.add_rounds(rounds, record.stages_mut(), executed_by, truths);
     Ok(results)
 }
 
-/// What takes in the events of the loop.
+/// The receivers of the loop's events.
 struct Sinks<'a> {
     watch: Watch<'a>,
     record: RunRecord,
-    /// Whether somebody asks for an end in order.
+    /// Set by signals to end the run cleanly.
     stop: Option<&'a Arc<AtomicBool>>,
 }
 
 impl Sinks<'_> {
-    /// Goes on with the session to its end, and keeps after each round what a killed run can be resumed with.
+    /// Runs the session to its end and writes a checkpoint after each round, from which a killed run can be resumed.
     fn run(
         &mut self,
         session: &mut Session<'_>,
@@ -225,7 +227,7 @@ impl Sinks<'_> {
         loop {
             let finished = session.rounds().len();
             let stage = session.step(executor.as_dyn(), &mut |event| self.on_event(event));
-            // One that broke off is no round to go on from.
+            // A round that ended with an error is no checkpoint.
             if stage.is_ok()
                 && let [.., round] = &session.rounds()[finished..]
             {
@@ -249,33 +251,37 @@ impl Sinks<'_> {
         self.stop.is_some_and(|stop| stop.load(Ordering::SeqCst))
     }
 
-    /// Says that somebody ended the run after so many rounds; that there is none is an error.
+    /// Prints a note that a signal ended the run, with the number of kept `rounds`. Zero rounds are an error.
     fn say_if_interrupted(&self, rounds: usize, progress: &Progress) -> Result<(), Failure> {
         if !self.is_stopped() {
             return Ok(());
         }
         if rounds == 0 {
             return Err(Failure::new(
-                "ended before the first round was over, so nothing is kept",
+                "interrupted during the first round; nothing is kept",
             ));
         }
         let count = counted(rounds, "round");
-        progress.aside(|| remark(&format!("interrupted: {count} kept, as far as executed")));
+        progress.aside(|| {
+            remark(&format!(
+                "interrupted: {count} kept; the last round holds its executed part"
+            ))
+        });
         Ok(())
     }
 
-    /// Passes an event on; whether the loop goes on.
+    /// Passes an event to the record and the progress; `Break` ends the loop.
     fn on_event(&mut self, event: &RunEvent<'_>) -> ControlFlow<()> {
         let flow = self.record.on_event(event);
         self.watch.on_event(event);
-        // What was begun is ended in order, and all sinks have taken it in by now.
+        // The record and the progress have received the event, so the loop can end here.
         if self.is_stopped() {
             return ControlFlow::Break(());
         }
         flow
     }
 
-    /// Keeps what a killed run can be resumed with after a round; whether there is such a thing now.
+    /// Writes the checkpoint of a round; returns whether that succeeded.
     fn keep_checkpoint(
         &mut self,
         session: &Session<'_>,
@@ -301,15 +307,15 @@ impl Sinks<'_> {
     }
 }
 
-/// Says where an episode is kept whose results are not.
-pub fn say_where(kept: &Kept) {
+/// Prints a note with the folder of a kept episode, after the results failed.
+pub fn remark_episode_folder(kept: &Kept) {
     if let Ok(Some(kept)) = kept {
         let place = kept.place.display();
-        remark(&format!("the episode is kept all the same, in {place}"));
+        remark(&format!("the episode was kept in {place}"));
     }
 }
 
-/// What tells this run from others. More or fewer rounds are no other run.
+/// Returns a digest of all inputs that change a run. The maximum number of rounds is not part of it.
 fn identity(
     prepared: &Prepared,
     robot: &Robot,
@@ -326,11 +332,11 @@ fn identity(
     Ok(inputs.value())
 }
 
-/// What executes the motions.
+/// The executor of the motions.
 enum Executing {
     World(Box<Recording<World>>),
     Process(ProcessExecutor),
-    /// Another program that is not asked anything more.
+    /// A program of `--executor` that has ended.
     Ended(NoExecutor),
 }
 
@@ -343,7 +349,7 @@ impl Executing {
         }
     }
 
-    /// What the simulated world knows of each round; nothing is known of another one.
+    /// The simulated world's ground truth of each round; empty for a program of `--executor`.
     fn truth(&self) -> &[GroundTruth] {
         match self {
             Self::World(world) => world.inner().truth(),
@@ -351,7 +357,7 @@ impl Executing {
         }
     }
 
-    /// Ends another program; what a simulated world knows stays.
+    /// Ends the program of `--executor`; a simulated world keeps its ground truth.
     fn end(&mut self) {
         if matches!(self, Self::Process(_)) {
             *self = Self::Ended(NoExecutor);
@@ -368,13 +374,14 @@ fn start(
     let words = shlex::split(command).unwrap_or_default();
     let [program, arguments @ ..] = words.as_slice() else {
         return Err(Failure::new(format!(
-            "--executor {command:?}: that is no command"
+            "--executor {command:?}: not a command; expected a program and its arguments"
         )));
     };
     let silence = Duration::from_secs_f64(timeout_s);
     let stop = stop.cloned().unwrap_or_default();
     ProcessExecutor::start_stoppable(program, arguments, silence, stop).map_err(|error| {
-        Failure::new(error).with_help("docs/executor-protocol.md says what an executor has to say")
+        Failure::new(error)
+            .with_help("docs/executor-protocol.md describes the messages of an executor")
     })
 }
 
@@ -388,7 +395,7 @@ fn program_of(command: &str) -> String {
     )
 }
 
-/// Where `--events` go.
+/// Opens the file or stream of `--events`.
 fn event_sink(path: &Path) -> Result<EventSink<Box<dyn Write + Send>>, Failure> {
     let place = path.display().to_string();
     let output: Box<dyn Write + Send> = if path == Path::new("-") {

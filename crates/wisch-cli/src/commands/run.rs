@@ -1,13 +1,13 @@
-//! `wisch run`, `wisch plan`, `wisch predict` and `wisch follow`: the stages, and the folder with their results.
+//! `wisch run`, `wisch plan`, `wisch predict` and `wisch follow`: run the stages and write the folder of results.
 
 use super::PROGRAM;
 use super::budget::in_evaluations;
-use super::follow::{Chosen, performer};
-use super::interrupt::end_in_order;
+use super::follow::{Chosen, read_robot};
+use super::interrupt::stop_on_signal;
 use super::job::Job;
 use super::out_folder::out_folder;
 use super::prepare::Prepared;
-use super::rounds::{Executed, Kept, execute, say_where};
+use super::rounds::{Executed, Kept, execute, remark_episode_folder};
 use super::summary::{in_words, summary};
 use super::watch::show;
 use super::words::{counted, internal};
@@ -30,25 +30,25 @@ use wisch_io::{PlanRecord, read_text};
 use wisch_record::{KeptEpisode, RecordOptions, RunRecord, RunResults, StageSink, write_results};
 use wisch_report::EffectFrames;
 
-/// Most particles of a run: the least members of a belief take 2 GiB for so many.
+/// Maximum number of particles of a run: with this number, the smallest belief takes 2 GiB.
 const MOST_IN_A_RUN: usize = 1_000_000;
 
-/// What is said where the operator has to act.
-const WAITS: &str = "the robot was stopped, and waits for its operator; with execution.after_stop = \"retreat\" the task goes on by itself";
+/// The note after a stop that the operator has to clear.
+const WAITS: &str = "the robot was stopped and waits for its operator; set execution.after_stop = \"retreat\" to resume automatically";
 
-/// How far to go.
+/// The last stage of a command, with its options.
 #[derive(Debug, Clone, Copy)]
 enum Extent<'a> {
-    /// With all plans that there are to choose from, if somebody wants to see them, which takes the task's robot.
+    /// Plan only. `explain` compares the plans of all strategies, which needs the task's robot.
     Plan {
         explain: bool,
-        /// As if it were known where the dirt lies.
+        /// Plan as if the positions of the dirt were known exactly.
         known_dirt: bool,
     },
     Predict,
-    /// With the robot of the task, if there is one, round by round.
+    /// Run the loop with the task's robot, or predict without a robot.
     Run(&'a RobotArgs, &'a LoopArgs),
-    /// With the robot of the task, which has to have one.
+    /// Follow with the task's robot, which must exist.
     Follow(&'a RobotArgs),
 }
 
@@ -57,7 +57,7 @@ impl Extent<'_> {
         matches!(self, Self::Run(..))
     }
 
-    /// What the name of the folder ends in.
+    /// Suffix of the default folder of results.
     const fn suffix(&self, has_robot: bool) -> &'static str {
         match self {
             Self::Run(..) if has_robot => "",
@@ -67,13 +67,13 @@ impl Extent<'_> {
         }
     }
 
-    /// Whether standard output is taken by events, among which words have no place.
+    /// Whether events go to standard output, so that no summary may be printed there.
     fn has_events_on_stdout(&self) -> bool {
         matches!(self, Self::Run(_, rounds) if rounds.events.as_deref() == Some(Path::new("-")))
     }
 }
 
-/// `wisch run`: the closed loop with the task's robot; without one, plan and predict.
+/// Runs `wisch run`: the closed loop with the task's robot; without a robot, plans and predicts.
 pub fn run(args: &WipeArgs, global: &GlobalArgs) -> Result<Outcome, Failure> {
     let follow = &args.follow;
     let extent = Extent::Run(&follow.robot, &args.rounds);
@@ -86,14 +86,14 @@ pub fn run(args: &WipeArgs, global: &GlobalArgs) -> Result<Outcome, Failure> {
     )
 }
 
-/// `wisch follow`: plan, follow and predict; without a robot there is nothing to do.
+/// Runs `wisch follow`: plans, follows and predicts; fails without a robot.
 pub fn follow_only(args: &FollowArgs, global: &GlobalArgs) -> Result<Outcome, Failure> {
     let plan = args.plan.as_deref();
     let extent = Extent::Follow(&args.robot);
     work(&args.task, &args.results, plan, extent, global)
 }
 
-/// `wisch plan`.
+/// Runs `wisch plan`.
 pub fn plan_only(args: &PlanArgs, global: &GlobalArgs) -> Result<Outcome, Failure> {
     let PlanArgs {
         explain,
@@ -107,7 +107,7 @@ pub fn plan_only(args: &PlanArgs, global: &GlobalArgs) -> Result<Outcome, Failur
     work(&args.task, &args.results, None, extent, global)
 }
 
-/// `wisch predict`: plan only where no plan is given.
+/// Runs `wisch predict`; plans first unless a plan is given.
 pub fn predict_only(args: &PredictArgs, global: &GlobalArgs) -> Result<Outcome, Failure> {
     let plan = args.plan.as_deref();
     work(&args.task, &args.results, plan, Extent::Predict, global)
@@ -121,7 +121,7 @@ fn work(
     global: &GlobalArgs,
 ) -> Result<Outcome, Failure> {
     if results.json && extent.has_events_on_stdout() {
-        let failure = Failure::new("--json and --events - both take standard output");
+        let failure = Failure::new("--json and --events - both write to standard output");
         return Err(failure.with_help("write the events to a file: --events FILE"));
     }
     let progress = Progress::start(global);
@@ -138,19 +138,21 @@ fn work(
         .map(|path| given_plan(path, &mut prepared))
         .transpose()?;
     let out = out_folder(results, &prepared, extent.suffix(chosen.is_some()));
-    // From before there is anything on the disk that an end would leave there.
+    // Handle signals before any file is written, so that a signal leaves no files behind.
     let stop = match extent {
-        Extent::Run(_, rounds) if rounds.executor.is_some() || rounds.live => Some(end_in_order()?),
+        Extent::Run(_, rounds) if rounds.executor.is_some() || rounds.live => {
+            Some(stop_on_signal()?)
+        }
         _ => None,
     };
-    // Before the long part: nobody likes to wait for "permission denied".
+    // The folder comes before the long computation, so that a missing permission is reported at once.
     let is_replacing_all = results.force || (extent.is_run() && chosen.is_some());
     let folder = begin_folder(&out, extent, is_replacing_all, (&progress, global))?;
 
     let robot = (chosen.as_ref())
         .map(|chosen| {
             progress.say("reading the robot");
-            Ok::<_, Failure>((chosen, performer(chosen, task_args)?))
+            Ok::<_, Failure>((chosen, read_robot(chosen, task_args)?))
         })
         .transpose()?;
     let job = Job {
@@ -177,13 +179,13 @@ fn work(
     let written = written.and_then(|()| Ok(folder.finish()?));
     drop(progress);
     if written.is_err() || broken.is_some() {
-        say_where(&episode);
+        remark_episode_folder(&episode);
     }
     written?;
     if let Some(failure) = broken {
         let rounds = counted(results_of.rounds.len(), "round");
         remark(&format!(
-            "{rounds} kept, as far as executed, in {}",
+            "{rounds} kept in {}; the last round holds its executed part",
             out.display()
         ));
         return Err(failure);
@@ -197,7 +199,7 @@ fn work(
         print(&in_words(&summary, &results_of.rounds, &out))?;
         print(&episode_in_words(&episode))?;
     }
-    // The results are there by now, whatever became of the episode.
+    // The results are complete at this point, even if the episode could not be kept.
     if let Some(kept) = episode? {
         remark_on(&kept)?;
     }
@@ -213,7 +215,7 @@ fn work(
     })
 }
 
-/// The robot that is to follow, where one is needed. Which plan is the best is a question of how long a robot takes.
+/// Chooses the robot of commands that need one. The comparison of plans needs it, because a score includes execution time.
 fn choose_robot<'a>(
     extent: Extent<'a>,
     any: &'a RobotArgs,
@@ -229,21 +231,26 @@ fn choose_robot<'a>(
     };
     if matches!(extent, Extent::Follow(_)) && chosen.is_none() {
         return Err(prepared
-            .failure(task_args, "there is no robot to follow the plan")
-            .with_help("add a [robot] table to the task, or name a robot with --robot"));
+            .failure(
+                task_args,
+                "wisch follow needs a robot, but the task has none",
+            )
+            .with_help("add a [robot] table to the task, or choose a robot with --robot"));
     }
     let particles = prepared.task.particles.len();
     if extent.is_run() && chosen.is_some() && particles > MOST_IN_A_RUN {
         let problem = format!(
-            "{particles} particles exceed the limit of {MOST_IN_A_RUN} for a run, whose belief holds them many times"
+            "{particles} particles exceed the limit of {MOST_IN_A_RUN} for a run, whose belief holds many copies of them"
         );
         let failure = prepared.failure(task_args, problem);
-        return Err(failure.with_help("plan, predict and follow take more"));
+        return Err(failure.with_help(
+            "reduce particles.count, or use plan, predict or follow, which have no such limit",
+        ));
     }
     Ok(chosen)
 }
 
-/// The folder of the results, with what a killed run left there if that is to go on.
+/// Begins the folder of results; with `--resume` it takes over the state of a killed run.
 fn begin_folder(
     out: &Path,
     extent: Extent<'_>,
@@ -265,15 +272,15 @@ fn begin_folder(
     }
     if leftover == Leftover::TakeOver && folder.found().is_finished {
         return Err(Failure::new(format!(
-            "{}: there is nothing to resume: the killed run was complete, and its results stand there",
+            "{}: nothing to resume: the killed run was complete, and its results are in this folder",
             out.display()
         ))
-        .with_help("without --resume, wisch run begins anew"));
+        .with_help("leave out --resume to start a new run"));
     }
     Ok(folder)
 }
 
-/// Where the episode is kept, if it is.
+/// The summary's line with the folder of the kept episode.
 fn episode_in_words(kept: &Kept) -> String {
     match kept {
         Ok(Some(kept)) => format!("  {:<18} {}\n", "episode", kept.place.display()),
@@ -281,7 +288,7 @@ fn episode_in_words(kept: &Kept) -> String {
     }
 }
 
-/// Says what there is to say of an episode that was kept; what it lacks is an error.
+/// Prints the notes about a kept episode. Missing telemetry is an error.
 fn remark_on(kept: &KeptEpisode) -> Result<(), Failure> {
     for what in &kept.remarks {
         remark(what);
@@ -290,14 +297,14 @@ fn remark_on(kept: &KeptEpisode) -> Result<(), Failure> {
         return Ok(());
     }
     Err(Failure::new(format!(
-        "{}: the episode is kept without {}",
+        "{}: the episode was kept without {}",
         kept.place.display(),
         kept.without.join(", nor ")
     ))
-    .with_help("queries of telemetry leave it out; wisch memory forget ID removes it"))
+    .with_help("queries of telemetry skip this episode; wisch memory forget ID removes it"))
 }
 
-/// Whether a person or a safety system ended the last round, and nothing followed.
+/// Whether a person or a safety system stopped the last round and no later round cleared the stop.
 fn waits_for_the_operator(results: &RunResults) -> bool {
     results.rounds.last().is_some_and(|done| {
         let ending = &done.round.execution.ending;
@@ -306,18 +313,18 @@ fn waits_for_the_operator(results: &RunResults) -> bool {
     })
 }
 
-/// Says what became of killed runs.
+/// Prints notes about the leftovers of killed runs.
 fn say_what_was_found(found: &Found, leftover: Leftover) {
     for path in &found.removed {
         let path = path.display();
-        remark(&format!("removed {path}, which a killed run left behind"));
+        remark(&format!("removed {path}, left behind by a killed run"));
     }
     if leftover == Leftover::TakeOver && !found.is_taken_over {
-        remark("no killed run left anything to go on with: beginning with round 1");
+        remark("no killed run to resume: starting with round 1");
     }
 }
 
-/// Plans, follows if there is a robot, and predicts; executes nothing.
+/// Plans, follows if there is a robot, and predicts, without execution.
 fn simulate_effect(
     job: &Job<'_>,
     extent: Extent<'_>,
@@ -333,7 +340,7 @@ fn simulate_effect(
     }
     let considered = match extent {
         Extent::Plan { explain: true, .. } => {
-            job.progress.say("planning by every strategy");
+            job.progress.say("planning with every strategy");
             let considered = session.considered();
             Some(considered.map_err(|error| job.failed(error))?)
         }
@@ -359,7 +366,7 @@ fn simulate_effect(
     (session.run_until(until, &mut NoExecutor, &mut look)).map_err(|error| job.failed(error))?;
     let mut results = match (session.plan(), session.first()) {
         (_, Some(_)) => RunResults::of(&session, record.stages_mut())?,
-        (Some(plan), None) => predicted_only(job, extent, plan, record.stages_mut()),
+        (Some(plan), None) => predict_without_robot(job, extent, plan, record.stages_mut()),
         (None, None) => return Err(internal("no plan was made")),
     };
     results.considered = considered;
@@ -372,8 +379,8 @@ fn simulate_effect(
     Ok(record.keep(loaded, robot, results, None)?.results)
 }
 
-/// A plan that no robot follows, with what it is predicted to do where that is asked for.
-fn predicted_only(
+/// Returns the results of a plan that no robot follows, with its predicted effect unless only a plan was requested.
+fn predict_without_robot(
     job: &Job<'_>,
     extent: Extent<'_>,
     plan: &Plan,
@@ -398,7 +405,7 @@ fn predicted_only(
     }
 }
 
-/// Reads a plan, and takes over what it was made with.
+/// Reads a plan file, checks its strokes, and adopts its strategy.
 pub(super) fn given_plan(path: &Path, prepared: &mut Prepared) -> Result<Plan, Failure> {
     let text = read_text(path)?;
     let in_file = |error| Failure::new(format!("{}: {error}", path.display()));

@@ -6,7 +6,7 @@ use crate::terminal::{Outcome, print};
 use wisch::source_location::UnknownName;
 use wisch_io::shipped_scenarios;
 
-/// Lists the scenarios with the sentence that each begins with, or prints one.
+/// Lists the scenarios with their first sentences, or prints the task file of one scenario.
 pub fn scenarios(args: &ScenariosArgs) -> Result<Outcome, Failure> {
     if let Some(name) = &args.name {
         let found = shipped_scenarios().find(|(known, _)| known == name);
@@ -26,7 +26,7 @@ pub fn scenarios(args: &ScenariosArgs) -> Result<Outcome, Failure> {
     Ok(Outcome::Done)
 }
 
-/// The first sentence of the comment that a file begins with, without what it has in brackets.
+/// Returns the first sentence of a file's leading comment, without text in brackets.
 fn first_sentence(text: &str) -> String {
     let comment: Vec<&str> = text
         .lines()
@@ -40,7 +40,7 @@ fn first_sentence(text: &str) -> String {
         }
         sentence.replace_range(start..=end, "");
     }
-    // The point of 0.1 ends none.
+    // The decimal point of 0.1 does not end a sentence.
     let ends = |(i, c): &(usize, char)| match c {
         '.' => !sentence[i + 1..].starts_with(|c: char| !c.is_whitespace()),
         c => *c == ';',

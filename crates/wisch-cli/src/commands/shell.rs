@@ -1,11 +1,11 @@
-//! `wisch completions` and `wisch man`: what a shell and a manual know of the commands.
+//! `wisch completions` and `wisch man`: shell completion scripts and manual pages.
 
 use crate::args::{Cli, CompletionsArgs, ManArgs};
 use crate::failure::Failure;
 use crate::terminal::{Outcome, print};
 use clap::CommandFactory;
 
-/// Prints a shell's completions.
+/// Prints the completion script of a shell.
 pub fn completions(args: &CompletionsArgs) -> Result<Outcome, Failure> {
     let mut script = Vec::new();
     clap_complete::generate(args.shell, &mut Cli::command(), "wisch", &mut script);

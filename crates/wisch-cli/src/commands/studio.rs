@@ -1,4 +1,4 @@
-//! `wisch studio`: the page on which runs are begun, watched and asked about. Its server is a program of its own.
+//! `wisch studio`: the page on which users start, watch and query runs. Its server is a companion program.
 
 use super::companion::Companion;
 use crate::args::{GlobalArgs, StudioArgs};
@@ -9,15 +9,16 @@ use wisch_memory::ask::EngineCommand;
 
 const STUDIO: Companion = Companion {
     name: "wisch-studio",
-    building: "building the studio, once: a minute or two",
+    building: "building the studio; this happens once and takes one or two minutes",
     is_workspace: false,
 };
 
-/// Becomes the server: what signals this process signals the server, and one does not outlive the other.
+/// Replaces this process by the server, so that signals reach the server and neither outlives the other.
 pub fn studio(args: &StudioArgs, global: &GlobalArgs) -> Result<Outcome, Failure> {
     let program = STUDIO.find_or_build(global)?;
-    let wisch = std::env::current_exe()
-        .map_err(|error| Failure::new(format!("this program cannot be found: {error}")))?;
+    let wisch = std::env::current_exe().map_err(|error| {
+        Failure::new(format!("the path of the program wisch is unknown: {error}"))
+    })?;
     let mut server = Command::new(&program);
     server.arg("--memory").arg(&args.memory.memory);
     server.arg("--wisch").arg(wisch);
@@ -33,19 +34,19 @@ pub fn studio(args: &StudioArgs, global: &GlobalArgs) -> Result<Outcome, Failure
         .map_err(|what| Failure::new(format!("{}: {what}", program.display())))
 }
 
-/// Runs a program in place of this one; what it returns is why it cannot.
+/// Replaces this process by a program. It returns only if that fails.
 #[cfg(unix)]
 fn become_program(server: &mut Command) -> Result<Outcome, String> {
     use std::os::unix::process::CommandExt;
     Err(server.exec().to_string())
 }
 
-/// Runs a program, and ends with it. Ctrl-C reaches both.
+/// Runs a program and waits for it. Ctrl-C reaches both.
 #[cfg(not(unix))]
 fn become_program(server: &mut Command) -> Result<Outcome, String> {
     match server.status() {
         Ok(ended) if ended.success() => Ok(Outcome::Done),
-        // It has said why.
+        // The program has printed the reason.
         Ok(ended) => Err(format!("it ended: {ended}")),
         Err(error) => Err(error.to_string()),
     }

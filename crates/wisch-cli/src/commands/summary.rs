@@ -1,4 +1,4 @@
-//! What a command says in the end: one record, and its words for people.
+//! The summary of a command: a record for `--json`, and a text for people.
 
 use super::explain::{candidates, table};
 use super::prepare::Prepared;
@@ -16,7 +16,7 @@ use wisch_record::{FinishedRound, Following, RunResults};
 /// Members of a belief over which a treatment is averaged.
 const SUMMARISED: usize = 64;
 
-/// The record.
+/// Makes the record.
 pub(super) fn summary(prepared: &Prepared, results: &RunResults, out: &Path) -> Summary {
     let task = &prepared.task;
     let plan = &results.plan;
@@ -65,7 +65,7 @@ pub(super) fn summary(prepared: &Prepared, results: &RunResults, out: &Path) -> 
     }
 }
 
-/// What is done to each place of a surface that is treated: as estimated after the last round, or else as predicted.
+/// Averages the passes over the points of a treated surface: as estimated after the last round, else as predicted.
 fn treatment(prepared: &Prepared, results: &RunResults) -> Option<TreatmentSummary> {
     let task = &prepared.task;
     task.treatment?;
@@ -95,8 +95,8 @@ pub(super) fn in_words(summary: &Summary, rounds: &[FinishedRound], out: &Path) 
     if let Some(prediction) = &summary.prediction {
         let verdict = match rounds.last().map(|last| last.round.verdict) {
             _ if prediction.goal_met => "met",
-            Some(Verdict::UnknowableByTouch) => "cannot be told by touch alone",
-            Some(Verdict::CannotBeTold) => "cannot be told",
+            Some(Verdict::UnknowableByTouch) => "unknown, needs a camera",
+            Some(Verdict::CannotBeTold) => "unknown",
             _ => "not met",
         };
         let (word, performance) = match &summary.execution {
@@ -110,7 +110,7 @@ pub(super) fn in_words(summary: &Summary, rounds: &[FinishedRound], out: &Path) 
                 percent(performance),
                 summary.particles,
                 if summary.treatment.is_some() {
-                    "places"
+                    "points"
                 } else {
                     "particles"
                 },
@@ -146,7 +146,7 @@ pub(super) fn in_words(summary: &Summary, rounds: &[FinishedRound], out: &Path) 
     lines.push((
         "distance",
         format!(
-            "{:.2} m in contact, {:.2} m in all{in_rounds}",
+            "{:.2} m in contact, {:.2} m total{in_rounds}",
             summary.distance_in_contact_m, summary.distance_total_m
         ),
     ));
@@ -187,7 +187,7 @@ pub(super) fn in_words(summary: &Summary, rounds: &[FinishedRound], out: &Path) 
     text
 }
 
-/// What is done to the places of a surface, for people.
+/// The lines about a treated surface, for people.
 fn treatment_in_words(treatment: &TreatmentSummary, action: &str) -> Vec<(&'static str, String)> {
     let TreatmentSummary {
         mean_passes,
@@ -195,7 +195,7 @@ fn treatment_in_words(treatment: &TreatmentSummary, action: &str) -> Vec<(&'stat
         mean_depth_m,
     } = treatment;
     let passes =
-        format!("{mean_passes:.2} on average, {passes_deviation:.2} deviation from place to place");
+        format!("mean {mean_passes:.2}, standard deviation {passes_deviation:.2} over the surface");
     let mut lines = vec![("passes", passes)];
     if let Some(depth) = mean_depth_m {
         let name = if action == "emit" {
@@ -212,13 +212,13 @@ fn treatment_in_words(treatment: &TreatmentSummary, action: &str) -> Vec<(&'stat
         let (depth, off) = (scale * depth, scale * off);
         lines.push((
             name,
-            format!("{depth:.1} {unit} on average, {off:.1} {unit} deviation"),
+            format!("mean {depth:.1} {unit}, standard deviation {off:.1} {unit}"),
         ));
     }
     lines
 }
 
-/// The robot's part of the summary for people.
+/// The lines about the robot, for people.
 fn robot_in_words(following: &FollowingSummary, in_rounds: &str) -> Vec<(&'static str, String)> {
     let places = match following.placements.len() {
         0 => String::new(),
@@ -236,21 +236,21 @@ fn robot_in_words(following: &FollowingSummary, in_rounds: &str) -> Vec<(&'stati
         (
             "execution time",
             format!(
-                "{:.1} s, {:.1} s of it in contact{in_rounds}",
+                "{:.1} s, {:.1} s in contact{in_rounds}",
                 following.execution_time_s, following.contact_time_s
             ),
         ),
         (
             "joint movement",
             format!(
-                "{:.1} rad in contact, {:.1} rad in all{in_rounds}",
+                "{:.1} rad in contact, {:.1} rad total{in_rounds}",
                 following.joint_movement_in_contact_rad, following.joint_movement_rad
             ),
         ),
         (
             "motion",
             format!(
-                "{:.2} mm off its line at most, {:.1} mm clear at least",
+                "path error at most {:.2} mm, clearance at least {:.1} mm",
                 1e3 * following.max_path_deviation_m,
                 1e3 * following.min_clearance_m
             ),
@@ -264,7 +264,7 @@ fn robot_in_words(following: &FollowingSummary, in_rounds: &str) -> Vec<(&'stati
         lines.push((
             "abandoned first",
             format!(
-                "{obstruction}; all of them in {}",
+                "{obstruction}; all abandoned nodes are in {}",
                 path_in_results(FOLLOWING_FILE).display()
             ),
         ));

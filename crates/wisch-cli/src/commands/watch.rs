@@ -1,4 +1,4 @@
-//! What the program adds to the sinks of a run: progress for people, real time, and checkpoints.
+//! A receiver of a run's events that shows progress, writes checkpoints and paces the run to real time.
 
 use super::job::Job;
 use crate::progress::Progress;
@@ -7,14 +7,14 @@ use std::time::{Duration, Instant};
 use wisch::run::RunEvent;
 use wisch_sim::Checkpoints;
 
-/// Between two updates of the progress [samples].
+/// Number of samples between two updates of the progress.
 const SAY_EVERY: usize = 200;
 
-/// Shows progress, keeps what a killed run can be resumed with, and waits where a run is to take as long as its motions.
+/// A receiver of events that shows progress, writes checkpoints for `--resume`, and waits for real time if requested.
 pub struct Watch<'a> {
     progress: &'a Progress,
     pub checkpoints: Checkpoints,
-    /// Where they are.
+    /// Folder of the checkpoints.
     pub state: PathBuf,
     /// Rounds that an earlier run executed.
     taken_over: usize,
@@ -22,12 +22,12 @@ pub struct Watch<'a> {
     samples: usize,
     round: usize,
     begin: Instant,
-    /// How long the round's motion takes [s].
+    /// Duration of the round's motion [s].
     duration: f64,
 }
 
 impl<'a> Watch<'a> {
-    /// Watches the rounds after so many that an earlier run executed.
+    /// Makes a receiver. `taken_over`: number of rounds that a killed run has executed.
     pub fn new(
         job: &Job<'a>,
         checkpoints: Checkpoints,
@@ -47,7 +47,7 @@ impl<'a> Watch<'a> {
         }
     }
 
-    /// Takes in one event; no failure is said before the round is over.
+    /// Receives an event. Failures of checkpoints are reported at the end of the round.
     pub fn on_event(&mut self, event: &RunEvent<'_>) {
         show(self.progress, event);
         match event {
@@ -79,7 +79,7 @@ impl<'a> Watch<'a> {
     }
 }
 
-/// Shows people which stage a run is in.
+/// Shows the current stage of a run.
 pub fn show(progress: &Progress, event: &RunEvent<'_>) {
     match event {
         RunEvent::Planning { round } => progress.say(format!("round {round}: planning")),

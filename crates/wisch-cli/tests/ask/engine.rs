@@ -95,7 +95,7 @@ fn swi_prolog_answers_where_there_is_no_other() {
     let (code, out, err) = place.ask(&[]);
     assert_eq!((code, out.as_str()), (0, "true\n"), "{err}");
     assert!(
-        err.starts_with("note: SWI-Prolog answers") && err.contains(INSTALL),
+        err.starts_with("note: using SWI-Prolog") && err.contains(INSTALL),
         "{err}"
     );
     let (code, out, err) = place.ask(&["--engine", "swi"]);

@@ -87,7 +87,7 @@ pub fn cases() -> Vec<Case> {
             "an SRDF without a URDF",
             "name = \"humanoid\"",
             "name = \"humanoid\"\nsrdf = \"arm.srdf\"",
-            &["srdf goes with urdf"],
+            &["srdf needs urdf"],
         ),
         line(
             "a folder for a robot",
@@ -165,7 +165,7 @@ pub fn cases() -> Vec<Case> {
         line(
             "a map without a robot",
             &["run", "task.toml", "--robot", "none", "--map", "arm.reach"],
-            &["--map: there is no robot to use it"],
+            &["--map: needs a robot"],
         ),
         line(
             "a map that is not there",
@@ -245,7 +245,7 @@ pub fn cases() -> Vec<Case> {
             "a map over a task",
             "--out",
             "task.toml",
-            &["task.toml: the file of a capability map ends in .reach"],
+            &["task.toml: the file name of a capability map must end in .reach"],
         ),
         map(
             "a map below nothing",

@@ -1,4 +1,4 @@
-//! Where hands hold a tool, as it is written.
+//! The records of a tool's grips.
 
 use serde::Deserialize;
 use toml::Spanned;
@@ -11,7 +11,7 @@ use std::ops::Bound::Included;
 use wisch::geometry::{Point3, Pose, Vector3};
 use wisch::represent::{Grip, SecondGrip};
 
-/// How far a hand may lean on a bar: across it at 0, along it at a right angle.
+/// Limits of a hand's lean on a bar [rad]: 0 is across the bar, a right angle along it.
 const LEAN_RAD: Limits = (Included(0.0), Included(FRAC_PI_2));
 
 #[derive(Deserialize)]

@@ -1,4 +1,4 @@
-//! The files of the knowledge base, and what is wrong with one that is refused.
+//! The files of the knowledge base and their errors.
 
 mod grip;
 mod record;
@@ -14,14 +14,13 @@ pub use revision::{InteractionRevision, RevisedFile};
 use wisch::represent::{KnowledgeBase, KnowledgeError, SurfaceScope};
 use wisch::source_location::Place;
 
-/// Reads knowledge from TOML texts, each with the name under which errors speak of it.
-/// Entries may refer to those of any other text.
+/// Reads a knowledge base from TOML texts. `files`: name (for error messages) and text of each file. Entries may refer to
+/// entries of other files.
 ///
 /// # Errors
 ///
-/// A text that is not TOML or has other keys than those known, a schema other than 1, a name
-/// given twice or used without being defined, or a value outside its limits: each with file,
-/// line and column.
+/// If a text is not TOML, has unknown keys or another schema than 1, if a name is defined twice or undefined, or if a value
+/// is outside its limits. The error states file, line and column.
 ///
 /// ```
 /// let surfaces = "schema = 1\n[[surface]]\nname = \"table\"\nfriction = 0.4\n";
@@ -33,21 +32,21 @@ pub fn parse_knowledge(files: &[(&str, &str)]) -> Result<KnowledgeBase, Knowledg
     record::read(files)
 }
 
-/// Why a knowledge file was refused.
+/// An error of a knowledge file.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum KnowledgeFileError {
-    /// The text is not TOML, or not the TOML of a knowledge file.
+    /// The text is not TOML, or its keys are not those of a knowledge file.
     #[error("{at}: {message}")]
     Syntax {
         /// Where.
         at: Place,
-        /// What the reader says.
+        /// Message of the TOML parser.
         message: String,
     },
-    /// The file is of a schema that this version does not read.
+    /// The file has a schema that this version does not support.
     #[error(
-        "{at}: schema {found} is not supported, only schema {}",
+        "{at}: schema {found} is not supported; this version reads schema {}",
         record::SCHEMA
     )]
     Schema {
@@ -56,34 +55,34 @@ pub enum KnowledgeFileError {
         /// The schema of the file.
         found: i64,
     },
-    /// A name that could not be one in PDDL, or that has a meaning of its own.
+    /// A name that is invalid in PDDL or reserved.
     #[error(
-        "{at}: {name:?} is no name: a name is at most {} characters long, starts with a small letter, goes on with small letters, digits, `_` and `-`, and is not {:?}",
+        "{at}: {name:?} is not a valid name: a name has at most {} characters, a small letter first, then small letters, digits, `_` and `-`, and is not {:?}",
         record::NAME_MAX_LEN,
         SurfaceScope::ANY_NAME
     )]
     BadName {
         /// Where.
         at: Place,
-        /// The name as given.
+        /// The given name.
         name: String,
     },
-    /// Two entries say the same of the same.
+    /// Two entries define the same thing.
     #[error("{at}: {what} is already defined at {first}")]
     Duplicate {
-        /// The later of the two.
+        /// Location of the later entry.
         at: Place,
-        /// The earlier of the two.
+        /// Location of the earlier entry.
         first: Place,
-        /// What they define.
+        /// The thing that they define.
         what: String,
     },
-    /// An entry refers to something that is not defined.
+    /// An entry refers to an undefined name.
     #[error("{at}: {error}")]
     UnknownReference {
         /// Where.
         at: Place,
-        /// The name and those near it.
+        /// The name and similar names.
         #[source]
         error: Box<KnowledgeError>,
     },
@@ -96,15 +95,15 @@ pub enum KnowledgeFileError {
         field: &'static str,
         /// The value as given.
         value: f64,
-        /// What it may be.
+        /// The limits.
         limits: String,
     },
-    /// An entry contradicts itself or lacks something.
+    /// An entry is inconsistent or incomplete.
     #[error("{at}: {problem}")]
     Inconsistent {
         /// Where.
         at: Place,
-        /// What does not fit.
+        /// The problem.
         problem: String,
     },
 }

@@ -1,4 +1,4 @@
-//! The knowledge files as they are written, and how they become knowledge.
+//! The records of knowledge files, and their conversion to a knowledge base.
 
 use std::collections::BTreeMap;
 use std::ops::Bound::{Excluded, Included};
@@ -17,30 +17,30 @@ use wisch::represent::{
 };
 use wisch::source_location::Place;
 
-/// The schema that this version reads.
+/// The schema number that this version supports.
 pub(super) const SCHEMA: i64 = 1;
-/// Longest name of a tool, medium or surface [bytes].
+/// Maximum length of the name of a tool, medium or surface [bytes].
 pub(super) const NAME_MAX_LEN: usize = 64;
 
-/// A tenth of a metre: no pad is thicker and no crumb larger.
+/// Limits of thicknesses and grain sizes [m]: at most a tenth of a metre.
 const LENGTH_M: Limits = (Excluded(0.0), Included(0.1));
-/// How far a tool gives way; a rigid one not at all.
+/// Limits of a tool's compression depth [m]; 0 is rigid.
 const DEPTH_M: Limits = (Included(0.0), Included(0.1));
-/// No tool acts further than two metres at once.
+/// Limits of an area of effect [m].
 const EXTENT_M: Limits = (Excluded(0.0), Included(2.0));
-/// Above what any arm of this class presses with.
+/// Limits of a press force [N]; the maximum is above the ability of arms of this class.
 const FORCE_N: Limits = (Excluded(0.0), Included(200.0));
-/// Above what a compliance controller at 1 kHz keeps stable.
+/// Limits of a Cartesian stiffness [N/m]; the maximum is above what a compliance controller at 1 kHz keeps stable.
 const STIFFNESS_N_PER_M: Limits = (Excluded(0.0), Included(1e5));
-/// Aperiodic at 1; far beyond, the arm no longer moves.
+/// Limits of a damping ratio [1]: aperiodic at 1; far above, the arm no longer moves.
 const DAMPING_RATIO: Limits = (Included(0.0), Included(10.0));
-/// A weight relative to the Cartesian task.
+/// Limits of a weight relative to the Cartesian task [1].
 const WEIGHT: Limits = (Included(0.0), Included(1e3));
-/// Coulomb friction; rubber on glass comes near 2.
+/// Limits of a Coulomb coefficient [1]; rubber on glass is near 2.
 const FRICTION: Limits = (Included(0.0), Included(5.0));
-/// Medians of f′ between e⁻¹⁰ and e¹⁰: beyond, every or no contact works.
+/// Limits of μ, so that the median of f′ is between e⁻¹⁰ and e¹⁰: beyond, every contact or no contact moves grains.
 const MU: Limits = (Included(-10.0), Included(10.0));
-/// Wider than ten decades says nothing.
+/// Limits of σ [1]: a law wider than ten decades has no meaning.
 const SIGMA: Limits = (Excluded(0.0), Included(10.0));
 const SPREAD: Limits = (Included(0.0), Included(10.0));
 const SHARE: Limits = (Included(0.0), Included(1.0));
@@ -138,7 +138,7 @@ struct InteractionRecord {
     kept_share: Option<Spanned<f64>>,
 }
 
-/// Whether something may be called so: a PDDL name that has no meaning of its own.
+/// Whether a text is a valid name: a PDDL name that is not reserved.
 pub(crate) fn is_entry_name(text: &str) -> bool {
     text.starts_with(|c: char| c.is_ascii_lowercase())
         && (text.bytes())
@@ -180,7 +180,7 @@ impl Source<'_> {
         }
     }
 
-    /// What a look-up of `name` found.
+    /// Adds the location of `name` to the result of a look-up.
     fn found<T>(
         self,
         name: &Spanned<String>,
@@ -365,7 +365,7 @@ impl Source<'_> {
     }
 }
 
-/// Where each thing was first defined, to catch the second time.
+/// The locations of all definitions, to find duplicates.
 #[derive(Default)]
 struct Definitions(BTreeMap<String, Place>);
 
@@ -385,7 +385,7 @@ impl Definitions {
     }
 }
 
-/// Reads all texts; interactions last, for they refer to the rest.
+/// Reads all texts; interactions last, because they refer to the other entries.
 pub(super) fn read(files: &[(&str, &str)]) -> Result<KnowledgeBase, KnowledgeFileError> {
     let mut knowledge = KnowledgeBase::default();
     let mut definitions = Definitions::default();

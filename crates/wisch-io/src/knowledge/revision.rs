@@ -1,4 +1,4 @@
-//! Knowledge files with what was learned of interactions written into them, for people to read and to apply.
+//! Revisions of knowledge files with learned interactions, as text and as a diff.
 
 use super::parse_knowledge;
 use crate::error::Error;
@@ -6,38 +6,38 @@ use serde::Deserialize;
 use std::path::Path;
 use wisch::represent::{Interaction, LogNormal};
 
-/// What was learned of an interaction.
+/// A learned interaction.
 #[derive(Debug, Clone, PartialEq)]
 pub struct InteractionRevision {
-    /// The interaction with its new law, spreads and ℓ; the rest is as it was.
+    /// The interaction with its new law, spreads and ℓ; the other values are unchanged.
     pub interaction: Interaction,
-    /// Where the new values come from, a sentence a line.
+    /// Source of the new values, one sentence per line.
     pub source: Vec<String>,
 }
 
-/// A file of knowledge before and after.
+/// A knowledge file before and after a revision.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct RevisedFile {
     /// Its name within the folder.
     pub name: String,
-    /// As it was.
+    /// Text before.
     pub before: String,
-    /// As it would be.
+    /// Text after.
     pub after: String,
-    /// The entries that change, as they would be.
+    /// The changed entries.
     entries: Vec<String>,
 }
 
-/// Begins the lines of a comment that the next revision replaces.
+/// Prefix of comment lines that the next revision replaces.
 const LEARNED: &str = "# learned: ";
-/// The line with which an entry begins.
+/// First line of an entry.
 const HEADER: &str = "[[interaction]]";
-/// Lines about a change that a diff shows.
+/// Number of context lines in a diff.
 const CONTEXT: usize = 3;
-/// More changed lines than this are shown as a whole.
+/// Number of changed lines above which a diff shows them as one block.
 const MOST_COMPARED: usize = 4000;
 
-/// The keys of an entry that tell which it is.
+/// The keys that identify an entry.
 #[derive(Deserialize)]
 struct Names {
     interaction: Vec<NamesOfOne>,
@@ -50,10 +50,10 @@ struct NamesOfOne {
     surface: String,
 }
 
-/// Writes revisions into files of knowledge, each with its name and text, and gives those that change.
+/// Applies revisions to knowledge files (name and text), and returns the changed files.
 ///
 /// # Errors
-/// An interaction that none of the files has as a table `[[interaction]]`, or one that would no longer be read.
+/// If no file has an interaction as a table `[[interaction]]`, or a revised file would be invalid.
 pub(crate) fn revised(
     files: &[(String, String)],
     revisions: &[InteractionRevision],
@@ -134,7 +134,7 @@ impl RevisedFile {
         &self.entries
     }
 
-    /// What changes, as `diff -u` has it; `patch -p1` in the folder of the knowledge applies it.
+    /// Returns the changes in the format of `diff -u`; `patch -p1` in the knowledge folder applies them.
     pub fn diff(&self) -> String {
         let name = Path::new(&self.name).file_name().unwrap_or_default();
         let name = name.to_string_lossy();
@@ -144,7 +144,7 @@ impl RevisedFile {
     }
 }
 
-/// The lines before the first entry, and those of each entry up to the next table.
+/// Splits a text into the lines before the first entry and the lines of each entry.
 fn blocks(text: &str) -> Vec<Vec<&str>> {
     let mut blocks = vec![Vec::new()];
     for line in text.lines() {
@@ -199,7 +199,7 @@ fn with_revision(block: &[&str], revision: &InteractionRevision) -> Vec<String> 
     lines
 }
 
-/// Keys with their values, and what they mean.
+/// Returns the changed keys with values and comments.
 fn values(interaction: &Interaction) -> Vec<(&'static str, String, String)> {
     let number = |value: f64| {
         let text = format!("{value:.4}");
@@ -238,7 +238,7 @@ fn values(interaction: &Interaction) -> Vec<(&'static str, String, String)> {
     values
 }
 
-/// A line of a diff: as in both, only before, or only after.
+/// A line of a diff: in both texts, only before, or only after.
 #[derive(Clone, Copy, PartialEq)]
 enum Step {
     Both,
@@ -246,12 +246,12 @@ enum Step {
     After,
 }
 
-/// The changes between two texts with a few lines about each.
+/// Formats the changes between two texts as hunks with context lines.
 fn hunks(before: &[&str], after: &[&str]) -> String {
     let steps = steps(before, after);
     let mut text = String::new();
     let mut next = 0;
-    // Of the first step of a hunk: lines before it, in each text.
+    // Line numbers in each text before the first step of a hunk.
     let counts = |steps: &[Step]| {
         let count = |other: Step| steps.iter().filter(|step| **step != other).count();
         [count(Step::After), count(Step::Before)]
@@ -286,7 +286,7 @@ fn hunks(before: &[&str], after: &[&str]) -> String {
     text
 }
 
-/// The way from one text to the other that keeps most lines.
+/// Computes the edit script that keeps the most lines (longest common subsequence).
 fn steps(before: &[&str], after: &[&str]) -> Vec<Step> {
     let pairs = || before.iter().zip(after);
     let head = pairs().take_while(|(a, b)| a == b).count();
@@ -299,7 +299,7 @@ fn steps(before: &[&str], after: &[&str]) -> Vec<Step> {
         steps.extend(std::iter::repeat_n(Step::Before, a.len()));
         steps.extend(std::iter::repeat_n(Step::After, b.len()));
     } else {
-        // Length of the longest common rest, from each place on.
+        // common[i][j] = length of the longest common subsequence of before[i..] and after[j..]
         let width = b.len() + 1;
         let mut common = vec![0_u32; (a.len() + 1) * width];
         for i in (0..a.len()).rev() {

@@ -1,4 +1,4 @@
-//! The text of a knowledge file: where things stand in it, and numbers within their limits.
+//! The text of a knowledge file: locations in it, and checks of limits.
 
 use super::KnowledgeFileError;
 use std::f64::consts::PI;
@@ -10,14 +10,14 @@ use wisch::source_location::Place;
 
 pub(super) type Limits = (Bound<f64>, Bound<f64>);
 
-/// A coordinate of a point of a tool: no tool reaches further.
+/// Limits of a coordinate in the tool frame [m].
 pub(super) const POINT_M: Limits = (Included(-3.0), Included(3.0));
-/// The two ends of a range of angles.
+/// Limits of the ends of a range of angles [rad].
 pub(super) const ANGLE_RAD: Limits = (Included(-PI), Included(PI));
-/// Length of a direction, before it is made exactly one.
+/// Limits of the norm of a direction, before it is normalised.
 pub(super) const UNIT_NORM: Limits = (Included(0.99), Included(1.01));
 
-/// One text with its name; says where in it something stands.
+/// A text with its name, which converts offsets to locations.
 #[derive(Clone, Copy)]
 pub(super) struct Source<'a> {
     pub(super) name: &'a str,
@@ -65,7 +65,7 @@ impl Source<'_> {
         })
     }
 
-    /// Two numbers in ascending order.
+    /// Checks that two numbers are in ascending order.
     pub(super) fn ascending(
         self,
         field: &'static str,
@@ -78,7 +78,7 @@ impl Source<'_> {
         if min > max {
             return Err(KnowledgeFileError::Inconsistent {
                 at: self.place(pair),
-                problem: format!("{field}: {min} comes before {max} but is larger"),
+                problem: format!("{field}: the minimum {min} exceeds the maximum {max}"),
             });
         }
         Ok([min, max])

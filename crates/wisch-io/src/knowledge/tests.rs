@@ -130,7 +130,7 @@ fn a_broken_text_is_told_with_its_line() {
         (
             "schema = 1",
             "schema = 2",
-            "small.toml:1:10: schema 2 is not supported, only schema 1",
+            "small.toml:1:10: schema 2 is not supported; this version reads schema 1",
         ),
         ("schema = 1\n", "", "small.toml:1:1: missing field `schema`"),
     ];
@@ -278,15 +278,19 @@ fn an_entry_that_contradicts_itself_is_refused() {
         (
             "name = \"yard\"",
             "name = \"any\"",
-            "small.toml:15:8: \"any\" is no name",
+            "small.toml:15:8: \"any\" is not a valid name",
         ),
-        ("name = \"yard\"", "name = \"Yard\"", "\"Yard\" is no name"),
+        (
+            "name = \"yard\"",
+            "name = \"Yard\"",
+            "\"Yard\" is not a valid name",
+        ),
         (
             "name = \"yard\"",
             "name = \"back yard\"",
-            "\"back yard\" is no name",
+            "\"back yard\" is not a valid name",
         ),
-        ("name = \"yard\"", "name = \"\"", "\"\" is no name"),
+        ("name = \"yard\"", "name = \"\"", "\"\" is not a valid name"),
     ];
     for (piece, by, expected) in cases {
         let error = error_after(piece, by);

@@ -1,4 +1,4 @@
-//! The folder with the results: written beside its place and moved there whole.
+//! Folders of results, which are written beside their target and moved there when complete.
 
 mod replacement;
 mod staging_dir;
@@ -13,35 +13,35 @@ use std::fs;
 use std::io::{self, ErrorKind};
 use std::path::{Path, PathBuf};
 
-/// The plan. By this file, or by the next, a folder of results is known.
+/// The plan. This file or the next one identifies a folder of results.
 pub const PLAN_FILE: &str = "plan.json";
-/// What a log says.
+/// The interpretation of a log.
 pub const INTERPRETATION_FILE: &str = "interpretation.json";
-/// The particles as they are estimated to lie.
+/// The estimated particles.
 pub const PARTICLES_ESTIMATED_FILE: &str = "particles-estimated.csv";
-/// The simulated particles as they really lie.
+/// The true particles of the simulation.
 pub const PARTICLES_TRUE_FILE: &str = "particles-true.csv";
-/// What happened in each round.
+/// The summaries of the rounds.
 pub const ROUNDS_FILE: &str = "rounds.json";
-/// The particles as they are believed to lie.
+/// The believed particles before wiping.
 pub const PARTICLES_BEFORE_FILE: &str = "particles-before.csv";
-/// The particles as they are predicted to lie.
+/// The predicted particles after wiping.
 pub const PARTICLES_AFTER_FILE: &str = "particles-after.csv";
-/// How the robot follows the plan.
+/// The record of how the robot follows the plan.
 pub const FOLLOWING_FILE: &str = "following.json";
 /// The robot's motion as a ROS 2 message.
 pub const TRAJECTORY_FILE: &str = "trajectory.json";
-/// The same as YAML, in results of earlier versions.
+/// The robot's motion as YAML, in results of earlier versions.
 const OLD_TRAJECTORY_FILE: &str = "trajectory.yaml";
 /// The tool's path as a table.
 pub const TCP_PATH_FILE: &str = "tcp-path.csv";
-/// All that its report shows, as JSON lines.
+/// The recording for the report, as compressed JSON lines.
 pub const RECORDING_FILE: &str = "recording.jsonl.gz";
 /// The report.
 pub const REPORT_FILE: &str = "report.html";
 
-/// The room of a file within a folder of results: what is read first lies on top.
-fn room(name: &str) -> &'static str {
+/// Returns the subfolder of a file in a folder of results; the main files are at the top level.
+fn subfolder(name: &str) -> &'static str {
     let is = |ending: &str| name.ends_with(ending);
     if is(".svg") || is(".png") {
         "figures"
@@ -58,7 +58,7 @@ fn room(name: &str) -> &'static str {
     }
 }
 
-/// The name of a round's file: that of the first round is the file's own, that of another has its number, as in
+/// Returns the name of a round's file: the plain name for the first round, else a name with the number, such as
 /// `plan-round-2.json`.
 pub fn of_round(name: &str, round: usize) -> String {
     match name.rsplit_once('.') {
@@ -67,7 +67,7 @@ pub fn of_round(name: &str, round: usize) -> String {
     }
 }
 
-/// The name of the same file of the first round.
+/// Returns the name of the same file for the first round.
 fn of_first_round(name: &str) -> String {
     let parts = name.rsplit_once('.').and_then(|(stem, ending)| {
         let (stem, round) = stem.rsplit_once("-round-")?;
@@ -77,30 +77,30 @@ fn of_first_round(name: &str) -> String {
     parts.unwrap_or_else(|| name.to_owned())
 }
 
-/// All rooms but the top.
-const ROOMS: [&str; 4] = ["figures", "telemetry", "particles", "trajectories"];
+/// The subfolders of a folder of results.
+const SUBFOLDERS: [&str; 4] = ["figures", "telemetry", "particles", "trajectories"];
 
-/// Where a file lies within a folder of results.
+/// Returns the path of a file within a folder of results.
 pub fn path_in_results(name: &str) -> PathBuf {
-    Path::new(room(name)).join(name)
+    Path::new(subfolder(name)).join(name)
 }
 
-/// A file in the making: in the end it is there whole or not at all.
+/// An unfinished file, which appears at its target complete or not at all.
 pub struct OutputFile {
     target: PathBuf,
     file: tempfile::NamedTempFile,
 }
 
 impl OutputFile {
-    /// Begins a file that is to stand at `target`.
+    /// Begins a file for `target`.
     ///
     /// # Errors
-    /// If a folder stands there, or nothing can be written.
+    /// If the target is a folder, or the file cannot be written.
     pub fn begin(target: &Path) -> Result<Self, Error> {
         if target.is_dir() {
             return Err(refused(
                 target,
-                "a file is to be written, but a folder stands there",
+                "cannot write the file: this is a folder",
                 OTHER_FILE,
             ));
         }
@@ -116,10 +116,10 @@ impl OutputFile {
         })
     }
 
-    /// Moves the file to its place, with these contents.
+    /// Writes the contents and moves the file to its target.
     ///
     /// # Errors
-    /// What the system says.
+    /// If the file cannot be written.
     pub fn finish(self, contents: &[u8]) -> Result<(), Error> {
         let Self { target, file } = self;
         let failed = |error: io::Error| cannot_write(&target, &error);
@@ -129,7 +129,7 @@ impl OutputFile {
     }
 }
 
-/// Folders that were made on the way to a target. Dropped, those that are still empty go again.
+/// Parent folders that were created for a target. When dropped, it removes those that are still empty.
 struct MadeFolders(Vec<PathBuf>);
 
 impl MadeFolders {
@@ -144,37 +144,37 @@ impl MadeFolders {
 impl Drop for MadeFolders {
     fn drop(&mut self) {
         for folder in &self.0 {
-            // Those that hold something stay.
+            // Folders with contents stay.
             let _ = fs::remove_dir(folder);
         }
     }
 }
 
-/// Which earlier results may be replaced.
+/// The earlier results that may be replaced.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Replaceable {
-    /// Any.
+    /// All results.
     All,
-    /// Those that take no run to make.
+    /// Results without measurements of a run.
     AllButRuns,
 }
 
-/// A folder of results in the making. Dropped unfinished, it leaves nothing behind.
+/// An unfinished folder of results. If it is dropped before it is finished, it leaves no files.
 pub struct OutputFolder {
     target: PathBuf,
-    /// Holds `new`, what [`replacement`] needs, and `state`, which is of use only if this run dies.
+    /// Contains `new`, the files of [`replacement`], and `state`, which a resumed run reads.
     staging: StagingDir,
     found: Found,
-    /// Dropped after `staging`, which stands in them.
+    /// Dropped after `staging`, which they contain.
     _made: MadeFolders,
 }
 
 impl OutputFolder {
-    /// Begins a folder that is to stand at `target`, or goes on with one that a killed run left behind.
+    /// Begins a folder for `target`, or takes over the folder of a killed run.
     ///
     /// # Errors
-    /// If something else than results of an earlier run stands there, or a run's that may not be replaced, if another
-    /// process makes results of that name, or if nothing can be written.
+    /// If the target holds other files than results, or results that may not be replaced, if another process writes
+    /// results to this target, or if the folder cannot be written.
     pub fn begin(
         target: &Path,
         leftover: Leftover,
@@ -191,7 +191,7 @@ impl OutputFolder {
         if is_run && replaceable == Replaceable::AllButRuns {
             return Err(refused(
                 &target,
-                "the folder holds what a run measured, which this command does not make anew, so it is not replaced",
+                "the folder holds a run's measurements, which this command cannot reproduce, so it is not replaced",
                 "choose another folder with --out, or replace it with --force",
             ));
         }
@@ -208,7 +208,7 @@ impl OutputFolder {
                 |error| match error.kind() {
                     ErrorKind::ResourceBusy => refused(
                         &target,
-                        "another wisch is making results there",
+                        "another wisch process is writing results there",
                         "wait for it, or choose another folder with --out",
                     ),
                     _ => cannot_write(parent, &error),
@@ -220,36 +220,36 @@ impl OutputFolder {
             found,
             _made: made,
         };
-        let rooms = ROOMS.map(|room| folder.new_path().join(room));
-        for path in rooms.into_iter().chain([folder.state()]) {
+        let subfolders = SUBFOLDERS.map(|name| folder.new_path().join(name));
+        for path in subfolders.into_iter().chain([folder.state()]) {
             fs::create_dir_all(&path).map_err(|error| cannot_write(&path, &error))?;
         }
         Ok(folder)
     }
 
-    /// Adds a file, in its room.
+    /// Adds a file to its subfolder.
     ///
     /// # Errors
-    /// What the system says.
+    /// If the file cannot be written.
     pub fn write(&self, name: &str, contents: impl AsRef<[u8]>) -> Result<(), Error> {
         fs::write(self.place(name), contents)
             .map_err(|error| cannot_write(&self.target.join(path_in_results(name)), &error))
     }
 
-    /// What was found of killed runs.
+    /// The leftovers of killed runs.
     pub const fn found(&self) -> &Found {
         &self.found
     }
 
-    /// Where is kept what a run is to go on with, should it be killed.
+    /// The folder of the run's checkpoints.
     pub fn state(&self) -> PathBuf {
         self.staging.path().join("state")
     }
 
-    /// Removes all files, of what a killed run left behind, that are not named.
+    /// Removes all files of a killed run except the named files.
     ///
     /// # Errors
-    /// What the system says.
+    /// If a file cannot be removed.
     pub fn keep_only(&self, names: &[String]) -> Result<(), Error> {
         let failed = |error: io::Error| cannot_write(&self.new_path(), &error);
         for (path, name) in files(&self.new_path()).map_err(failed)? {
@@ -260,21 +260,21 @@ impl OutputFolder {
         Ok(())
     }
 
-    /// Where a file stands that others write before the folder is finished.
+    /// Returns the path for a file that the caller writes before the folder is finished.
     pub fn place(&self, name: &str) -> PathBuf {
         self.new_path().join(path_in_results(name))
     }
 
-    /// Moves the folder to its place, and what stood there away.
+    /// Moves the folder to its target and removes the earlier results.
     ///
     /// # Errors
-    /// What the system says; then what stood there stands there still.
+    /// If the folder cannot be moved; the target is then unchanged.
     pub fn finish(self) -> Result<(), Error> {
-        for room in ROOMS {
-            // Those that hold something stay.
-            let _ = fs::remove_dir(self.new_path().join(room));
+        for subfolder in SUBFOLDERS {
+            // Folders with contents stay.
+            let _ = fs::remove_dir(self.new_path().join(subfolder));
         }
-        // Someone may have put something there while we were planning.
+        // The target may have changed since the beginning.
         check_replaceable(&self.target)?;
         replacement::put_in_place(self.staging.path(), &self.target)
             .map_err(|error| cannot_write(&self.target, &error))
@@ -285,7 +285,7 @@ impl OutputFolder {
     }
 }
 
-/// The absolute path, with a link to a folder followed.
+/// Returns the absolute path; links to folders are resolved.
 fn resolved(target: &Path) -> Result<PathBuf, Error> {
     match target.canonicalize() {
         Ok(path) => Ok(path),
@@ -295,14 +295,14 @@ fn resolved(target: &Path) -> Result<PathBuf, Error> {
     .map_err(|error| cannot_write(target, &error))
 }
 
-/// Whether nothing would be lost: there is nothing, an empty folder, or results that we wrote.
+/// Checks that a replacement loses no foreign files: the target is missing, empty, or holds results of wisch.
 fn check_replaceable(target: &Path) -> Result<(), Error> {
     let refuse = |reason: String| Err(refused(target, reason, MOVE_AWAY));
     let mut names: Vec<String> = match files(target) {
         Ok(found) => found.into_iter().map(|(_, name)| name).collect(),
         Err(error) if error.kind() == ErrorKind::NotFound => return Ok(()),
         Err(error) if error.kind() == ErrorKind::NotADirectory => {
-            return refuse("results need a folder, but a file stands there".to_owned());
+            return refuse("results need a folder, but this is a file".to_owned());
         }
         Err(error) => return Err(cannot_write(target, &error)),
     };
@@ -314,24 +314,24 @@ fn check_replaceable(target: &Path) -> Result<(), Error> {
         || is_of_ours(&target.join(INTERPRETATION_FILE), INTERPRETATION_FORMAT);
     if !is_known {
         return refuse(format!(
-            "the folder is not empty and holds no {PLAN_FILE} of wisch, so it is not replaced"
+            "the folder is not empty and contains no {PLAN_FILE} of wisch, so it is not replaced"
         ));
     }
     match names.iter().find(|name| !is_result_file(name)) {
         Some(name) => refuse(format!(
-            "the folder also holds {name:?}, which wisch did not write, so it is not replaced"
+            "the folder also contains {name:?}, which wisch did not write, so it is not replaced"
         )),
         None => Ok(()),
     }
 }
 
-/// What a folder of results holds, on top and in its rooms: paths, and names.
+/// Lists the contents of a folder of results and its subfolders: paths and names.
 fn files(folder: &Path) -> io::Result<Vec<(PathBuf, String)>> {
     let mut found = Vec::new();
     for entry in fs::read_dir(folder)? {
         let entry = entry?;
         let name = entry.file_name().to_string_lossy().into_owned();
-        if ROOMS.contains(&name.as_str()) && entry.file_type()?.is_dir() {
+        if SUBFOLDERS.contains(&name.as_str()) && entry.file_type()?.is_dir() {
             for inner in fs::read_dir(entry.path())? {
                 let inner = inner?;
                 let name = inner.file_name().to_string_lossy().into_owned();
@@ -355,7 +355,7 @@ fn is_of_ours(path: &Path, format: &str) -> bool {
         .is_some_and(|marker| marker.format == format)
 }
 
-/// Whether a file of that name may be one of the results, of which the pictures are many.
+/// Whether a file name is that of a result, including pictures.
 fn is_result_file(name: &str) -> bool {
     let fixed = [
         PLAN_FILE,

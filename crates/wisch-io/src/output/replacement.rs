@@ -1,20 +1,20 @@
-//! One folder takes the place of another, at once where the system can; what a kill interrupts is completed later.
+//! Replaces one folder by another, atomically if the system supports it; the next run completes an interrupted replacement.
 
 use std::fs;
 use std::io::{self, ErrorKind};
 use std::path::Path;
 
-/// The results, whole or in the making.
+/// The new results, complete or not.
 pub(super) const NEW: &str = "new";
-/// What stood at the target, on systems that cannot exchange two folders.
+/// The earlier contents of the target, on systems that cannot exchange two folders.
 const OLD: &str = "old";
-/// Written when the results are whole: which folder they are.
+/// File that marks complete results; it identifies their folder.
 const WHOLE: &str = "whole";
 
-/// Puts `new` of a staging folder at the target. What stood there stays in the staging folder.
+/// Moves `new` of a staging folder to the target. The earlier contents stay in the staging folder.
 ///
 /// # Errors
-/// What the system says; then what stood there stands there still.
+/// If the folders cannot be moved; the target is then unchanged.
 pub(super) fn put_in_place(staging: &Path, target: &Path) -> io::Result<()> {
     let new = staging.join(NEW);
     if let Some(identity) = identity(&new)? {
@@ -29,29 +29,30 @@ pub(super) fn put_in_place(staging: &Path, target: &Path) -> io::Result<()> {
     }
 }
 
-/// By two renames: killed between them, the target is missing until [`complete`] is called.
+/// Replaces by two renames. After a kill between them, the target is missing until [`complete`] is called.
 fn replace(staging: &Path, target: &Path) -> io::Result<()> {
     let (new, old) = (staging.join(NEW), staging.join(OLD));
     fs::rename(target, &old)?;
     fs::rename(new, target).inspect_err(|_| {
-        // If even this fails, the first error is the one to tell.
+        // If this fails, too, the first error is reported.
         let _ = fs::rename(&old, target);
     })
 }
 
-/// What a killed run had done when it was killed while its results were put in place.
+/// The state of a replacement that a kill interrupted.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Left {
-    /// Its results were not whole yet, or not in place.
+    /// The results were incomplete, or not at the target.
     Unfinished,
-    /// Its results stand at the target.
+    /// The results are at the target.
     Finished,
 }
 
-/// Sees to the target of a killed run: where it is missing, what stood there comes back, or the new results if they are whole.
+/// Completes a killed run's replacement: if the target is missing, restores the earlier contents, or moves the new results
+/// there if they are complete.
 ///
 /// # Errors
-/// What the system says.
+/// If a folder cannot be moved.
 pub(super) fn complete(staging: &Path, target: &Path) -> io::Result<Left> {
     let (new, old) = (staging.join(NEW), staging.join(OLD));
     let whole = match fs::read_to_string(staging.join(WHOLE)) {
@@ -72,7 +73,7 @@ pub(super) fn complete(staging: &Path, target: &Path) -> io::Result<Left> {
     Ok(Left::Unfinished)
 }
 
-/// What tells a folder from all others, wherever it is moved; `None` where there is no such folder, or nothing tells it.
+/// Returns a folder's identity, which survives moves; `None` if there is no folder or the system has no identities.
 fn identity(folder: &Path) -> io::Result<Option<String>> {
     #[cfg(unix)]
     {
@@ -90,10 +91,10 @@ fn identity(folder: &Path) -> io::Result<Option<String>> {
     }
 }
 
-/// Lets two folders change places.
+/// Exchanges two folders.
 ///
 /// # Errors
-/// [`ErrorKind::Unsupported`] where the system cannot, and what else it says.
+/// [`ErrorKind::Unsupported`] if the system cannot exchange folders, or another system error.
 #[cfg(target_os = "linux")]
 fn exchange(one: &Path, other: &Path) -> io::Result<()> {
     use rustix::fs::{CWD, RenameFlags, renameat_with};

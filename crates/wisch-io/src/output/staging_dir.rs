@@ -1,34 +1,34 @@
-//! The hidden folder in which results are made, and those that killed runs left beside them.
+//! The hidden staging folder in which results are written, and the staging folders of killed runs.
 
 use super::replacement::{Left, complete};
 use std::fs::{self, File, TryLockError};
 use std::io;
 use std::path::{Path, PathBuf};
 
-/// Held by whoever works in the folder: the system gives it back when a process ends, however it ends.
+/// Lock file of the process that works in the folder; the system releases the lock when the process ends.
 const LOCK_FILE: &str = "lock";
 
-/// What becomes of what a killed run left behind.
+/// The treatment of a killed run's staging folder.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Leftover {
-    /// It is removed.
+    /// Remove it.
     Remove,
-    /// The newest of it is taken over, the rest removed.
+    /// Take over the newest one and remove the others.
     TakeOver,
 }
 
-/// What was found of killed runs.
+/// The leftovers of killed runs.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct Found {
-    /// Folders that were removed.
+    /// Removed folders.
     pub removed: Vec<PathBuf>,
-    /// Whether one was taken over.
+    /// Whether a folder was taken over.
     pub is_taken_over: bool,
-    /// Whether a run was killed after its results had come to their place.
+    /// Whether a run was killed after its results had reached their target.
     pub is_finished: bool,
 }
 
-/// A hidden folder beside a target, on the same file system. Dropped, it is removed.
+/// A hidden folder beside a target, on the same file system. It is removed when dropped.
 #[derive(Debug)]
 pub(super) struct StagingDir {
     path: PathBuf,
@@ -36,11 +36,11 @@ pub(super) struct StagingDir {
 }
 
 impl StagingDir {
-    /// A staging folder for what is to be called `name` in `parent` and stand at `target`, and what was there of dead runs.
-    /// What a kill interrupted while it was put at the target is completed.
+    /// Makes a staging folder for the results `name` in `parent`, whose path is `target`, and returns the leftovers of
+    /// killed runs. An interrupted replacement of the target is completed first.
     ///
     /// # Errors
-    /// [`io::ErrorKind::ResourceBusy`] if a living run makes results of that name, and what the system says.
+    /// [`io::ErrorKind::ResourceBusy`] if a running process writes results to the same target, or a system error.
     pub fn begin(
         parent: &Path,
         name: &str,
@@ -48,8 +48,8 @@ impl StagingDir {
         target: &Path,
     ) -> io::Result<(Self, Found)> {
         let prefix = format!(".{name}.");
-        // Of two that begin at once, the first one holds its folder before the other looks. Where folders cannot be
-        // locked, both may see each other and give way.
+        // Of two simultaneous processes, the first locks its folder before the other checks. If folders cannot be locked,
+        // both may see each other and fail.
         let _turn = File::open(parent).and_then(|folder| folder.lock().map(|()| folder));
         let (all, _) = staging_dirs(parent, &prefix)?;
         let (mut dead, mut finished) = (Vec::new(), Vec::new());
@@ -77,7 +77,7 @@ impl StagingDir {
             Some(place) => place,
             None => Self::new(parent, &prefix)?,
         };
-        // Looked at with the own lock held: of two that begin at once, at most one goes on.
+        // Checked while holding the own lock: of two simultaneous processes, at most one continues.
         let (_, living) = staging_dirs(parent, &prefix)?;
         if living.iter().any(|other| *other != place.path) {
             return Err(io::ErrorKind::ResourceBusy.into());
@@ -92,14 +92,14 @@ impl StagingDir {
             let lock = File::create(path.join(LOCK_FILE))?;
             lock.lock()?;
             let place = Self { path, _lock: lock };
-            // Between creating and locking, somebody may have taken it for left behind.
+            // Between creating and locking, another process may have removed the folder as a leftover.
             if place.path.join(LOCK_FILE).is_file() {
                 return Ok(place);
             }
         }
     }
 
-    /// Where it is.
+    /// Path of the folder.
     pub fn path(&self) -> &Path {
         &self.path
     }
@@ -107,12 +107,12 @@ impl StagingDir {
 
 impl Drop for StagingDir {
     fn drop(&mut self) {
-        // What cannot be removed stays, and is found by the next run.
+        // If removal fails, the next run finds the folder.
         let _ = fs::remove_dir_all(&self.path);
     }
 }
 
-/// Staging folders that no living process held, now held by this one, the newest last; and those that one holds.
+/// Returns the unlocked staging folders, which this process has locked, the newest last; and those locked by others.
 fn staging_dirs(parent: &Path, prefix: &str) -> io::Result<(Vec<StagingDir>, Vec<PathBuf>)> {
     let (mut dead, mut living) = (Vec::new(), Vec::new());
     for entry in fs::read_dir(parent)? {

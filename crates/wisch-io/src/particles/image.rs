@@ -12,41 +12,40 @@ use wisch::represent::{
 use zune_jpeg::JpegDecoder;
 use zune_jpeg::zune_core::{bytestream::ZCursor, options::DecoderOptions};
 
-/// Most pixels of an image: a large photo, and 200 MB once decoded.
+/// Maximum number of pixels of an image: a large photo, which takes 200 MB when decoded.
 const MAX_PIXELS: u64 = 64_000_000;
 /// Memory that decoding may take: MAX_PIXELS at 16 bits in four channels [bytes].
 const MAX_DECODER_MEMORY: usize = MAX_PIXELS as usize * 8;
 const PNG_MAGIC: [u8; 8] = *b"\x89PNG\r\n\x1a\n";
 const JPEG_MAGIC: [u8; 3] = [0xff, 0xd8, 0xff];
-/// Draws within a pixel that straddles the border, before its middle is taken.
+/// Number of draws within a pixel on the border before its centre is taken.
 const DRAWS_PER_PIXEL: usize = 64;
-/// Corners that turn less than this relative to the lengths of their sides lie on a line.
+/// Minimum sine of a corner's angle; smaller corners count as collinear [1].
 const MIN_CORNER_SINE: f64 = 1e-3;
 
-/// Dirt as the pixels of an image that have its colour.
+/// Dirt as the pixels of an image near a colour.
 #[derive(Debug, Clone, PartialEq)]
 pub struct MaskSource {
     /// Path of a PNG or JPEG, relative to the task file.
     pub file: String,
-    /// Where the surface's corners are seen: those of its bounding box at (min x, min y),
-    /// (max x, min y), (max x, max y), (min x, max y) [pixels, x right, y down, (0, 0) = outer
-    /// corner of the first pixel].
+    /// Pixels of the corners of the surface's bounding box, at (min x, min y), (max x, min y), (max x, max y),
+    /// (min x, max y) [pixels, x right, y down, (0, 0) = outer corner of the first pixel].
     pub corners_px: [Point2; 4],
     /// Colour of the dirt: red, green, blue.
     pub color: [u8; 3],
-    /// Greatest Euclidean distance from that colour in RGB [0..442].
+    /// Maximum Euclidean distance from that colour in RGB [0..442].
     pub tolerance: f64,
-    /// How many particles to draw.
+    /// Number of particles to draw.
     pub count: usize,
 }
 
-/// Particles drawn evenly from the pixels of the mask's colour within the area.
+/// Draws particles uniformly from the pixels near the mask's colour, on the free surface.
 ///
-/// `bytes`: PNG or JPEG. Each particle lies at random within its pixel.
+/// `bytes`: PNG or JPEG. The position of a particle within its pixel is random.
 ///
 /// # Errors
-/// Bytes that are no such image or exceed 64 megapixels; corners that lie outside the image, on a
-/// line, or the wrong way round; no pixel of that colour on the free surface; or a bad count.
+/// If the bytes are not a valid image or exceed 64 megapixels; if corners are outside the image, collinear or in the wrong
+/// order; if no pixel on the free surface has the colour; or if the count is outside its limits.
 pub fn mask_particles(
     source: &MaskSource,
     bytes: &[u8],
@@ -71,11 +70,11 @@ pub fn mask_particles(
     ))?)
 }
 
-/// What is seen in a later image of the same camera, `file` with these bytes: as many detections as its dirt covers pixels,
-/// by the number of particles that the task takes the dirt of its own image, `before`, for.
+/// Makes an observation from a later image of the same camera. The number of detections is the number of the task's
+/// particles times the ratio of dirt pixels in this image to those in the task's own image `before`.
 ///
 /// # Errors
-/// Those of [`mask_particles`]; that no dirt is left is none.
+/// Those of [`mask_particles`], except that an image without dirt is valid.
 pub fn observed_in_image(
     source: &MaskSource,
     before: &[u8],
@@ -96,7 +95,7 @@ pub fn observed_in_image(
     })
 }
 
-/// The pixels of dirt on the free surface.
+/// The dirt pixels on the free surface.
 struct Mask {
     surface_from_pixel: Matrix3<f64>,
     pixels: Vec<(u32, u32)>,
@@ -132,7 +131,7 @@ impl Mask {
         })
     }
 
-    /// Places drawn evenly from the pixels, each at random within its pixel; none where there are no pixels.
+    /// Draws positions uniformly from the pixels, at random within each pixel; empty without pixels.
     fn draw(&self, count: usize, area: DirtArea<'_>, seed: u64) -> Vec<Point2> {
         if self.pixels.is_empty() {
             return Vec::new();
@@ -163,7 +162,7 @@ impl MaskSource {
         squared <= self.tolerance * self.tolerance
     }
 
-    /// The projective map that takes the four corners in the image to those of the outline's bounds.
+    /// Computes the projective map (homography) from the four corners in the image to those of the outline's bounds.
     fn homography(
         &self,
         area: DirtArea<'_>,
@@ -174,7 +173,7 @@ impl MaskSource {
             let (width, height) = (f64::from(width), f64::from(height));
             if !((0.0..=width).contains(&p.x) && (0.0..=height).contains(&p.y)) {
                 return Err(format!(
-                    "corners_px[{corner}] = [{}, {}] lies outside the image of {width} x {height} pixels",
+                    "corners_px[{corner}] = [{}, {}] is outside the image of {width} x {height} pixels",
                     p.x, p.y
                 ));
             }
@@ -185,13 +184,13 @@ impl MaskSource {
             let turn = one.perp(&other);
             if turn.abs() <= MIN_CORNER_SINE * one.norm() * other.norm() {
                 return Err(format!(
-                    "corners_px[{corner}] lies on a line with its neighbours"
+                    "corners_px[{corner}] is collinear with its neighbours"
                 ));
             }
-            // y points down in an image: counter-clockwise on the surface turns the other way there.
+            // y points down in an image, so counter-clockwise on the surface is clockwise in the image.
             if turn > 0.0 {
                 return Err(
-                    "corners_px do not go round the surface counter-clockwise as seen in the image: \
+                    "corners_px are not counter-clockwise around the surface in the image: \
                      give the corners at (min x, min y), (max x, min y), (max x, max y), (min x, max y)"
                         .to_owned(),
                 );
@@ -206,8 +205,8 @@ impl MaskSource {
             max,
             Point2::new(min.x, max.y),
         ];
-        // Eight equations for h0..h7. h8 = 1 is the weight at the origin, which must not lie on the
-        // horizon: so count from the middle of the corners, scaled to the image for their condition.
+        // Eight linear equations for h0..h7 with h8 = 1, the weight at the origin, which must not be on the horizon.
+        // Coordinates are relative to the corners' mean and scaled by the image size, for good conditioning.
         let scale = 1.0 / f64::from(width.max(height));
         let middle = self.corners_px.iter().map(|p| p.coords).sum::<Vector2>() / 4.0;
         let mut rows = SMatrix::<f64, 8, 8>::zeros();
@@ -232,13 +231,13 @@ impl MaskSource {
     }
 }
 
-/// The point of the surface at a place in the image; `None` on or beyond the horizon.
+/// Returns the point of the surface at a position in the image; `None` on or beyond the horizon.
 fn mapped(surface_from_pixel: &Matrix3<f64>, pixel: Point2) -> Option<Point2> {
     let p = surface_from_pixel * pixel.to_homogeneous();
     (p.z > 1e-9).then(|| Point2::new(p.x / p.z, p.y / p.z))
 }
 
-/// An image, its colours row by row from the upper left corner.
+/// An image: colours by rows from the upper left corner.
 struct Photo {
     width: u32,
     height: u32,
@@ -247,7 +246,7 @@ struct Photo {
 
 impl Photo {
     fn read(bytes: &[u8]) -> Result<Self, String> {
-        let refused = |error: String| format!("it is no PNG or JPEG that can be read: {error}");
+        let refused = |error: String| format!("not a readable PNG or JPEG: {error}");
         if bytes.starts_with(&PNG_MAGIC) {
             let mut reader = png_reader(bytes).map_err(|error| refused(error.to_string()))?;
             let (width, height) = reader.info().size();
@@ -274,11 +273,11 @@ impl Photo {
             let samples = samples.map_err(|error| refused(error.to_string()))?;
             Ok(Self::of(width, height, &samples, 3))
         } else {
-            Err(refused("it begins like neither".to_owned()))
+            Err(refused("its first bytes match neither format".to_owned()))
         }
     }
 
-    /// From so many samples a pixel: grey or red, green and blue, with or without alpha.
+    /// Converts samples to colours. Samples per pixel: grey or red, green and blue, with or without alpha.
     fn of(width: u32, height: u32, samples: &[u8], per_pixel: usize) -> Self {
         let color = |pixel: &[u8]| match *pixel {
             [r, g, b] | [r, g, b, _] => [r, g, b],

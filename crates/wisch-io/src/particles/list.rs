@@ -7,21 +7,22 @@ use wisch::represent::{
     DirtArea, Fate, MAX_PARTICLES, Observation, ParticleDistribution, ParticleError,
 };
 
-/// Header of the lists that [`particles_to_csv`] writes of places that were treated.
+/// Header of the lists that [`particles_to_csv`] writes of treated surfaces.
 const TREATED_HEADER: [&str; 6] = ["particle", "x_m", "y_m", "fate", "edge", "passes"];
 /// Header of the lists that [`particles_to_csv`] writes.
 const ESTIMATE_HEADER: [&str; 5] = ["particle", "x_m", "y_m", "fate", "edge"];
-/// Furthest a coordinate of a list may be from the surface's origin [m].
+/// Maximum absolute coordinate in a list, surface frame [m].
 const MAX_POSITION: f64 = 100.0;
 
-/// Particles from a CSV text: two columns x and y [m] in the surface frame, with or without the
+/// Reads particles from a CSV text: two columns x and y [m] in the surface frame, with or without the
 /// header `x,y` or `x_m,y_m`; or a list with fates as [`particles_to_csv`] writes it.
 /// Lines that start with `#` are skipped.
 ///
+/// Positions under objects of the scene are accepted.
+///
 /// # Errors
-/// A line that does not follow the format, a particle on the surface that would lie off its outline,
-/// an edge that the outline does not have, or no particle at all: each with `file` and line.
-/// Positions under an object of the scene are taken as they are: the file knows where it saw dirt.
+/// If a line is invalid, a particle on the surface is outside its outline, an edge does not exist, or the list is empty.
+/// The error states `file` and line.
 pub fn csv_particles(
     file: &str,
     text: &[u8],
@@ -39,7 +40,7 @@ pub fn csv_particles(
             Fate::OnSurface | Fate::Treated { .. } if !area.outline.contains(row.position) => {
                 let Point2 { coords } = row.position;
                 return Err(at(format!(
-                    "({}, {}) m lies off the surface's outline",
+                    "({}, {}) m is outside the surface's outline",
                     coords.x, coords.y
                 )));
             }
@@ -54,10 +55,11 @@ pub fn csv_particles(
     distribution(&rows)
 }
 
-/// What is seen, listed as [`csv_particles`] are: those on the surface. A list without a line says that nothing is seen.
+/// Reads an observation in the format of [`csv_particles`]; its detections are the particles on the surface. An empty list
+/// means that no dirt was detected.
 ///
 /// # Errors
-/// Those of [`csv_particles`], but for an empty list.
+/// Those of [`csv_particles`], except for an empty list.
 pub fn observed_in_list(
     file: &str,
     text: &[u8],
@@ -73,10 +75,9 @@ pub fn observed_in_list(
     }
 }
 
-/// The particles as CSV with columns `particle,x_m,y_m,fate,edge`: index, position in the surface
-/// frame [m], `on_surface`, `absorbed` or `off_surface`, and for the last the edge it went over. Where places were treated
-/// there are `treated` as well, and a column `passes`.
-/// Numbers are written so that reading them gives back the same bits.
+/// Formats particles as CSV with the columns `particle,x_m,y_m,fate,edge`: index, position in the surface frame [m], fate
+/// (`on_surface`, `absorbed` or `off_surface`), and for `off_surface` the edge. For treated surfaces there is also the fate
+/// `treated` and a column `passes`. Reading the text gives back the same bits.
 ///
 /// ```
 /// use wisch::{geometry::Point2, represent::ParticleDistribution};
@@ -108,17 +109,17 @@ pub fn particles_to_csv(particles: &ParticleDistribution) -> String {
             _ => edge,
         };
         let (x, y) = (position.x, position.y);
-        // Writing to a String does not fail.
+        // Writing to a String cannot fail.
         let _ = writeln!(text, "{particle},{x},{y},{fate},{edge}");
     }
     text
 }
 
-/// The particles that [`particles_to_csv`] wrote; bare positions are taken as lying on the surface.
-/// `file` is used in error messages.
+/// Reads particles that [`particles_to_csv`] has written; bare positions count as on the surface.
+/// `file`: name in error messages.
 ///
 /// # Errors
-/// A line that does not follow the format, or no particle at all: with file and line.
+/// If a line is invalid or the list is empty; the error states file and line.
 pub fn particles_from_csv(
     file: &str,
     text: &[u8],
@@ -137,7 +138,7 @@ fn distribution(rows: &[Row]) -> Result<ParticleDistribution, ParticleSourceErro
     Ok(ParticleDistribution::with_fates(&particles)?)
 }
 
-/// Which columns a list has.
+/// The columns of a list.
 #[derive(Clone, Copy, PartialEq)]
 enum Columns {
     Positions,
@@ -243,11 +244,11 @@ fn estimate_row(cells: &[&str], expected: usize) -> Result<(Point2, Fate), Strin
         ("off_surface", edge) => Fate::OffSurface {
             edge: edge
                 .parse()
-                .map_err(|_| format!("edge = {edge:?} is no index of an edge"))?,
+                .map_err(|_| format!("edge = {edge:?} is not the index of an edge"))?,
         },
         ("on_surface" | "absorbed", edge) => {
             return Err(format!(
-                "edge = {edge:?}, but only off_surface goes over an edge"
+                "edge = {edge:?} is given, but only the fate off_surface has an edge"
             ));
         }
         (fate, _) => {
@@ -272,14 +273,14 @@ fn treated_row(cells: &[&str], expected: usize) -> Result<(Point2, Fate), String
         Ok(passes) if passes.is_finite() && passes >= 0.0 => {
             Ok((position, Fate::Treated { passes }))
         }
-        _ => Err(format!("passes = {passes:?} is no number from 0 on")),
+        _ => Err(format!("passes = {passes:?} is not a number of at least 0")),
     }
 }
 
 fn coordinate(column: &str, cell: &str) -> Result<f64, String> {
     let value: f64 = cell
         .parse()
-        .map_err(|_| format!("{column} = {cell:?} is no number"))?;
+        .map_err(|_| format!("{column} = {cell:?} is not a number"))?;
     if value.is_finite() && value.abs() <= MAX_POSITION {
         Ok(value)
     } else {

@@ -10,54 +10,54 @@ pub use list::{csv_particles, observed_in_list, particles_from_csv, particles_to
 
 use wisch::represent::{Cluster, ParticleError, SourceError};
 
-/// How the initial particles are made.
+/// The source of the initial particles.
 #[derive(Debug, Clone, PartialEq)]
 pub enum ParticleSource {
-    /// The places of the surface, in square cells.
+    /// Points of the surface, at the centres of square cells.
     Surface {
-        /// About how many.
+        /// Approximate number of points.
         count: usize,
     },
-    /// Evenly over the free surface.
+    /// Uniform over the free surface.
     Uniform {
-        /// How many.
+        /// Number of particles.
         count: usize,
     },
     /// Heaps.
     Clusters {
-        /// How many particles in all.
+        /// Total number of particles.
         count: usize,
-        /// The heaps among which they are shared.
+        /// The heaps.
         clusters: Vec<Cluster>,
     },
-    /// Listed in a file.
+    /// A list in a file.
     Csv {
         /// Its path, relative to the task file.
         file: String,
     },
-    /// Seen in a mask or photo.
+    /// Detected in a mask or photo.
     Image(MaskSource),
 }
 
-/// Why a source yields no particles.
+/// An error of a source of particles.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum ParticleSourceError {
-    /// They could not be drawn, or the distribution refused them.
+    /// The particles could not be drawn or are invalid.
     #[error(transparent)]
     Source(#[from] SourceError),
-    /// A list of particles is not one.
+    /// An invalid line in a list of particles.
     #[error("{file}:{line}: {problem}")]
     Line {
         /// The file.
         file: String,
         /// Line, counted from 1.
         line: u64,
-        /// What is wrong there.
+        /// The problem.
         problem: String,
     },
-    /// A list without a single particle.
-    #[error("{file}: it lists no particle, at least 1 is needed")]
+    /// A list without particles.
+    #[error("{file}: the list has no particles; at least 1 is required")]
     EmptyList {
         /// The file.
         file: String,
@@ -67,7 +67,7 @@ pub enum ParticleSourceError {
     Image {
         /// The file.
         file: String,
-        /// What is wrong with it.
+        /// The problem.
         problem: String,
     },
 }

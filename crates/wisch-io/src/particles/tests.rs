@@ -46,18 +46,21 @@ fn a_list_may_have_a_header_comments_and_spaces() {
 fn a_list_is_refused_with_its_line_and_value() {
     let estimate = "particle,x_m,y_m,fate,edge\n";
     for (text, expected) in [
-        ("", "crumbs.csv: it lists no particle, at least 1 is needed"),
+        (
+            "",
+            "crumbs.csv: the list has no particles; at least 1 is required",
+        ),
         (
             "x,y\n",
-            "crumbs.csv: it lists no particle, at least 1 is needed",
+            "crumbs.csv: the list has no particles; at least 1 is required",
         ),
         (
             "x,y\n0,0\n0.1,left\n",
-            "crumbs.csv:3: y = \"left\" is no number",
+            "crumbs.csv:3: y = \"left\" is not a number",
         ),
         (
             "0,0\n0.3,0\n",
-            "crumbs.csv:2: (0.3, 0) m lies off the surface's outline",
+            "crumbs.csv:2: (0.3, 0) m is outside the surface's outline",
         ),
         (
             "0,0\n0,NaN\n",
@@ -86,7 +89,7 @@ fn a_list_is_refused_with_its_line_and_value() {
         ),
         (
             &format!("{estimate}0,0,0,off_surface,\n"),
-            "crumbs.csv:2: edge = \"\" is no index",
+            "crumbs.csv:2: edge = \"\" is not the index",
         ),
         (
             &format!("{estimate}0,0,-1,off_surface,4\n"),
@@ -253,12 +256,12 @@ fn photos_that_cannot_be_used_are_refused() {
         (
             STRAIGHT,
             &b"not an image"[..],
-            "photo.png: it is no PNG or JPEG",
+            "photo.png: not a readable PNG or JPEG",
         ),
         (
             STRAIGHT,
             &bytes[..bytes.len() / 2],
-            "photo.png: it is no PNG or JPEG",
+            "photo.png: not a readable PNG or JPEG",
         ),
         (
             STRAIGHT,
@@ -268,17 +271,17 @@ fn photos_that_cannot_be_used_are_refused() {
         (
             [d, c, b, a],
             &bytes,
-            "photo.png: corners_px do not go round",
+            "photo.png: corners_px are not counter-clockwise",
         ),
         (
             [a, b, [500.0, 20.0], d],
             &bytes,
-            "photo.png: corners_px[2] = [500, 20] lies outside the image of 440 x 320 pixels",
+            "photo.png: corners_px[2] = [500, 20] is outside the image of 440 x 320 pixels",
         ),
         (
             [a, [220.0, 160.0], c, d],
             &bytes,
-            "photo.png: corners_px[1] lies on a line",
+            "photo.png: corners_px[1] is collinear",
         ),
     ] {
         let error = refused(corners, bytes);

@@ -7,33 +7,32 @@ use std::sync::Mutex;
 use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, SyncSender, channel, sync_channel};
 use std::time::{Duration, Instant};
 
-/// Longest line that is read [bytes].
+/// Maximum length of a line [bytes].
 const MAX_LINE: u64 = 1 << 20;
-/// Longest piece of a child's standard error that is copied at once [bytes].
+/// Maximum size of a piece of a child's standard error that is copied at once [bytes].
 const MAX_ERROR_LINE: u64 = 1 << 14;
-/// Lines that may wait to be taken in.
+/// Capacity of the queue of lines.
 const QUEUE: usize = 64;
-/// How often a child that says nothing is looked at.
+/// Period at which a silent child is checked.
 const POLL: Duration = Duration::from_millis(20);
-/// How long what a child has said is waited for once it has ended.
+/// Time to wait for the last output of a child that has ended.
 const LAST_WORDS: Duration = Duration::from_millis(200);
-/// A process group has this long to end after SIGTERM.
+/// Time for a process group to end after SIGTERM.
 const TERMINATION: Duration = Duration::from_millis(300);
 
-/// What comes from a child next.
+/// The next output of a child.
 pub(super) enum Heard {
     Line(String),
-    /// Nothing more will come, and why.
+    /// The output has ended, with the reason.
     Over(String),
     /// Nothing until the deadline.
     Nothing,
 }
 
-/// The process groups that were started and have not been ended.
+/// The running process groups of this program.
 static GROUPS: Mutex<Vec<u32>> = Mutex::new(Vec::new());
 
-/// Ends every executor that this program started with SIGKILL, with all that they started: for a program that is about to
-/// leave without dropping them.
+/// Kills (SIGKILL) all executors of this program with their child processes. Call it before an exit that skips destructors.
 pub fn kill_executors() {
     let groups = GROUPS.lock().map(|groups| groups.clone());
     for group in groups.unwrap_or_default() {
@@ -53,11 +52,11 @@ fn signal_group(group: u32, is_kill: bool) {
 #[cfg(not(unix))]
 fn signal_group(_group: u32, _is_kill: bool) {}
 
-/// A child process, with whatever it starts.
+/// A child process with its process group.
 #[derive(Debug)]
 pub(super) struct ChildGroup {
     child: Child,
-    /// `None` once nothing more is to be said.
+    /// `None` after the last request.
     input: Option<Sender<Vec<u8>>>,
     lines: Receiver<Result<String, String>>,
     /// Closed when all of its standard error is copied.
@@ -105,12 +104,12 @@ impl ChildGroup {
         })
     }
 
-    /// Says a line. A child that no longer listens has ended, which is found out when it is listened to.
+    /// Sends a line. Errors are ignored; if the child has ended, the next read reports it.
     pub fn say(&self, line: Vec<u8>) {
         let _ = self.input.as_ref().map(|input| input.send(line));
     }
 
-    /// Waits for a line; looks meanwhile whether to go on.
+    /// Waits for a line and checks meanwhile for an interruption.
     pub fn hear(&mut self, deadline: Instant, mut goes_on: impl FnMut() -> bool) -> Heard {
         loop {
             let left = deadline.saturating_duration_since(Instant::now());
@@ -124,7 +123,7 @@ impl ChildGroup {
                     }
                     return Heard::Over(self.end_in_words());
                 }
-                // What it started may keep its standard output open.
+                // A process that the child has started may keep the standard output open.
                 Err(RecvTimeoutError::Timeout) if self.has_ended() => {
                     return match self.lines.recv_timeout(LAST_WORDS) {
                         Ok(Ok(line)) => Heard::Line(line),
@@ -149,13 +148,13 @@ impl ChildGroup {
 
     fn end_in_words(&self) -> String {
         match self.ended {
-            Some(status) => format!("it ended before it was done ({status})"),
-            None => "it ended before it was done: it closed its standard output".to_owned(),
+            Some(status) => format!("it ended before its motion was done ({status})"),
+            None => "it closed its standard output before its motion was done".to_owned(),
         }
     }
 
-    /// Closes its input, which says that nothing more is asked, and ends the child and all that it started: by themselves
-    /// within a time, then by SIGTERM, then by SIGKILL.
+    /// Closes the child's input, which tells it to end, and waits for the group to end by itself; then sends SIGTERM, then
+    /// SIGKILL.
     pub fn end(&mut self, patience: Duration) {
         self.input = None;
         self.wait(patience, Self::has_ended);
@@ -165,7 +164,7 @@ impl ChildGroup {
         }
         if !self.is_gone() {
             self.signal(true);
-            // A process that is killed is gone as soon as the system comes to it.
+            // A killed process disappears after a short time.
             self.wait(LAST_WORDS, Self::is_gone);
         }
         let group = self.child.id();
@@ -180,13 +179,13 @@ impl ChildGroup {
     fn wait(&mut self, patience: Duration, is_over: impl Fn(&mut Self) -> bool) {
         let since = Instant::now();
         while !is_over(self) && since.elapsed() < patience {
-            // A child that is full of words ends once they are taken.
+            // A child with a full output pipe ends only after its output is read.
             while self.lines.try_recv().is_ok() {}
             std::thread::sleep(Duration::from_millis(5));
         }
     }
 
-    /// Whether neither the child nor anything that it started is left.
+    /// Whether the child and its whole group have ended.
     #[cfg(unix)]
     fn is_gone(&mut self) -> bool {
         use rustix::process::{Pid, test_kill_process_group};
@@ -207,8 +206,8 @@ impl ChildGroup {
     }
 }
 
-/// Writes what is to be said until nothing more is, or nobody listens. A child that does not listen holds up this
-/// thread and no other.
+/// Writes lines to the child until there are no more or the pipe closes. A child that does not read blocks only this
+/// thread.
 fn write_lines(mut stdin: ChildStdin, messages: &Receiver<Vec<u8>>) {
     for message in messages {
         if stdin
@@ -221,17 +220,18 @@ fn write_lines(mut stdin: ChildStdin, messages: &Receiver<Vec<u8>>) {
     }
 }
 
-/// Hands lines on until the child or the receiver is gone.
+/// Forwards lines until the child or the receiver has ended.
 fn read_lines(mut output: impl BufRead, sender: &SyncSender<Result<String, String>>) {
     loop {
         let mut line = Vec::new();
         let read = Read::take(&mut output, MAX_LINE + 1).read_until(b'\n', &mut line);
         let line = match read {
             Ok(0) => return,
-            Ok(_) if line.len() as u64 > MAX_LINE => {
-                Err(format!("a line exceeds the limit of {MAX_LINE} bytes"))
-            }
-            Ok(_) => String::from_utf8(line).map_err(|_| "a line is not UTF-8 text".to_owned()),
+            Ok(_) if line.len() as u64 > MAX_LINE => Err(format!(
+                "it sent a line above the limit of {MAX_LINE} bytes"
+            )),
+            Ok(_) => String::from_utf8(line)
+                .map_err(|_| "it sent a line that is not UTF-8 text".to_owned()),
             Err(error) => Err(error.to_string()),
         };
         let is_over = line.is_err();
@@ -251,14 +251,14 @@ fn copy_errors(stderr: ChildStderr) {
             Ok(_) => {
                 let text = String::from_utf8_lossy(&line);
                 let shown = printed(text.trim_end_matches(['\n', '\r']));
-                // Nobody may be listening.
+                // Standard error may be closed.
                 let _ = writeln!(io::stderr().lock(), "{shown}");
             }
         }
     }
 }
 
-/// The beginning of a line, for messages.
+/// Returns the beginning of a line, for messages.
 pub(super) fn shortened(line: &str) -> String {
     format!("\"{}\"", printable(line.trim_end(), 80))
 }

@@ -1,4 +1,4 @@
-//! What an executor hands over that is not written in Rust: samples, observations and how it ended, checked.
+//! Checks the data of executors in other processes or languages: samples, observations and the ending.
 
 use super::printable::printable;
 use serde::Deserialize;
@@ -8,84 +8,87 @@ use wisch::run::{
     Ending, Execution, MotionOrder, SampleSink, StopCause, TelemetrySample, TrajectoryClock, Wrench,
 };
 
-/// How far from 1 the norm of a quaternion may be.
+/// Tolerance of a quaternion's norm around 1.
 const UNIT_TOLERANCE: f64 = 1e-3;
-/// A motion that is said to be complete has a sample this long before its end, or later [s].
+/// Maximum time between the last sample and the end of a motion that is reported complete [s].
 const LAST_SAMPLE: f64 = 1.0;
-/// A motion may be said to last this much longer than its samples [s].
+/// Maximum time by which a motion's reported duration may exceed its samples [s].
 const UNMEASURED: f64 = 60.0;
-/// A sample may come this long before the motion [s].
+/// Maximum time of a sample before the motion's start [s].
 const EARLY: f64 = 1.0;
-/// Samples are at least this far apart [s].
+/// Minimum time between samples [s].
 const LEAST_STEP: f64 = 1e-6;
-/// Most samples per second of a motion, on average [Hz]; the first [`BURST`] may come faster.
+/// Maximum average sampling rate of a motion [Hz]; the first [`BURST`] samples may come faster.
 const MAX_RATE: f64 = 10_000.0;
 const BURST: f64 = 1_000.0;
-/// Largest numbers of samples that are taken for measured: of the tool's place [m], of forces and moments [N, Nm], and
-/// of joints, their velocities and efforts [rad, m, rad/s, m/s, Nm, N].
+/// Limits of plausible measurements: tool position [m], forces and moments [N, Nm], and joint positions, velocities and
+/// efforts [rad, m, rad/s, m/s, Nm, N].
 const MAX_PLACE: f64 = 1e5;
 const MAX_WRENCH: f64 = 1e6;
 const MAX_JOINT: f64 = 1e6;
-/// Largest coordinate of what is seen, in the frame of the surface [m].
+/// Maximum coordinate of a detection, in the surface frame [m].
 const MAX_SEEN: f64 = 1e3;
-/// Most corners of all polygons that cannot be seen.
+/// Maximum number of corners of all hidden polygons.
 const MAX_HIDDEN_CORNERS: usize = 1_000;
-/// Longest reason of a protective stop that is kept [characters].
+/// Maximum length of the reason of a protective stop [characters].
 const MAX_REASON: usize = 400;
 
-/// What is measured at one instant, as an executor says it. Poses are x, y, z [m] and a unit quaternion x, y, z, w in the
-/// world.
+/// A sample of measurements, as an executor reports it. Poses in the world are x, y, z [m] and a unit quaternion x, y, z, w.
 #[derive(Debug, Clone, PartialEq, Default, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct SampleRecord {
-    /// Time since the motion began [s].
+    /// Time since the start of the motion [s].
     pub time_s: f64,
-    /// Time of the setpoint that the controller is at, on the trajectory as it was ordered [s]; `None` where the executor
-    /// does not say so, which is then estimated.
+    /// Time of the controller's present setpoint on the commanded trajectory [s]; `None` if the executor does not report it,
+    /// so that it is estimated.
     pub trajectory_time_s: Option<f64>,
-    /// Where the tool is.
+    /// Measured pose of the tool.
     pub world_from_tool: [f64; 7],
     /// Force of the surroundings on the tool, in the axes of the world [N].
     pub force_n: [f64; 3],
     /// Its moment about the tool centre point [Nm].
     #[serde(default)]
     pub moment_nm: [f64; 3],
-    /// Where the tool was told to be, the press into the surface included; `None` takes where it is.
+    /// Commanded pose of the tool, including the press into the surface; `None` takes the measured pose.
     pub world_from_commanded: Option<[f64; 7]>,
-    /// What the controller asked of the tool [N].
+    /// Commanded force of the tool [N].
     #[serde(default)]
     pub controller_force_n: [f64; 3],
     /// Its moment [Nm].
     #[serde(default)]
     pub controller_moment_nm: [f64; 3],
-    /// All n variables of the robot, or none where they are not measured [rad or m].
+    /// Positions of all n variables of the robot, or empty if not measured [rad or m].
     pub positions: Vec<f64>,
-    /// Their velocities, or none [rad/s or m/s].
+    /// Their velocities, or empty [rad/s or m/s].
     #[serde(default)]
     pub velocities: Vec<f64>,
-    /// Their efforts, or none [Nm or N].
+    /// Their efforts, or empty [Nm or N].
     #[serde(default)]
     pub efforts: Vec<f64>,
 }
 
 impl SampleRecord {
-    /// That it comes after the one before, and that all in it are numbers of the right count.
+    /// Checks that the sample is later than the one before, and that its numbers are valid and complete.
     fn check(&self, since: f64, dof: usize) -> Result<(), String> {
         let time = self.time_s;
         if !time.is_finite() {
-            return Err(format!("time_s of the sample after {since} s is {time}"));
+            return Err(format!(
+                "time_s = {time} of the sample after {since} s is not finite"
+            ));
         }
         if time <= since {
-            return Err(format!("the sample of {time} s follows that of {since} s"));
+            return Err(format!(
+                "the sample at {time} s follows the sample at {since} s; times must rise"
+            ));
         }
         if time - since < LEAST_STEP {
             return Err(format!(
-                "the sample of {time} s follows that of {since} s by less than {LEAST_STEP:e} s"
+                "the sample at {time} s follows the sample at {since} s by less than {LEAST_STEP:e} s"
             ));
         }
         if time < -EARLY {
             return Err(format!(
-                "the sample of {time} s is from before the motion, which began at 0 s"
+                "the sample at {time} s is before the start of the motion at 0 s"
             ));
         }
         let trajectory_time = self.trajectory_time_s.as_ref();
@@ -124,7 +127,7 @@ impl SampleRecord {
             let count = values.len();
             if count != dof && count != 0 {
                 return Err(format!(
-                    "at {time} s {key} has {count} numbers, the robot {dof} joints"
+                    "at {time} s {key} has {count} numbers, but the robot has {dof} joints"
                 ));
             }
         }
@@ -133,7 +136,7 @@ impl SampleRecord {
             let norm = pose[3..].iter().map(|x| x * x).sum::<f64>().sqrt();
             if (norm - 1.0).abs() > UNIT_TOLERANCE {
                 return Err(format!(
-                    "at {time} s a quaternion has norm {norm}, not 1 within {UNIT_TOLERANCE}"
+                    "at {time} s a quaternion has norm {norm}; expected 1 within {UNIT_TOLERANCE}"
                 ));
             }
         }
@@ -141,7 +144,7 @@ impl SampleRecord {
     }
 }
 
-/// That all numbers of a quantity are finite and not too large to have been measured.
+/// Checks that all numbers of a quantity are finite and within the limit of plausible measurements.
 fn check(key: &str, values: &[f64], most: f64) -> Result<(), String> {
     match values
         .iter()
@@ -151,28 +154,28 @@ fn check(key: &str, values: &[f64], most: f64) -> Result<(), String> {
         Some((i, value)) if value.is_finite() => Err(format!(
             "{key}[{i}] is {value:e}, beyond the limit of {most:e}"
         )),
-        Some((i, value)) => Err(format!("{key}[{i}] is {value}")),
+        Some((i, value)) => Err(format!("{key}[{i}] is {value}, which is not finite")),
         None => Ok(()),
     }
 }
 
-/// What is seen of the dirt, in the frame of the believed surface [m].
+/// An observation of the dirt, in the frame of the believed surface [m].
 #[derive(Debug, Clone, PartialEq, Default, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct ObservationRecord {
-    /// Places where dirt is seen.
+    /// Detected dirt locations.
     pub detections: Vec<[f64; 2]>,
-    /// Polygons that cannot be seen.
+    /// Polygons that are hidden from the camera.
     #[serde(default)]
     pub hidden: Vec<Vec<[f64; 2]>>,
 }
 
 impl ObservationRecord {
-    /// The observation.
+    /// Returns the checked observation.
     ///
     /// # Errors
-    /// A number that is none or farther away than anything can be seen, more than [`MAX_DETECTIONS`] detections, a
-    /// polygon without three corners, or polygons with more corners than are looked at.
+    /// If a number is not finite or beyond the limit of coordinates, if there are more than [`MAX_DETECTIONS`] detections,
+    /// if a polygon has fewer than three corners, or if all polygons together have too many corners.
     pub fn into_observation(self) -> Result<Observation, String> {
         let counts = [
             ("detections", self.detections.len(), MAX_DETECTIONS),
@@ -192,18 +195,18 @@ impl ObservationRecord {
         let places = self.hidden.iter().flatten().chain(&self.detections);
         for [x, y] in places {
             if !(x.is_finite() && y.is_finite()) {
-                return Err(format!("observation: place ({x}, {y}) m is not finite"));
+                return Err(format!("observation: position ({x}, {y}) m is not finite"));
             }
             if x.abs().max(y.abs()) > MAX_SEEN {
                 return Err(format!(
-                    "observation: place ({x:e}, {y:e}) m is farther than {MAX_SEEN} m from the surface's origin"
+                    "observation: position ({x:e}, {y:e}) m is more than {MAX_SEEN} m from the surface's origin"
                 ));
             }
         }
         if let Some((i, ring)) = (self.hidden.iter().enumerate()).find(|(_, ring)| ring.len() < 3) {
             let corners = ring.len();
             return Err(format!(
-                "observation: hidden[{i}] has {corners} corners; a polygon has 3 or more"
+                "observation: hidden[{i}] has {corners} corners; expected 3 or more"
             ));
         }
         let points = |ring: Vec<[f64; 2]>| ring.into_iter().map(Point2::from).collect();
@@ -218,55 +221,55 @@ impl ObservationRecord {
     }
 }
 
-/// How an execution went, as an executor says it.
+/// The result of an execution, as an executor reports it.
 #[derive(Debug, Clone, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct DoneRecord {
-    /// How long it took [s].
+    /// Duration [s].
     pub duration_s: f64,
-    /// How it ended.
+    /// The ending.
     pub ending: EndingRecord,
-    /// All n variables of the robot at the end, or none where they are not measured [rad or m].
+    /// Positions of all n variables of the robot at the end, or empty if not measured [rad or m].
     pub positions: Vec<f64>,
 }
 
-/// Where the joints stand, as an executor says it.
+/// The joint positions, as an executor reports them.
 #[derive(Debug, Clone, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(super) struct StateRecord {
-    /// All n variables of the robot, or none where they are not known [rad or m].
+    /// Positions of all n variables of the robot, or empty if unknown [rad or m].
     positions: Vec<f64>,
 }
 
 impl StateRecord {
-    /// The positions; `None` where they are not known.
+    /// Returns the checked positions; `None` if they are unknown.
     ///
     /// # Errors
-    /// A number that is none, or beyond what can be measured.
+    /// If a number is not finite or beyond the limit of plausible measurements.
     pub fn into_positions(self) -> Result<Option<Vec<f64>>, String> {
         check("state: positions", &self.positions, MAX_JOINT)?;
         Ok(Some(self.positions).filter(|positions| !positions.is_empty()))
     }
 }
 
-/// How an execution ended, as an executor says it.
+/// The ending of an execution, as an executor reports it.
 #[derive(Debug, Clone, PartialEq, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum EndingRecord {
-    /// All is done.
+    /// The motion is complete.
     Complete,
-    /// It was told to stop.
+    /// A stop request ended it.
     Stopped,
     /// The robot stopped itself.
     ProtectiveStop {
-        /// When [s].
+        /// Time [s].
         time_s: f64,
-        /// Why.
+        /// Cause.
         reason: String,
     },
 }
 
-/// Takes in what an executor hands over during one motion, checks it, and hands it on.
+/// A receiver that checks an executor's samples during one motion and passes them on.
 pub struct Intake<'a> {
     order: &'a MotionOrder<'a>,
     sink: &'a mut SampleSink<'a>,
@@ -274,13 +277,13 @@ pub struct Intake<'a> {
     dof: usize,
     since: f64,
     count: f64,
-    /// Where the joints were last measured.
+    /// Last measured joint positions.
     positions: Vec<f64>,
     is_stopped: bool,
 }
 
 impl<'a> Intake<'a> {
-    /// Of this motion, into this sink.
+    /// Makes a receiver for a motion; it passes samples to `sink`.
     pub fn new(order: &'a MotionOrder<'a>, sink: &'a mut SampleSink<'a>) -> Self {
         Self {
             order,
@@ -294,41 +297,40 @@ impl<'a> Intake<'a> {
         }
     }
 
-    /// Whether the motion is to be broken off.
+    /// Whether the motion is to be aborted.
     pub const fn is_stopped(&self) -> bool {
         self.is_stopped
     }
 
-    /// Time of the last sample [s]; before any, minus infinity.
+    /// Time of the last sample [s]; minus infinity before the first sample.
     pub const fn time(&self) -> f64 {
         self.since
     }
 
-    /// How far the robot has come on its trajectory [s].
+    /// Progress of the robot on its trajectory [s].
     pub const fn trajectory_time(&self) -> f64 {
         self.clock.reached()
     }
 
-    /// How long the trajectory is [s].
+    /// Duration of the trajectory [s].
     pub fn end(&self) -> f64 {
         self.order.followed.duration()
     }
 
-    /// Takes one sample; what comes after the motion was broken off is checked and goes nowhere.
+    /// Receives one sample. Samples after an abort are checked but not passed on.
     ///
     /// The motion and phase of the sample are those of its trajectory time: a robot may run slower than planned.
     ///
     /// # Errors
-    /// A time that is not after that of the sample before, more samples than can be measured, a number that is none or
-    /// beyond what can be measured, an array of another length than the robot has joints, or a quaternion that is not of
-    /// unit length: with the time of the sample, the value and the limit.
+    /// If the time does not rise, the rate of samples is above the limit, a number is not finite or implausible, an array
+    /// does not have one number per joint, or a quaternion is not of unit length. The error states time, value and limit.
     pub fn take(&mut self, sample: &SampleRecord) -> Result<(), String> {
         sample.check(self.since, self.dof)?;
         self.since = sample.time_s;
         self.count += 1.0;
         if self.count > BURST + MAX_RATE * (EARLY + self.since) {
             return Err(format!(
-                "{} samples until {} s are more than {MAX_RATE} a second",
+                "{} samples until {} s exceed the limit of {MAX_RATE} samples per second",
                 self.count, self.since
             ));
         }
@@ -363,23 +365,23 @@ impl<'a> Intake<'a> {
         Ok(())
     }
 
-    /// What the execution gives. Positions that are not measured at the end are those of the last sample that has some.
+    /// Returns the checked execution. Missing positions at the end are taken from the last sample with positions.
     ///
     /// # Errors
-    /// A number that is none or beyond what can be measured, times that do not fit the samples, or a motion that is said to
-    /// be complete without samples up to its end.
+    /// If a number is not finite or implausible, times contradict the samples, or a motion is reported complete without
+    /// samples up to its end.
     pub fn done(&self, done: DoneRecord) -> Result<Execution, String> {
         check("at the end positions", &done.positions, MAX_JOINT)?;
         let end = self.end();
         let is_complete = done.ending == EndingRecord::Complete && !self.is_stopped;
         if is_complete && self.since < end - LAST_SAMPLE {
             let last = if self.since.is_finite() {
-                format!("the last sample is that of {} s", self.since)
+                format!("the last sample is at {} s", self.since)
             } else {
                 "there is no sample".to_owned()
             };
             return Err(format!(
-                "the motion of {end:.3} s is said to be complete, but {last}"
+                "the motion of {end:.3} s is reported complete, but {last}"
             ));
         }
         let most = if is_complete {

@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 use wisch::geometry::Pose;
 use wisch::run::{MotionOrder, Setpoint};
 
-/// What is said to the child.
+/// A message to the child.
 #[derive(Debug, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub(super) enum ToChild<'a> {
@@ -13,19 +13,19 @@ pub(super) enum ToChild<'a> {
         protocol: &'static str,
         version: u32,
     },
-    /// A motion; as many points as it says follow.
+    /// A motion, followed by the stated number of points.
     Execute(MotionHead),
     Point(TrajectoryPoint),
-    /// The motion at hand is to be broken off.
+    /// A request to abort the current motion.
     Stop,
-    /// Where do the joints stand?
+    /// A request for the joint positions.
     State,
     Observe {
         surface: &'a str,
     },
 }
 
-/// What is said of a motion before its points.
+/// The head of a motion, before its points.
 #[derive(Debug, Serialize)]
 pub(super) struct MotionHead {
     round: usize,
@@ -38,7 +38,7 @@ pub(super) struct MotionHead {
     stiffness_n_per_m: f64,
     damping_ratio: f64,
     compression_depth_m: f64,
-    /// How high a tool hovers; left out where it touches.
+    /// Gap of a tool without contact; left out for contact.
     #[serde(skip_serializing_if = "Option::is_none")]
     gap_m: Option<f64>,
     duration_s: f64,
@@ -46,7 +46,7 @@ pub(super) struct MotionHead {
     points: usize,
 }
 
-/// One part of a motion.
+/// A phase of a motion.
 #[derive(Debug, Serialize)]
 struct PhaseMessage {
     phase: &'static str,
@@ -56,7 +56,7 @@ struct PhaseMessage {
     end_s: f64,
 }
 
-/// Where the joints and the tool shall be at a time.
+/// A setpoint of joints and tool at a time.
 #[derive(Debug, Serialize)]
 pub(super) struct TrajectoryPoint {
     time_s: f64,
@@ -65,13 +65,13 @@ pub(super) struct TrajectoryPoint {
     world_from_tool: [f64; 7],
 }
 
-/// What the child says.
+/// A message from the child.
 #[derive(Debug, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub(super) enum FromChild {
     Ready {
         version: u32,
-        /// Whether it can be asked for its state.
+        /// Whether it answers requests for its state.
         #[serde(default)]
         reports_state: bool,
     },
@@ -83,7 +83,7 @@ pub(super) enum FromChild {
 }
 
 impl FromChild {
-    /// What kind of message it is, for messages.
+    /// The kind of the message, for error messages.
     pub const fn kind(&self) -> &'static str {
         match self {
             Self::Ready { .. } => "\"ready\"",

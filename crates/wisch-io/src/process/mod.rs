@@ -1,4 +1,4 @@
-//! An executor in another process: any program that speaks the protocol of `docs/executor-protocol.md`.
+//! An executor in another process: any program that implements the protocol of `docs/executor-protocol.md`.
 
 mod child;
 mod intake;
@@ -20,41 +20,41 @@ use wisch::run::{Execution, Executor, ExecutorError, MotionOrder, SampleSink, Se
 /// The version of the protocol.
 pub const EXECUTOR_PROTOCOL: u32 = 1;
 
-/// A child that says nothing for so long is given up.
+/// Default limit of silence, after which the child is abandoned.
 const SILENCE: Duration = Duration::from_secs(60);
-/// A child has this long to end by itself when nothing more is asked of it.
+/// Time for the child to end by itself after its last request.
 const FAREWELL: Duration = Duration::from_secs(2);
-/// A child that broke the protocol or is given up has this long to end by itself.
+/// Time for a faulty or abandoned child to end by itself.
 const FAREWELL_AFTER_FAULT: Duration = Duration::from_millis(300);
-/// Beyond the limit to silence, for motions that make no progress.
+/// Additional time, beyond the limit of silence, for motions without progress.
 const PROGRESS_ALLOWANCE: Duration = Duration::from_millis(500);
 /// Trajectory time that counts as progress [s].
 const PROGRESS: f64 = 0.1;
-/// Longest text of a child that is shown [characters].
+/// Maximum length of a child's text in messages [characters].
 const MAX_SHOWN: usize = 400;
-/// Period at which trajectories are handed over [s].
+/// Sampling period of the trajectories that the child receives [s].
 const TRAJECTORY_PERIOD: f64 = 0.01;
 
-/// A robot, a simulator or a stand-in that runs as a process of its own and is spoken to over its standard streams.
+/// An executor in a child process (a robot driver or a simulator), which communicates over its standard streams.
 ///
-/// Its standard error is copied to this program's, control characters as escapes. It runs in a process group of its own.
-/// Dropped, it is asked to end; what is left of the group after two seconds is ended.
+/// Its standard error is copied to this program's standard error, with control characters escaped. The child has its own
+/// process group. When the executor is dropped, the child is asked to end; after two seconds its group is killed.
 #[derive(Debug)]
 pub struct ProcessExecutor {
     name: String,
     child: ChildGroup,
     silence: Duration,
-    /// Set from outside: the motion is to be stopped.
+    /// Set by the caller to stop the motion.
     stop: Arc<AtomicBool>,
-    /// Whether it reports where it stands when asked.
+    /// Whether it answers requests for its joint positions.
     reports_state: bool,
-    /// Whether it broke the protocol, or is given up.
+    /// Whether it violated the protocol or is abandoned.
     is_faulty: bool,
-    /// Whether it was told to stop its last motion.
-    was_told: bool,
+    /// Whether it has received a stop for its last motion.
+    was_stopped: bool,
 }
 
-/// Why nothing was heard.
+/// The reason why no message arrived.
 enum Unheard {
     Silent,
     Interrupted,
@@ -69,14 +69,14 @@ impl ProcessExecutor {
     /// ```
     ///
     /// # Errors
-    /// A program that does not start, or that does not greet in this version of the protocol within a minute.
+    /// If the program does not start, or does not send its greeting in this protocol version within a minute.
     pub fn start(program: &str, arguments: &[String]) -> Result<Self, ExecutorError> {
         Self::start_stoppable(program, arguments, SILENCE, Arc::default())
     }
 
-    /// Starts a program with another limit than a minute, to the greeting and to all silence after it.
+    /// Starts a program with a limit of `silence` for the greeting and between all later messages.
     ///
-    /// `stop`: set from outside, the child is told to stop, whether it has just said something or not.
+    /// `stop`: flag that the caller sets to stop the child's motion at any time.
     ///
     /// # Errors
     /// As [`Self::start`].
@@ -95,7 +95,7 @@ impl ProcessExecutor {
             stop,
             reports_state: false,
             is_faulty: false,
-            was_told: false,
+            was_stopped: false,
         };
         executor.say(&ToChild::Hello {
             protocol: "wisch-executor",
@@ -110,21 +110,21 @@ impl ProcessExecutor {
                 Ok(executor)
             }
             FromChild::Ready { version, .. } => Err(executor.fault(format!(
-                "it speaks version {version} of the protocol, not {EXECUTOR_PROTOCOL}"
+                "it uses protocol version {version}; expected {EXECUTOR_PROTOCOL}"
             ))),
             other => Err(executor.unexpected("\"ready\"", &other)),
         }
     }
 
-    /// Gives a child up that says nothing for so long, makes no progress along its motion, or goes on for so long after it
-    /// was told to stop; a minute unless told.
+    /// Sets the time after which a child is abandoned that sends no message, makes no progress along its motion, or continues
+    /// after a stop; default one minute.
     #[must_use]
     pub fn with_silence_limit(mut self, silence: Duration) -> Self {
         self.silence = silence;
         self
     }
 
-    /// What is wrong, after which nothing more is asked of the child.
+    /// Marks the child as faulty, so that it gets no further requests, and returns the error.
     fn fault(&mut self, problem: impl std::fmt::Display) -> ExecutorError {
         self.is_faulty = true;
         let problem = printable(&problem.to_string(), MAX_SHOWN);
@@ -137,7 +137,7 @@ impl ProcessExecutor {
 
     fn silent(&mut self) -> ExecutorError {
         let seconds = self.silence.as_secs_f64();
-        self.fault(format!("it said nothing for {seconds} s"))
+        self.fault(format!("no message for {seconds} s"))
     }
 
     fn is_interrupted(&self) -> bool {
@@ -151,7 +151,7 @@ impl ProcessExecutor {
         Ok(())
     }
 
-    /// The next message, or nothing until the deadline, or until somebody interrupts where that is looked for.
+    /// Waits for the next message until the deadline, or until an interruption if `stop` is watched.
     fn hear(
         &mut self,
         deadline: Instant,
@@ -174,12 +174,12 @@ impl ProcessExecutor {
         }
     }
 
-    /// The answer to a question.
+    /// Waits for the answer to a request.
     fn answer(&mut self) -> Result<FromChild, ExecutorError> {
         match self.hear(Instant::now() + self.silence, true)? {
             Ok(message) => Ok(message),
             Err(Unheard::Silent) => Err(self.silent()),
-            Err(Unheard::Interrupted) => Err(self.fault("interrupted before it answered")),
+            Err(Unheard::Interrupted) => Err(self.fault("interrupted before its answer")),
         }
     }
 
@@ -196,16 +196,16 @@ impl ProcessExecutor {
     }
 }
 
-/// How far a motion has come, by the clock and by the samples.
+/// Progress of a motion, by the clock and by the samples.
 struct Progress {
     /// Trajectory time at the last progress [s].
     mark: f64,
-    /// When that was: by the clock, and by the samples [s].
+    /// Time of the last progress, by the clock and by the samples [s].
     at: Instant,
     sample_time: f64,
-    /// When something was heard last.
+    /// Time of the last message.
     heard: Instant,
-    /// When the child was told to stop.
+    /// Time at which the child received a stop.
     told: Option<Instant>,
 }
 
@@ -238,21 +238,21 @@ impl Progress {
         }
     }
 
-    /// Why a child is given up that goes on.
+    /// Returns the reason to abandon a child whose motion does not end or progress.
     fn overdue(&self, silence: Duration, intake: &Intake<'_>) -> Option<String> {
         let seconds = silence.as_secs_f64();
         if let Some(told) = self.told {
             return (told.elapsed() >= silence)
-                .then(|| format!("it goes on {seconds} s after \"stop\""));
+                .then(|| format!("it still sends samples {seconds} s after \"stop\""));
         }
         let is_late = self.at.elapsed() >= silence + PROGRESS_ALLOWANCE
             || intake.time() - self.sample_time > seconds + PROGRESS_ALLOWANCE.as_secs_f64();
         is_late.then(|| {
             let (at, end) = (self.mark, intake.end());
             if at >= end {
-                format!("it goes on {seconds} s after the end of its motion without \"done\"")
+                format!("it still sends samples {seconds} s after the end of its motion without \"done\"")
             } else {
-                format!("it made no progress for {seconds} s: it is at {at:.1} s of a motion of {end:.1} s")
+                format!("no progress for {seconds} s, at {at:.1} s of a motion of {end:.1} s")
             }
         })
     }
@@ -268,13 +268,13 @@ impl Executor for ProcessExecutor {
             return Err(self.fault("interrupted before the motion began"));
         }
         let mut intake = Intake::new(order, sink);
-        self.was_told = false;
+        self.was_stopped = false;
         self.order(order)?;
         let mut progress = Progress::begin();
         loop {
             if progress.told.is_none() && (intake.is_stopped() || self.is_interrupted()) {
                 progress.told = Some(Instant::now());
-                self.was_told = true;
+                self.was_stopped = true;
                 self.say(&ToChild::Stop)?;
             }
             let deadline = progress.deadline(self.silence);
@@ -326,8 +326,8 @@ impl Executor for ProcessExecutor {
 
 impl Drop for ProcessExecutor {
     fn drop(&mut self) {
-        // A robot that may still move is told to stop before anything else.
-        if (self.is_faulty || self.is_interrupted()) && !self.was_told {
+        // First stop a robot that may still be moving.
+        if (self.is_faulty || self.is_interrupted()) && !self.was_stopped {
             let _ = self.say(&ToChild::Stop);
         }
         self.child.end(if self.is_faulty {

@@ -1,7 +1,6 @@
-//! Text from a stranger, as it may be shown on a terminal.
+//! Text from other programs, made safe for terminals.
 
-/// The text with control characters, those that turn the direction of writing, and marks that are not seen as escapes; tabs
-/// stay.
+/// Escapes control characters, marks of the writing direction and invisible characters; tabs stay.
 pub(super) fn printed(text: &str) -> String {
     let mut shown = String::with_capacity(text.len());
     for c in text.chars() {
@@ -18,7 +17,7 @@ pub(super) fn printed(text: &str) -> String {
     shown
 }
 
-/// The same on one line, and no longer than `most` characters.
+/// Cuts a text to at most `most` characters and escapes it.
 pub(super) fn printable(text: &str, most: usize) -> String {
     let mut beginning: String = text.chars().take(most).collect();
     if beginning.len() < text.len() {

@@ -1,16 +1,16 @@
-//! What happens in a session, as records: one JSON object a line.
+//! Records of a session's events, one JSON object per line.
 
 use serde::Serialize;
 use std::io::{self, Write};
 use wisch::run::RunEvent;
 
-/// The schema of the records of events.
+/// Schema number of the records.
 pub const EVENT_SCHEMA: u32 = 1;
 
-/// Samples between two that are recorded: 20 a second of those at 1 kHz.
+/// Every how many samples one is recorded: 20 per second at 1 kHz.
 const EVERY: usize = 50;
 
-/// What happened, with the round in which it did.
+/// An event of a session with its round.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[serde(tag = "event", rename_all = "snake_case")]
 pub enum RunEventRecord {
@@ -18,71 +18,71 @@ pub enum RunEventRecord {
     Planning {
         /// [`EVENT_SCHEMA`].
         schema: u32,
-        /// The round, from 1.
+        /// Number of the round, from 1.
         round: usize,
     },
     /// A round is planned.
     Planned {
-        /// The round, from 1.
+        /// Number of the round, from 1.
         round: usize,
         /// Strokes of its plan.
         strokes: usize,
-        /// Way in contact.
+        /// Path length in contact.
         distance_in_contact_m: f64,
     },
     /// The plan is being followed.
     Following {
-        /// The round, from 1.
+        /// Number of the round, from 1.
         round: usize,
         /// Nodes passed.
         passed: usize,
-        /// Of so many.
+        /// Total number of nodes.
         nodes: usize,
     },
     /// The motion was checked.
     Audited {
-        /// The round, from 1.
+        /// Number of the round, from 1.
         round: usize,
-        /// Each fault in words; none of a motion that may be executed.
+        /// Descriptions of the faults; empty for a motion that may be executed.
         faults: Vec<String>,
     },
     /// An execution begins.
     Executing {
-        /// The round, from 1.
+        /// Number of the round, from 1.
         round: usize,
-        /// How long it will take.
+        /// Expected duration.
         duration_s: f64,
-        /// Performance that it is predicted to reach.
+        /// Predicted performance.
         predicted: f64,
     },
-    /// What is measured, every fiftieth sample.
+    /// Every fiftieth sample of the measurements.
     Sample {
         /// Time since the execution began.
         time_s: f64,
-        /// The tool in the world: x, y, z.
+        /// Tool position in the world: x, y, z.
         tool_m: [f64; 3],
         /// Force of the surroundings on the tool, in the axes of the world.
         force_n: [f64; 3],
-        /// What the motion is for.
+        /// Phase of the motion.
         phase: &'static str,
     },
     /// The log is being interpreted.
     Interpreting {
-        /// The round, from 1.
+        /// Number of the round, from 1.
         round: usize,
     },
-    /// The surface was looked at.
+    /// The camera has observed the surface.
     Observed {
-        /// After this round; 0 before the first.
+        /// Number of the round before the observation; 0 before the first round.
         round: usize,
-        /// How many detections there were.
+        /// Number of detections.
         detections: usize,
-        /// How much of the surface was hidden.
+        /// Hidden area of the surface.
         hidden_m2: f64,
     },
-    /// A round is over.
+    /// A round is finished.
     Judged {
-        /// The round, from 1.
+        /// Number of the round, from 1.
         round: usize,
         /// Estimated performance.
         estimated: f64,
@@ -92,17 +92,17 @@ pub enum RunEventRecord {
         estimated_high: f64,
         /// complete, stopped, ended early or protective stop.
         ending: &'static str,
-        /// What follows.
+        /// Verdict of the termination policy.
         verdict: &'static str,
     },
-    /// The session is over.
+    /// The session has ended.
     Ended {
-        /// Why; null if it was stopped from outside.
+        /// Last verdict; null if a user stopped the session.
         verdict: Option<&'static str>,
     },
 }
 
-/// Writes events as JSON lines, of samples only every fiftieth.
+/// A writer of events as JSON lines, with every fiftieth sample.
 #[derive(Debug)]
 pub struct EventWriter<W> {
     output: W,
@@ -110,15 +110,15 @@ pub struct EventWriter<W> {
 }
 
 impl<W: Write> EventWriter<W> {
-    /// Writes to this.
+    /// Makes a writer to `output`.
     pub const fn new(output: W) -> Self {
         Self { output, samples: 0 }
     }
 
-    /// Writes what there is to say of an event.
+    /// Writes an event.
     ///
     /// # Errors
-    /// What the system says.
+    /// If the output cannot be written.
     pub fn write(&mut self, event: &RunEvent<'_>) -> io::Result<()> {
         let Some(record) = self.record(event) else {
             return Ok(());
@@ -129,7 +129,7 @@ impl<W: Write> EventWriter<W> {
         self.output.flush()
     }
 
-    /// The record of an event; `None` of one that is passed over.
+    /// Returns the record of an event; `None` for events without a record.
     pub fn record(&mut self, event: &RunEvent<'_>) -> Option<RunEventRecord> {
         Some(match *event {
             RunEvent::Planning { round } => RunEventRecord::Planning {

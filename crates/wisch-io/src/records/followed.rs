@@ -1,14 +1,14 @@
-//! following.json: how the robot follows the plan, and what it had to give up.
+//! The file following.json: how the robot follows the plan, and the nodes that it abandons.
 
 use serde::Serialize;
 use wisch::follow::{AbandonedNode, Followed, Motion, Obstruction};
 
-/// What `format` says in every following.json.
+/// Value of `format` in following.json.
 const FORMAT: &str = "wisch-following";
-/// The schema of following.json.
+/// Schema number of following.json.
 const SCHEMA: u32 = 1;
 
-/// following.json.
+/// The contents of following.json.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct FollowedRecord {
     /// Always "wisch-following".
@@ -17,30 +17,30 @@ pub struct FollowedRecord {
     pub schema: u32,
     /// Name of the robot.
     pub robot: String,
-    /// Where the base stands, in order.
+    /// Base poses, in order of time.
     pub placements: Vec<PlacementRecord>,
-    /// The motions, one after the other.
+    /// Motions, in order of time.
     pub motions: Vec<MotionRecord>,
-    /// The strokes as they are wiped: nodes of the plan, and the tool in the surface frame.
+    /// Executable strokes: nodes of the plan, and tool poses in the surface frame.
     pub strokes: Vec<WipedRecord>,
-    /// How amply each node of the plan is in reach by the capability map, from that of the placements that suits it best,
-    /// 0 to 1; left out without a map.
+    /// Rating of the reach of each node by the capability map, from the best base pose for it, 0 to 1; left out without a
+    /// map.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub node_reachability: Vec<f64>,
-    /// Nodes that are not passed.
+    /// Abandoned nodes.
     pub abandoned: Vec<AbandonedRecord>,
-    /// What an independent check found wrong.
+    /// Faults that an independent check has found.
     pub faults: Vec<String>,
 }
 
-/// Where the base stands.
+/// A base pose.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct PlacementRecord {
     /// x, y in the world.
     pub position_m: [f64; 2],
     /// Heading about the world's z.
     pub heading_rad: f64,
-    /// How amply the path was expected to be in reach, 0 to 1.
+    /// Rating of the reach of its path, 0 to 1.
     pub rating: f64,
 }
 
@@ -52,13 +52,13 @@ pub struct MotionRecord {
     /// For wipe the index of the stroke.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub stroke: Option<usize>,
-    /// When it begins.
+    /// Start time.
     pub start_s: f64,
-    /// When it ends.
+    /// End time.
     pub end_s: f64,
 }
 
-/// A stroke as it is wiped.
+/// An executable stroke.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct WipedRecord {
     /// Nodes of the plan's graph.
@@ -67,34 +67,34 @@ pub struct WipedRecord {
     pub in_surface: Vec<[f64; 3]>,
 }
 
-/// A node that was given up.
+/// An abandoned node.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct AbandonedRecord {
     /// The node.
     pub node: usize,
     /// The plan's stroke.
     pub stroke: usize,
-    /// What was tried.
+    /// Attempts to reach it.
     pub attempts: Vec<AttemptRecord>,
 }
 
-/// One way that was tried.
+/// An attempt to reach a node.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct AttemptRecord {
-    /// Rotation of the tool against the planned one.
+    /// Yaw of the tool relative to the planned yaw.
     pub rotation_rad: f64,
-    /// Its lean.
+    /// Tilt of the tool.
     pub tilt_rad: f64,
-    /// Share of the way that worked.
+    /// Share of the path that the robot could follow.
     pub progress: f64,
     /// out_of_reach, joint_limit, self_collision, scene_collision or jump.
     pub reason: &'static str,
-    /// The same for people, with names and numbers.
+    /// Description of the obstruction with names and numbers.
     pub detail: String,
 }
 
 impl FollowedRecord {
-    /// The record of a motion and of what was found wrong with it.
+    /// Makes the record of a motion and its faults.
     pub fn new(robot: &str, followed: &Followed, faults: Vec<String>) -> Self {
         Self {
             format: FORMAT,
@@ -151,7 +151,7 @@ fn abandoned(node: &AbandonedNode) -> AbandonedRecord {
     }
 }
 
-/// One word for what was in the way.
+/// Returns the name of an obstruction for files.
 const fn reason(obstruction: &Obstruction) -> &'static str {
     match obstruction {
         Obstruction::OutOfReach { .. } => "out_of_reach",

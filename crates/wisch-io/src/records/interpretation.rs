@@ -1,16 +1,16 @@
-//! `interpretation.json`, and what `wisch interpret --json` prints: what a log says.
+//! The interpretation of a log, in `interpretation.json` and the output of `wisch interpret --json`.
 
 use super::plan::PoseRecord;
 use serde::Serialize;
 use wisch::interpret::{Diagnosis, Doubt, Event, EventKind, FittedPlane, Interpretation};
 use wisch::recover::{Claim, Verdict, judge_log};
 
-/// The format's name.
+/// Value of `format` in the record.
 pub const INTERPRETATION_FORMAT: &str = "wisch-interpretation";
-/// The schema of the record.
+/// Schema number of the record.
 const SCHEMA: u32 = 1;
 
-/// What a log says.
+/// The interpretation of a log.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct InterpretationRecord {
     /// Always [`INTERPRETATION_FORMAT`].
@@ -21,137 +21,137 @@ pub struct InterpretationRecord {
     pub task: String,
     /// absorb, collect, skim, polish or emit.
     pub action: String,
-    /// Share of the particles that are estimated to be where the action wants them, mean over the replays.
+    /// Estimated performance: share of the particles that have reached the goal, mean over the replays.
     pub estimated: f64,
     /// Its 5th percentile.
     pub estimated_low: f64,
-    /// Its 95th percentile; 1 where the log begins or ends while the tool presses, as more may have been wiped.
+    /// Its 95th percentile; 1 if the log begins or ends in contact, because more may have been wiped.
     pub estimated_high: f64,
-    /// Share from which on the goal is met.
+    /// Share that meets the goal.
     pub target_performance: f64,
     /// Whether the goal may be claimed: the mean reaches the target, and that less than ten points below it are reached is
     /// improbable (0.2 % at most).
     pub goal_met: bool,
-    /// "met", "not met", or "cannot be told": the log does not say what was wiped, or touch alone cannot tell whether the
-    /// target is reached. Where the log does not say it, the interval is that of not knowing.
+    /// "met", "not met", or "cannot be told": the log allows no estimate, or touch only cannot decide whether the target is
+    /// reached. If the log allows no estimate, the interval covers all possible values.
     pub verdict: &'static str,
-    /// Whether the log, or what was seen afterwards, says what was wiped.
+    /// Whether the log, or an observation after it, allows an estimate.
     pub can_be_told: bool,
-    /// The rule that decides, with its numbers, or why nothing can be told.
+    /// The deciding rule with its numbers, or the reason why no estimate is possible.
     pub reason: String,
-    /// How many detections there were where dirt was looked for after the log; null where nothing looked.
+    /// Number of detections of an observation after the log; null without an observation.
     pub seen: Option<usize>,
-    /// How many replays were made.
+    /// Number of replays.
     pub replays: usize,
     /// Time in contact over the time that the tool was on or near the surface.
     pub contact_share: f64,
-    /// How many collisions there were.
+    /// Number of collisions.
     pub collisions: usize,
-    /// Angle between the plane that was touched and the believed surface; null where no plane was found.
+    /// Angle between the fitted plane and the believed surface; null without a plane.
     pub plane_tilt_rad: Option<f64>,
-    /// Height of the plane that was touched over the middle of the believed surface; null as above.
+    /// Height of the fitted plane above the centre of the believed surface; null without a plane.
     pub plane_offset_m: Option<f64>,
-    /// More about that plane; null as above.
+    /// Details of that plane; null without a plane.
     pub plane: Option<PlaneRecord>,
-    /// Why the log does not look like wiping of this surface, in words; none where it does.
+    /// Doubts whether the log is wiping of this surface, one sentence each.
     pub doubts: Vec<String>,
     /// localized, relocalize or no_contact.
     pub diagnosis: &'static str,
-    /// Where the surface is, if it is not where it was believed; else null.
+    /// Estimated pose of the surface, if it differs from the believed pose; else null.
     pub world_from_surface: Option<PoseRecord>,
-    /// What the sensor adds to the force on the tool along the surface's outward normal, which was taken off.
+    /// Bias of the force along the surface's outward normal, which was subtracted.
     pub force_bias_n: f64,
-    /// Force with which the tool mostly pressed while it slid over one plane; null where no such plane was found.
+    /// Typical press force of the tool while it slid over the plane; null without a plane.
     pub pressed_force_n: Option<f64>,
-    /// What is believed of the tool's stiffness by now; null of a tool that does not give way.
+    /// Estimated stiffness of the tool; null for a rigid tool.
     pub tool_stiffness: Option<ToolStiffnessRecord>,
-    /// What happened, by start.
+    /// Events, by start time.
     pub events: Vec<EventRecord>,
-    /// What was read.
+    /// The log.
     pub log: LogRecord,
 }
 
 /// The stiffness of a tool.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct ToolStiffnessRecord {
-    /// The most likely one.
+    /// Most likely value.
     pub n_per_m: f64,
     /// Standard deviation of its logarithm.
     pub ln_deviation: f64,
 }
 
-/// The plane that was touched, in the frame of the believed surface.
+/// The fitted plane, in the frame of the believed surface.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct PlaneRecord {
-    /// A point of it.
+    /// A point of the plane.
     pub point_m: [f64; 3],
     /// Its outward unit normal.
     pub normal: [f64; 3],
-    /// In how many directions along the surface its tilt could be told: 2, 1 or 0.
+    /// Number of directions along the surface in which its tilt is known: 2, 1 or 0.
     pub tilt_directions: usize,
-    /// Confident positions on it.
+    /// Number of confident positions on the plane.
     pub inliers: usize,
-    /// Confident positions in all.
+    /// Total number of confident positions.
     pub confident: usize,
-    /// Root mean square distance of the contacts that it was fitted to, weaker ones included.
+    /// Root mean square distance of the fitted contacts, including weak ones.
     pub rms_m: f64,
 }
 
-/// Something that happened.
+/// A detected event.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct EventRecord {
     /// contact, contact_loss, collision (a person's push), hand_guiding, landing, overload, vibration or stick_slip;
     /// or a phase: approach, stroke, lift or retreat.
     pub kind: &'static str,
-    /// From.
+    /// Start time.
     pub start_s: f64,
-    /// To.
+    /// End time.
     pub end_s: f64,
-    /// How many samples show it.
+    /// Number of samples.
     pub samples: usize,
     /// Mean normal force, negative where the tool presses.
     pub mean_normal_force_n: f64,
-    /// Largest size of the force.
+    /// Largest magnitude of the force.
     pub peak_force_n: f64,
-    /// Largest distance from the plane that was touched.
+    /// Largest distance from the fitted plane.
     pub peak_height_m: f64,
 }
 
-/// What was read of a log.
+/// The data that were read from a log.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct LogRecord {
     /// The file or folder.
     pub file: String,
-    /// Where the poses come from.
+    /// Source of the poses.
     pub pose: String,
-    /// Where the forces come from.
+    /// Source of the forces.
     pub wrench: String,
-    /// In whose axes they are given.
+    /// Axes of the forces.
     pub wrench_frame: &'static str,
-    /// Whether nothing but habit says so.
+    /// Whether these axes are assumed by default.
     pub wrench_frame_assumed: bool,
-    /// Poses with forces.
+    /// Number of poses with forces.
     pub samples: usize,
-    /// From the first to the last.
+    /// Duration from the first to the last sample.
     pub duration_s: f64,
-    /// The log's time that the events' times count from.
+    /// Time of the log at which the events' times are zero.
     pub start_ns: i64,
-    /// Poses or forces left out, as they bore the time of the one before.
+    /// Number of poses or forces that were left out because they had the time of the one before.
     pub repeated: usize,
-    /// Poses or forces left out, as the other was not known then.
+    /// Number of poses or forces that were left out without a partner.
     pub unpaired: usize,
-    /// Whether the log ends where its writer was killed, or is still writing.
+    /// Whether the log is incomplete because its writer was killed or is still writing.
     pub unfinished: bool,
-    /// Poses or forces left out, as they are none.
+    /// Number of invalid poses or forces that were left out.
     pub skipped: usize,
-    /// From when to when nothing was recorded for longer than is interpolated.
+    /// Gaps that are too long for interpolation: start, end.
     pub gaps_s: Vec<[f64; 2]>,
-    /// What is odd about the log, in words.
+    /// Remarks on the log.
     pub remarks: Vec<String>,
 }
 
 impl InterpretationRecord {
-    /// What is written of an interpretation.
+    /// Makes the record of an interpretation.
     pub fn new(
         task: &wisch::represent::Task,
         interpretation: &Interpretation,
@@ -194,7 +194,7 @@ impl InterpretationRecord {
                 Diagnosis::Relocalize { world_from_surface } => Some(world_from_surface.into()),
                 Diagnosis::Localized | Diagnosis::NoContact | Diagnosis::Hovering => None,
             },
-            // No bias is 0, not -0.
+            // Avoid -0.0.
             force_bias_n: interpretation.force_bias + 0.0,
             pressed_force_n: interpretation.pressed_force,
             tool_stiffness: interpretation
@@ -236,7 +236,7 @@ impl EventRecord {
     }
 }
 
-/// Whether the target is reached, and why.
+/// Returns whether the target is reached, and the reason.
 fn verdict(interpretation: &Interpretation, target: f64) -> (&'static str, String) {
     let claim = Claim::of(&interpretation.distribution, target).to_string();
     match judge_log(interpretation, target) {

@@ -1,5 +1,4 @@
-//! The contents of the files that are written and read. SI units, radians; keys end in their unit, and poses say
-//! their frames.
+//! The contents of files. Units are SI and radians; keys end in their unit, and poses state their frames.
 
 mod event;
 mod followed;

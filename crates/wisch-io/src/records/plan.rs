@@ -1,7 +1,7 @@
-//! plan.json, which is written and read.
+//! The file plan.json.
 //!
-//! SI units, radians; keys end in their unit, and poses say their frames. Nothing in a plan
-//! depends on the clock or the machine, so the same task and seed give the same bytes.
+//! Units are SI and radians; keys end in their unit, and poses state their frames. A plan does not depend on the clock or
+//! the machine, so equal tasks and seeds give equal bytes.
 
 use serde::{Deserialize, Serialize};
 use std::ops::RangeInclusive;
@@ -11,12 +11,12 @@ use wisch::plan::{
 };
 use wisch::represent::{GoalState, Task, UnknownName};
 
-/// What `format` says in every plan.json.
+/// Value of `format` in plan.json.
 pub const PLAN_FORMAT: &str = "wisch-plan";
-/// The schema of plan.json that is written and read.
+/// Schema number of plan.json.
 pub const PLAN_SCHEMA: u32 = 1;
 
-/// plan.json.
+/// The contents of plan.json.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct PlanRecord {
@@ -34,19 +34,19 @@ pub struct PlanRecord {
     pub tool: String,
     /// Name of the medium.
     pub medium: String,
-    /// How the nodes were placed.
+    /// Strategy of the plan.
     pub strategy: String,
-    /// Seed of everything random.
+    /// Seed of all random numbers.
     pub seed: u64,
     /// Pose of the surface in the world.
     pub world_from_surface: PoseRecord,
-    /// Where the tool starts, in the surface frame.
+    /// Start position of the tool, in the surface frame.
     pub tool_start_in_surface_m: [f64; 2],
     /// Radius r_s of the collision sphere.
     pub collision_radius_m: f64,
-    /// How high the tool is lifted between strokes.
+    /// Lift height between strokes.
     pub lift_height_m: f64,
-    /// Longest edge that was allowed; null where edges are not limited.
+    /// Maximum length of an edge; null without a limit.
     pub max_edge_length_m: Option<f64>,
     /// The goal state.
     pub goal: GoalRecord,
@@ -83,31 +83,31 @@ impl From<&Pose> for PoseRecord {
     }
 }
 
-/// What the plan strives for.
+/// The goal state.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[serde(tag = "state", rename_all = "snake_case", deny_unknown_fields)]
 pub enum GoalRecord {
-    /// Every particle taken up.
+    /// All particles absorbed.
     Absorbed,
-    /// Every particle near one place.
+    /// All particles in the goal area.
     Collected {
-        /// The place in the surface frame.
+        /// Centre in the surface frame.
         center_in_surface_m: [f64; 2],
-        /// What is near.
+        /// Radius.
         radius_m: f64,
     },
-    /// Every particle pushed over an allowed edge.
+    /// All particles pushed over a skim edge.
     Skimmed,
-    /// Every place passed so often.
+    /// All points passed a number of times.
     Polished {
-        /// How often.
+        /// Number of passes.
         passes: u32,
     },
-    /// Every place under a coat.
+    /// All points coated.
     Emitted {
-        /// Its thickness.
+        /// Thickness of the coat.
         thickness_m: f64,
-        /// What one pass leaves.
+        /// Thickness per pass.
         per_pass_m: f64,
     },
 }
@@ -161,27 +161,27 @@ impl From<GoalRecord> for GoalState {
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct NodeRecord {
-    /// What it stands for.
+    /// Role of the node.
     pub role: RoleRecord,
-    /// Its place.
+    /// Position.
     pub in_surface_m: [f64; 2],
 }
 
-/// What a node stands for.
+/// The role of a node.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum RoleRecord {
     /// Covers a part of the surface.
     Coverage,
-    /// Where the particles are to end.
+    /// Destination of the particles.
     Goal,
 }
 
-/// One motion in contact.
+/// A stroke: a motion in contact.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct StrokeRecord {
-    /// Indices of the nodes it runs through.
+    /// Indices of its nodes.
     pub nodes: Vec<usize>,
     /// The tool's pose at each of them.
     pub surface_from_tool: Vec<PlanarPoseRecord>,
@@ -195,7 +195,7 @@ pub struct PlanarPoseRecord {
     pub x_m: f64,
     /// y of the tool centre point.
     pub y_m: f64,
-    /// From the surface's x axis to the tool's; goes on beyond ±π within a stroke.
+    /// Angle from the surface's x axis to the tool's; continuous beyond ±π within a stroke.
     pub heading_rad: f64,
 }
 
@@ -209,39 +209,39 @@ pub struct WaypointRecord {
     pub y_m: f64,
     /// Height above the surface; 0 in contact.
     pub height_m: f64,
-    /// From the surface's x axis to the tool's.
+    /// Angle from the surface's x axis to the tool's.
     pub heading_rad: f64,
 }
 
-/// Why a plan file cannot be used.
+/// An error of a plan file.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum PlanRecordError {
-    /// Not JSON, or not a plan's.
+    /// The text is not JSON, or its keys are not those of a plan.
     #[error("line {line}, column {column}: {message}")]
     Syntax {
         /// Line, from 1.
         line: usize,
         /// Column, from 1.
         column: usize,
-        /// What the reader says.
+        /// Message of the JSON parser.
         message: String,
     },
     /// Another kind of file.
-    #[error("format {found:?} is not {PLAN_FORMAT:?}: this is no plan of wisch")]
+    #[error("format {found:?} is not {PLAN_FORMAT:?}: this is not a plan of wisch")]
     Format {
-        /// What it says.
+        /// The value in the file.
         found: String,
     },
     /// A schema of another version.
-    #[error("schema {found} is not supported, only schema {PLAN_SCHEMA}")]
+    #[error("schema {found} is not supported; this version reads schema {PLAN_SCHEMA}")]
     Schema {
-        /// What it says.
+        /// The value in the file.
         found: u32,
     },
-    /// The plan was made for something else.
+    /// The plan was made for another task.
     #[error("the plan's {what} is {found:?}, the task's is {expected:?}")]
     OtherTask {
-        /// What differs.
+        /// The quantity that differs.
         what: &'static str,
         /// In the plan.
         found: String,
@@ -255,7 +255,7 @@ pub enum PlanRecordError {
         place: String,
         /// The index.
         index: usize,
-        /// How many there are.
+        /// Number of nodes.
         nodes: usize,
     },
     /// A number outside its limits.
@@ -265,23 +265,23 @@ pub enum PlanRecordError {
         place: String,
         /// The value.
         value: f64,
-        /// What it may be.
+        /// The limits.
         limits: &'static str,
     },
-    /// A stroke whose poses are not one for each node.
+    /// A stroke whose numbers of nodes and poses differ.
     #[error("strokes[{stroke}] has {nodes} nodes but {poses} poses")]
     PosesPerNode {
         /// Index of the stroke.
         stroke: usize,
-        /// How many nodes.
+        /// Number of nodes.
         nodes: usize,
-        /// How many poses.
+        /// Number of poses.
         poses: usize,
     },
     /// A strategy that does not exist.
     #[error(transparent)]
     Strategy(#[from] UnknownName),
-    /// A stroke that the tool cannot make.
+    /// A stroke that the tool cannot execute.
     #[error(transparent)]
     Stroke(#[from] PlanError),
 }
@@ -292,7 +292,7 @@ const MAX_COORDINATE: f64 = wisch::geometry::MAX_COORDINATE;
 const MAX_HEADING: f64 = 1e6;
 
 impl PlanRecord {
-    /// The record of a plan.
+    /// Makes the record of a plan.
     pub fn new(task: &Task, plan: &Plan, seed: u64) -> Self {
         Self {
             format: PLAN_FORMAT.to_owned(),
@@ -334,9 +334,9 @@ impl PlanRecord {
     /// Reads a plan file.
     ///
     /// # Errors
-    /// Text that is not a plan of this version. Whether it fits a task, [`Self::to_plan`] says.
+    /// If the text is not a plan of this version. [`Self::to_plan`] checks whether it fits a task.
     pub fn parse(text: &str) -> Result<Self, PlanRecordError> {
-        /// What every version of every format has.
+        /// The keys that all formats and versions have.
         #[derive(Deserialize)]
         struct Marker {
             format: String,
@@ -361,11 +361,11 @@ impl PlanRecord {
         serde_json::from_str(text).map_err(syntax)
     }
 
-    /// The plan for a task.
+    /// Converts the record to a plan for a task.
     ///
     /// # Errors
-    /// If it was made for another action, surface, tool or medium, does not hold together, or has a stroke that the tool cannot
-    /// make: through an object of the scene, over a hole, or off the surface.
+    /// If the plan was made for another action, surface, tool or medium, is inconsistent, or has a stroke that the tool cannot
+    /// execute: through an object of the scene, over a hole, or off the surface.
     pub fn to_plan(&self, task: &Task) -> Result<Plan, PlanRecordError> {
         self.check_task(task)?;
         self.check_indices()?;
@@ -523,7 +523,7 @@ fn within(
     })
 }
 
-/// serde_json ends its messages in the place, which is told apart here.
+/// Splits a message of serde_json from the location at its end.
 fn without_place(message: &str) -> &str {
     message
         .rfind(" at line ")

@@ -1,10 +1,10 @@
-//! What `--json` says of the rounds of a run.
+//! Summaries of the rounds of a run for `--json`.
 
 use serde::Serialize;
 use wisch::interpret::{Diagnosis, EventKind};
 use wisch::run::{Ending, Round};
 
-/// How long the parts of a round took.
+/// Durations of the stages of a round.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct RoundTimes {
     /// Planning [s].
@@ -17,12 +17,12 @@ pub struct RoundTimes {
     pub interpreting_s: f64,
 }
 
-/// What executed a motion.
+/// The executor of a motion.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum ExecutedBy {
-    /// The world that wisch simulates.
+    /// The simulated world of wisch.
     SimulatedWorld,
-    /// Another program: a robot, or a simulator.
+    /// An external program: a robot driver or a simulator.
     Executor,
 }
 
@@ -36,77 +36,77 @@ impl ExecutedBy {
     }
 }
 
-/// One round.
+/// The summary of a round.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct RoundSummary {
     /// Its number, from 1.
     pub round: usize,
-    /// Strokes that were planned.
+    /// Number of planned strokes.
     pub strokes: usize,
-    /// Performance that the plan promised as it was followed.
+    /// Predicted performance of the followed plan.
     pub predicted: f64,
-    /// Performance by touch.
+    /// Estimated performance.
     pub estimated: f64,
     /// Lower end of its 90 % interval.
     pub estimated_low: f64,
     /// Upper end of its 90 % interval.
     pub estimated_high: f64,
-    /// Estimated performance by touch alone, before anything was seen.
+    /// Estimated performance from touch only, before an observation.
     pub felt: f64,
-    /// How many detections there were where dirt was looked for afterwards; null where nothing looked.
+    /// Number of detections of the observation after the round; null without an observation.
     pub seen: Option<usize>,
-    /// Performance of the simulated dirt; null where none was simulated.
+    /// True performance; null without simulated dirt.
     pub true_performance: Option<f64>,
     /// Time in contact over the time that the tool was to wipe.
     pub contact_share: f64,
-    /// Collisions that were felt.
+    /// Number of detected collisions.
     pub collisions: usize,
-    /// From when to when each of them lasted [s].
+    /// Start and end of each collision [s].
     pub collision_times_s: Vec<[f64; 2]>,
-    /// Angle between the felt and the believed surface; null where no plane was found.
+    /// Angle between the fitted plane and the believed surface; null without a plane.
     pub plane_tilt_rad: Option<f64>,
-    /// Height of the felt over the believed surface; null where no plane was found.
+    /// Height of the fitted plane above the believed surface; null without a plane.
     pub plane_offset_m: Option<f64>,
     /// localized, relocalize or no contact.
     pub diagnosis: &'static str,
     /// goal met, wipe again, no progress or no contact.
     pub verdict: &'static str,
-    /// complete, stopped, or why the robot stopped itself.
+    /// complete, stopped, or the cause of a protective stop.
     pub ending: String,
-    /// What executed it: `simulated world` or `executor`.
+    /// Executor: `simulated world` or `executor`.
     pub executed_by: &'static str,
-    /// How long the execution lasted, in the time of the robot.
+    /// Duration of the execution, in the robot's time.
     pub execution_time_s: f64,
-    /// How long of it the tool wiped, as planned until the execution ended.
+    /// Duration of planned contact until the execution ended.
     pub contact_time_s: f64,
-    /// The length of the way of the arm's joints in joint space while the tool wiped.
+    /// Path length of the arm's joints in joint space during contact.
     pub joint_movement_in_contact_rad: f64,
-    /// The length of their whole way.
+    /// Total path length of the arm's joints.
     pub joint_movement_rad: f64,
-    /// Way of the tool in contact.
+    /// Path length of the tool in contact.
     pub distance_in_contact_m: f64,
-    /// Its whole way.
+    /// Total path length of the tool.
     pub distance_total_m: f64,
-    /// How long the computations took; left out of files, which are to be the same every time.
+    /// Computation times; left out of files, so that files are reproducible.
     #[serde(flatten)]
     pub timing: Option<RoundTiming>,
 }
 
-/// How long the computations of a round took.
+/// Computation times of a round.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct RoundTiming {
-    /// Time in the simulated world over the time that simulating it took; null where no world was simulated.
+    /// Ratio of simulated time to computation time; null without a simulated world.
     pub realtime_factor: Option<f64>,
-    /// How long planning took.
+    /// Planning time.
     pub planning_time_s: f64,
-    /// How long following took.
+    /// Following time.
     pub following_time_s: f64,
-    /// How long interpreting took.
+    /// Interpretation time.
     pub interpretation_time_s: f64,
 }
 
 impl RoundSummary {
-    /// The summary of a round; its true performance is what a simulated world knows of it.
+    /// Makes the summary of a round. `truth`: true performance, if a simulated world provides it.
     pub fn new(
         round: &Round,
         times: &RoundTimes,
@@ -150,7 +150,7 @@ impl RoundSummary {
             },
             executed_by: executed_by.as_str(),
             execution_time_s: round.execution.duration,
-            // The sum of nothing is -0.
+            // An empty sum of f64 is -0.0.
             contact_time_s: executed.contact_time + 0.0,
             joint_movement_in_contact_rad: executed.joint_movement[0],
             joint_movement_rad: executed.joint_movement[1],
@@ -166,7 +166,7 @@ impl RoundSummary {
         }
     }
 
-    /// Without what depends on the machine.
+    /// Returns the summary without values that depend on the machine.
     pub fn without_timing(self) -> Self {
         Self {
             timing: None,
@@ -175,26 +175,26 @@ impl RoundSummary {
     }
 }
 
-/// The part of a summary that takes an execution.
+/// The part of a summary about the execution.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct LoopSummary {
     /// The rounds in their order.
     pub rounds: Vec<RoundSummary>,
-    /// Performance by touch after the last of them.
+    /// Estimated performance after the last round.
     pub final_estimated: f64,
-    /// Performance of the simulated dirt after the last of them; null where none was simulated.
+    /// True performance after the last round; null without simulated dirt.
     pub final_true: Option<f64>,
-    /// Simulated time of all executions over the time that they took; null where no world was simulated.
+    /// Ratio of simulated time to computation time over all executions; null without a simulated world.
     pub realtime_factor: Option<f64>,
 }
 
 impl LoopSummary {
-    /// The sum of a quantity over the rounds.
+    /// Sums a quantity over the rounds.
     pub fn total(&self, of: impl Fn(&RoundSummary) -> f64) -> f64 {
         self.rounds.iter().map(of).sum()
     }
 
-    /// The summary of rounds; `None` of none.
+    /// Makes the summary of rounds; `None` without rounds.
     pub fn new(rounds: Vec<RoundSummary>) -> Option<Self> {
         let last = rounds.last()?;
         let mut simulated: Option<[f64; 2]> = None;

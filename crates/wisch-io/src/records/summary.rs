@@ -1,11 +1,11 @@
-//! What `--json` prints.
+//! The summary that `--json` prints.
 
 use serde::Serialize;
 
-/// The schema of the object that `--json` prints.
+/// Schema number of the summary.
 pub const SUMMARY_SCHEMA: u32 = 1;
 
-/// What `--json` prints.
+/// The summary that `--json` prints.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Summary {
     /// Always [`SUMMARY_SCHEMA`].
@@ -20,11 +20,11 @@ pub struct Summary {
     pub tool: String,
     /// Name of the medium.
     pub medium: String,
-    /// How the strokes were found.
+    /// Strategy of the plan.
     pub strategy: String,
-    /// Seed of everything random.
+    /// Seed of all random numbers.
     pub seed: u64,
-    /// Particles at the beginning.
+    /// Initial number of particles.
     pub particles: usize,
     /// Nodes of the graph.
     pub nodes: usize,
@@ -32,118 +32,117 @@ pub struct Summary {
     pub edges: usize,
     /// Strokes.
     pub strokes: usize,
-    /// Share of the particles that no allowed pose of the tool covers.
+    /// Share of the particles that no allowed tool pose covers.
     pub unreachable_share: f64,
-    /// Way in contact: of all rounds that were executed, or else of the plan.
+    /// Path length in contact: of all executed rounds, else of the plan.
     pub distance_in_contact_m: f64,
-    /// Whole way, of the same.
+    /// Total path length, of the same.
     pub distance_total_m: f64,
-    /// How long planning took, of the first round; null where a plan was given.
+    /// Planning time of the first round; null if the user gave the plan.
     pub planning_time_s: Option<f64>,
-    /// What the prediction says; its keys are missing where nothing was predicted.
+    /// Prediction; its keys are missing without a prediction.
     #[serde(flatten)]
     pub prediction: Option<PredictionSummary>,
-    /// What was done to each place of a surface that is treated; its keys are missing for what moves dirt.
+    /// Passes over a treated surface; its keys are missing for actions that move dirt.
     #[serde(flatten)]
     pub treatment: Option<TreatmentSummary>,
-    /// What the robot makes of the plan; its keys are missing where no robot followed it.
+    /// The robot's motion; its keys are missing without a robot.
     #[serde(flatten)]
     pub following: Option<FollowingSummary>,
-    /// What came of executing it; its keys are missing where nothing was executed.
+    /// The execution; its keys are missing without an execution.
     #[serde(flatten)]
     pub execution: Option<super::LoopSummary>,
-    /// The plans of all strategies; its key is missing where nobody asked for them.
+    /// The plans of all strategies; its key is missing if they were not requested.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub candidates: Option<Vec<CandidateSummary>>,
     /// The folder with the results.
     pub out: String,
 }
 
-/// The part of a summary about a surface that is treated: as estimated after the last round, or else as predicted.
+/// The part of a summary about a treated surface: estimated after the last round, else predicted.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct TreatmentSummary {
-    /// Mean over the places of how often the tool slid over each by its own length.
+    /// Mean number of passes over the points of the surface; one pass is a slide by the tool's own length.
     pub mean_passes: f64,
-    /// Standard deviation of that over the places.
+    /// Standard deviation of the passes over the points.
     pub passes_deviation: f64,
-    /// Mean thickness that is removed, or left; null where no coefficient of Preston's law is given.
+    /// Mean removed or dispensed thickness; null without a coefficient of Preston's law.
     pub mean_depth_m: Option<f64>,
 }
 
-/// One of the plans that there were to choose from. Values are null where there is no plan.
+/// A candidate plan. Values are null if the strategy found no plan.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct CandidateSummary {
     /// grid, rrt, kde or adaptive.
     pub strategy: String,
-    /// Whether this is the plan.
+    /// Whether this plan was chosen.
     pub chosen: bool,
-    /// What it is worth: the dirt that it is expected to bring where it belongs, less losses, way and time, in
-    /// shares of the dirt.
+    /// Score: expected share of the dirt that reaches the goal, minus costs of lost dirt, path length and time, in shares of
+    /// the dirt.
     pub worth: Option<f64>,
-    /// Share of the particles where the action wants them.
+    /// Predicted share of the particles that reach the goal.
     pub predicted_performance: Option<f64>,
-    /// Share pushed over an edge where that is not wanted.
+    /// Predicted share lost over an edge that is not a skim edge.
     pub lost_share: Option<f64>,
-    /// Share of the particles that the tool passes over where they lie.
+    /// Share of the particles that the tool passes over if they do not move.
     pub covered_share: Option<f64>,
-    /// Way in contact.
+    /// Path length in contact.
     pub distance_in_contact_m: Option<f64>,
-    /// Whole way.
+    /// Total path length.
     pub distance_total_m: Option<f64>,
     /// Strokes.
     pub strokes: Option<usize>,
-    /// How long the robot takes; null without a robot.
+    /// Execution time of the robot; null without a robot.
     pub execution_time_s: Option<f64>,
-    /// Nodes that the robot does not reach; null without a robot.
+    /// Number of abandoned nodes; null without a robot.
     pub abandoned_nodes: Option<usize>,
-    /// Why there is no plan, or no motion; null where there is.
+    /// Reason for a missing plan or motion; null if there is none missing.
     pub error: Option<String>,
 }
 
-/// The part of a summary that takes a prediction.
+/// The part of a summary about the prediction.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct PredictionSummary {
-    /// Share of the particles where the action wants them.
+    /// Predicted share of the particles that reach the goal.
     pub predicted_performance: f64,
-    /// Share from which on the goal is met.
+    /// Share that meets the goal.
     pub target_performance: f64,
-    /// Whether the target is reached: by the estimate of the last round, or where nothing was executed by
-    /// the prediction.
+    /// Whether the target is reached: by the last round's estimate, or without execution by the prediction.
     pub goal_met: bool,
-    /// Share pushed over an edge where that is not wanted.
+    /// Predicted share lost over an edge that is not a skim edge.
     pub lost_share: f64,
 }
 
-/// The part of a summary that takes a robot. Times and movement are those of all rounds that were executed, or else of the
-/// motion that was found; nodes and placements those of the first round.
+/// The part of a summary about the robot. Times and movements are those of all executed rounds, else of the planned motion;
+/// nodes and placements are those of the first round.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct FollowingSummary {
     /// Name of the robot.
     pub robot: String,
-    /// Nodes on the plan's strokes that no way of the robot leads to; a node on two strokes counts twice.
+    /// Number of abandoned nodes on the plan's strokes; a node on two strokes counts twice.
     pub abandoned_nodes: usize,
-    /// What was in the way of the first of them; null where there is none.
+    /// Obstruction of the first abandoned node; null without abandoned nodes.
     pub first_obstruction: Option<String>,
-    /// Share of the particles that this loses: predicted for the plan less predicted for the motion.
+    /// Performance lost to abandoned nodes: prediction of the plan minus prediction of the motion.
     pub abandoned_share: f64,
-    /// Where the base stands, one after the other: x [m], y [m], heading [rad] in the world.
+    /// Base poses in order of time: x [m], y [m], heading [rad] in the world.
     pub placements: Vec<[f64; 3]>,
-    /// How long the whole motion takes, driving and free motion included.
+    /// Duration of the whole motion, including driving and free motion.
     pub execution_time_s: f64,
-    /// How long of it the tool wipes.
+    /// Duration of contact.
     pub contact_time_s: f64,
-    /// The length of the way of the arm's joints in joint space while the tool wipes.
+    /// Path length of the arm's joints in joint space during contact.
     pub joint_movement_in_contact_rad: f64,
-    /// The length of their whole way.
+    /// Total path length of the arm's joints.
     pub joint_movement_rad: f64,
-    /// How long finding the motion took, placements and timing included.
+    /// Computation time of the motion, including placements and timing.
     pub following_time_s: f64,
-    /// How far the tool centre point leaves its line at most, in all rounds.
+    /// Maximum position error of the tool centre point, in all rounds.
     pub max_path_deviation_m: f64,
-    /// How far the tool turns away from its line at most.
+    /// Maximum rotation error of the tool.
     pub max_turn_deviation_rad: f64,
-    /// How near bodies that must not touch come at least, in all rounds, at most 0.5.
+    /// Minimum clearance between bodies that must not touch, in all rounds; at most 0.5.
     pub min_clearance_m: f64,
-    /// What an independent check of the whole motion found wrong: nothing, in a sound motion.
+    /// Number of faults that an independent check of the whole motion has found; 0 for a valid motion.
     pub faults: usize,
 }

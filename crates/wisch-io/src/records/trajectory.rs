@@ -1,4 +1,4 @@
-//! What other programs execute: joint motion as ROS 2 messages, and the tool's path as a table.
+//! Trajectories for other programs: joint motion as ROS 2 messages, and the tool's path as a table.
 
 use serde::Serialize;
 use std::fmt::Write;
@@ -8,9 +8,9 @@ use wisch::geometry::{PlanarPose, Pose, wrap_angle};
 use wisch::plan::Plan;
 use wisch::represent::{Interaction, Task};
 
-/// Period of the points [s]: what joint controllers interpolate between.
+/// Period of the points [s], between which joint controllers interpolate.
 const PERIOD: f64 = 0.02;
-/// What is written is rounded to a micrometre, a microradian.
+/// Resolution of written numbers: a micrometre, a microradian.
 const PER_UNIT: f64 = 1e6;
 const NANOSECONDS: f64 = 1e9;
 
@@ -93,7 +93,7 @@ struct Xyzw {
 }
 
 impl RobotTrajectory {
-    /// The whole motion: the joints of the group that wipes, those of the second arm, and the base if it moves.
+    /// Makes the message of the whole motion: the joints of the wiping group and of the second arm, and a mobile base.
     pub fn new(followed: &Followed, cell: &Workcell) -> Self {
         let robot = cell.robot();
         let variables = cell.arm_variables();
@@ -161,7 +161,7 @@ impl RobotTrajectory {
         }
     }
 
-    /// The message as JSON in one line, which `yaml.safe_load` and `ros2 topic pub` read as YAML too.
+    /// Formats the message as JSON in one line, which `yaml.safe_load` and `ros2 topic pub` read as YAML, too.
     ///
     /// # Errors
     /// If a number is not finite.
@@ -174,7 +174,7 @@ impl RobotTrajectory {
     }
 }
 
-/// JSON is flow style YAML, but for its numbers: YAML 1.1 takes 6e-6 for a text.
+/// Makes JSON numbers valid in YAML: YAML 1.1 reads 6e-6 as a string.
 struct WithPoint;
 
 impl serde_json::ser::Formatter for WithPoint {
@@ -185,9 +185,9 @@ impl serde_json::ser::Formatter for WithPoint {
     }
 }
 
-/// The tool centre point in the world over time with what the controller is to do there.
+/// Formats the path of the tool centre point in the world over time, with stiffness and force for the controller.
 ///
-/// Stiffness and force are those of the knowledge base in contact; free motion asks for no force.
+/// Stiffness and force in contact are those of the knowledge base; free motion has no force.
 pub fn tcp_path_csv(followed: &Followed, cell: &Workcell, interaction: &Interaction) -> String {
     let mut csv = String::from(PATH_HEADER);
     for sample in samples(followed) {
@@ -210,8 +210,8 @@ pub fn tcp_path_csv(followed: &Followed, cell: &Workcell, interaction: &Interact
     csv
 }
 
-/// The same of a plan that no robot follows: the tool upright, at the same speed everywhere but where it comes down and goes up.
-/// It turns no faster than its corners move at that speed. Times are when it could be there, not when a robot will.
+/// Formats the path of a plan without a robot: the tool is upright and moves at constant speed except when it is lowered or
+/// lifted. It rotates no faster than its corners move at that speed. Times are nominal, not those of a robot.
 pub fn planned_path_csv(task: &Task, plan: &Plan, config: &FollowConfig) -> String {
     let mut csv = String::from(PATH_HEADER);
     let mut time = 0.0;
@@ -234,7 +234,7 @@ pub fn planned_path_csv(task: &Task, plan: &Plan, config: &FollowConfig) -> Stri
     csv
 }
 
-/// Where the tool goes straight in a plan, from its start on.
+/// Returns the straight segments of the tool's path in a plan, from its start.
 fn legs(plan: &Plan) -> Vec<(Phase, ToolPose, ToolPose)> {
     let on = |pose: PlanarPose| ToolPose {
         surface_from_tool: pose,
@@ -253,7 +253,7 @@ fn legs(plan: &Plan) -> Vec<(Phase, ToolPose, ToolPose)> {
             let start = PlanarPose::new(plan.tool_start, first.surface_from_tool.heading);
             on(start).lifted(plan.lift_height)
         });
-        // In the air the tool turns the shorter way.
+        // Out of contact, the tool rotates by the shorter angle.
         let (to, heading) = (
             above.surface_from_tool.heading,
             &mut from.surface_from_tool.heading,
@@ -276,7 +276,7 @@ fn legs(plan: &Plan) -> Vec<(Phase, ToolPose, ToolPose)> {
 const PATH_HEADER: &str =
     "time_s,phase,stroke,x_m,y_m,z_m,qx,qy,qz,qw,stiffness_n_per_m,press_force_n\n";
 
-/// One place of the tool.
+/// A point of the tool's path.
 fn path_line(
     csv: &mut String,
     time: f64,
@@ -308,7 +308,7 @@ fn path_line(
     );
 }
 
-/// The states at 0, p, 2p, …, and at the end.
+/// Returns the states at 0, p, 2p, …, and at the end.
 fn samples(followed: &Followed) -> Vec<TrajectorySample> {
     let count = (followed.duration() / PERIOD).ceil() as usize;
     (0..=count)
@@ -317,7 +317,7 @@ fn samples(followed: &Followed) -> Vec<TrajectorySample> {
 }
 
 fn rounded(value: f64) -> f64 {
-    // Not −0.
+    // Avoid −0.0.
     (value * PER_UNIT).round() / PER_UNIT + 0.0
 }
 

@@ -1,4 +1,4 @@
-//! From the keys of a task file to its checked contents.
+//! Checks the keys of a task file and converts them to its contents.
 
 use super::clusters::heaps;
 use super::deserialize::{At, record};
@@ -20,12 +20,12 @@ use wisch::geometry::{Pose, Vector2, Vector3};
 use wisch::represent::{Surface, Treatment};
 use wisch::source_location::{Place, UnknownName};
 
-/// How far a quaternion's norm may be from 1.
+/// Tolerance of a quaternion's norm around 1.
 const QUATERNION_NORM_TOLERANCE: f64 = 1e-3;
 
 pub(super) fn read(source: &Source<'_>) -> Result<TaskFile, TaskError> {
     let tree = source.tree()?;
-    // Another schema may well have other keys, so it is looked at first.
+    // Another schema may have other keys, so the schema is checked first.
     schema(&tree, source)?;
     let file: At<TaskTable> = record(source, &tree)?;
     let task = &file.value;
@@ -87,7 +87,7 @@ fn polish(table: &PolishTable, source: &Source<'_>) -> Result<Treatment, TaskErr
     let max_passes = match &table.max_passes {
         Some(most) if (most.value.0 as u32) < passes => {
             let most_passes = most.value.0;
-            let problem = format!("{most_passes} is fewer than the {passes} passes asked for");
+            let problem = format!("{most_passes} is below polish.passes = {passes}");
             return Err(most.inconsistent(source, problem));
         }
         Some(most) => most.value.0 as u32,
@@ -186,7 +186,7 @@ fn surface(
             EdgeName::OfRectangle(_) if surface.size_m.is_none() => {
                 return Err(item.inconsistent(
                     source,
-                    "edges have names only where size_m gives a rectangle; an outline's are numbers",
+                    "names of edges need size_m; for outline_m, use the numbers of edges",
                 ));
             }
             EdgeName::OfRectangle(edge) => edge,
@@ -207,7 +207,7 @@ fn surface(
         };
         let edge = outline.edge(typed);
         if skim_edges.contains(&edge) {
-            return Err(item.inconsistent(source, "the edge is named twice"));
+            return Err(item.inconsistent(source, "the edge is given twice"));
         }
         skim_edges.push(edge);
     }
@@ -257,7 +257,7 @@ fn robot(table: &At<RobotTable>, source: &Source<'_>) -> Result<RobotRecord, Tas
     let description = match (&robot.name, &robot.urdf) {
         (Some(_), _) if srdf.is_some() => {
             return Err(
-                table.inconsistent(source, "srdf goes with urdf; a robot by name has its own")
+                table.inconsistent(source, "srdf needs urdf; a shipped robot has its own SRDF")
             );
         }
         (Some(name), _) => RobotDescription::Named(name.value.0.clone()),
@@ -282,14 +282,14 @@ fn robot(table: &At<RobotTable>, source: &Source<'_>) -> Result<RobotRecord, Tas
                 source,
             )?),
             None if is_turned => {
-                return Err(table.inconsistent(source, "a rotation needs position_m beside it"));
+                return Err(table.inconsistent(source, "a rotation needs position_m, too"));
             }
             None => None,
         },
     })
 }
 
-/// A pose from a position and one of two rotations, all optional, of a table.
+/// Reads a pose from the optional keys of a table: a position and one of two forms of a rotation.
 fn pose<T>(
     table: &At<T>,
     position: Option<[PositionM; 3]>,
@@ -334,7 +334,7 @@ fn scene(tables: &[At<ObjectTable>], source: &Source<'_>) -> Result<Vec<ObjectRe
         let name = object.name.value.0.clone();
         let at = object.name.place(source);
         if let Some(first) = places.insert(name.clone(), at.clone()) {
-            let problem = format!("{name:?} is already at {first}");
+            let problem = format!("{name:?} is already defined at {first}");
             return Err(object.name.inconsistent(source, problem));
         }
         objects.push(ObjectRecord {

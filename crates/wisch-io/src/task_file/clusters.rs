@@ -1,4 +1,4 @@
-//! Heaps of dirt, believed or real.
+//! Heaps of dirt, believed or true.
 
 use super::TaskError;
 use super::deserialize::At;
@@ -8,19 +8,19 @@ use schemars::JsonSchema;
 use serde::Deserialize;
 use wisch::represent::Cluster;
 
-/// How many clusters.
+/// Maximum number of clusters.
 const MAX_CLUSTERS: usize = 10_000;
 
-/// A heap.
+/// A heap: a normal distribution of particles.
 #[derive(Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 #[schemars(rename = "Cluster")]
 pub(super) struct ClusterTable {
-    /// Its middle, surface frame [m].
+    /// Centre, surface frame [m].
     pub(super) center_m: [PositionM; 2],
-    /// Its standard deviation [m].
+    /// Standard deviation [m].
     pub(super) sigma_m: SigmaM,
-    /// Its share relative to the others'.
+    /// Weight relative to the other heaps.
     #[serde(default = "weight")]
     pub(super) weight: Weight,
 }
@@ -29,7 +29,7 @@ fn weight() -> Weight {
     Weight(1.0)
 }
 
-/// Heaps, of which there is at least one.
+/// Reads the heaps and checks their number.
 pub(super) fn heaps(
     clusters: &At<Vec<ClusterTable>>,
     source: &Source<'_>,
@@ -38,7 +38,7 @@ pub(super) fn heaps(
     if !(1..=MAX_CLUSTERS).contains(&found) {
         return Err(clusters.inconsistent(
             source,
-            format!("{found} clusters, but there are at least 1 and at most {MAX_CLUSTERS}"),
+            format!("{found} clusters are outside the limits of 1 to {MAX_CLUSTERS}"),
         ));
     }
     Ok(clusters.value.iter().map(Cluster::from).collect())

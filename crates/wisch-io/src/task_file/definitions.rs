@@ -1,4 +1,4 @@
-//! Tool, medium, surface and interaction that a task file itself defines, beside or over the knowledge base's.
+//! Tools, media, surfaces and interactions that a task file defines, in addition to the knowledge base or overriding it.
 
 use super::deserialize::At;
 use super::tables::{InteractionTable, MediumKindName, MediumTable, TaskTable, ToolTable};
@@ -14,16 +14,17 @@ use wisch::represent::{
 };
 use wisch::source_location::Place;
 
-/// How deep a tool gives way that says nothing of it [m]: a tenth of a sponge's height.
+/// Default compression depth of a tool [m]: a tenth of a sponge's height.
 const COMPRESSION_DEPTH: f64 = 0.005;
-/// Height of a pad that is only given by its footprint [m].
+/// Height of a pad that the file defines by its footprint [m].
 const PAD_HEIGHT: f64 = 0.05;
-/// Grains that say nothing of their size [m]: crumbs.
+/// Default grain diameters [m]: crumbs.
 const GRAIN_SIZE: GrainSize = GrainSize {
     min_m: 0.0005,
     max_m: 0.002,
 };
-/// What a task file defines itself.
+
+/// The entries that a task file defines.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Definitions {
     tool: Option<ToolEntry>,
@@ -32,11 +33,11 @@ pub(super) struct Definitions {
     interaction: Option<Overrides>,
 }
 
-/// How a tool is used on a medium, where it differs from the knowledge base's.
+/// Overrides of the knowledge base's interaction.
 #[derive(Debug, Clone, PartialEq)]
 struct Overrides {
     at: Place,
-    /// Names of the tool and medium, which the file must say.
+    /// Names of the tool and the medium, which the file must state.
     pair: (String, String),
     values: GivenValues,
 }
@@ -94,7 +95,7 @@ fn new_name(name: &At<Name>, source: &Source<'_>) -> Result<String, TaskError> {
         Err(name.inconsistent(
             source,
             format!(
-                "{text:?} is no name of something new: it starts with a small letter and goes on with small letters, digits, _ and -"
+                "{text:?} is not a valid new name: expected a small letter, then small letters, digits, _ and -"
             ),
         ))
     }
@@ -107,7 +108,7 @@ fn tool(table: &At<ToolTable>, source: &Source<'_>) -> Result<Option<ToolEntry>,
             return match &given.compression_depth_m {
                 Some(depth) => Err(depth.inconsistent(
                     source,
-                    "it belongs to a tool of this task, with footprint_m or mesh; to change it of a known tool, set interaction.compression_depth_m",
+                    "this key needs footprint_m or mesh, which define a tool of this task; for a tool of the knowledge base, set interaction.compression_depth_m",
                 )),
                 None => Ok(None),
             };
@@ -130,7 +131,7 @@ fn tool(table: &At<ToolTable>, source: &Source<'_>) -> Result<Option<ToolEntry>,
         area_of_effect: None,
         rotation_about_normal: AngleRange::FULL,
         tilt: None,
-        grasp: "as the task file has it".to_owned(),
+        grasp: "as stated in the task file".to_owned(),
         grip: None,
         second_grip: None,
     }))
@@ -143,7 +144,7 @@ fn medium(table: &At<MediumTable>, source: &Source<'_>) -> Result<Option<MediumE
         return match sizes {
             Some(sizes) => Err(sizes.inconsistent(
                 source,
-                "it belongs to a medium of this task, which says its kind",
+                "this key needs kind, which defines a medium of this task",
             )),
             None => Ok(None),
         };
@@ -182,10 +183,7 @@ fn overrides(
     let medium = task.medium.as_ref();
     let medium = medium.and_then(|medium| medium.value.name.as_ref());
     let (Some(tool), Some(medium)) = (tool, medium) else {
-        return Err(table.inconsistent(
-            source,
-            "it says how a tool is used on a medium, and needs tool.name and medium.name",
-        ));
+        return Err(table.inconsistent(source, "this table needs tool.name and medium.name"));
     };
     let given = &table.value;
     let actions = match &given.actions {
@@ -225,11 +223,11 @@ fn overrides(
 }
 
 impl TaskFile {
-    /// Adds to the knowledge what the file itself defines: a tool, a medium, a surface, and how they are used together.
-    /// Returns a sentence for each assumption that had to be made.
+    /// Adds the file's own tool, medium, surface and interaction to the knowledge base.
+    /// Returns a sentence for each assumed value.
     ///
     /// # Errors
-    /// An interaction of a tool, medium or surface that neither the file nor the knowledge has.
+    /// If neither the file nor the knowledge base has the interaction's tool, medium or surface.
     pub fn extend(&self, knowledge: &mut KnowledgeBase) -> Result<Vec<String>, TaskError> {
         let defined = &self.definitions;
         defined.insert_entries(knowledge);
@@ -257,7 +255,7 @@ impl TaskFile {
             }
             Err(error) => return Err(unknown(error)),
         };
-        // A scope of all surfaces stays as it is for the others.
+        // An entry for all surfaces stays unchanged for other surfaces.
         interaction.surface = SurfaceScope::Named(surface.to_owned());
         let kept = overrides.values.apply(&mut interaction);
         knowledge.insert_interaction(interaction).map_err(unknown)?;
@@ -265,13 +263,13 @@ impl TaskFile {
             return Ok(Vec::new());
         }
         Ok(vec![format!(
-            "nothing is known of {tool} on {medium} on {surface}: assuming {} (set them in [interaction])",
+            "the knowledge base has no interaction of {tool} on {medium} on {surface}: assuming {} (set them in [interaction])",
             kept.join(", ")
         )])
     }
 }
 
-/// Returns the interaction that stands in for a pair of which nothing is known.
+/// Returns the default interaction of a tool and medium that the knowledge base does not have together.
 fn assume_interaction(tool: &ToolEntry, medium: &str, surface: &str) -> Interaction {
     Interaction {
         surface: SurfaceScope::Named(surface.to_owned()),

@@ -1,4 +1,4 @@
-//! Serde over the tree of a task file: records are derived, and every refusal still says where and which key.
+//! A serde deserializer over the tree of a task file, whose errors state location and key.
 
 use super::TaskError;
 use super::tree::{Entry, Node, Source, Value};
@@ -13,10 +13,10 @@ use std::borrow::Cow;
 use std::fmt;
 use wisch::source_location::{Place, UnknownName};
 
-/// The newtype by which [`At`] asks for the place of its value.
+/// Name of the newtype with which [`At`] requests the location of its value.
 const AT: &str = "At";
 
-/// Reads a record; its type says which keys there are, which are needed, and their ranges.
+/// Reads a record; its type defines the keys, which are required, and their limits.
 pub(super) fn record<'de, T: Deserialize<'de>>(
     source: &'de Source<'de>,
     tree: &'de Value,
@@ -28,7 +28,7 @@ pub(super) fn record<'de, T: Deserialize<'de>>(
     };
     T::deserialize(root).map_err(|fault| match fault {
         Fault::Placed(error) => *error,
-        // Every value is read by a field, which gives its faults their place.
+        // Every value is read by a field, which adds the location to its errors.
         Fault::Unplaced(problem) => TaskError::Inconsistent {
             at: source.place(0),
             key: String::new(),
@@ -37,11 +37,11 @@ pub(super) fn record<'de, T: Deserialize<'de>>(
     })
 }
 
-/// A value with where it stands, for checks that need more than itself.
+/// A value with its location, for checks that involve other values.
 #[derive(Debug, Clone)]
 pub(super) struct At<T> {
     pub(super) offset: usize,
-    /// The full key, such as `scene[1].position_m`; empty for the whole file.
+    /// The full key, such as `scene[1].position_m`; empty at the top level.
     pub(super) path: String,
     pub(super) value: T,
 }
@@ -63,7 +63,7 @@ impl<T> At<T> {
         }
     }
 
-    /// That a key of this table is needed and not there.
+    /// Makes the error of a missing key of this table.
     pub(super) fn missing(&self, source: &Source<'_>, key: &'static str) -> TaskError {
         TaskError::Missing {
             at: self.place(source),
@@ -72,7 +72,7 @@ impl<T> At<T> {
         }
     }
 
-    /// Checks that exactly one of these keys of this table is there, given by name and offset.
+    /// Checks that exactly one of these keys of this table is given. `keys`: names and offsets.
     pub(super) fn exactly_one(
         &self,
         source: &Source<'_>,
@@ -84,13 +84,16 @@ impl<T> At<T> {
             .collect();
         let (offset, found) = match &found[..] {
             [_] => return Ok(()),
-            [] => (self.offset, "none is there".to_owned()),
-            [(one, _), (other, second), ..] => (*second, format!("{one} and {other} are there")),
+            [] => (self.offset, "none is given".to_owned()),
+            [(one, _), (other, second), ..] => (*second, format!("{one} and {other} are given")),
         };
         Err(TaskError::Inconsistent {
             at: source.place(offset),
             key: self.path.clone(),
-            problem: format!("exactly one of {} is needed, {found}", names.join(", ")),
+            problem: format!(
+                "exactly one of {} is required, but {found}",
+                names.join(", ")
+            ),
         })
     }
 }
@@ -128,7 +131,7 @@ impl<T: JsonSchema> JsonSchema for At<T> {
     }
 }
 
-/// Why a value is refused, before and after it is known where it stands.
+/// The error of a value, without or with its location.
 #[derive(Debug)]
 enum Fault {
     Placed(Box<TaskError>),
@@ -137,9 +140,9 @@ enum Fault {
 
 #[derive(Debug)]
 enum Problem {
-    /// Of another type than this.
+    /// Wrong type; the expected type.
     Expected(String),
-    /// Outside these limits.
+    /// Outside limits; the limits.
     Limits(String),
     MissingKey(&'static str),
     UnknownKey(String, &'static [&'static str]),
@@ -179,7 +182,7 @@ impl de::Error for Fault {
     }
 }
 
-/// A value under its full key.
+/// A value with its full key.
 #[derive(Clone)]
 struct Field<'de> {
     source: &'de Source<'de>,
@@ -188,7 +191,7 @@ struct Field<'de> {
 }
 
 impl<'de> Field<'de> {
-    /// What is wrong with this value; `kind` is what a name in it names.
+    /// Makes the located error of this value. `kind`: the kind of things that a name in it denotes.
     fn placed(&self, fault: Fault, kind: &'static str) -> Fault {
         let Fault::Unplaced(problem) = fault else {
             return fault;
@@ -291,7 +294,7 @@ impl<'de> Deserializer<'de> for Field<'de> {
     fn deserialize_tuple<V: Visitor<'de>>(self, len: usize, visitor: V) -> Result<V::Value, Fault> {
         match &self.value.node {
             Node::Array(items) if items.len() == len => self.visit(visitor, ""),
-            _ => self.expected(format!("an array of {len}")),
+            _ => self.expected(format!("an array of length {len}")),
         }
     }
 
@@ -307,7 +310,7 @@ impl<'de> Deserializer<'de> for Field<'de> {
         }
     }
 
-    /// An enum without data is a string. One with data is a table whose key of the enum's name says which.
+    /// An enum without data is a string. An enum with data is a table, whose tag key has the enum's name.
     fn deserialize_enum<V: Visitor<'de>>(
         self,
         name: &'static str,
@@ -421,7 +424,7 @@ impl<'de> SeqAccess<'de> for Items<'_, 'de> {
 struct Entries<'a, 'de> {
     table: &'a Field<'de>,
     entries: std::slice::Iter<'de, Entry>,
-    /// The key that has said which variant the table is.
+    /// The tag key, which names the table's variant.
     left_out: &'static str,
     current: Option<&'de Entry>,
 }
@@ -440,7 +443,7 @@ impl<'de> MapAccess<'de> for Entries<'_, 'de> {
         };
         let key: StrDeserializer<'_, Fault> = entry.key.as_str().into_deserializer();
         seed.deserialize(key).map(Some).map_err(|fault| {
-            // The key is at fault, not its value.
+            // The error is in the key, not in its value.
             match self.table.placed(fault, "key") {
                 Fault::Placed(mut error) => {
                     if let TaskError::UnknownKey { at, .. } = &mut *error {
@@ -461,7 +464,7 @@ impl<'de> MapAccess<'de> for Entries<'_, 'de> {
     }
 }
 
-/// A table whose tag has said which variant it is.
+/// A table whose variant is known from its tag.
 struct Tagged<'a, 'de> {
     table: &'a Field<'de>,
     variant: &'de str,

@@ -1,4 +1,4 @@
-//! What disturbs an execution, as a task file tells it.
+//! Disturbances of a simulated execution: pushes and changes of the friction.
 
 use std::fmt;
 use wisch::follow::Followed;
@@ -16,7 +16,7 @@ pub enum Moment {
 }
 
 impl Moment {
-    /// When that is, counted from the start of the motion [s]; `None` if the motion is over before.
+    /// Returns the time from the start of the motion [s]; `None` if the motion ends before it.
     pub fn time(self, followed: &Followed) -> Option<f64> {
         let duration = followed.duration();
         match self {
@@ -44,18 +44,17 @@ impl fmt::Display for Moment {
     }
 }
 
-/// A hand that pushes the tool.
+/// A push of the tool by a person's hand.
 ///
-/// It pushes with its full force against a tool at rest, and the less the faster the tool already gives
-/// way, none at the speed of the hand: as muscles do, and so that a robot that yields is led away rather
-/// than thrown.
+/// The hand exerts its full force on a tool at rest. The force falls linearly with the tool's speed and vanishes at the
+/// speed of the hand, as muscles do, so that a compliant robot is guided away rather than thrown.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Push {
-    /// In which round of the task, from 1.
+    /// Number of the round, from 1.
     pub round: usize,
-    /// When it begins.
+    /// Start of the push.
     pub start: Moment,
-    /// How long it lasts [s].
+    /// Duration [s].
     pub duration: f64,
     /// The force on a tool at rest, in the axes of the world [N].
     pub force: Vector3,
@@ -63,12 +62,12 @@ pub struct Push {
     pub hand_speed: f64,
 }
 
-/// The friction between tool and surface from some time on.
+/// A change of the friction between tool and surface.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct FrictionChange {
-    /// In which round of the task, from 1.
+    /// Number of the round, from 1.
     pub round: usize,
-    /// From when on.
+    /// Start of the change.
     pub start: Moment,
     /// Coulomb coefficient [1].
     pub friction: f64,

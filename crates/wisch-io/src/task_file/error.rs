@@ -1,26 +1,29 @@
-//! Why a task file was refused.
+//! Errors of task files.
 
 use crate::particles::ParticleSourceError;
 use wisch::geometry::{FootprintError, MeshError};
 use wisch::represent::KnowledgeError;
 use wisch::source_location::{Place, UnknownName};
 
-/// Why a task file could not be read or does not become a task.
+/// An error of a task file.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum TaskError {
     /// The text is not TOML.
     #[error("{at}: {message}")]
     Syntax {
-        /// Where.
+        /// Location of the error.
         at: Place,
-        /// What the reader says.
+        /// Message of the TOML parser.
         message: String,
     },
-    /// The file is of a schema that this version does not read.
-    #[error("{at}: schema {found} is not supported, only schema {}", super::SCHEMA)]
+    /// The file has a schema that this version does not support.
+    #[error(
+        "{at}: schema {found} is not supported; this version reads schema {}",
+        super::SCHEMA
+    )]
     Schema {
-        /// Where.
+        /// Location of the error.
         at: Place,
         /// The schema of the file.
         found: String,
@@ -28,138 +31,138 @@ pub enum TaskError {
     /// A key that does not exist.
     #[error("{at}: {}{unknown}", in_table(table))]
     UnknownKey {
-        /// Where.
+        /// Location of the error.
         at: Place,
-        /// The table it stands in; empty for the top of the file.
+        /// The table of the key; empty for the top level.
         table: String,
-        /// The key and those near it.
+        /// The key and similar keys.
         unknown: Box<UnknownName>,
     },
-    /// A key that is needed and not there.
+    /// A missing key.
     #[error("{at}: {}key \"{key}\" is missing", in_table(table))]
     Missing {
-        /// Where its table starts.
+        /// Start of its table.
         at: Place,
-        /// The table that lacks it; empty for the top of the file.
+        /// The table that lacks the key; empty for the top level.
         table: String,
         /// The key.
         key: &'static str,
     },
-    /// A value of another type than its key takes.
+    /// A value of the wrong type.
     #[error("{at}: {key}: expected {expected}, found {found}")]
     WrongType {
-        /// Where.
+        /// Location of the error.
         at: Place,
         /// The full key.
         key: String,
-        /// What it takes.
+        /// The expected type.
         expected: String,
-        /// What was given.
+        /// The given type.
         found: String,
     },
     /// A number outside its limits.
     #[error("{at}: {key} = {value} is outside its limits: {limits}")]
     OutOfRange {
-        /// Where.
+        /// Location of the error.
         at: Place,
         /// The full key, which ends in its unit.
         key: String,
         /// The value as given.
         value: String,
-        /// What it may be.
+        /// The limits.
         limits: String,
     },
     /// Values that contradict each other or themselves.
     #[error("{at}: {}{problem}", in_table(key))]
     Inconsistent {
-        /// Where.
+        /// Location of the error.
         at: Place,
-        /// The full key; empty for the top of the file.
+        /// The full key; empty for the top level.
         key: String,
-        /// What does not fit.
+        /// The contradiction.
         problem: String,
     },
-    /// A name that is none of those that may stand there.
+    /// An unknown name.
     #[error("{at}: {unknown}")]
     UnknownReference {
-        /// Where.
+        /// Location of the error.
         at: Place,
-        /// The name and those near it.
+        /// The name and similar names.
         unknown: Box<UnknownName>,
     },
-    /// A setting whose key leads nowhere.
+    /// A setting with an unusable key.
     #[error("setting {key}: {problem}")]
     Setting {
         /// The dotted key.
         key: String,
-        /// What is wrong with it.
+        /// The problem.
         problem: String,
     },
-    /// The knowledge base does not have what the task asks for.
+    /// The knowledge base lacks an entry that the task uses.
     #[error("{at}: {error}{}", or_define(error))]
     Knowledge {
-        /// Where the task asks for it.
+        /// Location in the task.
         at: Place,
-        /// What it does not have.
+        /// The missing entry.
         #[source]
         error: Box<KnowledgeError>,
     },
-    /// A file that the task names cannot be had.
+    /// A file of the task cannot be read.
     #[error("{at}: file {file:?}: {problem}")]
     File {
-        /// Where the task names it.
+        /// Location in the task.
         at: Place,
         /// Its path.
         file: String,
-        /// Why.
+        /// The problem.
         problem: String,
     },
     /// A mesh cannot be used.
     #[error("{at}: {error}")]
     Mesh {
-        /// Where the task names it.
+        /// Location in the task.
         at: Place,
-        /// Why.
+        /// The cause.
         #[source]
         error: MeshError,
     },
-    /// A mesh that was most likely drawn in other units.
+    /// A mesh whose size suggests other units than metres.
     #[error("{at}: mesh {file:?} is {extent} m long, expected {} m to {} m: {advice}", limits[0], limits[1])]
     MeshScale {
-        /// Where the task names it.
+        /// Location in the task.
         at: Place,
         /// Its path.
         file: String,
         /// Its longest side after scaling [m].
         extent: f64,
-        /// The least and the greatest that it may be [m].
+        /// Smallest and largest allowed length [m].
         limits: [f64; 2],
-        /// In which unit it probably is, and what to do.
+        /// The probable unit, and what to do.
         advice: String,
     },
-    /// The tool leaves no footprint.
+    /// The tool has no footprint.
     #[error("{at}: tool {tool:?}: {error}")]
     Footprint {
-        /// Where the task names the tool.
+        /// Location of the tool in the task.
         at: Place,
         /// The tool.
         tool: String,
-        /// Why.
+        /// The cause.
         #[source]
         error: FootprintError,
     },
     /// The particles could not be placed.
     #[error("{at}: particles: {error}")]
     Particles {
-        /// Where the task describes them.
+        /// Location of the particles in the task.
         at: Place,
-        /// Why.
+        /// The cause.
         #[source]
         error: ParticleSourceError,
     },
 }
 
-/// How a task file says itself what the knowledge base does not have.
+/// Returns advice how the task file can define a missing entry itself.
 fn or_define(error: &KnowledgeError) -> &'static str {
     let KnowledgeError::Unknown(unknown) = error else {
         return "";

@@ -1,5 +1,4 @@
-//! The tables `[perception]` and `[execution]`: what the robot perceives by, and what a simulated world is to take for
-//! real.
+//! The tables `[perception]` and `[execution]`: the robot's senses, and the ground truth of the simulation.
 
 use super::clusters::heaps;
 use super::deserialize::At;
@@ -14,119 +13,118 @@ use wisch::geometry::{Point2, Pose, Vector2, Vector3};
 use wisch::represent::{Cluster, GrainSize, SensorModel};
 use wisch::source_location::Place;
 
-/// How far inside the outline dirt along it lies at most, unless a file says so [m].
+/// Default of `within_m`: maximum distance from the outline of dirt along it [m].
 const WITHIN: f64 = 0.04;
 
-/// What a robot perceives the dirt by: touch always, sight if it has a camera.
+/// The robot's senses: always touch, and sight with a camera.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Perception {
-    /// How well the robot believes its camera to see; `None` is touch alone.
+    /// Believed model of the camera; `None` for touch only.
     pub sight: Option<SensorModel>,
 }
 
-/// The table `[execution]`: what a simulated execution is to take for real, and neither the plan nor the
-/// interpretation is told.
+/// The table `[execution]`: ground truth of the simulation, which planner and interpreter do not know.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ExecutionRecord {
-    /// Where the surface really is, in the frame of the believed one.
+    /// True pose of the surface in the frame of the believed surface.
     pub believed_from_real: Pose,
     /// Coulomb coefficient between tool and surface at the start [1]; `None` takes the knowledge base's.
     pub friction: Option<f64>,
-    /// Changes of it, as typed.
+    /// Changes of the friction, as typed.
     pub friction_changes: Vec<FrictionChange>,
-    /// Who pushes, as typed.
+    /// Pushes, as typed.
     pub pushes: Vec<Push>,
     /// Standard deviation of the measured force, per axis [N].
     pub force_noise: f64,
-    /// What is always added to the measured force, in the axes of the world [N].
+    /// Constant bias of the measured force, world axes [N].
     pub force_bias: Vector3,
-    /// Mean of ln f′ from which on a grain is taken along; `None` takes the knowledge base's.
+    /// Mean of ln f′, the threshold above which a grain moves; `None` takes the knowledge base's.
     pub mu: Option<f64>,
     /// Standard deviation of ln f′; `None` takes the knowledge base's.
     pub sigma: Option<f64>,
-    /// Where the dirt really lies.
+    /// True dirt locations.
     pub dirt: DirtRecord,
-    /// Diameters of the real grains; `None` takes the medium's.
+    /// Diameters of the true grains; `None` takes the medium's.
     pub grain_size: Option<GrainSize>,
-    /// Mass of the dirt that each grain stands for [kg]; `None` takes that of the grain alone.
+    /// Mass of the dirt that each grain represents [kg]; `None` takes the grain's own mass.
     pub grain_mass: Option<f64>,
-    /// Whether the tool feels what it pushes.
+    /// Whether pushed dirt exerts a force on the tool.
     pub grains_resist: bool,
-    /// Stiffness of the real tool over the believed one [1].
+    /// Ratio of the true to the believed stiffness of the tool [1].
     pub tool_stiffness: f64,
-    /// Length and width of its footprint over the believed one's [1].
+    /// Ratio of the true to the believed length and width of the footprint [1].
     pub footprint: f64,
-    /// Where the tool really sits in the hand, in the frame of the tool as believed [m].
+    /// True offset of the tool in the hand, in the frame of the believed tool [m].
     pub grasp_offset: Vector2,
-    /// How far it is really turned about the tool's z [rad].
+    /// True rotation of the tool in the hand about its z [rad].
     pub grasp_turn: f64,
     /// Standard deviation of the measured joint positions [rad or m].
     pub encoder_noise: f64,
-    /// Play between joints and what measures them [rad or m].
+    /// Backlash between joints and their encoders [rad or m].
     pub backlash: f64,
-    /// How late a force is measured [s].
+    /// Delay of the measured force [s].
     pub force_delay: f64,
-    /// How fast the bias of the measured force grows in a round, in the axes of the world [N/s].
+    /// Drift of the bias of the measured force within a round, world axes [N/s].
     pub force_drift: Vector3,
-    /// Coulomb friction in each joint that wipes [Nm or N].
+    /// Coulomb friction in each joint of the wiping arm [Nm or N].
     pub joint_friction: f64,
-    /// Height of the waves in the real surface, from valley to crest [m].
+    /// Height of the waves of the true surface, from trough to crest [m].
     pub waviness: f64,
     /// Length of these waves [m].
     pub waviness_length: f64,
-    /// How the real camera sees.
+    /// The true camera.
     pub camera: CameraRecord,
-    /// Up to how many particles are real bodies.
+    /// Maximum number of particles that are simulated as rigid bodies.
     pub max_bodies: usize,
 }
 
-/// Where the dirt of a simulated world really lies, and how much of it there is.
+/// True locations and number of the grains of a simulated world.
 #[derive(Debug, Clone, PartialEq)]
 pub struct DirtRecord {
-    /// Where.
+    /// Locations.
     pub source: RealDirt,
-    /// How many grains; `None` draws about as many as are believed.
+    /// Number of grains; `None` draws a number near the believed one.
     pub count: Option<usize>,
 }
 
-/// Where the dirt of a simulated world really lies, in the frame of the real surface.
+/// True dirt locations of a simulated world, in the frame of the true surface.
 #[derive(Debug, Clone, PartialEq)]
 pub enum RealDirt {
-    /// Where it is believed to be.
+    /// At the believed locations.
     AsBelieved,
-    /// Evenly over the free surface.
+    /// Uniform over the free surface.
     Uniform,
-    /// Heaps; `None` draws those too.
+    /// Heaps; `None` draws random heaps.
     Clusters(Option<Vec<Cluster>>),
-    /// A band; what is `None` is drawn.
+    /// A band; `None` values are drawn at random.
     Stripe {
-        /// A point of its middle line [m].
+        /// Point on its centre line [m].
         center: Option<Point2>,
-        /// Which way it runs, about the surface's z from its x [rad].
+        /// Direction, about the surface's z from its x [rad].
         direction: Option<f64>,
-        /// Its width [m].
+        /// Width [m].
         width: Option<f64>,
     },
-    /// Along the outline, no further inside than this [m].
+    /// Along the outline, within this distance [m].
     Edge(f64),
-    /// Listed in a file.
+    /// A list in a file.
     Csv {
-        /// Where the task file names it.
+        /// Location of its name in the task file.
         at: Place,
         /// Its path, relative to the task file.
         file: String,
     },
-    /// Seen in a mask or photo.
+    /// Detected in a mask or photo.
     Image {
-        /// Where the task file names it.
+        /// Location of its name in the task file.
         at: Place,
-        /// The image, and how to read it.
+        /// The image with its parameters.
         mask: MaskSource,
     },
 }
 
 impl Default for DirtRecord {
-    /// Even, and about as much as believed.
+    /// Uniform, with a number near the believed one.
     fn default() -> Self {
         Self {
             source: RealDirt::Uniform,
@@ -135,23 +133,23 @@ impl Default for DirtRecord {
     }
 }
 
-/// How a real camera sees; what is `None` is as the robot believes.
+/// The true camera; `None` values are as the robot believes.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct CameraRecord {
     /// Probability that a large grain is detected [1].
     pub detection: Option<f64>,
-    /// Diameter at which this probability is halved [m].
+    /// Grain diameter at which the detection probability is halved [m].
     pub half_size_m: Option<f64>,
-    /// Detections where nothing lies, per area [1/m²].
+    /// False detections per area [1/m²].
     pub false_alarms_per_m2: Option<f64>,
-    /// Standard deviation of where a grain is seen, along x and along y [m].
+    /// Standard deviation of a detected position, along x and along y [m].
     pub position_error_m: Option<f64>,
-    /// Whether the robot's links and the tool hide what lies under them.
+    /// Whether the robot's links and the tool hide dirt from the camera.
     pub arm_hides: bool,
 }
 
 impl CameraRecord {
-    /// The real camera, where the robot believes it to be so.
+    /// Returns the true camera: these values, with missing ones from the believed camera.
     pub fn over(&self, believed: SensorModel) -> SensorModel {
         SensorModel {
             detection: self.detection.unwrap_or(believed.detection),
@@ -196,8 +194,8 @@ pub(super) fn perception(
                 sight: Some(given.over(SensorModel::default())),
             });
         }
-        (0, _) => "touch is always among them",
-        _ => "a sense is named twice",
+        (0, _) => "\"touch\" is missing; it is always one of the senses",
+        _ => "a sense is given twice",
     };
     Err(senses.inconsistent(source, problem))
 }
@@ -269,7 +267,8 @@ pub(super) fn execution(
     if let Some(size) = &table.grain_size_m {
         let [min_m, max_m] = size.value.map(|diameter| diameter.0);
         if min_m > max_m {
-            let problem = format!("the smallest, {min_m} m, is larger than the largest, {max_m} m");
+            let problem =
+                format!("the smallest diameter, {min_m} m, exceeds the largest, {max_m} m");
             return Err(size.inconsistent(source, problem));
         }
         record.grain_size = Some(GrainSize { min_m, max_m });
@@ -303,7 +302,7 @@ pub(super) fn execution(
     Ok(record)
 }
 
-/// The one way in which a table says when something begins.
+/// Reads the start of a disturbance, which a table states by exactly one key.
 fn moment<T>(
     table: &At<T>,
     starts: (Option<TimeS>, Option<Share>, Option<StrokeNumber>),
@@ -329,7 +328,7 @@ fn moment<T>(
 }
 
 impl ExecutionRecord {
-    /// What a table says, but for who pushes and where friction changes.
+    /// Reads a table without its pushes and friction changes.
     fn undisturbed(table: &ExecutionTable) -> Self {
         let tilt = table.surface_tilt_rad;
         let [about_x, about_y] = tilt.map_or([0.0; 2], |tilt| tilt.map(|angle| angle.0));

@@ -13,18 +13,18 @@ use schemars::JsonSchema;
 use serde::Deserialize;
 use wisch::run::{AfterStop, Pace};
 
-/// What a simulated execution takes for real, hidden from planner and interpreter.
+/// Ground truth of the simulation, hidden from planner and interpreter.
 #[derive(Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 #[schemars(rename = "Execution")]
 pub(super) struct ExecutionTable {
-    /// Tilt of the real against the believed surface, about its x and y [rad].
+    /// Tilt of the true surface relative to the believed surface, about its x and y [rad].
     pub(super) surface_tilt_rad: Option<[TiltRad; 2]>,
-    /// Shift of the real surface in the believed one's frame [m].
+    /// Shift of the true surface in the frame of the believed surface [m].
     pub(super) surface_shift_m: Option<[ShiftM; 3]>,
     /// Coulomb coefficient between tool and surface; default: from the knowledge base.
     pub(super) friction: Option<Friction>,
-    /// Changes of it.
+    /// Changes of the friction.
     pub(super) friction_change: Vec<At<FrictionChangeTable>>,
     /// People who push the tool.
     pub(super) push: Vec<At<PushTable>>,
@@ -32,59 +32,59 @@ pub(super) struct ExecutionTable {
     pub(super) force_noise_n: NoiseN,
     /// Constant bias of the measured force, world axes [N].
     pub(super) force_bias_n: Option<[BiasN; 3]>,
-    /// Mean of ln f', the pressure over the nominal one from which on a grain is taken along; default: from the
+    /// Mean of ln f', where f' is the ratio of the pressure that moves a grain to the nominal pressure; default: from the
     /// knowledge base.
     pub(super) mu: Option<LogForce>,
     /// Standard deviation of ln f'; default: from the knowledge base.
     pub(super) sigma: Option<LogSpread>,
-    /// Where the dirt really lies, drawn apart from what is believed; default: evenly over the free surface.
+    /// True dirt locations, independent of the believed locations; default: uniform over the free surface.
     pub(super) dirt: Option<At<DirtTable>>,
-    /// Smallest and largest diameter of the real grains [m]; default: the medium's.
+    /// Smallest and largest diameter of the true grains [m]; default: the medium's.
     pub(super) grain_size_m: Option<At<[GrainM; 2]>>,
-    /// Mass of the dirt that each grain stands for [kg]; default: that of the grain alone.
+    /// Mass of the dirt that each simulated grain represents [kg]; default: the grain's own mass.
     pub(super) grain_mass_kg: Option<GrainMassKg>,
-    /// Whether the tool feels what it pushes.
+    /// Whether pushed dirt exerts a force on the tool.
     pub(super) grains_resist: bool,
-    /// Stiffness of the real tool over the believed one.
+    /// Ratio of the true to the believed stiffness of the tool.
     pub(super) tool_stiffness: Factor,
-    /// Length and width of the real tool's footprint over the believed one's.
+    /// Ratio of the true to the believed length and width of the tool's footprint.
     pub(super) footprint: SizeFactor,
-    /// Where the tool really sits in the hand, tool frame [m].
+    /// True offset of the tool in the hand, tool frame [m].
     pub(super) grasp_offset_m: Option<[GraspM; 2]>,
-    /// How far it is really turned about its z [rad].
+    /// True rotation of the tool in the hand about its z [rad].
     pub(super) grasp_turn_rad: GraspRad,
     /// Standard deviation of the measured joint positions [rad or m].
     pub(super) encoder_noise_rad: EncoderNoise,
-    /// Play between joints and what measures them [rad or m].
+    /// Backlash between joints and their encoders [rad or m].
     pub(super) backlash_rad: Backlash,
-    /// How late a force is measured [s].
+    /// Delay of the measured force [s].
     pub(super) force_delay_s: DelayS,
-    /// How fast the bias of the measured force grows in a round, world axes [N/s].
+    /// Drift of the bias of the measured force within a round, world axes [N/s].
     pub(super) force_drift_n_per_s: Option<[DriftN; 3]>,
-    /// Coulomb friction in each joint that wipes [Nm or N].
+    /// Coulomb friction in each joint of the wiping arm [Nm or N].
     pub(super) joint_friction_nm: JointFriction,
-    /// Height of the waves in the real surface, from valley to crest [m].
+    /// Height of the waves of the true surface, from trough to crest [m].
     pub(super) waviness_m: WavinessM,
     /// Length of these waves [m].
     pub(super) waviness_length_m: WaveLengthM,
-    /// How the real camera sees; default: as the robot believes.
+    /// The true camera; default: as the robot believes.
     pub(super) camera: CameraTable,
-    /// Particles simulated as bodies, none if there are more.
+    /// Maximum number of particles that are simulated as rigid bodies; with more particles, none are.
     pub(super) max_bodies: Bodies,
-    /// Most rounds of wiping and estimating.
+    /// Maximum number of rounds of wiping and estimating.
     pub(super) max_rounds: Rounds,
-    /// Whether a round ends amid a stroke once contact is lost or the tool is led away, and the rest is planned anew.
+    /// Whether a contact loss or hand guiding ends a round within a stroke, so that the rest is planned anew.
     pub(super) end_strokes_early: bool,
-    /// How far a round goes before its outcome is looked at: a whole plan, or the segment that is predicted to gain most.
+    /// Extent of a round: the whole plan, or only the stroke with the greatest predicted gain.
     pub(super) pace: PaceName,
-    /// What follows where a person or a safety system stopped the robot: it waits for its operator, which ends the run, or
-    /// it retreats from the surface by itself and goes on.
+    /// Reaction to a stop by a person or a safety system: wait for the operator, which ends the run, or retreat from the
+    /// surface and resume.
     pub(super) after_stop: AfterStopName,
-    /// How far any joint may stand from where a motion begins [rad, or m]; beyond, the motion is not executed.
+    /// Maximum deviation of a joint from the start of a motion [rad, or m]; beyond it, the motion is not executed.
     pub(super) start_rad: StartRad,
 }
 
-/// What follows where a person or a safety system stopped the robot.
+/// Reaction to a stop by a person or a safety system.
 #[derive(Deserialize, JsonSchema, Clone, Copy)]
 #[serde(rename = "after_stop", rename_all = "snake_case")]
 #[schemars(rename = "AfterStop", inline)]
@@ -102,7 +102,7 @@ impl From<AfterStopName> for AfterStop {
     }
 }
 
-/// How far a round goes.
+/// Extent of a round.
 #[derive(Deserialize, JsonSchema, Clone, Copy)]
 #[serde(rename = "pace", rename_all = "snake_case")]
 #[schemars(rename = "Pace", inline)]
@@ -150,7 +150,7 @@ impl Default for ExecutionTable {
             // About the width of a tool.
             waviness_length_m: WaveLengthM(0.2),
             camera: CameraTable::default(),
-            // As many grains as are simulated at several times real time.
+            // With this number the simulation still runs several times faster than real time.
             max_bodies: Bodies(400),
             max_rounds: Rounds(4),
             end_strokes_early: false,
@@ -161,81 +161,81 @@ impl Default for ExecutionTable {
     }
 }
 
-/// Where the dirt really lies, by its source. Without a count there is as much as believed, but for a factor.
+/// True dirt locations, by source. Without a count, the number of grains is the believed number times a random factor.
 #[derive(Deserialize, JsonSchema)]
 #[serde(rename = "source", rename_all = "snake_case", deny_unknown_fields)]
 #[schemars(rename = "Dirt", tag = "source")]
 pub(super) enum DirtTable {
-    /// Where it is believed to be, to the last grain.
+    /// Exactly as believed.
     AsBelieved {},
-    /// Evenly over the free surface.
+    /// Uniform over the free surface.
     Uniform {
-        /// How many grains.
+        /// Number of grains.
         count: Option<ParticleCount>,
     },
     /// Heaps.
     Clusters {
-        /// How many grains in all.
+        /// Total number of grains.
         count: Option<ParticleCount>,
-        /// The heaps; default: 1 to 6 with a spread of 1 to 10 cm, anywhere.
+        /// The heaps; default: 1 to 6 heaps with a standard deviation of 1 to 10 cm, at random positions.
         clusters: Option<At<Vec<ClusterTable>>>,
     },
     /// A band across the surface.
     Stripe {
-        /// How many grains.
+        /// Number of grains.
         count: Option<ParticleCount>,
-        /// A point of its middle line, surface frame [m]; default: anywhere.
+        /// Point on its centre line, surface frame [m]; default: random.
         center_m: Option<[PositionM; 2]>,
-        /// Which way it runs, about the surface's z from its x [rad]; default: any.
+        /// Direction, about the surface's z from its x [rad]; default: random.
         direction_rad: Option<AngleRad>,
-        /// Its width [m]; default: 0.02 to 0.1.
+        /// Width [m]; default: random in 0.02 to 0.1.
         width_m: Option<SizeM>,
     },
     /// Along the outline.
     Edge {
-        /// How many grains.
+        /// Number of grains.
         count: Option<ParticleCount>,
-        /// How far inside the outline at most [m]; default 0.04.
+        /// Maximum distance from the outline [m]; default 0.04.
         within_m: Option<SizeM>,
     },
-    /// Listed: columns x,y in the frame of the real surface.
+    /// A list with the columns x,y in the frame of the true surface.
     Csv {
         /// Path relative to this file.
         file: At<Name>,
     },
-    /// Seen in a mask or photo.
+    /// Detected in a mask or photo.
     Image {
-        /// Path relative to this file, of a PNG or JPEG up to 64 megapixels.
+        /// PNG or JPEG up to 64 megapixels, path relative to this file.
         file: At<Name>,
-        /// Where the corners of the surface's bounding box are seen [px], as of `particles`.
+        /// Pixels of the corners of the surface's bounding box [px], in the order of `particles`.
         corners_px: [[Pixel; 2]; 4],
-        /// Of the dirt: red, green, blue.
+        /// Colour of the dirt: red, green, blue.
         color: [Channel; 3],
-        /// Greatest Euclidean distance from that colour.
+        /// Maximum Euclidean distance from that colour.
         tolerance: ColorDistance,
-        /// How many grains.
+        /// Number of grains.
         count: ParticleCount,
     },
 }
 
-/// How the real camera sees, where that is other than the robot believes.
+/// The true camera, where it differs from the robot's belief.
 #[derive(Deserialize, JsonSchema, Default)]
 #[serde(deny_unknown_fields, default)]
 #[schemars(rename = "Camera")]
 pub(super) struct CameraTable {
     /// Probability that a large grain is detected.
     pub(super) detection: Option<Share>,
-    /// Diameter at which this probability is halved [m].
+    /// Grain diameter at which the detection probability is halved [m].
     pub(super) half_size_m: Option<HalfSizeM>,
-    /// Detections where nothing lies, per area [1/m²].
+    /// False detections per area [1/m²].
     pub(super) false_alarms_per_m2: Option<FalseAlarms>,
-    /// Standard deviation of where a grain is seen, per axis [m].
+    /// Standard deviation of a detected position, per axis [m].
     pub(super) position_error_m: Option<PositionErrorM>,
-    /// Whether the robot's links and the tool hide what lies under them.
+    /// Whether the robot's links and the tool hide dirt from the camera.
     pub(super) arm_hides: bool,
 }
 
-/// The friction between tool and surface from some time on.
+/// A change of the friction between tool and surface.
 #[derive(Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 #[schemars(
@@ -245,20 +245,20 @@ pub(super) struct CameraTable {
     ])
 )]
 pub(super) struct FrictionChangeTable {
-    /// In which round.
+    /// Number of the round.
     #[serde(default = "first_round")]
     pub(super) round: Rounds,
-    /// When it begins, counted from the start of the motion [s]; excludes `start_share` and `start_stroke`.
+    /// Start time, counted from the start of the motion [s]; excludes `start_share` and `start_stroke`.
     pub(super) start_s: Option<TimeS>,
-    /// The share of the motion after which it begins; excludes the others.
+    /// Share of the motion's duration at which it starts; excludes `start_s` and `start_stroke`.
     pub(super) start_share: Option<Share>,
-    /// The stroke, counted from 1, amid which it begins; excludes the others.
+    /// Stroke, counted from 1, at whose half time it starts; excludes `start_s` and `start_share`.
     pub(super) start_stroke: Option<StrokeNumber>,
-    /// Coulomb coefficient.
+    /// Coulomb coefficient after the change.
     pub(super) friction: Friction,
 }
 
-/// A hand that pushes the tool.
+/// A push of the tool by a person's hand.
 #[derive(Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 #[schemars(
@@ -268,20 +268,20 @@ pub(super) struct FrictionChangeTable {
     ])
 )]
 pub(super) struct PushTable {
-    /// In which round.
+    /// Number of the round.
     #[serde(default = "first_round")]
     pub(super) round: Rounds,
-    /// When it begins, counted from the start of the motion [s]; excludes `start_share` and `start_stroke`.
+    /// Start time, counted from the start of the motion [s]; excludes `start_share` and `start_stroke`.
     pub(super) start_s: Option<TimeS>,
-    /// The share of the motion after which it begins; excludes the others.
+    /// Share of the motion's duration at which it starts; excludes `start_s` and `start_stroke`.
     pub(super) start_share: Option<Share>,
-    /// The stroke, counted from 1, amid which it begins; excludes the others.
+    /// Stroke, counted from 1, at whose half time it starts; excludes `start_s` and `start_share`.
     pub(super) start_stroke: Option<StrokeNumber>,
-    /// How long it lasts [s].
+    /// Duration [s].
     pub(super) duration_s: DurationS,
     /// Force on a tool at rest, world axes [N].
     pub(super) force_n: [PushForceN; 3],
-    /// Speed at which the hand no longer pushes [m/s].
+    /// Speed of the tool at which the hand's force vanishes [m/s].
     #[serde(default = "hand_speed")]
     pub(super) hand_speed_m_per_s: HandSpeed,
 }
@@ -290,7 +290,7 @@ fn first_round() -> Rounds {
     Rounds(1)
 }
 
-/// Of a hand that leads a robot away.
+/// Typical speed of a hand that guides a robot away.
 fn hand_speed() -> HandSpeed {
     HandSpeed(0.1)
 }

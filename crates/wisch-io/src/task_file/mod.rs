@@ -1,4 +1,4 @@
-//! The task file: what the user writes, as typed and checked, and how it becomes a [`Task`].
+//! The task file: its keys and their checks, and its conversion to a [`Task`].
 
 mod checked;
 mod clusters;
@@ -31,36 +31,36 @@ use wisch::represent::{Action, KnowledgeError, ScenePart, Surface, Task, Treatme
 use wisch::run::{AfterStop, Pace};
 use wisch::source_location::Place;
 
-/// The schema that this version reads.
+/// The schema number that this version supports.
 const SCHEMA: u64 = 1;
 
-/// What a task file asks for.
+/// The action or goal of a task file.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Intent {
-    /// A certain action.
+    /// An action.
     Action {
-        /// What to do.
+        /// The action.
         action: Action,
-        /// Name of the tool to do it with.
+        /// Name of the tool.
         tool: String,
-        /// Name of the medium to do it to.
+        /// Name of the medium.
         medium: String,
     },
-    /// A goal, for which action, tool and medium are yet to be found.
+    /// A goal, from which action, tool and medium are derived.
     Goal {
         /// A PDDL literal such as `(collected breadcrumbs chopping_board)`.
         literal: String,
-        /// Name of the tool that the hand holds already.
+        /// Name of the tool in the hand.
         tool_in_hand: Option<String>,
-        /// Names of the tools that can be fetched.
+        /// Names of the tools that the robot can fetch.
         available_tools: Vec<String>,
     },
 }
 
-/// Where a robot's description is found.
+/// The source of a robot's description.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum RobotDescription {
-    /// One that the program ships.
+    /// A shipped robot, by name.
     Named(String),
     /// Files, as paths relative to the task file.
     Files {
@@ -71,22 +71,22 @@ pub enum RobotDescription {
     },
 }
 
-/// The robot that is to do the task.
+/// The robot of a task.
 #[derive(Debug, Clone, PartialEq)]
 pub struct RobotRecord {
-    /// Which robot.
+    /// The source of its description.
     pub description: RobotDescription,
-    /// The group of its SRDF that wipes; `None` takes the first.
+    /// SRDF planning group that wipes; `None` takes the first group.
     pub group: Option<String>,
-    /// The group of its SRDF whose hand holds the tool as well; `None` leaves it to one hand.
+    /// SRDF planning group of a second hand on the tool; `None` for one hand.
     pub second_group: Option<String>,
-    /// Where it stands, or starts; `None` if the file does not say.
+    /// Pose of its root, or its start pose; `None` if the file has none.
     pub world_from_robot: Option<Pose>,
 }
 
 impl RobotRecord {
-    /// Which part of the robot wipes, and where the robot stands: where the file says, or else where the task's
-    /// scene shows it, facing the surface.
+    /// Returns the planning groups and the pose of the robot: the file's pose, else that of the scene's robot, facing the
+    /// surface.
     pub fn workcell_config(&self, task: &Task) -> WorkcellConfig {
         WorkcellConfig {
             group: self.group.clone(),
@@ -97,8 +97,9 @@ impl RobotRecord {
     }
 }
 
-/// A task file as typed: every key known, every number within its range, every value consistent.
-/// What it refers to, knowledge and other files, is looked up by [`TaskFile::resolve`].
+/// A checked task file: every key is known, every number within its limits, and all values are consistent.
+///
+/// [`TaskFile::resolve`] looks up its knowledge entries and reads its files.
 #[derive(Debug, Clone, PartialEq)]
 pub struct TaskFile {
     name: String,
@@ -140,7 +141,7 @@ pub struct TaskFile {
 struct SurfaceRecord {
     at: Place,
     surface: Surface,
-    /// Index of the scene object whose face the surface is.
+    /// Index of the scene object that carries the surface.
     carried_by: Option<usize>,
 }
 
@@ -154,7 +155,7 @@ struct ObjectRecord {
     part: ScenePart,
 }
 
-/// In which frame an object's pose is given.
+/// The frame of an object's pose.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Frame {
     World,
@@ -172,9 +173,9 @@ enum Shape {
 }
 
 impl TaskFile {
-    /// What the knowledge base does not have, at the place where the file names it; `elsewhere` is the place of what has none
-    /// of its own.
-    fn unknown(&self, error: KnowledgeError, elsewhere: &Place) -> TaskError {
+    /// Makes the error of a missing knowledge entry, with the location where the file names it. `otherwise`: the location
+    /// for kinds of entries without their own.
+    fn unknown(&self, error: KnowledgeError, otherwise: &Place) -> TaskError {
         let kind = match &error {
             KnowledgeError::Unknown(unknown) => unknown.kind,
             _ => "",
@@ -183,7 +184,7 @@ impl TaskFile {
             "tool" => &self.tool_at,
             "medium" => &self.medium_at,
             "surface" => &self.surface.at,
-            _ => elsewhere,
+            _ => otherwise,
         };
         TaskError::Knowledge {
             at: at.clone(),
@@ -196,7 +197,7 @@ impl TaskFile {
     /// An example with every key, its unit, default and range.
     pub const TEMPLATE: &'static str = include_str!("template.toml");
 
-    /// Reads a task file's text. `name` is the name under which errors speak of it.
+    /// Reads a task file's text. `name`: the file's name in error messages.
     ///
     /// `settings` override the text, in order: a dotted key, with an index from 0 into an array, and
     /// a TOML value or a bare string, such as `("surface.size_m", "[0.5, 0.3]")`,
@@ -204,8 +205,8 @@ impl TaskFile {
     /// such as `action` and `goal`, replaces it.
     ///
     /// # Errors
-    /// A text that is not TOML, an unknown key, or a value that is missing, of the wrong type, out of
-    /// range or at odds with another: with file, line and column.
+    /// If the text is not TOML, a key is unknown, or a value is missing, of the wrong type, outside its limits or
+    /// inconsistent with another. The error states file, line and column.
     ///
     /// ```
     /// use wisch_io::TaskFile;
@@ -221,8 +222,8 @@ impl TaskFile {
         checked::read(&tree::Source::new(name, text, settings))
     }
 
-    /// The JSON Schema of task files, by which editors complete and check keys: every key with its meaning, range
-    /// and default.
+    /// Returns the JSON Schema of task files: every key with its meaning, limits and default. Editors use it to complete and
+    /// check keys.
     ///
     /// ```
     /// let schema: serde_json::Value = serde_json::from_str(&wisch_io::TaskFile::json_schema())?;
@@ -234,12 +235,12 @@ impl TaskFile {
         format!("{:#}\n", schema.as_value())
     }
 
-    /// What is asked for.
+    /// The action or goal.
     pub fn intent(&self) -> &Intent {
         &self.intent
     }
 
-    /// The robot that is to do it, if the file names one.
+    /// The robot, if the file names one.
     pub fn robot(&self) -> Option<&RobotRecord> {
         self.robot.as_ref()
     }
@@ -249,12 +250,12 @@ impl TaskFile {
         &self.name
     }
 
-    /// Seed of everything random in the task; 0 unless given.
+    /// Seed of all random numbers of the task; default 0.
     pub fn seed(&self) -> u64 {
         self.seed
     }
 
-    /// Name of the strategy that finds strokes, as typed; `None` leaves it to the program.
+    /// Name of the strategy, as typed; `None` uses the program's default.
     pub fn strategy(&self) -> Option<&str> {
         self.strategy.as_deref()
     }
@@ -269,87 +270,87 @@ impl TaskFile {
         self.bandwidth
     }
 
-    /// How the tool is turned along the strokes of a coverage strategy.
+    /// Rule for the tool's yaw along the strokes of a coverage strategy.
     pub fn heading(&self) -> HeadingRule {
         self.heading
     }
 
-    /// How many plans the strategies adaptive and best try.
+    /// Number of plans that the strategies adaptive and best try.
     pub fn evaluations(&self) -> usize {
         self.evaluations
     }
 
-    /// By how much the tool may be off its way and still do what these strategies plan [m].
+    /// Path error of the tool that the plans of these strategies tolerate [m].
     pub fn margin_m(&self) -> f64 {
         self.margin
     }
 
-    /// How far the tool may go in contact in a round [m]; `None` as far as it takes.
+    /// Maximum path length in contact per round [m]; `None` for no limit.
     pub fn max_distance_m(&self) -> Option<f64> {
         self.max_distance
     }
 
-    /// Fastest the tool moves in contact [m/s].
+    /// Maximum speed of the tool in contact [m/s].
     pub fn contact_speed_m_per_s(&self) -> f64 {
         self.contact_speed
     }
 
-    /// How high the tool is lifted between strokes [m].
+    /// Lift height between strokes [m].
     pub fn lift_height_m(&self) -> f64 {
         self.lift_height
     }
 
-    /// What the robot perceives the dirt by.
+    /// The robot's senses.
     pub fn perception(&self) -> &Perception {
         &self.perception
     }
 
-    /// What a simulated execution is to take for real.
+    /// Ground truth of the simulation.
     pub fn execution(&self) -> &ExecutionRecord {
         &self.execution
     }
 
-    /// How the particles are made.
+    /// Source of the particles.
     pub fn particle_source(&self) -> &ParticleSource {
         &self.particles
     }
 
-    /// Whether a round ends amid a stroke that brings nothing any more, `execution.end_strokes_early`.
+    /// Whether a round may end within a stroke, `execution.end_strokes_early`.
     pub fn end_strokes_early(&self) -> bool {
         self.end_strokes_early
     }
 
-    /// How far a round goes, `execution.pace`.
+    /// Extent of a round, `execution.pace`.
     pub fn pace(&self) -> Pace {
         self.pace
     }
 
-    /// What follows where a person or a safety system stopped the robot, `execution.after_stop`.
+    /// Reaction to a stop by a person or a safety system, `execution.after_stop`.
     pub fn after_stop(&self) -> AfterStop {
         self.after_stop
     }
 
-    /// How far a joint may stand from where a motion begins, `execution.start_rad` [rad or m].
+    /// Maximum deviation of a joint from the start of a motion, `execution.start_rad` [rad or m].
     pub fn start_rad(&self) -> f64 {
         self.start_rad
     }
 
-    /// How many rounds there may be, `execution.max_rounds`.
+    /// Maximum number of rounds, `execution.max_rounds`.
     pub fn max_rounds(&self) -> usize {
         self.max_rounds
     }
 
-    /// How many plans the prediction chooses from.
+    /// Number of candidate plans.
     pub fn plan_variants(&self) -> usize {
         self.variants
     }
 
-    /// Least score of a plan that is executed [1].
+    /// Minimum score of a plan that may be executed [1].
     pub fn min_score(&self) -> f64 {
         self.min_score
     }
 
-    /// The performance at which the task counts as done, in [0, 1].
+    /// Target performance, in [0, 1].
     pub fn target_performance(&self) -> f64 {
         self.target_performance
     }

@@ -1,4 +1,4 @@
-//! Outlines as typed: rings that bound an area and do not cross themselves or each other.
+//! Outlines of surfaces: checks that rings bound an area and do not cross themselves or each other.
 
 use super::TaskError;
 use super::deserialize::At;
@@ -7,20 +7,20 @@ use super::tree::Source;
 use super::values::point;
 use wisch::geometry::{Edge, Point2, Polygon, Vector2};
 
-/// Most points of an outline with its holes: every pair of edges is held against each other.
+/// Maximum number of points of an outline with its holes; every pair of edges is compared.
 const MAX_POINTS: usize = 2_000;
-/// Least area of a ring [m²]: that of the smallest rectangle.
+/// Minimum area of a ring [m²]: that of the smallest rectangle.
 const MIN_AREA: f64 = 1e-6;
 
-/// A polygon as typed, checked.
+/// A checked polygon of a task file.
 pub(super) struct Outline {
     pub(super) polygon: Polygon,
-    /// Whether the polygon's outer ring runs the other way than the points were typed.
+    /// Whether the polygon's outer ring has the opposite direction of the typed points.
     reversed: bool,
 }
 
 impl Outline {
-    /// A rectangle, whose points run like those of [`Polygon::rectangle`].
+    /// Makes a rectangle; its points are in the order of [`Polygon::rectangle`].
     pub(super) fn rectangle(size: Vector2) -> Self {
         Self {
             polygon: Polygon::rectangle(size),
@@ -67,7 +67,7 @@ impl Outline {
                 }
             }
             if !self.polygon.contains(hole[0]) {
-                return Err(field.inconsistent(source, "the hole lies outside the outline"));
+                return Err(field.inconsistent(source, "the hole is outside the outline"));
             }
             let inside =
                 |ring: &[Point2], point| Polygon::new(ring.to_vec(), Vec::new()).contains(point);
@@ -75,10 +75,9 @@ impl Outline {
                 .iter()
                 .position(|other| inside(other, hole[0]) || inside(&hole, other[0]));
             if let Some(other) = nested {
-                return Err(field.inconsistent(
-                    source,
-                    format!("the hole and hole {other} lie in each other"),
-                ));
+                return Err(
+                    field.inconsistent(source, format!("the hole and hole {other} overlap"))
+                );
             }
             rings.push(hole);
         }
@@ -88,7 +87,7 @@ impl Outline {
         })
     }
 
-    /// The polygon's index of the outer edge that runs from the `typed`-th point to the next.
+    /// Returns the polygon's index of the outer edge from the `typed`-th point to the next.
     pub(super) fn edge(&self, typed: usize) -> usize {
         let count = self.polygon.outer().len();
         if self.reversed {
@@ -99,14 +98,14 @@ impl Outline {
     }
 }
 
-/// At least three points round an area, without self-intersection.
+/// Checks a ring: at least three points, no self-intersection, and a minimum area.
 fn ring(field: &At<RingPoints>, source: &Source<'_>) -> Result<Vec<Point2>, TaskError> {
     let points: Vec<Point2> = field.value.iter().map(|xy| point(*xy)).collect();
     if !(3..=MAX_POINTS).contains(&points.len()) {
         return Err(field.inconsistent(
             source,
             format!(
-                "{} points, but a ring has at least 3 and at most {MAX_POINTS}",
+                "{} points are outside the limits of a ring: 3 to {MAX_POINTS}",
                 points.len()
             ),
         ));
@@ -118,12 +117,14 @@ fn ring(field: &At<RingPoints>, source: &Source<'_>) -> Result<Vec<Point2>, Task
             let next = (i + 1) % count;
             return Err(field.inconsistent(
                 source,
-                format!("points {i} and {next} are the same (a ring closes by itself)"),
+                format!(
+                    "points {i} and {next} are equal (do not repeat the first point at the end)"
+                ),
             ));
         }
         for j in i + 1..count {
             let crosses = if j == i + 1 || (i == 0 && j == count - 1) {
-                // Neighbours share a point: they may not run back over each other.
+                // Adjacent edges share a point; they must not overlap otherwise.
                 let (one, other) = if j == i + 1 { (i, j) } else { (j, i) };
                 runs_back(edges[one], edges[other])
             } else {
@@ -158,7 +159,7 @@ fn runs_back(one: Edge, next: Edge) -> bool {
     a.perp(&b) == 0.0 && a.dot(&b) < 0.0
 }
 
-/// Whether two closed edges share a point.
+/// Whether two edges, with their ends, share a point.
 fn meet(a: Edge, b: Edge) -> bool {
     let side = |edge: Edge, point: Point2| (edge.end - edge.start).perp(&(point - edge.start));
     let (a0, a1) = (side(b, a.start), side(b, a.end));

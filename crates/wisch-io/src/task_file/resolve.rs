@@ -1,4 +1,4 @@
-//! From what was typed to what is meant: knowledge looked up, files read, particles drawn.
+//! Resolves a task file: looks up knowledge, reads files and places particles.
 
 use super::{Frame, ObjectRecord, RealDirt, Shape, TaskError, TaskFile};
 use crate::particles::{ParticleSource, csv_particles, mask_particles};
@@ -13,35 +13,35 @@ use wisch::represent::{
 };
 use wisch::source_location::Place;
 
-/// Reads a file named by a path; the error says why it cannot.
+/// A function that reads a file by its path, or returns the reason why it cannot.
 pub type ReadFile<'a> = dyn FnMut(&str) -> Result<Vec<u8>, String> + 'a;
 
-/// Segments round cylinders, spheres and capsules: a rim of 1 m radius is off by 2 mm.
+/// Number of segments around cylinders, spheres and capsules; the error is 2 mm at a radius of 1 m.
 const SEGMENTS: u32 = 48;
-/// Longest side of what stands round a wiping robot, at least and at most, and at most as a rule [m].
+/// Limits of the longest side of a scene object: minimum, maximum, and usual maximum [m].
 const OBJECT_EXTENT: [f64; 2] = [1e-3, 20.0];
 const USUAL_OBJECT: f64 = 5.0;
-/// Longest side of a tool, at least and at most, and at least as a rule [m].
+/// Limits of the longest side of a tool: minimum, maximum, and usual minimum [m].
 const TOOL_EXTENT: [f64; 2] = [5e-3, 3.0];
 const USUAL_TOOL: f64 = 0.03;
-/// A mesh of the scene is told if it is longer than the surface so many times over.
+/// Ratio of a scene mesh's length to the surface's length above which a remark is made [1].
 const PER_SURFACE: f64 = 10.0;
 
 impl TaskFile {
-    /// The task for an action with a tool on a medium, which a goal leaves open: the mesh and the
-    /// use of the tool are looked up, the scene's meshes are read, and the particles are placed.
+    /// Returns the task for an action with a tool on a medium: looks up the tool's mesh and interaction, reads the scene's
+    /// meshes, and places the particles.
     ///
-    /// `assets` reads a file that the task names, by its path relative to the task file;
-    /// `knowledge_assets` reads a tool's mesh, by its path relative to the knowledge files.
-    /// The same arguments give the same task, byte for byte.
+    /// - `assets`: reads a file of the task, by its path relative to the task file.
+    /// - `knowledge_assets`: reads a tool's mesh, by its path relative to the knowledge files.
+    ///
+    /// Equal arguments give an equal task, byte for byte.
     ///
     /// # Errors
-    /// A tool, medium or surface that the knowledge does not have together, an action that it does
-    /// not know of them, a file that is missing or not what it should be, or particles that find
-    /// no place: each with the place in the task file that asks for it.
+    /// If the knowledge base has no interaction of tool, medium and surface, if that does not allow the action, if a file
+    /// is missing or invalid, or if the particles cannot be placed. The error states the location in the task file.
     #[expect(
         clippy::too_many_arguments,
-        reason = "each is a different thing, none has a default"
+        reason = "each has its own meaning, and none has a default"
     )]
     pub fn resolve(
         &self,
@@ -66,7 +66,7 @@ impl TaskFile {
                 at: tool_at.clone(),
                 key: "tool".to_owned(),
                 problem: format!(
-                    "{tool} is not known to {action} {medium} on {}, only to {}",
+                    "{tool} cannot {action} {medium} on {} according to the knowledge base, only {}",
                     surface.name,
                     known.join(" and ")
                 ),
@@ -120,7 +120,7 @@ impl TaskFile {
         Ok(task)
     }
 
-    /// What an action that treats the surface asks for; `None` for one that moves dirt.
+    /// Returns the treatment of an action that treats the surface; `None` for an action that moves dirt.
     fn treatment(&self, action: Action) -> Result<Option<Treatment>, TaskError> {
         let (given, table, key) = match action {
             Action::Polish => (self.polish, "polish", "passes"),
@@ -136,17 +136,19 @@ impl TaskFile {
             return Err(TaskError::Inconsistent {
                 at,
                 key: "perception.senses".to_owned(),
-                problem: format!("a camera looks for dirt, and sees nothing of a {action}"),
+                problem: format!(
+                    "\"sight\" does not work with the action {action}: the camera detects dirt only"
+                ),
             });
         }
         Ok(given)
     }
 
-    /// Where the dirt of a simulated world really lies, in the frame of the real surface [m], if files list it; `None`
-    /// where it is drawn. `task` is what [`Self::resolve`] gave.
+    /// Reads the true dirt locations of a simulated world from files, in the frame of the true surface [m]; `None` if they
+    /// are drawn at random. `task`: the result of [`Self::resolve`].
     ///
     /// # Errors
-    /// A file that is missing or not what it should be, with its place in the task file.
+    /// If a file is missing or invalid; the error states its location in the task file.
     pub fn real_places(
         &self,
         task: &Task,
@@ -161,7 +163,7 @@ impl TaskFile {
             RealDirt::Csv { at, file } => (at, csv_particles(file, &read(assets, at, file)?, area)),
             RealDirt::Image { at, mask } => {
                 let bytes = read(assets, at, &mask.file)?;
-                // Another seed than that of particles seen in the same image.
+                // A different seed than for believed particles of the same image.
                 (at, mask_particles(mask, &bytes, area, !task.seed))
             }
             RealDirt::AsBelieved
@@ -177,7 +179,7 @@ impl TaskFile {
         Ok(Some(listed.remaining().collect()))
     }
 
-    /// The objects of the scene with what each is to the task.
+    /// Returns the objects of the scene with their roles.
     fn scene(&self, assets: &mut ReadFile<'_>) -> Result<Vec<SceneObject>, TaskError> {
         let world_from_surface = self.surface.surface.world_from_surface;
         (self.scene.iter().enumerate())
@@ -242,7 +244,7 @@ fn parsed_mesh(assets: &mut ReadFile<'_>, at: &Place, file: &str) -> Result<Mesh
         return Err(TaskError::File {
             at: at.clone(),
             file: file.to_owned(),
-            problem: "a mesh file ends in .stl, .obj or .dae".to_owned(),
+            problem: "the name of a mesh file must end in .stl, .obj or .dae".to_owned(),
         });
     };
     let bytes = read(assets, at, file)?;
@@ -280,12 +282,12 @@ fn scale_of_mesh(
     })
 }
 
-/// A number as one writes it, without what rounding leaves.
+/// Formats a number without rounding errors in its last digits.
 fn rounded(number: f64) -> f64 {
     format!("{number:.4e}").parse().unwrap_or(number)
 }
 
-/// What is most likely drawn in other units although it is within the limits, a sentence each: objects much larger than the surface.
+/// Returns remarks on scene meshes that are probably in other units: objects much longer than the surface.
 pub(crate) fn unit_remarks(task: &Task) -> Vec<String> {
     let bounds = Bounds2::of(task.surface.outline.outer().iter().copied());
     let surface = bounds.map_or(0.0, |bounds| bounds.size().max());
@@ -296,7 +298,7 @@ pub(crate) fn unit_remarks(task: &Task) -> Vec<String> {
             let extent = object.mesh.extent();
             let unit = LikelyUnit::of(extent, OBJECT_EXTENT[0], USUAL_OBJECT);
             let unit = unit.map_or(String::new(), |unit| {
-                format!(": if it should be smaller, {unit}")
+                format!("; if it should be smaller, {unit}")
             });
             format!(
                 "scene object {:?} is {extent:.1} m long, the surface {surface:.2} m{unit}",
@@ -365,7 +367,7 @@ fn resolved_tool(
             };
             let region = footprint(&mesh, interaction.compression_depth_m.max(RIGID_DEPTH))
                 .map_err(fault)?;
-            // A footprint is never empty, so it has bounds.
+            // A footprint is never empty, so its bounds exist.
             let size = region.bounds().map_or_else(Vector2::zeros, |b| b.size());
             (region, size)
         }
@@ -386,7 +388,7 @@ fn resolved_tool(
     })
 }
 
-/// The middle of the side with the smallest y, towards which scenes have their robot.
+/// Returns the middle of the side with the smallest y, where scenes have their robot by convention.
 fn start_before(outline: &Polygon) -> Point2 {
     Bounds2::of(outline.outer().iter().copied()).map_or_else(Point2::origin, |bounds| {
         Point2::new(bounds.center().x, bounds.min.y)

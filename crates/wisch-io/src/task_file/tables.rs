@@ -1,4 +1,4 @@
-//! The keys of a task file. What is written here is at once the reader and the schema.
+//! The keys of a task file. These types define both the reader and the JSON Schema; their comments are its descriptions.
 
 use super::clusters::ClusterTable;
 use super::deserialize::At;
@@ -19,7 +19,7 @@ use wisch::plan::HeadingRule;
 use wisch::represent::{Action, MediumKind, ScenePart};
 use wisch::run::MIN_SCORE;
 
-/// A task: what is to be wiped, where, with what, and to what end. Lengths in metres, angles in radians.
+/// A task: action, tool, medium, surface and goal. Lengths in metres, angles in radians.
 #[derive(Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 #[schemars(
@@ -30,67 +30,68 @@ pub(super) struct TaskTable {
     /// Version of this file format.
     #[serde(rename = "schema")]
     pub(super) _schema: SchemaVersion,
-    /// Name of the task, of its output folder and report.
+    /// Name of the task, its output folder and its report.
     pub(super) name: Name,
-    /// Seed of everything random.
+    /// Seed of all random numbers.
     #[serde(default = "seed")]
     pub(super) seed: Seed,
-    /// What to do; excludes `goal`.
+    /// Action; excludes `goal`.
     pub(super) action: Option<At<ActionName>>,
-    /// A PDDL literal such as (collected breadcrumbs chopping_board), which finds action and tool; excludes `action`.
+    /// Goal as a PDDL literal, such as (collected breadcrumbs chopping_board), from which wisch derives action and tool;
+    /// excludes `action`.
     pub(super) goal: Option<At<Name>>,
-    /// Coverage strategy that places the waypoints.
+    /// Strategy that plans the strokes.
     pub(super) strategy: Option<Name>,
-    /// Share of the particles at which the task counts as done.
+    /// Share of the particles that meets the goal.
     #[serde(default = "target_performance")]
     pub(super) target_performance: Share,
-    /// What it is done with.
+    /// The tool.
     pub(super) tool: Option<At<ToolTable>>,
-    /// What it is done to.
+    /// The medium.
     pub(super) medium: Option<At<MediumTable>>,
-    /// Where it is done.
+    /// The surface.
     pub(super) surface: At<SurfaceTable>,
-    /// How the tool is used on the medium here; what is left out is taken from the knowledge base, or, where that does
-    /// not know the three together, from defaults that are told.
+    /// Use of the tool on the medium and surface. Missing values come from the knowledge base; if it has no such
+    /// interaction, wisch uses defaults and prints them.
     pub(super) interaction: Option<At<InteractionTable>>,
-    /// Who does it; without one the plan is predicted but not followed.
+    /// The robot; without a robot, wisch predicts the plan but does not follow it.
     pub(super) robot: Option<At<RobotTable>>,
-    /// What the robot perceives the dirt by.
+    /// The robot's senses.
     #[serde(default)]
     pub(super) perception: PerceptionTable,
-    /// What a simulated execution takes for real, hidden from planner and interpreter.
+    /// Ground truth of the simulation, hidden from planner and interpreter.
     #[serde(default)]
     pub(super) execution: ExecutionTable,
-    /// Of the action collect.
+    /// Settings of the action collect.
     pub(super) collect: Option<CollectTable>,
-    /// Of the action polish.
+    /// Settings of the action polish.
     pub(super) polish: Option<PolishTable>,
-    /// Of the action emit.
+    /// Settings of the action emit.
     pub(super) emit: Option<EmitTable>,
-    /// What stands round the surface.
+    /// Objects around the surface.
     #[serde(default)]
     pub(super) scene: Vec<At<ObjectTable>>,
-    /// Where the dirt is believed to be.
+    /// Believed dirt locations.
     pub(super) particles: At<ParticlesTable>,
-    /// How to plan.
+    /// Planner settings.
     #[serde(default)]
     pub(super) plan: PlanTable,
 }
 
-/// What to do with the dirt.
+/// Action on the dirt or the surface.
 #[derive(Deserialize, JsonSchema, Clone, Copy)]
 #[serde(rename = "action", rename_all = "lowercase")]
 #[schemars(rename = "Action", inline)]
 pub(super) enum ActionName {
-    /// Take it up with the tool.
+    /// Absorb the dirt with the tool.
     Absorb,
-    /// Push it together.
+    /// Push the dirt into a goal area.
     Collect,
-    /// Push it over an edge.
+    /// Push the dirt over a skim edge.
     Skim,
-    /// Go over all of the surface so many times.
+    /// Pass the tool over the whole surface a given number of times.
     Polish,
-    /// Leave the medium on the surface, so thick everywhere.
+    /// Dispense the medium onto the surface with a given thickness.
     Emit,
 }
 
@@ -111,20 +112,20 @@ impl From<ActionName> for Action {
 #[serde(deny_unknown_fields)]
 #[schemars(rename = "Tool")]
 pub(super) struct ToolTable {
-    /// In the knowledge base; needed with `action`. With `goal`: already in hand.
+    /// Name in the knowledge base; required with `action`. With `goal`: the tool in the hand.
     pub(super) name: Option<At<Name>>,
-    /// Where it starts, surface frame [m]; default: the middle of the outline's side with the smallest y.
+    /// Start position, surface frame [m]; default: the middle of the outline's side with the smallest y.
     pub(super) start_m: Option<[PositionM; 2]>,
-    /// For `goal`: what the hand holds; default: `name`.
+    /// For `goal`: name of the tool in the hand; default: `name`.
     pub(super) in_hand: Option<Name>,
-    /// For `goal`: what can be fetched.
+    /// For `goal`: tools that the robot can fetch.
     pub(super) available: Option<Vec<Name>>,
     /// Sides of a rectangular pad along and across the motion [m]: defines a tool of this task; excludes `mesh`.
     pub(super) footprint_m: Option<At<[FootprintM; 2]>>,
     /// STL, OBJ or DAE in the tool frame, path relative to this file: defines a tool of this task; excludes
     /// `footprint_m`.
     pub(super) mesh: Option<At<Name>>,
-    /// How deep a tool of this task gives way under nominal force [m]; 0 is rigid; default 0.005.
+    /// Compression depth of a tool of this task under nominal force [m]; 0 is rigid; default 0.005.
     pub(super) compression_depth_m: Option<At<DepthM>>,
 }
 
@@ -133,15 +134,15 @@ pub(super) struct ToolTable {
 #[serde(deny_unknown_fields)]
 #[schemars(rename = "Medium")]
 pub(super) struct MediumTable {
-    /// In the knowledge base, or a new one with `kind`; needed with `action`.
+    /// Name in the knowledge base, or a new name with `kind`; required with `action`.
     pub(super) name: Option<At<Name>>,
-    /// Defines a medium of this task.
+    /// Kind of the medium: defines a medium of this task.
     pub(super) kind: Option<At<MediumKindName>>,
     /// Smallest and largest diameter of its grains [m]; not for liquids; default: 0.0005 to 0.002.
     pub(super) grain_size_m: Option<At<[GrainM; 2]>>,
 }
 
-/// Whether a medium comes in pieces, as powder or as a liquid.
+/// Kind of a medium: solid pieces, powder or liquid.
 #[derive(Deserialize, JsonSchema, Clone, Copy, PartialEq, Eq)]
 #[serde(rename = "kind", rename_all = "lowercase")]
 #[schemars(rename = "MediumKind", inline)]
@@ -161,12 +162,12 @@ impl From<MediumKindName> for MediumKind {
     }
 }
 
-/// How the tool is used on the medium on this surface.
+/// Use of the tool on the medium and surface.
 #[derive(Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 #[schemars(rename = "Interaction")]
 pub(super) struct InteractionTable {
-    /// What makes sense with the three; default: all.
+    /// Actions that suit tool, medium and surface; default: all.
     pub(super) actions: Option<At<Vec<ActionName>>>,
     /// Force with which the tool is pressed on [N]; default 10.
     pub(super) press_force_n: Option<PressForceN>,
@@ -176,24 +177,24 @@ pub(super) struct InteractionTable {
     pub(super) damping_ratio: Option<DampingRatio>,
     /// Weight of the posture task in the null space; default 0.2.
     pub(super) nullspace_posture_weight: Option<PostureWeight>,
-    /// How deep the tool gives way here [m]; 0 is rigid; default: the tool's.
+    /// Compression depth of the tool on this surface [m]; 0 is rigid; default: the tool's.
     pub(super) compression_depth_m: Option<DepthM>,
-    /// How high the tool hovers over the surface instead of touching it [m]; default: as known, or 0, which touches.
+    /// Gap between tool and surface for work without contact [m]; default: that of the knowledge base, or 0 (contact).
     pub(super) gap_m: Option<DepthM>,
-    /// Mean of ln f', the pressure over the nominal one from which on a grain is taken along; default -1.05.
+    /// Mean of ln f', where f' is the ratio of the pressure that moves a grain to the nominal pressure; default -1.05.
     pub(super) mu: Option<LogForce>,
     /// Standard deviation of ln f'; default 0.25.
     pub(super) sigma: Option<LogSpread>,
-    /// How well `mu` is known, as a standard deviation; default 0.3, that of an estimate.
+    /// Uncertainty of `mu`, as a standard deviation; default 0.3.
     pub(super) mu_spread: Option<LawSpread>,
-    /// How well the logarithm of `sigma` is known, as a standard deviation; default 0.2.
+    /// Uncertainty of the logarithm of `sigma`, as a standard deviation; default 0.2.
     pub(super) ln_sigma_spread: Option<LawSpread>,
-    /// Travel under the tool after which a grain draws anew from which pressure on it is taken along [m]; default: the radius
-    /// of the tool's collision sphere.
+    /// Travel of the tool over a grain after which its threshold f' is drawn anew [m]; default: the radius of the tool's
+    /// collision sphere.
     pub(super) redraw_length_m: Option<RedrawLengthM>,
-    /// How well its logarithm is known, as a standard deviation.
+    /// Uncertainty of the logarithm of `redraw_length_m`, as a standard deviation; default 0.5.
     pub(super) ln_redraw_length_spread: Option<LawSpread>,
-    /// Probability that grains keep for good what they once drew.
+    /// Probability that a grain keeps its first threshold f' permanently; default 0.5.
     pub(super) kept_share: Option<Share>,
 }
 
@@ -205,39 +206,39 @@ pub(super) struct InteractionTable {
     extend("oneOf" = [{ "required": ["size_m"] }, { "required": ["outline_m"] }])
 )]
 pub(super) struct SurfaceTable {
-    /// In the knowledge base, or a new one with `friction`.
+    /// Name in the knowledge base, or a new name with `friction`.
     pub(super) name: At<Name>,
-    /// Coulomb coefficient between it and a tool that slides on it: defines a surface of this task.
+    /// Coulomb coefficient between the surface and a sliding tool: defines a surface of this task.
     pub(super) friction: Option<Friction>,
-    /// A rectangle about the origin, along x and y [m]; excludes `outline_m`.
+    /// Sides of a rectangle around the origin, along x and y [m]; excludes `outline_m`.
     pub(super) size_m: Option<At<[SizeM; 2]>>,
-    /// A polygon of 3 to 2000 points that does not cross itself, surface frame [m]; excludes `size_m`.
+    /// Simple polygon of 3 to 2000 points, surface frame [m]; excludes `size_m`.
     pub(super) outline_m: Option<At<RingPoints>>,
-    /// Rings inside the outline, surface frame [m].
+    /// Holes as polygons inside the outline, surface frame [m].
     #[serde(default)]
     pub(super) holes_m: Vec<At<RingPoints>>,
-    /// Its origin in the world [m].
+    /// Origin of the surface in the world [m].
     pub(super) position_m: Option<[PositionM; 3]>,
     /// Roll, pitch, yaw about the world's x, y, z in turn [rad]; excludes `quaternion_xyzw`.
     pub(super) rpy_rad: Option<[AngleRad; 3]>,
     /// A unit quaternion; excludes `rpy_rad`.
     pub(super) quaternion_xyzw: Option<At<[QuaternionPart; 4]>>,
-    /// The scene object whose face it is, no obstacle to the tool.
+    /// Scene object that carries the surface; it is no obstacle to the tool.
     pub(super) carried_by: Option<At<String>>,
-    /// Edges over which a skim may push: y_min, x_max, y_max, x_min of a rectangle, or i for the edge of an outline
-    /// from point i (counted from 0) to the next.
+    /// Skim edges, over which a skim may push dirt: y_min, x_max, y_max, x_min of a rectangle, or i for the edge of an
+    /// outline from point i (counted from 0) to the next.
     #[serde(default)]
     pub(super) skim_edges: Vec<At<EdgeName>>,
 }
 
-/// Points of a ring that closes by itself.
+/// Points of a closed ring; the last point joins the first.
 pub(super) type RingPoints = Vec<[PositionM; 2]>;
 
 /// An edge of an outline.
 pub(super) enum EdgeName {
-    /// One of a rectangle, by its index in [`RECTANGLE_EDGES`].
+    /// Edge of a rectangle, by its index in [`RECTANGLE_EDGES`].
     OfRectangle(usize),
-    /// That from this point to the next.
+    /// Edge from this point to the next.
     FromPoint(u64),
 }
 
@@ -288,60 +289,60 @@ impl JsonSchema for EdgeName {
     extend("oneOf" = [{ "required": ["name"] }, { "required": ["urdf"] }])
 )]
 pub(super) struct RobotTable {
-    /// One that is shipped: humanoid, arm7 or arm6; excludes `urdf`.
+    /// Shipped robot: humanoid, arm7 or arm6; excludes `urdf`.
     pub(super) name: Option<At<Name>>,
-    /// Path of its URDF relative to this file; excludes `name`.
+    /// URDF, path relative to this file; excludes `name`.
     pub(super) urdf: Option<At<Name>>,
-    /// Path of its SRDF: groups, ready state, disabled collisions; default: beside the URDF.
+    /// SRDF with groups, ready state and disabled collisions; default: the file beside the URDF.
     pub(super) srdf: Option<Name>,
-    /// Planning group that holds the tool; default: the SRDF's first.
+    /// Planning group that holds the tool; default: the first group of the SRDF.
     pub(super) group: Option<Name>,
-    /// The group whose hand holds the tool too; the tool needs a second grip.
+    /// Second planning group that holds the tool; the tool needs a second grip.
     pub(super) second_group: Option<Name>,
-    /// Of its root in the world [m]; of a mobile base: where it starts, on z = 0. Default: before the surface's scene
-    /// object with role = "robot".
+    /// Position of the robot's root in the world [m]; for a mobile base, its start position on z = 0. Default: at the scene
+    /// object with role = "robot", facing the surface.
     pub(super) position_m: Option<[PositionM; 3]>,
-    /// Roll, pitch, yaw [rad]; a mobile base only turns about z.
+    /// Roll, pitch, yaw [rad]; a mobile base turns about z only.
     pub(super) rpy_rad: Option<[AngleRad; 3]>,
     /// A unit quaternion; excludes `rpy_rad`.
     pub(super) quaternion_xyzw: Option<At<[QuaternionPart; 4]>>,
 }
 
-/// Of the action collect.
+/// Settings of the action collect.
 #[derive(Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 #[schemars(rename = "Collect")]
 pub(super) struct CollectTable {
-    /// Where to push the dirt together, surface frame [m]; default: chosen by prediction.
+    /// Centre of the goal area, surface frame [m]; default: chosen by prediction.
     pub(super) goal_m: Option<[PositionM; 2]>,
 }
 
-/// Of the action polish.
+/// Settings of the action polish.
 #[derive(Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 #[schemars(rename = "Polish")]
 pub(super) struct PolishTable {
-    /// How often the tool is to slide over every place, each time by its own length.
+    /// Required number of passes over every point; one pass is a slide of the tool by its own length.
     pub(super) passes: Passes,
-    /// Most over any place, of all rounds together; default: one more than `passes`.
+    /// Maximum number of passes over any point, in all rounds together; default: `passes` + 1.
     pub(super) max_passes: Option<At<Passes>>,
-    /// Coefficient of Preston's law, by which a pass removes so much: depth over pressure and way slid [1/Pa]; default: nothing
-    /// is said of that.
+    /// Coefficient of Preston's law: removed depth per pressure and sliding distance [1/Pa]; default: the removed depth is not
+    /// computed.
     pub(super) preston_per_pa: Option<PrestonPerPa>,
 }
 
-/// Of the action emit.
+/// Settings of the action emit, which dispenses a medium.
 #[derive(Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 #[schemars(rename = "Emit")]
 pub(super) struct EmitTable {
-    /// How thick the medium is to lie everywhere [m].
+    /// Required thickness of the medium [m].
     pub(super) thickness_m: ThicknessM,
-    /// How much of it the tool leaves on each metre of its way, over all of its width [m³/m].
+    /// Volume that the tool dispenses per metre of its path, over its full width [m³/m].
     pub(super) volume_m3_per_m: VolumePerMetre,
 }
 
-/// A thing in the scene, of exactly one shape.
+/// An object of the scene, with exactly one shape.
 #[derive(Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 #[schemars(
@@ -352,7 +353,7 @@ pub(super) struct EmitTable {
     ])
 )]
 pub(super) struct ObjectTable {
-    /// Each name once.
+    /// Unique name.
     pub(super) name: At<Name>,
     /// A box along x, y, z [m].
     pub(super) box_m: Option<At<[SizeM; 3]>>,
@@ -360,20 +361,20 @@ pub(super) struct ObjectTable {
     pub(super) cylinder: Option<At<TurnedTable>>,
     /// A sphere.
     pub(super) sphere: Option<At<SphereTable>>,
-    /// A capsule along z; its height is that between the centres of its two halves.
+    /// A capsule along z; its height is the distance between the centres of its two hemispheres.
     pub(super) capsule: Option<At<TurnedTable>>,
     /// A mesh from a file.
     pub(super) mesh: Option<At<MeshTable>>,
-    /// In which frame its pose is given.
+    /// Frame of the pose.
     #[serde(default)]
     pub(super) frame: FrameName,
-    /// Its middle, or a mesh's origin [m].
+    /// Position of its centre, or of a mesh's origin [m].
     pub(super) position_m: Option<[PositionM; 3]>,
     /// Roll, pitch, yaw [rad]; excludes `quaternion_xyzw`.
     pub(super) rpy_rad: Option<[AngleRad; 3]>,
     /// A unit quaternion; excludes `rpy_rad`.
     pub(super) quaternion_xyzw: Option<At<[QuaternionPart; 4]>>,
-    /// What it is to the task; collision ignores robot and tool.
+    /// Role in the task; collision checks ignore the roles robot and tool.
     #[serde(default)]
     pub(super) role: RoleName,
 }
@@ -399,7 +400,7 @@ pub(super) struct SphereTable {
 pub(super) struct MeshTable {
     /// STL, OBJ or DAE; path relative to this file.
     pub(super) file: At<Name>,
-    /// What makes its lengths metres.
+    /// Factor that converts its lengths to metres.
     #[serde(default = "scale")]
     pub(super) scale: Scale,
 }
@@ -433,72 +434,72 @@ impl From<RoleName> for ScenePart {
     }
 }
 
-/// Where the dirt is believed to be, by its source.
+/// Believed dirt locations, by source.
 #[derive(Deserialize, JsonSchema)]
 #[serde(rename = "source", rename_all = "lowercase", deny_unknown_fields)]
 #[schemars(rename = "Particles", tag = "source")]
 pub(super) enum ParticlesTable {
-    /// The places of the surface itself, in square cells: what polish and emit are about.
+    /// Points of the surface itself, at the centres of square cells; for polish and emit.
     Surface {
-        /// About how many.
+        /// Approximate number of points.
         count: ParticleCount,
     },
-    /// Evenly over the free surface.
+    /// Uniform over the free surface.
     Uniform {
-        /// How many.
+        /// Number of particles.
         count: ParticleCount,
     },
     /// Heaps.
     Clusters {
-        /// How many in all.
+        /// Total number of particles.
         count: ParticleCount,
         /// The heaps.
         clusters: At<Vec<ClusterTable>>,
     },
-    /// Listed: columns x,y in the surface frame, or an estimate with particle,x_m,y_m,fate,edge.
+    /// A list with the columns x,y in the surface frame, or an estimate with particle,x_m,y_m,fate,edge.
     Csv {
         /// Path relative to this file.
         file: Name,
     },
-    /// Seen in a mask or photo.
+    /// Detected in a mask or photo.
     Image {
-        /// Path relative to this file, of a PNG or JPEG up to 64 megapixels.
+        /// PNG or JPEG up to 64 megapixels, path relative to this file.
         file: Name,
-        /// Where the corners of the surface's bounding box are seen: (min x, min y), (max x, min y), (max x, max y),
+        /// Pixels of the corners of the surface's bounding box: (min x, min y), (max x, min y), (max x, max y),
         /// (min x, max y); x to the right, y down [px].
         corners_px: [[Pixel; 2]; 4],
-        /// Of the dirt: red, green, blue.
+        /// Colour of the dirt: red, green, blue.
         color: [Channel; 3],
-        /// Greatest Euclidean distance from that colour.
+        /// Maximum Euclidean distance from that colour.
         tolerance: ColorDistance,
-        /// How many.
+        /// Number of particles.
         count: ParticleCount,
     },
 }
 
-/// How to plan.
+/// Planner settings.
 #[derive(Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 #[schemars(rename = "Plan")]
 pub(super) struct PlanTable {
     /// Bandwidth of the density estimate of the strategy kde [m]; default: from the particles.
     pub(super) bandwidth_m: Option<BandwidthM>,
-    /// How the tool is turned along the strokes of the strategies grid, rrt and kde.
+    /// Rule for the tool's yaw along the strokes of the strategies grid, rrt and kde.
     pub(super) heading: HeadingName,
-    /// How high the tool is lifted between strokes [m].
+    /// Lift height between strokes [m].
     pub(super) lift_height_m: LiftHeightM,
-    /// Candidate plans, of which the best by prediction is taken.
+    /// Number of candidate plans; the plan with the best prediction is chosen.
     pub(super) variants: Variants,
-    /// Least score of a plan that is executed: the predicted share of the dirt that is brought where it belongs, less three times
-    /// the share that is lost.
+    /// Minimum score of a plan that may be executed: the predicted share of the dirt that reaches the goal, minus three times
+    /// the lost share.
     pub(super) min_score: Score,
-    /// Plans that the strategies adaptive and best try; more take longer and find better ones.
+    /// Number of plans that the strategies adaptive and best try; more plans take longer and give better results.
     pub(super) evaluations: Evaluations,
-    /// By how much the tool may be off its way and still do what these strategies plan [m].
+    /// Path error of the tool that the plans of these strategies tolerate [m].
     pub(super) margin_m: MarginM,
-    /// How far the tool may go in contact in a round [m]; default: as far as it takes.
+    /// Maximum path length in contact per round [m]; default: no limit.
     pub(super) max_distance_m: Option<DistanceM>,
-    /// Fastest the tool moves in contact [m/s].
+    /// Maximum speed of the tool in contact [m/s].
     pub(super) contact_speed_m_per_s: ContactSpeed,
 }
 
@@ -518,7 +519,7 @@ impl Default for PlanTable {
     }
 }
 
-/// How the tool is turned along strokes.
+/// Rule for the tool's yaw along strokes.
 #[derive(Deserialize, JsonSchema, Clone, Copy)]
 #[serde(rename = "heading", rename_all = "snake_case")]
 #[schemars(rename = "Heading", inline)]
@@ -540,20 +541,21 @@ impl From<HeadingName> for HeadingRule {
     }
 }
 
-/// What the robot perceives the dirt by, and how well it believes to.
+/// The robot's senses, and the believed quality of its camera.
 #[derive(Deserialize, JsonSchema, Default)]
 #[serde(deny_unknown_fields, default)]
 #[schemars(rename = "Perception")]
 pub(super) struct PerceptionTable {
-    /// Touch, and sight where a camera looks after each round; default: touch alone.
+    /// Touch, or touch and sight, with a camera that observes the dirt before the first round and after each round; default:
+    /// touch only.
     pub(super) senses: Option<At<Vec<SenseName>>>,
     /// Probability that the camera detects a large grain; default 0.98.
     pub(super) detection: Option<Share>,
-    /// Diameter at which this probability is halved [m]; default 0.0003.
+    /// Grain diameter at which the detection probability is halved [m]; default 0.0003.
     pub(super) half_size_m: Option<HalfSizeM>,
-    /// Detections where nothing lies, per area [1/m²]; default 2.
+    /// False detections per area [1/m²]; default 2.
     pub(super) false_alarms_per_m2: Option<FalseAlarms>,
-    /// Standard deviation of where a grain is seen, per axis [m]; default 0.002.
+    /// Standard deviation of a detected position, per axis [m]; default 0.002.
     pub(super) position_error_m: Option<PositionErrorM>,
 }
 

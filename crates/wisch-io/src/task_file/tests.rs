@@ -322,19 +322,19 @@ fn settings_override_the_text_and_are_checked_like_it() {
         (
             "scene.1.name",
             "x",
-            "setting scene.1.name: \"1\" is no index into an array of 1",
+            "setting scene.1.name: \"1\" is not an index into an array of length 1",
         ),
         (
             "scene.name",
             "x",
-            "setting scene.name: \"name\" is no index into an array of 1",
+            "setting scene.name: \"name\" is not an index into an array of length 1",
         ),
         (
             "name.first",
             "x",
-            "setting name.first: nothing is inside the string \"small\"",
+            "setting name.first: \"first\" is not a key of the string \"small\"",
         ),
-        ("", "x", "setting : a part of the key is empty"),
+        ("", "x", "setting : the key has an empty part"),
     ] {
         let error = set(SMALL, &[(key, value)]).expect_err(key).to_string();
         assert!(error.starts_with(expected), "{error}");
@@ -424,7 +424,7 @@ fn a_task_may_define_what_the_knowledge_does_not_have() {
     assert_eq!(
         assumed,
         [
-            "nothing is known of felt_pad on sawdust on workbench: assuming stiffness_n_per_m = 500, damping_ratio = 0.7, nullspace_posture_weight = 0.2, compression_depth_m = 0.002, mu = -1.05, mu_spread = 0.3, ln_sigma_spread = 0.2 (set them in [interaction])"
+            "the knowledge base has no interaction of felt_pad on sawdust on workbench: assuming stiffness_n_per_m = 500, damping_ratio = 0.7, nullspace_posture_weight = 0.2, compression_depth_m = 0.002, mu = -1.05, mu_spread = 0.3, ln_sigma_spread = 0.2 (set them in [interaction])"
         ]
     );
     let known = knowledge
@@ -474,7 +474,7 @@ fn what_a_task_defines_must_hold_together() {
         (
             "\"felt_pad\"",
             "\"Felt pad\"",
-            "5:8: tool.name: \"Felt pad\" is no name of something new",
+            "5:8: tool.name: \"Felt pad\" is not a valid new name",
         ),
         ("kind = \"powder\"", "", "9:8: unknown medium \"sawdust\""),
         (
@@ -495,7 +495,7 @@ fn what_a_task_defines_must_hold_together() {
         (
             "footprint_m = [0.06, 0.12]\n",
             "",
-            "6:23: tool.compression_depth_m: it belongs to a tool of this task",
+            "6:23: tool.compression_depth_m: this key needs footprint_m or mesh",
         ),
         (
             "sigma = 0.4",

@@ -1,11 +1,11 @@
-//! The text of a task file and the settings laid over it, as one tree whose values know their place.
+//! The tree of a task file and its settings, in which every value has its location.
 
 use super::TaskError;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 use wisch::source_location::Place;
 
-/// Keys of which one excludes the others: setting one drops the others from the file.
+/// Groups of mutually exclusive keys. A setting of one key removes the others from the file.
 const ALTERNATIVES: [&[&str]; 4] = [
     &["footprint_m", "mesh"],
     &["action", "goal"],
@@ -13,12 +13,12 @@ const ALTERNATIVES: [&[&str]; 4] = [
     &["rpy_rad", "quaternion_xyzw"],
 ];
 
-/// The task file and its settings as written; says where a byte of them stands.
+/// The text of a task file and its settings, which converts byte offsets to locations.
 #[derive(Debug)]
 pub(super) struct Source<'a> {
     name: &'a str,
     text: &'a str,
-    /// Where its lines start [byte]: a scene of many objects asks for many places.
+    /// Offsets of its lines [byte], because a large scene needs many locations.
     lines: Vec<usize>,
     settings: &'a [(String, String)],
 }
@@ -34,7 +34,7 @@ impl<'a> Source<'a> {
         }
     }
 
-    /// The place of a byte; offsets count through the file, then through the settings' values.
+    /// Returns the location of a byte; offsets count through the file, then through the settings' values.
     pub(super) fn place(&self, offset: usize) -> Place {
         let mut start = self.text.len() + 1;
         if offset < start {
@@ -53,7 +53,7 @@ impl<'a> Source<'a> {
         Place::at_offset(self.name, self.text, self.text.len())
     }
 
-    /// Parses the text and lays the settings over it.
+    /// Parses the text and applies the settings.
     pub(super) fn tree(&self) -> Result<Value, TaskError> {
         let table = DeTable::parse(self.text).map_err(|error| TaskError::Syntax {
             at: self.place(error.span().map_or(0, |span| span.start)),
@@ -79,14 +79,14 @@ impl<'a> Source<'a> {
     }
 }
 
-/// A value and where it starts.
+/// A value with its start offset.
 #[derive(Debug)]
 pub(super) struct Value {
     pub(super) offset: usize,
     pub(super) node: Node,
 }
 
-/// What a value is.
+/// The content of a value.
 #[derive(Debug)]
 pub(super) enum Node {
     String(String),
@@ -95,11 +95,11 @@ pub(super) enum Node {
     Array(Vec<Value>),
     Table(Vec<Entry>),
     Boolean(bool),
-    /// Dates, which no key of a task takes.
+    /// Dates, which no key of a task accepts.
     Other(&'static str),
 }
 
-/// A key, where it starts, and its value.
+/// A key with its start offset and value.
 #[derive(Debug)]
 pub(super) struct Entry {
     pub(super) key: String,
@@ -108,13 +108,13 @@ pub(super) struct Entry {
 }
 
 impl Node {
-    /// What it is, for messages.
+    /// Describes the value for messages.
     pub(super) fn description(&self) -> String {
         match self {
             Self::String(text) => format!("the string {text:?}"),
             Self::Integer(number) => number.to_string(),
             Self::Float(number) => number.to_string(),
-            Self::Array(items) => format!("an array of {}", items.len()),
+            Self::Array(items) => format!("an array of length {}", items.len()),
             Self::Table(_) => "a table".to_owned(),
             Self::Boolean(_) => "a boolean".to_owned(),
             Self::Other(what) => format!("a {what}"),
@@ -131,7 +131,7 @@ fn table_node(table: &DeTable<'_>, start: usize) -> Node {
             value: converted(value, start),
         })
         .collect();
-    // In the order of the text, so that of several faults the first is reported.
+    // In the order of the text, so that the first of several errors is reported.
     entries.sort_by_key(|entry| entry.offset);
     Node::Table(entries)
 }
@@ -158,7 +158,7 @@ fn converted(value: &Spanned<DeValue<'_>>, start: usize) -> Value {
     }
 }
 
-/// Puts `value` at a dotted key; a number in it counts through an array from 0.
+/// Sets `value` at a dotted key; a number in the key is an index from 0 into an array.
 fn set(root: &mut Value, path: &str, offset: usize, value: Value) -> Result<(), TaskError> {
     let fault = |problem: String| TaskError::Setting {
         key: path.to_owned(),
@@ -172,7 +172,7 @@ fn set(root: &mut Value, path: &str, offset: usize, value: Value) -> Result<(), 
         here = match &mut here.node {
             Node::Table(entries) => {
                 if segment.is_empty() {
-                    return Err(fault("a part of the key is empty".to_owned()));
+                    return Err(fault("the key has an empty part".to_owned()));
                 }
                 if is_last {
                     let excluded = ALTERNATIVES.iter().find(|group| group.contains(&segment));
@@ -199,14 +199,14 @@ fn set(root: &mut Value, path: &str, offset: usize, value: Value) -> Result<(), 
                 let count = items.len();
                 let item = segment.parse().ok().and_then(|i: usize| items.get_mut(i));
                 item.ok_or_else(|| {
-                    fault(format!("{segment:?} is no index into an array of {count}"))
+                    fault(format!(
+                        "{segment:?} is not an index into an array of length {count}"
+                    ))
                 })?
             }
             other => {
                 let found = other.description();
-                return Err(fault(format!(
-                    "nothing is inside {found}, so not {segment:?}"
-                )));
+                return Err(fault(format!("{segment:?} is not a key of {found}")));
             }
         };
         if is_last && let Some(value) = value.take() {

@@ -9,7 +9,7 @@ use std::fmt;
 use wisch::geometry::Point2;
 use wisch::represent::MAX_PARTICLES;
 
-/// A type for each range: a number that is read only from within it.
+/// Defines a type for each range, whose values are checked against the limits when they are read.
 macro_rules! ranges {
     ($number:ty, $visitor:ident; $($(#[$doc:meta])* $name:ident = $limits:expr;)*) => {$(
         $(#[$doc])*
@@ -39,27 +39,27 @@ macro_rules! ranges {
 }
 
 ranges! { f64, NumberWithin;
-    /// Coordinates of places [m].
+    /// Coordinates of positions [m].
     PositionM = (-100.0, 100.0);
     /// Sizes of surfaces and objects [m].
     SizeM = (1e-3, 100.0);
     /// A full turn either way [rad].
     AngleRad = (-TAU, TAU);
-    /// A component of a unit quaternion, with room for rounding.
+    /// A component of a unit quaternion, with a margin for rounding.
     QuaternionPart = (-1.001, 1.001);
     /// From drawings in micrometres to drawings in kilometres.
     Scale = (1e-6, 1e3);
-    /// Spread of a heap [m]: less than a crumb up to a room.
+    /// Standard deviation of a heap [m]: from less than a crumb to the size of a hall.
     SigmaM = (1e-5, 10.0);
     /// Shares relative to each other.
     Weight = (1e-9, 1e9);
-    /// Bandwidths [m]: narrower than the grains, or wider than any surface, says nothing.
+    /// Bandwidths [m]: between the size of grains and that of surfaces.
     BandwidthM = (1e-3, 10.0);
-    /// Ways in contact [m]: from a touch to a hall.
+    /// Path lengths in contact [m]: from a touch to a hall.
     DistanceM = (1e-3, 1e4);
     /// Speeds of a tool in contact [m/s].
     ContactSpeed = (1e-3, 2.0);
-    /// Tracking errors [m]: larger ones leave nothing of a tool.
+    /// Tracking errors [m]: below the size of a tool.
     MarginM = (0.0, 0.1);
     /// Clear of the surface, within an arm's reach [m].
     LiftHeightM = (1e-3, 1.0);
@@ -77,9 +77,9 @@ ranges! { f64, NumberWithin;
     Friction = (0.0, 2.0);
     /// Times in executions of up to an hour [s].
     TimeS = (0.0, 3600.0);
-    /// How long a push lasts [s].
+    /// Durations of pushes [s].
     DurationS = (1e-3, 60.0);
-    /// What people push with, along one axis [N].
+    /// Forces of people's pushes, along one axis [N].
     PushForceN = (-200.0, 200.0);
     /// Speeds of hands [m/s].
     HandSpeed = (1e-3, 2.0);
@@ -94,7 +94,7 @@ ranges! { f64, NumberWithin;
     LawSpread = (0.0, 10.0);
     /// Travel after which a grain draws its threshold anew [m].
     RedrawLengthM = (1e-4, 2.0);
-    /// How deep a tool gives way [m]; a rigid one does not.
+    /// Compression depths of tools [m]; 0 is rigid.
     DepthM = (0.0, 0.1);
     /// Sides of a tool's footprint [m].
     FootprintM = (1e-3, 2.0);
@@ -114,13 +114,13 @@ ranges! { f64, NumberWithin;
     SizeFactor = (0.5, 1.5);
     /// Offsets of a tool that has slipped in the hand [m].
     GraspM = (-0.05, 0.05);
-    /// Turns of one [rad].
+    /// Rotations of a tool that has slipped in the hand [rad].
     GraspRad = (-0.5, 0.5);
-    /// Masses of dirt that a grain stands for [kg].
+    /// Masses of dirt that a simulated grain represents [kg].
     GrainMassKg = (0.0, 0.1);
     /// Standard deviations of joint encoders, down to perfect [rad or m].
     EncoderNoise = (0.0, 0.01);
-    /// Plays of worn gears, down to none [rad or m].
+    /// Backlash of worn gears, down to 0 [rad or m].
     Backlash = (0.0, 0.05);
     /// Delays of sensors [s].
     DelayS = (0.0, 0.5);
@@ -134,36 +134,36 @@ ranges! { f64, NumberWithin;
     WavinessM = (0.0, 0.005);
     /// Lengths of such waves [m].
     WaveLengthM = (0.02, 10.0);
-    /// Diameters of grains that are half seen [m]; at 0 all are seen alike.
+    /// Grain diameters at which the detection probability is halved [m]; at 0 it does not depend on size.
     HalfSizeM = (0.0, 0.1);
-    /// Detections of nothing [1/m²].
+    /// False detections per area [1/m²].
     FalseAlarms = (0.0, 1e4);
     /// Coefficients of Preston's law, from glass in water to sandpaper [1/Pa].
     PrestonPerPa = (1e-18, 1e-3);
     /// Coats, from a film to plaster [m].
     ThicknessM = (1e-7, 0.05);
-    /// What tools leave on a metre of their way [m³/m].
+    /// Dispensed volumes per metre of path [m³/m].
     VolumePerMetre = (1e-12, 0.01);
-    /// Errors of places in images [m].
+    /// Errors of detected positions [m].
     PositionErrorM = (0.0, 0.1);
-    /// Scores of plans, from all lost to all where it belongs [1].
+    /// Scores of plans, from all dirt lost to all dirt at the goal [1].
     Score = (-3.0, 1.0);
 }
 
 ranges! { u64, IntegerWithin;
     /// Any seed.
     Seed = (0, u64::MAX);
-    /// Plans that are tried: ten million take minutes to hours.
+    /// Numbers of plans to try: ten million take minutes to hours.
     Evaluations = (1, 10_000_000);
-    /// How many particles.
+    /// Numbers of particles.
     ParticleCount = (1, MAX_PARTICLES as u64);
     /// Passes over a surface.
     Passes = (1, 100);
-    /// How many plans to choose from.
+    /// Numbers of candidate plans.
     Variants = (1, 100);
     /// A channel of a colour.
     Channel = (0, 255);
-    /// How many particles are bodies of the physics world.
+    /// Numbers of particles that are simulated as rigid bodies.
     Bodies = (0, 2000);
     /// Strokes of a plan, counted from 1.
     StrokeNumber = (1, 100_000);
@@ -276,7 +276,7 @@ impl JsonSchema for Name {
     }
 }
 
-/// A place on the surface [m].
+/// Converts coordinates to a point of the surface [m].
 pub(super) fn point([x, y]: [PositionM; 2]) -> Point2 {
     Point2::new(x.0, y.0)
 }

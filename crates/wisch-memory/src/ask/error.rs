@@ -44,6 +44,18 @@ pub enum QueryFault {
         /// Description.
         what: String,
     },
+    /// The query is not valid Prolog.
+    #[error("the query is not valid Prolog: {what}")]
+    Syntax {
+        /// Description by the engine.
+        what: String,
+    },
+    /// Text follows the full stop of the query.
+    #[error("text after the full stop, from {begin:?} on: ask one query at a time")]
+    AfterStop {
+        /// Begin of the text.
+        begin: String,
+    },
     /// Another error by the engine.
     #[error("{what}")]
     Prolog {
@@ -89,9 +101,10 @@ impl QueryFault {
             Self::Telemetry { what } | Self::Recording { what } => {
                 Term::compound("telemetry", [Term::atom(what)])
             }
-            Self::TooMuch { .. } | Self::Prolog { .. } => {
-                Term::compound("prolog", [Term::atom(self.to_string())])
-            }
+            Self::TooMuch { .. }
+            | Self::Syntax { .. }
+            | Self::AfterStop { .. }
+            | Self::Prolog { .. } => Term::compound("prolog", [Term::atom(self.to_string())]),
         }
     }
 
@@ -142,8 +155,13 @@ impl QueryFault {
                     "{thing} has no time: during, since and until limit statements about events"
                 ),
             },
-            Some(("error", [what, _])) => Self::Prolog {
-                what: in_words(what),
+            Some(("error", [what, _])) => match what.parts() {
+                Some(("syntax_error", [what])) => Self::Syntax {
+                    what: what.to_string().replace('_', " "),
+                },
+                _ => Self::Prolog {
+                    what: in_words(what),
+                },
             },
             _ => Self::Prolog {
                 what: format!("the query threw {error}"),
@@ -172,10 +190,6 @@ impl QueryFault {
 /// Describes a standard error of Prolog.
 fn in_words(error: &Term) -> String {
     match error.parts() {
-        Some(("syntax_error", [what])) => {
-            let what = what.to_string().replace('_', " ");
-            format!("the query is not valid Prolog: {what}")
-        }
         Some(("instantiation_error", [])) => {
             "a variable must be bound here; put the goal that binds it first".to_owned()
         }

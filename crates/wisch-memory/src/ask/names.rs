@@ -68,7 +68,7 @@ impl Names {
     pub fn resolve(&self, kind: &str, term: &Term) -> Result<String, QueryFault> {
         let unknown = |error: &UnknownName| {
             // With an unknown prefix, the prefix is the fault, not the name.
-            let kind = if error.to_string().contains("prefix") {
+            let kind = if error.kind == "prefix" {
                 "prefix"
             } else {
                 kind

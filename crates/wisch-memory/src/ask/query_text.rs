@@ -20,11 +20,8 @@ pub fn prepared(query: &str) -> Result<String, QueryFault> {
             let rest = query[at + 1..].trim();
             return match after_comments(rest) {
                 "" => Ok(reader.out),
-                rest => Err(QueryFault::Prolog {
-                    what: format!(
-                        "text after the full stop, from {:?} on: ask one query at a time",
-                        rest.chars().take(20).collect::<String>()
-                    ),
+                rest => Err(QueryFault::AfterStop {
+                    begin: rest.chars().take(20).collect(),
                 }),
             };
         }

@@ -8,10 +8,10 @@ const REGULAR: &[u8] = include_bytes!("../../fonts/Inter-Regular.ttf");
 const SEMI_BOLD: &[u8] = include_bytes!("../../fonts/Inter-SemiBold.ttf");
 const FAMILY: &str = "Inter";
 
-/// Most pixels along one side of a picture.
+/// Maximum number of pixels along one side of a picture.
 const MAX_SIDE: f32 = 16_384.0;
 
-/// Why a picture cannot be drawn.
+/// An error of rasterising a picture.
 #[derive(Debug, Error)]
 pub enum PictureError {
     /// The text is not SVG.
@@ -19,7 +19,7 @@ pub enum PictureError {
     Svg(#[from] usvg::Error),
     /// The picture would have no pixels, or too many.
     #[error(
-        "a picture of {width} × {height} pixels cannot be drawn; each side needs 1 to {MAX_SIDE}"
+        "a picture of {width} × {height} pixels cannot be drawn; each side must be 1 to {MAX_SIDE} pixels"
     )]
     Size {
         /// Pixels across.
@@ -35,7 +35,7 @@ pub enum PictureError {
 /// Draws an SVG as PNG, `scale` pixels per unit. No font of the system is used.
 ///
 /// # Errors
-/// Text that is not SVG, or a size without pixels or beyond 16384 a side.
+/// If the text is not SVG, or a side is below 1 or above 16384 pixels.
 pub fn rasterize(svg: &str, scale: f32) -> Result<Vec<u8>, PictureError> {
     let mut fonts = usvg::fontdb::Database::new();
     fonts.load_font_data(REGULAR.to_vec());

@@ -1,4 +1,4 @@
-//! The surface from above, what stands on it, and particles.
+//! The surface from above, with obstacles and particles.
 
 use super::contour::rings;
 use super::numbers::px;
@@ -11,7 +11,7 @@ use wisch::represent::{Fate, GoalState, Surface, Task};
 /// A particle in a picture: where, and what became of it.
 pub(crate) type Particle = (Point2, Fate);
 
-/// What becomes of a particle, as a colour.
+/// The outcome of a particle, which determines its colour.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Outcome {
     Left,
@@ -28,7 +28,7 @@ pub(crate) fn extent(surface: &Surface) -> Bounds2 {
     })
 }
 
-/// What stands on the surface, as rings in its frame [m].
+/// Returns the obstacles on the surface as rings in its frame [m].
 pub(crate) fn obstacle_rings(task: &Task, collision_radius: f64) -> Vec<Vec<Point2>> {
     let scene: Vec<_> = task.obstacles_in_surface().collect();
     // A scene that the collision library refuses has no plan and never comes here.
@@ -40,7 +40,7 @@ pub(crate) fn obstacle_rings(task: &Task, collision_radius: f64) -> Vec<Vec<Poin
         .unwrap_or_default()
 }
 
-/// What a particle's fate is worth for the goal.
+/// Returns the outcome of a particle's fate for the goal.
 pub(crate) fn outcome(goal: &GoalState, surface: &Surface, particle: Particle) -> Outcome {
     let (position, fate) = particle;
     match fate {
@@ -51,18 +51,18 @@ pub(crate) fn outcome(goal: &GoalState, surface: &Surface, particle: Particle) -
     }
 }
 
-/// What the performance counts, in two or three words.
+/// Label of particles that have reached the goal.
 pub(crate) fn achieved(goal: &GoalState) -> &'static str {
     match goal {
-        GoalState::Absorbed => "taken up",
-        GoalState::Collected { .. } => "at the goal",
-        GoalState::Skimmed => "over the allowed edge",
-        GoalState::Polished { .. } => "passed often enough",
-        GoalState::Emitted { .. } => "as thick as wanted",
+        GoalState::Absorbed => "absorbed",
+        GoalState::Collected { .. } => "in the goal area",
+        GoalState::Skimmed => "over the skim edge",
+        GoalState::Polished { .. } => "polished",
+        GoalState::Emitted { .. } => "coated",
     }
 }
 
-/// What is missing where the goal is not met, in two or three words.
+/// Label of particles that have not reached the goal.
 pub(crate) fn open(goal: &GoalState) -> &'static str {
     match goal {
         GoalState::Polished { .. } => "still to be polished",
@@ -71,18 +71,18 @@ pub(crate) fn open(goal: &GoalState) -> &'static str {
     }
 }
 
-/// What is lost, in a few words.
+/// Label of lost particles.
 pub(crate) fn lost(goal: &GoalState) -> &'static str {
     match goal {
-        GoalState::Emitted { .. } => "under too thick a coat",
-        _ => "lost over a wrong edge",
+        GoalState::Emitted { .. } => "coated too thickly",
+        _ => "lost over another edge",
     }
 }
 
-/// Radius of a particle that leaves room between `count` of them.
+/// Returns the radius of a particle's dot that leaves gaps between `count` particles.
 pub(crate) fn dot_radius(view: &View, count: usize) -> f64 {
-    let room = view.width() * view.height() / count.max(1) as f64;
-    (0.07 * room.sqrt()).clamp(0.9, 3.2)
+    let area = view.width() * view.height() / count.max(1) as f64;
+    (0.07 * area.sqrt()).clamp(0.9, 3.2)
 }
 
 /// The surface, its edges and the goal.

@@ -1,4 +1,4 @@
-//! What a query found, to look at: its answers, what it shows in space and over time, and its diagrams.
+//! The page of a query's answers: table, diagrams, timelines, and views in space.
 
 mod names;
 mod plots;
@@ -17,30 +17,30 @@ use wisch_memory::view::View;
 
 const STYLE: &str = include_str!("memory.css");
 const SCRIPT: &str = include_str!("space.js");
-/// Most rows of the table.
+/// Maximum number of rows of the table.
 const MAX_ROWS: usize = 200;
 
 /// Most letters of a cell, and those that are left of a longer one.
 const LONG_CELL: usize = 90;
 const SHORT_CELL: usize = 36;
 
-/// What the page is made of.
+/// Input of the page of a query's answers.
 #[derive(Debug, Clone, Copy)]
 pub struct AnswersInput<'a> {
-    /// What was asked.
+    /// The query.
     pub query: &'a str,
-    /// What was answered.
+    /// The answers.
     pub answers: &'a Answers,
-    /// What is to be looked at.
+    /// The data that the query shows.
     pub view: &'a View,
 }
 
-/// One HTML file that asks nothing of the network.
+/// Returns one self-contained HTML file, which loads nothing from the network.
 pub fn answers_page(input: &AnswersInput) -> String {
     let view = input.view;
     let space = Space::new(view);
     let main = html! {
-        h1 { "What the memory answers" }
+        h1 { "Answers of the memory" }
         pre class="query" { (input.query) }
         (table(input.answers))
         @if !space.is_empty() { (in_space(&space)) }
@@ -51,7 +51,7 @@ pub fn answers_page(input: &AnswersInput) -> String {
             p class="note" { (remark) }
         }
         @if !view.plots.is_empty() {
-            h2 { "In numbers" }
+            h2 { "Diagrams" }
             div class="plots" {
                 @for plot in &view.plots { (plots::plot(plot)) }
             }
@@ -64,16 +64,16 @@ pub fn answers_page(input: &AnswersInput) -> String {
             }
         }
         footer class="note" {
-            "Answered by wisch from its episodic memory: where things were follows from the joints that were recorded, "
-            "what was felt from poses and forces."
+            "Answered by wisch from its episodic memory. Poses are computed from recorded joint positions, "
+            "and events from tool poses and forces."
         }
     };
-    document("What the memory answers", STYLE, &main)
+    document("Answers of the memory", STYLE, &main)
 }
 
 fn table(answers: &Answers) -> Markup {
     let count = answers.rows.len();
-    // What is never bound says nothing.
+    // A variable that is never bound gets no column.
     let columns: Vec<usize> = (0..answers.names.len())
         .filter(|&column| {
             let mut cells = answers.rows.iter().filter_map(|row| row.get(column));
@@ -143,10 +143,10 @@ fn in_space(space: &Space) -> Markup {
             p id="space-none" class="note" hidden { "This browser draws nothing in 3-D, so the picture is left out." }
             noscript { p class="note" { "Without scripts there is no picture in 3-D." } }
             div class="stage" id="space-stage" hidden {
-                canvas id="space" tabindex="0" role="img" aria-label="What the query shows, in 3-D: drag to turn, shift and drag to move, arrow keys to turn" {}
+                canvas id="space" tabindex="0" role="img" aria-label="Data of the query in 3-D: drag to turn, shift and drag to move, arrow keys to turn" {}
                 div class="views" {
                     @if space.shines() { button type="button" data-look="near" { "Near" } }
-                    button type="button" data-look="asked" { "What is asked" }
+                    button type="button" data-look="asked" { "Queried objects" }
                     button type="button" data-look="all" { "All" }
                     button type="button" data-look="above" { "From above" }
                 }

@@ -1,4 +1,4 @@
-//! What a query shows in space, as the page's script reads it.
+//! The data of a query in space, in the format of the page's script.
 
 use super::names::local;
 use crate::scene::{Meshes, Solid, tenths, vector};
@@ -10,7 +10,7 @@ use wisch_memory::view::{
 
 /// Most triangles of one mesh.
 const MAX_TRIANGLES: usize = 3000;
-/// Most particles that are drawn; more are drawn as every so many.
+/// Maximum number of drawn particles; with more particles, every n-th is drawn.
 const MAX_PARTICLES: usize = 3000;
 /// Radius of a line that is asked for, as a share of the surface's diagonal.
 const LINE: f64 = 0.011;
@@ -20,7 +20,7 @@ const FAR_SHARE: f64 = 0.5;
 const PARTICLE: f64 = 0.7;
 /// Limits of that radius [m].
 const LINE_LIMITS: [f64; 2] = [0.0025, 0.02];
-/// What lies on the surface is drawn so much above it [m].
+/// Height above the surface at which flat items are drawn [m].
 const ABOVE: f64 = 0.0015;
 /// How solid a robot is drawn beside the first one.
 const GHOST: f64 = 0.28;
@@ -110,7 +110,7 @@ impl Space {
             self.items.push(item);
         }
         if !round.objects.is_empty() {
-            let mut item = Item::new("what stands there", "obstacle");
+            let mut item = Item::new("scene objects", "obstacle");
             item.alpha = 0.5;
             for (world_from_object, mesh) in &round.objects {
                 (item.solids).push(self.meshes.solid(world_from_object, mesh));
@@ -124,7 +124,7 @@ impl Space {
         let episode = &view.episodes[round.episode].id;
         let [_, tool, _] = &round.names;
         let name = format!(
-            "all of the {tool}'s way, round {} of {episode}",
+            "full path of the {tool}, round {} of {episode}",
             round.number
         );
         let mut item = Item::new(&name, "quiet");

@@ -1,4 +1,4 @@
-//! What happened in an episode, over time.
+//! The timeline of an episode.
 
 use crate::draw::{axes, decimals, px, tick_step};
 use maud::{Markup, html};
@@ -70,7 +70,7 @@ pub(crate) fn timeline(episode: &ShownEpisode) -> Markup {
     html! {
         figure class="scroll" {
             svg viewBox=(format!("0 0 {} {}", px(WIDTH), px(bottom + 44.0))) role="img"
-                aria-label=(format!("What happened in {} over time", episode.id)) {
+                aria-label=(format!("Timeline of {}", episode.id)) {
                 @for (row, (label, marks, look)) in lanes.iter().enumerate() {
                     @let y = TOP + LANE * row as f64;
                     rect class="lane" x=(px(LEFT)) y=(px(y + 3.0)) width=(px(WIDTH - LEFT - RIGHT)) height=(px(LANE - 6.0)) {}

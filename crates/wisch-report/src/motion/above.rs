@@ -1,4 +1,4 @@
-//! Where the base stands, seen from above.
+//! The base poses, seen from above.
 
 use super::input::{MotionInput, ShownContact, ShownPhase, ShownPlace, ShownPlacement};
 use super::sampled::{SampledMotion, world_from_link};
@@ -8,16 +8,16 @@ use wisch::geometry::{Bounds2, PlanarPose, Point2, Point3, Vector2};
 use wisch::represent::ScenePart;
 use wisch::robot::{JointKind, LinkId, RobotModel};
 
-/// Most height of the plan.
+/// Maximum height of the plan.
 const HEIGHT: f64 = 620.0;
-/// What is shown round everything that matters [m].
+/// Margin around the shown objects [m].
 const MARGIN: f64 = 0.2;
-/// Most base positions that are drawn.
+/// Maximum number of drawn base positions.
 const MAX_PLACES: usize = 4_000;
-/// A base that moves less than this stands still [m].
+/// Movement below which a base counts as fixed [m].
 const STILL: f64 = 1e-3;
 
-/// The plan; `None` if there is nothing to show.
+/// Draws the plan view; `None` if there is nothing to show.
 pub(crate) fn panel(input: &MotionInput, frames: &SampledMotion) -> Option<Panel> {
     let base = base(input.robot)?;
     let body = footprint(input.robot, base);
@@ -73,7 +73,7 @@ pub(crate) fn panel(input: &MotionInput, frames: &SampledMotion) -> Option<Panel
     })
 }
 
-/// The link that stands on the floor: the first with a shape, or what it is fixed to.
+/// Returns the link on the floor: the first link with a shape, or the link to which it is fixed.
 fn base(robot: &RobotModel) -> Option<LinkId> {
     let shaped = robot
         .links()
@@ -89,7 +89,7 @@ fn base(robot: &RobotModel) -> Option<LinkId> {
     Some(robot.root())
 }
 
-/// What the base and all that is fixed to it cover, in its frame [m].
+/// Returns the outline of the base and of all links fixed to it, in the base frame [m].
 fn footprint(robot: &RobotModel, base: LinkId) -> Vec<Point2> {
     let zero = vec![0.0; robot.dof()];
     let Ok(kinematics) = robot.forward_kinematics(&zero) else {
@@ -115,7 +115,7 @@ fn footprint(robot: &RobotModel, base: LinkId) -> Vec<Point2> {
     hull(points)
 }
 
-/// The chosen placements, or else where the base is at first.
+/// Returns the chosen base poses, or the initial pose.
 fn stands(input: &MotionInput, frames: &SampledMotion, base: LinkId) -> Vec<PlanarPose> {
     let stand = |p: &ShownPlacement| PlanarPose::new(Point2::new(p.x, p.y), p.yaw);
     let known =
@@ -150,7 +150,7 @@ fn surface(input: &MotionInput) -> Vec<Vec<Point2>> {
     rings.map(|ring| ring.iter().map(place).collect()).collect()
 }
 
-/// Hulls of what stands about, the lowest first.
+/// Returns the hulls of the scene objects, the lowest first.
 fn scene(input: &MotionInput, view: &View) -> Markup {
     let shown = (input.task.scene.iter())
         .filter(|object| matches!(object.part, ScenePart::Obstacle | ScenePart::Carrier));
@@ -176,14 +176,14 @@ fn place_step(input: &MotionInput) -> usize {
     input.ratings.len().div_ceil(MAX_PLACES).max(1)
 }
 
-/// Rated places as dots, darker ones better, and blocked ones as crosses.
+/// Draws rated positions as dots (darker is better), and blocked positions as crosses.
 fn places(input: &MotionInput, view: &View) -> Markup {
     let drawn = input.ratings.iter().step_by(place_step(input));
     let drawn: Vec<&ShownPlace> = drawn
         .filter(|p| p.x.is_finite() && p.y.is_finite())
         .collect();
-    let room = view.width() * view.height() / drawn.len().max(1) as f64;
-    let radius = (0.22 * room.sqrt()).clamp(1.5, 6.0);
+    let area = view.width() * view.height() / drawn.len().max(1) as f64;
+    let radius = (0.22 * area.sqrt()).clamp(1.5, 6.0);
     let mut rim = Pen::default();
     let mut blocked = Pen::default();
     let mut bands: Vec<Pen> = (0..BANDS).map(|_| Pen::default()).collect();
@@ -213,7 +213,7 @@ fn band(rating: f64) -> usize {
         + 1
 }
 
-/// The path of the tool: wiping, and lifted.
+/// Draws the path of the tool, in contact and lifted.
 fn tool_path(input: &MotionInput, frames: &SampledMotion, view: &View, path: &[Point2]) -> Markup {
     let wipes = |time: f64| {
         let next = input.phases.partition_point(|phase| phase.start <= time);
@@ -251,7 +251,7 @@ fn thinned_line(points: &[Point2]) -> Vec<Point2> {
     line
 }
 
-/// Where the base looks.
+/// Draws the heading of the base.
 fn heading(view: &View, stand: &PlanarPose) -> Markup {
     let tip = |along: f64, aside: f64| view.at(stand.transform(Point2::new(along, aside)));
     let mut arrow = Pen::default();
@@ -275,7 +275,7 @@ fn numbers(view: &View, stands: &[PlanarPose]) -> Markup {
     }
 }
 
-/// What the marks mean, from a height on, and how high that is.
+/// Draws the legend from a height on; returns its height, too.
 fn legend(input: &MotionInput, drives: bool, top: f64) -> (Markup, f64) {
     const LEFT: f64 = 48.0;
     let is_blocked = |place: &ShownPlace| place.blocked;
@@ -283,12 +283,12 @@ fn legend(input: &MotionInput, drives: bool, top: f64) -> (Markup, f64) {
     let entries = [
         (
             true,
-            "base, looks along the arrow",
+            "base; the arrow is its heading",
             html! { rect class="robot-plan" x="3" y="-6" width="18" height="12" rx="4" {} },
         ),
         (
             drives,
-            "way driven",
+            "path of the base",
             html! { path class="driven" d="M0 0h24" {} },
         ),
         (
@@ -313,7 +313,7 @@ fn legend(input: &MotionInput, drives: bool, top: f64) -> (Markup, f64) {
         ),
         (
             input.ratings.iter().any(is_blocked),
-            "blocked place",
+            "blocked position",
             html! { path class="mark-blocked" d="M8-4l8 8m0-8l-8 8" {} },
         ),
     ];

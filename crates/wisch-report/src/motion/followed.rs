@@ -1,14 +1,14 @@
-//! What is shown of a followed plan: sampled, with its phases and the particles over time.
+//! A followed plan for figures: samples, phases, and particles over time.
 
 use super::{MotionInput, ParticleFrame, ShownContact, ShownPhase, ShownPlace, ShownPlacement};
 use crate::prediction::frames::EffectFrames;
 use wisch::follow::{self, Followed, TrajectorySample, Workcell};
 use wisch::represent::Task;
 
-/// Period of what is shown of a motion [s].
+/// Sampling period of a motion in figures [s].
 const SHOWN_PERIOD: f64 = 0.05;
 
-/// A followed plan as a report shows it.
+/// A followed plan, sampled for figures.
 #[derive(Debug, Clone)]
 pub struct ShownMotion<'a> {
     cell: &'a Workcell,
@@ -20,7 +20,7 @@ pub struct ShownMotion<'a> {
 }
 
 impl<'a> ShownMotion<'a> {
-    /// Samples a motion; the particles are those of the frames, at the times at which the tool has come about that far.
+    /// Samples a motion. Particles are those of `frames`, at the times at which the tool has covered their distance.
     pub fn of(cell: &'a Workcell, followed: &'a Followed, frames: &EffectFrames) -> Self {
         let count = (followed.duration() / SHOWN_PERIOD).ceil() as usize;
         let samples = (0..=count)
@@ -64,7 +64,7 @@ impl<'a> ShownMotion<'a> {
         }
     }
 
-    /// The same with the robot and its scene.
+    /// Returns the input of figures, with the robot and its scene.
     pub fn input(&'a self, task: &'a Task) -> MotionInput<'a> {
         MotionInput {
             robot: self.cell.robot(),

@@ -1,31 +1,31 @@
-//! A motion of a robot, as it is to be shown.
+//! Input of the figures of a robot's motion.
 
 use wisch::follow::TrajectorySample;
 use wisch::geometry::{Point2, Pose};
 use wisch::represent::Task;
 use wisch::robot::{LinkId, RobotModel};
 
-/// A motion of a robot that wipes, as it is shown.
+/// A robot's motion for figures.
 #[derive(Debug, Clone, Copy)]
 pub struct MotionInput<'a> {
     /// The robot.
     pub robot: &'a RobotModel,
-    /// Where its root stands.
+    /// Pose of its root in the world.
     pub world_from_root: Pose,
     /// Surface, scene and tool.
     pub task: &'a Task,
-    /// The link that holds the tool, one of the robot's.
+    /// The robot's link that holds the tool.
     pub tool_link: LinkId,
-    /// Where the tool is on it.
+    /// Pose of the tool in that link's frame.
     pub link_from_tool: Pose,
     /// Positions, velocities and accelerations of all n variables of the robot, by rising time.
-    /// What is of another length, not finite or out of order is left out.
+    /// Samples of another length, with non-finite values or out of sequence are left out.
     pub samples: &'a [TrajectorySample],
-    /// What is done when, by rising time.
+    /// Phases, by rising time.
     pub phases: &'a [ShownPhase],
-    /// Where the base is placed, in this order; none for a robot that stands still.
+    /// Base poses in order of time; empty for a fixed base.
     pub placements: &'a [ShownPlacement],
-    /// Where the base could have been placed.
+    /// Candidate base poses.
     pub ratings: &'a [ShownPlace],
     /// The particles over time, by rising time.
     pub particles: &'a [ParticleFrame],
@@ -34,11 +34,11 @@ pub struct MotionInput<'a> {
 /// A stretch of time with a name.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ShownPhase {
-    /// What is done, for the reader.
+    /// Name of the phase.
     pub name: String,
-    /// When it begins [s].
+    /// Start time [s].
     pub start: f64,
-    /// When it ends [s].
+    /// End time [s].
     pub end: f64,
     /// Whether the tool wipes.
     pub contact: ShownContact,
@@ -46,44 +46,44 @@ pub struct ShownPhase {
     pub stroke: Option<usize>,
 }
 
-/// Whether the tool touches the surface.
+/// Contact of the tool with the surface.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum ShownContact {
-    /// It does.
+    /// In contact.
     Wiping,
-    /// It does not.
+    /// Out of contact.
     Lifted,
 }
 
-/// Where the robot's base stands, in the world.
+/// Pose of the robot's base in the world.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ShownPlacement {
-    /// East of the origin [m].
+    /// x in the world [m].
     pub x: f64,
-    /// North of the origin [m].
+    /// y in the world [m].
     pub y: f64,
-    /// Turn about the vertical [rad].
+    /// Yaw about the vertical [rad].
     pub yaw: f64,
 }
 
-/// A place where the base could stand, in the world.
+/// A candidate position of the base in the world.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ShownPlace {
-    /// East of the origin [m].
+    /// x in the world [m].
     pub x: f64,
-    /// North of the origin [m].
+    /// y in the world [m].
     pub y: f64,
-    /// How good it is, from 0 to 1.
+    /// Rating, from 0 to 1.
     pub rating: f64,
-    /// Whether something stands in its way.
+    /// Whether an obstacle blocks it.
     pub blocked: bool,
 }
 
 /// The particles that remain on the surface at one time.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ParticleFrame {
-    /// When [s].
+    /// Time [s].
     pub time: f64,
-    /// Where they lie, in the surface frame [m].
+    /// Positions in the surface frame [m].
     pub positions: Vec<Point2>,
 }

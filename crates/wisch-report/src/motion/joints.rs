@@ -1,4 +1,4 @@
-//! Every joint over time: where it is between its limits, and how fast.
+//! Joint positions within their limits, and joint velocities, over time.
 
 use super::input::{MotionInput, ShownContact};
 use super::sampled::with_velocities;

@@ -1,4 +1,4 @@
-//! A robot's motion in figures: joint by joint over time, and where its base stands.
+//! Figures of a robot's motion: joints over time, and base poses.
 
 mod above;
 #[cfg(test)]
@@ -16,17 +16,17 @@ pub use input::{MotionInput, ParticleFrame, ShownContact, ShownPhase, ShownPlace
 use crate::draw::Panel;
 use sampled::SampledMotion;
 
-/// Position and velocity of every moving joint over time, as SVG with light colours.
+/// Draws position and velocity of every moving joint over time, as SVG with light colours.
 pub fn joint_plots(input: &MotionInput) -> String {
-    let what = "Positions within their limits, velocities as a share of theirs";
+    let what = "Joint positions within their limits, and velocities as a share of their limits";
     alone(input, &joints::panel(input), what)
 }
 
-/// Base positions, rated and chosen, with the scene round them from above, as SVG with light colours.
-/// For a robot whose base stands still it shows where it stands.
+/// Draws the rated and chosen base poses with the scene from above, as SVG with light colours.
+/// For a fixed base it shows its pose.
 pub fn placements_plan(input: &MotionInput) -> String {
     let panel = above::panel(input, &SampledMotion::new(input)).unwrap_or_else(Panel::empty);
-    alone(input, &panel, "Where the base stands, seen from above")
+    alone(input, &panel, "Base poses, seen from above")
 }
 
 fn alone(input: &MotionInput, panel: &Panel, what: &str) -> String {

@@ -25,7 +25,7 @@ impl SampledMotion {
         Self::within(input, MAX_FRAMES)
     }
 
-    /// The same in at most so many frames, two at least.
+    /// Returns the motion in at most the given number of frames, and at least two.
     pub(crate) fn within(input: &MotionInput, most: usize) -> Self {
         let samples = usable(input);
         let (Some(first), Some(last)) = (samples.first(), samples.last()) else {

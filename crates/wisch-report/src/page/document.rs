@@ -1,11 +1,11 @@
-//! An HTML file that asks nothing of the network.
+//! Self-contained HTML files, which load nothing from the network.
 
 use crate::draw::page_rules;
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 
 const STYLE: &str = include_str!("page.css");
 
-/// A file with this title, rules of its own beside those of all pages, and contents.
+/// Returns an HTML file. `style`: CSS rules of this page beside the common rules. `main`: its contents.
 pub(crate) fn document(title: &str, style: &str, main: &Markup) -> String {
     html! {
         (DOCTYPE)

@@ -1,3 +1,3 @@
-//! Pages that need nothing but themselves.
+//! Self-contained HTML pages.
 
 pub(crate) mod document;

@@ -21,7 +21,7 @@ pub(crate) fn down(performance: f64) -> f64 {
     BOTTOM - performance * (BOTTOM - TOP)
 }
 
-/// The share of particles at the goal over the distance travelled in contact.
+/// Draws the performance over the distance in contact.
 pub(crate) fn performance(drawing: &Drawing, width: f64) -> Panel {
     let frames = drawing.input.frames.all();
     let total = frames.last().map_or(0.0, |frame| frame.distance);

@@ -173,7 +173,7 @@ pub(crate) fn before_after(drawing: &Drawing) -> String {
     Figure {
         panel,
         entries: entries(drawing, wanted),
-        what: "Particles before and after, as predicted".to_owned(),
+        what: "Particles before, and predicted after".to_owned(),
     }
     .standalone(drawing.input.title, [GAP, MARGINS[1]])
 }
@@ -295,5 +295,5 @@ pub(crate) fn effect_over_time(drawing: &Drawing) -> String {
             g transform=(format!("translate(0 {})", px(chart_top))) { (chart.body) }
         },
     }
-    .standalone(drawing.input.title, "Effect over the distance wiped, as predicted")
+    .standalone(drawing.input.title, "Predicted effect over the distance in contact")
 }

@@ -1,15 +1,15 @@
-//! The effect over time, kept while a prediction runs.
+//! Frames of a predicted effect over time.
 
 use wisch::geometry::{PlanarPose, Point2};
 use wisch::plan::{Plan, PredictionProgress};
 use wisch::represent::{Fate, GoalState, ParticleDistribution, Performance, Surface, Task};
 
-/// Most frames kept of one prediction, the beginning and the end included.
+/// Maximum number of frames of a prediction, including first and last.
 pub const MAX_FRAMES: usize = 80;
-/// Most particles kept in a frame; of more, every n-th is kept.
+/// Maximum number of particles in a frame; with more particles, every n-th is kept.
 pub const MAX_DRAWN: usize = 5_000;
 
-/// One moment of a prediction.
+/// A frame of a prediction.
 #[derive(Debug, Clone)]
 pub struct Frame {
     /// Distance travelled in contact so far [m].
@@ -18,13 +18,13 @@ pub struct Frame {
     pub surface_from_tool: PlanarPose,
     /// Index of the stroke; `None` before the first.
     pub stroke: Option<usize>,
-    /// Every n-th particle, see [`EffectFrames::thinning`]: its place in the surface frame [m] and its fate.
+    /// Every n-th particle, see [`EffectFrames::thinning`]: position in the surface frame [m] and fate.
     pub particles: Vec<(Point2, Fate)>,
-    /// Of all particles, the thinned-out ones too.
+    /// Performance over all particles, including those that the frame leaves out.
     pub performance: Performance,
 }
 
-/// Watches a prediction and keeps at most `MAX_FRAMES` moments of it, evenly over the motions.
+/// A recorder of a prediction that keeps at most `MAX_FRAMES` frames, evenly distributed over the motions.
 ///
 /// ```ignore
 /// let mut frames = EffectFrames::new(&task, &plan);
@@ -41,7 +41,7 @@ pub struct EffectFrames {
 }
 
 impl EffectFrames {
-    /// Begins with the particles as they lie before the first stroke.
+    /// Begins with the particles before the first stroke.
     pub fn new(task: &Task, plan: &Plan) -> Self {
         let heading = plan
             .tcp_path()
@@ -64,10 +64,9 @@ impl EffectFrames {
         frames
     }
 
-    /// Takes note of one motion's outcome.
+    /// Records the result of one motion.
     pub fn watch(&mut self, progress: &PredictionProgress) {
-        // The n-th motion is kept where the share of motions seen passes a whole number of frames,
-        // so that the last is always kept.
+        // Motion n of N is kept if n * MAX_FRAMES / N passes a whole number, so the last one is always kept.
         let gaps = MAX_FRAMES - 1;
         let due = |seen: usize| seen * gaps / self.motions.max(gaps);
         self.seen += 1;
@@ -81,12 +80,12 @@ impl EffectFrames {
         }
     }
 
-    /// The kept moments, in order of time.
+    /// The frames, in order of time.
     pub fn all(&self) -> &[Frame] {
         &self.frames
     }
 
-    /// Every how many-th particle is kept; 1 keeps all.
+    /// The thinning factor n: every n-th particle is kept; 1 keeps all.
     pub fn thinning(&self) -> usize {
         self.thinning
     }
@@ -108,7 +107,7 @@ impl EffectFrames {
     }
 }
 
-/// The smallest step that takes at most `most` out of `count`.
+/// Returns the smallest step that selects at most `most` out of `count`.
 pub(crate) fn thinning(count: usize, most: usize) -> usize {
     count.div_ceil(most).max(1)
 }

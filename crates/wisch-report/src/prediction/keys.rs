@@ -1,4 +1,4 @@
-//! What the marks of a plan and its prediction mean.
+//! Legend of the drawings of a plan and its prediction.
 
 use super::layers::Drawing;
 use crate::draw::Entry;
@@ -33,9 +33,9 @@ pub(crate) enum Key {
 impl Key {
     fn label(self, goal: &GoalState) -> &'static str {
         match (self, goal) {
-            (Self::Before, GoalState::Absorbed) => "particle before (empty: taken up)",
-            (Self::Left, GoalState::Absorbed) => "after, still there",
-            (Self::Left, GoalState::Collected { .. }) => "after, outside the goal",
+            (Self::Before, GoalState::Absorbed) => "particle before (empty: absorbed)",
+            (Self::Left, GoalState::Absorbed) => "after, not absorbed",
+            (Self::Left, GoalState::Collected { .. }) => "after, outside the goal area",
             (Self::Left, GoalState::Skimmed) => "after, still on the surface",
             (
                 Self::Left | Self::LeftNow,
@@ -46,32 +46,32 @@ impl Key {
                 GoalState::Polished { .. } | GoalState::Emitted { .. },
             ) => achieved(goal),
             (Self::Before, GoalState::Polished { .. } | GoalState::Emitted { .. }) => {
-                "place of the surface"
+                "point of the surface"
             }
             (Self::Before, _) => "particle before",
-            (Self::Done, GoalState::Skimmed) => "after, pushed over the allowed edge",
-            (Self::Done, _) => "after, at the goal",
+            (Self::Done, GoalState::Skimmed) => "after, pushed over the skim edge",
+            (Self::Done, _) => "after, in the goal area",
             (Self::Lost, _) => lost(goal),
-            (Self::Unreachable, _) => "out of the plan's reach",
+            (Self::Unreachable, _) => "out of reach",
             (Self::Node, _) => "node",
-            (Self::NodeCut, _) => "node without a way",
+            (Self::NodeCut, _) => "node without a path to the goal",
             (Self::Goal, _) => "goal node",
-            (Self::GoalArea, _) => "counts as collected",
-            (Self::Edge, _) => "wiped in this direction",
+            (Self::GoalArea, _) => "goal area",
+            (Self::Edge, _) => "direction of wiping",
             (Self::Start, _) => "start of stroke 1, 2, …",
             (Self::Lifted, _) => "lifted move",
             (Self::Tool, _) => "tool, to scale",
             (Self::Obstacle, _) => "obstacle",
-            (Self::SkimEdge, _) => "edge to push over",
-            (Self::LeftNow, GoalState::Collected { .. }) => "outside the goal",
+            (Self::SkimEdge, _) => "skim edge",
+            (Self::LeftNow, GoalState::Collected { .. }) => "outside the goal area",
             (Self::LeftNow, _) => "on the surface",
-            (Self::DoneNow, GoalState::Skimmed) => "over the allowed edge",
-            (Self::DoneNow, _) => "at the goal",
+            (Self::DoneNow, GoalState::Skimmed) => "over the skim edge",
+            (Self::DoneNow, _) => "in the goal area",
             (Self::Trail, _) => "wiped so far",
         }
     }
 
-    /// A sample of 24 by 14 units round (12, 0).
+    /// Draws a sample of 24 by 14 units around (12, 0).
     fn sample(self) -> Markup {
         html! {
             @match self {
@@ -108,7 +108,7 @@ impl Key {
     }
 }
 
-/// Those of the wanted marks that can occur in a picture of this run, with their meaning.
+/// Returns the legend entries of the `wanted` marks that can occur in a picture of this run.
 pub(crate) fn entries(drawing: &Drawing, wanted: impl IntoIterator<Item = Key>) -> Vec<Entry> {
     let input = drawing.input;
     let (plan, performance) = (input.plan, &input.prediction.performance);

@@ -1,4 +1,4 @@
-//! What is drawn on the surface, layer by layer.
+//! Layers of a drawing of the surface.
 
 use super::frames::{MAX_DRAWN, thinning};
 use crate::draw::{
@@ -13,7 +13,7 @@ use wisch::plan::{CoverageDensity, NodeRole, data_bandwidth};
 /// Most height of the surface in a picture.
 pub(crate) const HEIGHT: f64 = 560.0;
 
-/// Everything of a run that is drawn, found once.
+/// The data of a run that its drawings share.
 pub(crate) struct Drawing<'a> {
     pub(crate) input: &'a ReportInput<'a>,
     /// What is shown [m].
@@ -69,12 +69,12 @@ impl<'a> Drawing<'a> {
         surface::outcome(goal, surface, particle)
     }
 
-    /// What the performance counts, in two or three words.
+    /// Label of a reached goal.
     pub(crate) fn achieved(&self) -> &'static str {
         surface::achieved(&self.input.plan.graph.goal)
     }
 
-    /// The surface, its edges, the goal and what stands on it.
+    /// Draws the surface, its edges, the goal and the obstacles.
     pub(crate) fn ground(&self, view: &View) -> Markup {
         let (surface, goal) = (&self.input.task.surface, &self.input.plan.graph.goal);
         surface::ground(view, surface, goal)
@@ -181,7 +181,7 @@ impl<'a> Drawing<'a> {
         (0.1 * self.input.plan.collision_radius * view.scale).clamp(1.6, 5.0)
     }
 
-    /// Whether there is room for the strokes' numbers.
+    /// Whether there is space for the strokes' numbers.
     fn numbers_fit(&self, view: &View) -> bool {
         self.input.plan.collision_radius * view.scale >= 22.0
     }
@@ -191,7 +191,7 @@ impl<'a> Drawing<'a> {
         View::with_axes(self.bounds, Vector2::new(WIDTH, HEIGHT))
     }
 
-    /// Whether the map has room for the strokes' numbers.
+    /// Whether the map has space for the strokes' numbers.
     pub(crate) fn map_has_numbers(&self) -> bool {
         self.numbers_fit(&self.map_view())
     }

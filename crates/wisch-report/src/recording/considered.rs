@@ -1,31 +1,31 @@
-//! The plans among which a round's plan was chosen.
+//! The candidate plans of a round.
 
 use super::samples::rounded;
 use serde::Serialize;
 use wisch::plan::Plan;
 use wisch::run::Considered;
 
-/// One of them; figures that there are none of are null.
+/// A candidate plan; missing figures are null.
 #[derive(Debug, Serialize)]
 pub(super) struct ConsideredRecord {
     pub(super) strategy: &'static str,
-    /// Whether it became the plan.
+    /// Whether it was chosen.
     pub(super) chosen: bool,
     worth: Option<f64>,
     predicted: Option<f64>,
-    /// The share of the dirt that would be lost [1].
+    /// Predicted share of lost dirt [1].
     lost: Option<f64>,
     strokes: Option<usize>,
     /// [m]
     in_contact: Option<f64>,
-    /// Of the robot's motion [s].
+    /// Duration of the robot's motion [s].
     duration: Option<f64>,
-    /// Why there is no plan.
+    /// Reason for a missing plan.
     error: Option<String>,
 }
 
 impl ConsideredRecord {
-    /// One that is not the plan yet.
+    /// Makes a candidate, not yet marked as chosen.
     pub(super) fn new(one: &Considered) -> Self {
         let found = one.candidate.as_ref();
         let plan = found.ok().map(|found| &found.plan);

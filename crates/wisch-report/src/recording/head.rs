@@ -1,4 +1,4 @@
-//! Who is to do what.
+//! The first piece of a recording: task, program, robot and tool.
 
 use super::robot::RobotRecord;
 use super::{RECORDING_SCHEMA, RecordingHead, words};
@@ -66,7 +66,7 @@ impl<'a> Head<'a> {
                 strategy: head.strategy.as_str(),
                 seed: task.seed,
                 target: head.target,
-                asked: words::asked(task, head.target),
+                asked: words::describe_task(task, head.target),
             },
             robot,
             tool,

@@ -1,4 +1,4 @@
-//! A round that is over.
+//! The pieces of a finished round: its result, and the simulated world's ground truth.
 
 use super::particles::lying;
 use super::samples::rounded;
@@ -63,7 +63,7 @@ impl Judged {
             felt: EstimateRecord::new(found.felt),
             verdict: round.verdict.as_str(),
             ending: round.execution.ending.as_str(),
-            words: words::judged(round, target),
+            words: words::describe_round(round, target),
             found: match &found.diagnosis {
                 Diagnosis::Relocalize { world_from_surface } => Some(seven(world_from_surface)),
                 _ => None,
@@ -115,7 +115,7 @@ impl Truth {
     }
 }
 
-/// The replay whose performance is nearest to the mean: one way in which it may be.
+/// Returns the belief's replay whose performance is nearest to the mean estimate, as a typical particle distribution.
 fn typical<'a>(
     found: &'a Interpretation,
     goal: &GoalState,
@@ -129,9 +129,9 @@ fn typical<'a>(
     replays.min_by(|a, b| off(a).total_cmp(&off(b)))
 }
 
-/// When the tool was felt to touch, pieces in a row as one.
+/// Returns the measured intervals of contact [s]; consecutive pieces are merged.
 fn contacts(found: &Interpretation) -> Vec<[f64; 2]> {
-    // Pieces end where the next begins, but for the last sample's period.
+    // A piece ends one sample period before the next begins.
     const GAP: f64 = 0.05;
     let mut contacts: Vec<[f64; 2]> = Vec::new();
     for piece in &found.path {

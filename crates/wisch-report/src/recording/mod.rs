@@ -1,7 +1,7 @@
-//! A run as it is shown: a sequence of pieces, one JSON object a line, in the order in which things happen.
+//! The recording of a run for its page: a sequence of pieces, one JSON object per line, in order of time.
 //!
-//! The same lines are a run while it goes on, an episode that is kept and the data of a report in one file. What each piece
-//! holds, `crates/wisch-web/web/src/recording.ts` says.
+//! A live run, an episode and the report of a run all use the same lines. `crates/wisch-web/web/src/recording.ts`
+//! describes the fields of each piece.
 
 mod considered;
 mod head;
@@ -34,59 +34,59 @@ use wisch::represent::{ParticleDistribution, Task};
 use wisch::robot::Appearance;
 use wisch::run::{PlannedRound, RunEvent};
 
-/// The version of what a recording is made of.
+/// Version of the recording's format.
 pub const RECORDING_SCHEMA: u32 = 1;
 
-/// What a recording begins with.
+/// The first piece of a recording: task, program and robot.
 #[derive(Debug, Clone, Copy)]
 pub struct RecordingHead<'a> {
     /// Headline.
     pub title: &'a str,
-    /// What writes it, such as "wisch 0.1.0".
+    /// Name and version of the program that writes it, such as "wisch 0.1.0".
     pub program: &'a str,
-    /// What is to be done.
+    /// The task.
     pub task: &'a Task,
-    /// How nodes are placed.
+    /// Strategy that plans the strokes.
     pub strategy: Strategy,
-    /// The performance that is wanted, in [0, 1].
+    /// Target performance, in [0, 1].
     pub target: f64,
-    /// Who is to do it; `None` for nobody.
+    /// The robot with its tool and scene; `None` without a robot.
     pub cell: Option<&'a Workcell>,
-    /// What the robot looks like; `None` shows its collision geometry.
+    /// Visual geometry of the robot; `None` shows its collision geometry.
     pub appearance: Option<&'a Appearance>,
 }
 
-/// What nobody executed.
+/// A plan that is not executed.
 #[derive(Debug, Clone, Copy)]
 pub struct PlannedOnly<'a> {
     /// The task as it was believed.
     pub task: &'a Task,
-    /// The plan as it is wiped.
+    /// The plan without abandoned nodes.
     pub plan: &'a Plan,
-    /// What is to be expected of it.
+    /// The predicted effect.
     pub prediction: &'a Prediction,
-    /// The effect over time.
+    /// The predicted effect over time.
     pub frames: &'a EffectFrames,
-    /// The motion that follows it and its check; `None` without a robot.
+    /// The robot's motion and its check; `None` without a robot.
     pub followed: Option<(&'a Workcell, &'a wisch::follow::Followed, &'a Audit)>,
 }
 
-/// What the simulated world knows of a round.
+/// The simulated world's ground truth of a round.
 #[derive(Debug, Clone, Copy)]
 pub struct RoundTruth<'a> {
-    /// The round, from 1.
+    /// Number of the round, from 1.
     pub round: usize,
-    /// The performance, in [0, 1]; `None` where no dirt was simulated.
+    /// True performance, in [0, 1]; `None` without simulated dirt.
     pub performance: Option<f64>,
-    /// Where the dirt lies, in the frame of the real surface [m].
+    /// True dirt locations in the frame of the true surface [m].
     pub particles: Option<&'a ParticleDistribution>,
-    /// When somebody pushed: from, to [s].
+    /// Times of pushes: start, end [s].
     pub pushes: &'a [[f64; 2]],
-    /// Where the surface really is, in the world.
+    /// True pose of the surface in the world.
     pub world_from_surface: Option<Pose>,
 }
 
-/// Writes a run as it goes on.
+/// A writer of a run's recording; it writes each piece as soon as it is known.
 ///
 /// ```
 /// use wisch_report::{RecordingHead, RecordingWriter};
@@ -109,20 +109,20 @@ pub struct RoundTruth<'a> {
 pub struct RecordingWriter<W> {
     output: W,
     meshes: Meshes,
-    /// How many of them are written.
+    /// Number of meshes that are written.
     written: usize,
-    /// What the round is predicted to do, before it is executed.
+    /// The round's predicted effect, until the round is executed.
     frames: Option<EffectFrames>,
-    /// Among which plans its plan was chosen.
+    /// The candidates among which the round's plan was chosen.
     considered: Vec<ConsideredRecord>,
-    /// What the check of its motion says.
+    /// Sentence about the check of the round's motion.
     audited: Option<String>,
     batch: Batch,
     target: f64,
 }
 
 impl<W: Write> RecordingWriter<W> {
-    /// Writes to this.
+    /// Makes a writer to `output`.
     pub fn new(output: W) -> Self {
         Self {
             output,
@@ -136,20 +136,20 @@ impl<W: Write> RecordingWriter<W> {
         }
     }
 
-    /// What was written to.
+    /// Returns the output.
     pub fn into_inner(self) -> W {
         self.output
     }
 
-    /// The same, while it is written to.
+    /// The output, while the recording is unfinished.
     pub const fn get_mut(&mut self) -> &mut W {
         &mut self.output
     }
 
-    /// Begins with who is to do what.
+    /// Writes the first piece.
     ///
     /// # Errors
-    /// What the system says.
+    /// If the output cannot be written.
     pub fn begin(&mut self, head: &RecordingHead<'_>) -> io::Result<()> {
         self.target = head.target;
         let piece = Head::new(head, &mut self.meshes);
@@ -157,10 +157,10 @@ impl<W: Write> RecordingWriter<W> {
         write(&mut self.output, &piece)
     }
 
-    /// Takes note of what happens.
+    /// Records an event of the run.
     ///
     /// # Errors
-    /// What the system says.
+    /// If the output cannot be written.
     pub fn see(&mut self, event: &RunEvent<'_>) -> io::Result<()> {
         match *event {
             RunEvent::Planning { round } => {
@@ -172,7 +172,9 @@ impl<W: Write> RecordingWriter<W> {
                 self.considered = considered.iter().map(ConsideredRecord::new).collect();
                 Ok(())
             }
-            RunEvent::Planned { round, plan } => self.stage(round, "planned", words::planned(plan)),
+            RunEvent::Planned { round, plan } => {
+                self.stage(round, "planned", words::summarise_plan(plan))
+            }
             RunEvent::Following {
                 round,
                 passed,
@@ -192,7 +194,7 @@ impl<W: Write> RecordingWriter<W> {
                 Ok(())
             }
             RunEvent::Audited { round, audit } => {
-                let found = words::audited(audit);
+                let found = words::describe_audit(audit);
                 self.audited = Some(found.clone());
                 self.stage(round, "audited", found)
             }
@@ -206,7 +208,7 @@ impl<W: Write> RecordingWriter<W> {
                 self.stage(
                     round,
                     "interpreting",
-                    "interpreting what was felt".to_owned(),
+                    "interpreting the measurements".to_owned(),
                 )
             }
             RunEvent::Observed { round, observation } => {
@@ -226,12 +228,14 @@ impl<W: Write> RecordingWriter<W> {
         }
     }
 
-    /// Takes note of a plan that nobody executes.
+    /// Records a plan that is not executed.
     ///
     /// # Errors
-    /// What the system says.
+    /// If the output cannot be written.
     pub fn planned_only(&mut self, planned: &PlannedOnly<'_>) -> io::Result<()> {
-        let audited = planned.followed.map(|(_, _, audit)| words::audited(audit));
+        let audited = planned
+            .followed
+            .map(|(_, _, audit)| words::describe_audit(audit));
         let piece = RoundPiece::planned(planned, audited, &mut self.meshes, self.written)
             .chosen_among(std::mem::take(&mut self.considered), planned.plan.strategy);
         self.written = self.meshes.len();
@@ -242,18 +246,18 @@ impl<W: Write> RecordingWriter<W> {
         Ok(())
     }
 
-    /// Takes note of what the world knows.
+    /// Records the simulated world's ground truth of a round.
     ///
     /// # Errors
-    /// What the system says.
+    /// If the output cannot be written.
     pub fn truth(&mut self, truth: &RoundTruth<'_>) -> io::Result<()> {
         write(&mut self.output, &Truth::new(truth))
     }
 
-    /// Ends; `episode` is the name under which it is kept.
+    /// Writes the last piece. `episode`: name of the episode in the memory, if one is kept.
     ///
     /// # Errors
-    /// What the system says.
+    /// If the output cannot be written.
     pub fn end(&mut self, outcome: &RunOutcome<'_>, episode: Option<&str>) -> io::Result<()> {
         write(&mut self.output, &Ended::new(outcome, episode))
     }
@@ -313,7 +317,7 @@ struct Observed {
     hidden_m2: f64,
 }
 
-/// One line.
+/// Writes a piece as one line.
 fn write(output: &mut impl Write, piece: &impl Serialize) -> io::Result<()> {
     let mut line = serde_json::to_vec(piece)?;
     line.push(b'\n');

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use wisch::geometry::Point2;
 use wisch::represent::ParticleDistribution;
 
-/// Most particles that are shown at one time.
+/// Maximum number of particles that are shown at one time.
 const MAX_SHOWN: usize = 1_500;
 /// Most changes of particles in a round.
 const MAX_CHANGES: usize = 24_000;
@@ -61,7 +61,7 @@ pub(super) fn steps(moments: &[Moment]) -> Vec<ParticleStep> {
     steps
 }
 
-/// Where particles lie that are on the surface, thinned.
+/// Returns the positions of particles on the surface, thinned.
 pub(super) fn lying(particles: &ParticleDistribution) -> Vec<i64> {
     let remaining = particles.remaining().map(|p| flat(&p));
     let one_in = particles.len().div_ceil(MAX_SHOWN).max(1);
@@ -69,7 +69,7 @@ pub(super) fn lying(particles: &ParticleDistribution) -> Vec<i64> {
     shown.flatten().collect()
 }
 
-/// Places, thinned.
+/// Returns positions, thinned.
 pub(super) fn flat_places(places: impl ExactSizeIterator<Item = Point2>) -> Vec<i64> {
     let one_in = places.len().div_ceil(MAX_SHOWN).max(1);
     let places = places.map(|p| flat(&p));
@@ -84,8 +84,8 @@ pub(super) fn line<'a>(points: impl IntoIterator<Item = &'a Point2>) -> Vec<i64>
     points.into_iter().flat_map(flat).collect()
 }
 
-/// Whether a particle is among the one in so many that are shown: by its place, so that one that rests is shown in every
-/// step or in none.
+/// Whether a particle is among the shown ones, of which there is one in `one_in`. The choice depends only on its position, so
+/// that a resting particle is shown in every step or in none.
 fn is_shown([x, y]: [i64; 2], one_in: usize) -> bool {
     // Fibonacci hashing: multiples of 2^64 over the golden ratio spread evenly.
     const SPREAD: u64 = 0x9e37_79b9_7f4a_7c15;

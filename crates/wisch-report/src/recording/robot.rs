@@ -1,4 +1,4 @@
-//! A robot as its parts.
+//! The piece of a robot: links, joints and shapes.
 
 use crate::scene::{Meshes, Solid, seven, vector};
 use serde::Serialize;
@@ -33,9 +33,9 @@ struct JointRecord<'a> {
 #[derive(Serialize)]
 struct LinkRecord<'a> {
     name: &'a str,
-    /// Whether it is of the arm that holds the tool.
+    /// Whether it belongs to the arm that holds the tool.
     arm: bool,
-    /// Whether the shapes are what it looks like, and not those that collisions are checked with.
+    /// Whether the shapes are visual geometry rather than collision geometry.
     #[serde(skip_serializing_if = "std::ops::Not::not")]
     visual: bool,
     shapes: Vec<Solid>,
@@ -106,8 +106,8 @@ impl<'a> JointRecord<'a> {
     }
 }
 
-/// The links of the arm: what hangs on the last fork before the tool, tool side. A fork is a link
-/// that also carries something else that moves by itself; a hand with fingers is none.
+/// Returns the links of the arm: those from the last fork before the tool to the tool. A fork is a link that also carries
+/// another moving branch; a hand with fingers does not count.
 fn arm(robot: &RobotModel, tool_link: LinkId) -> Vec<usize> {
     let holder = |link: usize| {
         robot.links()[link]

@@ -1,4 +1,4 @@
-//! A round before it is executed, or a plan that nobody executes.
+//! The piece of a planned round, or of a plan that is not executed.
 
 use super::considered::ConsideredRecord;
 use super::particles::{Moment, ParticleStep, line, steps};
@@ -66,7 +66,7 @@ struct PhaseRecord {
 }
 
 impl RoundPiece {
-    /// One that is about to be executed.
+    /// Makes the piece of a round before its execution.
     pub(super) fn executed(
         planned: &PlannedRound,
         frames: Option<&EffectFrames>,
@@ -84,7 +84,7 @@ impl RoundPiece {
             }
         };
         let followed = Some(&planned.followed);
-        let mut why = words::why(&planned.plan, &wiped, followed);
+        let mut why = words::explain_plan(&planned.plan, &wiped, followed);
         why.extend(audited);
         Shown {
             round: planned.number,
@@ -100,7 +100,7 @@ impl RoundPiece {
         .piece(meshes, written)
     }
 
-    /// One that nobody executes.
+    /// Makes the piece of a plan that is not executed.
     pub(super) fn planned(
         planned: &PlannedOnly<'_>,
         audited: Option<String>,
@@ -108,7 +108,7 @@ impl RoundPiece {
         written: usize,
     ) -> Self {
         let followed = planned.followed.map(|(_, followed, _)| followed);
-        let mut why = words::why(planned.plan, planned.plan, followed);
+        let mut why = words::explain_plan(planned.plan, planned.plan, followed);
         why.extend(audited);
         Shown {
             round: 1,
@@ -124,7 +124,7 @@ impl RoundPiece {
         .piece(meshes, written)
     }
 
-    /// Its plan is the one of a strategy among those that were considered.
+    /// Adds the candidates, and marks the one with the strategy of the plan.
     pub(super) fn chosen_among(
         mut self,
         considered: Vec<ConsideredRecord>,
@@ -138,7 +138,7 @@ impl RoundPiece {
     }
 }
 
-/// What a piece is made of.
+/// The inputs of a piece.
 struct Shown<'a> {
     round: usize,
     kind: &'static str,
@@ -239,7 +239,7 @@ impl GoalRecord {
     }
 }
 
-/// Motions in a row for the same purpose are one.
+/// Merges consecutive motions of the same phase.
 fn phases(followed: &Followed) -> Vec<PhaseRecord> {
     let mut phases: Vec<PhaseRecord> = Vec::new();
     for motion in &followed.motions {

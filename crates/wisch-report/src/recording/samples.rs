@@ -1,4 +1,4 @@
-//! What is measured, some instants in a row.
+//! Pieces of measured samples.
 
 use super::PlannedOnly;
 use serde::Serialize;
@@ -7,13 +7,13 @@ use wisch::follow::{Followed, Phase, ToolPose, Workcell};
 use wisch::geometry::{Point3, Pose, Vector3};
 use wisch::run::{PlannedRound, TelemetrySample};
 
-/// Instants a second that are shown.
+/// Samples per second of a recording.
 const RATE: f64 = 25.0;
-/// How fast a tool that no robot holds is shown to wipe [m/s].
+/// Speed of the tool in a recording without a robot [m/s].
 pub(super) const NOMINAL_SPEED: f64 = 0.1;
 /// Instants in a piece.
 const BATCH: usize = 10;
-/// A force between two instants that is so much greater than at them is shown all the same [N].
+/// A force peak between two samples that exceeds them by this much is kept [N].
 const PEAK: f64 = 5.0;
 
 #[derive(Serialize)]
@@ -60,7 +60,7 @@ impl Batch {
         }
     }
 
-    /// Takes note of a sample; whether a piece is full.
+    /// Adds a sample; returns whether a piece is full.
     pub(super) fn watch(&mut self, sample: &TelemetrySample<'_>) -> bool {
         // Times of periods add up to a little less.
         const SLACK: f64 = 1e-6;
@@ -102,7 +102,7 @@ impl Batch {
             .push(rounded((self.surface_from_world * tool).z, 1e4));
     }
 
-    /// What there is, as a piece.
+    /// Takes the collected samples as a piece.
     pub(super) fn take(&mut self) -> Option<Samples> {
         let last = self.positions.last()?.clone();
         let before = self.last.as_ref();
@@ -129,7 +129,7 @@ impl Batch {
     }
 }
 
-/// A motion that nobody executes, at the instants at which one that is executed is shown.
+/// Samples a motion that is not executed, at the rate of executed motions.
 pub(super) fn planned(planned: &PlannedOnly<'_>) -> Vec<Samples> {
     let mut batch = Batch::new(1, &planned.task.surface.world_from_surface);
     let mut pieces = Vec::new();
@@ -199,7 +199,7 @@ fn short_pose(pose: &Pose) -> [f64; 7] {
     [x, y, z, i, j, k, w]
 }
 
-/// A number to so many parts of one; adding zero leaves no "-0.0".
+/// Rounds a number to multiples of `1 / per_unit`; adding zero avoids "-0.0".
 pub(super) fn rounded(value: f64, per_unit: f64) -> f64 {
     (value * per_unit).round() / per_unit + 0.0
 }

@@ -1,4 +1,4 @@
-//! How it ended.
+//! The summary at the end of a run: task, result, certainty, and what would narrow the interval.
 
 use super::words;
 use crate::draw::percent;
@@ -8,22 +8,22 @@ use wisch::recover::Verdict;
 use wisch::represent::Task;
 use wisch::run::{Ending, Round};
 
-/// How a run ended.
+/// The outcome of a run.
 #[derive(Debug, Clone, Copy)]
 pub struct RunOutcome<'a> {
-    /// What was to be done.
+    /// The task.
     pub task: &'a Task,
-    /// The performance that was wanted, in [0, 1].
+    /// Target performance, in [0, 1].
     pub target: f64,
     /// Whether the goal is met.
     pub is_met: bool,
-    /// What was predicted for the first round, in [0, 1].
+    /// Predicted performance of the first round, in [0, 1].
     pub predicted: f64,
-    /// The last round and how many there were; `None` where nothing was executed.
+    /// The last round and the number of rounds; `None` if nothing was executed.
     pub last: Option<(&'a Round, usize)>,
-    /// The true performance in the end, in [0, 1]; `None` where nobody knows.
+    /// True performance after the last round, in [0, 1]; `None` without ground truth.
     pub truth: Option<f64>,
-    /// Label and value with unit.
+    /// Facts for the page: label, and value with unit.
     pub facts: &'a [(String, String)],
 }
 
@@ -47,7 +47,7 @@ struct Story {
 
 impl<'a> Ended<'a> {
     pub(super) fn new(outcome: &RunOutcome<'a>, episode: Option<&'a str>) -> Self {
-        let asked = words::asked(outcome.task, outcome.target);
+        let asked = words::describe_task(outcome.task, outcome.target);
         let story = match outcome.last {
             Some((last, rounds)) => executed(outcome, asked, last, rounds),
             None => predicted(outcome, asked),
@@ -70,25 +70,28 @@ fn executed(outcome: &RunOutcome<'_>, asked: String, last: &Round, rounds: usize
         many => format!("{many} rounds"),
     };
     let truth = outcome.truth.map_or_else(String::new, |share| {
-        format!(" In the simulated world it is really {}.", percent(share))
+        format!(" Ground truth of the simulated world: {}.", percent(share))
     });
     let senses = match found.observation {
         Some(_) => "touch and sight",
-        None => "touch alone",
+        None => "touch only",
     };
     Story {
         asked,
         happened: format!(
-            "After {rounds} {} is where it belongs, the robot believes: {}.",
+            "Estimated performance after {rounds}: {} ({}).",
             percent(found.performance.mean),
             match (last.verdict, &last.execution.ending) {
-                (Verdict::Again, Ending::Stopped) => "it was stopped",
-                (Verdict::Again, _) => "no more rounds were allowed",
+                (Verdict::Again, Ending::Stopped) => "the run was stopped",
+                (Verdict::Again, _) => "the limit of rounds is reached",
                 (verdict, _) => verdict.as_str(),
             }
         ),
-        sure: format!("By {senses}: {}.{truth}", interval(found.performance)),
-        surer: words::surer(last),
+        sure: format!(
+            "Estimated from {senses}: {}.{truth}",
+            interval(found.performance)
+        ),
+        surer: words::suggest_measures(last),
     }
 }
 
@@ -96,11 +99,12 @@ fn predicted(outcome: &RunOutcome<'_>, asked: String) -> Story {
     Story {
         asked,
         happened: format!(
-            "Nothing was executed. The plan is predicted to bring {} where it belongs.",
+            "Nothing was executed. Predicted performance of the plan: {}.",
             percent(outcome.predicted)
         ),
-        sure: "A prediction: it is as true as what is believed of dirt, tool and surface."
-            .to_owned(),
-        surer: "It would take executing it: wisch run does, with a robot.".to_owned(),
+        sure:
+            "This is a prediction; it assumes that dirt, tool and surface are as the task states."
+                .to_owned(),
+        surer: "Execute the plan with a robot: wisch run.".to_owned(),
     }
 }

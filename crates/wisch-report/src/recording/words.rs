@@ -1,4 +1,4 @@
-//! Sentences beside what is shown.
+//! Sentences of the recording: task, plan, checks, results and advice.
 
 use crate::draw::{grouped, metres, percent};
 use crate::rounds::words::{diagnosis, interval, tally};
@@ -9,58 +9,62 @@ use wisch::recover::{Claim, Verdict};
 use wisch::represent::{Action, Task};
 use wisch::run::{Ending, Round};
 
-/// What was asked.
-pub(super) fn asked(task: &Task, target: f64) -> String {
+/// States the task and its target.
+pub(super) fn describe_task(task: &Task, target: f64) -> String {
     let (medium, surface) = (spaced(&task.medium), spaced(&task.surface.name));
     let doing = match task.action {
-        Action::Absorb => format!("Take up the {medium} on the {surface}"),
-        Action::Collect => format!("Push the {medium} on the {surface} together"),
-        Action::Skim => format!("Push the {medium} off the {surface}"),
+        Action::Absorb => format!("Absorb the {medium} on the {surface}"),
+        Action::Collect => format!("Collect the {medium} on the {surface}"),
+        Action::Skim => format!("Skim the {medium} off the {surface}"),
         Action::Polish => format!("Polish the {surface}"),
-        Action::Emit => format!("Spread {medium} on the {surface}"),
+        Action::Emit => format!("Dispense {medium} onto the {surface}"),
     };
-    format!(
-        "{doing} with the {}: {} of {} are wanted where they belong.",
-        spaced(&task.tool.name),
-        percent(target),
-        grouped(task.particles.len())
-    )
+    let tool = spaced(&task.tool.name);
+    let (target, count) = (percent(target), grouped(task.particles.len()));
+    let wanted = match task.action {
+        Action::Absorb => format!("{target} of the {count} particles absorbed"),
+        Action::Collect => format!("{target} of the {count} particles in the goal area"),
+        Action::Skim => format!("{target} of the {count} particles over the skim edge"),
+        Action::Polish => format!("{target} of {count} surface points polished"),
+        Action::Emit => format!("{target} of {count} surface points coated"),
+    };
+    format!("{doing} with the {tool}. Target: {wanted}.")
 }
 
-/// A name as words.
+/// Formats a name as words.
 fn spaced(name: &str) -> String {
     name.replace(['_', '-'], " ")
 }
 
-/// A plan in short.
-pub(super) fn planned(plan: &Plan) -> String {
+/// Summarises a plan in one line.
+pub(super) fn summarise_plan(plan: &Plan) -> String {
     format!(
-        "planned: {}, {} m in contact, nodes placed by {}",
+        "planned by {}: {}, {} m in contact",
+        plan.strategy.as_str(),
         counted(plan.strokes.len(), "stroke"),
-        metres(plan.contact_distance(), 2),
-        plan.strategy.as_str()
+        metres(plan.contact_distance(), 2)
     )
 }
 
-/// Why this plan, as it was planned and as it is wiped.
-pub(super) fn why(plan: &Plan, wiped: &Plan, followed: Option<&Followed>) -> Vec<String> {
+/// Explains a plan. `wiped`: the plan without the nodes that the robot abandons.
+pub(super) fn explain_plan(plan: &Plan, wiped: &Plan, followed: Option<&Followed>) -> Vec<String> {
     let mut sentences = vec![format!(
-        "The {} of the {} plan were placed by {}: {}, {} m in contact.",
+        "The strategy {} planned {} for the action {}: {}, {} m in contact.",
+        plan.strategy.as_str(),
         counted(plan.graph.nodes.len(), "node"),
         plan.graph.goal.action().as_str(),
-        plan.strategy.as_str(),
         counted(wiped.strokes.len(), "stroke"),
         metres(wiped.contact_distance(), 2)
     )];
     if plan.unreachable_share > 0.0 {
         sentences.push(format!(
-            "No allowed pose of the tool covers {} of the dirt.",
+            "{} of the dirt is out of reach: no allowed tool pose covers it.",
             percent(plan.unreachable_share)
         ));
     }
     if !plan.graph.unreachable.is_empty() {
         sentences.push(format!(
-            "No clear way leads from {} to the goal.",
+            "No collision-free path leads from {} to the goal.",
             counted(plan.graph.unreachable.len(), "node")
         ));
     }
@@ -68,48 +72,48 @@ pub(super) fn why(plan: &Plan, wiped: &Plan, followed: Option<&Followed>) -> Vec
         return sentences;
     };
     if !followed.placements.is_empty() {
-        let places = counted(followed.placements.len(), "place");
-        sentences.push(format!("The base stands at {places} for it."));
+        let poses = counted(followed.placements.len(), "base pose");
+        sentences.push(format!("The robot works from {poses}."));
     }
     if !followed.abandoned.is_empty() {
         sentences.push(format!(
-            "The robot cannot pass {}, which it leaves out.",
+            "The robot abandons {} that it cannot reach.",
             counted(followed.abandoned.len(), "node")
         ));
     }
     sentences
 }
 
-/// What the check of a motion says.
-pub(super) fn audited(audit: &Audit) -> String {
+/// Summarises the check of a motion.
+pub(super) fn describe_audit(audit: &Audit) -> String {
     match audit.faults.as_slice() {
         [] => format!(
-            "The motion was checked: no fault, nothing nearer than {} mm to what it must not touch.",
+            "The motion passes all checks; its clearance is at least {} mm.",
             metres(1e3 * audit.min_clearance, 0)
         ),
         faults => {
             let words: Vec<String> = faults.iter().map(ToString::to_string).collect();
-            format!("The motion has faults: {}.", words.join("; "))
+            format!("The motion fails its check: {}.", words.join("; "))
         }
     }
 }
 
-/// What touch, and sight, told of a round, and what follows.
-pub(super) fn judged(round: &Round, target: f64) -> Vec<String> {
+/// Summarises a round: diagnosis, events, ending, estimate and verdict.
+pub(super) fn describe_round(round: &Round, target: f64) -> Vec<String> {
     let found = &round.interpretation;
     let mut sentences = vec![diagnosis(found)];
     let felt = tally(&found.events);
     if !felt.is_empty() {
-        sentences.push(format!("Felt: {felt}."));
+        sentences.push(format!("Detected events: {felt}."));
     }
     for doubt in &found.doubts {
         sentences.push(format!("{doubt}."));
     }
     match &round.execution.ending {
         Ending::Complete => {}
-        Ending::Stopped => sentences.push("It was stopped from outside.".to_owned()),
+        Ending::Stopped => sentences.push("A user stopped the round.".to_owned()),
         Ending::Early { time, cause } => {
-            sentences.push(format!("It was ended at {time:.1} s, as {cause}."));
+            sentences.push(format!("The round ended early at {time:.1} s: {cause}."));
         }
         Ending::ProtectiveStop { time, cause } => {
             sentences.push(format!("The robot stopped itself at {time:.1} s: {cause}."));
@@ -118,48 +122,48 @@ pub(super) fn judged(round: &Round, target: f64) -> Vec<String> {
     if found.observation.is_some() {
         let [felt, seen] = [found.felt, found.performance].map(interval);
         sentences.push(format!(
-            "By touch alone {felt} would be where it belongs; with what was seen, {seen}."
+            "Estimated performance: {felt} from touch, {seen} with the camera observation."
         ));
     } else {
         let felt = interval(found.performance);
         sentences.push(if found.can_be_told() {
-            format!("By touch, {felt} is where it belongs.")
+            format!("Estimated performance from touch: {felt}.")
         } else {
-            format!("What was wiped cannot be told from this log: {felt} is possible.")
+            format!("The log does not allow an estimate; possible performance: {felt}.")
         });
     }
-    sentences.push(follows(round, target));
+    sentences.push(describe_verdict(round, target));
     sentences
 }
 
-/// What follows, and why.
-fn follows(round: &Round, target: f64) -> String {
+/// States the verdict on a round with its reason.
+fn describe_verdict(round: &Round, target: f64) -> String {
     let claim = Claim::of(&round.interpretation.distribution, target);
     match round.verdict {
         Verdict::GoalMet => format!("The goal is met: {claim}."),
         Verdict::Again => format!("The goal is not met yet: {claim}."),
         Verdict::NoProgress => {
-            format!("The goal is not met ({claim}), and this round has not raised the estimate.")
+            format!("The goal is not met ({claim}), and this round did not raise the estimate.")
         }
         Verdict::NothingToGain => format!(
-            "The goal is not met ({claim}), and no plan is expected to do any better: what is missing has left the surface, or would."
+            "The goal is not met ({claim}), and no plan is predicted to improve it: the remaining dirt has left the surface, or would leave it."
         ),
-        Verdict::NoWay => "The robot finds no plan or motion to wipe again.".to_owned(),
+        Verdict::NoWay => "The robot found no plan or motion for another round.".to_owned(),
         Verdict::UnsafeMotion => {
-            "The motion that would wipe again fails its check, and is not executed.".to_owned()
-        }
-        Verdict::CannotBeTold => {
-            "Whether the goal is met cannot be told: the log does not say what was wiped."
+            "The motion of the next round fails its check, so the robot does not execute it."
                 .to_owned()
         }
+        Verdict::CannotBeTold => {
+            "It is unknown whether the goal is met: the log does not allow an estimate.".to_owned()
+        }
         Verdict::UnknowableByTouch => format!(
-            "Whether the goal is met, touch cannot tell ({claim}), and wiping again would not change that."
+            "It is unknown whether the goal is met ({claim}). Another round of touch would not change that; a camera would."
         ),
     }
 }
 
-/// What it would take to be surer of the last round.
-pub(super) fn surer(last: &Round) -> String {
+/// Lists measures that would narrow the interval of the last round's estimate.
+pub(super) fn suggest_measures(last: &Round) -> String {
     let found = &last.interpretation;
     let pushed = found
         .events
@@ -167,26 +171,25 @@ pub(super) fn surer(last: &Round) -> String {
         .any(|event| event.kind == EventKind::Collision);
     let mut ways = Vec::new();
     match &found.observation {
-        None => ways.push(
-            "a look at the surface: with a camera ([perception] in the task) each round is seen as well as felt",
-        ),
+        None => ways
+            .push("a camera that observes the surface after each round ([perception] in the task)"),
         Some(observation) if observation.hidden.area() > 0.0 => {
-            ways.push("a look at what robot and tool hide from the camera");
+            ways.push("a view of the area that robot and tool hide from the camera");
         }
         Some(_) => {}
     }
     if pushed {
-        ways.push("a round in which nobody pushes");
+        ways.push("a round without a push");
     }
     if matches!(found.doubts.as_slice(), [Doubt::LedByHand { .. }, ..]) {
-        ways.push("a round that nobody leads by hand");
+        ways.push("a round without hand guiding");
     }
     if found.plane.is_none_or(|plane| plane.directions < 2) {
-        ways.push("strokes in a second direction, which tell how the surface lies");
+        ways.push("strokes in a second direction, which determine the tilt of the surface");
     }
     match ways.as_slice() {
-        [] => "Another look, or another round: nothing else narrows the interval.".to_owned(),
-        ways => format!("It would take {}.", ways.join(", and ")),
+        [] => "Only another observation or another round narrows the interval.".to_owned(),
+        ways => format!("To narrow the interval: {}.", ways.join("; ")),
     }
 }
 

@@ -1,4 +1,4 @@
-//! How likely contact of some force has its effect, and how strong contact was; paper Fig. 11.
+//! The probability of an effect over contact force, and the measured contact forces; paper Fig. 11.
 
 use super::input::{RoundView, RoundsInput};
 use super::reduce;
@@ -11,16 +11,16 @@ const WIDTH: f64 = 430.0;
 const LEFT: f64 = 52.0;
 const RIGHT: f64 = WIDTH - 16.0;
 const TOP: f64 = 28.0;
-/// Where the curve ends below, and the bars.
+/// Bottom of the curve, and of the bars.
 const CURVE: f64 = 190.0;
 const BARS: f64 = 258.0;
 const HEIGHT: f64 = BARS + 42.0;
-/// Bars of the histogram.
+/// Number of bars of the histogram.
 const BINS: usize = 20;
 /// Curves are drawn at this many quantiles, from −Z to Z standard deviations of ln x.
 const POINTS: usize = 160;
 const Z: f64 = 4.0;
-/// Longest axis of the density: beyond, a contact of full force has no effect anyhow.
+/// Maximum of the density's axis; beyond it, a contact with full force has no effect.
 const MOST_X: f64 = 3.0;
 
 /// Time in contact by f'.
@@ -62,7 +62,7 @@ impl Histogram {
     }
 }
 
-/// Both beside each other.
+/// Draws both plots side by side.
 pub(crate) fn figure(input: &RoundsInput, round: &RoundView) -> Figure {
     let [curve, density] = panels(input, round);
     Figure {
@@ -75,7 +75,8 @@ pub(crate) fn figure(input: &RoundsInput, round: &RoundView) -> Figure {
             },
         },
         entries: Vec::new(),
-        what: "The chance of an effect, and the force of contact in this round".to_owned(),
+        what: "Probability of an effect over contact force, and contact forces of this round"
+            .to_owned(),
     }
 }
 
@@ -116,7 +117,7 @@ fn forces(likelihood: &LogNormal, most: f64) -> Vec<f64> {
     [0.0].into_iter().chain(inner).chain([most]).collect()
 }
 
-/// P(X ≤ f') with the histogram below.
+/// Draws P(X ≤ f'), with the histogram below.
 fn chance(likelihood: &LogNormal, histogram: &Histogram) -> Markup {
     let mut curve = Pen::default();
     let places = forces(likelihood, 1.0).into_iter().map(|f| {
@@ -146,7 +147,7 @@ fn chance(likelihood: &LogNormal, histogram: &Histogram) -> Markup {
         }
         path class="curve" d=(curve.path()) {}
         text class="text small quiet" x="8" y=(px(CURVE + 18.0)) {
-            @if most > 0.0 { "share of the time in contact, at most " (percent(most)) } @else { "no time in contact" }
+            @if most > 0.0 { "share of the contact time, at most " (percent(most)) } @else { "no contact" }
         }
         @for (left, width, top) in (0..BINS).map(bar) {
             @if BARS - top > 0.05 {
@@ -157,7 +158,7 @@ fn chance(likelihood: &LogNormal, histogram: &Histogram) -> Markup {
     }
 }
 
-/// p(x) with the part that full force covers.
+/// Draws p(x), with the part that full force covers.
 fn density(likelihood: &LogNormal) -> Markup {
     let LogNormal { mu, sigma } = *likelihood;
     let most = (mu + 2.6 * sigma).exp().clamp(1.2, MOST_X);

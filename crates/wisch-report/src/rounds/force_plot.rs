@@ -1,4 +1,4 @@
-//! Force and height over time, with what happened below; paper Fig. 9, 16 and 18.
+//! Force and height over time, with events below; paper Fig. 9, 16 and 18.
 
 use super::input::{RoundView, RoundsInput};
 use super::reduce::{self, Dot};
@@ -9,21 +9,21 @@ use crate::draw::{
 use maud::{Markup, html};
 use wisch::interpret::{Event, EventKind, PathPiece, Touch};
 
-/// Where the curves lie across the picture.
+/// Left and right end of the curves.
 const LEFT: f64 = 92.0;
 const RIGHT: f64 = WIDTH - 22.0;
 const TOP: f64 = 30.0;
 const HEIGHT: f64 = 170.0;
-/// Between the two plots: room for the lower one's caption.
+/// Gap between the two plots, for the lower one's caption.
 const BETWEEN: f64 = 34.0;
 const LANE: f64 = 17.0;
 /// Confident contact (10): f' from, to.
 const CONFIDENT: [f64; 2] = [0.9, 1.0];
-/// How much of a lifted move is shown above what is felt of the surface, and at least [m].
+/// Shown height of lifted moves above the measured contacts: a share of their extent, and a minimum [m].
 const LIFT_SHOWN: f64 = 0.012;
-/// Least extent of the axis of heights [m].
+/// Minimum extent of the axis of heights [m].
 const LEAST_HEIGHT: f64 = 0.004;
-/// Most events that are drawn in a lane.
+/// Maximum number of drawn events in a lane.
 const MAX_SPANS: usize = 400;
 
 const MILLIMETRES: f64 = 1e3;
@@ -145,18 +145,18 @@ fn force_plot(path: &[PathPiece], press: f64) -> Plot {
     }
 }
 
-/// Round what is felt of the surface; lifted moves are cut off.
+/// Returns the axis of heights around the measured contacts; lifted moves are cut off.
 fn height_plot(path: &[PathPiece], top: f64) -> Plot {
     let felt = path.iter().filter(|piece| piece.touch != Touch::Free);
     let (low, felt) = range(felt.map(|piece| piece.height));
     let (lowest, highest) = range(path.iter().map(|piece| piece.height));
     let high = highest.min(felt + LIFT_SHOWN);
     let low = lowest.max(low.min(0.0) - LIFT_SHOWN).min(0.0);
-    let room = 0.06 * (high - low).max(LEAST_HEIGHT);
+    let margin = 0.06 * (high - low).max(LEAST_HEIGHT);
     Plot {
         top,
-        low: low.min(-0.3 * LEAST_HEIGHT) - room,
-        high: high.max(LEAST_HEIGHT) + room,
+        low: low.min(-0.3 * LEAST_HEIGHT) - margin,
+        high: high.max(LEAST_HEIGHT) + margin,
     }
 }
 
@@ -165,7 +165,7 @@ fn cut_note(path: &[PathPiece], heights: &Plot) -> Markup {
     html! { @if cut { "; lifted moves go on above the plot" } }
 }
 
-/// Spans over the whole height of a plot.
+/// Draws spans over the whole height of a plot.
 fn bands(plot: &Plot, places: &[(f64, f64)], class: &str) -> Markup {
     html! {
         @for (left, width) in places {
@@ -174,7 +174,7 @@ fn bands(plot: &Plot, places: &[(f64, f64)], class: &str) -> Markup {
     }
 }
 
-/// The force that is wanted, and the band in which contact is certain.
+/// Draws the commanded force, and the band of confident contact.
 fn intended(plot: &Plot, press: f64) -> Markup {
     let [weak, full] = CONFIDENT.map(|share| plot.down(-share * press));
     html! {
@@ -234,7 +234,7 @@ fn curves(
     }
 }
 
-/// Class of a line that was judged so.
+/// Returns the CSS class of a line of a contact class.
 const fn class(touch: Touch) -> &'static str {
     match touch {
         Touch::Free => "felt-free",
@@ -244,7 +244,7 @@ const fn class(touch: Touch) -> &'static str {
     }
 }
 
-/// A row of spans for each kind of event that occurs, and one for what truly happened; gives their height too.
+/// Draws a row of spans for each kind of event, and a row of true pushes; returns their height, too.
 fn lanes(events: &[Event], pushes: &[(f64, f64)], times: &Times, top: f64) -> (Markup, f64) {
     let spans = |kind: EventKind| -> Vec<(f64, f64)> {
         let of_kind = events.iter().filter(|event| event.kind == kind);
@@ -254,7 +254,7 @@ fn lanes(events: &[Event], pushes: &[(f64, f64)], times: &Times, top: f64) -> (M
             .collect()
     };
     let felt = words::KINDS.map(|kind| (words::kind(kind), event_class(kind), spans(kind)));
-    let truth = ("pushed (truth)", "event-push", pushes.to_vec());
+    let truth = ("true push", "event-push", pushes.to_vec());
     let lanes: Vec<_> = (felt.into_iter().chain([truth]))
         .filter(|(_, _, spans)| !spans.is_empty())
         .collect();
@@ -330,7 +330,7 @@ fn entries(path: &[PathPiece], losses: &[(f64, f64)], pushes: &[(f64, f64)]) -> 
     if !pushes.is_empty() {
         entries.push(legend::area(
             "true-push",
-            "truly pushed, which the robot does not know",
+            "true push (unknown to the robot)",
         ));
     }
     entries

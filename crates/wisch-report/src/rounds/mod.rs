@@ -1,4 +1,4 @@
-//! What happened in each round of planning, wiping and interpreting, and how far that led.
+//! Figures of the rounds of planning, wiping and interpreting.
 
 mod chance;
 #[cfg(test)]
@@ -17,10 +17,10 @@ pub use input::{RoundView, RoundsInput};
 
 use crate::draw::{Figure, GAP};
 
-/// Most rounds that are shown with pictures; all stand in the table.
+/// Maximum number of rounds with pictures.
 const MAX_PICTURED: usize = 8;
 
-/// The pictures of all rounds as (file stem, SVG).
+/// Draws the pictures of all rounds as (file stem, SVG).
 pub(crate) fn pictures(input: &RoundsInput) -> Vec<(String, String)> {
     if input.rounds.is_empty() {
         return Vec::new();
@@ -48,7 +48,7 @@ pub(crate) fn pictures(input: &RoundsInput) -> Vec<(String, String)> {
     pictures
 }
 
-/// What a log shows, as it is drawn on its page.
+/// Draws the figures of a log for its page.
 pub(crate) fn log_figures(input: &RoundsInput, round: &RoundView) -> [Figure; 4] {
     [
         path::figure(input, round),
@@ -58,7 +58,7 @@ pub(crate) fn log_figures(input: &RoundsInput, round: &RoundView) -> [Figure; 4]
     ]
 }
 
-/// The rounds that have pictures: all, or the first and the last.
+/// Returns the rounds with pictures: all, or the first and the last ones.
 fn pictured<'r, 'a>(rounds: &'r [RoundView<'a>]) -> Vec<&'r RoundView<'a>> {
     let left_out = rounds.len().saturating_sub(MAX_PICTURED);
     (rounds.iter().enumerate())

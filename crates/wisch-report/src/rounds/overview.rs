@@ -13,17 +13,17 @@ const BOTTOM: f64 = 214.0;
 const HEIGHT: f64 = BOTTOM + 44.0;
 /// Widest bar.
 const WIDEST: f64 = 40.0;
-/// Bars that are at least so wide have their numbers on top.
+/// Minimum width of a bar with a number above it.
 const NUMBERED: f64 = 22.0;
 fn down(share: f64) -> f64 {
     BOTTOM - share.clamp(0.0, 1.0) * (BOTTOM - TOP)
 }
 
-/// What a bar stands for.
+/// The content of a bar.
 struct Bar {
     class: &'static str,
     share: f64,
-    /// From and to of a whisker.
+    /// Ends of the whisker.
     range: Option<[f64; 2]>,
 }
 
@@ -45,7 +45,7 @@ fn bars_of(round: &RoundView) -> Vec<Bar> {
     bars
 }
 
-/// Three bars a round, and the target.
+/// Draws up to three bars per round, and the target.
 pub(crate) fn bars(input: &RoundsInput) -> Figure {
     let groups: Vec<Vec<Bar>> = input.rounds.iter().map(bars_of).collect();
     let each = (RIGHT - LEFT) / groups.len().max(1) as f64;
@@ -105,7 +105,7 @@ fn draw(bar: &Bar, left: f64, width: f64) -> Markup {
     }
 }
 
-/// The number over a bar and its whisker.
+/// Draws the number above a bar and its whisker.
 fn number(bar: &Bar, middle: f64) -> Markup {
     let top = down(bar.range.map_or(bar.share, |[_, high]| high.max(bar.share)));
     html! {
@@ -125,7 +125,7 @@ fn entries(input: &RoundsInput) -> Vec<Entry> {
         legend::area("bar-estimated", estimated),
     ];
     if input.rounds.iter().any(|round| round.truth.is_some()) {
-        entries.push(legend::area("bar-true", "in truth"));
+        entries.push(legend::area("bar-true", "true"));
     }
     entries.push(legend::line("limit", "target"));
     entries

@@ -1,4 +1,4 @@
-//! The path over the surface in space, coloured by what the tool felt; paper Fig. 10 and 17.
+//! The tool's path over the surface in space, coloured by contact force; paper Fig. 10 and 17.
 
 use super::input::{RoundView, RoundsInput};
 use super::reduce::{self, Stretch};
@@ -7,7 +7,7 @@ use maud::{Markup, html};
 use wisch::geometry::{Bounds2, Point2, Point3};
 use wisch::interpret::{FittedPlane, Touch};
 
-/// From where one looks: turned from the front to the right, and up [rad].
+/// Direction of view: azimuth from the front to the right, and elevation [rad].
 const AZIMUTH: f64 = 0.5;
 const ELEVATION: f64 = 0.56;
 /// Narrower than the surface from above, so that a phone shows it whole.
@@ -137,16 +137,16 @@ pub(crate) fn figure(input: &RoundsInput, round: &RoundView) -> Figure {
         },
         entries: entries(&stretches, plane.as_ref(), stretching),
         what: format!(
-            "The tool's path over the surface, by what it felt; {}",
+            "The tool's path over the surface, coloured by contact force; {}",
             stretched(stretching)
         ),
     }
 }
 
-/// How heights are drawn, in words.
+/// Describes the scale of heights.
 fn stretched(stretching: f64) -> String {
     if stretching > 1.0 {
-        format!("heights drawn {stretching} times as large")
+        format!("heights enlarged {stretching} times")
     } else {
         "heights to scale".to_owned()
     }

@@ -1,11 +1,11 @@
-//! Minutes of a log at 1 kHz as few enough points for a picture, without losing what stands out.
+//! Reduces minutes of a log at 1 kHz to few points for a picture, and keeps its peaks.
 
 use wisch::geometry::Point3;
 use wisch::interpret::{Interpretation, PathPiece, Touch};
 
-/// Most points that a curve is drawn with.
+/// Maximum number of points of a curve.
 const MAX_POINTS: usize = 2_600;
-/// Most stretches that a path in space is drawn with.
+/// Maximum number of stretches of a path in space.
 const MAX_STRETCHES: usize = 5_000;
 const TOUCHES: [Touch; 4] = [
     Touch::Free,
@@ -14,7 +14,7 @@ const TOUCHES: [Touch; 4] = [
     Touch::FalsePositive,
 ];
 
-/// A point of a curve: where it is drawn, and how its piece of the path was judged.
+/// A point of a curve: its position, and the contact class of its piece of the path.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Dot {
     pub(crate) x: f64,
@@ -22,14 +22,14 @@ pub(crate) struct Dot {
     pub(crate) touch: Touch,
 }
 
-/// Consecutive points of one judgement.
+/// Consecutive points of one contact class.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Run {
     pub(crate) touch: Touch,
     pub(crate) points: Vec<(f64, f64)>,
 }
 
-/// A stretch of the path in space: where it ends, and how it was judged as a whole.
+/// A stretch of the path in space: its end, and its contact class.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Stretch {
     pub(crate) end: Point3,
@@ -38,8 +38,8 @@ pub(crate) struct Stretch {
     pub(crate) normalized_force: f64,
 }
 
-/// The lowest and the highest point of each judgement in every column of the picture, in their order. Columns
-/// are a unit wide, or wider where even that is too much to draw.
+/// Returns the lowest and the highest point of each contact class in every column of the picture, in order of time. Columns
+/// are one unit wide, or wider if there are too many.
 pub(crate) fn peaks(curve: &[Dot]) -> Vec<Dot> {
     let mut width = 1.0;
     loop {
@@ -69,7 +69,7 @@ fn peaks_by(curve: &[Dot], width: f64) -> Vec<Dot> {
     kept
 }
 
-/// A curve in runs of one judgement each; a run begins where the one before ends.
+/// Splits a curve into runs of one contact class; a run begins at the end of the run before.
 pub(crate) fn runs(curve: &[Dot]) -> Vec<Run> {
     let mut runs: Vec<Run> = Vec::new();
     let mut before: Option<(f64, f64)> = None;
@@ -87,7 +87,7 @@ pub(crate) fn runs(curve: &[Dot]) -> Vec<Run> {
     runs
 }
 
-/// From and to [s] of the consecutive pieces that were judged so. Those closer than `gap` [s] are one.
+/// Returns start and end [s] of consecutive pieces of a contact class. Runs that are closer than `gap` [s] are merged.
 pub(crate) fn spans(path: &[PathPiece], touch: Touch, gap: f64) -> Vec<[f64; 2]> {
     let mut spans: Vec<[f64; 2]> = Vec::new();
     for piece in path.iter().filter(|piece| piece.touch == touch) {
@@ -99,7 +99,7 @@ pub(crate) fn spans(path: &[PathPiece], touch: Touch, gap: f64) -> Vec<[f64; 2]>
     spans
 }
 
-/// The pieces that can be shown: finite, and not earlier than the one before.
+/// Returns the pieces that can be drawn: finite, and not earlier than the piece before.
 pub(crate) fn usable(path: &[PathPiece]) -> Vec<PathPiece> {
     let mut usable: Vec<PathPiece> = Vec::with_capacity(path.len());
     for piece in path {
@@ -123,7 +123,7 @@ pub(crate) fn usable(path: &[PathPiece]) -> Vec<PathPiece> {
     usable
 }
 
-/// The path in stretches of about `length` [m], longer where there are too many.
+/// Splits the path into stretches of about `length` [m], or longer if there are too many.
 pub(crate) fn stretches(path: &[PathPiece], length: f64) -> Vec<Stretch> {
     let mut length = length;
     loop {
@@ -139,7 +139,7 @@ fn stretches_by(path: &[PathPiece], length: f64) -> Vec<Stretch> {
     let mut stretches = Vec::new();
     let mut from = 0;
     for (i, piece) in path.iter().enumerate() {
-        // As the crow flies: a tool that stands still trembles over any distance.
+        // Straight-line distance: the path length of a trembling tool at rest grows without limit.
         let moved = (piece.position - path[from].position).norm();
         // A push should not spread over a whole stretch of good contact.
         let turns = (piece.touch == Touch::FalsePositive)
@@ -182,8 +182,8 @@ impl Stretch {
     }
 }
 
-/// The path to be drawn: force off the plane counts as false only where it makes a collision. As the tool
-/// lands, force and height are off each other for a moment as well.
+/// Returns the path to draw. Force away from the plane counts as a false positive only during a collision, because force and
+/// height also disagree briefly at landing.
 pub(crate) fn drawable(interpretation: &Interpretation) -> Vec<PathPiece> {
     let mut path = usable(&interpretation.path);
     let spans: Vec<[f64; 2]> = (interpretation.events.iter())

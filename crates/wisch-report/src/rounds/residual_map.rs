@@ -1,4 +1,4 @@
-//! What is left: as planned on, as estimated and in truth, and how sure the estimate is of each place.
+//! The remaining dirt: believed, estimated and true, and the uncertainty of the estimate by location.
 
 use super::input::{RoundView, RoundsInput};
 use crate::draw::{
@@ -12,21 +12,21 @@ use maud::{Markup, html};
 use wisch::geometry::{Bounds2, Point2, Vector2};
 use wisch::represent::{GoalState, ParticleDistribution, Surface};
 
-/// Width of a view on the page, and its most height as a share of that.
+/// Width of a view on the page, and its maximum height as a share of the width.
 const VIEW: f64 = 306.0;
 const MAP: f64 = 450.0;
 const TALLEST: f64 = 1.1;
-/// Room for the name above, and for the scale of the map below.
+/// Margins for the name above, and for the scale of the map below.
 const NAME: f64 = 24.0;
 const RAMP: f64 = 46.0;
-/// Most cells along the longer side of the surface, about.
+/// Approximate maximum number of cells along the longer side of the surface.
 const MOST_CELLS: f64 = 20.0;
 /// Least width of views side by side.
 const NARROWEST: f64 = 600.0;
-/// Most particles that are drawn.
+/// Maximum number of drawn particles.
 const MAX_DRAWN: usize = 3_000;
 
-/// The particles that are still to be wiped, counted in square cells; of a surface that is treated, its mean passes there.
+/// A map in square cells of the remaining particles, or of the mean passes over a treated surface.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Cells {
     pub(crate) low: Point2,
@@ -39,7 +39,7 @@ pub(crate) struct Cells {
 }
 
 impl Cells {
-    /// Counts what lies on the surface and not at the goal, or takes the mean of what was treated, replay by replay.
+    /// Counts the particles on the surface outside the goal, or averages the passes of a treated surface, for each replay.
     pub(crate) fn new(
         replays: &[ParticleDistribution],
         goal: &GoalState,
@@ -93,8 +93,7 @@ impl Cells {
         }
     }
 
-    /// Filled cells, an eighth of the peak a band, as far as they lie on the surface. `id` is this drawing's
-    /// alone on the page.
+    /// Draws filled cells in bands of an eighth of the peak, clipped to the surface. `id`: unique on the page.
     fn draw(&self, view: &View, surface: &Surface, id: &str, values: &[f64]) -> Markup {
         let peak = peak(values);
         let mut bands: [Pen; BANDS] = Default::default();
@@ -122,31 +121,31 @@ impl Cells {
     }
 }
 
-/// A round length [m], so large that particles evenly spread leave about one in a cell: where every cell holds
-/// one or none, colours say nothing.
+/// Returns a round cell size [m] with which uniform particles give about one per cell; with smaller cells, colours have no
+/// meaning.
 pub(crate) fn cell_side(bounds: &Bounds2, particles: usize) -> f64 {
     let size = bounds.size();
-    let room = (size.x * size.y / particles.max(1) as f64).sqrt();
+    let cell = (size.x * size.y / particles.max(1) as f64).sqrt();
     let longest = size.max();
-    tick_step(room.clamp(longest / MOST_CELLS, longest))
+    tick_step(cell.clamp(longest / MOST_CELLS, longest))
 }
 
 fn peak(values: &[f64]) -> f64 {
     values.iter().copied().fold(0.0, f64::max)
 }
 
-/// Which eighth of the peak; `None` for nothing.
+/// Returns the band of a value, an eighth of the peak each; `None` for 0.
 fn band(value: f64, peak: f64) -> Option<usize> {
     let some = value > 0.0 && peak > 0.0;
     some.then(|| ((value / peak * BANDS as f64).ceil() as usize).clamp(1, BANDS) - 1)
 }
 
-/// The surface and what fell beside it.
+/// Returns the bounds of the surface and of particles that fell off it.
 fn shown(surface: &Surface) -> Bounds2 {
     let mut bounds = extent(surface);
-    let room = Vector2::repeat(0.06 * bounds.size().max());
-    bounds.min -= room;
-    bounds.max += room;
+    let margin = Vector2::repeat(0.06 * bounds.size().max());
+    bounds.min -= margin;
+    bounds.max += margin;
     bounds
 }
 
@@ -157,8 +156,7 @@ pub(crate) fn particles_figure(input: &RoundsInput, round: &RoundView) -> Figure
     Figure {
         panel: beside(panels),
         entries: particle_entries(input, round),
-        what: "What was planned on, what is estimated to be left, and what is left in truth"
-            .to_owned(),
+        what: "Believed dirt before the round, and estimated and true dirt after it".to_owned(),
     }
 }
 
@@ -174,7 +172,7 @@ pub(crate) fn density_figure(input: &RoundsInput, round: &RoundView) -> Figure {
     }
 }
 
-/// What the maps show, as a title.
+/// Returns the title of the maps.
 fn counted(goal: &GoalState) -> &'static str {
     if goal.action().treats() {
         "Passes"
@@ -239,7 +237,7 @@ fn views(input: &RoundsInput, round: &RoundView, cells: &Cells) -> Vec<(Panel, S
         ),
     ];
     if let Some((truth, share)) = round.truth {
-        let name = format!("in truth: {}", percent(share));
+        let name = format!("true: {}", percent(share));
         views.push(framed(input, &view, &name, particles(input, &view, truth)));
     }
     views
@@ -332,9 +330,9 @@ fn particle_entries(input: &RoundsInput, round: &RoundView) -> Vec<Entry> {
         entries.push(legend::line("trail", "planned stroke"));
     }
     let dark = if input.goal.action().treats() {
-        "where more passes are believed"
+        "more believed passes"
     } else {
-        "where more is believed to be left"
+        "more believed dirt"
     };
     entries.push(legend::area("band-4", dark));
     entries
@@ -371,7 +369,7 @@ fn maps(input: &RoundsInput, round: &RoundView, cells: &Cells) -> [Panel; 2] {
     })
 }
 
-/// What the colours of a map mean.
+/// Draws the colour scale of a map.
 fn ramp(top: f64, values: &[f64], side: f64) -> Markup {
     const CELL: f64 = 24.0;
     let peak = peak(values);

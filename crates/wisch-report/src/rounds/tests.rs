@@ -376,8 +376,8 @@ fn a_collect_and_a_skim_are_shown() {
         };
         let (html, _) = draw(&format!("{action}"), &demo, |_, _| ());
         let done = match action {
-            Action::Collect => "at the goal",
-            _ => "over the allowed edge",
+            Action::Collect => "in the goal area",
+            _ => "over the skim edge",
         };
         assert!(html.contains(done), "{action}");
     }

@@ -1,4 +1,4 @@
-//! Rounds in words.
+//! Names and sentences about rounds and their events.
 
 use crate::draw::{metres, percent};
 use wisch::interpret::{Diagnosis, Estimate, Event, EventKind, Interpretation};
@@ -32,7 +32,7 @@ pub(crate) const fn kind(kind: EventKind) -> &'static str {
     }
 }
 
-/// A mean with its interval.
+/// Formats a mean with its 90 % interval.
 pub(crate) fn interval(estimate: Estimate) -> String {
     if estimate.low == estimate.high {
         return percent(estimate.mean);
@@ -45,25 +45,26 @@ pub(crate) fn interval(estimate: Estimate) -> String {
     )
 }
 
-/// The diagnosis as a sentence.
+/// Formats the diagnosis as a sentence.
 pub(crate) fn diagnosis(found: &Interpretation) -> String {
     let plane = found.plane.map_or_else(String::new, |plane| {
         format!(
-            ": the fitted plane is tilted by {} and lies {} mm {}",
+            ": the fitted plane is tilted by {} and {} mm {} it",
             degrees(plane.tilt),
             metres(1e3 * plane.offset.abs(), 1),
             if plane.offset < 0.0 { "below" } else { "above" }
         )
     });
     match found.diagnosis {
-        Diagnosis::Localized => format!("The surface is where it was believed{plane}."),
-        Diagnosis::Relocalize { .. } => format!("The surface is elsewhere{plane}."),
+        Diagnosis::Localized => format!("The surface is at its believed pose{plane}."),
+        Diagnosis::Relocalize { .. } => {
+            format!("The surface is not at its believed pose{plane}.")
+        }
         Diagnosis::NoContact => {
-            "There were too few confident contacts to tell where the surface is.".to_owned()
+            "Too few confident contacts: the pose of the surface is unknown.".to_owned()
         }
         Diagnosis::Hovering => {
-            "The tool hovers: nothing is felt, and the estimate goes by where the tool was."
-                .to_owned()
+            "The tool works without contact, so the estimate uses tool poses only.".to_owned()
         }
     }
 }
@@ -76,7 +77,7 @@ pub(crate) fn count(events: &[Event], kind: EventKind) -> usize {
     events.iter().filter(|event| event.kind == kind).count()
 }
 
-/// How often which kind occurred.
+/// Counts the events of each kind, as text.
 pub(crate) fn tally(events: &[Event]) -> String {
     let kinds = KINDS.into_iter().filter_map(|of| {
         let many = count(events, of);
@@ -91,14 +92,14 @@ pub(crate) fn tally(events: &[Event]) -> String {
     kinds.collect::<Vec<_>>().join(", ")
 }
 
-/// What shows that an event happened.
+/// Describes the measurements that show an event.
 pub(crate) fn evidence(event: &Event) -> String {
     let samples = match event.samples {
         1 => "1 sample".to_owned(),
         many => format!("{many} samples"),
     };
     format!(
-        "{samples}, mean {} N, peak {} N, up to {} mm off the plane",
+        "{samples}, mean {} N, peak {} N, at most {} mm from the plane",
         metres(event.mean_normal_force, 1),
         metres(event.peak_force, 1),
         metres(1e3 * event.peak_height, 1)

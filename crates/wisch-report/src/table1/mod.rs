@@ -1,5 +1,5 @@
-//! Tasks by several strategies side by side, with figures of the paper's and pictures of the wiped surfaces, as in its
-//! Table 1 and Fig. 7.
+//! The page of Table 1: tasks by several strategies, with the paper's figures, and pictures of the wiped surfaces as in the
+//! paper's Fig. 7.
 
 mod snapshot;
 
@@ -10,20 +10,20 @@ pub use snapshot::WipedSurface;
 
 const STYLE: &str = include_str!("table1.css");
 
-/// What the page is made of.
+/// Input of the page of Table 1.
 #[derive(Debug, Clone)]
 pub struct Table1Input<'a> {
-    /// Seeds, commit, and how far the tasks were taken.
+    /// Seeds, commit and extent of the runs.
     pub lead: String,
-    /// What comes of it, in a number and a sentence.
+    /// Main result, as a number and a sentence.
     pub headline: Option<(String, String)>,
-    /// What the figures of each column are, with their unit, in order.
+    /// Names of the quantities with their units, in order.
     pub quantities: Vec<String>,
     /// The table, action by action.
     pub actions: Vec<ActionRows<'a>>,
-    /// What is pictured.
+    /// Description of the pictures.
     pub pictured: String,
-    /// What has to be known to read the figures.
+    /// Notes on the figures.
     pub notes: Vec<String>,
 }
 
@@ -52,25 +52,25 @@ pub struct StrategyColumn<'a> {
     pub strategy: String,
     /// Its figures, one for each quantity.
     pub figures: Vec<ComparedFigure>,
-    /// The surface after it, and what is said of that: what came of it, and what it took.
+    /// The wiped surface, with a caption of two lines: result, and costs.
     pub picture: Option<(WipedSurface<'a>, [String; 2])>,
 }
 
-/// A figure of ours, and the paper's.
+/// A figure of wisch with the paper's.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct ComparedFigure {
-    /// Ours.
+    /// The figure of wisch.
     pub ours: String,
     /// The paper's, if it has one.
     pub paper: Option<String>,
-    /// Whether ours is to be pointed out.
+    /// Whether to highlight the figure of wisch.
     pub is_strong: bool,
 }
 
-/// One HTML file that asks nothing of the network.
+/// Returns one self-contained HTML file, which loads nothing from the network.
 pub fn table1_page(input: &Table1Input) -> String {
     let main = html! {
-        h1 { "Table 1, ours and the paper's" }
+        h1 { "Table 1: wisch and the paper" }
         p class="lead" { (input.lead) }
         @if let Some((number, sentence)) = &input.headline {
             section class="result" {
@@ -78,12 +78,12 @@ pub fn table1_page(input: &Table1Input) -> String {
                 div { p class="verdict" { (sentence) } }
             }
         }
-        h2 { "In numbers" }
-        p { "Ours, and below it what the paper reports." }
+        h2 { "Figures" }
+        p { "Each cell: the figure of wisch, and below it the paper's." }
         @for action in &input.actions { (figures(input, action)) }
         @for note in &input.notes { p class="note" { (note) } }
         @if input.actions.iter().any(|action| action.surfaces.iter().any(has_pictures)) {
-            h2 { "The surfaces, as in Fig. 7" }
+            h2 { "Surfaces, as in Fig. 7" }
             p { (input.pictured) }
             (legend::list(&snapshot::entries()))
             @for action in &input.actions {
@@ -99,7 +99,7 @@ pub fn table1_page(input: &Table1Input) -> String {
             ", Robotics and Autonomous Systems 114 (2019)."
         }
     };
-    document("Table 1, ours and the paper's", STYLE, &main)
+    document("Table 1: wisch and the paper", STYLE, &main)
 }
 
 fn has_pictures(surface: &SurfaceColumns) -> bool {

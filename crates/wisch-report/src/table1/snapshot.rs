@@ -1,4 +1,4 @@
-//! A wiped surface, small: particles before or after, and the strokes between.
+//! Small pictures of a wiped surface: particles before or after, and the strokes.
 
 use crate::draw::legend::{self, Entry};
 use crate::draw::surface::{self, Outcome};
@@ -17,19 +17,19 @@ const RADIUS: [f64; 2] = [1.6, 3.0];
 pub struct WipedSurface<'a> {
     /// Surface and scene.
     pub task: &'a Task,
-    /// What was to be reached.
+    /// The goal.
     pub goal: GoalState,
     /// Radius of the collision sphere [m].
     pub collision_radius: f64,
-    /// The way of the tool centre point, stroke by stroke.
+    /// Path of the tool centre point for each stroke.
     pub strokes: Vec<Vec<Point2>>,
-    /// Where particles lay.
+    /// Particles before wiping.
     pub before: Vec<Point2>,
-    /// Particles that still lie where they should not.
+    /// Particles that have not reached the goal.
     pub left: Vec<Point2>,
-    /// Particles that lie where they should.
+    /// Particles that have reached the goal.
     pub done: Vec<Point2>,
-    /// Particles that went over a wrong edge.
+    /// Particles lost over an edge that is not a skim edge.
     pub lost: Vec<Point2>,
 }
 
@@ -107,14 +107,14 @@ pub(super) fn entries() -> Vec<Entry> {
             label: "before".to_owned(),
             sample: html! { circle class="before" cx="12" cy="0" r="3.6" {} },
         },
-        legend::dot("dots-left", "after, not where it should be"),
-        legend::dot("dots-done", "after, where it should be"),
+        legend::dot("dots-left", "after, goal not reached"),
+        legend::dot("dots-done", "after, goal reached"),
         Entry {
-            label: "lost over a wrong edge".to_owned(),
+            label: "lost over another edge".to_owned(),
             sample: html! { path class="mark-lost" d="M8.5-3.5l7 7m0-7l-7 7" {} },
         },
-        legend::line("trail", "way of the tool in contact"),
-        legend::area("goal-reach", "counts as collected"),
+        legend::line("trail", "path of the tool in contact"),
+        legend::area("goal-reach", "goal area"),
         legend::area("obstacle", "obstacle"),
     ]
 }

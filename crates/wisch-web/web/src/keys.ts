@@ -9,16 +9,16 @@ const SAME_S = 0.05;
 
 export const KEYS: [string, string][] = [
   ["Space", "play, pause"],
-  ["\u2190 \u2192", "0.1 s back, on (with Shift 1 s)"],
+  ["\u2190 \u2192", "0.1 s back, forward (with Shift 1 s)"],
   ["[ ]", "previous, next event or stroke"],
-  ["Home End", "begin, end"],
+  ["Home End", "start, end"],
   ["+ \u2212", "faster, slower"],
-  ["L", "follow a run that goes on"],
+  ["L", "follow a live run"],
   ["F", "fit view"],
   ["T", "follow the tool"],
-  ["V", "from above"],
-  ["W A S D", "turn the picture (when it has the focus)"],
-  ["Z X", "nearer, farther (when it has the focus)"],
+  ["V", "view from above"],
+  ["W A S D", "turn the picture (while it has the focus)"],
+  ["Z X", "zoom in, out (while it has the focus)"],
 ];
 
 /** The next time worth stopping at, before (-1) or after (1) a time. */

@@ -1,8 +1,8 @@
-// What a recording is made of. It is a sequence of pieces, one JSON object a line, in the order in which things happen: the
-// same lines are a run while it goes on, an episode that is kept, and the data of a report in one file.
+// The format of a recording: a sequence of pieces, one JSON object per line, in order of time. A live run, an episode and the
+// report of a run use the same lines.
 //
-// Lengths are in metres, times in seconds, forces in newtons, unless said otherwise. Times within a round count from the
-// begin of its execution. The common clock lays the rounds one after the other.
+// Lengths are in metres, times in seconds, forces in newtons, unless stated otherwise. Times within a round start at its
+// execution. The common clock concatenates the rounds.
 
 /** x, y, z [m], quaternion x, y, z, w. */
 export type Pose = [number, number, number, number, number, number, number];
@@ -65,9 +65,9 @@ export interface Head {
     surface: string;
     strategy: string;
     seed: number;
-    /** Wanted share of the goal, in [0, 1]. */
+    /** Target performance, in [0, 1]. */
     target: number;
-    /** One sentence: what was asked. */
+    /** The task and its target, as a sentence. */
     asked: string;
   };
   robot: RobotRecord | null;
@@ -76,7 +76,7 @@ export interface Head {
   meshes: MeshRecord[];
 }
 
-/** Something the program is at. */
+/** The current stage of the program. */
 export interface StagePiece {
   piece: "stage";
   round: number;
@@ -87,12 +87,12 @@ export interface StagePiece {
 /** Time; indices in the frame before of particles that are gone; places of those that are new. */
 export type ParticleStep = [time: number, gone: number[], added: Places];
 
-/** A plan that was weighed against others; what nobody knows of it is null. */
+/** A candidate plan; unknown values are null. */
 export interface Considered {
   strategy: string;
-  /** Whether it became the plan. */
+  /** Whether it was chosen. */
   chosen: boolean;
-  /** The share of the dirt that it brings where it belongs, less three times what it loses, less way and time. */
+  /** Score: share of the dirt in the goal area, minus three times the lost share, minus costs of path length and time. */
   worth: number | null;
   /** Performance, and what is lost, in [0, 1]. */
   predicted: number | null;
@@ -101,18 +101,18 @@ export interface Considered {
   /** Way in contact [m]. */
   in_contact: number | null;
   duration: number | null;
-  /** Why there is no plan. */
+  /** Reason for a missing plan. */
   error: string | null;
 }
 
-/** A round that is about to be executed, or was only planned. */
+/** A round before its execution, or a plan without execution. */
 export interface RoundPiece {
   piece: "round";
   /** Counted from 1. */
   round: number;
   /** A plan that nobody executes has no samples but those of the plan. */
   kind: "executed" | "planned";
-  /** How long it is going to take. */
+  /** Expected duration. */
   duration: number;
   /** Of the robot's root in the world. */
   root: Pose | null;
@@ -136,7 +136,7 @@ export interface RoundPiece {
   considered?: Considered[];
 }
 
-/** What was measured, some instants in a row. */
+/** Consecutive measured samples. */
 export interface SamplesPiece {
   piece: "samples";
   round: number;
@@ -154,7 +154,7 @@ export interface SamplesPiece {
   height: number[];
 }
 
-/** The surface was looked at: after this round, 0 before the first. */
+/** An observation of the surface: after this round, 0 before the first. */
 export interface ObservedPiece {
   piece: "observed";
   round: number;
@@ -180,37 +180,37 @@ export interface EventRecord {
   by_hand: boolean;
 }
 
-/** A round is over. */
+/** The result of a finished round. */
 export interface JudgedPiece {
   piece: "judged";
   round: number;
   duration: number;
   estimate: Estimate;
-  /** By touch alone. */
+  /** From touch only. */
   felt: Estimate;
   /** "goal met", "wipe again", ... */
   verdict: string;
   ending: string;
-  /** What touch told and what follows: sentences. */
+  /** Summary of the round: sentences. */
   words: string[];
-  /** Where the surface was found to be, if elsewhere. */
+  /** Estimated pose of the surface, if it differs from the believed pose. */
   found: Pose | null;
   events: EventRecord[];
-  /** When the tool was felt to touch: from, to. */
+  /** Measured intervals of contact: start, end. */
   contacts: [number, number][];
-  /** Where the dirt may lie now: one way of many. */
+  /** Estimated dirt locations: a typical sample of the belief. */
   particles: Places;
 }
 
-/** What the simulated world knows of a round. */
+/** The simulated world's ground truth of a round. */
 export interface TruthPiece {
   piece: "truth";
   round: number;
   performance: number | null;
   particles: Places | null;
-  /** When somebody really pushed: from, to. */
+  /** True pushes: start, end. */
   pushes: [number, number][];
-  /** Where the surface really is, if known. */
+  /** True pose of the surface, if known. */
   surface: Pose | null;
 }
 
@@ -218,16 +218,16 @@ export interface TruthPiece {
 export interface EndedPiece {
   piece: "ended";
   met: boolean;
-  /** null where somebody stopped it. */
+  /** null if a user stopped the run. */
   verdict: string | null;
   story: {
-    /** What was asked. */
+    /** Task and target. */
     asked: string;
-    /** What happened. */
+    /** Result. */
     happened: string;
-    /** How sure we are. */
+    /** Estimate with its interval, and ground truth if known. */
     sure: string;
-    /** What it would take to be surer. */
+    /** What would narrow the interval. */
     surer: string;
   };
   /** Label and value with unit. */

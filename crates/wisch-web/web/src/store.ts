@@ -247,7 +247,7 @@ export class Recording {
     for (const { start, judged, truth } of this.rounds) {
       for (const event of judged?.events ?? []) list.push(happening(event, start));
       for (const [from, to] of truth?.pushes ?? []) {
-        list.push({ start: start + from, end: start + to, source: "push", kind: "true push", words: "Somebody or something really pushed here.", byHand: true });
+        list.push({ start: start + from, end: start + to, source: "push", kind: "true push", words: "A push of the simulated world.", byHand: true });
       }
     }
     list.sort((a, b) => a.start - b.start);

@@ -1,4 +1,4 @@
-// The first screen: what was asked, what happened, how sure we are, what it would take to be surer.
+// The first screen: task, result, confidence interval, and what would narrow it.
 import { el, percent, say, svg } from "./dom.ts";
 import { mark } from "./icons.ts";
 import { metres } from "./particles.ts";
@@ -8,8 +8,8 @@ import type { Recording } from "./store.ts";
 import { goalState } from "./words.ts";
 
 const NAMES: Record<string, string> = {
-  believed: "believed before", estimated: "estimated after", actual: "true after", seen: "seen",
-  interval: "90\u202f% interval", felt: "by touch alone", target: "target", goal: "goal",
+  believed: "believed before", estimated: "estimated after", actual: "true after", seen: "observed",
+  interval: "90\u202f% interval", felt: "from touch only", target: "target", goal: "goal area",
 };
 
 const legend = (names: string[]) =>
@@ -50,15 +50,15 @@ export class Story {
     const planned = rounds.length > 0 && rounds.every(({ plan }) => plan.kind === "planned");
     const state = ended ? goalState(ended.met, ended.verdict) : live ? "live" : planned ? "planned" : "broken";
     this.badge.dataset.state = state;
-    say(this.badge, { met: ended?.verdict ?? "goal met", unmet: ended?.verdict ?? "stopped", unknown: ended?.verdict ?? "", live: "running", planned: "planned only", broken: "broke off" }[state]);
+    say(this.badge, { met: ended?.verdict ?? "goal met", unmet: ended?.verdict ?? "stopped", unknown: ended?.verdict ?? "", live: "running", planned: "planned only", broken: "ended early" }[state]);
     const story = ended?.story;
     const happened = story?.happened ?? (live ? stages.at(-1)?.words ?? "The run begins." : judged
-      ? `The run broke off after round ${judged.number}: ${judged.judged!.verdict}.` : planned ? `Planned, not executed: ${percent(rounds.at(-1)!.plan.predicted)} is predicted.` : rounds.length ? "The recording ends before a round was judged." : "The recording holds no round.");
+      ? `The run ended early after round ${judged.number}: ${judged.judged!.verdict}.` : planned ? `Planned, not executed. Predicted performance: ${percent(rounds.at(-1)!.plan.predicted)}.` : rounds.length ? "The recording ends before the first round has a result." : "The recording has no rounds.");
     this.texts.replaceChildren(
-      ...this.part("Asked", story?.asked ?? head?.task.asked ?? ""),
-      ...this.part(live ? "Now" : "What happened", happened),
-      ...this.part("How sure", story?.sure ?? (judged || planned ? "" : "Nothing has been judged yet."), this.bars()),
-      ...this.part("To be surer", story?.surer ?? ""),
+      ...this.part("Task", story?.asked ?? head?.task.asked ?? ""),
+      ...this.part(live ? "Now" : "Result", happened),
+      ...this.part("Confidence", story?.sure ?? (judged || planned ? "" : "No round has a result yet."), this.bars()),
+      ...this.part("More certainty", story?.surer ?? ""),
     );
     this.drawPictures();
   }
@@ -92,7 +92,7 @@ export class Story {
     if (!last) {
       const end = first.particles.places(Math.max(0, first.particles.times.length - 1));
       if (first.plan.kind === "planned") {
-        this.pictures.replaceChildren(figure("Before", first, before), this.arrow(), figure("As predicted", first, [{ mark: "believed", places: end }]), legend(["believed", ...goal]));
+        this.pictures.replaceChildren(figure("Before", first, before), this.arrow(), figure("Predicted", first, [{ mark: "believed", places: end }]), legend(["believed", ...goal]));
       } else this.pictures.replaceChildren(figure("Believed before", first, before), legend([...before.map(({ mark }) => mark), ...goal]));
       return;
     }
@@ -106,7 +106,7 @@ export class Story {
     return svg("svg", { viewBox: "0 0 24 24", class: "w-arrow", "aria-hidden": "true" }, svg("path", { d: "M3 12h16M13 6l6 6-6 6" }));
   }
 
-  /** Per judged round its estimate as a bar against the target. */
+  /** Draws the estimate of each finished round as a bar, with the target. */
   private bars(): HTMLElement | null {
     const { rounds, head } = this.recording;
     const judged = rounds.filter((round) => round.judged).slice(-8);

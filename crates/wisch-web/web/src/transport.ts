@@ -13,7 +13,7 @@ export function transport(clock: Clock, recording: Recording): { element: HTMLEl
     "aria-label": way < 0 ? "Previous event or stroke" : "Next event or stroke", title: way < 0 ? "Previous event or stroke  [" : "Next event or stroke  ]",
     click: () => clock.seek(nextStop(recording.stops, clock.time, way)),
   }, icon(way < 0 ? "before" : "after"));
-  const live = el("button", { class: "w-button w-live", type: "button", title: "Stay at the end while the run goes on  L", click: () => clock.follow() }, "LIVE");
+  const live = el("button", { class: "w-button w-live", type: "button", title: "Follow the live run  L", click: () => clock.follow() }, "LIVE");
   const time = el("output", { class: "w-time", "aria-live": "off" });
   const speed = el("select", { class: "w-select", "aria-label": "Speed", change: () => clock.setSpeed(Number(speed.value)) },
     ...SPEEDS.map((value) => el("option", { value }, `${value}\u00d7`)));

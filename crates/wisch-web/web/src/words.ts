@@ -1,4 +1,4 @@
-// In words, beside the scene: what is going on, why, what came out, numbers, and what the program was at.
+// The panel beside the scene: current phase, reasons of the plan, results, events, numbers and log.
 import { clockText, el, fixed, percent, say } from "./dom.ts";
 import type { Clock } from "./clock.ts";
 import type { Considered, Estimate } from "./recording.ts";
@@ -15,7 +15,7 @@ export const estimateText = ({ mean, low, high }: Estimate): string => `${percen
 /** Verdicts that are neither success nor failure. */
 const UNKNOWN = ["cannot be told", "unknowable by touch"];
 
-/** Whether the goal was met, as it is coloured; null stands for a run that somebody stopped. */
+/** State of the goal, for its colour. A null verdict is that of a stopped run. */
 export const goalState = (met: boolean, verdict: string | null): "met" | "unmet" | "unknown" =>
   met ? "met" : UNKNOWN.includes(verdict ?? "") ? "unknown" : "unmet";
 
@@ -25,23 +25,23 @@ const capital = (text: string): string => text.charAt(0).toUpperCase() + text.sl
 
 const known = (value: number | null, text: (value: number) => string): string => (value === null ? "\u2013" : text(value));
 
-/** The plans among which one was chosen, that of most worth first. */
+/** The candidate plans, the one with the highest score first. */
 function choice(considered: readonly Considered[]): HTMLElement {
   const list = [...considered].sort((a, b) => (b.worth ?? -Infinity) - (a.worth ?? -Infinity));
-  const names = ["Plan by", "Worth", "Done", "Lost", "Wiped", "Time"];
+  const names = ["Strategy", "Score", "Done", "Lost", "Contact", "Time"];
   const cells = (one: Considered): string[] => [
     known(one.worth, (worth) => fixed(worth, 2)), known(one.predicted, percent), known(one.lost, percent), known(one.in_contact, (way) => `${fixed(way, 2)} m`), known(one.duration, (time) => `${fixed(time, 0)} s`),
   ];
-  return el("div", { class: "w-choice", tabindex: 0, role: "group", "aria-label": "Plans that were weighed" },
+  return el("div", { class: "w-choice", tabindex: 0, role: "group", "aria-label": "Candidate plans" },
     el("table", {},
-      el("caption", {}, "Weighed against each other: the dirt that a plan brings where it belongs, less three times what it loses, less way and time."),
+      el("caption", {}, "Score: predicted share of the dirt in the goal area, minus three times the lost share, minus costs of path length and time."),
       el("thead", {}, el("tr", {}, ...names.map((name) => el("th", { scope: "col" }, name)))),
       el("tbody", {}, ...list.map((one) => el("tr", { "data-chosen": one.chosen, title: one.strokes === null ? null : `${one.strokes} strokes` },
         el("th", { scope: "row" }, `${one.chosen ? "\u2713 " : ""}${one.strategy}`, one.chosen && el("span", { class: "w-hidden" }, " (chosen)")),
-        ...(one.error === null || one.error === undefined ? cells(one).map((text) => el("td", {}, text)) : [el("td", { class: "w-none-found", colspan: names.length - 1 }, `none: ${one.error}`)]))))));
+        ...(one.error === null || one.error === undefined ? cells(one).map((text) => el("td", {}, text)) : [el("td", { class: "w-none-found", colspan: names.length - 1 }, `no plan: ${one.error}`)]))))));
 }
 
-/** Of more events than this, the first are listed. */
+/** Maximum number of listed events. */
 const MOST_EVENTS = 300;
 
 export class Words {
@@ -62,21 +62,21 @@ export class Words {
 
   constructor(private readonly recording: Recording, private readonly clock: Clock) {
     const { contact, force, height, performance } = this.live;
-    this.element = el("aside", { class: "w-words", "aria-label": "What happens, and why", tabindex: 0 },
+    this.element = el("aside", { class: "w-words", "aria-label": "Details of the run", tabindex: 0 },
       el("div", { class: "w-now" }, this.headline, this.below,
         el("dl", { class: "w-values" },
           el("div", {}, el("dt", {}, "Contact"), contact), el("div", {}, el("dt", {}, "Force"), force),
           el("div", {}, el("dt", {}, "Height"), height), el("div", {}, el("dt", {}, "Predicted"), performance))),
       this.complaint,
       section("Why this plan", true, this.why),
-      section("What came out", true, this.after),
+      section("Result", true, this.after),
       section("Events", true, this.events),
       section("Numbers", true, this.numbers),
       section("Log", false, this.logCount, this.log),
     );
   }
 
-  /** To be called once a frame. */
+  /** Updates the panel; called once per frame. */
   show(): void {
     const { recording, clock } = this;
     const instant = recording.at(clock.time);
@@ -102,7 +102,7 @@ export class Words {
     const { recording, clock } = this;
     const stage = recording.live && (clock.following || !instant) ? recording.stages.at(-1) : undefined;
     if (!instant) {
-      say(this.headline, stage?.words ?? (!recording.live ? "The recording holds no round." : recording.head ? "No round has begun." : "Nothing has been recorded yet."));
+      say(this.headline, stage?.words ?? (!recording.live ? "The recording has no rounds." : recording.head ? "No round has begun." : "The recording is empty so far."));
       say(this.below, "");
       for (const value of Object.values(this.live)) say(value, "\u2013");
       return;
@@ -124,9 +124,9 @@ export class Words {
   private sayRound(round: Round | null): void {
     const why = round?.plan.why ?? [];
     const weighed = round?.plan.considered ?? [];
-    this.why.replaceChildren(why.length ? sentences(why) : el("p", { class: "w-quiet" }, round ? "The recording gives no reasons." : "No plan yet."), ...(weighed.length ? [choice(weighed)] : []));
+    this.why.replaceChildren(why.length ? sentences(why) : el("p", { class: "w-quiet" }, round ? "The recording states no reasons." : "No plan yet."), ...(weighed.length ? [choice(weighed)] : []));
     if (!round?.judged) {
-      const text = !round ? "No round yet." : round.plan.kind === "planned" ? "This plan was not executed." : this.recording.live ? "The round is not over." : "The round was never judged: the run broke off.";
+      const text = !round ? "No round yet." : round.plan.kind === "planned" ? "This plan was not executed." : this.recording.live ? "The round is not finished." : "The round has no result: the run ended early.";
       this.after.replaceChildren(el("p", { class: "w-quiet" }, text));
       return;
     }
@@ -136,9 +136,9 @@ export class Words {
       el("dl", { class: "w-facts" },
         ...row("Predicted", percent(round.plan.predicted)),
         ...row("Estimated", estimateText(judged.estimate)),
-        ...row("By touch alone", estimateText(judged.felt)),
+        ...row("From touch only", estimateText(judged.felt)),
         ...(typeof truth?.performance === "number" ? row("True", percent(truth.performance)) : []),
-        ...(judged.found ? row("Surface", "found elsewhere than believed") : [])),
+        ...(judged.found ? row("Surface", "not at its believed pose") : [])),
       sentences(judged.words),
     );
   }
@@ -161,7 +161,7 @@ export class Words {
     this.complaint.hidden = !broken && !unknown;
     say(this.complaint, [
       broken ? `${broken} ${broken === 1 ? "line" : "lines"} of this recording could not be read.` : "",
-      unknown ? `${unknown} ${unknown === 1 ? "piece is" : "pieces are"} of a kind that this page does not know.` : "",
+      unknown ? `This page does not know the kind of ${unknown} ${unknown === 1 ? "piece" : "pieces"}.` : "",
     ].join(" ").trim());
   }
 

@@ -52,10 +52,10 @@ const cases = {
     assert.ok(first < 5000);
     await picture("story-light");
     const rows = await page.locator(".w-choice tbody tr").allInnerTexts();
-    assert.deepEqual(rows.map((row) => row.split("\t")[0].replace(/[^a-z]/g, "")), ["adaptivechosen", "kde", "rrt"], "that of most worth first");
+    assert.deepEqual(rows.map((row) => row.split("\t")[0].replace(/[^a-z]/g, "")), ["adaptivechosen", "kde", "rrt"], "the highest score first");
     assert.match(rows[0], /0\.76\t100\u202f%\t0\u202f%\t0\.94 m\t17 s$/);
     assert.ok(await page.evaluate(() => document.querySelector(".w-choice").scrollWidth <= document.querySelector(".w-choice").clientWidth), "the table is cut off");
-    assert.match(rows[2], /none: no way leads to the goal$/);
+    assert.match(rows[2], /no plan: no way leads to the goal$/);
     await page.evaluate(() => document.querySelector(".w-view").scrollIntoView());
 
     await page.keyboard.press("Space");
@@ -297,14 +297,14 @@ const cases = {
       const { pose } = wisch.recording.rounds[0].plan.surface;
       const row = (y) => Array.from({ length: 9 }, (_, i) => [-0.08 + 0.02 * i, y]);
       wisch.view.showParticles([
-        { name: "dirt before round 1, as asked", state: "before", pose, places: row(-0.03), color: "#00ff00" },
-        { name: "dirt as estimated after round 1, as asked", state: "estimated", pose, places: row(0.03) },
+        { name: "dirt before round 1, as queried", state: "before", pose, places: row(-0.03), color: "#00ff00" },
+        { name: "estimated dirt after round 1, as queried", state: "estimated", pose, places: row(0.03) },
       ]);
       wisch.view.highlight([1, 1.4, 1.8, 2.1, 9, 9.2].map((start, i) => ({ start, end: start + 0.3, label: ["HumanCollision", "UnreachedNode"][i % 2] })));
     });
     await page.waitForTimeout(1000);
     assert.ok((await green()) > 100, "the particles are not seen");
-    assert.deepEqual(await page.locator(".w-named li").allInnerTexts(), ["dirt before round 1, as asked", "dirt as estimated after round 1, as asked"]);
+    assert.deepEqual(await page.locator(".w-named li").allInnerTexts(), ["dirt before round 1, as queried", "estimated dirt after round 1, as queried"]);
     const box = await page.locator(".w-timeline").boundingBox();
     const duration = await page.evaluate(() => wisch.view.clock.duration);
     await page.mouse.move(box.x + 112 + (1.1 / duration) * (box.width - 112 - 22), box.y + 100);

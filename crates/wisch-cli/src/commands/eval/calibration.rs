@@ -1,8 +1,8 @@
-//! `wisch eval calibration`: what is believed against what is so.
+//! `wisch eval calibration`: compares estimates with ground truth in randomised worlds.
 
 use super::super::words::{counted, percent};
 use super::journal::{Cases, Evaluated};
-use super::{Provenance, conclude, evaluated, points, write};
+use super::{Provenance, conclude, outcome, points, write};
 use crate::args::{CalibrationArgs, GlobalArgs, SensesChoice};
 use crate::failure::Failure;
 use crate::terminal::Outcome;
@@ -11,23 +11,23 @@ use std::fmt::Write as _;
 use wisch_eval::{Calibration, GroupScores, MethodScores, Senses, WorldCase, WorldScore};
 use wisch_report::{CalibrationCurve, CalibrationLevel, calibration_drawing};
 
-/// The schema of what is written.
+/// Schema number of the record.
 const SCHEMA: u32 = 1;
 
-/// What is written of an evaluation.
+/// The record of an evaluation.
 #[derive(Debug, Serialize)]
 struct CalibrationRecord {
     #[serde(flatten)]
     provenance: Provenance,
     senses: Senses,
-    /// Keys that every task had set, with their values.
+    /// Overrides of every task: keys and values.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     settings: Vec<(String, String)>,
     #[serde(flatten)]
     calibration: Calibration,
 }
 
-/// Evaluates worlds, and sums up all in the folder.
+/// Evaluates the worlds of a part, and summarises all worlds in the folder.
 pub fn calibration(args: &CalibrationArgs, global: &GlobalArgs) -> Result<Outcome, Failure> {
     let provenance = Provenance::begin("wisch calibration", SCHEMA, args.first_seed, args.worlds);
     let senses = match args.senses {
@@ -56,7 +56,7 @@ pub fn calibration(args: &CalibrationArgs, global: &GlobalArgs) -> Result<Outcom
     let Evaluated {
         all: worlds,
         failed,
-    } = cases.evaluated(out, &args.journal, global)?;
+    } = cases.evaluate_part(out, &args.journal, global)?;
     let record = CalibrationRecord {
         provenance,
         senses,
@@ -66,13 +66,13 @@ pub fn calibration(args: &CalibrationArgs, global: &GlobalArgs) -> Result<Outcom
     let table = in_words(&record);
     write(&out.join("reliability.svg"), &drawing(&record))?;
     conclude(out, "calibration", &record, &table, args.json, global)?;
-    Ok(evaluated(failed))
+    Ok(outcome(failed))
 }
 
 fn in_words(record: &CalibrationRecord) -> String {
     let calibration = &record.calibration;
     let senses = match record.senses {
-        Senses::Touch => "touch alone",
+        Senses::Touch => "touch only",
         Senses::TouchAndSight => "touch and sight",
     };
     let mut text = format!(
@@ -84,17 +84,16 @@ fn in_words(record: &CalibrationRecord) -> String {
         counted(calibration.worlds, "world"),
         counted(calibration.rounds, "round"),
     );
-    text +=
-        "| way to believe | CRPS | error | bias | 50 % | 80 % | 90 % | 95 % | width of 90 % |\n";
+    text += "| estimator | CRPS | error | bias | 50 % | 80 % | 90 % | 95 % | width of 90 % |\n";
     text += "|---|---|---|---|---|---|---|---|---|\n";
     for method in &calibration.methods {
         let _ = writeln!(text, "| {} |{}", method.name, method_cells(method));
     }
     let _ = writeln!(
         text,
-        "\nCRPS, error, bias and width in points of performance; of intervals, the share of rounds that they held.\n"
+        "\nCRPS, error, bias and width in percentage points of performance; for intervals, the share of rounds whose true performance they contain.\n"
     );
-    text += "| worlds | | rounds | 90 % holds (95 % bounds) | width | CRPS | error | paper's error | end ≥ 90 % | claimed | met | false |\n";
+    text += "| group | worlds | rounds | in 90 % interval (95 % bounds) | width | CRPS | error | paper's error | end ≥ 90 % | claimed | met | false |\n";
     text += "|---|---|---|---|---|---|---|---|---|---|---|---|\n";
     for group in &calibration.groups {
         let _ = writeln!(text, "{}", group_row(group));
@@ -108,7 +107,7 @@ fn in_words(record: &CalibrationRecord) -> String {
     let pushes = &calibration.pushes;
     let _ = writeln!(
         text,
-        "Pushes: {} in {}, {} told, {} starts and {} ends within 50 ms; in {} in which nobody pushed, {} told where something was struck, {} invented.",
+        "Pushes: {} in {}, {} detected, {} starts and {} ends within 50 ms; in {} without a push, {} detections at collisions with objects, {} false detections.",
         pushes.pushes,
         counted(pushes.rounds, "round"),
         pushes.found,

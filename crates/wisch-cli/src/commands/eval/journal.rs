@@ -1,5 +1,5 @@
-//! The folder of an evaluation: a line for each case as soon as it is evaluated, so that it goes on after it was killed,
-//! and other machines take a part of it.
+//! The folder of an evaluation. It gets a line for each case as soon as the case is evaluated, so that a killed
+//! evaluation can be resumed and several machines can share one.
 
 use super::super::words::counted;
 use super::cannot;
@@ -16,42 +16,42 @@ use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Mutex, PoisonError};
 
-/// What is evaluated, case by case.
+/// The cases of an evaluation, and the functions that evaluate and compare them.
 pub struct Cases<'a, C, R> {
-    /// What a case is called: a world, or a run.
+    /// Noun for a case: "world" or "run".
     pub noun: &'static str,
-    /// All cases, each with the number by which it falls to a part of them.
+    /// All cases, each with a number whose remainder assigns it to a part.
     pub all: &'a [(u64, C)],
-    /// The case of what is in the folder.
+    /// Returns the case of a result.
     pub case_of: &'a dyn Fn(&R) -> C,
-    /// Whether what is in the folder was evaluated in the same way as these are.
+    /// Whether a result of the folder has the same setup as this evaluation.
     pub is_same: &'a dyn Fn(&R) -> bool,
-    /// What tells a case from others, such as `seed 17`.
+    /// Names a case, such as `seed 17`.
     pub name: &'a dyn Fn(&C) -> String,
-    /// Evaluates one.
+    /// Evaluates a case.
     pub evaluate: &'a (dyn Fn(&C) -> Result<R, Failure> + Sync),
 }
 
-/// What there is of an evaluation.
+/// The results of an evaluation so far.
 pub struct Evaluated<R> {
-    /// All that the folder holds, of other parts too, in the order of the cases.
+    /// All results in the folder, also of other parts, in the order of the cases.
     pub all: Vec<R>,
-    /// How many cases could not be evaluated now.
+    /// Number of cases that failed in this call.
     pub failed: usize,
 }
 
 impl<C: Ord + Clone + Sync, R: Serialize + DeserializeOwned + Send> Cases<'_, C, R> {
-    /// Evaluates the cases of a part that the folder does not yet hold.
+    /// Evaluates the cases of a part that are not yet in the folder.
     ///
     /// # Errors
-    /// A folder that cannot be written to, or holds another evaluation, or the same and is not to be gone on with.
-    pub fn evaluated(
+    /// If the folder cannot be written, holds another evaluation, or holds this evaluation but `--resume` is missing.
+    pub fn evaluate_part(
         &self,
         out: &Path,
         args: &JournalArgs,
         global: &GlobalArgs,
     ) -> Result<Evaluated<R>, Failure> {
-        fs::create_dir_all(out).map_err(|error| cannot(out, "write there", &error))?;
+        fs::create_dir_all(out).map_err(|error| cannot(out, "write the folder", &error))?;
         let mut known = self.known(out, args.resume)?;
         let shard = args.shard;
         let open: Vec<&C> = (self.all.iter())
@@ -62,10 +62,10 @@ impl<C: Ord + Clone + Sync, R: Serialize + DeserializeOwned + Send> Cases<'_, C,
         let name = format!("{}s-{}-of-{}.jsonl", self.noun, shard.index, shard.count);
         let path = out.join(name);
         let file = begin_after_whole_lines(&path);
-        let file = Mutex::new(file.map_err(|error| cannot(&path, "write there", &error))?);
+        let file = Mutex::new(file.map_err(|error| cannot(&path, "write the file", &error))?);
         let evaluated = one_on_each_core(&open, self.noun, global, |case| {
             let result = (self.evaluate)(case)?;
-            write_line(&file, &result).map_err(|error| cannot(&path, "write there", &error))?;
+            write_line(&file, &result).map_err(|error| cannot(&path, "write the file", &error))?;
             Ok(result)
         })?;
         let mut failed = 0;
@@ -87,7 +87,7 @@ impl<C: Ord + Clone + Sync, R: Serialize + DeserializeOwned + Send> Cases<'_, C,
         })
     }
 
-    /// What the folder holds, if it is of this evaluation.
+    /// Reads the results in the folder, which must belong to this evaluation.
     fn known(&self, out: &Path, resume: bool) -> Result<BTreeMap<C, R>, Failure> {
         let known: BTreeMap<C, R> = (read_all(out, self.noun)?.into_iter())
             .map(|result| ((self.case_of)(&result), result))
@@ -97,28 +97,28 @@ impl<C: Ord + Clone + Sync, R: Serialize + DeserializeOwned + Send> Cases<'_, C,
             .filter(|(case, result)| !asked.contains(case) || !(self.is_same)(result));
         if let Some((other, _)) = others.next() {
             return Err(Failure::new(format!(
-                "{}: holds another evaluation, among others of {}",
+                "{}: the folder holds another evaluation, for example of {}",
                 out.display(),
                 (self.name)(other)
             ))
             .with_help(
-                "choose another folder with --out: figures of several evaluations are not mixed",
+                "choose another folder with --out; results of different evaluations are not mixed",
             ));
         }
         if !known.is_empty() && !resume {
             return Err(Failure::new(format!(
-                "{}: holds {} already",
+                "{}: the folder already holds {}",
                 out.display(),
                 counted(known.len(), self.noun)
             ))
-            .with_help("--resume goes on there; a published figure is not drawn twice"));
+            .with_help("continue with --resume, or choose another folder with --out"));
         }
         Ok(known)
     }
 }
 
-/// Evaluates cases side by side, each on a single core, so that how long one takes does not depend on the others; the
-/// results in the order of the cases.
+/// Evaluates cases in parallel, each on a single core, so that computation times are comparable. Returns the results in
+/// the order of the cases.
 pub fn one_on_each_core<C: Sync, R: Send>(
     cases: &[C],
     noun: &str,
@@ -153,7 +153,7 @@ pub fn one_on_each_core<C: Sync, R: Send>(
     Ok(results.into_values().collect())
 }
 
-/// A file to be gone on with; what a killed evaluation left of a line is cut off.
+/// Opens a file to append to, and cuts off an incomplete last line of a killed evaluation.
 fn begin_after_whole_lines(path: &Path) -> std::io::Result<File> {
     let file = OpenOptions::new().create(true).append(true).open(path)?;
     let text = fs::read(path)?;
@@ -162,7 +162,7 @@ fn begin_after_whole_lines(path: &Path) -> std::io::Result<File> {
     Ok(file)
 }
 
-/// A line at once, so that a killed evaluation leaves whole lines but for the last.
+/// Writes a result as one line and flushes it, so that a killed evaluation leaves at most one incomplete line.
 fn write_line(file: &Mutex<File>, result: &impl Serialize) -> std::io::Result<()> {
     let mut line = serde_json::to_vec(result)?;
     line.push(b'\n');
@@ -171,12 +171,12 @@ fn write_line(file: &Mutex<File>, result: &impl Serialize) -> std::io::Result<()
     file.flush()
 }
 
-/// All that the folder holds; a line that was not finished is passed over.
+/// Reads all results in the folder and skips incomplete last lines.
 fn read_all<R: DeserializeOwned>(out: &Path, noun: &str) -> Result<Vec<R>, Failure> {
     let mut all = Vec::new();
-    let entries = fs::read_dir(out).map_err(|error| cannot(out, "read it", &error))?;
+    let entries = fs::read_dir(out).map_err(|error| cannot(out, "read the folder", &error))?;
     let paths: Result<Vec<PathBuf>, _> = entries.map(|entry| Ok(entry?.path())).collect();
-    let mut paths = paths.map_err(|error| cannot(out, "read it", &error))?;
+    let mut paths = paths.map_err(|error| cannot(out, "read the folder", &error))?;
     paths.sort();
     for path in paths {
         let name = path.file_name().and_then(|name| name.to_str());
@@ -184,7 +184,8 @@ fn read_all<R: DeserializeOwned>(out: &Path, noun: &str) -> Result<Vec<R>, Failu
         if !(name.starts_with(&format!("{noun}s-")) && name.ends_with(".jsonl")) {
             continue;
         }
-        let text = fs::read_to_string(&path).map_err(|error| cannot(&path, "read it", &error))?;
+        let text =
+            fs::read_to_string(&path).map_err(|error| cannot(&path, "read the file", &error))?;
         let mut lines = text.split_inclusive('\n').enumerate().peekable();
         while let Some((number, line)) = lines.next() {
             match serde_json::from_str::<R>(line) {

@@ -1,4 +1,4 @@
-//! `wisch eval`: the method in many worlds.
+//! `wisch eval`: evaluates planning, wiping and estimation in many simulated worlds.
 
 mod calibration;
 mod journal;
@@ -21,15 +21,15 @@ use std::process::Command;
 use wisch_eval::SeedUse;
 use wisch_io::OutputFile;
 
-/// What a record is and of what.
-/// What is said of seeds that serve no single use.
-const MIXED: &str = "these seeds serve no single use: this project takes 1 to 999 for demonstrations, 1000 to 4999 for choosing constants, and from 10000 on for published figures";
+/// The note about seeds from several ranges.
+const MIXED: &str = "these seeds mix several ranges: use 1 to 999 for demonstrations, 1000 to 4999 for tuning constants, and 10000 and above for published figures";
 
+/// Format, version and seeds of an evaluation.
 #[derive(Debug, Serialize)]
 struct Provenance {
     format: &'static str,
     schema: u32,
-    /// Version of the program, and the commit where it runs in a checkout.
+    /// Version of the program; the field `commit` is set in a checkout only.
     version: &'static str,
     commit: Option<String>,
     seeds: [u64; 2],
@@ -37,7 +37,7 @@ struct Provenance {
 }
 
 impl Provenance {
-    /// Of so many worlds from a seed on; with the commit as it is now, as a checkout may have moved on at the end.
+    /// Records the start of an evaluation, with the present commit. `first`: first seed. `worlds`: number of seeds.
     fn begin(format: &'static str, schema: u32, first: u64, worlds: u64) -> Self {
         let serves = SeedUse::of(first, worlds);
         if serves == SeedUse::Mixed {
@@ -55,7 +55,7 @@ impl Provenance {
 
     fn in_words(&self, senses: &str) -> String {
         let [first, last] = self.seeds;
-        let commit = self.commit.as_deref().unwrap_or("outside of a checkout");
+        let commit = self.commit.as_deref().unwrap_or("no checkout");
         let (seed_use, version) = (self.seed_use, self.version);
         format!("Seeds {first} to {last} ({seed_use}), {senses}, wisch {version} ({commit})")
     }
@@ -69,7 +69,7 @@ fn write(path: &Path, text: &str) -> Result<(), Failure> {
     Ok(OutputFile::begin(path)?.finish(text.as_bytes())?)
 }
 
-/// Writes an evaluation's record and its words, and says what was asked for.
+/// Writes an evaluation's record and table, and prints one of them.
 fn conclude(
     out: &Path,
     stem: &str,
@@ -90,8 +90,8 @@ fn conclude(
     Ok(())
 }
 
-/// How an evaluation ends of which so many cases could not be evaluated.
-const fn evaluated(failed: usize) -> Outcome {
+/// Returns the outcome of an evaluation. `failed`: number of failed cases.
+const fn outcome(failed: usize) -> Outcome {
     if failed == 0 {
         Outcome::Done
     } else {
@@ -99,7 +99,7 @@ const fn evaluated(failed: usize) -> Outcome {
     }
 }
 
-/// The commit of the checkout that the program runs in, with a mark if anything there differs from it.
+/// Returns the commit of the checkout in the working directory, with a mark for uncommitted changes.
 fn commit() -> Option<String> {
     let output = Command::new("git")
         .args([

@@ -1,7 +1,7 @@
-//! `wisch eval scenarios`: shipped scenarios over many seeds.
+//! `wisch eval scenarios`: runs scenarios or tasks over many seeds.
 
 use super::journal::one_on_each_core;
-use super::{Provenance, cannot, conclude, evaluated, points};
+use super::{Provenance, cannot, conclude, outcome, points};
 use crate::args::{GlobalArgs, ScenarioEvaluationArgs};
 use crate::failure::Failure;
 use crate::terminal::{Outcome, remark};
@@ -10,10 +10,10 @@ use std::fmt::Write as _;
 use std::fs;
 use wisch_eval::{Quartiles, ScenarioRun, ScenarioScores};
 
-/// The schema of what is written.
+/// Schema number of the record.
 const SCHEMA: u32 = 1;
 
-/// What is written of an evaluation.
+/// The record of an evaluation.
 #[derive(Debug, Serialize)]
 struct ScenariosRecord {
     #[serde(flatten)]
@@ -23,17 +23,17 @@ struct ScenariosRecord {
     runs: Vec<ScenarioRun>,
 }
 
-/// Wipes scenarios over many seeds, and sums up.
+/// Runs scenarios over many seeds, and summarises the runs.
 pub fn scenarios(args: &ScenarioEvaluationArgs, global: &GlobalArgs) -> Result<Outcome, Failure> {
     let provenance = Provenance::begin("wisch scenarios", SCHEMA, args.first_seed, args.worlds);
     let out = &args.out;
     let path = out.join("scenarios.json");
     if path.exists() {
         let place = path.display();
-        return Err(Failure::new(format!("{place}: is there already"))
-            .with_help("choose another folder with --out: a published figure is not drawn twice"));
+        return Err(Failure::new(format!("{place}: the file exists already"))
+            .with_help("choose another folder with --out"));
     }
-    fs::create_dir_all(out).map_err(|error| cannot(out, "write there", &error))?;
+    fs::create_dir_all(out).map_err(|error| cannot(out, "write the folder", &error))?;
     let [first, last] = provenance.seeds;
     let cases: Vec<(&String, u64)> = (first..=last)
         .flat_map(|seed| args.tasks.iter().map(move |task| (task, seed)))
@@ -63,17 +63,17 @@ pub fn scenarios(args: &ScenarioEvaluationArgs, global: &GlobalArgs) -> Result<O
     };
     let table = in_words(&record);
     conclude(out, "scenarios", &record, &table, args.json, global)?;
-    Ok(evaluated(failures.len()))
+    Ok(outcome(failures.len()))
 }
 
 fn in_words(record: &ScenariosRecord) -> String {
     let senses = if record.is_touch_only {
-        "touch alone"
+        "touch only"
     } else {
         "the scenarios' senses"
     };
     let mut text = record.provenance.in_words(senses) + ".\n\n";
-    text += "| scenario | runs | rounds | after round 1 | of what was elsewhere | at the end | met | claimed | false | 90 % holds | error | pushes told |\n";
+    text += "| scenario | runs | rounds | after round 1 | of the misplaced dirt | at the end | met | claimed | false | in 90 % interval | error | pushes detected |\n";
     text += "|---|---|---|---|---|---|---|---|---|---|---|---|\n";
     for scores in &record.scenarios {
         let _ = writeln!(
@@ -93,7 +93,7 @@ fn in_words(record: &ScenariosRecord) -> String {
             scores.collisions,
         );
     }
-    text += "\nWhat is so, in points of performance: median (quartiles; least to greatest).\n";
+    text += "\nTrue performance in percent: median (quartiles; minimum to maximum).\n";
     text
 }
 

@@ -1,9 +1,9 @@
-//! `wisch eval sweep`: a task with each combination of some values of its keys.
+//! `wisch eval sweep`: runs a task with every combination of the given values of its keys.
 
 use super::super::words::counted;
 use super::journal::{Cases, Evaluated};
 use super::wipings::{header, heading, quartiles, row, runs_csv};
-use super::{Provenance, conclude, evaluated, write};
+use super::{Provenance, conclude, outcome, write};
 use crate::args::{GlobalArgs, SweepArgs};
 use crate::failure::Failure;
 use crate::terminal::Outcome;
@@ -14,10 +14,10 @@ use wisch_eval::{
 };
 use wisch_io::{LoadOptions, load_task};
 
-/// The schema of what is written.
+/// Schema number of the record.
 const SCHEMA: u32 = 1;
 
-/// What is written of an evaluation.
+/// The record of a sweep.
 #[derive(Debug, Serialize)]
 struct SweepRecord {
     #[serde(flatten)]
@@ -28,13 +28,16 @@ struct SweepRecord {
     runs: Vec<SweepRun>,
 }
 
-/// Evaluates runs, and sums up all in the folder.
+/// Evaluates the runs of a part, and summarises all runs in the folder.
 pub fn sweep(args: &SweepArgs, global: &GlobalArgs) -> Result<Outcome, Failure> {
     let (first, seeds) = (args.seeds.first_seed, args.seeds.seeds);
     let provenance = Provenance::begin("wisch sweep", SCHEMA, first, seeds);
     let combinations = cells(&args.axes)
         .filter(|cells| (cells.len() as u64).saturating_mul(seeds) <= MAX_RUNS)
-        .ok_or_else(|| Failure::new(format!("a sweep has at most {MAX_RUNS} runs")))?;
+        .ok_or_else(|| {
+            Failure::new(format!("the sweep has more than {MAX_RUNS} runs"))
+                .with_help("give fewer values with --set, or fewer seeds with --seeds")
+        })?;
     let setup = SweepSetup {
         task: args.task.clone(),
         inputs: check(args)?,
@@ -69,7 +72,7 @@ pub fn sweep(args: &SweepArgs, global: &GlobalArgs) -> Result<Outcome, Failure> 
         },
     };
     let out = &args.out;
-    let Evaluated { all: runs, failed } = cases.evaluated(out, &args.journal, global)?;
+    let Evaluated { all: runs, failed } = cases.evaluate_part(out, &args.journal, global)?;
     let record = SweepRecord {
         provenance,
         axes: args.axes.clone(),
@@ -80,25 +83,24 @@ pub fn sweep(args: &SweepArgs, global: &GlobalArgs) -> Result<Outcome, Failure> 
     write(&out.join("runs.csv"), &runs_table(&record)?)?;
     let table = in_words(&record);
     conclude(out, "sweep", &record, &table, args.json, global)?;
-    Ok(evaluated(failed))
+    Ok(outcome(failed))
 }
 
-/// Most runs of a sweep.
+/// Maximum number of runs of a sweep.
 const MAX_RUNS: u64 = 1_000_000;
 
-/// Reads the task with each value once, so that a wrong one ends the command before the long part; a digest of what was read.
+/// Reads the task with each value once, so that a wrong value is reported before the long computation. Returns a digest
+/// of the inputs.
 fn check(args: &SweepArgs) -> Result<String, Failure> {
     let keys: Vec<String> = args.axes.iter().map(|axis| axis.key.clone()).collect();
     for (place, key) in keys.iter().enumerate() {
         if key == "seed" {
-            return Err(
-                Failure::new("--set seed: a sweep has its seeds from elsewhere")
-                    .with_help("--first-seed and --seeds say which"),
-            );
+            return Err(Failure::new("--set seed: a sweep sets the seeds itself")
+                .with_help("choose seeds with --first-seed and --seeds"));
         }
         if keys[..place].contains(key) {
-            return Err(Failure::new(format!("--set {key}: the key is there twice"))
-                .with_help("all its values go into one --set, apart by commas"));
+            return Err(Failure::new(format!("--set {key}: the key is given twice"))
+                .with_help("give all values in one --set, separated by commas"));
         }
     }
     let load = |settings: Vec<(String, String)>| {
@@ -109,7 +111,7 @@ fn check(args: &SweepArgs) -> Result<String, Failure> {
         };
         load_task(Path::new(&args.task), &options)
     };
-    // What is wrong with the task by itself is no fault of a value.
+    // First without values, so that an error of the task itself is not blamed on a value.
     load(Vec::new())?;
     let firsts = || {
         args.axes
@@ -122,7 +124,7 @@ fn check(args: &SweepArgs) -> Result<String, Failure> {
             if load(vec![alone.clone()]).is_ok() {
                 continue;
             }
-            // It may need what another key says.
+            // The value may be valid only together with a value of another key.
             let mut all: Vec<_> = firsts().collect();
             all[place] = alone;
             let value = format!("--set {key}, value {} of {}", number + 1, values.len());
@@ -171,7 +173,7 @@ fn in_words(record: &SweepRecord) -> String {
     text
 }
 
-/// A row for each run.
+/// Formats the runs as CSV.
 fn runs_table(record: &SweepRecord) -> Result<String, Failure> {
     let keys = record.setup.keys.iter().map(String::as_str);
     let names: Vec<&str> = keys.chain(["seed"]).collect();

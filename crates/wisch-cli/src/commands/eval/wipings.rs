@@ -1,20 +1,21 @@
-//! What the evaluations share that wipe tasks: a table of their runs, and figures in words.
+//! Tables and numbers that the evaluations with wiping runs share.
 
 use super::super::words::internal;
 use crate::failure::Failure;
 use wisch_eval::{ExecutionScore, Quantity, QuantitySummary, Statistics, WipingScore};
 
-/// What stands where there is nothing.
+/// Cell of a missing value.
 pub(super) const NONE: &str = "–";
 
-/// Parts of one below which a figure is nothing but rounding.
+/// Inverse of the resolution to which values are rounded, so that rounding errors do not show.
 const PER_ONE: f64 = 1e9;
 
-/// What the columns before a run's own are called, and those after them.
+/// Names of the columns before and after a run's quantities.
 const BEFORE: &str = "plan_strategy";
 const AFTER: [&str; 5] = ["before", "low", "high", "verdict", "claimed"];
 
-/// A row for each run, after what tells it from others, under these names. Empty cells have no value in this evaluation.
+/// Formats the runs as CSV, one row per run. `names`: headings of the key cells that identify a run. Empty cells have no
+/// value in this evaluation.
 pub(super) fn runs_csv<'a>(
     names: &[&str],
     runs: impl Iterator<Item = (Vec<String>, &'a WipingScore)>,
@@ -47,7 +48,7 @@ pub(super) fn runs_csv<'a>(
     csv(header.map(str::to_owned).collect(), rows)
 }
 
-/// A table as RFC 4180 has it.
+/// Formats a table as CSV (RFC 4180).
 pub(super) fn csv(
     header: Vec<String>,
     rows: impl Iterator<Item = Vec<String>>,
@@ -60,12 +61,12 @@ pub(super) fn csv(
     String::from_utf8(bytes).map_err(internal)
 }
 
-/// How a quantity is called in tables, and how many decimals it has; shares are in per cent.
+/// Returns the heading of a quantity in tables and its number of decimals; shares are in percent.
 pub(super) const fn heading(quantity: Quantity) -> (&'static str, usize) {
     match quantity {
         Quantity::Planned => ("planned %", 2),
         Quantity::Predicted => ("predicted %", 2),
-        Quantity::Limited => ("within the paper's shortest way %", 2),
+        Quantity::Limited => ("within the paper's shortest path %", 2),
         Quantity::Estimated => ("estimated %", 2),
         Quantity::TruthRound1 => ("true after round 1 %", 2),
         Quantity::Truth => ("true %", 2),
@@ -85,21 +86,21 @@ pub(super) const fn heading(quantity: Quantity) -> (&'static str, usize) {
     }
 }
 
-/// A value of a quantity in words.
+/// Formats a value of a quantity.
 pub(super) fn figure(quantity: Quantity, value: f64) -> String {
     let (name, decimals) = heading(quantity);
     let factor = if name.ends_with('%') { 100.0 } else { 1.0 };
-    // Means that are equal but for rounding are written alike.
+    // Means that differ only by rounding errors get the same text.
     let value = (factor * value * PER_ONE).round() / PER_ONE;
     format!("{value:.decimals$}")
 }
 
-/// The mean of a quantity in words.
+/// Formats the mean of a quantity.
 pub(super) fn mean(summary: &QuantitySummary, quantity: Quantity) -> String {
     of(summary, quantity, |of| figure(quantity, of.mean))
 }
 
-/// The median and the quartiles of a quantity in words.
+/// Formats the median and the quartiles of a quantity.
 pub(super) fn quartiles(summary: &QuantitySummary, quantity: Quantity) -> String {
     of(summary, quantity, |of| {
         let [_, first, median, third, _] = of.quartiles.0.map(|value| figure(quantity, value));
@@ -117,9 +118,9 @@ fn of(
         .map_or_else(|| NONE.to_owned(), words)
 }
 
-/// A row of a table in Markdown.
+/// Formats a row of a Markdown table.
 pub(super) fn row(cells: impl IntoIterator<Item = String>) -> String {
-    // A bar would part a cell.
+    // An unescaped bar would split the cell.
     let cells: Vec<String> = cells
         .into_iter()
         .map(|cell| cell.replace('|', "\\|"))
@@ -127,7 +128,7 @@ pub(super) fn row(cells: impl IntoIterator<Item = String>) -> String {
     format!("| {} |\n", cells.join(" | "))
 }
 
-/// The first two rows of one.
+/// Formats the first two rows of a Markdown table.
 pub(super) fn header(names: impl IntoIterator<Item = String>) -> String {
     let names: Vec<String> = names.into_iter().collect();
     let rule = "|---".repeat(names.len());

@@ -1,4 +1,4 @@
-//! `wisch learn`: what rounds that were looked at before and after, in bags and episodes, say of the laws in the knowledge base.
+//! `wisch learn`: fits the knowledge base's interaction laws to rounds with camera observations before and after.
 
 mod record;
 mod rounds;
@@ -19,19 +19,19 @@ use wisch::learn::{GUESSES, LearnConfig, LearnedLaw, Lesson, SeenRound, learn as
 use wisch::represent::{Interaction, KnowledgeBase, Task};
 use wisch_io::{InteractionRevision, KnowledgeSource, OutputFile, RevisedFile, shipped_scenarios};
 
-/// How a file begins that is written here, and may be written over.
+/// First line of a file that `wisch learn` has written and may overwrite.
 const HEADER: &str = "# Interactions as `wisch learn` has them";
 
-/// Everything that was seen of a law.
+/// The observed rounds of one law.
 struct Evidence {
     interaction: Interaction,
     collision_radius: f64,
     rounds: Vec<SeenRound>,
-    /// Folders that the rounds come from: those of runs, and episodes.
+    /// Folders of the runs and episodes that contain the rounds.
     runs: Vec<PathBuf>,
 }
 
-/// Reads bags and episodes, fits the laws that they tell of, and writes what the knowledge base may take over.
+/// Reads bags and episodes, fits their interaction laws, and writes entries for the knowledge base.
 pub fn learn(args: &LearnArgs, global: &GlobalArgs) -> Result<Outcome, Failure> {
     let progress = Progress::start(global);
     progress.say("reading the tasks");
@@ -42,8 +42,8 @@ pub fn learn(args: &LearnArgs, global: &GlobalArgs) -> Result<Outcome, Failure> 
     let file = if args.diff {
         None
     } else {
-        // Before the long part: nobody likes to wait for "permission denied".
-        check_is_ours(&args.out)?;
+        // The file comes before the long computation, so that a missing permission is reported at once.
+        check_overwritable(&args.out)?;
         Some(OutputFile::begin(&args.out)?)
     };
     let lessons = evidence(&recordings, &mut tasks, &knowledge, &progress)?;
@@ -57,7 +57,7 @@ pub fn learn(args: &LearnArgs, global: &GlobalArgs) -> Result<Outcome, Failure> 
         .collect();
     let laws = fitted(&given, &LearnConfig::default()).map_err(|error| {
         Failure::new(error).with_help(
-            "wipe and look more often: each round of a run with sight is a bag, and in its episode",
+            "record more rounds with camera observations; each round of a run with sight is in its bag and its episode",
         )
     })?;
     let revisions: Vec<InteractionRevision> = (lessons.iter().zip(&laws))
@@ -93,10 +93,10 @@ pub fn learn(args: &LearnArgs, global: &GlobalArgs) -> Result<Outcome, Failure> 
     Ok(Outcome::Done)
 }
 
-/// The tasks that were wiped, by name.
+/// The executed tasks, by name.
 struct Tasks {
     known: BTreeMap<String, Prepared>,
-    /// Whether they were given, and not found by the names in what is read.
+    /// Whether `--task` gave them; otherwise they are the shipped scenarios that bags and episodes name.
     are_given: bool,
     knowledge: Option<PathBuf>,
 }
@@ -113,7 +113,7 @@ impl Tasks {
             let name = prepared.task.name.clone();
             if tasks.known.insert(name.clone(), prepared).is_some() {
                 return Err(Failure::new(format!(
-                    "{}: the task is named {name:?}, as another one of --task is",
+                    "{}: two files of --task have the task name {name:?}",
                     path.display()
                 )));
             }
@@ -133,15 +133,15 @@ impl Tasks {
         })
     }
 
-    /// The task that was wiped in a bag or episode, which says this of it.
+    /// Returns the task of a bag or episode. `named`: the task's name there, if it is stated.
     fn of(&mut self, kind: &str, place: &Path, named: Option<&str>) -> Result<&Prepared, Failure> {
         let fault = |problem: String| Failure::new(problem).within(place);
-        let help = "--task FILE names the task that was wiped, once for each task";
+        let help = "give the file of every executed task with --task FILE";
         let name = match named {
             Some(name) => name.to_owned(),
             None if self.known.len() == 1 => self.known.keys().next().cloned().unwrap_or_default(),
             None => {
-                let problem = format!("the {kind} does not say which task was wiped");
+                let problem = format!("the {kind} does not state its task");
                 return Err(fault(problem).with_help(help));
             }
         };
@@ -152,9 +152,9 @@ impl Tasks {
         }
         let known: Vec<&String> = self.known.keys().collect();
         let problem = if self.are_given {
-            format!("the {kind} is of the task {name:?}, and --task names {known:?}")
+            format!("the {kind} has the task {name:?}, but --task names {known:?}")
         } else {
-            format!("the {kind} is of the task {name:?}, which is none of the shipped scenarios")
+            format!("the {kind} has the task {name:?}, which is not a shipped scenario")
         };
         (self.known.get(&name)).ok_or_else(|| fault(problem).with_help(help))
     }
@@ -207,7 +207,11 @@ fn evidence(
     Ok(laws.into_values().collect())
 }
 
-/// What the knowledge base has of a task's tool, medium and surface, if the task did not use them otherwise.
+/// Returns the knowledge base's interaction of a task's tool, medium and surface.
+///
+/// # Errors
+/// If the task treats the surface, if the knowledge base has no such interaction, or if the task has used the tool with
+/// another force, compression depth or gap.
 fn known_interaction(
     prepared: &Prepared,
     knowledge: &KnowledgeBase,
@@ -216,7 +220,7 @@ fn known_interaction(
     let task = &prepared.task;
     if task.action.treats() {
         return Err(Failure::new(format!(
-            "{}: task {:?} is to {}, which no camera sees: there is nothing to learn a law from",
+            "{}: task {:?} has the action {}, whose effect no camera observes; no law can be learned from it",
             place.display(),
             task.name,
             task.action
@@ -227,7 +231,7 @@ fn known_interaction(
         .map_err(|error| {
             Failure::new(error)
                 .within(place)
-                .with_help("what a task defines itself can be learned once it is in the knowledge base (--knowledge DIR)")
+                .with_help("add the task's own definitions to a knowledge base and give it with --knowledge DIR")
         })?;
     let used = &task.interaction;
     for (key, used, known) in [
@@ -241,7 +245,7 @@ fn known_interaction(
     ] {
         if used != known {
             return Err(Failure::new(format!(
-                "{}: task {:?} has interaction.{key} = {used}, and the knowledge base {known}: its law is that of another use",
+                "{}: task {:?} has interaction.{key} = {used}, but the knowledge base has {known}; its law does not apply",
                 place.display(),
                 task.name
             )));
@@ -250,7 +254,7 @@ fn known_interaction(
     Ok(known.clone())
 }
 
-/// The rounds of a run with what was felt in them.
+/// Interprets the rounds of a run and pairs their camera observations with the measured exposure of each particle.
 fn seen_rounds(
     prepared: &Prepared,
     rounds: Vec<RecordedRound>,
@@ -263,24 +267,24 @@ fn seen_rounds(
     let mut seen = Vec::new();
     for round in rounds {
         let fault = |problem: &dyn std::fmt::Display| Failure::new(problem).within(&round.place);
-        let [before, after] = round.looks()?;
+        let [before, after] = round.observations_of_both()?;
         let mut task = prepared.task.clone();
         if let Some(logged) = round.world_from_surface {
             let apart = logged.inverse() * task.surface.world_from_surface;
             let distance = apart.translation.vector.norm();
             if distance > ELSEWHERE_M {
                 return Err(fault(&format!(
-                    "its surface is {distance:.3} m from that of the task {:?}, more than {ELSEWHERE_M} m: is it another task's?",
+                    "the log's surface is {distance:.3} m away from the surface of task {:?}, limit {ELSEWHERE_M} m: is --task the task of this log?",
                     task.name
                 )));
             }
-            // Where it was planned on, which touch may have corrected.
+            // The surface pose of the round's plan, which touch may have corrected.
             task.surface.world_from_surface = logged;
         }
         if let Some(number) = round.number.filter(|number| *number > felt.len() + 1) {
             progress.aside(|| {
                 remark(&format!(
-                    "{}: of the {} before it, {} given; what their dirt withstood is not known",
+                    "{}: of {} before it, {} given; the exposure of the dirt in the missing rounds is unknown",
                     round.place.display(),
                     counted(number - 1, "round"),
                     felt.len()
@@ -330,14 +334,14 @@ fn seen_rounds(
     Ok(seen)
 }
 
-/// How far a log's surface may be from the task's to be the same [m].
+/// Limit up to which a log's surface position counts as the task's [m].
 const ELSEWHERE_M: f64 = 0.05;
 
-/// Refuses to write over a file of somebody else, such as one of the knowledge base.
-fn check_is_ours(out: &Path) -> Result<(), Failure> {
+/// Refuses to overwrite a file that `wisch learn` has not written, such as a file of the knowledge base.
+fn check_overwritable(out: &Path) -> Result<(), Failure> {
     match std::fs::read(out) {
         Ok(bytes) if !bytes.starts_with(HEADER.as_bytes()) => Err(Failure::new(format!(
-            "{}: this file is there already, and was not written by `wisch learn`",
+            "{}: the file exists and was not written by `wisch learn`",
             out.display()
         ))
         .with_help(
@@ -347,10 +351,10 @@ fn check_is_ours(out: &Path) -> Result<(), Failure> {
     }
 }
 
-/// The file that is written.
+/// Formats the learned interactions as a file.
 fn entries(revised: &[RevisedFile]) -> String {
     let mut text = format!(
-        "{HEADER}, each in place of its entry in the knowledge base.\n# `wisch learn --diff` shows what that changes; `patch -p1` in the folder applies it.\nschema = 1\n"
+        "{HEADER}; each replaces its entry in the knowledge base.\n# `wisch learn --diff` prints the changes; `patch -p1` in the folder applies them.\nschema = 1\n"
     );
     for entry in revised.iter().flat_map(RevisedFile::entries) {
         text += "\n";
@@ -359,7 +363,7 @@ fn entries(revised: &[RevisedFile]) -> String {
     text
 }
 
-/// Where a law comes from.
+/// Describes the data from which a law was learned, as comment lines.
 fn source_in_words(evidence: &Evidence, law: &LearnedLaw) -> Vec<String> {
     let [mu_low, mu_high] = law.mu.interval;
     let [sigma_low, sigma_high] = exp(&law.ln_sigma);
@@ -367,7 +371,7 @@ fn source_in_words(evidence: &Evidence, law: &LearnedLaw) -> Vec<String> {
     let before = &evidence.interaction.likelihood;
     vec![
         format!(
-            "from {} of {}, in which {} were touched and looked for",
+            "from {} of {} with {} that were wiped and observed",
             counted(law.rounds, "round"),
             counted(evidence.runs.len(), "run"),
             counted(law.particles, "particle")

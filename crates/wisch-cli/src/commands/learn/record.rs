@@ -1,4 +1,4 @@
-//! What was learned, as `--json` prints it and in words.
+//! The learned laws, as the object of `--json` and as text.
 
 use super::super::words::{counted, percent};
 use super::Evidence;
@@ -6,7 +6,7 @@ use serde::Serialize;
 use wisch::learn::{LearnedLaw, PosteriorSummary};
 use wisch::represent::Interaction;
 
-/// What the object of `--json` is.
+/// Format name of the object of `--json`.
 pub(super) const FORMAT: &str = "wisch-learned";
 pub(super) const SCHEMA: u32 = 1;
 
@@ -15,9 +15,9 @@ pub(super) const SCHEMA: u32 = 1;
 pub(super) struct LearnRecord {
     pub format: &'static str,
     pub schema: u32,
-    /// The file that was written, or nothing.
+    /// The written file; null with `--diff`.
     pub out: Option<String>,
-    /// What changes, if that was asked for.
+    /// The changes as a unified diff; null without `--diff`.
     pub diff: Option<String>,
     pub laws: Vec<LawRecord>,
 }
@@ -37,7 +37,7 @@ pub(super) struct LawRecord {
     kept_share: f64,
 }
 
-/// A parameter; `spread` is that of its logarithm, but for μ.
+/// A parameter before and after. `spread`: standard deviation of μ, or of the logarithm of the other parameters.
 #[derive(Debug, Serialize)]
 struct ParameterRecord {
     before: f64,
@@ -47,12 +47,12 @@ struct ParameterRecord {
     high: f64,
 }
 
-/// The interval of a parameter of whose logarithm this is.
+/// Returns the interval of a parameter from the summary of its logarithm.
 pub(super) fn exp(summary: &PosteriorSummary) -> [f64; 2] {
     summary.interval.map(f64::exp)
 }
 
-/// A law before and after it was learned.
+/// Makes the record of a law before and after learning.
 pub(super) fn law_record(evidence: &Evidence, law: &LearnedLaw) -> LawRecord {
     let Interaction {
         tool,
@@ -101,7 +101,7 @@ pub(super) fn in_words(record: &LearnRecord) -> String {
     let mut text = String::new();
     for law in &record.laws {
         text += &format!("{} on {} on {}\n", law.tool, law.medium, law.surface);
-        let told = |parameter: &ParameterRecord| {
+        let describe = |parameter: &ParameterRecord| {
             let ParameterRecord {
                 before,
                 mean,
@@ -112,13 +112,13 @@ pub(super) fn in_words(record: &LearnRecord) -> String {
             format!("{mean:.3}, {low:.3} to {high:.3} with 90 % probability (before: {before:.3})")
         };
         for (name, value) in [
-            ("mu", told(&law.mu)),
-            ("sigma", told(&law.sigma)),
-            ("redraw length [m]", told(&law.redraw_length_m)),
+            ("mu", describe(&law.mu)),
+            ("sigma", describe(&law.sigma)),
+            ("redraw length [m]", describe(&law.redraw_length_m)),
             (
                 "thresholds",
                 format!(
-                    "kept for good with a probability of {}",
+                    "permanent with a probability of {}",
                     percent(law.kept_share)
                 ),
             ),

@@ -1,4 +1,4 @@
-//! Where rounds are recorded that teach: in bags, and in episodes of a memory.
+//! The recorded rounds to learn from, in bags and in episodes of a memory.
 
 use super::super::memory::{broken, open};
 use super::super::words::counted;
@@ -17,46 +17,46 @@ use wisch_telemetry::{LogOptions, read};
 
 /// The rounds of a run.
 pub(super) struct Recording {
-    /// Where they are recorded: the folder of the bags, or the episode.
+    /// Folder of the bags, or of the episode.
     pub folder: PathBuf,
     /// The rounds.
     pub sources: Vec<Source>,
 }
 
-/// Where a round is recorded.
+/// The recording of a round.
 pub(super) enum Source {
-    /// In a bag.
+    /// A bag.
     Bag(PathBuf),
-    /// In an episode.
+    /// A round of an episode.
     Episode {
         episode: Episode,
-        /// Name of the task that was wiped.
+        /// Name of the executed task.
         task: String,
-        /// The round in it, from 1.
+        /// Number of the round in the episode, from 1.
         number: usize,
     },
 }
 
-/// A round as it was recorded.
+/// A recorded round.
 pub(super) struct RecordedRound {
-    /// The file that tells of it.
+    /// The file of the round.
     pub place: PathBuf,
-    /// Name of the task that was wiped, if it is said.
+    /// Name of the executed task, if the file states it.
     pub task: Option<String>,
-    /// Which round of its run it was, from 1, if it is said.
+    /// Number of the round in its run, from 1, if the file states it.
     pub number: Option<usize>,
-    /// Where the tool was and what force it felt.
+    /// Tool poses and measured forces.
     pub samples: Vec<TouchSample>,
-    /// Where the surface was believed to be, if it is said.
+    /// Believed pose of the surface, if the file states it.
     pub world_from_surface: Option<Pose>,
-    /// What was seen before and after, in the frame of that surface.
+    /// Observations before and after the round, in the surface frame.
     observations: [Option<Observation>; 2],
-    /// What is missing where nothing was seen before or after.
+    /// Prefixes of the error message for a missing observation before and after.
     unseen: [&'static str; 2],
 }
 
 impl Source {
-    /// What it is.
+    /// The kind of recording, for messages.
     pub fn kind(&self) -> &'static str {
         match self {
             Self::Bag(_) => "bag",
@@ -64,7 +64,7 @@ impl Source {
         }
     }
 
-    /// The file that tells of the round, for people.
+    /// The file of the round, for messages.
     pub fn place(&self) -> PathBuf {
         match self {
             Self::Bag(path) => path.clone(),
@@ -74,7 +74,7 @@ impl Source {
         }
     }
 
-    /// Reads it.
+    /// Reads the round.
     pub fn read(&self) -> Result<RecordedRound, Failure> {
         match self {
             Self::Bag(path) => {
@@ -124,8 +124,11 @@ impl Source {
 }
 
 impl RecordedRound {
-    /// What was seen before and after.
-    pub fn looks(&self) -> Result<[Observation; 2], Failure> {
+    /// Returns the observations before and after the round.
+    ///
+    /// # Errors
+    /// If one of them is missing.
+    pub fn observations_of_both(&self) -> Result<[Observation; 2], Failure> {
         let missing = (self.observations.iter().zip(&self.unseen).zip(WHEN))
             .find_map(|((look, said), when)| look.is_none().then_some((said, when)));
         match (&self.observations, missing) {
@@ -142,18 +145,18 @@ const WHEN: [&str; 2] = ["before", "after"];
 
 fn unseen(place: &Path, said: &str, when: &str) -> Failure {
     Failure::new(format!(
-        "{said}nothing was seen of the dirt {when} this round"
+        "{said}there is no camera observation of the dirt {when} this round"
     ))
     .within(place)
-    .with_help("a robot looks whose task says perception.senses = [\"touch\", \"sight\"]")
+    .with_help("set perception.senses = [\"touch\", \"sight\"] in the task, so that the robot observes the dirt")
 }
 
-/// Where an episode tells of a round, for people: what was seen, and the telemetry beside.
+/// Returns the path of a round in its episode, for messages.
 fn place(episode: &Episode, number: usize) -> PathBuf {
     episode.folder().join(format!("round-{number}"))
 }
 
-/// All that is to be learned from, run by run.
+/// Lists all recorded rounds of the arguments, grouped by run.
 pub(super) fn recordings(
     args: &LearnArgs,
     tasks: &mut Tasks,
@@ -190,19 +193,19 @@ pub(super) fn recordings(
         }
         if recordings.is_empty() {
             let count = counted(ids.len(), "episode");
-            let problem = format!("{count}, and none that teaches");
+            let problem = format!("none of {count} can be learned from");
             return Err(Failure::new(problem).within(&folder).with_help(
-                "--task FILE names the task that was wiped; wisch run keeps what its robot sees if the task says perception.senses = [\"touch\", \"sight\"]",
+                "give the executed task with --task FILE; camera observations need perception.senses = [\"touch\", \"sight\"] in the task",
             ));
         }
     }
     Ok(recordings)
 }
 
-/// The rounds of an episode, or why they do not teach.
+/// Lists the rounds of an episode, or returns the reason why they cannot be learned from.
 ///
 /// # Errors
-/// An episode that cannot be read.
+/// If the episode cannot be read.
 fn recording(episode: Episode, tasks: &mut Tasks) -> Result<Result<Recording, Failure>, Failure> {
     let record = episode.record().map_err(broken)?;
     let folder = episode.folder().to_owned();
@@ -216,9 +219,9 @@ fn recording(episode: Episode, tasks: &mut Tasks) -> Result<Result<Recording, Fa
         if let Some((_, when)) = seen.iter().zip(WHEN).find(|(look, _)| look.is_none()) {
             return Ok(Err(unseen(&place(&episode, number), "", when)));
         }
-        // On a full disk an episode is kept without.
+        // If the disk was full, the episode was kept without telemetry.
         if !episode.has_telemetry(number).map_err(broken)? {
-            let problem = "the telemetry of this round was not kept";
+            let problem = "the telemetry of this round is missing";
             return Ok(Err(Failure::new(problem).within(&place(&episode, number))));
         }
         sources.push(Source::Episode {
@@ -228,12 +231,14 @@ fn recording(episode: Episode, tasks: &mut Tasks) -> Result<Result<Recording, Fa
         });
     }
     if sources.is_empty() {
-        return Ok(Err(Failure::new("it has no round").within(&folder)));
+        return Ok(Err(
+            Failure::new("the episode has no rounds").within(&folder)
+        ));
     }
     Ok(Ok(Recording { folder, sources }))
 }
 
-/// The bags that are meant, by the folder in which they lie, each once.
+/// Lists the bags of the arguments without duplicates, grouped by folder.
 fn bags(paths: &[PathBuf]) -> Result<BTreeMap<PathBuf, Vec<PathBuf>>, Failure> {
     let mut bags: BTreeMap<PathBuf, Vec<PathBuf>> = BTreeMap::new();
     for path in paths {
@@ -242,7 +247,7 @@ fn bags(paths: &[PathBuf]) -> Result<BTreeMap<PathBuf, Vec<PathBuf>>, Failure> {
             let found = in_folder(if telemetry.is_dir() { &telemetry } else { path })?;
             if found.is_empty() {
                 return Err(Failure::new(format!(
-                    "{}: there is no bag in this folder, neither NAME.mcap nor telemetry/NAME.mcap",
+                    "{}: the folder contains no bag, neither NAME.mcap nor telemetry/NAME.mcap",
                     path.display()
                 )));
             }

@@ -104,12 +104,12 @@ fn a_fault_of_the_world_is_refused_with_its_place() {
         (
             "perception.senses",
             "[\"sight\"]",
-            "touch is always among them",
+            "it is always one of the senses",
         ),
         (
             "perception.senses",
             "[\"touch\", \"touch\"]",
-            "a sense is named twice",
+            "a sense is given twice",
         ),
         (
             "perception.senses",
@@ -144,7 +144,7 @@ fn a_fault_of_the_world_is_refused_with_its_place() {
         (
             "execution.grain_size_m",
             "[0.002, 0.001]",
-            "is larger than the largest",
+            "exceeds the largest",
         ),
         (
             "execution.tool_stiffness",

@@ -65,7 +65,7 @@ fn a_fault_is_refused_with_its_place() {
         (
             source,
             "source = \"image\"\nfile = \"a.png\"\ncorners_px = [[0, 0]]\ncolor = [1, 2, 3]\ntolerance = 1\ncount = 1",
-            "15:14: particles.corners_px: expected an array of 4, found an array of 1",
+            "15:14: particles.corners_px: expected an array of length 4, found an array of length 1",
         ),
         (
             source,
@@ -75,7 +75,7 @@ fn a_fault_is_refused_with_its_place() {
         (
             "schema = 1",
             "schema = 2",
-            "1:10: schema 2 is not supported, only schema 1",
+            "1:10: schema 2 is not supported; this version reads schema 1",
         ),
         ("schema = 1", "", "1:1: key \"schema\" is missing"),
         ("name = \"small\"", "", "1:1: key \"name\" is missing"),
@@ -107,12 +107,12 @@ fn a_fault_is_refused_with_its_place() {
         (
             "action = \"skim\"",
             "action = \"skim\"\ngoal = \"(x)\"",
-            "4:8: exactly one of action, goal is needed, action and goal are there",
+            "4:8: exactly one of action, goal is required, but action and goal are given",
         ),
         (
             "action = \"skim\"",
             "",
-            "1:1: exactly one of action, goal is needed, none is there",
+            "1:1: exactly one of action, goal is required, but none is given",
         ),
         (
             "[tool]\nname = \"sponge\"",
@@ -147,17 +147,17 @@ fn a_fault_is_refused_with_its_place() {
         (
             size,
             "size_m = 0.5",
-            "10:10: surface.size_m: expected an array of 2, found 0.5",
+            "10:10: surface.size_m: expected an array of length 2, found 0.5",
         ),
         (
             size,
             "",
-            "8:1: surface: exactly one of size_m, outline_m is needed, none is there",
+            "8:1: surface: exactly one of size_m, outline_m is required, but none is given",
         ),
         (
             size,
             "outline_m = [[0, 0], [1, 0]]",
-            "10:13: surface.outline_m: 2 points, but a ring has at least 3",
+            "10:13: surface.outline_m: 2 points are outside the limits of a ring",
         ),
         (
             size,
@@ -182,12 +182,12 @@ fn a_fault_is_refused_with_its_place() {
         (
             size,
             "outline_m = [[0, 0], [1, 0], [0, 1]]",
-            "11:15: surface.skim_edges[0]: edges have names only where",
+            "11:15: surface.skim_edges[0]: names of edges need size_m",
         ),
         (
             size,
             "size_m = [0.5, 0.4]\nholes_m = [[[1, 1], [2, 1], [1, 2]]]",
-            "11:12: surface.holes_m[0]: the hole lies outside the outline",
+            "11:12: surface.holes_m[0]: the hole is outside the outline",
         ),
         (
             size,
@@ -207,7 +207,7 @@ fn a_fault_is_refused_with_its_place() {
         (
             "[\"y_min\"]",
             "[0, \"y_min\"]",
-            "11:18: surface.skim_edges[1]: the edge is named twice",
+            "11:18: surface.skim_edges[1]: the edge is given twice",
         ),
         (
             "name = \"table\"",
@@ -227,7 +227,7 @@ fn a_fault_is_refused_with_its_place() {
         (
             frame,
             "box_m = [1, 1, 1]",
-            "17:12: scene[0]: exactly one of box_m, cylinder, sphere, capsule, mesh is needed, box_m and cylinder are there",
+            "17:12: scene[0]: exactly one of box_m, cylinder, sphere, capsule, mesh is required, but box_m and cylinder are given",
         ),
         (
             frame,
@@ -257,7 +257,7 @@ fn a_fault_is_refused_with_its_place() {
         (
             "position_m = [0.1, 0.1, 0.05]",
             "position_m = [0.1, 0.1]",
-            "19:14: scene[0].position_m: expected an array of 3, found an array of 2",
+            "19:14: scene[0].position_m: expected an array of length 3, found an array of length 2",
         ),
         (
             "position_m = [0.1, 0.1, 0.05]",
@@ -272,12 +272,12 @@ fn a_fault_is_refused_with_its_place() {
         (
             "position_m = [0.1, 0.1, 0.05]",
             "[execution]\npush = [{ start_s = 1, start_share = 0.5, duration_s = 1, force_n = [0, 0, 9] }]",
-            "20:9: execution.push[0]: exactly one of start_s, start_share, start_stroke is needed, start_s and start_share are there",
+            "20:9: execution.push[0]: exactly one of start_s, start_share, start_stroke is required, but start_s and start_share are given",
         ),
         (
             "position_m = [0.1, 0.1, 0.05]",
             "[execution]\nfriction_change = [{ friction = 0.5 }]",
-            "20:20: execution.friction_change[0]: exactly one of start_s, start_share, start_stroke is needed, none is there",
+            "20:20: execution.friction_change[0]: exactly one of start_s, start_share, start_stroke is required, but none is given",
         ),
         (
             "position_m = [0.1, 0.1, 0.05]",
@@ -340,16 +340,16 @@ fn what_the_knowledge_or_a_file_lacks_is_refused_with_its_place() {
         ),
         (
             mesh("long.step", ""),
-            "17:17: file \"long.step\": a mesh file ends in .stl, .obj or .dae",
+            "17:17: file \"long.step\": the name of a mesh file must end in .stl, .obj or .dae",
         ),
         (mesh("broken.stl", ""), "17:17: mesh \"broken.stl\": "),
         (
             source("source = \"csv\"\nfile = \"empty.csv\""),
-            "12:1: particles: empty.csv: it lists no particle",
+            "12:1: particles: empty.csv: the list has no particles",
         ),
         (
             source("source = \"csv\"\nfile = \"off.csv\""),
-            "12:1: particles: off.csv:3: (9, 0) m lies off the surface's outline",
+            "12:1: particles: off.csv:3: (9, 0) m is outside the surface's outline",
         ),
         (
             source("source = \"csv\"\nfile = \"none.csv\""),
@@ -359,7 +359,7 @@ fn what_the_knowledge_or_a_file_lacks_is_refused_with_its_place() {
             source(
                 "source = \"image\"\nfile = \"text.png\"\ncorners_px = [[0, 1], [1, 1], [1, 0], [0, 0]]\ncolor = [1, 2, 3]\ntolerance = 1\ncount = 1",
             ),
-            "12:1: particles: text.png: it is no PNG or JPEG",
+            "12:1: particles: text.png: not a readable PNG or JPEG",
         ),
     ] {
         let file = parsed(&text).unwrap_or_else(|error| panic!("{error}"));
@@ -391,7 +391,7 @@ fn what_the_knowledge_or_a_file_lacks_is_refused_with_its_place() {
     let error = error.expect_err("foam does not take up glass").to_string();
     assert!(
         error.contains(
-            "sponge is not known to absorb glass_chippings on table, only to collect and skim"
+            "sponge cannot absorb glass_chippings on table according to the knowledge base, only collect and skim"
         ),
         "{error}"
     );

@@ -49,12 +49,12 @@ fn what_a_treatment_lacks_or_cannot_have_is_said() {
         (
             "passes = 3",
             "passes = 3\nmax_passes = 2",
-            "polish.max_passes: 2 is fewer than the 3 passes asked for",
+            "polish.max_passes: 2 is below polish.passes = 3",
         ),
         (
             "[polish]",
             "[perception]\nsenses = [\"touch\", \"sight\"]\n[polish]",
-            "perception.senses: a camera looks for dirt, and sees nothing of a polish",
+            "perception.senses: \"sight\" does not work with the action polish",
         ),
         (
             "passes = 3",
@@ -64,7 +64,7 @@ fn what_a_treatment_lacks_or_cannot_have_is_said() {
         (
             "action = \"polish\"",
             "action = \"absorb\"",
-            "sponge is not known to absorb polishing_paste on table, only to polish",
+            "sponge cannot absorb polishing_paste on table according to the knowledge base, only polish",
         ),
     ] {
         let text = POLISH.replace(piece, by);

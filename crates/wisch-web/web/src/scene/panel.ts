@@ -7,8 +7,8 @@ import type { Layers } from "./stage.ts";
 import type { Recording } from "../store.ts";
 
 const NAMES: Record<keyof Layers, string> = {
-  believed: "Dirt as believed, predicted", estimated: "Dirt as estimated after", actual: "Dirt as it truly is", seen: "Dirt as seen",
-  path: "Tool path", strokes: "Strokes as planned", force: "Force", events: "Events", found: "Surface as found", actualSurface: "Surface as it truly is",
+  believed: "Believed and predicted dirt", estimated: "Estimated dirt after the round", actual: "True dirt", seen: "Observed dirt",
+  path: "Tool path", strokes: "Planned strokes", force: "Force", events: "Events", found: "Surface found by touch", actualSurface: "True surface",
 };
 
 /** What was asked to be seen: a line, or particles by their state. */
@@ -24,7 +24,7 @@ export class ScenePanel {
   private readonly boxes = new Map<keyof Layers, HTMLElement>();
   private readonly extra = el("ul", { class: "w-named" });
   private readonly follow: HTMLButtonElement;
-  private readonly still = el("img", { class: "w-still", alt: "The robot and the surface at the time that is shown" });
+  private readonly still = el("img", { class: "w-still", alt: "The robot and the surface at the shown time" });
   private readonly stop: (() => void)[] = [];
   private version = -1;
 
@@ -32,14 +32,14 @@ export class ScenePanel {
     const canvas = el("canvas", { class: "w-canvas", tabindex: 0, role: "application", "aria-label": "Robot, tool and surface in 3-D. W A S D turn the picture, Z and X zoom." });
     this.stage = makeStage(canvas, recording);
     const button = (text: string, title: string, act: () => void) => el("button", { class: "w-button", type: "button", title, click: act }, text);
-    this.follow = button("Follow tool", "Keep the tool in the middle  T", () => this.toggleFollow());
+    this.follow = button("Follow tool", "Keep the tool centred  T", () => this.toggleFollow());
     this.follow.setAttribute("aria-pressed", "false");
     const views = el("div", { class: "w-views", role: "group", "aria-label": "View" },
-      button("Fit", "All of robot and surface  F", () => this.look("all")),
+      button("Fit", "Show all of robot and surface  F", () => this.look("all")),
       button("Surface", "Near the surface", () => this.look("surface")),
       button("Above", "From above  V", () => this.look("above")), this.follow);
     this.element = el("section", { class: "w-scene", "aria-label": "Scene" },
-      this.stage ? canvas : el("p", { class: "w-none" }, "This browser draws no 3-D here. All else is below and beside."),
+      this.stage ? canvas : el("p", { class: "w-none" }, "This browser cannot draw 3-D graphics. The other panels still work."),
       this.stage && views, this.stage && this.legend(compact), this.extra, this.still);
     if (!this.stage) return;
     const { stage } = this;

@@ -36,7 +36,7 @@ export class Ask {
   private readonly completer = new Completer(this.field);
   private readonly fault = el("div", { class: "w-complaint s-fault", role: "alert", hidden: true });
   private readonly chips = el("div", { class: "s-chips" });
-  private readonly examples = el("details", { class: "s-examples", open: true }, el("summary", {}, el("h2", {}, "Questions to begin with")), this.chips);
+  private readonly examples = el("details", { class: "s-examples", open: true }, el("summary", {}, el("h2", {}, "Example questions")), this.chips);
   private readonly result = el("div", { class: "s-answers", "aria-live": "polite" });
   private readonly button: HTMLButtonElement;
   private asking: AbortController | null = null;
@@ -45,7 +45,7 @@ export class Ask {
     this.button = el("button", { class: "w-button s-primary", type: "button", click: () => (this.asking ? this.asking.abort() : void this.ask()) }, "Ask");
     this.element = el("section", { class: "s-ask", hidden: true },
       el("div", { class: "s-field" }, this.field, this.completer.list),
-      el("div", { class: "s-row" }, this.button, el("span", { class: "w-quiet" }, "Enter asks, Shift + Enter breaks the line, Tab completes")),
+      el("div", { class: "s-row" }, this.button, el("span", { class: "w-quiet" }, "Enter: ask, Shift + Enter: new line, Tab: complete")),
       this.fault, this.examples, this.result);
     void this.learn();
   }
@@ -76,7 +76,7 @@ export class Ask {
     this.fault.hidden = true;
     this.examples.open = false;
     this.actions.clear();
-    this.result.replaceChildren(el("p", { class: "s-remark" }, "This query comes from the page's address and was not asked yet: Ask runs it."));
+    this.result.replaceChildren(el("p", { class: "s-remark" }, "This query comes from the page's address. Press Ask to run it."));
   }
 
   /** Asks what stands in the field, and shows what the answers show. */
@@ -130,7 +130,7 @@ export class Ask {
 
   private list(answers: Answers): void {
     const { rows, columns, holds, more, seconds, printed, remarks, view, about } = answers;
-    const count = holds ? `${rows.length}${more ? " or more" : ""} ${rows.length === 1 ? "answer" : "answers"}` : "No answer: it does not hold";
+    const count = holds ? `${rows.length}${more ? " or more" : ""} ${rows.length === 1 ? "answer" : "answers"}` : "No answer: false";
     const parts: Node[] = [el("p", { class: "s-count" }, el("b", {}, count), ` in ${fixed(seconds, 2)} s`)];
     const episodes = episodesOf(answers, null);
     if (episodes.length && this.hasView(answers)) {
@@ -146,7 +146,7 @@ export class Ask {
     if (printed) parts.push(el("pre", { class: "s-printed" }, printed));
     for (const one of view?.plots ?? []) parts.push(plot(one));
     if (rows.length && columns.length) parts.push(this.table(answers));
-    else if (rows.length && about.every((mentions) => !mentions.length)) parts.push(el("p", {}, "It holds."));
+    else if (rows.length && about.every((mentions) => !mentions.length)) parts.push(el("p", {}, "True."));
     if (rows.length > MOST_ROWS) parts.push(el("p", { class: "w-quiet" }, `The first ${MOST_ROWS} of ${rows.length} are listed.`));
     this.result.replaceChildren(...parts);
   }

@@ -22,7 +22,7 @@ class Studio {
   private readonly ask: Ask;
   private readonly dialog: StartDialog;
   private readonly tabs: Record<"runs" | "ask", HTMLButtonElement>;
-  private readonly offline = el("p", { class: "s-offline", role: "status", hidden: true }, "The studio does not answer: has it ended?");
+  private readonly offline = el("p", { class: "s-offline", role: "status", hidden: true }, "The studio does not respond: has it ended?");
   private readonly aside: HTMLElement;
   private known: Overview | null = null;
   private place: Place = HOME;
@@ -155,7 +155,7 @@ class Studio {
     this.side.mark(place.ids);
     if (this.isNarrow && place.kind !== "home") this.open(null);
     if (place.kind === "home") {
-      this.stage.say("note", "Nothing has been wiped yet in this memory.",
+      this.stage.say("note", "This memory has no runs yet.",
         el("button", { class: "w-button s-primary", type: "button", click: () => this.dialog.open() }, "Start a task"));
       return;
     }
@@ -169,7 +169,7 @@ class Studio {
     } catch (error) {
       if (mine !== this.opened) return;
       const words = error instanceof Refused ? error.message : `This cannot be shown: ${String(error)}`;
-      this.stage.say("fault", words, el("p", { class: "w-quiet" }, "What is known of it can be asked all the same."));
+      this.stage.say("fault", words, el("p", { class: "w-quiet" }, "Queries about it still work."));
     }
   }
 

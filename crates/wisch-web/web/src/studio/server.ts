@@ -155,7 +155,7 @@ export class Refused extends Error {
   }
 }
 
-const GONE = "The studio does not answer: has it ended?";
+const GONE = "The studio does not respond: has it ended?";
 
 async function request(path: string, init?: RequestInit): Promise<Response> {
   let response: Response;
@@ -175,7 +175,7 @@ async function faultOf(response: Response): Promise<Fault> {
   } catch {
     // It said nothing that can be read.
   }
-  return { message: `The studio answers ${response.status}.` };
+  return { message: `The studio responds with status ${response.status}.` };
 }
 
 const post = async <T>(path: string, body: unknown, signal?: AbortSignal): Promise<T> => {
@@ -206,7 +206,7 @@ export async function readRecording(id: string, take: (line: string) => void): P
     }
     take(rest + decoder.decode());
   } catch {
-    throw new Refused({ message: "The recording of this episode is broken: it cannot be unpacked. wisch memory verify says what else is." }, 0);
+    throw new Refused({ message: "The recording of this episode is damaged: it cannot be unpacked. wisch memory verify lists damaged files." }, 0);
   }
 }
 

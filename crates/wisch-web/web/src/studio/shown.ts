@@ -57,7 +57,7 @@ export function shownOf(answers: Answers, row: number | null, id: string, record
     const begin = begins.rounds?.[number - 1] ?? begins.interval[0];
     if (episode !== id || !round || !belongs([begin, begin + round.length])) continue;
     const before = state === "before";
-    const name = `dirt ${before ? "before" : "as estimated after"} round ${number}, as asked`;
+    const name = `${before ? "dirt before" : "estimated dirt after"} round ${number}, as queried`;
     const pose = (before ? null : round.judged?.found) ?? round.plan.surface.pose;
     shown.particles.push({ name, state, pose, places: positions, ...(colour ? { color: colour } : {}) });
     shown.since.push(before ? round.start : round.end);

@@ -61,7 +61,7 @@ export class Side {
     this.picking = id;
     this.note.hidden = !id;
     this.note.replaceChildren(...(id ? [
-      el("p", {}, "Pick the run or episode to compare with."),
+      el("p", {}, "Choose a run or episode to compare with."),
       el("button", { class: "w-button", type: "button", click: () => this.compareWith(null) }, "Cancel"),
     ] : []));
   }
@@ -80,7 +80,7 @@ export class Side {
     for (const [day, episodes] of byDay(list.episodes)) {
       parts.push(el("h2", {}, day), el("ul", {}, ...episodes.map((episode) => this.episode(episode))));
     }
-    if (!list.episodes.length && (this.words || !going.length)) parts.push(el("p", { class: "w-quiet" }, this.words ? "No episode fits." : "No episodes yet: start a task."));
+    if (!list.episodes.length && (this.words || !going.length)) parts.push(el("p", { class: "w-quiet" }, this.words ? "No matching episodes." : "No episodes yet: start a task."));
     if (list.total > list.episodes.length) {
       parts.push(el("p", { class: "w-quiet" }, `The newest ${list.episodes.length} of ${list.total}; search for the others.`));
     }

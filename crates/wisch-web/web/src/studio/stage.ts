@@ -127,10 +127,10 @@ export class Stage {
 const CONNECTIONS = {
   connecting: "connecting \u2026",
   live: "live",
-  reconnecting: "connection lost, trying again \u2026",
+  reconnecting: "connection lost, reconnecting \u2026",
   ended: "",
   lost: "the run ended unexpectedly",
-  gone: "the run is not there any more",
+  gone: "the run no longer exists",
 } as const;
 
 /** What stands over a view: title, result, and what can be done. */

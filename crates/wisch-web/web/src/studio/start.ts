@@ -47,14 +47,14 @@ export class StartDialog {
     this.list.replaceChildren(...scenarios.map(({ name, about }) => el("li", {},
       el("div", {}, el("b", {}, name), el("p", {}, about)),
       el("button", { class: "w-button s-primary", type: "button", "data-task": name, "aria-label": `Start ${name}`, click: () => void this.start(name) }, "Start"))));
-    if (!scenarios.length) this.list.append(el("li", {}, "The program lists no shipped tasks."));
+    if (!scenarios.length) this.list.append(el("li", {}, "The program has no shipped tasks."));
   }
 
   private async start(task: string): Promise<void> {
     if (this.busy) return;
     const seed = this.seed.value.trim();
     if (!task) return this.complain("Give the path of a task file.");
-    if (seed && !/^\d+$/.test(seed)) return this.complain("A seed is a whole number from 0 on.");
+    if (seed && !/^\d+$/.test(seed)) return this.complain("A seed is a whole number, 0 or greater.");
     this.setBusy(true);
     try {
       const id = await startRun(task, seed ? Number(seed) : null, this.strategy.value || null);

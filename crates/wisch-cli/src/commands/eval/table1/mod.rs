@@ -1,11 +1,11 @@
-//! `wisch eval table1`: the paper's Table 1 beside ours.
+//! `wisch eval table1`: reproduces the paper's Table 1.
 
 mod page;
 mod record;
 
 use super::journal::{Cases, Evaluated};
 use super::wipings::{csv, header, heading, mean, row, runs_csv};
-use super::{Provenance, conclude, evaluated, write};
+use super::{Provenance, conclude, outcome, write};
 use crate::args::{GlobalArgs, Table1Args};
 use crate::failure::Failure;
 use crate::terminal::Outcome;
@@ -19,10 +19,10 @@ use wisch_eval::{
 };
 use wisch_io::load_task;
 
-/// The schema of what is written.
+/// Schema number of the record.
 const SCHEMA: u32 = 1;
 
-/// Evaluates runs, and makes the table of all in the folder.
+/// Evaluates the runs of a part, and makes the table of all runs in the folder.
 pub fn table1(args: &Table1Args, global: &GlobalArgs) -> Result<Outcome, Failure> {
     let (first, seeds) = (args.seeds.first_seed, args.seeds.seeds);
     let provenance = Provenance::begin("wisch table1", SCHEMA, first, seeds);
@@ -46,7 +46,7 @@ pub fn table1(args: &Table1Args, global: &GlobalArgs) -> Result<Outcome, Failure
         },
     };
     let out = &args.out;
-    let Evaluated { all: runs, failed } = cases.evaluated(out, &args.journal, global)?;
+    let Evaluated { all: runs, failed } = cases.evaluate_part(out, &args.journal, global)?;
     let rows = table1_rows(&runs);
     let own = || rows.iter().filter(|row| row.is_papers_own);
     let mut record = Table1Record {
@@ -64,7 +64,7 @@ pub fn table1(args: &Table1Args, global: &GlobalArgs) -> Result<Outcome, Failure
     }
     let table = in_words(&record);
     conclude(out, "table1", &record, &table, args.json, global)?;
-    Ok(evaluated(failed))
+    Ok(outcome(failed))
 }
 
 /// All runs, each with its number.
@@ -73,7 +73,7 @@ fn cases(args: &Table1Args, [first, last]: [u64; 2]) -> Vec<(u64, Table1Case)> {
         let mut named = args.cells.iter().flat_map(|cells| &cells.0);
         args.cells.is_empty() || named.any(|named| named == task)
     };
-    // All three actions move dirt, so that what fits one fits the others.
+    // All three actions move dirt, so a setting that suits one suits all.
     let fits = |strategy: &Strategy| strategy.fits(Action::Absorb);
     let is_wanted = |strategy: &Strategy| match args.strategies.is_empty() {
         true => fits(strategy),
@@ -96,7 +96,7 @@ fn cases(args: &Table1Args, [first, last]: [u64; 2]) -> Vec<(u64, Table1Case)> {
         .collect()
 }
 
-/// Reads each task once, so that a wrong key ends the command before the long part.
+/// Reads each task once, so that a wrong key is reported before the long computation.
 fn check(cases: &[(u64, Table1Case)], setup: &Table1Setup) -> Result<(), Failure> {
     let mut seen = Vec::new();
     for (_, case) in cases {
@@ -147,12 +147,12 @@ fn in_words(record: &Table1Record) -> String {
             "\n{reached} of {own} of the paper's cells reach its performance.\n"
         );
     }
-    text += "\nMeans over the seeds. Bold: the paper's performance is reached. What the paper does not have is held against its best\n\
+    text += "\nMeans over the seeds. Bold: the paper's performance is reached. Strategies that the paper does not have are compared with its best\n\
              figure of three, in brackets. Computation is wall time on one core; the paper's is another planner's on another machine.\n";
     text
 }
 
-/// A row for each run.
+/// Formats the runs as CSV.
 fn runs_table(runs: &[Table1Run]) -> Result<String, Failure> {
     let rows = runs.iter().map(|run| {
         let Table1Case {
@@ -169,7 +169,7 @@ fn runs_table(runs: &[Table1Run]) -> Result<String, Failure> {
     runs_csv(&["action", "surface", "strategy", "seed"], rows)
 }
 
-/// A row for each cell by each strategy: means, and the paper's figures.
+/// Formats the means of each cell and strategy, with the paper's figures, as CSV.
 fn rows_table(rows: &[Table1Row]) -> Result<String, Failure> {
     let names = [
         "action",

@@ -1,4 +1,4 @@
-//! table1.html: the table with pictures of one seed.
+//! The page table1.html: the table, with pictures of one seed.
 
 use super::super::super::words::counted;
 use super::super::wipings::{figure, heading, mean};
@@ -14,7 +14,7 @@ use wisch_report::{
     table1_page,
 };
 
-/// The page of an evaluation whose runs still have their pictures.
+/// Writes the page of an evaluation as HTML. Its runs must still have their pictures.
 pub(super) fn page(record: &Table1Record) -> Result<String, Failure> {
     let pictured: Vec<&Table1Run> = (record.runs.iter())
         .filter(|run| run.score.picture.is_some())
@@ -37,7 +37,7 @@ pub(super) fn page(record: &Table1Record) -> Result<String, Failure> {
         let surface = tasks.iter().find(|(case, _)| *case == task);
         let picture = run.zip(surface).and_then(|(run, (_, task))| {
             let picture = run.score.picture.as_ref()?;
-            Some((wiped(task, picture), caption(&run.score)))
+            Some((wiped_surface(task, picture), caption(&run.score)))
         });
         StrategyColumn {
             strategy: row.strategy.clone(),
@@ -74,7 +74,7 @@ pub(super) fn page(record: &Table1Record) -> Result<String, Failure> {
     let actions = Action::ALL.into_iter().map(of_action);
     let [reached, own] = record.reached;
     let headline = (own > 0).then(|| {
-        let sentence = "of the paper's cells reach its performance: means, predicted.";
+        let sentence = "of the paper's cells: mean predicted performance reaches the paper's.";
         (format!("{reached} of {own}"), sentence.to_owned())
     });
     Ok(table1_page(&Table1Input {
@@ -89,21 +89,21 @@ pub(super) fn page(record: &Table1Record) -> Result<String, Failure> {
             "Seed {}, seen from above: {}.",
             record.setup.pictured_seed,
             match record.setup.extent {
-                WipingExtent::Executed => "the dirt as it really lay before the first and after the last round",
-                WipingExtent::Followed => "what the robot's strokes are predicted to do",
-                WipingExtent::Planned => "what the plans are predicted to do",
+                WipingExtent::Executed => "the true dirt before the first and after the last round",
+                WipingExtent::Followed => "the predicted effect of the robot's strokes",
+                WipingExtent::Planned => "the predicted effect of the plans",
             }
         ),
         notes: [
-            "Means over the seeds. Green: the paper's performance is reached. In brackets the best of the paper's three, where it does not have the strategy.",
-            "Computation is wall time on one core, and the only figure that differs from machine to machine; the paper's is of another planner on another machine.",
+            "Means over the seeds. Green: the paper's performance is reached. In brackets: the best of the paper's three strategies, for strategies that the paper does not have.",
+            "Computation is wall time on one core and the only figure that depends on the machine; the paper's figure is that of another planner on another machine.",
         ]
         .map(str::to_owned)
         .to_vec(),
     }))
 }
 
-fn wiped<'a>(task: &'a Task, picture: &Picture) -> WipedSurface<'a> {
+fn wiped_surface<'a>(task: &'a Task, picture: &Picture) -> WipedSurface<'a> {
     let points = |places: &[[f64; 2]]| places.iter().map(|&place| Point2::from(place)).collect();
     WipedSurface {
         task,
@@ -121,7 +121,7 @@ fn wiped<'a>(task: &'a Task, picture: &Picture) -> WipedSurface<'a> {
     }
 }
 
-/// What came of a run, and what it took.
+/// The caption of a run's picture: its performance, and its costs.
 fn caption(score: &WipingScore) -> [String; 2] {
     let outcome = match &score.execution {
         Some(execution) => figure(Quantity::Truth, execution.truth) + " % true",

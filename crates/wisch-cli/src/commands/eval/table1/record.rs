@@ -1,26 +1,26 @@
-//! What is written of Table 1, and what all of its forms share.
+//! The record of a Table 1 evaluation, and the parts that all its output formats share.
 
 use super::super::super::words::counted;
 use super::super::Provenance;
 use serde::Serialize;
 use wisch_eval::{PaperFigures, Quantity, Table1Row, Table1Run, Table1Setup, WipingExtent};
 
-/// What is written of an evaluation.
+/// The record of an evaluation.
 #[derive(Debug, Serialize)]
 pub(super) struct Table1Record {
     #[serde(flatten)]
     pub(super) provenance: Provenance,
     pub(super) setup: Table1Setup,
-    /// How many of the paper's own cells reach its performance, and of how many.
+    /// Number of the paper's cells in which its performance is reached, and number of the paper's cells.
     pub(super) reached: [usize; 2],
     pub(super) rows: Vec<Table1Row>,
     pub(super) runs: Vec<Table1Run>,
 }
 
-/// What is listed of a cell, with the paper's figure if it has one.
+/// A column of the table: a quantity, and the paper's figure for it if the paper has one.
 pub(super) type Column = (Quantity, Option<fn(&PaperFigures) -> f64>);
 
-/// The columns of an evaluation that goes so far.
+/// Returns the columns for the extent of an evaluation.
 pub(super) fn columns(setup: &Table1Setup) -> Vec<Column> {
     let predicted: Column = (Quantity::Predicted, Some(|paper| paper.performance_percent));
     let mut columns = vec![predicted];
@@ -45,7 +45,7 @@ pub(super) fn columns(setup: &Table1Setup) -> Vec<Column> {
     columns
 }
 
-/// A figure of the paper's: in brackets where it does not have the strategy.
+/// Formats a figure of the paper; in brackets if the paper does not have the strategy.
 pub(super) fn papers(row: &Table1Row, figure: f64) -> String {
     if row.is_papers_own {
         format!("{figure:.2}")
