@@ -8,20 +8,20 @@ use std::sync::Arc;
 use std::time::Duration;
 use wisch_memory::Catalogue;
 use wisch_memory::ask::{
-    AskError, AskLimits, Asker, Assertions, EngineCommand, TelemetryPredicates,
+    AskError, AskLimits, QuerySession, Assertions, EngineCommand, TelemetryPredicates,
 };
 
 thread_local! {
-    static ASKER: RefCell<Asker> = RefCell::new(asker());
+    static ASKER: RefCell<QuerySession> = RefCell::new(asker());
 }
 
-fn asker() -> Asker {
+fn asker() -> QuerySession {
     let limits = AskLimits {
         time: Duration::from_secs(2),
         memory: 1 << 30,
         answers: 100,
     };
-    Asker::new(
+    QuerySession::new(
         EngineCommand::find().expect("wisch-prolog or swipl in PATH"),
         limits,
         Arc::new(Catalogue::default()),

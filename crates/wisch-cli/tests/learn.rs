@@ -10,7 +10,7 @@ use wisch::geometry::{Point2, Polygon, Pose, Region, Vector3};
 use wisch::represent::Observation;
 use wisch::run::{TelemetrySample, Wrench};
 use wisch_memory::{Memory, neem};
-use wisch_telemetry::{BagHead, BagWriter, LogOptions, LookTime, read};
+use wisch_telemetry::{BagHead, BagWriter, LogOptions, ObservationTime, read};
 
 /// A board that is wiped with a sponge by a robot that looks.
 const TASK: &str = r#"
@@ -60,7 +60,8 @@ fn write_bag(path: &Path, task: &str, looks: [Option<&Observation>; 2]) {
     };
     let mut bag = BagWriter::create(path, head).unwrap();
     if let Some(before) = looks[0] {
-        bag.write_observation(LookTime::Before, before).unwrap();
+        bag.write_observation(ObservationTime::Before, before)
+            .unwrap();
     }
     for index in 0..700 {
         let time = f64::from(index) * 0.01;
@@ -91,7 +92,8 @@ fn write_bag(path: &Path, task: &str, looks: [Option<&Observation>; 2]) {
         .unwrap();
     }
     if let Some(after) = looks[1] {
-        bag.write_observation(LookTime::After, after).unwrap();
+        bag.write_observation(ObservationTime::After, after)
+            .unwrap();
     }
     bag.finish().unwrap();
 }

@@ -222,7 +222,7 @@ fn stages(
             None => loaded.belief(),
         };
         let session = session.with_belief(belief);
-        let mut session = session.with_robot(robot.performer());
+        let mut session = session.with_robot(robot.robot_setup());
         let reached = [
             Stage::Planned,
             Stage::Followed,

@@ -98,7 +98,7 @@ fn evaluated(
     config.max_rounds = rounds.unwrap_or(config.max_rounds);
     let target = config.target;
     let session = Session::new(task, config).with_belief(loaded.belief());
-    let mut session = session.with_robot(robot.performer());
+    let mut session = session.with_robot(robot.robot_setup());
     session
         .run(&mut world, &mut |_| ControlFlow::Continue(()))
         .map_err(words)?;

@@ -6,7 +6,7 @@ use crate::trial::{BeliefScore, LEVELS, RoundScore, WorldScore};
 use crate::variants::Variant;
 use serde::Serialize;
 use std::collections::BTreeMap;
-use wisch::recover::FALSE_BY;
+use wisch::recover::FALSE_CLAIM_MARGIN;
 
 /// The calibration of the method and of simpler estimators over many worlds.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -100,7 +100,7 @@ impl ClaimCounts {
             counts.claimed += usize::from(last.is_claimed);
             counts.met += usize::from(is_met);
             counts.claimed_and_met += usize::from(is_met && last.is_claimed);
-            let is_false = last.is_claimed && last.outcome < world.target - FALSE_BY;
+            let is_false = last.is_claimed && last.outcome < world.target - FALSE_CLAIM_MARGIN;
             counts.false_claims += usize::from(is_false);
             counts.unknowable += usize::from(last.verdict == "unknowable by touch");
         }

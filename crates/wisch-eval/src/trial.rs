@@ -146,7 +146,7 @@ impl WorldCase {
         let mut world = World::new(&site, settings, self.seed).map_err(words)?;
         let prior = loaded.belief();
         let session = Session::new(&loaded.task, config).with_belief(prior.clone());
-        let mut session = session.with_robot(robot.performer());
+        let mut session = session.with_robot(robot.robot_setup());
         let mut record = SensingRecord::default();
         session
             .run(&mut world, &mut |event| {

@@ -205,7 +205,7 @@ fn planned(loaded: &LoadedTask, options: WipingOptions) -> Result<WipingScore, S
 fn followed(loaded: &LoadedTask, options: WipingOptions) -> Result<WipingScore, String> {
     let robot = robot_of(loaded)?;
     let begin = Instant::now();
-    let mut session = session(loaded, options.is_certain).with_robot(robot.performer());
+    let mut session = session(loaded, options.is_certain).with_robot(robot.robot_setup());
     let mut none = NoExecutor;
     (session.run_until(Stage::Followed, &mut none, &mut unobserved)).map_err(words)?;
     let computation_s = begin.elapsed().as_secs_f64();
@@ -213,7 +213,7 @@ fn followed(loaded: &LoadedTask, options: WipingOptions) -> Result<WipingScore, 
     let (first, audit) = session.first().ok_or("no motion was made")?;
     let mut score = first_round(first, audit, computation_s);
     if options.is_pictured {
-        let (task, wiped) = (&first.task, first.wiped());
+        let (task, wiped) = (&first.task, first.executable_plan());
         let after = &first.prediction.particles;
         score.picture = Some(Picture::new(task, &wiped, &task.particles, after));
     }
@@ -224,7 +224,7 @@ fn executed(loaded: &LoadedTask, options: WipingOptions) -> Result<WipingScore, 
     let robot = robot_of(loaded)?;
     let SimulatedWorld { mut world, dirt } = SimulatedWorld::of(loaded)?;
     let begin = Instant::now();
-    let mut session = session(loaded, false).with_robot(robot.performer());
+    let mut session = session(loaded, false).with_robot(robot.robot_setup());
     (session.run_until(Stage::Followed, &mut world, &mut unobserved)).map_err(words)?;
     let computation_s = begin.elapsed().as_secs_f64();
     session.run(&mut world, &mut unobserved).map_err(words)?;
@@ -285,7 +285,12 @@ fn first_round(first: &PlannedRound, audit: &Audit, computation_s: f64) -> Wipin
             contact_s: followed.contact_time(),
             faults: audit.faults.len(),
         }),
-        ..WipingScore::predicted(&first.task, &first.plan, &first.wiped(), computation_s)
+        ..WipingScore::predicted(
+            &first.task,
+            &first.plan,
+            &first.executable_plan(),
+            computation_s,
+        )
     }
 }
 

@@ -47,5 +47,5 @@ pub use records::{
 pub use robots::{MAP_EXTENSION, Robot, RobotFiles, robot_meshes, shipped_robots};
 pub use task_file::{
     CameraRecord, DirtRecord, ExecutionRecord, FrictionChange, Intent, Moment, Perception, Push,
-    ReadFile, RealDirt, RobotDescription, RobotRecord, TaskError, TaskFile,
+    ReadFile, RobotDescription, RobotRecord, TaskError, TaskFile, TrueDirt,
 };

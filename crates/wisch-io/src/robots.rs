@@ -10,7 +10,7 @@ use wisch::robot::{
     ASSUMED_SLIDE_RATES, ASSUMED_TURN_RATES, Appearance, CapabilityMap, Diagnostic, DiagnosticKind,
     JointKind, READY_STATE, RobotHash, RobotModel, Severity, Srdf,
 };
-use wisch::run::Performer;
+use wisch::run::RobotSetup;
 use wisch::source_location::UnknownName;
 
 /// The robots folder at the time of the build.
@@ -63,8 +63,8 @@ impl RobotFiles {
 
 impl Robot {
     /// Returns the robot in the form for a session.
-    pub const fn performer(&self) -> Performer<'_> {
-        Performer {
+    pub const fn robot_setup(&self) -> RobotSetup<'_> {
+        RobotSetup {
             robot: &self.model,
             srdf: self.srdf.as_ref(),
             map: self.map.as_ref(),

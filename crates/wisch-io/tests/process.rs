@@ -66,7 +66,7 @@ fn loaded() -> (LoadedTask, Robot) {
 /// A motion that can be executed.
 fn motion() -> PlannedRound {
     let (loaded, robot) = loaded();
-    let mut session = loaded.session().with_robot(robot.performer());
+    let mut session = loaded.session().with_robot(robot.robot_setup());
     session
         .run_until(Stage::Audited, &mut NoExecutor, &mut unobserved)
         .expect("a motion");
@@ -119,11 +119,11 @@ fn the_documented_robot_wipes_until_touch_tells_no_more() {
     let (loaded, robot) = loaded();
     let mut child = ProcessExecutor::start("python3", &[ECHO_ROBOT.to_owned()]).expect("it greets");
     assert_eq!(child.observe(&loaded.task), Ok(None));
-    let mut session = loaded.session().with_robot(robot.performer());
+    let mut session = loaded.session().with_robot(robot.robot_setup());
     session.run(&mut child, &mut unobserved).expect("it ends");
     let last = session.rounds().last().expect("a round");
     // It only feels.
-    let gave_up = [Verdict::NoWay, Verdict::CannotBeTold, Verdict::UnsafeMotion];
+    let gave_up = [Verdict::NoWay, Verdict::Undecidable, Verdict::UnsafeMotion];
     assert!(!gave_up.contains(&last.verdict), "{:?}", last.verdict);
     assert_eq!(last.execution.ending, Ending::Complete);
     assert!(last.interpretation.plane.is_some());
@@ -319,7 +319,7 @@ fn how_a_child_ended_is_taken_over() {
 
     let (loaded, robot) = loaded();
     let script = format!("{CHILD}sample(0)\ndone('stopped', [1, 2])\n");
-    let mut session = loaded.session().with_robot(robot.performer());
+    let mut session = loaded.session().with_robot(robot.robot_setup());
     let error = session.run(&mut start(&script).expect("it greets"), &mut unobserved);
     let is_refused = matches!(error, Err(RunError::Positions { found: 2, .. }));
     assert!(is_refused, "{error:?}");
@@ -333,7 +333,7 @@ fn what_was_felt_before_a_child_went_wrong_is_kept() {
     let (loaded, robot) = loaded();
     let lines = "for point in points[:200]:\n    sample(point['time_s'], world_from_tool=point['world_from_tool'], positions=point['positions'])\nsay(error='the arm is locked')\n";
     let mut child = start(&format!("{CHILD}{lines}")).expect("it greets");
-    let mut session = loaded.session().with_robot(robot.performer());
+    let mut session = loaded.session().with_robot(robot.robot_setup());
     let error = session.run(&mut child, &mut unobserved);
     assert!(matches!(error, Err(RunError::Execute(_))), "{error:?}");
     let [round] = session.rounds() else {
@@ -346,7 +346,7 @@ fn what_was_felt_before_a_child_went_wrong_is_kept() {
 
     // Nothing was felt of one that went wrong at once.
     let mut child = start(&format!("{CHILD}say(error='no power')\n")).expect("it greets");
-    let mut session = loaded.session().with_robot(robot.performer());
+    let mut session = loaded.session().with_robot(robot.robot_setup());
     assert!(session.run(&mut child, &mut unobserved).is_err());
     assert!(session.rounds().is_empty());
 }

@@ -28,5 +28,5 @@ pub use ontology::Ontology;
 pub use record::{EPISODE_SCHEMA, EpisodeRecord, Individual, Origin, RecordFault, Value};
 pub use remember::{EpisodeHeader, EpisodeRound, RoundLog, remember, remember_log};
 pub use robot::RobotText;
-pub use store::{Episode, EpisodeWriter, Fault, Memory, MemoryError, RECORDING_FILE, live_place};
+pub use store::{Episode, EpisodeWriter, Fault, Memory, MemoryError, RECORDING_FILE, live_path};
 pub use telemetry::{Mark, Series, Telemetry, TelemetryError, TelemetryHead, TelemetryWriter};

@@ -422,7 +422,7 @@ fn shared_name(name: &str) -> String {
 fn state(verdict: Verdict) -> Option<&'static str> {
     match verdict {
         Verdict::GoalMet => Some(SUCCEEDED),
-        Verdict::UnknowableByTouch | Verdict::CannotBeTold => None,
+        Verdict::UnknowableByTouch | Verdict::Undecidable => None,
         _ => Some(FAILED),
     }
 }

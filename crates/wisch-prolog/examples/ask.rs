@@ -7,7 +7,7 @@ use std::path::Path;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 use wisch_memory::Memory;
-use wisch_memory::ask::{AskLimits, Asker, Assertions, EngineCommand, TelemetryPredicates};
+use wisch_memory::ask::{AskLimits, Assertions, EngineCommand, QuerySession, TelemetryPredicates};
 
 /// How often a query is asked of an engine that knows it.
 const WARM: usize = 5;
@@ -35,7 +35,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         ..AskLimits::default()
     };
     let telemetry = TelemetryPredicates::of(memory);
-    let mut asker = Asker::new(command, limits, catalogue, telemetry, Assertions::default());
+    let mut asker = QuerySession::new(command, limits, catalogue, telemetry, Assertions::default());
     println!("{:>10} {:>10} {:>8}", "cold", "warm", "answers");
     for query in queries {
         match times(&mut asker, query) {
@@ -52,7 +52,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
 
 /// The first time, the median of the later ones, and how many answers there are.
 fn times(
-    asker: &mut Asker,
+    asker: &mut QuerySession,
     query: &str,
 ) -> Result<(Duration, Duration, usize), wisch_memory::ask::AskError> {
     let begin = Instant::now();

@@ -14,7 +14,7 @@ use std::sync::{Arc, LazyLock};
 use std::time::Duration;
 use wisch_memory::Catalogue;
 use wisch_memory::ask::{
-    Answers, AskError, AskLimits, Asker, Assertions, EngineCommand, QueryFault,
+    Answers, AskError, AskLimits, Assertions, EngineCommand, QueryFault, QuerySession,
     TelemetryPredicates, predicates,
 };
 
@@ -44,9 +44,9 @@ fn engines() -> Vec<EngineCommand> {
     [Some(scryer()), swi()].into_iter().flatten().collect()
 }
 
-fn asker_with(command: EngineCommand, limits: AskLimits) -> Asker {
+fn asker_with(command: EngineCommand, limits: AskLimits) -> QuerySession {
     let catalogue = Arc::new(Catalogue::of(&memory::episodes()));
-    Asker::new(
+    QuerySession::new(
         command,
         limits,
         catalogue,
@@ -55,8 +55,8 @@ fn asker_with(command: EngineCommand, limits: AskLimits) -> Asker {
     )
 }
 
-fn asker_of(command: EngineCommand, catalogue: Catalogue) -> Asker {
-    Asker::new(
+fn asker_of(command: EngineCommand, catalogue: Catalogue) -> QuerySession {
+    QuerySession::new(
         command,
         AskLimits::default(),
         Arc::new(catalogue),
@@ -65,7 +65,7 @@ fn asker_of(command: EngineCommand, catalogue: Catalogue) -> Asker {
     )
 }
 
-fn asker(command: EngineCommand) -> Asker {
+fn asker(command: EngineCommand) -> QuerySession {
     asker_with(command, AskLimits::default())
 }
 
@@ -218,7 +218,7 @@ const BY_HAND: &[(&str, &[&str])] = &[
     ),
     ("round_without_progress(R)", &["semco:'WipingRound_e4-7'"]),
     (
-        "relocalized(R, T, O)",
+        "relocate(R, T, O)",
         &["semco:'WipingRound_e3-3' 0.05 0.004"],
     ),
     ("tilted_surface(R, T)", &["semco:'WipingRound_e3-3' 0.05"]),

@@ -13,7 +13,7 @@ use std::time::Duration;
 use wisch::run::RunEvent;
 use wisch_io::ExecutedBy;
 use wisch_memory::Memory;
-use wisch_memory::ask::{Answers, AskError, Asker, EngineCommand, Term};
+use wisch_memory::ask::{Answers, AskError, QuerySession, EngineCommand, Term};
 use wisch_record::{EpisodeSink, EpisodeTarget, FinishedRound, RecordError, RoundStages, RunSink};
 
 /// Interval of the checks for Ctrl-C.
@@ -41,7 +41,7 @@ impl Asking {
         let (answer, answers) = channel();
         let (begun, begins) = channel();
         std::thread::spawn(move || {
-            let mut asker = match Asker::open(memory, engine) {
+            let mut asker = match QuerySession::open(memory, engine) {
                 Ok(asker) => asker,
                 Err(error) => {
                     let _ = begun.send(Err(error));

@@ -94,7 +94,7 @@ impl PyRound {
         let motion = &self.round.motion;
         PyPrediction {
             task: Arc::new(motion.task.clone()),
-            plan: Arc::new(motion.wiped()),
+            plan: Arc::new(motion.executable_plan()),
             prediction: motion.prediction.clone(),
         }
     }
@@ -152,7 +152,7 @@ impl PyRound {
     /// Picture of the prediction, for notebooks.
     fn _repr_svg_(&self) -> String {
         let motion = &self.round.motion;
-        pictures::drawn("before-after", &motion.task, &motion.wiped(), None)
+        pictures::drawn("before-after", &motion.task, &motion.executable_plan(), None)
     }
 
     fn __repr__(&self) -> String {

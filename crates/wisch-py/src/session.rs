@@ -183,7 +183,7 @@ impl PySession {
                 Given::Strategy(own) => session.with_strategy(own),
             };
             match robot {
-                Some(robot) => session.with_robot(robot.performer()),
+                Some(robot) => session.with_robot(robot.robot_setup()),
                 None => session,
             }
         });

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use wisch::geometry::{Point3, Pose};
 use wisch::represent::{Observation, Task};
 use wisch::run::{PlannedRound, RunEvent};
-use wisch_telemetry::{BagHead, BagWriter, LookTime, RobotShown, SceneShown, WriteError};
+use wisch_telemetry::{BagHead, BagRobot, BagScene, BagWriter, ObservationTime, WriteError};
 
 /// Returns the file name of a round's bag. `round`: number from 1.
 pub fn bag_name(round: usize) -> String {
@@ -99,7 +99,7 @@ impl BagSink {
                 Ok(())
             }
             RunEvent::Observed { observation, .. } => (self.bag.as_mut()).map_or(Ok(()), |bag| {
-                bag.write_observation(LookTime::After, observation)
+                bag.write_observation(ObservationTime::After, observation)
             }),
             RunEvent::Judged(_) => self.end(),
             _ => Ok(()),
@@ -126,13 +126,13 @@ impl BagSink {
         let path = self.folder.join(bag_name(planned.number));
         let mut bag = BagWriter::create(&path, head)?;
         if let Some(urdf) = &self.urdf {
-            bag.write_robot(&RobotShown {
+            bag.write_robot(&BagRobot {
                 urdf,
                 model: robot,
                 world_from_root: *planned.cell.world_from_root(),
             })?;
         }
-        bag.write_scene(&SceneShown {
+        bag.write_scene(&BagScene {
             surface: &task.surface,
             objects: &task.scene,
             tool: &task.tool.mesh,
@@ -142,7 +142,7 @@ impl BagSink {
         bag.write_particles(0.0, &in_world(task))?;
         if let Some(seen) = &self.seen {
             let before = seen.of_surface(&task.surface.world_from_surface);
-            bag.write_observation(LookTime::Before, &before)?;
+            bag.write_observation(ObservationTime::Before, &before)?;
         }
         self.bag = Some(bag);
         self.is_executed = false;

@@ -113,7 +113,7 @@ fn write_figures(
     frames: &EffectFrames,
 ) -> Result<(), RecordError> {
     let following = results.following.as_ref();
-    let wiped = results.wiped();
+    let wiped = results.executable_plan();
     let shown = following.map(|f| ShownMotion::of(&f.cell, &f.followed, frames));
     let motion = shown.as_ref().map(|shown| shown.input(&results.task));
     let views = views(&results.rounds);
@@ -180,7 +180,7 @@ pub(crate) fn facts_of(loaded: &LoadedTask, results: &RunResults) -> Vec<(String
         return Vec::new();
     };
     let following = results.following.as_ref();
-    let wiped = results.wiped();
+    let wiped = results.executable_plan();
     let distance = match (following, results.rounds.is_empty()) {
         (Some(following), false) => following.total.distance,
         _ => [wiped.contact_distance(), wiped.total_distance()],

@@ -68,7 +68,7 @@ impl MotionTotal {
     /// Sums up a motion that is not executed.
     fn of_motion(planned: &PlannedRound, audit: &Audit) -> Self {
         let PlannedRound { cell, followed, .. } = planned;
-        let wiped = planned.wiped();
+        let wiped = planned.executable_plan();
         let mut total = Self {
             rounds: 0,
             // An empty sum of f64 is -0.0.

@@ -38,6 +38,6 @@ pub use following::{Following, MotionTotal};
 pub use packed::read_recording;
 pub use page::PageSink;
 pub use record::{KeptRun, RecordOptions, RunRecord};
-pub use results::{FinishedRound, KnownTruth, RunResults};
+pub use results::{FinishedRound, RoundGroundTruth, RunResults};
 pub use sink::{AfterFailure, RunSink, SinkError, SinkSet};
 pub use stages::{RoundStages, StageSink};

@@ -11,8 +11,8 @@ use wisch::follow::{Workcell, WorkcellConfig};
 use wisch::robot::Appearance;
 use wisch::run::RunEvent;
 use wisch_io::{LoadedTask, Robot};
-use wisch_memory::live_place;
-use wisch_report::{PlannedOnly, RecordingHead, RecordingWriter, RoundTruth, RunOutcome};
+use wisch_memory::live_path;
+use wisch_report::{RecordingHead, RecordingWriter, RoundTruth, RunOutcome, UnexecutedPlan};
 
 /// A sink that writes the recording for a run's page into memory, and optionally into a file that live pages read.
 #[derive(Debug)]
@@ -90,7 +90,7 @@ impl PageSink {
         robot: Option<(&Robot, &WorkcellConfig)>,
         (memory, id): (&Path, &str),
     ) -> Result<Self, RecordError> {
-        let [lines, card] = ["jsonl", "json"].map(|ending| live_place(memory, id, ending));
+        let [lines, card] = ["jsonl", "json"].map(|ending| live_path(memory, id, ending));
         let folder = lines.parent().unwrap_or(memory);
         let begun = wisch_memory::date_and_time(crate::clock::now());
         let who = serde_json::json!({
@@ -119,7 +119,7 @@ impl PageSink {
         let mut writer = RecordingWriter::new(Outputs { kept, live });
         let mut remarks = Vec::new();
         let cell = robot.and_then(|(robot, config)| {
-            let performer = robot.performer();
+            let performer = robot.robot_setup();
             // If the workcell cannot be built, the session reports the error.
             let (model, task) = (performer.robot.clone(), &loaded.task);
             Workcell::new(model, performer.srdf, task, config).ok()
@@ -159,9 +159,9 @@ impl PageSink {
         if let (true, Some((prediction, frames))) = (results.rounds.is_empty(), &results.predicted)
         {
             let following = results.following.as_ref();
-            self.writer.planned_only(&PlannedOnly {
+            self.writer.planned_only(&UnexecutedPlan {
                 task: &results.task,
-                plan: &results.wiped(),
+                plan: &results.executable_plan(),
                 prediction,
                 frames,
                 followed: following.map(|f| (&f.cell, &f.followed, &f.audit)),

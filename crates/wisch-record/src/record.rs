@@ -6,7 +6,7 @@ use crate::error::{RecordError, internal};
 use crate::folder::write_results;
 use crate::packed::pack;
 use crate::page::PageSink;
-use crate::results::{KnownTruth, RunResults};
+use crate::results::{RoundGroundTruth, RunResults};
 use crate::sink::{AfterFailure, RunSink, SinkSet};
 use crate::stages::StageSink;
 use std::ops::ControlFlow;
@@ -55,7 +55,7 @@ pub struct RecordOptions {
 ///     ..RecordOptions::default()
 /// };
 /// let mut record = RunRecord::begin(&loaded, Some(&robot), options)?;
-/// let mut session = loaded.session().with_robot(robot.performer());
+/// let mut session = loaded.session().with_robot(robot.robot_setup());
 /// let run = session.run(executor, &mut |event| record.on_event(event));
 /// let kept = record.finish(&loaded, Some(&robot), session, ExecutedBy::Executor, Vec::new())?;
 /// run?;
@@ -274,7 +274,7 @@ impl RunRecord {
         robot: Option<&Robot>,
         session: Session<'_>,
         executed_by: ExecutedBy,
-        truths: Vec<KnownTruth>,
+        truths: Vec<RoundGroundTruth>,
     ) -> Result<KeptRun, RecordError> {
         let mut results = RunResults::of(&session, &mut self.stages)?;
         let first_look = session.first_observation().cloned();

@@ -7,13 +7,13 @@ use wisch::geometry::Pose;
 use wisch::plan::{Plan, Prediction};
 use wisch::recover::Verdict;
 use wisch::represent::{ParticleDistribution, Task};
-use wisch::run::{Considered, Round, Session};
+use wisch::run::{CandidateEvaluation, Round, Session};
 use wisch_io::{ExecutedBy, RoundSummary};
 use wisch_report::EffectFrames;
 
 /// The simulated world's ground truth of a round.
 #[derive(Debug, Clone, Default)]
-pub struct KnownTruth {
+pub struct RoundGroundTruth {
     /// True dirt after the round, in the frame of the true surface [m]; `None` without simulated dirt.
     pub particles: Option<ParticleDistribution>,
     /// True performance, in [0, 1]; `None` without simulated dirt.
@@ -36,7 +36,7 @@ pub struct FinishedRound {
     /// The executor.
     pub executed_by: ExecutedBy,
     /// Ground truth of a simulated world; `None` for a real robot.
-    pub truth: Option<KnownTruth>,
+    pub truth: Option<RoundGroundTruth>,
 }
 
 impl FinishedRound {
@@ -66,7 +66,7 @@ pub struct RunResults {
     /// Predicted effect of the first round.
     pub predicted: Option<(Prediction, EffectFrames)>,
     /// All candidate plans; `None` if they were not requested.
-    pub considered: Option<Vec<Considered>>,
+    pub considered: Option<Vec<CandidateEvaluation>>,
     /// The executed rounds.
     pub rounds: Vec<FinishedRound>,
     /// The recording for its page, as JSON lines; empty if no page is made.
@@ -81,7 +81,7 @@ impl RunResults {
     pub fn of(session: &Session<'_>, stages: &mut StageSink) -> Result<Self, RecordError> {
         let (planned, _) = session.first().ok_or(RecordError::Nothing)?;
         let first = stages.round(1);
-        let frames = first.effect(&planned.task, &planned.wiped());
+        let frames = first.effect(&planned.task, &planned.executable_plan());
         Ok(Self {
             task: planned.task.clone(),
             plan: planned.plan.clone(),
@@ -103,7 +103,7 @@ impl RunResults {
         rounds: Vec<Round>,
         stages: &mut StageSink,
         executed_by: ExecutedBy,
-        truths: Vec<KnownTruth>,
+        truths: Vec<RoundGroundTruth>,
     ) {
         let truths = truths.into_iter().map(Some);
         let truths = truths.chain(std::iter::repeat_with(|| None));
@@ -130,7 +130,7 @@ impl RunResults {
     }
 
     /// Returns the plan of the first round without the nodes that the robot abandons.
-    pub fn wiped(&self) -> Plan {
+    pub fn executable_plan(&self) -> Plan {
         let following = self.following.as_ref();
         following.map_or_else(|| self.plan.clone(), |f| f.plan(&self.plan))
     }

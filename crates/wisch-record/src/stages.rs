@@ -79,7 +79,7 @@ impl RunSink for StageSink {
             RunEvent::Judged(round) => {
                 self.take(round.motion.number, |times| &mut times.interpreting_s);
             }
-            RunEvent::Considered { .. }
+            RunEvent::Evaluated { .. }
             | RunEvent::Following { .. }
             | RunEvent::Sample(_)
             | RunEvent::Executing(_)

@@ -62,13 +62,13 @@ pub use input::ReportInput;
 pub use log_page::{LogPageInput, log_page};
 pub use memory::{AnswersInput, answers_page};
 pub use motion::{
-    MotionInput, ParticleFrame, ShownContact, ShownMotion, ShownPhase, ShownPlace, ShownPlacement,
+    BasePose, CandidateBase, MotionInput, ParticleFrame, ShownContact, ShownMotion, ShownPhase,
     joint_plots, placements_plan,
 };
 pub use pictures::pictures;
 pub use prediction::frames::{EffectFrames, Frame};
 pub use recording::{
-    PlannedOnly, RECORDING_SCHEMA, RecordingHead, RecordingWriter, RoundTruth, RunOutcome,
+    RECORDING_SCHEMA, RecordingHead, RecordingWriter, RoundTruth, RunOutcome, UnexecutedPlan,
 };
 pub use rounds::{RoundView, RoundsInput};
 pub use table1::{

@@ -6,7 +6,7 @@ use rand_chacha::ChaCha8Rng;
 use std::sync::LazyLock;
 use wisch_robot::geometry::{Point3, Pose, Vector3};
 use wisch_robot::{
-    CapabilityMap, Chain, CollisionModel, MapConfig, MapTool, RobotHash, RobotModel,
+    CapabilityMap, Chain, CollisionModel, MapConfig, MapRequest, RobotHash, RobotModel,
 };
 
 fn main() {
@@ -27,7 +27,7 @@ fn make(config: &MapConfig) -> CapabilityMap {
     let chain = arm();
     let collisions = CollisionModel::new(&HUMANOID, None).unwrap();
     let collisions = collisions.for_variables(chain.variables());
-    let tool = MapTool {
+    let tool = MapRequest {
         robot: &HUMANOID,
         base: chain.base(),
         tip: chain.tip(),

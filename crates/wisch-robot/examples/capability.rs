@@ -23,7 +23,7 @@ use std::sync::Mutex;
 use std::time::Instant;
 use wisch_robot::geometry::{Point3, Pose, Vector3};
 use wisch_robot::{
-    CapabilityMap, CollisionModel, IkConfig, IkOutcome, IkSolver, MapConfig, MapStage, MapTool,
+    CapabilityMap, CollisionModel, IkConfig, IkOutcome, IkSolver, MapConfig, MapRequest, MapStage,
     RobotHash, RobotModel, RotationGoal,
 };
 
@@ -126,9 +126,9 @@ fn tool<'a>(
     case: &Case,
     robot: &'a RobotModel,
     posture: &'a [f64],
-) -> Result<MapTool<'a>, Failure> {
+) -> Result<MapRequest<'a>, Failure> {
     let is_root = case.base.is_empty();
-    Ok(MapTool {
+    Ok(MapRequest {
         robot,
         base: if is_root {
             robot.root()
@@ -142,7 +142,7 @@ fn tool<'a>(
 }
 
 /// Self-collision of what the chain of a tool moves.
-fn own_collisions(tool: &MapTool<'_>) -> Result<CollisionModel, Failure> {
+fn own_collisions(tool: &MapRequest<'_>) -> Result<CollisionModel, Failure> {
     let chain = tool.robot.chain(tool.base, tool.tip)?;
     Ok(CollisionModel::new(tool.robot, None)?.for_variables(chain.variables()))
 }

@@ -53,7 +53,7 @@ pub mod timing;
 
 pub use articulation::{ArticulatedJoint, Articulation, ArticulationState};
 pub use capability::{
-    CapabilityMap, MAX_MAP_BYTES, MapConfig, MapError, MapOrigin, MapStage, MapTool, RobotHash,
+    CapabilityMap, MAX_MAP_BYTES, MapConfig, MapError, MapOrigin, MapRequest, MapStage, RobotHash,
 };
 pub use chain::{Chain, ChainJacobian, ChainKinematics, MAX_CHAIN};
 pub use clearance::{

@@ -8,8 +8,8 @@ use std::sync::LazyLock;
 use std::sync::atomic::{AtomicU64, Ordering};
 use wisch_robot::geometry::{Point3, Pose, Vector3};
 use wisch_robot::{
-    CapabilityMap, CollisionModel, IkConfig, IkOutcome, IkSolver, MapConfig, MapError, MapStage,
-    MapTool, RobotHash, RobotModel, RotationGoal,
+    CapabilityMap, CollisionModel, IkConfig, IkOutcome, IkSolver, MapConfig, MapError, MapRequest,
+    MapStage, RobotHash, RobotModel, RotationGoal,
 };
 
 fn read(text: &str) -> RobotModel {
@@ -91,8 +91,8 @@ const CONFIG: MapConfig = MapConfig {
     refinements: 4,
 };
 
-fn tool<'a>(robot: &'a RobotModel, posture: &'a [f64]) -> MapTool<'a> {
-    MapTool {
+fn tool<'a>(robot: &'a RobotModel, posture: &'a [f64]) -> MapRequest<'a> {
+    MapRequest {
         robot,
         base: robot.root(),
         tip: robot.link("tool").unwrap(),
@@ -293,7 +293,7 @@ fn the_map_of_an_arm_agrees_with_inverse_kinematics() {
     let text = include_str!("../../../robots/arm6.urdf");
     let robot = read(text);
     let posture = vec![0.0; robot.dof()];
-    let tool = MapTool {
+    let tool = MapRequest {
         robot: &robot,
         base: robot.root(),
         tip: robot.link("tcp").unwrap(),

@@ -21,7 +21,7 @@ mod treated;
 mod truth;
 mod world;
 
-pub use checkpoint::{Checkpoints, KeptRound};
+pub use checkpoint::{CheckpointRound, Checkpoints};
 pub use dirt::{Dirt, Grain, GrainCount, Places, Site};
 pub use error::SimulationError;
 pub use mismatch::Mismatch;

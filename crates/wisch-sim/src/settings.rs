@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 use wisch::follow::Followed;
 use wisch::geometry::{Point2, Pose, Vector2, Vector3};
 use wisch::represent::{GrainSize, KnowledgeError, LogNormal, MediumKind, SensorModel};
-use wisch_io::{FrictionChange, LoadedTask, Push, RealDirt};
+use wisch_io::{FrictionChange, LoadedTask, Push, TrueDirt};
 
 /// Diameters of the drops of a liquid on a surface that they wet [m].
 const DROPS: GrainSize = GrainSize {
@@ -193,10 +193,10 @@ impl SimulationSettings {
             dirt: match &record.dirt.source {
                 // A treated surface has the points of the task.
                 _ if task.action.treats() => Places::Listed(believed()),
-                RealDirt::AsBelieved => Places::Listed(believed()),
-                RealDirt::Uniform => Places::Uniform,
-                RealDirt::Clusters(heaps) => Places::Clusters(heaps.clone()),
-                RealDirt::Stripe {
+                TrueDirt::AsBelieved => Places::Listed(believed()),
+                TrueDirt::Uniform => Places::Uniform,
+                TrueDirt::Clusters(heaps) => Places::Clusters(heaps.clone()),
+                TrueDirt::Stripe {
                     center,
                     direction,
                     width,
@@ -205,8 +205,8 @@ impl SimulationSettings {
                     direction: *direction,
                     width: *width,
                 },
-                RealDirt::Edge(within) => Places::Edge(*within),
-                RealDirt::Csv { .. } | RealDirt::Image { .. } => {
+                TrueDirt::Edge(within) => Places::Edge(*within),
+                TrueDirt::Csv { .. } | TrueDirt::Image { .. } => {
                     Places::Listed(loaded.real_places.clone().unwrap_or_default())
                 }
             },

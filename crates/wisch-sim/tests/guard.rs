@@ -64,7 +64,7 @@ fn other_dirt_changes_no_plan_no_motion_and_no_interpretation_of_the_same_log() 
             max_rounds: 1,
             ..RunConfig::default()
         };
-        let mut session = Session::new(&task, config).with_robot(robot.performer());
+        let mut session = Session::new(&task, config).with_robot(robot.robot_setup());
         let ended = session.run(executor, &mut |_| ControlFlow::Continue(()));
         ended.unwrap();
         session.into_rounds()

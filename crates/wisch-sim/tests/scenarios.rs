@@ -36,7 +36,7 @@ fn executed(name: &str, dirt: &str, most: usize) -> (LoadedTask, Vec<Executed>) 
         max_rounds: most,
         ..run_config(&loaded)
     };
-    let mut session = Session::new(&loaded.task, config).with_robot(robot.performer());
+    let mut session = Session::new(&loaded.task, config).with_robot(robot.robot_setup());
     let all = session.run(&mut world, &mut |_| ControlFlow::Continue(()));
     all.unwrap();
     let rounds = session.into_rounds().into_iter().zip(world.truth());
@@ -188,7 +188,7 @@ fn a_round_ends_amid_a_stroke_that_somebody_leads_away_and_the_rest_is_planned_a
     let mut world = World::new(&Site::of(&loaded.task), settings(&loaded), 1).unwrap();
     let robot = arm7();
     let session = Session::new(&loaded.task, loaded.run_config()).with_belief(loaded.belief());
-    let mut session = session.with_robot(robot.performer());
+    let mut session = session.with_robot(robot.robot_setup());
     let all = session.run(&mut world, &mut |_| ControlFlow::Continue(()));
     all.unwrap();
     let [first, second, ..] = session.rounds() else {

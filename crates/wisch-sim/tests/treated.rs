@@ -29,7 +29,7 @@ fn first_round(name: &str, settings: &[(&str, &str)]) -> (LoadedTask, Round, Gro
     };
     let mut session = (Session::new(&loaded.task, config))
         .with_belief(loaded.belief())
-        .with_robot(robot.performer());
+        .with_robot(robot.robot_setup());
     session
         .run(&mut world, &mut |_| ControlFlow::Continue(()))
         .unwrap();
@@ -78,7 +78,7 @@ fn a_pad_on_a_plate_that_lies_deeper_is_known_to_be_pressed_less() {
     let pressed = interpretation.pressed_force.unwrap();
     assert!((4.0..6.0).contains(&pressed), "{pressed}");
     assert!(
-        matches!(interpretation.doubts[..], [Doubt::PressedOtherwise { .. }]),
+        matches!(interpretation.doubts[..], [Doubt::PressForceDiffers { .. }]),
         "{:?}",
         interpretation.doubts
     );

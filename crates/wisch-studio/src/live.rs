@@ -14,7 +14,7 @@ use serde_json::Value;
 use std::fs::{self, File};
 use std::io::{self, Read, Seek, SeekFrom};
 use std::path::{Path, PathBuf};
-use wisch_memory::live_place;
+use wisch_memory::live_path;
 
 /// Longest name of a run [characters].
 const MAX_ID_LEN: usize = 120;
@@ -76,7 +76,7 @@ impl LiveFolder {
 
     /// Returns the path of a run's recording so far, if the run exists.
     pub fn recording(&self, id: &str) -> Option<PathBuf> {
-        let path = live_place(&self.memory, check_id(id)?, "jsonl");
+        let path = live_path(&self.memory, check_id(id)?, "jsonl");
         path.is_file().then_some(path)
     }
 
@@ -139,7 +139,7 @@ impl LiveFolder {
             return Ok(false);
         }
         for ending in ["json", "jsonl"] {
-            match fs::remove_file(live_place(&self.memory, id, ending)) {
+            match fs::remove_file(live_path(&self.memory, id, ending)) {
                 Err(error) if error.kind() != io::ErrorKind::NotFound => return Err(error),
                 _ => {}
             }
@@ -148,14 +148,14 @@ impl LiveFolder {
     }
 
     fn sidecar(&self, id: &str) -> Option<Sidecar> {
-        let file = File::open(live_place(&self.memory, check_id(id)?, "json")).ok()?;
+        let file = File::open(live_path(&self.memory, check_id(id)?, "json")).ok()?;
         let mut text = String::new();
         file.take(LONGEST_SIDECAR).read_to_string(&mut text).ok()?;
         serde_json::from_str(&text).ok()
     }
 
     fn ids(&self) -> Vec<String> {
-        let any = live_place(&self.memory, "any", "jsonl");
+        let any = live_path(&self.memory, "any", "jsonl");
         let Some(Ok(entries)) = any.parent().map(fs::read_dir) else {
             return Vec::new();
         };

@@ -15,7 +15,8 @@ use std::time::{Duration, Instant, SystemTime};
 use tokio::sync::oneshot;
 use wisch_memory::Catalogue;
 use wisch_memory::ask::{
-    Answers, AskError, AskLimits, Asker, Assertions, EngineCommand, TelemetryPredicates, Term,
+    Answers, AskError, AskLimits, Assertions, EngineCommand, QuerySession, TelemetryPredicates,
+    Term,
 };
 use wisch_memory::view::{Surroundings, gather};
 
@@ -160,7 +161,7 @@ fn answer_all(library: &Library, engine: Option<&Path>, jobs: &Receiver<Job>, no
 
 /// An opened memory, in its state at that time.
 struct Open {
-    asker: Asker,
+    asker: QuerySession,
     catalogue: Arc<Catalogue>,
     statements: StatementsState,
 }
@@ -183,7 +184,7 @@ fn open_memory<'a>(
     let current = match stays {
         Some(current) => current,
         None => {
-            let asker = Asker::new(
+            let asker = QuerySession::new(
                 command(engine)?,
                 LIMITS,
                 Arc::clone(&catalogue),

@@ -31,7 +31,7 @@ use std::time::Duration;
 use tempfile::TempPath;
 use tokio::net::TcpListener;
 use tokio::sync::{Semaphore, watch};
-use wisch_memory::{Memory, MemoryError, live_place};
+use wisch_memory::{Memory, MemoryError, live_path};
 
 /// Largest number of simultaneous event streams.
 const MOST_STREAMS: usize = 64;
@@ -179,7 +179,7 @@ impl Studio {
     /// If the system has no program that opens it.
     pub fn open_in_browser(&self) -> io::Result<()> {
         // Confined browsers can only read visible folders of their user, so the file must be in one.
-        let any = live_place(self.state.library.memory().folder(), "any", "html");
+        let any = live_path(self.state.library.memory().folder(), "any", "html");
         let folder = any.parent().unwrap_or(&any);
         let file = browser::redirect_file(folder, &self.url)?;
         let opened = browser::open(&file);

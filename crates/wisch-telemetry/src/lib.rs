@@ -32,7 +32,7 @@ mod table;
 mod tool_frame;
 mod track;
 
-pub use bag::{BagHead, BagWriter, LookTime, RobotShown, SceneShown, active_path};
+pub use bag::{BagHead, BagRobot, BagScene, BagWriter, ObservationTime, active_path};
 pub use error::{ReadError, ReadFault, RecordingKind, WriteError};
 pub use log::{AxesSource, Log, Skipped, read};
 pub use options::{

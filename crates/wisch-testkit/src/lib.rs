@@ -12,6 +12,6 @@ mod whole;
 pub use any_task::any_task;
 pub use board::{arm7, block, board, cell, faults, first_stroke, planned};
 pub use parts::{interaction, sponge, surface};
-pub use problems::{Problem, SolvedProblem, Tried, lost_nodes};
+pub use problems::{FollowedProblem, Problem, SolvedProblem, lost_nodes};
 pub use shipped::{AnyError, ShippedRobot, TABLE_1, humanoid, robots, root, scenario};
 pub use whole::{by_density, run_config};

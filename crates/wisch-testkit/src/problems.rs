@@ -43,7 +43,7 @@ pub enum SolvedProblem {
 }
 
 /// A followed problem.
-pub struct Tried {
+pub struct FollowedProblem {
     /// The motion.
     pub motion: Followed,
     /// Its faults.
@@ -119,7 +119,7 @@ impl Problem {
     pub fn outcome(&self, robots: &[ShippedRobot]) -> SolvedProblem {
         match self.followed(&robots[self.robot]) {
             Err(error) => SolvedProblem::Refused(kind(&error.to_string())),
-            Ok(Tried { motion, faults }) => {
+            Ok(FollowedProblem { motion, faults }) => {
                 match (faults.is_empty(), motion.abandoned.is_empty()) {
                     (false, _) => SolvedProblem::Faulty(faults),
                     (true, true) => SolvedProblem::Whole,
@@ -131,7 +131,7 @@ impl Problem {
     }
 
     /// Returns the motion and its faults.
-    pub fn followed(&self, robot: &ShippedRobot) -> Result<Tried, AnyError> {
+    pub fn followed(&self, robot: &ShippedRobot) -> Result<FollowedProblem, AnyError> {
         self.followed_with(robot, &FollowConfig::default())
     }
 
@@ -140,7 +140,7 @@ impl Problem {
         &self,
         robot: &ShippedRobot,
         config: &FollowConfig,
-    ) -> Result<Tried, AnyError> {
+    ) -> Result<FollowedProblem, AnyError> {
         let plan = plan(&self.task, &self.plan)?;
         let cell = Workcell::new(
             robot.model.clone(),
@@ -153,7 +153,7 @@ impl Problem {
         let audit = audit(&motion, &cell, &self.task, config)?;
         let mut faults: Vec<String> = audit.faults.iter().map(ToString::to_string).collect();
         faults.extend(lost_nodes(&plan, &motion));
-        Ok(Tried { motion, faults })
+        Ok(FollowedProblem { motion, faults })
     }
 }
 

@@ -3,7 +3,7 @@
 use std::error::Error;
 use std::path::{Path, PathBuf};
 use wisch::robot::{CapabilityMap, RobotModel, Srdf};
-use wisch::run::Performer;
+use wisch::run::RobotSetup;
 use wisch_io::RobotDescription;
 
 /// Any error, for examples.
@@ -36,8 +36,8 @@ pub struct ShippedRobot {
 
 impl ShippedRobot {
     /// The robot setup for a session.
-    pub const fn performer(&self) -> Performer<'_> {
-        Performer {
+    pub const fn robot_setup(&self) -> RobotSetup<'_> {
+        RobotSetup {
             robot: &self.model,
             srdf: Some(&self.srdf),
             map: self.map.as_ref(),

@@ -19,7 +19,7 @@ const URDF: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../robots/arm7.urdf"
 pub(crate) fn main() -> Result<(), Box<dyn Error>> {
     let loaded = load_task(TASK.as_ref(), &LoadOptions::default())?;
     let robot = Robot::load(URDF)?;
-    let mut session = loaded.session().with_robot(robot.performer());
+    let mut session = loaded.session().with_robot(robot.robot_setup());
     session.run_until(Stage::Audited, &mut NoExecutor, &mut unobserved)?;
 
     let (planned, audit) = session.first().ok_or("there is no motion")?;

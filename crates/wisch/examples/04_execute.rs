@@ -34,7 +34,7 @@ impl Executor for Exact {
 pub(crate) fn main() -> Result<(), Box<dyn Error>> {
     let loaded = load_task(TASK.as_ref(), &LoadOptions::default())?;
     let robot = loaded.robot()?.ok_or("the task names no robot")?;
-    let mut session = loaded.session().with_robot(robot.performer());
+    let mut session = loaded.session().with_robot(robot.robot_setup());
     session.run(&mut Exact, &mut unobserved)?;
     for round in session.rounds() {
         let estimate = 100.0 * round.interpretation.performance.mean;

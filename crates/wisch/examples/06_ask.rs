@@ -10,7 +10,7 @@ use std::error::Error;
 use wisch::geometry::Pose;
 use wisch::interpret::{Belief, InterpretConfig, TouchSample, interpret};
 use wisch_io::{LoadOptions, load_task};
-use wisch_memory::ask::{Asker, EngineCommand};
+use wisch_memory::ask::{EngineCommand, QuerySession};
 use wisch_memory::{EpisodeHeader, Memory, remember_log};
 
 const TASK: &str = concat!(
@@ -40,7 +40,7 @@ pub(crate) fn main() -> Result<(), Box<dyn Error>> {
     memory.begin(&header.id)?.commit(&record)?;
 
     let engine = EngineCommand::find().ok_or(HOW)?;
-    let mut asker = Asker::open(memory, engine)?;
+    let mut asker = QuerySession::open(memory, engine)?;
     let answers = asker.ask("low_performance_round(Round, Performance)")?;
     for row in &answers.rows {
         println!("{} of round {}", row[1], row[0]);

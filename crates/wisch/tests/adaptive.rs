@@ -108,7 +108,7 @@ fn a_plan_that_may_not_be_long_does_the_most_on_its_way() {
         ..config
     };
     let whole = plan(&task, &whole).unwrap();
-    let (short, cut) = (ratio(&short), ratio(&whole.cut_off(most)));
+    let (short, cut) = (ratio(&short), ratio(&whole.truncate(most)));
     assert!(short > cut + 0.1, "{short} {cut}");
 }
 

@@ -213,7 +213,7 @@ fn without_contact_nothing_is_said_and_nothing_wiped() {
     assert_eq!(interpretation.diagnosis, Diagnosis::NoContact);
     assert_eq!(interpretation.plane, None);
     assert_eq!(interpretation.events, []);
-    assert!(!interpretation.can_be_told());
+    assert!(!interpretation.is_conclusive());
     let task = task(80, STEEP);
     let mut dirt = interpretation.belief.replays().iter();
     assert!(dirt.all(|dirt| dirt.tally().remaining == 80));
@@ -222,7 +222,7 @@ fn without_contact_nothing_is_said_and_nothing_wiped() {
     for samples in [few, none] {
         let interpretation = interpreted_with(samples, &task, &InterpretConfig::of(&task));
         assert_eq!(interpretation.diagnosis, Diagnosis::NoContact);
-        assert!(!interpretation.can_be_told());
+        assert!(!interpretation.is_conclusive());
     }
 }
 

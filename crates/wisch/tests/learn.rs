@@ -7,9 +7,9 @@ use planted::{Planted, World, interaction_of};
 use rand::RngExt;
 use rand_chacha::{ChaCha8Rng, rand_core::SeedableRng};
 use wisch::geometry::Point2;
-use wisch::interpret::{Exposure, Touched};
+use wisch::interpret::{Exposure, ParticleTouch};
 use wisch::learn::{
-    LEAST_PARTICLES, LearnConfig, LearnError, LearnedLaw, Lesson, PosteriorSummary, SeenRound,
+    LEAST_PARTICLES, LearnConfig, LearnError, LearnedLaw, Lesson, ObservedRound, PosteriorSummary,
     learn,
 };
 use wisch::random::normal_pair;
@@ -20,7 +20,7 @@ fn radius() -> f64 {
     wisch_testkit::sponge().collision_radius()
 }
 
-fn learned(interaction: &Interaction, rounds: &[SeenRound]) -> LearnedLaw {
+fn learned(interaction: &Interaction, rounds: &[ObservedRound]) -> LearnedLaw {
     let lesson = Lesson {
         interaction,
         collision_radius_m: radius(),
@@ -30,7 +30,7 @@ fn learned(interaction: &Interaction, rounds: &[SeenRound]) -> LearnedLaw {
     learned.remove(0)
 }
 
-fn rounds(world: &World, seed: u64, count: u64) -> Vec<SeenRound> {
+fn rounds(world: &World, seed: u64, count: u64) -> Vec<ObservedRound> {
     (0..count).map(|i| world.round(1000 * seed + i)).collect()
 }
 
@@ -85,16 +85,16 @@ fn thresholds_that_are_kept_are_known_by_what_is_wiped_twice() {
     };
     let world = World::new(planted, Effect::Absorb, 120);
     let interaction = interaction_of("sponge", "breadcrumbs");
-    let runs: Vec<Vec<SeenRound>> = (0..5).map(|i| world.run(2000 + i, 2)).collect();
+    let runs: Vec<Vec<ObservedRound>> = (0..5).map(|i| world.run(2000 + i, 2)).collect();
     let law = learned(&interaction, &runs.concat());
     assert!(law.kept_share > 0.95, "{law:?}");
     assert!((law.mu.mean / planted.mu - 1.0).abs() < 0.1, "{law:?}");
     // Who forgets the first round takes those that withstood it for any others, and the law for a harder one.
-    let forgotten = runs.concat().into_iter().map(|round| SeenRound {
+    let forgotten = runs.concat().into_iter().map(|round| ObservedRound {
         earlier: vec![],
         ..round
     });
-    let forgotten: Vec<SeenRound> = forgotten.collect();
+    let forgotten: Vec<ObservedRound> = forgotten.collect();
     assert!(learned(&interaction, &forgotten).mu.mean > law.mu.mean + 0.05);
 }
 
@@ -236,11 +236,11 @@ fn what_is_known_exactly_stays_as_it_is() {
 }
 
 /// A round in which one particle after the other was touched at f′ = 0.5.
-fn plain(count: usize) -> SeenRound {
+fn plain(count: usize) -> ObservedRound {
     let places: Vec<Point2> = (0..count)
         .map(|i| Point2::new(0.02 * i as f64, 0.0))
         .collect();
-    let touch = Exposure::new(vec![Touched {
+    let touch = Exposure::new(vec![ParticleTouch {
         travel: [0.0, 0.01],
         share: 0.5,
     }]);
@@ -248,7 +248,7 @@ fn plain(count: usize) -> SeenRound {
         detections: places,
         ..Observation::default()
     };
-    SeenRound {
+    ObservedRound {
         before: seen.clone(),
         after: seen,
         sight: planted::sight(),
@@ -261,7 +261,7 @@ fn plain(count: usize) -> SeenRound {
 #[test]
 fn what_teaches_nothing_is_refused_by_name() {
     let interaction = interaction_of("sponge", "breadcrumbs");
-    let refused = |round: SeenRound| {
+    let refused = |round: ObservedRound| {
         let lesson = Lesson {
             interaction: &interaction,
             collision_radius_m: radius(),
@@ -275,7 +275,7 @@ fn what_teaches_nothing_is_refused_by_name() {
         matches!(fault, LearnError::TooFew { particles: 9, .. }),
         "{words}"
     );
-    let (words, _) = refused(SeenRound {
+    let (words, _) = refused(ObservedRound {
         exposures: vec![],
         ..plain(20)
     });
@@ -283,7 +283,7 @@ fn what_teaches_nothing_is_refused_by_name() {
         words,
         "sponge on breadcrumbs on any, round 0: exposures has 0 entries, but 20 particles were detected before the round"
     );
-    let (words, _) = refused(SeenRound {
+    let (words, _) = refused(ObservedRound {
         area_m2: f64::NAN,
         ..plain(20)
     });
@@ -292,7 +292,7 @@ fn what_teaches_nothing_is_refused_by_name() {
         "{words}"
     );
     // What nobody touched tells nothing.
-    let (words, _) = refused(SeenRound {
+    let (words, _) = refused(ObservedRound {
         exposures: vec![vec![Exposure::default()]; 20],
         ..plain(20)
     });

@@ -397,7 +397,7 @@ fn a_plan_is_cut_off_where_its_way_ends() {
         let whole = plan(&task, &config(CoverageStrategy::Grid)).unwrap();
         let length = whole.contact_distance();
         for share in [0.0, 0.013, 0.37, 0.999] {
-            let cut = whole.cut_off(share * length);
+            let cut = whole.truncate(share * length);
             let kept = cut.contact_distance();
             assert!(
                 (kept - share * length).abs() < 1e-9,
@@ -415,7 +415,7 @@ fn a_plan_is_cut_off_where_its_way_ends() {
                 }
             }
         }
-        assert_eq!(whole.cut_off(length + 1e-9), whole);
+        assert_eq!(whole.truncate(length + 1e-9), whole);
         let short = PlanConfig {
             max_distance: Some(0.5 * length),
             ..config(CoverageStrategy::Grid)

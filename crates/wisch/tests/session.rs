@@ -8,8 +8,9 @@ use wisch::plan::{HeadingRule, Strategy};
 use wisch::recover::{Verdict, is_claimable};
 use wisch::represent::{Observation, SensorModel, Task};
 use wisch::run::{
-    AfterStop, Considered, Ending, Execution, Executor, ExecutorError, MotionOrder, NoExecutor,
-    Round, RunConfig, RunError, RunEvent, SampleSink, Session, Stage, StopCause, unobserved,
+    AfterStop, CandidateEvaluation, Ending, Execution, Executor, ExecutorError, MotionOrder,
+    NoExecutor, Round, RunConfig, RunError, RunEvent, SampleSink, Session, Stage, StopCause,
+    unobserved,
 };
 use wisch_io::{LoadOptions, LoadedTask, Robot, load_task};
 
@@ -71,7 +72,7 @@ fn robot(loaded: &LoadedTask) -> Robot {
 fn kind(event: &RunEvent<'_>) -> &'static str {
     match event {
         RunEvent::Planning { .. } => "planning",
-        RunEvent::Considered { .. } => "considered",
+        RunEvent::Evaluated { .. } => "considered",
         RunEvent::Planned { .. } => "planned",
         RunEvent::Following { .. } => "following",
         RunEvent::Predicting { .. } => "predicting",
@@ -109,7 +110,7 @@ fn stopped_at(
         target: 1.0,
         ..loaded.run_config()
     };
-    let mut session = Session::new(&loaded.task, config).with_robot(robot.performer());
+    let mut session = Session::new(&loaded.task, config).with_robot(robot.robot_setup());
     let (mut seen, mut verdict) = (Vec::new(), None);
     let mut is_stopped = false;
     let result = session.run(executor, &mut |event| {
@@ -176,7 +177,7 @@ fn a_toy_that_sees_the_dirt_at_the_goal_meets_it() {
         ..loaded.run_config()
     };
     let session = Session::new(&loaded.task, config).with_belief(loaded.belief());
-    let mut session = session.with_robot(robot.performer());
+    let mut session = session.with_robot(robot.robot_setup());
     let mut toy = SeeingToy {
         toy: Toy::new(1.0),
         goal: loaded.task.collect_goal.expect("a place"),
@@ -210,7 +211,7 @@ fn a_toy_that_sees_the_dirt_at_the_goal_meets_it() {
         ..loaded.run_config()
     };
     let blind = Session::new(&loaded.task, touch_only);
-    let mut blind = blind.with_robot(robot.performer());
+    let mut blind = blind.with_robot(robot.robot_setup());
     toy.looks = 0;
     blind
         .run_until(Stage::Judged, &mut toy, &mut unobserved)
@@ -222,7 +223,7 @@ fn a_toy_that_sees_the_dirt_at_the_goal_meets_it() {
 fn a_toy_that_only_feels_claims_what_it_may_and_says_what_it_cannot_know() {
     let loaded = loaded();
     let robot = robot(&loaded);
-    let mut session = loaded.session().with_robot(robot.performer());
+    let mut session = loaded.session().with_robot(robot.robot_setup());
     let mut toy = Toy::new(1.0);
     let mut last = None;
     let mut look = |event: &RunEvent<'_>| {
@@ -253,11 +254,11 @@ fn a_toy_that_only_feels_claims_what_it_may_and_says_what_it_cannot_know() {
 fn a_toy_that_feels_nothing_ends_without_contact() {
     let loaded = loaded();
     let robot = robot(&loaded);
-    let mut session = loaded.session().with_robot(robot.performer());
+    let mut session = loaded.session().with_robot(robot.robot_setup());
     let mut toy = Toy::new(0.0);
     session.run(&mut toy, &mut unobserved).expect("it ends");
     assert_eq!(toy.executed, 1);
-    assert_eq!(session.rounds()[0].verdict, Verdict::CannotBeTold);
+    assert_eq!(session.rounds()[0].verdict, Verdict::Undecidable);
 }
 
 #[test]
@@ -303,7 +304,7 @@ fn a_motion_with_a_fault_is_never_executed() {
         turn_tolerance: 1e-4,
         ..config.follow
     };
-    let mut session = Session::new(&loaded.task, config).with_robot(robot.performer());
+    let mut session = Session::new(&loaded.task, config).with_robot(robot.robot_setup());
     let mut verdict = None;
     let mut look = |event: &RunEvent<'_>| {
         assert!(!matches!(event, RunEvent::Executing(_)));
@@ -331,7 +332,7 @@ fn steps_by_hand_and_one_go_are_the_same() {
         max_rounds: 2,
         ..loaded.run_config()
     };
-    let session = || Session::new(&loaded.task, config.clone()).with_robot(robot.performer());
+    let session = || Session::new(&loaded.task, config.clone()).with_robot(robot.robot_setup());
 
     let mut whole = session();
     whole
@@ -368,7 +369,7 @@ fn a_session_without_a_robot_or_an_executor_says_so() {
     assert_eq!(error, Err(RunError::NoRobot));
 
     let robot = robot(&loaded);
-    let mut session = loaded.session().with_robot(robot.performer());
+    let mut session = loaded.session().with_robot(robot.robot_setup());
     let error = session.run(&mut NoExecutor, &mut unobserved);
     let error = error.expect_err("nothing executes").to_string();
     assert_eq!(error, "round 1: there is no executor for this motion");
@@ -391,7 +392,7 @@ impl Executor for Headless {
 fn an_executor_has_to_leave_all_joints_somewhere() {
     let loaded = loaded();
     let robot = robot(&loaded);
-    let mut session = loaded.session().with_robot(robot.performer());
+    let mut session = loaded.session().with_robot(robot.robot_setup());
     let error = session.run(&mut Headless, &mut unobserved);
     let expected = robot.model.dof();
     let (round, found) = (1, 3);
@@ -414,9 +415,9 @@ fn the_best_of_all_plans_has_the_highest_score_with_the_robot() {
     loaded.config.heading = HeadingRule::Blended;
     let robot = robot(&loaded);
     let session = || Session::new(&loaded.task, loaded.run_config());
-    let alone = session().considered().expect("plans");
-    let mut session = session().with_robot(robot.performer());
-    let considered = session.considered().expect("plans");
+    let alone = session().evaluate_candidates().expect("plans");
+    let mut session = session().with_robot(robot.robot_setup());
+    let considered = session.evaluate_candidates().expect("plans");
     let strategies: Vec<&str> = considered.iter().map(|one| one.strategy.as_str()).collect();
     assert_eq!(strategies, ["grid", "rrt", "kde", "adaptive"]);
     let mut as_planned = 0;
@@ -445,7 +446,7 @@ fn the_best_of_all_plans_has_the_highest_score_with_the_robot() {
     assert!(as_planned >= 3);
     let mut told = Vec::new();
     let mut listen = |event: &RunEvent<'_>| {
-        if let RunEvent::Considered { round, considered } = event {
+        if let RunEvent::Evaluated { round, considered } = event {
             told.push((*round, considered.iter().map(|one| one.strategy).collect()));
         }
         ControlFlow::Continue(())
@@ -455,15 +456,15 @@ fn the_best_of_all_plans_has_the_highest_score_with_the_robot() {
         .expect("a plan");
     let strategies: Vec<Strategy> = considered.iter().map(|one| one.strategy).collect();
     assert_eq!(told, [(1, strategies)], "who looks on is told once");
-    let score = |one: &Considered| one.candidate.as_ref().expect("a plan").score.total;
+    let score = |one: &CandidateEvaluation| one.candidate.as_ref().expect("a plan").score.total;
     let best = (considered.iter()).max_by(|a, b| score(a).total_cmp(&score(b)));
     let best = best.and_then(|best| best.candidate.as_ref().ok());
     assert_eq!(session.plan(), best.map(|best| &best.plan));
 
     // A robot that reaches nothing has no plan, and says why of each.
     loaded.task.surface.world_from_surface.translation.vector.x += 10.0;
-    let far = Session::new(&loaded.task, loaded.run_config()).with_robot(robot.performer());
-    for one in far.considered().expect("plans") {
+    let far = Session::new(&loaded.task, loaded.run_config()).with_robot(robot.robot_setup());
+    for one in far.evaluate_candidates().expect("plans") {
         let abandoned = one.motion.map(|motion| motion.abandoned);
         assert!(
             one.candidate.is_err() || abandoned > Some(0),
@@ -482,7 +483,7 @@ fn strokes_are_searched_for_where_the_robot_reaches() {
     let robot = robot(&loaded);
     let session = || Session::new(&loaded.task, loaded.run_config());
     let followed = |session: Session<'_>| {
-        let mut session = session.with_robot(robot.performer());
+        let mut session = session.with_robot(robot.robot_setup());
         let until = Stage::Followed;
         session
             .run_until(until, &mut NoExecutor, &mut unobserved)
@@ -568,14 +569,14 @@ fn after_a_protective_stop_the_robot_waits_unless_the_task_says_otherwise() {
     let session = |after_stop| Session::new(&loaded.task, config(after_stop));
 
     let mut guarded = Guarded::new(8.0);
-    let mut waiting = session(AfterStop::Wait).with_robot(robot.performer());
+    let mut waiting = session(AfterStop::Wait).with_robot(robot.robot_setup());
     waiting.run(&mut guarded, &mut unobserved).expect("it ends");
     assert_eq!((waiting.rounds().len(), guarded.begins.len()), (1, 1));
 
     // At any time of the motion: in the air, on the surface, between strokes.
     for stops_at in [0.5, 4.0, 8.0, 12.0] {
         let mut guarded = Guarded::new(stops_at);
-        let mut retreating = session(AfterStop::Retreat).with_robot(robot.performer());
+        let mut retreating = session(AfterStop::Retreat).with_robot(robot.robot_setup());
         let mut stopped = Vec::new();
         let mut look = |event: &RunEvent<'_>| {
             if let RunEvent::Judged(round) = event {
@@ -635,7 +636,7 @@ fn a_motion_that_begins_elsewhere_is_not_executed() {
         fn state(&mut self) -> Result<Option<Vec<f64>>, ExecutorError> {
             let loaded = loaded();
             let robot = robot(&loaded);
-            let mut session = loaded.session().with_robot(robot.performer());
+            let mut session = loaded.session().with_robot(robot.robot_setup());
             session
                 .run_until(Stage::Followed, &mut NoExecutor, &mut unobserved)
                 .expect("a motion");
@@ -655,7 +656,7 @@ fn a_motion_that_begins_elsewhere_is_not_executed() {
         (-0.051, "is 0.051 rad from the start"),
         (0.049, "it was executed"),
     ] {
-        let mut session = loaded.session().with_robot(robot.performer());
+        let mut session = loaded.session().with_robot(robot.robot_setup());
         let error = session.run(&mut Elsewhere(off), &mut unobserved);
         let error = error.expect_err("it is refused").to_string();
         assert!(error.contains(expected), "{off}: {error}");
@@ -686,7 +687,7 @@ fn a_camera_that_fails_after_a_motion_loses_no_round() {
 
     let loaded = loaded();
     let robot = robot(&loaded);
-    let mut session = loaded.session().with_robot(robot.performer());
+    let mut session = loaded.session().with_robot(robot.robot_setup());
     let mut judged = 0;
     let error = session.run(&mut Blinded(Toy::new(0.95), false), &mut |event| {
         judged += usize::from(matches!(event, RunEvent::Judged(_)));

@@ -315,7 +315,7 @@ fn a_pass_that_is_not_pressed_is_none() {
     assert!(weak.performance.mean < 0.1, "{:?}", weak.performance);
     // Without free motion, and with another force than declared, nothing can be told.
     let weak = read(&task, &stroke(&task, 0.0, 1.0), Uncertainty::default());
-    assert!(!weak.can_be_told());
+    assert!(!weak.is_conclusive());
 }
 
 #[test]
@@ -338,5 +338,5 @@ fn a_tool_that_hovers_is_believed_by_where_it_was_and_nothing_is_felt() {
     task.interaction.gap_m = 0.0;
     let found = read(&task, &stroke(&task, 0.0, 0.0), Uncertainty::default());
     assert_eq!(found.diagnosis, Diagnosis::NoContact);
-    assert!(!found.can_be_told() && found.performance.high > 0.9);
+    assert!(!found.is_conclusive() && found.performance.high > 0.9);
 }

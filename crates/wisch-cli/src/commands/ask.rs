@@ -17,8 +17,8 @@ use std::sync::Arc;
 use std::time::Duration;
 use tempfile::TempDir;
 use wisch_memory::ask::{
-    Answers, AskError, AskLimits, Asker, Assertions, Predicate, QueryFault, TelemetryPredicates,
-    Term, builtins, predicates,
+    Answers, AskError, AskLimits, Assertions, Predicate, QueryFault, QuerySession,
+    TelemetryPredicates, Term, builtins, predicates,
 };
 use wisch_memory::{Catalogue, Memory};
 
@@ -83,7 +83,7 @@ impl Place {
 struct Asked {
     memory: Memory,
     catalogue: Arc<Catalogue>,
-    asker: Asker,
+    asker: QuerySession,
 }
 
 impl Asked {
@@ -113,7 +113,7 @@ fn asker(
     global: &GlobalArgs,
     memory: Memory,
     catalogue: Arc<Catalogue>,
-) -> Result<Asker, Failure> {
+) -> Result<QuerySession, Failure> {
     let command = engine::find(args.engine, global)?;
     let limits = AskLimits {
         time: Duration::from_secs(args.timeout.into()),
@@ -122,7 +122,7 @@ fn asker(
     };
     let assertions = Assertions::read(memory.folder()).map_err(Failure::new)?;
     let telemetry = TelemetryPredicates::of(memory);
-    Ok(Asker::new(
+    Ok(QuerySession::new(
         command, limits, catalogue, telemetry, assertions,
     ))
 }

@@ -3,7 +3,7 @@
 use super::words::percent;
 use wisch::plan::{Plan, predict};
 use wisch::represent::{GoalState, Task};
-use wisch::run::Considered;
+use wisch::run::CandidateEvaluation;
 use wisch_io::CandidateSummary;
 
 /// The definition of a plan's score, for people.
@@ -12,7 +12,7 @@ const SCORE: &str = "score = share of the dirt in the goal area, averaged over a
 
 /// Returns a summary of every evaluated candidate and marks the chosen plan.
 pub(super) fn candidates(
-    considered: &[Considered],
+    considered: &[CandidateEvaluation],
     chosen: &Plan,
     task: &Task,
 ) -> Vec<CandidateSummary> {

@@ -10,7 +10,7 @@ use wisch::plan::Plan;
 use wisch::represent::ParticleError;
 use wisch::run::{Pace, PlannedRound, Round, RunConfig, RunError, Session};
 use wisch_io::{OutputFolder, Robot};
-use wisch_record::KnownTruth;
+use wisch_record::RoundGroundTruth;
 use wisch_sim::GroundTruth;
 
 /// Number of single-stroke rounds that replace one round of a whole plan.
@@ -50,7 +50,7 @@ impl Job<'_> {
             .with_belief(self.prepared.belief())
             .with_plan(given);
         match self.robot {
-            Some((_, robot)) => session.with_robot(robot.performer()),
+            Some((_, robot)) => session.with_robot(robot.robot_setup()),
             None => session,
         }
     }
@@ -71,7 +71,7 @@ pub(super) fn known_truths(
     prepared: &Prepared,
     rounds: &[Round],
     truths: &[GroundTruth],
-) -> Result<Vec<KnownTruth>, ParticleError> {
+) -> Result<Vec<RoundGroundTruth>, ParticleError> {
     let believed = prepared.task.surface.world_from_surface;
     let world_from_surface = Some(believed * prepared.reality.believed_from_real);
     let known = rounds.iter().zip(truths).map(|(round, truth)| {
@@ -83,7 +83,7 @@ pub(super) fn known_truths(
             ..
         } = &round.motion;
         let schedule = prepared.reality.schedule(*number, followed);
-        Ok(KnownTruth {
+        Ok(RoundGroundTruth {
             particles: truth.particles()?,
             performance: truth.performance(&plan.graph.goal, &task.surface)?,
             pushes: (schedule.pushes.iter())

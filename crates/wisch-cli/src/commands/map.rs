@@ -9,7 +9,7 @@ use std::path::{Path, PathBuf};
 use std::time::Instant;
 use wisch::follow::PlanningGroup;
 use wisch::geometry::Pose;
-use wisch::robot::{CapabilityMap, CollisionModel, MapConfig, MapStage, MapTool};
+use wisch::robot::{CapabilityMap, CollisionModel, MapConfig, MapRequest, MapStage};
 use wisch_io::OutputFile;
 use wisch_io::{MAP_EXTENSION, Robot, RobotDescription};
 
@@ -52,7 +52,7 @@ pub fn map(args: &RobotMapArgs, global: &GlobalArgs) -> Result<Outcome, Failure>
         .chain(group.base, group.tip)
         .map_err(Failure::new)?;
     let collisions = collisions.for_variables(chain.variables());
-    let tool = MapTool {
+    let tool = MapRequest {
         robot: &robot.model,
         base: group.base,
         tip: group.tip,

@@ -14,7 +14,7 @@ pub fn rounds_in_words(finished: &[FinishedRound], target: f64) -> Vec<(&'static
             let interpretation = &round.interpretation;
             let estimate = &interpretation.performance;
             let interval = format!("{} to {}", percent(estimate.low), percent(estimate.high));
-            let mut text = if interpretation.can_be_told() {
+            let mut text = if interpretation.is_conclusive() {
                 format!("estimated {} ({interval})", percent(estimate.mean))
             } else {
                 format!("no estimate possible ({interval})")

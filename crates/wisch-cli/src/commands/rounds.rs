@@ -24,7 +24,7 @@ use wisch_record::{
     EpisodeTarget, EventSink, KeptEpisode, RecordError, RecordOptions, RunRecord, RunResults,
     bag_name,
 };
-use wisch_sim::{Checkpoints, GroundTruth, KeptRound, Site, World};
+use wisch_sim::{CheckpointRound, Checkpoints, GroundTruth, Site, World};
 
 /// File in a run's state folder with the names of its episodes.
 const EPISODES_FILE: &str = "episodes";
@@ -143,14 +143,14 @@ fn record_options(
 fn rounds_of_killed_run(
     job: &Job<'_>,
     checkpoints: &Checkpoints,
-) -> Result<Vec<KeptRound>, Failure> {
+) -> Result<Vec<CheckpointRound>, Failure> {
     let folder = job.folder;
     if !folder.found().is_taken_over {
         return Ok(Vec::new());
     }
     let rounds = (1..).zip(checkpoints.read());
     let whole = rounds.take_while(|(number, _)| folder.place(&bag_name(*number)).is_file());
-    let kept: Vec<KeptRound> = whole.map(|(_, kept)| kept).collect();
+    let kept: Vec<CheckpointRound> = whole.map(|(_, kept)| kept).collect();
     let bags: Vec<String> = (1..=kept.len()).map(bag_name).collect();
     folder.keep_only(&bags)?;
     Ok(kept)
@@ -160,7 +160,7 @@ fn rounds_of_killed_run(
 fn start_executing(
     job: &Job<'_>,
     args: &LoopArgs,
-    kept: Vec<KeptRound>,
+    kept: Vec<CheckpointRound>,
     stop: Option<&Arc<AtomicBool>>,
 ) -> Result<Executing, Failure> {
     if let Some(command) = &args.executor {

@@ -341,7 +341,7 @@ fn simulate_effect(
     let considered = match extent {
         Extent::Plan { explain: true, .. } => {
             job.progress.say("planning with every strategy");
-            let considered = session.considered();
+            let considered = session.evaluate_candidates();
             Some(considered.map_err(|error| job.failed(error))?)
         }
         _ => None,

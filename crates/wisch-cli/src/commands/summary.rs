@@ -96,7 +96,7 @@ pub(super) fn in_words(summary: &Summary, rounds: &[FinishedRound], out: &Path) 
         let verdict = match rounds.last().map(|last| last.round.verdict) {
             _ if prediction.goal_met => "met",
             Some(Verdict::UnknowableByTouch) => "unknown, needs a camera",
-            Some(Verdict::CannotBeTold) => "unknown",
+            Some(Verdict::Undecidable) => "unknown",
             _ => "not met",
         };
         let (word, performance) = match &summary.execution {

@@ -150,7 +150,7 @@ impl<W: Write> EventWriter<W> {
                 passed,
                 nodes,
             },
-            RunEvent::Considered { .. } | RunEvent::Predicting { .. } => return None,
+            RunEvent::Evaluated { .. } | RunEvent::Predicting { .. } => return None,
             RunEvent::Audited { round, audit } => RunEventRecord::Audited {
                 round,
                 faults: audit.faults.iter().map(ToString::to_string).collect(),

@@ -174,7 +174,7 @@ impl InterpretationRecord {
             target_performance,
             goal_met: verdict == "met",
             verdict,
-            can_be_told: interpretation.can_be_told(),
+            can_be_told: interpretation.is_conclusive(),
             reason,
             seen: interpretation
                 .observation
@@ -241,7 +241,7 @@ fn verdict(interpretation: &Interpretation, target: f64) -> (&'static str, Strin
     let claim = Claim::of(&interpretation.distribution, target).to_string();
     match judge_log(interpretation, target) {
         Verdict::GoalMet => ("met", claim),
-        Verdict::CannotBeTold => {
+        Verdict::Undecidable => {
             let decisive = (interpretation.doubts.iter())
                 .filter(|doubt| doubt.is_decisive() || doubt.is_cut());
             let causes: Vec<String> = decisive.map(ToString::to_string).collect();

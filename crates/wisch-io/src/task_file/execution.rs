@@ -82,14 +82,14 @@ pub struct ExecutionRecord {
 #[derive(Debug, Clone, PartialEq)]
 pub struct DirtRecord {
     /// Locations.
-    pub source: RealDirt,
+    pub source: TrueDirt,
     /// Number of grains; `None` draws a number near the believed one.
     pub count: Option<usize>,
 }
 
 /// True dirt locations of a simulated world, in the frame of the true surface.
 #[derive(Debug, Clone, PartialEq)]
-pub enum RealDirt {
+pub enum TrueDirt {
     /// At the believed locations.
     AsBelieved,
     /// Uniform over the free surface.
@@ -127,7 +127,7 @@ impl Default for DirtRecord {
     /// Uniform, with a number near the believed one.
     fn default() -> Self {
         Self {
-            source: RealDirt::Uniform,
+            source: TrueDirt::Uniform,
             count: None,
         }
     }
@@ -202,11 +202,11 @@ pub(super) fn perception(
 
 fn dirt(table: &At<DirtTable>, source: &Source<'_>) -> Result<DirtRecord, TaskError> {
     let (found, count) = match &table.value {
-        DirtTable::AsBelieved {} => (RealDirt::AsBelieved, &None),
-        DirtTable::Uniform { count } => (RealDirt::Uniform, count),
+        DirtTable::AsBelieved {} => (TrueDirt::AsBelieved, &None),
+        DirtTable::Uniform { count } => (TrueDirt::Uniform, count),
         DirtTable::Clusters { count, clusters } => {
             let given = clusters.as_ref().map(|given| heaps(given, source));
-            (RealDirt::Clusters(given.transpose()?), count)
+            (TrueDirt::Clusters(given.transpose()?), count)
         }
         DirtTable::Stripe {
             count,
@@ -214,7 +214,7 @@ fn dirt(table: &At<DirtTable>, source: &Source<'_>) -> Result<DirtRecord, TaskEr
             direction_rad,
             width_m,
         } => {
-            let stripe = RealDirt::Stripe {
+            let stripe = TrueDirt::Stripe {
                 center: center_m.map(point),
                 direction: direction_rad.map(|angle| angle.0),
                 width: width_m.map(|width| width.0),
@@ -223,12 +223,12 @@ fn dirt(table: &At<DirtTable>, source: &Source<'_>) -> Result<DirtRecord, TaskEr
         }
         DirtTable::Edge { count, within_m } => {
             let within = within_m.map_or(WITHIN, |within| within.0);
-            (RealDirt::Edge(within), count)
+            (TrueDirt::Edge(within), count)
         }
         DirtTable::Csv { file } => {
             let at = file.place(source);
             let file = file.value.0.clone();
-            (RealDirt::Csv { at, file }, &None)
+            (TrueDirt::Csv { at, file }, &None)
         }
         DirtTable::Image {
             file,
@@ -237,7 +237,7 @@ fn dirt(table: &At<DirtTable>, source: &Source<'_>) -> Result<DirtRecord, TaskEr
             tolerance,
             count,
         } => {
-            let image = RealDirt::Image {
+            let image = TrueDirt::Image {
                 at: file.place(source),
                 mask: MaskSource {
                     file: file.value.0.clone(),

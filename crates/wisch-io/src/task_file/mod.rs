@@ -18,7 +18,7 @@ mod values;
 
 pub use disturbance::{FrictionChange, Moment, Push};
 pub use error::TaskError;
-pub use execution::{CameraRecord, DirtRecord, ExecutionRecord, Perception, RealDirt};
+pub use execution::{CameraRecord, DirtRecord, ExecutionRecord, Perception, TrueDirt};
 pub use resolve::ReadFile;
 pub(crate) use resolve::unit_remarks;
 

@@ -1,6 +1,6 @@
 //! Resolves a task file: looks up knowledge, reads files and places particles.
 
-use super::{Frame, ObjectRecord, RealDirt, Shape, TaskError, TaskFile};
+use super::{Frame, ObjectRecord, Shape, TaskError, TaskFile, TrueDirt};
 use crate::particles::{ParticleSource, csv_particles, mask_particles};
 use wisch::geometry::{
     Bounds2, LikelyUnit, Mesh, MeshError, MeshFormat, Point2, Point3, Polygon, RIGID_DEPTH, Region,
@@ -160,17 +160,17 @@ impl TaskFile {
             occupied: &OccupiedArea::of(&meshes),
         };
         let (at, listed) = match &self.execution.dirt.source {
-            RealDirt::Csv { at, file } => (at, csv_particles(file, &read(assets, at, file)?, area)),
-            RealDirt::Image { at, mask } => {
+            TrueDirt::Csv { at, file } => (at, csv_particles(file, &read(assets, at, file)?, area)),
+            TrueDirt::Image { at, mask } => {
                 let bytes = read(assets, at, &mask.file)?;
                 // A different seed than for believed particles of the same image.
                 (at, mask_particles(mask, &bytes, area, !task.seed))
             }
-            RealDirt::AsBelieved
-            | RealDirt::Uniform
-            | RealDirt::Clusters(_)
-            | RealDirt::Stripe { .. }
-            | RealDirt::Edge(_) => return Ok(None),
+            TrueDirt::AsBelieved
+            | TrueDirt::Uniform
+            | TrueDirt::Clusters(_)
+            | TrueDirt::Stripe { .. }
+            | TrueDirt::Edge(_) => return Ok(None),
         };
         let listed = listed.map_err(|error| TaskError::Particles {
             at: at.clone(),

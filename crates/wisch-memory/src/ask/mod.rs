@@ -64,7 +64,7 @@ impl Answers {
 }
 
 /// Interface for queries to a memory. The engine runs, and keeps its facts, until this is dropped.
-pub struct Asker {
+pub struct QuerySession {
     command: EngineCommand,
     limits: AskLimits,
     host: Host,
@@ -74,7 +74,7 @@ pub struct Asker {
     interrupt: Arc<AtomicBool>,
 }
 
-impl Asker {
+impl QuerySession {
     /// Opens all episodes of a memory and the statements added by `tell`, with default limits.
     ///
     /// # Errors

@@ -41,7 +41,7 @@ pub fn remember_log(
     round.relations = things_of(task);
     round.set_text("semco:verdict", in_words(verdict));
     round.end_in(state(verdict));
-    if !interpretation.can_be_told() {
+    if !interpretation.is_conclusive() {
         // A mean from a misread log would answer queries as if it were certain, so only the interval is stored.
         for individual in [&mut action, &mut round] {
             individual.values.remove("semco:performance");

@@ -59,7 +59,7 @@ pub const RECORDING_FILE: &str = "recording.jsonl.gz";
 
 /// Returns the path of a file by which a run publishes its progress: ending `jsonl` for lines that grow, `json` for the
 /// writer. Both files disappear once the episode with this name is in the memory.
-pub fn live_place(memory: &Path, id: &str, ending: &str) -> PathBuf {
+pub fn live_path(memory: &Path, id: &str, ending: &str) -> PathBuf {
     memory.join(".live").join(format!("{id}.{ending}"))
 }
 

@@ -1,10 +1,10 @@
 //! Goals that the program joins: the answers are those that the engine finds by itself, in the same order.
 
 use super::random;
-use super::{Answers, Asker, BY_HAND, EngineCommand, asker, engines};
+use super::{Answers, BY_HAND, EngineCommand, QuerySession, asker, engines};
 
 /// Answers as text, in the order in which they came; or what was wrong.
-fn in_order(asker: &mut Asker, query: &str) -> Vec<String> {
+fn in_order(asker: &mut QuerySession, query: &str) -> Vec<String> {
     let rows = |answers: Answers| {
         let rows = answers.rows.into_iter();
         let texts = rows.map(|row| row.iter().map(|term| format!("{term} ")).collect());
@@ -17,7 +17,7 @@ fn in_order(asker: &mut Asker, query: &str) -> Vec<String> {
 }
 
 /// An asker that joins facts, and one that does not.
-fn both(command: &EngineCommand) -> [Asker; 2] {
+fn both(command: &EngineCommand) -> [QuerySession; 2] {
     let mut plain = asker(command.clone());
     plain.join_facts(false);
     [asker(command.clone()), plain]
@@ -35,7 +35,7 @@ fn joined_or_not_random_queries_have_the_same_answers() {
             answered += usize::from(!answers.is_empty());
         }
         assert!(answered > 60, "only {answered} of 200 queries have answers");
-        let [joins, none] = [&joined, &plain].map(Asker::joined_so_far);
+        let [joins, none] = [&joined, &plain].map(QuerySession::joined_so_far);
         assert!(joins > 150 && none == 0, "{joins} and {none} joins");
     }
 }

@@ -1,9 +1,9 @@
 //! Statements limited in time, and goals in any order.
 
-use super::{Asker, BY_HAND, asker, engines, shown};
+use super::{BY_HAND, QuerySession, asker, engines, shown};
 use wisch_memory::ask::AskError;
 
-fn answers(asker: &mut Asker, query: &str) -> Result<Vec<String>, String> {
+fn answers(asker: &mut QuerySession, query: &str) -> Result<Vec<String>, String> {
     match asker.ask(query) {
         Ok(answers) => Ok(shown(&answers)),
         Err(AskError::Fault(fault)) => Err(fault.to_string()),

@@ -6,7 +6,7 @@ use std::fs;
 use std::path::Path;
 use tempfile::TempDir;
 use wisch::follow::Phase;
-use wisch_memory::ask::{AskError, Asker, EngineCommand};
+use wisch_memory::ask::{AskError, EngineCommand, QuerySession};
 use wisch_memory::{
     EPISODE_SCHEMA, EpisodeRecord, Individual, Mark, Memory, Origin, TelemetryHead,
 };
@@ -68,7 +68,7 @@ fn two_runs() -> (TempDir, Memory) {
 }
 
 fn asked(memory: &Memory, command: EngineCommand, query: &str) -> Vec<String> {
-    let mut asker = Asker::open(memory.clone(), command).unwrap();
+    let mut asker = QuerySession::open(memory.clone(), command).unwrap();
     shown(
         &asker
             .ask(query)
@@ -133,7 +133,7 @@ fn an_episode_without_telemetry_is_named_and_left_out() {
     record.set_telemetry_lost(1, "No space left on device");
     memory.begin("run-2").unwrap().commit(&record).unwrap();
     for command in engines() {
-        let mut asker = Asker::open(memory.clone(), command).unwrap();
+        let mut asker = QuerySession::open(memory.clone(), command).unwrap();
         for query in [
             "has_type(C, 'Collision'), telemetry(force, C, mean, F)",
             "findall(C-F, (has_type(C, 'Collision'), telemetry(force, C, mean, F)), L), member(C-F, L)",
@@ -231,8 +231,8 @@ fn where_the_tool_of_a_log_was_is_answered_from_its_poses() {
         let memory = Memory::create(&folder.path().join("episodes")).unwrap();
         store_log(&memory, "log-1", head);
         for command in engines() {
-            let mut asker = Asker::open(memory.clone(), command).unwrap();
-            let at = |asker: &mut Asker, query: &str| shown(&asker.ask(query).unwrap());
+            let mut asker = QuerySession::open(memory.clone(), command).unwrap();
+            let at = |asker: &mut QuerySession, query: &str| shown(&asker.ask(query).unwrap());
             let place = "[X, Y, Z], _), A is round(1000 * X), B is round(1000 * Y), C is round(1000 * Z), _ = [X, Y, Z]";
             let rows = at(&mut asker, &format!("tf(sponge, 1002.0, {place}"));
             assert!(rows[0].ends_with("20 250 750"), "{rows:?}");
@@ -275,7 +275,7 @@ fn a_damaged_episode_is_named_and_left_out() {
     bytes[middle] ^= 1;
     fs::write(&file, bytes).unwrap();
     for command in engines() {
-        let mut asker = Asker::open(memory.clone(), command).unwrap();
+        let mut asker = QuerySession::open(memory.clone(), command).unwrap();
         let answers = asker
             .ask("telemetry(force, [1005, 1006], mean, F)")
             .unwrap();

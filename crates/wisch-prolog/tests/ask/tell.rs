@@ -6,14 +6,14 @@ use std::path::Path;
 use std::sync::Arc;
 use std::time::Duration;
 use wisch_memory::ask::{
-    AskError, AskLimits, Asker, Assertions, EngineCommand, QueryFault, TelemetryPredicates,
+    AskError, AskLimits, Assertions, EngineCommand, QueryFault, QuerySession, TelemetryPredicates,
 };
 use wisch_memory::{Catalogue, Memory};
 
 const COMMENT: &str = "tell(holds('Stroke_e0-5', semco:recordLog, pushed))";
 
-fn asker_of(folder: &Path, command: EngineCommand, limits: AskLimits) -> Asker {
-    Asker::new(
+fn asker_of(folder: &Path, command: EngineCommand, limits: AskLimits) -> QuerySession {
+    QuerySession::new(
         command,
         limits,
         Arc::new(Catalogue::of(&memory::episodes())),
@@ -97,9 +97,10 @@ fn what_was_told_of_an_episode_goes_with_it() {
     for record in memory::episodes().into_iter().take(2) {
         memory.begin(&record.id).unwrap().commit(&record).unwrap();
     }
-    let told = |asker: &mut Asker| shown(&asker.ask("holds(_, semco:recordLog, X)").unwrap());
+    let told =
+        |asker: &mut QuerySession| shown(&asker.ask("holds(_, semco:recordLog, X)").unwrap());
     for command in engines() {
-        let mut asker = Asker::open(memory.clone(), command.clone()).unwrap();
+        let mut asker = QuerySession::open(memory.clone(), command.clone()).unwrap();
         asker
             .ask("tell(holds('Stroke_e0-5', semco:recordLog, first))")
             .unwrap();
@@ -116,7 +117,7 @@ fn what_was_told_of_an_episode_goes_with_it() {
             1,
             "what was told of e0 is gone for good"
         );
-        let mut asker = Asker::open(memory.clone(), command.clone()).unwrap();
+        let mut asker = QuerySession::open(memory.clone(), command.clone()).unwrap();
         assert_eq!(told(&mut asker), ["second"]);
         // A killed program may have left it: it is answered no more.
         let path = folder.path().join("told.jsonl");
@@ -126,7 +127,7 @@ fn what_was_told_of_an_episode_goes_with_it() {
             text + "[\"semco:Stroke_e0-5\",\"semco:recordLog\",\"first\"]\n",
         )
         .unwrap();
-        let mut asker = Asker::open(memory.clone(), command).unwrap();
+        let mut asker = QuerySession::open(memory.clone(), command).unwrap();
         assert_eq!(told(&mut asker), ["second"]);
         memory
             .begin("e0")

@@ -1,6 +1,6 @@
 //! The base poses, seen from above.
 
-use super::input::{MotionInput, ShownContact, ShownPhase, ShownPlace, ShownPlacement};
+use super::input::{BasePose, CandidateBase, MotionInput, ShownContact, ShownPhase};
 use super::sampled::{SampledMotion, world_from_link};
 use crate::draw::{BANDS, Entry, Panel, Pen, View, WIDTH, hull, inset, legend, outline, px};
 use maud::{Markup, html};
@@ -117,7 +117,7 @@ fn footprint(robot: &RobotModel, base: LinkId) -> Vec<Point2> {
 
 /// Returns the chosen base poses, or the initial pose.
 fn stands(input: &MotionInput, frames: &SampledMotion, base: LinkId) -> Vec<PlanarPose> {
-    let stand = |p: &ShownPlacement| PlanarPose::new(Point2::new(p.x, p.y), p.yaw);
+    let stand = |p: &BasePose| PlanarPose::new(Point2::new(p.x, p.y), p.yaw);
     let known =
         (input.placements.iter()).filter(|p| [p.x, p.y, p.yaw].iter().all(|v| v.is_finite()));
     let stands: Vec<PlanarPose> = known.map(stand).collect();
@@ -179,7 +179,7 @@ fn place_step(input: &MotionInput) -> usize {
 /// Draws rated positions as dots (darker is better), and blocked positions as crosses.
 fn places(input: &MotionInput, view: &View) -> Markup {
     let drawn = input.ratings.iter().step_by(place_step(input));
-    let drawn: Vec<&ShownPlace> = drawn
+    let drawn: Vec<&CandidateBase> = drawn
         .filter(|p| p.x.is_finite() && p.y.is_finite())
         .collect();
     let area = view.width() * view.height() / drawn.len().max(1) as f64;
@@ -278,7 +278,7 @@ fn numbers(view: &View, stands: &[PlanarPose]) -> Markup {
 /// Draws the legend from a height on; returns its height, too.
 fn legend(input: &MotionInput, drives: bool, top: f64) -> (Markup, f64) {
     const LEFT: f64 = 48.0;
-    let is_blocked = |place: &ShownPlace| place.blocked;
+    let is_blocked = |place: &CandidateBase| place.blocked;
     let wiping = |phase: &ShownPhase| phase.contact == ShownContact::Wiping;
     let entries = [
         (

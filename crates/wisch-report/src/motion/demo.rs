@@ -25,8 +25,8 @@ pub(crate) struct Demo {
     pub(crate) plan: Plan,
     pub(crate) samples: Vec<TrajectorySample>,
     pub(crate) phases: Vec<ShownPhase>,
-    pub(crate) placements: Vec<ShownPlacement>,
-    pub(crate) ratings: Vec<ShownPlace>,
+    pub(crate) placements: Vec<BasePose>,
+    pub(crate) ratings: Vec<CandidateBase>,
     pub(crate) particles: Vec<ParticleFrame>,
 }
 
@@ -53,9 +53,7 @@ impl Demo {
             plan,
             samples,
             phases: Vec::new(),
-            placements: [FROM, AT]
-                .map(|[x, y, yaw]| ShownPlacement { x, y, yaw })
-                .into(),
+            placements: [FROM, AT].map(|[x, y, yaw]| BasePose { x, y, yaw }).into(),
             ratings: ratings(),
             particles: Vec::new(),
         };
@@ -266,12 +264,12 @@ fn particles(input: &MotionInput, plan: &Plan) -> Vec<ParticleFrame> {
 }
 
 /// A grid of places before the table, the best a good arm's length from the board.
-fn ratings() -> Vec<ShownPlace> {
+fn ratings() -> Vec<CandidateBase> {
     let step = 0.1;
     let column = move |x: i32| (-17..=4).map(move |y| (f64::from(x) * step, f64::from(y) * step));
     (-12..=12)
         .flat_map(column)
-        .map(|(x, y)| ShownPlace {
+        .map(|(x, y)| CandidateBase {
             x,
             y,
             rating: (-((x.hypot(y) - 0.75) / 0.35).powi(2)).exp() * (0.7 - 0.3 * (y / 0.8).tanh()),

@@ -1,6 +1,6 @@
 //! A followed plan for figures: samples, phases, and particles over time.
 
-use super::{MotionInput, ParticleFrame, ShownContact, ShownPhase, ShownPlace, ShownPlacement};
+use super::{BasePose, CandidateBase, MotionInput, ParticleFrame, ShownContact, ShownPhase};
 use crate::prediction::frames::EffectFrames;
 use wisch::follow::{self, Followed, TrajectorySample, Workcell};
 use wisch::represent::Task;
@@ -14,8 +14,8 @@ pub struct ShownMotion<'a> {
     cell: &'a Workcell,
     samples: Vec<TrajectorySample>,
     phases: Vec<ShownPhase>,
-    placements: Vec<ShownPlacement>,
-    ratings: Vec<ShownPlace>,
+    placements: Vec<BasePose>,
+    ratings: Vec<CandidateBase>,
     particles: Vec<ParticleFrame>,
 }
 
@@ -40,14 +40,14 @@ impl<'a> ShownMotion<'a> {
             })
             .collect();
         let placements = (followed.placements.iter())
-            .map(|placement| ShownPlacement {
+            .map(|placement| BasePose {
                 x: placement.world_from_base.position.x,
                 y: placement.world_from_base.position.y,
                 yaw: placement.world_from_base.heading,
             })
             .collect();
         let ratings = (followed.rated.iter())
-            .map(|place| ShownPlace {
+            .map(|place| CandidateBase {
                 x: place.world_from_base.position.x,
                 y: place.world_from_base.position.y,
                 rating: place.rating.unwrap_or(0.0),

@@ -24,9 +24,9 @@ pub struct MotionInput<'a> {
     /// Phases, by rising time.
     pub phases: &'a [ShownPhase],
     /// Base poses in order of time; empty for a fixed base.
-    pub placements: &'a [ShownPlacement],
+    pub placements: &'a [BasePose],
     /// Candidate base poses.
-    pub ratings: &'a [ShownPlace],
+    pub ratings: &'a [CandidateBase],
     /// The particles over time, by rising time.
     pub particles: &'a [ParticleFrame],
 }
@@ -57,7 +57,7 @@ pub enum ShownContact {
 
 /// Pose of the robot's base in the world.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct ShownPlacement {
+pub struct BasePose {
     /// x in the world [m].
     pub x: f64,
     /// y in the world [m].
@@ -68,7 +68,7 @@ pub struct ShownPlacement {
 
 /// A candidate position of the base in the world.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct ShownPlace {
+pub struct CandidateBase {
     /// x in the world [m].
     pub x: f64,
     /// y in the world [m].

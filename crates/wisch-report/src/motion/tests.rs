@@ -90,7 +90,7 @@ fn motions_with_nothing_in_them_are_shown_all_the_same() {
             qdd: vec![],
         })
         .into();
-    let strange = [ShownPlace {
+    let strange = [CandidateBase {
         x: f64::NAN,
         y: 0.0,
         rating: f64::INFINITY,

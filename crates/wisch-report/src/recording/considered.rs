@@ -3,7 +3,7 @@
 use super::samples::rounded;
 use serde::Serialize;
 use wisch::plan::Plan;
-use wisch::run::Considered;
+use wisch::run::CandidateEvaluation;
 
 /// A candidate plan; missing figures are null.
 #[derive(Debug, Serialize)]
@@ -26,7 +26,7 @@ pub(super) struct ConsideredRecord {
 
 impl ConsideredRecord {
     /// Makes a candidate, not yet marked as chosen.
-    pub(super) fn new(one: &Considered) -> Self {
+    pub(super) fn new(one: &CandidateEvaluation) -> Self {
         let found = one.candidate.as_ref();
         let plan = found.ok().map(|found| &found.plan);
         let performance = one.prediction.as_ref().map(|found| found.performance);

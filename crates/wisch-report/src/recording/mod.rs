@@ -58,7 +58,7 @@ pub struct RecordingHead<'a> {
 
 /// A plan that is not executed.
 #[derive(Debug, Clone, Copy)]
-pub struct PlannedOnly<'a> {
+pub struct UnexecutedPlan<'a> {
     /// The task as it was believed.
     pub task: &'a Task,
     /// The plan without abandoned nodes.
@@ -168,7 +168,7 @@ impl<W: Write> RecordingWriter<W> {
                 self.considered.clear();
                 self.stage(round, "planning", "planning".to_owned())
             }
-            RunEvent::Considered { considered, .. } => {
+            RunEvent::Evaluated { considered, .. } => {
                 self.considered = considered.iter().map(ConsideredRecord::new).collect();
                 Ok(())
             }
@@ -232,7 +232,7 @@ impl<W: Write> RecordingWriter<W> {
     ///
     /// # Errors
     /// If the output cannot be written.
-    pub fn planned_only(&mut self, planned: &PlannedOnly<'_>) -> io::Result<()> {
+    pub fn planned_only(&mut self, planned: &UnexecutedPlan<'_>) -> io::Result<()> {
         let audited = planned
             .followed
             .map(|(_, _, audit)| words::describe_audit(audit));

@@ -3,7 +3,7 @@
 use super::considered::ConsideredRecord;
 use super::particles::{Moment, ParticleStep, line, steps};
 use super::samples::{NOMINAL_SPEED, rounded, seconds_at};
-use super::{PlannedOnly, words};
+use super::{UnexecutedPlan, words};
 use crate::prediction::frames::EffectFrames;
 use crate::scene::{MeshRecord, Meshes, Solid, seven};
 use serde::Serialize;
@@ -74,7 +74,7 @@ impl RoundPiece {
         meshes: &mut Meshes,
         written: usize,
     ) -> Self {
-        let wiped = planned.wiped();
+        let wiped = planned.executable_plan();
         let unwatched;
         let frames = match frames {
             Some(frames) => frames,
@@ -102,7 +102,7 @@ impl RoundPiece {
 
     /// Makes the piece of a plan that is not executed.
     pub(super) fn planned(
-        planned: &PlannedOnly<'_>,
+        planned: &UnexecutedPlan<'_>,
         audited: Option<String>,
         meshes: &mut Meshes,
         written: usize,

@@ -1,6 +1,6 @@
 //! Pieces of measured samples.
 
-use super::PlannedOnly;
+use super::UnexecutedPlan;
 use serde::Serialize;
 use std::collections::BTreeMap;
 use wisch::follow::{Followed, Phase, ToolPose, Workcell};
@@ -130,7 +130,7 @@ impl Batch {
 }
 
 /// Samples a motion that is not executed, at the rate of executed motions.
-pub(super) fn planned(planned: &PlannedOnly<'_>) -> Vec<Samples> {
+pub(super) fn planned(planned: &UnexecutedPlan<'_>) -> Vec<Samples> {
     let mut batch = Batch::new(1, &planned.task.surface.world_from_surface);
     let mut pieces = Vec::new();
     match planned.followed {

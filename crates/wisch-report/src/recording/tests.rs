@@ -4,7 +4,7 @@ use wisch::follow::{FollowConfig, follow};
 use wisch::geometry::Point2;
 use wisch::plan::{Candidate, PlanError, PlanScore, predict};
 use wisch::represent::Action;
-use wisch::run::Considered;
+use wisch::run::CandidateEvaluation;
 use wisch_testkit as kit;
 
 /// The pieces of a recording.
@@ -45,7 +45,7 @@ fn followed(task: &Task) -> Vec<u8> {
         appearance: None,
     };
     recording.begin(&head).expect("memory takes it");
-    let planned = PlannedOnly {
+    let planned = UnexecutedPlan {
         task,
         plan: &wiped,
         prediction: &prediction,
@@ -167,7 +167,7 @@ fn a_round_says_among_which_plans_its_own_was_chosen() {
         },
     };
     let considered = [
-        Considered {
+        CandidateEvaluation {
             strategy: other,
             candidate: Err(PlanError::NoFreeNode {
                 surface: "board".to_owned(),
@@ -177,7 +177,7 @@ fn a_round_says_among_which_plans_its_own_was_chosen() {
             prediction: None,
             motion: None,
         },
-        Considered {
+        CandidateEvaluation {
             strategy: plan.strategy,
             candidate: Ok(found),
             prediction: Some(prediction.clone()),
@@ -185,12 +185,12 @@ fn a_round_says_among_which_plans_its_own_was_chosen() {
         },
     ];
     let mut recording = RecordingWriter::new(Vec::new());
-    let weighed = RunEvent::Considered {
+    let weighed = RunEvent::Evaluated {
         round: 1,
         considered: &considered,
     };
     recording.see(&weighed).expect("memory takes it");
-    let planned = PlannedOnly {
+    let planned = UnexecutedPlan {
         task: &task,
         plan: &plan,
         prediction: &prediction,

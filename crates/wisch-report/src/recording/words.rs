@@ -126,7 +126,7 @@ pub(super) fn describe_round(round: &Round, target: f64) -> Vec<String> {
         ));
     } else {
         let felt = interval(found.performance);
-        sentences.push(if found.can_be_told() {
+        sentences.push(if found.is_conclusive() {
             format!("Estimated performance from touch: {felt}.")
         } else {
             format!("The log does not allow an estimate; possible performance: {felt}.")
@@ -153,7 +153,7 @@ fn describe_verdict(round: &Round, target: f64) -> String {
             "The motion of the next round fails its check, so the robot does not execute it."
                 .to_owned()
         }
-        Verdict::CannotBeTold => {
+        Verdict::Undecidable => {
             "It is unknown whether the goal is met: the log does not allow an estimate.".to_owned()
         }
         Verdict::UnknowableByTouch => format!(
@@ -181,7 +181,7 @@ pub(super) fn suggest_measures(last: &Round) -> String {
     if pushed {
         ways.push("a round without a push");
     }
-    if matches!(found.doubts.as_slice(), [Doubt::LedByHand { .. }, ..]) {
+    if matches!(found.doubts.as_slice(), [Doubt::HandGuided { .. }, ..]) {
         ways.push("a round without hand guiding");
     }
     if found.plane.is_none_or(|plane| plane.directions < 2) {

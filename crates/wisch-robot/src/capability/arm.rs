@@ -1,6 +1,6 @@
 //! The chain of a capability map: sampling within its limits, and descent from a pose to a nearby one.
 
-use super::{MapError, MapTool};
+use super::{MapError, MapRequest};
 use crate::frame::z_to;
 use crate::geometry::{Point3, Pose, Vector3};
 use crate::{
@@ -52,7 +52,7 @@ const DESCENT: IkConfig = IkConfig {
 };
 
 impl Arm {
-    pub(super) fn new(tool: &MapTool<'_>) -> Result<Self, MapError> {
+    pub(super) fn new(tool: &MapRequest<'_>) -> Result<Self, MapError> {
         let robot = tool.robot;
         let solver = IkSolver::new(robot, tool.base, tool.tip, tool.tip_from_tool)?;
         let variables = solver.chain().variables();

@@ -4,7 +4,7 @@ use super::arm::{Arm, Positions, ToolGoal};
 use super::cells::{Cell, Cells};
 use super::directions::Directions;
 use super::{
-    CapabilityMap, FULL, Grid, MapConfig, MapError, MapOrigin, MapStage, MapTool, RobotHash,
+    CapabilityMap, FULL, Grid, MapConfig, MapError, MapOrigin, MapRequest, MapStage, RobotHash,
 };
 use crate::LinkId;
 use crate::geometry::Vector3;
@@ -31,7 +31,7 @@ impl CapabilityMap {
     /// known so far. The map does not depend on the number of threads.
     ///
     /// ```
-    /// # use wisch_robot::{CapabilityMap, MapConfig, MapTool, RobotModel};
+    /// # use wisch_robot::{CapabilityMap, MapConfig, MapRequest, RobotModel};
     /// # let joint = |name: &str, parent: &str, child: &str, axis: &str, range: &str| format!(
     /// #     r#"<joint name="{name}" type="{}"><parent link="{parent}"/><child link="{child}"/>
     /// #        <axis xyz="{axis}"/>{range}</joint><link name="{child}"/>"#,
@@ -43,7 +43,7 @@ impl CapabilityMap {
     /// # let robot = RobotModel::from_urdf("telescope", &text, &mut |_| Err(String::new()))?;
     /// use wisch_robot::geometry::{Point3, Pose};
     /// // A telescope from 0.3 m to 0.6 m that points in any direction, as does the tool at its end.
-    /// let tool = MapTool {
+    /// let tool = MapRequest {
     ///     robot: &robot,
     ///     base: robot.root(),
     ///     tip: robot.link("tool")?,
@@ -65,7 +65,7 @@ impl CapabilityMap {
     /// # Panics
     /// If a link belongs to another, larger robot.
     pub fn build(
-        tool: &MapTool<'_>,
+        tool: &MapRequest<'_>,
         is_free: impl Fn(&[f64]) -> bool + Sync,
         config: &MapConfig,
         progress: impl Fn(MapStage, u64, u64) + Sync,

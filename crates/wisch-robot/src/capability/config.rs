@@ -7,7 +7,7 @@ use crate::{LinkId, RobotModel};
 
 /// The tool whose reach is mapped, and the chain that moves it.
 #[derive(Debug, Clone, Copy)]
-pub struct MapTool<'a> {
+pub struct MapRequest<'a> {
     /// The robot.
     pub robot: &'a RobotModel,
     /// Base link, around which space is divided into voxels.

@@ -22,7 +22,7 @@ mod file;
 mod hash;
 mod packing;
 
-pub use config::{MapConfig, MapStage, MapTool};
+pub use config::{MapConfig, MapRequest, MapStage};
 pub use error::MapError;
 pub use file::MAX_MAP_BYTES;
 pub use hash::RobotHash;

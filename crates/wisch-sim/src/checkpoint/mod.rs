@@ -24,7 +24,7 @@ const BYTES: usize = size_of::<f64>();
 
 /// A round of an earlier run, and the time that executing it took.
 #[derive(Debug, Clone, PartialEq)]
-pub struct KeptRound {
+pub struct CheckpointRound {
     /// Telemetry and outcome of the round.
     pub recorded: RecordedRound,
     /// Observation before the first round; `None` for later rounds, or without a camera.
@@ -119,12 +119,12 @@ impl Checkpoints {
     }
 
     /// Reads the rounds that a killed run with this identity left, in order, up to the first that is missing.
-    pub fn read(&self) -> impl Iterator<Item = KeptRound> {
+    pub fn read(&self) -> impl Iterator<Item = CheckpointRound> {
         (1..).map_while(|number| read_round(&self.folder, number, self.identity))
     }
 }
 
-fn read_round(state: &Path, number: usize, identity: u64) -> Option<KeptRound> {
+fn read_round(state: &Path, number: usize, identity: u64) -> Option<CheckpointRound> {
     let text = fs::read(record_path(state, number)).ok()?;
     let record: CheckpointRecord = serde_json::from_slice(&text).ok()?;
     if record.schema != CHECKPOINT_SCHEMA || record.identity != identity {
@@ -139,7 +139,7 @@ fn read_round(state: &Path, number: usize, identity: u64) -> Option<KeptRound> {
         let executing_s = record.executing_s;
         let [first_look, observation] = record.looks();
         let (execution, truth) = record.executed();
-        KeptRound {
+        CheckpointRound {
             executing_s,
             first_look,
             recorded: RecordedRound {

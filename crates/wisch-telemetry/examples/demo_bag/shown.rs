@@ -5,7 +5,7 @@ use wisch::geometry::{Mesh, PlanarPose, Point2, Polygon, Pose, Vector2, Vector3}
 use wisch::plan::Stroke;
 use wisch::represent::{GoalState, SceneObject, ScenePart, Surface};
 use wisch::robot::RobotModel;
-use wisch_telemetry::{BagWriter, RobotShown, SceneShown};
+use wisch_telemetry::{BagRobot, BagScene, BagWriter};
 
 /// A robot with the joints of the made-up log.
 pub const URDF: &str = include_str!("arm.urdf");
@@ -19,7 +19,7 @@ pub const WORLD_FROM_ROOT: [f64; 3] = [0.0, -0.6, 0.77];
 pub fn write(bag: &mut BagWriter, wiping: &Wiping) -> Result<(), Box<dyn std::error::Error>> {
     let model = RobotModel::from_urdf("arm.urdf", URDF, &mut |_| Err("no meshes".to_owned()))?;
     let [x, y, z] = WORLD_FROM_ROOT;
-    bag.write_robot(&RobotShown {
+    bag.write_robot(&BagRobot {
         urdf: URDF,
         model: &model,
         world_from_root: Pose::translation(x, y, z),
@@ -48,7 +48,7 @@ pub fn write(bag: &mut BagWriter, wiping: &Wiping) -> Result<(), Box<dyn std::er
     ];
     let tool = Mesh::cuboid(Vector3::new(0.06, 0.09, 0.03))?
         .transformed(&Pose::translation(0.0, 0.0, 0.015));
-    bag.write_scene(&SceneShown {
+    bag.write_scene(&BagScene {
         surface: &surface,
         objects: &objects,
         tool: &tool,

@@ -9,7 +9,7 @@ const PREFIX: &str = "robot/";
 
 /// The robot that a bag shows.
 #[derive(Debug, Clone, Copy)]
-pub struct RobotShown<'a> {
+pub struct BagRobot<'a> {
     /// URDF of the robot, as text.
     pub urdf: &'a str,
     /// Model of the robot; its variables are those of the samples, in their order.
@@ -34,7 +34,7 @@ struct Moving {
 }
 
 impl LinkFrames {
-    pub fn new(robot: &RobotShown<'_>) -> Self {
+    pub fn new(robot: &BagRobot<'_>) -> Self {
         let links = robot.model.links();
         let root = &links[0].name;
         // Many descriptions call the floor their root, which is then the world's frame.
@@ -97,7 +97,7 @@ mod tests {
 
     fn frames(world_from_root: Pose) -> LinkFrames {
         let model = RobotModel::from_urdf("lift", URDF, &mut |_| Err(String::new())).unwrap();
-        LinkFrames::new(&RobotShown {
+        LinkFrames::new(&BagRobot {
             urdf: URDF,
             model: &model,
             world_from_root,

@@ -13,9 +13,9 @@ mod topic;
 mod unpack;
 mod writer;
 
-pub use links::RobotShown;
-pub use observation::LookTime;
+pub use links::BagRobot;
+pub use observation::ObservationTime;
 pub(crate) use reader::BagReader;
-pub use scene::SceneShown;
+pub use scene::BagScene;
 pub(crate) use topic::{FRAME_SURFACE, FRAME_WORLD};
 pub use writer::{BagHead, BagWriter, active_path};

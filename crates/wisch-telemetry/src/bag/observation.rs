@@ -12,7 +12,7 @@ use wisch::represent::{MAX_PARTICLES, Observation};
 
 /// Time of an observation relative to its round.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum LookTime {
+pub enum ObservationTime {
     /// Before the round begins.
     Before,
     /// After its last sample.

@@ -39,7 +39,7 @@ const fn color(r: f32, g: f32, b: f32, a: f32) -> Color {
 
 /// Scene that a bag shows.
 #[derive(Debug, Clone, Copy)]
-pub struct SceneShown<'a> {
+pub struct BagScene<'a> {
     /// The target surface.
     pub surface: &'a Surface,
     /// Objects around the surface; robot and tool are shown separately.
@@ -115,7 +115,7 @@ fn raise_by(height: f64) -> impl Fn(&Point2) -> Point3 {
 }
 
 /// Draws the surface, the objects around it, and the goal area.
-pub(super) fn scene(shown: &SceneShown<'_>) -> Vec<Drawn> {
+pub(super) fn scene(shown: &BagScene<'_>) -> Vec<Drawn> {
     let outline = &shown.surface.outline;
     let mut all = vec![surface_face(outline)];
     all.extend((0..).zip(outline.rings()).map(|(id, ring)| {

@@ -1,8 +1,8 @@
 //! Writer of telemetry as a ROS 2 bag: MCAP with CDR messages, written as the samples arrive.
 
-use super::links::{LinkFrames, RobotShown};
-use super::observation::{LookTime, point_cloud, polygon_stamped};
-use super::scene::{self, SceneShown};
+use super::links::{BagRobot, LinkFrames};
+use super::observation::{ObservationTime, point_cloud, polygon_stamped};
+use super::scene::{self, BagScene};
 use super::topic::{FRAME_SURFACE, FRAME_TOOL, FRAME_WORLD, NOTES, Topic};
 use crate::error::WriteError;
 use crate::ros2::full_definition;
@@ -302,7 +302,7 @@ impl BagWriter {
     /// # Errors
     /// If the number of the robot's variables differs from the number of joints in the bag, or if the file cannot be
     /// written.
-    pub fn write_robot(&mut self, robot: &RobotShown<'_>) -> Result<(), WriteError> {
+    pub fn write_robot(&mut self, robot: &BagRobot<'_>) -> Result<(), WriteError> {
         let (variables, joints) = (robot.model.dof(), self.head.joints.len());
         if variables != joints {
             return Err(WriteError::Robot {
@@ -326,7 +326,7 @@ impl BagWriter {
     ///
     /// # Errors
     /// If the file cannot be written.
-    pub fn write_scene(&mut self, scene: &SceneShown<'_>) -> Result<(), WriteError> {
+    pub fn write_scene(&mut self, scene: &BagScene<'_>) -> Result<(), WriteError> {
         self.put_markers(Topic::Scene, &scene::scene(scene))?;
         let time = self.now();
         self.put(Topic::Tool, time, &scene::tool(scene.tool).marker(time))
@@ -347,12 +347,12 @@ impl BagWriter {
     /// If the file cannot be written.
     pub fn write_observation(
         &mut self,
-        look: LookTime,
+        look: ObservationTime,
         observation: &Observation,
     ) -> Result<(), WriteError> {
         let (time, [dirt, hidden]) = match look {
-            LookTime::Before => (self.head.start, [Topic::DirtBefore, Topic::HiddenBefore]),
-            LookTime::After => (self.now(), [Topic::DirtAfter, Topic::HiddenAfter]),
+            ObservationTime::Before => (self.head.start, [Topic::DirtBefore, Topic::HiddenBefore]),
+            ObservationTime::After => (self.now(), [Topic::DirtAfter, Topic::HiddenAfter]),
         };
         self.put(dirt, time, &point_cloud(time, &observation.detections))?;
         for polygon in observation.hidden.polygons() {

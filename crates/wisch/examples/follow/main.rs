@@ -127,7 +127,7 @@ fn main() -> Result<(), AnyError> {
 fn trial(loaded: &LoadedTask, robot: &ShippedRobot) -> Result<Trial, AnyError> {
     let begin = Instant::now();
     let LoadedTask { file, task, .. } = loaded;
-    let mut session = Session::new(task, loaded.run_config()).with_robot(robot.performer());
+    let mut session = Session::new(task, loaded.run_config()).with_robot(robot.robot_setup());
     session.run_until(Stage::Planned, &mut NoExecutor, &mut unobserved)?;
     let plan = session.plan().ok_or("no plan")?.clone();
     let config = WorkcellConfig {

@@ -1,4 +1,4 @@
-//! The whole-body impedance controller (8): a saturated spring and damper at the tool, compensation of the
+//! The whole-body impedance controller (8): a saturate spring and damper at the tool, compensation of the
 //! weight, and a posture task in the null space.
 
 use super::{ControlConfig, Wrench};
@@ -197,7 +197,7 @@ impl ImpedanceController {
             self.posture[k] = 1.0;
             mass.solve_mut(&mut self.posture);
             let inertia = 1.0 / self.posture[k];
-            self.efforts[k] += end_stop(beyond, velocity, inertia);
+            self.efforts[k] += end_stop_effort(beyond, velocity, inertia);
         }
     }
 
@@ -264,11 +264,11 @@ impl ImpedanceController {
             2.0 * self.damping_ratio * q * Matrix6::from_diagonal(&roots) * q.transpose();
     }
 
-    /// Returns f_c: spring and damper at the tool, K Δx + D Δẋ, saturated in norm with the direction kept.
+    /// Returns f_c: spring and damper at the tool, K Δx + D Δẋ, saturate in norm with the direction kept.
     fn spring_and_damper(&self, measured: &Measured<'_>, desired: &Desired) -> Wrench {
         let linear = desired.world_from_tool.translation.vector
             - measured.world_from_tool.translation.vector;
-        let turn = turn_between(&measured.world_from_tool, &desired.world_from_tool);
+        let turn = rotation_vector_between(&measured.world_from_tool, &desired.world_from_tool);
         let error = Vector6::new(linear.x, linear.y, linear.z, turn.x, turn.y, turn.z);
         let mut velocity = desired.velocity;
         for &i in &self.compliant {
@@ -277,8 +277,8 @@ impl ImpedanceController {
         // f = K Δx + D Δẋ.
         let wrench = self.stiffness * error + self.damping * velocity;
         Wrench {
-            force: saturated(wrench.fixed_rows::<3>(0).into(), self.force_limit),
-            moment: saturated(wrench.fixed_rows::<3>(3).into(), self.moment_limit),
+            force: saturate(wrench.fixed_rows::<3>(0).into(), self.force_limit),
+            moment: saturate(wrench.fixed_rows::<3>(3).into(), self.moment_limit),
         }
     }
 
@@ -306,14 +306,14 @@ pub fn beyond(range: &Range, position: f64) -> Option<f64> {
 
 /// Effort of a joint's end stop: a spring back to the end of its range, and a damper while the joint moves
 /// further out.
-pub fn end_stop(beyond: f64, velocity: f64, inertia: f64) -> f64 {
+pub fn end_stop_effort(beyond: f64, velocity: f64, inertia: f64) -> f64 {
     let outwards = (velocity * beyond.signum()).max(0.0) * beyond.signum();
     // Critically damped: −m (ω² x + 2 ω v), with the velocity v outwards only.
     -inertia * (END_STOP_RATE * END_STOP_RATE * beyond + 2.0 * END_STOP_RATE * outwards)
 }
 
 /// S: returns the vector, shortened to the limit with its direction kept.
-pub fn saturated(vector: Vector3, limit: f64) -> Vector3 {
+pub fn saturate(vector: Vector3, limit: f64) -> Vector3 {
     let norm = vector.norm();
     if norm > limit {
         vector * (limit / norm)
@@ -324,7 +324,7 @@ pub fn saturated(vector: Vector3, limit: f64) -> Vector3 {
 
 /// Returns the rotation vector that turns one frame into the other, in the axes of the world [rad]. It uses
 /// atan2, which is accurate near 0 and π.
-pub fn turn_between(from: &Pose, to: &Pose) -> Vector3 {
+pub fn rotation_vector_between(from: &Pose, to: &Pose) -> Vector3 {
     let between = to.rotation * from.rotation.inverse();
     let (scalar, vector) = (between.w, between.imag());
     let sine = vector.norm();

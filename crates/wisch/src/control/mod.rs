@@ -2,7 +2,7 @@
 //! estimates external forces from joint torques; paper §4.1.
 //!
 //! Torso and arm are driven by torques alone. The controller pulls the tool along its line with a spring that
-//! is commanded into the surface and saturated at the force of the task. A person who pushes the robot
+//! is commanded into the surface and saturate at the force of the task. A person who pushes the robot
 //! therefore meets no larger force. The controller does not know whether the robot is real or simulated.
 
 mod config;
@@ -15,7 +15,7 @@ mod tests;
 pub use config::ControlConfig;
 pub use impedance::{Desired, ImpedanceController, Measured, Posture};
 pub use momentum_observer::MomentumObserver;
-pub use motion_controller::{ControlCommand, MotionController, pressed_in, tool_load};
+pub use motion_controller::{ControlCommand, MotionController, press_into_surface, tool_load};
 
 use crate::geometry::Vector3;
 

@@ -16,7 +16,7 @@ const GRAVITY: Vector3 = Vector3::new(0.0, 0.0, -9.81);
 /// Returns the commanded pose that makes the tool press: its pose on the estimated surface, shifted into the
 /// surface by as much as the spring needs. The shift grows as the tool comes down. In free motion the pose
 /// stays as it is.
-pub fn pressed_in(
+pub fn press_into_surface(
     world_from_tool: Pose,
     phase: Option<Phase>,
     task: &Task,
@@ -62,7 +62,7 @@ pub struct ControlCommand {
     pub world_from_tool: Pose,
     /// Desired pose and twist of the tool, the press into the surface included.
     pub desired: Desired,
-    /// f_c: the controller's wrench on the tool, saturated.
+    /// f_c: the controller's wrench on the tool, saturate.
     pub controller: Wrench,
     /// f_ext: the observed external wrench on the tool.
     pub external: Wrench,
@@ -298,7 +298,7 @@ impl MotionController {
         }
         let phase = motion.map(|motion| motion.phase);
         Desired {
-            world_from_tool: pressed_in(world_from_tool, phase, task, &self.config),
+            world_from_tool: press_into_surface(world_from_tool, phase, task, &self.config),
             velocity,
         }
     }

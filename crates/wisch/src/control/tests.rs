@@ -1,7 +1,8 @@
 //! Laws of the controller and the observer.
 
 use super::impedance::{
-    Desired, ImpedanceController, Measured, Posture, beyond, end_stop, saturated, turn_between,
+    Desired, ImpedanceController, Measured, Posture, beyond, end_stop_effort,
+    rotation_vector_between, saturate,
 };
 use super::{ControlConfig, MomentumObserver};
 use crate::geometry::{Pose, Vector3};
@@ -131,7 +132,7 @@ impl Machine {
 }
 
 /// Returns the largest overshoot past the goal over the distance to it, after a start 1 mm off, at which no
-/// force is saturated.
+/// force is saturate.
 fn overshoot(machine: &mut Machine) -> f64 {
     let start = 1e-3;
     machine.q[0] = start;
@@ -257,10 +258,10 @@ fn within_its_range_a_joint_knows_of_no_end() {
     assert_eq!(beyond(&range, -0.75), Some(-0.25));
     // The spring drives back; the damper brakes only what goes further.
     for side in [-1.0, 1.0] {
-        let at_rest = end_stop(0.01 * side, 0.0, 2.0);
+        let at_rest = end_stop_effort(0.01 * side, 0.0, 2.0);
         assert!(at_rest * side < 0.0);
-        assert_eq!(end_stop(0.01 * side, -side, 2.0), at_rest);
-        assert!(end_stop(0.01 * side, side, 2.0).abs() > at_rest.abs());
+        assert_eq!(end_stop_effort(0.01 * side, -side, 2.0), at_rest);
+        assert!(end_stop_effort(0.01 * side, side, 2.0).abs() > at_rest.abs());
     }
 }
 
@@ -272,12 +273,12 @@ fn control_follows_the_turn_between_two_poses_on_the_short_way() {
             Pose::identity().translation,
             UnitQuaternion::from_scaled_axis(axis * angle),
         );
-        let turn = turn_between(&Pose::identity(), &to);
+        let turn = rotation_vector_between(&Pose::identity(), &to);
         assert!((turn - axis * angle).norm() < 1e-12, "{turn} for {angle}");
         // Both quaternions of a rotation are the same turn.
         let twin = UnitQuaternion::new_unchecked(-to.rotation.into_inner());
         let twin = Pose::from_parts(to.translation, twin);
-        assert!((turn_between(&Pose::identity(), &twin) - turn).norm() < 1e-12);
+        assert!((rotation_vector_between(&Pose::identity(), &twin) - turn).norm() < 1e-12);
     }
 }
 
@@ -288,7 +289,7 @@ fn vectors() -> impl Strategy<Value = Vector3> {
 proptest! {
     #[test]
     fn a_saturated_force_keeps_its_direction_and_its_limit(force in vectors(), limit in 0.1..100.0) {
-        let cut = saturated(force, limit);
+        let cut = saturate(force, limit);
         prop_assert!(cut.norm() <= limit * (1.0 + 1e-12));
         prop_assert!(cut.cross(&force).norm() <= 1e-9 * force.norm_squared());
         prop_assert!(cut.dot(&force) >= 0.0);

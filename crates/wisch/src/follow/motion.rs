@@ -287,7 +287,7 @@ impl Followed {
 
     /// Returns these motions after `first`, with their times shifted.
     #[must_use]
-    pub fn preceded_by(mut self, first: Vec<Motion>) -> Self {
+    pub fn prepend(mut self, first: Vec<Motion>) -> Self {
         let begin = first.last().map_or(0.0, Motion::end);
         for motion in &mut self.motions {
             motion.start += begin;

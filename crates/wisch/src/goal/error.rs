@@ -50,7 +50,7 @@ pub enum GoalError {
         list(available),
         list(capable)
     )]
-    CapableToolMissing {
+    CapableToolNotAvailable {
         /// Action that would reach the goal.
         action: Action,
         /// Medium of the goal.
@@ -67,7 +67,7 @@ pub enum GoalError {
         "{goal} needs {tool}, which is not available; available: {}",
         list(available)
     )]
-    ToolNotAtHand {
+    ToolNotAvailable {
         /// Goal as written.
         goal: String,
         /// The tool.

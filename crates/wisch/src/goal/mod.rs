@@ -105,7 +105,7 @@ pub struct ResolvedGoal {
 ///
 /// [`GoalError::Text`] for a predicate that is not in the domain, and [`GoalError::Knowledge`] for a medium, surface or
 /// tool that is not in the knowledge base; both give the nearest name. [`GoalError::NoCapableTool`],
-/// [`GoalError::CapableToolMissing`], [`GoalError::ToolNotAtHand`] or [`GoalError::NoPlan`] if the goal cannot be
+/// [`GoalError::CapableToolNotAvailable`], [`GoalError::ToolNotAvailable`] or [`GoalError::NoPlan`] if the goal cannot be
 /// reached, and [`GoalError::NoWiping`] if no wiping is needed. [`GoalError::TooLarge`] if the search would take more
 /// than about a second.
 ///
@@ -138,7 +138,7 @@ pub fn resolve_goal(
         }
     }
     if let Some(tool) = target.tools.iter().find(|tool| !at_hand.contains(tool)) {
-        return Err(GoalError::ToolNotAtHand {
+        return Err(GoalError::ToolNotAvailable {
             goal: literal.to_string(),
             tool: (*tool).to_owned(),
             available: owned(&at_hand),
@@ -254,7 +254,7 @@ impl<'a> Target<'a> {
             }
             tools.extend(capable.iter().filter(|tool| at_hand.contains(tool)));
             if tools.is_empty() {
-                return Err(GoalError::CapableToolMissing {
+                return Err(GoalError::CapableToolNotAvailable {
                     action,
                     medium,
                     surface,

@@ -41,14 +41,14 @@ const LONGEST_GAP: f64 = 1.0;
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Doubt {
     /// The tool came near the surface, but its force shows no contact.
-    NothingFelt {
+    NoContactForce {
         /// Smallest distance of the tool from the believed surface [m].
         closest: f64,
         /// Size of the force that 90 % of the time near the surface stays below [N].
         force: f64,
     },
     /// The tool never came near the surface.
-    StayedAway {
+    NeverNearSurface {
         /// Smallest distance of the tool from the believed surface [m].
         closest: f64,
     },
@@ -64,7 +64,7 @@ pub enum Doubt {
         is_convex: bool,
     },
     /// The tool pressed with a force other than the declared one.
-    PressedOtherwise {
+    PressForceDiffers {
         /// Force with which the tool pressed for most of the time [N].
         force: f64,
         /// Declared force [N].
@@ -74,16 +74,16 @@ pub enum Doubt {
         matters: f64,
     },
     /// The force of contact points into the surface: the log holds the force of the tool on the surface.
-    SignTurned,
+    WrenchSignInverted,
     /// The force of contact does not lie along the surface's normal: it is given in another frame.
-    FrameTurned {
+    WrenchFrameRotated {
         /// Its direction, a unit vector.
         direction: [f64; 3],
         /// Whether it is constant in the axes of the tool rather than in those of the surface.
         in_tool: bool,
     },
     /// The clocks of force and position differ by a constant.
-    ClocksApart {
+    ClockOffset {
         /// Delay of the force; negative where it is early [s].
         offset: f64,
     },
@@ -97,19 +97,19 @@ pub enum Doubt {
         missing: f64,
     },
     /// A person guided the tool by hand: the force is that of the hand as well as that of the surface.
-    LedByHand {
+    HandGuided {
         /// Share of the log [1].
         share: f64,
     },
     /// The tool pressed with its nominal force, but far from the believed surface.
-    PressedFarOff {
+    ContactFarFromSurface {
         /// Median height of the pressing tool over the believed surface [m].
         height: f64,
         /// Largest distance from the believed surface at which contact is searched [m].
         searched: f64,
     },
     /// The tool was in contact mostly beside the surface.
-    PressedBeside {
+    ContactBesideSurface {
         /// Share of the contact time beside the outline [1].
         share: f64,
     },
@@ -121,12 +121,12 @@ pub enum Doubt {
         confident: usize,
     },
     /// The tool was near the surface, but hardly in contact with it.
-    HardlyTouching {
+    LittleContact {
         /// Time in contact over the time on or near the surface [1].
         share: f64,
     },
     /// In contact, the tool hardly moved along the surface.
-    HardlySliding {
+    LittleSliding {
         /// Travel along the surface in contact [m].
         travel: f64,
         /// Radius of the tool [m].
@@ -138,21 +138,21 @@ impl Doubt {
     /// Whether the log cannot show what was wiped. The remaining doubts state how it was read.
     pub fn is_decisive(&self) -> bool {
         match self {
-            Self::PressedOtherwise { matters, .. } => *matters > MOST_BY_SCALE,
-            Self::NothingFelt { .. }
-            | Self::StayedAway { .. }
+            Self::PressForceDiffers { matters, .. } => *matters > MOST_BY_SCALE,
+            Self::NoContactForce { .. }
+            | Self::NeverNearSurface { .. }
             | Self::NoFreeMotion
             | Self::Curved { .. }
-            | Self::LedByHand { .. }
-            | Self::PressedFarOff { .. }
-            | Self::PressedBeside { .. }
+            | Self::HandGuided { .. }
+            | Self::ContactFarFromSurface { .. }
+            | Self::ContactBesideSurface { .. }
             | Self::Scattered { .. } => true,
-            Self::SignTurned
-            | Self::FrameTurned { .. }
-            | Self::ClocksApart { .. }
+            Self::WrenchSignInverted
+            | Self::WrenchFrameRotated { .. }
+            | Self::ClockOffset { .. }
             | Self::Incomplete { .. }
-            | Self::HardlyTouching { .. }
-            | Self::HardlySliding { .. } => false,
+            | Self::LittleContact { .. }
+            | Self::LittleSliding { .. } => false,
         }
     }
 
@@ -165,12 +165,12 @@ impl Doubt {
 impl fmt::Display for Doubt {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match *self {
-            Self::NothingFelt { closest, force } => write!(
+            Self::NoContactForce { closest, force } => write!(
                 f,
                 "the tool came within {:.1} mm of the believed surface, but its force shows no contact (it stays below {force:.1} N there): check the height of the surface, and the link and frame of the wrench; or the tool did not press",
                 1e3 * closest
             ),
-            Self::StayedAway { closest } => write!(
+            Self::NeverNearSurface { closest } => write!(
                 f,
                 "the tool never came within {:.0} mm of the believed surface (closest: {closest:.3} m): check the pose of the surface, the frame of the log and its unit of length",
                 1e3 * NEAR
@@ -183,28 +183,28 @@ impl fmt::Display for Doubt {
                 axis,
                 is_convex,
             } => write_curved(f, radius, axis, is_convex),
-            Self::PressedOtherwise {
+            Self::PressForceDiffers {
                 force,
                 declared,
                 matters,
             } => write_pressed_otherwise(f, force, declared, matters),
-            Self::SignTurned => f.write_str(
+            Self::WrenchSignInverted => f.write_str(
                 "the force of contact points into the surface: read with the opposite sign (--wrench-sign)",
             ),
-            Self::FrameTurned { direction, in_tool } => write_frame_turned(f, direction, in_tool),
-            Self::ClocksApart { offset } => write_clock_offset(f, offset),
+            Self::WrenchFrameRotated { direction, in_tool } => write_frame_turned(f, direction, in_tool),
+            Self::ClockOffset { offset } => write_clock_offset(f, offset),
             Self::Incomplete {
                 begins,
                 ends,
                 missing,
             } => write_incomplete(f, begins, ends, missing),
-            Self::LedByHand { share } => write!(
+            Self::HandGuided { share } => write!(
                 f,
                 "a person guides the tool by hand for {:.0} % of the log",
                 100.0 * share
             ),
-            Self::PressedFarOff { height, searched } => write_far_off(f, height, searched),
-            Self::PressedBeside { share } => write!(
+            Self::ContactFarFromSurface { height, searched } => write_far_off(f, height, searched),
+            Self::ContactBesideSurface { share } => write!(
                 f,
                 "{:.0} % of the contact time is beside the surface: check the pose and the outline of the surface",
                 100.0 * share
@@ -213,12 +213,12 @@ impl fmt::Display for Doubt {
                 f,
                 "only {inliers} of {confident} confident contacts lie on one plane"
             ),
-            Self::HardlyTouching { share } => write!(
+            Self::LittleContact { share } => write!(
                 f,
                 "the tool is in contact for only {:.0} % of its time on or near the surface",
                 100.0 * share
             ),
-            Self::HardlySliding { travel, radius } => write!(
+            Self::LittleSliding { travel, radius } => write!(
                 f,
                 "in contact the tool slid {travel:.3} m in all, less than its own radius of {radius:.3} m"
             ),
@@ -241,7 +241,7 @@ fn write_curved(
     )
 }
 
-/// Writes [`Doubt::PressedOtherwise`].
+/// Writes [`Doubt::PressForceDiffers`].
 fn write_pressed_otherwise(
     f: &mut fmt::Formatter<'_>,
     force: f64,
@@ -260,7 +260,7 @@ fn write_pressed_otherwise(
     )
 }
 
-/// Writes [`Doubt::FrameTurned`].
+/// Writes [`Doubt::WrenchFrameRotated`].
 fn write_frame_turned(
     f: &mut fmt::Formatter<'_>,
     [x, y, z]: [f64; 3],
@@ -273,7 +273,7 @@ fn write_frame_turned(
     )
 }
 
-/// Writes [`Doubt::ClocksApart`].
+/// Writes [`Doubt::ClockOffset`].
 fn write_clock_offset(f: &mut fmt::Formatter<'_>, offset: f64) -> fmt::Result {
     let late = if offset < 0.0 { "early" } else { "late" };
     write!(
@@ -303,7 +303,7 @@ fn write_incomplete(
     )
 }
 
-/// Writes [`Doubt::PressedFarOff`].
+/// Writes [`Doubt::ContactFarFromSurface`].
 fn write_far_off(f: &mut fmt::Formatter<'_>, height: f64, searched: f64) -> fmt::Result {
     let side = if height < 0.0 { "below" } else { "above" };
     let height = height.abs();
@@ -369,12 +369,12 @@ impl LogEvidence<'_> {
             ),
             (
                 contact_share < LEAST_CONTACT,
-                Doubt::HardlyTouching {
+                Doubt::LittleContact {
                     share: contact_share,
                 },
             ),
-            (travel < radius, Doubt::HardlySliding { travel, radius }),
-            (share > MOST_BESIDE, Doubt::PressedBeside { share }),
+            (travel < radius, Doubt::LittleSliding { travel, radius }),
+            (share > MOST_BESIDE, Doubt::ContactBesideSurface { share }),
         ];
         doubts.extend(
             all.into_iter()
@@ -415,7 +415,7 @@ impl LogEvidence<'_> {
             .map(|piece| piece.mean_height.abs())
             .min_by(f64::total_cmp)?;
         if closest > NEAR {
-            return Some(Doubt::StayedAway { closest });
+            return Some(Doubt::NeverNearSurface { closest });
         }
         let is_low = self.is_low();
         let mut forces: Vec<f64> = (self.pieces.iter().zip(is_low))
@@ -424,7 +424,7 @@ impl LogEvidence<'_> {
             .collect();
         forces.sort_unstable_by(f64::total_cmp);
         let force = forces.get(forces.len() * 9 / 10).copied().unwrap_or(0.0);
-        Some(Doubt::NothingFelt { closest, force })
+        Some(Doubt::NoContactForce { closest, force })
     }
 
     /// Returns a doubt if the contacts lie on a cylinder.
@@ -446,8 +446,8 @@ impl LogEvidence<'_> {
         let reading = self.reading;
         let turned = match reading.direction {
             PressDirection::Outward => None,
-            PressDirection::Inward => Some(Doubt::SignTurned),
-            PressDirection::Turned { direction, in_tool } => Some(Doubt::FrameTurned {
+            PressDirection::Inward => Some(Doubt::WrenchSignInverted),
+            PressDirection::Turned { direction, in_tool } => Some(Doubt::WrenchFrameRotated {
                 direction: direction.into(),
                 in_tool,
             }),
@@ -458,13 +458,13 @@ impl LogEvidence<'_> {
         let is_other = !(1.0 / OTHER_FORCE..=OTHER_FORCE).contains(&ratio);
         let otherwise = is_other
             .then_some(reference)
-            .map(|force| Doubt::PressedOtherwise {
+            .map(|force| Doubt::PressForceDiffers {
                 force,
                 declared,
                 matters: 0.0,
             });
         let offset = reading.clock_offset;
-        let clocks = (offset != 0.0).then_some(Doubt::ClocksApart { offset });
+        let clocks = (offset != 0.0).then_some(Doubt::ClockOffset { offset });
         turned.into_iter().chain(otherwise).chain(clocks)
     }
 
@@ -529,7 +529,7 @@ fn find_hand_guiding(path: &[PathPiece], events: &[Event]) -> Option<Doubt> {
     let led: f64 = led.map(|event| event.end - event.start).sum();
     let all = path.last()?.time[1] - path.first()?.time[0];
     let share = led / all;
-    (share > MOST_LED).then_some(Doubt::LedByHand { share })
+    (share > MOST_LED).then_some(Doubt::HandGuided { share })
 }
 
 /// Returns a doubt if the tool pressed too far from the believed surface. Without a plane, heights are those over the
@@ -550,5 +550,5 @@ fn find_distant_contact(path: &[PathPiece], config: &InterpretConfig) -> Option<
     }
     let height = at(5);
     let searched = config.search_height_m;
-    (height.abs() > searched).then_some(Doubt::PressedFarOff { height, searched })
+    (height.abs() > searched).then_some(Doubt::ContactFarFromSurface { height, searched })
 }

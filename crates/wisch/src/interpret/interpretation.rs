@@ -61,7 +61,7 @@ pub struct Interpretation {
 impl Interpretation {
     /// Whether the log or a later observation shows what was wiped. If not, the belief holds what is possible, and the
     /// doubts state why, the most likely cause first.
-    pub fn can_be_told(&self) -> bool {
+    pub fn is_conclusive(&self) -> bool {
         let is_felt =
             self.diagnosis != Diagnosis::NoContact && !self.doubts.iter().any(Doubt::is_decisive);
         is_felt || self.observation.is_some()

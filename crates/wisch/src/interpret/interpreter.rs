@@ -157,11 +157,11 @@ impl Interpreter {
         let mut distribution = belief.performance(goal, &self.surface, deviation);
         let mut analysis = analysis;
         for doubt in &mut analysis.doubts {
-            if let Doubt::PressedOtherwise { matters, .. } = doubt {
+            if let Doubt::PressForceDiffers { matters, .. } = doubt {
                 *matters = replay.difference_by_scale(&belief, goal);
             }
         }
-        let is_unscaled = |doubt: &Doubt| !matches!(doubt, Doubt::PressedOtherwise { .. });
+        let is_unscaled = |doubt: &Doubt| !matches!(doubt, Doubt::PressForceDiffers { .. });
         if analysis
             .doubts
             .iter()
@@ -266,8 +266,12 @@ impl Interpreter {
         } else {
             Vec::new()
         };
-        let is_other_surface =
-            |doubt: &Doubt| matches!(doubt, Doubt::PressedFarOff { .. } | Doubt::Curved { .. });
+        let is_other_surface = |doubt: &Doubt| {
+            matches!(
+                doubt,
+                Doubt::ContactFarFromSurface { .. } | Doubt::Curved { .. }
+            )
+        };
         if doubts.iter().any(is_other_surface) {
             // A force off the plane is that of another surface and not that of a hand.
             events.retain(|event| !event.kind.is_by_hand());

@@ -17,8 +17,8 @@ mod interpreter;
 mod uncertainty;
 
 pub use belief::{
-    Belief, COUNT_SPREAD, DensityMap, DirtPrior, Estimate, Exposure, Look, PerformanceDistribution,
-    Touched,
+    Belief, COUNT_SPREAD, DensityMap, DirtPrior, Estimate, Exposure, Look, ParticleTouch,
+    PerformanceDistribution,
 };
 pub use config::{EventConfig, InterpretConfig, PlaneConfig, ToolCompliance, members};
 pub use contact::{FittedPlane, PathPiece, PlaneFit, ToolStiffness, Touch, TouchSample, fit_plane};

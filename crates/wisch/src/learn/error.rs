@@ -25,7 +25,7 @@ pub enum LearnError {
         law: String,
         /// Index of the round.
         round: usize,
-        /// Field of [`SeenRound`](super::SeenRound).
+        /// Field of [`ObservedRound`](super::ObservedRound).
         field: &'static str,
         /// Number of entries.
         found: usize,

@@ -32,7 +32,7 @@ const LEAST_LIKELIHOOD: f64 = 1e-300;
 
 /// A round of wiping with observations before and after it; places in the frame of the believed surface.
 #[derive(Debug, Clone, PartialEq)]
-pub struct SeenRound {
+pub struct ObservedRound {
     /// Observation before the round.
     pub before: Observation,
     /// Observation after the round.
@@ -75,7 +75,7 @@ pub(super) struct Seen(Vec<Vec<f64>>);
 
 impl<'a> RoundEvidence<'a> {
     pub(super) fn of(
-        round: &'a SeenRound,
+        round: &'a ObservedRound,
         index: usize,
         law: &dyn Fn() -> String,
     ) -> Result<Self, LearnError> {
@@ -99,7 +99,7 @@ impl<'a> RoundEvidence<'a> {
     }
 }
 
-impl SeenRound {
+impl ObservedRound {
     /// Checks that each detection before the round has its exposures, and an earlier f′ if any detection has.
     fn check_counts(&self, index: usize, law: &dyn Fn() -> String) -> Result<(), LearnError> {
         let expected = self.before.detections.len();
@@ -147,7 +147,7 @@ impl SeenRound {
 
 /// Detections of a round, with the densities that associate those before with those after.
 struct RoundDetections<'a> {
-    round: &'a SeenRound,
+    round: &'a ObservedRound,
     /// Indices of detections before the round whose places were observed after it.
     observed_indices: Vec<usize>,
     places: Vec<Point2>,
@@ -162,7 +162,7 @@ struct RoundDetections<'a> {
 }
 
 impl<'a> RoundDetections<'a> {
-    fn of(round: &'a SeenRound) -> Self {
+    fn of(round: &'a ObservedRound) -> Self {
         let (before, after) = (&round.before.detections, &round.after.detections);
         let Sight { sensor, detection } = round.sight;
         let alarms = sensor.false_alarms_per_m2 * round.area_m2;

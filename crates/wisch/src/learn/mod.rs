@@ -19,7 +19,7 @@ mod pooling;
 mod posterior;
 
 pub use error::LearnError;
-pub use evidence::SeenRound;
+pub use evidence::ObservedRound;
 pub use posterior::PosteriorSummary;
 
 use crate::represent::{Interaction, LogNormal, LogNormalSpread, Redraw};
@@ -59,7 +59,7 @@ pub struct Lesson<'a> {
     /// r_s of the tool, the prior mean of ℓ if the entry has none [m].
     pub collision_radius_m: f64,
     /// Rounds of any episodes.
-    pub rounds: &'a [SeenRound],
+    pub rounds: &'a [ObservedRound],
 }
 
 /// Posterior of a law.
@@ -119,8 +119,8 @@ impl LearnedLaw {
 ///
 /// ```
 /// use wisch::geometry::{Point2, Region};
-/// use wisch::interpret::{Exposure, Touched};
-/// use wisch::learn::{LearnConfig, Lesson, SeenRound, learn};
+/// use wisch::interpret::{Exposure, ParticleTouch};
+/// use wisch::learn::{LearnConfig, Lesson, ObservedRound, learn};
 /// use wisch::represent::*;
 /// # let interaction = Interaction {
 /// #     tool: "sponge".into(),
@@ -140,9 +140,9 @@ impl LearnedLaw {
 /// // Forty crumbs in a row, each touched once at f′ = 0.35; every second one stays.
 /// let places: Vec<Point2> = (0..40).map(|i| Point2::new(0.02 * f64::from(i), 0.0)).collect();
 /// let stayed: Vec<Point2> = places.iter().copied().step_by(2).collect();
-/// let touch = Exposure::new(vec![Touched { travel: [0.0, 0.01], share: 0.35 }]);
+/// let touch = Exposure::new(vec![ParticleTouch { travel: [0.0, 0.01], share: 0.35 }]);
 /// let sensor = SensorModel::default();
-/// let round = SeenRound {
+/// let round = ObservedRound {
 ///     before: Observation { detections: places.clone(), hidden: Region::default() },
 ///     after: Observation { detections: stayed, hidden: Region::default() },
 ///     sight: Sight { sensor, detection: sensor.detection },

@@ -34,7 +34,7 @@ pub use given_strokes::{
 };
 pub use graph::{Node, NodeRole, SemanticDirectedGraph};
 pub use heading::HeadingRule;
-pub use objective::is_gainful;
+pub use objective::has_predicted_gain;
 pub(crate) use planner::highest_score;
 pub use planner::{Candidate, Planner, Portfolio, plan};
 pub(crate) use policies::{order_nodes, rejoin_nodes};

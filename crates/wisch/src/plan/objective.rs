@@ -27,7 +27,7 @@ pub(super) fn objective_at_rest(task: &Task, goal: &GoalState) -> i64 {
 }
 
 /// Whether a plan is predicted to be better than doing nothing.
-pub fn is_gainful(task: &Task, plan: &Plan) -> bool {
+pub fn has_predicted_gain(task: &Task, plan: &Plan) -> bool {
     objective(task, plan) > objective_at_rest(task, &plan.graph.goal)
 }
 
@@ -310,9 +310,9 @@ mod tests {
         let achieved = |plan| predict(&heap, plan, |_| ()).performance.achieved;
         assert_eq!([achieved(&rim), achieved(&middle)], [50; 2]);
         assert!(objective(&heap, &rim) < objective(&heap, &middle) - 20);
-        assert!(is_gainful(&heap, &middle));
+        assert!(has_predicted_gain(&heap, &middle));
         // Where the heap lies in the goal already, the push gains nothing.
         let away = towards_the_edge(-0.05, goal(0.0));
-        assert!(!is_gainful(&heap, &away));
+        assert!(!has_predicted_gain(&heap, &away));
     }
 }

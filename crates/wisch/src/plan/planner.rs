@@ -295,7 +295,7 @@ fn plan_by(
 fn finish(plan: Plan, task: &Task, space: &FreeSpace, config: &PlanConfig) -> Plan {
     let places: Vec<Point2> = task.particles.remaining().collect();
     let plan = match config.max_distance {
-        Some(most) if plan.contact_distance() > most => plan.cut_off(most),
+        Some(most) if plan.contact_distance() > most => plan.truncate(most),
         _ => plan,
     };
     Plan {

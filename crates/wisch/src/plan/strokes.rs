@@ -74,7 +74,7 @@ impl Plan {
 
     /// Returns the plan up to a distance in contact [m]; the stroke in progress ends there.
     #[must_use]
-    pub fn cut_off(&self, distance: f64) -> Self {
+    pub fn truncate(&self, distance: f64) -> Self {
         let mut cut = self.clone();
         cut.strokes.clear();
         let mut left = distance;

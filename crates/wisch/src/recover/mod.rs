@@ -4,10 +4,10 @@ mod next_task;
 mod verdict;
 
 pub use next_task::{
-    PLANNING_DRAWS, believed_performance, is_done, next_task, recovery_candidates, relocalized,
+    PLANNING_DRAWS, expected_performance, is_done, next_task, recovery_candidate_count, relocate,
     unfinished,
 };
 pub use verdict::{
-    Claim, FALSE_BY, FALSE_CLAIMS, LEAST_PROGRESS, Pace, RoundJudge, RoundOutcome, Verdict,
-    is_claimable, judge_log,
+    Claim, FALSE_CLAIM_MARGIN, MAX_FALSE_CLAIM_PROBABILITY, MIN_PROGRESS, Pace, RoundOutcome,
+    TerminationPolicy, Verdict, is_claimable, judge_log,
 };

@@ -27,7 +27,7 @@ pub fn next_task(
     seed: u64,
 ) -> Result<Task, ParticleError> {
     let mut next = match interpretation.diagnosis {
-        Diagnosis::Relocalize { world_from_surface } => relocalized(task, world_from_surface),
+        Diagnosis::Relocalize { world_from_surface } => relocate(task, world_from_surface),
         Diagnosis::Localized | Diagnosis::NoContact | Diagnosis::Hovering => task.clone(),
     };
     if let GoalState::Collected { center, .. } = goal {
@@ -40,7 +40,7 @@ pub fn next_task(
 
 /// Returns the task with its surface, and everything around it, moved to another pose: the localisation error
 /// is that of the robot before the scene.
-pub fn relocalized(task: &Task, world_from_surface: Pose) -> Task {
+pub fn relocate(task: &Task, world_from_surface: Pose) -> Task {
     let moved = world_from_surface * task.surface.world_from_surface.inverse();
     let mut next = task.clone();
     next.surface.world_from_surface = world_from_surface;
@@ -96,14 +96,14 @@ pub fn is_done(
 
 /// Number of candidate plans for remaining dirt. Prediction time grows with the edges of the tool's footprint,
 /// so a brush of a thousand tufts gets few plans.
-pub fn recovery_candidates(footprint: &Region) -> usize {
+pub fn recovery_candidate_count(footprint: &Region) -> usize {
     let [most, least] = RECOVERY_CANDIDATES;
     let edges = footprint.edges().count().max(1);
     (RECOVERY_EDGES / edges).clamp(least, most)
 }
 
 /// Expected share of the particles that meet the goal under a belief [1].
-pub fn believed_performance(belief: &Belief, goal: &GoalState, surface: &Surface) -> f64 {
+pub fn expected_performance(belief: &Belief, goal: &GoalState, surface: &Surface) -> f64 {
     belief.performance(goal, surface, 0.0).mean()
 }
 
@@ -148,8 +148,8 @@ mod tests {
     fn a_tool_of_many_edges_tries_few_plans_and_a_sponge_many() {
         let tufts =
             |count: usize| Region::new(vec![Polygon::rectangle(Vector2::new(0.01, 0.01)); count]);
-        assert_eq!(recovery_candidates(&tufts(1)), 50);
-        assert_eq!(recovery_candidates(&tufts(50)), 10);
-        assert_eq!(recovery_candidates(&tufts(1000)), 3);
+        assert_eq!(recovery_candidate_count(&tufts(1)), 50);
+        assert_eq!(recovery_candidate_count(&tufts(50)), 10);
+        assert_eq!(recovery_candidate_count(&tufts(1000)), 3);
     }
 }

@@ -4,13 +4,13 @@ use crate::interpret::{Diagnosis, Doubt, Interpretation, PerformanceDistribution
 use std::fmt;
 
 /// Smallest rise of the estimate that counts as progress [1].
-pub const LEAST_PROGRESS: f64 = 0.005;
+pub const MIN_PROGRESS: f64 = 0.005;
 /// Number of consecutive strokes without progress after which the next is not expected to help.
 const STALLED_STROKES: usize = 4;
 /// Distance of the performance below the target at which a claim is false [1].
-pub const FALSE_BY: f64 = 0.1;
+pub const FALSE_CLAIM_MARGIN: f64 = 0.1;
 /// Largest accepted probability of a false claim [1].
-pub const FALSE_CLAIMS: f64 = 0.002;
+pub const MAX_FALSE_CLAIM_PROBABILITY: f64 = 0.002;
 
 /// Amount of work in one round, before its result is interpreted.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -40,7 +40,7 @@ pub enum Verdict {
     UnsafeMotion,
     /// The log does not show what was wiped: it has no contact, or its doubts contradict the result. This is
     /// neither success nor failure.
-    CannotBeTold,
+    Undecidable,
     /// The goal may be met or not: further wiping is expected to change nothing, and touch cannot decide. For a
     /// tool that hovers, touch never can.
     UnknowableByTouch,
@@ -56,14 +56,14 @@ impl Verdict {
             Self::NoWay => "no way to wipe again",
             Self::NothingToGain => "nothing to gain",
             Self::UnsafeMotion => "unsafe motion",
-            Self::CannotBeTold => "cannot be told",
+            Self::Undecidable => "cannot be told",
             Self::UnknowableByTouch => "unknowable by touch",
         }
     }
 }
 
 /// Whether the goal may be claimed: the expected performance reaches the target, and a performance more than
-/// [`FALSE_BY`] below the target is improbable.
+/// [`FALSE_CLAIM_MARGIN`] below the target is improbable.
 pub fn is_claimable(believed: &PerformanceDistribution, target: f64) -> bool {
     Claim::of(believed, target).holds()
 }
@@ -85,7 +85,7 @@ pub fn is_claimable(believed: &PerformanceDistribution, target: f64) -> bool {
 pub struct Claim {
     expected: f64,
     target: f64,
-    /// Probability that the performance is more than [`FALSE_BY`] below the target [1].
+    /// Probability that the performance is more than [`FALSE_CLAIM_MARGIN`] below the target [1].
     far_below: f64,
 }
 
@@ -95,13 +95,13 @@ impl Claim {
         Self {
             expected: believed.mean(),
             target,
-            far_below: believed.probability_below(target - FALSE_BY),
+            far_below: believed.probability_below(target - FALSE_CLAIM_MARGIN),
         }
     }
 
     /// Whether the goal may be claimed.
     pub fn holds(&self) -> bool {
-        self.expected >= self.target && self.far_below <= FALSE_CLAIMS
+        self.expected >= self.target && self.far_below <= MAX_FALSE_CLAIM_PROBABILITY
     }
 }
 
@@ -115,8 +115,8 @@ impl fmt::Display for Claim {
                 "the expected performance of {expected} is below the target of {target}"
             );
         }
-        let tail = percent((self.target - FALSE_BY).max(0.0));
-        let allowed = percent(FALSE_CLAIMS);
+        let tail = percent((self.target - FALSE_CLAIM_MARGIN).max(0.0));
+        let allowed = percent(MAX_FALSE_CLAIM_PROBABILITY);
         if self.holds() {
             return write!(
                 f,
@@ -124,7 +124,10 @@ impl fmt::Display for Claim {
             );
         }
         // Never print the allowed probability itself: the value found is larger.
-        let found = (1e3 * self.far_below).ceil().max(1e3 * FALSE_CLAIMS + 1.0) / 10.0;
+        let found = (1e3 * self.far_below)
+            .ceil()
+            .max(1e3 * MAX_FALSE_CLAIM_PROBABILITY + 1.0)
+            / 10.0;
         write!(
             f,
             "the expected performance of {expected} reaches the target of {target}, but the probability of less than {tail} is {found:.1} %; a claim allows {allowed}"
@@ -132,20 +135,20 @@ impl fmt::Display for Claim {
     }
 }
 
-/// Judges a log by itself, without earlier rounds. Returns [`Verdict::GoalMet`], [`Verdict::CannotBeTold`],
+/// Judges a log by itself, without earlier rounds. Returns [`Verdict::GoalMet`], [`Verdict::Undecidable`],
 /// [`Verdict::UnknowableByTouch`], or [`Verdict::Again`] where the goal is not met.
 pub fn judge_log(interpretation: &Interpretation, target: f64) -> Verdict {
     let is_seen = interpretation.observation.is_some();
     // The missing dirt may have been wiped before the log begins, or after it ends.
     let is_cut = !is_seen && interpretation.doubts.iter().any(Doubt::is_cut);
-    if !interpretation.can_be_told() {
-        Verdict::CannotBeTold
+    if !interpretation.is_conclusive() {
+        Verdict::Undecidable
     } else if is_claimable(&interpretation.distribution, target)
         && (is_seen || interpretation.diagnosis != Diagnosis::Hovering)
     {
         Verdict::GoalMet
     } else if is_cut {
-        Verdict::CannotBeTold
+        Verdict::Undecidable
     } else if !is_seen && interpretation.performance.high >= target {
         Verdict::UnknowableByTouch
     } else {
@@ -177,7 +180,7 @@ impl RoundOutcome<'_> {
 
 /// The termination policy. It remembers the last certainty and the number of rounds without progress.
 #[derive(Debug, Clone)]
-pub struct RoundJudge {
+pub struct TerminationPolicy {
     target: f64,
     pace: Pace,
     /// 5th percentile of the performance after the last round [1].
@@ -188,7 +191,7 @@ pub struct RoundJudge {
     is_first: bool,
 }
 
-impl RoundJudge {
+impl TerminationPolicy {
     /// Returns the policy before the first round; `target` is the performance at which the goal is met [1].
     pub const fn new(target: f64, pace: Pace) -> Self {
         Self {
@@ -210,19 +213,19 @@ impl RoundJudge {
         let is_seen = interpretation.observation.is_some();
         let is_disturbed = outcome.is_disturbed();
         let estimate = &interpretation.performance;
-        let is_rising = estimate.mean >= outcome.performance_before + LEAST_PROGRESS
-            || estimate.low >= self.low_before + LEAST_PROGRESS;
+        let is_rising = estimate.mean >= outcome.performance_before + MIN_PROGRESS
+            || estimate.low >= self.low_before + MIN_PROGRESS;
         let is_elsewhere = matches!(interpretation.diagnosis, Diagnosis::Relocalize { .. });
         self.low_before = estimate.low;
         let is_hovering = interpretation.diagnosis == Diagnosis::Hovering;
-        let is_told = interpretation.can_be_told();
+        let is_told = interpretation.is_conclusive();
         let is_felt = is_seen || interpretation.diagnosis != Diagnosis::NoContact;
         if !is_felt && (is_disturbed || self.is_first) {
             self.is_first = false;
             return if is_disturbed {
                 Verdict::Again
             } else {
-                Verdict::CannotBeTold
+                Verdict::Undecidable
             };
         }
         self.is_first = false;
@@ -256,8 +259,8 @@ impl RoundJudge {
     /// camera could.
     fn or_unknowable(&self, interpretation: &Interpretation, ended: Verdict) -> Verdict {
         let is_seen = interpretation.observation.is_some();
-        if !interpretation.can_be_told() {
-            Verdict::CannotBeTold
+        if !interpretation.is_conclusive() {
+            Verdict::Undecidable
         } else if !is_seen && interpretation.performance.high >= self.target {
             Verdict::UnknowableByTouch
         } else {
@@ -331,7 +334,7 @@ mod tests {
 
     /// Returns the verdicts on consecutive rounds.
     fn verdicts(pace: Pace, is_done: bool, rounds: &[Interpretation]) -> Vec<Verdict> {
-        let mut judge = RoundJudge::new(TARGET, pace);
+        let mut judge = TerminationPolicy::new(TARGET, pace);
         let mut before = 0.0;
         let verdict = |interpretation| {
             let outcome = RoundOutcome {
@@ -366,7 +369,7 @@ mod tests {
 
     #[test]
     fn what_is_felt_while_somebody_pushes_shows_nothing_and_what_is_seen_does() {
-        use Verdict::{Again, CannotBeTold, GoalMet};
+        use Verdict::{Again, GoalMet, Undecidable};
         let done = [0.95; 8];
         assert_eq!(of_one(pushed(&done)), Again);
         assert_eq!(of_one(seen(pushed(&done))), GoalMet);
@@ -375,7 +378,7 @@ mod tests {
             diagnosis: Diagnosis::NoContact,
             ..interpretation
         };
-        assert_eq!(of_one(untouched(touched_round(&done))), CannotBeTold);
+        assert_eq!(of_one(untouched(touched_round(&done))), Undecidable);
         assert_eq!(of_one(untouched(pushed(&done))), Again);
         // A later round without contact shows nothing either.
         let rounds = [
@@ -383,9 +386,9 @@ mod tests {
             untouched(touched_round(&[0.6; 8])),
         ];
         let verdicts = verdicts(Pace::Whole, false, &rounds);
-        assert_eq!(verdicts, [Again, CannotBeTold]);
+        assert_eq!(verdicts, [Again, Undecidable]);
         assert_eq!(of_one(untouched(seen(touched_round(&done)))), GoalMet);
-        let mut judge = RoundJudge::new(TARGET, Pace::Whole);
+        let mut judge = TerminationPolicy::new(TARGET, Pace::Whole);
         let stopped = RoundOutcome {
             interpretation: &touched_round(&done),
             performance_before: 0.0,
@@ -421,7 +424,7 @@ mod tests {
         let done = |shares| verdicts(Pace::Whole, true, &[touched_round(shares)])[0];
         assert_eq!(done(&[0.6; 8]), NothingToGain);
         assert_eq!(done(&wide), UnknowableByTouch);
-        let judge = RoundJudge::new(TARGET, Pace::Whole);
+        let judge = TerminationPolicy::new(TARGET, Pace::Whole);
         let without_gain = |interpretation| judge.without_gain(&interpretation);
         assert_eq!(without_gain(touched_round(&[0.6; 8])), NothingToGain);
         assert_eq!(without_gain(touched_round(&wide)), UnknowableByTouch);

@@ -36,6 +36,6 @@ pub use sliding::{SteepSurface, dirt_friction, slide_down};
 pub use sources::{
     Cluster, DirtArea, SourceError, cluster_particles, particle_generator, uniform_particles,
 };
-pub use surface::{Ground, Surface, WayPart};
+pub use surface::{Ground, MoveSegment, Surface};
 pub use task::{Task, Tool};
 pub use treatment::{Treatment, surface_cells};

@@ -44,7 +44,7 @@ pub enum Ground {
 
 /// A part of a straight move over the plane of a surface.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct WayPart {
+pub struct MoveSegment {
     /// What lies under the part.
     pub ground: Ground,
     /// Begin and end of the part, as shares of the move [1].
@@ -68,7 +68,7 @@ impl Surface {
     }
 
     /// Returns the parts of a straight move, in order; adjacent parts differ. A move of length 0 has one part.
-    pub fn parts_of_way(&self, from: Point2, to: Point2) -> Vec<WayPart> {
+    pub fn parts_of_way(&self, from: Point2, to: Point2) -> Vec<MoveSegment> {
         let along = to - from;
         let length = along.norm();
         let mut shares = vec![0.0, 1.0];
@@ -86,7 +86,7 @@ impl Surface {
             }
         }
         shares.sort_by(f64::total_cmp);
-        let mut parts: Vec<WayPart> = Vec::new();
+        let mut parts: Vec<MoveSegment> = Vec::new();
         for pair in shares.windows(2) {
             let &[begin, end] = pair else { continue };
             if (end - begin) * length <= LEAST_PART {
@@ -95,14 +95,14 @@ impl Surface {
             let ground = self.ground(from + along * ((begin + end) / 2.0));
             match parts.last_mut() {
                 Some(last) if last.ground == ground => last.shares[1] = end,
-                _ => parts.push(WayPart {
+                _ => parts.push(MoveSegment {
                     ground,
                     shares: [begin, end],
                 }),
             }
         }
         if parts.is_empty() {
-            parts.push(WayPart {
+            parts.push(MoveSegment {
                 ground: self.ground(from),
                 shares: [0.0, 1.0],
             });

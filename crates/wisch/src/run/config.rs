@@ -9,7 +9,7 @@ pub use crate::recover::Pace;
 
 /// The robot setup that a session borrows; `wisch_io::Robot` reads one from files.
 #[derive(Debug, Clone, Copy)]
-pub struct Performer<'a> {
+pub struct RobotSetup<'a> {
     /// The robot's links, joints and limits.
     pub robot: &'a RobotModel,
     /// The robot's groups and named states, and the link pairs that may touch.

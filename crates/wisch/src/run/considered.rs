@@ -14,7 +14,7 @@ const MAX_REPLANS: usize = 3;
 
 /// The evaluation of a candidate plan.
 #[derive(Debug, Clone)]
-pub struct Considered {
+pub struct CandidateEvaluation {
     /// The strategy that found its strokes.
     pub strategy: Strategy,
     /// The plan and its score. With a robot, the score is that of the strokes within reach, with the duration
@@ -23,12 +23,12 @@ pub struct Considered {
     /// Predicted effect on the task's dirt; `None` without a plan.
     pub prediction: Option<Prediction>,
     /// The robot's motion; `None` without a robot, or without a motion.
-    pub motion: Option<ConsideredMotion>,
+    pub motion: Option<EvaluatedMotion>,
 }
 
 /// Key figures of the robot's motion for a plan.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct ConsideredMotion {
+pub struct EvaluatedMotion {
     /// Duration [s].
     pub duration: f64,
     /// Number of abandoned nodes.
@@ -36,10 +36,10 @@ pub struct ConsideredMotion {
 }
 
 /// Evaluates each plan of a portfolio by its predicted effect alone.
-pub(super) fn evaluate_plans(task: &Task, portfolio: Portfolio) -> Vec<Considered> {
+pub(super) fn evaluate_plans(task: &Task, portfolio: Portfolio) -> Vec<CandidateEvaluation> {
     let considered = portfolio.into_iter().map(|(strategy, candidate)| {
         let plan = candidate.as_ref().ok().map(|candidate| &candidate.plan);
-        Considered {
+        CandidateEvaluation {
             strategy,
             prediction: plan.map(|plan| predict(task, plan, |_| ())),
             motion: None,
@@ -55,7 +55,7 @@ pub(super) fn evaluate_motions(
     planner: &Planner<'_>,
     portfolio: Portfolio,
     follow: impl Fn(Plan) -> Result<PlannedRound, RunError> + Sync,
-) -> (Vec<Considered>, Option<Box<PlannedRound>>) {
+) -> (Vec<CandidateEvaluation>, Option<Box<PlannedRound>>) {
     let best: Mutex<Option<Best>> = Mutex::new(None);
     let considered = portfolio.into_par_iter().enumerate();
     let considered = considered.map(|(index, (strategy, candidate))| {
@@ -65,7 +65,7 @@ pub(super) fn evaluate_motions(
                 Strategy::Adaptive => evaluate_within_reach(planner, candidate.plan, &follow)?,
                 _ => evaluate_motion(planner, candidate.plan, &follow)?,
             };
-            motion = Some(ConsideredMotion {
+            motion = Some(EvaluatedMotion {
                 duration: round.followed.duration(),
                 abandoned: round.followed.abandoned.len(),
             });
@@ -85,7 +85,7 @@ pub(super) fn evaluate_motions(
             }
             Ok(Candidate { plan, score })
         });
-        Considered {
+        CandidateEvaluation {
             strategy,
             candidate,
             prediction,
@@ -118,7 +118,7 @@ fn evaluate_motion(
     follow: &impl Fn(Plan) -> Result<PlannedRound, RunError>,
 ) -> Result<(PlanScore, PlannedRound), RunError> {
     let round = follow(plan)?;
-    let score = planner.score(&round.wiped())?;
+    let score = planner.score(&round.executable_plan())?;
     Ok((score.with_motion(round.followed.duration()), round))
 }
 
@@ -133,7 +133,7 @@ pub(super) fn evaluate_within_reach(
     let mut last = best.1.clone();
     let mut avoid = Vec::new();
     for _ in 0..MAX_REPLANS {
-        let wiped = last.wiped();
+        let wiped = last.executable_plan();
         let planned = planner.score(&last.plan)?.total;
         let lost = planned - planner.score(&wiped)?.total;
         if last.followed.abandoned.is_empty() && lost < MAX_REACH_LOSS {

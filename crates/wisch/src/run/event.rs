@@ -1,6 +1,6 @@
 //! Events of a session.
 
-use super::{Considered, PlannedRound, Round, TelemetrySample};
+use super::{CandidateEvaluation, PlannedRound, Round, TelemetrySample};
 use crate::follow::Audit;
 use crate::plan::{Plan, PredictionProgress};
 use crate::recover::Verdict;
@@ -16,11 +16,11 @@ pub enum RunEvent<'a> {
         round: usize,
     },
     /// Plans of several strategies were evaluated; the plan with the highest score becomes the round's plan.
-    Considered {
+    Evaluated {
         /// The round, from 1.
         round: usize,
         /// One evaluation for each strategy.
-        considered: &'a [Considered],
+        considered: &'a [CandidateEvaluation],
     },
     /// A round is planned.
     Planned {

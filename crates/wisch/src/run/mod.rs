@@ -18,8 +18,8 @@ mod stroke_watch;
 mod telemetry;
 mod trajectory_clock;
 
-pub use config::{AfterStop, MIN_SCORE, Pace, Performer, RunConfig};
-pub use considered::{Considered, ConsideredMotion};
+pub use config::{AfterStop, MIN_SCORE, Pace, RobotSetup, RunConfig};
+pub use considered::{CandidateEvaluation, EvaluatedMotion};
 pub use error::{RunError, check_score};
 pub use event::{Observer, RunEvent, unobserved};
 pub use execution::{Ending, Execution, StopCause};

@@ -28,7 +28,7 @@ pub struct PlannedRound {
 
 impl PlannedRound {
     /// Returns the plan as the robot executes it: without abandoned nodes.
-    pub fn wiped(&self) -> Plan {
+    pub fn executable_plan(&self) -> Plan {
         Plan {
             strokes: self.followed.strokes.clone(),
             ..self.plan.clone()
@@ -80,7 +80,7 @@ impl Round {
             Ending::Complete => f64::INFINITY,
             _ => self.execution.duration,
         };
-        let wiped = self.motion.wiped();
+        let wiped = self.motion.executable_plan();
         let contact_time = followed.contact_time_until(end);
         let share = |part: f64, whole: f64| {
             if whole > 0.0 {

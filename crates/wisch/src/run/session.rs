@@ -5,13 +5,15 @@ mod planning;
 use super::stance::{check_positions, check_start, root_pose};
 use super::stroke_watch::StrokeWatch;
 use super::{
-    AfterStop, Ending, Execution, Executor, MotionOrder, Observer, OwnStrategy, Performer,
-    PlannedRound, Round, RunConfig, RunError, RunEvent, check_score,
+    AfterStop, Ending, Execution, Executor, MotionOrder, Observer, OwnStrategy, PlannedRound,
+    RobotSetup, Round, RunConfig, RunError, RunEvent, check_score,
 };
 use crate::follow::{Audit, Workcell, WorkcellConfig, audit, follow, retreat};
 use crate::interpret::{Belief, InterpretConfig, Interpretation, Interpreter, Look, TouchSample};
 use crate::plan::{Plan, predict};
-use crate::recover::{RoundJudge, RoundOutcome, Verdict, believed_performance, is_done, next_task};
+use crate::recover::{
+    RoundOutcome, TerminationPolicy, Verdict, expected_performance, is_done, next_task,
+};
 use crate::represent::{GoalState, Observation, Task};
 use planning::NextPlan;
 use std::ops::ControlFlow;
@@ -48,7 +50,7 @@ pub enum Stage {
 /// ```
 #[derive(Debug)]
 pub struct Session<'a> {
-    performer: Option<Performer<'a>>,
+    performer: Option<RobotSetup<'a>>,
     config: RunConfig,
     task: Task,
     belief: Belief,
@@ -56,7 +58,7 @@ pub struct Session<'a> {
     given: Option<Plan>,
     own: Option<OwnStrategy<'a>>,
     goal: Option<GoalState>,
-    judge: RoundJudge,
+    judge: TerminationPolicy,
     state: State,
     rounds: Vec<Round>,
     /// The observation before the first round, if there is a camera; the outer `None` before it is taken.
@@ -97,7 +99,7 @@ impl<'a> Session<'a> {
             given: None,
             own: None,
             goal: None,
-            judge: RoundJudge::new(config.target, config.pace),
+            judge: TerminationPolicy::new(config.target, config.pace),
             state: State::Begin,
             rounds: Vec::new(),
             first_observation: None,
@@ -111,7 +113,7 @@ impl<'a> Session<'a> {
 
     /// Adds a robot that follows the plans.
     #[must_use]
-    pub fn with_robot(self, performer: Performer<'a>) -> Self {
+    pub fn with_robot(self, performer: RobotSetup<'a>) -> Self {
         let performer = Some(performer);
         Self { performer, ..self }
     }
@@ -412,7 +414,7 @@ impl<'a> Session<'a> {
         )?;
         if let (true, Some(from)) = (self.retreats, &self.stands) {
             let (height, config) = (plan.lift_height, &self.config.follow);
-            followed = followed.preceded_by(retreat(task, &cell, from, height, config)?);
+            followed = followed.prepend(retreat(task, &cell, from, height, config)?);
         }
         let wiped = Plan {
             strokes: followed.strokes.clone(),
@@ -614,7 +616,7 @@ impl<'a> Session<'a> {
         let next = next_task(task, &goal, &interpretation, task.seed.wrapping_add(1))?;
         let verdict = self.judge.verdict(&RoundOutcome {
             interpretation: &interpretation,
-            performance_before: believed_performance(&self.belief, &goal, &task.surface),
+            performance_before: expected_performance(&self.belief, &goal, &task.surface),
             is_done: is_done(&interpretation.belief, &goal, &next.surface, next.seed)?,
             is_protective_stop: matches!(execution.ending, Ending::ProtectiveStop { .. }),
         });
@@ -665,7 +667,7 @@ fn report_motion(planned: &PlannedRound, observer: &mut Observer<'_>) {
         passed: nodes,
         nodes,
     });
-    let wiped = planned.wiped();
+    let wiped = planned.executable_plan();
     predict(task, &wiped, |progress| {
         let _ = observer(&RunEvent::Predicting {
             round: *round,

@@ -65,7 +65,7 @@ fn pushes_from_every_side_are_collisions_with_start_and_end() {
     let pushes = [
         // Up, off the surface.
         (Vector3::new(0.0, 0.0, 0.015), Vector3::new(0.0, 0.0, 15.0)),
-        // Aside: the saturated controller gives way and presses less.
+        // Aside: the saturate controller gives way and presses less.
         (Vector3::new(0.0, 0.03, 0.0), Vector3::new(0.0, 15.0, 5.0)),
         // Down: the sponge gives way beyond its nominal compression.
         (
@@ -347,7 +347,7 @@ fn who_leads_the_tool_all_the_time_does_not_push_it() {
     assert_eq!(events(&interpretation, EventKind::Collision), []);
     assert!(!events(&interpretation, EventKind::HandGuiding).is_empty());
     assert!(
-        matches!(interpretation.doubts[0], Doubt::LedByHand { share } if share > 0.8),
+        matches!(interpretation.doubts[0], Doubt::HandGuided { share } if share > 0.8),
         "{:?}",
         interpretation.doubts
     );
@@ -469,7 +469,7 @@ fn a_log_that_is_no_wiping_is_told_with_its_reasons() {
     });
     assert!(!(high.events.iter()).any(|event| event.kind.is_by_hand()));
     let high = high.doubts;
-    let [Doubt::PressedFarOff { height, searched }] = high[..] else {
+    let [Doubt::ContactFarFromSurface { height, searched }] = high[..] else {
         panic!("{high:?}");
     };
     assert!((height - 0.2).abs() < 2e-3 && searched < 0.1, "{height}");
@@ -487,7 +487,7 @@ fn a_log_that_is_no_wiping_is_told_with_its_reasons() {
         ..Script::default()
     });
     let is_dabbing =
-        |doubt: &Doubt| matches!(doubt, Doubt::HardlySliding { .. } | Doubt::Scattered { .. });
+        |doubt: &Doubt| matches!(doubt, Doubt::LittleSliding { .. } | Doubt::Scattered { .. });
     assert!(dabbing.iter().any(is_dabbing), "{dabbing:?}");
     // Beside the board.
     let line = |y: f64| [Point2::new(-0.16, y), Point2::new(0.16, y)];
@@ -496,7 +496,7 @@ fn a_log_that_is_no_wiping_is_told_with_its_reasons() {
         ..Script::default()
     });
     assert!(
-        matches!(beside[..], [Doubt::PressedBeside { share }] if share > 0.99),
+        matches!(beside[..], [Doubt::ContactBesideSurface { share }] if share > 0.99),
         "{beside:?}"
     );
 }

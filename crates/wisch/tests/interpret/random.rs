@@ -149,7 +149,7 @@ fn no_log_of_another_robot_is_read_wrongly_without_a_word() {
         let found = interpreted_with(&difference.samples(&task, &mut random), &task, &config);
         let estimate = found.performance;
         let missed = (estimate.low - truth).max(truth - estimate.high);
-        answered += u64::from(found.can_be_told());
+        answered += u64::from(found.is_conclusive());
         if missed > MOST_MISSED && found.doubts.is_empty() {
             wrong.push((seed, truth, estimate, difference));
         }

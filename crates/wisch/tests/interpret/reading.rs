@@ -30,7 +30,7 @@ fn changed(
 fn assert_holds(interpretation: &Interpretation, truth: f64, what: &str) {
     let estimate = interpretation.performance;
     assert!(
-        interpretation.can_be_told(),
+        interpretation.is_conclusive(),
         "{what}: {:?}",
         interpretation.doubts
     );
@@ -47,7 +47,12 @@ fn contact_is_found_at_any_force_and_the_force_is_said() {
     for scale in [0.3, 0.5, 0.75, 0.85, 1.25, 1.45, 3.0] {
         let found = read(&Script::default(), |_, force| force * scale);
         let is_open = scale < 0.5;
-        assert_eq!(found.can_be_told(), !is_open, "{scale}: {:?}", found.doubts);
+        assert_eq!(
+            found.is_conclusive(),
+            !is_open,
+            "{scale}: {:?}",
+            found.doubts
+        );
         let estimate = found.performance;
         assert!(
             estimate.low < truth && truth < estimate.high + 0.01,
@@ -71,7 +76,7 @@ fn contact_is_found_at_any_force_and_the_force_is_said() {
             "{scale}"
         );
         let is_said =
-            (found.doubts.iter()).any(|doubt| matches!(doubt, Doubt::PressedOtherwise { .. }));
+            (found.doubts.iter()).any(|doubt| matches!(doubt, Doubt::PressForceDiffers { .. }));
         assert_eq!(
             is_said,
             !(0.84..1.2).contains(&scale),
@@ -112,13 +117,13 @@ fn a_wrench_of_the_other_sign_or_of_another_frame_is_read_and_said() {
         -force + Vector3::new(3.0, 0.0, 5.0)
     });
     assert_holds(&turned, truth, "sign");
-    assert_eq!(turned.doubts, [Doubt::SignTurned]);
+    assert_eq!(turned.doubts, [Doubt::WrenchSignInverted]);
     let side = read(&Script::default(), |_, force| {
         Vector3::new(force.z, force.y, -force.x)
     });
     assert_holds(&side, truth, "frame");
     assert!(
-        matches!(side.doubts[..], [Doubt::FrameTurned { direction: [x, _, _], .. }] if x > 0.8),
+        matches!(side.doubts[..], [Doubt::WrenchFrameRotated { direction: [x, _, _], .. }] if x > 0.8),
         "{:?}",
         side.doubts
     );
@@ -141,7 +146,7 @@ fn forces_with_another_clock_are_aligned() {
     let found = interpreted_with(&samples, &task, &InterpretConfig::of(&task));
     assert_holds(&found, truth, "clock");
     assert!(
-        matches!(found.doubts[..], [Doubt::ClocksApart { offset }] if (offset - 0.4).abs() < 0.1),
+        matches!(found.doubts[..], [Doubt::ClockOffset { offset }] if (offset - 0.4).abs() < 0.1),
         "{:?}",
         found.doubts
     );
@@ -166,8 +171,8 @@ fn near_the_surface_without_contact_nothing_can_be_told() {
     // The tool follows its way, but nothing is felt: the sensor is not connected, or the surface lies lower.
     let found = read(&Script::default(), |_, _| Vector3::zeros());
     assert_eq!(found.diagnosis, Diagnosis::NoContact);
-    assert!(!found.can_be_told());
-    assert!(matches!(found.doubts[..], [Doubt::NothingFelt { closest, .. }] if closest < 1e-3));
+    assert!(!found.is_conclusive());
+    assert!(matches!(found.doubts[..], [Doubt::NoContactForce { closest, .. }] if closest < 1e-3));
     let wiped = interpreted(&Script::default()).performance.mean;
     let estimate = found.performance;
     assert!(
@@ -190,7 +195,7 @@ fn a_log_without_free_motion_tells_nothing() {
         "{:?}",
         found.doubts
     );
-    assert!(!found.can_be_told());
+    assert!(!found.is_conclusive());
     let estimate = found.performance;
     assert!(estimate.high - estimate.low > 0.5, "{estimate:?}");
 }
@@ -249,7 +254,7 @@ fn contacts_on_a_cylinder_are_told_with_radius_and_axis() {
         };
         assert!((told / radius - 1.0).abs() < 0.2, "{radius}: {told}");
         assert!((axis - 90.0).abs() < 10.0 && is_convex, "{radius}: {axis}");
-        assert!(!found.can_be_told());
+        assert!(!found.is_conclusive());
         assert!(
             !found.events.iter().any(|event| event.kind.is_by_hand()),
             "{radius}"
@@ -307,7 +312,7 @@ fn travel_below_the_surface_beside_it_is_no_contact_of_the_other_sign() {
         .collect();
     let found = interpreted_with(&samples, &task, &InterpretConfig::of(&task));
     assert!(
-        !found.doubts.contains(&Doubt::SignTurned),
+        !found.doubts.contains(&Doubt::WrenchSignInverted),
         "{:?}",
         found.doubts
     );

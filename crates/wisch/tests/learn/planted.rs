@@ -5,7 +5,7 @@ use rand::RngExt;
 use rand_chacha::{ChaCha8Rng, rand_core::SeedableRng};
 use wisch::geometry::{Point2, Region, Vector2};
 use wisch::interpret::{Exposure, InterpretConfig, Interpreter, TouchSample};
-use wisch::learn::{GUESSES, SeenRound};
+use wisch::learn::{GUESSES, ObservedRound};
 use wisch::random::normal_pair;
 use wisch::represent::{
     Effect, Interaction, LogNormal, LogNormalSpread, Observation, SensorModel, Sight, Task,
@@ -137,12 +137,12 @@ impl World {
     }
 
     /// A round of wiping, looked at before and after.
-    pub fn round(&self, seed: u64) -> SeenRound {
+    pub fn round(&self, seed: u64) -> ObservedRound {
         self.run(seed, 1).remove(0)
     }
 
     /// Rounds of one run: what stays in the first is wiped again in the second.
-    pub fn run(&self, seed: u64, rounds: usize) -> Vec<SeenRound> {
+    pub fn run(&self, seed: u64, rounds: usize) -> Vec<ObservedRound> {
         let mut random = ChaCha8Rng::seed_from_u64(seed);
         let [length, width] = super::super::interpret::log::BOARD;
         let anywhere = |random: &mut ChaCha8Rng| {
@@ -210,7 +210,7 @@ impl World {
                 }
             }
             felt.push(interpreter);
-            found.push(SeenRound {
+            found.push(ObservedRound {
                 before: std::mem::replace(&mut before, after.clone()),
                 after,
                 sight: self.sight,

@@ -15,7 +15,7 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use wisch::geometry::{Point2, Point3};
 use wisch::interpret::{Exposure, InterpretConfig, Interpreter};
-use wisch::learn::{GUESSES, LearnConfig, LearnedLaw, Lesson, SeenRound, learn as fitted};
+use wisch::learn::{GUESSES, LearnConfig, LearnedLaw, Lesson, ObservedRound, learn as fitted};
 use wisch::represent::{Interaction, KnowledgeBase, Task};
 use wisch_io::{InteractionRevision, KnowledgeSource, OutputFile, RevisedFile, shipped_scenarios};
 
@@ -26,7 +26,7 @@ const HEADER: &str = "# Interactions as `wisch learn` has them";
 struct Evidence {
     interaction: Interaction,
     collision_radius: f64,
-    rounds: Vec<SeenRound>,
+    rounds: Vec<ObservedRound>,
     /// Folders of the runs and episodes that contain the rounds.
     runs: Vec<PathBuf>,
 }
@@ -259,7 +259,7 @@ fn seen_rounds(
     prepared: &Prepared,
     rounds: Vec<RecordedRound>,
     progress: &Progress,
-) -> Result<Vec<SeenRound>, Failure> {
+) -> Result<Vec<ObservedRound>, Failure> {
     let sensor = prepared.file.perception().sight.unwrap_or_default();
     let sight = prepared.sight(sensor);
     let effect = prepared.task.action.effect();
@@ -320,7 +320,7 @@ fn seen_rounds(
                 *known = known.max(most);
             }
         }
-        seen.push(SeenRound {
+        seen.push(ObservedRound {
             exposures: exposures(&interpreter, &before.detections)
                 .map_err(|error| fault(&error))?,
             before,

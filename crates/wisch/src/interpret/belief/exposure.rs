@@ -11,7 +11,7 @@ use crate::represent::{EffectModel, ParticleDistribution, ParticleField};
 
 /// One touch of a particle that stays in place.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Touched {
+pub struct ParticleTouch {
     /// Travel of the tool in contact at the beginning and at the end of the touch [m].
     pub travel: [f64; 2],
     /// Largest f′ at the particle during the touch (9) [1].
@@ -21,8 +21,8 @@ pub struct Touched {
 /// The touches of a particle during a log, if it stays in place.
 ///
 /// ```
-/// use wisch::interpret::{Exposure, Touched};
-/// let touch = |begin: f64, share| Touched { travel: [begin, begin + 0.01], share };
+/// use wisch::interpret::{Exposure, ParticleTouch};
+/// let touch = |begin: f64, share| ParticleTouch { travel: [begin, begin + 0.01], share };
 /// // 3 cm under the tool, then 1 m away from it, then under it again.
 /// let exposure = Exposure::new(vec![touch(0.0, 0.4), touch(0.01, 0.6), touch(0.02, 0.5), touch(1.03, 0.9)]);
 /// assert_eq!(exposure.draws(0.02), [0.6, 0.5, 0.9]);
@@ -31,12 +31,12 @@ pub struct Touched {
 /// ```
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Exposure {
-    touches: Vec<Touched>,
+    touches: Vec<ParticleTouch>,
 }
 
 impl Exposure {
     /// Returns an exposure; `touches` are sorted by travel.
-    pub fn new(touches: Vec<Touched>) -> Self {
+    pub fn new(touches: Vec<ParticleTouch>) -> Self {
         Self { touches }
     }
 
@@ -118,7 +118,7 @@ impl Replay<'_> {
                     let share = (pressure.as_ref()).map_or(mean, |p| p.share(position));
                     exposures[particle][guess]
                         .touches
-                        .push(Touched { travel, share });
+                        .push(ParticleTouch { travel, share });
                     false
                 });
             }

@@ -14,7 +14,7 @@ mod sight;
 
 pub use density::DensityMap;
 pub use ensemble::Belief;
-pub use exposure::{Exposure, Touched};
+pub use exposure::{Exposure, ParticleTouch};
 pub use performance::{Estimate, PerformanceDistribution};
 pub use prior::{COUNT_SPREAD, DirtPrior};
 pub(super) use push_hypotheses::ContactEvidence;

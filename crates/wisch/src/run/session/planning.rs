@@ -1,11 +1,13 @@
 //! The choice of the next plan in a session.
 
 use super::Session;
-use crate::plan::{Plan, PlanConfig, PlanError, Planner, Strategy, highest_score, is_gainful};
-use crate::recover::{PLANNING_DRAWS, Pace, recovery_candidates, unfinished};
+use crate::plan::{
+    Plan, PlanConfig, PlanError, Planner, Strategy, has_predicted_gain, highest_score,
+};
+use crate::recover::{PLANNING_DRAWS, Pace, recovery_candidate_count, unfinished};
 use crate::represent::{ParticleDistribution, Task};
 use crate::run::considered::{evaluate_motions, evaluate_plans, evaluate_within_reach};
-use crate::run::{Considered, Observer, PlannedRound, RunError, RunEvent, unobserved};
+use crate::run::{CandidateEvaluation, Observer, PlannedRound, RunError, RunEvent, unobserved};
 
 /// The plan of the next round.
 #[derive(Debug)]
@@ -34,7 +36,7 @@ impl Session<'_> {
         let (task, config) = (&self.task, &self.config);
         if let (Some(own), None) = (&self.own, &self.given) {
             let plan = own.plan(task, config.plan.lift_height)?;
-            let is_wanted = self.goal.is_none() || is_gainful(task, &plan);
+            let is_wanted = self.goal.is_none() || has_predicted_gain(task, &plan);
             return Ok(is_wanted.then_some(NextPlan::Alone(plan)));
         }
         let whole = match (self.given.take(), self.goal.as_ref()) {
@@ -44,7 +46,7 @@ impl Session<'_> {
                 let variants = if self.first_observation().is_some() {
                     // A plan for observed dirt is chosen among several by its prediction, like a plan for
                     // remaining dirt.
-                    let more = recovery_candidates(&task.tool.footprint);
+                    let more = recovery_candidate_count(&task.tool.footprint);
                     config.variants.max(more)
                 } else {
                     config.variants
@@ -76,7 +78,7 @@ impl Session<'_> {
                     ..config.plan.clone()
                 };
                 let planner = Planner::new(task, &left).with_remaining(&open);
-                let count = recovery_candidates(&task.tool.footprint);
+                let count = recovery_candidate_count(&task.tool.footprint);
                 let next = match config.pace {
                     Pace::Whole if config.plan.strategy.is_searched() => {
                         self.searched_plan(observer)?
@@ -88,7 +90,7 @@ impl Session<'_> {
                     },
                     Pace::Greedy => NextPlan::Alone(planner.best_subplan_of(count)?),
                 };
-                return Ok(Some(next).filter(|next| is_gainful(task, next.plan())));
+                return Ok(Some(next).filter(|next| has_predicted_gain(task, next.plan())));
             }
         };
         Ok(Some(match config.pace {
@@ -105,14 +107,16 @@ impl Session<'_> {
     ///
     /// # Errors
     /// Geometry that the libraries refuse.
-    pub fn considered(&self) -> Result<Vec<Considered>, RunError> {
+    pub fn evaluate_candidates(&self) -> Result<Vec<CandidateEvaluation>, RunError> {
         let (considered, _) = self.consider_plans()?;
         Ok(considered)
     }
 
     /// Does the same, and also returns the motion of the plan with the highest score, if the session has a
     /// robot.
-    fn consider_plans(&self) -> Result<(Vec<Considered>, Option<Box<PlannedRound>>), RunError> {
+    fn consider_plans(
+        &self,
+    ) -> Result<(Vec<CandidateEvaluation>, Option<Box<PlannedRound>>), RunError> {
         let (task, dirt, config) = (&self.task, self.dirt(), &self.config.plan);
         let planner = Planner::new(task, config).with_possible_dirt(&dirt);
         let portfolio = planner.plan_by_every_strategy()?;
@@ -135,7 +139,7 @@ impl Session<'_> {
         let (task, dirt, config) = (&self.task, self.dirt(), &self.config.plan);
         if config.strategy == Strategy::Best {
             let (considered, best) = self.consider_plans()?;
-            let _ = observer(&RunEvent::Considered {
+            let _ = observer(&RunEvent::Evaluated {
                 round: self.number(),
                 considered: &considered,
             });
