@@ -73,11 +73,11 @@ test("a query of an address is filled in, and asked when the person asks it", as
   const field = page.find(({ attributes }) => attributes.get("aria-label") === "Query in Prolog");
   assert.equal(field.value, TELL);
   assert.deepEqual(page.asked, []);
-  assert.match(page.root.textContent, /was not asked yet/);
+  assert.match(page.root.textContent, /Press Ask to run it/);
   page.find((one) => one.textContent === "Ask" && one.attributes.get("class")?.includes("s-primary")).click();
   await page.rest();
   assert.deepEqual(page.asked, [TELL]);
-  assert.doesNotMatch(page.root.textContent, /was not asked yet/);
+  assert.doesNotMatch(page.root.textContent, /Press Ask to run it/);
 });
 
 test("nor is one asked that an address comes to hold later", async () => {
