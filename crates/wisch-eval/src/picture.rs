@@ -9,7 +9,7 @@ use wisch_io::GoalRecord;
 /// Resolution of stored positions: a tenth of a millimetre [1/m].
 const PER_METRE: f64 = 1e4;
 
-/// Particles before and after wiping, and strokes, in the surface frame [m].
+/// Particles before and after wiping, and strokes, in the surface frame \[m\].
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Picture {
     /// The goal.

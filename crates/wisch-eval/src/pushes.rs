@@ -32,7 +32,7 @@ pub struct PushCounts {
 }
 
 impl PushCounts {
-    /// Counts the pushes of a round, from its duration [s], the times at which a hand touched the tool, the times at which
+    /// Counts the pushes of a round, from its duration \[s\], the times at which a hand touched the tool, the times at which
     /// robot or tool touched an object of the scene, and the detected collisions.
     pub fn of_round(
         duration: f64,

@@ -5,7 +5,7 @@ use crate::wiping::{ExecutionScore, MotionScore, WipingScore};
 use serde::Serialize;
 use std::collections::BTreeMap;
 
-/// A quantity of a run. Its name ends in its unit; quantities without a unit are counts or shares [1].
+/// A quantity of a run. Its name ends in its unit; quantities without a unit are counts or shares \[1\].
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Quantity {

@@ -43,13 +43,13 @@ pub struct MethodScores {
 /// Coverage of the intervals of one level.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct LevelCoverage {
-    /// Level [1].
+    /// Level \[1\].
     pub level: f64,
-    /// Share of the rounds whose interval contains the true performance [1].
+    /// Share of the rounds whose interval contains the true performance \[1\].
     pub share: f64,
     /// 95 % confidence interval of that share (Clopper and Pearson).
     pub bounds: [f64; 2],
-    /// Mean width of the interval [1].
+    /// Mean width of the interval \[1\].
     pub width: f64,
 }
 
@@ -68,7 +68,7 @@ pub struct GroupScores {
     pub method: MethodScores,
     /// Mean absolute error of the paper's rule.
     pub paper_error: f64,
-    /// Share of the worlds with a true performance of at least 90 % at the end [1].
+    /// Share of the worlds with a true performance of at least 90 % at the end \[1\].
     pub ended_at_90: f64,
     /// Claimed and met goals.
     pub claims: ClaimCounts,

@@ -14,11 +14,11 @@ const ROUNDING: f64 = 1e-9;
 /// The paper's figures of a cell and strategy: means of five trials.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct PaperFigures {
-    /// Path length in contact [m].
+    /// Path length in contact \[m\].
     pub distance_m: f64,
-    /// Computation time [s], in 2019.
+    /// Computation time \[s\], in 2019.
     pub computation_s: f64,
-    /// Execution time [s].
+    /// Execution time \[s\].
     pub execution_s: f64,
     /// Performance [%].
     pub performance_percent: f64,

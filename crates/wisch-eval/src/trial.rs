@@ -16,7 +16,7 @@ use wisch::run::{AfterStop, Round, RunConfig, RunEvent, Session};
 use wisch_io::{LoadOptions, LoadedTask, load_task};
 use wisch_sim::{GroundTruth, SimulationSettings, Site, World};
 
-/// Nominal probabilities of the scored intervals [1].
+/// Nominal probabilities of the scored intervals \[1\].
 pub const LEVELS: [f64; 4] = [0.5, 0.8, 0.9, 0.95];
 /// Tolerance for values that differ only by rounding [1].
 const ROUNDING: f64 = 1e-9;
@@ -38,7 +38,7 @@ pub struct BeliefScore {
     pub mean: f64,
     /// Lower and upper ends of the intervals of [`LEVELS`].
     pub intervals: [[f64; 2]; 4],
-    /// Estimated probability of a performance below the true one [1].
+    /// Estimated probability of a performance below the true one \[1\].
     pub rank: f64,
     /// Continuous ranked probability score.
     pub crps: f64,
@@ -103,7 +103,7 @@ pub struct WorldScore {
     pub target: f64,
     /// Rounds, in order.
     pub rounds: Vec<RoundScore>,
-    /// Computation time [s].
+    /// Computation time \[s\].
     pub seconds: f64,
 }
 

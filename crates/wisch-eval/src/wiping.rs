@@ -44,7 +44,7 @@ pub struct WipingOptions {
     /// Whether to plan as if the dirt's positions were known exactly, as in the paper's Table 1. Executed runs always plan
     /// for the belief.
     pub is_certain: bool,
-    /// Also evaluate a plan whose path in contact is at most this long [m].
+    /// Also evaluate a plan whose path in contact is at most this long \[m\].
     pub limit: Option<f64>,
     /// Whether to keep the data of a picture.
     pub is_pictured: bool,
@@ -59,17 +59,17 @@ pub struct WipingScore {
     pub nodes: usize,
     /// Number of lifts of the tool, one at the end of each stroke; over all executed rounds.
     pub lifts: usize,
-    /// Path length in contact [m]; over all executed rounds.
+    /// Path length in contact \[m\]; over all executed rounds.
     pub distance_m: f64,
-    /// Share of the particles that no tool pose covers [1].
+    /// Share of the particles that no tool pose covers \[1\].
     pub out_of_reach: f64,
-    /// Predicted performance of the whole plan, as if no node were abandoned [1].
+    /// Predicted performance of the whole plan, as if no node were abandoned \[1\].
     pub planned: f64,
-    /// Predicted performance; with a robot, of the motion of the first round [1].
+    /// Predicted performance; with a robot, of the motion of the first round \[1\].
     pub predicted: f64,
-    /// Predicted share of particles lost over an edge that is not a skim edge [1].
+    /// Predicted share of particles lost over an edge that is not a skim edge \[1\].
     pub predicted_loss: f64,
-    /// Predicted performance of the plan with limited path length [1].
+    /// Predicted performance of the plan with limited path length \[1\].
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub limited: Option<f64>,
     /// The robot's motion of the first round.
@@ -78,7 +78,7 @@ pub struct WipingScore {
     /// The executed rounds.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub execution: Option<ExecutionScore>,
-    /// Wall time of planning and, with a robot, following the first round on one core [s].
+    /// Wall time of planning and, with a robot, following the first round on one core \[s\].
     pub computation_s: f64,
     /// Data of a picture.
     #[serde(default, skip_serializing_if = "Option::is_none")]
@@ -92,9 +92,9 @@ pub struct MotionScore {
     pub abandoned: usize,
     /// Number of base poses.
     pub placements: usize,
-    /// Duration of the motion [s].
+    /// Duration of the motion \[s\].
     pub duration_s: f64,
-    /// Duration of contact [s].
+    /// Duration of contact \[s\].
     pub contact_s: f64,
     /// Number of faults of the motion.
     pub faults: usize,
@@ -105,21 +105,21 @@ pub struct MotionScore {
 pub struct ExecutionScore {
     /// Number of rounds.
     pub rounds: usize,
-    /// Total duration in simulated time [s].
+    /// Total duration in simulated time \[s\].
     pub duration_s: f64,
-    /// True performance before wiping [1].
+    /// True performance before wiping \[1\].
     pub before: f64,
-    /// True performance after the first round [1].
+    /// True performance after the first round \[1\].
     pub first: f64,
-    /// True performance at the end [1].
+    /// True performance at the end \[1\].
     pub truth: f64,
-    /// True share of dirt lost over an edge that is not a skim edge [1].
+    /// True share of dirt lost over an edge that is not a skim edge \[1\].
     pub loss: f64,
-    /// Estimated performance at the end [1].
+    /// Estimated performance at the end \[1\].
     pub estimated: f64,
-    /// Lower end of its 90 % interval [1].
+    /// Lower end of its 90 % interval \[1\].
     pub low: f64,
-    /// Upper end of its 90 % interval [1].
+    /// Upper end of its 90 % interval \[1\].
     pub high: f64,
     /// The last verdict as text.
     pub verdict: String,
@@ -128,7 +128,7 @@ pub struct ExecutionScore {
 }
 
 impl WipingScore {
-    /// Execution time [s]: measured, or that of the planned motion; `None` without a robot.
+    /// Execution time \[s\]: measured, or that of the planned motion; `None` without a robot.
     pub fn execution_s(&self) -> Option<f64> {
         let executed = self
             .execution

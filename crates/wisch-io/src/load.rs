@@ -62,7 +62,7 @@ pub struct LoadedTask {
     pub derived: Option<Derivation>,
     /// The knowledge base.
     pub knowledge: KnowledgeBase,
-    /// True dirt locations of a simulated world, in the frame of the true surface [m], if `[execution]` names a file of them.
+    /// True dirt locations of a simulated world, in the frame of the true surface \[m\], if `[execution]` names a file of them.
     pub real_places: Option<Vec<Point2>>,
     /// The slope of the surface, if it is too steep for the medium, so that the task's particles have already slid down.
     pub steep: Option<SteepSurface>,

@@ -59,7 +59,7 @@ pub struct RoundScene {
 /// A pose in its stored form.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct StoredPose {
-    /// Position [m].
+    /// Position \[m\].
     pub position: [f64; 3],
     /// Unit quaternion x, y, z, w.
     pub quaternion: [f64; 4],
@@ -176,19 +176,19 @@ pub enum FrameError {
     /// Nothing was recorded around this time.
     #[error("time: nothing was recorded within {limit} s of {time} s")]
     Gap {
-        /// The time [s].
+        /// The time \[s\].
         time: f64,
-        /// The longest time to the nearest sample [s].
+        /// The longest time to the nearest sample \[s\].
         limit: f64,
     },
     /// The time is outside the telemetry.
     #[error("time: {time} s is not between {first} and {last} s")]
     Time {
-        /// The time [s].
+        /// The time \[s\].
         time: f64,
-        /// Time of the first sample [s].
+        /// Time of the first sample \[s\].
         first: f64,
-        /// Time of the last sample [s].
+        /// Time of the last sample \[s\].
         last: f64,
     },
     /// The telemetry has no sample.
@@ -218,7 +218,7 @@ pub enum FrameError {
 /// Sampling of a trajectory.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Sampling {
-    /// A sample per period [s], from the first time on.
+    /// A sample per period \[s\], from the first time on.
     Every(f64),
     /// This number of samples, first and last time included.
     Count(usize),
@@ -227,7 +227,7 @@ pub enum Sampling {
 /// A pose at a time.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PoseAt {
-    /// Time since the round began [s].
+    /// Time since the round began \[s\].
     pub time: f64,
     /// Pose of the frame in the world.
     pub world_from_frame: Pose,
@@ -412,7 +412,7 @@ impl<'a> Frames<'a> {
         links.collect()
     }
 
-    /// Returns the poses of a frame in the world at several times of an interval [s], each from the nearest sample.
+    /// Returns the poses of a frame in the world at several times of an interval \[s\], each from the nearest sample.
     ///
     /// # Errors
     /// If the frame does not exist, a time is outside the telemetry, the sampling is invalid, or the file is damaged.

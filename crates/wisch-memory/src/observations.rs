@@ -41,7 +41,7 @@ pub enum ObservationFault {
         "world_from_surface.quaternion: its length is {length}, further than {UNIT_TOLERANCE} from 1"
     )]
     Quaternion {
-        /// Its norm [1].
+        /// Its norm \[1\].
         length: f64,
     },
     /// A number is not finite.

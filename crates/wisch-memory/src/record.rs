@@ -99,9 +99,9 @@ pub enum RecordFault {
     Interval {
         /// Path of the faulty entry.
         place: String,
-        /// Its start [s].
+        /// Its start \[s\].
         start: f64,
-        /// Its end [s].
+        /// Its end \[s\].
         end: f64,
     },
     /// A relation or parent refers to an individual that does not exist.

@@ -23,7 +23,7 @@ pub struct EpisodeHeader {
     pub id: String,
     /// Begin of the episode [s since 1970].
     pub start: f64,
-    /// Estimated performance at which the goal counts as met [1].
+    /// Estimated performance at which the goal counts as met \[1\].
     pub target: f64,
     /// Seed of the run.
     pub seed: u64,
@@ -51,7 +51,7 @@ pub struct EpisodeRound<'a> {
     pub motion: &'a PlannedRound,
     /// Times of its motions, from its telemetry.
     pub log: &'a RoundLog,
-    /// Duration of the execution, in the robot's time [s].
+    /// Duration of the execution, in the robot's time \[s\].
     pub duration: f64,
     /// How the execution ended.
     pub ending: &'a Ending,
@@ -59,7 +59,7 @@ pub struct EpisodeRound<'a> {
     pub interpretation: &'a Interpretation,
     /// Verdict on the round.
     pub verdict: Verdict,
-    /// Performance by ground truth [1]; `None` outside simulation.
+    /// Performance by ground truth \[1\]; `None` outside simulation.
     pub simulated_performance: Option<f64>,
 }
 

@@ -26,7 +26,7 @@ fn main() -> ExitCode {
 }
 
 /// Answers queries from standard input to standard output until the input ends, with the predicates of a file and a
-/// memory limit [bytes].
+/// memory limit \[bytes\].
 fn work(memory: &str, program: &str) -> Result<(), String> {
     #[cfg(unix)]
     end_with_the_program().map_err(|error| format!("standard input: {error}"))?;

@@ -47,7 +47,7 @@ pub enum RecordError {
     TooLong {
         /// The file.
         place: PathBuf,
-        /// The limit [MiB].
+        /// The limit \[MiB\].
         limit_mib: u64,
     },
     /// A custom sink failed and stopped the run.

@@ -17,9 +17,9 @@ pub struct Following {
     pub followed: Followed,
     /// Result of the independent check of the motion.
     pub audit: Audit,
-    /// Share of the particles lost to abandoned nodes [1].
+    /// Share of the particles lost to abandoned nodes \[1\].
     pub abandoned_share: f64,
-    /// Time for planning and checking the motion [s].
+    /// Time for planning and checking the motion \[s\].
     pub time_s: f64,
     /// Totals over all executed rounds, or of this motion if no round was executed.
     pub total: MotionTotal,
@@ -30,15 +30,15 @@ pub struct Following {
 pub struct MotionTotal {
     /// Number of rounds; 0 for a motion that is not executed.
     pub rounds: usize,
-    /// Total duration, and duration of contact [s].
+    /// Total duration, and duration of contact \[s\].
     pub time: [f64; 2],
-    /// Movement of the arm's joints in contact, and in total [rad].
+    /// Movement of the arm's joints in contact, and in total \[rad\].
     pub joint_movement: [f64; 2],
-    /// Path length of the tool in contact, and in total [m].
+    /// Path length of the tool in contact, and in total \[m\].
     pub distance: [f64; 2],
-    /// Maximum deviation of the tool from its path [m], [rad].
+    /// Maximum deviation of the tool from its path \[m\], \[rad\].
     pub off_line: [f64; 2],
-    /// Minimum clearance between bodies that must not touch [m].
+    /// Minimum clearance between bodies that must not touch \[m\].
     pub clearance: f64,
 }
 

@@ -14,11 +14,11 @@ use wisch_report::EffectFrames;
 /// The simulated world's ground truth of a round.
 #[derive(Debug, Clone, Default)]
 pub struct RoundGroundTruth {
-    /// True dirt after the round, in the frame of the true surface [m]; `None` without simulated dirt.
+    /// True dirt after the round, in the frame of the true surface \[m\]; `None` without simulated dirt.
     pub particles: Option<ParticleDistribution>,
     /// True performance, in [0, 1]; `None` without simulated dirt.
     pub performance: Option<f64>,
-    /// Times of pushes: start, end [s].
+    /// Times of pushes: start, end \[s\].
     pub pushes: Vec<[f64; 2]>,
     /// Descriptions of disturbances that did not happen because the motion ended before them.
     pub missed: Vec<String>,
@@ -59,7 +59,7 @@ pub struct RunResults {
     pub task: Task,
     /// The plan of the first round.
     pub plan: Plan,
-    /// Planning time [s]; `None` if the user gave the plan.
+    /// Planning time \[s\]; `None` if the user gave the plan.
     pub planning_time_s: Option<f64>,
     /// The motion of the first round; `None` without a robot.
     pub following: Option<Following>,

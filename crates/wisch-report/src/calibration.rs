@@ -23,13 +23,13 @@ pub struct CalibrationCurve {
 /// Statistics of the intervals of one level.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct CalibrationLevel {
-    /// Nominal probability of the interval [1].
+    /// Nominal probability of the interval \[1\].
     pub level: f64,
-    /// Observed share of outcomes within the interval [1].
+    /// Observed share of outcomes within the interval \[1\].
     pub held: f64,
-    /// The 95 % interval of that share [1].
+    /// The 95 % interval of that share \[1\].
     pub bounds: [f64; 2],
-    /// Mean width of the interval [1].
+    /// Mean width of the interval \[1\].
     pub width: f64,
 }
 

@@ -19,7 +19,7 @@ pub struct ReportInput<'a> {
     pub prediction: &'a Prediction,
     /// Predicted effect over time, recorded during the prediction.
     pub frames: &'a EffectFrames,
-    /// Bandwidth of the planner settings, [`wisch::plan::PlanConfig::bandwidth`] [m].
+    /// Bandwidth of the planner settings, [`wisch::plan::PlanConfig::bandwidth`] \[m\].
     pub bandwidth: Option<f64>,
     /// The robot's motion; `None` without a robot.
     pub motion: Option<&'a MotionInput<'a>>,

@@ -54,7 +54,7 @@ pub struct ArticulatedJoint {
     pub offset: f64,
     /// Pairs of an own variable and its factor.
     pub terms: Vec<(usize, f64)>,
-    /// Mass [kg], centre of mass and inertia about it, in the joint's frame, of all links from this joint up to the
+    /// Mass \[kg\], centre of mass and inertia about it, in the joint's frame, of all links from this joint up to the
     /// next moving ones.
     pub body: Body,
 }
@@ -419,7 +419,7 @@ impl Articulation {
     }
 
     /// Computes the Jacobian of a point that a moving joint carries, over the own variables: 6 × n, linear first, in
-    /// the axes of the world. The point is given in the world [m].
+    /// the axes of the world. The point is given in the world \[m\].
     ///
     /// # Panics
     /// If `jacobian` does not have n columns.
@@ -463,7 +463,7 @@ impl ArticulationState {
         self.frames[joint].axes[2]
     }
 
-    /// Origin of a moving joint's frame in the world [m].
+    /// Origin of a moving joint's frame in the world \[m\].
     pub fn origin(&self, joint: usize) -> Vector3 {
         self.frames[joint].translation
     }

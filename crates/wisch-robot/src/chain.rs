@@ -233,7 +233,7 @@ impl ChainKinematics<'_> {
         )
     }
 
-    /// Returns the Jacobian of a point of the tip [m] over the chain's variables.
+    /// Returns the Jacobian of a point of the tip \[m\] over the chain's variables.
     #[inline]
     pub fn jacobian(&self, point_in_tip: Point3) -> ChainJacobian {
         let tip = &self.base_from_tip;

@@ -95,7 +95,7 @@ pub enum RobotError {
     Distance {
         /// Name of the distance.
         what: &'static str,
-        /// Its value [m].
+        /// Its value \[m\].
         value: f64,
     },
     /// An array does not have one value per variable.

@@ -18,7 +18,7 @@
 //!
 //! A robot has n variables, one for each joint that moves by itself. Arrays of positions, velocities and efforts have n
 //! entries in the order of [`RobotModel::variables`]: along the tree, siblings in the order of the file. A joint that
-//! follows another (`<mimic>`, or a sum of several) is no variable. Units are [m], [rad], [N] and [Nm]; spatial quantities
+//! follows another (`<mimic>`, or a sum of several) is no variable. Units are \[m\], \[rad\], \[N\] and \[Nm\]; spatial quantities
 //! have the linear part first; the world is the frame of the root link.
 //!
 //! ```

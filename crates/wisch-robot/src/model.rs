@@ -46,9 +46,9 @@ pub struct Link {
 /// Mass and inertia of a link.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Body {
-    /// Mass [kg].
+    /// Mass \[kg\].
     pub mass: f64,
-    /// Centre of mass in the link frame [m].
+    /// Centre of mass in the link frame \[m\].
     pub center_in_link: Point3,
     /// Inertia about the centre of mass, in the axes of the link [kg m²].
     pub inertia_about_center: Matrix3<f64>,
@@ -59,10 +59,10 @@ pub struct Body {
 pub enum JointKind {
     /// The joint does not move.
     Fixed,
-    /// The joint rotates about its axis; positions are angles [rad]. URDF's `continuous` is a revolute joint without
+    /// The joint rotates about its axis; positions are angles \[rad\]. URDF's `continuous` is a revolute joint without
     /// position limits.
     Revolute,
-    /// The joint slides along its axis; positions are lengths [m].
+    /// The joint slides along its axis; positions are lengths \[m\].
     Prismatic,
 }
 

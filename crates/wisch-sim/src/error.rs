@@ -31,7 +31,7 @@ pub enum SimulationError {
         "at {time:.3} s the mass matrix of the robot is not positive definite: some joint moves a link without mass or inertia"
     )]
     NoInertia {
-        /// Simulated time of the failure [s].
+        /// Simulated time of the failure \[s\].
         time: f64,
     },
     /// The simulation has diverged.
@@ -39,7 +39,7 @@ pub enum SimulationError {
         "at {time:.3} s joint {joint:?} of the simulated robot moves at {velocity} rad/s or m/s, over the limit of {limit}: the simulation diverged"
     )]
     Diverged {
-        /// Simulated time of the failure [s].
+        /// Simulated time of the failure \[s\].
         time: f64,
         /// Name of the joint.
         joint: String,

@@ -40,17 +40,17 @@ pub struct Mismatch {
     pub places: Option<Places>,
     /// Number of grains; `None` keeps that of the settings.
     pub count: Option<GrainCount>,
-    /// Offset of the mean of ln f′, the threshold above which the tool takes a grain along [1].
+    /// Offset of the mean of ln f′, the threshold above which the tool takes a grain along \[1\].
     pub mu_shift: f64,
-    /// Standard deviation of ln f′ [1]; `None` keeps that of the settings.
+    /// Standard deviation of ln f′ \[1\]; `None` keeps that of the settings.
     pub sigma: Option<f64>,
-    /// Stiffness of the tool, as a multiple of that in the settings [1].
+    /// Stiffness of the tool, as a multiple of that in the settings \[1\].
     pub stiffness: f64,
-    /// Length and width of the footprint, as a multiple of those in the settings [1].
+    /// Length and width of the footprint, as a multiple of those in the settings \[1\].
     pub footprint: f64,
-    /// Additional offset of the tool in the hand [m].
+    /// Additional offset of the tool in the hand \[m\].
     pub grasp_offset: Vector2,
-    /// Additional rotation of the tool in the hand [rad].
+    /// Additional rotation of the tool in the hand \[rad\].
     pub grasp_turn: f64,
     /// Errors of joint and force sensors; `None` keeps those of the settings.
     pub sensing: Option<Sensing>,

@@ -21,20 +21,20 @@ const LEAST_GRAIN: f64 = 0.0008;
 pub struct SimulationSettings {
     /// Pose of the real surface in the frame of the believed one.
     pub believed_from_real: Pose,
-    /// Coulomb coefficient between tool and surface at the start [1].
+    /// Coulomb coefficient between tool and surface at the start \[1\].
     pub friction: f64,
     /// Changes of the friction, in any order.
     pub friction_changes: Vec<FrictionChange>,
     /// Pushes by a person, in any order.
     pub pushes: Vec<Push>,
-    /// Standard deviation of the measured force, per axis [N].
+    /// Standard deviation of the measured force, per axis \[N\].
     pub force_noise: f64,
-    /// Constant bias of the measured force, in the axes of the world [N].
+    /// Constant bias of the measured force, in the axes of the world \[N\].
     pub force_bias: Vector3,
     /// Distribution of the normalised pressure above which the tool takes a grain along. Each grain draws its own
     /// threshold once.
     pub likelihood: LogNormal,
-    /// Diameters of the grains [m].
+    /// Diameters of the grains \[m\].
     pub grain_size: GrainSize,
     /// Kind of the medium.
     pub kind: MediumKind,
@@ -44,7 +44,7 @@ pub struct SimulationSettings {
     pub dirt: Places,
     /// Number of grains, where their positions are drawn.
     pub count: GrainCount,
-    /// Mass of the dirt that each grain stands for [kg]; `None` stands for the grain alone.
+    /// Mass of the dirt that each grain stands for \[kg\]; `None` stands for the grain alone.
     pub grain_mass: Option<f64>,
     /// Whether grains that the tool pushes resist it.
     pub grains_resist: bool,
@@ -63,13 +63,13 @@ pub struct SimulationSettings {
 /// How the real tool differs from the believed one.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct RealTool {
-    /// Real stiffness over the believed stiffness [1].
+    /// Real stiffness over the believed stiffness \[1\].
     pub stiffness: f64,
-    /// Real length and width of the footprint over the believed ones [1].
+    /// Real length and width of the footprint over the believed ones \[1\].
     pub footprint: f64,
-    /// Offset of the real tool in the hand, in the frame of the believed tool [m].
+    /// Offset of the real tool in the hand, in the frame of the believed tool \[m\].
     pub grasp_offset: Vector2,
-    /// Rotation of the real tool about its z [rad].
+    /// Rotation of the real tool about its z \[rad\].
     pub grasp_turn: f64,
 }
 
@@ -92,7 +92,7 @@ pub struct Sensing {
     pub encoder_noise: f64,
     /// Play between a joint and its encoder [rad or m].
     pub backlash: f64,
-    /// Delay of the measured force [s].
+    /// Delay of the measured force \[s\].
     pub force_delay: f64,
     /// Growth of the force bias during a round, in the axes of the world [N/s].
     pub force_drift: Vector3,
@@ -108,9 +108,9 @@ impl Sensing {
 /// Waves in a surface: the sum of a sine along its x and a sine along its y.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Waviness {
-    /// Height from the lowest valley to the highest crest [m].
+    /// Height from the lowest valley to the highest crest \[m\].
     pub height: f64,
-    /// Length of a wave [m].
+    /// Length of a wave \[m\].
     pub length: f64,
 }
 
@@ -267,9 +267,9 @@ impl SimulationSettings {
 /// Pushes and changes of friction during one motion.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Schedule {
-    /// Pushes, each with its start [s].
+    /// Pushes, each with its start \[s\].
     pub pushes: Vec<(f64, Push)>,
-    /// Changes of friction: start [s] and new coefficient [1], by time.
+    /// Changes of friction: start \[s\] and new coefficient \[1\], by time.
     pub friction_changes: Vec<(f64, f64)>,
     /// Descriptions of the disturbances that the motion is too short for.
     pub missed: Vec<String>,

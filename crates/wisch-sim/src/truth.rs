@@ -55,23 +55,23 @@ impl Spread {
 pub struct GroundTruth {
     /// The dirt after the execution.
     pub dirt: Dirt,
-    /// Normal force of the surface on the tool while it slides and nobody pushes [N].
+    /// Normal force of the surface on the tool while it slides and nobody pushes \[N\].
     pub contact_force: Spread,
-    /// Largest distance of the tool centre point from the plane of the real surface, at the same times [m].
+    /// Largest distance of the tool centre point from the plane of the real surface, at the same times \[m\].
     pub max_plane_distance: f64,
-    /// Largest norm of the controller's force f_c over the whole execution [N].
+    /// Largest norm of the controller's force f_c over the whole execution \[N\].
     pub max_controller_force: f64,
-    /// Share of the sliding time without contact [1].
+    /// Share of the sliding time without contact \[1\].
     pub lost_share: f64,
     /// Largest distance along the surface between commanded and true tool position, while the tool slides and nobody
-    /// pushes [m].
+    /// pushes \[m\].
     pub max_lateral_error: f64,
-    /// Begin and end of every push [s], by time. A push counts only while the hand touches the tool, not when the tool
+    /// Begin and end of every push \[s\], by time. A push counts only while the hand touches the tool, not when the tool
     /// outruns it.
     pub pushes: Vec<[f64; 2]>,
-    /// Begin and end of every contact of robot or tool with something other than the surface [s], by time.
+    /// Begin and end of every contact of robot or tool with something other than the surface \[s\], by time.
     pub obstructions: Vec<[f64; 2]>,
-    /// What robot and tool hide from the camera after the execution: convex hulls in the frame of the real surface [m].
+    /// What robot and tool hide from the camera after the execution: convex hulls in the frame of the real surface \[m\].
     /// Empty without a camera, or with one that the arm does not hide anything from.
     pub hidden: Vec<Vec<Point2>>,
 }

@@ -119,7 +119,7 @@ impl GroundTruth {
         (!is_clean).then(|| self.dirt.particles()).transpose()
     }
 
-    /// The true performance after the execution [1]; `None` if no dirt was simulated.
+    /// The true performance after the execution \[1\]; `None` if no dirt was simulated.
     ///
     /// # Errors
     /// Those of [`Self::particles`].

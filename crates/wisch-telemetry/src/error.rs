@@ -34,17 +34,17 @@ pub enum WriteError {
     /// A time is out of range.
     #[error("a sample's time is {time} s; it must be within 0 to {limit} s")]
     Time {
-        /// The time [s].
+        /// The time \[s\].
         time: f64,
-        /// The limit [s].
+        /// The limit \[s\].
         limit: f64,
     },
     /// A sample is not later than the previous one.
     #[error("a sample's time is {time} s; it must be later than the previous sample's, {last} s")]
     Backwards {
-        /// The time [s].
+        /// The time \[s\].
         time: f64,
-        /// Time of the previous sample [s].
+        /// Time of the previous sample \[s\].
         last: f64,
     },
     /// An array of a sample does not match the joints of the bag.
@@ -191,11 +191,11 @@ pub enum ReadFault {
     Backwards {
         /// Name of the message or line.
         place: String,
-        /// Its time [s].
+        /// Its time \[s\].
         time: f64,
-        /// Latest time before it [s].
+        /// Latest time before it \[s\].
         last: f64,
-        /// The reorder window [s].
+        /// The reorder window \[s\].
         limit: f64,
     },
     /// A camera observation is invalid.
@@ -266,7 +266,7 @@ pub enum ReadFault {
         "the transforms to the task's world are known at no time: their times are more than {limit} s apart"
     )]
     Transforms {
-        /// The limit [s].
+        /// The limit \[s\].
         limit: f64,
     },
     /// Poses and forces do not overlap in time.
@@ -277,13 +277,13 @@ pub enum ReadFault {
     Apart {
         /// Source of the poses.
         pose: String,
-        /// First and last time of the poses [s].
+        /// First and last time of the poses \[s\].
         pose_times: [f64; 2],
         /// Source of the forces.
         wrench: String,
-        /// First and last time of the forces [s].
+        /// First and last time of the forces \[s\].
         wrench_times: [f64; 2],
-        /// The largest gap that is interpolated [s].
+        /// The largest gap that is interpolated \[s\].
         limit: f64,
     },
     /// A table is not text.
@@ -400,9 +400,9 @@ pub enum ReadFault {
     Time {
         /// Name of the line or row.
         place: String,
-        /// The time [s].
+        /// The time \[s\].
         time: f64,
-        /// The limit [s].
+        /// The limit \[s\].
         limit: f64,
     },
     /// A value is not a number.

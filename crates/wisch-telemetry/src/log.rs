@@ -33,7 +33,7 @@ pub enum AxesSource {
 pub struct Log {
     /// Tool poses and forces in the task's world; time counts from `start`.
     pub samples: Vec<TouchSample>,
-    /// The log's time at which the samples' time is 0 [ns].
+    /// The log's time at which the samples' time is 0 \[ns\].
     pub start: i64,
     /// Source of the poses.
     pub pose_name: String,
@@ -56,7 +56,7 @@ pub struct Log {
     pub world_from_surface: Option<Pose>,
     /// Remarks: what the reader assumed or did.
     pub remarks: Vec<String>,
-    /// Begin and end of gaps longer than the interpolation limit [s].
+    /// Begin and end of gaps longer than the interpolation limit \[s\].
     pub gaps: Vec<[f64; 2]>,
     /// Invalid poses and forces that were dropped.
     pub skipped: Vec<Skipped>,

@@ -65,9 +65,9 @@ pub enum WrenchSign {
 /// Payload behind a force sensor: the tool and its holder.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Payload {
-    /// Its mass [kg].
+    /// Its mass \[kg\].
     pub mass: f64,
-    /// Centre of mass in the frame whose pose the log states [m]. It affects torques only.
+    /// Centre of mass in the frame whose pose the log states \[m\]. It affects torques only.
     pub centre: Vector3,
 }
 
@@ -98,9 +98,9 @@ impl Clock {
 pub enum OrientationForm {
     /// Quaternion qx, qy, qz, qw.
     Quaternion,
-    /// Rotation vector rx, ry, rz [rad]: the axis, with the angle as its length.
+    /// Rotation vector rx, ry, rz \[rad\]: the axis, with the angle as its length.
     RotationVector,
-    /// Angles roll, pitch, yaw about the fixed axes x, y, z, in this order [rad].
+    /// Angles roll, pitch, yaw about the fixed axes x, y, z, in this order \[rad\].
     RollPitchYaw,
     /// Angles a, b, c about z, then the turned y, then the turned x [°], as KUKA's controllers state them.
     Abc,
@@ -143,9 +143,9 @@ pub struct LogOptions {
     pub axes: AxesChoice,
     /// Sign convention of the force. `None`: as the names of a table's columns imply, else the force on the tool.
     pub sign: Option<WrenchSign>,
-    /// Reading of the sensor without any force, in its own axes and sign, before every other correction [N].
+    /// Reading of the sensor without any force, in its own axes and sign, before every other correction \[N\].
     pub force_bias: Option<Vector3>,
-    /// Factor on the measured force without its bias [1].
+    /// Factor on the measured force without its bias \[1\].
     pub force_scale: Option<f64>,
     /// Payload that the sensor carries; gravity is along the world's −z. `None`: no correction.
     pub payload: Option<Payload>,
@@ -153,15 +153,15 @@ pub struct LogOptions {
     pub orientation: Option<OrientationForm>,
     /// Source of the times of a bag's messages.
     pub clock: Clock,
-    /// Largest delay with which a message or line is still sorted in [s].
+    /// Largest delay with which a message or line is still sorted in \[s\].
     pub reorder_window: f64,
-    /// Sample rate of a table [Hz], which replaces its column of times.
+    /// Sample rate of a table \[Hz\], which replaces its column of times.
     pub rate: Option<f64>,
-    /// Unit of force in the log [N]. `None`: as a table states its units, else 1.
+    /// Unit of force in the log \[N\]. `None`: as a table states its units, else 1.
     pub force_unit: Option<f64>,
-    /// Unit of length in the log [m]. `None`: as a table states its units, else 1.
+    /// Unit of length in the log \[m\]. `None`: as a table states its units, else 1.
     pub length_unit: Option<f64>,
-    /// Unit of time in a table [s]. `None`: as it states its units, or as the size of its times implies.
+    /// Unit of time in a table \[s\]. `None`: as it states its units, or as the size of its times implies.
     pub time_unit: Option<f64>,
     /// Pose of the tool, with its tool centre point as origin, in the frame whose pose the log states.
     pub logged_from_tool: Pose,
@@ -179,7 +179,7 @@ pub struct LogOptions {
     pub joints: Vec<JointTransform>,
     /// Pose of the target surface, for forces in its axes.
     pub world_from_surface: Pose,
-    /// Largest gap over which the rarer of pose and force is interpolated [s].
+    /// Largest gap over which the rarer of pose and force is interpolated \[s\].
     pub max_gap: f64,
 }
 

@@ -31,7 +31,7 @@ pub enum QuantityError {
         "the matrix is not a rotation: its columns deviate from orthonormal by {deviation}, or it mirrors"
     )]
     Matrix {
-        /// Largest deviation of its columns from orthonormal [1].
+        /// Largest deviation of its columns from orthonormal \[1\].
         deviation: f64,
     },
     /// A quaternion is not a rotation.
@@ -39,7 +39,7 @@ pub enum QuantityError {
         "the quaternion has a length of {norm}, which is not within {QUATERNION_TOLERANCE} of 1"
     )]
     Quaternion {
-        /// Its norm [1].
+        /// Its norm \[1\].
         norm: f64,
     },
 }

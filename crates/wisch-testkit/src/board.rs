@@ -16,7 +16,7 @@ pub fn arm7() -> ShippedRobot {
     robot("arm7")
 }
 
-/// Returns a box obstacle of a size [m] around a point in the world.
+/// Returns a box obstacle of a size \[m\] around a point in the world.
 pub fn block(name: &str, size: [f64; 3], at: [f64; 3]) -> SceneObject {
     SceneObject {
         name: name.into(),

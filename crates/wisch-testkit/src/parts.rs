@@ -8,7 +8,7 @@ use wisch::represent::{
 /// Depth, width and height of the sponge [m].
 const SPONGE: [f64; 3] = [0.07, 0.11, 0.05];
 
-/// Returns a rectangle of a size [m] about the world's origin; dirt may be skimmed over its first edge.
+/// Returns a rectangle of a size \[m\] about the world's origin; dirt may be skimmed over its first edge.
 pub fn surface(size: [f64; 2]) -> Surface {
     Surface {
         name: "board".into(),

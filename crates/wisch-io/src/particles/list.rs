@@ -14,7 +14,7 @@ const ESTIMATE_HEADER: [&str; 5] = ["particle", "x_m", "y_m", "fate", "edge"];
 /// Maximum absolute coordinate in a list, surface frame [m].
 const MAX_POSITION: f64 = 100.0;
 
-/// Reads particles from a CSV text: two columns x and y [m] in the surface frame, with or without the
+/// Reads particles from a CSV text: two columns x and y \[m\] in the surface frame, with or without the
 /// header `x,y` or `x_m,y_m`; or a list with fates as [`particles_to_csv`] writes it.
 /// Lines that start with `#` are skipped.
 ///
@@ -75,7 +75,7 @@ pub fn observed_in_list(
     }
 }
 
-/// Formats particles as CSV with the columns `particle,x_m,y_m,fate,edge`: index, position in the surface frame [m], fate
+/// Formats particles as CSV with the columns `particle,x_m,y_m,fate,edge`: index, position in the surface frame \[m\], fate
 /// (`on_surface`, `absorbed` or `off_surface`), and for `off_surface` the edge. For treated surfaces there is also the fate
 /// `treated` and a column `passes`. Reading the text gives back the same bits.
 ///

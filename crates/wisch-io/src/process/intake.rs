@@ -33,28 +33,28 @@ const MAX_HIDDEN_CORNERS: usize = 1_000;
 /// Maximum length of the reason of a protective stop [characters].
 const MAX_REASON: usize = 400;
 
-/// A sample of measurements, as an executor reports it. Poses in the world are x, y, z [m] and a unit quaternion x, y, z, w.
+/// A sample of measurements, as an executor reports it. Poses in the world are x, y, z \[m\] and a unit quaternion x, y, z, w.
 #[derive(Debug, Clone, PartialEq, Default, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct SampleRecord {
-    /// Time since the start of the motion [s].
+    /// Time since the start of the motion \[s\].
     pub time_s: f64,
-    /// Time of the controller's present setpoint on the commanded trajectory [s]; `None` if the executor does not report it,
+    /// Time of the controller's present setpoint on the commanded trajectory \[s\]; `None` if the executor does not report it,
     /// so that it is estimated.
     pub trajectory_time_s: Option<f64>,
     /// Measured pose of the tool.
     pub world_from_tool: [f64; 7],
-    /// Force of the surroundings on the tool, in the axes of the world [N].
+    /// Force of the surroundings on the tool, in the axes of the world \[N\].
     pub force_n: [f64; 3],
-    /// Its moment about the tool centre point [Nm].
+    /// Its moment about the tool centre point \[Nm\].
     #[serde(default)]
     pub moment_nm: [f64; 3],
     /// Commanded pose of the tool, including the press into the surface; `None` takes the measured pose.
     pub world_from_commanded: Option<[f64; 7]>,
-    /// Commanded force of the tool [N].
+    /// Commanded force of the tool \[N\].
     #[serde(default)]
     pub controller_force_n: [f64; 3],
-    /// Its moment [Nm].
+    /// Its moment \[Nm\].
     #[serde(default)]
     pub controller_moment_nm: [f64; 3],
     /// Positions of all n variables of the robot, or empty if not measured [rad or m].
@@ -159,7 +159,7 @@ fn check(key: &str, values: &[f64], most: f64) -> Result<(), String> {
     }
 }
 
-/// An observation of the dirt, in the frame of the believed surface [m].
+/// An observation of the dirt, in the frame of the believed surface \[m\].
 #[derive(Debug, Clone, PartialEq, Default, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct ObservationRecord {
@@ -225,7 +225,7 @@ impl ObservationRecord {
 #[derive(Debug, Clone, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct DoneRecord {
-    /// Duration [s].
+    /// Duration \[s\].
     pub duration_s: f64,
     /// The ending.
     pub ending: EndingRecord,
@@ -262,7 +262,7 @@ pub enum EndingRecord {
     Stopped,
     /// The robot stopped itself.
     ProtectiveStop {
-        /// Time [s].
+        /// Time \[s\].
         time_s: f64,
         /// Cause.
         reason: String,
@@ -302,17 +302,17 @@ impl<'a> Intake<'a> {
         self.is_stopped
     }
 
-    /// Time of the last sample [s]; minus infinity before the first sample.
+    /// Time of the last sample \[s\]; minus infinity before the first sample.
     pub const fn time(&self) -> f64 {
         self.since
     }
 
-    /// Progress of the robot on its trajectory [s].
+    /// Progress of the robot on its trajectory \[s\].
     pub const fn trajectory_time(&self) -> f64 {
         self.clock.reached()
     }
 
-    /// Duration of the trajectory [s].
+    /// Duration of the trajectory \[s\].
     pub fn end(&self) -> f64 {
         self.order.followed.duration()
     }

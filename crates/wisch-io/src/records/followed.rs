@@ -63,7 +63,7 @@ pub struct MotionRecord {
 pub struct WipedRecord {
     /// Nodes of the plan's graph.
     pub nodes: Vec<usize>,
-    /// x [m], y [m], heading [rad] of the tool in the surface frame.
+    /// x \[m\], y \[m\], heading \[rad\] of the tool in the surface frame.
     pub in_surface: Vec<[f64; 3]>,
 }
 

@@ -7,13 +7,13 @@ use wisch::run::{Ending, Round};
 /// Durations of the stages of a round.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct RoundTimes {
-    /// Planning [s].
+    /// Planning \[s\].
     pub planning_s: f64,
-    /// Following [s].
+    /// Following \[s\].
     pub following_s: f64,
-    /// Executing [s].
+    /// Executing \[s\].
     pub executing_s: f64,
-    /// Interpreting [s].
+    /// Interpreting \[s\].
     pub interpreting_s: f64,
 }
 
@@ -61,7 +61,7 @@ pub struct RoundSummary {
     pub contact_share: f64,
     /// Number of detected collisions.
     pub collisions: usize,
-    /// Start and end of each collision [s].
+    /// Start and end of each collision \[s\].
     pub collision_times_s: Vec<[f64; 2]>,
     /// Angle between the fitted plane and the believed surface; null without a plane.
     pub plane_tilt_rad: Option<f64>,

@@ -125,7 +125,7 @@ pub struct FollowingSummary {
     pub first_obstruction: Option<String>,
     /// Performance lost to abandoned nodes: prediction of the plan minus prediction of the motion.
     pub abandoned_share: f64,
-    /// Base poses in order of time: x [m], y [m], heading [rad] in the world.
+    /// Base poses in order of time: x \[m\], y \[m\], heading \[rad\] in the world.
     pub placements: Vec<[f64; 3]>,
     /// Duration of the whole motion, including driving and free motion.
     pub execution_time_s: f64,

@@ -7,7 +7,7 @@ use wisch::geometry::Vector3;
 /// An instant of a round's motion.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Moment {
-    /// So long after its start [s].
+    /// So long after its start \[s\].
     Seconds(f64),
     /// When this share of its duration has passed, in [0, 1].
     Share(f64),
@@ -16,7 +16,7 @@ pub enum Moment {
 }
 
 impl Moment {
-    /// Returns the time from the start of the motion [s]; `None` if the motion ends before it.
+    /// Returns the time from the start of the motion \[s\]; `None` if the motion ends before it.
     pub fn time(self, followed: &Followed) -> Option<f64> {
         let duration = followed.duration();
         match self {
@@ -54,9 +54,9 @@ pub struct Push {
     pub round: usize,
     /// Start of the push.
     pub start: Moment,
-    /// Duration [s].
+    /// Duration \[s\].
     pub duration: f64,
-    /// The force on a tool at rest, in the axes of the world [N].
+    /// The force on a tool at rest, in the axes of the world \[N\].
     pub force: Vector3,
     /// Speed of the hand [m/s].
     pub hand_speed: f64,
@@ -69,6 +69,6 @@ pub struct FrictionChange {
     pub round: usize,
     /// Start of the change.
     pub start: Moment,
-    /// Coulomb coefficient [1].
+    /// Coulomb coefficient \[1\].
     pub friction: f64,
 }

@@ -133,9 +133,9 @@ pub enum TaskError {
         at: Place,
         /// Its path.
         file: String,
-        /// Its longest side after scaling [m].
+        /// Its longest side after scaling \[m\].
         extent: f64,
-        /// Smallest and largest allowed length [m].
+        /// Smallest and largest allowed length \[m\].
         limits: [f64; 2],
         /// The probable unit, and what to do.
         advice: String,

@@ -28,15 +28,15 @@ pub struct Perception {
 pub struct ExecutionRecord {
     /// True pose of the surface in the frame of the believed surface.
     pub believed_from_real: Pose,
-    /// Coulomb coefficient between tool and surface at the start [1]; `None` takes the knowledge base's.
+    /// Coulomb coefficient between tool and surface at the start \[1\]; `None` takes the knowledge base's.
     pub friction: Option<f64>,
     /// Changes of the friction, as typed.
     pub friction_changes: Vec<FrictionChange>,
     /// Pushes, as typed.
     pub pushes: Vec<Push>,
-    /// Standard deviation of the measured force, per axis [N].
+    /// Standard deviation of the measured force, per axis \[N\].
     pub force_noise: f64,
-    /// Constant bias of the measured force, world axes [N].
+    /// Constant bias of the measured force, world axes \[N\].
     pub force_bias: Vector3,
     /// Mean of ln f′, the threshold above which a grain moves; `None` takes the knowledge base's.
     pub mu: Option<f64>,
@@ -46,31 +46,31 @@ pub struct ExecutionRecord {
     pub dirt: DirtRecord,
     /// Diameters of the true grains; `None` takes the medium's.
     pub grain_size: Option<GrainSize>,
-    /// Mass of the dirt that each grain represents [kg]; `None` takes the grain's own mass.
+    /// Mass of the dirt that each grain represents \[kg\]; `None` takes the grain's own mass.
     pub grain_mass: Option<f64>,
     /// Whether pushed dirt exerts a force on the tool.
     pub grains_resist: bool,
-    /// Ratio of the true to the believed stiffness of the tool [1].
+    /// Ratio of the true to the believed stiffness of the tool \[1\].
     pub tool_stiffness: f64,
-    /// Ratio of the true to the believed length and width of the footprint [1].
+    /// Ratio of the true to the believed length and width of the footprint \[1\].
     pub footprint: f64,
-    /// True offset of the tool in the hand, in the frame of the believed tool [m].
+    /// True offset of the tool in the hand, in the frame of the believed tool \[m\].
     pub grasp_offset: Vector2,
-    /// True rotation of the tool in the hand about its z [rad].
+    /// True rotation of the tool in the hand about its z \[rad\].
     pub grasp_turn: f64,
     /// Standard deviation of the measured joint positions [rad or m].
     pub encoder_noise: f64,
     /// Backlash between joints and their encoders [rad or m].
     pub backlash: f64,
-    /// Delay of the measured force [s].
+    /// Delay of the measured force \[s\].
     pub force_delay: f64,
     /// Drift of the bias of the measured force within a round, world axes [N/s].
     pub force_drift: Vector3,
     /// Coulomb friction in each joint of the wiping arm [Nm or N].
     pub joint_friction: f64,
-    /// Height of the waves of the true surface, from trough to crest [m].
+    /// Height of the waves of the true surface, from trough to crest \[m\].
     pub waviness: f64,
-    /// Length of these waves [m].
+    /// Length of these waves \[m\].
     pub waviness_length: f64,
     /// The true camera.
     pub camera: CameraRecord,
@@ -98,14 +98,14 @@ pub enum TrueDirt {
     Clusters(Option<Vec<Cluster>>),
     /// A band; `None` values are drawn at random.
     Stripe {
-        /// Point on its centre line [m].
+        /// Point on its centre line \[m\].
         center: Option<Point2>,
-        /// Direction, about the surface's z from its x [rad].
+        /// Direction, about the surface's z from its x \[rad\].
         direction: Option<f64>,
-        /// Width [m].
+        /// Width \[m\].
         width: Option<f64>,
     },
-    /// Along the outline, within this distance [m].
+    /// Along the outline, within this distance \[m\].
     Edge(f64),
     /// A list in a file.
     Csv {
@@ -136,13 +136,13 @@ impl Default for DirtRecord {
 /// The true camera; `None` values are as the robot believes.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct CameraRecord {
-    /// Probability that a large grain is detected [1].
+    /// Probability that a large grain is detected \[1\].
     pub detection: Option<f64>,
-    /// Grain diameter at which the detection probability is halved [m].
+    /// Grain diameter at which the detection probability is halved \[m\].
     pub half_size_m: Option<f64>,
     /// False detections per area [1/m²].
     pub false_alarms_per_m2: Option<f64>,
-    /// Standard deviation of a detected position, along x and along y [m].
+    /// Standard deviation of a detected position, along x and along y \[m\].
     pub position_error_m: Option<f64>,
     /// Whether the robot's links and the tool hide dirt from the camera.
     pub arm_hides: bool,

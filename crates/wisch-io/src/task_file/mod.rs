@@ -265,7 +265,7 @@ impl TaskFile {
         &self.surface.surface.name
     }
 
-    /// Bandwidth h of the density estimate [m]; `None` takes it from the particles.
+    /// Bandwidth h of the density estimate \[m\]; `None` takes it from the particles.
     pub fn bandwidth_m(&self) -> Option<f64> {
         self.bandwidth
     }
@@ -280,12 +280,12 @@ impl TaskFile {
         self.evaluations
     }
 
-    /// Path error of the tool that the plans of these strategies tolerate [m].
+    /// Path error of the tool that the plans of these strategies tolerate \[m\].
     pub fn margin_m(&self) -> f64 {
         self.margin
     }
 
-    /// Maximum path length in contact per round [m]; `None` for no limit.
+    /// Maximum path length in contact per round \[m\]; `None` for no limit.
     pub fn max_distance_m(&self) -> Option<f64> {
         self.max_distance
     }
@@ -295,7 +295,7 @@ impl TaskFile {
         self.contact_speed
     }
 
-    /// Lift height between strokes [m].
+    /// Lift height between strokes \[m\].
     pub fn lift_height_m(&self) -> f64 {
         self.lift_height
     }
@@ -345,7 +345,7 @@ impl TaskFile {
         self.variants
     }
 
-    /// Minimum score of a plan that may be executed [1].
+    /// Minimum score of a plan that may be executed \[1\].
     pub fn min_score(&self) -> f64 {
         self.min_score
     }

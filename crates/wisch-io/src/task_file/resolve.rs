@@ -144,7 +144,7 @@ impl TaskFile {
         Ok(given)
     }
 
-    /// Reads the true dirt locations of a simulated world from files, in the frame of the true surface [m]; `None` if they
+    /// Reads the true dirt locations of a simulated world from files, in the frame of the true surface \[m\]; `None` if they
     /// are drawn at random. `task`: the result of [`Self::resolve`].
     ///
     /// # Errors

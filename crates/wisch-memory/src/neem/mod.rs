@@ -147,7 +147,7 @@ pub enum NeemError {
     /// The pose rate is not positive.
     #[error("tf_rate_hz: {rate} is not above 0")]
     Rate {
-        /// The rate [Hz].
+        /// The rate \[Hz\].
         rate: f64,
     },
     /// An episode of the memory cannot be read.

@@ -19,7 +19,7 @@ use wisch::geometry::Pose;
 /// Settings of a NEEM's writer.
 #[derive(Debug, Clone, PartialEq)]
 pub struct NeemConfig {
-    /// Rate of each frame's poses [Hz]; infinite for every sample.
+    /// Rate of each frame's poses \[Hz\]; infinite for every sample.
     ///
     /// Poses need much space: 30 frames at 1 kHz are 29 GB per hour.
     pub tf_rate_hz: f64,
@@ -54,7 +54,7 @@ pub struct WrenchSample<'a> {
     pub frame: &'a str,
     /// Name of the topic, which states the quantity.
     pub topic: &'a str,
-    /// Force [N].
+    /// Force \[N\].
     pub force: [f64; 3],
     /// Torque about the frame's origin [N m], if measured.
     pub torque: Option<[f64; 3]>,

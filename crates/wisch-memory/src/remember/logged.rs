@@ -12,7 +12,7 @@ const ROUND: usize = 3;
 
 /// Returns the record of another robot's log: one round, of which only poses and forces are known.
 ///
-/// `name` is the name of the log, `duration` its duration [s].
+/// `name` is the name of the log, `duration` its duration \[s\].
 pub fn remember_log(
     header: &EpisodeHeader,
     name: &str,

@@ -54,17 +54,17 @@ pub enum TelemetryError {
     /// A time is out of range.
     #[error("time: {time} s is not between 0 and {limit} s")]
     Time {
-        /// The time [s].
+        /// The time \[s\].
         time: f64,
-        /// The latest allowed time [s].
+        /// The latest allowed time \[s\].
         limit: f64,
     },
     /// A time is not later than the previous one.
     #[error("time: {time} s is not later than the previous sample's, {last} s")]
     Backwards {
-        /// The time [s].
+        /// The time \[s\].
         time: f64,
-        /// Time of the previous sample [s].
+        /// Time of the previous sample \[s\].
         last: f64,
     },
     /// An array has the wrong length.

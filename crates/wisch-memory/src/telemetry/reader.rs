@@ -23,7 +23,7 @@ const CACHE_BYTES: usize = 256 << 20;
 /// Values of a column over an interval.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Series {
-    /// Times since the round began [s].
+    /// Times since the round began \[s\].
     pub times: Vec<f64>,
     /// The values at these times, in the column's unit.
     pub values: Vec<f64>,
@@ -150,13 +150,13 @@ impl Telemetry {
         self.groups.last().map_or(0, |group| group.rows.end)
     }
 
-    /// Times of the first and last sample [s]; `None` without samples.
+    /// Times of the first and last sample \[s\]; `None` without samples.
     pub fn interval(&self) -> Option<[f64; 2]> {
         let (first, last) = (self.groups.first()?, self.groups.last()?);
         Some([seconds(first.times[0]), seconds(last.times[1])])
     }
 
-    /// Returns the rows with times in an interval [s], both ends included.
+    /// Returns the rows with times in an interval \[s\], both ends included.
     ///
     /// # Errors
     /// If the file is damaged.
@@ -168,7 +168,7 @@ impl Telemetry {
         Ok(start..end.max(start))
     }
 
-    /// Returns the row nearest to a time [s]; `None` without rows.
+    /// Returns the row nearest to a time \[s\]; `None` without rows.
     ///
     /// # Errors
     /// If the file is damaged.
@@ -186,7 +186,7 @@ impl Telemetry {
         Ok(Some(if is_before { before } else { after }))
     }
 
-    /// Returns the time of a row [s].
+    /// Returns the time of a row \[s\].
     ///
     /// # Errors
     /// If the file is damaged.
@@ -197,7 +197,7 @@ impl Telemetry {
         self.time_at(row).map(seconds)
     }
 
-    /// Returns the times of rows [s].
+    /// Returns the times of rows \[s\].
     ///
     /// # Errors
     /// If the file is damaged.
@@ -233,7 +233,7 @@ impl Telemetry {
         Ok(values)
     }
 
-    /// Returns a column over an interval [s], both ends included.
+    /// Returns a column over an interval \[s\], both ends included.
     ///
     /// # Errors
     /// If the column does not exist, or the file is damaged.

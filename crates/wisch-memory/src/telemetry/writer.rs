@@ -191,7 +191,7 @@ impl TelemetryWriter {
     /// Adds a row with a value for each of the file's own columns.
     ///
     /// # Errors
-    /// If the time [s] is not finite, is negative or is not later than the previous one, if the number of values is
+    /// If the time \[s\] is not finite, is negative or is not later than the previous one, if the number of values is
     /// wrong, or if the file cannot be written.
     pub fn push(
         &mut self,

@@ -25,7 +25,7 @@ pub enum When {
     At(f64),
     /// Over an interval, at a default number of times.
     During([f64; 2]),
-    /// Over an interval, with a period [s].
+    /// Over an interval, with a period \[s\].
     Every([f64; 2], f64),
 }
 

@@ -182,7 +182,7 @@ pub struct ShownRound {
     pub number: usize,
     /// Believed pose of the surface.
     pub world_from_surface: Pose,
-    /// Path of the tool centre point through the round, in the world [m].
+    /// Path of the tool centre point through the round, in the world \[m\].
     pub tool_path: Vec<Point3>,
     /// Names of robot, tool and surface.
     pub names: [String; 3],
@@ -249,7 +249,7 @@ pub struct Track {
     pub round: usize,
     /// Begin and end [s since 1970].
     pub interval: [f64; 2],
-    /// Path in the world [m].
+    /// Path in the world \[m\].
     pub path: Vec<Point3>,
     /// Times [s since 1970] and points that the query asked for; otherwise empty.
     pub samples: Vec<(f64, Point3)>,
@@ -266,7 +266,7 @@ pub struct ShownDirt {
     pub round: usize,
     /// Whether before or after the round.
     pub state: DirtState,
-    /// Positions in the surface frame [m].
+    /// Positions in the surface frame \[m\].
     pub positions: Vec<Point2>,
     /// Colour, if the query states one.
     pub colour: Option<Colour>,

@@ -36,9 +36,9 @@ pub struct MotionInput<'a> {
 pub struct ShownPhase {
     /// Name of the phase.
     pub name: String,
-    /// Start time [s].
+    /// Start time \[s\].
     pub start: f64,
-    /// End time [s].
+    /// End time \[s\].
     pub end: f64,
     /// Whether the tool wipes.
     pub contact: ShownContact,
@@ -58,20 +58,20 @@ pub enum ShownContact {
 /// Pose of the robot's base in the world.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct BasePose {
-    /// x in the world [m].
+    /// x in the world \[m\].
     pub x: f64,
-    /// y in the world [m].
+    /// y in the world \[m\].
     pub y: f64,
-    /// Yaw about the vertical [rad].
+    /// Yaw about the vertical \[rad\].
     pub yaw: f64,
 }
 
 /// A candidate position of the base in the world.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct CandidateBase {
-    /// x in the world [m].
+    /// x in the world \[m\].
     pub x: f64,
-    /// y in the world [m].
+    /// y in the world \[m\].
     pub y: f64,
     /// Rating, from 0 to 1.
     pub rating: f64,
@@ -82,8 +82,8 @@ pub struct CandidateBase {
 /// The particles that remain on the surface at one time.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ParticleFrame {
-    /// Time [s].
+    /// Time \[s\].
     pub time: f64,
-    /// Positions in the surface frame [m].
+    /// Positions in the surface frame \[m\].
     pub positions: Vec<Point2>,
 }

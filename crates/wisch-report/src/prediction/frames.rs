@@ -12,13 +12,13 @@ pub const MAX_DRAWN: usize = 5_000;
 /// A frame of a prediction.
 #[derive(Debug, Clone)]
 pub struct Frame {
-    /// Distance travelled in contact so far [m].
+    /// Distance travelled in contact so far \[m\].
     pub distance: f64,
     /// Pose of the tool in the surface frame.
     pub surface_from_tool: PlanarPose,
     /// Index of the stroke; `None` before the first.
     pub stroke: Option<usize>,
-    /// Every n-th particle, see [`EffectFrames::thinning`]: position in the surface frame [m] and fate.
+    /// Every n-th particle, see [`EffectFrames::thinning`]: position in the surface frame \[m\] and fate.
     pub particles: Vec<(Point2, Fate)>,
     /// Performance over all particles, including those that the frame leaves out.
     pub performance: Performance,

@@ -78,9 +78,9 @@ pub struct RoundTruth<'a> {
     pub round: usize,
     /// True performance, in [0, 1]; `None` without simulated dirt.
     pub performance: Option<f64>,
-    /// True dirt locations in the frame of the true surface [m].
+    /// True dirt locations in the frame of the true surface \[m\].
     pub particles: Option<&'a ParticleDistribution>,
-    /// Times of pushes: start, end [s].
+    /// Times of pushes: start, end \[s\].
     pub pushes: &'a [[f64; 2]],
     /// True pose of the surface in the world.
     pub world_from_surface: Option<Pose>,

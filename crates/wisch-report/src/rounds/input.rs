@@ -19,7 +19,7 @@ pub struct RoundView<'a> {
     pub interpretation: &'a Interpretation,
     /// True dirt and true performance in [0, 1] after the round; `None` without ground truth, as on a real robot.
     pub truth: Option<(&'a ParticleDistribution, f64)>,
-    /// Times of true pushes: start, end [s].
+    /// Times of true pushes: start, end \[s\].
     pub pushes: &'a [[f64; 2]],
 }
 

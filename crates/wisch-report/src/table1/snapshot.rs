@@ -12,14 +12,14 @@ const SIZE: [f64; 2] = [300.0, 300.0];
 /// Radius of a particle.
 const RADIUS: [f64; 2] = [1.6, 3.0];
 
-/// A surface with its particles before and after, in its own frame [m].
+/// A surface with its particles before and after, in its own frame \[m\].
 #[derive(Debug, Clone)]
 pub struct WipedSurface<'a> {
     /// Surface and scene.
     pub task: &'a Task,
     /// The goal.
     pub goal: GoalState,
-    /// Radius of the collision sphere [m].
+    /// Radius of the collision sphere \[m\].
     pub collision_radius: f64,
     /// Path of the tool centre point for each stroke.
     pub strokes: Vec<Vec<Point2>>,

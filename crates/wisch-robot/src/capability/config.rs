@@ -29,7 +29,7 @@ pub struct MapRequest<'a> {
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct MapConfig {
-    /// Edge of a voxel [m].
+    /// Edge of a voxel \[m\].
     pub voxel: f64,
     /// Number of parts into which each edge of an icosahedron is cut, to give the grid of directions.
     pub frequency: u32,

@@ -39,9 +39,9 @@ pub enum MapError {
         voxels: f64,
         /// Number of directions.
         directions: usize,
-        /// Reach of the tool from the base [m].
+        /// Reach of the tool from the base \[m\].
         reach: f64,
-        /// Edge of a voxel [m].
+        /// Edge of a voxel \[m\].
         voxel: f64,
         /// Most cells, that is voxels times directions.
         limit: usize,

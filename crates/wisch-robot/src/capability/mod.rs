@@ -167,7 +167,7 @@ impl CapabilityMap {
         self.reachability(base_from_tool) > 0.5
     }
 
-    /// Returns the share of directions of the tool's z axis that can be reached at a point [m] of the base frame, in
+    /// Returns the share of directions of the tool's z axis that can be reached at a point \[m\] of the base frame, in
     /// [0, 1]: Zacharias' reachability index.
     pub fn index(&self, point_in_base: &Point3) -> f64 {
         let Some(voxels) = self.grid.around(point_in_base) else {
@@ -186,7 +186,7 @@ impl CapabilityMap {
         &self.about
     }
 
-    /// Returns two corners of the box [m] in the base frame outside which nothing can be reached.
+    /// Returns two corners of the box \[m\] in the base frame outside which nothing can be reached.
     pub fn bounds(&self) -> [Point3; 2] {
         let last = self.grid.voxels().saturating_sub(1);
         [self.grid.center(0), self.grid.center(last)]

@@ -132,9 +132,9 @@ struct PlacedSolid {
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Margins {
-    /// Distance between two bodies of the robot [m].
+    /// Distance between two bodies of the robot \[m\].
     pub own: f64,
-    /// Distance between the robot's bodies and obstacles [m].
+    /// Distance between the robot's bodies and obstacles \[m\].
     pub obstacles: f64,
 }
 
@@ -157,7 +157,7 @@ impl Margins {
 /// Distance of the nearest pair.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Clearance {
-    /// Distance of the nearest pair, at most the searched one [m]. If the pair overlaps, a value of at most 0 that is a
+    /// Distance of the nearest pair, at most the searched one \[m\]. If the pair overlaps, a value of at most 0 that is a
     /// lower bound on the depth.
     pub distance: f64,
     /// The nearest pair; `None` if no pair is closer than the searched distance.
@@ -171,7 +171,7 @@ pub struct Contact {
     pub a: BodyId,
     /// Second body.
     pub b: BodyId,
-    /// Distance [m]. If they overlap, a value of at most 0 that is a lower bound on the depth.
+    /// Distance \[m\]. If they overlap, a value of at most 0 that is a lower bound on the depth.
     pub distance: f64,
 }
 
@@ -407,7 +407,7 @@ impl CollisionModel {
     }
 
     /// Returns the smallest distance of all checked pairs at positions `q` (n) [rad or m]. Pairs farther apart than
-    /// `up_to` [m] are skipped, which is cheap.
+    /// `up_to` \[m\] are skipped, which is cheap.
     ///
     /// # Errors
     /// If `q` does not have n finite values, or `up_to` is below 0 m.
@@ -440,7 +440,7 @@ impl CollisionModel {
         }))
     }
 
-    /// Returns a pair that is not farther apart than its margin [m] at positions `q` (n) [rad or m], if there is one.
+    /// Returns a pair that is not farther apart than its margin \[m\] at positions `q` (n) [rad or m], if there is one.
     ///
     /// # Errors
     /// If `q` does not have n finite values, or a margin is below 0 m.

@@ -3,7 +3,7 @@
 use super::{Body, BodyId, CollisionModel, Contact, Margins, Scratch, with_scratch};
 use crate::RobotError;
 
-/// Largest motion of any pair within a span at which bisection ends [m]; a pair that keeps its margin by less may be
+/// Largest motion of any pair within a span at which bisection ends \[m\]; a pair that keeps its margin by less may be
 /// reported as a contact.
 pub const SEGMENT_RESOLUTION: f64 = 1e-4;
 
@@ -32,7 +32,7 @@ pub(super) struct Span {
 
 impl CollisionModel {
     /// Returns an upper bound on how far any point of the robot and of attached bodies moves between two configurations
-    /// (n) [rad or m] on a straight joint segment [m].
+    /// (n) [rad or m] on a straight joint segment \[m\].
     ///
     /// Infinity if an array does not have n finite values.
     pub fn motion_bound(&self, from: &[f64], to: &[f64]) -> f64 {
@@ -50,7 +50,7 @@ impl CollisionModel {
         self.bodies.iter().map(motion).fold(0.0, f64::max)
     }
 
-    /// Returns a pair that comes within its margin [m] on the straight joint segment between two configurations (n)
+    /// Returns a pair that comes within its margin \[m\] on the straight joint segment between two configurations (n)
     /// [rad or m]. `None` only if every checked pair keeps its margin everywhere on the segment.
     ///
     /// A span is clear if each pair moves on it by no more than its distance at the middle exceeds its margin

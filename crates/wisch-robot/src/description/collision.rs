@@ -6,7 +6,7 @@ use crate::geometry::{LikelyUnit, Mesh, MeshFormat, Point3, Pose, Vector3};
 use crate::{DiagnosticKind, Severity, Subject};
 use nalgebra::{Translation3, UnitQuaternion};
 
-/// Longest mesh of any robot [m]; a longer one is probably in millimetres.
+/// Longest mesh of any robot \[m\]; a longer one is probably in millimetres.
 pub const MAX_MESH_EXTENT: f64 = 20.0;
 /// Longest mesh over the reach of the robot [1], and the least value of that limit [m]: some URDFs include the walls of
 /// a cell.
@@ -41,27 +41,27 @@ pub struct Collision {
 pub enum Shape {
     /// A box centred on the origin.
     Box {
-        /// Extent along x, y and z [m].
+        /// Extent along x, y and z \[m\].
         size: Vector3,
     },
     /// A cylinder along z, centred on the origin.
     Cylinder {
-        /// Radius [m].
+        /// Radius \[m\].
         radius: f64,
-        /// Extent along z [m].
+        /// Extent along z \[m\].
         length: f64,
     },
     /// A cylinder along z, centred on the origin, with hemispheres on its ends. In a URDF: a cylinder with two spheres
     /// of its radius at its ends, or `<capsule>`.
     Capsule {
-        /// Radius [m].
+        /// Radius \[m\].
         radius: f64,
-        /// Distance between the centres of the hemispheres [m].
+        /// Distance between the centres of the hemispheres \[m\].
         length: f64,
     },
     /// A sphere about the origin.
     Sphere {
-        /// Radius [m].
+        /// Radius \[m\].
         radius: f64,
     },
     /// A mesh, scaled to metres, in the axes of its file.
@@ -277,7 +277,7 @@ fn with_capsules(mut shapes: Vec<Collision>) -> Vec<Collision> {
 }
 
 impl Collision {
-    /// Returns a capsule between two points of the link frame [m].
+    /// Returns a capsule between two points of the link frame \[m\].
     ///
     /// ```
     /// use wisch_robot::geometry::Point3;

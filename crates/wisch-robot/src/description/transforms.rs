@@ -10,9 +10,9 @@ use nalgebra::{Translation3, UnitQuaternion, UnitVector3};
 pub enum JointMotion {
     /// No motion.
     Fixed,
-    /// Rotation about an axis by the joint's position [rad].
+    /// Rotation about an axis by the joint's position \[rad\].
     Revolute(UnitVector3<f64>),
-    /// Translation along an axis by the joint's position [m].
+    /// Translation along an axis by the joint's position \[m\].
     Prismatic(UnitVector3<f64>),
 }
 

@@ -27,7 +27,7 @@ use crate::source_location::Place;
 use nalgebra::{Matrix3, Translation3, UnitQuaternion};
 use roxmltree::{Document, Node, ParsingOptions};
 
-/// Length of the longest text [bytes].
+/// Length of the longest text \[bytes\].
 pub const MAX_URDF_BYTES: usize = 8 << 20;
 /// Most links of a robot.
 pub const MAX_LINKS: usize = 1000;

@@ -9,9 +9,9 @@ use i_overlay::float::overlay::FloatOverlay;
 use i_overlay::i_float::adapter::FloatPointAdapter;
 use std::collections::{HashMap, HashSet};
 
-/// Least compression depth [m]; below it, a flat face that rounding tilts would not lie within the slab.
+/// Least compression depth \[m\]; below it, a flat face that rounding tilts would not lie within the slab.
 pub const MIN_COMPRESSION_DEPTH: f64 = 1e-5;
-/// Contact depth of a rigid tool [m], for the unevenness of an underside.
+/// Contact depth of a rigid tool \[m\], for the unevenness of an underside.
 pub const RIGID_DEPTH: f64 = 1e-4;
 
 /// Most edges of a footprint; a mesh with more is rejected.
@@ -51,13 +51,13 @@ pub enum FootprintError {
         "compression depth {value} m is not a finite depth of at least {MIN_COMPRESSION_DEPTH} m"
     )]
     CompressionDepth {
-        /// Compression depth [m].
+        /// Compression depth \[m\].
         value: f64,
     },
     /// A transform has moved the mesh beyond the largest coordinate.
     #[error("the mesh reaches out to {value} m, beyond the limit of ±{MAX_COORDINATE} m")]
     OutOfRange {
-        /// Largest coordinate [m].
+        /// Largest coordinate \[m\].
         value: f64,
     },
     /// No part of the tool covers the surface.
@@ -65,7 +65,7 @@ pub enum FootprintError {
         "the lowest {depth} m of the mesh cover less than {MIN_AREA} m²: check the mesh's orientation and the compression depth"
     )]
     Empty {
-        /// Compression depth [m].
+        /// Compression depth \[m\].
         depth: f64,
     },
     /// The mesh has gaps and covers no area by itself.
@@ -74,11 +74,11 @@ pub enum FootprintError {
          and its lowest {depth} m cover nothing"
     )]
     Open {
-        /// Height of the section in the tool frame [m].
+        /// Height of the section in the tool frame \[m\].
         height: f64,
         /// Number of open chains of section edges.
         gaps: usize,
-        /// Compression depth [m].
+        /// Compression depth \[m\].
         depth: f64,
     },
     /// The footprint has too many edges for planning.
@@ -89,7 +89,7 @@ pub enum FootprintError {
     },
 }
 
-/// Returns the area of the surface that a tool covers when its lowest point is compressed by `compression_depth` [m]:
+/// Returns the area of the surface that a tool covers when its lowest point is compressed by `compression_depth` \[m\]:
 /// the part of the mesh within that height of its lowest point, projected along z. Mesh and footprint are in the tool
 /// frame, with z out of the surface.
 ///

@@ -11,7 +11,7 @@ use super::{DisjointSets, Point3, Pose, Vector3};
 use std::collections::{BTreeMap, HashMap};
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
-/// Largest absolute coordinate of a mesh [m].
+/// Largest absolute coordinate of a mesh \[m\].
 pub const MAX_COORDINATE: f64 = 1e4;
 
 /// Most triangles of a mesh.
@@ -72,7 +72,7 @@ pub enum MeshError {
         vertex: usize,
         /// Axis: x, y or z.
         axis: char,
-        /// The coordinate [m].
+        /// The coordinate \[m\].
         value: f64,
     },
     /// More triangles than [`MAX_TRIANGLES`].
@@ -96,7 +96,7 @@ pub enum MeshError {
     Size {
         /// Name of the size.
         what: &'static str,
-        /// Its value [m].
+        /// Its value \[m\].
         value: f64,
     },
     /// Too few or too many segments round a primitive.
@@ -112,7 +112,7 @@ pub enum MeshError {
     Truncated {
         /// Number of triangles in the header.
         declared: u32,
-        /// Length of the file [bytes].
+        /// Length of the file \[bytes\].
         bytes: usize,
         /// Number of triangles that fit into it.
         room: usize,
@@ -134,7 +134,7 @@ pub enum MeshError {
 }
 
 impl Mesh {
-    /// Returns a mesh of vertices [m] and triangles (three vertex indices each, counter-clockwise as seen from
+    /// Returns a mesh of vertices \[m\] and triangles (three vertex indices each, counter-clockwise as seen from
     /// outside).
     ///
     /// # Errors
@@ -175,7 +175,7 @@ impl Mesh {
         })
     }
 
-    /// Returns a box centred on the origin; `size` is its extent along x, y and z [m].
+    /// Returns a box centred on the origin; `size` is its extent along x, y and z \[m\].
     ///
     /// # Errors
     /// If a size is not above zero or beyond [`MAX_COORDINATE`].
@@ -205,7 +205,7 @@ impl Mesh {
     }
 
     /// Returns a cylinder along z, centred on the origin. Its rim is a regular polygon with a corner on the x axis,
-    /// inscribed in the circle of `radius` [m]; `height` in metres.
+    /// inscribed in the circle of `radius` \[m\]; `height` in metres.
     ///
     /// # Errors
     /// If a size is not above zero or beyond [`MAX_COORDINATE`], or `segments` not within 3 to 1024.
@@ -216,7 +216,7 @@ impl Mesh {
         Self::revolve(&[(radius, -z), (radius, z)], -z, z, segments)
     }
 
-    /// Returns a sphere of `radius` [m] about the origin, of `segments` meridians and half as many rows. Its corners,
+    /// Returns a sphere of `radius` \[m\] about the origin, of `segments` meridians and half as many rows. Its corners,
     /// including the poles on the z axis, lie on the sphere.
     ///
     /// # Errors
@@ -234,7 +234,7 @@ impl Mesh {
     }
 
     /// Returns a cylinder along z with hemispheres on both ends, centred on the origin. `height` is the distance
-    /// between the centres of the hemispheres [m], and `radius` their radius [m].
+    /// between the centres of the hemispheres \[m\], and `radius` their radius \[m\].
     ///
     /// # Errors
     /// If a size is not above zero or beyond [`MAX_COORDINATE`], or `segments` not within 3 to 1024.
@@ -307,7 +307,7 @@ impl Mesh {
         Self::new(vertices, triangles)
     }
 
-    /// Vertices in the mesh's own frame [m].
+    /// Vertices in the mesh's own frame \[m\].
     pub fn vertices(&self) -> &[Point3] {
         &self.vertices
     }
@@ -317,14 +317,14 @@ impl Mesh {
         &self.triangles
     }
 
-    /// Iterates over the corners of each triangle [m].
+    /// Iterates over the corners of each triangle \[m\].
     pub fn corners(&self) -> impl Iterator<Item = [Point3; 3]> + '_ {
         self.triangles
             .iter()
             .map(|t| t.map(|i| self.vertices[i as usize]))
     }
 
-    /// Returns the vertices of each connected part of the mesh, in the mesh's own frame [m]. Coincident vertices count
+    /// Returns the vertices of each connected part of the mesh, in the mesh's own frame \[m\]. Coincident vertices count
     /// as one.
     pub fn parts(&self) -> Vec<Vec<Point3>> {
         let key = |p: &Point3| [p.x, p.y, p.z].map(f64::to_bits);
@@ -361,7 +361,7 @@ impl Mesh {
         }
     }
 
-    /// Least and largest coordinates of the triangles' corners [m].
+    /// Least and largest coordinates of the triangles' corners \[m\].
     pub fn bounds(&self) -> (Point3, Point3) {
         let nowhere = Point3::from(Vector3::repeat(f64::INFINITY));
         self.corners()
@@ -371,7 +371,7 @@ impl Mesh {
             })
     }
 
-    /// Longest side of the bounding box [m].
+    /// Longest side of the bounding box \[m\].
     ///
     /// A hand tool longer than about 20 m is probably in millimetres.
     pub fn extent(&self) -> f64 {
@@ -379,7 +379,7 @@ impl Mesh {
         (max - min).max()
     }
 
-    /// Returns the part of the surface at or above the plane z = `z` [m], as triangles; empty if all of it is below.
+    /// Returns the part of the surface at or above the plane z = `z` \[m\], as triangles; empty if all of it is below.
     /// The cut stays open.
     pub fn clipped_above(&self, z: f64) -> Vec<[Point3; 3]> {
         self.corners()

@@ -22,11 +22,11 @@ pub use pose::{PlanarPose, Pose, wrap_angle};
 pub use triangulation::prism_below;
 pub use units::LikelyUnit;
 
-/// A point in a plane [m].
+/// A point in a plane \[m\].
 pub type Point2 = nalgebra::Point2<f64>;
-/// A vector in a plane [m].
+/// A vector in a plane \[m\].
 pub type Vector2 = nalgebra::Vector2<f64>;
-/// A point in space [m]; variable names state the frame, as in `point_in_tool`.
+/// A point in space \[m\]; variable names state the frame, as in `point_in_tool`.
 pub type Point3 = nalgebra::Point3<f64>;
 /// A vector in space, in metres unless stated otherwise; variable names state the frame of its axes.
 pub type Vector3 = nalgebra::Vector3<f64>;

@@ -16,7 +16,7 @@ pub struct PointGrid {
 }
 
 impl PointGrid {
-    /// Returns an empty grid with cells of this side [m], which is best near the query distances.
+    /// Returns an empty grid with cells of this side \[m\], which is best near the query distances.
     pub fn new(cell: f64) -> Self {
         Self {
             cell: if cell.is_normal() { cell.abs() } else { 1.0 },
@@ -62,7 +62,7 @@ impl PointGrid {
         }
     }
 
-    /// Removes every point at most `radius` from a place [m], and returns their numbers in ascending order.
+    /// Removes every point at most `radius` from a place \[m\], and returns their numbers in ascending order.
     pub fn remove_within(&mut self, place: Point2, radius: f64) -> Vec<usize> {
         let mut removed = Vec::new();
         for cell in self.cells_within(place, radius) {
@@ -81,7 +81,7 @@ impl PointGrid {
         removed
     }
 
-    /// Whether a point at most `radius` from a place [m] meets the condition.
+    /// Whether a point at most `radius` from a place \[m\] meets the condition.
     pub fn any_within(
         &self,
         place: Point2,
@@ -94,7 +94,7 @@ impl PointGrid {
             .any(|&(number, point)| (point - place).norm() <= radius && is_asked_for(number, point))
     }
 
-    /// Calls `call` with every point at most `radius` from a place [m], in arbitrary order.
+    /// Calls `call` with every point at most `radius` from a place \[m\], in arbitrary order.
     pub fn within(&self, place: Point2, radius: f64, mut call: impl FnMut(usize, Point2)) {
         self.any_within(place, radius, |number, point| {
             call(number, point);
@@ -102,7 +102,7 @@ impl PointGrid {
         });
     }
 
-    /// Returns the number of the nearest point at most `radius` from a place [m]; the least number among equally near
+    /// Returns the number of the nearest point at most `radius` from a place \[m\]; the least number among equally near
     /// points. If more than `most` points are in range, only `most` of them are compared, which bounds the cost of
     /// crowds.
     pub fn nearest_within(&self, place: Point2, radius: f64, most: usize) -> Option<usize> {

@@ -5,14 +5,14 @@ use super::{Point2, Vector2};
 /// A straight edge of a boundary; the interior lies to its left.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Edge {
-    /// Where the edge begins [m].
+    /// Where the edge begins \[m\].
     pub start: Point2,
-    /// Where the edge ends [m].
+    /// Where the edge ends \[m\].
     pub end: Point2,
 }
 
 impl Edge {
-    /// Returns the distance of a point from the closed edge [m].
+    /// Returns the distance of a point from the closed edge \[m\].
     pub fn distance(&self, point: Point2) -> f64 {
         let along: Vector2 = self.end - self.start;
         let squared = along.norm_squared();
@@ -51,7 +51,7 @@ impl Polygon {
         }
     }
 
-    /// Returns an axis-aligned rectangle centred on the origin; `size` is its extent along x and y [m].
+    /// Returns an axis-aligned rectangle centred on the origin; `size` is its extent along x and y \[m\].
     pub fn rectangle(size: Vector2) -> Self {
         let (x, y) = (size.x / 2.0, size.y / 2.0);
         Self::new(
@@ -65,12 +65,12 @@ impl Polygon {
         )
     }
 
-    /// Outer ring, counter-clockwise [m]; its last vertex joins the first, which is not repeated.
+    /// Outer ring, counter-clockwise \[m\]; its last vertex joins the first, which is not repeated.
     pub fn outer(&self) -> &[Point2] {
         &self.outer
     }
 
-    /// Rings of the holes, clockwise [m]; empty for a polygon without holes.
+    /// Rings of the holes, clockwise \[m\]; empty for a polygon without holes.
     pub fn holes(&self) -> &[Vec<Point2>] {
         &self.holes
     }
@@ -95,7 +95,7 @@ impl Polygon {
         self.is_convex
     }
 
-    /// Area without the holes [m²].
+    /// Area without the holes \[m²\].
     pub fn area(&self) -> f64 {
         self.rings().map(signed_area).sum()
     }
@@ -168,7 +168,7 @@ impl Region {
         Self::new(self.polygons.iter().map(scaled).collect())
     }
 
-    /// Returns the region made narrower by a margin on each side of its bounding box [m], at most to half its extent.
+    /// Returns the region made narrower by a margin on each side of its bounding box \[m\], at most to half its extent.
     #[must_use]
     pub fn narrowed(&self, margin: f64) -> Self {
         let Some(bounds) = self.bounds() else {
@@ -193,7 +193,7 @@ impl Region {
         self.polygons.iter().flat_map(Polygon::edges)
     }
 
-    /// Area of all pieces [m²].
+    /// Area of all pieces \[m²\].
     pub fn area(&self) -> f64 {
         self.polygons.iter().map(Polygon::area).sum()
     }
@@ -203,7 +203,7 @@ impl Region {
         self.polygons.iter().any(|polygon| polygon.contains(point))
     }
 
-    /// Returns the distance of a point from the nearest boundary [m]; infinity for an empty region.
+    /// Returns the distance of a point from the nearest boundary \[m\]; infinity for an empty region.
     pub fn boundary_distance(&self, point: Point2) -> f64 {
         self.edges()
             .map(|edge| edge.distance(point))
@@ -219,9 +219,9 @@ impl Region {
 /// An axis-aligned box in the plane.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Bounds2 {
-    /// Smallest x and y [m].
+    /// Smallest x and y \[m\].
     pub min: Point2,
-    /// Largest x and y [m].
+    /// Largest x and y \[m\].
     pub max: Point2,
 }
 
@@ -244,12 +244,12 @@ impl Bounds2 {
         (self.min.x..=self.max.x).contains(&point.x) && (self.min.y..=self.max.y).contains(&point.y)
     }
 
-    /// Extent along x and y [m].
+    /// Extent along x and y \[m\].
     pub fn size(&self) -> Vector2 {
         self.max - self.min
     }
 
-    /// Corners, counter-clockwise from the smallest x and y [m].
+    /// Corners, counter-clockwise from the smallest x and y \[m\].
     pub fn corners(&self) -> [Point2; 4] {
         let Self { min, max } = *self;
         [
@@ -260,7 +260,7 @@ impl Bounds2 {
         ]
     }
 
-    /// Middle of the box [m].
+    /// Middle of the box \[m\].
     pub fn center(&self) -> Point2 {
         nalgebra::center(&self.min, &self.max)
     }

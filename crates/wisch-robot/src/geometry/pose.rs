@@ -8,7 +8,7 @@ pub type Pose = nalgebra::Isometry3<f64>;
 
 /// Pose of a tool in the plane of the surface: position of its tool centre point, and yaw.
 ///
-/// The yaw `heading` is the angle [rad] from the surface's x axis to the tool's x axis. The tool's y axis is its broad
+/// The yaw `heading` is the angle \[rad\] from the surface's x axis to the tool's x axis. The tool's y axis is its broad
 /// side, so a tool with yaw `h` wipes best when it moves along direction `h`.
 ///
 /// ```
@@ -19,14 +19,14 @@ pub type Pose = nalgebra::Isometry3<f64>;
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PlanarPose {
-    /// Tool centre point in the surface frame [m].
+    /// Tool centre point in the surface frame \[m\].
     pub position: Point2,
-    /// Yaw: angle of the tool's x axis in the surface frame [rad].
+    /// Yaw: angle of the tool's x axis in the surface frame \[rad\].
     pub heading: f64,
 }
 
 impl PlanarPose {
-    /// Returns a pose with position [m] and yaw [rad].
+    /// Returns a pose with position \[m\] and yaw \[rad\].
     pub const fn new(position: Point2, heading: f64) -> Self {
         Self { position, heading }
     }
@@ -48,7 +48,7 @@ impl PlanarPose {
     }
 }
 
-/// Returns the equal angle in (−π, π] [rad].
+/// Returns the equal angle in (−π, π] \[rad\].
 pub fn wrap_angle(angle: f64) -> f64 {
     let wrapped = angle.rem_euclid(TAU);
     if wrapped > PI { wrapped - TAU } else { wrapped }

@@ -43,7 +43,7 @@ fn cut_rings(corners: &[Point2], holes: &[u32]) -> Vec<[u32; 3]> {
         .collect()
 }
 
-/// Returns the prism under a polygon in the plane z = 0, down to `depth` below it [m]: a closed mesh.
+/// Returns the prism under a polygon in the plane z = 0, down to `depth` below it \[m\]: a closed mesh.
 ///
 /// # Errors
 /// If the polygon has no area.

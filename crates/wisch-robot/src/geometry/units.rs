@@ -20,7 +20,7 @@ const UNITS: [(&str, f64); 6] = [
 ];
 
 impl LikelyUnit {
-    /// Returns the most common unit in which `number` is a length between `least` and `most` [m]; `None` if it is one
+    /// Returns the most common unit in which `number` is a length between `least` and `most` \[m\]; `None` if it is one
     /// in metres, or in no known unit.
     ///
     /// ```

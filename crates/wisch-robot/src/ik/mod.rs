@@ -19,23 +19,23 @@ use rand_chacha::{ChaCha8Rng, rand_core::SeedableRng};
 use std::fmt;
 use std::ops::{Deref, DerefMut};
 
-/// Largest distance of a target from the base [m], beyond which squares lose precision.
+/// Largest distance of a target from the base \[m\], beyond which squares lose precision.
 pub const MAX_TARGET_DISTANCE: f64 = 1e6;
 
 /// Tolerances and effort of the inverse kinematics.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct IkConfig {
-    /// Largest distance of the tool centre point from its target [m].
+    /// Largest distance of the tool centre point from its target \[m\].
     pub position_tolerance: f64,
-    /// Largest angle between the tool and its target [rad].
+    /// Largest angle between the tool and its target \[rad\].
     pub rotation_tolerance: f64,
     /// Most steps of one descent.
     pub max_iterations: usize,
     /// Most descents from random positions.
     pub max_restarts: usize,
-    /// Share of the distance to the posture that a step covers in the null space [1].
+    /// Share of the distance to the posture that a step covers in the null space \[1\].
     pub posture_gain: f64,
-    /// Share of the distance out of the outer tenths of a joint's range that a step covers in the null space [1].
+    /// Share of the distance out of the outer tenths of a joint's range that a step covers in the null space \[1\].
     pub limit_gain: f64,
     /// Largest motion of a joint in one step [rad or m].
     pub max_step: f64,
@@ -168,9 +168,9 @@ pub enum IkOutcome {
     Stuck {
         /// The positions within the limits with the least error of all descents.
         best: JointPositions,
-        /// Distance of the tool centre point from its target at `best` [m].
+        /// Distance of the tool centre point from its target at `best` \[m\].
         position_error: f64,
-        /// Angle between the tool and its target at `best` [rad], of the rotations that count.
+        /// Angle between the tool and its target at `best` \[rad\], of the rotations that count.
         rotation_error: f64,
     },
 }
@@ -245,7 +245,7 @@ impl IkSolver {
         Ok(self)
     }
 
-    /// Returns the solver with a margin to the limits of revolute joints [rad], at most a tenth of their range. A
+    /// Returns the solver with a margin to the limits of revolute joints \[rad\], at most a tenth of their range. A
     /// compliant arm deviates from its command, and an end stop there would push it.
     ///
     /// # Errors

@@ -12,7 +12,7 @@ use thiserror::Error;
 pub struct CheckConfig {
     /// Largest deviation of a joint from the path's segments, and from a waypoint when passing it [rad or m].
     pub path_deviation: f64,
-    /// Relative excess of a velocity or acceleration over its limit that is allowed for rounding [1].
+    /// Relative excess of a velocity or acceleration over its limit that is allowed for rounding \[1\].
     pub relative_tolerance: f64,
     /// Uncertainty of recorded positions [rad or m]; for rounding, and for files with few digits.
     pub position_resolution: f64,
@@ -64,9 +64,9 @@ pub enum TrajectoryFault {
     TimeNotIncreasing {
         /// Index of the later sample.
         sample: usize,
-        /// Its time [s].
+        /// Its time \[s\].
         time: f64,
-        /// Time of the sample before [s].
+        /// Time of the sample before \[s\].
         before: f64,
     },
     /// A position is outside the joint's range.

@@ -108,7 +108,7 @@ pub enum TimingError {
     SegmentTimeOutOfRange {
         /// Index of the segment; segment i joins waypoints i and i + 1.
         segment: usize,
-        /// The time given [s].
+        /// The time given \[s\].
         value: f64,
     },
     /// The blend tolerance is too small, infinite or not a number.

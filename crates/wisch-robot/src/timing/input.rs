@@ -122,7 +122,7 @@ impl JointPath {
         &self.positions[index * self.joint_count..][..self.joint_count]
     }
 
-    /// The shortest time of each segment [s]; 0 where only the joints limit it.
+    /// The shortest time of each segment \[s\]; 0 where only the joints limit it.
     pub fn segment_times(&self) -> &[f64] {
         &self.segment_times
     }

@@ -3,13 +3,13 @@
 use super::JointPath;
 use super::blends::BlendedPath;
 
-/// Period of a common joint controller [s].
+/// Period of a common joint controller \[s\].
 pub const SAMPLE_PERIOD: f64 = 1e-3;
 
 /// State of all d joints at one time; units per joint as in its [`JointLimit`](super::JointLimit).
 #[derive(Debug, Clone, PartialEq)]
 pub struct TrajectorySample {
-    /// Time since the start [s].
+    /// Time since the start \[s\].
     pub time: f64,
     /// Positions [rad or m].
     pub q: Vec<f64>,
@@ -115,7 +115,7 @@ impl Trajectory {
         }
     }
 
-    /// Duration from rest to rest [s]; 0 if all waypoints are the same.
+    /// Duration from rest to rest \[s\]; 0 if all waypoints are the same.
     pub fn duration(&self) -> f64 {
         if self.stretches.is_empty() {
             0.0
@@ -142,7 +142,7 @@ impl Trajectory {
         self.with_acceleration_ramp(ramp)
     }
 
-    /// Returns the moving average of the motion over the time `ramp` [s]. Accelerations no longer jump; a
+    /// Returns the moving average of the motion over the time `ramp` \[s\]. Accelerations no longer jump; a
     /// change is spread over that time, and the motion takes that much longer. The jerk is at most twice the
     /// largest acceleration over `ramp`.
     ///
@@ -191,7 +191,7 @@ impl Trajectory {
         self
     }
 
-    /// Times at which the path acceleration changes or a blend begins or ends [s]; the first is 0, the last the
+    /// Times at which the path acceleration changes or a blend begins or ends \[s\]; the first is 0, the last the
     /// duration. With an acceleration ramp, first the starts of these ramps, then their ends.
     pub fn switch_times(&self) -> impl Iterator<Item = f64> {
         let begins = (self.stretches.iter())
@@ -204,7 +204,7 @@ impl Trajectory {
         begins.chain(ends)
     }
 
-    /// Returns the joints' state at a time [s]; at rest at the start before 0, at the end after the duration.
+    /// Returns the joints' state at a time \[s\]; at rest at the start before 0, at the end after the duration.
     ///
     /// ```
     /// use wisch_robot::timing::{JointLimit, JointLimits, JointPath, TimingConfig, time_path};
@@ -328,7 +328,7 @@ impl Trajectory {
         }
     }
 
-    /// Returns the states at 0, p, 2p, … for a period p > 0 [s], for example [`SAMPLE_PERIOD`]. The last state
+    /// Returns the states at 0, p, 2p, … for a period p > 0 \[s\], for example [`SAMPLE_PERIOD`]. The last state
     /// is the first at or after the duration, at rest at the end.
     ///
     /// ```

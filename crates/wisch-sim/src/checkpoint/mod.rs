@@ -31,7 +31,7 @@ pub struct CheckpointRound {
     pub first_look: Option<Observation>,
     /// Ground truth of the round.
     pub truth: GroundTruth,
-    /// Wall-clock time that the simulation took [s].
+    /// Wall-clock time that the simulation took \[s\].
     pub executing_s: f64,
 }
 

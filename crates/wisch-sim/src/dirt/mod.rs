@@ -17,15 +17,15 @@ const GRAIN_SEED: u64 = 0x6772_6169_6e73_0000;
 /// Ground truth of one grain, or of one point of a treated surface.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Grain {
-    /// Position, or where it left the surface, in the frame of the real surface [m].
+    /// Position, or where it left the surface, in the frame of the real surface \[m\].
     pub position: Point2,
     /// What became of the grain.
     pub fate: Fate,
-    /// Radius [m].
+    /// Radius \[m\].
     pub radius: f64,
-    /// Normalised pressure above which the tool takes the grain along [1].
+    /// Normalised pressure above which the tool takes the grain along \[1\].
     pub threshold: f64,
-    /// Depth that the tool rubbed off at this point [m].
+    /// Depth that the tool rubbed off at this point \[m\].
     pub wear: f64,
 }
 
@@ -87,7 +87,7 @@ impl Dirt {
         &self.grains
     }
 
-    /// Mean depth that was rubbed off over the points of a polished surface [m].
+    /// Mean depth that was rubbed off over the points of a polished surface \[m\].
     pub fn mean_wear(&self) -> f64 {
         let wear: f64 = self.grains.iter().map(|grain| grain.wear).sum();
         wear / self.grains.len().max(1) as f64

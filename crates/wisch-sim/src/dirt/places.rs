@@ -31,7 +31,7 @@ const DRAWS_PER_GRAIN: usize = 10_000;
 pub struct Site {
     /// Believed pose of the surface.
     pub world_from_surface: Pose,
-    /// Outline of the surface, in its frame [m].
+    /// Outline of the surface, in its frame \[m\].
     pub outline: Polygon,
     /// Area that objects on the surface occupy.
     pub occupied: OccupiedArea,
@@ -89,7 +89,7 @@ pub enum GrainCount {
 /// Spatial distribution of dirt, in the frame of the real surface.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Places {
-    /// At these points [m]; the number of grains in the settings is ignored.
+    /// At these points \[m\]; the number of grains in the settings is ignored.
     Listed(Vec<Point2>),
     /// Uniformly over the free surface.
     Uniform,
@@ -97,14 +97,14 @@ pub enum Places {
     Clusters(Option<Vec<Cluster>>),
     /// In a band across the surface; a field that is `None` is drawn.
     Stripe {
-        /// A point of the band's middle line [m].
+        /// A point of the band's middle line \[m\].
         center: Option<Point2>,
-        /// Direction of the band, about the surface's z from its x [rad].
+        /// Direction of the band, about the surface's z from its x \[rad\].
         direction: Option<f64>,
-        /// Width of the band [m].
+        /// Width of the band \[m\].
         width: Option<f64>,
     },
-    /// Along the outline, at most this far inside it [m].
+    /// Along the outline, at most this far inside it \[m\].
     Edge(f64),
 }
 

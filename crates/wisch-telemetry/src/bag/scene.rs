@@ -44,7 +44,7 @@ pub struct BagScene<'a> {
     pub surface: &'a Surface,
     /// Objects around the surface; robot and tool are shown separately.
     pub objects: &'a [SceneObject],
-    /// The tool's surface in its own frame [m].
+    /// The tool's surface in its own frame \[m\].
     pub tool: &'a Mesh,
     /// Goal of the task; a goal area for collected dirt is drawn.
     pub goal: &'a GoalState,

@@ -60,7 +60,7 @@ pub struct BagHead {
     pub joints: Vec<String>,
     /// Believed pose of the target surface.
     pub world_from_surface: Pose,
-    /// The log's time at which a sample's time is 0 [ns]; may be 0.
+    /// The log's time at which a sample's time is 0 \[ns\]; may be 0.
     pub start: u64,
     /// Further notes, for example the task's name and the seed.
     pub notes: BTreeMap<String, String>,
@@ -277,7 +277,7 @@ impl BagWriter {
         Ok(())
     }
 
-    /// Adds the particle positions in the world [m]. They are written at most twice a second; the last positions are
+    /// Adds the particle positions in the world \[m\]. They are written at most twice a second; the last positions are
     /// always written.
     ///
     /// # Errors

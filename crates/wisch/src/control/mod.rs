@@ -22,8 +22,8 @@ use crate::geometry::Vector3;
 /// A force with its moment about the tool centre point, in the axes of the world.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Wrench {
-    /// Force [N].
+    /// Force \[N\].
     pub force: Vector3,
-    /// Moment about the tool centre point [Nm].
+    /// Moment about the tool centre point \[Nm\].
     pub moment: Vector3,
 }

@@ -33,7 +33,7 @@ impl MomentumObserver {
     /// Updates the observer with the present state and with the efforts of the observed variables since the
     /// last call, and returns the external efforts [Nm or N].
     ///
-    /// `qd`: velocities of all variables. `period`: time since the last call [s].
+    /// `qd`: velocities of all variables. `period`: time since the last call \[s\].
     pub fn update(
         &mut self,
         state: &ArticulationState,

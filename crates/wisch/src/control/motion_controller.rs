@@ -38,7 +38,7 @@ pub fn press_into_surface(
     Translation3::from(-normal * (depth * share)) * world_from_tool
 }
 
-/// Returns the load of a tool of this mass [kg] on the link that holds it: a cuboid of this extent [m] at the
+/// Returns the load of a tool of this mass \[kg\] on the link that holds it: a cuboid of this extent \[m\] at the
 /// tool centre point.
 pub fn tool_load(tip_from_tool: &Pose, extent: Vector2, mass: f64) -> Body {
     // Moment of inertia of a cuboid: m (a² + b²) / 12.
@@ -69,7 +69,7 @@ pub struct ControlCommand {
 }
 
 impl ControlCommand {
-    /// Vector from the tool to its commanded position, in the world [m].
+    /// Vector from the tool to its commanded position, in the world \[m\].
     pub fn error(&self) -> Vector3 {
         self.desired.world_from_tool.translation.vector - self.world_from_tool.translation.vector
     }
@@ -101,7 +101,7 @@ pub struct MotionController {
 }
 
 impl MotionController {
-    /// Returns a controller for a motion of a robot with a tool of this mass [kg] in its hand.
+    /// Returns a controller for a motion of a robot with a tool of this mass \[kg\] in its hand.
     ///
     /// # Errors
     /// [`RobotError`] if the robot does not have these joints.

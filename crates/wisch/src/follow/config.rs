@@ -15,28 +15,28 @@ pub enum SearchScope {
 /// Settings of the follower.
 #[derive(Debug, Clone, PartialEq)]
 pub struct FollowConfig {
-    /// Longest step of the tool between two solved poses [m].
+    /// Longest step of the tool between two solved poses \[m\].
     pub step: f64,
-    /// Largest rotation of the tool between two solved poses [rad].
+    /// Largest rotation of the tool between two solved poses \[rad\].
     pub turn: f64,
-    /// δ of Algorithm 1: increment of the tool's free rotation and tilt [rad].
+    /// δ of Algorithm 1: increment of the tool's free rotation and tilt \[rad\].
     pub orientation_increment: f64,
-    /// Clearance between all pairs of bodies [m].
+    /// Clearance between all pairs of bodies \[m\].
     pub margin: f64,
-    /// Clearance of the arm from obstacles in free motion, where the scene leaves space for it [m]: obstacles
+    /// Clearance of the arm from obstacles in free motion, where the scene leaves space for it \[m\]: obstacles
     /// may have a localisation error.
     pub free_clearance: f64,
     /// Largest change of a joint over one step; a larger change is a jump [rad or m].
     pub max_joint_step: f64,
-    /// Largest distance of the tool centre point from its line [m].
+    /// Largest distance of the tool centre point from its line \[m\].
     pub line_tolerance: f64,
-    /// Largest rotation of the tool away from its line [rad].
+    /// Largest rotation of the tool away from its line \[rad\].
     pub turn_tolerance: f64,
     /// Largest speed of the tool in contact [m/s].
     pub contact_speed: f64,
     /// Largest speed of the tool on its way down to the surface [m/s].
     pub approach_speed: f64,
-    /// Time over which a change of a joint's acceleration is spread [s]. The jerk is at most twice the joint's
+    /// Time over which a change of a joint's acceleration is spread \[s\]. The jerk is at most twice the joint's
     /// largest acceleration over this time; with 0, accelerations jump.
     pub acceleration_ramp: f64,
     /// Whether the robot may choose the tool's yaw so that its joints move little. It does so only if one hand

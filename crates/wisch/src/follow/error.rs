@@ -47,9 +47,9 @@ pub enum FollowError {
         a: String,
         /// Second body.
         b: String,
-        /// Distance between them [m]; negative if they penetrate.
+        /// Distance between them \[m\]; negative if they penetrate.
         distance: f64,
-        /// Required clearance [m].
+        /// Required clearance \[m\].
         limit: f64,
     },
     /// The robot's ready posture is outside its limits.
@@ -104,7 +104,7 @@ pub enum FollowError {
     HandBelowSurface {
         /// Link of the hand.
         link: String,
-        /// Depth below the tool's contact plane [m].
+        /// Depth below the tool's contact plane \[m\].
         depth: f64,
         /// Name of the surface.
         surface: String,

@@ -57,9 +57,9 @@ impl Phase {
 pub struct ToolPose {
     /// Tool centre point and heading in the surface frame.
     pub surface_from_tool: PlanarPose,
-    /// Height above the surface [m].
+    /// Height above the surface \[m\].
     pub height: f64,
-    /// Lean about the tool's tilt axis [rad]; 0 for tools without a tilt axis.
+    /// Lean about the tool's tilt axis \[rad\]; 0 for tools without a tilt axis.
     pub tilt: f64,
 }
 
@@ -79,12 +79,12 @@ impl ToolPose {
         }
     }
 
-    /// Returns the pose at the same place, heading and tilt, at a height above the surface [m].
+    /// Returns the pose at the same place, heading and tilt, at a height above the surface \[m\].
     pub fn lifted(&self, height: f64) -> Self {
         Self { height, ..*self }
     }
 
-    /// Distance of the tool centre point to another pose [m].
+    /// Distance of the tool centre point to another pose \[m\].
     pub fn distance(&self, to: &Self) -> f64 {
         let flat = (to.surface_from_tool.position - self.surface_from_tool.position).norm();
         flat.hypot(to.height - self.height)
@@ -94,18 +94,18 @@ impl ToolPose {
 /// Deviation of the tool from its line.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct LineDeviation {
-    /// Largest distance of the tool centre point [m].
+    /// Largest distance of the tool centre point \[m\].
     pub position: f64,
-    /// Largest angle to the orientation of the line at that place [rad].
+    /// Largest angle to the orientation of the line at that place \[rad\].
     pub rotation: f64,
 }
 
 /// Deviation of the second hand from its grip.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct GripDeviation {
-    /// Distance of the hand's outermost point from the grip [m].
+    /// Distance of the hand's outermost point from the grip \[m\].
     pub position: f64,
-    /// Angle by which the hand leans on the bar beyond the limit [rad].
+    /// Angle by which the hand leans on the bar beyond the limit \[rad\].
     pub lean: f64,
 }
 
@@ -114,7 +114,7 @@ pub struct GripDeviation {
 pub struct Motion {
     /// Purpose of the motion.
     pub phase: Phase,
-    /// Start time [s].
+    /// Start time \[s\].
     pub start: f64,
     /// All n variables of the robot over time, from 0 to the motion's duration.
     pub trajectory: Trajectory,
@@ -124,7 +124,7 @@ pub struct Motion {
 }
 
 impl Motion {
-    /// End time [s], on the same clock as `start`.
+    /// End time \[s\], on the same clock as `start`.
     pub fn end(&self) -> f64 {
         self.start + self.trajectory.duration()
     }
@@ -136,9 +136,9 @@ pub enum Obstruction {
     /// No configuration puts the tool at the pose.
     #[error("out of reach by {position_error:.3} m and {rotation_error:.2} rad")]
     OutOfReach {
-        /// Distance of the nearest configuration found [m].
+        /// Distance of the nearest configuration found \[m\].
         position_error: f64,
-        /// Rotation of the nearest configuration found from the pose [rad].
+        /// Rotation of the nearest configuration found from the pose \[rad\].
         rotation_error: f64,
     },
     /// A joint has reached its limit.
@@ -156,7 +156,7 @@ pub enum Obstruction {
         a: String,
         /// Second part.
         b: String,
-        /// Distance between them [m], negative if they penetrate.
+        /// Distance between them \[m\], negative if they penetrate.
         distance: f64,
     },
     /// The robot or its tool comes too close to the scene.
@@ -166,15 +166,15 @@ pub enum Obstruction {
         body: String,
         /// Name of the object.
         object: String,
-        /// Distance between them [m], negative if they penetrate.
+        /// Distance between them \[m\], negative if they penetrate.
         distance: f64,
     },
     /// The second hand does not reach its grip on the tool.
     #[error("the second hand is off its grip by {position_error:.3} m and {rotation_error:.2} rad")]
     SecondHand {
-        /// Distance of the nearest configuration found from the grip [m].
+        /// Distance of the nearest configuration found from the grip \[m\].
         position_error: f64,
-        /// Rotation of the nearest configuration found from the grip [rad].
+        /// Rotation of the nearest configuration found from the grip \[rad\].
         rotation_error: f64,
     },
     /// The next pose on the line needs a jump of the joints.
@@ -200,9 +200,9 @@ impl Obstruction {
 /// A failed attempt to reach a node.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Attempt {
-    /// Rotation about the surface normal against the planned heading [rad].
+    /// Rotation about the surface normal against the planned heading \[rad\].
     pub rotation: f64,
-    /// Lean about the tool's tilt axis [rad].
+    /// Lean about the tool's tilt axis \[rad\].
     pub tilt: f64,
     /// Followed share of the edge, 0 to 1.
     pub progress: f64,
@@ -261,12 +261,12 @@ pub struct Followed {
 }
 
 impl Followed {
-    /// Time from the start to the end of all motions [s].
+    /// Time from the start to the end of all motions \[s\].
     pub fn duration(&self) -> f64 {
         self.motions.last().map_or(0.0, Motion::end)
     }
 
-    /// Returns the motion at a time [s]: the first before the start, the last after the end.
+    /// Returns the motion at a time \[s\]: the first before the start, the last after the end.
     pub fn motion_at(&self, time: f64) -> Option<&Motion> {
         self.motions.get(self.index_at(time))
     }
@@ -277,7 +277,7 @@ impl Followed {
         next.saturating_sub(1)
     }
 
-    /// Returns the state of all n variables at a time [s]; at rest before the start and after the end. `None`
+    /// Returns the state of all n variables at a time \[s\]; at rest before the start and after the end. `None`
     /// without motions.
     pub fn sample(&self, time: f64) -> Option<TrajectorySample> {
         let motion = self.motion_at(time)?;
@@ -296,12 +296,12 @@ impl Followed {
         self
     }
 
-    /// Time in contact [s].
+    /// Time in contact \[s\].
     pub fn contact_time(&self) -> f64 {
         self.contact_time_until(f64::INFINITY)
     }
 
-    /// Time in contact of a motion that ends early, at `end` [s].
+    /// Time in contact of a motion that ends early, at `end` \[s\].
     pub fn contact_time_until(&self, end: f64) -> f64 {
         let contact = self.motions.iter().filter(|m| m.phase.is_contact());
         contact.fold(0.0, |sum, motion| {
@@ -309,12 +309,12 @@ impl Followed {
         })
     }
 
-    /// Length of the joint path of some of the variables: in contact, and in total [rad].
+    /// Length of the joint path of some of the variables: in contact, and in total \[rad\].
     pub fn joint_movement(&self, variables: &[usize]) -> [f64; 2] {
         self.joint_movement_until(variables, f64::INFINITY)
     }
 
-    /// Length of the joint path of a motion that ends early, at `end` [s]: in contact, and in total [rad].
+    /// Length of the joint path of a motion that ends early, at `end` \[s\]: in contact, and in total \[rad\].
     pub fn joint_movement_until(&self, variables: &[usize], end: f64) -> [f64; 2] {
         let mut movement = [0.0; 2];
         for motion in &self.motions {

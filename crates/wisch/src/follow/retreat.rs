@@ -19,7 +19,7 @@ const MIN_LIFT: f64 = 1e-4;
 ///
 /// `from`: all n variables [rad or m]. Within their limits they start the first motion. Variables that move
 /// neither the base nor the planning group take their values from the ready posture. `height`: height of the
-/// lift above the surface [m]. Returns no motions if the robot is in its ready posture.
+/// lift above the surface \[m\]. Returns no motions if the robot is in its ready posture.
 ///
 /// # Errors
 /// An obstacle prevents the lift, or no path to the ready posture was found.

@@ -7,17 +7,17 @@ use crate::represent::{LogNormal, Task};
 /// Settings of the interpretation. [`InterpretConfig::of`] takes the task-dependent ones from a task.
 #[derive(Debug, Clone, PartialEq)]
 pub struct InterpretConfig {
-    /// f_max of (9): above this normal force there is no contact [N]; 0 in the paper.
+    /// f_max of (9): above this normal force there is no contact \[N\]; 0 in the paper.
     pub max_normal_force_n: f64,
-    /// f_min of (9): normal force of nominal contact [N], negative; minus the task's press force.
+    /// f_min of (9): normal force of nominal contact \[N\], negative; minus the task's press force.
     pub min_normal_force_n: f64,
-    /// Least f′ of a confident contact, the lower bound of (10) [1]; 0.9 in the paper.
+    /// Least f′ of a confident contact, the lower bound of (10) \[1\]; 0.9 in the paper.
     pub confident_share: f64,
-    /// Error of a measured force [N]; it widens the upper bound of (10), which is 1.
+    /// Error of a measured force \[N\]; it widens the upper bound of (10), which is 1.
     pub force_noise_n: f64,
     /// How far the tool compresses under a force.
     pub compliance: ToolCompliance,
-    /// Height at which a hovering tool works over the surface [m]; 0 for a tool that touches. The f′ of a hovering tool
+    /// Height at which a hovering tool works over the surface \[m\]; 0 for a tool that touches. The f′ of a hovering tool
     /// is this gap over its clearance from the believed surface.
     pub gap_m: f64,
     /// Settings of the plane fit.
@@ -28,16 +28,16 @@ pub struct InterpretConfig {
     pub uncertainty: Uncertainty,
     /// Number of members that replace a certain belief at the first log.
     pub replays: usize,
-    /// ℓ: travel in contact after which a particle draws its threshold again [m]; by default r_s of the tool.
+    /// ℓ: travel in contact after which a particle draws its threshold again \[m\]; by default r_s of the tool.
     pub redraw_length_m: f64,
-    /// Tilt of the fitted plane from which the surface counts as misplaced [rad].
+    /// Tilt of the fitted plane from which the surface counts as misplaced \[rad\].
     pub relocalize_tilt: f64,
-    /// Offset of the fitted plane from which the surface counts as misplaced [m].
+    /// Offset of the fitted plane from which the surface counts as misplaced \[m\].
     pub relocalize_offset_m: f64,
-    /// Height over the believed surface from which the tool is certainly free [m]: a force measured there is bias.
+    /// Height over the believed surface from which the tool is certainly free \[m\]: a force measured there is bias.
     /// Compression of the tool is not subtracted.
     pub free_height_m: f64,
-    /// Largest distance of the real surface from the believed one [m].
+    /// Largest distance of the real surface from the believed one \[m\].
     pub search_height_m: f64,
     /// Thresholds of the events.
     pub events: EventConfig,
@@ -57,7 +57,7 @@ pub enum ToolCompliance {
     Spring {
         /// Force per compression [N/m].
         stiffness_n_per_m: f64,
-        /// Relative error of a computed compression [1].
+        /// Relative error of a computed compression \[1\].
         uncertainty: f64,
     },
 }
@@ -65,19 +65,19 @@ pub enum ToolCompliance {
 /// Settings of the RANSAC plane fit (11).
 #[derive(Debug, Clone, PartialEq)]
 pub struct PlaneConfig {
-    /// ε of (11): largest distance of an inlier from the plane [m].
+    /// ε of (11): largest distance of an inlier from the plane \[m\].
     pub inlier_distance_m: f64,
-    /// Largest angle between the fitted normal and the believed one [rad].
+    /// Largest angle between the fitted normal and the believed one \[rad\].
     pub cone: f64,
-    /// Probability that at least one hypothesis is drawn from inliers alone [1].
+    /// Probability that at least one hypothesis is drawn from inliers alone \[1\].
     pub confidence: f64,
     /// Maximum number of hypotheses.
     pub max_iterations: usize,
     /// Minimum number of inliers.
     pub min_points: usize,
-    /// Least share of inliers among the points [1]: scattered points lie on no plane.
+    /// Least share of inliers among the points \[1\]: scattered points lie on no plane.
     pub min_share: f64,
-    /// Least standard deviation of the points along a direction at which they determine the slope there [m].
+    /// Least standard deviation of the points along a direction at which they determine the slope there \[m\].
     pub min_spread_m: f64,
 }
 
@@ -98,43 +98,43 @@ impl Default for PlaneConfig {
 /// Thresholds of the events. Forces are those of the pieces of a log, with the bias subtracted.
 #[derive(Debug, Clone, PartialEq)]
 pub struct EventConfig {
-    /// f′ at which a contact begins, and f′ at which it ends [1].
+    /// f′ at which a contact begins, and f′ at which it ends \[1\].
     pub contact_share: [f64; 2],
-    /// Least duration of an event [s].
+    /// Least duration of an event \[s\].
     pub min_duration_s: f64,
-    /// Longest interruption that is still part of an event [s].
+    /// Longest interruption that is still part of an event \[s\].
     pub bridge_s: f64,
-    /// Height over the plane up to which the tool counts as near the surface [m], compression not subtracted.
+    /// Height over the plane up to which the tool counts as near the surface \[m\], compression not subtracted.
     pub near_height_m: f64,
-    /// Travel along the surface without force that makes a contact loss [m].
+    /// Travel along the surface without force that makes a contact loss \[m\].
     pub loss_travel_m: f64,
-    /// Time that a tool stands without force during a stroke that makes a contact loss [s].
+    /// Time that a tool stands without force during a stroke that makes a contact loss \[s\].
     pub loss_rest_s: f64,
-    /// Distance from the plane, beyond the inlier distance, that makes a push [m].
+    /// Distance from the plane, beyond the inlier distance, that makes a push \[m\].
     pub collision_height_m: f64,
-    /// f′ off the plane at which a push may begin, and f′ down to which it lasts [1].
+    /// f′ off the plane at which a push may begin, and f′ down to which it lasts \[1\].
     pub collision_share: [f64; 2],
-    /// Friction coefficient that wiping may reach: tangential over normal force [1]. Rubber on a dry board has about
+    /// Friction coefficient that wiping may reach: tangential over normal force \[1\]. Rubber on a dry board has about
     /// 0.8.
     pub friction_limit: f64,
     /// Tangential force that makes a push, beyond `friction_limit`; and the force down to which it lasts, beyond the
-    /// friction that the log itself shows [N].
+    /// friction that the log itself shows \[N\].
     pub tangential_margin_n: [f64; 2],
-    /// Normal force over the nominal force at which an overload begins, and down to which it lasts [1].
+    /// Normal force over the nominal force at which an overload begins, and down to which it lasts \[1\].
     pub overload: [f64; 2],
-    /// Force in free motion at which a push begins, and down to which it lasts [N]. Both count beyond the noise of the
+    /// Force in free motion at which a push begins, and down to which it lasts \[N\]. Both count beyond the noise of the
     /// log and lie above the inertial force of a hand.
     pub free_force_n: [f64; 2],
-    /// Longest interruption that is still part of a push in free motion [s]: when the robot lifts, the tool runs ahead
+    /// Longest interruption that is still part of a push in free motion \[s\]: when the robot lifts, the tool runs ahead
     /// of the hand that pushes it.
     pub free_bridge_s: f64,
-    /// Pushes with less time between them are merged [s].
+    /// Pushes with less time between them are merged \[s\].
     pub push_gap_s: f64,
-    /// Duration from which a push counts as hand guiding [s].
+    /// Duration from which a push counts as hand guiding \[s\].
     pub guiding_s: f64,
-    /// Longest time after a push within which the released tool may land [s].
+    /// Longest time after a push within which the released tool may land \[s\].
     pub landing_s: f64,
-    /// Largest delay of measured forces behind positions [s].
+    /// Largest delay of measured forces behind positions \[s\].
     pub force_lag_s: f64,
     /// Number of changes between sticking and slipping that make stick-slip.
     pub stick_slip_turns: usize,

@@ -42,34 +42,34 @@ const LONGEST_GAP: f64 = 1.0;
 pub enum Doubt {
     /// The tool came near the surface, but its force shows no contact.
     NoContactForce {
-        /// Smallest distance of the tool from the believed surface [m].
+        /// Smallest distance of the tool from the believed surface \[m\].
         closest: f64,
-        /// Size of the force that 90 % of the time near the surface stays below [N].
+        /// Size of the force that 90 % of the time near the surface stays below \[N\].
         force: f64,
     },
     /// The tool never came near the surface.
     NeverNearSurface {
-        /// Smallest distance of the tool from the believed surface [m].
+        /// Smallest distance of the tool from the believed surface \[m\].
         closest: f64,
     },
     /// The log shows no calm free motion, so the bias of the force is unknown.
     NoFreeMotion,
     /// The contacts lie on a cylinder rather than on a plane.
     Curved {
-        /// Radius [m].
+        /// Radius \[m\].
         radius: f64,
-        /// Angle of its axis from the surface's x, from 0 to π [rad].
+        /// Angle of its axis from the surface's x, from 0 to π \[rad\].
         axis: f64,
         /// Whether it bulges towards the tool.
         is_convex: bool,
     },
     /// The tool pressed with a force other than the declared one.
     PressForceDiffers {
-        /// Force with which the tool pressed for most of the time [N].
+        /// Force with which the tool pressed for most of the time \[N\].
         force: f64,
-        /// Declared force [N].
+        /// Declared force \[N\].
         declared: f64,
-        /// Difference of the performance between the two explanations [1]: the tool really pressed with this force, or
+        /// Difference of the performance between the two explanations \[1\]: the tool really pressed with this force, or
         /// the force is measured on another scale.
         matters: f64,
     },
@@ -84,7 +84,7 @@ pub enum Doubt {
     },
     /// The clocks of force and position differ by a constant.
     ClockOffset {
-        /// Delay of the force; negative where it is early [s].
+        /// Delay of the force; negative where it is early \[s\].
         offset: f64,
     },
     /// The log begins or ends while the tool presses, or has a gap: wiping at that time is not counted.
@@ -93,24 +93,24 @@ pub enum Doubt {
         begins: bool,
         /// Whether it ends while the tool presses.
         ends: bool,
-        /// Time without samples in contact [s].
+        /// Time without samples in contact \[s\].
         missing: f64,
     },
     /// A person guided the tool by hand: the force is that of the hand as well as that of the surface.
     HandGuided {
-        /// Share of the log [1].
+        /// Share of the log \[1\].
         share: f64,
     },
     /// The tool pressed with its nominal force, but far from the believed surface.
     ContactFarFromSurface {
-        /// Median height of the pressing tool over the believed surface [m].
+        /// Median height of the pressing tool over the believed surface \[m\].
         height: f64,
-        /// Largest distance from the believed surface at which contact is searched [m].
+        /// Largest distance from the believed surface at which contact is searched \[m\].
         searched: f64,
     },
     /// The tool was in contact mostly beside the surface.
     ContactBesideSurface {
-        /// Share of the contact time beside the outline [1].
+        /// Share of the contact time beside the outline \[1\].
         share: f64,
     },
     /// The contacts lie on no common plane.
@@ -122,14 +122,14 @@ pub enum Doubt {
     },
     /// The tool was near the surface, but hardly in contact with it.
     LittleContact {
-        /// Time in contact over the time on or near the surface [1].
+        /// Time in contact over the time on or near the surface \[1\].
         share: f64,
     },
     /// In contact, the tool hardly moved along the surface.
     LittleSliding {
-        /// Travel along the surface in contact [m].
+        /// Travel along the surface in contact \[m\].
         travel: f64,
-        /// Radius of the tool [m].
+        /// Radius of the tool \[m\].
         radius: f64,
     },
 }

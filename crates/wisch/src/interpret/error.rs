@@ -28,9 +28,9 @@ pub enum InterpretError {
     TimeNotIncreasing {
         /// Number of the sample.
         sample: usize,
-        /// Its time [s].
+        /// Its time \[s\].
         time: f64,
-        /// Time of the sample before [s].
+        /// Time of the sample before \[s\].
         previous: f64,
     },
     /// A measurement is not finite or exceeds every robot's range.
@@ -51,7 +51,7 @@ pub enum InterpretError {
     /// The cells of a density map are too small or too large.
     #[error("cell size {cell_size} m gives {cells} cells, not 1 to {limit}")]
     Cells {
-        /// Side of a cell [m].
+        /// Side of a cell \[m\].
         cell_size: f64,
         /// Resulting number of cells.
         cells: f64,

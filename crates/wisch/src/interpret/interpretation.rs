@@ -36,15 +36,15 @@ pub struct Interpretation {
     pub doubts: Vec<Doubt>,
     /// Detected events, sorted by start.
     pub events: Vec<Event>,
-    /// Bias of the sensor along the surface's outward normal, as found in free motion and subtracted [N]; 0 where the
+    /// Bias of the sensor along the surface's outward normal, as found in free motion and subtracted \[N\]; 0 where the
     /// log shows no free motion.
     pub force_bias: f64,
-    /// Force with which the tool pressed for most of its sliding, inferred from the log [N]; `None` where the tool slid
+    /// Force with which the tool pressed for most of its sliding, inferred from the log \[N\]; `None` where the tool slid
     /// over no plane.
     pub pressed_force: Option<f64>,
     /// Belief about the tool's stiffness after this log and those before it; `None` for a rigid tool.
     pub tool_stiffness: Option<ToolStiffness>,
-    /// Time in contact over the time that the tool was on or near the surface [1].
+    /// Time in contact over the time that the tool was on or near the surface \[1\].
     pub contact_share: f64,
     /// Belief about the dirt after the log.
     pub belief: Belief,

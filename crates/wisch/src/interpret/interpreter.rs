@@ -198,10 +198,10 @@ impl Interpreter {
         })
     }
 
-    /// Returns the exposure of dirt at `places` (believed surface frame [m]) that does not respond to the tool.
+    /// Returns the exposure of dirt at `places` (believed surface frame \[m\]) that does not respond to the tool.
     ///
     /// The result has one list per place, with one entry per guess. Each guess shifts the place by a normal error of
-    /// `deviation` along x and along y [m], and draws the grasp of the tool. The guesses depend on the settings' seed
+    /// `deviation` along x and along y \[m\], and draws the grasp of the tool. The guesses depend on the settings' seed
     /// only, so they are the same for every log.
     ///
     /// # Errors

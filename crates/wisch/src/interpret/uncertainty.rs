@@ -6,52 +6,52 @@ use super::error::{InterpretError, within};
 /// values, so the spread of the replays shows their consequences.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Uncertainty {
-    /// Position of the tool in the hand, along its x and along its y [m].
+    /// Position of the tool in the hand, along its x and along its y \[m\].
     pub grasp_offset_m: f64,
-    /// Rotation of the tool in the hand about its axis [rad].
+    /// Rotation of the tool in the hand about its axis \[rad\].
     pub grasp_turn: f64,
-    /// Size of the footprint, as a share of its length and width [1].
+    /// Size of the footprint, as a share of its length and width \[1\].
     pub footprint_share: f64,
-    /// Position of each particle before the first round, along x and along y [m].
+    /// Position of each particle before the first round, along x and along y \[m\].
     pub particle_m: f64,
-    /// Relative error of f′ [1], from the tool's compliance and the force estimate.
+    /// Relative error of f′ \[1\], from the tool's compliance and the force estimate.
     pub force_share: f64,
-    /// Stiffness of the tool, as the standard deviation of its logarithm [1]; a log whose force changes often enough
+    /// Stiffness of the tool, as the standard deviation of its logarithm \[1\]; a log whose force changes often enough
     /// measures it better.
     pub stiffness_share: f64,
-    /// Largest share of pushed dirt that slips past the tool, per draw of a threshold [1]: a heap before the tool
+    /// Largest share of pushed dirt that slips past the tool, per draw of a threshold \[1\]: a heap before the tool
     /// spreads, turns about its corners and leaks. In seven of eight replays nothing slips; in the remaining ones the
     /// share is uniform up to this limit.
     pub slip_share: f64,
-    /// Largest depth of a heap of all particles before the tool, over the radius r_s of its collision sphere [1];
+    /// Largest depth of a heap of all particles before the tool, over the radius r_s of its collision sphere \[1\];
     /// uniform over the replays from 0.
     pub heap_depth: f64,
-    /// Share of the replays that detect contact by force also during a push [1]; the remaining ones detect it by the
+    /// Share of the replays that detect contact by force also during a push \[1\]; the remaining ones detect it by the
     /// distance from the plane.
     pub pushed_by_force: f64,
-    /// Share of the replays in which a pushed tool drags the carried material while it is near the surface [1]: the
+    /// Share of the replays in which a pushed tool drags the carried material while it is near the surface \[1\]: the
     /// tool may tilt, and the hand takes part of its force.
     pub pushed_dragging: f64,
-    /// Share of the replays in which a pushed tool hops once over the carried material [1].
+    /// Share of the replays in which a pushed tool hops once over the carried material \[1\].
     pub hop_share: f64,
-    /// μ of (12) [1], in addition to the spread of the interaction's likelihood.
+    /// μ of (12) \[1\], in addition to the spread of the interaction's likelihood.
     pub law_mu: f64,
-    /// σ of (12), as the standard deviation of its logarithm [1].
+    /// σ of (12), as the standard deviation of its logarithm \[1\].
     pub law_sigma: f64,
-    /// Share of the members in which μ and σ deviate three times as much [1], for estimates that are wrong.
+    /// Share of the members in which μ and σ deviate three times as much \[1\], for estimates that are wrong.
     pub law_outlier_share: f64,
-    /// Share of the members in which each particle keeps its threshold instead of drawing it again [1]: a particle that
+    /// Share of the members in which each particle keeps its threshold instead of drawing it again \[1\]: a particle that
     /// stays once stays for good. No log shows which of the two holds.
     pub kept_share: f64,
-    /// ℓ, as the standard deviation of its logarithm [1].
+    /// ℓ, as the standard deviation of its logarithm \[1\].
     pub redraw_share: f64,
     /// Share of the members that explain a press force other than the declared one by the scale of the sensor or of the
-    /// declaration [1]; the remaining ones take the force as measured.
+    /// declaration \[1\]; the remaining ones take the force as measured.
     pub rescaled_share: f64,
-    /// Share of the members that take a log without contact for misread, although the tool was near the surface [1]: in
+    /// Share of the members that take a log without contact for misread, although the tool was near the surface \[1\]: in
     /// these members the tool touched wherever it was low.
     pub misread_share: f64,
-    /// Standard deviation of a performance that the model does not explain [1].
+    /// Standard deviation of a performance that the model does not explain \[1\].
     pub model_share: f64,
 }
 

@@ -39,12 +39,12 @@ pub struct ObservedRound {
     pub after: Observation,
     /// Detection rate and sensor noise.
     pub sight: Sight,
-    /// Area of the surface [m²].
+    /// Area of the surface \[m²\].
     pub area_m2: f64,
     /// Exposure of each detection of `before` to the tool, with one entry per guess; see
     /// [`Interpreter::exposures`](crate::interpret::Interpreter::exposures).
     pub exposures: Vec<Vec<Exposure>>,
-    /// Largest f′ at each detection of `before` in earlier rounds since its dirt came there, by guess [1]; empty if
+    /// Largest f′ at each detection of `before` in earlier rounds since its dirt came there, by guess \[1\]; empty if
     /// there was none. A particle that keeps its threshold and is still there has a threshold above it.
     pub earlier: Vec<Vec<f64>>,
 }

@@ -35,7 +35,7 @@ pub const GUESSES: usize = 8;
 /// Settings of the learning.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct LearnConfig {
-    /// Standard deviation of the logarithm of a round's force scale, common to the whole round [1].
+    /// Standard deviation of the logarithm of a round's force scale, common to the whole round \[1\].
     pub force_share: f64,
     /// Seed of all random numbers.
     pub seed: u64,
@@ -56,7 +56,7 @@ impl Default for LearnConfig {
 pub struct Lesson<'a> {
     /// Entry of the knowledge base, from which the prior follows.
     pub interaction: &'a Interaction,
-    /// r_s of the tool, the prior mean of ℓ if the entry has none [m].
+    /// r_s of the tool, the prior mean of ℓ if the entry has none \[m\].
     pub collision_radius_m: f64,
     /// Rounds of any episodes.
     pub rounds: &'a [ObservedRound],
@@ -65,13 +65,13 @@ pub struct Lesson<'a> {
 /// Posterior of a law.
 #[derive(Debug, Clone, PartialEq)]
 pub struct LearnedLaw {
-    /// μ [1].
+    /// μ \[1\].
     pub mu: PosteriorSummary,
-    /// ln σ [1].
+    /// ln σ \[1\].
     pub ln_sigma: PosteriorSummary,
     /// ln of ℓ in metres, for thresholds that are drawn again.
     pub ln_redraw_length: PosteriorSummary,
-    /// Probability that a particle keeps its threshold [1].
+    /// Probability that a particle keeps its threshold \[1\].
     pub kept_share: f64,
     /// Number of rounds of the fit.
     pub rounds: usize,

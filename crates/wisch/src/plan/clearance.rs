@@ -26,7 +26,7 @@ pub struct FreeSpace {
 }
 
 impl FreeSpace {
-    /// Prepares the scene for a collision sphere of `radius` r_s [m].
+    /// Prepares the scene for a collision sphere of `radius` r_s \[m\].
     ///
     /// `scene`: meshes in the surface frame, without robot, tool and target surface.
     ///
@@ -62,7 +62,7 @@ impl FreeSpace {
         })
     }
 
-    /// The collision sphere's radius r_s [m].
+    /// The collision sphere's radius r_s \[m\].
     pub fn radius(&self) -> f64 {
         self.radius
     }
@@ -77,7 +77,7 @@ impl FreeSpace {
         &self.occupied
     }
 
-    /// Distance from a point of the surface's plane to the scene above it [m]; 0 inside an object.
+    /// Distance from a point of the surface's plane to the scene above it \[m\]; 0 inside an object.
     pub fn distance(&self, point: Point2) -> f64 {
         if self.is_occupied(point) {
             return 0.0;
@@ -130,7 +130,7 @@ impl FreeSpace {
         }
     }
 
-    /// Share of `places` [1] that the tool covers at no free position of its centre and no rotation; 0 without
+    /// Share of `places` \[1\] that the tool covers at no free position of its centre and no rotation; 0 without
     /// places.
     ///
     /// `footprint`: the tool's footprint, in the tool frame.

@@ -9,13 +9,13 @@ pub struct PlanConfig {
     pub strategy: Strategy,
     /// Seed of the random tree, of the tour's kicks and of the search for strokes.
     pub seed: u64,
-    /// Bandwidth of the density estimate [m]; `None` takes it from the data.
+    /// Bandwidth of the density estimate \[m\]; `None` takes it from the data.
     pub bandwidth: Option<f64>,
     /// How the planner turns the tool along the strokes of a coverage strategy.
     pub heading: HeadingRule,
-    /// Height by which the tool is lifted between strokes [m].
+    /// Height by which the tool is lifted between strokes \[m\].
     pub lift_height: f64,
-    /// Longest distance of the tool in contact [m]; `None` sets no limit.
+    /// Longest distance of the tool in contact \[m\]; `None` sets no limit.
     pub max_distance: Option<f64>,
     /// Effort of the search for strokes.
     pub search: SearchConfig,
@@ -26,7 +26,7 @@ pub struct PlanConfig {
 pub struct SearchConfig {
     /// Number of plans that the search evaluates. The same number gives the same plan, however long the search takes.
     pub evaluations: usize,
-    /// Lateral error of the tool that the plan has to tolerate, to either side [m]. Dirt that only an exact
+    /// Lateral error of the tool that the plan has to tolerate, to either side \[m\]. Dirt that only an exact
     /// tool reaches counts half.
     pub margin_m: f64,
 }

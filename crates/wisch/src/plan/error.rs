@@ -13,7 +13,7 @@ pub enum PlanError {
     NoFreeNode {
         /// Name of the surface.
         surface: String,
-        /// Required clearance, d_s [m].
+        /// Required clearance, d_s \[m\].
         diameter: f64,
     },
     /// The surface is too large for the tool.
@@ -25,7 +25,7 @@ pub enum PlanError {
         surface: String,
         /// Number of nodes that would cover it.
         count: usize,
-        /// Distance between nodes [m].
+        /// Distance between nodes \[m\].
         pitch: f64,
         /// What the user can do.
         advice: &'static str,
@@ -37,13 +37,13 @@ pub enum PlanError {
     GoalNotFree {
         /// Name of the surface.
         surface: String,
-        /// x of the goal node in the surface frame [m].
+        /// x of the goal node in the surface frame \[m\].
         x: f64,
-        /// y of the goal node in the surface frame [m].
+        /// y of the goal node in the surface frame \[m\].
         y: f64,
-        /// Distance from the goal node to the scene [m].
+        /// Distance from the goal node to the scene \[m\].
         distance: f64,
-        /// Radius of the collision sphere, r_s [m].
+        /// Radius of the collision sphere, r_s \[m\].
         radius: f64,
     },
     /// A skim has no edge over which it may push.

@@ -50,9 +50,9 @@ pub enum StrokeFault {
         pose: usize,
         /// Name of the object.
         object: String,
-        /// x of the tool centre point, in the surface frame [m].
+        /// x of the tool centre point, in the surface frame \[m\].
         x: f64,
-        /// y of the tool centre point, in the surface frame [m].
+        /// y of the tool centre point, in the surface frame \[m\].
         y: f64,
     },
     /// The stroke presses the tool over a hole.
@@ -64,11 +64,11 @@ pub enum StrokeFault {
         stroke: usize,
         /// Index of the pose before the hole.
         pose: usize,
-        /// Length of the path over the hole [m].
+        /// Length of the path over the hole \[m\].
         length: f64,
-        /// x of the middle of that path, in the surface frame [m].
+        /// x of the middle of that path, in the surface frame \[m\].
         x: f64,
-        /// y of the middle of that path, in the surface frame [m].
+        /// y of the middle of that path, in the surface frame \[m\].
         y: f64,
     },
     /// The tool leaves the surface too far.
@@ -80,13 +80,13 @@ pub enum StrokeFault {
         stroke: usize,
         /// Index of the pose before.
         pose: usize,
-        /// Distance from the surface there [m].
+        /// Distance from the surface there \[m\].
         distance: f64,
-        /// Largest distance allowed [m].
+        /// Largest distance allowed \[m\].
         limit: f64,
-        /// x of the tool centre point, in the surface frame [m].
+        /// x of the tool centre point, in the surface frame \[m\].
         x: f64,
-        /// y of the tool centre point, in the surface frame [m].
+        /// y of the tool centre point, in the surface frame \[m\].
         y: f64,
     },
 }
@@ -96,7 +96,7 @@ pub enum StrokeFault {
 pub struct StrokeOverBorder {
     /// Index of the stroke, from 0.
     pub stroke: usize,
-    /// Distance of the tool centre point beyond the border [m].
+    /// Distance of the tool centre point beyond the border \[m\].
     pub distance: f64,
     /// Whether the stroke skims over an edge that the task allows.
     pub skims: bool,
@@ -150,7 +150,7 @@ pub fn check_strokes(task: &Task, strokes: &[Stroke]) -> Result<Vec<StrokeOverBo
 ///
 /// `strokes`: for each stroke the tool's poses from touching down to lifting off, in the surface frame. Between
 /// poses the tool moves straight and turns evenly. `lift_height`: height by which the tool is lifted between
-/// strokes [m].
+/// strokes \[m\].
 ///
 /// Each pose becomes a node of the plan's graph. A collect without a goal in the task collects where the last
 /// stroke ends.

@@ -15,7 +15,7 @@ pub enum NodeRole {
 /// A position of the tool centre point on the surface's plane.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Node {
-    /// Position in the surface frame [m].
+    /// Position in the surface frame \[m\].
     pub position: Point2,
     /// What the node is for.
     pub role: NodeRole,
@@ -30,14 +30,14 @@ pub struct SemanticDirectedGraph {
     pub edges: Vec<(usize, usize)>,
     /// The geometric goal state.
     pub goal: GoalState,
-    /// Longest edge allowed, l_max [m]; `None` where the policy does not limit it.
+    /// Longest edge allowed, l_max \[m\]; `None` where the policy does not limit it.
     pub max_edge_length: Option<f64>,
     /// Nodes that no valid edge connects to the goal.
     pub unreachable: Vec<usize>,
 }
 
 impl SemanticDirectedGraph {
-    /// Position of a node in the surface frame [m].
+    /// Position of a node in the surface frame \[m\].
     pub fn position(&self, node: usize) -> Point2 {
         self.nodes[node].position
     }
@@ -51,7 +51,7 @@ impl SemanticDirectedGraph {
         successors
     }
 
-    /// Whether a particle lies within `radius` r_s [m] of a connected node or of an edge.
+    /// Whether a particle lies within `radius` r_s \[m\] of a connected node or of an edge.
     pub fn reaches(&self, particle: Point2, radius: f64) -> bool {
         let near_node = self.nodes.iter().enumerate().any(|(i, node)| {
             !self.unreachable.contains(&i) && (node.position - particle).norm() <= radius

@@ -196,7 +196,7 @@ impl<'a> Planner<'a> {
     /// brings as much dirt as it can without them.
     ///
     /// # Parameters
-    /// `avoid`: the places, in the surface frame [m].
+    /// `avoid`: the places, in the surface frame \[m\].
     ///
     /// # Errors
     /// Geometry that the libraries refuse.

@@ -18,7 +18,7 @@ pub struct Prediction {
 
 impl Prediction {
     /// The share of the dirt that the plan brings where it belongs, less three times the share that it loses
-    /// [1]; from 1 down to −3.
+    /// \[1\]; from 1 down to −3.
     pub fn score(&self) -> f64 {
         let Performance {
             initial,
@@ -32,7 +32,7 @@ impl Prediction {
 /// The state after one motion of a prediction.
 #[derive(Debug, Clone, Copy)]
 pub struct PredictionProgress<'a> {
-    /// Distance travelled in contact so far [m].
+    /// Distance travelled in contact so far \[m\].
     pub distance: f64,
     /// Pose of the tool in the surface frame.
     pub surface_from_tool: PlanarPose,

@@ -19,7 +19,7 @@ pub struct Stroke {
 pub struct TcpWaypoint {
     /// Pose in the surface frame.
     pub surface_from_tool: PlanarPose,
-    /// Height above the surface [m]; 0 in contact.
+    /// Height above the surface \[m\]; 0 in contact.
     pub height: f64,
 }
 
@@ -39,7 +39,7 @@ impl Stroke {
             .chain(touch)
     }
 
-    /// Length of the tool centre point's path in this stroke, all of it in contact [m].
+    /// Length of the tool centre point's path in this stroke, all of it in contact \[m\].
     pub fn length(&self) -> f64 {
         self.motions().map(|motion| motion.travel().1).sum()
     }
@@ -54,25 +54,25 @@ pub struct Plan {
     pub graph: SemanticDirectedGraph,
     /// Strokes in the order of execution.
     pub strokes: Vec<Stroke>,
-    /// Radius r_s of the collision sphere [m].
+    /// Radius r_s of the collision sphere \[m\].
     pub collision_radius: f64,
-    /// Share of the planned particles that the tool covers at no allowed pose ([`FreeSpace::out_of_reach`])
-    /// [1].
+    /// Share of the planned particles that the tool covers at no allowed pose ([`FreeSpace::out_of_reach`](super::FreeSpace::out_of_reach))
+    /// \[1\].
     pub unreachable_share: f64,
-    /// Start of the tool, in the surface frame [m].
+    /// Start of the tool, in the surface frame \[m\].
     pub tool_start: Point2,
-    /// Height by which the tool is lifted between strokes [m].
+    /// Height by which the tool is lifted between strokes \[m\].
     pub lift_height: f64,
 }
 
 impl Plan {
-    /// Length of the tool centre point's path over all strokes, without lifted moves [m]; the distance of Table
+    /// Length of the tool centre point's path over all strokes, without lifted moves \[m\]; the distance of Table
     /// 1.
     pub fn contact_distance(&self) -> f64 {
         self.strokes.iter().map(Stroke::length).sum()
     }
 
-    /// Returns the plan up to a distance in contact [m]; the stroke in progress ends there.
+    /// Returns the plan up to a distance in contact \[m\]; the stroke in progress ends there.
     #[must_use]
     pub fn truncate(&self, distance: f64) -> Self {
         let mut cut = self.clone();
@@ -115,7 +115,7 @@ impl Plan {
         cut
     }
 
-    /// Total distance, lifted moves included [m].
+    /// Total distance, lifted moves included \[m\].
     pub fn total_distance(&self) -> f64 {
         self.tcp_path()
             .windows(2)

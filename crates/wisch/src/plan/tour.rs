@@ -103,7 +103,7 @@ impl CostMatrix {
         Ok(Self { node_count, costs })
     }
 
-    /// Returns the matrix of straight-line distances [m] between points of one frame [m].
+    /// Returns the matrix of straight-line distances \[m\] between points of one frame \[m\].
     ///
     /// ```
     /// use wisch::{geometry::Point2, plan::CostMatrix};

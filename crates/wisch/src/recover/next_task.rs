@@ -102,7 +102,7 @@ pub fn recovery_candidate_count(footprint: &Region) -> usize {
     (RECOVERY_EDGES / edges).clamp(least, most)
 }
 
-/// Expected share of the particles that meet the goal under a belief [1].
+/// Expected share of the particles that meet the goal under a belief \[1\].
 pub fn expected_performance(belief: &Belief, goal: &GoalState, surface: &Surface) -> f64 {
     belief.performance(goal, surface, 0.0).mean()
 }

@@ -3,13 +3,13 @@
 use crate::interpret::{Diagnosis, Doubt, Interpretation, PerformanceDistribution};
 use std::fmt;
 
-/// Smallest rise of the estimate that counts as progress [1].
+/// Smallest rise of the estimate that counts as progress \[1\].
 pub const MIN_PROGRESS: f64 = 0.005;
 /// Number of consecutive strokes without progress after which the next is not expected to help.
 const STALLED_STROKES: usize = 4;
-/// Distance of the performance below the target at which a claim is false [1].
+/// Distance of the performance below the target at which a claim is false \[1\].
 pub const FALSE_CLAIM_MARGIN: f64 = 0.1;
-/// Largest accepted probability of a false claim [1].
+/// Largest accepted probability of a false claim \[1\].
 pub const MAX_FALSE_CLAIM_PROBABILITY: f64 = 0.002;
 
 /// Amount of work in one round, before its result is interpreted.
@@ -90,7 +90,7 @@ pub struct Claim {
 }
 
 impl Claim {
-    /// Returns the claim for a belief about the performance and a target [1].
+    /// Returns the claim for a belief about the performance and a target \[1\].
     pub fn of(believed: &PerformanceDistribution, target: f64) -> Self {
         Self {
             expected: believed.mean(),
@@ -161,7 +161,7 @@ pub fn judge_log(interpretation: &Interpretation, target: f64) -> Verdict {
 pub struct RoundOutcome<'a> {
     /// Interpretation of the measurements and of the camera's observation.
     pub interpretation: &'a Interpretation,
-    /// Expected performance before the round [1].
+    /// Expected performance before the round \[1\].
     pub performance_before: f64,
     /// Whether all dirt is believed to be where it belongs, lost dirt excepted; see
     /// [`is_done`](super::is_done).
@@ -192,7 +192,7 @@ pub struct TerminationPolicy {
 }
 
 impl TerminationPolicy {
-    /// Returns the policy before the first round; `target` is the performance at which the goal is met [1].
+    /// Returns the policy before the first round; `target` is the performance at which the goal is met \[1\].
     pub const fn new(target: f64, pace: Pace) -> Self {
         Self {
             target,

@@ -92,7 +92,7 @@ enum Outcome {
 }
 
 impl EffectModel {
-    /// Returns the model of a footprint (tool frame [m]) with this effect.
+    /// Returns the model of a footprint (tool frame \[m\]) with this effect.
     pub fn new(footprint: &Region, kind: Effect) -> Self {
         let edges: Vec<Edge> = footprint.edges().collect();
         let reach = edges
@@ -115,7 +115,7 @@ impl EffectModel {
         }
     }
 
-    /// Returns the model with a heap: carried particles take space ahead of the tool, `depth_of_all` [m] deep if it
+    /// Returns the model with a heap: carried particles take space ahead of the tool, `depth_of_all` \[m\] deep if it
     /// holds all particles; see [`heap_depth`](super::heap_depth).
     ///
     /// At the end of each motion, particles whose place in the heap is beyond an edge have fallen; at
@@ -180,7 +180,7 @@ impl EffectModel {
     /// Applies a motion in contact to the particles that respond to it.
     ///
     /// `responds` is called once for each particle that the motion would affect. It gets the particle's index in the
-    /// original distribution and its place before the motion (surface frame [m]). The order of the calls depends on the
+    /// original distribution and its place before the motion (surface frame \[m\]). The order of the calls depends on the
     /// field alone. A particle that does not respond stays as it is.
     ///
     /// ```

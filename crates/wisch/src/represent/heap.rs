@@ -8,12 +8,12 @@ use super::{ParticleField, Surface, ToolMotion};
 use crate::geometry::{Pose, Vector2, Vector3};
 use crate::random::keyed_uniform;
 
-/// Usual depth of a heap of all particles before a tool, over the radius r_s of the tool's collision sphere [1].
+/// Usual depth of a heap of all particles before a tool, over the radius r_s of the tool's collision sphere \[1\].
 /// Simulated crumbs take this space before a sponge that moves at an angle.
 pub const HEAP_DEPTH: f64 = 0.35;
 
-/// Returns the depth [m] of a heap that holds this share of the particles, if a heap of all of them has `depth_of_all`
-/// [m]: the covered area is proportional to the number of particles.
+/// Returns the depth \[m\] of a heap that holds this share of the particles, if a heap of all of them has `depth_of_all`
+/// \[m\]: the covered area is proportional to the number of particles.
 pub fn heap_depth(depth_of_all: f64, share: f64) -> f64 {
     // The area is proportional to the share, so the depth is to its square root.
     depth_of_all * share.max(0.0).sqrt()
@@ -26,7 +26,7 @@ const FRICTION: f64 = 0.9;
 const MAX_SHEDDING: f64 = 0.8;
 
 /// Returns how much farther down a slope a carried heap comes to rest, as a multiple of its depth, in the surface frame
-/// [1].
+/// \[1\].
 ///
 /// `along`: direction of the motion, a unit vector in the surface frame. The slope reduces or increases the friction
 /// that stops the heap: 1 − tan θ/μ of it remains for a motion straight down, 1 + tan θ/μ for one straight up.

@@ -10,9 +10,9 @@ pub enum GoalState {
     Absorbed,
     /// Every particle within `radius` of `center` (5).
     Collected {
-        /// n_goal in the surface frame [m].
+        /// n_goal in the surface frame \[m\].
         center: Point2,
-        /// r_s [m].
+        /// r_s \[m\].
         radius: f64,
     },
     /// Every particle off the surface, over permitted edges only (6).
@@ -24,14 +24,14 @@ pub enum GoalState {
     },
     /// Every place coated to this thickness, within [`THICKNESS_TOLERANCE`].
     Emitted {
-        /// Target thickness [m].
+        /// Target thickness \[m\].
         thickness: f64,
-        /// Thickness that one pass leaves [m].
+        /// Thickness that one pass leaves \[m\].
         per_pass: f64,
     },
 }
 
-/// Tolerance of a coat as a share of the target thickness [1].
+/// Tolerance of a coat as a share of the target thickness \[1\].
 pub const THICKNESS_TOLERANCE: f64 = 0.2;
 /// Share of a pass from which it counts as one [1].
 const COUNTED_PASS: f64 = 0.5;
@@ -76,7 +76,7 @@ impl GoalState {
         }
     }
 
-    /// Whether a particle is where the goal wants it; `position` in the surface frame [m].
+    /// Whether a particle is where the goal wants it; `position` in the surface frame \[m\].
     pub fn is_met_by(&self, position: Point2, fate: Fate, surface: &Surface) -> bool {
         match (self, fate) {
             (Self::Absorbed, Fate::Absorbed) => true,

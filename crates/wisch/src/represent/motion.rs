@@ -17,7 +17,7 @@ pub struct ToolMotion {
 }
 
 impl ToolMotion {
-    /// Returns the direction of travel (a unit vector; x if there is no travel) and the distance [m].
+    /// Returns the direction of travel (a unit vector; x if there is no travel) and the distance \[m\].
     pub fn travel(&self) -> (Vector2, f64) {
         let travel: Vector2 = self.to.position - self.from.position;
         let length = travel.norm();
@@ -28,7 +28,7 @@ impl ToolMotion {
         }
     }
 
-    /// Rotation of the tool, positive counter-clockwise [rad].
+    /// Rotation of the tool, positive counter-clockwise \[rad\].
     pub fn turn(&self) -> f64 {
         self.to.heading - self.from.heading
     }

@@ -18,7 +18,7 @@ pub const MAX_DETECTIONS: usize = 100_000;
 /// ```
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Observation {
-    /// Places of detected dirt [m], each once.
+    /// Places of detected dirt \[m\], each once.
     pub detections: Vec<Point2>,
     /// Occluded area, such as that behind an arm.
     pub hidden: Region,
@@ -57,13 +57,13 @@ impl Observation {
 /// Detection rate and noise of a camera for dirt.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SensorModel {
-    /// Probability that a grain much larger than `half_size_m` is detected [1].
+    /// Probability that a grain much larger than `half_size_m` is detected \[1\].
     pub detection: f64,
-    /// Diameter at which this probability is halved [m].
+    /// Diameter at which this probability is halved \[m\].
     pub half_size_m: f64,
     /// Density of false alarms [1/m²].
     pub false_alarms_per_m2: f64,
-    /// Standard deviation of a detection's position, along x and along y [m].
+    /// Standard deviation of a detection's position, along x and along y \[m\].
     pub position_error_m: f64,
 }
 
@@ -72,7 +72,7 @@ pub struct SensorModel {
 pub struct Sight {
     /// Detection rate and noise of the camera.
     pub sensor: SensorModel,
-    /// Probability that a grain of this medium is detected where nothing hides it [1]; see
+    /// Probability that a grain of this medium is detected where nothing hides it \[1\]; see
     /// [`SensorModel::mean_detection`].
     pub detection: f64,
 }
@@ -83,7 +83,7 @@ const STEEPNESS: i32 = 4;
 const SIZES: usize = 16;
 
 impl SensorModel {
-    /// Returns the probability that an unoccluded grain of this diameter [m] is detected [1].
+    /// Returns the probability that an unoccluded grain of this diameter \[m\] is detected \[1\].
     pub fn detection_of(&self, diameter: f64) -> f64 {
         if self.half_size_m <= 0.0 {
             return self.detection;
@@ -91,7 +91,7 @@ impl SensorModel {
         self.detection / (1.0 + (self.half_size_m / diameter).powi(STEEPNESS))
     }
 
-    /// Returns the mean detection probability over a medium's grain sizes [1]; `None` is a liquid, whose drops count as
+    /// Returns the mean detection probability over a medium's grain sizes \[1\]; `None` is a liquid, whose drops count as
     /// large.
     pub fn mean_detection(&self, sizes: Option<GrainSize>) -> f64 {
         let Some(sizes) = sizes else {

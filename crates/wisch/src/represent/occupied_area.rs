@@ -2,7 +2,7 @@
 
 use crate::geometry::{Bounds2, Edge, Mesh, Point2, Point3, encloses};
 
-/// Distance from the surface's plane below which geometry counts as part of it [m].
+/// Distance from the surface's plane below which geometry counts as part of it \[m\].
 pub const SURFACE_SKIN: f64 = 1e-4;
 
 /// The part of the surface's plane that the solids of a scene cover. Each object contributes its section just above the
@@ -38,7 +38,7 @@ impl OccupiedArea {
         Self { sections, bounds }
     }
 
-    /// Outline of the section of each object that reaches the plane, as unordered edges [m].
+    /// Outline of the section of each object that reaches the plane, as unordered edges \[m\].
     pub fn sections(&self) -> &[Vec<Edge>] {
         &self.sections
     }

@@ -21,7 +21,7 @@ pub enum Fate {
     },
     /// The particle is a place of the surface over which a tool slid.
     Treated {
-        /// Number of passes: travel of the tool over the place, over the mean length of its footprint [1].
+        /// Number of passes: travel of the tool over the place, over the mean length of its footprint \[1\].
         passes: f64,
     },
 }
@@ -32,7 +32,7 @@ impl Fate {
         matches!(self, Self::OnSurface | Self::Treated { .. })
     }
 
-    /// Number of passes of a tool over the particle [1].
+    /// Number of passes of a tool over the particle \[1\].
     pub fn passes(self) -> f64 {
         match self {
             Self::Treated { passes } => passes,
@@ -49,9 +49,9 @@ pub enum ParticleError {
     NotFinite {
         /// Index of the particle.
         index: usize,
-        /// Its x [m].
+        /// Its x \[m\].
         x: f64,
-        /// Its y [m].
+        /// Its y \[m\].
         y: f64,
     },
     /// More particles than [`MAX_PARTICLES`].
@@ -62,7 +62,7 @@ pub enum ParticleError {
     },
 }
 
-/// N points (x, y) in the surface frame [m] with their fates; paper (1).
+/// N points (x, y) in the surface frame \[m\] with their fates; paper (1).
 ///
 /// No particle is created or lost: [`ParticleTally::initial`] is constant.
 ///
@@ -93,7 +93,7 @@ pub struct ParticleTally {
 }
 
 impl ParticleDistribution {
-    /// Returns particles on the surface at these points (surface frame [m]).
+    /// Returns particles on the surface at these points (surface frame \[m\]).
     ///
     /// # Errors
     /// A point that is not finite, or more than [`MAX_PARTICLES`] points.
@@ -121,7 +121,7 @@ impl ParticleDistribution {
         })
     }
 
-    /// Returns particles with their fates; the position of one that is gone is where it went [m].
+    /// Returns particles with their fates; the position of one that is gone is where it went \[m\].
     ///
     /// # Errors
     /// As [`ParticleDistribution::new`].
@@ -165,7 +165,7 @@ impl ParticleDistribution {
         self.fate.is_empty()
     }
 
-    /// Position of particle `index` in the surface frame [m]; for a particle that is gone, where it went.
+    /// Position of particle `index` in the surface frame \[m\]; for a particle that is gone, where it went.
     pub fn position(&self, index: usize) -> Point2 {
         Point2::new(self.x[index], self.y[index])
     }
@@ -178,12 +178,12 @@ impl ParticleDistribution {
         self.fate[index]
     }
 
-    /// Positions [m] and fates of all particles, in order.
+    /// Positions \[m\] and fates of all particles, in order.
     pub fn iter(&self) -> impl Iterator<Item = (Point2, Fate)> + '_ {
         (0..self.len()).map(|i| (self.position(i), self.fate[i]))
     }
 
-    /// Positions of the particles on the surface [m].
+    /// Positions of the particles on the surface \[m\].
     pub fn remaining(&self) -> impl Iterator<Item = Point2> + '_ {
         self.iter()
             .filter(|(_, fate)| fate.is_on_surface())

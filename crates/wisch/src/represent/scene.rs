@@ -22,7 +22,7 @@ pub struct SceneObject {
     pub name: String,
     /// Role in the task.
     pub part: ScenePart,
-    /// Its mesh in its own frame [m].
+    /// Its mesh in its own frame \[m\].
     pub mesh: Mesh,
     /// Its pose in the world.
     pub world_from_object: Pose,

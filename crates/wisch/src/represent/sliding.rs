@@ -13,8 +13,8 @@ const BEYOND: f64 = 1e-3;
 const DRY_FRICTION: f64 = 0.8;
 const WET_FRICTION: f64 = 1.5;
 
-/// Returns the friction coefficient of dirt at rest on a surface [1]. Grains hold by their edges and wet dirt by
-/// adhesion, at least as well as a tool slides on the surface, whose friction is `of_surface` [1]. An assumption, the
+/// Returns the friction coefficient of dirt at rest on a surface \[1\]. Grains hold by their edges and wet dirt by
+/// adhesion, at least as well as a tool slides on the surface, whose friction is `of_surface` \[1\]. An assumption, the
 /// same in prediction and simulation.
 pub fn dirt_friction(kind: MediumKind, of_surface: f64) -> f64 {
     let of_dirt = match kind {
@@ -27,9 +27,9 @@ pub fn dirt_friction(kind: MediumKind, of_surface: f64) -> f64 {
 /// A surface too steep for loose dirt to rest on.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SteepSurface {
-    /// Angle between the surface's normal and the vertical [rad].
+    /// Angle between the surface's normal and the vertical \[rad\].
     pub slope: f64,
-    /// Coefficient of friction of the dirt on the surface [1], see [`dirt_friction`].
+    /// Coefficient of friction of the dirt on the surface \[1\], see [`dirt_friction`].
     pub friction: f64,
     /// Number of particles on the surface before they slid.
     pub lay: usize,

@@ -7,7 +7,7 @@ use crate::geometry::{Edge, Mesh, MeshError, Point2, Polygon, Pose, prism_below}
 pub struct Surface {
     /// Name in the knowledge base and in PDDL goals.
     pub name: String,
-    /// Outline in the surface frame [m].
+    /// Outline in the surface frame \[m\].
     pub outline: Polygon,
     /// Pose of the surface in the world.
     pub world_from_surface: Pose,
@@ -19,7 +19,7 @@ impl Surface {
     /// Returns a surface over no edge of which dirt may be skimmed.
     ///
     /// # Parameters
-    /// - `outline`: its outline in the surface frame [m].
+    /// - `outline`: its outline in the surface frame \[m\].
     /// - `world_from_surface`: the pose of its frame in the world; z is the outward normal.
     pub fn new(name: impl Into<String>, outline: Polygon, world_from_surface: Pose) -> Self {
         Self {
@@ -47,7 +47,7 @@ pub enum Ground {
 pub struct MoveSegment {
     /// What lies under the part.
     pub ground: Ground,
-    /// Begin and end of the part, as shares of the move [1].
+    /// Begin and end of the part, as shares of the move \[1\].
     pub shares: [f64; 2],
 }
 
@@ -55,7 +55,7 @@ pub struct MoveSegment {
 const LEAST_PART: f64 = 1e-6;
 
 impl Surface {
-    /// Returns what lies at a point of the plane (surface frame [m]). A point on a border belongs to either side.
+    /// Returns what lies at a point of the plane (surface frame \[m\]). A point on a border belongs to either side.
     pub fn ground(&self, point: Point2) -> Ground {
         let ring = |ring: &[Point2]| Polygon::new(ring.to_vec(), Vec::new()).contains(point);
         if self.outline.contains(point) {

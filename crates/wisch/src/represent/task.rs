@@ -11,11 +11,11 @@ use crate::geometry::{Mesh, MeshError, Point2, Polygon, Pose, Region, Vector2, V
 pub struct Tool {
     /// Name in the knowledge base.
     pub name: String,
-    /// Mesh in the tool frame [m].
+    /// Mesh in the tool frame \[m\].
     pub mesh: Mesh,
-    /// Contact area with the surface, in the tool frame [m].
+    /// Contact area with the surface, in the tool frame \[m\].
     pub footprint: Region,
-    /// Area of effect D_aoe: depth along and width across the motion [m].
+    /// Area of effect D_aoe: depth along and width across the motion \[m\].
     pub area_of_effect: Vector2,
     /// Permitted yaw about the surface normal; at 0 the broad side is across the motion.
     pub rotation_about_normal: AngleRange,
@@ -31,7 +31,7 @@ impl Tool {
     /// Returns a rectangular pad that wipes with its whole lower face and is held upright, in any yaw.
     ///
     /// # Parameters
-    /// - `size`: depth along the motion, width across it, and thickness [m].
+    /// - `size`: depth along the motion, width across it, and thickness \[m\].
     ///
     /// # Errors
     /// A size that no mesh has.
@@ -50,18 +50,18 @@ impl Tool {
         })
     }
 
-    /// Radius r_s = ‖D_aoe‖ / 2 of the collision sphere [m].
+    /// Radius r_s = ‖D_aoe‖ / 2 of the collision sphere \[m\].
     pub fn collision_radius(&self) -> f64 {
         self.area_of_effect.norm() / 2.0
     }
 
-    /// Extent of the footprint across the motion [m].
+    /// Extent of the footprint across the motion \[m\].
     pub fn width(&self) -> f64 {
         let bounds = self.footprint.bounds();
         bounds.map_or(self.area_of_effect.y, |bounds| bounds.size().y)
     }
 
-    /// Distance from the tool centre point within which a particle counts as reached [m].
+    /// Distance from the tool centre point within which a particle counts as reached \[m\].
     ///
     /// It is the radius of the largest circle in the area of effect, so the tool covers the particle at any yaw; half
     /// of r_s for a tool as narrow as a blade.
@@ -112,11 +112,11 @@ pub struct Task {
     pub interaction: Interaction,
     /// Believed places of the dirt.
     pub particles: ParticleDistribution,
-    /// n_goal of a collect, in the surface frame [m]; `None` lets the planner choose.
+    /// n_goal of a collect, in the surface frame \[m\]; `None` lets the planner choose.
     pub collect_goal: Option<Point2>,
     /// Target of a polish or an emit; `None` for actions that move dirt.
     pub treatment: Option<Treatment>,
-    /// Start of the tool, in the surface frame [m].
+    /// Start of the tool, in the surface frame \[m\].
     pub tool_start: Point2,
     /// Seed of all random numbers of the task.
     pub seed: u64,
@@ -128,7 +128,7 @@ impl Task {
     /// be set afterwards.
     ///
     /// # Parameters
-    /// - `particles`: where the dirt is believed to lie, in the surface frame [m].
+    /// - `particles`: where the dirt is believed to lie, in the surface frame \[m\].
     ///
     /// ```
     /// use wisch::prelude::*;
@@ -181,14 +181,14 @@ impl Task {
         }
     }
 
-    /// Returns the depth that one pass at the nominal force removes or leaves [m]; `None` for actions that move dirt,
+    /// Returns the depth that one pass at the nominal force removes or leaves \[m\]; `None` for actions that move dirt,
     /// or if no coefficient is known.
     pub fn depth_per_pass(&self) -> Option<f64> {
         let force = self.interaction.contact_force();
         self.treatment?.per_pass(self.tool.width(), force)
     }
 
-    /// Force of the surface on a tool that presses as the task demands, in the axes of the world [N].
+    /// Force of the surface on a tool that presses as the task demands, in the axes of the world \[N\].
     pub fn surface_reaction(&self) -> Vector3 {
         self.surface.world_from_surface * Vector3::z() * self.interaction.contact_force()
     }
@@ -198,7 +198,7 @@ impl Task {
         (self.scene.iter()).filter(|object| object.part == ScenePart::Obstacle)
     }
 
-    /// Returns the pose in the world [m] of the root of the robot that the scene shows: on the floor, facing the
+    /// Returns the pose in the world \[m\] of the root of the robot that the scene shows: on the floor, facing the
     /// surface. `None` if the scene shows no robot.
     pub fn robot_before_surface(&self) -> Option<Pose> {
         let mut scene = self.scene.iter();

@@ -17,7 +17,7 @@ pub enum Treatment {
     },
     /// A coat of paint.
     Emit {
-        /// Target thickness [m].
+        /// Target thickness \[m\].
         thickness: f64,
         /// Volume of paint per metre of travel [m³/m].
         volume_per_metre: f64,
@@ -25,7 +25,7 @@ pub enum Treatment {
 }
 
 impl Treatment {
-    /// Returns the goal of the treatment with a tool of this width [m].
+    /// Returns the goal of the treatment with a tool of this width \[m\].
     pub fn goal(&self, width: f64) -> GoalState {
         match *self {
             Self::Polish { passes, .. } => GoalState::Polished { passes },
@@ -39,7 +39,7 @@ impl Treatment {
         }
     }
 
-    /// Returns the depth that one pass removes or leaves [m], for a tool of this width [m] with this force [N]; `None`
+    /// Returns the depth that one pass removes or leaves \[m\], for a tool of this width \[m\] with this force \[N\]; `None`
     /// without a coefficient.
     pub fn per_pass(&self, width: f64, force: f64) -> Option<f64> {
         match *self {
@@ -51,7 +51,7 @@ impl Treatment {
         }
     }
 
-    /// Returns the mean of the passes over all places and their standard deviation [1].
+    /// Returns the mean of the passes over all places and their standard deviation \[1\].
     ///
     /// ```
     /// use wisch::geometry::Point2;

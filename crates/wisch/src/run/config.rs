@@ -29,7 +29,7 @@ pub enum AfterStop {
     Retreat,
 }
 
-/// Lowest score of a plan that is executed, unless the task sets another [1]. A plan that loses half of the
+/// Lowest score of a plan that is executed, unless the task sets another \[1\]. A plan that loses half of the
 /// dirt has a lower score, however much it brings where it belongs.
 pub const MIN_SCORE: f64 = -1.0;
 
@@ -50,10 +50,10 @@ pub struct RunConfig {
     pub workcell: WorkcellConfig,
     /// Settings of the joint motions.
     pub follow: FollowConfig,
-    /// Estimated performance at which the goal is met [1].
+    /// Estimated performance at which the goal is met \[1\].
     pub target: f64,
     /// Lowest score of a plan that is executed in the first round, see
-    /// [`Prediction::score`](crate::plan::Prediction::score) [1].
+    /// [`Prediction::score`](crate::plan::Prediction::score) \[1\].
     pub min_score: f64,
     /// Largest number of rounds.
     pub max_rounds: usize,

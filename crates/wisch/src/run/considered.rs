@@ -29,7 +29,7 @@ pub struct CandidateEvaluation {
 /// Key figures of the robot's motion for a plan.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct EvaluatedMotion {
-    /// Duration [s].
+    /// Duration \[s\].
     pub duration: f64,
     /// Number of abandoned nodes.
     pub abandoned: usize,

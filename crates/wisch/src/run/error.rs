@@ -9,7 +9,7 @@ use crate::represent::{Action, ParticleError};
 /// Checks that a plan's predicted score is high enough to execute it, see [`Prediction::score`]. Actions that
 /// treat the surface lose no dirt and always pass.
 ///
-/// `least`: lowest score allowed [1].
+/// `least`: lowest score allowed \[1\].
 ///
 /// # Errors
 /// [`RunError::LosesDirt`] with the score.
@@ -45,13 +45,13 @@ pub enum RunError {
         100.0 * achieved, 100.0 * lost
     )]
     LosesDirt {
-        /// Share of the dirt that is predicted to end where it belongs [1].
+        /// Share of the dirt that is predicted to end where it belongs \[1\].
         achieved: f64,
-        /// Share of the dirt that is predicted to be lost [1].
+        /// Share of the dirt that is predicted to be lost \[1\].
         lost: f64,
-        /// The plan's score [1].
+        /// The plan's score \[1\].
         score: f64,
-        /// Lowest score at which the plan would be executed [1].
+        /// Lowest score at which the plan would be executed \[1\].
         least: f64,
     },
     /// The executor failed.

@@ -13,14 +13,14 @@ pub enum Ending {
     /// It ended amid a stroke that no longer had an effect; see
     /// [`RunConfig::end_strokes_early`](super::RunConfig).
     Early {
-        /// Time of the end [s].
+        /// Time of the end \[s\].
         time: f64,
         /// Reason.
         cause: StrokeEnd,
     },
     /// The robot stopped itself, for example because it was caught on an object or far off its path.
     ProtectiveStop {
-        /// Time of the stop [s].
+        /// Time of the stop \[s\].
         time: f64,
         /// Reason.
         cause: StopCause,
@@ -47,9 +47,9 @@ pub enum StopCause {
         "the tool is {distance:.2} m from its commanded position, more than the limit of {limit} m"
     )]
     Astray {
-        /// Distance [m].
+        /// Distance \[m\].
         distance: f64,
-        /// The limit [m].
+        /// The limit \[m\].
         limit: f64,
     },
     /// A joint is too fast.
@@ -85,7 +85,7 @@ pub enum StopCause {
 /// The result of an execution, without its samples.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Execution {
-    /// Duration [s].
+    /// Duration \[s\].
     pub duration: f64,
     /// How it ended.
     pub ending: Ending,

@@ -13,7 +13,7 @@ pub struct MotionOrder<'a> {
     pub round: usize,
     /// Seed for the random numbers of a simulated world; a real robot ignores it.
     pub seed: u64,
-    /// Estimated surface, scene and tool. `task.interaction` holds the press force [N], the stiffness along the
+    /// Estimated surface, scene and tool. `task.interaction` holds the press force \[N\], the stiffness along the
     /// normal [N/m] and the damping ratio for the controller.
     pub task: &'a Task,
     /// The robot with the tool in its hand.
@@ -25,7 +25,7 @@ pub struct MotionOrder<'a> {
 /// Desired state of joints and tool at one instant, without the press into the surface.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Setpoint {
-    /// Time since the start [s].
+    /// Time since the start \[s\].
     pub time: f64,
     /// All n variables of the robot [rad or m].
     pub positions: Vec<f64>,
@@ -40,7 +40,7 @@ pub struct Setpoint {
 }
 
 impl MotionOrder<'_> {
-    /// Returns the index and the phase of the motion at a time [s]; `None` for an empty motion.
+    /// Returns the index and the phase of the motion at a time \[s\]; `None` for an empty motion.
     pub fn motion_at(&self, time: f64) -> Option<(usize, Phase)> {
         let motions = &self.followed.motions;
         let next = motions.partition_point(|motion| motion.start <= time);
@@ -48,7 +48,7 @@ impl MotionOrder<'_> {
         Some((index, motions.get(index)?.phase))
     }
 
-    /// Returns the desired state at a time [s]; `None` for an empty motion.
+    /// Returns the desired state at a time \[s\]; `None` for an empty motion.
     pub fn setpoint(&self, time: f64) -> Option<Setpoint> {
         let (motion, phase) = self.motion_at(time)?;
         let sample = self.followed.sample(time)?;
@@ -66,7 +66,7 @@ impl MotionOrder<'_> {
         })
     }
 
-    /// Returns the setpoints at this period [s], from the start to the end, which is the last; none for an
+    /// Returns the setpoints at this period \[s\], from the start to the end, which is the last; none for an
     /// empty motion.
     pub fn setpoints(&self, period: f64) -> impl Iterator<Item = Setpoint> {
         let duration = self.followed.duration();
@@ -74,7 +74,7 @@ impl MotionOrder<'_> {
         (0..count).filter_map(move |k| self.setpoint((k as f64 * period).min(duration)))
     }
 
-    /// Visits the setpoints at this period [s], passes the sample measured at each to the sink, and stops when
+    /// Visits the setpoints at this period \[s\], passes the sample measured at each to the sink, and stops when
     /// the sink returns `Break`.
     pub fn play(
         &self,

@@ -34,7 +34,7 @@ impl<'a> OwnStrategy<'a> {
     }
 
     /// Returns the function's plan for a task. `lift_height`: height by which the tool is lifted between
-    /// strokes [m].
+    /// strokes \[m\].
     ///
     /// # Errors
     /// [`PlanError::OwnStrategy`] with the function's error, or a stroke that the tool cannot make.

@@ -35,7 +35,7 @@ impl PlannedRound {
         }
     }
 
-    /// Share of the particles that the abandoned nodes are predicted to cost [1].
+    /// Share of the particles that the abandoned nodes are predicted to cost \[1\].
     pub fn abandoned_share(&self) -> f64 {
         if self.followed.abandoned.is_empty() {
             return 0.0;
@@ -48,11 +48,11 @@ impl PlannedRound {
 /// The executed part of a round's motion.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct ExecutedMotion {
-    /// Time in contact [s].
+    /// Time in contact \[s\].
     pub contact_time: f64,
-    /// Length of the arm's joint path in contact, and in total [rad].
+    /// Length of the arm's joint path in contact, and in total \[rad\].
     pub joint_movement: [f64; 2],
-    /// Path length of the tool in contact, and in total [m].
+    /// Path length of the tool in contact, and in total \[m\].
     pub distance: [f64; 2],
 }
 

@@ -18,13 +18,13 @@ pub enum StrokeEnd {
     /// The tool moved on without pressing on the surface.
     #[error("the tool had lost contact for {way:.2} m of its stroke")]
     ContactLost {
-        /// Path without contact [m].
+        /// Path without contact \[m\].
         way: f64,
     },
     /// A person or an object led the tool off its stroke.
     #[error("the tool had been led {distance:.2} m off its stroke")]
     LedAway {
-        /// Distance from the stroke [m].
+        /// Distance from the stroke \[m\].
         distance: f64,
     },
 }

@@ -9,7 +9,7 @@ use crate::interpret::TouchSample;
 /// and efforts are empty where an executor does not measure them.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct TelemetrySample<'a> {
-    /// Time since the start [s].
+    /// Time since the start \[s\].
     pub time: f64,
     /// Positions [rad or m].
     pub positions: &'a [f64],
@@ -56,7 +56,7 @@ impl TelemetrySample<'_> {
 /// A stored sample.
 #[derive(Debug, Clone, PartialEq)]
 pub struct RecordedSample {
-    /// Time since the start [s].
+    /// Time since the start \[s\].
     pub time: f64,
     /// Positions, velocities and efforts, one list after the other [rad or m, rad/s or m/s, Nm or N].
     pub joints: Vec<f64>,

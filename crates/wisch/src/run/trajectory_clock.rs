@@ -52,9 +52,9 @@ pub struct TrajectoryClock {
     "trajectory time {now} s is earlier than the last reported time, {before} s; expected times that never decrease"
 )]
 pub struct TrajectoryTimeError {
-    /// The reported time [s].
+    /// The reported time \[s\].
     pub now: f64,
-    /// The time reported before [s].
+    /// The time reported before \[s\].
     pub before: f64,
 }
 
@@ -78,10 +78,10 @@ impl TrajectoryClock {
         }
     }
 
-    /// Updates the clock with the measurements at `time` and returns the trajectory time [s], from 0 to the
+    /// Updates the clock with the measurements at `time` and returns the trajectory time \[s\], from 0 to the
     /// motion's duration.
     ///
-    /// `reported`: the trajectory time, if the robot knows it [s]. `positions`: all n joints, or empty where
+    /// `reported`: the trajectory time, if the robot knows it \[s\]. `positions`: all n joints, or empty where
     /// they are not measured; then the tool's pose is used.
     ///
     /// # Errors
@@ -109,7 +109,7 @@ impl TrajectoryClock {
         Ok(at)
     }
 
-    /// The largest trajectory time so far [s].
+    /// The largest trajectory time so far \[s\].
     pub const fn reached(&self) -> f64 {
         self.reached
     }

@@ -55,7 +55,7 @@ pub enum MotionFault {
     /// A joint is outside its range, mimic joints included.
     #[error("at {time:.3} s: {fault}")]
     Limit {
-        /// Time [s].
+        /// Time \[s\].
         time: f64,
         /// The joint and its limit.
         fault: crate::robot::LimitFault,
@@ -66,7 +66,7 @@ pub enum MotionFault {
         "at {time:.3} s: joint {joint:?} needs {effort:.2} {unit} to carry and move the robot, more than its limit of {limit} {unit}"
     )]
     Effort {
-        /// Time [s].
+        /// Time \[s\].
         time: f64,
         /// Name of the joint.
         joint: String,
@@ -86,19 +86,19 @@ pub enum MotionFault {
         motion: usize,
         /// Largest step of a joint [rad or m].
         step: f64,
-        /// Time between the motions [s].
+        /// Time between the motions \[s\].
         gap: f64,
     },
     /// Two bodies that must not touch come too close.
     #[error("at {time:.3} s: {a:?} comes within {distance:.5} m of {b:?}")]
     Contact {
-        /// Time [s].
+        /// Time \[s\].
         time: f64,
         /// First body.
         a: String,
         /// Second body.
         b: String,
-        /// Distance between them [m]; negative if they penetrate.
+        /// Distance between them \[m\]; negative if they penetrate.
         distance: f64,
     },
     /// Robot, hand or tool is in the target surface or has passed through it, or the tool is behind it.
@@ -107,15 +107,15 @@ pub enum MotionFault {
         place[0], place[1]
     )]
     ThroughSurface {
-        /// Time of the largest depth [s].
+        /// Time of the largest depth \[s\].
         time: f64,
         /// Name of the link or tool.
         body: String,
         /// Name of the surface.
         surface: String,
-        /// Depth of its lowest point below the surface [m].
+        /// Depth of its lowest point below the surface \[m\].
         depth: f64,
-        /// Position in the surface frame [m].
+        /// Position in the surface frame \[m\].
         place: [f64; 2],
     },
     /// The tool is pressed over a hole of the surface.
@@ -124,11 +124,11 @@ pub enum MotionFault {
         place[0], place[1]
     )]
     OverHole {
-        /// First time [s].
+        /// First time \[s\].
         time: f64,
         /// Name of the surface.
         surface: String,
-        /// Position of the tool centre point in the surface frame [m].
+        /// Position of the tool centre point in the surface frame \[m\].
         place: [f64; 2],
     },
     /// The tool leaves its line.
@@ -136,9 +136,9 @@ pub enum MotionFault {
     OffLine {
         /// Index of the motion.
         motion: usize,
-        /// Largest distance [m].
+        /// Largest distance \[m\].
         position: f64,
-        /// Largest rotation [rad].
+        /// Largest rotation \[rad\].
         rotation: f64,
     },
     /// The second hand leaves its grip on the tool.
@@ -146,11 +146,11 @@ pub enum MotionFault {
         "at {time:.3} s: the second hand is {position:.5} m off its grip and leans {lean:.4} rad beyond its limit"
     )]
     OffGrip {
-        /// Time [s].
+        /// Time \[s\].
         time: f64,
-        /// Distance from the grip [m].
+        /// Distance from the grip \[m\].
         position: f64,
-        /// Lean beyond the limit of the grip [rad].
+        /// Lean beyond the limit of the grip \[rad\].
         lean: f64,
     },
     /// The base moves while the tool wipes.
@@ -168,7 +168,7 @@ pub struct Audit {
     pub line: LineDeviation,
     /// Largest deviation of the second hand from its grip over all motions; zero if one hand holds the tool.
     pub grip: GripDeviation,
-    /// Smallest distance of bodies that must not touch, at most 0.5 m [m]. The tool against the object that
+    /// Smallest distance of bodies that must not touch, at most 0.5 m \[m\]. The tool against the object that
     /// carries the surface counts only while the tool is not coming down, wiping or lifting off.
     pub min_clearance: f64,
     /// All faults; empty for a sound motion.

@@ -51,9 +51,9 @@ pub struct WorkcellConfig {
     /// The tool in the frame of the link that holds it; `None` takes the tool's grip. For a tool without a
     /// grip, it puts the rear edge of its upper face at the hand's outermost point.
     pub tip_from_tool: Option<Pose>,
-    /// Angle by which the hand leans back from upright over the tool, against its motion [rad].
+    /// Angle by which the hand leans back from upright over the tool, against its motion \[rad\].
     pub hand_lean: f64,
-    /// Distance of revolute joints from their limits while the robot uses the tool [rad]: a compliant arm is
+    /// Distance of revolute joints from their limits while the robot uses the tool \[rad\]: a compliant arm is
     /// not exactly at its planned position.
     pub limit_margin: f64,
 }

@@ -15,9 +15,9 @@ use crate::robot::{
 use nalgebra::{Translation3, Unit, UnitQuaternion};
 use std::f64::consts::FRAC_PI_2;
 
-/// Largest distance of the second hand from its grip on the tool [m].
+/// Largest distance of the second hand from its grip on the tool \[m\].
 pub const GRIP_TOLERANCE: f64 = 2e-3;
-/// Allowance by which a hand may lean on its bar beyond the limit, for rounding and between samples [rad].
+/// Allowance by which a hand may lean on its bar beyond the limit, for rounding and between samples \[rad\].
 pub const LEAN_TOLERANCE: f64 = 1e-2;
 
 /// An arm that holds the tool of another, leading arm.

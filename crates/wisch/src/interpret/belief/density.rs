@@ -91,12 +91,12 @@ impl DensityMap {
         (self.columns, self.rows)
     }
 
-    /// Side of a cell [m], the same along x and y of the surface.
+    /// Side of a cell \[m\], the same along x and y of the surface.
     pub fn cell_size(&self) -> f64 {
         self.cell_size
     }
 
-    /// Returns the middle of a cell in the surface frame [m].
+    /// Returns the middle of a cell in the surface frame \[m\].
     pub fn center(&self, column: usize, row: usize) -> Point2 {
         self.origin + Vector2::new(column as f64 + 0.5, row as f64 + 0.5) * self.cell_size
     }

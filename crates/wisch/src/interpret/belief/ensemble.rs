@@ -130,7 +130,7 @@ impl Belief {
         1.0 / squares
     }
 
-    /// Returns the distribution of the performance; `deviation` is the standard deviation of the model error [1].
+    /// Returns the distribution of the performance; `deviation` is the standard deviation of the model error \[1\].
     pub fn performance(
         &self,
         goal: &GoalState,
@@ -267,7 +267,7 @@ impl Belief {
         reached.unwrap_or(self.weights.len() - 1)
     }
 
-    /// Returns the expected number of remaining particles per square cell of side `cell_size` [m].
+    /// Returns the expected number of remaining particles per square cell of side `cell_size` \[m\].
     ///
     /// # Errors
     /// A side that is not above 0, or cells so small that there are too many.

@@ -12,9 +12,9 @@ use crate::represent::{EffectModel, ParticleDistribution, ParticleField};
 /// One touch of a particle that stays in place.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ParticleTouch {
-    /// Travel of the tool in contact at the beginning and at the end of the touch [m].
+    /// Travel of the tool in contact at the beginning and at the end of the touch \[m\].
     pub travel: [f64; 2],
-    /// Largest f′ at the particle during the touch (9) [1].
+    /// Largest f′ at the particle during the touch (9) \[1\].
     pub share: f64,
 }
 
@@ -46,7 +46,7 @@ impl Exposure {
     }
 
     /// Returns the largest f′ met by each threshold that the particle draws, if it draws again after every
-    /// `redraw_length` ℓ of travel [m]. The particle has stayed if each of its thresholds was higher.
+    /// `redraw_length` ℓ of travel \[m\]. The particle has stayed if each of its thresholds was higher.
     pub fn draws(&self, redraw_length: f64) -> Vec<f64> {
         let mut clock = DrawClock::NEVER;
         let mut draws: Vec<f64> = Vec::new();
@@ -60,7 +60,7 @@ impl Exposure {
         draws
     }
 
-    /// Largest f′ of all touches [1]: a particle that keeps one threshold has stayed if that threshold is higher.
+    /// Largest f′ of all touches \[1\]: a particle that keeps one threshold has stayed if that threshold is higher.
     pub fn most(&self) -> f64 {
         self.touches
             .iter()

@@ -40,7 +40,7 @@ pub struct PerformanceDistribution {
 
 impl PerformanceDistribution {
     /// Returns a mixture of performances with weights of any positive sum; `deviation` is the standard deviation of
-    /// each component [1].
+    /// each component \[1\].
     pub fn of_shares(shares: impl IntoIterator<Item = (f64, f64)>, deviation: f64) -> Self {
         let mut shares: Vec<(f64, f64)> = shares.into_iter().collect();
         shares.sort_by(|a, b| a.0.total_cmp(&b.0));
@@ -92,12 +92,12 @@ impl PerformanceDistribution {
         Self::of_shares(shares, deviation)
     }
 
-    /// Expected performance [1].
+    /// Expected performance \[1\].
     pub fn mean(&self) -> f64 {
         self.mean
     }
 
-    /// Returns the probability that the performance is below a value [1].
+    /// Returns the probability that the performance is below a value \[1\].
     pub fn probability_below(&self, value: f64) -> f64 {
         if value > 1.0 {
             return 1.0;
@@ -112,7 +112,7 @@ impl PerformanceDistribution {
         self.cumulative(value)
     }
 
-    /// Returns the performance below which `probability`, in (0, 1), of the distribution lies [1].
+    /// Returns the performance below which `probability`, in (0, 1), of the distribution lies \[1\].
     pub fn quantile(&self, probability: f64) -> f64 {
         if self.deviation == 0.0 {
             let mut sum = 0.0;
@@ -135,7 +135,7 @@ impl PerformanceDistribution {
         if high == 1.0 { 1.0 } else { 0.5 * (low + high) }
     }
 
-    /// Returns the ends of the central interval that holds `share` of the probability [1].
+    /// Returns the ends of the central interval that holds `share` of the probability \[1\].
     pub fn interval(&self, share: f64) -> [f64; 2] {
         let outside = 0.5 * (1.0 - share);
         [self.quantile(outside), self.quantile(1.0 - outside)]
@@ -151,7 +151,7 @@ impl PerformanceDistribution {
         }
     }
 
-    /// Returns the continuous ranked probability score of an outcome [1]: the integral of the squared difference
+    /// Returns the continuous ranked probability score of an outcome \[1\]: the integral of the squared difference
     /// between the cumulative probability and the step at the outcome. A certain and correct belief scores 0 (Gneiting
     /// and Raftery 2007).
     pub fn score(&self, outcome: f64) -> f64 {

@@ -10,7 +10,7 @@ use rand::RngExt;
 use rand_chacha::{ChaCha8Rng, rand_core::SeedableRng};
 use rayon::prelude::*;
 
-/// Standard deviation of the logarithm of the number of particles [1].
+/// Standard deviation of the logarithm of the number of particles \[1\].
 pub const COUNT_SPREAD: f64 = 0.3;
 /// Probability that dirt of unknown place lies in heaps [1].
 const CLUMPED: f64 = 0.5;

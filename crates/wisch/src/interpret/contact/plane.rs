@@ -17,13 +17,13 @@ const MAX_REFINEMENTS: usize = 10;
 /// A plane over the xy plane, z = height + slope · (x, y).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PlaneFit {
-    /// Height at the origin [m].
+    /// Height at the origin \[m\].
     pub height: f64,
-    /// Rise along x and along y [1].
+    /// Rise along x and along y \[1\].
     pub slope: Vector2,
     /// Number of points within the inlier distance.
     pub inliers: usize,
-    /// Root mean square distance of the inliers [m].
+    /// Root mean square distance of the inliers \[m\].
     pub rms: f64,
     /// Number of directions in which the inliers spread far enough to determine the slope; the slope is 0 in the
     /// remaining ones.
@@ -36,17 +36,17 @@ impl PlaneFit {
         Vector3::new(-self.slope.x, -self.slope.y, 1.0).normalize()
     }
 
-    /// Angle between the normal and the z axis [rad].
+    /// Angle between the normal and the z axis \[rad\].
     pub fn tilt(&self) -> f64 {
         libm::atan(self.slope.norm())
     }
 
-    /// Returns the height of the plane [m] at a place in the xy plane [m].
+    /// Returns the height of the plane \[m\] at a place in the xy plane \[m\].
     pub fn height_at(&self, place: Vector2) -> f64 {
         self.height + self.slope.dot(&place)
     }
 
-    /// Returns the signed distance of a point from the plane, positive above [m].
+    /// Returns the signed distance of a point from the plane, positive above \[m\].
     pub fn distance(&self, point: Point3) -> f64 {
         (point.z - self.height_at(point.coords.xy())) * self.cosine()
     }

@@ -30,7 +30,7 @@ const FARTHEST: f64 = 3.0;
 pub struct ToolStiffness {
     /// Most likely value [N/m].
     pub n_per_m: f64,
-    /// Standard deviation of its logarithm [1].
+    /// Standard deviation of its logarithm \[1\].
     pub ln_deviation: f64,
 }
 

@@ -98,16 +98,16 @@ impl EventKind {
 pub struct Event {
     /// Kind of the event.
     pub kind: EventKind,
-    /// Start [s].
+    /// Start \[s\].
     pub start: f64,
-    /// End [s].
+    /// End \[s\].
     pub end: f64,
     /// Number of samples during the event.
     pub samples: usize,
-    /// Mean normal force [N]; negative where the tool presses.
+    /// Mean normal force \[N\]; negative where the tool presses.
     pub mean_normal_force: f64,
-    /// Largest size of the force [N].
+    /// Largest size of the force \[N\].
     pub peak_force: f64,
-    /// Largest distance from the fitted plane [m].
+    /// Largest distance from the fitted plane \[m\].
     pub peak_height: f64,
 }

@@ -13,13 +13,13 @@ const MAX_SAMPLES: usize = 4_000_000;
 /// Width of the kernel of (2), and reach of the tool at a peak.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct KdeConfig {
-    /// Bandwidth h [m]; `None` takes it from the data, see [`data_bandwidth`].
+    /// Bandwidth h \[m\]; `None` takes it from the data, see [`data_bandwidth`].
     pub bandwidth: Option<f64>,
-    /// Distance within which the tool at a node reaches a particle [m].
+    /// Distance within which the tool at a node reaches a particle \[m\].
     pub reach: f64,
 }
 
-/// Returns the bandwidth of the kernel of (2) by Scott's rule: h = √2 σ N^(−1/6), at most r_s [m].
+/// Returns the bandwidth of the kernel of (2) by Scott's rule: h = √2 σ N^(−1/6), at most r_s \[m\].
 ///
 /// The factor √2 is there because (2) divides by h² where a normal distribution divides by 2σ². The limit r_s
 /// is there because a wider kernel blurs gaps that are wider than the tool.
@@ -56,7 +56,7 @@ pub struct CoverageDensity {
 }
 
 impl CoverageDensity {
-    /// Samples the density of `points` over `bounds` with bandwidth h [m].
+    /// Samples the density of `points` over `bounds` with bandwidth h \[m\].
     pub fn new(points: &[Point2], bounds: Bounds2, bandwidth: f64) -> Self {
         let size = bounds.size();
         let finest = (size.x * size.y / MAX_SAMPLES as f64).sqrt();
@@ -82,7 +82,7 @@ impl CoverageDensity {
         (self.columns, self.rows)
     }
 
-    /// Position of sample (column, row) [m].
+    /// Position of sample (column, row) \[m\].
     pub fn sample_position(&self, column: usize, row: usize) -> Point2 {
         self.origin + Vector2::new(column as f64, row as f64) * self.step
     }
@@ -95,7 +95,7 @@ impl CoverageDensity {
         self.values[row * self.columns + column]
     }
 
-    /// Distance between neighbouring samples along x and y [m].
+    /// Distance between neighbouring samples along x and y \[m\].
     pub fn step(&self) -> f64 {
         self.step
     }

@@ -13,10 +13,10 @@ pub struct Grip {
 /// A bar of a tool for a second hand, which may turn freely about it and lean on it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SecondGrip {
-    /// Place of the hand's outermost point, in the tool frame [m].
+    /// Place of the hand's outermost point, in the tool frame \[m\].
     pub point_in_tool: Point3,
     /// Direction of the bar, a unit vector in the tool frame; the hand's y axis is along it, in either direction.
     pub axis_in_tool: Unit<Vector3>,
-    /// Largest angle between the bar and the hand's y axis [rad].
+    /// Largest angle between the bar and the hand's y axis \[rad\].
     pub max_lean: f64,
 }

@@ -16,9 +16,9 @@ pub struct LogNormal {
 /// Uncertainty of the parameters of a [`LogNormal`], as standard deviations.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct LogNormalSpread {
-    /// Standard deviation of μ [1].
+    /// Standard deviation of μ \[1\].
     pub mu: f64,
-    /// Standard deviation of ln σ [1].
+    /// Standard deviation of ln σ \[1\].
     pub ln_sigma: f64,
 }
 
@@ -43,11 +43,11 @@ impl Default for LogNormalSpread {
 /// How a particle that has not responded draws its threshold again.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Redraw {
-    /// ℓ: travel in contact after which it draws again [m]; `None` for the radius r_s of the tool's collision sphere.
+    /// ℓ: travel in contact after which it draws again \[m\]; `None` for the radius r_s of the tool's collision sphere.
     pub length_m: Option<f64>,
-    /// Standard deviation of ln ℓ [1].
+    /// Standard deviation of ln ℓ \[1\].
     pub ln_length_spread: f64,
-    /// Probability that a particle keeps its threshold for good [1], so that a particle that stays once always stays.
+    /// Probability that a particle keeps its threshold for good \[1\], so that a particle that stays once always stays.
     pub kept_share: f64,
 }
 

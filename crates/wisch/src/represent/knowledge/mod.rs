@@ -107,9 +107,9 @@ pub enum Effect {
 /// A range of angles with `min_rad <= max_rad`, both within ±π.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct AngleRange {
-    /// Smallest angle [rad].
+    /// Smallest angle \[rad\].
     pub min_rad: f64,
-    /// Largest angle [rad].
+    /// Largest angle \[rad\].
     pub max_rad: f64,
 }
 
@@ -124,9 +124,9 @@ impl AngleRange {
 /// Part of the surface on which a tool acts, D_aoe (§3.2).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct AreaOfEffect {
-    /// Extent across the motion, the tool's broad side [m].
+    /// Extent across the motion, the tool's broad side \[m\].
     pub width_m: f64,
-    /// Extent along the motion [m].
+    /// Extent along the motion \[m\].
     pub depth_m: f64,
 }
 
@@ -146,7 +146,7 @@ pub enum ToolMesh {
     InKnowledge(String),
     /// A file, by its path relative to the task file.
     BesideTask(String),
-    /// A box that stands on the contact plane, by its sides along x, y and z [m].
+    /// A box that stands on the contact plane, by its sides along x, y and z \[m\].
     Cuboid(Vector3),
 }
 
@@ -157,12 +157,12 @@ pub struct ToolEntry {
     pub name: String,
     /// The mesh from which its footprint is cut.
     pub mesh: ToolMesh,
-    /// Compression δ under nominal force [m].
+    /// Compression δ under nominal force \[m\].
     pub compression_depth_m: f64,
     /// Rectangle about the TCP on which the tool acts, if it is not the footprint: a nozzle touches with its rim but
     /// acts with its whole opening.
     pub area_of_effect: Option<AreaOfEffect>,
-    /// Permitted yaw about the surface normal [rad]; at 0 the broad side is across the motion.
+    /// Permitted yaw about the surface normal \[rad\]; at 0 the broad side is across the motion.
     pub rotation_about_normal: AngleRange,
     /// Axis of tilt; `None` if the tool stays upright.
     pub tilt: Option<TiltFreedom>,
@@ -188,9 +188,9 @@ pub enum MediumKind {
 /// Range of a medium's grain diameters, `0 < min_m <= max_m`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct GrainSize {
-    /// Smallest diameter [m].
+    /// Smallest diameter \[m\].
     pub min_m: f64,
-    /// Largest diameter [m].
+    /// Largest diameter \[m\].
     pub max_m: f64,
 }
 
@@ -210,7 +210,7 @@ pub struct MediumEntry {
 pub struct SurfaceEntry {
     /// Name, also in PDDL.
     pub name: String,
-    /// Coulomb friction coefficient of a tool that slides on the surface [1].
+    /// Coulomb friction coefficient of a tool that slides on the surface \[1\].
     pub friction: f64,
 }
 
@@ -248,18 +248,18 @@ pub struct Interaction {
     pub surface: SurfaceScope,
     /// Actions that make sense, at least one.
     pub actions: BTreeSet<Action>,
-    /// Press force of the tool, f_min of equation (9) [N]; for a hovering tool, the largest force that holds it in
+    /// Press force of the tool, f_min of equation (9) \[N\]; for a hovering tool, the largest force that holds it in
     /// place.
     pub press_force_n: f64,
     /// Cartesian stiffness of the controller [N/m].
     pub stiffness_n_per_m: f64,
-    /// Damping ratio of the controller [1].
+    /// Damping ratio of the controller \[1\].
     pub damping_ratio: f64,
-    /// Weight of the posture task in the null space [1].
+    /// Weight of the posture task in the null space \[1\].
     pub nullspace_posture_weight: f64,
-    /// Compression of the tool in this interaction [m]: the tool's own δ unless the files say otherwise.
+    /// Compression of the tool in this interaction \[m\]: the tool's own δ unless the files say otherwise.
     pub compression_depth_m: f64,
-    /// Height at which the tool hovers over the surface [m]; 0 for a tool that touches.
+    /// Height at which the tool hovers over the surface \[m\]; 0 for a tool that touches.
     pub gap_m: f64,
     /// Probability of an effect as a function of the normalised force.
     pub likelihood: LogNormal,
@@ -299,7 +299,7 @@ impl Interaction {
         self.gap_m > 0.0
     }
 
-    /// Nominal force of the tool on the surface [N]; 0 for a hovering tool.
+    /// Nominal force of the tool on the surface \[N\]; 0 for a hovering tool.
     pub fn contact_force(&self) -> f64 {
         if self.hovers() {
             0.0
@@ -316,7 +316,7 @@ pub struct RankedTool<'a> {
     pub tool: &'a ToolEntry,
     /// Interaction to use.
     pub interaction: &'a Interaction,
-    /// Probability of an effect at nominal force, P(X ≤ 1) [1].
+    /// Probability of an effect at nominal force, P(X ≤ 1) \[1\].
     pub probability: f64,
 }
 

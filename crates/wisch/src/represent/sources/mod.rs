@@ -19,9 +19,9 @@ const MIN_DRAWS: usize = 100_000;
 /// A heap of particles, normally distributed about its centre.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Cluster {
-    /// Centre in the surface frame [m].
+    /// Centre in the surface frame \[m\].
     pub center: Point2,
-    /// Standard deviation along x and along y [m].
+    /// Standard deviation along x and along y \[m\].
     pub sigma: f64,
     /// Share of the particles, relative to the other clusters' weights.
     pub weight: f64,
@@ -30,14 +30,14 @@ pub struct Cluster {
 /// Area where dirt can lie: on the surface, but not under an object.
 #[derive(Debug, Clone, Copy)]
 pub struct DirtArea<'a> {
-    /// Outline of the surface, in its frame [m].
+    /// Outline of the surface, in its frame \[m\].
     pub outline: &'a Polygon,
     /// Area that objects occupy.
     pub occupied: &'a OccupiedArea,
 }
 
 impl DirtArea<'_> {
-    /// Whether a particle can lie at a point (surface frame [m]).
+    /// Whether a particle can lie at a point (surface frame \[m\]).
     pub fn contains(&self, point: Point2) -> bool {
         self.outline.contains(point) && !self.occupied.contains(point)
     }
