@@ -15,7 +15,7 @@ fuzz_target!(|text: &str| {
         return;
     };
     for state in &srdf.states {
-        state.applied_to(&vec![0.0; ROBOT.dof()]);
+        state.apply_to(&vec![0.0; ROBOT.dof()]);
     }
     for group in &srdf.groups {
         ROBOT

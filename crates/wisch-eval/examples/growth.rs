@@ -21,7 +21,7 @@ use wisch::plan::{CostMatrix, CoverageStrategy, Strategy, TourConfig, shortest_t
 use wisch::represent::{
     Effect, EffectModel, ParticleDistribution, ParticleField, Surface, ToolMotion,
 };
-use wisch::run::{Session, Stage, unobserved};
+use wisch::run::{Session, Stage, ignore_events};
 use wisch_io::{LoadOptions, LoadedTask, load_task};
 use wisch_sim::{SimulationSettings, Site, World};
 
@@ -232,7 +232,7 @@ fn stages(
         ];
         for (stage, times) in reached.into_iter().zip(&mut times) {
             let begin = Instant::now();
-            session.run_until(stage, &mut world, &mut unobserved)?;
+            session.run_until(stage, &mut world, &mut ignore_events)?;
             times.push(begin.elapsed().as_secs_f64());
             if stage == last {
                 break;

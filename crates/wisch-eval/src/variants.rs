@@ -113,7 +113,7 @@ impl<'a> VariantBelief<'a> {
     /// Makes the state before the first round, from the method's belief.
     pub(crate) fn new(variant: &'a Variant, belief: Belief) -> Self {
         let belief = match variant.members() {
-            Some(members) => belief.thinned(members, MEMBERS_SEED),
+            Some(members) => belief.resample(members, MEMBERS_SEED),
             None => belief,
         };
         Self { variant, belief }

@@ -9,7 +9,7 @@ use wisch::follow::Audit;
 use wisch::plan::{Plan, plan, predict};
 use wisch::recover::Verdict;
 use wisch::represent::{ParticleDistribution, Performance, Task};
-use wisch::run::{NoExecutor, PlannedRound, RunConfig, Session, Stage, unobserved};
+use wisch::run::{NoExecutor, PlannedRound, RunConfig, Session, Stage, ignore_events};
 use wisch_io::{LoadOptions, LoadedTask, load_task};
 use wisch_sim::GroundTruth;
 
@@ -191,7 +191,7 @@ fn planned(loaded: &LoadedTask, options: WipingOptions) -> Result<WipingScore, S
     let task = &loaded.task;
     let begin = Instant::now();
     let mut session = session(loaded, options.is_certain);
-    (session.run_until(Stage::Planned, &mut NoExecutor, &mut unobserved)).map_err(words)?;
+    (session.run_until(Stage::Planned, &mut NoExecutor, &mut ignore_events)).map_err(words)?;
     let computation_s = begin.elapsed().as_secs_f64();
     let plan = session.plan().ok_or("no plan was made")?;
     let mut score = WipingScore::predicted(task, plan, plan, computation_s);
@@ -207,9 +207,9 @@ fn followed(loaded: &LoadedTask, options: WipingOptions) -> Result<WipingScore, 
     let begin = Instant::now();
     let mut session = session(loaded, options.is_certain).with_robot(robot.robot_setup());
     let mut none = NoExecutor;
-    (session.run_until(Stage::Followed, &mut none, &mut unobserved)).map_err(words)?;
+    (session.run_until(Stage::Followed, &mut none, &mut ignore_events)).map_err(words)?;
     let computation_s = begin.elapsed().as_secs_f64();
-    (session.run_until(Stage::Audited, &mut none, &mut unobserved)).map_err(words)?;
+    (session.run_until(Stage::Audited, &mut none, &mut ignore_events)).map_err(words)?;
     let (first, audit) = session.first().ok_or("no motion was made")?;
     let mut score = first_round(first, audit, computation_s);
     if options.is_pictured {
@@ -225,9 +225,9 @@ fn executed(loaded: &LoadedTask, options: WipingOptions) -> Result<WipingScore, 
     let SimulatedWorld { mut world, dirt } = SimulatedWorld::of(loaded)?;
     let begin = Instant::now();
     let mut session = session(loaded, false).with_robot(robot.robot_setup());
-    (session.run_until(Stage::Followed, &mut world, &mut unobserved)).map_err(words)?;
+    (session.run_until(Stage::Followed, &mut world, &mut ignore_events)).map_err(words)?;
     let computation_s = begin.elapsed().as_secs_f64();
-    session.run(&mut world, &mut unobserved).map_err(words)?;
+    session.run(&mut world, &mut ignore_events).map_err(words)?;
     let (first, audit) = session.first().ok_or("no motion was made")?;
     let (goal, surface) = (first.plan.graph.goal, &first.task.surface);
     let before = dirt.particles().map_err(words)?;

@@ -2,7 +2,7 @@
 
 use crate::digest::InputDigest;
 use crate::error::Error;
-use crate::knowledge::{InteractionRevision, RevisedFile, parse_knowledge, revised};
+use crate::knowledge::{InteractionRevision, RevisedFile, parse_knowledge, revise_knowledge};
 use include_dir::{Dir, include_dir};
 use std::fs::File;
 use std::io::{ErrorKind, Read};
@@ -235,8 +235,11 @@ impl KnowledgeSource {
     ///
     /// # Errors
     /// Those of [`base`](Self::base), or if no file has an interaction as a table, or a revised one would be invalid.
-    pub fn revised(&self, revisions: &[InteractionRevision]) -> Result<Vec<RevisedFile>, Error> {
-        revised(&self.texts()?, revisions)
+    pub fn revise_knowledge(
+        &self,
+        revisions: &[InteractionRevision],
+    ) -> Result<Vec<RevisedFile>, Error> {
+        revise_knowledge(&self.texts()?, revisions)
     }
 
     /// Reads the PDDL domain of wiping.

@@ -29,7 +29,7 @@ pub use output::{
 };
 pub use particles::{
     MaskSource, ParticleSource, ParticleSourceError, csv_particles, mask_particles,
-    observed_in_image, observed_in_list, particles_from_csv, particles_to_csv,
+    particles_from_csv, particles_to_csv, read_observed_image, read_observed_list,
 };
 pub use process::{
     DoneRecord, EXECUTOR_PROTOCOL, EndingRecord, Intake, ObservationRecord, ProcessExecutor,

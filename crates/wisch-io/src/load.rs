@@ -3,7 +3,7 @@
 use crate::assets::{KnowledgeSource, beside, read_task_text};
 use crate::digest::InputDigest;
 use crate::error::Error;
-use crate::particles::{ParticleSource, observed_in_image, observed_in_list};
+use crate::particles::{ParticleSource, read_observed_image, read_observed_list};
 use crate::robots::Robot;
 use crate::task_file::{Intent, TaskFile, unit_remarks};
 use std::cell::RefCell;
@@ -166,10 +166,10 @@ impl LoadedTask {
             .extension()
             .is_some_and(|e| e.eq_ignore_ascii_case("csv"));
         let seen = match self.file.particle_source() {
-            _ if is_list => observed_in_list(&shown, &bytes, area),
+            _ if is_list => read_observed_list(&shown, &bytes, area),
             ParticleSource::Image(mask) => {
                 let before = beside(&self.path)(&mask.file).map_err(refused)?;
-                observed_in_image(mask, &before, &shown, &bytes, area, self.task.seed)
+                read_observed_image(mask, &before, &shown, &bytes, area, self.task.seed)
             }
             _ => {
                 let problem = "the position of the surface in this image is unknown, because the task's particles do not come from an image";

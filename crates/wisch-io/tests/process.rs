@@ -6,7 +6,7 @@ use std::time::{Duration, Instant};
 use wisch::recover::Verdict;
 use wisch::run::{
     Ending, Execution, Executor, ExecutorError, MotionOrder, NoExecutor, PlannedRound, RunError,
-    Stage, unobserved,
+    Stage, ignore_events,
 };
 use wisch_io::{LoadOptions, LoadedTask, ProcessExecutor, Robot, load_task};
 
@@ -68,7 +68,7 @@ fn motion() -> PlannedRound {
     let (loaded, robot) = loaded();
     let mut session = loaded.session().with_robot(robot.robot_setup());
     session
-        .run_until(Stage::Audited, &mut NoExecutor, &mut unobserved)
+        .run_until(Stage::Audited, &mut NoExecutor, &mut ignore_events)
         .expect("a motion");
     session.planned().expect("a motion").clone()
 }
@@ -120,7 +120,7 @@ fn the_documented_robot_wipes_until_touch_tells_no_more() {
     let mut child = ProcessExecutor::start("python3", &[ECHO_ROBOT.to_owned()]).expect("it greets");
     assert_eq!(child.observe(&loaded.task), Ok(None));
     let mut session = loaded.session().with_robot(robot.robot_setup());
-    session.run(&mut child, &mut unobserved).expect("it ends");
+    session.run(&mut child, &mut ignore_events).expect("it ends");
     let last = session.rounds().last().expect("a round");
     // It only feels.
     let gave_up = [Verdict::NoWay, Verdict::Undecidable, Verdict::UnsafeMotion];
@@ -320,7 +320,7 @@ fn how_a_child_ended_is_taken_over() {
     let (loaded, robot) = loaded();
     let script = format!("{CHILD}sample(0)\ndone('stopped', [1, 2])\n");
     let mut session = loaded.session().with_robot(robot.robot_setup());
-    let error = session.run(&mut start(&script).expect("it greets"), &mut unobserved);
+    let error = session.run(&mut start(&script).expect("it greets"), &mut ignore_events);
     let is_refused = matches!(error, Err(RunError::Positions { found: 2, .. }));
     assert!(is_refused, "{error:?}");
 }
@@ -334,20 +334,20 @@ fn what_was_felt_before_a_child_went_wrong_is_kept() {
     let lines = "for point in points[:200]:\n    sample(point['time_s'], world_from_tool=point['world_from_tool'], positions=point['positions'])\nsay(error='the arm is locked')\n";
     let mut child = start(&format!("{CHILD}{lines}")).expect("it greets");
     let mut session = loaded.session().with_robot(robot.robot_setup());
-    let error = session.run(&mut child, &mut unobserved);
+    let error = session.run(&mut child, &mut ignore_events);
     assert!(matches!(error, Err(RunError::Execute(_))), "{error:?}");
     let [round] = session.rounds() else {
         panic!("{} rounds", session.rounds().len());
     };
     assert_eq!(round.execution.ending, Ending::Stopped);
     assert!((round.execution.duration - 1.99).abs() < 1e-9);
-    let again = session.step(&mut child, &mut unobserved);
+    let again = session.step(&mut child, &mut ignore_events);
     assert_eq!(again, Ok(Stage::Ended));
 
     // Nothing was felt of one that went wrong at once.
     let mut child = start(&format!("{CHILD}say(error='no power')\n")).expect("it greets");
     let mut session = loaded.session().with_robot(robot.robot_setup());
-    assert!(session.run(&mut child, &mut unobserved).is_err());
+    assert!(session.run(&mut child, &mut ignore_events).is_err());
     assert!(session.rounds().is_empty());
 }
 

@@ -41,7 +41,7 @@ pub fn pose_array<'py>(py: Python<'py>, pose: &Pose) -> Vector<'py> {
 
 /// Parses a pose from an array (7), and normalises its quaternion.
 pub fn pose(name: &str, given: &Bound<'_, PyAny>) -> PyResult<Pose> {
-    let [x, y, z, i, j, k, w] = fixed::<7>(name, given)?;
+    let [x, y, z, i, j, k, w] = to_array::<7>(name, given)?;
     let quaternion = Quaternion::new(w, i, j, k);
     let norm = quaternion.norm();
     if (norm - 1.0).abs() > 1e-3 {
@@ -62,7 +62,7 @@ pub fn list(name: &str, given: &Bound<'_, PyAny>) -> PyResult<Vec<f64>> {
 }
 
 /// Parses an array of `N` finite numbers.
-pub fn fixed<const N: usize>(name: &str, given: &Bound<'_, PyAny>) -> PyResult<[f64; N]> {
+pub fn to_array<const N: usize>(name: &str, given: &Bound<'_, PyAny>) -> PyResult<[f64; N]> {
     let numbers = finite(name, list(name, given)?)?;
     let count = numbers.len();
     numbers

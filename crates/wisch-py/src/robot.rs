@@ -151,7 +151,7 @@ impl PyRobot {
     ) -> PyResult<Matrix<'py>> {
         let model = &self.robot.model;
         let link = model.link(link).map_err(of_robot)?;
-        let point = point_in_link.map_or(Ok([0.0; 3]), |p| arrays::fixed("point_in_link", p))?;
+        let point = point_in_link.map_or(Ok([0.0; 3]), |p| arrays::to_array("point_in_link", p))?;
         let kinematics = model
             .forward_kinematics(&self.joints_of(q)?)
             .map_err(of_robot)?;

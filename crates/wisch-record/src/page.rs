@@ -159,7 +159,7 @@ impl PageSink {
         if let (true, Some((prediction, frames))) = (results.rounds.is_empty(), &results.predicted)
         {
             let following = results.following.as_ref();
-            self.writer.planned_only(&UnexecutedPlan {
+            self.writer.record_plan(&UnexecutedPlan {
                 task: &results.task,
                 plan: &results.executable_plan(),
                 prediction,

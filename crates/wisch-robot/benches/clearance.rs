@@ -21,7 +21,7 @@ fn humanoid() -> Humanoid {
     let srdf = Srdf::parse("humanoid", text, &robot).unwrap();
     let model = CollisionModel::new(&robot, Some(&srdf)).unwrap();
     let mut ready = vec![0.0; robot.dof()];
-    ready = srdf.state("ready").unwrap().applied_to(&ready);
+    ready = srdf.state("ready").unwrap().apply_to(&ready);
     Humanoid {
         robot,
         model,

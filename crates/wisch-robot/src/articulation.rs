@@ -173,7 +173,7 @@ impl Articulation {
         for (link, body) in bodies.chain(loads.iter().copied()) {
             let carrier = carriers[link.index()];
             if let Some(joint) = carrier.joint {
-                let carried = transformed(&body, &carrier.carrier_from_link);
+                let carried = transform(&body, &carrier.carrier_from_link);
                 joints[joint].body = merge_bodies(&joints[joint].body, &carried);
             }
         }
@@ -528,7 +528,7 @@ const NOTHING: Body = Body {
 };
 
 /// Transforms a body into another frame.
-fn transformed(body: &Body, to: &Pose) -> Body {
+fn transform(body: &Body, to: &Pose) -> Body {
     let rotation = to.rotation.to_rotation_matrix();
     Body {
         mass: body.mass,

@@ -153,7 +153,7 @@ impl Range {
 
     /// Returns the range without a margin at either end; the margin is limited to a tenth of the range.
     #[must_use]
-    pub fn narrowed(self, margin: f64) -> Self {
+    pub fn shrink(self, margin: f64) -> Self {
         let margin = margin.min(Self::MOST_NARROWED * (self.upper - self.lower));
         Self {
             lower: self.lower + margin,

@@ -41,7 +41,7 @@ fn ready(name: &str) -> Vec<f64> {
     let (robot, srdf, _) = model(name);
     srdf.state("ready")
         .unwrap()
-        .applied_to(&vec![0.0; robot.dof()])
+        .apply_to(&vec![0.0; robot.dof()])
 }
 
 /// Positions from numbers within 0 to 1, within the limits of the variables and ±1 elsewhere.
@@ -565,7 +565,7 @@ fn many_obstacles_are_as_near_as_each_by_itself() {
     let ready = srdf
         .state("ready")
         .unwrap()
-        .applied_to(&vec![0.0; robot.dof()]);
+        .apply_to(&vec![0.0; robot.dof()]);
     for turn in [0.0, 0.7, -1.1] {
         let mut q = ready.clone();
         q[2] += turn;

@@ -26,7 +26,7 @@ fn the_shipped_srdf_files_are_valid() {
         assert_eq!(ready.positions.len(), robot.dof());
         assert_eq!(
             robot
-                .limit_faults(&ready.applied_to(&vec![0.0; robot.dof()]))
+                .limit_faults(&ready.apply_to(&vec![0.0; robot.dof()]))
                 .unwrap(),
             []
         );

@@ -97,7 +97,7 @@ fn poisson(mean: f64, random: &mut ChaCha8Rng) -> usize {
 ///
 /// # Errors
 /// If `positions` do not match the robot's variables.
-pub fn hidden_by(
+pub fn hide_behind(
     cell: &Workcell,
     positions: &[f64],
     tool: &[Vec<Point3>],

@@ -1,6 +1,6 @@
 //! Execution of one motion order: the loop of control, simulation and telemetry.
 
-use crate::camera::hidden_by;
+use crate::camera::hide_behind;
 use crate::grains::GrainBodies;
 use crate::plant::{GRAVITY, HeldTool, Plant, TOOL_MASS, firm_load};
 use crate::treated::TreatedSurface;
@@ -495,7 +495,7 @@ impl<'a> Simulation<'a> {
                 positions[i] = *actual;
             }
             let surface = &self.task.surface.world_from_surface;
-            self.truth.hidden = hidden_by(
+            self.truth.hidden = hide_behind(
                 self.cell,
                 &positions,
                 &self.tool.parts,

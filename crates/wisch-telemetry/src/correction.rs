@@ -73,7 +73,7 @@ impl Correction {
     }
 
     /// Returns the force without bias and scaled [N], in the same axes and with the same sign: (F − b) · s.
-    pub fn unbiased(&self, measured: Vector3) -> Vector3 {
+    pub fn remove_bias(&self, measured: Vector3) -> Vector3 {
         (measured - self.bias) * self.scale
     }
 

@@ -273,7 +273,7 @@ fn combine(raw: RawLog, correction: Correction, options: &LogOptions) -> Result<
                 world_from_log.rotation * log_from_sensor.rotation
             }
         };
-        let force = correction.unbiased(force * force_unit) * sign;
+        let force = correction.remove_bias(force * force_unit) * sign;
         Some(TouchSample {
             time: seconds(time.saturating_sub(start)),
             world_from_tool: world_from_logged * options.logged_from_tool,

@@ -27,7 +27,7 @@ pub fn any_task(seed: u64) -> Result<Task, AnyError> {
     let occupied = OccupiedArea::of(
         scene
             .iter()
-            .map(|object| object.mesh.transformed(&object.world_from_object))
+            .map(|object| object.mesh.transform(&object.world_from_object))
             .collect::<Vec<_>>()
             .iter(),
     );
@@ -175,7 +175,7 @@ fn tool(random: &mut impl Rng) -> Result<Tool, AnyError> {
     let tool_from_mesh = Pose::translation(0.0, 0.0, 0.025);
     Ok(Tool {
         name: "tool".into(),
-        mesh: Mesh::cuboid(Vector3::new(size.x, size.y, 0.05))?.transformed(&tool_from_mesh),
+        mesh: Mesh::cuboid(Vector3::new(size.x, size.y, 0.05))?.transform(&tool_from_mesh),
         footprint: Region::new(vec![footprint]),
         area_of_effect: size,
         ..sponge()

@@ -132,11 +132,11 @@ impl Problem {
 
     /// Returns the motion and its faults.
     pub fn followed(&self, robot: &ShippedRobot) -> Result<FollowedProblem, AnyError> {
-        self.followed_with(robot, &FollowConfig::default())
+        self.follow_with(robot, &FollowConfig::default())
     }
 
     /// Returns the motion and its faults, with another configuration.
-    pub fn followed_with(
+    pub fn follow_with(
         &self,
         robot: &ShippedRobot,
         config: &FollowConfig,

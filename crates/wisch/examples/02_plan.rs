@@ -6,7 +6,7 @@
 
 use std::error::Error;
 use wisch::plan::predict;
-use wisch::run::{NoExecutor, Stage, unobserved};
+use wisch::run::{NoExecutor, Stage, ignore_events};
 use wisch_io::{LoadOptions, load_task};
 
 const TASK: &str = concat!(
@@ -17,7 +17,7 @@ const TASK: &str = concat!(
 pub(crate) fn main() -> Result<(), Box<dyn Error>> {
     let loaded = load_task(TASK.as_ref(), &LoadOptions::default())?;
     let mut session = loaded.session();
-    session.run_until(Stage::Planned, &mut NoExecutor, &mut unobserved)?;
+    session.run_until(Stage::Planned, &mut NoExecutor, &mut ignore_events)?;
 
     let plan = session.plan().ok_or("there is no plan")?;
     let (strokes, way) = (plan.strokes.len(), plan.contact_distance());

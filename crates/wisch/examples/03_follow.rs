@@ -7,7 +7,7 @@
 //! ```
 
 use std::error::Error;
-use wisch::run::{NoExecutor, Stage, unobserved};
+use wisch::run::{NoExecutor, Stage, ignore_events};
 use wisch_io::{LoadOptions, Robot, load_task};
 
 const TASK: &str = concat!(
@@ -20,7 +20,7 @@ pub(crate) fn main() -> Result<(), Box<dyn Error>> {
     let loaded = load_task(TASK.as_ref(), &LoadOptions::default())?;
     let robot = Robot::load(URDF)?;
     let mut session = loaded.session().with_robot(robot.robot_setup());
-    session.run_until(Stage::Audited, &mut NoExecutor, &mut unobserved)?;
+    session.run_until(Stage::Audited, &mut NoExecutor, &mut ignore_events)?;
 
     let (planned, audit) = session.first().ok_or("there is no motion")?;
     let followed = &planned.followed;

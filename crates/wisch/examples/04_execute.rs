@@ -8,7 +8,7 @@
 
 use std::error::Error;
 use wisch::interpret::TouchSample;
-use wisch::run::{Execution, Executor, ExecutorError, MotionOrder, SampleSink, unobserved};
+use wisch::run::{Execution, Executor, ExecutorError, MotionOrder, SampleSink, ignore_events};
 use wisch_io::{LoadOptions, load_task};
 
 const TASK: &str = concat!(
@@ -35,7 +35,7 @@ pub(crate) fn main() -> Result<(), Box<dyn Error>> {
     let loaded = load_task(TASK.as_ref(), &LoadOptions::default())?;
     let robot = loaded.robot()?.ok_or("the task names no robot")?;
     let mut session = loaded.session().with_robot(robot.robot_setup());
-    session.run(&mut Exact, &mut unobserved)?;
+    session.run(&mut Exact, &mut ignore_events)?;
     for round in session.rounds() {
         let estimate = 100.0 * round.interpretation.performance.mean;
         let (number, verdict) = (round.motion.number, round.verdict.as_str());

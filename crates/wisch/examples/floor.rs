@@ -250,7 +250,7 @@ fn floor(targets: &[Point2], [pad, thickness]: [f64; 2], height: f64) -> Result<
         }],
         tool: Tool {
             name: "pad".into(),
-            mesh: mesh.transformed(&Pose::translation(0.0, 0.0, thickness / 2.0)),
+            mesh: mesh.transform(&Pose::translation(0.0, 0.0, thickness / 2.0)),
             footprint: Region::new(vec![Polygon::new(
                 (0..32).map(corner).collect(),
                 Vec::new(),

@@ -26,7 +26,7 @@
 //! # let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../scenarios/arm-board.toml");
 //! let loaded = load_task(path.as_ref(), &LoadOptions::default())?;
 //! let mut session = loaded.session();
-//! session.run_until(Stage::Planned, &mut NoExecutor, &mut unobserved)?;
+//! session.run_until(Stage::Planned, &mut NoExecutor, &mut ignore_events)?;
 //! let plan = session.plan().ok_or("there is no plan")?;
 //! assert!(plan.contact_distance() > 1.0);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
@@ -97,7 +97,7 @@ pub mod prelude {
     pub use crate::robot::{IkSolver, RobotModel, Srdf};
     pub use crate::run::{
         Execution, Executor, ExecutorError, MotionOrder, Round, RunConfig, RunEvent, SampleSink,
-        Session, Stage, unobserved,
+        Session, Stage, ignore_events,
     };
 }
 

@@ -300,7 +300,7 @@ fn the_global_method_finds_a_way_where_the_local_one_finds_none() {
             search,
             ..FollowConfig::default()
         };
-        let tried = problem.followed_with(&robots[problem.robot], &config);
+        let tried = problem.follow_with(&robots[problem.robot], &config);
         let tried = tried.unwrap();
         assert_eq!(tried.faults, [] as [String; 0]);
         tried.motion

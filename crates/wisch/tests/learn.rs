@@ -230,7 +230,7 @@ fn what_is_known_exactly_stays_as_it_is() {
         (law.mu.mean, law.mu.deviation, law.kept_share),
         (-1.05, 0.0, 0.0)
     );
-    let now = law.applied_to(&interaction);
+    let now = law.apply_to(&interaction);
     assert!((now.redraw.length_m.unwrap() - 0.05).abs() < 1e-12);
     assert!((now.likelihood.sigma - 0.25).abs() < 1e-12);
 }

@@ -5,7 +5,7 @@ use rayon::prelude::*;
 use std::ops::RangeInclusive;
 use wisch::geometry::Mesh;
 use wisch::plan::{CoverageStrategy, NodeRole, Plan, PlanConfig, Planner, plan, predict};
-use wisch::recover::unfinished;
+use wisch::recover::remaining_dirt;
 use wisch::represent::{Action, OccupiedArea, Task};
 use wisch_io::{LoadOptions, LoadedTask, TaskFile, load_task};
 use wisch_testkit::{root, scenario};
@@ -250,7 +250,7 @@ fn segment_by_segment_the_board_is_wiped() {
                 assert!(reached > performance, "{action} {seed}: {reached}");
                 performance = reached;
                 task.particles = predicted.particles;
-                let open = unfinished(&task, &goal).expect("positions");
+                let open = remaining_dirt(&task, &goal).expect("positions");
                 if open.is_empty() {
                     break;
                 }

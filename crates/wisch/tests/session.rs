@@ -10,7 +10,7 @@ use wisch::represent::{Observation, SensorModel, Task};
 use wisch::run::{
     AfterStop, CandidateEvaluation, Ending, Execution, Executor, ExecutorError, MotionOrder,
     NoExecutor, Round, RunConfig, RunError, RunEvent, SampleSink, Session, Stage, StopCause,
-    unobserved,
+    ignore_events,
 };
 use wisch_io::{LoadOptions, LoadedTask, Robot, load_task};
 
@@ -128,7 +128,7 @@ fn stopped_at(
         ControlFlow::Continue(())
     });
     result.expect("it ends");
-    assert_eq!(session.step(executor, &mut unobserved), Ok(Stage::Ended));
+    assert_eq!(session.step(executor, &mut ignore_events), Ok(Stage::Ended));
     (seen, verdict, session.into_rounds())
 }
 
@@ -214,7 +214,7 @@ fn a_toy_that_sees_the_dirt_at_the_goal_meets_it() {
     let mut blind = blind.with_robot(robot.robot_setup());
     toy.looks = 0;
     blind
-        .run_until(Stage::Judged, &mut toy, &mut unobserved)
+        .run_until(Stage::Judged, &mut toy, &mut ignore_events)
         .expect("it ends");
     assert_eq!(toy.looks, 0);
 }
@@ -256,7 +256,7 @@ fn a_toy_that_feels_nothing_ends_without_contact() {
     let robot = robot(&loaded);
     let mut session = loaded.session().with_robot(robot.robot_setup());
     let mut toy = Toy::new(0.0);
-    session.run(&mut toy, &mut unobserved).expect("it ends");
+    session.run(&mut toy, &mut ignore_events).expect("it ends");
     assert_eq!(toy.executed, 1);
     assert_eq!(session.rounds()[0].verdict, Verdict::Undecidable);
 }
@@ -336,13 +336,13 @@ fn steps_by_hand_and_one_go_are_the_same() {
 
     let mut whole = session();
     whole
-        .run(&mut Toy::new(0.95), &mut unobserved)
+        .run(&mut Toy::new(0.95), &mut ignore_events)
         .expect("it ends");
 
     let (mut stepped, mut toy) = (session(), Toy::new(0.95));
     let mut stages = Vec::new();
     while stages.last() != Some(&Stage::Ended) {
-        stages.push(stepped.step(&mut toy, &mut unobserved).expect("a stage"));
+        stages.push(stepped.step(&mut toy, &mut ignore_events).expect("a stage"));
     }
     let round = [
         Stage::Planned,
@@ -365,12 +365,12 @@ fn steps_by_hand_and_one_go_are_the_same() {
 fn a_session_without_a_robot_or_an_executor_says_so() {
     let loaded = loaded();
     let mut session = loaded.session();
-    let error = session.run(&mut NoExecutor, &mut unobserved);
+    let error = session.run(&mut NoExecutor, &mut ignore_events);
     assert_eq!(error, Err(RunError::NoRobot));
 
     let robot = robot(&loaded);
     let mut session = loaded.session().with_robot(robot.robot_setup());
-    let error = session.run(&mut NoExecutor, &mut unobserved);
+    let error = session.run(&mut NoExecutor, &mut ignore_events);
     let error = error.expect_err("nothing executes").to_string();
     assert_eq!(error, "round 1: there is no executor for this motion");
 }
@@ -393,7 +393,7 @@ fn an_executor_has_to_leave_all_joints_somewhere() {
     let loaded = loaded();
     let robot = robot(&loaded);
     let mut session = loaded.session().with_robot(robot.robot_setup());
-    let error = session.run(&mut Headless, &mut unobserved);
+    let error = session.run(&mut Headless, &mut ignore_events);
     let expected = robot.model.dof();
     let (round, found) = (1, 3);
     assert_eq!(
@@ -486,7 +486,7 @@ fn strokes_are_searched_for_where_the_robot_reaches() {
         let mut session = session.with_robot(robot.robot_setup());
         let until = Stage::Followed;
         session
-            .run_until(until, &mut NoExecutor, &mut unobserved)
+            .run_until(until, &mut NoExecutor, &mut ignore_events)
             .expect("a motion");
         let round = session.planned().expect("a motion");
         let performance = round.prediction.performance.ratio();
@@ -494,7 +494,7 @@ fn strokes_are_searched_for_where_the_robot_reaches() {
     };
     let mut alone = session();
     alone
-        .run_until(Stage::Planned, &mut NoExecutor, &mut unobserved)
+        .run_until(Stage::Planned, &mut NoExecutor, &mut ignore_events)
         .expect("a plan");
     let (failed, reached) = followed(session().with_plan(alone.plan().cloned()));
     let (fails, reaches) = followed(session());
@@ -570,7 +570,7 @@ fn after_a_protective_stop_the_robot_waits_unless_the_task_says_otherwise() {
 
     let mut guarded = Guarded::new(8.0);
     let mut waiting = session(AfterStop::Wait).with_robot(robot.robot_setup());
-    waiting.run(&mut guarded, &mut unobserved).expect("it ends");
+    waiting.run(&mut guarded, &mut ignore_events).expect("it ends");
     assert_eq!((waiting.rounds().len(), guarded.begins.len()), (1, 1));
 
     // At any time of the motion: in the air, on the surface, between strokes.
@@ -638,7 +638,7 @@ fn a_motion_that_begins_elsewhere_is_not_executed() {
             let robot = robot(&loaded);
             let mut session = loaded.session().with_robot(robot.robot_setup());
             session
-                .run_until(Stage::Followed, &mut NoExecutor, &mut unobserved)
+                .run_until(Stage::Followed, &mut NoExecutor, &mut ignore_events)
                 .expect("a motion");
             let mut state = session.planned().expect("a motion").cell.ready().to_vec();
             state[2] += self.0;
@@ -657,7 +657,7 @@ fn a_motion_that_begins_elsewhere_is_not_executed() {
         (0.049, "it was executed"),
     ] {
         let mut session = loaded.session().with_robot(robot.robot_setup());
-        let error = session.run(&mut Elsewhere(off), &mut unobserved);
+        let error = session.run(&mut Elsewhere(off), &mut ignore_events);
         let error = error.expect_err("it is refused").to_string();
         assert!(error.contains(expected), "{off}: {error}");
     }

@@ -5,7 +5,7 @@ use wisch::interpret::{
     Belief, Diagnosis, InterpretConfig, Interpretation, TouchSample, Uncertainty, interpret,
 };
 use wisch::plan::{CoverageStrategy, Plan, PlanConfig, Planner, Strategy, plan, predict};
-use wisch::recover::unfinished;
+use wisch::recover::remaining_dirt;
 use wisch::represent::{
     Action, Effect, EffectModel, Fate, GoalState, Interaction, ParticleDistribution, ParticleField,
     Performance, Task, ToolMotion, Treatment, surface_cells,
@@ -193,7 +193,7 @@ fn only_what_is_missing_is_gone_over_again() {
     half.strokes.truncate(1);
     let mut after = task.clone();
     after.particles = predict(&task, &half, |_| ()).particles;
-    let open = unfinished(&after, &goal).unwrap();
+    let open = remaining_dirt(&after, &goal).unwrap();
     assert!(open.len() < task.particles.len() * 3 / 4);
     let rest = Planner::new(&after, &lanes())
         .with_remaining(&open)
@@ -203,7 +203,7 @@ fn only_what_is_missing_is_gone_over_again() {
     assert_eq!(share(&after, &rest), 1.0);
     let mut done = after.clone();
     done.particles = predict(&after, &rest, |_| ()).particles;
-    let open = unfinished(&done, &goal).unwrap();
+    let open = remaining_dirt(&done, &goal).unwrap();
     assert!(open.is_empty());
 }
 

@@ -6,7 +6,7 @@ use crate::failure::Failure;
 use crate::terminal::remark;
 use std::time::Instant;
 use wisch::plan::Strategy;
-use wisch::run::{NoExecutor, RunError, Session, Stage, unobserved};
+use wisch::run::{NoExecutor, RunError, Session, Stage, ignore_events};
 
 /// Numbers of plans in the two trial searches that measure this machine's speed.
 const TRIED: [usize; 2] = [1, 20_000];
@@ -67,7 +67,7 @@ impl Pace {
             config.plan.search.evaluations = evaluations;
             let mut session = Session::new(&prepared.task, config).with_belief(belief.clone());
             let begin = Instant::now();
-            session.run_until(Stage::Planned, &mut NoExecutor, &mut unobserved)?;
+            session.run_until(Stage::Planned, &mut NoExecutor, &mut ignore_events)?;
             *took = begin.elapsed().as_secs_f64();
         }
         let [few, many] = TRIED.map(|tried| tried as f64);

@@ -11,7 +11,7 @@ use crate::terminal::{Outcome, print};
 use wisch::geometry::{Bounds2, Mesh, Point2, Vector3};
 use wisch::plan::{FreeSpace, NodeRole, Plan, Prediction, predict};
 use wisch::represent::{GoalState, Task, dirt_friction};
-use wisch::run::{NoExecutor, Session, Stage, check_score, unobserved};
+use wisch::run::{NoExecutor, Session, Stage, check_score, ignore_events};
 
 /// Number of sample points for free space along the longer side of the surface.
 const RASTER: usize = 120;
@@ -30,7 +30,7 @@ pub fn check(args: &CheckArgs, global: &GlobalArgs) -> Result<Outcome, Failure> 
     let free_area = FreeArea::of(&prepared.task, &progress).map_err(failure)?;
     progress.say(format!("planning ({})", prepared.strategy()));
     let mut session = Session::new(&prepared.task, prepared.run_config());
-    (session.run_until(Stage::Planned, &mut NoExecutor, &mut unobserved))
+    (session.run_until(Stage::Planned, &mut NoExecutor, &mut ignore_events))
         .map_err(|error| prepared.failure(task_args, error))?;
     let plan = (session.plan()).ok_or_else(|| internal("no plan was made"))?;
     let objects = counted(prepared.task.scene.len(), "object");

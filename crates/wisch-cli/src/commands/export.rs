@@ -49,9 +49,9 @@ fn write(neem: &mut NeemWriter, episode: &Episode) -> Result<(), Failure> {
     // An episode of an imported log has no robot.
     let written = if files.iter().any(|file| file == "robot.urdf") {
         let robot = episode.robot().map_err(broken)?;
-        neem.stored(episode, PoseSource::Robot(&robot))
+        neem.write_stored_episode(episode, PoseSource::Robot(&robot))
     } else {
-        neem.stored(episode, PoseSource::Tool)
+        neem.write_stored_episode(episode, PoseSource::Tool)
     };
     written.map_err(not_written)
 }

@@ -149,7 +149,7 @@ impl FleetTable {
     }
 
     /// Returns the files that may hold rows for which all conditions hold.
-    fn needed(&self, state: &dyn Session, filters: &[Expr]) -> Result<Vec<&(Path, FileEntry)>> {
+    fn require(&self, state: &dyn Session, filters: &[Expr]) -> Result<Vec<&(Path, FileEntry)>> {
         let filter = conjunction(filters.to_vec()).filter(|_| !self.files.is_empty());
         let Some(filter) = filter else {
             return Ok(self.files.iter().collect());
@@ -198,7 +198,7 @@ impl TableProvider for FleetTable {
         filters: &[Expr],
         limit: Option<usize>,
     ) -> Result<Arc<dyn ExecutionPlan>> {
-        let files = self.needed(state, filters)?;
+        let files = self.require(state, filters)?;
         if files.is_empty() {
             let schema = datafusion::common::project_schema(&self.schema, projection)?;
             return Ok(Arc::new(EmptyExec::new(schema)));

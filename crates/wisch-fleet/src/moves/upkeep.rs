@@ -48,7 +48,7 @@ pub async fn compact(place: &StorePlace) -> Result<Compacted, FleetError> {
     let mut snapshot = Snapshot::read(place).await?;
     for table in &TABLES {
         for group in groups(&snapshot, table) {
-            let Some(file) = merged(place, &snapshot, table, &group).await? else {
+            let Some(file) = merge(place, &snapshot, table, &group).await? else {
                 continue;
             };
             let mut commit = Commit::new("compact");
@@ -120,7 +120,7 @@ fn groups(snapshot: &Snapshot, table: &Table) -> Vec<Vec<FileEntry>> {
 }
 
 /// Writes the rows of some files as one file.
-async fn merged(
+async fn merge(
     place: &StorePlace,
     snapshot: &Snapshot,
     table: &Table,

@@ -8,7 +8,7 @@ mod source;
 mod tests;
 
 pub(crate) use record::is_entry_name;
-pub(crate) use revision::revised;
+pub(crate) use revision::revise_knowledge;
 pub use revision::{InteractionRevision, RevisedFile};
 
 use wisch::represent::{KnowledgeBase, KnowledgeError, SurfaceScope};

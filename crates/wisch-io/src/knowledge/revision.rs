@@ -54,7 +54,7 @@ struct NamesOfOne {
 ///
 /// # Errors
 /// If no file has an interaction as a table `[[interaction]]`, or a revised file would be invalid.
-pub(crate) fn revised(
+pub(crate) fn revise_knowledge(
     files: &[(String, String)],
     revisions: &[InteractionRevision],
 ) -> Result<Vec<RevisedFile>, Error> {
@@ -362,7 +362,9 @@ mod tests {
     #[test]
     fn a_revision_changes_its_entry_and_nothing_else() {
         let revisions = [revision("sponge", "chopping_board", -0.8)];
-        let files = KnowledgeSource::BuiltIn.revised(&revisions).unwrap();
+        let files = KnowledgeSource::BuiltIn
+            .revise_knowledge(&revisions)
+            .unwrap();
         let [file] = &files[..] else {
             panic!("one file changes")
         };

@@ -75,7 +75,7 @@ pub fn mask_particles(
 ///
 /// # Errors
 /// Those of [`mask_particles`], except that an image without dirt is valid.
-pub fn observed_in_image(
+pub fn read_observed_image(
     source: &MaskSource,
     before: &[u8],
     file: &str,

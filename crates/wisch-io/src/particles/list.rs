@@ -60,7 +60,7 @@ pub fn csv_particles(
 ///
 /// # Errors
 /// Those of [`csv_particles`], except for an empty list.
-pub fn observed_in_list(
+pub fn read_observed_list(
     file: &str,
     text: &[u8],
     area: DirtArea<'_>,

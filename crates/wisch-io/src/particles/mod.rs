@@ -5,8 +5,8 @@ mod list;
 #[cfg(test)]
 mod tests;
 
-pub use image::{MaskSource, mask_particles, observed_in_image};
-pub use list::{csv_particles, observed_in_list, particles_from_csv, particles_to_csv};
+pub use image::{MaskSource, mask_particles, read_observed_image};
+pub use list::{csv_particles, particles_from_csv, particles_to_csv, read_observed_list};
 
 use wisch::represent::{Cluster, ParticleError, SourceError};
 

@@ -12,7 +12,7 @@ fn board() -> Polygon {
 /// A cup of radius 0.08 m in the middle of the board.
 fn cup() -> OccupiedArea {
     let mesh = Mesh::cylinder(0.08, 0.1, 48).expect("sizes are positive");
-    OccupiedArea::of([&mesh.transformed(&Pose::translation(0.0, 0.0, 0.05))])
+    OccupiedArea::of([&mesh.transform(&Pose::translation(0.0, 0.0, 0.05))])
 }
 
 fn bare() -> OccupiedArea {
@@ -385,14 +385,14 @@ fn a_later_photo_has_as_many_detections_as_its_dirt_covers_pixels() {
     let crumbs = [[100, 100], [200, 150], [300, 200]];
     let seen = |later: &[[u32; 2]]| {
         let area = on(&board, &bare);
-        observed_in_image(&source, &png(&crumbs), "after.png", &png(later), area, 1)
+        read_observed_image(&source, &png(&crumbs), "after.png", &png(later), area, 1)
             .expect("an observation")
             .detections
     };
     assert_eq!(seen(&crumbs).len(), 90);
     assert_eq!(seen(&crumbs[..1]).len(), 30);
     assert_eq!(seen(&[]), []);
-    let broken = observed_in_image(
+    let broken = read_observed_image(
         &source,
         &png(&crumbs),
         "after.png",
@@ -406,7 +406,7 @@ fn a_later_photo_has_as_many_detections_as_its_dirt_covers_pixels() {
 #[test]
 fn a_list_of_what_is_seen_may_be_empty() {
     let (board, bare) = (board(), bare());
-    let seen = |text: &str| observed_in_list("after.csv", text.as_bytes(), on(&board, &bare));
+    let seen = |text: &str| read_observed_list("after.csv", text.as_bytes(), on(&board, &bare));
     let places = seen("x,y\n0.1,-0.05\n").expect("a place").detections;
     assert_eq!(places, [Point2::new(0.1, -0.05)]);
     assert_eq!(seen("x,y\n").expect("nothing").detections, []);

@@ -1,6 +1,6 @@
 //! Facts in an engine, each sent once.
 
-use super::rows::{individual_row, name_of, relation_row, shared_row, value_row, values};
+use super::rows::{individual_row, name_of, relation_row, share_row, value_row, values};
 use super::streams::Knowledge;
 use super::term::Term;
 use crate::catalogue::{Catalogue, IndividualId, entries};
@@ -35,7 +35,7 @@ impl SentFacts {
             self.send_individual(&known.catalogue, id, &mut facts);
             names.push(name_of(&known.catalogue, id));
         }
-        for name in known.names.shared_of(class) {
+        for name in known.names.share_names(class) {
             self.send_shared(&name, class, &mut facts);
             names.push(Term::Atom(name));
         }
@@ -51,7 +51,7 @@ impl SentFacts {
 
     fn send_shared(&mut self, name: &str, class: &str, facts: &mut Vec<Term>) {
         if self.shared.insert(name.to_owned()) {
-            facts.push(shared_row(name, class));
+            facts.push(share_row(name, class));
         }
     }
 

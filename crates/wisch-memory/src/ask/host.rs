@@ -6,7 +6,7 @@ use super::facts::{SentFacts, in_lists};
 use super::intervals::{IntervalIndex, Relation};
 use super::join::{Indices, Joins, Solutions, SolverBudget};
 use super::names::Names;
-use super::printed::formatted;
+use super::printed::format_answer;
 use super::reply::{AnswerRows, Cursor, HostRefusal, Reply};
 use super::rows::name_of;
 use super::streams::Knowledge;
@@ -278,9 +278,9 @@ impl Host {
                 let time = time.as_number().ok_or_else(malformed)?;
                 vec![Term::Atom(local_date_and_time(time))]
             }
-            ("format", [format, arguments]) => vec![Term::Atom(formatted(format, arguments)?)],
+            ("format", [format, arguments]) => vec![Term::Atom(format_answer(format, arguments)?)],
             ("print", [format, arguments]) => {
-                let text = formatted(format, arguments)?;
+                let text = format_answer(format, arguments)?;
                 if self.printed.len() + text.len() > MOST_PRINTED {
                     let (what, limit) = ("bytes printed", MOST_PRINTED);
                     return Err(QueryFault::TooMuch { what, limit }.into());
@@ -311,7 +311,7 @@ impl Host {
         Ok(Some(match request.parts().ok_or_else(malformed)? {
             ("individuals", []) => known.individuals(),
             ("named_members", [Term::Atom(class)]) => {
-                let shared = known.names.shared_of(class).into_iter().map(Term::Atom);
+                let shared = known.names.share_names(class).into_iter().map(Term::Atom);
                 let members = known.named(known.catalogue.of_class(class).to_vec());
                 Box::new(members.chain(shared))
             }

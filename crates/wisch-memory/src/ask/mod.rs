@@ -150,7 +150,7 @@ impl QuerySession {
     }
 
     fn converse(&mut self, query: &str) -> Result<Answers, AskError> {
-        let text = query_text::prepared(query)?;
+        let text = query_text::prepare_query(query)?;
         let deadline = Instant::now() + self.limits.time;
         let engine = match &mut self.engine {
             Some(engine) => engine,

@@ -187,7 +187,7 @@ impl Names {
     }
 
     /// Returns the shared things of exactly this class.
-    pub fn shared_of(&self, class: &str) -> Vec<String> {
+    pub fn share_names(&self, class: &str) -> Vec<String> {
         let of_class = self.shared.iter().filter(|(_, of)| *of == class);
         of_class.map(|(name, _)| name.clone()).collect()
     }

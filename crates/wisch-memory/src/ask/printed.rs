@@ -15,7 +15,7 @@ const DIRECTIVES: &str = "~w ~p ~q ~a ~d ~D ~f ~e ~g ~s ~c ~i ~n ~~";
 ///
 /// # Errors
 /// If a directive is unknown, or an argument is missing, superfluous or of the wrong type.
-pub fn formatted(format: &Term, arguments: &Term) -> Result<String, QueryFault> {
+pub fn format_answer(format: &Term, arguments: &Term) -> Result<String, QueryFault> {
     let format = text_of(format).ok_or_else(|| fault(format!("{format} is not a text")))?;
     let mut arguments = match arguments {
         Term::List(items) => items.iter(),
@@ -164,7 +164,7 @@ mod tests {
 
     fn made(format: &str, arguments: &str) -> Result<String, String> {
         let arguments = Term::parse(arguments).unwrap();
-        formatted(&Term::atom(format), &arguments).map_err(|error| error.to_string())
+        format_answer(&Term::atom(format), &arguments).map_err(|error| error.to_string())
     }
 
     #[test]

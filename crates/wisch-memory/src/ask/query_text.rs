@@ -9,7 +9,7 @@ use std::str::CharIndices;
 ///
 /// # Errors
 /// If text follows the full stop, or a number is too large.
-pub fn prepared(query: &str) -> Result<String, QueryFault> {
+pub fn prepare_query(query: &str) -> Result<String, QueryFault> {
     let mut reader = Reader {
         query,
         chars: query.char_indices().peekable(),
@@ -206,14 +206,14 @@ mod tests {
             ("X = /*", "X = /*"),
             ("X = 'open", "X = 'open"),
         ] {
-            assert_eq!(prepared(query).unwrap(), body, "{query}");
+            assert_eq!(prepare_query(query).unwrap(), body, "{query}");
         }
     }
 
     #[test]
     fn text_after_the_full_stop_is_refused() {
         for query in ["true. foo", "true. true.", "a. 'b", "a.\n/* c */ b", "1. 2"] {
-            assert!(prepared(query).is_err(), "{query}");
+            assert!(prepare_query(query).is_err(), "{query}");
         }
     }
 
@@ -226,8 +226,8 @@ mod tests {
             ("X = 0x1e5, Y = _1e5", "X = 0x1e5, Y = _1e5"),
             ("X = '1e5'", "X = '1e5'"),
         ] {
-            assert_eq!(prepared(query).unwrap(), body, "{query}");
+            assert_eq!(prepare_query(query).unwrap(), body, "{query}");
         }
-        assert!(prepared("X is 1e309").is_err());
+        assert!(prepare_query("X is 1e309").is_err());
     }
 }

@@ -44,7 +44,7 @@ pub fn individual_row(catalogue: &Catalogue, id: IndividualId) -> Term {
 }
 
 /// Returns the fact about a shared thing: `i/6`.
-pub fn shared_row(name: &str, class: &str) -> Term {
+pub fn share_row(name: &str, class: &str) -> Term {
     let none = || Term::atom("none");
     let [name, class] = [name, class].map(Term::atom);
     Term::compound("i", [name, class, none(), none(), none(), none()])

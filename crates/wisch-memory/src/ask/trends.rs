@@ -53,7 +53,7 @@ impl Drift {
     }
 
     /// Returns the value in the scale of the fit; `None` for a value outside that scale.
-    fn scaled(self, value: f64) -> Option<f64> {
+    fn scale(self, value: f64) -> Option<f64> {
         let scaled = match self {
             Self::ContactForce => value.abs(),
             Self::Localization => value,
@@ -125,10 +125,10 @@ fn first_rounds(
     named.collect()
 }
 
-fn scaled(drift: Drift, points: Vec<Point>) -> Vec<Point> {
+fn scale(drift: Drift, points: Vec<Point>) -> Vec<Point> {
     let scaled = points.into_iter();
     let scaled = scaled.filter_map(|point| {
-        let value = drift.scaled(point.value)?;
+        let value = drift.scale(point.value)?;
         Some(Point { value, ..point })
     });
     scaled.collect()
@@ -139,7 +139,7 @@ fn scaled(drift: Drift, points: Vec<Point>) -> Vec<Point> {
 pub fn drifts(catalogue: &Catalogue, drift: Drift, within: [f64; 2]) -> Vec<Term> {
     let series = first_rounds(catalogue, drift.properties(), within).into_iter();
     let lines = series.filter_map(|(name, points)| {
-        let points = scaled(drift, points);
+        let points = scale(drift, points);
         let values: Vec<f64> = points.iter().map(|point| point.value).collect();
         let since = changes_of(&values, drift.scatter())
             .last()
@@ -161,7 +161,7 @@ pub fn drifts(catalogue: &Catalogue, drift: Drift, within: [f64; 2]) -> Vec<Term
 pub fn changes(catalogue: &Catalogue, drift: Drift, within: [f64; 2]) -> Vec<Term> {
     let mut found = Vec::new();
     for (name, points) in first_rounds(catalogue, drift.properties(), within) {
-        let points = scaled(drift, points);
+        let points = scale(drift, points);
         let values: Vec<f64> = points.iter().map(|point| point.value).collect();
         let places = changes_of(&values, drift.scatter());
         let bounds: Vec<usize> = [vec![0], places.clone(), vec![values.len()]].concat();

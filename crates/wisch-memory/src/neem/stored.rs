@@ -36,7 +36,11 @@ impl NeemWriter {
     ///
     /// # Errors
     /// As the other methods; also if the episode cannot be read or its telemetry belongs to another robot.
-    pub fn stored(&mut self, episode: &Episode, poses: PoseSource) -> Result<(), NeemError> {
+    pub fn write_stored_episode(
+        &mut self,
+        episode: &Episode,
+        poses: PoseSource,
+    ) -> Result<(), NeemError> {
         let record = episode.record()?;
         self.episode(&record)?;
         let files = episode.files()?;

@@ -232,7 +232,7 @@ impl<W: Write> RecordingWriter<W> {
     ///
     /// # Errors
     /// If the output cannot be written.
-    pub fn planned_only(&mut self, planned: &UnexecutedPlan<'_>) -> io::Result<()> {
+    pub fn record_plan(&mut self, planned: &UnexecutedPlan<'_>) -> io::Result<()> {
         let audited = planned
             .followed
             .map(|(_, _, audit)| words::describe_audit(audit));

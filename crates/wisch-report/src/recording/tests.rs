@@ -52,7 +52,7 @@ fn followed(task: &Task) -> Vec<u8> {
         frames: &frames,
         followed: Some((&cell, &followed, &audit)),
     };
-    recording.planned_only(&planned).expect("memory takes it");
+    recording.record_plan(&planned).expect("memory takes it");
     recording.into_inner()
 }
 
@@ -197,8 +197,8 @@ fn a_round_says_among_which_plans_its_own_was_chosen() {
         frames: &frames,
         followed: None,
     };
-    recording.planned_only(&planned).expect("memory takes it");
-    recording.planned_only(&planned).expect("memory takes it");
+    recording.record_plan(&planned).expect("memory takes it");
+    recording.record_plan(&planned).expect("memory takes it");
     let pieces = pieces(&recording.into_inner());
     let rounds: Vec<&Value> = pieces.iter().filter(|p| p["piece"] == "round").collect();
     let [none, chosen] = rounds[0]["considered"]

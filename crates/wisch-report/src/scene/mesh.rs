@@ -20,7 +20,7 @@ pub(crate) struct Thinned {
 
 /// At most `most` triangles (at least 12) of about the same shape: vertices that share a cell of a grid become one, which
 /// lies where the planes of their triangles are nearest, and the grid is coarsened until it suffices (Lindstrom, 2000).
-pub(crate) fn thinned(mesh: &Mesh, most: usize) -> Thinned {
+pub(crate) fn resample(mesh: &Mesh, most: usize) -> Thinned {
     let mut thinned = Thinned {
         vertices: mesh.vertices().to_vec(),
         triangles: mesh.triangles().to_vec(),
@@ -143,7 +143,7 @@ mod tests {
     #[test]
     fn a_thinned_mesh_keeps_its_size() {
         let ball = Mesh::sphere(0.2, 200).expect("a ball");
-        let thin = thinned(&ball, 900);
+        let thin = resample(&ball, 900);
         assert!(thin.triangles.len() <= 900 && thin.triangles.len() > 300);
         for vertex in &thin.vertices {
             assert!((vertex.coords.norm() - 0.2).abs() < 0.002, "{vertex}");
@@ -153,7 +153,7 @@ mod tests {
         for _ in 0..4 {
             fine = subdivided(&fine);
         }
-        let thin = thinned(&fine, 300);
+        let thin = resample(&fine, 300);
         assert!(thin.triangles.len() <= 300, "{}", thin.triangles.len());
         let far = thin
             .vertices
@@ -163,7 +163,7 @@ mod tests {
         let corner = Vector3::new(0.05, 0.1, 0.15).norm();
         assert!((far - corner).abs() < 0.003, "{far} {corner}");
         let cuboid = Mesh::cuboid(Vector3::new(0.1, 0.2, 0.3)).expect("a box");
-        assert_eq!(thinned(&cuboid, 900).triangles, cuboid.triangles());
+        assert_eq!(resample(&cuboid, 900).triangles, cuboid.triangles());
     }
 
     /// Each triangle in four.

@@ -3,7 +3,7 @@
 
 mod mesh;
 
-use mesh::{Thinned, thinned};
+use mesh::{Thinned, resample};
 use serde::Serialize;
 use wisch::geometry::{Mesh, Point3, Pose, Vector3};
 use wisch::robot::Shape;
@@ -107,7 +107,7 @@ impl Meshes {
         let Thinned {
             vertices,
             triangles,
-        } = thinned(mesh, most);
+        } = resample(mesh, most);
         let record = MeshRecord {
             vertices: tenths(vertices),
             triangles: triangles.into_flattened(),

@@ -123,11 +123,11 @@ fn block(size: [f64; 2], bottom: f64, top: f64) -> Result<Mesh, MeshError> {
 fn handle(radius: f64, foot: f64, length: f64) -> Result<Mesh, MeshError> {
     let height = length + SUNK;
     let lifted = Pose::translation(0.0, 0.0, foot - SUNK + height / 2.0);
-    Ok(Mesh::cylinder(radius, height, 24)?.transformed(&lifted))
+    Ok(Mesh::cylinder(radius, height, 24)?.transform(&lifted))
 }
 
 fn joined(parts: impl IntoIterator<Item = Result<Mesh, MeshError>>) -> Result<Mesh, MeshError> {
-    Mesh::merged(parts.into_iter().collect::<Result<Vec<_>, _>>()?)
+    Mesh::merge(parts.into_iter().collect::<Result<Vec<_>, _>>()?)
 }
 
 /// Points of a lattice centred on the origin: `counts` and `pitch` along x and y.

@@ -317,7 +317,7 @@ impl CollisionModel {
             let bounds = self.solids[body.solids.clone()]
                 .iter()
                 .map(|solid| solid.solid.bounds(&solid.frame_from_solid))
-                .reduce(AxisAlignedBox::merged)?;
+                .reduce(AxisAlignedBox::merge)?;
             body.is_obstacle.then_some((BodyId(i), bounds))
         };
         self.obstacles = Obstacles::new(self.bodies.iter().enumerate().filter_map(stands));
@@ -488,7 +488,7 @@ impl CollisionModel {
         }
         let placed = |i: usize| self.solids[i].solid.bounds(self.frame_of(i, scratch));
         let solids = self.bodies[row.body.0].solids.clone();
-        let Some(bounds) = solids.map(placed).reduce(AxisAlignedBox::merged) else {
+        let Some(bounds) = solids.map(placed).reduce(AxisAlignedBox::merge) else {
             return;
         };
         let mut near = std::mem::take(&mut scratch.near);

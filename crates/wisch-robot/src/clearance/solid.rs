@@ -51,7 +51,7 @@ pub(super) struct AxisAlignedBox {
 
 impl AxisAlignedBox {
     /// Returns the smallest box around both.
-    pub fn merged(self, other: Self) -> Self {
+    pub fn merge(self, other: Self) -> Self {
         Self {
             low: self.low.inf(&other.low),
             high: self.high.sup(&other.high),

@@ -89,7 +89,7 @@ impl Collision {
             &Shape::Sphere { radius } => Mesh::sphere(least(radius), SEGMENTS),
             Shape::Mesh(mesh) => Ok(mesh.clone()),
         };
-        Some(mesh.ok()?.transformed(&self.link_from_shape))
+        Some(mesh.ok()?.transform(&self.link_from_shape))
     }
 }
 

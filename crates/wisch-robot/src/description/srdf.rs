@@ -31,7 +31,7 @@ const MAX_GROUPS: usize = 1000;
 /// </robot>"#;
 /// let srdf = Srdf::parse("r.srdf", text, &robot)?;
 /// let ready = srdf.state("ready")?;
-/// assert_eq!(ready.applied_to(&[0.0]), [0.5]);
+/// assert_eq!(ready.apply_to(&[0.0]), [0.5]);
 ///
 /// let fault = Srdf::parse("r.srdf", &text.replace("pivot", "pivto"), &robot).unwrap_err();
 /// assert_eq!(fault.to_string(), "r.srdf:3:41: unknown variable joint \"pivto\"; nearest: pivot");
@@ -101,7 +101,7 @@ pub struct Ignored {
 impl GroupState {
     /// Returns the positions `q` (n) with those of this posture inserted; variables beyond the length of `q` are
     /// skipped.
-    pub fn applied_to(&self, q: &[f64]) -> Vec<f64> {
+    pub fn apply_to(&self, q: &[f64]) -> Vec<f64> {
         let mut q = q.to_vec();
         for &(variable, position) in &self.positions {
             if let Some(entry) = q.get_mut(variable) {
@@ -476,7 +476,7 @@ impl Reader<'_> {
         let mut positions: Vec<(usize, f64)> = Vec::new();
         for joint in elements(node, "joint") {
             let joint_name = self.name(joint, "name")?;
-            let position = self.needed(joint, "value")?;
+            let position = self.require(joint, "value")?;
             let Some(variable) = self.variable_of(joint, &joint_name, robot)? else {
                 continue;
             };

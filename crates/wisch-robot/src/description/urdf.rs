@@ -256,14 +256,14 @@ impl<'a> Reader<'a> {
         }
     }
 
-    pub fn needed(&self, node: Node, attribute: &'static str) -> Result<f64, RobotError> {
+    pub fn require(&self, node: Node, attribute: &'static str) -> Result<f64, RobotError> {
         self.number(node, attribute)?
             .ok_or_else(|| self.attribute_fault(node, attribute, expected(1)))
     }
 
     /// Reads a size above 0.
     fn size(&self, node: Node, attribute: &'static str) -> Result<f64, RobotError> {
-        let value = self.needed(node, attribute)?;
+        let value = self.require(node, attribute)?;
         if value > 0.0 {
             Ok(value)
         } else {
@@ -300,7 +300,7 @@ impl<'a> Reader<'a> {
 
     fn inertial(&self, node: Node) -> Result<UrdfInertial, RobotError> {
         let mass = match element(node, "mass") {
-            Some(mass) => self.needed(mass, "value")?,
+            Some(mass) => self.require(mass, "value")?,
             None => 0.0,
         };
         let mut about_center = Matrix3::zeros();

@@ -293,7 +293,7 @@ impl Mesh {
     ///
     /// # Errors
     /// If there is no mesh, or more than [`MAX_TRIANGLES`] triangles together.
-    pub fn merged(meshes: impl IntoIterator<Item = Self>) -> Result<Self, MeshError> {
+    pub fn merge(meshes: impl IntoIterator<Item = Self>) -> Result<Self, MeshError> {
         let (mut vertices, mut triangles) = (Vec::new(), Vec::new());
         for mesh in meshes {
             let count = triangles.len() + mesh.triangles.len();
@@ -350,7 +350,7 @@ impl Mesh {
     /// Returns the mesh in another frame, to which `other_from_mesh` maps this one.
     ///
     /// The result is not checked against [`MAX_COORDINATE`].
-    pub fn transformed(&self, other_from_mesh: &Pose) -> Self {
+    pub fn transform(&self, other_from_mesh: &Pose) -> Self {
         Self {
             vertices: self
                 .vertices
@@ -381,7 +381,7 @@ impl Mesh {
 
     /// Returns the part of the surface at or above the plane z = `z` \[m\], as triangles; empty if all of it is below.
     /// The cut stays open.
-    pub fn clipped_above(&self, z: f64) -> Vec<[Point3; 3]> {
+    pub fn clip_above(&self, z: f64) -> Vec<[Point3; 3]> {
         self.corners()
             .flat_map(|corners| {
                 let kept = cut(corners, z, Side::Above);

@@ -140,7 +140,7 @@ pub struct Region {
 
 impl Polygon {
     /// Returns the polygon scaled by a factor about the origin.
-    fn scaled(&self, factor: f64) -> Self {
+    fn scale(&self, factor: f64) -> Self {
         let ring = |ring: &Vec<Point2>| ring.iter().map(|corner| corner * factor).collect();
         Self {
             outer: ring(&self.outer),
@@ -163,14 +163,14 @@ impl Region {
 
     /// Returns the region scaled about the origin by a factor above 0.
     #[must_use]
-    pub fn scaled(&self, factor: f64) -> Self {
-        let scaled = |polygon: &Polygon| polygon.scaled(factor);
+    pub fn scale(&self, factor: f64) -> Self {
+        let scaled = |polygon: &Polygon| polygon.scale(factor);
         Self::new(self.polygons.iter().map(scaled).collect())
     }
 
     /// Returns the region made narrower by a margin on each side of its bounding box \[m\], at most to half its extent.
     #[must_use]
-    pub fn narrowed(&self, margin: f64) -> Self {
+    pub fn shrink(&self, margin: f64) -> Self {
         let Some(bounds) = self.bounds() else {
             return self.clone();
         };

@@ -71,7 +71,7 @@ impl Limits {
                 lower: limit.lower,
                 upper: limit.upper,
             };
-            let range = range.narrowed(limit.per_rad.map_or(0.0, |per_rad| margin * per_rad));
+            let range = range.shrink(limit.per_rad.map_or(0.0, |per_rad| margin * per_rad));
             (limit.lower, limit.upper) = (range.lower, range.upper);
         }
     }

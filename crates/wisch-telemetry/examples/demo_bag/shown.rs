@@ -47,7 +47,7 @@ pub fn write(bag: &mut BagWriter, wiping: &Wiping) -> Result<(), Box<dyn std::er
         object("table", ScenePart::Obstacle, [1.2, 0.8, 0.04], 0.04)?,
     ];
     let tool = Mesh::cuboid(Vector3::new(0.06, 0.09, 0.03))?
-        .transformed(&Pose::translation(0.0, 0.0, 0.015));
+        .transform(&Pose::translation(0.0, 0.0, 0.015));
     bag.write_scene(&BagScene {
         surface: &surface,
         objects: &objects,

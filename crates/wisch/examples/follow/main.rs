@@ -12,7 +12,7 @@ use std::time::Instant;
 use wisch::follow::{FollowConfig, Workcell, WorkcellConfig, audit, follow};
 use wisch::plan::{CoverageStrategy, Plan, Strategy, predict};
 use wisch::represent::Action;
-use wisch::run::{NoExecutor, Session, Stage, unobserved};
+use wisch::run::{NoExecutor, Session, Stage, ignore_events};
 use wisch_io::{LoadOptions, LoadedTask, load_task};
 use wisch_testkit::{AnyError, ShippedRobot, TABLE_1, humanoid, scenario};
 
@@ -128,7 +128,7 @@ fn trial(loaded: &LoadedTask, robot: &ShippedRobot) -> Result<Trial, AnyError> {
     let begin = Instant::now();
     let LoadedTask { file, task, .. } = loaded;
     let mut session = Session::new(task, loaded.run_config()).with_robot(robot.robot_setup());
-    session.run_until(Stage::Planned, &mut NoExecutor, &mut unobserved)?;
+    session.run_until(Stage::Planned, &mut NoExecutor, &mut ignore_events)?;
     let plan = session.plan().ok_or("no plan")?.clone();
     let config = WorkcellConfig {
         world_from_robot: file.robot().and_then(|robot| robot.world_from_robot),

@@ -81,7 +81,7 @@ pub struct LearnedLaw {
 
 impl LearnedLaw {
     /// Returns the interaction with the posterior means and spreads, for the knowledge base.
-    pub fn applied_to(&self, interaction: &Interaction) -> Interaction {
+    pub fn apply_to(&self, interaction: &Interaction) -> Interaction {
         Interaction {
             likelihood: LogNormal {
                 mu: self.mu.mean,

@@ -39,7 +39,7 @@ impl FreeSpace {
     ) -> Result<Self, PlanError> {
         let mut corners: Vec<Vector> = Vec::new();
         for mesh in scene.clone() {
-            for triangle in mesh.clipped_above(SURFACE_SKIN) {
+            for triangle in mesh.clip_above(SURFACE_SKIN) {
                 corners.extend(triangle.map(|p| Vector::new(p.x, p.y, p.z)));
             }
         }

@@ -228,7 +228,7 @@ struct Obstacle {
 /// Returns the obstacles of the scene, in the surface frame.
 fn obstacles(task: &Task, meshes: &[Mesh]) -> Result<Vec<Obstacle>, PlanError> {
     let obstacle = |(object, mesh): (&crate::represent::SceneObject, &Mesh)| {
-        let clipped = mesh.clipped_above(SURFACE_SKIN).into_iter().flatten();
+        let clipped = mesh.clip_above(SURFACE_SKIN).into_iter().flatten();
         let corners: Vec<Vector> = clipped.map(|p| Vector::new(p.x, p.y, p.z)).collect();
         let triangles: Vec<[u32; 3]> = (0..corners.len() as u32 / 3)
             .map(|i| [3 * i, 3 * i + 1, 3 * i + 2])

@@ -212,7 +212,7 @@ mod tests {
 
     fn wall(at: [f64; 2], size: [f64; 2]) -> Mesh {
         let mesh = Mesh::cuboid(Vector3::new(size[0], size[1], 1.0)).unwrap();
-        mesh.transformed(&Pose::translation(at[0], at[1], 0.5))
+        mesh.transform(&Pose::translation(at[0], at[1], 0.5))
     }
 
     fn cells(columns: usize, rows: usize) -> Vec<Point2> {

@@ -5,7 +5,7 @@ mod verdict;
 
 pub use next_task::{
     PLANNING_DRAWS, expected_performance, is_done, next_task, recovery_candidate_count, relocate,
-    unfinished,
+    remaining_dirt,
 };
 pub use verdict::{
     Claim, FALSE_CLAIM_MARGIN, MAX_FALSE_CLAIM_PROBABILITY, MIN_PROGRESS, Pace, RoundOutcome,

@@ -57,7 +57,10 @@ pub fn relocate(task: &Task, world_from_surface: Pose) -> Task {
 ///
 /// # Errors
 /// A position is not finite.
-pub fn unfinished(task: &Task, goal: &GoalState) -> Result<ParticleDistribution, ParticleError> {
+pub fn remaining_dirt(
+    task: &Task,
+    goal: &GoalState,
+) -> Result<ParticleDistribution, ParticleError> {
     let open: Vec<_> = remaining_particles(&task.particles, goal, &task.surface).collect();
     ParticleDistribution::with_fates(&open)
 }

@@ -11,7 +11,7 @@ pub const SURFACE_SKIN: f64 = 1e-4;
 /// ```
 /// use wisch::geometry::{Mesh, Point2, Pose, Vector3};
 /// use wisch::represent::OccupiedArea;
-/// let cup = Mesh::cylinder(0.04, 0.10, 48)?.transformed(&Pose::translation(0.2, 0.0, 0.05));
+/// let cup = Mesh::cylinder(0.04, 0.10, 48)?.transform(&Pose::translation(0.2, 0.0, 0.05));
 /// let occupied = OccupiedArea::of([&cup]);
 /// assert!(occupied.contains(Point2::new(0.2, 0.03)));
 /// assert!(!occupied.contains(Point2::new(0.2, 0.05)));

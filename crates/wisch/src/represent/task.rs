@@ -40,7 +40,7 @@ impl Tool {
         let tool_from_mesh = Pose::translation(0.0, 0.0, size.z / 2.0);
         Ok(Self {
             name: name.into(),
-            mesh: Mesh::cuboid(size)?.transformed(&tool_from_mesh),
+            mesh: Mesh::cuboid(size)?.transform(&tool_from_mesh),
             footprint: Region::new(vec![Polygon::rectangle(face)]),
             area_of_effect: face,
             rotation_about_normal: AngleRange::FULL,
@@ -217,7 +217,7 @@ impl Task {
         self.obstacles().map(move |object| {
             object
                 .mesh
-                .transformed(&(surface_from_world * object.world_from_object))
+                .transform(&(surface_from_world * object.world_from_object))
         })
     }
 }

@@ -79,7 +79,7 @@ pub enum RunEvent<'a> {
 }
 
 /// An observer that ignores every event.
-pub fn unobserved(_: &RunEvent<'_>) -> ControlFlow<()> {
+pub fn ignore_events(_: &RunEvent<'_>) -> ControlFlow<()> {
     ControlFlow::Continue(())
 }
 

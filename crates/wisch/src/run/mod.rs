@@ -21,7 +21,7 @@ mod trajectory_clock;
 pub use config::{AfterStop, MIN_SCORE, Pace, RobotSetup, RunConfig};
 pub use considered::{CandidateEvaluation, EvaluatedMotion};
 pub use error::{RunError, check_score};
-pub use event::{Observer, RunEvent, unobserved};
+pub use event::{Observer, RunEvent, ignore_events};
 pub use execution::{Ending, Execution, StopCause};
 pub use executor::{Executor, ExecutorError, NoExecutor, RecordedRound, Recording, SampleSink};
 pub use order::{MotionOrder, Setpoint};

@@ -44,7 +44,7 @@ pub enum Stage {
 /// # use wisch::represent::Task;
 /// # fn plan_only(task: &Task) -> Result<(), Box<dyn std::error::Error>> {
 /// let mut session = Session::new(task, Default::default());
-/// session.run_until(Stage::Planned, &mut NoExecutor, &mut unobserved)?;
+/// session.run_until(Stage::Planned, &mut NoExecutor, &mut ignore_events)?;
 /// let metres = session.plan().map(|plan| plan.contact_distance());
 /// # Ok(()) }
 /// ```

@@ -62,11 +62,11 @@ pub fn learn(args: &LearnArgs, global: &GlobalArgs) -> Result<Outcome, Failure> 
     })?;
     let revisions: Vec<InteractionRevision> = (lessons.iter().zip(&laws))
         .map(|(evidence, law)| InteractionRevision {
-            interaction: law.applied_to(&evidence.interaction),
+            interaction: law.apply_to(&evidence.interaction),
             source: source_in_words(evidence, law),
         })
         .collect();
-    let revised = source.revised(&revisions)?;
+    let revised = source.revise_knowledge(&revisions)?;
     if let Some(file) = file {
         file.finish(entries(&revised).as_bytes())?;
     }
@@ -109,7 +109,7 @@ impl Tasks {
             knowledge: args.knowledge.clone(),
         };
         for path in &args.tasks {
-            let prepared = tasks.prepared(path)?;
+            let prepared = tasks.prepare_query(path)?;
             let name = prepared.task.name.clone();
             if tasks.known.insert(name.clone(), prepared).is_some() {
                 return Err(Failure::new(format!(
@@ -121,7 +121,7 @@ impl Tasks {
         Ok(tasks)
     }
 
-    fn prepared(&self, path: &Path) -> Result<Prepared, Failure> {
+    fn prepare_query(&self, path: &Path) -> Result<Prepared, Failure> {
         Prepared::read(&TaskArgs {
             task: path.to_owned(),
             strategy: None,
@@ -147,7 +147,7 @@ impl Tasks {
         };
         let is_shipped = shipped_scenarios().any(|(known, _)| known == name);
         if !self.are_given && is_shipped && !self.known.contains_key(&name) {
-            let prepared = self.prepared(Path::new(&name))?;
+            let prepared = self.prepare_query(Path::new(&name))?;
             self.known.insert(name.clone(), prepared);
         }
         let known: Vec<&String> = self.known.keys().collect();

@@ -67,7 +67,7 @@ impl<'s> Solver<'s> {
                 let member = JoinValue::Individual(id);
                 go_on!(self.candidate(&[(thing, member)], key(number, id as usize), next));
             }
-            for name in known.names.shared_of(class) {
+            for name in known.names.share_names(class) {
                 let member = self.named(name);
                 go_on!(self.candidate(&[(thing, member)], key(number, usize::MAX >> 32), next));
             }

@@ -12,7 +12,7 @@ use wisch::geometry::{Pose, Vector3};
 use wisch::robot::RobotModel;
 
 /// A memory with [`bumped`] in it: one second at 1 kHz of an arm that turns about its first joint.
-fn stored(folder: &std::path::Path, robot: &RobotModel) -> Memory {
+fn write_stored_episode(folder: &std::path::Path, robot: &RobotModel) -> Memory {
     let memory = Memory::create(&folder.join("episodes")).unwrap();
     let writer = memory.begin(&bumped().id).unwrap();
     let joints: Vec<String> = (0..robot.dof())
@@ -66,12 +66,12 @@ fn arm() -> RobotModel {
 fn a_stored_episode_brings_its_poses_and_wrenches() {
     let folder = tempfile::tempdir().unwrap();
     let robot = arm();
-    let memory = stored(folder.path(), &robot);
+    let memory = write_stored_episode(folder.path(), &robot);
     let episode = memory.episode(&bumped().id).unwrap();
     let export = |name, poses| {
         let neem = folder.path().join(name);
         let mut writer = NeemWriter::create(&neem, &meta(), &NeemConfig::default()).unwrap();
-        writer.stored(&episode, poses).unwrap();
+        writer.write_stored_episode(&episode, poses).unwrap();
         (writer.finish().unwrap(), neem)
     };
     let (report, by_tool) = export("tool", PoseSource::Tool);
@@ -133,11 +133,13 @@ fn a_stored_episode_brings_its_poses_and_wrenches() {
 #[test]
 fn a_document_that_is_no_observation_is_named() {
     let folder = tempfile::tempdir().unwrap();
-    let memory = stored(folder.path(), &arm());
+    let memory = write_stored_episode(folder.path(), &arm());
     let episode = memory.episode(&bumped().id).unwrap();
     let neem = folder.path().join("neem");
     let mut writer = NeemWriter::create(&neem, &meta(), &NeemConfig::default()).unwrap();
-    writer.stored(&episode, PoseSource::Tool).unwrap();
+    writer
+        .write_stored_episode(&episode, PoseSource::Tool)
+        .unwrap();
     writer.finish().unwrap();
     let path = collection_file(&neem, "observation");
     let whole = std::fs::read(&path).unwrap();
@@ -183,12 +185,12 @@ fn a_document_that_is_no_observation_is_named() {
 #[test]
 fn telemetry_of_another_robot_is_refused() {
     let folder = tempfile::tempdir().unwrap();
-    let memory = stored(folder.path(), &arm());
+    let memory = write_stored_episode(folder.path(), &arm());
     let urdf = include_str!("../../../../../robots/arm6.urdf");
     let other = RobotModel::from_urdf("arm6.urdf", urdf, &mut |mesh| Err(mesh.to_owned())).unwrap();
     let neem = folder.path().join("neem");
     let mut writer = NeemWriter::create(&neem, &meta(), &NeemConfig::default()).unwrap();
     let episode = memory.episode(&bumped().id).unwrap();
-    let refused = writer.stored(&episode, PoseSource::Robot(&other));
+    let refused = writer.write_stored_episode(&episode, PoseSource::Robot(&other));
     assert!(matches!(refused, Err(NeemError::Frames(_))), "{refused:?}");
 }

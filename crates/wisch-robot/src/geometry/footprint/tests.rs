@@ -8,11 +8,11 @@ fn cuboid(x: f64, y: f64, z: f64) -> Mesh {
 }
 
 fn moved(mesh: &Mesh, x: f64, y: f64, z: f64) -> Mesh {
-    mesh.transformed(&Pose::translation(x, y, z))
+    mesh.transform(&Pose::translation(x, y, z))
 }
 
-fn merged(meshes: impl IntoIterator<Item = Mesh>) -> Mesh {
-    Mesh::merged(meshes).expect("there are meshes")
+fn merge(meshes: impl IntoIterator<Item = Mesh>) -> Mesh {
+    Mesh::merge(meshes).expect("there are meshes")
 }
 
 /// A tube about z from z = 0 to 0.1 m with a wall from 0.03 to 0.04 m radius.
@@ -120,11 +120,11 @@ fn a_tube_leaves_a_ring() {
 #[test]
 fn apart_boxes_are_pieces_and_overlapping_ones_are_one() {
     let foot = cuboid(0.02, 0.02, 0.04);
-    let apart = merged([foot.clone(), moved(&foot, 0.05, 0.0, 0.0)]);
+    let apart = merge([foot.clone(), moved(&foot, 0.05, 0.0, 0.0)]);
     let region = footprint(&apart, 0.01).expect("a footprint");
     assert_eq!(pieces_and_holes(&region), (2, 0));
     assert!((region.area() - 8e-4).abs() < 1e-9);
-    let overlapping = merged([foot.clone(), moved(&foot, 0.01, 0.0, 0.0)]);
+    let overlapping = merge([foot.clone(), moved(&foot, 0.01, 0.0, 0.0)]);
     let region = footprint(&overlapping, 0.01).expect("a footprint");
     assert_eq!(pieces_and_holes(&region), (1, 0));
     assert_eq!(region.edges().count(), 4);
@@ -134,7 +134,7 @@ fn apart_boxes_are_pieces_and_overlapping_ones_are_one() {
 #[test]
 fn parts_above_the_slab_leave_no_footprint() {
     let foot = cuboid(0.02, 0.02, 0.04);
-    let mesh = merged([foot.clone(), moved(&foot, 0.05, 0.0, 0.005)]);
+    let mesh = merge([foot.clone(), moved(&foot, 0.05, 0.0, 0.005)]);
     assert_eq!(
         pieces_and_holes(&footprint(&mesh, 0.004).expect("a footprint")),
         (1, 0)
@@ -201,7 +201,7 @@ fn wrong_input_is_named_with_its_limit() {
 fn too_many_edges_are_refused() {
     let tuft = cuboid(1e-4, 1e-4, 1e-3);
     let field = (0..160).flat_map(|i| (0..160).map(move |j| (f64::from(i), f64::from(j))));
-    let brush = merged(field.map(|(i, j)| moved(&tuft, 3e-4 * i, 3e-4 * j, 0.0)));
+    let brush = merge(field.map(|(i, j)| moved(&tuft, 3e-4 * i, 3e-4 * j, 0.0)));
     let edges = 4 * 160 * 160;
     assert_eq!(
         footprint(&brush, 1e-4),
@@ -221,7 +221,7 @@ fn solids() -> impl Strategy<Value = Mesh> {
         0.0..0.02f64,
     );
     prop::collection::vec(solid, 1..5).prop_map(|solids| {
-        merged(solids.into_iter().map(|(kind, a, b, x, y, z)| {
+        merge(solids.into_iter().map(|(kind, a, b, x, y, z)| {
             let mesh = match kind {
                 0 => Ok(cuboid(a, b, 0.03)),
                 1 => Mesh::cylinder(a, b, 17),
@@ -237,7 +237,7 @@ proptest! {
 
     #[test]
     fn the_area_does_not_depend_on_the_heading(mesh in solids(), turn in -PI..PI, depth in 0.001..0.03f64) {
-        let turned = mesh.transformed(&Pose::rotation(Vector3::z() * turn));
+        let turned = mesh.transform(&Pose::rotation(Vector3::z() * turn));
         let (before, after) = (footprint(&mesh, depth), footprint(&turned, depth));
         let (before, after) = (before.expect("a footprint").area(), after.expect("a footprint").area());
         prop_assert!((before - after).abs() < 1e-9, "{before} {after}");

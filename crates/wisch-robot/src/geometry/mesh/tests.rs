@@ -139,14 +139,14 @@ fn a_mesh_says_where_it_is_broken() {
 #[test]
 fn moving_and_merging_keep_shape_and_count() {
     let other_from_mesh = Pose::new(Vector3::new(3.0, 0.0, 0.0), Vector3::z() * FRAC_PI_2);
-    let both = Mesh::merged([box_mesh(), box_mesh().transformed(&other_from_mesh)])
-        .expect("few triangles");
+    let both =
+        Mesh::merge([box_mesh(), box_mesh().transform(&other_from_mesh)]).expect("few triangles");
     assert!((volume(&both) - 2.0 * volume(&box_mesh())).abs() < 1e-12);
     let (min, max) = both.bounds();
     assert!((min - Point3::new(-0.25, -0.25, -1.0)).norm() < 1e-12);
     assert!((max - Point3::new(3.125, 0.25, 1.0)).norm() < 1e-12);
     assert_eq!(box_mesh().extent(), 2.0);
-    assert_eq!(Mesh::merged([]), Err(MeshError::Empty));
+    assert_eq!(Mesh::merge([]), Err(MeshError::Empty));
 }
 
 #[test]
@@ -159,9 +159,9 @@ fn clipping_keeps_the_part_above() {
     let mesh = box_mesh();
     // The walls from 0.5 to 1, and the lid.
     let expected = 0.5 * 2.0 * (0.5 + 0.25) + 0.5 * 0.25;
-    assert!((area(&mesh.clipped_above(0.5)) - expected).abs() < 1e-12);
-    assert_eq!(mesh.clipped_above(-1.0).len(), mesh.triangles().len());
-    assert!(mesh.clipped_above(1.1).is_empty());
+    assert!((area(&mesh.clip_above(0.5)) - expected).abs() < 1e-12);
+    assert_eq!(mesh.clip_above(-1.0).len(), mesh.triangles().len());
+    assert!(mesh.clip_above(1.1).is_empty());
 }
 
 #[test]

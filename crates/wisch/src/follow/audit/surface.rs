@@ -95,7 +95,7 @@ impl<'a> SurfaceCheck<'a> {
             Body::new(
                 name,
                 cell.tip().index(),
-                mesh.transformed(cell.tip_from_tool()),
+                mesh.transform(cell.tip_from_tool()),
             )
         };
         let depth = task.interaction.compression_depth_m;

@@ -236,7 +236,7 @@ impl Workcell {
     pub(crate) fn range_kept(&self, joint: &Joint) -> Option<Range> {
         let limits = joint.limits.position?;
         let slides = joint.kind == JointKind::Prismatic;
-        Some(limits.narrowed(if slides { 0.0 } else { self.limit_margin }))
+        Some(limits.shrink(if slides { 0.0 } else { self.limit_margin }))
     }
 
     /// Position, velocity and acceleration limits of all n variables, in the order of the robot's, and of their

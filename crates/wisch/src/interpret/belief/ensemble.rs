@@ -149,11 +149,11 @@ impl Belief {
     /// use wisch::represent::ParticleDistribution;
     /// let at = |x| ParticleDistribution::new(&[Point2::new(x, 0.0)]);
     /// let belief = Belief::of(vec![at(0.1)?, at(0.2)?, at(0.3)?, at(0.4)?])?;
-    /// assert_eq!(belief.thinned(2, 1).replays().len(), 2);
+    /// assert_eq!(belief.resample(2, 1).replays().len(), 2);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     #[must_use]
-    pub fn thinned(&self, count: usize, seed: u64) -> Self {
+    pub fn resample(&self, count: usize, seed: u64) -> Self {
         let kept = self.systematic(count.max(1), seed);
         let weights = vec![1.0 / kept.len() as f64; kept.len()];
         let states = self.states.iter().collect::<Vec<_>>();

@@ -100,7 +100,7 @@ impl Replay<'_> {
             );
             let mut field = ParticleField::new(&there);
             let compression = parameters.compression(&config, self.stiffness);
-            let footprint = self.footprint.scaled(parameters.footprint_scale);
+            let footprint = self.footprint.scale(parameters.footprint_scale);
             let mut model = EffectModel::new(&footprint, self.effect);
             let bounds = footprint.bounds();
             let mut clock = TravelClock::default();

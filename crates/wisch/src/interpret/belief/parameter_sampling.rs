@@ -90,7 +90,7 @@ impl MemberParameters {
                 from: moved(&contact.motion.from),
                 to: moved(&contact.motion.to),
             },
-            force: contact.force.scaled(self.force_scale * force_factor),
+            force: contact.force.scale(self.force_scale * force_factor),
             ..*contact
         }
     }

@@ -125,7 +125,7 @@ impl Replay<'_> {
             activation,
         } = state;
         let compression = parameters.compression(self.config, self.stiffness);
-        let footprint = self.footprint.scaled(parameters.footprint_scale);
+        let footprint = self.footprint.scale(parameters.footprint_scale);
         let mut model = EffectModel::new(&footprint, self.effect);
         if self.effect == Effect::Push {
             let heap_depth = parameters.heap * self.config.redraw_length_m;

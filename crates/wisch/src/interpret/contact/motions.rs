@@ -45,7 +45,7 @@ impl NormalizedForce {
     }
 
     /// Returns f′ for a force scaled by `factor`; a value from a distance does not change.
-    pub(in crate::interpret) fn scaled(self, factor: f64) -> Self {
+    pub(in crate::interpret) fn scale(self, factor: f64) -> Self {
         match self {
             Self::Mean(share) => Self::Mean(share * factor),
             Self::NoContact | Self::Middle(_) => self,

@@ -123,7 +123,7 @@ impl<'a> Valuation<'a> {
                 field: ParticleField::new(particles),
                 dirt: particles.clone(),
                 grasp: PlanarPose::new(Point2::from(offset), 0.0),
-                footprint: task.tool.footprint.narrowed(narrower),
+                footprint: task.tool.footprint.shrink(narrower),
                 heap: (!is_certain).then_some(number as u64),
                 weight: 1.0 / dirt.len() as f64,
             }

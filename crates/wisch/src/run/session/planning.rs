@@ -4,10 +4,10 @@ use super::Session;
 use crate::plan::{
     Plan, PlanConfig, PlanError, Planner, Strategy, has_predicted_gain, highest_score,
 };
-use crate::recover::{PLANNING_DRAWS, Pace, recovery_candidate_count, unfinished};
+use crate::recover::{PLANNING_DRAWS, Pace, recovery_candidate_count, remaining_dirt};
 use crate::represent::{ParticleDistribution, Task};
 use crate::run::considered::{evaluate_motions, evaluate_plans, evaluate_within_reach};
-use crate::run::{CandidateEvaluation, Observer, PlannedRound, RunError, RunEvent, unobserved};
+use crate::run::{CandidateEvaluation, Observer, PlannedRound, RunError, RunEvent, ignore_events};
 
 /// The plan of the next round.
 #[derive(Debug)]
@@ -63,7 +63,7 @@ impl Session<'_> {
                     },
                     ..task.clone()
                 };
-                let mut open = unfinished(task, goal)?;
+                let mut open = remaining_dirt(task, goal)?;
                 if is_treated {
                     // The round covers only places where the belief expects missing treatment.
                     if open.is_empty() {
@@ -122,7 +122,7 @@ impl Session<'_> {
         let portfolio = planner.plan_by_every_strategy()?;
         Ok(match self.performer {
             Some(_) => evaluate_motions(&planner, portfolio, |plan| {
-                self.compute_motion(plan, &mut unobserved)
+                self.compute_motion(plan, &mut ignore_events)
             }),
             None => (evaluate_plans(task, portfolio), None),
         })
@@ -155,7 +155,7 @@ impl Session<'_> {
         if self.performer.is_none() {
             return Ok(NextPlan::Alone(plan));
         }
-        let follow = |plan| self.compute_motion(plan, &mut unobserved);
+        let follow = |plan| self.compute_motion(plan, &mut ignore_events);
         let (_, round) = evaluate_within_reach(&planner, plan, &follow)?;
         Ok(NextPlan::Followed(Box::new(round)))
     }
