@@ -240,7 +240,7 @@ impl<'a> RoundScorer<'a> {
         if let Some(seen) = Seen::of(first_observation, sight) {
             // As in the session: a goal area that the planner chooses is unknown at this point.
             let goal = task.goal().unwrap_or(GoalState::Skimmed);
-            before = before.seen(&seen.look(task, &goal));
+            before = before.observe(&seen.look(task, &goal));
         }
         Self {
             sight,

@@ -70,7 +70,7 @@ fn motion() -> PlannedRound {
     session
         .run_until(Stage::Audited, &mut NoExecutor, &mut ignore_events)
         .expect("a motion");
-    session.planned().expect("a motion").clone()
+    session.planned_round().expect("a motion").clone()
 }
 
 fn start(script: &str) -> Result<ProcessExecutor, ExecutorError> {
@@ -120,7 +120,9 @@ fn the_documented_robot_wipes_until_touch_tells_no_more() {
     let mut child = ProcessExecutor::start("python3", &[ECHO_ROBOT.to_owned()]).expect("it greets");
     assert_eq!(child.observe(&loaded.task), Ok(None));
     let mut session = loaded.session().with_robot(robot.robot_setup());
-    session.run(&mut child, &mut ignore_events).expect("it ends");
+    session
+        .run(&mut child, &mut ignore_events)
+        .expect("it ends");
     let last = session.rounds().last().expect("a round");
     // It only feels.
     let gave_up = [Verdict::NoWay, Verdict::Undecidable, Verdict::UnsafeMotion];

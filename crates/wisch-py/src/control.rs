@@ -145,7 +145,7 @@ impl PyImpedanceController {
     #[getter]
     fn planned<'py>(&self, py: Python<'py>) -> (Vector<'py>, Vector<'py>, Vector<'py>) {
         self.with(|state| {
-            let planned = state.controller.planned();
+            let planned = state.controller.planned_sample();
             let array = |numbers: &Vec<f64>| vector(py, numbers.clone());
             (array(&planned.q), array(&planned.qd), array(&planned.qdd))
         })

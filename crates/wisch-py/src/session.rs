@@ -474,7 +474,7 @@ impl PySession {
         let plan = session.plan();
         let plan = plan.ok_or_else(|| plain("there is no plan: the session has ended"))?;
         let task = session
-            .planned()
+            .planned_round()
             .map_or(&self.task.task, |planned| &planned.task);
         Ok(PyPlan::of(task, plan.clone()))
     }
@@ -542,7 +542,7 @@ impl PySession {
             self.run_until(py, Stage::Followed, call(executor, on_event, None)?)?;
         }
         self.look(py, |session| {
-            let planned = session.planned().map(PyMotion::of_round);
+            let planned = session.planned_round().map(PyMotion::of_round);
             planned.ok_or_else(|| plain("there is no motion: the session has ended"))
         })
     }

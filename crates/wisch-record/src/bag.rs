@@ -170,7 +170,7 @@ impl Seen {
             return self.observation.clone();
         }
         let now_from_then = world_from_surface.inverse() * self.world_from_surface;
-        self.observation.moved(&now_from_then)
+        self.observation.transform(&now_from_then)
     }
 }
 

@@ -55,7 +55,7 @@ impl MotionTotal {
             sum[1] += more[1];
         };
         for round in rounds {
-            let executed = round.executed();
+            let executed = round.executed_motion();
             let duration = round.execution.duration;
             add(&mut total.time, [duration, executed.contact_time]);
             add(&mut total.joint_movement, executed.joint_movement);

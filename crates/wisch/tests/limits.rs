@@ -175,7 +175,7 @@ fn a_hundred_thousand_detections_are_believed() {
     let detections: Vec<Point2> = (0..count as u32).map(place).collect();
     let member = ParticleDistribution::new(&detections[..20_000]).unwrap();
     let belief = Belief::of(vec![member; 64]).unwrap();
-    let seen = belief.seen(&Look {
+    let seen = belief.observe(&Look {
         observation: &Observation {
             detections,
             ..Observation::default()

@@ -488,7 +488,7 @@ fn strokes_are_searched_for_where_the_robot_reaches() {
         session
             .run_until(until, &mut NoExecutor, &mut ignore_events)
             .expect("a motion");
-        let round = session.planned().expect("a motion");
+        let round = session.planned_round().expect("a motion");
         let performance = round.prediction.performance.ratio();
         (round.followed.abandoned.len(), performance)
     };
@@ -570,7 +570,9 @@ fn after_a_protective_stop_the_robot_waits_unless_the_task_says_otherwise() {
 
     let mut guarded = Guarded::new(8.0);
     let mut waiting = session(AfterStop::Wait).with_robot(robot.robot_setup());
-    waiting.run(&mut guarded, &mut ignore_events).expect("it ends");
+    waiting
+        .run(&mut guarded, &mut ignore_events)
+        .expect("it ends");
     assert_eq!((waiting.rounds().len(), guarded.begins.len()), (1, 1));
 
     // At any time of the motion: in the air, on the surface, between strokes.
@@ -640,7 +642,12 @@ fn a_motion_that_begins_elsewhere_is_not_executed() {
             session
                 .run_until(Stage::Followed, &mut NoExecutor, &mut ignore_events)
                 .expect("a motion");
-            let mut state = session.planned().expect("a motion").cell.ready().to_vec();
+            let mut state = session
+                .planned_round()
+                .expect("a motion")
+                .cell
+                .ready()
+                .to_vec();
             state[2] += self.0;
             Ok(Some(state))
         }

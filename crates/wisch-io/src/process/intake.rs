@@ -309,7 +309,7 @@ impl<'a> Intake<'a> {
 
     /// Progress of the robot on its trajectory \[s\].
     pub const fn trajectory_time(&self) -> f64 {
-        self.clock.reached()
+        self.clock.time_reached()
     }
 
     /// Duration of the trajectory \[s\].

@@ -114,7 +114,7 @@ impl RoundSummary {
         true_performance: Option<f64>,
     ) -> Self {
         let interpretation = &round.interpretation;
-        let executed = round.executed();
+        let executed = round.executed_motion();
         let collisions = (interpretation.events.iter()).filter(|e| e.kind == EventKind::Collision);
         let collision_times_s: Vec<[f64; 2]> =
             collisions.map(|event| [event.start, event.end]).collect();

@@ -248,10 +248,10 @@ fn legs(plan: &Plan) -> Vec<(Phase, ToolPose, ToolPose)> {
             continue;
         };
         let (first, end) = (on(first), on(end));
-        let above = first.lifted(plan.lift_height);
+        let above = first.at_height(plan.lift_height);
         let mut from = last.unwrap_or_else(|| {
             let start = PlanarPose::new(plan.tool_start, first.surface_from_tool.heading);
-            on(start).lifted(plan.lift_height)
+            on(start).at_height(plan.lift_height)
         });
         // Out of contact, the tool rotates by the shorter angle.
         let (to, heading) = (
@@ -266,7 +266,7 @@ fn legs(plan: &Plan) -> Vec<(Phase, ToolPose, ToolPose)> {
             .windows(2)
             .map(|pair| (Phase::Wipe(number), on(pair[0]), on(pair[1])));
         legs.extend(wiped);
-        let up = end.lifted(plan.lift_height);
+        let up = end.at_height(plan.lift_height);
         legs.push((Phase::Lift, end, up));
         last = Some(up);
     }

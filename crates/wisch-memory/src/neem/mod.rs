@@ -33,8 +33,8 @@ pub use dump::DumpError;
 pub use import::{Triples, import, records};
 pub use meta::{NeemMeta, utc};
 pub use observation::{NeemRound, observations};
-pub use triples::{Object, Triple, ontology_triples, triples};
 pub use stored::PoseSource;
+pub use triples::{Object, Triple, ontology_triples, triples};
 pub use writer::{FrameSample, NeemConfig, NeemReport, NeemWriter, WrenchSample};
 
 use crate::frames::FrameError;

@@ -215,7 +215,7 @@ impl MotionController {
     }
 
     /// All n variables of the robot, as planned for the time of the last command.
-    pub const fn planned(&self) -> &TrajectorySample {
+    pub const fn planned_sample(&self) -> &TrajectorySample {
         &self.planned_sample
     }
 

@@ -80,7 +80,7 @@ impl ToolPose {
     }
 
     /// Returns the pose at the same place, heading and tilt, at a height above the surface \[m\].
-    pub fn lifted(&self, height: f64) -> Self {
+    pub fn at_height(&self, height: f64) -> Self {
         Self { height, ..*self }
     }
 

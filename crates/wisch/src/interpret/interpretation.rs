@@ -69,7 +69,7 @@ impl Interpretation {
 
     /// Updates belief and performance by an observation of the surface after the log.
     pub fn look(&mut self, look: &Look<'_>) {
-        self.belief = self.belief.seen(look);
+        self.belief = self.belief.observe(look);
         // An observation leaves no model error: what the replays omit does not affect what the camera sees.
         self.distribution = self.belief.performance(look.goal, look.surface, 0.0);
         self.performance = self.distribution.estimate();

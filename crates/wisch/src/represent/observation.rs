@@ -37,10 +37,10 @@ impl Observation {
     /// use wisch::geometry::{Point2, Pose};
     /// use wisch::represent::Observation;
     /// let seen = Observation { detections: vec![Point2::new(0.1, 0.0)], ..Observation::default() };
-    /// let moved = seen.moved(&Pose::translation(0.0, 0.2, 0.0));
+    /// let moved = seen.transform(&Pose::translation(0.0, 0.2, 0.0));
     /// assert_eq!(moved.detections, [Point2::new(0.1, 0.2)]);
     /// ```
-    pub fn moved(&self, now_from_then: &Pose) -> Self {
+    pub fn transform(&self, now_from_then: &Pose) -> Self {
         let moved = |p: &Point2| (now_from_then * Point3::new(p.x, p.y, 0.0)).xy();
         let ring = |ring: &[Point2]| -> Vec<Point2> { ring.iter().map(moved).collect() };
         let hidden = self.hidden.polygons().iter().map(|part| {

@@ -74,7 +74,7 @@ pub struct Round {
 impl Round {
     /// Returns the executed part of the motion: all of a complete one, else the planned part up to the time at
     /// which it ended.
-    pub fn executed(&self) -> ExecutedMotion {
+    pub fn executed_motion(&self) -> ExecutedMotion {
         let PlannedRound { cell, followed, .. } = &self.motion;
         let end = match self.execution.ending {
             Ending::Complete => f64::INFINITY,

@@ -148,12 +148,12 @@ impl<'a> Session<'a> {
     pub fn plan(&self) -> Option<&Plan> {
         match &self.state {
             State::Planned(next) => Some(next.plan()),
-            _ => self.planned().map(|planned| &planned.plan),
+            _ => self.planned_round().map(|planned| &planned.plan),
         }
     }
 
     /// The planned motion of the current round, or of the last one.
-    pub fn planned(&self) -> Option<&PlannedRound> {
+    pub fn planned_round(&self) -> Option<&PlannedRound> {
         match &self.state {
             State::Followed(planned)
             | State::Audited(planned, _)
@@ -182,7 +182,7 @@ impl<'a> Session<'a> {
     pub fn first(&self) -> Option<(&PlannedRound, &Audit)> {
         match self.rounds.first() {
             Some(round) => Some((&round.motion, &round.audit)),
-            None => self.planned().zip(self.audit()),
+            None => self.planned_round().zip(self.audit()),
         }
     }
 
@@ -344,7 +344,7 @@ impl<'a> Session<'a> {
             // A camera cannot see that dirt is at a goal that the planner has not chosen yet: nothing counts as
             // done.
             let goal = self.task.goal().unwrap_or(GoalState::Skimmed);
-            self.belief = self.belief.seen(&Look {
+            self.belief = self.belief.observe(&Look {
                 observation: &observation,
                 sight,
                 surface: &self.task.surface,

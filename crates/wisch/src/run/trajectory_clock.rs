@@ -110,7 +110,7 @@ impl TrajectoryClock {
     }
 
     /// The largest trajectory time so far \[s\].
-    pub const fn reached(&self) -> f64 {
+    pub const fn time_reached(&self) -> f64 {
         self.reached
     }
 

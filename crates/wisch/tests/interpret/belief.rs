@@ -133,7 +133,7 @@ fn a_sharp_look_before_wiping_tells_all() {
         detections: places(30, 0.05),
         hidden: Region::default(),
     };
-    let after = belief.seen(&look(&task, &goal, &seen));
+    let after = belief.observe(&look(&task, &goal, &seen));
     for member in after.replays() {
         assert_eq!(member.tally().remaining, 30);
         assert_eq!(member.len(), 30);
@@ -145,7 +145,7 @@ fn a_sharp_look_before_wiping_tells_all() {
         detections: vec![],
         hidden: hidden.clone(),
     };
-    let after = belief.seen(&look(&task, &goal, &behind));
+    let after = belief.observe(&look(&task, &goal, &behind));
     assert!(
         after
             .replays()
@@ -182,7 +182,7 @@ fn a_look_after_wiping_tells_what_is_left_and_what_is_gone() {
     };
     let before = interpreted_with(&script.samples(&task), &task, &config).belief;
     let nothing = Observation::default();
-    let after = before.seen(&Look {
+    let after = before.observe(&Look {
         sight: blind,
         ..look(&task, &goal, &nothing)
     });
@@ -208,7 +208,7 @@ fn false_alarms_are_told_from_dirt_by_where_dirt_may_be() {
         detections,
         hidden: Region::default(),
     };
-    let after = belief.seen(&Look {
+    let after = belief.observe(&Look {
         sight,
         ..look(&task, &goal, &seen)
     });
@@ -290,7 +290,7 @@ fn what_all_members_agree_on_was_missed_rather_than_gone() {
         detections,
         hidden: Region::default(),
     };
-    let after = belief.seen(&Look {
+    let after = belief.observe(&Look {
         sight,
         ..look(&task, &goal, &seen)
     });
@@ -305,7 +305,7 @@ fn what_all_members_agree_on_was_missed_rather_than_gone() {
     assert!((78.0..82.0).contains(&mean) && most < 90.0, "{mean} {most}");
     // Where members have dirt and none of it is seen, there is none.
     let nothing = Observation::default();
-    let gone = belief.seen(&Look {
+    let gone = belief.observe(&Look {
         sight,
         ..look(&task, &goal, &nothing)
     });
@@ -339,7 +339,7 @@ fn what_is_gone_went_over_the_edge_over_which_the_tool_wiped() {
     let member = ParticleDistribution::with_fates(&places).unwrap();
     let belief = wiped(&Belief::of(vec![member; 20]).unwrap(), &task);
     let seen = Observation::default();
-    let after = belief.seen(&look(&task, &GoalState::Skimmed, &seen));
+    let after = belief.observe(&look(&task, &GoalState::Skimmed, &seen));
     for member in after.replays() {
         assert!(
             member

@@ -74,7 +74,7 @@ impl Belief {
     ///
     /// A certain belief stays as it is, and so does a belief that is observed with a detection rate of 0.
     #[must_use]
-    pub fn seen(&self, look: &Look<'_>) -> Self {
+    pub fn observe(&self, look: &Look<'_>) -> Self {
         if self.is_certain() || look.sight.detection <= 0.0 {
             return self.clone();
         }
