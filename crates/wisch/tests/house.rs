@@ -3,6 +3,7 @@
 mod circles;
 mod documents;
 mod names;
+mod words;
 
 use std::fs;
 use std::path::{Path, PathBuf};
