@@ -168,11 +168,7 @@ fn work(
         broken,
     } = match (extent, &robot) {
         (Extent::Run(_, rounds), Some(_)) => execute(&job, rounds, given, stop.as_ref())?,
-        _ => Executed {
-            results: simulate_effect(&job, extent, given)?,
-            kept: Ok(None),
-            broken: None,
-        },
+        _ => simulate_effect(&job, extent, given)?,
     };
     progress.say("writing the results");
     let written = write_results(&folder, &prepared.loaded, &results_of).map_err(Failure::from);
@@ -329,7 +325,7 @@ fn simulate_effect(
     job: &Job<'_>,
     extent: Extent<'_>,
     given: Option<Plan>,
-) -> Result<RunResults, Failure> {
+) -> Result<Executed, Failure> {
     let is_given = given.is_some();
     let mut session = job.session(job.config(None), given);
     if let Extent::Plan {
@@ -373,10 +369,14 @@ fn simulate_effect(
     if is_given {
         results.planning_time_s = None;
     }
-    if results.predicted.is_none() {
-        return Ok(results);
+    if results.predicted.is_some() {
+        results = record.keep(loaded, robot, results, None)?.results;
     }
-    Ok(record.keep(loaded, robot, results, None)?.results)
+    Ok(Executed {
+        results,
+        kept: Ok(None),
+        broken: None,
+    })
 }
 
 /// Returns the results of a plan that no robot follows, with its predicted effect unless only a plan was requested.

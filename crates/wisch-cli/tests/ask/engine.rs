@@ -122,7 +122,7 @@ fn in_a_checkout_the_engine_is_built_once() {
         let (code, out, err) = place.ask(&[]);
         assert_eq!((code, out.as_str()), (0, "true\n"), "{err}");
         assert!(
-            err.starts_with("note: building the Prolog engine, once"),
+            err.starts_with("note: building the Prolog engine; this happens once"),
             "{err}"
         );
         let (code, _, err) = place.ask(&[]);
