@@ -8,7 +8,7 @@ use std::sync::Arc;
 use std::time::Duration;
 use wisch_memory::Catalogue;
 use wisch_memory::ask::{
-    AskError, AskLimits, QuerySession, Assertions, EngineCommand, TelemetryPredicates,
+    AskError, AskLimits, Assertions, EngineCommand, QuerySession, TelemetryPredicates,
 };
 
 thread_local! {

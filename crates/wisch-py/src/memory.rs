@@ -13,7 +13,7 @@ use std::time::Duration;
 use wisch::run::RunEvent;
 use wisch_io::ExecutedBy;
 use wisch_memory::Memory;
-use wisch_memory::ask::{Answers, AskError, QuerySession, EngineCommand, Term};
+use wisch_memory::ask::{Answers, AskError, EngineCommand, QuerySession, Term};
 use wisch_record::{EpisodeSink, EpisodeTarget, FinishedRound, RecordError, RoundStages, RunSink};
 
 /// Interval of the checks for Ctrl-C.

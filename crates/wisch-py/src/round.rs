@@ -152,7 +152,12 @@ impl PyRound {
     /// Picture of the prediction, for notebooks.
     fn _repr_svg_(&self) -> String {
         let motion = &self.round.motion;
-        pictures::drawn("before-after", &motion.task, &motion.executable_plan(), None)
+        pictures::drawn(
+            "before-after",
+            &motion.task,
+            &motion.executable_plan(),
+            None,
+        )
     }
 
     fn __repr__(&self) -> String {
