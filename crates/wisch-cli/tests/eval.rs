@@ -59,7 +59,7 @@ fn a_world_is_evaluated_once_and_its_figures_stand() {
     let again = wisch(folder.path(), &[&ONE[..], &["--out", "out"]].concat());
     let err = String::from_utf8_lossy(&again.stderr);
     assert_eq!(again.status.code(), Some(2), "{err}");
-    assert!(err.contains("holds 1 world already"), "{err}");
+    assert!(err.contains("already holds 1 world"), "{err}");
     let before = text("calibration.json");
     // What a killed evaluation left of a line is passed over.
     fs::write(

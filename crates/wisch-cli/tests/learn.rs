@@ -503,7 +503,9 @@ fn episodes_teach_what_their_bags_do() {
     let (code, out, err) = wisch(place, &all);
     assert_eq!(code, 0, "{err}");
     assert_alike(&serde_json::from_str(&out).unwrap(), &by_bags);
-    let unseen = format!("episodes/{blind}/round-1: nothing was seen of the dirt after this round");
+    let unseen = format!(
+        "episodes/{blind}/round-1: there is no camera observation of the dirt after this round"
+    );
     let unknown = format!(
         "episodes/{other}: the episode has the task \"shelf\", but --task names [\"board\"]"
     );

@@ -161,7 +161,7 @@ fn a_run_is_kept_as_it_was_and_can_be_asked() {
 
     assert_eq!(
         said(folder.path(), &["memory", "verify"]),
-        "2 episodes: all well\n"
+        "2 episodes: no faults\n"
     );
     let scratched = memory.folder().join(&id).join("round-1.parquet");
     let mut bytes = fs::read(&scratched).expect("a file");
@@ -178,7 +178,7 @@ fn a_run_is_kept_as_it_was_and_can_be_asked() {
     assert_eq!(forgot, format!("forgot {id}\n"));
     assert_eq!(
         said(folder.path(), &["memory", "verify"]),
-        "1 episode: all well\n"
+        "1 episode: no faults\n"
     );
 }
 
@@ -234,7 +234,7 @@ fn without_a_memory_or_a_robot_nothing_is_kept() {
                 "task.toml",
                 "--start-s=-1",
             ],
-            "-1 is not between 0 and 10000000000",
+            "-1 s is outside 0 to 10000000000 s",
         ),
     ] {
         let (code, out, err) = wisch(folder.path(), args);
@@ -295,7 +295,7 @@ fn on_a_full_disk_the_results_are_kept_and_of_the_episode_what_can_be() {
         let episodes = if is_kept {
             "1 episode: 1 fault"
         } else {
-            "0 episodes: all well"
+            "0 episodes: no faults"
         };
         assert!(out.contains(episodes), "{size}: {out}{err}");
         assert_eq!(out.contains("\"task\""), is_kept, "{out}");
@@ -304,7 +304,7 @@ fn on_a_full_disk_the_results_are_kept_and_of_the_episode_what_can_be() {
             "{out}{err}"
         );
         if is_kept {
-            let says = "the episode is kept without the telemetry of round 1";
+            let says = "the episode was kept without the telemetry of round 1";
             assert!(err.contains(says), "{err}");
             assert!(out.contains("round 1 has no telemetry: "), "{out}");
         }
@@ -320,7 +320,7 @@ fn on_a_full_disk_the_results_are_kept_and_of_the_episode_what_can_be() {
         .output()
         .unwrap();
     let [out, err] = [&output.stdout, &output.stderr].map(|b| String::from_utf8_lossy(b));
-    assert!(out.contains("code 2\n1 episode: all well"), "{out}{err}");
+    assert!(out.contains("code 2\n1 episode: no faults"), "{out}{err}");
     let says = "note: the episode was kept in episodes/";
     assert!(err.contains(says) && err.contains("round-1.mcap"), "{err}");
     let memory = Memory::open(&folder.path().join("episodes")).unwrap();

@@ -133,9 +133,9 @@ fn on_a_disk_that_is_full_at_any_write_a_log_is_imported_whole_or_not_at_all() {
         let code = if is_kept { "code 0" } else { "code 2" };
         assert!(out.contains(code), "{size}: {out}{err}");
         let episodes = if is_kept {
-            "1 episode: all well"
+            "1 episode: no faults"
         } else {
-            ": all well"
+            ": no faults"
         };
         assert!(
             out.contains(episodes) || err.contains("there is no memory"),
@@ -196,7 +196,7 @@ fn a_run_that_is_resumed_after_its_episode_was_kept_has_one_episode() {
         return;
     }
     assert!(
-        code <= 1 && err.contains("1 round of the killed run taken over"),
+        code <= 1 && err.contains("resuming after 1 round of the killed run"),
         "{out}{err}"
     );
     assert_ne!(left[0], killed);
@@ -204,7 +204,7 @@ fn a_run_that_is_resumed_after_its_episode_was_kept_has_one_episode() {
     assert!(episode.telemetry(1).unwrap().rows() > 100);
     assert!(folder.join("out/rounds.json").is_file());
     let (code, out, _) = wisch(folder, &["memory", "verify"]);
-    assert_eq!((code, out.as_str()), (0, "1 episode: all well\n"));
+    assert_eq!((code, out.as_str()), (0, "1 episode: no faults\n"));
     let (_, listed, _) = wisch(folder, &["memory", "list", "--json"]);
     let listed: Json = serde_json::from_str(&listed).expect("one object");
     assert_eq!(listed["rounds"], 1);

@@ -155,8 +155,11 @@ fn powder_that_slides_off_a_slope_is_told_before_anything_is_wiped() {
     leaning_board(folder.path(), 0.7, "powder");
     let (code, out, err) = wisch(folder.path(), &["check", "task.toml"]);
     assert_eq!(code, 1, "{err}");
-    let slides = "tan(40.1°) = 0.84 exceeds the friction of the dirt on it, 0.8; 60 of 60 particles leave the surface";
-    assert!(out.contains(slides) && out.contains("score -3.00"), "{out}");
+    let slides = "tan(40.1°) = 0.84 exceeds the friction of the dirt on it, 0.8: 60 of 60 particles slide off before the first round";
+    assert!(
+        out.contains(slides) && out.contains("score of -3.00"),
+        "{out}"
+    );
     assert!(!out.contains("is valid"), "{out}");
     let (code, out, _) = wisch(
         folder.path(),

@@ -103,7 +103,7 @@ fn what_has_no_recording_is_no_page() {
     for (what, says) in [
         (
             "old",
-            "there is neither recording.jsonl.gz nor report.html in it",
+            "the folder has neither recording.jsonl.gz nor report.html",
         ),
         (
             "broken",

@@ -96,7 +96,7 @@ fn a_killed_run_is_gone_on_with_and_gives_the_same_bytes() {
     let (code, err) = ended(wisch(folder.path(), "cut", &["--resume"]));
     assert_eq!(code, Some(1), "{err}");
     assert!(
-        err.contains("1 round of the killed run taken over"),
+        err.contains("resuming after 1 round of the killed run"),
         "{err}"
     );
     let of = |run: &str, name: &str| fs::read(folder.path().join(run).join(name)).expect(name);
@@ -149,7 +149,7 @@ fn ctrl_c_says_how_to_go_on() {
     let (code, err) = ended(wisch(folder.path(), "cut", &["--resume"]));
     assert_eq!(code, Some(1), "{err}");
     assert!(
-        err.contains("1 round of the killed run taken over"),
+        err.contains("resuming after 1 round of the killed run"),
         "{err}"
     );
 }
@@ -175,7 +175,7 @@ fn what_a_killed_run_left_is_not_taken_for_another_and_is_cleaned_up() {
     killed_after_one_round(folder.path(), "again");
     let (_, err) = ended(wisch(folder.path(), "again", &["--resume", "--seed", "7"]));
     assert!(
-        err.contains("0 rounds of the killed run taken over"),
+        err.contains("resuming after 0 rounds of the killed run"),
         "{err}"
     );
 }

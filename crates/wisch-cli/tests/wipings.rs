@@ -120,7 +120,7 @@ fn parts_and_threads_and_a_killed_run_change_nothing() {
         fs::write(&path, &lines[..lines.len() - 40]).expect("written");
         let (code, _, err) = run(here, &[args, &["--out", &parts]]);
         assert_eq!(code, 2, "{err}");
-        assert!(err.contains("holds 1 run already"), "{err}");
+        assert!(err.contains("already holds 1 run"), "{err}");
         let (code, _, err) = run(
             here,
             &[args, &["--out", &parts, "--resume", "--shard", "1/2"]],
@@ -171,7 +171,7 @@ fn another_evaluation_is_not_mixed_in() {
     ] {
         let (code, _, err) = run(here, &[&one, other, &["--out", "out", "--resume"]]);
         assert_eq!(code, 2, "{err}");
-        let expected = "holds another evaluation, among others of absorb board by grid, seed 1";
+        let expected = "holds another evaluation, for example of absorb board by grid, seed 1";
         assert!(err.contains(expected), "{err}");
     }
     // More seeds are the same evaluation.
@@ -291,7 +291,7 @@ fn what_is_wrong_is_named_with_its_place() {
         (sweep(&["--set", "particles.count"]), "\"=\" is missing"),
         (
             sweep(&["--set", "particles.count=1:9:0"]),
-            "particles.count: the range 1:9:0 has no step",
+            "particles.count: the range 1:9:0 does not lead from its beginning to its end",
         ),
         (
             sweep(&["--set", "particles.count=1", "--set", "particles.count=2"]),

@@ -433,7 +433,7 @@ fn file_cases() -> Vec<Case> {
         list(
             "a list off the surface",
             "x,y\n0.1,0\n3,0\n",
-            &["crumbs.csv:3", "off the surface's outline"],
+            &["crumbs.csv:3", "is outside the surface's outline"],
         ),
         image(
             "no PNG",

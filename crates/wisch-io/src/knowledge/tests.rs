@@ -191,7 +191,7 @@ fn values_outside_their_limits_are_told_with_value_and_limits() {
         (
             "[-0.5, 0.5]",
             "[0.5, -0.5]",
-            "0.5 comes before -0.5 but is larger",
+            "the minimum 0.5 exceeds the maximum -0.5",
         ),
         (
             "[0.0, 1.0, 0.0]",

@@ -85,7 +85,7 @@ fn a_list_is_refused_with_its_line_and_value() {
         ),
         (
             &format!("{estimate}0,0,0,absorbed,1\n"),
-            "crumbs.csv:2: edge = \"1\", but only",
+            "crumbs.csv:2: edge = \"1\" is given, but only",
         ),
         (
             &format!("{estimate}0,0,0,off_surface,\n"),

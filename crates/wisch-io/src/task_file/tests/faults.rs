@@ -177,7 +177,7 @@ fn a_fault_is_refused_with_its_place() {
         (
             size,
             "outline_m = [[0, 0], [0, 0], [1, 0], [0, 1]]",
-            "10:13: surface.outline_m: points 0 and 1 are the same",
+            "10:13: surface.outline_m: points 0 and 1 are equal",
         ),
         (
             size,
