@@ -162,7 +162,7 @@ fn a_full_disk_is_an_error() {
     let output = run(Command::new(env!("CARGO_BIN_EXE_wisch-fleet"))
         .arg("verify")
         .arg(&fleet));
-    assert!(stdout(&output).contains("0 episodes: all well"));
+    assert!(stdout(&output).contains("0 episodes: no faults"));
 }
 
 #[test]

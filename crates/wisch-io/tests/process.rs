@@ -368,7 +368,7 @@ fn what_a_child_sees_is_limited_and_said() {
     let seen = looking("{'detections': [[0.1, 0]], 'hidden': [[[0, 0], [1, 0], [0, 1]]]}");
     assert_eq!(seen.expect("a look").expect("it sees").detections.len(), 1);
     for (seen, expected) in [
-        ("{'detections': [[1e300, 0]]}", "is farther than 1000 m"),
+        ("{'detections': [[1e300, 0]]}", "is more than 1000 m"),
         (
             "{'detections': [], 'hidden': [[[0, 0]]]}",
             "hidden[0] has 1 corners; expected 3 or more",

@@ -218,7 +218,7 @@ const BY_HAND: &[(&str, &[&str])] = &[
     ),
     ("round_without_progress(R)", &["semco:'WipingRound_e4-7'"]),
     (
-        "relocate(R, T, O)",
+        "relocalized(R, T, O)",
         &["semco:'WipingRound_e3-3' 0.05 0.004"],
     ),
     ("tilted_surface(R, T)", &["semco:'WipingRound_e3-3' 0.05"]),

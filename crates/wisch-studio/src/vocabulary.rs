@@ -44,7 +44,7 @@ pub const EXAMPLES: [(&str, &str); 10] = [
     ),
     (
         "In which rounds was there a localisation error?",
-        "relocate(Round, Tilt, Offset)",
+        "relocalized(Round, Tilt, Offset)",
     ),
     (
         "How long was the longest contact of the last episode?",

@@ -194,7 +194,15 @@ fn in_words(error: &Term) -> String {
             "a variable must be bound here; put the goal that binds it first".to_owned()
         }
         Some(("type_error", [kind, culprit])) => format!("{culprit} should be of type {kind}"),
-        Some(("domain_error", [domain, culprit])) => format!("{culprit} is not a {domain}"),
+        Some(("domain_error", [domain, culprit])) => {
+            let domain = domain.to_string();
+            let article = if domain.starts_with(['a', 'e', 'i', 'o', 'u']) {
+                "an"
+            } else {
+                "a"
+            };
+            format!("{culprit} is not {article} {domain}")
+        }
         Some(("evaluation_error", [what])) => format!("arithmetic: {what}").replace('_', " "),
         Some(("resource_error", [what])) => format!("out of {what}"),
         Some(("existence_error", [kind, what])) => format!("there is no {kind} {what}"),

@@ -125,7 +125,7 @@ fn what_has_no_time_cannot_be_limited_in_time() {
                 "the time of since",
             ),
             ("occurs(C) during [now, then]", "now"),
-            ("occurs(C) during 7", "7 is no interval"),
+            ("occurs(C) during 7", "7 is not an interval"),
             ("occurs(C) until soon", "soon"),
         ] {
             let found = answers(&mut asker, query).expect_err(query);

@@ -122,7 +122,7 @@ impl Topic {
                 ("wisch.point", "tool centre point"),
                 (
                     "wisch.meaning",
-                    "wrench that the controller commands, saturate",
+                    "wrench that the controller commands, saturated",
                 ),
             ],
             Self::External => &[
