@@ -228,7 +228,7 @@ fn a_round_without_contact_says_so() {
 }
 
 /// Where figures show what is true.
-const TRUTHS: [&str; 2] = ["(ground truth)", "class=\"bar-true"];
+const TRUTHS: [&str; 2] = ["true: ", "class=\"bar-true"];
 
 #[test]
 fn where_nobody_knows_the_truth_none_is_shown() {
