@@ -47,7 +47,7 @@ fn what_is_wrong_with_a_query_is_said_with_its_place() {
     let Some(engine) = engine() else { return };
     let place = Place::with_engine(Some(engine));
     for (query, words, offset, length) in [
-        ("low_performance(A P)", "no Prolog", 18, 1),
+        ("low_performance(A P)", "not valid Prolog", 18, 1),
         ("occur(A, [S, E])", "unknown predicate occur/2", 0, 5),
         (
             "true,\n owl_individual_of(C, semco:'Colision')",

@@ -178,7 +178,7 @@ pub enum IkOutcome {
 /// Inverse kinematics of a chain of joints that carries a tool. Constant once built.
 ///
 /// ```
-/// # let text = include_str!("../../../../../robots/arm7.urdf");
+/// # let text = include_str!("../../../../robots/arm7.urdf");
 /// # let robot = wisch_robot::RobotModel::from_urdf("arm7.urdf", text, &mut |_| Err(String::new()))?;
 /// use wisch_robot::geometry::Pose;
 /// use wisch_robot::{IkConfig, IkOutcome, IkSolver, RotationGoal};
