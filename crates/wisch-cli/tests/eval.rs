@@ -86,7 +86,7 @@ fn a_world_is_evaluated_once_and_its_figures_stand() {
     let err = String::from_utf8_lossy(&other.stderr);
     assert_eq!(other.status.code(), Some(2), "{err}");
     assert!(
-        err.contains("holds another evaluation, among others of seed 17"),
+        err.contains("holds another evaluation, for example of seed 17"),
         "{err}"
     );
     let set = ["--set", "execution.grains_resist=false"];

@@ -124,7 +124,7 @@ fn what_is_odd_or_assumed_of_a_robot_is_told_by_both_checks() {
             READY,
             "1 rad/s is assumed",
         ),
-        (ARM, &*no_ready, "has no state \"ready\""),
+        (ARM, &*no_ready, "\"ready\""),
         (ARM, &*stale, "unknown link \"gripper_base\""),
     ];
     for (arm, srdf, expected) in cases {

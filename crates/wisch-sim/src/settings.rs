@@ -146,6 +146,15 @@ pub struct Camera {
 }
 
 impl SimulationSettings {
+    /// Returns the number of particles if it exceeds [`Self::max_bodies`], so that no dirt is simulated.
+    pub fn count_over_limit(&self) -> Option<usize> {
+        let count = match (&self.dirt, self.count) {
+            (Places::Listed(places), _) => places.len(),
+            (_, GrainCount::Exactly(count) | GrainCount::About(count)) => count,
+        };
+        (count > self.max_bodies).then_some(count)
+    }
+
     /// Reads the world of a task file: its table `[execution]`, over the knowledge base's entries for surface and
     /// medium.
     ///

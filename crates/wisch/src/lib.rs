@@ -20,7 +20,7 @@
 //! 6. **Query.** `wisch_memory` stores runs as episodes and answers queries in Prolog.
 //!
 //! ```
-//! use wisch::run::{NoExecutor, Stage, unobserved};
+//! use wisch::run::{NoExecutor, Stage, ignore_events};
 //! use wisch_io::{LoadOptions, load_task};
 //!
 //! # let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../scenarios/arm-board.toml");

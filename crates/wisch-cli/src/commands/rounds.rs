@@ -170,6 +170,13 @@ fn start_executing(
     let first_look = kept.first().and_then(|round| round.first_look.clone());
     let (recorded, truth) = kept.into_iter().map(|r| (r.recorded, r.truth)).unzip();
     let (task, reality) = (&prepared.task, prepared.reality.clone());
+    if let Some(count) = reality.count_over_limit() {
+        let limit = reality.max_bodies;
+        let text = format!(
+            "{count} particles exceed the simulator's limit of {limit} (execution.max_bodies): it simulates no dirt, and the camera is off"
+        );
+        job.progress.aside(|| remark(&text));
+    }
     let world = World::new(&Site::of(task), reality, task.seed)
         .map_err(|error| prepared.failure(job.task_args, error))?
         .after(truth);

@@ -224,15 +224,51 @@ fn robot_in_words(following: &FollowingSummary, in_rounds: &str) -> Vec<(&'stati
         0 => String::new(),
         count => format!(", {}", counted(count, "placement")),
     };
-    let mut lines = vec![
-        (
-            "robot",
-            format!(
-                "{}: {} abandoned{places}",
-                following.robot,
-                counted(following.abandoned_nodes, "node")
-            ),
+    let mut lines = vec![(
+        "robot",
+        format!(
+            "{}: {} abandoned{places}",
+            following.robot,
+            counted(following.abandoned_nodes, "node")
         ),
+    )];
+    if following.contact_time_s <= 0.0 && following.abandoned_nodes > 0 {
+        lines.push((
+            "motion",
+            "none in contact: the robot reaches no stroke of the plan".to_owned(),
+        ));
+    } else {
+        lines.extend(motion_in_words(following, in_rounds));
+    }
+    lines.push((
+        "following time",
+        format!("{:.3} s", following.following_time_s),
+    ));
+    if let Some(obstruction) = &following.first_obstruction {
+        lines.push((
+            "abandoned first",
+            format!(
+                "{obstruction}; all abandoned nodes are in {}",
+                path_in_results(FOLLOWING_FILE).display()
+            ),
+        ));
+    }
+    if following.faults > 0 {
+        let faults = counted(following.faults, "fault");
+        lines.push((
+            "faults",
+            format!(
+                "{faults}, see {}",
+                path_in_results(FOLLOWING_FILE).display()
+            ),
+        ));
+    }
+    lines
+}
+
+/// The motion of the robot in the summary for people.
+fn motion_in_words(following: &FollowingSummary, in_rounds: &str) -> [(&'static str, String); 3] {
+    [
         (
             "execution time",
             format!(
@@ -255,29 +291,5 @@ fn robot_in_words(following: &FollowingSummary, in_rounds: &str) -> Vec<(&'stati
                 1e3 * following.min_clearance_m
             ),
         ),
-        (
-            "following time",
-            format!("{:.3} s", following.following_time_s),
-        ),
-    ];
-    if let Some(obstruction) = &following.first_obstruction {
-        lines.push((
-            "abandoned first",
-            format!(
-                "{obstruction}; all abandoned nodes are in {}",
-                path_in_results(FOLLOWING_FILE).display()
-            ),
-        ));
-    }
-    if following.faults > 0 {
-        let faults = counted(following.faults, "fault");
-        lines.push((
-            "faults",
-            format!(
-                "{faults}, see {}",
-                path_in_results(FOLLOWING_FILE).display()
-            ),
-        ));
-    }
-    lines
+    ]
 }

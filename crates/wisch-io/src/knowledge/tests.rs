@@ -201,7 +201,7 @@ fn values_outside_their_limits_are_told_with_value_and_limits() {
         (
             "[0.01, 0.02]",
             "[0.02, 0.01]",
-            "0.02 comes before 0.01 but is larger",
+            "the minimum 0.02 exceeds the maximum 0.01",
         ),
         ("[0.01, 0.02]", "[0.0, 0.01]", "grain_size_m = 0 is outside"),
         (

@@ -161,7 +161,7 @@ fn medium(table: &At<MediumTable>, source: &Source<'_>) -> Result<Option<MediumE
             if min_m > max_m {
                 return Err(sizes.inconsistent(
                     source,
-                    format!("{min_m} comes before {max_m} but is larger"),
+                    format!("the minimum {min_m} exceeds the maximum {max_m}"),
                 ));
             }
             Some(GrainSize { min_m, max_m })

@@ -485,7 +485,7 @@ fn what_a_task_defines_must_hold_together() {
         (
             "kind = \"powder\"",
             "kind = \"powder\"\ngrain_size_m = [0.01, 0.001]",
-            "11:16: medium.grain_size_m: 0.01 comes before 0.001 but is larger",
+            "11:16: medium.grain_size_m: the minimum 0.01 exceeds the maximum 0.001",
         ),
         (
             "footprint_m = [0.06, 0.12]",

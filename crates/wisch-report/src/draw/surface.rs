@@ -34,7 +34,7 @@ pub(crate) fn obstacle_rings(task: &Task, collision_radius: f64) -> Vec<Vec<Poin
     // A scene that the collision library refuses has no plan and never comes here.
     FreeSpace::new(&task.surface, &scene, collision_radius)
         .map(|space| {
-            let sections = space.occupied().sections().iter();
+            let sections = space.occupied_area().sections().iter();
             sections.flat_map(|edges| rings(edges)).collect()
         })
         .unwrap_or_default()

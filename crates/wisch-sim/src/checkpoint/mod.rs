@@ -138,7 +138,7 @@ fn read_round(state: &Path, number: usize, identity: u64) -> Option<CheckpointRo
     (samples.len() == record.samples).then(|| {
         let executing_s = record.executing_s;
         let [first_look, observation] = record.looks();
-        let (execution, truth) = record.executed();
+        let (execution, truth) = record.into_execution();
         CheckpointRound {
             executing_s,
             first_look,

@@ -166,7 +166,7 @@ impl CheckpointRecord {
     }
 
     /// Returns outcome and ground truth, bit for bit.
-    pub fn executed(self) -> (Execution, GroundTruth) {
+    pub fn into_execution(self) -> (Execution, GroundTruth) {
         let force = &self.contact_force;
         let execution = Execution {
             duration: self.duration_s,
@@ -426,7 +426,7 @@ mod tests {
             let read: CheckpointRecord = serde_json::from_str(&text).expect("a record");
             assert_eq!(read, record);
             assert_eq!(read.looks(), [None, Some(seen)]);
-            assert_eq!(read.executed(), (execution, truth));
+            assert_eq!(read.into_execution(), (execution, truth));
         }
     }
 }

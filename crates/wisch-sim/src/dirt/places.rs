@@ -127,16 +127,13 @@ impl Places {
         settings: &SimulationSettings,
         seed: u64,
     ) -> Result<Vec<Point2>, SourceError> {
-        let most = settings.max_bodies;
+        if settings.count_over_limit().is_some() {
+            return Ok(Vec::new());
+        }
         if let Self::Listed(places) = self {
-            return Ok(if places.len() > most {
-                Vec::new()
-            } else {
-                places.clone()
-            });
+            return Ok(places.clone());
         }
         let count = match settings.count {
-            GrainCount::Exactly(count) | GrainCount::About(count) if count > most => 0,
             GrainCount::Exactly(count) => count,
             GrainCount::About(count) => {
                 let factor = libm::exp(COUNT_SPREAD * normal(&mut stream(seed, COUNT_STREAM)));

@@ -78,7 +78,7 @@ impl Topic {
     ];
 
     /// Its name, and the package and name of its type.
-    pub fn named(self) -> (&'static str, [&'static str; 2]) {
+    pub fn names(self) -> (&'static str, [&'static str; 2]) {
         match self {
             Self::Joints => ("/joint_states", ["sensor_msgs", "JointState"]),
             Self::Commanded => ("/tcp/commanded", ["geometry_msgs", "PoseStamped"]),

@@ -193,7 +193,7 @@ impl BagWriter {
         .map_err(failed)?;
         let mut channels = [0; Topic::ALL.len()];
         for (topic, channel) in Topic::ALL.into_iter().zip(&mut channels) {
-            let (name, [package, kind]) = topic.named();
+            let (name, [package, kind]) = topic.names();
             let definition = full_definition(&format!("{package}/{kind}"));
             let kind = format!("{package}/msg/{kind}");
             let schema = mcap
@@ -541,7 +541,7 @@ impl BagWriter {
         self.message.clear();
         cdr::serialize_into::<_, _, _, CdrLe>(&mut self.message, message, Infinite).map_err(
             |error| WriteError::Message {
-                topic: topic.named().0,
+                topic: topic.names().0,
                 error,
             },
         )?;

@@ -73,7 +73,7 @@ impl FreeSpace {
     }
 
     /// The part of the surface on which objects of the scene stand.
-    pub fn occupied(&self) -> &OccupiedArea {
+    pub fn occupied_area(&self) -> &OccupiedArea {
         &self.occupied
     }
 

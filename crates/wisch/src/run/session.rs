@@ -40,7 +40,7 @@ pub enum Stage {
 /// A wiping task from its first plan to its last verdict.
 ///
 /// ```
-/// use wisch::run::{NoExecutor, Session, Stage, unobserved};
+/// use wisch::run::{NoExecutor, Session, Stage, ignore_events};
 /// # use wisch::represent::Task;
 /// # fn plan_only(task: &Task) -> Result<(), Box<dyn std::error::Error>> {
 /// let mut session = Session::new(task, Default::default());

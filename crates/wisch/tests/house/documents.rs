@@ -57,7 +57,7 @@ fn exists(item: &str) -> bool {
                             .starts_with(|c: char| c.is_alphanumeric() || c == '_')
                     })
             };
-            ["fn", "struct", "enum", "const", "type", "trait"]
+            ["fn", "struct", "enum", "const", "type", "trait", "mod"]
                 .into_iter()
                 .any(declared)
                 || text.contains(&format!("    {name},"))

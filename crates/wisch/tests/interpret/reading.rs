@@ -319,3 +319,47 @@ fn travel_below_the_surface_beside_it_is_no_contact_of_the_other_sign() {
     assert_holds(&found, truth, "beside");
     assert!((found.pressed_force.unwrap() / PRESS - 1.0).abs() < 0.1);
 }
+
+/// A log of short strokes that follow each other at equal intervals, with travel at one height between them, and higher travel
+/// now and then.
+fn regular_strokes() -> Vec<TouchSample> {
+    const STROKES: usize = 12;
+    let task = task(80, STEEP);
+    let world_from_surface = task.surface.world_from_surface;
+    let mut samples = Vec::new();
+    let mut time = 0.0;
+    let mut put = |x: f64, y: f64, z: f64, force: f64| {
+        let noise = 0.1 * f64::sin(1e4 * time);
+        let force = Vector3::new(-0.3 * force, 0.0, force + noise);
+        samples.push(TouchSample {
+            time,
+            world_from_tool: world_from_surface * Pose::translation(x, y, z),
+            force: world_from_surface.rotation * force,
+        });
+        time += 0.005;
+    };
+    for stroke in 0..STROKES {
+        let y = -0.11 + 0.02 * stroke as f64;
+        // Down, along, up and back, each at its own speed.
+        (0..40).for_each(|k| put(-0.15, y, 0.05 * (1.0 - f64::from(k) / 40.0), 0.0));
+        (0..100).for_each(|k| put(-0.15 + 0.003 * f64::from(k), y, -DEPTH, PRESS));
+        (0..40).for_each(|k| put(0.15, y, 0.05 * f64::from(k) / 40.0, 0.0));
+        for k in 0..600 {
+            let share = f64::from(k) / 600.0;
+            let high = (stroke % 4 == 3 && (240..360).contains(&k))
+                .then(|| 0.02 * f64::sin(std::f64::consts::PI * f64::from(k - 240) / 120.0));
+            let z = 0.05 + high.unwrap_or(0.0);
+            put(0.15 - 0.3 * share, y + 0.02 * share, z, 0.0);
+        }
+    }
+    samples
+}
+
+#[test]
+fn travel_between_regular_strokes_is_not_taken_for_contact() {
+    let task = task(80, STEEP);
+    let found = interpreted_with(&regular_strokes(), &task, &InterpretConfig::of(&task));
+    assert_eq!(found.doubts, [], "{:?}", found.pressed_force);
+    let pressed = found.pressed_force.expect("the tool pressed");
+    assert!((pressed / PRESS - 1.0).abs() < 0.05, "{pressed}");
+}

@@ -143,6 +143,10 @@ fn method_cells(method: &MethodScores) -> String {
 }
 
 fn group_row(group: &GroupScores) -> String {
+    if group.rounds == 0 {
+        let (name, worlds) = (&group.name, group.worlds);
+        return format!("| {name} | {worlds} | 0 | – | – | – | – | – | – | – | – | – |");
+    }
     let at_90 = group
         .method
         .coverage

@@ -116,5 +116,7 @@ fn commit() -> Option<String> {
 }
 
 fn points(share: f64) -> String {
-    format!("{:.1}", 100.0 * share)
+    // Rounded first, so that a small negative number is not written as -0.0.
+    let tenths = (1000.0 * share).round() + 0.0;
+    format!("{:.1}", tenths / 10.0)
 }

@@ -262,7 +262,7 @@ fn a_fault_is_refused_with_its_place() {
         (
             "position_m = [0.1, 0.1, 0.05]",
             "[[scene]]\nname = \"cup\"\nbox_m = [1, 1, 1]",
-            "20:8: scene[1].name: \"cup\" is already at small.toml:16:8",
+            "20:8: scene[1].name: \"cup\" is already defined at small.toml:16:8",
         ),
         (
             "position_m = [0.1, 0.1, 0.05]",

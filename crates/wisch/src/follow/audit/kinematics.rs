@@ -27,7 +27,7 @@ impl Frame {
     }
 
     /// Returns the frame rotated by an angle [rad] about an axis through the origin.
-    pub fn turned(axis: &Vector3, angle: f64) -> Self {
+    pub fn rotate_about(axis: &Vector3, angle: f64) -> Self {
         let (sin, cos) = angle.sin_cos();
         Self {
             // Rodrigues: R = cos φ I + (1 − cos φ) a aᵀ + sin φ [a]×.
@@ -74,7 +74,7 @@ pub(super) fn moved_by(joint: &Joint, q: &[f64]) -> Frame {
     let position = joint.drive.offset + terms.map(|(i, factor)| factor * q[*i]).sum::<f64>();
     let moved = match joint.kind {
         JointKind::Fixed => Frame::identity(),
-        JointKind::Revolute => Frame::turned(&joint.axis, position),
+        JointKind::Revolute => Frame::rotate_about(&joint.axis, position),
         JointKind::Prismatic => Frame {
             rotation: Matrix3::identity(),
             origin: joint.axis.into_inner() * position,
@@ -123,9 +123,9 @@ mod tests {
 
     #[test]
     fn the_rotation_from_a_frame_to_another_is_what_turned_it() {
-        let from = Frame::turned(&Vector3::y(), 0.4);
+        let from = Frame::rotate_about(&Vector3::y(), 0.4);
         for angle in [0.0, 1e-9, -0.3, 3.0] {
-            let to = from.then(&Frame::turned(&Vector3::x(), angle));
+            let to = from.then(&Frame::rotate_about(&Vector3::x(), angle));
             let turn = from.rotation_to(&to);
             assert!((turn - Vector3::x() * angle).norm() < 1e-12, "{turn}");
         }

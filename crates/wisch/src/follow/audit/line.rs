@@ -58,10 +58,10 @@ fn coordinates(pose: &ToolPose) -> [f64; 5] {
 
 /// Returns the tool's frame in the world for coordinates relative to the surface.
 fn placed(task: &Task, [x, y, height, heading, tilt]: [f64; 5]) -> Frame {
-    let mut tool = Frame::turned(&Vector3::z(), heading);
+    let mut tool = Frame::rotate_about(&Vector3::z(), heading);
     tool.origin = Vector3::new(x, y, height);
     if let Some(freedom) = task.tool.tilt {
-        tool = tool.then(&Frame::turned(&freedom.axis_in_tool, tilt));
+        tool = tool.then(&Frame::rotate_about(&freedom.axis_in_tool, tilt));
     }
     Frame::from_pose(&task.surface.world_from_surface).then(&tool)
 }

@@ -47,6 +47,8 @@ const MOST_VARIATION: f64 = 0.6;
 const LEAST_ALIGNED: f64 = 0.5;
 /// Ratio of the force's variations in two frames below which the bias is constant in the first [1].
 const FRAME_PREFERENCE: f64 = 0.5;
+/// Least evidence for contact below another one, over that of the best [1].
+const LEAST_BELOW: f64 = 0.1;
 /// Range of press force over the declared one that counts as pressed as declared [1], and the least share of the
 /// pressing time within it: the band of (10) then holds enough samples.
 const AS_DECLARED: [f64; 2] = [0.9, 1.1];
@@ -161,9 +163,11 @@ impl ForceReading {
             surface,
             config,
         };
-        let contact = (planes.iter())
-            .filter_map(|plane| scene.find_contact(plane))
-            .max_by(|a, b| a.weight.total_cmp(&b.weight));
+        let contacts = planes.iter().filter_map(|plane| {
+            let contact = scene.find_contact(plane)?;
+            Some((plane.height, contact))
+        });
+        let contact = most_plausible(contacts.collect());
         let reading = match contact {
             Some(contact) => Self::from_contact(&contact, &scene),
             None => by_height,
@@ -397,6 +401,27 @@ impl Scene<'_> {
             near,
         })
     }
+}
+
+/// Returns the contact with the most evidence. A contact that needs shifted clocks is left out if there is contact below it
+/// that needs none.
+///
+/// A tool that slides on a surface never slides below it. If strokes follow each other regularly, a shift of the clocks
+/// moves the forces of the strokes into the travel above them, and long travel then has the most evidence.
+fn most_plausible(contacts: Vec<(f64, SlidingContact)>) -> Option<SlidingContact> {
+    let weights = contacts.iter().map(|(_, contact)| contact.weight);
+    let least = LEAST_BELOW * weights.fold(0.0, f64::max);
+    let unshifted = contacts
+        .iter()
+        .filter(|(_, contact)| contact.clock_offset == 0.0 && contact.weight >= least);
+    let lowest = unshifted
+        .map(|(height, _)| *height)
+        .fold(f64::INFINITY, f64::min);
+    let plausible = contacts.into_iter().filter(|(height, contact)| {
+        contact.clock_offset == 0.0 || *height <= lowest + FREE_DISTANCE
+    });
+    let best = plausible.max_by(|a, b| a.1.weight.total_cmp(&b.1.weight));
+    best.map(|(_, contact)| contact)
 }
 
 /// Returns the axes in which the forces of free motion and of contact are constant: those of the surface, unless the
