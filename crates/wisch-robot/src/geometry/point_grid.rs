@@ -40,6 +40,11 @@ impl PointGrid {
         self.count
     }
 
+    /// Whether the grid holds no point.
+    pub fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+
     /// Adds a point with its number.
     pub fn insert(&mut self, number: usize, point: Point2) {
         let cell = self.cell_of(point);

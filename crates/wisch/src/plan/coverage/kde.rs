@@ -199,7 +199,7 @@ pub fn kde(space: &FreeSpace, particles: &[Point2], config: &KdeConfig) -> Vec<P
     let mut placed = PointGrid::new(2.0 * radius);
     for clearance in [2.0 * radius, radius] {
         for &(_, place) in &places {
-            if out_of_reach.len() == 0 {
+            if out_of_reach.is_empty() {
                 return nodes;
             }
             let is_too_near = |_, node: Point2| (node - place).norm() < clearance;
