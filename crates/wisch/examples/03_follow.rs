@@ -29,7 +29,7 @@ pub(crate) fn main() -> Result<(), Box<dyn Error>> {
         robot.model.name(),
         followed.contact_time()
     );
-    println!("it gives {} nodes up", followed.abandoned.len());
+    println!("{} nodes abandoned", followed.abandoned.len());
     println!("it keeps {:.0} mm clear", 1e3 * audit.min_clearance);
     println!("the check finds {} faults", audit.faults.len());
     Ok(())

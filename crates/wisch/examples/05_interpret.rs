@@ -39,10 +39,10 @@ pub(crate) fn main() -> Result<(), Box<dyn Error>> {
     let goal = task.goal().ok_or("the task leaves its goal open")?;
     let believed = Belief::certain(task.particles.clone());
     let config = InterpretConfig::of(task);
-    let told = interpret(&log.samples, task, &believed, &goal, &config)?;
-    println!("{:.0} % are at the goal", 100.0 * told.performance.mean);
+    let estimate = interpret(&log.samples, task, &believed, &goal, &config)?;
+    println!("{:.0} % are at the goal", 100.0 * estimate.performance.mean);
 
-    let next = next_task(task, &goal, &told, task.seed + 1)?;
+    let next = next_task(task, &goal, &estimate, task.seed + 1)?;
     let way = plan(&next, &loaded.config)?.contact_distance();
     println!("the next round wipes {way:.2} m");
     Ok(())

@@ -31,12 +31,12 @@ pub(crate) fn main() -> Result<(), Box<dyn Error>> {
     let goal = task.goal().ok_or("the task leaves its goal open")?;
     let believed = Belief::certain(task.particles.clone());
     let config = InterpretConfig::of(task);
-    let told = interpret(&touches, task, &believed, &goal, &config)?;
+    let estimate = interpret(&touches, task, &believed, &goal, &config)?;
 
     let folder = tempfile::tempdir()?;
     let memory = Memory::create(folder.path())?;
     let header = EpisodeHeader::new(0.0, 0.85, task.seed, "tutorial");
-    let record = remember_log(&header, "a log", 4.0, task, &goal, &told);
+    let record = remember_log(&header, "a log", 4.0, task, &goal, &estimate);
     memory.begin(&header.id)?.commit(&record)?;
 
     let engine = EngineCommand::find().ok_or(HOW)?;

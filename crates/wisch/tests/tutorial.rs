@@ -103,7 +103,7 @@ fn the_second_plans_and_predicts() {
 fn the_third_follows_with_a_urdf() {
     assert_says(
         follow::main,
-        &["it gives 0 nodes up", "the check finds 0 faults"],
+        &["0 nodes abandoned", "the check finds 0 faults"],
     );
 }
 
