@@ -269,6 +269,15 @@ impl PySession {
             return run;
         }
         let kept = self.finish_record(py);
+        if let (Err(_), Err(lost)) = (&run, &kept) {
+            // The run's own error comes first; that nothing is kept must not be lost behind it.
+            let text = format!("nothing was kept: {}", lost.value(py));
+            let places = KeptPlaces {
+                episode: None,
+                remarks: vec![text],
+            };
+            *locked(&self.kept) = Some(places);
+        }
         run.and(kept)
     }
 

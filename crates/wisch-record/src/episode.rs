@@ -182,6 +182,10 @@ impl EpisodeSink {
         recording: Option<&[u8]>,
         program: &str,
     ) -> Result<KeptEpisode, RecordError> {
+        // A round that broke off before it was interpreted is none of the episode's.
+        if let Some(telemetry) = self.telemetry.take() {
+            telemetry.abandon();
+        }
         let durations = self.durations(finished);
         let start = self.start(durations.iter().sum());
         attach_task(&self.writer, loaded)?;
