@@ -235,7 +235,7 @@ impl PyMemory {
             executor: session.executor(),
             names: None,
         };
-        let mut sink = EpisodeSink::begin(target).map_err(refused)?.of_past_run();
+        let mut sink = EpisodeSink::begin(target).map_err(refused)?.for_replay();
         let mut finished = Vec::new();
         for round in &rounds {
             let motion = &round.round.motion;

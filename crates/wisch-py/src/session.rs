@@ -73,7 +73,7 @@ pub struct PySession {
 }
 
 /// Stored results of a session.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Default)]
 struct KeptPlaces {
     episode: Option<String>,
     remarks: Vec<String>,
@@ -270,13 +270,10 @@ impl PySession {
         }
         let kept = self.finish_record(py);
         if let (Err(_), Err(lost)) = (&run, &kept) {
-            // The run's own error comes first; that nothing is kept must not be lost behind it.
-            let text = format!("nothing was kept: {}", lost.value(py));
-            let places = KeptPlaces {
-                episode: None,
-                remarks: vec![text],
-            };
-            *locked(&self.kept) = Some(places);
+            // The run's own error is raised; what could not be kept is a remark.
+            let text = format!("not everything was kept: {}", lost.value(py));
+            let mut kept = locked(&self.kept);
+            kept.get_or_insert_default().remarks.push(text);
         }
         run.and(kept)
     }
@@ -307,10 +304,11 @@ impl PySession {
         let robot = self.robot.as_deref();
         let kept = py.detach(|| record.finish_with(&self.task, robot, results, first_look));
         let kept = kept.map_err(of_record)?;
-        if let Some(error) = kept.no_bag.or(kept.failure) {
-            return Err(of_record(error));
-        }
-        let episode = kept.episode.map_err(of_record)?;
+        let (episode, lost) = match kept.episode {
+            Ok(episode) => (episode, None),
+            Err(error) => (None, Some(error)),
+        };
+        // What was kept is stated even if a part is missing.
         *locked(&self.kept) = Some(KeptPlaces {
             episode: episode.as_ref().map(|kept| kept.id.clone()),
             remarks: episode.map_or_else(Vec::new, |mut kept| {
@@ -322,7 +320,8 @@ impl PySession {
                 kept.remarks
             }),
         });
-        Ok(())
+        let lost = lost.or(kept.results_error).or(kept.no_bag).or(kept.failure);
+        lost.map_or(Ok(()), |error| Err(of_record(error)))
     }
 
     fn go_on(&self, py: Python<'_>, until: Stage, mut call: Call<'_>) -> PyResult<()> {
@@ -372,17 +371,17 @@ impl PySession {
                     if let RunEvent::Ended(end) = event {
                         *locked(&verdict) = *end;
                     }
-                    keep(&record, event)?;
+                    let flow = keep(&record, event);
                     let told = tells.then(|| described(&mut events, event)).flatten();
                     let Some(told) = told else {
-                        return ControlFlow::Continue(());
+                        return flow;
                     };
                     if ask.send(Request::Event(told)).is_err() {
-                        return ControlFlow::Continue(());
+                        return flow;
                     }
                     match answers.recv() {
-                        Ok(Reply::Flow(flow)) => flow,
-                        _ => ControlFlow::Continue(()),
+                        Ok(Reply::Flow(answered)) if answered.is_break() => answered,
+                        _ => flow,
                     }
                 })
             });
@@ -447,17 +446,19 @@ impl PySession {
                     RunEvent::Sample(sample) => columns.push(sample),
                     _ => {}
                 }
-                keep(&self.record, event)?;
+                let flow = keep(&self.record, event);
                 if call.on_event.is_none() {
-                    return ControlFlow::Continue(());
+                    return flow;
                 }
                 let Some(told) = described(&mut events, event) else {
-                    return ControlFlow::Continue(());
+                    return flow;
                 };
-                call.tell(&told).unwrap_or_else(|error| {
+                let answered = call.tell(&told).unwrap_or_else(|error| {
                     refused.get_or_insert(error);
                     ControlFlow::Break(())
-                })
+                });
+                answered?;
+                flow
             })
         });
         drop(wiping);

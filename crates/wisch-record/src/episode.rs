@@ -135,7 +135,7 @@ impl EpisodeSink {
 
     /// Returns the sink for a finished run, whose events are replayed, so that this machine's clock does not apply to them.
     #[must_use]
-    pub fn of_past_run(self) -> Self {
+    pub fn for_replay(self) -> Self {
         Self {
             is_live: false,
             ..self
@@ -182,7 +182,7 @@ impl EpisodeSink {
         recording: Option<&[u8]>,
         program: &str,
     ) -> Result<KeptEpisode, RecordError> {
-        // A round that broke off before it was interpreted is none of the episode's.
+        // The episode leaves out a round that broke off before its interpretation.
         if let Some(telemetry) = self.telemetry.take() {
             telemetry.abandon();
         }
@@ -308,7 +308,7 @@ impl EpisodeSink {
             durations.push(match clock {
                 Some(&clock) if !(0.0..=clock * (1.0 + share) + slack).contains(&said) => {
                     self.clock_remarks.push(format!(
-                        "round {number} lasted {said} s by its executor but {clock:.1} s by this machine's clock; the episode \
+                        "round {number} lasted {said:.1} s by its executor but {clock:.1} s by this machine's clock; the episode \
                          keeps the executor's time; check that the executor reports seconds"
                     ));
                     // The events of the round use the time of its samples.

@@ -1,7 +1,6 @@
 //! The files of a folder of results.
 
 use crate::error::{RecordError, internal};
-use crate::packed::pack;
 use crate::results::{FinishedRound, RunResults};
 use crate::words::{json, percent};
 use wisch::follow::{Followed, MotionFault, Workcell};
@@ -67,7 +66,7 @@ pub fn write_results(
             particles_to_csv(&prediction.particles),
         )?;
         write_figures(folder, loaded, results, prediction, frames)?;
-        write_report(folder, loaded, &results.recording)?;
+        write_report(folder, loaded, results)?;
     }
     if let Some(last) = results.rounds.last() {
         let interpretation = &last.round.interpretation;
@@ -166,10 +165,10 @@ fn views(finished: &[FinishedRound]) -> Vec<RoundView<'_>> {
 fn write_report(
     folder: &OutputFolder,
     loaded: &LoadedTask,
-    recording: &[u8],
+    results: &RunResults,
 ) -> Result<(), RecordError> {
-    let text = std::str::from_utf8(recording).map_err(internal)?;
-    folder.write(RECORDING_FILE, pack(recording)?)?;
+    let text = std::str::from_utf8(&results.recording).map_err(internal)?;
+    folder.write(RECORDING_FILE, &results.packed)?;
     folder.write(REPORT_FILE, report_page(&title(loaded), text))?;
     Ok(())
 }

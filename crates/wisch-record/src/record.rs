@@ -7,7 +7,7 @@ use crate::folder::write_results;
 use crate::packed::pack;
 use crate::page::PageSink;
 use crate::results::{RoundGroundTruth, RunResults};
-use crate::sink::{AfterFailure, RunSink, SinkSet};
+use crate::sink::{AfterFailure, RunSink, SinkError, SinkSet};
 use crate::stages::StageSink;
 use std::ops::ControlFlow;
 use std::path::PathBuf;
@@ -72,6 +72,7 @@ pub struct RunRecord {
     folder: Option<OutputFolder>,
     failure: Option<RecordError>,
     no_bag: Option<RecordError>,
+    lost_sinks: Vec<SinkError>,
     is_ending: bool,
 }
 
@@ -86,6 +87,10 @@ pub struct KeptRun {
     pub no_bag: Option<RecordError>,
     /// The failure of a sink that stopped the run, if there was one.
     pub failure: Option<RecordError>,
+    /// The failures of custom sinks without which the run continued.
+    pub lost_sinks: Vec<SinkError>,
+    /// The error that prevented the folder of results; the episode is kept regardless of it.
+    pub results_error: Option<RecordError>,
 }
 
 impl RunRecord {
@@ -140,6 +145,7 @@ impl RunRecord {
             folder,
             failure: None,
             no_bag: None,
+            lost_sinks: Vec::new(),
             is_ending: false,
         })
     }
@@ -182,7 +188,7 @@ impl RunRecord {
         for error in self.more.take_failures() {
             match error.after {
                 AfterFailure::EndInOrder => self.fail(RecordError::Sink(error)),
-                AfterFailure::GoOn => {}
+                AfterFailure::GoOn => self.lost_sinks.push(error),
             }
         }
         if let Some(episode) = &mut self.episode {
@@ -241,13 +247,13 @@ impl RunRecord {
     ) -> Result<KeptRun, RecordError> {
         self.end_bags();
         results.recording = self.page.end(loaded, &results)?;
-        let packed = pack(&results.recording)?;
+        results.packed = pack(&results.recording)?;
         let files = robot.map(|robot| &robot.files);
         let program = &self.program;
         let episode = (self.episode)
             .map(|episode| {
-                let rounds = &results.rounds;
-                episode.commit(rounds, first_look, loaded, files, Some(&packed), program)
+                let (rounds, packed) = (&results.rounds, Some(&results.packed[..]));
+                episode.commit(rounds, first_look, loaded, files, packed, program)
             })
             .transpose();
         let kept = episode.as_ref().ok().and_then(Option::as_ref);
@@ -258,6 +264,8 @@ impl RunRecord {
             episode,
             no_bag: self.no_bag,
             failure: self.failure,
+            lost_sinks: self.lost_sinks,
+            results_error: None,
         })
     }
 
@@ -267,7 +275,7 @@ impl RunRecord {
     /// - `truths`: ground truth of the rounds in a simulated world, in their order; empty for a real robot.
     ///
     /// # Errors
-    /// [`RecordError::Nothing`] if no round was planned, or an error if a file cannot be written.
+    /// [`RecordError::Nothing`] if no round was planned. A part that cannot be written is stated in [`KeptRun`].
     pub fn finish(
         mut self,
         loaded: &LoadedTask,
@@ -285,7 +293,7 @@ impl RunRecord {
     /// Finishes the record like [`finish`](Self::finish), with results that the caller has collected.
     ///
     /// # Errors
-    /// If a file cannot be written.
+    /// [`RecordError::Internal`], which no input should cause. A part that cannot be written is stated in [`KeptRun`].
     pub fn finish_with(
         mut self,
         loaded: &LoadedTask,
@@ -294,10 +302,11 @@ impl RunRecord {
         first_look: Option<Observation>,
     ) -> Result<KeptRun, RecordError> {
         let folder = self.folder.take();
-        let kept = self.keep(loaded, robot, results, first_look)?;
+        let mut kept = self.keep(loaded, robot, results, first_look)?;
         if let Some(folder) = folder {
-            write_results(&folder, loaded, &kept.results)?;
-            folder.finish()?;
+            let written = write_results(&folder, loaded, &kept.results);
+            let written = written.and_then(|()| Ok(folder.finish()?));
+            kept.results_error = written.err();
         }
         Ok(kept)
     }

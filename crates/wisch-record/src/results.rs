@@ -71,6 +71,8 @@ pub struct RunResults {
     pub rounds: Vec<FinishedRound>,
     /// The recording for its page, as JSON lines; empty if no page is made.
     pub recording: Vec<u8>,
+    /// The same, compressed by gzip.
+    pub packed: Vec<u8>,
 }
 
 impl RunResults {
@@ -91,6 +93,7 @@ impl RunResults {
             considered: None,
             rounds: Vec::new(),
             recording: Vec::new(),
+            packed: Vec::new(),
         })
     }
 

@@ -30,7 +30,7 @@ pub const LIMITS: AskLimits = AskLimits {
 const MOST_WAITING: usize = 8;
 /// Longest query [bytes].
 const LONGEST: usize = 20_000;
-/// Interval at which an abandoned query is told to end.
+/// Interval at which an abandoned query is stopped.
 const TELL_AGAIN: Duration = Duration::from_millis(50);
 /// File of the statements by queries.
 const STATEMENTS_FILE: &str = "told.jsonl";

@@ -402,6 +402,7 @@ fn predict_without_robot(
         considered: None,
         rounds: Vec::new(),
         recording: Vec::new(),
+        packed: Vec::new(),
     }
 }
 

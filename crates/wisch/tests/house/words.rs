@@ -6,12 +6,13 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// Phrases that say no noun, with what to say instead.
-const PATTERNS: [(&str, &str); 22] = [
+const PATTERNS: [(&str, &str); 23] = [
     ("what is so", "say the ground truth"),
     ("what there is", "say the noun"),
     ("was told", "reported or detected"),
     ("were told", "reported or detected"),
     ("are told", "reported or detected"),
+    ("is told", "reported or detected"),
     ("looks on", "observes or shows"),
     ("look on", "observe or show"),
     ("round at hand", "the current round"),
