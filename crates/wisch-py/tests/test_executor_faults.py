@@ -127,7 +127,7 @@ def test_what_an_executor_returns_is_checked(task, robot):
         ("done", "expected nothing, or a dict"),
         ({"ending": "exploded"}, 'unknown ending "exploded"'),
         ({"duration": 3.0}, 'unknown key "duration"; nearest: duration_s'),
-        ({"duration_s": float("inf")}, "at the end a number is inf"),
+        ({"duration_s": float("inf")}, "at the end duration_s is inf s"),
         ({"positions": [0.0, 1.0]}, "reported 2 joint positions at the end, expected 7"),
     ]:
         with pytest.raises(wisch.WischError) as caught:

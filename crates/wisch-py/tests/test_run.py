@@ -92,7 +92,7 @@ def test_an_executor_that_looks_is_asked(robot):
         def observe(self):
             return [[0.0, np.inf]]
 
-    with pytest.raises(wisch.WischError, match=r"place \(0, inf\) m is not finite"):
+    with pytest.raises(wisch.WischError, match=r"position \(0, inf\) m is not finite"):
         task.session(robot).run(Wrong(task.surface_reaction))
 
 
