@@ -363,3 +363,42 @@ fn travel_between_regular_strokes_is_not_taken_for_contact() {
     let pressed = found.pressed_force.expect("the tool pressed");
     assert!((pressed / PRESS - 1.0).abs() < 0.05, "{pressed}");
 }
+
+/// A log of a single stroke that lasts as long as the way back above it, closely above the surface.
+fn single_stroke_and_return() -> Vec<TouchSample> {
+    let task = task(80, STEEP);
+    let world_from_surface = task.surface.world_from_surface;
+    let mut samples = Vec::new();
+    let mut time = 0.0;
+    let mut put = |x: f64, z: f64, force: f64| {
+        let noise = 0.1 * f64::sin(1e4 * time);
+        samples.push(TouchSample {
+            time,
+            world_from_tool: world_from_surface * Pose::translation(x, 0.0, z),
+            force: world_from_surface.rotation * Vector3::new(-0.3 * force, 0.0, force + noise),
+        });
+        time += 0.005;
+    };
+    (0..60).for_each(|k| put(-0.13, 0.05 * (1.0 - f64::from(k) / 60.0), 0.0));
+    (0..260).for_each(|k| put(-0.13 + 0.001 * f64::from(k), -DEPTH, PRESS));
+    // The tool goes back 4 mm above the surface, somewhat longer than it wiped.
+    (0..300).for_each(|k| put(0.13 - 0.000_9 * f64::from(k), 0.004, 0.0));
+    (0..60).for_each(|k| put(-0.14, 0.004 + 0.05 * f64::from(k) / 60.0, 0.0));
+    samples
+}
+
+#[test]
+fn the_way_back_closely_above_a_single_stroke_is_not_taken_for_contact() {
+    let task = task(80, STEEP);
+    let samples = single_stroke_and_return();
+    let found = interpreted_with(&samples, &task, &InterpretConfig::of(&task));
+    let misread = |doubt: &Doubt| {
+        matches!(
+            doubt,
+            Doubt::WrenchSignInverted | Doubt::ClockOffset { .. }
+        )
+    };
+    assert!(!found.doubts.iter().any(misread), "{:?}", found.doubts);
+    let pressed = found.pressed_force.expect("the tool pressed");
+    assert!((pressed / PRESS - 1.0).abs() < 0.05, "{pressed}");
+}

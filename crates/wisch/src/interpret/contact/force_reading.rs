@@ -49,6 +49,8 @@ const LEAST_ALIGNED: f64 = 0.5;
 const FRAME_PREFERENCE: f64 = 0.5;
 /// Least evidence for contact below another one, over that of the best [1].
 const LEAST_BELOW: f64 = 0.1;
+/// Least evidence for contact with shifted clocks, over that for contact at its height without a shift [1].
+const CLOCK_EVIDENCE: f64 = 2.0;
 /// Range of press force over the declared one that counts as pressed as declared [1], and the least share of the
 /// pressing time within it: the band of (10) then holds enough samples.
 const AS_DECLARED: [f64; 2] = [0.9, 1.1];
@@ -404,21 +406,26 @@ impl Scene<'_> {
 }
 
 /// Returns the contact with the most evidence. A contact that needs shifted clocks is left out if there is contact below it
-/// that needs none.
+/// that needs none, or contact at its height with comparable evidence that needs none.
 ///
-/// A tool that slides on a surface never slides below it. If strokes follow each other regularly, a shift of the clocks
-/// moves the forces of the strokes into the travel above them, and long travel then has the most evidence.
+/// A tool that slides on a surface never slides below it. If strokes follow each other regularly, or there is a single one,
+/// a shift of the clocks moves the forces of contact into the travel above it, which is then read as contact.
 fn most_plausible(contacts: Vec<(f64, SlidingContact)>) -> Option<SlidingContact> {
     let weights = contacts.iter().map(|(_, contact)| contact.weight);
     let least = LEAST_BELOW * weights.fold(0.0, f64::max);
-    let unshifted = contacts
+    let unshifted: Vec<(f64, f64)> = contacts
         .iter()
-        .filter(|(_, contact)| contact.clock_offset == 0.0 && contact.weight >= least);
-    let lowest = unshifted
-        .map(|(height, _)| *height)
-        .fold(f64::INFINITY, f64::min);
+        .filter(|(_, contact)| contact.clock_offset == 0.0 && contact.weight >= least)
+        .map(|(height, contact)| (*height, contact.weight))
+        .collect();
+    let is_doubtful = |height: f64, weight: f64| {
+        unshifted.iter().any(|&(other, evidence)| {
+            let is_level = other <= height + FREE_DISTANCE && weight < CLOCK_EVIDENCE * evidence;
+            other + FREE_DISTANCE < height || is_level
+        })
+    };
     let plausible = contacts.into_iter().filter(|(height, contact)| {
-        contact.clock_offset == 0.0 || *height <= lowest + FREE_DISTANCE
+        contact.clock_offset == 0.0 || !is_doubtful(*height, contact.weight)
     });
     let best = plausible.max_by(|a, b| a.1.weight.total_cmp(&b.1.weight));
     best.map(|(_, contact)| contact)
