@@ -107,7 +107,7 @@ mod tests {
             area_of_effect: size,
             rotation_about_normal: AngleRange::FULL,
             tilt: None,
-            grip: None,
+            mount: None,
             second_grip: None,
         };
         crate::rasterize(&footprint_drawing(&tool), 1.0).unwrap();

@@ -29,7 +29,7 @@
 //!     area_of_effect: size,
 //!     rotation_about_normal: AngleRange::FULL,
 //!     tilt: None,
-//!     grip: None,
+//!     mount: None,
 //!     second_grip: None,
 //! };
 //! let svg = wisch_report::footprint_drawing(&sponge);

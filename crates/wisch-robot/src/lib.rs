@@ -60,9 +60,10 @@ pub use clearance::{
     BodyId, Clearance, CollisionModel, Contact, Margins, Reason, SEGMENT_RESOLUTION,
 };
 pub use description::{
-    Appearance, Collision, Diagnostic, DiagnosticKind, DisabledPair, Group, GroupState, Ignored,
-    JointMimic, JointMotion, JointTransform, MAX_DEPTH, MAX_LINKS, MAX_MESH_EXTENT, MAX_SHAPES,
-    MAX_URDF_BYTES, READY_STATE, Severity, Shape, Srdf, Subject, Visual, check, joint_transforms,
+    Appearance, Collision, Diagnostic, DiagnosticKind, DisabledPair, EndEffector, Group,
+    GroupState, Ignored, JointMimic, JointMotion, JointTransform, MAX_DEPTH, MAX_LINKS,
+    MAX_MESH_EXTENT, MAX_SHAPES, MAX_URDF_BYTES, READY_STATE, Severity, Shape, Srdf, Subject,
+    Visual, check, joint_transforms,
 };
 pub use dynamics::{Dynamics, MIN_INERTIA};
 pub use error::RobotError;

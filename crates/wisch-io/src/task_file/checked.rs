@@ -3,6 +3,7 @@
 use super::clusters::heaps;
 use super::deserialize::{At, record};
 use super::execution::{execution, perception};
+use super::mount::mount;
 use super::outline::Outline;
 use super::tables::{
     EdgeName, FrameName, ObjectTable, ParticlesTable, PolishTable, RobotTable, SurfaceTable,
@@ -41,6 +42,9 @@ pub(super) fn read(source: &Source<'_>) -> Result<TaskFile, TaskError> {
         target_performance: task.target_performance.0,
         tool_at: named(tool.and_then(|tool| tool.name.as_ref())),
         tool_start: tool.and_then(|tool| tool.start_m).map(point),
+        mount: (tool.and_then(|tool| tool.mount.as_ref()))
+            .map(|table| mount(table, source))
+            .transpose()?,
         medium_at: named(medium.and_then(|medium| medium.name.as_ref())),
         surface: surface(&task.surface, &scene, source)?,
         robot: task

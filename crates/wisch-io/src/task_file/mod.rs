@@ -8,6 +8,7 @@ mod disturbance;
 mod error;
 mod execution;
 mod execution_tables;
+mod mount;
 mod outline;
 mod resolve;
 mod tables;
@@ -27,7 +28,7 @@ use definitions::Definitions;
 use wisch::follow::WorkcellConfig;
 use wisch::geometry::{Point2, Pose, Vector3};
 use wisch::plan::HeadingRule;
-use wisch::represent::{Action, KnowledgeError, ScenePart, Surface, Task, Treatment};
+use wisch::represent::{Action, KnowledgeError, Mount, ScenePart, Surface, Task, Treatment};
 use wisch::run::{AfterStop, Pace};
 use wisch::source_location::Place;
 
@@ -109,6 +110,7 @@ pub struct TaskFile {
     target_performance: f64,
     tool_at: Place,
     tool_start: Option<Point2>,
+    mount: Option<Mount>,
     medium_at: Place,
     surface: SurfaceRecord,
     robot: Option<RobotRecord>,

@@ -7,9 +7,9 @@ use wisch::geometry::{
     Vector2, Vector3, footprint,
 };
 use wisch::represent::{
-    Action, DirtArea, Interaction, KnowledgeBase, OccupiedArea, ParticleDistribution, SceneObject,
-    ScenePart, Task, Tool, ToolEntry, ToolMesh, Treatment, cluster_particles, surface_cells,
-    uniform_particles,
+    Action, DirtArea, Interaction, KnowledgeBase, Mount, OccupiedArea, ParticleDistribution,
+    SceneObject, ScenePart, Task, Tool, ToolEntry, ToolMesh, Treatment, cluster_particles,
+    surface_cells, uniform_particles,
 };
 use wisch::source_location::Place;
 
@@ -95,7 +95,10 @@ impl TaskFile {
                 advice.to_owned()
             })?;
         }
-        let tool = resolved_tool(entry, mesh, interaction, tool_at)?;
+        let tool = Tool {
+            mount: self.mount.or(entry.grip.map(Mount::Grip)),
+            ..resolved_tool(entry, mesh, interaction, tool_at)?
+        };
         let scene = self.scene(assets)?;
         let mut task = Task {
             name: self.name.clone(),
@@ -383,7 +386,7 @@ fn resolved_tool(
         area_of_effect,
         rotation_about_normal: entry.rotation_about_normal,
         tilt: entry.tilt,
-        grip: entry.grip,
+        mount: None,
         second_grip: entry.second_grip,
     })
 }

@@ -5,10 +5,11 @@ use super::deserialize::At;
 use super::execution_tables::ExecutionTable;
 use super::values::{
     AngleRad, BandwidthM, Channel, ColorDistance, ContactSpeed, DampingRatio, DepthM, DistanceM,
-    Evaluations, FalseAlarms, FootprintM, Friction, GrainM, HalfSizeM, LawSpread, LiftHeightM,
-    LogForce, LogSpread, MarginM, Name, ParticleCount, Passes, Pixel, PositionErrorM, PositionM,
-    PostureWeight, PressForceN, PrestonPerPa, QuaternionPart, RedrawLengthM, Scale, SchemaVersion,
-    Score, Seed, Share, SizeM, Stiffness, ThicknessM, Variants, VolumePerMetre,
+    Evaluations, FalseAlarms, FlangeM, FootprintM, Friction, GrainM, GripM, HalfSizeM, LawSpread,
+    LeanRad, LiftHeightM, LogForce, LogSpread, MarginM, Name, ParticleCount, Passes, Pixel,
+    PositionErrorM, PositionM, PostureWeight, PressForceN, PrestonPerPa, QuaternionPart,
+    RedrawLengthM, Scale, SchemaVersion, Score, Seed, Share, SizeM, Stiffness, ThicknessM,
+    Variants, VolumePerMetre,
 };
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::de::{EnumAccess, Error as _, VariantAccess, Visitor};
@@ -127,6 +128,41 @@ pub(super) struct ToolTable {
     pub(super) mesh: Option<At<Name>>,
     /// Compression depth of a tool of this task under nominal force [m]; 0 is rigid; default 0.005.
     pub(super) compression_depth_m: Option<At<DepthM>>,
+    /// How the robot holds the tool; default: as the knowledge base or the robot's SRDF declares, else square on the flange.
+    pub(super) mount: Option<At<MountTable>>,
+}
+
+/// How the robot holds the tool: exactly one of `on` and `point_m`.
+///
+/// The hand is a frame on the z axis of the group's tip link, at the outermost point of the shapes of that link and of the
+/// links that it carries; its axes are those of the link.
+#[derive(Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+#[schemars(rename = "Mount")]
+pub(super) struct MountTable {
+    /// Part of the robot that holds the tool.
+    pub(super) on: Option<At<MountName>>,
+    /// On a flange: rotation of the tool about its z axis [rad]; at 0 its x axis is the link's; default 0.
+    pub(super) yaw_rad: Option<At<AngleRad>>,
+    /// On a flange: distance of the tool's upper face from the origin of the link, along its z axis [m]; default: the hand.
+    pub(super) distance_m: Option<At<FlangeM>>,
+    /// In a hand: angle by which the hand leans back over the tool [rad]; default 0.8.
+    pub(super) lean_rad: Option<At<LeanRad>>,
+    /// Position of the hand in the tool frame [m].
+    pub(super) point_m: Option<At<[GripM; 3]>>,
+    /// With `point_m`: roll, pitch, yaw of the hand in the tool frame [rad].
+    pub(super) hand_rpy_rad: Option<At<[AngleRad; 3]>>,
+}
+
+/// Part of the robot that holds the tool.
+#[derive(Deserialize, JsonSchema, Clone, Copy, PartialEq, Eq)]
+#[serde(rename = "on", rename_all = "lowercase")]
+#[schemars(rename = "MountName", inline)]
+pub(super) enum MountName {
+    /// The tool's upper face lies square on the flange or gripper.
+    Flange,
+    /// A hand holds the rear edge of the tool's upper face and leans back.
+    Hand,
 }
 
 /// The dirt.

@@ -69,6 +69,12 @@ ranges! { f64, NumberWithin;
     Pixel = (0.0, 1e6);
     /// Shares of a whole.
     Share = (0.0, 1.0);
+    /// Positions of a hand at its tool, along one axis [m]: up to the end of a long stick.
+    GripM = (-5.0, 5.0);
+    /// Distances of a tool's face from the origin of a link [m].
+    FlangeM = (-0.5, 2.0);
+    /// Leans of a hand over its tool, from upright to flat [rad].
+    LeanRad = (0.0, 1.5708);
     /// Tilts [rad]: beyond this a surface is another one, not one badly localised.
     TiltRad = (-0.3, 0.3);
     /// Shifts of a badly localised surface [m].

@@ -13,6 +13,8 @@ use std::collections::BTreeSet;
 /// precedence, for tools that need their own.
 pub const READY_STATE: &str = "ready";
 
+/// Range of the lean of a hand over its tool [rad]: from upright to flat.
+const MAX_LEAN: std::ops::RangeInclusive<f64> = 0.0..=std::f64::consts::FRAC_PI_2;
 /// Most groups.
 const MAX_GROUPS: usize = 1000;
 
@@ -46,8 +48,10 @@ pub struct Srdf {
     pub states: Vec<GroupState>,
     /// Pairs of links that are not checked against each other.
     pub disabled: Vec<DisabledPair>,
+    /// End effectors of links that the robot has.
+    pub end_effectors: Vec<EndEffector>,
     /// Groups that are ignored: those of links, of other groups, or of joints that form no chain. Virtual and passive
-    /// joints and end effectors are ignored silently.
+    /// joints are ignored silently.
     pub ignored: Vec<Ignored>,
     /// Diagnostics of elements that are ignored without harm to the groups that wipe: pairs with a link that the robot
     /// does not have (a warning), and postures of joints that are fixed, absent or in no group (a note).
@@ -76,6 +80,18 @@ pub struct GroupState {
     pub group: String,
     /// Pairs of a variable and its position [rad or m]; followers are left out, as the variables determine them.
     pub positions: Vec<(usize, f64)>,
+}
+
+/// A hand or gripper: an `<end_effector>` element of an SRDF.
+#[derive(Debug, Clone, PartialEq)]
+pub struct EndEffector {
+    /// Its name.
+    pub name: String,
+    /// The link that carries it.
+    pub parent: LinkId,
+    /// Angle by which it leans back over a tool that it holds at the rear edge \[rad\], from the attribute
+    /// `hand_lean_rad`, which is an extension of the format; `None` for a flange or gripper that holds a tool square.
+    pub hand_lean: Option<f64>,
 }
 
 /// Two links that may touch: a `<disable_collisions>` element of an SRDF.
@@ -239,6 +255,12 @@ impl Srdf {
                     let problem = format!("state {name:?} of group {group:?} is defined twice");
                     faults.push(reader.fault(node, problem));
                 }
+                Err(fault) => faults.push(fault),
+            }
+        }
+        for node in elements(root, "end_effector") {
+            match reader.end_effector(node, robot) {
+                Ok(found) => srdf.end_effectors.extend(found),
                 Err(fault) => faults.push(fault),
             }
         }
@@ -496,6 +518,29 @@ impl Reader<'_> {
             group,
             positions,
         })
+    }
+
+    /// Reads an end effector; `None` if its link is unknown and it says nothing that is used.
+    fn end_effector(
+        &self,
+        node: Node,
+        robot: &RobotModel,
+    ) -> Result<Option<EndEffector>, RobotError> {
+        let hand_lean = self.number(node, "hand_lean_rad")?;
+        if hand_lean.is_some_and(|lean| !MAX_LEAN.contains(&lean)) {
+            let expected = "a lean from 0 to 1.57 rad";
+            return Err(self.attribute_fault(node, "hand_lean_rad", expected));
+        }
+        let parent = match self.link_of(node, "parent_link", robot) {
+            Ok(parent) => parent,
+            Err(_) if hand_lean.is_none() => return Ok(None),
+            Err(fault) => return Err(fault),
+        };
+        Ok(Some(EndEffector {
+            name: node.attribute("name").unwrap_or_default().to_owned(),
+            parent,
+            hand_lean,
+        }))
     }
 
     fn link_of(

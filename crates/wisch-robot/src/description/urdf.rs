@@ -239,7 +239,7 @@ impl<'a> Reader<'a> {
         }
     }
 
-    fn number(&self, node: Node, attribute: &'static str) -> Result<Option<f64>, RobotError> {
+    pub fn number(&self, node: Node, attribute: &'static str) -> Result<Option<f64>, RobotError> {
         Ok(self.numbers::<1>(node, attribute)?.map(|[value]| value))
     }
 

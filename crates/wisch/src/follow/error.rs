@@ -17,17 +17,6 @@ pub enum FollowError {
     /// The SRDF does not have the group.
     #[error("{0}")]
     UnknownGroup(Box<UnknownName>),
-    /// Joints that are not a planar base move the group's base.
-    #[error(
-        "link {link:?}, the base of the group, is moved by {}; expected a fixed base, or a prismatic x, a prismatic y and a revolute z joint",
-        joints.join(", ")
-    )]
-    NoPlanarBase {
-        /// The base of the group.
-        link: String,
-        /// The joints that move it.
-        joints: Vec<String>,
-    },
     /// A robot that moves over the floor has a pose off the floor.
     #[error(
         "robot: {what} is {value}, but this robot moves over the floor; only x, y and yaw are free"

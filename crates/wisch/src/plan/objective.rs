@@ -214,7 +214,7 @@ mod tests {
                 area_of_effect: Vector2::new(0.07, 0.11),
                 rotation_about_normal: AngleRange::FULL,
                 tilt: None,
-                grip: None,
+                mount: None,
                 second_grip: None,
             },
             medium: "breadcrumbs".into(),

@@ -23,8 +23,8 @@ pub use field::ParticleField;
 pub use heap::{HEAP_DEPTH, heap_depth, heap_slide};
 pub use knowledge::{
     Action, AngleRange, AreaOfEffect, Effect, GrainSize, Grip, Interaction, KnowledgeBase,
-    KnowledgeError, LogNormal, LogNormalSpread, MediumEntry, MediumKind, Place, RankedTool, Redraw,
-    SecondGrip, SurfaceEntry, SurfaceScope, TiltFreedom, ToolEntry, ToolMesh, UnknownName,
+    KnowledgeError, LogNormal, LogNormalSpread, MediumEntry, MediumKind, Mount, Place, RankedTool,
+    Redraw, SecondGrip, SurfaceEntry, SurfaceScope, TiltFreedom, ToolEntry, ToolMesh, UnknownName,
 };
 pub use metrics::{GoalState, Performance, THICKNESS_TOLERANCE};
 pub use motion::ToolMotion;

@@ -1,8 +1,8 @@
 //! A task with all names resolved, all values checked and in SI units.
 
 use super::{
-    Action, AngleRange, GoalState, Grip, Interaction, ParticleDistribution, SceneObject, ScenePart,
-    SecondGrip, Surface, TiltFreedom, Treatment,
+    Action, AngleRange, GoalState, Interaction, Mount, ParticleDistribution, SceneObject,
+    ScenePart, SecondGrip, Surface, TiltFreedom, Treatment,
 };
 use crate::geometry::{Mesh, MeshError, Point2, Polygon, Pose, Region, Vector2, Vector3};
 
@@ -21,8 +21,9 @@ pub struct Tool {
     pub rotation_about_normal: AngleRange,
     /// Permitted tilt; `None` for a tool that stays upright.
     pub tilt: Option<TiltFreedom>,
-    /// Grip of the leading hand; `None` puts the rear edge of the tool's upper face at the end of the hand.
-    pub grip: Option<Grip>,
+    /// How the leading hand holds it; `None` if neither task nor knowledge base declares it, so that the robot decides
+    /// ([`Workcell::mount`](crate::follow::Workcell::mount)).
+    pub mount: Option<Mount>,
     /// Grip of a second hand, if there is one.
     pub second_grip: Option<SecondGrip>,
 }
@@ -45,7 +46,7 @@ impl Tool {
             area_of_effect: face,
             rotation_about_normal: AngleRange::FULL,
             tilt: None,
-            grip: None,
+            mount: None,
             second_grip: None,
         })
     }

@@ -392,12 +392,8 @@ fn the_way_back_closely_above_a_single_stroke_is_not_taken_for_contact() {
     let task = task(80, STEEP);
     let samples = single_stroke_and_return();
     let found = interpreted_with(&samples, &task, &InterpretConfig::of(&task));
-    let misread = |doubt: &Doubt| {
-        matches!(
-            doubt,
-            Doubt::WrenchSignInverted | Doubt::ClockOffset { .. }
-        )
-    };
+    let misread =
+        |doubt: &Doubt| matches!(doubt, Doubt::WrenchSignInverted | Doubt::ClockOffset { .. });
     assert!(!found.doubts.iter().any(misread), "{:?}", found.doubts);
     let pressed = found.pressed_force.expect("the tool pressed");
     assert!((pressed / PRESS - 1.0).abs() < 0.05, "{pressed}");

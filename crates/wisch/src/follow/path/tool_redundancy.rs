@@ -176,7 +176,7 @@ mod tests {
                     max_rad: 0.4,
                 },
             }),
-            grip: None,
+            mount: None,
             second_grip: None,
         }
     }

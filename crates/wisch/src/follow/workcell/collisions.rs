@@ -1,9 +1,9 @@
 //! Collision models of a robot with its tool in a scene, by what the tool may touch.
 
 use super::FLOOR_TOLERANCE;
-use super::grasp::{relax, without_rim};
+use super::grasp::{carried_links, relax, without_rim};
 use super::group::{PlanarBase, hand_and_holder, standing_links};
-use super::target_surface::{TargetSurface, ToolMount, is_tool_behind};
+use super::target_surface::{PlacedTool, TargetSurface, is_tool_behind};
 use crate::follow::FollowError;
 use crate::geometry::Point3;
 use crate::represent::{SceneObject, ScenePart, Surface, Task};
@@ -36,7 +36,7 @@ pub(super) struct WorkcellCollisions {
 pub(super) struct MountedTool<'a> {
     robot: &'a RobotModel,
     task: &'a Task,
-    mount: &'a ToolMount,
+    mount: &'a PlacedTool,
     /// Name of the tool among the bodies of the models.
     tool: String,
     /// Name of the tool without its rim.
@@ -53,7 +53,7 @@ impl<'a> MountedTool<'a> {
         robot: &'a RobotModel,
         srdf: Option<&Srdf>,
         task: &'a Task,
-        mount: &'a ToolMount,
+        mount: &'a PlacedTool,
     ) -> Result<Self, FollowError> {
         let tool = rename_if_link(robot, &task.tool.name);
         let core = rename_if_link(robot, &format!("core of {}", task.tool.name));
@@ -74,11 +74,15 @@ impl<'a> MountedTool<'a> {
         for link in robot.links() {
             rimless.allow(&core, &link.name)?;
         }
-        let models = ContactModels {
+        let mut models = ContactModels {
             free,
             in_contact,
             rimless,
         };
+        // A gripper on the tip holds the tool.
+        for link in carried_links(robot, tip) {
+            models.allow_in_all(&tool, &robot.links()[link.index()].name)?;
+        }
         Ok(Self {
             robot,
             task,

@@ -1,38 +1,161 @@
 //! How hands hold a tool, and the tool's shape in the hand.
 
+use super::PlanningGroup;
 use crate::follow::FollowError;
 use crate::geometry::{Mesh, Point3, Pose, Vector3};
-use crate::represent::Tool;
-use crate::robot::{Collision, LinkId, RobotModel, Shape};
+use crate::represent::{Mount, Tool};
+use crate::robot::{Collision, LinkId, RobotModel, Shape, Srdf};
 use nalgebra::{Translation3, UnitQuaternion};
 use std::f64::consts::PI;
+use std::fmt;
 
-/// Returns the end of a hand in the frame of its link: on the z axis, at the outermost point of the hand's
-/// shapes.
-pub(in crate::follow) fn tip_from_hand(robot: &RobotModel, tip: LinkId) -> Pose {
-    let hand = &robot.links()[tip.index()].collision;
-    let reach = hand.iter().map(outermost).fold(0.0, f64::max);
-    Pose::translation(0.0, 0.0, reach)
+/// A tool as the robot holds it.
+///
+/// Its text says how, and what is assumed: `square on link "tool0", 0.103 m out of it (assumed)`.
+#[derive(Debug, Clone, PartialEq)]
+pub struct HeldTool {
+    /// Name of the link that holds the tool.
+    pub link: String,
+    /// The tool in the frame of that link.
+    pub tip_from_tool: Pose,
+    /// How it is held; `None` if the pose itself is given.
+    pub mount: Option<Mount>,
+    /// Where that comes from.
+    pub source: MountSource,
 }
 
-/// Returns the pose of a tool in the frame of the link that leads it: by its grip, or without a grip by the
-/// rear edge of its upper face, with the hand leaning back by `lean` [rad].
-pub(in crate::follow) fn tip_from_tool(
+/// Where the mount of a tool comes from.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum MountSource {
+    /// The task, the knowledge base or the caller declares it.
+    Declared,
+    /// The SRDF has an end effector that leans over its tool.
+    Srdf,
+    /// Nothing declares it: the tool is square on the flange.
+    Assumed,
+}
+
+impl HeldTool {
+    /// Returns a tool at a declared pose in the frame of its link.
+    pub(super) fn at_pose(robot: &RobotModel, tip: LinkId, tip_from_tool: Pose) -> Self {
+        Self {
+            link: robot.links()[tip.index()].name.clone(),
+            tip_from_tool,
+            mount: None,
+            source: MountSource::Declared,
+        }
+    }
+
+    /// Chooses how a group holds a tool: as the tool declares, else as the SRDF declares for the group's tip, else
+    /// square on the flange.
+    pub(super) fn choose(
+        robot: &RobotModel,
+        srdf: Option<&Srdf>,
+        group: &PlanningGroup,
+        tool: &Tool,
+    ) -> Result<Self, FollowError> {
+        let (mount, source) = match (tool.mount, lean_of(srdf, group.tip)) {
+            (Some(mount), _) => (mount, MountSource::Declared),
+            (None, Some(lean)) => (Mount::Hand { lean }, MountSource::Srdf),
+            (None, None) => {
+                let (yaw, distance) = (0.0, None);
+                (Mount::Flange { yaw, distance }, MountSource::Assumed)
+            }
+        };
+        let hand = tip_from_hand(robot, group.tip, &group.ready)?;
+        let tip_from_tool = match mount {
+            Mount::Flange { yaw, distance } => {
+                let face = distance.map_or(hand, |distance| Pose::translation(0.0, 0.0, distance));
+                face * hold_square(tool, yaw)
+            }
+            Mount::Hand { lean } => hand * hold_rear_edge(tool, lean),
+            Mount::Grip(grip) => hand * grip.tool_from_hand.inverse(),
+        };
+        Ok(Self {
+            mount: Some(mount),
+            source,
+            ..Self::at_pose(robot, group.tip, tip_from_tool)
+        })
+    }
+}
+
+impl fmt::Display for HeldTool {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let link = &self.link;
+        match self.mount {
+            None => write!(f, "at a given pose on link {link:?}")?,
+            Some(Mount::Flange { .. }) => {
+                write!(f, "square on link {link:?}")?;
+                let out = self.tip_from_tool.translation.z;
+                write!(f, ", contact plane {out:.3} m out of its origin")?;
+            }
+            Some(Mount::Hand { lean }) => write!(
+                f,
+                "by the rear edge of its upper face, the hand of link {link:?} leaning back by {lean:.2} rad"
+            )?,
+            Some(Mount::Grip(_)) => write!(f, "by its grip on link {link:?}")?,
+        }
+        match self.source {
+            MountSource::Declared => Ok(()),
+            MountSource::Srdf => write!(f, " (from the SRDF)"),
+            MountSource::Assumed => write!(f, " (assumed)"),
+        }
+    }
+}
+
+/// Returns the lean that the SRDF declares for the hand on a link [rad].
+fn lean_of(srdf: Option<&Srdf>, tip: LinkId) -> Option<f64> {
+    let hands = srdf.map_or(&[][..], |srdf| &srdf.end_effectors);
+    let hand = hands.iter().find(|hand| hand.parent == tip);
+    hand.and_then(|hand| hand.hand_lean)
+}
+
+/// Returns the end of a hand in the frame of its link: on the z axis, at the outermost point of the shapes of the
+/// link and of all links that it carries, in a posture `q` (n).
+pub(in crate::follow) fn tip_from_hand(
     robot: &RobotModel,
     tip: LinkId,
-    tool: &Tool,
-    lean: f64,
-) -> Pose {
-    let hand_from_tool = match &tool.grip {
-        Some(grip) => grip.tool_from_hand.inverse(),
-        None => grip_at_rear_edge(tool, lean),
-    };
-    tip_from_hand(robot, tip) * hand_from_tool
+    q: &[f64],
+) -> Result<Pose, FollowError> {
+    let kinematics = robot.forward_kinematics(q)?;
+    let tip_from_world = kinematics.world_from_link(tip).inverse();
+    let mut reach: f64 = 0.0;
+    for link in carried_links(robot, tip) {
+        let tip_from_link = tip_from_world * kinematics.world_from_link(link);
+        let shapes = robot.links()[link.index()].collision.iter();
+        reach = shapes
+            .map(|shape| outermost(shape, &tip_from_link))
+            .fold(reach, f64::max);
+    }
+    Ok(Pose::translation(0.0, 0.0, reach))
+}
+
+/// Returns a link and all links that it carries.
+pub(in crate::follow) fn carried_links(robot: &RobotModel, first: LinkId) -> Vec<LinkId> {
+    let mut is_carried = vec![false; robot.links().len()];
+    is_carried[first.index()] = true;
+    let mut links = vec![first];
+    // A parent comes before its children.
+    for joint in robot.joints() {
+        if is_carried[joint.parent.index()] {
+            is_carried[joint.child.index()] = true;
+            links.push(joint.child);
+        }
+    }
+    links
+}
+
+/// Returns the pose of the tool in the flange, the middle of its upper face square on it.
+fn hold_square(tool: &Tool, yaw: f64) -> Pose {
+    let (_, high) = tool.mesh.bounds();
+    let turned = UnitQuaternion::from_axis_angle(&Vector3::x_axis(), PI)
+        * UnitQuaternion::from_axis_angle(&Vector3::z_axis(), yaw);
+    turned * Translation3::from(-Vector3::new(0.0, 0.0, high.z))
 }
 
 /// Returns the pose of the tool in the hand, held at the rear edge of its upper face, with the hand leaning
 /// back.
-fn grip_at_rear_edge(tool: &Tool, lean: f64) -> Pose {
+fn hold_rear_edge(tool: &Tool, lean: f64) -> Pose {
     let (low, high) = tool.mesh.bounds();
     let turned = UnitQuaternion::from_axis_angle(&Vector3::x_axis(), PI)
         * UnitQuaternion::from_axis_angle(&Vector3::y_axis(), lean);
@@ -66,9 +189,9 @@ pub(in crate::follow) fn relax(mesh: &Mesh, compression_depth: f64) -> Result<Me
     Mesh::new(vertices.collect(), mesh.triangles().to_vec()).map_err(FollowError::Tool)
 }
 
-/// Returns the largest coordinate of a shape along its link's z axis [m].
-fn outermost(collision: &Collision) -> f64 {
-    let pose = &collision.link_from_shape;
+/// Returns the largest coordinate of a link's shape along the tip's z axis [m].
+fn outermost(collision: &Collision, tip_from_link: &Pose) -> f64 {
+    let pose = &(tip_from_link * collision.link_from_shape);
     let along = |z: f64| (pose * Point3::new(0.0, 0.0, z)).z;
     let axis_z = (pose.rotation * Vector3::z()).z;
     let rim = |radius: f64| radius * (1.0 - axis_z * axis_z).max(0.0).sqrt();

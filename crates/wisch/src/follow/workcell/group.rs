@@ -2,7 +2,7 @@
 
 use crate::follow::FollowError;
 use crate::geometry::Vector3;
-use crate::robot::{JointKind, LinkId, READY_STATE, RobotModel, Srdf};
+use crate::robot::{Joint, JointKind, LinkId, READY_STATE, RobotModel, Srdf};
 use crate::source_location::UnknownName;
 
 /// A base that moves over the floor: the variables of its position and heading in the root frame.
@@ -74,38 +74,50 @@ fn longest_chain(robot: &RobotModel) -> (LinkId, LinkId) {
     (robot.root(), best)
 }
 
-/// Returns the planar base that carries a link: x, y and heading, if only these move it.
-pub(in crate::follow) fn planar_base(
-    robot: &RobotModel,
-    link: LinkId,
-) -> Result<Option<PlanarBase>, FollowError> {
-    let mut moving: Vec<_> = (robot.joints_above(link))
-        .filter(|joint| joint.kind != JointKind::Fixed)
-        .collect();
-    moving.reverse();
-    let variable = |at: usize| match moving[at].drive.terms[..] {
+/// Returns the planar base that carries a link: the joints next to the root, if these are x, y and heading.
+pub(in crate::follow) fn planar_base(robot: &RobotModel, link: LinkId) -> Option<PlanarBase> {
+    let moving = moving_joints_above(robot, link);
+    let [x, y, yaw] = moving.get(..3)? else {
+        return None;
+    };
+    let variable = |joint: &Joint| match joint.drive.terms[..] {
         [(variable, 1.0)] => Some(variable),
         _ => None,
     };
-    let axis = |at: usize| moving[at].axis.into_inner();
-    let kinds: Vec<JointKind> = moving.iter().map(|joint| joint.kind).collect();
-    match kinds[..] {
-        [] => Ok(None),
-        [
-            JointKind::Prismatic,
-            JointKind::Prismatic,
-            JointKind::Revolute,
-        ] if axis(0) == Vector3::x() && axis(1) == Vector3::y() && axis(2) == Vector3::z() => {
-            match (variable(0), variable(1), variable(2)) {
-                (Some(x), Some(y), Some(yaw)) => Ok(Some(PlanarBase { x, y, yaw })),
-                _ => Ok(None),
-            }
-        }
-        _ => Err(FollowError::NoPlanarBase {
-            link: robot.links()[link.index()].name.clone(),
-            joints: moving.iter().map(|joint| joint.name.clone()).collect(),
-        }),
-    }
+    let is = |joint: &Joint, kind: JointKind, axis: Vector3| {
+        joint.kind == kind && joint.axis.into_inner() == axis
+    };
+    let is_planar = is(x, JointKind::Prismatic, Vector3::x())
+        && is(y, JointKind::Prismatic, Vector3::y())
+        && is(yaw, JointKind::Revolute, Vector3::z());
+    is_planar.then_some(())?;
+    Some(PlanarBase {
+        x: variable(x)?,
+        y: variable(y)?,
+        yaw: variable(yaw)?,
+    })
+}
+
+/// Returns the names of the joints that carry a link and belong to no planar base: a lift, a rail or a torso. They stay
+/// where the ready posture has them.
+pub(in crate::follow) fn held_joints(robot: &RobotModel, link: LinkId) -> Vec<String> {
+    let in_base = if planar_base(robot, link).is_some() {
+        3
+    } else {
+        0
+    };
+    let moving = moving_joints_above(robot, link).into_iter().skip(in_base);
+    moving.map(|joint| joint.name.clone()).collect()
+}
+
+/// Returns the joints that move a link, the one next to the root first.
+fn moving_joints_above(robot: &RobotModel, link: LinkId) -> Vec<&Joint> {
+    let joints = robot.joints_above(link);
+    let mut moving: Vec<&Joint> = joints
+        .filter(|joint| joint.kind != JointKind::Fixed)
+        .collect();
+    moving.reverse();
+    moving
 }
 
 /// Returns the SRDF's ready states, with the middle of the limits for all other variables.

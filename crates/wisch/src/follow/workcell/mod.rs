@@ -18,12 +18,12 @@ use crate::robot::{
     Srdf,
 };
 use collisions::{MountedTool, WorkcellCollisions};
-use grasp::tip_from_tool;
-use group::{planar_base, set_named_state};
+pub use grasp::{HeldTool, MountSource};
+use group::{held_joints, planar_base, set_named_state};
 use nalgebra::{Translation3, UnitQuaternion};
 use std::f64::consts::TAU;
 pub(in crate::follow) use target_surface::HandBelow;
-use target_surface::{ToolMount, hand_below};
+use target_surface::{PlacedTool, hand_below};
 
 /// Largest distance of a base from the plane of its floor [m, rad].
 const FLOOR_TOLERANCE: f64 = 1e-6;
@@ -48,27 +48,23 @@ pub struct WorkcellConfig {
     pub second_group: Option<String>,
     /// Pose of the robot in the world. For a robot on a planar base: its start, in the plane of the floor.
     pub world_from_robot: Option<Pose>,
-    /// The tool in the frame of the link that holds it; `None` takes the tool's grip. For a tool without a
-    /// grip, it puts the rear edge of its upper face at the hand's outermost point.
+    /// The tool in the frame of the link that holds it; `None` takes the tool's mount, and otherwise that of the
+    /// robot ([`Workcell::mount`]).
     pub tip_from_tool: Option<Pose>,
-    /// Angle by which the hand leans back from upright over the tool, against its motion \[rad\].
-    pub hand_lean: f64,
     /// Distance of revolute joints from their limits while the robot uses the tool \[rad\]: a compliant arm is
     /// not exactly at its planned position.
     pub limit_margin: f64,
 }
 
 impl Default for WorkcellConfig {
-    /// The first group, the robot at the origin, the hand leaning back by 0.8 rad. With this lean a hand as
-    /// thick as the tool is wide reaches along obstacles and does not touch the surface. Joints stay 0.02 rad
-    /// inside their limits, twice the sag of a torso.
+    /// The first group, the robot at the origin. Joints stay 0.02 rad inside their limits, twice the sag of a
+    /// torso.
     fn default() -> Self {
         Self {
             group: None,
             second_group: None,
             world_from_robot: None,
             tip_from_tool: None,
-            hand_lean: 0.8,
             limit_margin: 0.02,
         }
     }
@@ -80,7 +76,7 @@ pub struct Workcell {
     robot: RobotModel,
     world_from_root: Pose,
     tip: LinkId,
-    tip_from_tool: Pose,
+    mount: HeldTool,
     ik: IkSolver,
     second: Option<SecondArm>,
     arm_variables: Vec<usize>,
@@ -94,14 +90,15 @@ pub struct Workcell {
 impl Workcell {
     /// Returns the robot in the scene of a task, with the task's tool in its hand.
     ///
+    /// Joints that carry the group and are no planar base, such as a lift, stay where the ready posture has them.
+    ///
     /// While it wipes, comes down or lifts off, the tool may touch the target surface and the object that
     /// carries it; otherwise no contact is allowed. The surface is an obstacle whether or not the scene has an
     /// object that carries it. The tool keeps out of the space behind it, unless that is where it waits in the
     /// ready posture. A robot may drive on a surface that lies in the plane of the floor.
     ///
     /// # Errors
-    /// A group or link that does not exist, a group whose base is moved by joints that are not a planar base, a
-    /// planar base off its floor, or geometry that no collision check takes.
+    /// A group or link that does not exist, a planar base off its floor, or geometry that no collision check takes.
     pub fn new(
         robot: RobotModel,
         srdf: Option<&Srdf>,
@@ -111,10 +108,13 @@ impl Workcell {
         let mut group = PlanningGroup::choose(&robot, srdf, config.group.as_deref())?;
         let ready_with_tool = format!("{READY_STATE}_{}", task.tool.name);
         set_named_state(&mut group.ready, srdf, &ready_with_tool);
-        let base = planar_base(&robot, group.base)?;
+        let base = planar_base(&robot, group.base);
         let world_from_root = place_base(base, config.world_from_robot, &mut group.ready)?;
-        let tip_from_tool = (config.tip_from_tool)
-            .unwrap_or_else(|| tip_from_tool(&robot, group.tip, &task.tool, config.hand_lean));
+        let mount = match config.tip_from_tool {
+            Some(pose) => HeldTool::at_pose(&robot, group.tip, pose),
+            None => HeldTool::choose(&robot, srdf, &group, &task.tool)?,
+        };
+        let tip_from_tool = mount.tip_from_tool;
         let ik = make_tool_solver(&robot, &group, tip_from_tool, config.limit_margin)?;
         let second = match &config.second_group {
             None => None,
@@ -129,12 +129,12 @@ impl Workcell {
         if let Some(second) = &second {
             arm_variables.extend_from_slice(second.chain().variables());
         }
-        let mount = ToolMount {
+        let placed = PlacedTool {
             world_from_root,
             tip: group.tip,
             tip_from_tool,
         };
-        let mut tool = MountedTool::attach(&robot, srdf, task, &mount)?;
+        let mut tool = MountedTool::attach(&robot, srdf, task, &placed)?;
         if let Some(second) = &second {
             tool.allow_second_hand(second.chain().tip())?;
         }
@@ -146,7 +146,7 @@ impl Workcell {
         Ok(Self {
             world_from_root,
             tip: group.tip,
-            tip_from_tool,
+            mount,
             ik,
             second,
             arm_variables,
@@ -176,7 +176,12 @@ impl Workcell {
 
     /// The tool in the frame of the link that holds it.
     pub const fn tip_from_tool(&self) -> &Pose {
-        &self.tip_from_tool
+        &self.mount.tip_from_tool
+    }
+
+    /// How the robot holds the tool, and whether that is declared or assumed.
+    pub const fn mount(&self) -> &HeldTool {
+        &self.mount
     }
 
     /// Inverse kinematics of the tool, from the group's base.
@@ -198,6 +203,12 @@ impl Workcell {
     /// The planar base under the group, if there is one.
     pub const fn base(&self) -> Option<PlanarBase> {
         self.base
+    }
+
+    /// Names of the joints that carry the group and are not its own, such as a lift; they stay at their positions of the
+    /// ready posture.
+    pub fn held_joints(&self) -> Vec<String> {
+        held_joints(&self.robot, self.ik.chain().base())
     }
 
     /// Start posture of the robot: all n variables [rad or m].
@@ -257,10 +268,10 @@ impl Workcell {
         task: &Task,
         plan: &Plan,
     ) -> Result<Option<HandBelow>, FollowError> {
-        let tool = ToolMount {
+        let tool = PlacedTool {
             world_from_root: self.world_from_root,
             tip: self.tip,
-            tip_from_tool: self.tip_from_tool,
+            tip_from_tool: self.mount.tip_from_tool,
         };
         let kinematics = self.robot.forward_kinematics(&self.ready)?;
         Ok(hand_below(task, plan, &self.robot, &kinematics, &tool))

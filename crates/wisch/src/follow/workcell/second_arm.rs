@@ -72,7 +72,7 @@ impl SecondArm {
         let trunk = robot.chain(leading.base(), fork)?;
         // The tool's z axis becomes the hand's y axis.
         let y_for_z = UnitQuaternion::from_axis_angle(&Vector3::x_axis(), -FRAC_PI_2);
-        let tip_from_hand = tip_from_hand(robot, tip);
+        let tip_from_hand = tip_from_hand(robot, tip, posture)?;
         let ik = IkSolver::new(robot, fork, tip, tip_from_hand * y_for_z)?;
         let own = ik.chain().variables();
         if own.is_empty() {

@@ -1,6 +1,7 @@
 //! The target surface as an obstacle: to the robot and its hand always, to the tool whenever it must not touch
 //! it.
 
+use super::grasp::carried_links;
 use crate::follow::FollowError;
 use crate::geometry::{Point2, Point3, Pose, Vector3};
 use crate::plan::Plan;
@@ -62,7 +63,7 @@ impl TargetSurface {
 }
 
 /// Whether the tool is behind the surface in a posture, within the extent of the surface.
-pub(super) fn is_tool_behind(task: &Task, kinematics: &Kinematics<'_>, tool: &ToolMount) -> bool {
+pub(super) fn is_tool_behind(task: &Task, kinematics: &Kinematics<'_>, tool: &PlacedTool) -> bool {
     let root_from_tool = kinematics.world_from_link(tool.tip) * tool.tip_from_tool;
     let surface_from_root = task.surface.world_from_surface.inverse() * tool.world_from_root;
     let surface_from_tool = surface_from_root * root_from_tool;
@@ -74,7 +75,7 @@ pub(super) fn is_tool_behind(task: &Task, kinematics: &Kinematics<'_>, tool: &To
 }
 
 /// Where and how the robot holds the tool.
-pub(super) struct ToolMount {
+pub(super) struct PlacedTool {
     pub world_from_root: Pose,
     pub tip: LinkId,
     pub tip_from_tool: Pose,
@@ -95,7 +96,7 @@ pub(super) fn hand_below(
     plan: &Plan,
     robot: &RobotModel,
     kinematics: &Kinematics<'_>,
-    tool: &ToolMount,
+    tool: &PlacedTool,
 ) -> Option<HandBelow> {
     let tool_from_root = (kinematics.world_from_link(tool.tip) * tool.tip_from_tool).inverse();
     let hand: Vec<(LinkId, Vec<Point3>)> = hand_links(robot, tool.tip)
@@ -159,15 +160,5 @@ fn hand_links(robot: &RobotModel, tip: LinkId) -> Vec<LinkId> {
         }
         first = joint.parent;
     }
-    let mut is_held = vec![false; robot.links().len()];
-    is_held[first.index()] = true;
-    let mut links = vec![first];
-    // A parent comes before its children.
-    for joint in robot.joints() {
-        if is_held[joint.parent.index()] {
-            is_held[joint.child.index()] = true;
-            links.push(joint.child);
-        }
-    }
-    links
+    carried_links(robot, first)
 }

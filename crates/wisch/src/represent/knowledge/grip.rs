@@ -10,6 +10,29 @@ pub struct Grip {
     pub tool_from_hand: Pose,
 }
 
+/// How the link at the end of an arm holds a tool.
+///
+/// The *hand* is a frame on that link's z axis, at the outermost point of the shapes of the link and of all links that it
+/// carries, such as a gripper; its axes are those of the link.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Mount {
+    /// The middle of the tool's upper face lies square on the flange: the tool's z axis points against the link's.
+    Flange {
+        /// Rotation of the tool about its own z axis \[rad\]; at 0 its x axis is the link's.
+        yaw: f64,
+        /// Distance of the tool's upper face from the link's origin, along the link's z axis \[m\]; `None` is the hand.
+        distance: Option<f64>,
+    },
+    /// The hand holds the rear edge of the tool's upper face and leans back, as the hand of a humanoid, which is as thick as
+    /// the tool is wide.
+    Hand {
+        /// Angle between the hand's z axis and the tool's, against the tool's motion \[rad\].
+        lean: f64,
+    },
+    /// The hand is at a grip of the tool.
+    Grip(Grip),
+}
+
 /// A bar of a tool for a second hand, which may turn freely about it and lean on it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SecondGrip {

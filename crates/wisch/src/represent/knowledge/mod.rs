@@ -11,7 +11,7 @@ use std::fmt;
 use std::str::FromStr;
 
 pub use crate::source_location::{Place, UnknownName};
-pub use grip::{Grip, SecondGrip};
+pub use grip::{Grip, Mount, SecondGrip};
 pub use likelihood::{LogNormal, LogNormalSpread, Redraw};
 
 use crate::geometry::Vector3;
