@@ -340,6 +340,19 @@ fn a_goal_inside_an_obstacle_is_refused_with_its_place() {
 }
 
 #[test]
+fn a_goal_beside_the_surface_is_refused_without_a_distance_to_obstacles() {
+    let obstacle = cuboid([0.05, 0.05, 0.1], [0.1, -0.05, 0.05]);
+    for scene in [vec![], vec![obstacle]] {
+        let mut task = task(Action::Collect, BOARD, scene);
+        task.collect_goal = Some(Point2::new(1.0, 0.0));
+        let error = plan(&task, &config(CoverageStrategy::Grid)).unwrap_err();
+        assert!(matches!(error, PlanError::GoalOffSurface { .. }));
+        let shown = error.to_string();
+        assert!(shown.contains("(1.000, 0.000) m is off the surface"), "{shown}");
+    }
+}
+
+#[test]
 fn a_goal_nobody_gave_is_chosen_by_its_effect() {
     let mut task = task(Action::Collect, BOARD, vec![]);
     task.collect_goal = None;

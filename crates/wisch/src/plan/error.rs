@@ -30,9 +30,21 @@ pub enum PlanError {
         /// What the user can do.
         advice: &'static str,
     },
-    /// The goal node that the task gives is not free.
+    /// The goal node that the task gives is off the surface.
     #[error(
-        "goal node ({x:.3}, {y:.3}) m on surface \"{surface}\" is off the surface or too near an obstacle: the distance is {distance:.3} m, the tool needs {radius:.3} m"
+        "goal node ({x:.3}, {y:.3}) m is off the surface \"{surface}\"; choose a goal on the surface"
+    )]
+    GoalOffSurface {
+        /// Name of the surface.
+        surface: String,
+        /// x of the goal node in the surface frame \[m\].
+        x: f64,
+        /// y of the goal node in the surface frame \[m\].
+        y: f64,
+    },
+    /// The goal node that the task gives is too near an obstacle.
+    #[error(
+        "goal node ({x:.3}, {y:.3}) m on surface \"{surface}\" is {distance:.3} m from an obstacle, but the tool needs {radius:.3} m; choose another goal, a smaller tool, or move the obstacle"
     )]
     GoalNotFree {
         /// Name of the surface.

@@ -286,9 +286,14 @@ fn collect(
     mut nodes: Vec<Point2>,
     goal: Point2,
 ) -> Result<Plan, PlanError> {
-    if !space.is_free(goal) {
+    let surface = task.surface.name.clone();
+    if !task.surface.outline.contains(goal) {
+        let (x, y) = (goal.x, goal.y);
+        return Err(PlanError::GoalOffSurface { surface, x, y });
+    }
+    if !space.is_clear(goal) {
         return Err(PlanError::GoalNotFree {
-            surface: task.surface.name.clone(),
+            surface,
             x: goal.x,
             y: goal.y,
             distance: space.distance(goal),
