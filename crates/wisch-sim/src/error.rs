@@ -21,14 +21,14 @@ pub enum SimulationError {
         robot: String,
     },
     /// The tool has no underside.
-    #[error("the tool's footprint has no area; it needs one that can touch the surface")]
+    #[error("the tool's footprint has no area; expected an underside that can touch the surface")]
     NoFootprint,
     /// The surface has no area.
-    #[error("the surface's outline has no area; it needs one that the tool can touch")]
+    #[error("the surface's outline has no area; expected an area that the tool can touch")]
     NoSurface,
     /// The mass matrix is singular: some joint moves too little mass for a torque to be defined.
     #[error(
-        "at {time:.3} s the mass matrix of the robot is not positive definite: some joint moves a link without mass or inertia"
+        "at {time:.3} s the mass matrix of the robot is not positive definite: some joint moves a link without mass or inertia; `wisch robot check` names it"
     )]
     NoInertia {
         /// Simulated time of the failure \[s\].
@@ -36,7 +36,7 @@ pub enum SimulationError {
     },
     /// The simulation has diverged.
     #[error(
-        "at {time:.3} s joint {joint:?} of the simulated robot moves at {velocity} rad/s or m/s, over the limit of {limit}: the simulation diverged"
+        "the simulation diverged: at {time:.3} s joint {joint:?} moves at {velocity} {unit}/s, more than the limit of {limit} {unit}/s"
     )]
     Diverged {
         /// Simulated time of the failure \[s\].
@@ -47,5 +47,7 @@ pub enum SimulationError {
         velocity: f64,
         /// The limit that it exceeds [rad/s or m/s].
         limit: f64,
+        /// "rad", or "m" for a prismatic joint.
+        unit: &'static str,
     },
 }

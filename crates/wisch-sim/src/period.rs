@@ -363,11 +363,13 @@ impl<'a> Simulation<'a> {
                 || !self.actual_q[i].is_finite()
             {
                 let variable = self.controller.articulation().variables()[i];
+                let joint = self.cell.robot().variable(variable);
                 return Err(SimulationError::Diverged {
                     time: self.time,
-                    joint: self.cell.robot().variable(variable).name.clone(),
+                    joint: joint.name.clone(),
                     velocity,
                     limit: MAX_VELOCITY,
+                    unit: joint.kind.unit(),
                 });
             }
         }

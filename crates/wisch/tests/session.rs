@@ -658,7 +658,8 @@ fn a_motion_that_begins_elsewhere_is_not_executed() {
     for (off, expected) in [
         (
             2.88,
-            "is 2.880 rad from the start of the motion, more than the limit of 0.05 rad",
+            "is 2.880 rad from the start of the motion, more than the limit of 0.05 rad (execution.start_rad), so the motion \
+             is not executed; move the joint to ",
         ),
         (-0.051, "is 0.051 rad from the start"),
         (0.049, "it was executed"),

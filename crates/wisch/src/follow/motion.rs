@@ -142,12 +142,14 @@ pub enum Obstruction {
         rotation_error: f64,
     },
     /// A joint has reached its limit.
-    #[error("joint {joint:?} is at its limit of {} to {}", limits.lower, limits.upper)]
+    #[error("joint {joint:?} is at its limit of {} to {} {unit}", limits.lower, limits.upper)]
     JointLimit {
         /// Name of the joint.
         joint: String,
         /// Range of the joint [rad or m].
         limits: Range,
+        /// "rad", or "m" for a prismatic joint.
+        unit: &'static str,
     },
     /// Two parts of the robot come too close to each other.
     #[error("{a:?} comes within {distance:.4} m of {b:?}")]
@@ -178,12 +180,14 @@ pub enum Obstruction {
         rotation_error: f64,
     },
     /// The next pose on the line needs a jump of the joints.
-    #[error("joint {joint:?} would jump by {step:.3} rad or m between two poses of the line")]
+    #[error("joint {joint:?} would jump by {step:.3} {unit} between two poses of the line")]
     Jump {
         /// The joint that moves most.
         joint: String,
         /// Step of the joint [rad or m].
         step: f64,
+        /// "rad", or "m" for a prismatic joint.
+        unit: &'static str,
     },
 }
 

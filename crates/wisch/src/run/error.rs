@@ -71,7 +71,7 @@ pub enum RunError {
     },
     /// The robot is not where its motion begins.
     #[error(
-        "round {round}: joint {joint:?} is {distance:.3} {unit} from the start of the motion, more than the limit of {limit} {unit} (start_rad): the motion is not executed"
+        "round {round}: joint {joint:?} is {distance:.3} {unit} from the start of the motion, more than the limit of {limit} {unit} (execution.start_rad), so the motion is not executed; move the joint to {start:.3} {unit}"
     )]
     Start {
         /// The round, from 1.
@@ -82,7 +82,9 @@ pub enum RunError {
         distance: f64,
         /// The limit [rad or m].
         limit: f64,
-        /// "rad" or "m".
+        /// Its position at the start of the motion [rad or m].
+        start: f64,
+        /// "rad", or "m" for a prismatic joint.
         unit: &'static str,
     },
     /// The position at which the robot was stopped is unknown.

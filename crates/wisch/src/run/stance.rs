@@ -55,6 +55,7 @@ pub(super) fn check_start(
                 joint: joint.name.clone(),
                 distance,
                 limit,
+                start: start.q[i],
                 unit: joint.kind.unit(),
             })
         }

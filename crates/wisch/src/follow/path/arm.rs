@@ -463,6 +463,7 @@ impl<'a> Arm<'a> {
             Some(Obstruction::JointLimit {
                 joint: joint.name.clone(),
                 limits,
+                unit: joint.kind.unit(),
             })
         })
     }
@@ -607,9 +608,11 @@ impl<'a> Arm<'a> {
             .max_by(|a, b| a.1.total_cmp(&b.1))
             .unwrap_or_default();
         let variable = self.cell.arm_variables()[widest];
+        let joint = self.cell.robot().variable(variable);
         Obstruction::Jump {
-            joint: self.cell.robot().variable(variable).name.clone(),
+            joint: joint.name.clone(),
             step,
+            unit: joint.kind.unit(),
         }
     }
 
