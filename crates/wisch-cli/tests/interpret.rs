@@ -404,12 +404,12 @@ fn wrong_inputs_are_told_with_what_to_do() {
         (
             "column.csv",
             &[],
-            &["unknown column \"fz\"", "nearest: ", "--csv-columns"],
+            &["unknown column \"fz\"; known: ", "--csv-columns"],
         ),
         (
             "column.csv",
             &["--csv-columns", "force=force_z"],
-            &["unknown column \"force\"", "nearest: "],
+            &["unknown column \"force\"; known: "],
         ),
         (
             "short.csv",

@@ -39,7 +39,7 @@ WRONG = [
     ({"time_s": "now"}, "time_s: expected a number, found str"),
     ({"positions": np.zeros(6)}, "at 2 s positions has 6 numbers, but the robot has 7 joints"),
     ({"velocities": [0.0] * 8}, "at 2 s velocities has 8 numbers, but the robot has 7 joints"),
-    ({"positions": {"joint_1": 0.0, "elbow": 1.0}}, 'positions: unknown joint "elbow"; nearest: '),
+    ({"positions": {"joint_1": 0.0, "elbow": 1.0}}, 'positions: unknown joint "elbow"; known: '),
     ({"positions": {"joint_1": 0.0}}, 'positions: joint "joint_2" is missing'),
     ({"world_from_tool": [0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 2.0]}, "at 2 s a quaternion has norm 2"),
     ({"world_from_tool": [0.0, 0.0, 1.0]}, "at 2 s world_from_tool has 3 numbers, not 7"),

@@ -67,7 +67,20 @@ pub fn visible(text: &str) -> Cow<'_, str> {
     Cow::Owned(shown)
 }
 
-/// An unknown name, with the nearest known ones.
+/// An unknown name, with the known ones.
+///
+/// The message suggests the nearest known name only if the two are alike: `fx` does not suggest `qx`.
+///
+/// ```
+/// use wisch_robot::source_location::UnknownName;
+/// let unknown = UnknownName::new("tool", "spunge", ["sponge", "brush"]);
+/// assert_eq!(
+///     unknown.to_string(),
+///     r#"unknown tool "spunge"; nearest: sponge; known: sponge, brush"#
+/// );
+/// let unknown = UnknownName::new("column", "fx", ["qx", "qy"]);
+/// assert_eq!(unknown.to_string(), r#"unknown column "fx"; known: qx, qy"#);
+/// ```
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 #[error("unknown {kind} {name:?}{}", self.known_names())]
 pub struct UnknownName {
@@ -81,9 +94,13 @@ pub struct UnknownName {
 
 /// Number of known names that a message lists.
 const NAMES_SHOWN: usize = 12;
+/// Length over edit distance from which on two names are alike [1].
+const LENGTH_PER_EDIT: usize = 3;
+/// Shortest name that is alike to a longer one that contains it [characters].
+const MIN_CONTAINED: usize = 3;
 
 impl UnknownName {
-    /// Sorts the known names by their edit distance to the given one, then alphabetically.
+    /// Sorts the known names by their edit distance to the given one (with swaps of neighbours), then alphabetically.
     pub fn new<'a>(
         kind: &'static str,
         name: &str,
@@ -91,7 +108,7 @@ impl UnknownName {
     ) -> Self {
         let mut known: Vec<(usize, &str)> = known
             .into_iter()
-            .map(|candidate| (strsim::levenshtein(name, candidate), candidate))
+            .map(|candidate| (strsim::osa_distance(name, candidate), candidate))
             .collect();
         known.sort_unstable();
         Self {
@@ -101,17 +118,22 @@ impl UnknownName {
         }
     }
 
-    /// The known name nearest to the given one; `None` if no name of the kind is known.
+    /// The known name nearest to the given one; `None` if no known name is like it.
+    ///
+    /// Two names are alike if at most a third of the longer one differs, or if one contains the other.
     pub fn nearest(&self) -> Option<&str> {
-        self.known.first().map(String::as_str)
+        let nearest = self.known.first()?;
+        are_alike(&self.name, nearest).then_some(nearest)
     }
 
     fn known_names(&self) -> String {
-        let Some(nearest) = self.nearest() else {
+        if self.known.is_empty() {
             return format!("; no {} is known", self.kind);
-        };
-        let mut message = format!("; nearest: {nearest}");
-        if self.known.len() > 1 {
+        }
+        let nearest = self.nearest();
+        let mut message =
+            nearest.map_or_else(String::new, |nearest| format!("; nearest: {nearest}"));
+        if self.known.len() > 1 || nearest.is_none() {
             message += "; known: ";
             message += &self.known[..self.known.len().min(NAMES_SHOWN)].join(", ");
         }
@@ -119,5 +141,36 @@ impl UnknownName {
             message += &format!(" and {} more", self.known.len() - NAMES_SHOWN);
         }
         message
+    }
+}
+
+/// Whether one of two names is probably meant by the other.
+fn are_alike(a: &str, b: &str) -> bool {
+    let [shorter, longer] = match [a.chars().count(), b.chars().count()] {
+        [of_a, of_b] if of_a <= of_b => [of_a, of_b],
+        [of_a, of_b] => [of_b, of_a],
+    };
+    let contains = shorter >= MIN_CONTAINED && (a.contains(b) || b.contains(a));
+    contains || LENGTH_PER_EDIT * strsim::osa_distance(a, b) <= longer
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn only_a_like_name_is_suggested() {
+        for (name, known, nearest) in [
+            ("tabel", "table", Some("table")),
+            ("positon_m", "position_m", Some("position_m")),
+            ("broomstick", "broom", Some("broom")),
+            ("tpc", "tcp", Some("tcp")),
+            ("fx", "qx", None),
+            ("fx", "x", None),
+            ("manipulator", "arm", None),
+        ] {
+            let unknown = UnknownName::new("name", name, [known]);
+            assert_eq!(unknown.nearest(), nearest, "{name}");
+        }
     }
 }

@@ -263,7 +263,7 @@ fn names_poses_and_arrays_that_are_wrong_are_refused() {
     let faults = [
         (
             model.allow("a", "cc"),
-            "unknown link, body or obstacle \"cc\"; nearest: c",
+            "unknown link, body or obstacle \"cc\"; known: c",
         ),
         (
             model.add_obstacle("a", Pose::identity(), &mesh),

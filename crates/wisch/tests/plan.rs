@@ -348,7 +348,10 @@ fn a_goal_beside_the_surface_is_refused_without_a_distance_to_obstacles() {
         let error = plan(&task, &config(CoverageStrategy::Grid)).unwrap_err();
         assert!(matches!(error, PlanError::GoalOffSurface { .. }));
         let shown = error.to_string();
-        assert!(shown.contains("(1.000, 0.000) m is off the surface"), "{shown}");
+        assert!(
+            shown.contains("(1.000, 0.000) m is off the surface"),
+            "{shown}"
+        );
     }
 }
 

@@ -239,7 +239,7 @@ pub fn cases() -> Vec<Case> {
             "a map of no group",
             "--group",
             "leg",
-            &["arm6: unknown group \"leg\"", "nearest: arm"],
+            &["arm6: unknown group \"leg\"", "known: arm"],
         ),
         map(
             "a map over a task",

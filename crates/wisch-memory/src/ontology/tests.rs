@@ -177,7 +177,7 @@ fn names_and_iris_lead_to_each_other() {
         assert_eq!(ontology.compact(&iri).as_deref(), Some(name));
     }
     assert_eq!(ontology.compact("http://example.org/x"), None);
-    let unknown = ontology.expand("semka:x").unwrap_err();
+    let unknown = ontology.expand("semko:x").unwrap_err();
     assert_eq!((unknown.kind, unknown.nearest()), ("prefix", Some("semco")));
 }
 

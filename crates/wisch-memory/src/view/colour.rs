@@ -71,8 +71,11 @@ impl Colour {
             return Ok(Self([red, green, blue]));
         }
         let nearest = UnknownName::new("color", &name, NAMED.iter().map(|(known, _)| *known));
-        let nearest = nearest.nearest().unwrap_or("red");
-        Err(Self::none(term, &format!("; did you mean {nearest}?")))
+        let hint = match nearest.nearest() {
+            Some(nearest) => format!("; did you mean {nearest}?"),
+            None => "; expected a name such as red, or a code such as '#ff0000'".to_owned(),
+        };
+        Err(Self::none(term, &hint))
     }
 
     fn none(term: &Term, hint: &str) -> ViewError {

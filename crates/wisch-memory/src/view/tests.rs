@@ -127,8 +127,12 @@ fn what_cannot_be_shown_is_named() {
             "interval(1, 2, dt(0)) is not a time, interval(Start, End) or interval(Start, End, dt(Seconds))",
         ),
         (
-            "show(a,1,readish)",
-            "readish is not a color; did you mean red?",
+            "show(a,1,redish)",
+            "redish is not a color; did you mean red?",
+        ),
+        (
+            "show(a,1,warm)",
+            "warm is not a color; expected a name such as red, or a code such as '#ff0000'",
         ),
         (
             "highlight(a,[2,0,0])",

@@ -166,7 +166,7 @@ fn a_fault_of_a_domain_is_reported_with_its_place() {
         (
             "block - object",
             "block - stone",
-            r#"domain.pddl:3:19: unknown type "stone"; nearest: "#,
+            r#"domain.pddl:3:19: unknown type "stone"; known: "#,
         ),
         (
             "block - object",
@@ -191,7 +191,7 @@ fn a_fault_of_a_domain_is_reported_with_its_place() {
         (
             "(free ?x) (on ?x ?y)",
             "(free ?z) (on ?x ?y)",
-            r#"domain.pddl:12:24: unknown parameter "?z"; nearest: ?x"#,
+            r#"domain.pddl:12:24: unknown parameter "?z"; known: ?x"#,
         ),
         (
             "(free ?x) (on ?x ?y)",
@@ -201,7 +201,7 @@ fn a_fault_of_a_domain_is_reported_with_its_place() {
         (
             "(free ?x) (on ?x ?y)",
             "(free ?x) (an ?x ?y)",
-            r#"domain.pddl:12:34: unknown predicate "an"; nearest: on"#,
+            r#"domain.pddl:12:34: unknown predicate "an"; known: on"#,
         ),
         (
             "(free ?x) (on ?x ?y)",
@@ -306,7 +306,7 @@ fn facts_that_do_not_fit_the_domain_are_reported() {
         (
             "(free a)",
             "(free d)",
-            r#"unknown object "d"; nearest: a; known: a, b, c, spare"#,
+            r#"unknown object "d"; known: a, b, c, spare"#,
         ),
         (
             "(free a)",
