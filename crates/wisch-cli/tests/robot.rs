@@ -66,6 +66,26 @@ fn packages_are_resolved_where_they_are_named() {
 }
 
 #[test]
+fn an_unknown_package_is_one_line_and_each_mesh_a_finding() {
+    let mesh = |name: &str| {
+        format!(
+            "<collision><geometry><mesh filename=\"package://rods/{name}.stl\"/></geometry></collision>"
+        )
+    };
+    let text = ARM.replace(&mesh("rod"), &(mesh("rod") + "\n" + &mesh("end")));
+    let folder = folder_with(&text);
+    let (code, out, _) = check(folder.path(), &["arm.urdf"]);
+    assert_eq!(code, 2);
+    assert_eq!(out.matches("add --package rods=DIR").count(), 1, "{out}");
+    assert!(out.contains("link \"rod\": 2 meshes: "), "{out}");
+    let both = "(meshes \"package://rods/rod.stl\", \"package://rods/end.stl\")";
+    assert!(out.contains(both), "{out}");
+    let (_, out, _) = check(folder.path(), &["arm.urdf", "--json"]);
+    let record: Value = serde_json::from_str(&out).expect("one JSON object");
+    assert_eq!(record["findings"].as_array().map(Vec::len), Some(2));
+}
+
+#[test]
 fn warnings_are_told_by_the_exit_code_and_in_json() {
     let text = ARM.replace("velocity=\"1\"", "velocity=\"0\"").replace(
         "<mesh filename=\"package://rods/rod.stl\"/>",

@@ -1,5 +1,8 @@
 //! `wisch robot check`: finds missing or inconsistent data in a robot's URDF and SRDF.
 
+mod findings;
+
+use self::findings::FindingGroup;
 use super::words::counted;
 use crate::args::{GlobalArgs, RobotCheckArgs};
 use crate::failure::Failure;
@@ -215,10 +218,8 @@ fn report(
         }
         (None, _) => {}
     }
-    for severity in [Severity::Error, Severity::Warning, Severity::Note] {
-        for finding in findings.iter().filter(|f| f.severity == severity) {
-            text += &format!("  {:<8} {finding}\n", severity.as_str());
-        }
+    for group in FindingGroup::all(findings) {
+        text += &format!("  {:<8} {group}\n", group.severity().as_str());
     }
     if findings.is_empty() {
         text += "  no findings\n";
