@@ -120,6 +120,20 @@ fn the_doubts_of_a_log_are_kept_and_what_cannot_be_told_is_no_failure() {
 }
 
 #[test]
+fn a_log_whose_times_begin_at_0_has_no_date() {
+    let folder = folder(believed());
+    let folder = folder.path();
+    let args = ["memory", "import", "log.mcap", "--task", "task.toml"];
+    let (code, _, err) = wisch(folder, &args);
+    assert_eq!(code, 0, "{err}");
+    let remark = "log.mcap: its times begin at 0 s, which is no date";
+    assert!(err.contains(remark) && err.contains("--start-s"), "{err}");
+    let (_, listed, _) = wisch(folder, &["memory", "list"]);
+    assert!(listed.contains("date unknown"), "{listed}");
+    assert!(!listed.contains("1970-01-01 "), "{listed}");
+}
+
+#[test]
 fn a_log_its_interpretation_and_its_episode_have_a_page() {
     let folder = folder(believed());
     let folder = folder.path();

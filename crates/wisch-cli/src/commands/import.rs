@@ -2,6 +2,7 @@
 
 use super::PROGRAM;
 use super::interpret::{Interpreted, interpret_log, task_args};
+use super::memory::is_date;
 use super::prepare::Prepared;
 use super::words::{counted, json, percent};
 use crate::args::{GlobalArgs, ImportArgs};
@@ -65,6 +66,14 @@ pub fn import(args: &ImportArgs, global: &GlobalArgs) -> Result<Outcome, Failure
     for what in read.log.remarks.iter().chain(doubts) {
         remark(what);
     }
+    let start = start_of(args, &interpreted.log);
+    if !is_date(start) {
+        remark(&format!(
+            "{}: its times begin at {start} s, which is no date, so the date of the episode is unknown; forget the episode, \
+             then import the log with --start-s SECONDS (since 1970, UTC)",
+            source.log.display()
+        ));
+    }
     say(&record, args, global, |place| {
         let verdict = verdict_of(&record);
         let mean = interpreted.interpretation.performance.mean;
@@ -87,6 +96,11 @@ fn duration_of(log: &Log) -> f64 {
     log.samples.last().map_or(0.0, |sample| sample.time)
 }
 
+/// Returns the time at which a log starts, as the options or the log state it [s since 1970].
+fn start_of(args: &ImportArgs, log: &Log) -> f64 {
+    (args.start_s).unwrap_or(log.start as f64 / NANOSECONDS_PER_SECOND)
+}
+
 /// Stores the log and its interpretation in the memory, as one episode.
 fn keep(
     args: &ImportArgs,
@@ -96,7 +110,7 @@ fn keep(
     interpreted: &Interpreted,
 ) -> Result<EpisodeRecord, Failure> {
     let log = &interpreted.log;
-    let start = (args.start_s).unwrap_or(log.start as f64 / NANOSECONDS_PER_SECOND);
+    let start = start_of(args, log);
     // The name is derived from the log, so that two simultaneous imports of a log collide.
     let writer = begin_episode(memory, start, digest.hash as u16).map_err(cannot_keep)?;
     let believed = prepared.task.surface.world_from_surface;

@@ -129,13 +129,30 @@ fn table(listed: &[Listed<'_>]) -> String {
     for one in listed {
         let performance = one.performance.map_or_else(|| "–".to_owned(), percent);
         let duration = format!("{:.1} s", one.duration_s);
-        let (goal, began) = (one.goal, local_date_and_time(one.start_s));
+        let (goal, began) = (one.goal, date_if_known(one.start_s));
         text += &format!(
             "{:<id$}  {:<task$}  {began:<26}  {duration:>8}  {:>6}  {performance:>11}  {goal:<14}  {:>10}\n",
             one.id, one.task, one.rounds, one.human_collisions
         );
     }
     text + &format!("{}\n", counted(listed.len(), "episode"))
+}
+
+/// Earliest start of an episode that counts as a date [s since 1970]: the year 1990. Logs of simulators often count from 0.
+const EARLIEST_DATE_S: f64 = 6.3e8;
+
+/// Whether a time [s since 1970] is a date, and not a count from the start of a log.
+pub(super) fn is_date(time: f64) -> bool {
+    time >= EARLIEST_DATE_S
+}
+
+/// Formats a time [s since 1970] as a local date and time, if it is one.
+fn date_if_known(time: f64) -> String {
+    if is_date(time) {
+        local_date_and_time(time)
+    } else {
+        "date unknown".to_owned()
+    }
 }
 
 /// Shows an episode.
@@ -158,7 +175,7 @@ fn in_words(record: &EpisodeRecord, files: &[String]) -> String {
         "{}: {}, {}, {:.1} s, by {}\n",
         record.id,
         record.task,
-        local_date_and_time(start),
+        date_if_known(start),
         end - start,
         record.program
     );
@@ -280,4 +297,17 @@ pub(super) fn broken(error: MemoryError) -> Failure {
         _ => "wisch memory verify lists damaged files, wisch memory forget ID removes an episode",
     };
     Failure::new(error).with_help(help)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_time_that_is_counted_from_0_is_no_date() {
+        for time in [0.0, 12.5, 1e5] {
+            assert_eq!(date_if_known(time), "date unknown");
+        }
+        assert!(date_if_known(1_795_309_772.0).starts_with("2026-11-2"));
+    }
 }
