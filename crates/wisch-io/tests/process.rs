@@ -147,8 +147,14 @@ fn a_child_that_goes_wrong_ends_in_an_error_that_says_how() {
     let joints = format!("positions has 1 numbers, but the robot has {dof} joints");
     let cases = [
         ("time.sleep(60)", "no message for 0.7 s"),
-        ("print('hullo', flush=True)", "\"hullo\""),
-        ("say(hullo=1)", "unknown variant `hullo`"),
+        (
+            "print('hullo', flush=True)",
+            "its line \"hullo\" is not JSON from column 1 on (expected value); expected one message per line, such as",
+        ),
+        (
+            "say(hullo=1)",
+            "its line \"{\"hullo\": 1}\" is no message of the protocol: unknown variant `hullo`",
+        ),
         (
             "say(ready={'version': 1})",
             "expected a sample, found \"ready\"",
@@ -174,7 +180,7 @@ fn a_child_that_goes_wrong_ends_in_an_error_that_says_how() {
         ),
         (
             "sample(0); sys.exit(3)",
-            "it ended before its motion was done (exit status: 3)",
+            "it ended while wisch waited for a message (exit status: 3)",
         ),
         (
             "print('x' * (1 << 20) + 'y', flush=True)",
@@ -188,7 +194,7 @@ fn a_child_that_goes_wrong_ends_in_an_error_that_says_how() {
         ("say(error='hot \\x1b[31m\\nred')", "hot \\u{1b}[31m\\nred"),
         (
             "print('\\x1b]0;title\\x07', flush=True)",
-            "in \"\\u{1b}]0;title\\u{7}\"",
+            "its line \"\\u{1b}]0;title\\u{7}\" is not JSON",
         ),
         (
             "sample(0, force_n=[1e308, 0, 0])",
@@ -267,7 +273,7 @@ fn a_child_that_does_not_greet_is_refused() {
             "print('{\"ready\": {\"version\": 7}}')",
             "it uses protocol version 7; expected 1",
         ),
-        ("pass", "it ended before its motion was done"),
+        ("pass", "it ended while wisch waited for a message"),
         ("print('null')", "null"),
         (
             "print('{\"observation\": null}')",

@@ -289,7 +289,7 @@ def test_an_executor_that_is_served_to_the_program_does_the_same(program, tmp_pa
         ("up[0] = float('nan')", "force_n of a sample holds [nan"),
         ("motion.joints[0] = 'elbow'", "positions: joint 'joint_1' is missing"),
         ("return", "is reported complete, but the last sample is at 1.99 s"),
-        ("sys.exit(3)", "it ended before its motion was done"),
+        ("sys.exit(3)", "it ended while wisch waited for a message"),
     ],
 )
 def test_a_served_executor_that_goes_wrong_ends_the_run_and_keeps_the_episode(program, tmp_path, then, message):

@@ -148,8 +148,8 @@ impl ChildGroup {
 
     fn end_in_words(&self) -> String {
         match self.ended {
-            Some(status) => format!("it ended before its motion was done ({status})"),
-            None => "it closed its standard output before its motion was done".to_owned(),
+            Some(status) => format!("it ended while wisch waited for a message ({status})"),
+            None => "it closed its standard output while wisch waited for a message".to_owned(),
         }
     }
 

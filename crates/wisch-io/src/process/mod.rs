@@ -168,7 +168,7 @@ impl ProcessExecutor {
             Heard::Nothing => return Ok(Err(Unheard::Silent)),
         };
         let message = serde_json::from_str(&line);
-        match message.map_err(|error| self.fault(format!("{error} in {}", shortened(&line))))? {
+        match message.map_err(|error| self.fault(line_fault(&line, &error)))? {
             FromChild::Error(problem) => Err(self.fault(problem)),
             message => Ok(Ok(message)),
         }
@@ -194,6 +194,22 @@ impl ProcessExecutor {
         }
         Ok(())
     }
+}
+
+/// Describes a line that is not a message of the protocol.
+fn line_fault(line: &str, error: &serde_json::Error) -> String {
+    let shown = shortened(line);
+    let words = error.to_string();
+    // The line number that follows counts from this line.
+    let words = words.split(" at line ").next().unwrap_or_default();
+    if error.is_data() {
+        return format!("its line {shown} is no message of the protocol: {words}");
+    }
+    format!(
+        "its line {shown} is not JSON from column {} on ({words}); expected one message per line, such as \
+         {{\"ready\": {{\"version\": {EXECUTOR_PROTOCOL}}}}}, and any other text on standard error",
+        error.column()
+    )
 }
 
 /// Progress of a motion, by the clock and by the samples.
