@@ -22,7 +22,6 @@ mod gate;
 mod kept;
 mod library;
 mod live;
-mod place;
 mod process;
 mod questions;
 mod refusal;

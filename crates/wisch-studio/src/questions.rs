@@ -1,7 +1,6 @@
 //! Queries to the memory: one engine for all clients, on a thread of its own, which stops together with the engine.
 
 use crate::library::Library;
-use crate::place::place;
 use crate::refusal::Refusal;
 use crate::shown;
 use axum::http::StatusCode;
@@ -16,7 +15,7 @@ use tokio::sync::oneshot;
 use wisch_memory::Catalogue;
 use wisch_memory::ask::{
     Answers, AskError, AskLimits, Assertions, EngineCommand, QuerySession, TelemetryPredicates,
-    Term,
+    Term, locate_fault,
 };
 use wisch_memory::view::{Surroundings, gather};
 
@@ -286,7 +285,7 @@ fn in_words(error: &AskError, query: &str) -> Value {
     let mut said = Map::new();
     said.insert("message".to_owned(), json!(error.to_string()));
     if let AskError::Fault(fault) = error
-        && let Some(place) = place(fault, query)
+        && let Some(place) = locate_fault(fault, query)
     {
         said.insert("offset".to_owned(), json!(place.offset));
         said.insert("length".to_owned(), json!(place.length));

@@ -18,7 +18,7 @@ use std::time::Duration;
 use tempfile::TempDir;
 use wisch_memory::ask::{
     Answers, AskError, AskLimits, Assertions, Predicate, QueryFault, QuerySession,
-    TelemetryPredicates, Term, builtins, predicates,
+    TelemetryPredicates, Term, builtins, locate_fault, predicates,
 };
 use wisch_memory::{Catalogue, Memory};
 
@@ -135,7 +135,10 @@ fn answer(
     global: &GlobalArgs,
 ) -> Result<Outcome, Failure> {
     let page = args.view.as_deref().map(look::begin).transpose()?;
-    let answers = asked.asker.ask(query).map_err(|error| failure(&error))?;
+    let answers = asked
+        .asker
+        .ask(query)
+        .map_err(|error| failure(&error, query))?;
     if args.json {
         print(&format!("{}\n", in_json(query, &answers)))?;
     } else if args.csv {
@@ -161,9 +164,15 @@ fn answer(
     })
 }
 
-fn failure(error: &AskError) -> Failure {
+fn failure(error: &AskError, query: &str) -> Failure {
     let failure = Failure::new(error);
     match error {
+        AskError::Fault(fault @ QueryFault::Syntax { what }) => {
+            let place = syntax_place(fault, query);
+            Failure::new(format!("the query is not valid Prolog{place} ({what})")).with_help(
+                "join goals by commas, close every bracket and quote, and begin variables with a capital letter",
+            )
+        }
         AskError::Fault(QueryFault::Unknown { kind, .. }) if kind == "predicate" => {
             failure.with_help("wisch ask --list lists the predicates that queries may call")
         }
@@ -172,6 +181,27 @@ fn failure(error: &AskError) -> Failure {
             failure.with_help("raise the memory limit with --memory-limit")
         }
         _ => failure,
+    }
+}
+
+/// Number of characters that an error shows of a faulty query.
+const QUERY_SHOWN: usize = 20;
+
+/// Returns where a query cannot be read, as a part of a sentence.
+fn syntax_place(fault: &QueryFault, query: &str) -> String {
+    let Some(place) = locate_fault(fault, query) else {
+        return String::new();
+    };
+    let line = query.lines().nth(place.line - 1).unwrap_or_default();
+    let rest = line.chars().skip(place.column - 1);
+    let shown: String = rest.take(QUERY_SHOWN).collect();
+    let column = match query.trim_end().contains('\n') {
+        true => format!("line {}, column {}", place.line, place.column),
+        false => format!("column {}", place.column),
+    };
+    match shown.trim_end() {
+        "" => format!(" at its end, {column}"),
+        shown => format!(" from {column} on, at {shown:?}"),
     }
 }
 
@@ -345,4 +375,27 @@ fn listing(predicates: &[Predicate]) -> String {
     });
     let own = lines.collect::<String>();
     own + &format!("  Prolog built-ins\n      {}\n", builtins().join(" "))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_query_that_is_no_prolog_is_refused_with_the_place() {
+        let what = "incomplete reduction".to_owned();
+        let error = AskError::Fault(QueryFault::Syntax { what });
+        for (query, place) in [
+            ("low_performance(A P)", "from column 19 on, at \"P)\""),
+            (
+                "true,\n foo(A,, B)",
+                "from line 2, column 8 on, at \", B)\"",
+            ),
+            ("foo(A), ", "at its end, column 8"),
+        ] {
+            let shown = failure(&error, query).to_string();
+            let expected = format!("the query is not valid Prolog {place} (incomplete reduction)");
+            assert!(shown.contains(&expected), "{shown}");
+        }
+    }
 }

@@ -45,7 +45,7 @@ pub enum QueryFault {
         what: String,
     },
     /// The query is not valid Prolog.
-    #[error("the query is not valid Prolog: {what}")]
+    #[error("the query is not valid Prolog ({what})")]
     Syntax {
         /// Description by the engine.
         what: String,

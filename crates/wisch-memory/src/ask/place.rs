@@ -2,8 +2,8 @@
 
 mod tokens;
 
+use super::error::QueryFault;
 use tokens::{Token, TokenKind, tokens};
-use wisch_memory::ask::QueryFault;
 
 /// A part of a query's text.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -18,8 +18,16 @@ pub struct ErrorPlace {
     pub column: usize,
 }
 
-/// Returns the position of a fault, if it can be determined.
-pub fn place(fault: &QueryFault, query: &str) -> Option<ErrorPlace> {
+/// Returns the position of a fault in the text of its query, if it can be determined.
+///
+/// ```
+/// use wisch_memory::ask::{QueryFault, locate_fault};
+///
+/// let fault = QueryFault::Syntax { what: "operator expected".to_owned() };
+/// let place = locate_fault(&fault, "low_performance(A P)").expect("a place");
+/// assert_eq!((place.line, place.column), (1, 19));
+/// ```
+pub fn locate_fault(fault: &QueryFault, query: &str) -> Option<ErrorPlace> {
     let tokens = tokens(query);
     let (start, end) = match fault {
         QueryFault::Unknown { kind, name, .. } if kind == "predicate" => {
@@ -199,7 +207,7 @@ mod tests {
     use super::*;
 
     fn part(fault: &QueryFault, query: &str) -> Option<String> {
-        let place = place(fault, query)?;
+        let place = locate_fault(fault, query)?;
         let units: Vec<u16> = query.encode_utf16().collect();
         let part = &units[place.offset..place.offset + place.length];
         Some(String::from_utf16_lossy(part))
@@ -220,7 +228,7 @@ mod tests {
         assert_eq!(part(&class, query).as_deref(), Some("semco:'Colision'"));
         let predicate = unknown("predicate", "occur/2");
         assert_eq!(part(&predicate, query).as_deref(), Some("occur"));
-        let place = place(&predicate, query).unwrap();
+        let place = locate_fault(&predicate, query).unwrap();
         assert_eq!((place.line, place.column), (2, 3));
         let missing = unknown("predicate", "nothing/0");
         assert_eq!(part(&missing, query), None);
@@ -229,14 +237,14 @@ mod tests {
     #[test]
     fn the_call_with_these_many_arguments_is_meant() {
         let query = "f(a), f(b, [c, d])";
-        let place = place(&unknown("predicate", "f/2"), query).unwrap();
+        let place = locate_fault(&unknown("predicate", "f/2"), query).unwrap();
         assert_eq!(place.offset, 6);
     }
 
     #[test]
     fn places_count_as_browsers_do() {
         let query = "X = '𝄞', foo(X)";
-        let place = place(&unknown("predicate", "foo/1"), query).unwrap();
+        let place = locate_fault(&unknown("predicate", "foo/1"), query).unwrap();
         assert_eq!((place.offset, place.column), (10, 10));
     }
 
