@@ -1,7 +1,7 @@
 //! `wisch memory import`: interprets a robot's log and stores it as an episode.
 
 use super::PROGRAM;
-use super::interpret::{Interpreted, interpret_log, task_args};
+use super::interpret::{Interpreted, interpret_log, task_args, verdict_in_words};
 use super::memory::is_date;
 use super::prepare::Prepared;
 use super::words::{counted, json, percent};
@@ -75,7 +75,7 @@ pub fn import(args: &ImportArgs, global: &GlobalArgs) -> Result<Outcome, Failure
         ));
     }
     say(&record, args, global, |place| {
-        let verdict = verdict_of(&record);
+        let verdict = verdict_in_words(verdict_of(&record));
         let mean = interpreted.interpretation.performance.mean;
         let estimate = match is_estimated(&record) {
             true => format!("estimated performance {} ({verdict})", percent(mean)),

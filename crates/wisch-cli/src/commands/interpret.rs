@@ -493,6 +493,17 @@ pub(super) fn summary_lines(record: &InterpretationRecord) -> Vec<(&'static str,
     lines
 }
 
+/// The verdict of records on an undecided goal.
+pub(super) const UNDECIDED: &str = "cannot be told";
+
+/// Returns a record's verdict as summaries show it.
+pub(super) fn verdict_in_words(verdict: &str) -> &str {
+    match verdict {
+        UNDECIDED => "unknown",
+        verdict => verdict,
+    }
+}
+
 fn performance_in_words(record: &InterpretationRecord) -> String {
     let [low, high, target] = [
         record.estimated_low,
@@ -502,18 +513,18 @@ fn performance_in_words(record: &InterpretationRecord) -> String {
     .map(percent);
     if !record.can_be_told {
         return format!(
-            "cannot be told: {} (between {low} and {high}, target {target})",
+            "unknown: {} (between {low} and {high}, target {target})",
             record.reason
         );
     }
     let advice = match record.verdict {
-        "cannot be told" => "; add a camera observation with --seen",
+        UNDECIDED => "; add a camera observation with --seen",
         _ => "",
     };
     format!(
         "{} estimated, {low} to {high} with 90 % probability (target {target}: {}; {}{advice})",
         percent(record.estimated),
-        record.verdict,
+        verdict_in_words(record.verdict),
         record.reason,
     )
 }
