@@ -417,6 +417,8 @@ fn check_explains_the_task() {
         "obstacles",
         "free",
         "nodes",
+        "done when  all particles lie within",
+        "% of the particles reach the goal",
         "target",
     ] {
         assert!(out.contains(word), "{word} in {out}");

@@ -183,7 +183,7 @@ fn powder_that_slides_off_a_slope_is_told_before_anything_is_wiped() {
         leaning_board(folder.path(), slope, kind);
         let (code, out, err) = wisch(folder.path(), &["check", "task.toml", "--robot", "none"]);
         assert_eq!(code, 0, "{out}{err}");
-        let holds = "exceeds the surface's friction of 0.3; assumption: chalk stays in place up to";
+        let holds = "exceeds the surface's friction of 0.3 for the tool; wisch assumes that chalk stays in place up to";
         assert!(out.contains(holds) && out.contains("is valid"), "{out}");
     }
 }

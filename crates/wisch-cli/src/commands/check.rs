@@ -10,7 +10,7 @@ use crate::progress::Progress;
 use crate::terminal::{Outcome, print};
 use wisch::geometry::{Bounds2, Mesh, Point2, Vector3};
 use wisch::plan::{FreeSpace, NodeRole, Plan, Prediction, predict};
-use wisch::represent::{GoalState, Task, dirt_friction};
+use wisch::represent::{Action, GoalState, Task, dirt_friction};
 use wisch::run::{NoExecutor, Session, Stage, check_score, ignore_events};
 
 /// Number of sample points for free space along the longer side of the surface.
@@ -41,7 +41,8 @@ pub fn check(args: &CheckArgs, global: &GlobalArgs) -> Result<Outcome, Failure> 
             can_start(&cell, &chosen, task_args, &prepared, plan)?;
             describe_stand(&cell)
         }
-        None => "none: wisch can predict the plan but not follow it".to_owned(),
+        None => "none: wisch predicts the plan but does not follow it; choose a robot with --robot"
+            .to_owned(),
     };
     progress.say("predicting");
     let prediction = predict(&prepared.task, plan, |_| ());
@@ -168,7 +169,17 @@ fn explanation(prepared: &Prepared, found: &Found<'_>, heading: &str) -> String 
     lines.push(("tool", tool(task)));
     lines.push((
         "particles",
-        format!("{} of {}", task.particles.len(), task.medium),
+        match task.action.treats() {
+            true => format!(
+                "none; {} on the surface",
+                counted(task.particles.len(), "point")
+            ),
+            false => format!(
+                "{} of {}",
+                counted(task.particles.len(), "particle"),
+                task.medium
+            ),
+        },
     ));
     lines.push(("obstacles", obstacles(free_area)));
     lines.push((
@@ -178,7 +189,7 @@ fn explanation(prepared: &Prepared, found: &Found<'_>, heading: &str) -> String 
             100.0 * free_area.free_share
         ),
     ));
-    lines.push(("goal area", destination(plan)));
+    lines.push(("done when", destination(plan)));
     lines.push((
         "plan",
         format!(
@@ -191,11 +202,16 @@ fn explanation(prepared: &Prepared, found: &Found<'_>, heading: &str) -> String 
         ),
     ));
     let performance = prediction.performance;
+    let dirt = if task.action.treats() {
+        "points"
+    } else {
+        "particles"
+    };
     let share = |count: usize| percent(count as f64 / performance.initial.max(1) as f64);
     lines.push((
         "predicted",
         format!(
-            "{} in the goal area, {} lost: score {:.2} (limit for execution: {:.2})",
+            "{} of the {dirt} reach the goal, {} are lost; score {:.2} (minimum for execution: {:.2})",
             percent(performance.ratio()),
             share(performance.lost),
             prediction.score(),
@@ -203,7 +219,18 @@ fn explanation(prepared: &Prepared, found: &Found<'_>, heading: &str) -> String 
         ),
     ));
     lines.push(("robot", robot.clone()));
-    lines.push(("target", percent(prepared.file.target_performance())));
+    let target = prepared.file.target_performance();
+    lines.push((
+        "target",
+        match target - performance.ratio() {
+            missing if missing > 0.0 => format!(
+                "{}: this plan is predicted to fall short by {:.1} points in one round",
+                percent(target),
+                100.0 * missing
+            ),
+            _ => format!("{}, which this plan is predicted to reach", percent(target)),
+        },
+    ));
     let mut text = format!("{}: {heading}\n", task.name);
     for (name, value) in lines {
         text += &format!("  {name:<10} {value}\n");
@@ -213,9 +240,15 @@ fn explanation(prepared: &Prepared, found: &Found<'_>, heading: &str) -> String 
 
 fn action(prepared: &Prepared) -> String {
     let task = &prepared.task;
+    let (surface, tool, medium) = (&task.surface.name, &task.tool.name, &task.medium);
     format!(
-        "{} {} from {} with {} (seed {})",
-        task.action, task.medium, task.surface.name, task.tool.name, prepared.config.seed
+        "{} (seed {})",
+        match task.action {
+            Action::Polish => format!("polish {surface} with {tool} and {medium}"),
+            Action::Emit => format!("coat {surface} with {medium} from {tool}"),
+            action => format!("{action} {medium} from {surface} with {tool}"),
+        },
+        prepared.config.seed
     )
 }
 
@@ -227,8 +260,8 @@ fn surface(task: &Task) -> String {
     let at = task.surface.world_from_surface.translation.vector;
     let edges = match task.surface.skim_edges.len() {
         0 => "no skim edge".to_owned(),
-        1 => format!("skim over edge {}", task.surface.skim_edges[0]),
-        _ => format!("skim over edges {:?}", task.surface.skim_edges),
+        1 => format!("skim edge {}", task.surface.skim_edges[0]),
+        _ => format!("skim edges {:?}", task.surface.skim_edges),
     };
     format!(
         "{}, {size}{:.3} m2, at ({:.3}, {:.3}, {:.3}) m in the world; {edges}",
@@ -258,7 +291,7 @@ fn slope(prepared: &Prepared) -> Option<String> {
         return None;
     }
     Some(format!(
-        "tan({:.1}°) = {:.2} exceeds the surface's friction of {friction}; assumption: {} stays in place up to {:.2}",
+        "tan({:.1}°) = {:.2} exceeds the surface's friction of {friction} for the tool; wisch assumes that {} stays in place up to {:.2}",
         slope.to_degrees(),
         slope.tan(),
         task.medium,
@@ -269,7 +302,7 @@ fn slope(prepared: &Prepared) -> Option<String> {
 fn tool(task: &Task) -> String {
     let tool = &task.tool;
     format!(
-        "{}, contact area {:.1} cm2 in {}; area of effect {:.3} m along and {:.3} m across the motion; r_s = {:.4} m",
+        "{}, contact area {:.1} cm2 in {}; area of effect {:.3} m along and {:.3} m across the motion; collision radius r_s = {:.4} m",
         tool.name,
         1e4 * tool.footprint.area(),
         counted(tool.footprint.polygons().len(), "piece"),
@@ -297,19 +330,22 @@ fn obstacles(free_area: &FreeArea) -> String {
 
 fn destination(plan: &Plan) -> String {
     match plan.graph.goal {
-        GoalState::Absorbed => "all particles absorbed".to_owned(),
+        GoalState::Absorbed => "all particles are absorbed".to_owned(),
         GoalState::Collected { center, radius } => format!(
-            "all particles within {radius:.4} m of ({:.3}, {:.3}) m on the surface",
+            "all particles lie within {radius:.4} m of ({:.3}, {:.3}) m on the surface",
             center.x, center.y
         ),
         GoalState::Polished { passes } => {
-            format!("every point passed {}", counted(passes as usize, "time"))
+            format!(
+                "the tool has passed every point {}",
+                counted(passes as usize, "time")
+            )
         }
         GoalState::Emitted {
             thickness,
             per_pass,
         } => format!(
-            "a coat of {:.4} mm everywhere, {:.4} mm per pass",
+            "a coat of {:.4} mm covers every point, {:.4} mm per pass",
             1e3 * thickness,
             1e3 * per_pass
         ),
@@ -317,7 +353,7 @@ fn destination(plan: &Plan) -> String {
             let goals = plan.graph.nodes.iter();
             let goals = goals.filter(|node| node.role == NodeRole::Goal).count();
             format!(
-                "all particles over a skim edge, towards {} beyond it",
+                "all particles are pushed over a skim edge ({} beyond it)",
                 counted(goals, "goal node")
             )
         }
