@@ -46,7 +46,7 @@ impl SeedUse {
             Self::Demonstration => "demonstration",
             Self::Choice => "choice of constants",
             Self::Publication => "publication",
-            Self::Mixed => "of no single use",
+            Self::Mixed => "mixed uses",
         }
     }
 }

@@ -130,7 +130,7 @@ fn every_shipped_interaction_is_reached_by_a_goal() {
 fn goals_that_cannot_be_reached_say_why() {
     assert_eq!(
         resolve_error("(collected water floor)", None, &ALL_TOOLS),
-        "no tool is known that can collect water on floor; known there: absorb with sponge"
+        "no known tool can collect water on floor; known for water on floor: absorb with sponge"
     );
     assert_eq!(
         resolve_error("(absorbed detergent table)", None, &["broom", "brush"]),
@@ -256,15 +256,15 @@ fn a_goal_that_is_no_atom_says_what_was_expected() {
         ),
         (
             "(and (collected dust table))",
-            "goal:1:1: `and` in a single goal is not supported; typed STRIPS with positive preconditions is",
+            "goal:1:1: `and` in a single goal is not supported; expected typed STRIPS with positive preconditions",
         ),
         (
             "(not (on dust table))",
-            "goal:1:1: `not` in a single goal is not supported; typed STRIPS with positive preconditions is",
+            "goal:1:1: `not` in a single goal is not supported; expected typed STRIPS with positive preconditions",
         ),
         (
             "(or (on dust table))",
-            "goal:1:1: `or` is not supported; typed STRIPS with positive preconditions is",
+            "goal:1:1: `or` is not supported; expected typed STRIPS with positive preconditions",
         ),
     ];
     for (goal, expected) in cases {

@@ -167,20 +167,14 @@ fn explanation(prepared: &Prepared, found: &Found<'_>, heading: &str) -> String 
     lines.push(("surface", surface(task)));
     lines.extend(slope(prepared).map(|text| ("slope", text)));
     lines.push(("tool", tool(task)));
-    lines.push((
-        "particles",
-        match task.action.treats() {
-            true => format!(
-                "none; {} on the surface",
-                counted(task.particles.len(), "point")
-            ),
-            false => format!(
-                "{} of {}",
-                counted(task.particles.len(), "particle"),
-                task.medium
-            ),
-        },
-    ));
+    let count = task.particles.len();
+    lines.push(match task.action.treats() {
+        true => ("points", format!("{count} on the surface")),
+        false => (
+            "dirt",
+            format!("{} of {}", counted(count, "particle"), task.medium),
+        ),
+    });
     lines.push(("obstacles", obstacles(free_area)));
     lines.push((
         "free",

@@ -321,7 +321,7 @@ fn mimics(urdf: &Urdf, report: &mut Diagnostics) {
         }
         if !seen.insert(&m.joint) {
             let w = words(
-                "it follows others by two rules",
+                "it has more than one <mimic>",
                 "one <mimic>",
                 "keep one of them",
             );
@@ -396,7 +396,7 @@ fn inertias(urdf: &Urdf, report: &mut Diagnostics) {
                 false => Severity::Warning,
             };
             let w = words(
-                "it and what is fixed to it have no mass",
+                "it has no mass, and neither have the links fixed to it",
                 "above 0 kg",
                 match holds_others {
                     true => "fine for an auxiliary link, as its children have their own",

@@ -63,7 +63,9 @@ pub enum FollowError {
         group: String,
     },
     /// The second hand is part of the leading arm.
-    #[error("{link:?} moves with the arm that leads the tool: it is no second hand")]
+    #[error(
+        "{link:?} moves with the arm that leads the tool, so it cannot be the second hand; choose a group of another arm"
+    )]
     NoSecondArm {
         /// Link of the hand.
         link: String,

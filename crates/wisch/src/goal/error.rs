@@ -31,7 +31,7 @@ pub enum GoalError {
     Knowledge(#[from] KnowledgeError),
     /// The knowledge base has no tool for the goal.
     #[error(
-        "no tool is known that can {action} {medium} on {surface}; known there: {}",
+        "no known tool can {action} {medium} on {surface}; known for {medium} on {surface}: {}",
         list(known)
     )]
     NoCapableTool {

@@ -31,7 +31,7 @@ impl Source<'_> {
     }
 
     pub(super) fn not_supported(self, at: usize, construct: &str) -> GoalError {
-        let what = "is not supported; typed STRIPS with positive preconditions is";
+        let what = "is not supported; expected typed STRIPS with positive preconditions";
         self.fault(at, format!("{construct} {what}"))
     }
 

@@ -289,8 +289,9 @@ fn constructs_beyond_typed_strips_are_named() {
         ),
     ];
     for (piece, by, construct) in cases {
-        let expected =
-            format!("{construct} is not supported; typed STRIPS with positive preconditions is");
+        let expected = format!(
+            "{construct} is not supported; expected typed STRIPS with positive preconditions"
+        );
         assert_eq!(domain_error(piece, by), expected);
     }
 }

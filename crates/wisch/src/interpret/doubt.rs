@@ -249,7 +249,7 @@ fn write_pressed_otherwise(
     matters: f64,
 ) -> fmt::Result {
     let consequence = if matters > MOST_BY_SCALE {
-        ", and the performance depends on whether the tool or the scale of the measured force is off"
+        ", and the estimate depends on whether the tool pressed with this force or the measured force has a wrong scale"
     } else {
         ""
     };

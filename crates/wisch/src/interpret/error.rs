@@ -16,7 +16,7 @@ pub enum InterpretError {
         expected: &'static str,
     },
     /// No uncertain parameter has this name.
-    #[error("{name} is no field of `Uncertainty`")]
+    #[error("{name} is not a field of `Uncertainty`")]
     NoSuchUncertainty {
         /// The requested name.
         name: String,

@@ -79,7 +79,9 @@ pub enum PlanError {
         fitting: String,
     },
     /// The action treats the surface, and the task does not say how many passes or how thick a layer.
-    #[error("{action}: the task gives neither a number of passes nor a layer thickness")]
+    #[error(
+        "{action}: the task gives neither a number of passes nor a layer thickness; set polish.passes or emit.thickness_m"
+    )]
     NoTreatment {
         /// The task's action.
         action: Action,

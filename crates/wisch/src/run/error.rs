@@ -34,14 +34,14 @@ pub enum RunError {
     #[error(transparent)]
     Plan(#[from] PlanError),
     /// No robot was given that could follow the plan.
-    #[error("there is no robot to follow the plan")]
+    #[error("the session has no robot, so it cannot follow the plan; give it a robot")]
     NoRobot,
     /// The follower found no motion.
     #[error(transparent)]
     Follow(#[from] FollowError),
     /// The plan is predicted to lose too much of the dirt.
     #[error(
-        "the plan is not executed: it is predicted to bring {:.1} % of the dirt where it belongs and to lose {:.1} %, a score of {score:.2} (the first share less three times the second), below the limit of {least:.2}; try another strategy, for example --strategy best, another goal or skim edge, or lower [plan] min_score",
+        "the plan is not executed: it is predicted to bring {:.1} % of the dirt to the goal and to lose {:.1} %, a score of {score:.2} (the first share less three times the second), below the limit of {least:.2}; try another strategy, for example --strategy best, another goal or skim edge, or lower [plan] min_score",
         100.0 * achieved, 100.0 * lost
     )]
     LosesDirt {
@@ -59,7 +59,7 @@ pub enum RunError {
     Execute(#[from] ExecutorError),
     /// The executor reported another number of joints than the robot has.
     #[error(
-        "round {round}: the executor reported {found} joint positions at the end, expected {expected}"
+        "round {round}: the executor reported {found} joint positions at the end, expected {expected}, or none if it does not measure them"
     )]
     Positions {
         /// The round, from 1.
@@ -89,7 +89,7 @@ pub enum RunError {
     },
     /// The position at which the robot was stopped is unknown.
     #[error(
-        "round {round}: the executor did not report where the robot was stopped, so the next motion has no start; have the executor report its state"
+        "round {round}: the executor did not report where the robot was stopped, so the next motion has no start; make the executor report its joint positions"
     )]
     UnknownState {
         /// The round that cannot begin, from 1.

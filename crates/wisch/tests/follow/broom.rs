@@ -136,7 +136,7 @@ fn a_second_hand_that_cannot_hold_the_tool_is_told() {
     );
     assert_eq!(
         refused(&task, "right_arm"),
-        "\"right_tcp\" moves with the arm that leads the tool: it is no second hand"
+        "\"right_tcp\" moves with the arm that leads the tool, so it cannot be the second hand; choose a group of another arm"
     );
     let grip = task.tool.second_grip.as_mut().unwrap();
     grip.point_in_tool.z = 2.8;

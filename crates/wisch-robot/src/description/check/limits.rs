@@ -40,7 +40,7 @@ fn check_position_limits(
             let w = words(
                 format!("lower {lower} {unit} is above upper {upper} {unit}"),
                 "lower <= upper",
-                "exchange or correct them",
+                "swap or correct them",
             );
             add_of_joint(report, Severity::Error, DiagnosticKind::Limit, j, w);
         }

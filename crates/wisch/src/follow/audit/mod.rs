@@ -79,7 +79,7 @@ pub enum MotionFault {
     },
     /// A motion does not begin where and when the last one ends.
     #[error(
-        "motion {motion} begins {step} rad or m from where the last motion ends, {gap} s later; expected no step and no gap"
+        "motion {motion} begins {step} (rad or m) away from the end of the last motion and {gap} s after it; expected no step and no gap"
     )]
     Gap {
         /// Index of the later motion.
@@ -103,7 +103,7 @@ pub enum MotionFault {
     },
     /// Robot, hand or tool is in the target surface or has passed through it, or the tool is behind it.
     #[error(
-        "at {time:.3} s: {body:?} is {depth:.4} m below the surface {surface:?}, at ({:.3}, {:.3}) m of it",
+        "at {time:.3} s: {body:?} is {depth:.4} m below the surface {surface:?}, at ({:.3}, {:.3}) m in its frame",
         place[0], place[1]
     )]
     ThroughSurface {
@@ -120,7 +120,7 @@ pub enum MotionFault {
     },
     /// The tool is pressed over a hole of the surface.
     #[error(
-        "at {time:.3} s: the tool is pressed over a hole of the surface {surface:?}, at ({:.3}, {:.3}) m of it",
+        "at {time:.3} s: the tool is pressed over a hole of the surface {surface:?}, at ({:.3}, {:.3}) m in its frame",
         place[0], place[1]
     )]
     OverHole {
