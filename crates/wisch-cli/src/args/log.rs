@@ -214,6 +214,6 @@ fn finite(text: &str) -> Result<f64, String> {
     match text.parse::<f64>() {
         Ok(number) if number.is_finite() => Ok(number),
         Ok(number) => Err(format!("{number} is not finite")),
-        Err(_) => Err("not a number".to_owned()),
+        Err(_) => Err("expected a number".to_owned()),
     }
 }

@@ -59,7 +59,7 @@ pub fn mask_particles(
         return Err(ParticleSourceError::Image {
             file: source.file.clone(),
             problem: format!(
-                "no pixel on the free surface is within {tolerance} of the colour [{r}, {g}, {b}]"
+                "no pixel on the free surface is within {tolerance} of the colour [{r}, {g}, {b}]; check color and corners_px, or raise tolerance"
             ),
         });
     }

@@ -66,7 +66,7 @@ impl TaskFile {
                 at: tool_at.clone(),
                 key: "tool".to_owned(),
                 problem: format!(
-                    "{tool} cannot {action} {medium} on {} according to the knowledge base, only {}",
+                    "{tool} cannot {action} {medium} on {} according to the knowledge base, only {}; choose another tool or action, or set interaction.actions",
                     surface.name,
                     known.join(" and ")
                 ),
