@@ -57,7 +57,7 @@ def test_a_motion_is_within_limits_and_on_the_surface(task, robot, motion):
 
 
 def test_a_robot_that_is_missing_or_wrong_is_said(task):
-    with pytest.raises(wisch.WischError, match="there is no robot"):
+    with pytest.raises(wisch.WischError, match="has no robot"):
         task.session().follow()
     with pytest.raises(wisch.WischError) as caught:
         task.session("arm8")
