@@ -8,7 +8,7 @@ use include_dir::{Dir, include_dir};
 use std::path::{Path, PathBuf};
 use wisch::robot::{
     ASSUMED_SLIDE_RATES, ASSUMED_TURN_RATES, Appearance, CapabilityMap, Diagnostic, DiagnosticKind,
-    JointKind, READY_STATE, RobotHash, RobotModel, Severity, Srdf,
+    HOME_STATE, JointKind, READY_STATE, RobotHash, RobotModel, Severity, Srdf,
 };
 use wisch::run::RobotSetup;
 use wisch::source_location::UnknownName;
@@ -120,8 +120,13 @@ impl Robot {
         if let Some(srdf) = &self.srdf
             && !(srdf.states.iter()).any(|state| state.name.starts_with(READY_STATE))
         {
+            let home = if srdf.states.iter().any(|state| state.name == HOME_STATE) {
+                "in its state \"home\""
+            } else {
+                "in the middle of the joint limits"
+            };
             remarks.push(format!(
-                "robot {:?}: its SRDF has no state \"{READY_STATE}\": motions begin in the middle of the joint limits",
+                "robot {:?}: its SRDF has no state \"{READY_STATE}\": motions begin {home}",
                 model.name()
             ));
         }

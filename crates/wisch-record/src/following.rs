@@ -98,15 +98,6 @@ impl MotionTotal {
     }
 }
 
-/// Describes why an abandoned node cannot be reached.
-fn first_obstruction(abandoned: &AbandonedNode) -> String {
-    let why = match abandoned.attempts.first() {
-        Some(attempt) => attempt.obstruction.to_string(),
-        None => "no base pose reaches it".to_owned(),
-    };
-    format!("node {}: {why}", abandoned.node)
-}
-
 impl Following {
     /// Returns the first motion of a session; `None` if no robot followed a plan.
     pub fn of(session: &Session<'_>, time_s: f64) -> Option<Self> {
@@ -142,6 +133,8 @@ impl Following {
             joint_movement_in_contact_rad: in_contact,
             joint_movement_rad: in_all,
             robot: self.robot.clone(),
+            mount: self.cell.mount().to_string(),
+            held_joints: self.cell.held_joints(),
             abandoned_nodes: self.followed.abandoned.len(),
             abandoned_share: self.abandoned_share,
             placements: (self.followed.placements.iter())
@@ -152,7 +145,7 @@ impl Following {
                 .collect(),
             execution_time_s: total.time[0],
             contact_time_s: total.time[1],
-            first_obstruction: (self.followed.abandoned.first()).map(first_obstruction),
+            first_obstruction: (self.followed.abandoned.first()).map(AbandonedNode::to_string),
             following_time_s: self.time_s,
             max_path_deviation_m: total.off_line[0],
             max_turn_deviation_rad: total.off_line[1],
@@ -169,6 +162,7 @@ impl Following {
         let rounds = total.in_words();
         let mut facts = vec![
             ("Robot", self.robot.clone()),
+            ("Tool held", self.cell.mount().to_string()),
             (
                 "Abandoned nodes",
                 format!(
@@ -196,6 +190,10 @@ impl Following {
                 format!("{:.1} mm", 1e3 * total.clearance),
             ),
         ];
+        let held = self.cell.held_joints();
+        if !held.is_empty() {
+            facts.push(("Joints held at their ready positions", held.join(", ")));
+        }
         if self.cell.base().is_some() {
             facts.push(("Base poses", followed.placements.len().to_string()));
         }

@@ -61,7 +61,7 @@ pub use clearance::{
 };
 pub use description::{
     Appearance, Collision, Diagnostic, DiagnosticKind, DisabledPair, EndEffector, Group,
-    GroupState, Ignored, JointMimic, JointMotion, JointTransform, MAX_DEPTH, MAX_LINKS,
+    GroupState, HOME_STATE, Ignored, JointMimic, JointMotion, JointTransform, MAX_DEPTH, MAX_LINKS,
     MAX_MESH_EXTENT, MAX_SHAPES, MAX_URDF_BYTES, READY_STATE, Severity, Shape, Srdf, Subject,
     Visual, check, joint_transforms,
 };

@@ -1,13 +1,14 @@
 //! `wisch check`: checks a task and prints a summary of it.
 
 use super::budget::in_evaluations;
-use super::follow::{Chosen, can_start, describe_stand, workcell};
+use super::follow::{Chosen, describe_stand, follow_plan, workcell};
 use super::prepare::Prepared;
 use super::words::{counted, internal, percent};
 use crate::args::{CheckArgs, GlobalArgs};
 use crate::failure::Failure;
 use crate::progress::Progress;
 use crate::terminal::{Outcome, print};
+use wisch::follow::{Followed, Workcell};
 use wisch::geometry::{Bounds2, Mesh, Point2, Vector3};
 use wisch::plan::{FreeSpace, NodeRole, Plan, Prediction, predict};
 use wisch::represent::{Action, GoalState, Task, dirt_friction};
@@ -37,17 +38,20 @@ pub fn check(args: &CheckArgs, global: &GlobalArgs) -> Result<Outcome, Failure> 
     progress.say(format!("placing the robot among {objects}"));
     let robot = match Chosen::new(&args.robot, &prepared)? {
         Some(chosen) => {
-            let (cell, _) = workcell(&chosen, task_args, &prepared)?;
-            can_start(&cell, &chosen, task_args, &prepared, plan)?;
-            describe_stand(&cell)
+            let cell = workcell(&chosen, task_args, &prepared)?;
+            let nodes = plan.graph.nodes.len();
+            let followed = follow_plan(&cell, &chosen, task_args, &prepared, plan, &mut |done| {
+                progress.say(format!("following the plan: {done} of {nodes} nodes"));
+            })?;
+            Some(RobotFound::new(&cell.0, &followed, plan))
         }
-        None => "none: wisch predicts the plan but does not follow it; choose a robot with --robot"
-            .to_owned(),
+        None => None,
     };
     progress.say("predicting");
     let prediction = predict(&prepared.task, plan, |_| ());
     let least = prepared.file.min_score();
     let refusal = check_score(&prediction, prepared.task.action, least).err();
+    let reaches_nothing = robot.as_ref().is_some_and(|robot| robot.reaches_nothing);
     drop(progress);
     if !global.quiet {
         let found = Found {
@@ -57,14 +61,17 @@ pub fn check(args: &CheckArgs, global: &GlobalArgs) -> Result<Outcome, Failure> 
             prediction,
         };
         let heading = match &refusal {
+            None if reaches_nothing => {
+                "the task is valid, but the robot reaches no stroke of its plan".to_owned()
+            }
             None => "the task is valid".to_owned(),
             Some(refusal) => refusal.to_string(),
         };
         print(&explanation(&prepared, &found, &heading))?;
     }
     Ok(match refusal {
-        None => Outcome::Done,
-        Some(_) => Outcome::GoalNotMet,
+        None if !reaches_nothing => Outcome::Done,
+        _ => Outcome::GoalNotMet,
     })
 }
 
@@ -72,9 +79,45 @@ pub fn check(args: &CheckArgs, global: &GlobalArgs) -> Result<Outcome, Failure> 
 struct Found<'a> {
     free_area: FreeArea,
     plan: &'a Plan,
-    /// Description of the robot and its position.
-    robot: String,
+    /// The robot, unless the task has none.
+    robot: Option<RobotFound>,
     prediction: Prediction,
+}
+
+/// What a check finds about the robot.
+struct RobotFound {
+    /// Lines about its position, the tool in its hand, and its reach.
+    lines: Vec<(&'static str, String)>,
+    /// Whether every stroke of the plan is abandoned.
+    reaches_nothing: bool,
+}
+
+impl RobotFound {
+    fn new(cell: &Workcell, followed: &Followed, plan: &Plan) -> Self {
+        let mut lines = vec![
+            ("robot", describe_stand(cell)),
+            ("tool held", cell.mount().to_string()),
+        ];
+        let held = cell.held_joints();
+        if !held.is_empty() {
+            let joints = format!("{}, at their ready positions", held.join(", "));
+            lines.push(("held", joints));
+        }
+        let nodes: usize = plan.strokes.iter().map(|stroke| stroke.nodes.len()).sum();
+        let reach = match followed.abandoned.first() {
+            None => "the robot follows the whole plan".to_owned(),
+            Some(first) => format!(
+                "the robot abandons {} of {}; {first}",
+                followed.abandoned.len(),
+                counted(nodes, "node")
+            ),
+        };
+        lines.push(("reach", reach));
+        Self {
+            lines,
+            reaches_nothing: followed.strokes.is_empty() && !plan.strokes.is_empty(),
+        }
+    }
 }
 
 /// The free area of a surface.
@@ -212,7 +255,14 @@ fn explanation(prepared: &Prepared, found: &Found<'_>, heading: &str) -> String 
             prepared.file.min_score()
         ),
     ));
-    lines.push(("robot", robot.clone()));
+    match robot {
+        Some(robot) => lines.extend(robot.lines.iter().cloned()),
+        None => lines.push((
+            "robot",
+            "none: wisch predicts the plan but does not follow it; choose a robot with --robot"
+                .to_owned(),
+        )),
+    }
     let target = prepared.file.target_performance();
     lines.push((
         "target",

@@ -4,7 +4,7 @@ use super::prepare::Prepared;
 use crate::args::{RobotArgs, TaskArgs};
 use crate::failure::Failure;
 use crate::terminal::remark;
-use wisch::follow::{FollowConfig, FollowError, Workcell, WorkcellConfig, follow};
+use wisch::follow::{FollowError, Followed, Workcell, WorkcellConfig, follow};
 use wisch::plan::Plan;
 use wisch::robot::CapabilityMap;
 use wisch_io::{Robot, RobotDescription, RobotRecord};
@@ -103,28 +103,23 @@ pub fn workcell(
     Ok((cell, robot.map))
 }
 
-/// Checks that the robot can take its first posture, by following the plan without its strokes.
-pub fn can_start(
-    cell: &Workcell,
+/// Follows a plan, to see what of it the robot reaches.
+pub fn follow_plan(
+    (cell, map): &(Workcell, Option<CapabilityMap>),
     chosen: &Chosen<'_>,
     task_args: &TaskArgs,
     prepared: &Prepared,
     plan: &Plan,
-) -> Result<(), Failure> {
-    let nothing = Plan {
-        strokes: Vec::new(),
-        ..plan.clone()
-    };
-    let config = FollowConfig::default();
-    follow(&prepared.task, &nothing, cell, None, &config, &mut |_| ())
-        .map_err(|error| cannot_follow(&error, &chosen.record, task_args, prepared))?;
-    Ok(())
+    progress: &mut dyn FnMut(usize),
+) -> Result<Followed, Failure> {
+    let config = prepared.run_config().follow;
+    follow(&prepared.task, plan, cell, map.as_ref(), &config, progress)
+        .map_err(|error| cannot_follow(&error, &chosen.record, task_args, prepared))
 }
 
 /// Describes in one line the robot, the link that holds the tool, and the robot's position.
 pub fn describe_stand(cell: &Workcell) -> String {
     let robot = cell.robot();
-    let tip = &robot.links()[cell.tip().index()].name;
     let place = match cell.base() {
         Some(base) => {
             let [x, y, yaw] = [base.x, base.y, base.yaw].map(|i| cell.ready()[i]);
@@ -138,7 +133,7 @@ pub fn describe_stand(cell: &Workcell) -> String {
             format!("is fixed at ({:.3}, {:.3}, {:.3}) m", at.x, at.y, at.z)
         }
     };
-    format!("{} holds the tool with {tip}; it {place}", robot.name())
+    format!("{}; it {place}", robot.name())
 }
 
 fn cannot_follow(

@@ -125,7 +125,7 @@ fn touch_of(
             area_of_effect: size,
             rotation_about_normal: AngleRange::FULL,
             tilt: None,
-            grip: None,
+            mount: None,
             second_grip: None,
         },
         compression_depth,

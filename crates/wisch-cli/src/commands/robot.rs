@@ -8,10 +8,12 @@ use crate::args::{GlobalArgs, RobotCheckArgs};
 use crate::failure::Failure;
 use crate::terminal::{Outcome, print};
 use serde::Serialize;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
+use wisch::follow::PlanningGroup;
+use wisch::represent::Mount;
 use wisch::robot::{
-    Appearance, Diagnostic, DiagnosticKind, GroupState, READY_STATE, RobotModel, Severity, Srdf,
-    Subject, check,
+    Appearance, Diagnostic, DiagnosticKind, GroupState, HOME_STATE, READY_STATE, RobotModel,
+    Severity, Srdf, Subject, check,
 };
 use wisch::source_location::Place;
 use wisch_io::{read_text, robot_meshes};
@@ -110,7 +112,17 @@ pub fn check_robot(args: &RobotCheckArgs, global: &GlobalArgs) -> Result<Outcome
         })?;
         print(&(line + "\n"))?;
     } else if !global.quiet {
-        print(&report(&name, robot.as_ref(), srdf.as_deref(), &findings))?;
+        let wipes = match &robot {
+            Some(robot) if errors == 0 => describe_group(robot, srdf.as_deref())?,
+            _ => String::new(),
+        };
+        print(&report(
+            &name,
+            robot.as_ref(),
+            srdf.as_deref(),
+            &wipes,
+            &findings,
+        ))?;
     }
     match (errors, warnings) {
         (0, 0) => Ok(Outcome::Done),
@@ -128,6 +140,34 @@ pub fn check_robot(args: &RobotCheckArgs, global: &GlobalArgs) -> Result<Outcome
     }
 }
 
+/// Describes the group that wipes by default, how it holds a tool, and which joints it leaves where they are.
+fn describe_group(robot: &RobotModel, srdf: Option<&str>) -> Result<String, Failure> {
+    let srdf = match srdf {
+        None => None,
+        Some(path) => {
+            let text = read_text(Path::new(path))?;
+            Some(Srdf::parse(path, &text, robot).map_err(Failure::new)?)
+        }
+    };
+    let group = PlanningGroup::choose(robot, srdf.as_ref(), None).map_err(Failure::new)?;
+    let [base, tip] = [group.base, group.tip].map(|link| &robot.links()[link.index()].name);
+    let mut text = format!("  wipes with the chain from {base:?} to {tip:?}\n");
+    text += &match group.mount(srdf.as_ref()).0 {
+        Mount::Hand { lean } => format!(
+            "  holds a tool by the rear edge, leaning back by {lean:.2} rad (from the SRDF), unless the task's [tool.mount] or the tool's grip says otherwise\n"
+        ),
+        _ => format!(
+            "  holds a tool square on {tip:?} (assumed), unless the task's [tool.mount] or the tool's grip says otherwise\n"
+        ),
+    };
+    let held = group.held_joints(robot);
+    if !held.is_empty() {
+        let joints = held.join(", ");
+        text += &format!("  holds {joints} at their ready positions: they are not in the group\n");
+    }
+    Ok(text)
+}
+
 /// Returns a note if the SRDF has no state named "ready".
 fn no_ready(name: &str, text: &str, robot: &RobotModel) -> Option<Diagnostic> {
     let srdf = Srdf::parse(name, text, robot).ok()?;
@@ -139,7 +179,11 @@ fn no_ready(name: &str, text: &str, robot: &RobotModel) -> Option<Diagnostic> {
         kind: DiagnosticKind::Srdf,
         value: format!("no group state is named \"{READY_STATE}\""),
         limit: "a <group_state> of that name, in which motions begin and end".to_owned(),
-        advice: "add it; without it, motions begin in the middle of the joints' limits".to_owned(),
+        advice: if srdf.states.iter().any(|state| state.name == HOME_STATE) {
+            "add it; without it, motions begin in the state \"home\"".to_owned()
+        } else {
+            "add it; without it, motions begin in the middle of the joints' limits".to_owned()
+        },
     })
 }
 
@@ -198,6 +242,7 @@ fn report(
     name: &str,
     robot: Option<&RobotModel>,
     srdf: Option<&str>,
+    wipes: &str,
     findings: &[Diagnostic],
 ) -> String {
     let mut text = match robot {
@@ -218,6 +263,7 @@ fn report(
         }
         (None, _) => {}
     }
+    text += wipes;
     for group in FindingGroup::all(findings) {
         text += &format!("  {:<8} {group}\n", group.severity().as_str());
     }

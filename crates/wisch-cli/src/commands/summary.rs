@@ -232,6 +232,11 @@ fn robot_in_words(following: &FollowingSummary, in_rounds: &str) -> Vec<(&'stati
             counted(following.abandoned_nodes, "node")
         ),
     )];
+    lines.push(("tool held", following.mount.clone()));
+    if !following.held_joints.is_empty() {
+        let joints = following.held_joints.join(", ");
+        lines.push(("joints held", format!("{joints}, at their ready positions")));
+    }
     if following.contact_time_s <= 0.0 && following.abandoned_nodes > 0 {
         lines.push((
             "motion",

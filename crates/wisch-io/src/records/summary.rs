@@ -119,6 +119,10 @@ pub struct PredictionSummary {
 pub struct FollowingSummary {
     /// Name of the robot.
     pub robot: String,
+    /// How the robot holds the tool, in words, and whether that is assumed.
+    pub mount: String,
+    /// Names of the joints that carry the arm and stay at their positions of the ready posture, such as a lift.
+    pub held_joints: Vec<String>,
     /// Number of abandoned nodes on the plan's strokes; a node on two strokes counts twice.
     pub abandoned_nodes: usize,
     /// Obstruction of the first abandoned node; null without abandoned nodes.

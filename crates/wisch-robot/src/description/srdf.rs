@@ -13,6 +13,9 @@ use std::collections::BTreeSet;
 /// precedence, for tools that need their own.
 pub const READY_STATE: &str = "ready";
 
+/// Name of the posture of variables that no ready posture sets.
+pub const HOME_STATE: &str = "home";
+
 /// Range of the lean of a hand over its tool [rad]: from upright to flat.
 const MAX_LEAN: std::ops::RangeInclusive<f64> = 0.0..=std::f64::consts::FRAC_PI_2;
 /// Most groups.

@@ -4,6 +4,7 @@ use super::{Trajectory, TrajectorySample};
 use crate::geometry::{PlanarPose, Pose};
 use crate::plan::Stroke;
 use crate::robot::Range;
+use std::fmt;
 
 /// Period at which joint movement is summed [s].
 const MOVEMENT_PERIOD: f64 = 0.01;
@@ -223,6 +224,25 @@ pub struct AbandonedNode {
     pub stroke: usize,
     /// The failed attempts.
     pub attempts: Vec<Attempt>,
+}
+
+impl AbandonedNode {
+    /// Returns the obstruction of the attempt that came farthest, the earliest of equals; `None` if no base pose reaches
+    /// the node, so that nothing was attempted.
+    pub fn obstruction(&self) -> Option<&Obstruction> {
+        let farthest =
+            (self.attempts.iter().rev()).max_by(|a, b| a.progress.total_cmp(&b.progress));
+        farthest.map(|attempt| &attempt.obstruction)
+    }
+}
+
+impl fmt::Display for AbandonedNode {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self.obstruction() {
+            Some(obstruction) => write!(f, "node {}: {obstruction}", self.node),
+            None => write!(f, "node {}: no base pose reaches it", self.node),
+        }
+    }
 }
 
 /// A base pose from which the tool wipes.

@@ -54,13 +54,9 @@ impl HeldTool {
         group: &PlanningGroup,
         tool: &Tool,
     ) -> Result<Self, FollowError> {
-        let (mount, source) = match (tool.mount, lean_of(srdf, group.tip)) {
-            (Some(mount), _) => (mount, MountSource::Declared),
-            (None, Some(lean)) => (Mount::Hand { lean }, MountSource::Srdf),
-            (None, None) => {
-                let (yaw, distance) = (0.0, None);
-                (Mount::Flange { yaw, distance }, MountSource::Assumed)
-            }
+        let (mount, source) = match tool.mount {
+            Some(mount) => (mount, MountSource::Declared),
+            None => group.mount(srdf),
         };
         let hand = tip_from_hand(robot, group.tip, &group.ready)?;
         let tip_from_tool = match mount {
@@ -101,13 +97,6 @@ impl fmt::Display for HeldTool {
             MountSource::Assumed => write!(f, " (assumed)"),
         }
     }
-}
-
-/// Returns the lean that the SRDF declares for the hand on a link [rad].
-fn lean_of(srdf: Option<&Srdf>, tip: LinkId) -> Option<f64> {
-    let hands = srdf.map_or(&[][..], |srdf| &srdf.end_effectors);
-    let hand = hands.iter().find(|hand| hand.parent == tip);
-    hand.and_then(|hand| hand.hand_lean)
 }
 
 /// Returns the end of a hand in the frame of its link: on the z axis, at the outermost point of the shapes of the

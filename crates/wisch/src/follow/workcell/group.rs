@@ -1,8 +1,10 @@
 //! The part of a robot that wipes, the base that carries it, and its ready posture.
 
+use super::MountSource;
 use crate::follow::FollowError;
 use crate::geometry::Vector3;
-use crate::robot::{Joint, JointKind, LinkId, READY_STATE, RobotModel, Srdf};
+use crate::represent::Mount;
+use crate::robot::{HOME_STATE, Joint, JointKind, LinkId, READY_STATE, RobotModel, Srdf};
 use crate::source_location::UnknownName;
 
 /// A base that moves over the floor: the variables of its position and heading in the root frame.
@@ -23,8 +25,8 @@ pub struct PlanningGroup {
     pub base: LinkId,
     /// The link that holds the tool.
     pub tip: LinkId,
-    /// The robot's ready posture: the SRDF's states of that name, and the middle of the limits for all other
-    /// variables; all n variables [rad or m].
+    /// The robot's ready posture: the SRDF's states "ready", for variables that these leave out its states "home", and the
+    /// middle of the limits for all other variables; all n variables [rad or m].
     pub ready: Vec<f64>,
 }
 
@@ -56,6 +58,26 @@ impl PlanningGroup {
             tip,
             ready: ready(robot, srdf),
         })
+    }
+
+    /// Returns how the group holds a tool whose mount is not declared, and where that comes from: the SRDF's lean of the
+    /// hand on the group's tip, else a square mount is assumed.
+    pub fn mount(&self, srdf: Option<&Srdf>) -> (Mount, MountSource) {
+        let hands = srdf.map_or(&[][..], |srdf| &srdf.end_effectors);
+        let hand = hands.iter().find(|hand| hand.parent == self.tip);
+        match hand.and_then(|hand| hand.hand_lean) {
+            Some(lean) => (Mount::Hand { lean }, MountSource::Srdf),
+            None => {
+                let (yaw, distance) = (0.0, None);
+                (Mount::Flange { yaw, distance }, MountSource::Assumed)
+            }
+        }
+    }
+
+    /// Returns the names of the joints that carry the group and are not its own, such as a lift; they stay at their
+    /// positions of the ready posture.
+    pub fn held_joints(&self, robot: &RobotModel) -> Vec<String> {
+        held_joints(robot, self.base)
     }
 }
 
@@ -120,13 +142,14 @@ fn moving_joints_above(robot: &RobotModel, link: LinkId) -> Vec<&Joint> {
     moving
 }
 
-/// Returns the SRDF's ready states, with the middle of the limits for all other variables.
+/// Returns the SRDF's ready states, else its home states, with the middle of the limits for all other variables.
 fn ready(robot: &RobotModel, srdf: Option<&Srdf>) -> Vec<f64> {
     let middle = |i: usize| {
         let range = robot.variable(i).limits.position;
         range.map_or(0.0, |range| (range.lower + range.upper) / 2.0)
     };
     let mut q: Vec<f64> = (0..robot.dof()).map(middle).collect();
+    set_named_state(&mut q, srdf, HOME_STATE);
     set_named_state(&mut q, srdf, READY_STATE);
     q
 }
