@@ -9,10 +9,11 @@ use crate::geometry::{PlanarPose, Point2, Pose, Vector3};
 use crate::plan::Plan;
 use crate::represent::{Action, Task};
 use crate::robot::{
-    Contact, IkConfig, IkOutcome, Joint, JointPositions, Margins, RobotError, RotationGoal,
+    Contact, IkConfig, IkOutcome, Joint, JointKind, JointPositions, Margins, RobotError,
+    RotationGoal,
 };
 use nalgebra::{DMatrix, DVector};
-use std::f64::consts::PI;
+use std::f64::consts::{PI, TAU};
 
 /// Distance from its limit at which a joint counts as at its limit [rad or m].
 const AT_LIMIT: f64 = 1e-4;
@@ -132,6 +133,44 @@ impl<'a> Arm<'a> {
             let range = self.cell.range_kept(joint);
             range.is_none_or(|range| (range.lower..=range.upper).contains(&position))
         })
+    }
+
+    /// Returns whole turns to add to the group's variables on a run, so that free motion from a configuration to the
+    /// run's first one is shortest.
+    ///
+    /// A whole turn of a joint that drives no other joint changes no pose. The run stays within the joints' ranges.
+    pub fn shortest_turns(&self, from: &JointPositions, run: &[&JointPositions]) -> JointPositions {
+        let variables = self.cell.arm_variables().iter().enumerate();
+        let turns = variables.map(|(i, &variable)| {
+            let joint = self.cell.robot().variable(variable);
+            let Some(first) = run.first().filter(|_| self.turns_alone(variable)) else {
+                return 0.0;
+            };
+            let fits = |turn: f64| {
+                let range = self.cell.range_kept(joint);
+                range.is_none_or(|range| {
+                    let mut positions = run.iter().map(|q| q[i] + turn);
+                    positions.all(|position| (range.lower..=range.upper).contains(&position))
+                })
+            };
+            // From the nearest turn towards none.
+            let nearest = ((from[i] - first[i]) / TAU).round();
+            let counts = (0..=nearest.abs() as usize).rev();
+            let mut turns = counts.map(|count| count as f64 * TAU.copysign(nearest));
+            turns.find(|&turn| turn == 0.0 || fits(turn)).unwrap_or(0.0)
+        });
+        turns.collect()
+    }
+
+    /// Whether a variable is the angle of a joint and moves no other joint.
+    fn turns_alone(&self, variable: usize) -> bool {
+        let robot = self.cell.robot();
+        let mut driven = robot.joints().iter().filter_map(|joint| {
+            let mut terms = joint.drive.terms.iter();
+            let term = terms.find(|(index, _)| *index == variable)?;
+            Some((joint.kind, term.1))
+        });
+        driven.next() == Some((JointKind::Revolute, 1.0)) && driven.next().is_none()
     }
 
     /// The joints that the group's variables move.

@@ -412,12 +412,31 @@ fn lift_off(
 fn finish(
     arm: &Arm,
     now: &Now,
-    touch_down: TouchDown,
-    contact: Contact,
-    up: Vec<JointPositions>,
+    mut touch_down: TouchDown,
+    mut contact: Contact,
+    mut up: Vec<JointPositions>,
     lift_height: f64,
     seed: u64,
 ) -> Result<Run, Attempt> {
+    if touch_down.over.is_none() {
+        let run: Vec<&JointPositions> = std::iter::once(&touch_down.above)
+            .chain(&touch_down.down)
+            .chain(contact.legs.iter().flat_map(|leg| &leg.configurations))
+            .chain(&up)
+            .collect();
+        let turns = arm.shortest_turns(&now.q, &run);
+        let legs = (contact.legs.iter_mut()).flat_map(|leg| &mut leg.configurations);
+        std::iter::once(&mut touch_down.above)
+            .chain(&mut touch_down.down)
+            .chain(legs)
+            .chain([&mut contact.end])
+            .chain(&mut up)
+            .for_each(|q| {
+                q.iter_mut()
+                    .zip(turns.iter())
+                    .for_each(|(q, turn)| *q += turn)
+            });
+    }
     let failed = |obstruction| Attempt {
         rotation: touch_down.orientation.rotation,
         tilt: touch_down.orientation.tilt,
