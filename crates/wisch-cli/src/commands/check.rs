@@ -8,6 +8,7 @@ use crate::args::{CheckArgs, GlobalArgs};
 use crate::failure::Failure;
 use crate::progress::Progress;
 use crate::terminal::{Outcome, print};
+use std::collections::BTreeSet;
 use wisch::follow::{Followed, Workcell};
 use wisch::geometry::{Bounds2, Mesh, Point2, Vector3};
 use wisch::plan::{FreeSpace, NodeRole, Plan, Prediction, predict};
@@ -103,13 +104,13 @@ impl RobotFound {
             let joints = format!("{}, at their ready positions", held.join(", "));
             lines.push(("held", joints));
         }
-        let nodes: usize = plan.strokes.iter().map(|stroke| stroke.nodes.len()).sum();
+        let abandoned: BTreeSet<usize> = followed.abandoned.iter().map(|node| node.node).collect();
         let reach = match followed.abandoned.first() {
             None => "the robot follows the whole plan".to_owned(),
             Some(first) => format!(
                 "the robot abandons {} of {}; {first}",
-                followed.abandoned.len(),
-                counted(nodes, "node")
+                abandoned.len(),
+                counted(plan.graph.nodes.len(), "node")
             ),
         };
         lines.push(("reach", reach));
