@@ -33,7 +33,7 @@ pub use particles::{
 };
 pub use process::{
     DoneRecord, EXECUTOR_PROTOCOL, EndingRecord, Intake, ObservationRecord, ProcessExecutor,
-    SampleRecord, kill_executors,
+    SampleRecord, StopKindRecord, WrenchAxes, kill_executors,
 };
 pub use records::{
     AbandonedRecord, AttemptRecord, CandidateSummary, EVENT_SCHEMA, EventRecord, EventWriter,

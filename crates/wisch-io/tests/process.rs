@@ -5,8 +5,8 @@ use std::process::Command;
 use std::time::{Duration, Instant};
 use wisch::recover::Verdict;
 use wisch::run::{
-    Ending, Execution, Executor, ExecutorError, MotionOrder, NoExecutor, PlannedRound, RunError,
-    Stage, ignore_events,
+    Ending, Execution, Executor, ExecutorError, MotionOrder, NoExecutor, PlannedRound,
+    RecordedSample, RunError, Stage, StopKind, ignore_events,
 };
 use wisch_io::{LoadOptions, LoadedTask, ProcessExecutor, Robot, load_task};
 
@@ -451,7 +451,188 @@ for line in open(0):
 "#;
     assert_eq!(
         start(script).expect("it greets").state(),
-        Ok(Some(vec![1.0, 2.0]))
+        Ok(Some(vec![1.0, 2.0].into()))
+    );
+}
+
+/// Has a child of protocol version 2 execute a motion. `ready`: what it adds to its greeting.
+fn executed_by_version_2(
+    planned: &PlannedRound,
+    ready: &str,
+    lines: &str,
+) -> Result<(Execution, Vec<RecordedSample>), ExecutorError> {
+    let greeting = format!("say(ready={{\"version\": 2, {ready}}})");
+    let begin = CHILD.replace("say(ready={\"version\": 1})", &greeting);
+    let mut child = start(&format!("{begin}{lines}\n"))?;
+    let order = MotionOrder {
+        round: 1,
+        seed: 1,
+        task: &planned.task,
+        cell: &planned.cell,
+        followed: &planned.followed,
+    };
+    let mut samples = Vec::new();
+    let execution = child.execute(&order, &mut |sample| {
+        samples.push(RecordedSample::from(sample));
+        ControlFlow::Continue(())
+    })?;
+    Ok((execution, samples))
+}
+
+#[test]
+fn knots_describe_a_motion_in_few_points() {
+    if !has_python() {
+        return;
+    }
+    let planned = motion();
+    // The child interpolates as joint_trajectory_controller does, every 2 ms.
+    let lines = r#"
+def quintic(p, v, a, q, w, b, s):
+    d = q - p
+    return (p + s * (v + s * (0.5 * a + s * (10 * d - 6 * v - 4 * w - 1.5 * a + 0.5 * b
+        + s * (-15 * d + 8 * v + 7 * w + 1.5 * a - b + s * (6 * d - 3 * v - 3 * w - 0.5 * a + 0.5 * b))))))
+if sum(len(json.dumps(point)) for point in points) > 100_000:
+    say(error="the points are more than 100 kB")
+k, time = 0, 0.0
+while time < motion["duration_s"]:
+    while points[k + 1]["time_s"] < time:
+        k += 1
+    a, b = points[k], points[k + 1]
+    T = b["time_s"] - a["time_s"]
+    s = (time - a["time_s"]) / T
+    joints = zip(a["positions"], a["velocities"], a["accelerations"], b["positions"], b["velocities"], b["accelerations"])
+    place = [quintic(p, v * T, u * T * T, q, w * T, x * T * T, s) for p, v, u, q, w, x in joints]
+    say(sample={"time_s": time, "force_n": [0, 0, 0], "positions": place})
+    time += 0.002
+done("complete", duration=motion["duration_s"])
+"#;
+    let (_, samples) =
+        executed_by_version_2(&planned, "\"knot_error_rad\": 1e-4", lines).expect("it ends");
+    assert!(samples.len() as f64 > 400.0 * planned.followed.duration());
+    for sample in &samples {
+        let exact = planned.followed.sample(sample.time).expect("a motion").q;
+        let off = exact.iter().zip(&sample.joints).map(|(a, b)| (a - b).abs());
+        let off = off.fold(0.0, f64::max);
+        assert!(off < 1.1e-4, "{off} rad at {} s", sample.time);
+    }
+}
+
+#[test]
+fn a_driver_needs_no_kinematics() {
+    if !has_python() {
+        return;
+    }
+    let planned = motion();
+    let lines = r#"
+sample_ = lambda k, axes: say(sample={"time_s": k * 0.01, "positions": points[100]["positions"], "force_n": [1, 2, 3], "moment_nm": [0, 0, 1], "wrench_axes": axes})
+sample_(0, "world"); sample_(1, "tool"); sample_(2, "tip")
+done("stopped")
+"#;
+    let (_, samples) =
+        executed_by_version_2(&planned, "\"reports_state\": True", lines).expect("it ends");
+    let cell = &planned.cell;
+    let q = planned.followed.sample(1.0).expect("a motion").q;
+    let tip = cell.robot().forward_kinematics(&q).expect("positions");
+    let world_from_tip = cell.world_from_root() * tip.world_from_link(cell.tip());
+    let world_from_tool = world_from_tip * cell.tip_from_tool();
+    let force = nalgebra::Vector3::new(1.0, 2.0, 3.0);
+    let expected = [
+        force,
+        world_from_tool.rotation * force,
+        world_from_tip.rotation * force,
+    ];
+    for (sample, force) in samples.iter().zip(expected) {
+        let off = sample.world_from_tool.inverse() * world_from_tool;
+        assert!(off.translation.vector.norm() + off.rotation.angle() < 1e-6);
+        assert!((sample.external.force - force).norm() < 1e-6, "{force}");
+    }
+    assert_eq!(samples.len(), 3);
+
+    let error = executed_by_version_2(
+        &planned,
+        "",
+        "say(sample={\"time_s\": 0, \"force_n\": [0, 0, 0], \"positions\": []})",
+    );
+    let error = error.expect_err("no pose").to_string();
+    assert!(
+        error.contains("neither world_from_tool nor positions"),
+        "{error}"
+    );
+}
+
+#[test]
+fn a_child_that_falls_silent_is_told_to_stop_at_once() {
+    if !has_python() {
+        return;
+    }
+    let planned = motion();
+    let heard = std::env::temp_dir().join(format!("wisch-silence-{}", std::process::id()));
+    let lines = format!(
+        "sample(0); sample(0.01)\nbegin = time.monotonic()\nheard = hear()\nopen({:?}, 'w').write(json.dumps([heard, time.monotonic() - begin]))",
+        heard.display().to_string()
+    );
+    let error = executed_by_version_2(&planned, "\"max_silence_s\": 0.3", &lines);
+    let error = error.expect_err("it is silent").to_string();
+    assert!(error.contains("no message for 0.3 s"), "{error}");
+    let text = std::fs::read_to_string(&heard).expect("the child wrote what it heard");
+    let (message, waited): (String, f64) = serde_json::from_str(&text).expect("JSON");
+    std::fs::remove_file(&heard).expect("it is there");
+    assert_eq!(message, "stop");
+    assert!(waited > 0.2, "{waited} s");
+}
+
+#[test]
+fn a_greeting_that_is_out_of_range_is_refused() {
+    if !has_python() {
+        return;
+    }
+    for (ready, expected) in [
+        (
+            r#""version": 3"#,
+            "it uses protocol version 3; expected 1 or 2",
+        ),
+        (
+            r#""version": 2, "max_silence_s": 0"#,
+            "ready: max_silence_s is 0; expected 0.02 to 60",
+        ),
+        (
+            r#""version": 1, "knot_error_rad": 0.001"#,
+            "ready: knot_error_rad needs version 2",
+        ),
+    ] {
+        let script = format!(
+            "import json\ninput()\nprint(json.dumps({{\"ready\": {{{ready}}}}}), flush=True)"
+        );
+        let error = start(&script).expect_err("it is refused").to_string();
+        assert!(error.contains(expected), "{error}");
+    }
+}
+
+#[test]
+fn every_kind_of_stop_is_taken_over() {
+    if !has_python() {
+        return;
+    }
+    let planned = motion();
+    for kind in StopKind::ALL {
+        let lines = format!(
+            "sample(0)\ndone({{'stop': {{'kind': '{}', 'time_s': 0.5, 'reason': 'why'}}}})",
+            kind.as_str()
+        );
+        let (execution, _) = executed_by_version_2(&planned, "", &lines).expect("it ends");
+        let Ending::ProtectiveStop { cause, .. } = execution.ending else {
+            panic!("{:?}", execution.ending);
+        };
+        assert_eq!(cause.kind(), kind);
+        assert!(cause.to_string().ends_with("why"), "{cause}");
+    }
+    let lines = "sample(0)\ndone({'stop': {'kind': 'estop', 'time_s': 0.5, 'reason': 'why'}})";
+    let error = executed_by_version_2(&planned, "", lines).expect_err("an unknown kind");
+    assert!(
+        error
+            .to_string()
+            .contains("unknown kind of a stop \\\"estop\\\""),
+        "{error}"
     );
 }
 

@@ -11,9 +11,11 @@ use scoped_tls_hkt::scoped_thread_local;
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::Duration;
 use wisch::represent::{Observation, Task};
-use wisch::run::{Ending, Execution, Executor, ExecutorError, MotionOrder, SampleSink};
+use wisch::run::{Ending, Execution, Executor, ExecutorError, MotionOrder, RobotState, SampleSink};
 use wisch::source_location::UnknownName;
-use wisch_io::{DoneRecord, EndingRecord, Intake, ObservationRecord, SampleRecord};
+use wisch_io::{
+    DoneRecord, EndingRecord, Intake, ObservationRecord, SampleRecord, StopKindRecord, WrenchAxes,
+};
 
 scoped_thread_local!(
     /// Receiver of the samples of the motion that this thread executes.
@@ -152,20 +154,37 @@ impl Executor for PyExecutor<'_> {
         })
     }
 
-    fn state(&mut self) -> Result<Option<Vec<f64>>, ExecutorError> {
-        let Ok(state) = self.object.getattr("state") else {
-            return Ok(None);
-        };
-        let told = state.call0().and_then(|told| match told.is_none() {
-            true => Ok(None),
-            false => list("state()", &told).map(Some),
-        });
-        told.or_else(|error| self.raise(error))
+    fn state(&mut self) -> Result<Option<RobotState>, ExecutorError> {
+        robot_state(&self.object).or_else(|error| self.raise(error))
     }
 
     fn observe(&mut self, _: &Task) -> Result<Option<Observation>, ExecutorError> {
         self.look().or_else(|error| self.raise(error))
     }
+}
+
+/// Returns an executor's state: positions, or a dict with velocities too; `None` if it is unknown.
+fn robot_state(object: &Bound<'_, PyAny>) -> PyResult<Option<RobotState>> {
+    let Ok(state) = object.getattr("state") else {
+        return Ok(None);
+    };
+    let returned = state.call0()?;
+    if returned.is_none() {
+        return Ok(None);
+    }
+    let Ok(by_key) = returned.cast::<PyMapping>() else {
+        return Ok(Some(list("state()", &returned)?.into()));
+    };
+    let mut state = RobotState::default();
+    for key in by_key.keys()?.iter() {
+        let value = by_key.get_item(&key)?;
+        match key.extract::<String>()?.as_str() {
+            "positions" => state.positions = list("positions", &value)?,
+            "velocities" => state.velocities = list("velocities", &value)?,
+            other => return Err(unknown(other, ["positions", "velocities"])),
+        }
+    }
+    Ok(Some(state))
 }
 
 /// Returns an executor's observation; `None` without a camera.
@@ -260,9 +279,17 @@ fn ending(given: &Bound<'_, PyAny>) -> PyResult<EndingRecord> {
             other => Err(plain(UnknownName::new(
                 "ending",
                 other,
-                ["complete", "stopped", "protective_stop"],
+                ["complete", "stopped", "protective_stop", "stop"],
             ))),
         };
+    }
+    if let Ok(stop) = given.get_item("stop") {
+        let kind: String = stop.get_item("kind")?.extract()?;
+        return Ok(EndingRecord::Stop {
+            kind: StopKindRecord::try_from(kind).map_err(plain)?,
+            time_s: stop.get_item("time_s")?.extract()?,
+            reason: stop.get_item("reason")?.extract()?,
+        });
     }
     let stop = given.get_item("protective_stop")?;
     Ok(EndingRecord::ProtectiveStop {
@@ -278,10 +305,11 @@ pub struct PySink {
     joints: Vec<String>,
 }
 
-const KEYS: [&str; 11] = [
+const KEYS: [&str; 12] = [
     "time_s",
     "trajectory_time_s",
     "world_from_tool",
+    "wrench_axes",
     "force_n",
     "moment_nm",
     "world_from_commanded",
@@ -291,6 +319,20 @@ const KEYS: [&str; 11] = [
     "velocities",
     "efforts",
 ];
+
+/// Parses the axes of a force and moment.
+fn wrench_axes(value: &Bound<'_, PyAny>) -> PyResult<WrenchAxes> {
+    match value.extract::<String>()?.as_str() {
+        "world" => Ok(WrenchAxes::World),
+        "tool" => Ok(WrenchAxes::Tool),
+        "tip" => Ok(WrenchAxes::Tip),
+        other => Err(plain(UnknownName::new(
+            "axes",
+            other,
+            ["world", "tool", "tip"],
+        ))),
+    }
+}
 
 /// Parses a quantity of `N` numbers in a sample.
 fn array<const N: usize>(key: &str, value: &Bound<'_, PyAny>, time: f64) -> PyResult<[f64; N]> {
@@ -347,16 +389,15 @@ impl PySink {
         let time: f64 =
             (time.extract()).map_err(|_| refused("time_s", kind_of(&time), "a number"))?;
         record.time_s = time;
-        let mut needed = ["world_from_tool", "force_n"].map(|key| (key, false));
+        let mut has_force = false;
         for (key, value) in sample {
             let key = key.extract::<std::borrow::Cow<'_, str>>()?;
-            if let Some(found) = needed.iter_mut().find(|(needed, _)| *needed == key) {
-                found.1 = true;
-            }
+            has_force |= key == "force_n";
             match key.as_ref() {
                 "time_s" => {}
                 "trajectory_time_s" => record.trajectory_time_s = value.extract()?,
-                "world_from_tool" => record.world_from_tool = array(&key, &value, time)?,
+                "world_from_tool" => record.world_from_tool = Some(array(&key, &value, time)?),
+                "wrench_axes" => record.wrench_axes = wrench_axes(&value)?,
                 "force_n" => record.force_n = array(&key, &value, time)?,
                 "moment_nm" => record.moment_nm = array(&key, &value, time)?,
                 "world_from_commanded" => {
@@ -370,9 +411,10 @@ impl PySink {
                 other => return Err(unknown(other, KEYS)),
             }
         }
-        match needed.iter().find(|(_, is_there)| !is_there) {
-            Some((key, _)) => Err(plain(format!("at {time} s key \"{key}\" is missing"))),
-            None => Ok(record),
+        if has_force {
+            Ok(record)
+        } else {
+            Err(plain(format!("at {time} s key \"force_n\" is missing")))
         }
     }
 }
@@ -412,10 +454,8 @@ impl PySink {
                 ..SampleRecord::default()
             })
             .collect();
-        for key in ["world_from_tool", "force_n"] {
-            if !given.contains(key)? {
-                return Err(plain(format!("samples: key \"{key}\" is missing")));
-            }
+        if !given.contains("force_n")? {
+            return Err(plain("samples: key \"force_n\" is missing"));
         }
         for (key, value) in given {
             let key = key.extract::<std::borrow::Cow<'_, str>>()?;
@@ -428,7 +468,15 @@ impl PySink {
                         sample.trajectory_time_s = Some(time);
                     }
                 }
-                "world_from_tool" => fill(&mut samples, &key, &value, |s| &mut s.world_from_tool)?,
+                "world_from_tool" => fill(&mut samples, &key, &value, |s| {
+                    s.world_from_tool.insert([0.0; 7])
+                })?,
+                "wrench_axes" => {
+                    let axes = wrench_axes(&value)?;
+                    samples
+                        .iter_mut()
+                        .for_each(|sample| sample.wrench_axes = axes);
+                }
                 "force_n" => fill(&mut samples, &key, &value, |s| &mut s.force_n)?,
                 "moment_nm" => fill(&mut samples, &key, &value, |s| &mut s.moment_nm)?,
                 "world_from_commanded" => fill(&mut samples, &key, &value, |s| {

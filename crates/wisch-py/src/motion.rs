@@ -41,6 +41,7 @@ struct Columns {
     time_s: Py<PyArray1<f64>>,
     positions: Py<PyArray2<f64>>,
     velocities: Py<PyArray2<f64>>,
+    accelerations: Py<PyArray2<f64>>,
     world_from_tool: Py<PyArray2<f64>>,
     stroke: Py<PyArray1<i64>>,
 }
@@ -99,6 +100,7 @@ impl PyMotion {
             time_s: vector(py, points.iter().map(|p| p.time).collect()).unbind(),
             positions: arrays::matrix(py, joined(|p| &p.positions), dof).unbind(),
             velocities: arrays::matrix(py, joined(|p| &p.velocities), dof).unbind(),
+            accelerations: arrays::matrix(py, joined(|p| &p.accelerations), dof).unbind(),
             world_from_tool: arrays::matrix(py, poses.collect(), 7).unbind(),
             stroke: PyArray1::from_vec(py, strokes.collect()).unbind(),
         }
@@ -247,6 +249,11 @@ impl PyMotion {
     }
 
     #[getter]
+    fn accelerations(&self, py: Python<'_>) -> Py<PyArray2<f64>> {
+        self.columns(py).accelerations.clone_ref(py)
+    }
+
+    #[getter]
     fn world_from_tool(&self, py: Python<'_>) -> Py<PyArray2<f64>> {
         self.columns(py).world_from_tool.clone_ref(py)
     }
@@ -267,6 +274,7 @@ impl PyMotion {
         all.set_item("time_s", columns.time_s)?;
         all.set_item("positions", columns.positions)?;
         all.set_item("velocities", columns.velocities)?;
+        all.set_item("accelerations", columns.accelerations)?;
         all.set_item("world_from_tool", columns.world_from_tool)?;
         all.set_item("stroke", columns.stroke)?;
         Ok(all)

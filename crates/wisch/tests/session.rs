@@ -9,8 +9,8 @@ use wisch::recover::{Verdict, is_claimable};
 use wisch::represent::{Observation, SensorModel, Task};
 use wisch::run::{
     AfterStop, CandidateEvaluation, Ending, Execution, Executor, ExecutorError, MotionOrder,
-    NoExecutor, Round, RunConfig, RunError, RunEvent, SampleSink, Session, Stage, StopCause,
-    ignore_events,
+    NoExecutor, RobotState, Round, RunConfig, RunError, RunEvent, SampleSink, Session, Stage,
+    StopCause, StopKind, ignore_events,
 };
 use wisch_io::{LoadOptions, LoadedTask, Robot, load_task};
 
@@ -513,11 +513,13 @@ struct Guarded {
     begins: Vec<Vec<f64>>,
     /// Where the last one ended.
     stands: Vec<f64>,
+    kind: StopKind,
 }
 
 impl Guarded {
     const fn new(stops_at: f64) -> Self {
         Self {
+            kind: StopKind::ProtectiveStop,
             toy: Toy::new(0.95),
             stops_at,
             begins: Vec::new(),
@@ -546,6 +548,7 @@ impl Executor for Guarded {
             execution.ending = Ending::ProtectiveStop {
                 time: execution.duration,
                 cause: StopCause::Reported {
+                    kind: self.kind,
                     reason: "a hand is in the way".to_owned(),
                 },
             };
@@ -622,6 +625,127 @@ fn after_a_protective_stop_the_robot_waits_unless_the_task_says_otherwise() {
 }
 
 #[test]
+fn only_pushes_and_overloads_continue_by_themselves() {
+    let loaded = loaded();
+    let robot = robot(&loaded);
+    for kind in StopKind::ALL {
+        for after_stop in [AfterStop::Wait, AfterStop::Retreat] {
+            let config = RunConfig {
+                target: 1.0,
+                max_rounds: 2,
+                sight: None,
+                after_stop,
+                ..loaded.run_config()
+            };
+            let mut session = Session::new(&loaded.task, config).with_robot(robot.robot_setup());
+            let mut guarded = Guarded {
+                kind,
+                ..Guarded::new(8.0)
+            };
+            session
+                .run(&mut guarded, &mut ignore_events)
+                .expect("it ends");
+            let continues = match kind {
+                StopKind::Push | StopKind::Overload => true,
+                StopKind::EmergencyStop | StopKind::Operator | StopKind::LinkLost => false,
+                _ => after_stop == AfterStop::Retreat,
+            };
+            let motions = guarded.begins.len();
+            assert_eq!(
+                motions,
+                if continues { 2 } else { 1 },
+                "{kind}, {after_stop:?}"
+            );
+        }
+    }
+}
+
+#[test]
+fn a_motion_that_was_broken_off_is_not_complete_whatever_the_executor_says() {
+    /// Calls every motion complete.
+    struct Obstinate(Toy);
+
+    impl Executor for Obstinate {
+        fn execute(
+            &mut self,
+            order: &MotionOrder<'_>,
+            sink: &mut SampleSink<'_>,
+        ) -> Result<Execution, ExecutorError> {
+            let execution = self.0.execute(order, sink)?;
+            Ok(Execution {
+                ending: Ending::Complete,
+                ..execution
+            })
+        }
+    }
+
+    let loaded = loaded();
+    let robot = robot(&loaded);
+    let mut session = loaded.session().with_robot(robot.robot_setup());
+    let mut stop_at_5_s = |event: &RunEvent<'_>| match event {
+        RunEvent::Sample(sample) if sample.time > 5.0 => ControlFlow::Break(()),
+        _ => ControlFlow::Continue(()),
+    };
+    session
+        .run(&mut Obstinate(Toy::new(0.95)), &mut stop_at_5_s)
+        .expect("it ends");
+    assert_eq!(session.rounds()[0].execution.ending, Ending::Stopped);
+}
+
+#[test]
+fn a_motion_does_not_begin_while_the_robot_moves() {
+    /// Is where the motion begins, but moves.
+    struct Moving(f64);
+
+    impl Executor for Moving {
+        fn execute(
+            &mut self,
+            _: &MotionOrder<'_>,
+            _: &mut SampleSink<'_>,
+        ) -> Result<Execution, ExecutorError> {
+            Err(ExecutorError::new("it was executed"))
+        }
+
+        fn state(&mut self) -> Result<Option<RobotState>, ExecutorError> {
+            let positions = ready();
+            let mut velocities = vec![0.0; positions.len()];
+            velocities[1] = self.0;
+            Ok(Some(RobotState {
+                positions,
+                velocities,
+            }))
+        }
+    }
+
+    let loaded = loaded();
+    let robot = robot(&loaded);
+    for (velocity, expected) in [
+        (
+            -0.3,
+            "moves at 0.300 rad/s, more than the limit of 0.02 rad/s for a robot at rest",
+        ),
+        (0.019, "it was executed"),
+    ] {
+        let mut session = loaded.session().with_robot(robot.robot_setup());
+        let error = session.run(&mut Moving(velocity), &mut ignore_events);
+        let error = error.expect_err("it is refused").to_string();
+        assert!(error.contains(expected), "{velocity}: {error}");
+    }
+}
+
+/// The posture in which the first motion begins.
+fn ready() -> Vec<f64> {
+    let loaded = loaded();
+    let robot = robot(&loaded);
+    let mut session = loaded.session().with_robot(robot.robot_setup());
+    session
+        .run_until(Stage::Followed, &mut NoExecutor, &mut ignore_events)
+        .expect("a motion");
+    let planned = session.planned_round().expect("a motion");
+    planned.cell.ready().to_vec()
+}
+
+#[test]
 fn a_motion_that_begins_elsewhere_is_not_executed() {
     /// Says that it stands somewhere else than it is ready.
     struct Elsewhere(f64);
@@ -635,21 +759,10 @@ fn a_motion_that_begins_elsewhere_is_not_executed() {
             Err(ExecutorError::new("it was executed"))
         }
 
-        fn state(&mut self) -> Result<Option<Vec<f64>>, ExecutorError> {
-            let loaded = loaded();
-            let robot = robot(&loaded);
-            let mut session = loaded.session().with_robot(robot.robot_setup());
-            session
-                .run_until(Stage::Followed, &mut NoExecutor, &mut ignore_events)
-                .expect("a motion");
-            let mut state = session
-                .planned_round()
-                .expect("a motion")
-                .cell
-                .ready()
-                .to_vec();
+        fn state(&mut self) -> Result<Option<RobotState>, ExecutorError> {
+            let mut state = ready();
             state[2] += self.0;
-            Ok(Some(state))
+            Ok(Some(state.into()))
         }
     }
 

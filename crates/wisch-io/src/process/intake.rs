@@ -1,12 +1,15 @@
 //! Checks the data of executors in other processes or languages: samples, observations and the ending.
 
 use super::printable::printable;
+use nalgebra::UnitQuaternion;
 use serde::Deserialize;
 use wisch::geometry::{Point2, Polygon, Pose, Region, Vector3};
 use wisch::represent::{MAX_DETECTIONS, Observation};
 use wisch::run::{
-    Ending, Execution, MotionOrder, SampleSink, StopCause, TelemetrySample, TrajectoryClock, Wrench,
+    Ending, Execution, MotionOrder, RobotState, SampleSink, StopCause, StopKind, TelemetrySample,
+    TrajectoryClock, Wrench,
 };
+use wisch::source_location::UnknownName;
 
 /// Tolerance of a quaternion's norm around 1.
 const UNIT_TOLERANCE: f64 = 1e-3;
@@ -42,9 +45,12 @@ pub struct SampleRecord {
     /// Time of the controller's present setpoint on the commanded trajectory \[s\]; `None` if the executor does not report it,
     /// so that it is estimated.
     pub trajectory_time_s: Option<f64>,
-    /// Measured pose of the tool.
-    pub world_from_tool: [f64; 7],
-    /// Force of the surroundings on the tool, in the axes of the world \[N\].
+    /// Measured pose of the tool; `None` computes it from the positions.
+    pub world_from_tool: Option<[f64; 7]>,
+    /// Axes of `force_n` and `moment_nm`.
+    #[serde(default)]
+    pub wrench_axes: WrenchAxes,
+    /// Force of the surroundings on the tool \[N\].
     pub force_n: [f64; 3],
     /// Its moment about the tool centre point \[Nm\].
     #[serde(default)]
@@ -65,6 +71,19 @@ pub struct SampleRecord {
     /// Their efforts, or empty [Nm or N].
     #[serde(default)]
     pub efforts: Vec<f64>,
+}
+
+/// Axes of a measured force and moment.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum WrenchAxes {
+    /// Those of the world.
+    #[default]
+    World,
+    /// Those of the tool.
+    Tool,
+    /// Those of the link that holds the tool.
+    Tip,
 }
 
 impl SampleRecord {
@@ -93,13 +112,23 @@ impl SampleRecord {
         }
         let trajectory_time = self.trajectory_time_s.as_ref();
         let told = self.world_from_commanded.as_ref();
+        let measured = self.world_from_tool.as_ref();
+        if measured.is_none() && self.positions.is_empty() {
+            return Err(format!(
+                "the sample at {time} s has neither world_from_tool nor positions; expected one of them"
+            ));
+        }
         for (key, values, most) in [
             (
                 "trajectory_time_s",
                 trajectory_time.map_or(&[][..], std::slice::from_ref),
                 f64::MAX,
             ),
-            ("world_from_tool", &self.world_from_tool[..], MAX_PLACE),
+            (
+                "world_from_tool",
+                measured.map_or(&[][..], |pose| &pose[..]),
+                MAX_PLACE,
+            ),
             ("force_n", &self.force_n, MAX_WRENCH),
             ("moment_nm", &self.moment_nm, MAX_WRENCH),
             (
@@ -131,7 +160,7 @@ impl SampleRecord {
                 ));
             }
         }
-        let poses = [Some(self.world_from_tool), self.world_from_commanded];
+        let poses = [self.world_from_tool, self.world_from_commanded];
         for pose in poses.into_iter().flatten() {
             let norm = pose[3..].iter().map(|x| x * x).sum::<f64>().sqrt();
             if (norm - 1.0).abs() > UNIT_TOLERANCE {
@@ -239,16 +268,27 @@ pub struct DoneRecord {
 pub(super) struct StateRecord {
     /// Positions of all n variables of the robot, or empty if unknown [rad or m].
     positions: Vec<f64>,
+    /// Their velocities, or empty if not measured [rad/s or m/s].
+    #[serde(default)]
+    velocities: Vec<f64>,
 }
 
 impl StateRecord {
-    /// Returns the checked positions; `None` if they are unknown.
+    /// Returns the checked state; `None` if the positions are unknown.
     ///
     /// # Errors
     /// If a number is not finite or beyond the limit of plausible measurements.
-    pub fn into_positions(self) -> Result<Option<Vec<f64>>, String> {
+    pub fn into_state(self) -> Result<Option<RobotState>, String> {
         check("state: positions", &self.positions, MAX_JOINT)?;
-        Ok(Some(self.positions).filter(|positions| !positions.is_empty()))
+        check("state: velocities", &self.velocities, MAX_JOINT)?;
+        let Self {
+            positions,
+            velocities,
+        } = self;
+        Ok((!positions.is_empty()).then_some(RobotState {
+            positions,
+            velocities,
+        }))
     }
 }
 
@@ -267,6 +307,32 @@ pub enum EndingRecord {
         /// Cause.
         reason: String,
     },
+    /// The robot was stopped, with the kind of the stop; since version 2 of the protocol.
+    Stop {
+        /// Kind.
+        kind: StopKindRecord,
+        /// Time \[s\].
+        time_s: f64,
+        /// Cause.
+        reason: String,
+    },
+}
+
+/// Kind of a stop.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize)]
+#[serde(try_from = "String")]
+pub struct StopKindRecord(pub StopKind);
+
+impl TryFrom<String> for StopKindRecord {
+    type Error = UnknownName;
+
+    fn try_from(name: String) -> Result<Self, UnknownName> {
+        let found = StopKind::ALL.into_iter().find(|kind| kind.as_str() == name);
+        found.map(Self).ok_or_else(|| {
+            let known = StopKind::ALL.map(StopKind::as_str);
+            UnknownName::new("kind of a stop", &name, known)
+        })
+    }
 }
 
 /// A receiver that checks an executor's samples during one motion and passes them on.
@@ -334,7 +400,18 @@ impl<'a> Intake<'a> {
                 self.count, self.since
             ));
         }
-        let world_from_tool = pose(&sample.world_from_tool);
+        let world_from_tool = match &sample.world_from_tool {
+            Some(measured) => pose(measured),
+            None => self.compute_tool_pose(&sample.positions)?,
+        };
+        let world_from_axes = match sample.wrench_axes {
+            WrenchAxes::World => UnitQuaternion::identity(),
+            WrenchAxes::Tool => world_from_tool.rotation,
+            WrenchAxes::Tip => {
+                world_from_tool.rotation * self.order.cell.tip_from_tool().rotation.inverse()
+            }
+        };
+        let measured = wrench(sample.force_n, sample.moment_nm);
         let (reported, positions) = (sample.trajectory_time_s, &sample.positions);
         let at = (self.clock)
             .advance(self.since, reported, positions, &world_from_tool)
@@ -357,12 +434,23 @@ impl<'a> Intake<'a> {
                 .map_or(world_from_tool, pose),
             world_from_tool,
             controller: wrench(sample.controller_force_n, sample.controller_moment_nm),
-            external: wrench(sample.force_n, sample.moment_nm),
+            external: Wrench {
+                force: world_from_axes * measured.force,
+                moment: world_from_axes * measured.moment,
+            },
             motion,
             phase,
         });
         self.is_stopped = flow.is_break();
         Ok(())
+    }
+
+    /// Computes the tool's pose from the positions of the joints.
+    fn compute_tool_pose(&self, positions: &[f64]) -> Result<Pose, String> {
+        let cell = self.order.cell;
+        let kinematics = (cell.robot().forward_kinematics(positions))
+            .map_err(|error| format!("at {} s positions: {error}", self.since))?;
+        Ok(cell.world_from_root() * kinematics.world_from_link(cell.tip()) * cell.tip_from_tool())
     }
 
     /// Returns the checked execution. Missing positions at the end are taken from the last sample with positions.
@@ -394,6 +482,7 @@ impl<'a> Intake<'a> {
             EndingRecord::ProtectiveStop { time_s, .. } => {
                 Some(("protective_stop.time_s", *time_s))
             }
+            EndingRecord::Stop { time_s, .. } => Some(("stop.time_s", *time_s)),
             EndingRecord::Complete | EndingRecord::Stopped => None,
         };
         for (key, time) in [Some(("duration_s", duration)), stop].into_iter().flatten() {
@@ -424,13 +513,23 @@ impl From<EndingRecord> for Ending {
         match ending {
             EndingRecord::Complete => Self::Complete,
             EndingRecord::Stopped => Self::Stopped,
-            EndingRecord::ProtectiveStop { time_s, reason } => Self::ProtectiveStop {
-                time: time_s,
-                cause: StopCause::Reported {
-                    reason: printable(&reason, MAX_REASON),
-                },
-            },
+            EndingRecord::ProtectiveStop { time_s, reason } => {
+                stop(StopKind::ProtectiveStop, time_s, &reason)
+            }
+            EndingRecord::Stop {
+                kind,
+                time_s,
+                reason,
+            } => stop(kind.0, time_s, &reason),
         }
+    }
+}
+
+fn stop(kind: StopKind, time: f64, reason: &str) -> Ending {
+    let reason = printable(reason, MAX_REASON);
+    Ending::ProtectiveStop {
+        time,
+        cause: StopCause::Reported { kind, reason },
     }
 }
 
@@ -444,6 +543,6 @@ fn wrench(force: [f64; 3], moment: [f64; 3]) -> Wrench {
 fn pose(&[x, y, z, i, j, k, w]: &[f64; 7]) -> Pose {
     Pose::from_parts(
         nalgebra::Translation3::new(x, y, z),
-        nalgebra::UnitQuaternion::from_quaternion(nalgebra::Quaternion::new(w, i, j, k)),
+        UnitQuaternion::from_quaternion(nalgebra::Quaternion::new(w, i, j, k)),
     )
 }

@@ -1,9 +1,15 @@
 //! The messages between this program and an executor in another process: one JSON object a line.
 
+use super::VERSIONS;
 use super::intake::{DoneRecord, ObservationRecord, SampleRecord, StateRecord};
 use serde::{Deserialize, Serialize};
 use wisch::geometry::Pose;
 use wisch::run::{MotionOrder, Setpoint};
+
+/// Range of the silence that a child permits itself during a motion [s].
+const MAX_SILENCE_S: [f64; 2] = [0.02, 60.0];
+/// Range of the error between points [rad or m].
+const KNOT_ERROR_RAD: [f64; 2] = [1e-6, 0.1];
 
 /// A message to the child.
 #[derive(Debug, Serialize)]
@@ -11,7 +17,10 @@ use wisch::run::{MotionOrder, Setpoint};
 pub(super) enum ToChild<'a> {
     Hello {
         protocol: &'static str,
+        /// The first version, which every child may answer.
         version: u32,
+        /// All versions that this program speaks.
+        versions: [u32; 2],
     },
     /// A motion, followed by the stated number of points.
     Execute(MotionHead),
@@ -44,6 +53,18 @@ pub(super) struct MotionHead {
     duration_s: f64,
     phases: Vec<PhaseMessage>,
     points: usize,
+    /// Since version 2.
+    #[serde(flatten)]
+    mount: Option<MountMessage>,
+}
+
+/// Where the robot and its tool are.
+#[derive(Debug, Serialize)]
+struct MountMessage {
+    /// Name of the link that holds the tool.
+    tip: String,
+    tip_from_tool: [f64; 7],
+    world_from_root: [f64; 7],
 }
 
 /// A phase of a motion.
@@ -62,19 +83,62 @@ pub(super) struct TrajectoryPoint {
     time_s: f64,
     positions: Vec<f64>,
     velocities: Vec<f64>,
+    /// Since version 2.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    accelerations: Option<Vec<f64>>,
     world_from_tool: [f64; 7],
+}
+
+/// What a child is able to do, in the answer to `hello`.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Deserialize)]
+pub(super) struct ReadyRecord {
+    /// The version that it speaks.
+    pub version: u32,
+    /// Whether it answers requests for its state.
+    #[serde(default)]
+    pub reports_state: bool,
+    /// Since version 2: maximum time between its messages during a motion [s].
+    pub max_silence_s: Option<f64>,
+    /// Since version 2: deviation of quintic polynomials between the points from the trajectory that it permits [rad or m];
+    /// without it, points are 10 ms apart.
+    pub knot_error_rad: Option<f64>,
+}
+
+impl ReadyRecord {
+    /// Checks the version and the ranges of all numbers.
+    pub fn check(&self) -> Result<(), String> {
+        let version = self.version;
+        if !VERSIONS.contains(&version) {
+            let [first, last] = VERSIONS;
+            return Err(format!(
+                "it uses protocol version {version}; expected {first} or {last}"
+            ));
+        }
+        for (key, value, [least, most]) in [
+            ("max_silence_s", self.max_silence_s, MAX_SILENCE_S),
+            ("knot_error_rad", self.knot_error_rad, KNOT_ERROR_RAD),
+        ] {
+            match value {
+                Some(value) if !(least..=most).contains(&value) => {
+                    return Err(format!(
+                        "ready: {key} is {value}; expected {least} to {most}"
+                    ));
+                }
+                Some(_) if version < 2 => {
+                    return Err(format!("ready: {key} needs version 2"));
+                }
+                _ => {}
+            }
+        }
+        Ok(())
+    }
 }
 
 /// A message from the child.
 #[derive(Debug, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub(super) enum FromChild {
-    Ready {
-        version: u32,
-        /// Whether it answers requests for its state.
-        #[serde(default)]
-        reports_state: bool,
-    },
+    Ready(ReadyRecord),
     Sample(Box<SampleRecord>),
     Done(DoneRecord),
     State(StateRecord),
@@ -86,7 +150,7 @@ impl FromChild {
     /// The kind of the message, for error messages.
     pub const fn kind(&self) -> &'static str {
         match self {
-            Self::Ready { .. } => "\"ready\"",
+            Self::Ready(_) => "\"ready\"",
             Self::Sample(_) => "\"sample\"",
             Self::Done(_) => "\"done\"",
             Self::State(_) => "\"state\"",
@@ -97,7 +161,8 @@ impl FromChild {
 }
 
 impl MotionHead {
-    pub fn new(order: &MotionOrder<'_>, points: usize) -> Self {
+    /// Returns the head of a motion in a version of the protocol.
+    pub fn new(order: &MotionOrder<'_>, points: usize, version: u32) -> Self {
         let robot = order.cell.robot();
         let interaction = &order.task.interaction;
         let phases = order.followed.motions.iter().map(|motion| PhaseMessage {
@@ -123,13 +188,20 @@ impl MotionHead {
             duration_s: order.followed.duration(),
             phases: phases.collect(),
             points,
+            mount: (version >= 2).then(|| MountMessage {
+                tip: robot.links()[order.cell.tip().index()].name.clone(),
+                tip_from_tool: numbers(order.cell.tip_from_tool()),
+                world_from_root: numbers(order.cell.world_from_root()),
+            }),
         }
     }
 }
 
-impl From<Setpoint> for TrajectoryPoint {
-    fn from(at: Setpoint) -> Self {
+impl TrajectoryPoint {
+    /// Returns a point in a version of the protocol.
+    pub fn new(at: Setpoint, version: u32) -> Self {
         Self {
+            accelerations: (version >= 2).then_some(at.accelerations),
             time_s: at.time,
             world_from_tool: numbers(&at.world_from_tool),
             positions: at.positions,

@@ -6,19 +6,26 @@ mod message;
 mod printable;
 
 pub use child::kill_executors;
-pub use intake::{DoneRecord, EndingRecord, Intake, ObservationRecord, SampleRecord};
+pub use intake::{
+    DoneRecord, EndingRecord, Intake, ObservationRecord, SampleRecord, StopKindRecord, WrenchAxes,
+};
 
 use child::{ChildGroup, Heard, shortened};
-use message::{FromChild, MotionHead, ToChild};
+use message::{FromChild, MotionHead, ReadyRecord, ToChild, TrajectoryPoint};
 use printable::printable;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 use wisch::represent::{Observation, Task};
-use wisch::run::{Execution, Executor, ExecutorError, MotionOrder, SampleSink, Setpoint};
+use wisch::run::{
+    Execution, Executor, ExecutorError, MotionOrder, RobotState, SampleSink, Setpoint,
+};
 
-/// The version of the protocol.
-pub const EXECUTOR_PROTOCOL: u32 = 1;
+/// The newest version of the protocol.
+pub const EXECUTOR_PROTOCOL: u32 = 2;
+
+/// All versions of the protocol that a child may speak.
+const VERSIONS: [u32; 2] = [1, EXECUTOR_PROTOCOL];
 
 /// Default limit of silence, after which the child is abandoned.
 const SILENCE: Duration = Duration::from_secs(60);
@@ -46,8 +53,8 @@ pub struct ProcessExecutor {
     silence: Duration,
     /// Set by the caller to stop the motion.
     stop: Arc<AtomicBool>,
-    /// Whether it answers requests for its joint positions.
-    reports_state: bool,
+    /// What the child is able to do.
+    ready: ReadyRecord,
     /// Whether it violated the protocol or is abandoned.
     is_faulty: bool,
     /// Whether it has received a stop for its last motion.
@@ -93,25 +100,21 @@ impl ProcessExecutor {
             child,
             silence,
             stop,
-            reports_state: false,
+            ready: ReadyRecord::default(),
             is_faulty: false,
             was_stopped: false,
         };
         executor.say(&ToChild::Hello {
             protocol: "wisch-executor",
-            version: EXECUTOR_PROTOCOL,
+            version: VERSIONS[0],
+            versions: VERSIONS,
         })?;
         match executor.answer()? {
-            FromChild::Ready {
-                version,
-                reports_state,
-            } if version == EXECUTOR_PROTOCOL => {
-                executor.reports_state = reports_state;
+            FromChild::Ready(ready) => {
+                ready.check().map_err(|problem| executor.fault(problem))?;
+                executor.ready = ready;
                 Ok(executor)
             }
-            FromChild::Ready { version, .. } => Err(executor.fault(format!(
-                "it uses protocol version {version}; expected {EXECUTOR_PROTOCOL}"
-            ))),
             other => Err(executor.unexpected("\"ready\"", &other)),
         }
     }
@@ -184,13 +187,21 @@ impl ProcessExecutor {
     }
 
     fn order(&mut self, order: &MotionOrder<'_>) -> Result<(), ExecutorError> {
-        let points: Vec<Setpoint> = order.setpoints(TRAJECTORY_PERIOD).collect();
+        let version = self.ready.version;
+        let points: Vec<Setpoint> = match self.ready.knot_error_rad {
+            Some(error) => order.knots(error),
+            None => order.setpoints(TRAJECTORY_PERIOD).collect(),
+        };
         if points.is_empty() {
             return Err(self.fault("the motion is empty"));
         }
-        self.say(&ToChild::Execute(MotionHead::new(order, points.len())))?;
+        self.say(&ToChild::Execute(MotionHead::new(
+            order,
+            points.len(),
+            version,
+        )))?;
         for point in points {
-            self.say(&ToChild::Point(point.into()))?;
+            self.say(&ToChild::Point(TrajectoryPoint::new(point, version)))?;
         }
         Ok(())
     }
@@ -247,10 +258,11 @@ impl Progress {
         }
     }
 
-    fn deadline(&self, silence: Duration) -> Instant {
+    /// `silence`: limit between messages; `patience`: limit of a motion without progress, and after a stop.
+    fn deadline(&self, silence: Duration, patience: Duration) -> Instant {
         match self.told {
-            Some(told) => told + silence,
-            None => (self.heard + silence).min(self.at + silence + PROGRESS_ALLOWANCE),
+            Some(told) => told + patience,
+            None => (self.heard + silence).min(self.at + patience + PROGRESS_ALLOWANCE),
         }
     }
 
@@ -283,44 +295,25 @@ impl Executor for ProcessExecutor {
         if self.is_interrupted() {
             return Err(self.fault("interrupted before the motion began"));
         }
-        let mut intake = Intake::new(order, sink);
+        let intake = Intake::new(order, sink);
         self.was_stopped = false;
         self.order(order)?;
-        let mut progress = Progress::begin();
-        loop {
-            if progress.told.is_none() && (intake.is_stopped() || self.is_interrupted()) {
-                progress.told = Some(Instant::now());
-                self.was_stopped = true;
-                self.say(&ToChild::Stop)?;
-            }
-            let deadline = progress.deadline(self.silence);
-            match self.hear(deadline, progress.told.is_none())? {
-                Ok(FromChild::Sample(sample)) => {
-                    intake.take(&sample).map_err(|e| self.fault(e))?;
-                    progress.hear(&intake);
-                }
-                Ok(FromChild::Done(done)) => return intake.done(done).map_err(|e| self.fault(e)),
-                Ok(other) => return Err(self.unexpected("a sample", &other)),
-                Err(Unheard::Silent)
-                    if progress.told.is_none() && progress.heard.elapsed() >= self.silence =>
-                {
-                    return Err(self.silent());
-                }
-                Err(_) => {}
-            }
-            if let Some(problem) = progress.overdue(self.silence, &intake) {
-                return Err(self.fault(problem));
-            }
+        let executed = self.receive(intake);
+        // A robot whose driver failed must not go on while its data are interpreted.
+        if executed.is_err() && !self.was_stopped {
+            self.was_stopped = true;
+            let _ = self.say(&ToChild::Stop);
         }
+        executed
     }
 
-    fn state(&mut self) -> Result<Option<Vec<f64>>, ExecutorError> {
-        if !self.reports_state {
+    fn state(&mut self) -> Result<Option<RobotState>, ExecutorError> {
+        if !self.ready.reports_state {
             return Ok(None);
         }
         self.say(&ToChild::State)?;
         match self.answer()? {
-            FromChild::State(state) => (state.into_positions()).map_err(|error| self.fault(error)),
+            FromChild::State(state) => state.into_state().map_err(|error| self.fault(error)),
             other => Err(self.unexpected("\"state\"", &other)),
         }
     }
@@ -336,6 +329,42 @@ impl Executor for ProcessExecutor {
                 .map(Some)
                 .map_err(|error| self.fault(error)),
             other => Err(self.unexpected("\"observation\"", &other)),
+        }
+    }
+}
+
+impl ProcessExecutor {
+    /// Receives the samples of a motion until its end.
+    fn receive(&mut self, mut intake: Intake<'_>) -> Result<Execution, ExecutorError> {
+        let silence = (self.ready.max_silence_s).map_or(self.silence, |seconds| {
+            self.silence.min(Duration::from_secs_f64(seconds))
+        });
+        let mut progress = Progress::begin();
+        loop {
+            if progress.told.is_none() && (intake.is_stopped() || self.is_interrupted()) {
+                progress.told = Some(Instant::now());
+                self.was_stopped = true;
+                self.say(&ToChild::Stop)?;
+            }
+            let deadline = progress.deadline(silence, self.silence);
+            match self.hear(deadline, progress.told.is_none())? {
+                Ok(FromChild::Sample(sample)) => {
+                    intake.take(&sample).map_err(|e| self.fault(e))?;
+                    progress.hear(&intake);
+                }
+                Ok(FromChild::Done(done)) => return intake.done(done).map_err(|e| self.fault(e)),
+                Ok(other) => return Err(self.unexpected("a sample", &other)),
+                Err(Unheard::Silent)
+                    if progress.told.is_none() && progress.heard.elapsed() >= silence =>
+                {
+                    let seconds = silence.as_secs_f64();
+                    return Err(self.fault(format!("no message for {seconds} s")));
+                }
+                Err(_) => {}
+            }
+            if let Some(problem) = progress.overdue(self.silence, &intake) {
+                return Err(self.fault(problem));
+            }
         }
     }
 }

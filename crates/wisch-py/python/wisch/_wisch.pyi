@@ -41,6 +41,7 @@ class Setpoints(TypedDict):
     time_s: Floats
     positions: Floats
     velocities: Floats
+    accelerations: Floats
     world_from_tool: Floats
     stroke: NDArray[np.int64]
 
@@ -363,6 +364,9 @@ class Motion:
     def velocities(self) -> Floats:
         """(T, n) [rad/s or m/s]."""
     @property
+    def accelerations(self) -> Floats:
+        """(T, n) [rad/s² or m/s²]."""
+    @property
     def world_from_tool(self) -> Floats:
         """(T, 7)."""
     @property
@@ -376,7 +380,8 @@ class Sink:
     def __call__(self, sample: Mapping[str, Any] | None = None, /, **keys: Any) -> bool:
         """Pass a sample: ``time_s`` [s], ``world_from_tool`` (7), ``force_n`` (3) and, where measured, ``positions``,
         ``velocities``, ``efforts`` (n), ``moment_nm`` (3), ``world_from_commanded`` (7), ``controller_force_n`` (3),
-        ``controller_moment_nm`` (3), ``trajectory_time_s`` [s] (time of the controller's present setpoint). Raises WischError with the time of the sample and the faulty value."""
+        ``controller_moment_nm`` (3), ``trajectory_time_s`` [s] (time of the controller's present setpoint), and
+        ``wrench_axes`` ("world", "tool" or "tip"). Without ``world_from_tool`` the pose is computed from ``positions``. Raises WischError with the time of the sample and the faulty value."""
     def many(self, samples: Mapping[str, ArrayLike] | None = None, /, **keys: ArrayLike) -> bool:
         """Pass many samples: the same keys, with a row per sample."""
 

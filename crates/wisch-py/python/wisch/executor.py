@@ -30,7 +30,7 @@ import numpy as np
 __all__ = ["Executor", "serve"]
 
 #: Name and version of the protocol in docs/executor-protocol.md.
-PROTOCOL, VERSION = "wisch-executor", 1
+PROTOCOL, VERSION = "wisch-executor", 2
 
 
 class Executor:
@@ -39,25 +39,29 @@ class Executor:
     def execute(self, motion, sink) -> dict[str, Any] | None:
         """Execute a motion, and pass its telemetry to the sink, sample by sample in the order of time.
 
-        ``motion`` has ``time_s`` (T), ``positions`` and ``velocities`` (T, n), ``world_from_tool`` (T, 7), ``stroke`` (T; -1
+        ``motion`` has ``time_s`` (T), ``positions``, ``velocities`` and ``accelerations`` (T, n), ``world_from_tool`` (T, 7), ``stroke`` (T; -1
         where the tool does not touch), ``phases``, ``joints``, ``press_force_n``, ``stiffness_n_per_m``, ``damping_ratio``,
         ``world_from_surface`` (7), ``duration_s``, ``round`` and ``seed``. The tool's path lies on the believed surface:
         the executor must press.
 
         ``sink(sample)`` takes a dict with ``time_s`` [s], ``world_from_tool`` (7), ``force_n`` (3; of the surroundings on the
-        tool, in the axes of the world [N]) and, if measured, ``positions``, ``velocities``, ``efforts`` (n; arrays, or dicts
+        tool [N], in the axes of the world, or of ``wrench_axes``: "world", "tool" or "tip", the link that holds the tool) and,
+        if measured, ``positions``, ``velocities``, ``efforts`` (n; arrays, or dicts
         by joint), ``moment_nm`` (3), ``world_from_commanded`` (7), ``controller_force_n`` (3), ``controller_moment_nm`` (3); or
-        these as arguments. A robot that may run slower than planned adds ``trajectory_time_s``, the time of its controller's
+        these as arguments. Without ``world_from_tool`` the pose is computed from ``positions``. A robot that may run slower than planned adds ``trajectory_time_s``, the time of its controller's
         present setpoint. ``sink.many`` takes the same with a row per sample. Both return False if the motion must
         stop.
 
         Returns None when the motion is complete or was stopped; or a dict with any of ``ending`` ("complete", "stopped", or
-        ``{"protective_stop": {"time_s": ..., "reason": ...}}``), ``duration_s`` and ``positions`` (n, at the end).
+        ``{"stop": {"kind": ..., "time_s": ..., "reason": ...}}`` with a kind of "push", "overload", "joint_limit", "tolerance",
+        "protective_stop", "emergency_stop", "operator" or "link_lost"), ``duration_s`` and ``positions`` (n, at the end).
         """
         raise NotImplementedError
 
     def state(self):
-        """Return the joint positions (n) before each motion; None if unknown."""
+        """Return the joint positions (n), or a dict of ``positions`` and ``velocities``, before each motion; None if unknown.
+
+        A motion begins only where the robot is, and at rest."""
         return None
 
     def observe(self):
@@ -76,6 +80,7 @@ class _Motion:
         self.time_s = np.array([point["time_s"] for point in points])
         self.positions = np.array([point["positions"] for point in points])
         self.velocities = np.array([point["velocities"] for point in points])
+        self.accelerations = np.array([point["accelerations"] for point in points])
         self.world_from_tool = np.array([point["world_from_tool"] for point in points])
         starts = [phase["start_s"] for phase in self.phases]
         at = np.clip(np.searchsorted(starts, self.time_s, side="right") - 1, 0, None)
@@ -151,6 +156,8 @@ class _Sink:
 
 
 def _finite(key: str, value):
+    if isinstance(value, str):
+        return value
     array = np.asarray(value, dtype=float)
     if not np.isfinite(array).all():
         raise ValueError(f"{key} of a sample holds {array}")
@@ -187,7 +194,9 @@ def serve(executor) -> None:
         try:
             if message == "state":
                 state = executor.state()
-                wire.say(state={"positions": [] if state is None else state})
+                if not isinstance(state, dict):
+                    state = {"positions": [] if state is None else state}
+                wire.say(state=state)
             elif "hello" in message:
                 wire.say(ready={"version": VERSION, "reports_state": hasattr(executor, "state")})
             elif "execute" in message:

@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 use wisch::geometry::{Point2, Polygon, Region};
 use wisch::represent::{Fate, Observation};
 use wisch::robot::Range;
-use wisch::run::{Ending, Execution, StopCause, StrokeEnd};
+use wisch::run::{Ending, Execution, StopCause, StopKind, StrokeEnd};
 
 /// Version of the record's schema.
 pub const CHECKPOINT_SCHEMA: u32 = 5;
@@ -88,6 +88,8 @@ enum CauseRecord {
         upper: f64,
     },
     Reported {
+        #[serde(default)]
+        kind: String,
         reason: String,
     },
 }
@@ -292,7 +294,10 @@ impl From<&Ending> for EndingRecord {
                     lower: limits.lower,
                     upper: limits.upper,
                 },
-                StopCause::Reported { reason } => CauseRecord::Reported { reason },
+                StopCause::Reported { kind, reason } => CauseRecord::Reported {
+                    kind: kind.as_str().to_owned(),
+                    reason,
+                },
             },
         }
     }
@@ -345,7 +350,14 @@ impl From<EndingRecord> for Ending {
                     position,
                     limits: Range { lower, upper },
                 },
-                CauseRecord::Reported { reason } => StopCause::Reported { reason },
+                CauseRecord::Reported { kind, reason } => {
+                    let known = StopKind::ALL
+                        .into_iter()
+                        .find(|known| known.as_str() == kind);
+                    // Checkpoints of earlier versions know no kinds.
+                    let kind = known.unwrap_or(StopKind::ProtectiveStop);
+                    StopCause::Reported { kind, reason }
+                }
             },
         }
     }

@@ -121,7 +121,7 @@ fn the_stops_say_why() {
         StopCause::Overshoot {
             position, limits, ..
         } => assert!(!(limits.lower..=limits.upper).contains(position)),
-        StopCause::Reported { reason } => panic!("the simulated robot says nothing: {reason}"),
+        StopCause::Reported { reason, .. } => panic!("the simulated robot says nothing: {reason}"),
     }
     assert!(!cause.to_string().is_empty());
 }

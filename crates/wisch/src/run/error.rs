@@ -87,6 +87,22 @@ pub enum RunError {
         /// "rad", or "m" for a prismatic joint.
         unit: &'static str,
     },
+    /// The robot moves before its motion begins.
+    #[error(
+        "round {round}: joint {joint:?} moves at {velocity:.3} {unit}/s, more than the limit of {limit} {unit}/s for a robot at rest, so the motion is not executed; wait until the robot stands still"
+    )]
+    Moving {
+        /// The round, from 1.
+        round: usize,
+        /// The fastest joint.
+        joint: String,
+        /// Its speed [rad/s or m/s].
+        velocity: f64,
+        /// The limit [rad/s or m/s].
+        limit: f64,
+        /// "rad", or "m" for a prismatic joint.
+        unit: &'static str,
+    },
     /// The position at which the robot was stopped is unknown.
     #[error(
         "round {round}: the executor did not report where the robot was stopped, so the next motion has no start; make the executor report its joint positions"

@@ -1,7 +1,8 @@
 //! The result of an execution, and how it ended.
 
-use super::StrokeEnd;
+use super::{AfterStop, StrokeEnd};
 use crate::robot::Range;
+use std::fmt;
 
 /// How an execution ended. One that ended early is interpreted up to its end.
 #[derive(Debug, Clone, PartialEq)]
@@ -65,8 +66,10 @@ pub enum StopCause {
         limit: f64,
     },
     /// A reason that the robot reports.
-    #[error("{reason}")]
+    #[error("{}{reason}", kind.prefix())]
     Reported {
+        /// Kind of the stop.
+        kind: StopKind,
         /// The reported text.
         reason: String,
     },
@@ -80,6 +83,95 @@ pub enum StopCause {
         /// Its range [rad or m].
         limits: Range,
     },
+}
+
+/// Kind of a robot's stop.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum StopKind {
+    /// Somebody or something pushed the robot.
+    Push,
+    /// The force on the tool exceeded its limit.
+    Overload,
+    /// A joint reached its limit.
+    JointLimit,
+    /// The robot left the tolerance of its trajectory.
+    Tolerance,
+    /// The robot's controller stopped it for another reason.
+    ProtectiveStop,
+    /// A person or a safety system pressed the emergency stop.
+    EmergencyStop,
+    /// A person stopped it.
+    Operator,
+    /// The connection to the robot was lost.
+    LinkLost,
+}
+
+impl StopKind {
+    /// All kinds.
+    pub const ALL: [Self; 8] = [
+        Self::Push,
+        Self::Overload,
+        Self::JointLimit,
+        Self::Tolerance,
+        Self::ProtectiveStop,
+        Self::EmergencyStop,
+        Self::Operator,
+        Self::LinkLost,
+    ];
+
+    /// Name of the kind, as messages and files have it.
+    pub const fn as_str(self) -> &'static str {
+        match self {
+            Self::Push => "push",
+            Self::Overload => "overload",
+            Self::JointLimit => "joint_limit",
+            Self::Tolerance => "tolerance",
+            Self::ProtectiveStop => "protective_stop",
+            Self::EmergencyStop => "emergency_stop",
+            Self::Operator => "operator",
+            Self::LinkLost => "link_lost",
+        }
+    }
+
+    /// What precedes a reported reason; nothing for a protective stop, as the ending says that already.
+    fn prefix(self) -> String {
+        match self {
+            Self::ProtectiveStop => String::new(),
+            kind => format!("{kind}: "),
+        }
+    }
+
+    /// Whether a run may continue by itself after such a stop, with a retreat from where the robot is.
+    ///
+    /// After a push or an overload it may. After a stop that a person or a safety system caused, and after a lost
+    /// connection, it never does. For the other kinds the task decides.
+    pub fn may_continue(self, after_stop: AfterStop) -> bool {
+        match self {
+            Self::Push | Self::Overload => true,
+            Self::EmergencyStop | Self::Operator | Self::LinkLost => false,
+            Self::JointLimit | Self::Tolerance | Self::ProtectiveStop => {
+                after_stop != AfterStop::Wait
+            }
+        }
+    }
+}
+
+impl fmt::Display for StopKind {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.as_str().replace('_', " "))
+    }
+}
+
+impl StopCause {
+    /// Kind of the stop.
+    pub const fn kind(&self) -> StopKind {
+        match self {
+            Self::Astray { .. } => StopKind::Tolerance,
+            Self::Overspeed { .. } => StopKind::ProtectiveStop,
+            Self::Overshoot { .. } => StopKind::JointLimit,
+            Self::Reported { kind, .. } => *kind,
+        }
+    }
 }
 
 /// The result of an execution, without its samples.

@@ -49,11 +49,13 @@ pub trait Executor {
         sink: &mut SampleSink<'_>,
     ) -> Result<Execution, ExecutorError>;
 
-    /// Reports the robot's state: all n variables [rad or m]; `None` if the executor does not know it.
+    /// Reports the robot's measured state; `None` if the executor does not know it.
+    ///
+    /// A motion begins only where the robot is, and at rest.
     ///
     /// # Errors
     /// The executor knows the state, and reading it fails.
-    fn state(&mut self) -> Result<Option<Vec<f64>>, ExecutorError> {
+    fn state(&mut self) -> Result<Option<RobotState>, ExecutorError> {
         Ok(None)
     }
 
@@ -75,12 +77,31 @@ impl<E: Executor + ?Sized> Executor for &mut E {
         (**self).execute(order, sink)
     }
 
-    fn state(&mut self) -> Result<Option<Vec<f64>>, ExecutorError> {
+    fn state(&mut self) -> Result<Option<RobotState>, ExecutorError> {
         (**self).state()
     }
 
     fn observe(&mut self, task: &Task) -> Result<Option<Observation>, ExecutorError> {
         (**self).observe(task)
+    }
+}
+
+/// The measured state of a robot.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct RobotState {
+    /// Positions of all n variables [rad or m].
+    pub positions: Vec<f64>,
+    /// Their velocities [rad/s or m/s]; empty if they are not measured.
+    pub velocities: Vec<f64>,
+}
+
+impl From<Vec<f64>> for RobotState {
+    /// Returns the state of a robot whose velocities are not measured.
+    fn from(positions: Vec<f64>) -> Self {
+        Self {
+            positions,
+            velocities: Vec::new(),
+        }
     }
 }
 
@@ -167,7 +188,7 @@ impl<E: Executor> Executor for Recording<E> {
         Ok(round.execution)
     }
 
-    fn state(&mut self) -> Result<Option<Vec<f64>>, ExecutorError> {
+    fn state(&mut self) -> Result<Option<RobotState>, ExecutorError> {
         if self.rounds.is_empty() {
             self.then.state()
         } else {

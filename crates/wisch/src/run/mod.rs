@@ -9,6 +9,7 @@ mod error;
 mod event;
 mod execution;
 mod executor;
+mod knots;
 mod order;
 mod own_strategy;
 mod round;
@@ -22,8 +23,10 @@ pub use config::{AfterStop, MIN_SCORE, Pace, RobotSetup, RunConfig};
 pub use considered::{CandidateEvaluation, EvaluatedMotion};
 pub use error::{RunError, check_score};
 pub use event::{Observer, RunEvent, ignore_events};
-pub use execution::{Ending, Execution, StopCause};
-pub use executor::{Executor, ExecutorError, NoExecutor, RecordedRound, Recording, SampleSink};
+pub use execution::{Ending, Execution, StopCause, StopKind};
+pub use executor::{
+    Executor, ExecutorError, NoExecutor, RecordedRound, Recording, RobotState, SampleSink,
+};
 pub use order::{MotionOrder, Setpoint};
 pub use own_strategy::OwnStrategy;
 pub use round::{ExecutedMotion, PlannedRound, Round};

@@ -1,5 +1,6 @@
 //! The order to an executor: a motion, with all data that a robot's driver needs.
 
+use super::knots::knot_times;
 use super::{Ending, Execution, SampleSink, TelemetrySample};
 use crate::follow::{Followed, Phase, Workcell};
 use crate::geometry::Pose;
@@ -31,6 +32,8 @@ pub struct Setpoint {
     pub positions: Vec<f64>,
     /// Their velocities [rad/s or m/s].
     pub velocities: Vec<f64>,
+    /// Their accelerations [rad/s² or m/s²].
+    pub accelerations: Vec<f64>,
     /// Desired pose of the tool.
     pub world_from_tool: Pose,
     /// Index of the motion in [`Followed::motions`].
@@ -61,6 +64,7 @@ impl MotionOrder<'_> {
                 * self.cell.tip_from_tool(),
             positions: sample.q,
             velocities: sample.qd,
+            accelerations: sample.qdd,
             motion,
             phase,
         })
@@ -72,6 +76,19 @@ impl MotionOrder<'_> {
         let duration = self.followed.duration();
         let count = (duration / period).ceil() as usize + 1;
         (0..count).filter_map(move |k| self.setpoint((k as f64 * period).min(duration)))
+    }
+
+    /// Returns setpoints between which a quintic polynomial of each variable, through the positions, velocities and
+    /// accelerations at both ends, deviates from the trajectory by at most `error` [rad or m]; none for an empty motion.
+    ///
+    /// The start of every motion and the end are among them. Robot controllers interpolate so
+    /// (`joint_trajectory_controller` of ros2_control).
+    pub fn knots(&self, error: f64) -> Vec<Setpoint> {
+        let times = knot_times(self.followed, error);
+        times
+            .into_iter()
+            .filter_map(|time| self.setpoint(time))
+            .collect()
     }
 
     /// Visits the setpoints at this period \[s\], passes the sample measured at each to the sink, and stops when

@@ -303,8 +303,8 @@ impl<'a> Session<'a> {
         if self.config.sight.is_some() && self.first_observation.is_none() {
             self.observe_first(executor, observer)?;
         }
-        if let Some(stands) = executor.state()? {
-            self.stands = Some(stands);
+        if let Some(state) = executor.state()? {
+            self.stands = Some(state.positions);
         }
         if self.retreats && self.stands.is_none() {
             return Err(RunError::UnknownState { round });
@@ -493,8 +493,9 @@ impl<'a> Session<'a> {
             self.state = State::Audited(planned, audit);
             return Ok(Stage::Audited);
         }
-        if let Some(stands) = executor.state()? {
-            self.stands = Some(stands);
+        if let Some(state) = executor.state()? {
+            check_rest(&state, &planned)?;
+            self.stands = Some(state.positions);
         }
         if let Some(stands) = &self.stands {
             check_start(stands, &planned, self.config.start_tolerance)?;
@@ -510,6 +511,7 @@ impl<'a> Session<'a> {
         let mut refused = None;
         let mut watch = (self.config.end_strokes_early).then(|| StrokeWatch::new(&planned.task));
         let mut ended_early = None;
+        let mut is_broken_off = false;
         let mut measured_until: Option<f64> = None;
         let mut at: Vec<f64> = Vec::new();
         let executed = executor.execute(&order, &mut |sample| {
@@ -533,8 +535,10 @@ impl<'a> Session<'a> {
             {
                 let time = sample.time;
                 ended_early = Some(Ending::Early { time, cause });
+                is_broken_off = true;
                 return ControlFlow::Break(());
             }
+            is_broken_off |= flow.is_break();
             flow
         });
         let executed = match (executed, refused) {
@@ -555,6 +559,10 @@ impl<'a> Session<'a> {
             }
             (Err(error), None) => return Err(error),
         };
+        // An executor may call a motion complete although it was told to stop.
+        if is_broken_off && execution.ending == Ending::Complete {
+            execution.ending = Ending::Stopped;
+        }
         if execution.ending == Ending::Stopped
             && let Some(ending) = ended_early
         {
@@ -622,7 +630,9 @@ impl<'a> Session<'a> {
         });
         let was_stopped = match &execution.ending {
             Ending::Stopped => self.is_stopped || self.config.after_stop == AfterStop::Wait,
-            Ending::ProtectiveStop { .. } => self.config.after_stop == AfterStop::Wait,
+            Ending::ProtectiveStop { cause, .. } => {
+                !cause.kind().may_continue(self.config.after_stop)
+            }
             Ending::Complete | Ending::Early { .. } => false,
         };
         let stands = execution.positions.clone();

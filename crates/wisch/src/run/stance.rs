@@ -1,6 +1,6 @@
 //! The robot's position before and after a motion.
 
-use super::{Execution, PlannedRound, RunConfig, RunError};
+use super::{Execution, PlannedRound, RobotState, RunConfig, RunError};
 use crate::follow::{Followed, Workcell};
 use crate::geometry::{PlanarPose, Point2, Pose, Vector3};
 use nalgebra::{Translation3, UnitQuaternion};
@@ -20,6 +20,37 @@ pub(super) fn check_positions(
         found,
         expected,
     })
+}
+
+/// Speed of a joint above which a robot is not at rest [rad/s or m/s]: above the noise of encoders.
+const AT_REST: f64 = 0.02;
+
+/// Checks that the robot is at rest, if its velocities are measured.
+pub(super) fn check_rest(state: &RobotState, planned: &PlannedRound) -> Result<(), RunError> {
+    let (round, robot) = (planned.number, planned.cell.robot());
+    let (found, expected) = (state.velocities.len(), robot.dof());
+    if found == 0 {
+        return Ok(());
+    }
+    if found != expected {
+        return Err(RunError::Positions {
+            round,
+            found,
+            expected,
+        });
+    }
+    let speeds = state.velocities.iter().map(|velocity| velocity.abs());
+    let fastest = speeds.enumerate().max_by(|a, b| a.1.total_cmp(&b.1));
+    match fastest {
+        Some((i, velocity)) if velocity > AT_REST => Err(RunError::Moving {
+            round,
+            joint: robot.variable(i).name.clone(),
+            velocity,
+            limit: AT_REST,
+            unit: robot.variable(i).kind.unit(),
+        }),
+        _ => Ok(()),
+    }
 }
 
 /// Checks that the robot is where its motion begins. `limit`: largest distance of a joint [rad or m].
