@@ -99,6 +99,7 @@ impl LoadedTask {
     pub fn follow_config(&self) -> FollowConfig {
         FollowConfig {
             contact_speed: self.file.contact_speed_m_per_s(),
+            free_speed: (self.file.free_speed_m_per_s()).unwrap_or(f64::INFINITY),
             // A rule that the user has chosen is not changed.
             free_yaw: self.file.heading() == HeadingRule::Best,
             ..FollowConfig::default()

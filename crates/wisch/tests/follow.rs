@@ -5,6 +5,7 @@ mod audit_of_motions;
 mod broom;
 mod floor;
 mod humanoid;
+mod mount;
 mod order;
 mod target_surface;
 

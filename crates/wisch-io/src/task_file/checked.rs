@@ -79,6 +79,7 @@ pub(super) fn read(source: &Source<'_>) -> Result<TaskFile, TaskError> {
         margin: task.plan.margin_m.0,
         max_distance: task.plan.max_distance_m.map(|most| most.0),
         contact_speed: task.plan.contact_speed_m_per_s.0,
+        free_speed: task.plan.free_speed_m_per_s.map(|speed| speed.0),
         variants: task.plan.variants.0 as usize,
         min_score: task.plan.min_score.0,
         definitions: super::definitions::read(&file, source)?,

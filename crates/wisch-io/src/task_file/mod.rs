@@ -134,6 +134,7 @@ pub struct TaskFile {
     margin: f64,
     max_distance: Option<f64>,
     contact_speed: f64,
+    free_speed: Option<f64>,
     variants: usize,
     min_score: f64,
     definitions: Definitions,
@@ -295,6 +296,11 @@ impl TaskFile {
     /// Maximum speed of the tool in contact [m/s].
     pub fn contact_speed_m_per_s(&self) -> f64 {
         self.contact_speed
+    }
+
+    /// Maximum speed of the tool between strokes [m/s]; `None` for the speed that the joints permit.
+    pub fn free_speed_m_per_s(&self) -> Option<f64> {
+        self.free_speed
     }
 
     /// Lift height between strokes \[m\].

@@ -5,9 +5,9 @@ use super::deserialize::At;
 use super::execution_tables::ExecutionTable;
 use super::values::{
     AngleRad, BandwidthM, Channel, ColorDistance, ContactSpeed, DampingRatio, DepthM, DistanceM,
-    Evaluations, FalseAlarms, FlangeM, FootprintM, Friction, GrainM, GripM, HalfSizeM, LawSpread,
-    LeanRad, LiftHeightM, LogForce, LogSpread, MarginM, Name, ParticleCount, Passes, Pixel,
-    PositionErrorM, PositionM, PostureWeight, PressForceN, PrestonPerPa, QuaternionPart,
+    Evaluations, FalseAlarms, FlangeM, FootprintM, FreeSpeed, Friction, GrainM, GripM, HalfSizeM,
+    LawSpread, LeanRad, LiftHeightM, LogForce, LogSpread, MarginM, Name, ParticleCount, Passes,
+    Pixel, PositionErrorM, PositionM, PostureWeight, PressForceN, PrestonPerPa, QuaternionPart,
     RedrawLengthM, Scale, SchemaVersion, Score, Seed, Share, SizeM, Stiffness, ThicknessM,
     Variants, VolumePerMetre,
 };
@@ -537,6 +537,8 @@ pub(super) struct PlanTable {
     pub(super) max_distance_m: Option<DistanceM>,
     /// Maximum speed of the tool in contact [m/s].
     pub(super) contact_speed_m_per_s: ContactSpeed,
+    /// Maximum speed of the tool between strokes [m/s]; default: what the joints permit.
+    pub(super) free_speed_m_per_s: Option<FreeSpeed>,
 }
 
 impl Default for PlanTable {
@@ -551,6 +553,7 @@ impl Default for PlanTable {
             margin_m: MarginM(0.003),
             max_distance_m: None,
             contact_speed_m_per_s: ContactSpeed(0.25),
+            free_speed_m_per_s: None,
         }
     }
 }

@@ -59,6 +59,8 @@ ranges! { f64, NumberWithin;
     DistanceM = (1e-3, 1e4);
     /// Speeds of a tool in contact [m/s].
     ContactSpeed = (1e-3, 2.0);
+    /// Speeds of a tool between strokes [m/s].
+    FreeSpeed = (1e-2, 10.0);
     /// Tracking errors [m]: below the size of a tool.
     MarginM = (0.0, 0.1);
     /// Clear of the surface, within an arm's reach [m].

@@ -36,6 +36,8 @@ pub struct FollowConfig {
     pub contact_speed: f64,
     /// Largest speed of the tool on its way down to the surface [m/s].
     pub approach_speed: f64,
+    /// Largest speed of the tool between strokes [m/s]; infinite for the speed that the joints permit.
+    pub free_speed: f64,
     /// Time over which a change of a joint's acceleration is spread \[s\]. The jerk is at most twice the joint's
     /// largest acceleration over this time; with 0, accelerations jump.
     pub acceleration_ramp: f64,
@@ -70,6 +72,7 @@ impl Default for FollowConfig {
             turn_tolerance: 0.5_f64.to_radians(),
             contact_speed: 0.25,
             approach_speed: 0.1,
+            free_speed: f64::INFINITY,
             acceleration_ramp: 0.04,
             free_yaw: true,
             free_order: true,
@@ -127,6 +130,12 @@ impl FollowConfig {
             ),
             ("contact_speed", self.contact_speed, [1e-3, 10.0], speeds),
             ("approach_speed", self.approach_speed, [1e-3, 10.0], speeds),
+            (
+                "free_speed",
+                self.free_speed,
+                [1e-3, f64::INFINITY],
+                "0.001 m/s or more",
+            ),
             (
                 "acceleration_ramp",
                 self.acceleration_ramp,

@@ -48,11 +48,11 @@ pub(super) fn time_motion(
     }
     let mut joints = JointPath::new(path)?;
     let speed = match phase {
-        Phase::Wipe(_) => Some(config.contact_speed),
-        Phase::Lower => Some(config.approach_speed),
-        Phase::Drive | Phase::FreeMotion | Phase::Lifted | Phase::Lift => None,
+        Phase::Wipe(_) => config.contact_speed,
+        Phase::Lower => config.approach_speed.min(config.free_speed),
+        Phase::Drive | Phase::FreeMotion | Phase::Lifted | Phase::Lift => config.free_speed,
     };
-    if let Some(speed) = speed {
+    if speed.is_finite() {
         let line = segment_lengths(cell, path)?;
         joints = joints.with_segment_times(line.iter().map(|way| way / speed).collect())?;
     }
