@@ -218,10 +218,18 @@ impl Robot {
     ) -> Result<Self, Error> {
         match description {
             RobotDescription::Named(name) => built_in(name),
-            RobotDescription::Files { urdf, srdf } => {
+            RobotDescription::Files {
+                urdf,
+                srdf,
+                packages: of_task,
+            } => {
                 let folder = folder(task_file);
                 let srdf = srdf.as_ref().map(|srdf| folder.join(srdf));
-                files(&folder.join(urdf), srdf.as_deref(), packages)
+                let of_task = of_task
+                    .iter()
+                    .map(|(name, at)| (name.clone(), folder.join(at)));
+                let packages: Packages = packages.iter().cloned().chain(of_task).collect();
+                files(&folder.join(urdf), srdf.as_deref(), &packages)
             }
         }
     }
@@ -236,6 +244,7 @@ impl Robot {
         RobotDescription::Files {
             urdf: path.display().to_string(),
             srdf: None,
+            packages: Vec::new(),
         }
     }
 }
@@ -322,14 +331,51 @@ pub fn robot_meshes(
     packages: &[(String, PathBuf)],
 ) -> impl FnMut(&str) -> Result<Vec<u8>, String> {
     let mut beside = beside(urdf);
+    let place = urdf.to_owned();
     move |path| {
         let Some(in_package) = path.strip_prefix("package://") else {
             return beside(path.strip_prefix("file://").unwrap_or(path));
         };
+        // "package:///name/…" is written, too.
+        let in_package = in_package.trim_start_matches('/');
         let (name, rest) = in_package.split_once('/').unwrap_or((in_package, ""));
         let known = packages.iter().find(|(known, _)| known == name);
-        let (_, folder) = known
+        let folder = known
+            .map(|(_, folder)| folder.clone())
+            .or_else(|| find_package(name, &place))
             .ok_or_else(|| format!("the package {name} is unknown; add --package {name}=DIR"))?;
         assets::read(&folder.join(rest)).map_err(|error| error.to_string())
     }
+}
+
+/// Finds the folder of a ROS package: in `ROS_PACKAGE_PATH`, in `AMENT_PREFIX_PATH`, or among the folders above a URDF and
+/// beside these.
+fn find_package(name: &str, urdf: &Path) -> Option<PathBuf> {
+    if name.is_empty() || [".", ".."].contains(&name) {
+        return None;
+    }
+    let paths = |variable: &str| -> Vec<PathBuf> {
+        let value = std::env::var_os(variable).unwrap_or_default();
+        std::env::split_paths(&value).collect()
+    };
+    let is_named = |folder: &Path| folder.file_name().is_some_and(|own| own == name);
+    let is_package = |folder: &PathBuf| folder.join("package.xml").is_file();
+    let ros = paths("ROS_PACKAGE_PATH").into_iter().flat_map(|folder| {
+        let inside = folder.join(name);
+        [Some(folder).filter(|folder| is_named(folder)), Some(inside)]
+    });
+    let ament = paths("AMENT_PREFIX_PATH").into_iter();
+    let declared = ros
+        .flatten()
+        .chain(ament.map(|prefix| prefix.join("share").join(name)));
+    let whole = std::path::absolute(urdf).ok()?;
+    let above = whole.ancestors().skip(1).map(Path::to_path_buf);
+    let mut near = above.flat_map(|folder| {
+        let beside = Some(folder.join(name)).filter(is_package);
+        [Some(folder).filter(|folder| is_named(folder)), beside]
+    });
+    declared
+        .into_iter()
+        .find(|folder| folder.is_dir())
+        .or_else(|| near.find_map(|folder| folder.filter(|folder| folder.is_dir())))
 }

@@ -265,10 +265,18 @@ fn robot(table: &At<RobotTable>, source: &Source<'_>) -> Result<RobotRecord, Tas
                 table.inconsistent(source, "srdf needs urdf; a shipped robot has its own SRDF")
             );
         }
+        (Some(_), _) if robot.packages.is_some() => {
+            return Err(
+                table.inconsistent(source, "packages needs urdf; a shipped robot has no meshes")
+            );
+        }
         (Some(name), _) => RobotDescription::Named(name.value.0.clone()),
         (None, Some(urdf)) => RobotDescription::Files {
             urdf: urdf.value.0.clone(),
             srdf,
+            packages: (robot.packages.iter().flatten())
+                .map(|(name, folder)| (name.clone(), folder.0.clone()))
+                .collect(),
         },
         (None, None) => return Err(table.missing(source, "name")),
     };

@@ -69,6 +69,8 @@ pub enum RobotDescription {
         urdf: String,
         /// The SRDF; `None` looks for one beside the URDF.
         srdf: Option<String>,
+        /// Folders of ROS packages by name, paths relative to the task file.
+        packages: Vec<(String, String)>,
     },
 }
 

@@ -15,6 +15,7 @@ use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::de::{EnumAccess, Error as _, VariantAccess, Visitor};
 use serde::{Deserialize, Deserializer};
 use std::borrow::Cow;
+use std::collections::BTreeMap;
 use std::fmt;
 use wisch::plan::HeadingRule;
 use wisch::represent::{Action, MediumKind, ScenePart};
@@ -331,6 +332,9 @@ pub(super) struct RobotTable {
     pub(super) urdf: Option<At<Name>>,
     /// SRDF with groups, ready state and disabled collisions; default: the file beside the URDF.
     pub(super) srdf: Option<Name>,
+    /// Folders of the ROS packages whose meshes the URDF names, by package, paths relative to this file. Other packages are
+    /// searched for in `ROS_PACKAGE_PATH`, in `AMENT_PREFIX_PATH` and in the folders above the URDF.
+    pub(super) packages: Option<BTreeMap<String, Name>>,
     /// Planning group that holds the tool; default: the first group of the SRDF.
     pub(super) group: Option<Name>,
     /// Second planning group that holds the tool; the tool needs a second grip.
