@@ -10,7 +10,9 @@ use std::f64::consts::{FRAC_PI_2, FRAC_PI_3, PI, TAU};
 use wisch::follow::{FollowConfig, Followed, Workcell, WorkcellConfig, audit, follow};
 use wisch::geometry::{Mesh, Point2, Polygon, Pose, Vector2, Vector3};
 use wisch::plan::{CoverageStrategy, Plan, PlanConfig, plan};
-use wisch::represent::{Action, ParticleDistribution, SceneObject, ScenePart, Surface, Task};
+use wisch::represent::{
+    Action, Mount, ParticleDistribution, SceneObject, ScenePart, Surface, Task, Tool,
+};
 
 /// Thickness of the plate whose upper face is the surface [m].
 const PLATE: f64 = 0.02;
@@ -87,7 +89,11 @@ impl Problem {
                     skim_edges: vec![random.random_range(0..4)],
                 },
                 scene,
-                tool: sponge(),
+                // The problems are chosen for this mount.
+                tool: Tool {
+                    mount: Some(Mount::Hand { lean: 0.8 }),
+                    ..sponge()
+                },
                 medium: "breadcrumbs".into(),
                 interaction: interaction(),
                 particles: ParticleDistribution::new(&particles)?,

@@ -334,8 +334,17 @@ fn random_problems_are_solved_without_faults() {
             (seed, name, problem.outcome(&robots))
         })
         .collect();
+    let square: Vec<(u64, &str, SolvedProblem)> = (100..120_u64)
+        .into_par_iter()
+        .map(|seed| {
+            let mut problem = Problem::random(seed).unwrap();
+            problem.task.tool.mount = None;
+            (seed, "square", problem.outcome(&robots))
+        })
+        .collect();
     let is_faulty = |outcome: &SolvedProblem| matches!(outcome, SolvedProblem::Faulty(_));
-    let wrong: Vec<_> = outcomes.iter().filter(|(.., o)| is_faulty(o)).collect();
+    let all = outcomes.iter().chain(&square);
+    let wrong: Vec<_> = all.filter(|(.., o)| is_faulty(o)).collect();
     assert!(wrong.is_empty(), "{wrong:?}");
     // Where all is refused, nothing is wrong either.
     let is =

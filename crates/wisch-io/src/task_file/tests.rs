@@ -103,7 +103,7 @@ fn the_template_shows_every_key() {
     collect_keys(&schema, &mut keys);
     assert!(keys.len() > 60, "{keys:?}");
     for key in keys {
-        let shown = ["{key} = ", "[{key}]"].map(|form| form.replace("{key}", &key));
+        let shown = ["{key} = ", "[{key}]", ".{key}]"].map(|form| form.replace("{key}", &key));
         let is_shown = shown.iter().any(|form| TaskFile::TEMPLATE.contains(form));
         assert!(is_shown, "{key} is not in the template");
     }

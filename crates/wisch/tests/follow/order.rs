@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 use wisch::follow::{FollowConfig, Followed, Workcell, follow};
 use wisch::geometry::{Mesh, Point2, Polygon, Pose, Vector2, Vector3};
 use wisch::plan::{CoverageStrategy, Plan, PlanConfig, plan, predict};
-use wisch::represent::{Action, ParticleDistribution, Task};
+use wisch::represent::{Action, Mount, ParticleDistribution, Task};
 use wisch_testkit::{block, board, cell, faults};
 
 /// Places 0.1 m apart on a floor all round the arm.
@@ -22,6 +22,7 @@ fn floor(action: Action) -> Task {
     surface.outline = Polygon::rectangle(Vector2::new(1.6, 1.6));
     let mut tool = floor.tool;
     tool.area_of_effect = Vector2::new(0.07, 0.07);
+    tool.mount = Some(Mount::Hand { lean: 0.8 });
     Task {
         scene,
         surface,
