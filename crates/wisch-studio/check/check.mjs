@@ -1,11 +1,11 @@
-// The studio from an empty memory to two runs compared, as a person would go.
+// Drives the studio as a user would: from an empty memory to the comparison of two runs.
 import { chromium } from "playwright-core";
 import assert from "node:assert/strict";
 import { join } from "node:path";
 import { begin } from "./studio.mjs";
 
 const pictures = process.argv[2];
-/** How long a run may take [ms]. */
+/** Maximum duration of a run [ms]. */
 const RUN_MS = 300_000;
 const SECOND_TASK = process.env.SECOND_TASK ?? "failure-human-push";
 
@@ -17,7 +17,7 @@ const browser = await chromium.launch({
 const complaints = [];
 const figures = {};
 
-/** A page; what its console complains of is kept. */
+/** Opens a page; collects the errors of its console. */
 async function open(hash = "", options = {}) {
   const context = await browser.newContext({ viewport: { width: 1440, height: 900 }, ...options });
   const page = await context.newPage();
@@ -56,7 +56,7 @@ async function drag(page, selector, from, to) {
 try {
   step("an empty memory says so");
   const page = await open();
-  await page.waitForSelector("text=Nothing has been wiped yet");
+  await page.waitForSelector("text=This memory has no runs yet");
   await shoot(page, "01-empty");
 
   step("two clicks begin a run");
@@ -67,7 +67,7 @@ try {
   await page.waitForFunction(() => location.hash.startsWith("#run="), null, { timeout: 30_000 });
   const begun = Date.now();
 
-  step("it moves");
+  step("the run is shown live");
   await page.waitForFunction(() => window.wisch.stage.shown[0]?.recording.rounds[0]?.count > 50, null, { timeout: RUN_MS });
   const [before, drawn, then] = [await clock(page), await frames(page), Date.now()];
   await page.waitForTimeout(2000);
@@ -76,7 +76,7 @@ try {
   assert.ok(after > before, `the clock goes on: ${before} to ${after}`);
   await shoot(page, "03-live");
 
-  step("it can be paused and dragged");
+  step("the clock can be paused and dragged");
   await page.keyboard.press("Space");
   const paused = await clock(page);
   await page.waitForTimeout(400);
@@ -88,7 +88,7 @@ try {
   await drag(page, ".w-canvas", [0.5, 0.5], [0.65, 0.45]);
   await page.waitForFunction((still) => window.wisch.stage.shown[0].view.frames > still, still);
 
-  step("it ends on the same view, with its story, as an episode");
+  step("the run ends in the same view, with its summary, as an episode");
   await ended(page);
   figures.runSeconds = (Date.now() - begun) / 1000;
   await page.waitForFunction(() => location.hash.startsWith("#episode="), null, { timeout: 10_000 });
@@ -97,7 +97,7 @@ try {
   await shoot(page, "04-ended");
   const first = new URLSearchParams(new URL(page.url()).hash.slice(1)).get("episode");
 
-  step("a second one, in which somebody pushes");
+  step("a second run, in which a person pushes the robot");
   await start(page, SECOND_TASK);
   await ended(page);
   await page.waitForFunction(() => location.hash.startsWith("#episode="), null, { timeout: 10_000 });
@@ -116,11 +116,11 @@ try {
   await page.locator(".s-show").first().click();
   await shoot(page, "06-one-answer");
 
-  step("an error stands at its place");
+  step("an error is marked at its position in the query");
   await page.fill(".s-query", "low_performance(A P)");
   await page.press(".s-query", "Enter");
   await page.waitForSelector(".s-fault mark");
-  assert.ok(await page.isHidden(".s-story"), "what an answer shows has room");
+  assert.ok(await page.isHidden(".s-story"), "an answer closes the summary");
   assert.equal(await page.textContent(".s-fault mark"), "P");
   await shoot(page, "07-error");
 
@@ -144,7 +144,7 @@ try {
   await page.waitForSelector(".s-plot svg");
   await shoot(page, "09-chart");
 
-  step("particles are shown where they lay");
+  step("particles are shown at their positions");
   await page.fill(".s-query", "show([particles(semco:'breadcrumbs')])");
   await page.press(".s-query", "Enter");
   await page.waitForFunction(() => [...document.querySelectorAll(".w-named li")].some((li) => /^estimated dirt after round/.test(li.textContent)), null, { timeout: 60_000 });
@@ -154,7 +154,7 @@ try {
   step("a deep link is followed");
   const link = await open(`#episode=${second}&t=12.5&q=${encodeURIComponent("human_collision(Motion, C, [S, E])")}`);
   await link.waitForSelector(".s-remark");
-  assert.equal(await link.locator(".s-table").count(), 0, "a query of a link waits for the person");
+  assert.equal(await link.locator(".s-table").count(), 0, "a query in a link waits for the user");
   assert.ok(Math.abs((await clock(link)) - 12.5) < 0.06, `the clock is at ${await clock(link)}`);
   await link.click(".s-ask .s-primary");
   await link.waitForSelector(".s-table tbody tr");
@@ -162,13 +162,13 @@ try {
   await link.waitForFunction((id) => window.wisch.stage.shown[0]?.id === id && Math.abs(window.wisch.stage.time - 3) < 0.06, first);
   await link.context().close();
 
-  step("the first frame comes soon");
+  step("the time to the first frame is measured");
   const quick = await open(`#episode=${first}`);
   await quick.waitForFunction(() => window.wisch?.stage.shown[0]?.view.frames > 0);
   figures.firstFrameSeconds = await quick.evaluate(() => performance.now() / 1000);
   await quick.context().close();
 
-  step("two are compared on one clock");
+  step("two runs are compared on one clock");
   await page.click("text=Runs");
   await page.click("text=Compare");
   await shoot(page, "10-picking");
@@ -186,12 +186,12 @@ try {
   await page.waitForFunction(() => window.wisch.stage.shown[0]?.recording.rounds[0]?.count > 20, null, { timeout: RUN_MS });
   await page.click(".s-stop");
   await page.waitForFunction(() => window.wisch.stage.shown[0]?.recording.live === false, null, { timeout: 60_000 });
-  // What was executed until then is interpreted and kept.
+  // The executed part is interpreted and kept.
   await page.waitForSelector("text='kept as an episode'");
   assert.match(await page.textContent("body"), /the run was stopped/);
   await shoot(page, "12-stopped");
 
-  step("dark");
+  step("the dark theme");
   await page.goto(`${studio.url}#episode=${second}&t=14`);
   await page.emulateMedia({ colorScheme: "dark" });
   await page.waitForFunction((id) => window.wisch?.stage.shown[0]?.id === id, second);

@@ -1,5 +1,5 @@
-// Many pages that follow one run at once: `node many.mjs [10]`, with the programs named as `run` does. Each has to arrive at the
-// end with every piece of the episode that is kept, and a silent console.
+// Many pages that follow one live run: `node many.mjs [10]`, with the programs named as in `run`. At the end, each page must hold
+// every piece of the kept episode, and its console must be silent.
 import { chromium } from "playwright-core";
 import assert from "node:assert/strict";
 import { loadavg } from "node:os";
@@ -10,7 +10,7 @@ const RUN_MS = 500_000;
 const studio = await begin();
 const browser = await chromium.launch({
   executablePath: process.env.CHROMIUM || "/usr/bin/chromium",
-  // As a browser without a graphics card draws of itself.
+  // Software rendering, as in a browser without a graphics card.
   args: ["--no-sandbox", "--enable-unsafe-swiftshader"],
 });
 const complaints = [];
@@ -23,13 +23,13 @@ async function open() {
   return page;
 }
 
-/** What a page knows of what it shows. */
+/** Returns a summary of the recording that a page shows. */
 const known = (page) => page.evaluate(() => {
   const { recording } = window.wisch.stage.shown[0];
   return {
     rounds: recording.rounds.map((round) => [round.number, round.count, round.t.last, round.judged?.verdict]),
     stages: recording.stages.length, broken: recording.broken, unknown: recording.unknown,
-    // The one that is kept does not say its own name.
+    // The kept recording does not contain the name of its episode.
     ended: { ...recording.ended, episode: null },
   };
 });

@@ -1,5 +1,5 @@
-// What it costs a run to be followed: `node speed.mjs [REPETITIONS]`, with the programs named as `run` does. The same run alone, and
-// with one and with ten that read all of its stream and draw nothing, by turns; drawing is up to the machine that draws.
+// Measures the cost of followers of a live run: `node speed.mjs [REPETITIONS]`, with the programs named as in `run`. It repeats the
+// same run with no, one and ten followers in turn. Followers read the whole stream and draw nothing.
 import { spawn } from "node:child_process";
 import { mkdtempSync, rmSync } from "node:fs";
 import { get } from "node:http";
@@ -13,7 +13,7 @@ const studio = await begin();
 const out = mkdtempSync(join(tmpdir(), "studio-speed-"));
 const factors = new Map(FOLLOWERS.map((count) => [count, []]));
 
-/** Reads a stream to its end; how many bytes it had. */
+/** Reads a stream to its end; returns its number of bytes. */
 const follow = (id) => new Promise((resolve, reject) => {
   get(`${studio.url}api/runs/${encodeURIComponent(id)}/stream?after=0`, (answer) => {
     let bytes = 0;

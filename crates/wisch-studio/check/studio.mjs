@@ -1,4 +1,4 @@
-// The studio as a process, on a memory that goes with it.
+// Runs the studio as a process with a temporary memory.
 import { spawn } from "node:child_process";
 import { once } from "node:events";
 import { mkdtempSync, rmSync } from "node:fs";

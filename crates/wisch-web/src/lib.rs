@@ -1,7 +1,7 @@
-//! The page that shows wiping, as text: a script and a style that need nothing but themselves.
+//! The page that shows wiping, as a self-contained HTML text with its script and style.
 //!
-//! The same bundle is a report in one file, with a recording in it ([`report_page`]), and the page of `wisch studio`
-//! ([`studio_page`]), which asks its server for recordings.
+//! One bundle serves two pages: a report in one file with an embedded recording ([`report_page`]), and the page of
+//! `wisch studio` ([`studio_page`]), which fetches recordings from its server.
 //!
 //! ```
 //! let page = wisch_web::report_page("Chopping board", "{\"piece\":\"head\"}\n");
@@ -10,10 +10,10 @@
 
 /// The bundle, built by `npm run build` in `web/` and committed beside its source.
 const SCRIPT: &str = include_str!("../web/dist/wisch.js");
-/// Its style.
+/// The style of the bundle.
 const STYLE: &str = include_str!("../web/dist/wisch.css");
 
-/// A page that needs nothing but itself, with one recording: JSON lines as `web/src/recording.ts` has them.
+/// Returns a self-contained page with one recording. `recording`: JSON lines in the format of `web/src/recording.ts`.
 #[must_use]
 pub fn report_page(title: &str, recording: &str) -> String {
     // A "<" occurs only within texts, where "</script>" must not end the element.
@@ -25,24 +25,24 @@ pub fn report_page(title: &str, recording: &str) -> String {
     )
 }
 
-/// The page of the studio.
+/// Returns the page of the studio.
 #[must_use]
 pub fn studio_page() -> String {
     page("wisch studio", "studio", "")
 }
 
 fn page(title: &str, kind: &str, data: &str) -> String {
-    let title = escaped(title);
+    let title = escape(title);
     format!(
         "<!DOCTYPE html>\n<html lang=\"en\" data-page=\"{kind}\">\n<head>\n<meta charset=\"utf-8\">\n\
          <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>{title}</title>\n\
-         <style>{STYLE}</style>\n</head>\n<body>\n<noscript><p>This page draws by script; the figures and tables \
-         beside it show the same.</p></noscript>\n<main id=\"app\"></main>\n{data}\n<script>{SCRIPT}</script>\n\
+         <style>{STYLE}</style>\n</head>\n<body>\n<noscript><p>This page needs JavaScript. The figures and \
+         tables beside it show the same results.</p></noscript>\n<main id=\"app\"></main>\n{data}\n<script>{SCRIPT}</script>\n\
          </body>\n</html>\n"
     )
 }
 
-fn escaped(text: &str) -> String {
+fn escape(text: &str) -> String {
     text.replace('&', "&amp;")
         .replace('<', "&lt;")
         .replace('>', "&gt;")

@@ -1,21 +1,21 @@
-// One clock for all that is shown: play, pause, speed, seek, and following a run that goes on.
+// The clock of a view: play, pause, speed, seek, and following a live run.
 import { frames } from "./frames.ts";
 
 export const SPEEDS = [0.1, 0.25, 0.5, 1, 2, 5, 10];
-/** A run that goes on comes in pieces. The clock takes this share more than the time between two of them for what came
- * last, so that it is still on its way when the next one comes, within these bounds [s]. */
+/** A live run arrives in pieces. The clock stretches each piece to this multiple of the time between two pieces, so that it
+ * is still moving when the next piece arrives. CATCH_UP_S bounds that time [s]. */
 const MARGIN = 1.15;
 const CATCH_UP_S = { least: 0.12, most: 0.8 };
 
-/** What the clock runs over: a recording. */
+/** A recording, as the clock sees it. */
 export interface Span {
   duration: number;
-  /** Up to when it is known. */
+  /** End of the measured part [s]. */
   now: number;
   live: boolean;
 }
 
-/** Who says when the next picture is made. */
+/** A scheduler of animation frames. */
 interface Pictures {
   request(callback: (now: number) => void): number;
   cancel(id: number): void;
@@ -24,22 +24,22 @@ interface Pictures {
 }
 
 export class Clock {
-  /** The time that is shown [s]. */
+  /** The shown time [s]. */
   time = 0;
   playing = false;
-  /** Whether it sticks to the end of what is known while a run goes on. */
+  /** Whether the clock follows the end of a live run. */
   following = false;
   speed = 1;
   private readonly spans = new Set<Span>();
   private readonly callbacks = new Set<(clock: Clock) => void>();
   private frame: number | null = null;
   private before: number | null = null;
-  /** While following: up to where the run was known, since when, how often that moves [s], and how fast the clock goes. */
+  /** While following: end of the measured part [s], when it last moved [ms], mean time between moves [s], and speed of the clock. */
   private known = { edge: 0, since: 0, every: CATCH_UP_S.least, pace: 0 };
 
   constructor(private readonly pictures: Pictures = frames) {}
 
-  /** Runs over a recording as well; returns how to stop that. */
+  /** Adds a recording to the clock; returns a function that removes it. */
   join(span: Span): () => void {
     this.spans.add(span);
     return () => { this.spans.delete(span); };
@@ -49,12 +49,12 @@ export class Clock {
     return Math.max(0, ...[...this.spans].map((span) => span.duration));
   }
 
-  /** Up to when something is known. */
+  /** End of the measured part over all recordings [s]. */
   get end(): number {
     return Math.max(0, ...[...this.spans].map((span) => span.now));
   }
 
-  /** Up to where runs that go on are known; else the end. */
+  /** End of the measured part of the live runs; without one, the end of all recordings [s]. */
   get edge(): number {
     const live = [...this.spans].filter((span) => span.live);
     return live.length ? Math.max(0, ...live.map((span) => span.now)) : this.end;
@@ -69,8 +69,8 @@ export class Clock {
     return () => this.callbacks.delete(callback);
   }
 
-  /** What the clock runs over has grown. */
-  grown(): void {
+  /** Updates the clock after a recording has grown. */
+  onGrowth(): void {
     if (this.following && !this.live) {
       this.following = false;
       this.time = this.end;
@@ -79,13 +79,13 @@ export class Clock {
       this.keepPace();
       this.run();
     }
-    this.tell();
+    this.notify();
   }
 
   seek(time: number): void {
     this.following = false;
     this.time = Math.min(this.duration, Math.max(0, Number.isFinite(time) ? time : 0));
-    this.tell();
+    this.notify();
   }
 
   play(): void {
@@ -96,13 +96,13 @@ export class Clock {
     this.playing = true;
     this.following = false;
     this.run();
-    this.tell();
+    this.notify();
   }
 
   pause(): void {
     this.playing = false;
     this.following = false;
-    this.tell();
+    this.notify();
   }
 
   toggle(): void {
@@ -110,22 +110,22 @@ export class Clock {
     else this.play();
   }
 
-  /** Sticks to the end while pieces come in. */
+  /** Follows the end of a live run. */
   follow(): void {
     this.following = true;
     this.playing = false;
     this.known = { edge: -1, since: this.pictures.now(), every: CATCH_UP_S.least, pace: 0 };
     this.keepPace();
     this.run();
-    this.tell();
+    this.notify();
   }
 
   setSpeed(speed: number): void {
     this.speed = Math.min(10, Math.max(0.1, speed));
-    this.tell();
+    this.notify();
   }
 
-  /** The next speed up (1) or down (-1). */
+  /** Selects the next higher (1) or lower (-1) speed. */
   faster(by: 1 | -1): void {
     const at = SPEEDS.reduce((best, speed, i) => (Math.abs(speed - this.speed) < Math.abs(SPEEDS[best]! - this.speed) ? i : best), 0);
     this.setSpeed(SPEEDS[Math.min(SPEEDS.length - 1, Math.max(0, at + by))]!);
@@ -145,7 +145,7 @@ export class Clock {
 
   private step(now: number): void {
     this.frame = null;
-    // A tab that slept does not jump.
+    // After a tab was suspended, the clock does not jump.
     const passed = this.before === null ? 0 : Math.min(0.25, (now - this.before) / 1000);
     this.before = now;
     if (this.following) {
@@ -162,10 +162,10 @@ export class Clock {
     }
     const again = this.playing || (this.following && this.edge !== this.time);
     if (again) this.frame = this.pictures.request((later) => this.step(later));
-    this.tell();
+    this.notify();
   }
 
-  /** So fast that what is known now lasts until more is. */
+  /** Sets a speed at which the clock reaches the current end when the next piece is due. */
   private keepPace(): void {
     const { edge, known } = this;
     if (edge === known.edge) return;
@@ -176,7 +176,7 @@ export class Clock {
     this.known = { edge, since: now, every, pace: Math.abs(edge - this.time) / (MARGIN * every) };
   }
 
-  private tell(): void {
+  private notify(): void {
     for (const callback of this.callbacks) callback(this);
   }
 }

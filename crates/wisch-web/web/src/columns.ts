@@ -2,10 +2,10 @@
 
 type Numbers = Float32Array<ArrayBuffer> | Float64Array<ArrayBuffer>;
 
-/** Numbers in a row, `width` of them an instant; pushing is O(1) amortised. */
+/** A growing array of numbers; `push` takes O(1) amortised time. */
 export class Column {
   data: Numbers;
-  /** How many numbers it has. */
+  /** Number of values. */
   length = 0;
 
   constructor(readonly exact = false, capacity = 256) {
@@ -17,7 +17,7 @@ export class Column {
     this.data[this.length++] = value;
   }
 
-  /** The same number as long as the column is shorter than `length`. */
+  /** Appends `value` until the column has `length` values. */
   fill(value: number, length: number): void {
     if (length > this.data.length) this.reserve(Math.max(length, 2 * this.data.length));
     if (length > this.length) this.data.fill(value, this.length, length);
@@ -37,9 +37,9 @@ export class Column {
 
 const FANOUT = 16;
 
-/** A column that knows the least and the largest of any stretch in O(log n): what is drawn of an hour in one pixel. */
+/** A column that returns minimum and maximum of any index range in O(log n), to draw an hour in one pixel. */
 export class PlotColumn extends Column {
-  /** Level k has least and largest of FANOUT^(k+1) numbers in turn. */
+  /** Level k holds minimum and maximum of each FANOUT^(k+1) consecutive values, alternating. */
   private readonly levels: Column[] = [];
   least = Infinity;
   largest = -Infinity;
@@ -64,7 +64,7 @@ export class PlotColumn extends Column {
     }
   }
 
-  /** Least and largest from index `from` up to before `to`; null if there is no number. */
+  /** Returns minimum and maximum of the indices from `from` up to, but not including, `to`; null if there are no finite values. */
   range(from: number, to: number): [number, number] | null {
     let [low, high] = [Infinity, -Infinity];
     let i = Math.max(0, from);
@@ -86,7 +86,7 @@ export class PlotColumn extends Column {
   }
 }
 
-/** Index of the last entry that is at most `value` among the first `length`, which rise; -1 if none is. */
+/** Returns the index of the last entry that is at most `value` among the first `length` entries, which must be sorted; -1 if all are greater. */
 export function lastAtMost(rising: ArrayLike<number>, value: number, length = rising.length): number {
   let [low, high] = [0, length];
   while (low < high) {
@@ -97,5 +97,5 @@ export function lastAtMost(rising: ArrayLike<number>, value: number, length = ri
   return low - 1;
 }
 
-/** A number as it comes in a piece: null stands for one that is not known. */
+/** Returns a number of a piece; NaN for null, which stands for an unknown value. */
 export const number = (value: unknown): number => (typeof value === "number" ? value : NaN);

@@ -1,4 +1,4 @@
-// Elements, and numbers as text. Whatever a recording says becomes text, never markup.
+// DOM elements, and numbers as text. Texts of a recording are inserted as text nodes, never as markup.
 
 type Child = Node | string | null | undefined | false;
 type Attributes = Record<string, string | number | boolean | null | undefined | ((event: never) => void)>;
@@ -12,14 +12,14 @@ function fill<E extends Element>(element: E, attributes: Attributes, children: C
   return element;
 }
 
-/** An element: attributes, and functions for its events. */
+/** Creates an element. Attributes that are functions become event listeners. */
 export const el = <K extends keyof HTMLElementTagNameMap>(tag: K, attributes: Attributes = {}, ...children: Child[]): HTMLElementTagNameMap[K] =>
   fill(document.createElement(tag), attributes, children);
 
 export const svg = <K extends keyof SVGElementTagNameMap>(tag: K, attributes: Attributes = {}, ...children: Child[]): SVGElementTagNameMap[K] =>
   fill(document.createElementNS("http://www.w3.org/2000/svg", tag), attributes, children);
 
-/** Sets the text if it is another. */
+/** Sets the text of an element, if it differs. */
 export function say(element: Element, text: string): void {
   if (element.textContent !== text) element.textContent = text;
 }
@@ -31,7 +31,7 @@ export const fixed = (value: number, digits: number): string => {
 };
 export const percent = (share: number, digits = 0): string => `${fixed(100 * share, digits)}\u202f%`;
 
-/** A time as it stands beside a clock: seconds, with minutes where there are any. */
+/** Formats a time: seconds below a minute, else minutes and seconds, with hours if needed. */
 export function clockText(seconds: number, digits = 1): string {
   if (seconds < 60) return `${fixed(seconds, digits)} s`;
   const scale = 10 ** digits;
@@ -42,5 +42,5 @@ export function clockText(seconds: number, digits = 1): string {
 }
 
 let last = 0;
-/** A name for an element that no other has. */
-export const fresh = (): string => `w${++last}`;
+/** Returns an id that is unique on the page. */
+export const uniqueId = (): string => `w${++last}`;

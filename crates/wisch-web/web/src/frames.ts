@@ -1,5 +1,5 @@
-// What is to be done for the next picture, all in one go: first what moves on, then what is drawn of it. A draw that is
-// asked for by a step, or by another draw, still belongs to the same picture; each is made once a picture.
+// The work for the next animation frame: first all steps, then all draws. A draw that a step or another draw requests runs
+// in the same frame. Each draw runs at most once per frame.
 
 type Step = (now: number) => void;
 type Draw = () => void;
@@ -11,13 +11,13 @@ interface Host {
 export class Frames {
   private steps = new Map<number, Step>();
   private draws = new Set<Draw>();
-  private made: Set<Draw> | null = null;
+  private drawn: Set<Draw> | null = null;
   private asked = false;
   private last = 0;
 
   constructor(private readonly host: Host) {}
 
-  /** Calls back once, when the next picture is made. */
+  /** Calls `step` once, in the next frame. */
   request(step: Step): number {
     this.steps.set(++this.last, step);
     this.ask();
@@ -32,47 +32,47 @@ export class Frames {
     this.steps.delete(id);
   }
 
-  /** Draws once: in the picture that is being made, or in the next. */
+  /** Requests a draw in the current frame, or else in the next. */
   draw(draw: Draw): void {
     this.draws.add(draw);
     this.ask();
   }
 
-  /** Does without a draw that was asked for. */
+  /** Cancels a requested draw. */
   drop(draw: Draw): void {
     this.draws.delete(draw);
   }
 
   private ask(): void {
-    if (this.asked || this.made) return;
+    if (this.asked || this.drawn) return;
     this.asked = true;
-    this.host.request((now) => this.make(now));
+    this.host.request((now) => this.run(now));
   }
 
-  private make(now: number): void {
+  private run(now: number): void {
     this.asked = false;
-    const made = (this.made = new Set<Draw>());
+    const drawn = (this.drawn = new Set<Draw>());
     const steps = this.steps;
     this.steps = new Map();
-    for (const step of steps.values()) safely(() => step(now));
-    for (let next = this.next(made); next; next = this.next(made)) {
+    for (const step of steps.values()) runGuarded(() => step(now));
+    for (let next = this.next(drawn); next; next = this.next(drawn)) {
       this.draws.delete(next);
-      made.add(next);
-      safely(next);
+      drawn.add(next);
+      runGuarded(next);
     }
-    this.made = null;
+    this.drawn = null;
     if (this.steps.size || this.draws.size) this.ask();
   }
 
-  /** Asked for and not made yet. */
-  private next(made: Set<Draw>): Draw | null {
-    for (const draw of this.draws) if (!made.has(draw)) return draw;
+  /** Returns a requested draw that has not run in this frame. */
+  private next(drawn: Set<Draw>): Draw | null {
+    for (const draw of this.draws) if (!drawn.has(draw)) return draw;
     return null;
   }
 }
 
-/** Acts at once, or as soon as so much time has passed since it did [ms]. */
-export function calmly(everyMs: number, act: () => void): { ask: () => void; stop: () => void } {
+/** Returns a throttled `act`: it runs at once, or when `everyMs` [ms] have passed since the last run. */
+export function throttle(everyMs: number, act: () => void): { ask: () => void; stop: () => void } {
   let last = -Infinity;
   let later: ReturnType<typeof setTimeout> | undefined;
   const now = () => {
@@ -91,8 +91,8 @@ export function calmly(everyMs: number, act: () => void): { ask: () => void; sto
   };
 }
 
-/** What fails takes nothing else with it. */
-function safely(act: () => void): void {
+/** Runs `act`; reports an exception without stopping the other work of the frame. */
+function runGuarded(act: () => void): void {
   try {
     act();
   } catch (error) {

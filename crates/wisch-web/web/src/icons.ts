@@ -1,4 +1,4 @@
-// Small pictures on buttons and in legends, as paths.
+// Icons on buttons and in legends, as SVG paths.
 import { svg } from "./dom.ts";
 
 const PATHS = {
@@ -28,11 +28,11 @@ const MARKS: Record<string, () => SVGElement> = {
   goal: () => svg("circle", { cx: 8, cy: 8, r: 5.5, fill: "var(--goal)", "fill-opacity": 0.35, stroke: "var(--goal-line)", "stroke-width": 1.6 }),
 };
 
-/** The mark of a layer, as it looks in the scene. */
+/** Returns the mark of a layer as it looks in the scene. */
 export const mark = (name: string): SVGSVGElement =>
   svg("svg", { viewBox: "0 0 16 16", width: 15, height: 15, "aria-hidden": "true" }, MARKS[name]?.());
 
-/** The mark of particles that were asked for. */
+/** Returns the mark of queried particles. */
 export const diamond = (colour: string, hollow: boolean): SVGSVGElement =>
   svg("svg", { viewBox: "0 0 16 16", width: 15, height: 15, "aria-hidden": "true" },
     svg("path", { d: `M8 1l7 7-7 7-7-7z${hollow ? "M8 5l3 3-3 3-3-3z" : ""}`, "fill-rule": "evenodd", fill: colour, stroke: "#000", "stroke-width": 1.4 }));

@@ -1,15 +1,15 @@
-// Keys that move the clock, wherever the focus is within a view.
+// Keyboard shortcuts of a view: those of the clock, and those of its owner.
 import type { Clock } from "./clock.ts";
 import type { Recording } from "./store.ts";
 
 const STEP_S = 0.1;
 const LONG_STEP_S = 1;
-/** Nearer than this, the next stop is the one after [s]. */
+/** A stop closer than this to the current time is skipped [s]. */
 const SAME_S = 0.05;
 
 export const KEYS: [string, string][] = [
   ["Space", "play, pause"],
-  ["\u2190 \u2192", "0.1 s back, forward (with Shift 1 s)"],
+  ["\u2190 \u2192", "0.1 s back, forward (with Shift: 1 s)"],
   ["[ ]", "previous, next event or stroke"],
   ["Home End", "start, end"],
   ["+ \u2212", "faster, slower"],
@@ -17,11 +17,11 @@ export const KEYS: [string, string][] = [
   ["F", "fit view"],
   ["T", "follow the tool"],
   ["V", "view from above"],
-  ["W A S D", "turn the picture (while it has the focus)"],
-  ["Z X", "zoom in, out (while it has the focus)"],
+  ["W A S D", "turn the scene (while it has the focus)"],
+  ["Z X", "zoom in, out (while the scene has the focus)"],
 ];
 
-/** The next time worth stopping at, before (-1) or after (1) a time. */
+/** Returns the nearest stop before (-1) or after (1) a time. */
 export function nextStop(stops: number[], time: number, way: 1 | -1): number {
   const found = way > 0 ? stops.find((stop) => stop > time + SAME_S) : stops.findLast((stop) => stop < time - SAME_S);
   return found ?? (way > 0 ? stops.at(-1) ?? time : stops[0] ?? time);
@@ -29,8 +29,8 @@ export function nextStop(stops: number[], time: number, way: 1 | -1): number {
 
 const views: HTMLElement[] = [];
 
-/** Whether a key is for something else: a text, a list. */
-const taken = (target: EventTarget | null, key: string): boolean => {
+/** Whether the focused element uses a key itself, as a text field or a list does. */
+const isTaken = (target: EventTarget | null, key: string): boolean => {
   if (!(target instanceof HTMLElement)) return false;
   if (target.isContentEditable || /^(TEXTAREA|SELECT)$/.test(target.tagName)) return true;
   if (target instanceof HTMLInputElement) return !(target.type === "checkbox" && key !== " ");
@@ -56,11 +56,11 @@ export function listenKeys(root: HTMLElement, clock: Clock, recording: Recording
     "-": () => clock.faster(-1),
   };
   const down = (event: KeyboardEvent) => {
-    if (event.ctrlKey || event.metaKey || event.altKey || event.defaultPrevented || taken(event.target, event.key)) return;
+    if (event.ctrlKey || event.metaKey || event.altKey || event.defaultPrevented || isTaken(event.target, event.key)) return;
     const target = event.target as Node;
-    // Where nothing has the focus, the first view takes the keys.
-    const nobody = target === document.body || target === document.documentElement;
-    if (!root.contains(target) && !(nobody && views[0] === root)) return;
+    // If no element has the focus, the first view handles the keys.
+    const unfocused = target === document.body || target === document.documentElement;
+    if (!root.contains(target) && !(unfocused && views[0] === root)) return;
     const action = actions[event.key];
     if (action) action(event.shiftKey);
     else if (!more(event.key.toLowerCase())) return;

@@ -1,4 +1,4 @@
-// What the page does when it is opened: a report shows the recording that it holds, the studio asks its server.
+// Entry point of the page: a report shows its embedded recording, the studio fetches recordings from its server.
 import "./style/page.css";
 import "./style/view.css";
 import "./style/story.css";
@@ -10,7 +10,7 @@ import { startStudio } from "./studio/main.ts";
 import { mountView } from "./view.ts";
 import type { View } from "./view.ts";
 
-/** A button that changes between light and dark. */
+/** Returns a button that switches between the light and the dark theme. */
 export function themeButton(): HTMLButtonElement {
   const button = el("button", { class: "w-button w-theme", type: "button", click: () => setTheme(theme() === "dark" ? "light" : "dark") });
   const show = () => say(button, theme() === "dark" ? "Light" : "Dark");
@@ -19,13 +19,13 @@ export function themeButton(): HTMLButtonElement {
   return button;
 }
 
-/** The time of an address like #t=12.3. */
+/** Returns the time of an address such as #t=12.3. */
 const timeOf = (hash: string): number | null => {
   const found = /^#t=(\d+(?:\.\d+)?)$/.exec(hash);
   return found ? Number(found[1]) : null;
 };
 
-/** The address says the time that is shown whenever the clock rests. */
+/** Writes the shown time into the address whenever the clock rests. */
 function keepAddress({ clock }: View): void {
   let later: ReturnType<typeof setTimeout> | undefined;
   clock.subscribe(() => {
@@ -37,7 +37,7 @@ function keepAddress({ clock }: View): void {
       try {
         history.replaceState(null, "", hash);
       } catch {
-        // Some places that show files allow no addresses.
+        // Some viewers of local files forbid changes of the address.
       }
     }, 300);
   });
@@ -54,7 +54,7 @@ function startReport(app: HTMLElement): void {
   const view = mountView(app, recording);
   view.seek(timeOf(location.hash) ?? 0);
   keepAddress(view);
-  // For who measures the page or drives it from its console.
+  // For measurements, and for use from the browser's console.
   Object.assign(window, { wisch: { recording, view, Recording, mountView } });
 }
 

@@ -1,20 +1,20 @@
-// Particles over time: each step takes some away and adds others. Any step is at hand without going through all before.
+// Particles over time. Each step removes and adds particles; snapshots give access to any step without replaying all before it.
 import { lastAtMost, number } from "./columns.ts";
 import type { ParticleStep } from "./recording.ts";
 
-/** Places come in tenths of a millimetre. */
+/** Positions are in tenths of a millimetre. */
 export const PER_METRE = 1e4;
-/** So many steps after one that is kept whole. */
-const KEPT = 32;
+/** Number of steps between two snapshots. */
+const SNAPSHOT_STEPS = 32;
 
 export const metres = (places: readonly unknown[]): Float32Array => Float32Array.from(places, (v) => number(v) / PER_METRE);
 
 export class ParticleTrack {
   readonly times: number[];
-  private readonly kept: Float32Array[] = [];
+  private readonly snapshots: Float32Array[] = [];
   private index = -1;
   private now: Float32Array = new Float32Array();
-  /** The most numbers that any step has. */
+  /** Maximum number of coordinates of a step. */
   readonly most: number;
 
   constructor(private readonly steps: ParticleStep[]) {
@@ -22,26 +22,26 @@ export class ParticleTrack {
     let places: Float32Array = new Float32Array();
     let most = 0;
     steps.forEach((step, i) => {
-      places = next(places, step);
+      places = applyStep(places, step);
       most = Math.max(most, places.length);
-      if (i % KEPT === 0) this.kept.push(places);
+      if (i % SNAPSHOT_STEPS === 0) this.snapshots.push(places);
     });
     this.most = most;
   }
 
-  /** Step at a time, -1 before the first. */
+  /** Returns the index of the step at a time; -1 before the first. */
   stepAt(time: number): number {
     return lastAtMost(this.times, time);
   }
 
-  /** x, y in turn [m] at a step. */
+  /** Returns the positions of a step: x, y alternating [m]. */
   places(index: number): Float32Array {
     if (index < 0 || !this.steps.length) return new Float32Array();
     if (index === this.index) return this.now;
-    const kept = Math.floor(index / KEPT);
-    const forward = this.index >= 0 && this.index < index && this.index >= kept * KEPT;
-    let places = forward ? this.now : this.kept[kept]!;
-    for (let i = forward ? this.index + 1 : kept * KEPT + 1; i <= index; i++) places = next(places, this.steps[i]!);
+    const snapshot = Math.floor(index / SNAPSHOT_STEPS);
+    const forward = this.index >= 0 && this.index < index && this.index >= snapshot * SNAPSHOT_STEPS;
+    let places = forward ? this.now : this.snapshots[snapshot]!;
+    for (let i = forward ? this.index + 1 : snapshot * SNAPSHOT_STEPS + 1; i <= index; i++) places = applyStep(places, this.steps[i]!);
     this.index = index;
     this.now = places;
     return places;
@@ -52,7 +52,7 @@ export class ParticleTrack {
   }
 }
 
-function next(places: Float32Array, [, gone, added]: ParticleStep): Float32Array {
+function applyStep(places: Float32Array, [, gone, added]: ParticleStep): Float32Array {
   const drop = new Set(gone);
   const result = new Float32Array(Math.max(0, places.length - 2 * drop.size) + added.length);
   let n = 0;

@@ -1,4 +1,4 @@
-// The surface from above as a drawing: outline, goal, dirt.
+// A drawing of the surface from above: outline, goal and dirt.
 import { svg } from "./dom.ts";
 import { metres } from "./particles.ts";
 import type { Round } from "./round.ts";
@@ -8,8 +8,8 @@ export interface Dots {
   places: Float32Array;
 }
 
-/** One path with all dots: a line of no length each, with round ends, or a small form. */
-function dots({ mark, places }: Dots, unit: number): SVGPathElement {
+/** Draws all dots as one path: a line of zero length with round ends, or a small shape, per dot. */
+function drawDots({ mark, places }: Dots, unit: number): SVGPathElement {
   let d = "";
   const at = (v: number) => (1000 * v).toFixed(1);
   const r = unit;
@@ -24,7 +24,7 @@ function dots({ mark, places }: Dots, unit: number): SVGPathElement {
   return svg("path", { d, class: `w-dots w-dots-${mark}`, "stroke-width": mark === "believed" ? 2.2 * unit : 0.7 * unit });
 }
 
-/** A drawing in millimetres of the surface of a round, with dirt on it. */
+/** Draws the surface of a round with its dirt, in millimetres. */
 export function surfacePicture(round: Round, layers: Dots[], label: string): SVGSVGElement {
   const rings = round.plan.surface.rings.map((ring) => metres(ring)).filter((ring) => ring.length >= 6);
   const { goal } = round.plan;
@@ -39,7 +39,7 @@ export function surfacePicture(round: Round, layers: Dots[], label: string): SVG
     reach(x - r, y - r);
     reach(x + r, y + r);
   }
-  // Dirt that fell off is seen if it lies near.
+  // The view includes dirt that fell off the surface, if it lies near.
   const margin = rings.length ? 0.15 * Math.max(right - left, top - bottom) : Infinity;
   const [l, b, r, t] = [left - margin, bottom - margin, right + margin, top + margin];
   for (const { places } of layers) {
@@ -60,5 +60,5 @@ export function surfacePicture(round: Round, layers: Dots[], label: string): SVG
     goal.kind === "collected" && svg("circle", {
       cx: 1000 * goal.place[0], cy: -1000 * goal.place[1], r: 1000 * goal.radius, class: "w-goal", "stroke-width": 0.004 * 1000 * Math.max(right - left, top - bottom),
     }),
-    ...layers.map((layer) => dots(layer, unit)));
+    ...layers.map((layer) => drawDots(layer, unit)));
 }

@@ -1,4 +1,4 @@
-// Whether a piece has what is drawn of it. A recording may come from anywhere.
+// Checks that a piece has all fields that the page draws. Recordings are untrusted input.
 import type { Head, Piece } from "./recording.ts";
 
 type Check = (value: unknown) => boolean;
@@ -55,19 +55,19 @@ const CHECKS: Partial<Record<Piece["piece"], Check>> = {
   ended: has({ verdict: maybe(text), story: has({ asked: text, happened: text, sure: text, surer: text }), facts: list(list(text)) }),
 };
 
-/** Throws where a piece of a known kind lacks something. */
-export function checked(piece: Piece): void {
-  if (typeof piece !== "object" || piece === null) throw new Error("not a piece");
+/** Throws if a piece of a known kind lacks a field. */
+export function checkPiece(piece: Piece): void {
+  if (typeof piece !== "object" || piece === null) throw new Error("a line is not a piece");
   const check = CHECKS[piece.piece];
-  if (check && !check(piece)) throw new Error(`a broken ${piece.piece}`);
-  if (piece.piece === "head") joined(piece);
+  if (check && !check(piece)) throw new Error(`a ${piece.piece} piece lacks a field`);
+  if (piece.piece === "head") checkJoints(piece);
 }
 
-/** Joints come after their parents, and the tool is at a link that there is. */
-function joined({ robot, tool }: Head): void {
+/** Checks that joints come after their parents, and that the tool's link exists. */
+function checkJoints({ robot, tool }: Head): void {
   if (!robot) return;
   const links = robot.joints.length + 1;
-  if (robot.links.length > links || robot.joints.some(({ parent }, i) => !(parent >= 0 && parent <= i))) throw new Error("a broken robot");
-  if (tool.link !== null && !(tool.link < links)) throw new Error("a tool at no link");
+  if (robot.links.length > links || robot.joints.some(({ parent }, i) => !(parent >= 0 && parent <= i))) throw new Error("a joint comes before its parent, or a link has no joint");
+  if (tool.link !== null && !(tool.link < links)) throw new Error("the link of the tool does not exist");
 }
 

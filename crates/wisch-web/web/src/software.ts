@@ -1,12 +1,12 @@
-// Whether the processor has to draw, for want of a graphics card.
+// Detects rendering without a graphics card.
 
 let known: boolean | null = null;
 
-export function drawnBySoftware(): boolean {
-  return (known ??= look());
+export function isSoftwareRendered(): boolean {
+  return (known ??= detectSoftware());
 }
 
-function look(): boolean {
+function detectSoftware(): boolean {
   const gl = document.createElement("canvas").getContext("webgl2");
   if (!gl) return true;
   const name = gl.getExtension("WEBGL_debug_renderer_info");

@@ -1,43 +1,43 @@
-// A recording as it is looked at: pieces come in one by one, any time of it is at hand.
+// A recording: it grows piece by piece and gives access to any of its times.
 import { metres } from "./particles.ts";
 import { Round } from "./round.ts";
-import { checked } from "./shape.ts";
+import { checkPiece } from "./shape.ts";
 import type { EndedPiece, EventRecord, Head, MeshRecord, ObservedPiece, Piece, Pose, StagePiece, TruthPiece } from "./recording.ts";
 
-/** What is the case at a time of the common clock. */
+/** The state at a time of the common clock. */
 export interface Instant {
   round: Round;
-  /** Since the round's begin. */
+  /** Time since the start of the round [s]. */
   time: number;
-  /** Positions of the robot's variables; empty where nothing was measured. */
+  /** Positions of the robot's variables; empty without samples. */
   q: Float64Array;
   tool: Pose | null;
   force: [number, number, number] | null;
   normal: number | null;
   height: number | null;
-  /** As predicted. */
+  /** Predicted performance, in [0, 1]. */
   performance: number | null;
   touches: boolean;
   /** Index of the phase in the plan, -1 before the first. */
   phase: number;
 }
 
-/** Something that happened from one time of the common clock to another. */
+/** An event with its interval on the common clock [s]. */
 export interface Happening {
   start: number;
   end: number;
-  /** "event" was noticed, "push" is what the simulated world knows. */
+  /** "event": detected by the robot. "push": ground truth of the simulated world. */
   source: "event" | "push" | "round";
   kind: string;
   words: string;
   byHand: boolean;
 }
 
-/** Where the dirt was found after a round, or before the first. */
+/** Dirt and surface after a round, or before the first. */
 export interface Outcome {
-  /** From this time of the common clock on. */
+  /** Time of the common clock from which the outcome holds [s]. */
   since: number;
-  /** Of the surface as it was found, and as it truly is. */
+  /** Estimated and true pose of the surface. */
   pose: Pose;
   actualPose: Pose;
   estimated: Float32Array | null;
@@ -50,20 +50,20 @@ export class Recording {
   readonly rounds: Round[] = [];
   readonly stages: StagePiece[] = [];
   readonly meshes: MeshRecord[] = [];
-  /** The surface as seen before the first round. */
+  /** Observation before the first round. */
   observedBefore: ObservedPiece | null = null;
   truthBefore: TruthPiece | null = null;
   ended: EndedPiece | null = null;
-  /** Lines that are not of a piece, and pieces of unknown kinds. */
+  /** Number of unreadable lines, and of pieces of unknown kinds. */
   broken = 0;
   unknown = 0;
-  /** Counts what changed, so that who draws knows. */
+  /** Number of changes, by which views detect that they are outdated. */
   version = 0;
   private closed = false;
   private readonly callbacks = new Set<(piece: Piece | null) => void>();
-  private happened: { version: number; list: Happening[] } | null = null;
+  private cachedHappenings: { version: number; list: Happening[] } | null = null;
 
-  /** A whole recording from its JSON lines. */
+  /** Parses a whole recording from its JSON lines. */
   static parse(text: string): Recording {
     const recording = new Recording();
     let from = 0;
@@ -84,31 +84,31 @@ export class Recording {
       piece = JSON.parse(line);
     } catch {
       this.broken++;
-      this.changed(null);
+      this.notify(null);
       return;
     }
     this.apply(piece as Piece);
   }
 
-  /** Takes in the next piece. What is not as it should be is counted and left out. */
+  /** Adds the next piece; counts and skips an invalid one. */
   apply(piece: Piece): void {
     try {
-      this.take(piece);
+      this.add(piece);
     } catch {
       this.broken++;
     }
-    this.changed(piece);
+    this.notify(piece);
   }
 
-  /** No more pieces will come. */
+  /** Marks the recording as complete. */
   close(): void {
     this.closed = true;
     for (const round of this.rounds) round.over = true;
-    this.lay();
-    this.changed(null);
+    this.layOutRounds();
+    this.notify(null);
   }
 
-  /** Whether pieces may still come. */
+  /** Whether more pieces may follow. */
   get live(): boolean {
     return !this.closed && !this.ended;
   }
@@ -118,13 +118,13 @@ export class Recording {
     return () => this.callbacks.delete(callback);
   }
 
-  private changed(piece: Piece | null): void {
+  private notify(piece: Piece | null): void {
     this.version++;
     for (const callback of this.callbacks) callback(piece);
   }
 
-  private take(piece: Piece): void {
-    checked(piece);
+  private add(piece: Piece): void {
+    checkPiece(piece);
     switch (piece.piece) {
       case "head":
         this.meshes.push(...piece.meshes);
@@ -138,20 +138,20 @@ export class Recording {
         if (last && last.number === round.number && !last.count && !last.judged) this.rounds.pop();
         else if (last) last.over = true;
         this.rounds.push(round);
-        this.lay();
+        this.layOutRounds();
         break;
       }
       case "samples": {
         const round = this.round(piece.round);
         round.push(piece);
-        if (round !== this.rounds.at(-1)) this.lay();
+        if (round !== this.rounds.at(-1)) this.layOutRounds();
         break;
       }
       case "observed":
         if (piece.round === 0) this.observedBefore = piece;
         else this.round(piece.round).observed = piece;
         break;
-      case "judged": this.round(piece.round).judged = { ...piece }; this.lay(); break;
+      case "judged": this.round(piece.round).judged = { ...piece }; this.layOutRounds(); break;
       case "truth":
         if (piece.round === 0) this.truthBefore = piece;
         else this.round(piece.round).truth = piece;
@@ -159,19 +159,19 @@ export class Recording {
       case "ended":
         this.ended = piece;
         for (const round of this.rounds) round.over = true;
-        this.lay();
+        this.layOutRounds();
         break;
       default: this.unknown++;
     }
   }
 
-  /** The last round of a number. */
+  /** Returns the last round with a number. */
   private round(number: number): Round {
     for (let i = this.rounds.length - 1; i >= 0; i--) if (this.rounds[i]!.number === number) return this.rounds[i]!;
     throw new Error(`no round ${number}`);
   }
 
-  private lay(): void {
+  private layOutRounds(): void {
     let start = 0;
     for (const round of this.rounds) {
       round.start = start;
@@ -183,14 +183,14 @@ export class Recording {
     return this.rounds.at(-1)?.end ?? 0;
   }
 
-  /** Up to when something has been measured; all there is once the run is over. */
+  /** End of the measured part [s]; the duration once the run is over. */
   get now(): number {
     const last = this.rounds.at(-1);
     if (!last || !this.live || last.judged || last.plan.kind === "planned") return this.duration;
     return last.start + (last.count ? last.t.last : 0);
   }
 
-  /** The round at a time of the common clock; at a joint, the later. */
+  /** Returns the round at a time of the common clock; the later one at a boundary. */
   roundAt(t: number): Round | null {
     let [low, high] = [0, this.rounds.length];
     while (low < high) {
@@ -218,7 +218,7 @@ export class Recording {
     };
   }
 
-  /** Where the dirt was found after the last round that was over at a time. */
+  /** Returns the outcome of the last round that had ended at a time. */
   outcomeAt(t: number): Outcome | null {
     for (let i = this.rounds.length - 1; i >= 0; i--) {
       const round = this.rounds[i]!;
@@ -226,9 +226,9 @@ export class Recording {
       const pose = round.judged?.found ?? round.plan.surface.pose;
       return {
         since: round.end, pose, actualPose: round.truth?.surface ?? pose,
-        estimated: places(round.judged?.particles),
-        actual: places(round.truth?.particles),
-        seen: places(round.observed?.detections),
+        estimated: toMetres(round.judged?.particles),
+        actual: toMetres(round.truth?.particles),
+        seen: toMetres(round.observed?.detections),
       };
     }
     const [first] = this.rounds;
@@ -236,26 +236,26 @@ export class Recording {
     const { pose } = first.plan.surface;
     return {
       since: 0, pose, actualPose: this.truthBefore?.surface ?? pose, estimated: null,
-      actual: places(this.truthBefore?.particles), seen: places(this.observedBefore?.detections),
+      actual: toMetres(this.truthBefore?.particles), seen: toMetres(this.observedBefore?.detections),
     };
   }
 
-  /** All that happened, by its begin. */
+  /** Detected events and true pushes, by start time. */
   get happenings(): Happening[] {
-    if (this.happened?.version === this.version) return this.happened.list;
+    if (this.cachedHappenings?.version === this.version) return this.cachedHappenings.list;
     const list: Happening[] = [];
     for (const { start, judged, truth } of this.rounds) {
-      for (const event of judged?.events ?? []) list.push(happening(event, start));
+      for (const event of judged?.events ?? []) list.push(happeningOf(event, start));
       for (const [from, to] of truth?.pushes ?? []) {
-        list.push({ start: start + from, end: start + to, source: "push", kind: "true push", words: "A push of the simulated world.", byHand: true });
+        list.push({ start: start + from, end: start + to, source: "push", kind: "true push", words: "A push in the simulated world.", byHand: true });
       }
     }
     list.sort((a, b) => a.start - b.start);
-    this.happened = { version: this.version, list };
+    this.cachedHappenings = { version: this.version, list };
     return list;
   }
 
-  /** Times worth stopping at: begins of rounds, strokes and events, and the end. */
+  /** Start times of rounds, strokes and events, and the end, for stepping [s]. */
   get stops(): number[] {
     const stops = [0, this.duration];
     for (const { start, plan } of this.rounds) {
@@ -267,7 +267,7 @@ export class Recording {
   }
 }
 
-const places = (list: number[] | null | undefined): Float32Array | null => (list ? metres(list) : null);
+const toMetres = (list: number[] | null | undefined): Float32Array | null => (list ? metres(list) : null);
 
-const happening = ({ kind, start, end, words, by_hand }: EventRecord, offset: number): Happening =>
+const happeningOf = ({ kind, start, end, words, by_hand }: EventRecord, offset: number): Happening =>
   ({ start: offset + start, end: offset + end, source: "event", kind, words, byHand: by_hand });

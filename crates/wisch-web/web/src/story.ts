@@ -12,7 +12,7 @@ const NAMES: Record<string, string> = {
   interval: "90\u202f% interval", felt: "from touch only", target: "target", goal: "goal area",
 };
 
-const legend = (names: string[]) =>
+const makeLegend = (names: string[]) =>
   el("ul", { class: "w-legend" }, ...names.map((name) => el("li", {}, mark(name), NAMES[name]!)));
 
 export class Story {
@@ -52,18 +52,18 @@ export class Story {
     this.badge.dataset.state = state;
     say(this.badge, { met: ended?.verdict ?? "goal met", unmet: ended?.verdict ?? "stopped", unknown: ended?.verdict ?? "", live: "running", planned: "planned only", broken: "ended early" }[state]);
     const story = ended?.story;
-    const happened = story?.happened ?? (live ? stages.at(-1)?.words ?? "The run begins." : judged
+    const happened = story?.happened ?? (live ? stages.at(-1)?.words ?? "The run is starting." : judged
       ? `The run ended early after round ${judged.number}: ${judged.judged!.verdict}.` : planned ? `Planned, not executed. Predicted performance: ${percent(rounds.at(-1)!.plan.predicted)}.` : rounds.length ? "The recording ends before the first round has a result." : "The recording has no rounds.");
     this.texts.replaceChildren(
-      ...this.part("Task", story?.asked ?? head?.task.asked ?? ""),
-      ...this.part(live ? "Now" : "Result", happened),
-      ...this.part("Confidence", story?.sure ?? (judged || planned ? "" : "No round has a result yet."), this.bars()),
-      ...this.part("More certainty", story?.surer ?? ""),
+      ...this.makePart("Task", story?.asked ?? head?.task.asked ?? ""),
+      ...this.makePart(live ? "Now" : "Result", happened),
+      ...this.makePart("Confidence", story?.sure ?? (judged || planned ? "" : "No round has a result yet."), this.drawBars()),
+      ...this.makePart("More certainty", story?.surer ?? ""),
     );
     this.drawPictures();
   }
 
-  private part(title: string, text: string, more: Node | null = null): Node[] {
+  private makePart(title: string, text: string, more: Node | null = null): Node[] {
     if (!text && !more) return [];
     const parts: Node[] = [el("h2", {}, title)];
     if (text) parts.push(el("p", {}, text));
@@ -87,27 +87,27 @@ export class Story {
     if (last?.truth?.particles) after.push({ mark: "actual", places: metres(last.truth.particles) });
     if (last?.observed) after.push({ mark: "seen", places: metres(last.observed.detections) });
     const figure = (title: string, round: typeof first, layers: Dots[]) =>
-      el("figure", {}, surfacePicture(round, layers, `${title}: the surface from above, ${layers.map(({ places, mark }) => `${places.length / 2} particles ${NAMES[mark]}`).join(", ")}`),
+      el("figure", {}, surfacePicture(round, layers, `${title}: the surface from above with ${layers.map(({ places, mark }) => `${places.length / 2} particles ${NAMES[mark]}`).join(", ")}`),
         el("figcaption", {}, title));
     if (!last) {
       const end = first.particles.places(Math.max(0, first.particles.times.length - 1));
       if (first.plan.kind === "planned") {
-        this.pictures.replaceChildren(figure("Before", first, before), this.arrow(), figure("Predicted", first, [{ mark: "believed", places: end }]), legend(["believed", ...goal]));
-      } else this.pictures.replaceChildren(figure("Believed before", first, before), legend([...before.map(({ mark }) => mark), ...goal]));
+        this.pictures.replaceChildren(figure("Before", first, before), this.drawArrow(), figure("Predicted", first, [{ mark: "believed", places: end }]), makeLegend(["believed", ...goal]));
+      } else this.pictures.replaceChildren(figure("Believed before", first, before), makeLegend([...before.map(({ mark }) => mark), ...goal]));
       return;
     }
     const names = [...new Set([...before, ...after].map(({ mark }) => mark as string)), ...goal];
     this.pictures.replaceChildren(
-      figure("Before", first, before), this.arrow(),
-      figure(`After ${last.number} ${last.number === 1 ? "round" : "rounds"}`, last, after), legend(names));
+      figure("Before", first, before), this.drawArrow(),
+      figure(`After ${last.number} ${last.number === 1 ? "round" : "rounds"}`, last, after), makeLegend(names));
   }
 
-  private arrow(): SVGElement {
+  private drawArrow(): SVGElement {
     return svg("svg", { viewBox: "0 0 24 24", class: "w-arrow", "aria-hidden": "true" }, svg("path", { d: "M3 12h16M13 6l6 6-6 6" }));
   }
 
   /** Draws the estimate of each finished round as a bar, with the target. */
-  private bars(): HTMLElement | null {
+  private drawBars(): HTMLElement | null {
     const { rounds, head } = this.recording;
     const judged = rounds.filter((round) => round.judged).slice(-8);
     if (!judged.length) return null;
@@ -131,7 +131,7 @@ export class Story {
         el("b", {}, percent(estimate.mean)));
     });
     const anyTruth = judged.some(({ truth }) => typeof truth?.performance === "number");
-    const list = legend(["interval", "felt", ...(anyTruth ? ["actual"] : []), ...(target === null ? [] : ["target"])]);
+    const list = makeLegend(["interval", "felt", ...(anyTruth ? ["actual"] : []), ...(target === null ? [] : ["target"])]);
     for (const item of list.children) if (item.textContent === NAMES.actual) item.lastChild!.textContent = "true";
     if (target !== null) list.lastElementChild!.lastChild!.textContent = `target ${percent(target)}`;
     return el("div", { class: "w-bars" }, ...rows, list);

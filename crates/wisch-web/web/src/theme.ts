@@ -1,4 +1,4 @@
-// Light or dark, and the colours of the page for what is drawn on canvases.
+// The light and the dark theme, and the page's colours for drawings on a canvas.
 
 const KEY = "wisch-theme";
 export type Theme = "light" | "dark";
@@ -6,10 +6,10 @@ export type Theme = "light" | "dark";
 const root = (): HTMLElement => document.documentElement;
 const callbacks = new Set<() => void>();
 let printing = false;
-/** What somebody asked for, whatever the system prefers. */
+/** The user's choice, which overrides the system's preference. */
 let chosen: Theme | null = null;
 
-const kept = (): Theme | null => {
+const loadTheme = (): Theme | null => {
   try {
     const theme = localStorage.getItem(KEY);
     return theme === "light" || theme === "dark" ? theme : null;
@@ -18,7 +18,7 @@ const kept = (): Theme | null => {
   }
 };
 
-/** What is shown now. */
+/** Returns the current theme. */
 export function theme(): Theme {
   if (printing) return "light";
   return chosen ?? (matchMedia("(prefers-color-scheme: dark)").matches ? "dark" : "light");
@@ -29,43 +29,43 @@ export function setTheme(wanted: Theme): void {
   try {
     localStorage.setItem(KEY, wanted);
   } catch {
-    // A page from a file may not keep anything.
+    // Browsers may forbid local storage to a page from a file.
   }
-  tell();
+  notify();
 }
 
-/** Calls back whenever colours change. */
+/** Calls `callback` whenever colours change; returns a function that stops this. */
 export function onTheme(callback: () => void): () => void {
   callbacks.add(callback);
   return () => callbacks.delete(callback);
 }
 
-function tell(): void {
+function notify(): void {
   root().dataset.theme = theme();
   colours = null;
   for (const callback of callbacks) callback();
 }
 
-/** To be called once, before anything is drawn. */
+/** Starts the theme; must be called once before the first drawing. */
 export function startTheme(): void {
-  chosen = kept();
-  matchMedia("(prefers-color-scheme: dark)").addEventListener("change", tell);
+  chosen = loadTheme();
+  matchMedia("(prefers-color-scheme: dark)").addEventListener("change", notify);
   const print = (now: boolean) => {
     if (printing === now) return;
     printing = now;
-    tell();
+    notify();
   };
   matchMedia("print").addEventListener("change", ({ matches }) => print(matches));
   addEventListener("beforeprint", () => print(true));
   addEventListener("afterprint", () => print(false));
-  tell();
+  notify();
 }
 
 export const isPrinting = (): boolean => printing;
 
 let colours: Map<string, string> | null = null;
 
-/** A colour of the page by its name. */
+/** Returns a colour of the page by its name. */
 export function colour(name: string): string {
   colours ??= new Map();
   let value = colours.get(name);

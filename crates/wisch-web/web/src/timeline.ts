@@ -1,29 +1,29 @@
 // One timeline for all rounds, below the scene. Its cursor is the clock.
 import { clockText, el, fixed, percent, say } from "./dom.ts";
 import { frames } from "./frames.ts";
-import { drawnBySoftware } from "./software.ts";
+import { isSoftwareRendered } from "./software.ts";
 import { colour, isPrinting, onTheme } from "./theme.ts";
-import { Frame, PLOTS, fitted, font } from "./timeline/frame.ts";
+import { Frame, PLOTS, drawFitted, font } from "./timeline/frame.ts";
 import type { LaneName, Pen } from "./timeline/frame.ts";
 import { drawAxis, drawContact, drawEvents, drawPhases, drawRounds } from "./timeline/lanes.ts";
 import { drawHighlights } from "./timeline/highlights.ts";
 import type { Interval } from "./timeline/highlights.ts";
 import { drawMeasured, drawPerformance } from "./timeline/plots.ts";
-import { listen } from "./timeline/input.ts";
+import { listenPointer } from "./timeline/input.ts";
 import type { Clock } from "./clock.ts";
 import type { Recording } from "./store.ts";
 
 const LANES: LaneName[] = ["axis", "rounds", "phases", "contact", "events", "force", "height", "performance"];
 const COMPACT: LaneName[] = ["axis", "rounds", "phases", "contact", "events", "force"];
-/** Heights that are drawn [mm]. */
+/** Range of drawn heights [mm]. */
 const HEIGHTS_MM: [number, number] = [-20, 80];
-/** How wide the timeline is drawn for paper [pixels]. */
+/** Width of the printed timeline [pixels]. */
 const PAPER_PX = 900;
-/** A view that is less high has lower plots [pixels]. */
+/** Below this height of the view, plots are lower [pixels]. */
 const TIGHT_PX = 700;
-/** While a run goes on, what is new is added so often [ms]: with a graphics card, and without one. */
+/** Interval between redraws during a live run, with and without a graphics card [ms]. */
 const EVERY_MS = { card: 60, software: 250 };
-/** Less than this is not zoomed into [s]. */
+/** Shortest visible interval [s]. */
 const NEAREST_S = 0.2;
 
 export class Timeline {
@@ -32,7 +32,7 @@ export class Timeline {
   private readonly cursor = el("i", { class: "w-cursor", "aria-hidden": "true" });
   private readonly hair = el("i", { class: "w-hair", "aria-hidden": "true", hidden: true });
   private readonly veil = el("i", { class: "w-veil", "aria-hidden": "true", hidden: true });
-  private readonly whole = el("button", { class: "w-button w-whole", type: "button", hidden: true, title: "See the whole run again  (double-click)", click: () => this.reset() }, "Whole run");
+  private readonly whole = el("button", { class: "w-button w-whole", type: "button", hidden: true, title: "Show the whole run  (double-click)", click: () => this.reset() }, "Whole run");
   private readonly tip = el("div", { class: "w-tip", hidden: true });
   private readonly frame: Frame;
   private readonly stop: (() => void)[] = [];
@@ -50,7 +50,7 @@ export class Timeline {
       class: "w-timeline", role: "slider", tabindex: 0, "aria-label": "Time in the run",
       "aria-valuemin": 0, "aria-keyshortcuts": "Space ArrowLeft ArrowRight [ ] Home End",
     }, this.base, this.veil, this.hair, this.cursor, this.whole, this.tip);
-    listen(this.element, {
+    listenPointer(this.element, {
       seek: (x) => {
         if (clock.playing) clock.pause();
         clock.seek(this.frame.t(Math.min(Math.max(x, this.frame.left), this.frame.width - this.frame.right)));
@@ -96,7 +96,7 @@ export class Timeline {
   private resize(): void {
     const width = isPrinting() ? PAPER_PX : this.element.clientWidth;
     if (!width) return;
-    this.frame.lay(width, isPrinting() || (this.element.closest(".w-view")?.clientHeight ?? TIGHT_PX) < TIGHT_PX);
+    this.frame.layOut(width, isPrinting() || (this.element.closest(".w-view")?.clientHeight ?? TIGHT_PX) < TIGHT_PX);
     const ratio = isPrinting() ? 3 : Math.min(devicePixelRatio || 1, 2);
     this.base.width = Math.round(width * ratio);
     this.base.height = Math.round(this.frame.height * ratio);
@@ -127,8 +127,8 @@ export class Timeline {
   }
 
   private pen(): Pen {
-    // Without a graphics card a canvas that is one's own costs less than one that is drawn as if there were one.
-    const pen = this.base.getContext("2d", { willReadFrequently: drawnBySoftware() })!;
+    // Without a graphics card, `willReadFrequently` keeps the canvas in main memory, which is faster.
+    const pen = this.base.getContext("2d", { willReadFrequently: isSoftwareRendered() })!;
     const ratio = this.base.width / (parseFloat(this.base.style.width) || 1);
     pen.setTransform(ratio, 0, 0, ratio, 0, 0);
     pen.clearRect(0, 0, this.frame.width, this.frame.height);
@@ -139,14 +139,14 @@ export class Timeline {
     const { recording, clock, frame } = this;
     const { duration } = clock;
     if (!this.zoomed) [frame.from, frame.to] = [0, Math.max(duration, 1e-3)];
-    else if (clock.playing || clock.following) this.keepInSight();
+    else if (clock.playing || clock.following) this.scrollToCursor();
     if (this.isDue()) {
       this.drawBase();
       this.drawn = { version: recording.version, duration, at: performance.now() };
       this.stale = false;
     }
     this.whole.hidden = !this.zoomed;
-    this.drawOver();
+    this.moveOverlays();
     const { element } = this;
     element.setAttribute("aria-valuemax", duration.toFixed(1));
     element.setAttribute("aria-valuenow", clock.time.toFixed(2));
@@ -155,12 +155,12 @@ export class Timeline {
     element.setAttribute("aria-valuetext", `${clockText(clock.time)}${instant ? `, round ${instant.round.number}` : ""}${phase ? `, ${phase}` : ""}`);
   }
 
-  /** Whether the drawing is to be made again. What a run that goes on adds waits for more of it. */
+  /** Whether the drawing is outdated. During a live run, redraws are throttled. */
   private isDue(): boolean {
     const { recording, clock, drawn } = this;
     if (this.stale || drawn.duration !== clock.duration) return true;
     if (drawn.version === recording.version) return false;
-    const every = drawnBySoftware() ? EVERY_MS.software : EVERY_MS.card;
+    const every = isSoftwareRendered() ? EVERY_MS.software : EVERY_MS.card;
     const left = recording.live ? drawn.at + every - performance.now() : 0;
     if (left <= 0) return true;
     clearTimeout(this.later);
@@ -168,8 +168,8 @@ export class Timeline {
     return false;
   }
 
-  /** Follows the cursor where it leaves what is zoomed into. */
-  private keepInSight(): void {
+  /** Scrolls when the cursor leaves the visible interval. */
+  private scrollToCursor(): void {
     const { frame, clock } = this;
     const width = frame.to - frame.from;
     if (clock.time >= frame.from && clock.time <= frame.to - 0.03 * width) return;
@@ -198,15 +198,15 @@ export class Timeline {
       pen.textAlign = "left";
       pen.textBaseline = "middle";
       const plot = PLOTS.has(lane.name);
-      if (!frame.narrow) fitted(pen, lane.label, 2, lane.top + (plot ? 8 : lane.height / 2), frame.left - (plot ? 26 : 6));
+      if (!frame.narrow) drawFitted(pen, lane.label, 2, lane.top + (plot ? 8 : lane.height / 2), frame.left - (plot ? 26 : 6));
       else if (plot) pen.fillText(lane.label, 2, lane.top - 8);
     }
     drawHighlights(pen, frame, this.highlights);
     this.drawVeil();
   }
 
-  /** Moves what lies over the drawing: that costs less than to draw it again. */
-  private drawOver(): void {
+  /** Moves the overlays without redrawing the canvas. */
+  private moveOverlays(): void {
     const { frame, clock } = this;
     const right = frame.width - frame.right;
     const x = frame.x(clock.time);
@@ -216,13 +216,13 @@ export class Timeline {
     if (this.hovered !== null) this.hair.style.transform = `translateX(${this.hovered}px)`;
   }
 
-  /** Covers what is still to come. */
+  /** Covers the part of a live run that is not measured yet. */
   private drawVeil(): void {
     const { frame, recording } = this;
     const right = frame.width - frame.right;
-    const come = Math.min(right, Math.max(frame.left, frame.x(recording.now)));
-    this.veil.hidden = !recording.live || come >= right;
-    Object.assign(this.veil.style, { left: `${come}px`, width: `${right - come}px` });
+    const measured = Math.min(right, Math.max(frame.left, frame.x(recording.now)));
+    this.veil.hidden = !recording.live || measured >= right;
+    Object.assign(this.veil.style, { left: `${measured}px`, width: `${right - measured}px` });
   }
 
   private hover(x: number | null, y: number): void {
@@ -231,7 +231,7 @@ export class Timeline {
     this.hovered = inside ? x : null;
     this.tip.hidden = !inside;
     if (inside) {
-      say(this.tip, this.words(frame.t(x)).join("\n"));
+      say(this.tip, this.describe(frame.t(x)).join("\n"));
       const width = this.tip.offsetWidth;
       this.tip.style.left = `${Math.max(2, x + 14 + width > frame.width ? x - width - 12 : x + 14)}px`;
       this.tip.style.top = `${Math.min(Math.max(2, y - 20), Math.max(2, frame.height - this.tip.offsetHeight - 4))}px`;
@@ -239,8 +239,8 @@ export class Timeline {
     this.ask();
   }
 
-  /** What is to be said of a time. */
-  private words(t: number): string[] {
+  /** Returns the lines of the tooltip at a time. */
+  private describe(t: number): string[] {
     const instant = this.recording.at(t);
     if (!instant) return [clockText(t, 2)];
     const { round, normal, height, performance, phase } = instant;
@@ -253,9 +253,9 @@ export class Timeline {
       round.plan.phases[phase]?.name ?? "",
       normal === null ? "" : `force ${fixed(normal, 1)} N`,
       height === null ? "" : `height ${fixed(1000 * height, 1)} mm`,
-      performance === null ? "" : `predicted ${percent(performance)}`,
-      judged ? `estimated ${percent(judged.estimate.mean)} (${percent(judged.estimate.low)} to ${percent(judged.estimate.high)})` : "",
-      judged && typeof round.truth?.performance === "number" ? `true ${percent(round.truth.performance)}` : "",
+      performance === null ? "" : `predicted performance ${percent(performance)}`,
+      judged ? `estimated performance ${percent(judged.estimate.mean)} (${percent(judged.estimate.low)} to ${percent(judged.estimate.high)})` : "",
+      judged && typeof round.truth?.performance === "number" ? `true performance ${percent(round.truth.performance)}` : "",
       ...new Set(shown),
       ...events.map(({ kind, words }) => `${kind}: ${words}`),
     ].filter((text) => text !== "");

@@ -1,4 +1,4 @@
-// Buttons of the clock, between scene and timeline.
+// The buttons of the clock, between scene and timeline.
 import { SPEEDS } from "./clock.ts";
 import type { Clock } from "./clock.ts";
 import { clockText, el, say } from "./dom.ts";
@@ -6,7 +6,7 @@ import { icon } from "./icons.ts";
 import { KEYS, nextStop } from "./keys.ts";
 import type { Recording } from "./store.ts";
 
-export function transport(clock: Clock, recording: Recording): { element: HTMLElement; show(): void } {
+export function makeTransport(clock: Clock, recording: Recording): { element: HTMLElement; show(): void } {
   const play = el("button", { class: "w-button w-play", type: "button", click: () => clock.toggle() });
   const stop = (way: 1 | -1) => el("button", {
     class: "w-button w-icon", type: "button",
@@ -15,7 +15,7 @@ export function transport(clock: Clock, recording: Recording): { element: HTMLEl
   }, icon(way < 0 ? "before" : "after"));
   const live = el("button", { class: "w-button w-live", type: "button", title: "Follow the live run  L", click: () => clock.follow() }, "LIVE");
   const time = el("output", { class: "w-time", "aria-live": "off" });
-  const speed = el("select", { class: "w-select", "aria-label": "Speed", change: () => clock.setSpeed(Number(speed.value)) },
+  const speed = el("select", { class: "w-select", "aria-label": "Playback speed", change: () => clock.setSpeed(Number(speed.value)) },
     ...SPEEDS.map((value) => el("option", { value }, `${value}\u00d7`)));
   const help = el("details", { class: "w-keys" }, el("summary", {}, "Keys"),
     el("dl", {}, ...KEYS.flatMap(([key, what]) => [el("dt", {}, key), el("dd", {}, what)])));

@@ -1,7 +1,7 @@
-// One view of a recording: scene, words, clock and timeline.
+// A view of a recording: scene, details, clock and timeline.
 import { Clock } from "./clock.ts";
 import { clockText, el } from "./dom.ts";
-import { calmly, frames } from "./frames.ts";
+import { frames, throttle } from "./frames.ts";
 import { listenKeys } from "./keys.ts";
 import { colour } from "./theme.ts";
 import { askedColour } from "./scene/asked.ts";
@@ -9,22 +9,22 @@ import type { ShownParticles } from "./scene/asked.ts";
 import { ScenePanel } from "./scene/panel.ts";
 import { safeColour } from "./scene/path.ts";
 import type { Trajectory } from "./scene/path.ts";
-import { drawnBySoftware } from "./software.ts";
+import { isSoftwareRendered } from "./software.ts";
 import { Timeline } from "./timeline.ts";
 import type { Interval } from "./timeline/highlights.ts";
-import { transport } from "./transport.ts";
+import { makeTransport } from "./transport.ts";
 import { Words } from "./words.ts";
 import type { Recording } from "./store.ts";
 
 export type { Interval, ShownParticles, Trajectory };
 
-/** Without a graphics card every word that changes costs; numbers that run change so often [ms]. */
-const TOLD_MS = 150;
+/** Interval between updates of the texts without a graphics card, where they are slow [ms]. */
+const TEXT_MS = 150;
 
 export interface ViewOptions {
-  /** Little room: no words, fewer lanes. */
+  /** Compact layout: no details, fewer lanes. */
   compact?: boolean;
-  /** Shared with other views, which then show the same time. */
+  /** Clock shared with other views, which then show the same time. */
   clock?: Clock;
 }
 
@@ -32,16 +32,16 @@ export interface View {
   readonly element: HTMLElement;
   readonly clock: Clock;
   seek(time: number): void;
-  /** Bands in the timeline and along the tool's path, in times of the common clock. */
+  /** Highlights intervals of the common clock in the timeline and along the tool's path. */
   highlight(intervals: Interval[]): void;
   showTrajectories(list: Trajectory[]): void;
-  /** The robot as it was at these times, see-through. */
+  /** Shows the robot at these times as translucent ghosts. */
   showRobotAt(times: number[]): void;
-  /** Particles beside the recording's own. */
+  /** Shows particles in addition to those of the recording. */
   showParticles(list: ShownParticles[]): void;
-  /** Takes away what the four above showed. */
+  /** Removes the data of the four methods above. */
   clearShown(): void;
-  /** Frames of the scene that were drawn so far. */
+  /** Number of drawn frames of the scene. */
   readonly frames: number;
   destroy(): void;
 }
@@ -55,25 +55,25 @@ export function mountView(root: HTMLElement, recording: Recording, { compact = f
   });
   const timeline = new Timeline(recording, clock, compact);
   const words = compact ? null : new Words(recording, clock);
-  const bar = transport(clock, recording);
+  const bar = makeTransport(clock, recording);
   const element = el("div", { class: `w-view${compact ? " w-compact" : ""}` },
     el("div", { class: "w-grid" }, panel.element, words?.element, el("div", { class: "w-below" }, bar.element, timeline.element)));
   root.append(element);
 
-  const told = calmly(drawnBySoftware() ? TOLD_MS : 0, () => {
+  const texts = throttle(isSoftwareRendered() ? TEXT_MS : 0, () => {
     words?.show();
     bar.show();
   });
   const show = () => {
     panel.show(clock.time);
-    told.ask();
+    texts.ask();
   };
   const ask = () => frames.draw(show);
   const stops = [
     leave,
     clock.subscribe(ask),
     recording.onChange(() => {
-      clock.grown();
+      clock.onGrowth();
       ask();
     }),
     listenKeys(element, clock, recording, (key) => {
@@ -125,7 +125,7 @@ export function mountView(root: HTMLElement, recording: Recording, { compact = f
     get frames() { return panel.stage?.drawn ?? 0; },
     destroy: () => {
       frames.drop(show);
-      told.stop();
+      texts.stop();
       for (const stop of stops) stop();
       panel.destroy();
       timeline.destroy();

@@ -5,10 +5,10 @@ import type { Considered, Estimate } from "./recording.ts";
 import type { Round } from "./round.ts";
 import type { Instant, Recording } from "./store.ts";
 
-const section = (title: string, open: boolean, ...children: (Node | string)[]) =>
+const makeSection = (title: string, open: boolean, ...children: (Node | string)[]) =>
   el("details", { class: "w-section", open }, el("summary", {}, el("h2", {}, title)), ...children);
 
-const sentences = (list: readonly string[]) => el("ul", { class: "w-sentences" }, ...list.map((text) => el("li", {}, String(text))));
+const makeList = (list: readonly string[]) => el("ul", { class: "w-sentences" }, ...list.map((text) => el("li", {}, String(text))));
 
 export const estimateText = ({ mean, low, high }: Estimate): string => `${percent(mean)} (90\u202f%: ${percent(low)} to ${percent(high)})`;
 
@@ -19,22 +19,22 @@ const UNKNOWN = ["cannot be told", "unknowable by touch"];
 export const goalState = (met: boolean, verdict: string | null): "met" | "unmet" | "unknown" =>
   met ? "met" : UNKNOWN.includes(verdict ?? "") ? "unknown" : "unmet";
 
-const row = (label: string, value: string) => [el("dt", {}, label), el("dd", {}, value)];
+const makeRow = (label: string, value: string) => [el("dt", {}, label), el("dd", {}, value)];
 
-const capital = (text: string): string => text.charAt(0).toUpperCase() + text.slice(1);
+const capitalise = (text: string): string => text.charAt(0).toUpperCase() + text.slice(1);
 
-const known = (value: number | null, text: (value: number) => string): string => (value === null ? "\u2013" : text(value));
+const formatKnown = (value: number | null, text: (value: number) => string): string => (value === null ? "\u2013" : text(value));
 
-/** The candidate plans, the one with the highest score first. */
-function choice(considered: readonly Considered[]): HTMLElement {
+/** Returns a table of the candidate plans, by falling score. */
+function makeCandidateTable(considered: readonly Considered[]): HTMLElement {
   const list = [...considered].sort((a, b) => (b.worth ?? -Infinity) - (a.worth ?? -Infinity));
   const names = ["Strategy", "Score", "Done", "Lost", "Contact", "Time"];
   const cells = (one: Considered): string[] => [
-    known(one.worth, (worth) => fixed(worth, 2)), known(one.predicted, percent), known(one.lost, percent), known(one.in_contact, (way) => `${fixed(way, 2)} m`), known(one.duration, (time) => `${fixed(time, 0)} s`),
+    formatKnown(one.worth, (worth) => fixed(worth, 2)), formatKnown(one.predicted, percent), formatKnown(one.lost, percent), formatKnown(one.in_contact, (way) => `${fixed(way, 2)} m`), formatKnown(one.duration, (time) => `${fixed(time, 0)} s`),
   ];
   return el("div", { class: "w-choice", tabindex: 0, role: "group", "aria-label": "Candidate plans" },
     el("table", {},
-      el("caption", {}, "Score: predicted share of the dirt in the goal area, minus three times the lost share, minus costs of path length and time."),
+      el("caption", {}, "Done: predicted performance. Lost: predicted share of lost dirt. Score: predicted share of the dirt in the goal area, minus three times the lost share, minus costs of path length and time."),
       el("thead", {}, el("tr", {}, ...names.map((name) => el("th", { scope: "col" }, name)))),
       el("tbody", {}, ...list.map((one) => el("tr", { "data-chosen": one.chosen, title: one.strokes === null ? null : `${one.strokes} strokes` },
         el("th", { scope: "row" }, `${one.chosen ? "\u2713 " : ""}${one.strategy}`, one.chosen && el("span", { class: "w-hidden" }, " (chosen)")),
@@ -58,7 +58,7 @@ export class Words {
   private readonly complaint = el("p", { class: "w-complaint", hidden: true });
   private key = "";
   private whole = "";
-  private happened: { element: HTMLElement; start: number; end: number }[] = [];
+  private shownEvents: { element: HTMLElement; start: number; end: number }[] = [];
 
   constructor(private readonly recording: Recording, private readonly clock: Clock) {
     const { contact, force, height, performance } = this.live;
@@ -68,11 +68,11 @@ export class Words {
           el("div", {}, el("dt", {}, "Contact"), contact), el("div", {}, el("dt", {}, "Force"), force),
           el("div", {}, el("dt", {}, "Height"), height), el("div", {}, el("dt", {}, "Predicted"), performance))),
       this.complaint,
-      section("Why this plan", true, this.why),
-      section("Result", true, this.after),
-      section("Events", true, this.events),
-      section("Numbers", true, this.numbers),
-      section("Log", false, this.logCount, this.log),
+      makeSection("Why this plan", true, this.why),
+      makeSection("Result", true, this.after),
+      makeSection("Events", true, this.events),
+      makeSection("Numbers", true, this.numbers),
+      makeSection("Log", false, this.logCount, this.log),
     );
   }
 
@@ -80,25 +80,25 @@ export class Words {
   show(): void {
     const { recording, clock } = this;
     const instant = recording.at(clock.time);
-    this.sayNow(instant);
+    this.showNow(instant);
     const round = instant?.round;
     const key = [round?.number, round?.start, recording.rounds.length, Boolean(round?.judged), Boolean(round?.truth), recording.live].join();
     if (key !== this.key) {
       this.key = key;
-      this.sayRound(round ?? null);
+      this.showRound(round ?? null);
     }
     const { stages, happenings, head, ended, broken, unknown } = recording;
     const whole = [stages.length, happenings.length, Boolean(head), Boolean(ended), broken, unknown].join();
     if (whole !== this.whole) {
       this.whole = whole;
-      this.sayAll();
+      this.showRun();
     }
-    for (const { element, start, end } of this.happened) {
+    for (const { element, start, end } of this.shownEvents) {
       element.toggleAttribute("data-now", clock.time >= start - 0.05 && clock.time <= end + 0.05);
     }
   }
 
-  private sayNow(instant: Instant | null): void {
+  private showNow(instant: Instant | null): void {
     const { recording, clock } = this;
     const stage = recording.live && (clock.following || !instant) ? recording.stages.at(-1) : undefined;
     if (!instant) {
@@ -111,9 +111,9 @@ export class Words {
     const phase = round.plan.phases[instant.phase];
     const rounds = recording.rounds.length;
     const over = time >= round.length - 1e-6 && round.judged;
-    const does = over ? round.judged!.verdict : phase ? phase.name : "begins";
+    const state = over ? round.judged!.verdict : phase ? phase.name : "starting";
     const stroke = !over && phase?.stroke !== null && phase?.stroke !== undefined ? ` \u00b7 stroke ${phase.stroke + 1} of ${round.plan.strokes.length}` : "";
-    say(this.headline, capital(stage && stage.stage !== "executing" ? stage.words : `${does}${stroke}`));
+    say(this.headline, capitalise(stage && stage.stage !== "executing" ? stage.words : `${state}${stroke}`));
     say(this.below, `Round ${round.number} of ${rounds}${round.plan.kind === "planned" ? " (planned only)" : ""} \u00b7 ${clockText(time)} of ${clockText(round.length)}`);
     say(this.live.contact, touches ? "yes" : "no");
     say(this.live.force, normal === null ? "\u2013" : `${fixed(normal, 1)} N`);
@@ -121,12 +121,12 @@ export class Words {
     say(this.live.performance, performance === null ? "\u2013" : percent(performance));
   }
 
-  private sayRound(round: Round | null): void {
+  private showRound(round: Round | null): void {
     const why = round?.plan.why ?? [];
-    const weighed = round?.plan.considered ?? [];
-    this.why.replaceChildren(why.length ? sentences(why) : el("p", { class: "w-quiet" }, round ? "The recording states no reasons." : "No plan yet."), ...(weighed.length ? [choice(weighed)] : []));
+    const candidates = round?.plan.considered ?? [];
+    this.why.replaceChildren(why.length ? makeList(why) : el("p", { class: "w-quiet" }, round ? "The recording states no reasons for this plan." : "No plan yet."), ...(candidates.length ? [makeCandidateTable(candidates)] : []));
     if (!round?.judged) {
-      const text = !round ? "No round yet." : round.plan.kind === "planned" ? "This plan was not executed." : this.recording.live ? "The round is not finished." : "The round has no result: the run ended early.";
+      const text = !round ? "No round yet." : round.plan.kind === "planned" ? "This plan was not executed." : this.recording.live ? "The round is not finished." : "The round has no result because the run ended early.";
       this.after.replaceChildren(el("p", { class: "w-quiet" }, text));
       return;
     }
@@ -134,38 +134,38 @@ export class Words {
     this.after.replaceChildren(
       el("p", {}, el("strong", {}, judged.verdict), judged.ending ? ` \u00b7 ${judged.ending}` : ""),
       el("dl", { class: "w-facts" },
-        ...row("Predicted", percent(round.plan.predicted)),
-        ...row("Estimated", estimateText(judged.estimate)),
-        ...row("From touch only", estimateText(judged.felt)),
-        ...(typeof truth?.performance === "number" ? row("True", percent(truth.performance)) : []),
-        ...(judged.found ? row("Surface", "not at its believed pose") : [])),
-      sentences(judged.words),
+        ...makeRow("Predicted", percent(round.plan.predicted)),
+        ...makeRow("Estimated", estimateText(judged.estimate)),
+        ...makeRow("From touch only", estimateText(judged.felt)),
+        ...(typeof truth?.performance === "number" ? makeRow("True", percent(truth.performance)) : []),
+        ...(judged.found ? makeRow("Surface", "not at its believed pose") : [])),
+      makeList(judged.words),
     );
   }
 
-  private sayAll(): void {
+  private showRun(): void {
     const { recording, clock } = this;
     const list = recording.happenings.slice(0, MOST_EVENTS);
-    this.happened = [];
+    this.shownEvents = [];
     this.events.replaceChildren(list.length ? el("ul", { class: "w-events" }, ...list.map(({ start, end, kind, words, source }) => {
       const button = el("button", { type: "button", "data-source": source, click: () => clock.seek(start) },
         el("span", { class: "w-when" }, clockText(start)), el("span", {}, el("strong", {}, kind), ` ${words}`));
-      this.happened.push({ element: button, start, end });
+      this.shownEvents.push({ element: button, start, end });
       return el("li", {}, button);
     }), recording.happenings.length > MOST_EVENTS && el("li", { class: "w-quiet" }, `and ${recording.happenings.length - MOST_EVENTS} more`)) : el("p", { class: "w-quiet" }, "None."));
-    this.sayNumbers();
+    this.showNumbers();
     this.log.replaceChildren(...recording.stages.slice(-500).map(({ round, stage, words }) =>
       el("li", {}, el("span", { class: "w-when" }, `${round} ${stage}`), ` ${words}`)));
-    say(this.logCount, recording.stages.length > 500 ? `The last 500 of ${recording.stages.length}.` : "");
+    say(this.logCount, recording.stages.length > 500 ? `The list shows the last 500 of ${recording.stages.length} entries.` : "");
     const { broken, unknown } = recording;
     this.complaint.hidden = !broken && !unknown;
     say(this.complaint, [
       broken ? `${broken} ${broken === 1 ? "line" : "lines"} of this recording could not be read.` : "",
-      unknown ? `This page does not know the kind of ${unknown} ${unknown === 1 ? "piece" : "pieces"}.` : "",
+      unknown ? `${unknown} ${unknown === 1 ? "piece" : "pieces"} of unknown kind ${unknown === 1 ? "was" : "were"} skipped.` : "",
     ].join(" ").trim());
   }
 
-  private sayNumbers(): void {
+  private showNumbers(): void {
     const { head, ended } = this.recording;
     if (!head) return;
     const { task, robot } = head;
@@ -175,9 +175,9 @@ export class Words {
       ["Strategy", task.strategy], ["Target", percent(task.target)], ["Seed", String(task.seed)],
       ...(robot ? [["Robot", `${robot.name}, ${robot.variables.length} variables`] as [string, string]] : []),
       ["Program", head.program],
-      ...(head.begun ? [["Begun", head.begun] as [string, string]] : []),
+      ...(head.begun ? [["Started", head.begun] as [string, string]] : []),
       ...(ended?.episode ? [["Episode", ended.episode] as [string, string]] : []),
     ];
-    this.numbers.replaceChildren(el("dl", { class: "w-facts" }, ...facts.flatMap(([label, value]) => row(String(label), String(value)))));
+    this.numbers.replaceChildren(el("dl", { class: "w-facts" }, ...facts.flatMap(([label, value]) => makeRow(String(label), String(value)))));
   }
 }

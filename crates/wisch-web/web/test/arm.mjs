@@ -11,7 +11,7 @@ const FRAMES = [
   [0, 0, 0.333, 0, 0, 0, 1], [0, 0, 0, ...X(-1)], [0, -0.316, 0, ...X(1)], [0.0825, 0, 0, ...X(1)],
   [-0.0825, 0.384, 0, ...X(-1)], [0, 0, 0, ...X(1)], [0.088, 0, 0, ...X(1)],
 ];
-/** From the last link to the tool's face. */
+/** Pose of the tool's face in the frame of the last link. */
 const LINK_FROM_TOOL = [0, 0, 0.16, 1, 0, 0, 0];
 export const REST_POSE = [0, 0.1, 0, -2.2, 0, 2.3, 0.785];
 

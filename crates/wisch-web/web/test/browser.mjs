@@ -1,5 +1,5 @@
-// Drives the page in a real Chromium: `node test/browser.mjs [folder for pictures]`. Times are printed; what is asserted of
-// them is five times as much as is wanted, so that a machine that has other things to do does not fail it.
+// Drives the page in a real Chromium: `node test/browser.mjs [folder for pictures]`. It prints times, and asserts only that they
+// are below five times their targets, so that a busy machine does not fail it.
 import assert from "node:assert/strict";
 import { mkdirSync, mkdtempSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
@@ -16,7 +16,7 @@ const browser = await open();
 const figures = [];
 const note = (name, value, unit, wanted) => figures.push([name, `${value} ${unit}`, `wanted ${wanted}`]);
 
-/** A page with a recording; what it complains of and asks for is collected. */
+/** Opens a page with a recording; collects its console errors and its requests. */
 async function show(name, recording, { width = 1440, height = 900, hash = "", ...options } = {}) {
   const file = join(folder, `${name}.html`);
   writeFileSync(file, reportPage(recording));
@@ -135,7 +135,7 @@ const cases = {
     await page.close();
   },
 
-  async "all is reached by the tab key, and the focus is seen"() {
+  async "the tab key reaches every control, and the focus is visible"() {
     const { page } = await show("tab", whole);
     const reached = new Set();
     for (let i = 0; i < 60; i++) {
@@ -152,7 +152,7 @@ const cases = {
     await page.close();
   },
 
-  async "a phone shows all below each other"() {
+  async "a phone shows all panels below each other"() {
     const { page, complaints, picture } = await show("phone", whole, { width: 360, height: 780, deviceScaleFactor: 2, hasTouch: true, isMobile: true, hash: "#t=9.5" });
     await page.waitForTimeout(500);
     assert.ok((await wide(page)) <= 0, "scrolls sideways");
@@ -162,7 +162,7 @@ const cases = {
     await picture("phone-view");
     const [scene, below, words] = await Promise.all([".w-scene", ".w-below", ".w-words"].map((part) => page.locator(part).boundingBox()));
     assert.ok(scene.y + scene.height <= below.y + 1 && below.y + below.height <= words.y + 1);
-    // Two fingers that part zoom the timeline; one finger scrubs it.
+    // Spreading two fingers zooms the timeline; dragging one finger seeks.
     await page.locator(".w-timeline").scrollIntoViewIfNeeded();
     const lanes = await page.locator(".w-timeline").boundingBox();
     const fingers = await page.context().newCDPSession(page);
@@ -184,7 +184,7 @@ const cases = {
     await page.close();
   },
 
-  async "paper gets the story, a still and the timeline"() {
+  async "a printout has the summary, a still of the scene and the timeline"() {
     const { page, complaints, picture } = await show("print", whole, { width: 720, height: 1000, colorScheme: "dark", hash: "#t=9.5" });
     await page.waitForTimeout(500);
     assert.equal(await page.evaluate(() => getComputedStyle(document.body).backgroundColor), "rgb(18, 22, 27)", "dark, as the system is");
@@ -197,7 +197,7 @@ const cases = {
     await page.close();
   },
 
-  async "texts of a recording do nothing"() {
+  async "markup in a recording is not executed"() {
     const evil = "</script><script>window.hit=1</script><img src=x onerror=\"window.hit=2\"><b>__proto__${constructor}\u202e";
     const poison = (value, key) => {
       if (typeof value === "string") return ["piece", "kind", "part", "stage"].includes(key) ? value : evil;
@@ -217,7 +217,7 @@ const cases = {
     await page.close();
   },
 
-  async "recordings that lack something are shown all the same"() {
+  async "incomplete recordings are shown"() {
     const planned = parts.filter(({ piece }) => piece === "head" || piece === "round").slice(0, 2).map((piece) => (piece.piece === "round" ? { ...piece, kind: "planned" } : piece));
     const some = {
       empty: "", garbage: "{\nnull\n[]\n\"\"\n", head: lines(parts.slice(0, 1)),
@@ -245,7 +245,7 @@ const cases = {
     }
   },
 
-  async "a run that goes on is followed, and two views share a clock"() {
+  async "a live run is followed, and two views share a clock"() {
     const { page, complaints, picture } = await show("live", "");
     await page.evaluate((pieces) => {
       const { Recording, mountView } = window.wisch;
@@ -275,7 +275,7 @@ const cases = {
     await page.close();
   },
 
-  async "what somebody asked for is drawn, named and taken away"() {
+  async "queried data is drawn, listed and removed"() {
     const { page, complaints, picture } = await show("asked", whole, { hash: "#t=9.5" });
     await page.evaluate(() => document.querySelector(".w-view").scrollIntoView());
     await page.waitForTimeout(1000);
@@ -303,7 +303,7 @@ const cases = {
       wisch.view.highlight([1, 1.4, 1.8, 2.1, 9, 9.2].map((start, i) => ({ start, end: start + 0.3, label: ["HumanCollision", "UnreachedNode"][i % 2] })));
     });
     await page.waitForTimeout(1000);
-    assert.ok((await green()) > 100, "the particles are not seen");
+    assert.ok((await green()) > 100, "the particles are not visible");
     assert.deepEqual(await page.locator(".w-named li").allInnerTexts(), ["dirt before round 1, as queried", "estimated dirt after round 1, as queried"]);
     const box = await page.locator(".w-timeline").boundingBox();
     const duration = await page.evaluate(() => wisch.view.clock.duration);
@@ -322,7 +322,7 @@ const cases = {
     await page.close();
   },
 
-  async "an hour scrubs"() {
+  async "a recording of an hour can be dragged through"() {
     const began = performance.now();
     const { page, complaints, picture } = await show("hour", lines(hour()));
     await page.waitForFunction(() => window.firstFrame);

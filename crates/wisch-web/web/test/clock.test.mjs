@@ -3,7 +3,7 @@ import { test } from "node:test";
 import { Clock } from "../src/clock.ts";
 import { nextStop } from "../src/keys.ts";
 
-/** Frames that come when the test says so. */
+/** A source of frames that the test triggers. */
 function hand() {
   let wanted = null;
   let now = 0;
@@ -24,7 +24,7 @@ function hand() {
 
 const near = (a, b, tolerance = 0.03) => assert.ok(Math.abs(a - b) < tolerance, `${a} is not near ${b}`);
 
-test("plays at its speed, stops at the end and asks for no more frames", () => {
+test("the clock plays at its speed, stops at the end and requests no more frames", () => {
   const h = hand();
   const clock = new Clock(h.frames);
   clock.join({ duration: 10, now: 10, live: false });
@@ -42,7 +42,7 @@ test("plays at its speed, stops at the end and asks for no more frames", () => {
   assert.equal(clock.time, 0);
 });
 
-test("a tab that slept does not jump", () => {
+test("the clock does not jump after a tab was suspended", () => {
   const h = hand();
   const clock = new Clock(h.frames);
   clock.join({ duration: 100, now: 100, live: false });
@@ -52,7 +52,7 @@ test("a tab that slept does not jump", () => {
   assert.ok(clock.time < 1.5);
 });
 
-test("seeks within what there is, and says so", () => {
+test("seeking is clamped to the recording, and notifies subscribers", () => {
   const clock = new Clock(hand().frames);
   clock.join({ duration: 4, now: 4, live: false });
   const seen = [];
@@ -61,7 +61,7 @@ test("seeks within what there is, and says so", () => {
   assert.deepEqual(seen, [2, 0, 4, 0]);
 });
 
-test("follows a run that goes on, until somebody looks elsewhere", () => {
+test("the clock follows a live run until the user seeks", () => {
   const h = hand();
   const clock = new Clock(h.frames);
   const run = { duration: 30, now: 1, live: true };
@@ -71,12 +71,12 @@ test("follows a run that goes on, until somebody looks elsewhere", () => {
   assert.equal(clock.time, 1);
   assert.ok(h.idle);
   run.now = 3;
-  clock.grown();
+  clock.onGrowth();
   h.pass(2);
   assert.equal(clock.time, 3);
   clock.seek(0.5);
   run.now = 5;
-  clock.grown();
+  clock.onGrowth();
   h.pass(1);
   assert.equal(clock.time, 0.5);
   clock.play();
@@ -84,11 +84,11 @@ test("follows a run that goes on, until somebody looks elsewhere", () => {
   assert.equal(clock.following, true);
   assert.equal(clock.time, 5);
   Object.assign(run, { now: 6, live: false, duration: 6 });
-  clock.grown();
+  clock.onGrowth();
   assert.deepEqual([clock.following, clock.time], [false, 6]);
 });
 
-test("what comes in pieces moves evenly", () => {
+test("a run that arrives in pieces plays evenly", () => {
   for (const [every, piece] of [[0.4, 0.4], [0.1, 0.8], [0.6, 0.3]]) {
     const h = hand();
     const clock = new Clock(h.frames);
@@ -99,7 +99,7 @@ test("what comes in pieces moves evenly", () => {
     clock.subscribe(() => steps.push(clock.time));
     for (let k = 0; k < 40; k++) {
       run.now += piece;
-      clock.grown();
+      clock.onGrowth();
       if (k === 20) steps.length = 0;
       h.pass(every);
     }
@@ -111,7 +111,7 @@ test("what comes in pieces moves evenly", () => {
   }
 });
 
-test("two recordings share one clock, which runs over the longer", () => {
+test("two recordings share one clock, which has the longer duration", () => {
   const clock = new Clock(hand().frames);
   clock.join({ duration: 4, now: 4, live: false });
   const leave = clock.join({ duration: 9, now: 9, live: false });
@@ -120,7 +120,7 @@ test("two recordings share one clock, which runs over the longer", () => {
   assert.equal(clock.duration, 4);
 });
 
-test("speeds go up and down within their list", () => {
+test("speeds stay within their list", () => {
   const clock = new Clock(hand().frames);
   for (let i = 0; i < 9; i++) clock.faster(1);
   assert.equal(clock.speed, 10);
@@ -128,7 +128,7 @@ test("speeds go up and down within their list", () => {
   assert.equal(clock.speed, 0.1);
 });
 
-test("the next stop is the next that is not here", () => {
+test("the next stop skips a stop at the current time", () => {
   const stops = [0, 2, 5];
   assert.deepEqual([nextStop(stops, 0, 1), nextStop(stops, 2, 1), nextStop(stops, 5, 1), nextStop(stops, 5, -1), nextStop(stops, 0.02, -1)], [2, 5, 5, 2, 0]);
 });

@@ -4,7 +4,7 @@ import { test } from "node:test";
 
 const css = readFileSync("src/style/page.css", "utf8");
 const blocks = [...css.matchAll(/\{([^{}]*--paper:[^{}]*)\}/g)].map(([, block]) => Object.fromEntries([...block.matchAll(/--([\w-]+):\s*(#[0-9a-f]{6})\b/g)].map(([, name, value]) => [name, value])))
-  // What the system chooses has no numbers.
+  // System colours have no values.
   .filter(({ paper }) => paper);
 
 const luminance = (hex) => [1, 3, 5].map((i) => parseInt(hex.slice(i, i + 2), 16) / 255)
@@ -14,11 +14,11 @@ const contrast = (a, b) => {
   return (high + 0.05) / (low + 0.05);
 };
 
-/** WCAG 2.2: text 4.5, marks that say something 3. */
+/** WCAG 2.2: contrast of 4.5 for text, and of 3 for marks with a meaning. */
 const TEXT = [["ink", "paper"], ["ink", "card"], ["ink", "lane"], ["ink", "round"], ["ink", "wiping"], ["ink", "hover"], ["quiet", "paper"], ["quiet", "card"], ["quiet", "hover"], ["quiet", "lane"], ["paper", "accent"], ["paper", "bad"], ["good", "good-ground"], ["bad", "bad-ground"], ["target", "paper"]];
 const MARKS = ["believed", "estimated", "actual", "seen", "felt", "contact", "force", "height", "cursor", "collision", "hand", "event", "push", "found"];
 
-test("each colour stands once in light and once in dark", () => {
+test("each colour has one light and one dark value", () => {
   assert.equal(blocks.length, 2);
   assert.deepEqual(Object.keys(blocks[0]).sort(), Object.keys(blocks[1]).sort());
 });

@@ -2,14 +2,14 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import { Frames } from "../src/frames.ts";
 
-/** Pictures that come when the test says so. */
+/** A source of frames that the test triggers. */
 function hand() {
   const wanted = [];
   const frames = new Frames({ request: (callback) => wanted.push(callback) });
   return { frames, wanted, pass: (now = 0) => { for (const callback of wanted.splice(0)) callback(now); } };
 }
 
-test("a step and all draws that follow from it are one picture", () => {
+test("a step and all draws that it requests run in one frame", () => {
   const { frames, wanted, pass } = hand();
   const made = [];
   const scene = () => made.push("scene");
@@ -23,7 +23,7 @@ test("a step and all draws that follow from it are one picture", () => {
   assert.equal(wanted.length, 1);
 });
 
-test("a draw is made once a picture, and then in the next", () => {
+test("a draw runs once per frame, and again in the next", () => {
   const { frames, pass, wanted } = hand();
   let count = 0;
   const again = () => { if (++count < 3) frames.draw(again); };
@@ -37,7 +37,7 @@ test("a draw is made once a picture, and then in the next", () => {
   assert.equal(wanted.length, 0);
 });
 
-test("what is dropped or cancelled is not made, and what fails takes nothing with it", () => {
+test("dropped and cancelled work does not run, and a failure stops no other work", () => {
   const { frames, pass } = hand();
   const made = [];
   const faults = [];

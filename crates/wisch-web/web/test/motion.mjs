@@ -1,9 +1,9 @@
-// Compares where the view puts the tool with where a recording says that it was: `npm run check:motion -- recording.jsonl`.
+// Compares the drawn pose of the tool with its recorded pose: `npm run check:motion -- recording.jsonl`.
 import { readFileSync } from "node:fs";
 import { fileURLToPath } from "node:url";
 import { build } from "esbuild";
 
-/** Positions in a recording are rounded to 1e-4; over an arm of many joints that makes so much [m]. */
+/** Tolerance: a recording rounds joint positions to 1e-4, which adds up over an arm of many joints [m]. */
 const TOLERANCE_M = 2e-3;
 
 const source = (name) => fileURLToPath(new URL(`../src/${name}`, import.meta.url));

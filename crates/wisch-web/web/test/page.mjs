@@ -1,10 +1,10 @@
-// A page as wisch writes it, from pieces: `node test/page.mjs sample.jsonl > report.html`.
+// Writes a report page from the pieces of a recording: `node test/page.mjs sample.jsonl > report.html`.
 import { readFileSync } from "node:fs";
 import { fileURLToPath } from "node:url";
 
 const dist = (name) => readFileSync(fileURLToPath(new URL(`../dist/${name}`, import.meta.url)), "utf8");
 
-/** The same as `report_page` in src/lib.rs. */
+/** Equals `report_page` in src/lib.rs. */
 export const reportPage = (recording) => `<!DOCTYPE html>
 <html lang="en" data-page="report">
 <head>

@@ -1,4 +1,4 @@
-// Bundles the tests and what they test, and hands them to node's runner.
+// Bundles the tests with the tested modules, and runs them in node's test runner.
 import { spawnSync } from "node:child_process";
 import { mkdtempSync, readdirSync, rmSync } from "node:fs";
 import { tmpdir } from "node:os";

@@ -1,4 +1,4 @@
-// A recording as a run might give it, for tests and for looking: `node test/sample.mjs > sample.jsonl`.
+// A synthetic recording for tests and for inspection: `node test/sample.mjs > sample.jsonl`.
 import { FLANGE, REST_POSE, ROBOT, SPONGE, TOOL, reach } from "./arm.mjs";
 
 const PERIOD_S = 0.04;
@@ -10,7 +10,7 @@ const GOAL = [0.09, -0.06];
 const GOAL_RADIUS = 0.045;
 const TOOL_HALF = 0.045;
 
-/** Numbers that look random and are always the same. */
+/** Reproducible pseudo-random numbers. */
 export function numbers(seed) {
   let state = seed >>> 0;
   return () => {
@@ -25,10 +25,10 @@ export function numbers(seed) {
 const whole = (v) => Math.round(v * 1e4);
 const rounded = (v, digits = 5) => Number(v.toFixed(digits));
 const inGoal = ([x, y]) => Math.hypot(x - GOAL[0], y - GOAL[1]) < GOAL_RADIUS;
-/** Where the tool is to be, from the surface to the robot's root. */
+/** Converts a pose of the tool from the surface frame to the robot's root frame. */
 const inRoot = ([x, y], z) => [y + 0.45, -x, z + BOARD.z - 0.75];
 
-/** Strokes that go from the edges to the goal. */
+/** Strokes from the edges to the goal. */
 function strokesOf(round, random) {
   const angles = round === 1 ? [2.6, 3.3, 2.0, 1.4, 4.2] : [2.9, 2.2];
   return angles.map((angle) => {
@@ -38,7 +38,7 @@ function strokesOf(round, random) {
   });
 }
 
-/** Phases and the tool's place over time: approach, wipe, lift, for each stroke. */
+/** Phases and tool positions over time: approach, wipe and lift for each stroke. */
 function plan(strokes) {
   const phases = [];
   const track = [];
@@ -67,7 +67,7 @@ function plan(strokes) {
   return { phases, track, duration: rounded(t, 3) };
 }
 
-/** Particles that the tool pushes along; every so often a step. */
+/** Particles that the tool pushes, as steps at regular times. */
 function pushed(particles, track, share, random) {
   let list = particles.map((p) => p.slice());
   const steps = [[0, [], list.flat().map(whole)]];
@@ -97,14 +97,14 @@ function pushed(particles, track, share, random) {
 
 const estimate = (mean, half) => ({ mean: rounded(mean, 4), low: rounded(Math.max(0, mean - half), 4), high: rounded(Math.min(1, mean + half * 0.8), 4) });
 
-/** Plans of the first round. */
+/** Candidate plans of the first round. */
 const CONSIDERED = [
   { strategy: "kde", chosen: false, worth: -1.6402, predicted: 0.66, lost: 0.48, strokes: 7, in_contact: 11.31, duration: 124.2, error: null },
   { strategy: "rrt", chosen: false, worth: null, predicted: null, lost: null, strokes: null, in_contact: null, duration: null, error: "no way leads to the goal" },
   { strategy: "adaptive", chosen: true, worth: 0.7613, predicted: 1, lost: 0, strokes: 5, in_contact: 0.94, duration: 17.3, error: null },
 ];
 
-/** All pieces of a run of two rounds, in the order in which they would come. */
+/** All pieces of a run of two rounds, in order. */
 export function sample({ title = "Breadcrumbs on a chopping board", count = 300 } = {}) {
   const random = numbers(7);
   const pieces = [{
@@ -142,7 +142,7 @@ export function sample({ title = "Breadcrumbs on a chopping board", count = 300 
       ...(round === 1 ? { considered: CONSIDERED } : {}),
       why: round === 1
         ? ["Five strokes reach 96 % of the dirt that is believed to lie outside the goal.", "The longest stroke begins at the far edge, where most of the dirt is.", "A sixth stroke would gain 1 % and cost 4.1 s: left out."]
-        : ["Touch told that the second and third strokes met less dirt than predicted.", "Two strokes sweep what is believed to be left there."],
+        : ["The second and third strokes met less dirt than predicted.", "Two strokes sweep the dirt that is believed to remain there."],
     });
     stage(round, "executing", "Wiping as planned.");
     samples(pieces, round, track, random);
@@ -162,7 +162,7 @@ export function sample({ title = "Breadcrumbs on a chopping board", count = 300 
       piece: "judged", round, duration, estimate: estimate(truth + 0.015, half), felt: estimate(truth - 0.03, half + touch),
       verdict: round === 1 ? "wipe again" : "goal met", ending: "as planned",
       words: round === 1
-        ? ["All five strokes touched the surface.", "The board lies 3 mm lower and is tilted by 0.8 degrees: it is taken to be there from now on.", "The estimate's lower end is below the target: wipe again."]
+        ? ["All five strokes touched the surface.", "The board is 3 mm lower than believed and tilted by 0.8 degrees; the next round uses the new pose.", "The estimate's lower end is below the target: wipe again."]
         : ["Both strokes touched all along.", "The estimate's lower end is above the target."],
       found: round === 1 ? [0.004, 0.006, BOARD.z - 0.003, 0.007, 0, 0.02, 0.9998] : null,
       events, contacts, particles: flat(believed),
@@ -184,7 +184,7 @@ export function sample({ title = "Breadcrumbs on a chopping board", count = 300 
   return pieces;
 }
 
-/** What is measured along a track, in pieces of some instants. */
+/** Samples along a track, in pieces of several instants. */
 function samples(pieces, round, track, random) {
   let q = REST_POSE;
   let piece = null;
@@ -209,7 +209,7 @@ function samples(pieces, round, track, random) {
   });
 }
 
-/** An hour of measurements of a robot of many joints, without dirt. */
+/** An hour of samples of a robot with many joints, without dirt. */
 export function hour({ seconds = 3600, rate = 25, variables = 40 } = {}) {
   const pieces = sample({ count: 100 }).slice(0, 1);
   const head = { ...pieces[0], title: "An hour", robot: { ...ROBOT, variables: Array.from({ length: variables }, (_, i) => `joint_${i + 1}`) } };

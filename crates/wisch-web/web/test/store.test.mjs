@@ -8,7 +8,7 @@ import { lines, numbers, sample } from "./sample.mjs";
 const pieces = sample();
 const text = lines(pieces);
 
-test("a recording that comes piece by piece is the one that is read whole", () => {
+test("a recording that arrives piece by piece equals one that is read at once", () => {
   const whole = Recording.parse(text);
   const live = new Recording();
   for (const piece of pieces) live.apply(piece);
@@ -21,7 +21,7 @@ test("a recording that comes piece by piece is the one that is read whole", () =
   assert.deepEqual(whole.happenings, live.happenings);
 });
 
-test("rounds lie one after the other on the common clock", () => {
+test("rounds follow each other on the common clock", () => {
   const { rounds, duration } = Recording.parse(text);
   const [first, second] = pieces.filter(({ piece }) => piece === "judged");
   assert.equal(rounds[0].start, 0);
@@ -29,7 +29,7 @@ test("rounds lie one after the other on the common clock", () => {
   assert.ok(Math.abs(duration - first.duration - second.duration) < 1e-9);
 });
 
-test("between two samples everything is in between", () => {
+test("values between two samples are interpolated", () => {
   const recording = Recording.parse(text);
   const [{ t, q, normal, tool }] = pieces.filter(({ piece }) => piece === "samples");
   const share = 0.3;
@@ -51,7 +51,7 @@ test("a variable that a piece leaves out keeps its position", () => {
   assert.equal(recording.broken, 0);
 });
 
-test("lines that are broken are counted, unknown pieces too, and the rest is shown", () => {
+test("unreadable lines and unknown pieces are counted and skipped", () => {
   const rows = text.trim().split("\n");
   const odd = [rows[0], "{broken", "null", '{"piece":"dance"}', '{"piece":"samples","round":9,"t":[],"q":{},"tool":[],"force":[],"normal":[],"height":[]}', ...rows.slice(1), '{"piece":"samples","round":2,"t":[1]}'];
   const recording = Recording.parse(odd.join("\n"));
@@ -61,7 +61,7 @@ test("lines that are broken are counted, unknown pieces too, and the rest is sho
   assert.equal(recording.duration, Recording.parse(text).duration);
 });
 
-test("a run that was killed ends with its last sample", () => {
+test("a killed run ends with its last sample", () => {
   const until = pieces.findIndex(({ piece }) => piece === "judged");
   const killed = Recording.parse(lines(pieces.slice(0, until)));
   const last = pieces.slice(0, until).findLast(({ piece }) => piece === "samples").t.at(-1);
@@ -70,7 +70,7 @@ test("a run that was killed ends with its last sample", () => {
   assert.equal(killed.live, false);
 });
 
-test("a plan that nobody executed runs over its duration", () => {
+test("a plan without execution plays over its planned duration", () => {
   const planned = pieces.filter(({ piece }) => piece === "head" || piece === "round").slice(0, 2).map((piece) => (piece.piece === "round" ? { ...piece, kind: "planned" } : piece));
   const recording = Recording.parse(lines(planned));
   assert.equal(recording.duration, planned[1].duration);
@@ -79,7 +79,7 @@ test("a plan that nobody executed runs over its duration", () => {
   assert.ok(performance > 0);
 });
 
-test("particles at any step are what going through all steps gives", () => {
+test("random access to particle steps equals replaying all steps", () => {
   const { particles } = pieces.find(({ piece }) => piece === "round");
   let list = [];
   const all = particles.map(([, gone, added]) => {
@@ -95,7 +95,7 @@ test("particles at any step are what going through all steps gives", () => {
   }
 });
 
-test("least and largest of any stretch are those of its numbers", () => {
+test("the range of an index interval equals minimum and maximum of its values", () => {
   const random = numbers(11);
   const column = new PlotColumn();
   const plain = [];
@@ -112,14 +112,14 @@ test("least and largest of any stretch are those of its numbers", () => {
   assert.equal(column.range(3, 3), null);
 });
 
-test("numbers that are not known leave a gap", () => {
+test("unknown values leave a gap", () => {
   const column = new PlotColumn();
   for (const value of [1, NaN, 3]) column.push(value);
   assert.deepEqual(column.range(0, 3), [1, 3]);
   assert.equal(column.range(1, 2), null);
 });
 
-test("columns grow and search finds the last that is at most a value", () => {
+test("columns grow, and the search finds the last entry of at most a value", () => {
   const column = new Column(true, 2);
   for (let i = 0; i < 100; i++) column.push(i / 10);
   assert.equal(column.length, 100);

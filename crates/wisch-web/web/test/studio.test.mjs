@@ -1,4 +1,4 @@
-// The page of the studio on a document that only keeps what it is given: what it asks of its server, and when.
+// The page of the studio on a minimal document: which requests it sends to its server, and when.
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { startStudio } from "../src/studio/main.ts";
@@ -28,7 +28,7 @@ class Fake extends EventTarget {
     this.own = text;
     this.children = [];
   }
-  /** This element and all in it. */
+  /** This element and its descendants. */
   *all() {
     yield this;
     for (const child of this.children) if (child instanceof Fake) yield* child.all();
@@ -39,7 +39,7 @@ const OVERVIEW = { memory: "episodes", list: { episodes: [], total: 0, broken: [
 const WORDS = { predicates: [], builtins: [], classes: [], properties: [], individuals: [], examples: [] };
 const ANSWERS = { columns: [], rows: [[]], about: [[]], holds: true, more: false, seconds: 0, printed: "", remarks: [], view: null };
 
-/** Opens the page at an address; what it asked the memory. */
+/** Opens the page at an address; `asked` collects its queries. */
 async function open(hash) {
   const asked = [];
   const window = new EventTarget();
@@ -68,7 +68,7 @@ async function open(hash) {
 
 const TELL = "tell(has_type(x, semco:'Sponge'))";
 
-test("a query of an address is filled in, and asked when the person asks it", async () => {
+test("a query in the address is filled in, and runs only when the user asks it", async () => {
   const page = await open(`#q=${encodeURIComponent(TELL)}`);
   const field = page.find(({ attributes }) => attributes.get("aria-label") === "Query in Prolog");
   assert.equal(field.value, TELL);
@@ -80,7 +80,7 @@ test("a query of an address is filled in, and asked when the person asks it", as
   assert.doesNotMatch(page.root.textContent, /Press Ask to run it/);
 });
 
-test("nor is one asked that an address comes to hold later", async () => {
+test("a query that the address gets later does not run by itself", async () => {
   const page = await open("");
   await page.go(`#q=${encodeURIComponent(TELL)}`);
   const field = page.find(({ attributes }) => attributes.get("aria-label") === "Query in Prolog");
@@ -88,7 +88,7 @@ test("nor is one asked that an address comes to hold later", async () => {
   assert.deepEqual(page.asked, []);
 });
 
-test("a recording is read line by line, wherever its pieces end", async () => {
+test("a recording is read line by line, however the response is split", async () => {
   const text = '{"piece":"head","title":"Küche"}\n{"piece":"samples"}\n{"piece":"ended"}';
   const bytes = new TextEncoder().encode(text);
   for (const size of [1, 2, 7, bytes.length]) {
@@ -107,7 +107,7 @@ test("a recording is read line by line, wherever its pieces end", async () => {
   }
 });
 
-test("an episode of which nothing can be told is neither met nor missed", () => {
+test("an undecidable episode is neither met nor missed", () => {
   const state = (met, verdict, performance) => badge({ met, verdict, performance }).attributes.get("data-state");
   assert.equal(state(true, "goal met", 0.97), "met");
   assert.equal(state(false, "no progress", 0.4), "unmet");

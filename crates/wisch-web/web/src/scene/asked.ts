@@ -1,27 +1,27 @@
-// Particles that somebody asked to see: diamonds with a dark rim, full as they lay before a round, hollow as they were
-// estimated after it. The recording's own marks have other forms, so that both are told apart without their colours.
+// Queried particles: diamonds with a dark rim, filled for the dirt before a round, hollow for the estimate after it. The marks
+// of the recording have other shapes, so that readers distinguish both without colours.
 import { BufferGeometry, CanvasTexture, Float32BufferAttribute, Group, Points, PointsMaterial } from "three";
 import { colour } from "../theme.ts";
 import { hexOr } from "./path.ts";
-import { matrix, shifted } from "./solids.ts";
+import { matrix, shiftDepth } from "./solids.ts";
 import { ABOVE } from "./surface.ts";
 import type { Pose } from "../recording.ts";
 
 export interface ShownParticles {
   name: string;
   color?: string;
-  /** Of the surface on which they lie. */
+  /** Pose of the surface on which the particles lie. */
   pose: Pose;
-  /** In its frame [m]. */
+  /** Positions in the surface frame [m]. */
   places: [number, number][];
-  /** As believed before a round, or as estimated after it. */
+  /** Believed before a round, or estimated after it. */
   state: "before" | "estimated";
 }
 
 const SIZE_PX = 13;
 
-/** A diamond on a square of size 64. */
-function texture(hollow: boolean): CanvasTexture {
+/** Draws a diamond on a square of 64 pixels. */
+function drawTexture(hollow: boolean): CanvasTexture {
   const canvas = document.createElement("canvas");
   canvas.width = canvas.height = 64;
   const pen = canvas.getContext("2d")!;
@@ -47,12 +47,12 @@ function texture(hollow: boolean): CanvasTexture {
   return new CanvasTexture(canvas);
 }
 
-/** Their colour, as far as a query says one. */
+/** Returns the colour that the query gives, or else the highlight colour. */
 export const askedColour = (color: string | undefined): string => hexOr(color, colour("highlight"));
 
 export class Asked {
   readonly group = new Group();
-  private readonly textures = { before: texture(false), estimated: texture(true) };
+  private readonly textures = { before: drawTexture(false), estimated: drawTexture(true) };
   private list: ShownParticles[] = [];
 
   show(list: ShownParticles[]): void {
@@ -67,7 +67,7 @@ export class Asked {
       geometry.setAttribute("position", new Float32BufferAttribute(places.flatMap(([x, y]) => [x, y, 2 * ABOVE]), 3));
       const look = new PointsMaterial({ size: SIZE_PX, sizeAttenuation: false, map: this.textures[state], alphaTest: 0.3, transparent: true });
       look.color.set(askedColour(color));
-      const points = new Points(geometry, shifted(look, 0.98));
+      const points = new Points(geometry, shiftDepth(look, 0.98));
       points.matrixAutoUpdate = false;
       matrix(pose, points.matrix);
       points.frustumCulled = false;

@@ -1,18 +1,18 @@
-// The camera: orbit by mouse, finger and keys, views that fit, and following the tool.
+// The camera: orbit by mouse, touch and keys, fitted views, and following the tool.
 import { PerspectiveCamera, Vector3 } from "three";
 import type { Object3D } from "three";
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
 
 export type Look = "all" | "surface" | "above";
 const TURN = Math.PI / 24;
-/** So much more than what is looked at is seen. */
+/** Ratio of the visible extent to that of the shown points [1]. */
 const MARGIN = 1.16;
 
 export class Camera {
   readonly lens = new PerspectiveCamera(36, 1, 0.02, 200);
   readonly controls: OrbitControls;
   following = false;
-  /** Share of the width that is not covered. */
+  /** Share of the width that no panel covers [1]. */
   private open = 1;
   private followed: Vector3 | null = null;
 
@@ -24,7 +24,7 @@ export class Camera {
     this.controls.maxDistance = 40;
     this.controls.zoomToCursor = true;
     this.controls.addEventListener("change", changed);
-    // The wheel scrolls the page until the picture is touched, where there is anything to scroll.
+    // On a page that scrolls, the wheel scrolls it until a user clicks the scene.
     canvas.addEventListener("wheel", (event) => {
       const { scrollHeight, clientHeight } = document.documentElement;
       this.controls.enableZoom = event.ctrlKey || document.activeElement === canvas || scrollHeight <= clientHeight + 1;
@@ -46,7 +46,7 @@ export class Camera {
     });
   }
 
-  /** Shows places from a direction, as near as all are seen. */
+  /** Views points from a direction, as near as all of them fit. */
   look(places: Vector3[], from: Vector3): void {
     if (!places.length) return;
     const back = from.clone().normalize();
@@ -81,13 +81,13 @@ export class Camera {
     this.controls.update();
   }
 
-  /** How large a metre at a thing is drawn. */
+  /** Returns the size of a metre at the distance of an object [pixels]. */
   pixelsPerMetre(thing: Object3D | null, height: number): number {
     const place = thing ? new Vector3().setFromMatrixPosition(thing.matrix) : this.controls.target;
     return height / (2 * Math.tan((this.lens.fov * Math.PI) / 360) * Math.max(0.05, place.distanceTo(this.lens.position)));
   }
 
-  /** The size of the picture, whose middle is that of what is not covered at the left. */
+  /** Sets the size of the canvas and the width that a panel covers on its left [pixels]; the view is centred in the rest. */
   shape(width: number, height: number, covered: number): void {
     this.lens.aspect = width / height;
     this.open = (width - covered) / width;

@@ -1,8 +1,8 @@
-// Particles: as believed and predicted over time, as estimated, as seen and as they truly are. Marks differ in form too.
+// Particles: believed and predicted over time, estimated, observed and true. Their marks differ in shape and colour.
 import { BufferAttribute, BufferGeometry, CanvasTexture, Group, Points, PointsMaterial } from "three";
 import { colour } from "../theme.ts";
 import { ABOVE } from "./surface.ts";
-import { matrix, shifted } from "./solids.ts";
+import { matrix, shiftDepth } from "./solids.ts";
 import type { Instant, Recording } from "../store.ts";
 import type { Outcome } from "../store.ts";
 
@@ -10,10 +10,10 @@ export type Mark = "believed" | "estimated" | "actual" | "seen";
 export const MARKS: Mark[] = ["believed", "estimated", "actual", "seen"];
 const SIZE: Record<Mark, number> = { believed: 6, estimated: 12, actual: 8, seen: 14 };
 
-/** How large the dot of a particle is drawn [m]. */
+/** Size of a particle's dot [m]. */
 const CRUMB_M = 0.007;
 
-/** How a mark looks, drawn on a square of size 64. */
+/** Draws a mark on a square of 64 pixels. */
 const DRAW: Record<Mark, (pen: CanvasRenderingContext2D) => void> = {
   believed: (pen) => { pen.arc(32, 32, 28, 0, 2 * Math.PI); pen.fill(); },
   estimated: (pen) => { pen.lineWidth = 9; pen.arc(32, 32, 25, 0, 2 * Math.PI); pen.stroke(); },
@@ -21,7 +21,7 @@ const DRAW: Record<Mark, (pen: CanvasRenderingContext2D) => void> = {
   seen: (pen) => { pen.lineWidth = 7; pen.rect(6, 6, 52, 52); pen.stroke(); },
 };
 
-function texture(mark: Mark): CanvasTexture {
+function drawTexture(mark: Mark): CanvasTexture {
   const canvas = document.createElement("canvas");
   canvas.width = canvas.height = 64;
   const pen = canvas.getContext("2d")!;
@@ -31,13 +31,13 @@ function texture(mark: Mark): CanvasTexture {
   return new CanvasTexture(canvas);
 }
 
-/** Dots that lie on a surface are drawn a little nearer, or it would cut them in half. */
-function material(mark: Mark): PointsMaterial {
-  const made = new PointsMaterial({ size: SIZE[mark], sizeAttenuation: false, map: texture(mark), alphaTest: 0.15, transparent: true });
-  return shifted(made, 0.99);
+/** Makes the material of a mark. It is drawn slightly nearer, or the surface would cut its dots in half. */
+function makeMaterial(mark: Mark): PointsMaterial {
+  const material = new PointsMaterial({ size: SIZE[mark], sizeAttenuation: false, map: drawTexture(mark), alphaTest: 0.15, transparent: true });
+  return shiftDepth(material, 0.99);
 }
 
-/** A dot with a light rim, for what is coloured by other means. */
+/** Draws a white dot with a dark rim, which vertex colours tint. */
 export function dotTexture(): CanvasTexture {
   const canvas = document.createElement("canvas");
   canvas.width = canvas.height = 64;
@@ -60,7 +60,7 @@ export class Dirt {
 
   constructor() {
     this.points = Object.fromEntries(MARKS.map((mark) => {
-      const points = new Points(new BufferGeometry(), material(mark));
+      const points = new Points(new BufferGeometry(), makeMaterial(mark));
       points.matrixAutoUpdate = false;
       points.frustumCulled = false;
       points.renderOrder = 2 + MARKS.indexOf(mark);
@@ -80,16 +80,16 @@ export class Dirt {
     const { outcome } = this.outcome;
     const pose = round.plan.surface.pose;
     this.set("believed", layers.believed ? round.particles.at(time) : null, pose, 1);
-    const late = outcome?.pose ?? pose;
-    // What was found before fades once the robot wipes and moves it.
+    const outcomePose = outcome?.pose ?? pose;
+    // The previous outcome fades once the robot wipes and so changes it.
     const touched = round.start + (round.plan.phases.find(({ contact }) => contact)?.start ?? 0.5);
     const opacity = t <= Math.max(outcome?.since ?? 0, touched) ? 1 : 0.45;
-    this.set("estimated", layers.estimated ? outcome?.estimated ?? null : null, late, opacity);
-    this.set("actual", layers.actual ? outcome?.actual ?? null : null, outcome?.actualPose ?? late, opacity);
-    this.set("seen", layers.seen ? outcome?.seen ?? null : null, late, opacity);
+    this.set("estimated", layers.estimated ? outcome?.estimated ?? null : null, outcomePose, opacity);
+    this.set("actual", layers.actual ? outcome?.actual ?? null : null, outcome?.actualPose ?? outcomePose, opacity);
+    this.set("seen", layers.seen ? outcome?.seen ?? null : null, outcomePose, opacity);
   }
 
-  /** Dots are as large as crumbs, as far as that can be seen. */
+  /** Scales the dots to the size of crumbs, within limits of visibility. */
   scale(pixelsPerMetre: number): void {
     const size = Math.min(1.25, Math.max(0.7, (CRUMB_M * pixelsPerMetre) / SIZE.believed));
     for (const mark of MARKS) this.points[mark].material.size = size * SIZE[mark];

@@ -1,12 +1,12 @@
-// The force of the surroundings on the tool as an arrow, and its part along the surface's normal.
+// The force of the environment on the tool, and its component along the surface normal, as arrows.
 import { Color, ConeGeometry, CylinderGeometry, Group, Mesh, MeshBasicMaterial, Vector3 } from "three";
 import { colour } from "../theme.ts";
 import { matrix } from "./solids.ts";
 import type { Instant } from "../store.ts";
 
-/** Length of an arrow for the largest force of a round [m]. */
+/** Length of the arrow for the largest force of a round [m]. */
 const LONGEST_M = 0.16;
-/** How thick an arrow is, as a share of how far it is from the eye. */
+/** Thickness of an arrow as a share of its distance from the camera [1]. */
 const THICK = 0.0042;
 const LEAST_N = 0.5;
 const UP = new Vector3(0, 1, 0);
@@ -24,7 +24,7 @@ class Arrow {
     this.group.renderOrder = this.shaft.renderOrder = this.tip.renderOrder = 8;
   }
 
-  /** From a place, along a vector whose length is the arrow's. */
+  /** Draws the arrow from a point along a vector; the vector's length is the arrow's. */
   show(place: Vector3, along: Vector3, thick: number): void {
     const length = along.length();
     this.group.visible = length > 1e-3;

@@ -1,10 +1,10 @@
-// Lines of a width in pixels, that can grow.
+// Lines with a width in pixels, which can grow.
 import { Color, InstancedInterleavedBuffer, InterleavedBufferAttribute, Vector3 } from "three";
 import { LineMaterial } from "three/examples/jsm/lines/LineMaterial.js";
 import { LineSegments2 } from "three/examples/jsm/lines/LineSegments2.js";
 import { LineSegmentsGeometry } from "three/examples/jsm/lines/LineSegmentsGeometry.js";
 
-/** Lines on a surface are drawn as if they lay a little nearer. */
+/** Depth offset that draws lines on a surface slightly nearer. */
 export const NEARER = { polygonOffset: true, polygonOffsetFactor: -4, polygonOffsetUnits: -4 };
 
 export function segments(ends: ArrayLike<number>, material: LineMaterial): LineSegments2 {
@@ -16,20 +16,20 @@ export function segments(ends: ArrayLike<number>, material: LineMaterial): LineS
   return line;
 }
 
-/** Corners in turn as segments; closed, or open. */
+/** Converts consecutive corners into segments of a closed or open line. */
 export function chain(corners: readonly (readonly [number, number, number])[], closed: boolean): number[] {
   const ends: number[] = [];
   for (let i = 0; i + (closed ? 0 : 1) < corners.length; i++) ends.push(...corners[i]!, ...corners[(i + 1) % corners.length]!);
   return ends;
 }
 
-/** Segments that are added one by one, each with a colour of a list; the first `shown` of them are drawn. */
+/** Segments that are added one by one, each with a colour of the palette; `show` draws the first ones. */
 export class GrowingSegments {
   readonly line: LineSegments2;
   private positions = new Float32Array(6 * 256);
   private colours = new Float32Array(6 * 256);
   private kinds = new Uint8Array(256);
-  private fresh = true;
+  private changed = true;
   count = 0;
 
   constructor(width: number, private palette: Color[]) {
@@ -44,10 +44,10 @@ export class GrowingSegments {
     this.positions.set(ends, 6 * this.count);
     this.kinds[this.count] = kind;
     this.colour(this.count++);
-    this.fresh = true;
+    this.changed = true;
   }
 
-  /** Where a segment ends. */
+  /** Returns the end of a segment. */
   end(i: number): Vector3 {
     return new Vector3(this.positions[6 * i + 3], this.positions[6 * i + 4], this.positions[6 * i + 5]);
   }
@@ -55,11 +55,11 @@ export class GrowingSegments {
   paint(palette: Color[]): void {
     this.palette = palette;
     for (let i = 0; i < this.count; i++) this.colour(i);
-    this.fresh = true;
+    this.changed = true;
   }
 
   show(shown: number): void {
-    if (this.fresh) this.upload();
+    if (this.changed) this.upload();
     this.line.geometry.instanceCount = Math.min(shown, this.count);
     this.line.visible = shown > 0;
   }
@@ -75,7 +75,7 @@ export class GrowingSegments {
   }
 
   private upload(): void {
-    this.fresh = false;
+    this.changed = false;
     const { geometry } = this.line;
     geometry.dispose();
     const places = new InstancedInterleavedBuffer(this.positions.slice(0, 6 * Math.max(1, this.count)), 6, 1);

@@ -1,16 +1,16 @@
-// Where the tool was when something happened.
+// Positions of the tool at events.
 import { BufferGeometry, Color, Float32BufferAttribute, Points, PointsMaterial } from "three";
 import { colour } from "../theme.ts";
 import { eventColour } from "../timeline/lanes.ts";
 import { dotTexture } from "./dirt.ts";
-import { shifted } from "./solids.ts";
+import { shiftDepth } from "./solids.ts";
 import type { Round } from "../round.ts";
 import type { Recording } from "../store.ts";
 
 const SIZE = 13;
 
 export class Marks {
-  readonly points = new Points(new BufferGeometry(), shifted(new PointsMaterial({
+  readonly points = new Points(new BufferGeometry(), shiftDepth(new PointsMaterial({
     size: SIZE, sizeAttenuation: false, vertexColors: true, map: dotTexture(), alphaTest: 0.3, transparent: true,
   }), 0.985));
   private key = "";
@@ -21,7 +21,7 @@ export class Marks {
     this.points.renderOrder = 7;
   }
 
-  /** Shows what has happened in a round up to a time of it. */
+  /** Shows the events of a round up to a time of that round. */
   show(recording: Recording, round: Round, time: number, visible: boolean, themed: string): void {
     const key = `${round.start} ${round.number} ${recording.happenings.length} ${round.count > 0} ${themed}`;
     if (key !== this.key) {
@@ -40,9 +40,9 @@ export class Marks {
     for (const happening of recording.happenings) {
       const [start, end] = [happening.start - round.start, happening.end - round.start];
       if (start < 0 || start > round.length) continue;
-      // What was noticed stands for the push that it was.
-      const noticed = happening.source === "push" && recording.happenings.some((other) => other.source === "event" && other.start < happening.end && other.end > happening.start);
-      if (noticed) continue;
+      // A detected event hides the true push that it overlaps.
+      const isDetected = happening.source === "push" && recording.happenings.some((other) => other.source === "event" && other.start < happening.end && other.end > happening.start);
+      if (isDetected) continue;
       const tool = round.toolAt((start + end) / 2);
       if (!tool) continue;
       this.starts.push(start);

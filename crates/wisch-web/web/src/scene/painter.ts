@@ -1,41 +1,41 @@
-// What draws: with all it can on a graphics card, sparingly where the processor has to do it.
+// The renderer: full quality on a graphics card, reduced quality in software.
 import { Color, PCFShadowMap, WebGLRenderer } from "three";
 import type { Camera, Scene } from "three";
-import { drawnBySoftware } from "../software.ts";
+import { isSoftwareRendered } from "../software.ts";
 import { colour } from "../theme.ts";
 
-/** More pixels than this cost more than they show. */
+/** Maximum number of drawn pixels. */
 const MOST_PIXELS = 2.6e6;
-/** Without a graphics card: resolutions while things move, finest first, and once they rest, and when that is. */
+/** Without a graphics card: pixel ratios while the scene moves, finest first; the ratio at rest; and the time until rest [ms]. */
 const MOVING_RATIOS = [0.75, 0.6, 0.5];
 const RESTING_RATIO = 1.5;
 const REST_MS = 700;
-/** Pictures that come more slowly are drawn more coarsely [ms]; that is decided once so many have come. */
+/** A longer mean frame time lowers the resolution [ms]; it is averaged over DECISION_FRAMES frames. */
 const SLOW_MS = 70;
-const PICTURES_TO_TELL = 12;
+const DECISION_FRAMES = 12;
 
 export class Painter {
-  readonly software = drawnBySoftware();
+  readonly software = isSoftwareRendered();
   readonly renderer: WebGLRenderer;
   private width = 0;
   private height = 0;
   private ratio = 0;
   private rested = false;
   private coarse = 0;
-  /** When the last moving picture was drawn, and the time between pictures since the last decision. */
-  private moved = { last: 0, took: 0, pictures: 0 };
+  /** Time of the last frame in motion [ms]; total frame time [ms] and number of frames since the last decision. */
+  private moved = { last: 0, took: 0, frames: 0 };
   private rest: ReturnType<typeof setTimeout> | undefined;
 
   constructor(canvas: HTMLCanvasElement) {
     this.renderer = new WebGLRenderer({ canvas, antialias: !this.software, alpha: !this.software, powerPreference: "high-performance" });
-    // To ask for errors is to wait until all shaders are made.
+    // The check for shader errors would wait until all shaders are compiled.
     this.renderer.debug.checkShaderErrors = false;
     this.renderer.shadowMap.enabled = true;
     this.renderer.shadowMap.type = PCFShadowMap;
     this.renderer.shadowMap.autoUpdate = !this.software;
   }
 
-  /** Without a graphics card the first picture comes without shadows: to make ready for them takes as long as the picture. */
+  /** Whether shadows are drawn. In software the first frame has none, because their setup takes as long as the frame. */
   get shadows(): boolean {
     return !this.software || this.rested;
   }
@@ -48,12 +48,12 @@ export class Painter {
     [this.width, this.height, this.ratio] = [width, height, 0];
   }
 
-  /** Takes over the colour of the ground, where it does not shine through. */
+  /** Sets the background colour; in software the canvas is opaque. */
   paint(): void {
     if (this.software) this.renderer.setClearColor(new Color(colour("scene")));
   }
 
-  /** Draws; what moves is drawn coarsely, and asked for again once it rests. */
+  /** Draws a frame. In motion it is coarse, and `again` is called once the scene rests. */
   draw(scene: Scene, camera: Camera, resting: boolean, again: () => void): void {
     clearTimeout(this.rest);
     if (this.software && !resting) this.keepUp(performance.now());
@@ -72,17 +72,17 @@ export class Painter {
     this.renderer.forceContextLoss();
   }
 
-  /** Draws more coarsely where pictures come too slowly. */
+  /** Lowers the resolution if frames take too long. */
   private keepUp(now: number): void {
     const { moved } = this;
     const took = now - moved.last;
     moved.last = now;
-    // After a rest, or while programs are made, it tells nothing.
+    // Frame times after a rest or during shader compilation are not representative.
     if (took > 500) return;
     moved.took += took;
-    if (++moved.pictures < PICTURES_TO_TELL) return;
-    if (moved.took / moved.pictures > SLOW_MS && this.coarse + 1 < MOVING_RATIOS.length) this.coarse++;
-    moved.took = moved.pictures = 0;
+    if (++moved.frames < DECISION_FRAMES) return;
+    if (moved.took / moved.frames > SLOW_MS && this.coarse + 1 < MOVING_RATIOS.length) this.coarse++;
+    moved.took = moved.frames = 0;
   }
 
   private sharpen(resting: boolean): void {

@@ -1,5 +1,5 @@
-// The scene with what stands over it: legend with toggles, views.
-import { el, fresh } from "../dom.ts";
+// The scene with its overlays: legend with toggles, and buttons for views.
+import { el, uniqueId } from "../dom.ts";
 import { diamond, mark } from "../icons.ts";
 import { onTheme, isPrinting } from "../theme.ts";
 import { LAYERS, Stage } from "./stage.ts";
@@ -11,7 +11,7 @@ const NAMES: Record<keyof Layers, string> = {
   path: "Tool path", strokes: "Planned strokes", force: "Force", events: "Events", found: "Surface found by touch", actualSurface: "True surface",
 };
 
-/** What was asked to be seen: a line, or particles by their state. */
+/** A legend entry of queried data: a line, or particles in a state. */
 export interface Named {
   name: string;
   colour: string;
@@ -29,15 +29,15 @@ export class ScenePanel {
   private version = -1;
 
   constructor(private readonly recording: Recording, compact: boolean, seek: (time: number) => void) {
-    const canvas = el("canvas", { class: "w-canvas", tabindex: 0, role: "application", "aria-label": "Robot, tool and surface in 3-D. W A S D turn the picture, Z and X zoom." });
+    const canvas = el("canvas", { class: "w-canvas", tabindex: 0, role: "application", "aria-label": "Robot, tool and surface in 3-D. W A S D turn the scene, Z and X zoom." });
     this.stage = makeStage(canvas, recording);
     const button = (text: string, title: string, act: () => void) => el("button", { class: "w-button", type: "button", title, click: act }, text);
     this.follow = button("Follow tool", "Keep the tool centred  T", () => this.toggleFollow());
     this.follow.setAttribute("aria-pressed", "false");
     const views = el("div", { class: "w-views", role: "group", "aria-label": "View" },
       button("Fit", "Show all of robot and surface  F", () => this.look("all")),
-      button("Surface", "Near the surface", () => this.look("surface")),
-      button("Above", "From above  V", () => this.look("above")), this.follow);
+      button("Surface", "Close view of the surface", () => this.look("surface")),
+      button("Above", "View from above  V", () => this.look("above")), this.follow);
     this.element = el("section", { class: "w-scene", "aria-label": "Scene" },
       this.stage ? canvas : el("p", { class: "w-none" }, "This browser cannot draw 3-D graphics. The other panels still work."),
       this.stage && views, this.stage && this.legend(compact), this.extra, this.still);
@@ -47,7 +47,7 @@ export class ScenePanel {
     const shape = () => {
       const { clientWidth, clientHeight } = canvas;
       const layers = this.element.querySelector<HTMLDetailsElement>(".w-layers");
-      // On a small picture the legend waits until it is asked for.
+      // On a small canvas the legend starts closed.
       if (!shaped && clientWidth && clientWidth <= 640 && layers) layers.open = false;
       shaped ||= clientWidth > 0;
       stage.resize(clientWidth, clientHeight, layers?.open && clientWidth > 640 ? layers.offsetWidth : 0);
@@ -55,7 +55,7 @@ export class ScenePanel {
     const sizes = new ResizeObserver(shape);
     sizes.observe(canvas);
     this.element.addEventListener("toggle", shape, true);
-    // A click on the path goes to when the tool was there.
+    // A click on the path seeks to the time at which the tool was there.
     let down = { x: 0, y: 0 };
     canvas.addEventListener("pointerdown", ({ offsetX, offsetY }) => { down = { x: offsetX, y: offsetY }; });
     canvas.addEventListener("click", ({ offsetX, offsetY }) => {
@@ -73,7 +73,7 @@ export class ScenePanel {
     this.stage?.show(time);
     if (this.version === this.recording.version) return;
     this.version = this.recording.version;
-    // What a recording has nothing of needs no toggle.
+    // Layers without data get no toggle.
     const { rounds, observedBefore } = this.recording;
     const has: Record<keyof Layers, boolean> = {
       believed: rounds.some(({ plan }) => plan.particles.length > 0),
@@ -104,7 +104,7 @@ export class ScenePanel {
     this.follow.setAttribute("aria-pressed", String(wanted));
   }
 
-  /** Names what was asked to be seen. */
+  /** Lists queried data in the legend. */
   name(list: Named[]): void {
     this.extra.replaceChildren(...list.map(({ name, colour, form }) => {
       if (form) return el("li", {}, diamond(colour, form === "estimated"), name);
@@ -121,7 +121,7 @@ export class ScenePanel {
 
   private legend(compact: boolean): HTMLElement {
     const list = (Object.keys(LAYERS) as (keyof Layers)[]).map((name) => {
-      const id = fresh();
+      const id = uniqueId();
       const box = el("input", { type: "checkbox", id, checked: LAYERS[name], change: () => {
         if (!this.stage) return;
         this.stage.layers[name] = box.checked;
@@ -131,7 +131,7 @@ export class ScenePanel {
       this.boxes.set(name, item);
       return item;
     });
-    return el("details", { class: "w-layers", open: !compact }, el("summary", {}, "Shown"), el("ul", {}, ...list));
+    return el("details", { class: "w-layers", open: !compact }, el("summary", {}, "Layers"), el("ul", {}, ...list));
   }
 }
 

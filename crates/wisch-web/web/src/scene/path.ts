@@ -1,4 +1,4 @@
-// The tool's path of a round up to now, coloured by contact, and paths that somebody asked to see.
+// The path of the tool in a round up to the shown time, coloured by contact, and queried paths.
 import { Color, Group, Vector3 } from "three";
 import { Column, lastAtMost } from "../columns.ts";
 import { colour } from "../theme.ts";
@@ -7,9 +7,9 @@ import { GrowingSegments, LineMaterial, chain, segments } from "./lines.ts";
 import { matrix } from "./solids.ts";
 import type { Round } from "../round.ts";
 
-/** Samples nearer than this to the last that is drawn add nothing to the path, at first [m]. */
+/** Initial minimum distance between drawn samples [m]. */
 const STEP_M = 0.0015;
-/** A path of more segments is drawn with longer ones. */
+/** Maximum number of segments; a longer path gets longer segments. */
 const MOST_SEGMENTS = 4000;
 
 const LIFTED = 0;
@@ -47,7 +47,7 @@ export class Path {
     this.lines.dispose();
   }
 
-  /** The path from one time to another, as ends of segments. */
+  /** Returns the ends of the path's segments between two times. */
   between(from: number, to: number): number[] {
     const ends: number[] = [];
     const { round } = this;
@@ -61,7 +61,7 @@ export class Path {
     return ends;
   }
 
-  /** The time at which the path, as far as it is shown, is nearest to a place on the screen; null if it is not near. */
+  /** Returns the time at which the shown path is nearest to a point on the screen; null beyond `within` [pixels]. */
   nearest(toScreen: (place: Vector3) => { x: number; y: number }, x: number, y: number, until: number, within: number): number | null {
     let [best, time] = [within ** 2, null as number | null];
     for (let k = 0; k < this.times.length && this.times.data[k]! <= until; k++) {
@@ -77,7 +77,7 @@ export class Path {
     return new Vector3(data[7 * i]!, data[7 * i + 1]!, data[7 * i + 2]!).add(this.normal);
   }
 
-  /** Begins again with segments twice as long. */
+  /** Restarts with segments twice as long. */
   private coarsen(): void {
     this.step *= 2;
     this.taken = -1;
@@ -112,7 +112,7 @@ export interface Trajectory {
   points: [number, number, number][];
 }
 
-/** Colours for trajectories that bring none. */
+/** Colours of trajectories without a colour. */
 export const TRAJECTORY_COLOURS = ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9"];
 
 export class Trajectories {
@@ -135,8 +135,8 @@ export class Trajectories {
   }
 }
 
-/** A colour as it may stand in a style; else another. */
+/** Returns `color` if it is a hexadecimal colour, else `other`. */
 export const hexOr = (color: string | undefined, other: string): string => (color && /^#[0-9a-f]{3,8}$/i.test(color) ? color : other);
 
-/** The same, else one of the list. */
+/** Returns `color` if it is a hexadecimal colour, else the i-th default colour. */
 export const safeColour = (color: string | undefined, i: number): string => hexOr(color, TRAJECTORY_COLOURS[i % TRAJECTORY_COLOURS.length]!);

@@ -1,11 +1,11 @@
-// The robot at positions of its variables, as solid body or as ghost, with the tool that it holds.
+// The robot at given joint positions, solid or as a ghost, with its tool.
 import { Group, Matrix4, Mesh, MeshLambertMaterial, Vector3 } from "three";
 import type { BufferGeometry, Material, Object3D } from "three";
 import { geometryOf, matrix } from "./solids.ts";
 import type { Head, JointRecord, Pose, Rgba } from "../recording.ts";
 import type { MeshRecord } from "../recording.ts";
 
-/** Where the links are: world_from_parent * parent_from_joint * motion(axis, position), from root to tips. */
+/** Forward kinematics: world_from_link = world_from_parent * parent_from_joint * motion(axis, position), from root to tips. */
 export class Tree {
   readonly worldFromLink: Matrix4[];
   private readonly joints: (JointRecord & { parentFromJoint: Matrix4; direction: Vector3 })[];
@@ -16,8 +16,8 @@ export class Tree {
     this.worldFromLink = Array.from({ length: joints.length + 1 }, () => new Matrix4());
   }
 
-  /** Moves all links. */
-  take(root: Pose, q: ArrayLike<number>): void {
+  /** Computes the poses of all links. */
+  update(root: Pose, q: ArrayLike<number>): void {
     matrix(root, this.worldFromLink[0]);
     this.joints.forEach(({ parent, parentFromJoint, direction, kind, offset, terms }, i) => {
       let position = offset;
@@ -29,13 +29,13 @@ export class Tree {
   }
 }
 
-/** Materials of the robot; links that follow each other have different shades. */
+/** Materials of the robot; consecutive links have different shades. */
 export interface RobotMaterials {
   body: [Material, Material];
   arm: [Material, Material];
   hand: Material;
   tool: Material;
-  /** Of what has a colour of its own. */
+  /** Returns the material of a shape with its own colour. */
   coloured(color: Rgba): Material;
 }
 
@@ -62,7 +62,7 @@ export class Robot {
       link.matrixAutoUpdate = false;
       const shade = i % 2;
       const { arm, visual } = robot!.links[i]!;
-      // What collisions of the last link are checked with lies round the tool.
+      // The collision geometry of the last link encloses the tool, so it is translucent.
       const material = i === tool.link && !visual ? materials.hand : arm ? materials.arm[shade]! : materials.body[shade]!;
       for (const { geometry, pose, color } of parts) {
         const mesh = new Mesh(geometry, color ? materials.coloured(color) : material);
@@ -82,12 +82,12 @@ export class Robot {
     this.group.add(this.tool);
   }
 
-  /** Moves it; where nothing is known of it, it is not shown. */
+  /** Moves robot and tool; hides what has no known pose. */
   show(root: Pose | null, q: ArrayLike<number>, toolPose: Pose | null): void {
     const placed = this.tree !== null && q.length > 0;
     for (const link of this.links) link.visible = placed;
     if (this.tree && placed) {
-      this.tree.take(root ?? [0, 0, 0, 0, 0, 0, 1], q);
+      this.tree.update(root ?? [0, 0, 0, 0, 0, 0, 1], q);
       this.links.forEach((link, i) => {
         link.matrix.copy(this.tree!.worldFromLink[i]!);
         link.matrixWorldNeedsUpdate = true;
@@ -101,17 +101,17 @@ export class Robot {
     this.tool.matrixWorldNeedsUpdate = true;
   }
 
-  /** What wipes: the links of the arm, and the tool. */
+  /** The links of the wiping arm, and the tool. */
   get working(): Object3D[] {
     return [...this.links.filter((_, i) => this.head.robot!.links[i]!.arm), this.tool];
   }
 
-  /** Where the tool is drawn. */
+  /** Position of the tool in the world [m]. */
   get toolPlace(): Vector3 {
     return new Vector3().setFromMatrixPosition(this.tool.matrix);
   }
 
-  /** Where a link is drawn. */
+  /** Returns the position of a link in the world [m]. */
   linkPlace(index: number): Vector3 {
     return new Vector3().setFromMatrixPosition(this.links[index]?.matrix ?? new Matrix4());
   }

@@ -1,4 +1,4 @@
-// Shapes as geometries, poses as matrices.
+// Converts shapes to geometries and poses to matrices.
 import {
   BoxGeometry, BufferAttribute, BufferGeometry, CapsuleGeometry, CylinderGeometry, Matrix4, Quaternion, SphereGeometry, Vector3,
 } from "three";
@@ -8,16 +8,16 @@ import { PER_METRE } from "../particles.ts";
 import type { MeshRecord, Pose, Solid } from "../recording.ts";
 
 const ONE = new Vector3(1, 1, 1);
-/** Faces that meet at less than this look like one round face [rad]. */
+/** Faces that meet at a smaller angle are shaded smoothly [rad]. */
 const CREASE = 0.7;
 
-/** The matrix of a pose. */
+/** Writes the matrix of a pose into `out`. */
 export function matrix([x, y, z, qx, qy, qz, qw]: Pose, out = new Matrix4()): Matrix4 {
   return out.compose(new Vector3(x, y, z), new Quaternion(qx, qy, qz, qw).normalize(), ONE);
 }
 
-/** Draws what a material is on as if it lay nearer (below 1) or farther (above 1) by a factor. */
-export function shifted<M extends Material>(material: M, factor: number): M {
+/** Scales the depth of a material by a factor: below 1 it is drawn nearer, above 1 farther. */
+export function shiftDepth<M extends Material>(material: M, factor: number): M {
   material.onBeforeCompile = (shader) => {
     shader.vertexShader = shader.vertexShader.replace("#include <project_vertex>", `#include <project_vertex>
       gl_Position.z = (projectionMatrix * vec4(${factor.toFixed(3)} * mvPosition.xyz, 1.0)).z / ${factor.toFixed(3)};`);
@@ -26,18 +26,18 @@ export function shifted<M extends Material>(material: M, factor: number): M {
   return material;
 }
 
-const made = new WeakMap<MeshRecord, BufferGeometry>();
+const geometries = new WeakMap<MeshRecord, BufferGeometry>();
 
-/** A mesh is made once, however often it is placed. */
+/** Returns the geometry of a mesh, which is made once and shared. */
 function meshGeometry(mesh: MeshRecord | undefined): BufferGeometry {
   if (!mesh) return new BufferGeometry();
-  let geometry = made.get(mesh);
+  let geometry = geometries.get(mesh);
   if (!geometry) {
     const plain = new BufferGeometry();
     plain.setAttribute("position", new BufferAttribute(Float32Array.from(mesh.vertices, (v) => v / PER_METRE), 3));
     plain.setIndex(mesh.triangles);
     geometry = toCreasedNormals(plain, CREASE);
-    made.set(mesh, geometry);
+    geometries.set(mesh, geometry);
   }
   return geometry;
 }

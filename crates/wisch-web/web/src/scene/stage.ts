@@ -1,4 +1,4 @@
-// All that is seen in 3-D at a time of the clock, drawn only when something changes.
+// The 3-D scene at the time of the clock, drawn only when something changes.
 import {
   AmbientLight, Box3, Color, DirectionalLight, GridHelper, Group, HemisphereLight, Material, Mesh, MeshLambertMaterial,
   MeshStandardMaterial, Object3D, PlaneGeometry, SRGBColorSpace, Scene, ShadowMaterial, Sphere, Vector3,
@@ -30,12 +30,12 @@ export const LAYERS: Layers = {
   believed: true, estimated: true, actual: true, seen: false, path: true, strokes: false, force: true, events: true, found: true, actualSurface: true,
 };
 
-/** So near to the path a click means it. */
+/** Maximum distance of a click from the path [pixels]. */
 const NEAR_PX = 9;
-/** So many rounds stay at hand. */
+/** Number of rounds whose geometry is cached. */
 const KEPT_ROUNDS = 6;
 
-/** The light falls from here onto what is seen. */
+/** Direction to the light, in units of the scene's radius. */
 const SUN = new Vector3(0.9, 0.5, 1.9);
 
 export class Stage {
@@ -44,7 +44,7 @@ export class Stage {
   private readonly painter: Painter;
   private readonly scene = new Scene();
   private readonly materials: RobotMaterials & Record<string, unknown>;
-  /** Where shadows fall beside all else. */
+  /** The floor, which receives shadows. */
   private readonly ground = new Mesh(new PlaneGeometry(1, 1), new ShadowMaterial({ opacity: 0.14 }));
   private sun: DirectionalLight | null = null;
   private grid: GridHelper | null = null;
@@ -67,13 +67,13 @@ export class Stage {
   private sized = false;
   private readonly moved = () => this.draw();
   private time = 0;
-  /** Frames that were drawn, and when the first was, for who measures. */
+  /** Number of drawn frames, for measurements. */
   drawn = 0;
 
   constructor(private readonly canvas: HTMLCanvasElement, private readonly recording: Recording) {
     this.painter = new Painter(canvas);
     const matte = (roughness: number) => (this.painter.software ? new MeshLambertMaterial() : new MeshStandardMaterial({ roughness, metalness: 0.05 }));
-    // Links that meet share round ends: the one shade lies over the other, or both would flicker.
+    // The round ends of adjacent links coincide; a depth offset of one shade prevents flicker.
     const under = (roughness: number) => Object.assign(matte(roughness), { polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 2 });
     const hand = Object.assign(matte(0.5), { transparent: true, opacity: 0.45, depthWrite: false });
     const own = new Map<string, Material>();
@@ -93,7 +93,7 @@ export class Stage {
     this.paint();
   }
 
-  /** Asks for a frame at a time of the clock. */
+  /** Requests a frame at a time of the clock. */
   show(time: number): void {
     this.time = time;
     this.ask();
@@ -103,7 +103,7 @@ export class Stage {
     frames.draw(this.moved);
   }
 
-  /** Its size, and how much of it at the left is covered. */
+  /** Sets the size of the canvas, and the width that a panel covers on its left [pixels]. */
   resize(width: number, height: number, covered: number): void {
     if (!width || !height) return;
     this.painter.size(width, height);
@@ -122,7 +122,7 @@ export class Stage {
     this.ask();
   }
 
-  /** The time of the common clock at which the tool was at a place of the picture, if it came by. */
+  /** Returns the time of the common clock at which the tool was at a point of the canvas; null if its path is not near. */
   timeAt(x: number, y: number): number | null {
     if (!this.path || !this.layers.path) return null;
     const { clientWidth, clientHeight } = this.canvas;
@@ -195,7 +195,7 @@ export class Stage {
     this.ask();
   }
 
-  /** The picture as it is, for paper. */
+  /** Returns the current frame as a PNG data URL, for printing. */
   picture(): string {
     this.draw(true);
     return this.canvas.toDataURL("image/png");
@@ -229,7 +229,7 @@ export class Stage {
     }
     if (this.still?.round !== round) this.enter(instant);
     this.robot?.show(round.plan.root, instant.q, instant.tool);
-    if (!this.home) this.settle(instant);
+    if (!this.home) this.initView(instant);
     const stroke = instant.phase >= 0 ? round.plan.phases[instant.phase]!.stroke : null;
     this.still!.show({ strokes: this.layers.strokes, found: this.layers.found, actual: this.layers.actualSurface }, stroke);
     this.camera.follow(this.robot?.toolPlace ?? null);
@@ -240,7 +240,7 @@ export class Stage {
     if (this.robot) this.force.show(instant, this.robot.toolPlace, this.camera.lens.position, this.layers.force);
   }
 
-  /** Another round is shown; those that were shown before are kept for a while. */
+  /** Switches to another round; the geometry of recent rounds stays cached. */
   private enter({ round }: Instant): void {
     for (const object of [this.still?.group, this.path?.object]) if (object) this.scene.remove(object);
     const kept = this.entered.get(round) ?? { still: new Still(round, this.recording.meshes), path: new Path(round) };
@@ -269,8 +269,8 @@ export class Stage {
     if (ends.length) this.highlights.add(segments(ends, this.highlightLook));
   }
 
-  /** Where to look from first; floor and light round what is seen. */
-  private settle({ round }: Instant): void {
+  /** Chooses the first view, and builds floor and lights around the scene. */
+  private initView({ round }: Instant): void {
     const contact = round.plan.phases.find((phase) => phase.contact);
     const then = this.recording.at(round.start + (contact?.start ?? 0));
     if (then && this.robot) this.robot.show(round.plan.root, then.q, then.tool);
@@ -288,7 +288,7 @@ export class Stage {
     this.camera.look(work, this.home.from);
   }
 
-  /** From the far side of the surface, on the side of the arm that wipes. */
+  /** Returns a direction of view from the far side of the surface, on the side of the wiping arm. */
   private frontOf(instant: Instant | null): Vector3 {
     const robot = this.recording.head?.robot;
     if (!instant || !robot || !instant.q.length || !this.robot) return new Vector3(0.75, -1, 0.85);
@@ -301,7 +301,7 @@ export class Stage {
     return way.normalize().applyAxisAngle(new Vector3(0, 0, 1), left ? 0.95 : -0.95).setZ(0.62).normalize();
   }
 
-  /** Corners of the boxes round all meshes of some objects, in the world. */
+  /** Returns the corners of the bounding boxes of all meshes in `objects`, in the world [m]. */
   private cornersOf(objects: Object3D[]): Vector3[] {
     this.scene.updateMatrixWorld(true);
     const places: Vector3[] = [];

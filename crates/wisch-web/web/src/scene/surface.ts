@@ -1,4 +1,4 @@
-// What stays where it is during a round: scene, surface as believed, found and true, goal, strokes.
+// The static parts of a round: scene objects, surface (believed, found, true), goal and strokes.
 import {
   Color, DoubleSide, EdgesGeometry, Group, LineBasicMaterial, LineSegments, Material, Mesh, MeshLambertMaterial, Object3D, RingGeometry,
   CircleGeometry, Shape, ShapeGeometry, Vector2,
@@ -7,16 +7,16 @@ import type { BufferGeometry } from "three";
 import { colour } from "../theme.ts";
 import { metres } from "../particles.ts";
 import { LineMaterial, chain, segments } from "./lines.ts";
-import { geometryOf, matrix, shifted } from "./solids.ts";
+import { geometryOf, matrix, shiftDepth } from "./solids.ts";
 import type { Round } from "../round.ts";
 import type { MeshRecord, Pose } from "../recording.ts";
 
-/** What is drawn on the surface floats so much over it [m]. */
+/** Height above the surface at which flat items are drawn [m]. */
 export const ABOVE = 0.0015;
 
 export type Corner = [number, number, number];
 
-/** Places in turn as corners over the surface. */
+/** Converts positions (x, y alternating) to corners above the surface. */
 export function corners(places: number[], above = ABOVE): Corner[] {
   const flat = metres(places);
   return Array.from({ length: flat.length / 2 }, (_, i) => [flat[2 * i]!, flat[2 * i + 1]!, above]);
@@ -39,15 +39,15 @@ export class Still {
     for (const { part, ...solid } of plan.scene) {
       const geometry = geometryOf(solid, meshes);
       const obstacle = part === "obstacle";
-      // A surface that was found lower than what carries it is to be seen all the same.
-      const material = obstacle ? new MeshLambertMaterial({ transparent: true, opacity: 0.5, depthWrite: false }) : shifted(new MeshLambertMaterial(), 1.015);
+      // The carrier is drawn farther, so that a surface that was found below its top stays visible.
+      const material = obstacle ? new MeshLambertMaterial({ transparent: true, opacity: 0.5, depthWrite: false }) : shiftDepth(new MeshLambertMaterial(), 1.015);
       const body = new Mesh(geometry, this.keep(material, obstacle ? "obstacle" : "carrier"));
       body.receiveShadow = !obstacle;
       body.renderOrder = obstacle ? 1 : 0;
       const edges = this.own(new EdgesGeometry(geometry, 30));
       const edge = new LineSegments(edges, this.keep(new LineBasicMaterial({ transparent: true, opacity: 0.5 }), "obstacle-line"));
       if (solid.kind !== "mesh") this.geometries.push(geometry);
-      for (const object of [body, edge]) this.group.add(placed(object, solid.pose));
+      for (const object of [body, edge]) this.group.add(placeAt(object, solid.pose));
     }
     this.addSurface();
     this.addGoal();
@@ -57,24 +57,24 @@ export class Still {
       this.strokes.push(line);
       this.strokeGroup.add(line);
     });
-    this.group.add(placed(this.strokeGroup, plan.surface.pose));
+    this.group.add(placeAt(this.strokeGroup, plan.surface.pose));
   }
 
-  /** Outlines of where the surface turned out to be; the current stroke stands out. */
+  /** Shows the outlines of the found and the true surface, and emphasises the current stroke. */
   show(layers: { strokes: boolean; found: boolean; actual: boolean }, stroke: number | null): void {
     const { judged, truth } = this.round;
     const found = judged?.found ?? null;
     if (found !== this.foundAt) {
       this.foundAt = found;
       if (this.found) this.group.remove(this.found);
-      this.found = found ? this.outlined(found, "found", 0.28) : null;
+      this.found = found ? this.outlineAt(found, "found", 0.28) : null;
       if (this.found) this.group.add(this.found);
     }
     const actual = truth?.surface ?? null;
     if (actual !== this.actualAt) {
       this.actualAt = actual;
       if (this.actual) this.group.remove(this.actual);
-      this.actual = actual ? this.outlined(actual, "actual", 0) : null;
+      this.actual = actual ? this.outlineAt(actual, "actual", 0) : null;
       if (this.actual) this.group.add(this.actual);
     }
     if (this.found) this.found.visible = layers.found;
@@ -127,16 +127,16 @@ export class Still {
     const face = this.face();
     if (!face) return;
     const material = new MeshLambertMaterial({ side: DoubleSide, polygonOffset: true, polygonOffsetFactor: -1, polygonOffsetUnits: -1 });
-    this.surface = placed(new Mesh(face, this.keep(material, "surface-3d")), pose);
+    this.surface = placeAt(new Mesh(face, this.keep(material, "surface-3d")), pose);
     this.surface.receiveShadow = true;
     this.group.add(this.surface);
     const ends = this.rings.flatMap((ring) => chain(ring, true));
-    this.group.add(placed(segments(ends, this.keep(new LineMaterial({ linewidth: 2 }), "outline")), pose));
+    this.group.add(placeAt(segments(ends, this.keep(new LineMaterial({ linewidth: 2 }), "outline")), pose));
   }
 
-  /** The surface at another pose: an outline, and a tint if it is not clear. */
-  private outlined(pose: Pose, name: string, tint: number): Group {
-    const group = placed(new Group(), pose);
+  /** Draws the surface at another pose: as a dashed outline, or with `tint` > 0 as a filled outline of that opacity. */
+  private outlineAt(pose: Pose, name: string, tint: number): Group {
+    const group = placeAt(new Group(), pose);
     const line = new LineMaterial({ linewidth: tint ? 3 : 2, dashed: !tint, dashSize: 0.015, gapSize: 0.01 });
     const outline = segments(this.rings.flatMap((ring) => chain(ring.map(([x, y, z]) => [x, y, z + ABOVE]), true)), this.keep(line, name));
     if (!tint) outline.computeLineDistances();
@@ -153,7 +153,7 @@ export class Still {
     const { goal, surface } = this.round.plan;
     if (goal.kind !== "collected") return;
     const [x, y] = goal.place;
-    const group = placed(new Group(), surface.pose);
+    const group = placeAt(new Group(), surface.pose);
     const flat = (geometry: BufferGeometry, opacity: number, name: string) => {
       const material = new MeshLambertMaterial({ transparent: true, opacity, depthWrite: false, polygonOffset: true, polygonOffsetFactor: -3, polygonOffsetUnits: -3 });
       const mesh = new Mesh(this.own(geometry), this.keep(material, name));
@@ -167,7 +167,7 @@ export class Still {
   }
 }
 
-function placed<O extends Object3D>(object: O, pose: Pose): O {
+function placeAt<O extends Object3D>(object: O, pose: Pose): O {
   object.matrixAutoUpdate = false;
   matrix(pose, object.matrix);
   return object;

@@ -1,12 +1,12 @@
-// What is shown, as the address says it: #episode=ID&t=12.3&q=…, #run=ID, #compare=A,B.
+// The state of the studio in the page's address: #episode=ID&t=12.3&q=…, #run=ID, #compare=A,B.
 
 export interface Place {
   kind: "home" | "episode" | "run" | "compare";
-  /** One, or two that are compared. */
+  /** Names of the shown recordings: one, or two that are compared. */
   ids: string[];
-  /** Of the clock [s]. */
+  /** Time of the clock [s]. */
   time: number | null;
-  /** A query that is asked. */
+  /** The query, if there is one. */
   query: string | null;
 }
 
@@ -34,7 +34,7 @@ export function write({ kind, ids, time, query }: Place): string {
 /** Whether both show the same recordings. */
 export const isSame = (a: Place, b: Place): boolean => a.kind === b.kind && a.ids.join() === b.ids.join();
 
-/** Changes the address without a step back to what it was. */
+/** Replaces the address without a new entry in the browser's history. */
 export function replace(place: Place): void {
   const hash = write(place);
   if (hash !== location.hash) history.replaceState(null, "", hash || location.pathname);

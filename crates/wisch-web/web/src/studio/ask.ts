@@ -1,25 +1,25 @@
-// The left side while asking: a query, its answers, and what they show.
+// The query panel: a query and its answers.
 import { el, fixed, say } from "../dom.ts";
 import { Completer } from "./complete.ts";
-import { plot } from "./plots.ts";
+import { drawPlot } from "./plots.ts";
 import { Refused, ask, vocabulary } from "./server.ts";
 import { episodesOf, local } from "./shown.ts";
 import type { Answers, Cell, Fault } from "./server.ts";
 
-/** Most answers that are listed at once. */
+/** Maximum number of listed answers. */
 const MOST_ROWS = 200;
-/** Most episodes that are named below the answers. */
+/** Maximum number of episodes listed below the answers. */
 const MOST_NAMED = 8;
-/** From here on a number may be a time since 1970 [s]: 2001. */
+/** A number in this range counts as a time since 1970 [s]: the years 2001 to 2286. */
 const TIME_FROM = 1e9;
 const TIME_TO = 1e10;
 
 export interface AskActions {
-  /** Shows one answer, or all, of an episode or of that of most. */
+  /** Shows one answer or all (`row` null), in an episode or in the one with most answers (`episode` null). */
   show(answers: Answers, row: number | null, episode: string | null): void;
-  /** Takes away what is shown. */
+  /** Removes the shown answers. */
   clear(): void;
-  /** What is asked now; null: nothing. */
+  /** Called with a query when it is asked. */
   asked(query: string | null): void;
 }
 
@@ -45,15 +45,15 @@ export class Ask {
     this.button = el("button", { class: "w-button s-primary", type: "button", click: () => (this.asking ? this.asking.abort() : void this.ask()) }, "Ask");
     this.element = el("section", { class: "s-ask", hidden: true },
       el("div", { class: "s-field" }, this.field, this.completer.list),
-      el("div", { class: "s-row" }, this.button, el("span", { class: "w-quiet" }, "Enter: ask, Shift + Enter: new line, Tab: complete")),
+      el("div", { class: "s-row" }, this.button, el("span", { class: "w-quiet" }, "Enter: ask; Shift + Enter: new line; Tab: complete")),
       this.fault, this.examples, this.result);
-    void this.learn();
+    void this.loadVocabulary();
   }
 
-  private async learn(): Promise<void> {
+  private async loadVocabulary(): Promise<void> {
     try {
       const words = await vocabulary();
-      this.completer.know(words);
+      this.completer.setVocabulary(words);
       this.chips.replaceChildren(...words.examples.map(({ title, query }, i) => el("button", {
         class: "s-chip", type: "button", title: query, "data-example": i,
         click: () => {
@@ -66,7 +66,7 @@ export class Ask {
     }
   }
 
-  /** Fills in a query that an address holds. It may write into the memory, so it waits for the person to ask it. */
+  /** Fills in a query from the address. It could write into the memory, so it runs only when the user asks it. */
   propose(query: string): void {
     this.asking?.abort();
     this.asking = null;
@@ -79,7 +79,7 @@ export class Ask {
     this.result.replaceChildren(el("p", { class: "s-remark" }, "This query comes from the page's address. Press Ask to run it."));
   }
 
-  /** Asks what stands in the field, and shows what the answers show. */
+  /** Runs the query in the field, and shows its answers. */
   async ask(): Promise<void> {
     const query = this.field.value.trim();
     if (!query || this.asking) return;
@@ -93,11 +93,11 @@ export class Ask {
     this.actions.asked(query);
     try {
       const answers = await ask(query, asking.signal);
-      this.list(answers);
+      this.showAnswers(answers);
       if (episodesOf(answers, null).length && this.hasView(answers)) this.actions.show(answers, null, null);
       else this.actions.clear();
     } catch (error) {
-      // Another query may stand in the field by now.
+      // By now, another query may have started.
       if (this.asking !== asking) return;
       this.result.replaceChildren();
       if (!asking.signal.aborted) this.complain(error instanceof Refused ? error.fault : { message: String(error) });
@@ -121,14 +121,14 @@ export class Ask {
       parts.push(el("pre", {}, query.slice(0, offset), el("mark", {}, query.slice(offset, end) || "\u2038"), query.slice(end)));
       if (query.includes("\n")) parts.push(el("p", { class: "w-quiet" }, `line ${line}, column ${column}`));
       this.field.value = query;
-      // Only who asks by keyboard is there already.
+      // A selection moves the focus, so it is set only if the field has the focus.
       if (document.activeElement === this.field) this.field.setSelectionRange(offset, end);
     }
     this.fault.replaceChildren(...parts);
     this.fault.hidden = false;
   }
 
-  private list(answers: Answers): void {
+  private showAnswers(answers: Answers): void {
     const { rows, columns, holds, more, seconds, printed, remarks, view, about } = answers;
     const count = holds ? `${rows.length}${more ? " or more" : ""} ${rows.length === 1 ? "answer" : "answers"}` : "No answer: false";
     const parts: Node[] = [el("p", { class: "s-count" }, el("b", {}, count), ` in ${fixed(seconds, 2)} s`)];
@@ -144,42 +144,42 @@ export class Ask {
     }
     for (const remark of remarks) parts.push(el("p", { class: "w-quiet s-remark" }, remark));
     if (printed) parts.push(el("pre", { class: "s-printed" }, printed));
-    for (const one of view?.plots ?? []) parts.push(plot(one));
-    if (rows.length && columns.length) parts.push(this.table(answers));
+    for (const one of view?.plots ?? []) parts.push(drawPlot(one));
+    if (rows.length && columns.length) parts.push(this.makeTable(answers));
     else if (rows.length && about.every((mentions) => !mentions.length)) parts.push(el("p", {}, "True."));
-    if (rows.length > MOST_ROWS) parts.push(el("p", { class: "w-quiet" }, `The first ${MOST_ROWS} of ${rows.length} are listed.`));
+    if (rows.length > MOST_ROWS) parts.push(el("p", { class: "w-quiet" }, `The table lists the first ${MOST_ROWS} of ${rows.length} answers.`));
     this.result.replaceChildren(...parts);
   }
 
-  private table(answers: Answers): HTMLElement {
+  private makeTable(answers: Answers): HTMLElement {
     const { rows, columns, about } = answers;
     const head = el("tr", {}, el("th", { scope: "col" }, el("span", { class: "s-hidden" }, "show")), ...columns.map((name) => el("th", { scope: "col" }, name)));
     const body = rows.slice(0, MOST_ROWS).map((row, i) => {
       const can = about[i]?.length;
       return el("tr", {},
         el("td", {}, can ? el("button", { class: "w-button s-show", type: "button", "data-row": i, "aria-label": `Show answer ${i + 1}`, click: () => this.actions.show(answers, i, null) }, "Show") : ""),
-        ...row.map((value) => cell(value)));
+        ...row.map((value) => makeCell(value)));
     });
     return el("div", { class: "s-table", tabindex: 0, role: "group", "aria-label": "Answers" }, el("table", {}, el("thead", {}, head), el("tbody", {}, ...body)));
   }
 }
 
-function cell(value: Cell): HTMLElement {
+function makeCell(value: Cell): HTMLElement {
   if (typeof value === "number") {
     const isTime = value >= TIME_FROM && value < TIME_TO;
-    const text = isTime ? clockOfDay(value) : Number.isInteger(value) ? String(value) : String(Number(value.toPrecision(5)));
+    const text = isTime ? formatTimeOfDay(value) : Number.isInteger(value) ? String(value) : String(Number(value.toPrecision(5)));
     return el("td", { class: "s-number", title: String(value) }, text);
   }
   if (value === null) return el("td", { class: "w-quiet" }, "_");
-  const text = inWords(value);
+  const text = formatCell(value);
   return el("td", { title: typeof value === "string" ? value : text }, text);
 }
 
-const inWords = (value: Cell): string =>
-  value === null ? "_" : Array.isArray(value) ? `[${value.map(inWords).join(", ")}]` : typeof value === "number" ? String(Number(value.toPrecision(6))) : short(value);
+const formatCell = (value: Cell): string =>
+  value === null ? "_" : Array.isArray(value) ? `[${value.map(formatCell).join(", ")}]` : typeof value === "number" ? String(Number(value.toPrecision(6))) : shorten(value);
 
-/** A name as it is told apart: individuals without the date that is their episode's. */
-const short = (name: string): string => local(name).replace(/_(\d{8}-\d{6}-[0-9a-f]{4})-(\d+)$/, " $2");
+/** Shortens a name: an individual keeps its class and number, without the name of its episode. */
+const shorten = (name: string): string => local(name).replace(/_(\d{8}-\d{6}-[0-9a-f]{4})-(\d+)$/, " $2");
 
-/** A time since 1970 as the time of day, in UTC as the memory's names have it. */
-const clockOfDay = (time: number): string => new Date(1000 * time).toISOString().slice(11, 23);
+/** Formats a time since 1970 as the time of day in UTC, as in the names of episodes. */
+const formatTimeOfDay = (time: number): string => new Date(1000 * time).toISOString().slice(11, 23);

@@ -1,15 +1,15 @@
-// Completion of names in a query: predicates, classes, properties, things.
+// Completion of names in a query: predicates, classes, properties and individuals.
 import { el } from "../dom.ts";
 import type { Vocabulary } from "./server.ts";
 
-const MOST = 12;
+const MAX_PROPOSALS = 12;
 
 export interface Proposal {
-  /** What is shown, and what it means. */
+  /** The shown name. */
   name: string;
-  kind: "predicate" | "class" | "property" | "thing" | "Prolog";
+  kind: "predicate" | "class" | "property" | "individual" | "Prolog";
   meaning: string;
-  /** What comes into the text. */
+  /** The inserted text. */
   text: string;
 }
 
@@ -27,13 +27,13 @@ export function proposals(words: Vocabulary): Proposal[] {
     list.push({ name: `${name}/${arity}`, kind: "predicate", meaning, text });
   }
   const named = (kind: Proposal["kind"]) => ({ name, label, comment }: Vocabulary["classes"][number]): Proposal =>
-    ({ name, kind, meaning: comment || label, text: quoted(name) });
-  list.push(...words.classes.map(named("class")), ...words.properties.map(named("property")), ...words.individuals.map(named("thing")));
-  for (const name of words.builtins) list.push({ name, kind: "Prolog", meaning: "Prolog's own", text: name.replace(/\/\d+$/, /\/0$/.test(name) ? "" : "(") });
+    ({ name, kind, meaning: comment || label, text: quote(name) });
+  list.push(...words.classes.map(named("class")), ...words.properties.map(named("property")), ...words.individuals.map(named("individual")));
+  for (const name of words.builtins) list.push({ name, kind: "Prolog", meaning: "predicate of standard Prolog", text: name.replace(/\/\d+$/, /\/0$/.test(name) ? "" : "(") });
   return list;
 }
 
-function quoted(name: string): string {
+function quote(name: string): string {
   const [prefix, local] = name.split(":") as [string, string];
   return /^[a-z][A-Za-z0-9_]*$/.test(local) ? name : `${prefix}:'${local}'`;
 }
@@ -43,7 +43,7 @@ export interface Completion {
   found: Proposal[];
 }
 
-/** What fits the name before the caret: those that begin so before those that contain it. */
+/** Returns the names that match the name before the caret; names that start with it come before names that contain it. */
 export function complete(all: Proposal[], text: string, caret: number): Completion | null {
   const word = WORD.exec(text.slice(0, caret));
   if (!word || /^[A-Z_]/.test(word[0]) && !word[1] && !word[2] && word[0].length < 2) return null;
@@ -56,15 +56,15 @@ export function complete(all: Proposal[], text: string, caret: number): Completi
     return place < 0 ? [] : [{ proposal, place: place ? 1 : 0, length: local.length }];
   });
   places.sort((a, b) => a.place - b.place || order(a.proposal) - order(b.proposal) || a.length - b.length);
-  const found = places.slice(0, MOST).map(({ proposal }) => proposal);
+  const found = places.slice(0, MAX_PROPOSALS).map(({ proposal }) => proposal);
   return found.length ? { from: caret - whole.length, found } : null;
 }
 
-const order = ({ kind }: Proposal): number => ["predicate", "class", "property", "thing", "Prolog"].indexOf(kind);
+const order = ({ kind }: Proposal): number => ["predicate", "class", "property", "individual", "Prolog"].indexOf(kind);
 
-/** A list below a text field, by keyboard and pointer. */
+/** A list of completions below a text field, for keyboard and pointer. */
 export class Completer {
-  readonly list = el("ul", { class: "s-proposals", id: "s-proposals", role: "listbox", "aria-label": "Names that fit", hidden: true });
+  readonly list = el("ul", { class: "s-proposals", id: "s-proposals", role: "listbox", "aria-label": "Completions", hidden: true });
   private all: Proposal[] = [];
   private now: Completion | null = null;
   private chosen = 0;
@@ -74,12 +74,12 @@ export class Completer {
     field.setAttribute("aria-autocomplete", "list");
     field.setAttribute("aria-controls", "s-proposals");
     field.setAttribute("aria-expanded", "false");
-    field.addEventListener("input", () => this.look());
+    field.addEventListener("input", () => this.updateProposals());
     field.addEventListener("blur", () => this.close());
-    field.addEventListener("keydown", (event) => this.key(event));
+    field.addEventListener("keydown", (event) => this.onKey(event));
   }
 
-  know(words: Vocabulary): void {
+  setVocabulary(words: Vocabulary): void {
     this.all = proposals(words);
   }
 
@@ -94,7 +94,7 @@ export class Completer {
     this.field.removeAttribute("aria-activedescendant");
   }
 
-  private look(): void {
+  private updateProposals(): void {
     const { value, selectionStart, selectionEnd } = this.field;
     const next = /^[A-Za-z0-9_]/.test(value.slice(selectionStart));
     this.now = selectionStart === selectionEnd && !next ? complete(this.all, value, selectionStart) : null;
@@ -106,11 +106,11 @@ export class Completer {
   private draw(): void {
     const items = this.now!.found.map(({ name, kind, meaning }, i) => el("li", {
       id: `s-proposal-${i}`, role: "option", "aria-selected": String(i === this.chosen),
-      // Before the field loses the focus.
+      // This event comes before the field loses the focus.
       pointerdown: (event: PointerEvent) => {
         event.preventDefault();
         this.chosen = i;
-        this.take();
+        this.accept();
       },
     }, el("b", {}, name), el("i", {}, kind), el("span", {}, meaning)));
     this.list.replaceChildren(...items);
@@ -120,12 +120,12 @@ export class Completer {
     items[this.chosen]?.scrollIntoView({ block: "nearest" });
   }
 
-  private key(event: KeyboardEvent): void {
+  private onKey(event: KeyboardEvent): void {
     if (!this.now) return;
     const count = this.now.found.length;
     if (event.key === "ArrowDown") this.chosen = (this.chosen + 1) % count;
     else if (event.key === "ArrowUp") this.chosen = (this.chosen + count - 1) % count;
-    else if (event.key === "Tab") return this.take(event);
+    else if (event.key === "Tab") return this.accept(event);
     else if (event.key === "Escape") {
       event.preventDefault();
       event.stopPropagation();
@@ -135,7 +135,7 @@ export class Completer {
     this.draw();
   }
 
-  private take(event?: KeyboardEvent): void {
+  private accept(event?: KeyboardEvent): void {
     event?.preventDefault();
     const { from, found } = this.now!;
     const { text } = found[this.chosen]!;
@@ -143,7 +143,7 @@ export class Completer {
     this.field.setRangeText(text, from, selectionStart, "end");
     const caret = this.field.selectionStart;
     const after = value.slice(selectionStart);
-    // Two brackets that open are one too many.
+    // An opening bracket after the caret is not doubled.
     if (text.endsWith("(") && after.startsWith("(")) this.field.setRangeText("", caret - 1, caret, "end");
     this.close();
   }

@@ -1,4 +1,4 @@
-// The page of the studio: what is there, what is shown, what is asked; the address says all three.
+// The page of the studio: the list of runs, the shown recordings and the query. The address holds the shown state.
 import "./studio.css";
 import { el, say } from "../dom.ts";
 import { onTheme, setTheme, theme } from "../theme.ts";
@@ -7,7 +7,7 @@ import { Ask } from "./ask.ts";
 import { Refused, onChanged, overview } from "./server.ts";
 import { Side } from "./side.ts";
 import { apply, episodesOf, shownOf } from "./shown.ts";
-import { LiveSource, episode } from "./source.ts";
+import { LiveSource, loadEpisode } from "./source.ts";
 import { Stage } from "./stage.ts";
 import { StartDialog } from "./start.ts";
 import type { Place } from "./address.ts";
@@ -22,12 +22,12 @@ class Studio {
   private readonly ask: Ask;
   private readonly dialog: StartDialog;
   private readonly tabs: Record<"runs" | "ask", HTMLButtonElement>;
-  private readonly offline = el("p", { class: "s-offline", role: "status", hidden: true }, "The studio does not respond: has it ended?");
+  private readonly offline = el("p", { class: "s-offline", role: "status", hidden: true }, "The studio does not respond. If it has ended, start it again: wisch studio.");
   private readonly aside: HTMLElement;
   private known: Overview | null = null;
   private place: Place = HOME;
   private live: LiveSource[] = [];
-  /** Counts what was opened, so that what comes late is not shown. */
+  /** Number of started loads; the result of an outdated load is dropped. */
   private opened = 0;
 
   constructor(private readonly root: HTMLElement) {
@@ -77,10 +77,10 @@ class Studio {
       this.ask.field.focus();
     });
     onChanged(() => void this.refresh(), (connected) => { this.offline.hidden = connected; });
-    // For who drives the page from its console, or measures it.
+    // For measurements, and for use from the browser's console.
     Object.assign(window, { wisch: { studio: this, stage: this.stage } });
     const listed = this.refresh();
-    // An episode is fetched meanwhile; what else the address may say has to be looked up.
+    // An episode can be fetched at once; everything else needs the list first.
     if (read(location.hash).kind !== "episode") await listed;
     await this.route();
   }
@@ -89,7 +89,7 @@ class Studio {
     return matchMedia("(max-width: 760px)").matches;
   }
 
-  /** Which part of the left side is seen. */
+  /** Opens a part of the side panel; null closes it. */
   private open(part: "runs" | "ask" | null): void {
     this.aside.dataset.open = part ?? "";
     this.side.element.hidden = part !== "runs";
@@ -101,8 +101,8 @@ class Studio {
     try {
       this.known = await overview(this.side.words);
       this.side.show(this.known);
-      this.dialog.know(this.known.scenarios);
-      this.stage.connectionChanged();
+      this.dialog.setScenarios(this.known.scenarios);
+      this.stage.onConnectionChanged();
     } catch (error) {
       if (!this.known) this.stage.say("fault", (error as Error).message);
     }
@@ -112,19 +112,19 @@ class Studio {
     return this.known?.list.episodes.some((one) => one.id === id) ?? false;
   }
 
-  /** Goes to another place, with a step back to this one. */
+  /** Opens another place, with an entry in the browser's history. */
   private async go(place: Place): Promise<void> {
     history.pushState(null, "", write(place) || location.pathname);
     await this.route();
   }
 
-  /** Changes what the address says of the place that is shown. */
+  /** Changes the address of the shown place. */
   private keep(change: Partial<Place>): void {
     this.place = { ...this.place, ...change };
     replace(this.place);
   }
 
-  /** Shows what the address says. */
+  /** Shows the place in the address. */
   private async route(): Promise<void> {
     let place = read(location.hash);
     const { query } = place;
@@ -139,7 +139,7 @@ class Studio {
     }
   }
 
-  /** What is shown if the address says nothing: a run that goes on, else the newest episode. */
+  /** Returns the place for an empty address: a live run, or else the newest episode. */
   private first(): Place {
     const run = this.known?.runs.find(({ state }) => state === "running");
     if (run) return { ...HOME, kind: "run", ids: [run.id] };
@@ -168,23 +168,23 @@ class Studio {
       document.title = `${sources.map(({ id, recording }) => recording.head?.title ?? id).join(" | ")} \u2013 wisch studio`;
     } catch (error) {
       if (mine !== this.opened) return;
-      const words = error instanceof Refused ? error.message : `This cannot be shown: ${String(error)}`;
-      this.stage.say("fault", words, el("p", { class: "w-quiet" }, "Queries about it still work."));
+      const words = error instanceof Refused ? error.message : `The recording cannot be shown: ${String(error)}`;
+      this.stage.say("fault", words, el("p", { class: "w-quiet" }, "Queries about this episode still work."));
     }
   }
 
   private async source(id: string, isRun: boolean): Promise<Source> {
-    // One that has begun just now is not listed yet.
+    // A run that has just started is not listed yet.
     if (isRun && !this.isRun(id)) await this.refresh();
     if (this.isRun(id)) return this.liveSource(id);
     try {
-      return { id, recording: await episode(id), live: null };
+      return { id, recording: await loadEpisode(id), live: null };
     } catch (error) {
       if (!(error instanceof Refused) || error.status !== 404) throw error;
-      // It may have begun just now.
+      // The run may have just started.
       await this.refresh();
       if (this.isRun(id)) return this.liveSource(id);
-      if (this.known && !this.isKept(id)) throw new Refused({ message: `There is no run or episode ${id}. A run that was stopped before its first round was over is not kept.` }, 404);
+      if (this.known && !this.isKept(id)) throw new Refused({ message: `There is no run or episode ${id}. A run that is stopped during its first round is not kept.` }, 404);
       throw error;
     }
   }
@@ -200,10 +200,10 @@ class Studio {
   }
 
   private liveChanged(live: LiveSource): void {
-    this.stage.connectionChanged();
+    this.stage.onConnectionChanged();
     if (live.connection !== "ended") return;
     void this.refresh().then(() => {
-      // The same view, under the name that stays.
+      // The view stays the same; the address now names the episode.
       if (this.place.kind !== "run" || this.place.ids[0] !== live.id || !this.isKept(live.episode)) return;
       this.keep({ kind: "episode", ids: [live.episode] });
       this.side.mark(this.place.ids);
@@ -217,7 +217,7 @@ class Studio {
     void this.go({ kind: "compare", ids: [first, id], time: this.stage.time, query: null });
   }
 
-  /** Shows an answer, in the episode that is shown if it has to do with it. */
+  /** Shows answers: in the shown episode if they mention it, else in the episode with most of them. */
   private async show(answers: Answers, row: number | null, wanted: string | null): Promise<void> {
     const episodes = episodesOf(answers, row);
     const current = this.stage.shown.find(({ id }) => (wanted ? id === wanted : episodes.includes(id)));
@@ -231,7 +231,7 @@ class Studio {
     } else if (this.isNarrow) this.open(null);
     const now = this.stage.shown.find((one) => one.id === id);
     if (!now) return;
-    this.stage.makeRoom();
+    this.stage.closeStories();
     apply(now.view, shownOf(answers, row, id, now.recording));
   }
 }

@@ -1,4 +1,4 @@
-// Diagrams that a query draws.
+// Diagrams of a query.
 import { el, fixed, svg } from "../dom.ts";
 import { TRAJECTORY_COLOURS } from "../scene/path.ts";
 import { local } from "./shown.ts";
@@ -8,12 +8,12 @@ const WIDTH = 400;
 const HEIGHT = 220;
 const [LEFT, RIGHT, TOP, BOTTOM] = [52, 12, 10, 38];
 const ROW = 24;
-/** Of labels beside bars. */
+/** Width of the labels beside bars. */
 const LABEL = 130;
 
-export function plot(one: Plot): HTMLElement {
+export function drawPlot(one: Plot): HTMLElement {
   const title = one.title || one.id || one.diagram;
-  const drawn = one.amounts ? (one.diagram === "piechart" ? pie(one.amounts) : bars(one.amounts)) : one.spans ? spans(one.spans) : points(one);
+  const drawn = one.amounts ? (one.diagram === "piechart" ? drawPie(one.amounts) : drawBars(one.amounts)) : one.spans ? drawSpans(one.spans) : drawPoints(one);
   drawn.setAttribute("role", "img");
   drawn.setAttribute("aria-label", `${one.diagram}: ${title}`);
   const labels = [one.x_label, one.y_label].filter((label) => label);
@@ -26,7 +26,7 @@ const text = (x: number, y: number, words: string, anchor: "start" | "middle" | 
   svg("text", { x, y, "text-anchor": anchor, fill: "var(--ink)", "font-size": 11.5 }, words);
 const cut = (words: string, most: number): string => (words.length > most ? `${words.slice(0, most - 1)}\u2026` : words);
 
-function bars(amounts: [string, number][]): SVGSVGElement {
+function drawBars(amounts: [string, number][]): SVGSVGElement {
   const [low, high] = [Math.min(0, ...amounts.map(([, n]) => n)), Math.max(0, ...amounts.map(([, n]) => n))];
   const x = (value: number) => LABEL + ((WIDTH - LABEL - 52) * (value - low)) / (high - low || 1);
   return picture(amounts.length * ROW + 6, ...amounts.flatMap(([label, value], i) => {
@@ -40,7 +40,7 @@ function bars(amounts: [string, number][]): SVGSVGElement {
   }));
 }
 
-function pie(amounts: [string, number][]): SVGSVGElement {
+function drawPie(amounts: [string, number][]): SVGSVGElement {
   const all = amounts.reduce((sum, [, n]) => sum + n, 0) || 1;
   const [cx, cy, r] = [90, 92, 82];
   let angle = -Math.PI / 2;
@@ -58,7 +58,7 @@ function pie(amounts: [string, number][]): SVGSVGElement {
   }));
 }
 
-function spans(list: [string, [number, number]][]): SVGSVGElement {
+function drawSpans(list: [string, [number, number]][]): SVGSVGElement {
   const from = Math.min(...list.map(([, [start]]) => start));
   const to = Math.max(...list.map(([, [, end]]) => end));
   const x = (time: number) => LABEL + ((WIDTH - LABEL - 10) * (time - from)) / (to - from || 1);
@@ -69,7 +69,7 @@ function spans(list: [string, [number, number]][]): SVGSVGElement {
   ]), text(LABEL, height - 4, "0 s"), text(WIDTH - 10, height - 4, `${short(to - from)} s`, "end"));
 }
 
-function points({ points = [], diagram, x_label, y_label }: Plot): SVGSVGElement {
+function drawPoints({ points = [], diagram, x_label, y_label }: Plot): SVGSVGElement {
   const range = (k: 0 | 1): [number, number] => {
     const values = points.map((point) => point[k]);
     const [low, high] = [Math.min(...values), Math.max(...values)];

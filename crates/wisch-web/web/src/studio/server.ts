@@ -1,4 +1,4 @@
-// What the studio's server tells and does. Addresses are relative: the token stands in the page's own.
+// The interface of the studio's server. Addresses are relative, so that requests keep the token in the page's address.
 
 export interface Listed {
   id: string;
@@ -61,7 +61,7 @@ export interface Vocabulary {
 
 export type Cell = string | number | null | Cell[];
 
-/** Something of an episode that an answer names. */
+/** An individual of an episode that an answer names. */
 export interface Mention {
   episode: string;
   class: string;
@@ -148,14 +148,14 @@ export interface Fault {
   column?: number;
 }
 
-/** What the server refuses, in its words. */
+/** A request that the server refused, with its message. */
 export class Refused extends Error {
   constructor(readonly fault: Fault, readonly status: number) {
     super(fault.message);
   }
 }
 
-const GONE = "The studio does not respond: has it ended?";
+const GONE = "The studio does not respond. If it has ended, start it again: wisch studio.";
 
 async function request(path: string, init?: RequestInit): Promise<Response> {
   let response: Response;
@@ -170,12 +170,12 @@ async function request(path: string, init?: RequestInit): Promise<Response> {
 
 async function faultOf(response: Response): Promise<Fault> {
   try {
-    const said = (await response.json()) as { error?: Fault };
-    if (said.error) return said.error;
+    const body = (await response.json()) as { error?: Fault };
+    if (body.error) return body.error;
   } catch {
-    // It said nothing that can be read.
+    // The response has no readable message.
   }
-  return { message: `The studio responds with status ${response.status}.` };
+  return { message: `The studio refused the request with HTTP status ${response.status}.` };
 }
 
 const post = async <T>(path: string, body: unknown, signal?: AbortSignal): Promise<T> => {
@@ -188,7 +188,7 @@ export const overview = async (find: string): Promise<Overview> =>
 
 export const vocabulary = async (): Promise<Vocabulary> => (await (await request("api/vocabulary")).json()) as Vocabulary;
 
-/** Hands over the JSON lines of an episode's recording as they come: the text is never held as a whole. */
+/** Calls `take` with each JSON line of an episode's recording as it arrives, without holding the whole text. */
 export async function readRecording(id: string, take: (line: string) => void): Promise<void> {
   const response = await request(`api/episodes/${encodeURIComponent(id)}/recording`);
   try {
@@ -206,7 +206,7 @@ export async function readRecording(id: string, take: (line: string) => void): P
     }
     take(rest + decoder.decode());
   } catch {
-    throw new Refused({ message: "The recording of this episode is damaged: it cannot be unpacked. wisch memory verify lists damaged files." }, 0);
+    throw new Refused({ message: "The recording of this episode is damaged: it cannot be decompressed. To list damaged files, run: wisch memory verify." }, 0);
   }
 }
 
@@ -219,12 +219,12 @@ export const stopRun = (id: string): Promise<unknown> => post(`api/runs/${encode
 export const clearRun = (id: string): Promise<unknown> => post(`api/runs/${encodeURIComponent(id)}/clear`, {});
 
 export async function ask(query: string, signal: AbortSignal): Promise<Answers> {
-  const said = await post<Answers | { error: Fault }>("api/ask", { query }, signal);
-  if ("error" in said) throw new Refused(said.error, 200);
-  return said;
+  const reply = await post<Answers | { error: Fault }>("api/ask", { query }, signal);
+  if ("error" in reply) throw new Refused(reply.error, 200);
+  return reply;
 }
 
-/** Calls back whenever episodes or runs come or go, and when the connection comes back. */
+/** Calls `callback` whenever the lists of episodes or runs change, and after a reconnection; `state` reports the connection. */
 export function onChanged(callback: () => void, state: (connected: boolean) => void): void {
   const events = new EventSource("api/overview/events");
   events.addEventListener("changed", callback);

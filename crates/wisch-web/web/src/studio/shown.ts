@@ -1,12 +1,12 @@
-// What an answer shows, in times of the common clock of a recording.
+// The data that an answer shows, with times on the common clock of a recording.
 import { clockText } from "../dom.ts";
 import type { Interval, ShownParticles, Trajectory, View } from "../view.ts";
 import type { Recording } from "../store.ts";
 import type { Answers, Mention } from "./server.ts";
 
-/** What lasts longer than this share of an episode is the episode. */
+/** An individual that lasts longer than this share of an episode counts as the episode itself [1]. */
 const ALMOST_ALL = 0.95;
-/** Two times are the same to a query [s]. */
+/** Tolerance for equal times [s]. */
 const SAME_S = 1e-3;
 
 export interface Shown {
@@ -14,13 +14,13 @@ export interface Shown {
   times: number[];
   intervals: Interval[];
   particles: ShownParticles[];
-  /** When what is shown was so, where nothing else says when. */
+  /** Times of the shown particles, used if nothing else has a time [s]. */
   since: number[];
 }
 
-const meets = ([from, to]: [number, number], [start, end]: [number, number]): boolean => from <= end + SAME_S && to >= start - SAME_S;
+const overlaps = ([from, to]: [number, number], [start, end]: [number, number]): boolean => from <= end + SAME_S && to >= start - SAME_S;
 
-/** The episodes of which an answer, or all of them, have something to show; those of most first. */
+/** Returns the episodes that one answer or all (`row` null) mention or show, by falling number of answers. */
 export function episodesOf({ about, view }: Answers, row: number | null): string[] {
   const counts = new Map<string, number>();
   const count = (id: string) => counts.set(id, (counts.get(id) ?? 0) + 1);
@@ -30,19 +30,19 @@ export function episodesOf({ about, view }: Answers, row: number | null): string
   return [...counts].sort((a, b) => b[1] - a[1]).map(([id]) => id);
 }
 
-/** What there is to show of one episode, of one answer or of all. */
+/** Returns the data to show in one episode, for one answer or for all (`row` null). */
 export function shownOf(answers: Answers, row: number | null, id: string, recording: Recording): Shown {
   const view = answers.view;
   const begins = view?.episodes.find((episode) => episode.id === id);
   const shown: Shown = { trajectories: [], times: [], intervals: [], particles: [], since: [] };
   if (!view || !begins) return shown;
   const at = (time: number) => clockTime(recording, begins.rounds ?? [begins.interval[0]], time);
-  const mentions = mentioned(row === null ? answers.about.flat() : answers.about[row] ?? [], id, begins.interval);
+  const mentions = mentionsOf(row === null ? answers.about.flat() : answers.about[row] ?? [], id, begins.interval);
   for (const { interval, class: label } of mentions) {
     if (interval) shown.intervals.push({ start: at(interval[0]), end: at(interval[1]), label });
   }
   const belongs = (interval: [number, number]) =>
-    row === null || !mentions.length || mentions.some((mention) => mention.interval && meets(mention.interval, interval));
+    row === null || !mentions.length || mentions.some((mention) => mention.interval && overlaps(mention.interval, interval));
   for (const { episode, thing, interval, path, samples, colour } of view.tracks) {
     if (episode !== id || !belongs(interval)) continue;
     const name = `${local(thing)} ${clockText(at(interval[0]))} to ${clockText(at(interval[1]))}`;
@@ -69,8 +69,8 @@ export function shownOf(answers: Answers, row: number | null, id: string, record
   return shown;
 }
 
-/** Those of an episode that are a part of it; once each. */
-function mentioned(all: Mention[], id: string, [begin, end]: [number, number]): Mention[] {
+/** Returns the mentions of parts of an episode, without duplicates. */
+function mentionsOf(all: Mention[], id: string, [begin, end]: [number, number]): Mention[] {
   const known = new Set<string>();
   return all.filter(({ episode, interval, class: label }) => {
     if (episode !== id || !interval) return false;
@@ -81,7 +81,7 @@ function mentioned(all: Mention[], id: string, [begin, end]: [number, number]): 
   });
 }
 
-/** A time since 1970 on the common clock. */
+/** Converts a time since 1970 to the common clock [s]. */
 export function clockTime(recording: Recording, begins: number[], time: number): number {
   let place = begins.findLastIndex((begin) => begin <= time + SAME_S);
   place = Math.max(0, place);
@@ -90,7 +90,7 @@ export function clockTime(recording: Recording, begins: number[], time: number):
   return Math.min(round.end, Math.max(round.start, round.start + time - begins[place]!));
 }
 
-/** Shows it, and goes to where it begins. */
+/** Shows the data in a view, and seeks to its start. */
 export function apply(view: View, { trajectories, times, intervals, particles, since }: Shown): void {
   view.clearShown();
   view.showTrajectories(trajectories);

@@ -1,18 +1,18 @@
-// The left side: what can be looked at.
+// The side panel with the list of runs and episodes.
 import { el, fixed, percent, say } from "../dom.ts";
 import { goalState } from "../words.ts";
 import { clearRun } from "./server.ts";
 import type { Listed, LiveRun, Overview } from "./server.ts";
 import { write } from "./address.ts";
 
-/** Until typing rests [ms]. */
+/** Time without typing until the search starts [ms]. */
 const REST_MS = 200;
 
 export interface SideActions {
-  /** Asks for the list anew. */
+  /** Searches the episodes. */
   find(words: string): void;
   start(): void;
-  /** Another recording is picked to compare with. */
+  /** Called with the recording that the user chose for comparison. */
   pick(id: string): void;
 }
 
@@ -50,13 +50,13 @@ export class Side {
     this.draw();
   }
 
-  /** What is being shown, which the list marks. */
+  /** Marks the shown recordings in the list. */
   mark(ids: string[]): void {
     this.current = ids;
     this.draw();
   }
 
-  /** The next that is chosen is compared with this one; null: no more. */
+  /** Compares the next chosen recording with `id`; null cancels. */
   compareWith(id: string | null): void {
     this.picking = id;
     this.note.hidden = !id;
@@ -70,23 +70,23 @@ export class Side {
     if (!this.overview) return;
     const { list, runs, memory } = this.overview;
     const drawn = JSON.stringify([list, runs, this.current]);
-    // What has the focus keeps it where nothing changes.
+    // Without a change, the focus stays.
     if (drawn === this.drawn) return;
     this.drawn = drawn;
     const focused = (document.activeElement as HTMLElement | null)?.dataset.key;
     const parts: Node[] = [];
-    const going = runs.filter(({ state }) => state !== "ended");
-    if (going.length) parts.push(el("h2", {}, "Now"), el("ul", {}, ...going.map((run) => this.run(run))));
-    for (const [day, episodes] of byDay(list.episodes)) {
-      parts.push(el("h2", {}, day), el("ul", {}, ...episodes.map((episode) => this.episode(episode))));
+    const unfinished = runs.filter(({ state }) => state !== "ended");
+    if (unfinished.length) parts.push(el("h2", {}, "Now"), el("ul", {}, ...unfinished.map((run) => this.makeRun(run))));
+    for (const [day, episodes] of groupByDay(list.episodes)) {
+      parts.push(el("h2", {}, day), el("ul", {}, ...episodes.map((episode) => this.makeEpisode(episode))));
     }
-    if (!list.episodes.length && (this.words || !going.length)) parts.push(el("p", { class: "w-quiet" }, this.words ? "No matching episodes." : "No episodes yet: start a task."));
+    if (!list.episodes.length && (this.words || !unfinished.length)) parts.push(el("p", { class: "w-quiet" }, this.words ? "No matching episodes." : "There are no episodes yet. Start a task."));
     if (list.total > list.episodes.length) {
-      parts.push(el("p", { class: "w-quiet" }, `The newest ${list.episodes.length} of ${list.total}; search for the others.`));
+      parts.push(el("p", { class: "w-quiet" }, `The list shows the newest ${list.episodes.length} of ${list.total} episodes. Use the search for older ones.`));
     }
     if (list.broken.length) {
       parts.push(el("details", { class: "s-broken" },
-        el("summary", {}, `${list.broken.length} cannot be read`),
+        el("summary", {}, `${list.broken.length} unreadable ${list.broken.length === 1 ? "episode" : "episodes"}`),
         ...list.broken.map((why) => el("p", {}, why))));
     }
     this.list.replaceChildren(...parts);
@@ -94,7 +94,7 @@ export class Side {
     if (focused) this.list.querySelector<HTMLElement>(`[data-key="${CSS.escape(focused)}"]`)?.focus();
   }
 
-  private link(kind: "episode" | "run", id: string, ...children: (Node | string | null)[]): HTMLElement {
+  private makeLink(kind: "episode" | "run", id: string, ...children: (Node | string | null)[]): HTMLElement {
     const current = this.current.includes(id);
     return el("a", {
       href: write({ kind, ids: [id], time: null, query: null }), "data-key": id, "aria-current": current ? "true" : null,
@@ -106,23 +106,23 @@ export class Side {
     }, ...children);
   }
 
-  private run({ id, task, begun, state, message }: LiveRun): HTMLElement {
+  private makeRun({ id, task, begun, state, message }: LiveRun): HTMLElement {
     const lost = state === "lost";
-    const words = lost ? "ended unexpectedly" : `running${begun ? ` since ${hour(begun)}` : ""}`;
-    return el("li", {}, this.link("run", id,
+    const words = lost ? "ended unexpectedly" : `running${begun ? ` since ${formatStart(begun)}` : ""}`;
+    return el("li", {}, this.makeLink("run", id,
       el("span", { class: "s-title" }, el("i", { class: `s-dot${lost ? " s-dot-lost" : ""}`, "aria-hidden": "true" }), task),
       el("span", { class: "s-what" }, el("span", {}, words)),
       lost && message ? el("span", { class: "s-what s-bad" }, message) : null),
     lost && el("button", { class: "w-button s-clear", type: "button", title: "Remove from the list", "aria-label": `Remove ${task} from the list`, click: () => void clearRun(id).catch(() => {}) }, "\u00d7"));
   }
 
-  private episode(one: Listed): HTMLElement {
+  private makeEpisode(one: Listed): HTMLElement {
     const { performance, low, high, rounds, collisions } = one;
-    const facts = [hourOf(new Date(1000 * one.begun)), `${rounds} ${rounds === 1 ? "round" : "rounds"}`, `${fixed(one.seconds, 0)} s`];
-    if (collisions) facts.push(`pushed ${collisions}\u00d7`);
+    const facts = [formatHour(new Date(1000 * one.begun)), `${rounds} ${rounds === 1 ? "round" : "rounds"}`, `${fixed(one.seconds, 0)} s`];
+    if (collisions) facts.push(`${collisions} ${collisions === 1 ? "push" : "pushes"}`);
     if (!one.has_recording) facts.push("no recording");
     const interval = low !== null && high !== null ? `, 90\u202f% interval ${percent(low)} to ${percent(high)}` : "";
-    return el("li", {}, this.link("episode", one.id,
+    return el("li", {}, this.makeLink("episode", one.id,
       el("span", { class: "s-title" }, el("span", {}, one.title),
         performance === null ? null : el("b", { title: `estimated performance${interval}` }, percent(performance)),
         badge(one)),
@@ -130,22 +130,22 @@ export class Side {
   }
 }
 
-/** Whether the goal was met, in a word. */
+/** Returns a badge with the state of the goal. */
 export function badge({ met, verdict, performance }: Pick<Listed, "met" | "verdict" | "performance">): HTMLElement {
   const judged = goalState(met, verdict);
   const state = judged === "unmet" && performance === null ? "none" : judged;
   return el("span", { class: "s-badge", "data-state": state, title: verdict ?? "" }, { met: "met", unmet: "not met", unknown: "unknown", none: "\u2013" }[state]);
 }
 
-const hourOf = (date: Date): string => date.toLocaleTimeString([], { hour: "2-digit", minute: "2-digit" });
+const formatHour = (date: Date): string => date.toLocaleTimeString([], { hour: "2-digit", minute: "2-digit" });
 
-/** Date and time of a run, in UTC. */
-function hour(begun: string): string {
+/** Formats the local time of day at which a run started. `begun`: date and time in UTC. */
+function formatStart(begun: string): string {
   const date = new Date(`${begun.replace(" ", "T").replace(/Z$/, "")}Z`);
-  return Number.isNaN(date.getTime()) ? begun : hourOf(date);
+  return Number.isNaN(date.getTime()) ? begun : formatHour(date);
 }
 
-function byDay(episodes: Listed[]): Map<string, Listed[]> {
+function groupByDay(episodes: Listed[]): Map<string, Listed[]> {
   const days = new Map<string, Listed[]>();
   const name = (date: Date) => date.toLocaleDateString([], { weekday: "short", year: "numeric", month: "short", day: "numeric" });
   const today = name(new Date());

@@ -1,20 +1,20 @@
-// Where recordings come from: episodes that are kept, and runs that go on.
+// Sources of recordings: episodes and live runs.
 import { Recording } from "../store.ts";
 import { readRecording } from "./server.ts";
 
-/** Most recordings that are kept for a later look. */
+/** Maximum number of cached recordings. */
 const MOST_KEPT = 4;
-/** How long until a broken connection is tried again [ms]. */
+/** Time until the first retry of a refused connection; each further retry waits this much longer [ms]. */
 const RETRY_MS = 1000;
 
 export type Connection = "connecting" | "live" | "reconnecting" | "ended" | "lost" | "gone";
 
-const kept = new Map<string, Recording>();
+const cache = new Map<string, Recording>();
 
-/** The recording of an episode. */
-export async function episode(id: string): Promise<Recording> {
-  const known = kept.get(id);
-  kept.delete(id);
+/** Loads the recording of an episode, or returns it from the cache. */
+export async function loadEpisode(id: string): Promise<Recording> {
+  const known = cache.get(id);
+  cache.delete(id);
   const recording = known ?? (await read(id));
   keep(id, recording);
   return recording;
@@ -27,16 +27,16 @@ async function read(id: string): Promise<Recording> {
   return recording;
 }
 
-/** Whether it is here already. */
-export const isHere = (id: string): boolean => kept.has(id);
+/** Whether a recording is cached. */
+export const isHere = (id: string): boolean => cache.has(id);
 
 function keep(id: string, recording: Recording): void {
-  kept.set(id, recording);
-  const [oldest] = kept.keys();
-  if (kept.size > MOST_KEPT && oldest !== undefined) kept.delete(oldest);
+  cache.set(id, recording);
+  const [oldest] = cache.keys();
+  if (cache.size > MOST_KEPT && oldest !== undefined) cache.delete(oldest);
 }
 
-/** A run that goes on: its recording grows as lines come in; a connection that breaks goes on where it was. */
+/** A live run: its recording grows as lines arrive. After a lost connection it continues at the next line. */
 export class LiveSource {
   readonly recording = new Recording();
   connection: Connection = "connecting";
@@ -59,7 +59,7 @@ export class LiveSource {
     });
     events.addEventListener("message", ({ data, lastEventId }: MessageEvent<string>) => {
       const line = Number(lastEventId);
-      // Twice is once.
+      // A repeated line is skipped.
       if (line <= this.lines) return;
       this.lines = line;
       this.recording.applyLine(data);
@@ -68,7 +68,7 @@ export class LiveSource {
     events.addEventListener("error", () => {
       this.set("reconnecting");
       if (events.readyState !== EventSource.CLOSED) return;
-      // It was refused: the run is gone, or too many look on.
+      // The server refused: the run no longer exists, or has too many viewers.
       this.failures++;
       if (this.failures > 3) {
         this.recording.close();
@@ -81,16 +81,16 @@ export class LiveSource {
 
   private end(data: string): void {
     this.close();
-    const said = JSON.parse(data) as { state: string; message: string };
-    this.message = said.message;
+    const end = JSON.parse(data) as { state: string; message: string };
+    this.message = end.message;
     this.recording.close();
-    const ended = said.state === "ended";
-    // The episode may not lie in the memory yet; what was seen of it is the same.
+    const ended = end.state === "ended";
+    // The episode may not be in the memory yet; the received recording equals it.
     if (ended && this.recording.ended) keep(this.episode, this.recording);
     this.set(ended ? "ended" : "lost");
   }
 
-  /** The name of the episode that the run becomes. */
+  /** Name of the episode of this run. */
   get episode(): string {
     return this.recording.ended?.episode ?? this.id;
   }

@@ -1,4 +1,4 @@
-// The middle: one recording, or two side by side on one clock.
+// The main area: one recording, or two side by side on one clock.
 import { Clock } from "../clock.ts";
 import { el, percent, say } from "../dom.ts";
 import { Story } from "../story.ts";
@@ -10,7 +10,7 @@ import { write } from "./address.ts";
 import { stopRun } from "./server.ts";
 import type { LiveSource } from "./source.ts";
 
-/** Until the clock counts as resting [ms]. */
+/** Time without movement until the clock counts as resting [ms]. */
 const REST_MS = 300;
 
 export interface Source {
@@ -20,9 +20,9 @@ export interface Source {
 }
 
 export interface StageActions {
-  /** The clock rests at this time. */
+  /** Called with the time at which the clock rests [s]. */
   rests(time: number): void;
-  /** Something is to be compared with what is shown. */
+  /** Called when the user wants to compare the shown recording. */
   compare(): void;
   /** Whether a recording is in the memory, as an episode of this name. */
   isKept(id: string): boolean;
@@ -35,7 +35,7 @@ interface Pane extends Source {
 }
 
 export class Stage {
-  readonly element = el("section", { class: "s-stage", "aria-label": "What is shown" });
+  readonly element = el("section", { class: "s-stage", "aria-label": "Recording" });
   private panes: Pane[] = [];
   private clock: Clock | null = null;
   private stops: (() => void)[] = [];
@@ -50,7 +50,7 @@ export class Stage {
     return this.panes[0]?.view.clock.time ?? 0;
   }
 
-  /** Something in words instead of a recording. */
+  /** Shows a message instead of a recording. */
   say(kind: "note" | "fault" | "wait", message: string, ...more: (Node | string)[]): void {
     this.clear();
     this.element.append(el("div", { class: `s-said s-${kind}`, role: kind === "fault" ? "alert" : "status" }, el("p", {}, message), ...more));
@@ -62,7 +62,7 @@ export class Stage {
     this.element.classList.toggle("s-two", compact);
     const shared = compact ? new Clock() : undefined;
     this.clock = shared ?? null;
-    this.panes = sources.map((source) => this.pane(source, shared));
+    this.panes = sources.map((source) => this.makePane(source, shared));
     const clock = this.panes[0]!.view.clock;
     if (time !== null) clock.seek(time);
     let later: ReturnType<typeof setTimeout> | undefined;
@@ -73,7 +73,7 @@ export class Stage {
     }), () => clearTimeout(later));
   }
 
-  private pane(source: Source, shared: Clock | undefined): Pane {
+  private makePane(source: Source, shared: Clock | undefined): Pane {
     const { recording } = source;
     const head = new Head(source, !shared, this.actions);
     const box = el("div", { class: "s-view" });
@@ -90,12 +90,12 @@ export class Stage {
     return { ...source, view, head, stop };
   }
 
-  /** Puts stories away. */
-  makeRoom(): void {
+  /** Closes the summaries. */
+  closeStories(): void {
     for (const { head } of this.panes) head.toggle(false);
   }
 
-  /** Keys go to what is shown. */
+  /** Gives the focus to the shown view. */
   focus(): void {
     const element = this.panes[0]?.view.element;
     if (!element) return;
@@ -103,8 +103,8 @@ export class Stage {
     element.focus({ preventScroll: true });
   }
 
-  /** The connection to a run has changed. */
-  connectionChanged(): void {
+  /** Updates the heads after a change of a connection. */
+  onConnectionChanged(): void {
     for (const { head } of this.panes) head.show();
   }
 
@@ -133,7 +133,7 @@ const CONNECTIONS = {
   gone: "the run no longer exists",
 } as const;
 
-/** What stands over a view: title, result, and what can be done. */
+/** The head of a view: title, result and buttons. */
 class Head {
   readonly element: HTMLElement;
   readonly story: HTMLElement;
@@ -143,16 +143,16 @@ class Head {
   private readonly kept = el("span", { class: "s-kept w-quiet" });
   private readonly stopButton: HTMLButtonElement;
   private readonly storyButton: HTMLButtonElement;
-  private readonly told: Story;
+  private readonly summary: Story;
   private wasLive: boolean;
 
   constructor(private readonly source: Source, private readonly whole: boolean, private readonly actions: StageActions) {
     const { recording, id } = source;
     this.wasLive = source.live !== null;
-    this.told = new Story(recording);
-    this.story = el("div", { class: "s-story", hidden: true }, this.told.element);
+    this.summary = new Story(recording);
+    this.story = el("div", { class: "s-story", hidden: true }, this.summary.element);
     this.stopButton = el("button", { class: "w-button s-stop", type: "button", hidden: true, click: () => void this.stopIt(id) }, "Stop");
-    this.storyButton = el("button", { class: "w-button", type: "button", "aria-pressed": "false", click: () => this.toggle(this.story.hidden) }, "Story");
+    this.storyButton = el("button", { class: "w-button", type: "button", "aria-pressed": "false", click: () => this.toggle(this.story.hidden) }, "Summary");
     this.element = el("header", { class: "s-head" }, this.title, this.result, this.connection, this.kept,
       el("span", { class: "s-actions" }, this.stopButton, this.storyButton,
         whole && el("button", { class: "w-button", type: "button", click: () => actions.compare() }, "Compare")));
@@ -199,13 +199,13 @@ class Head {
         ? el("a", { href: write({ kind: "episode", ids: [episode], time: null, query: null }), title: episode }, "kept as an episode") : "not kept as an episode");
     }
     if (this.wasLive && recording.ended) {
-      // What came of it is what the run was watched for.
+      // When a live run ends, its summary opens.
       this.wasLive = false;
       if (this.whole) this.toggle(true);
     }
   }
 
   destroy(): void {
-    this.told.destroy();
+    this.summary.destroy();
   }
 }

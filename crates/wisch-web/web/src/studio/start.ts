@@ -1,4 +1,4 @@
-// The dialog in which a run is begun.
+// The dialog that starts a run.
 import { el, say } from "../dom.ts";
 import { Refused, startRun } from "./server.ts";
 import type { Scenario } from "./server.ts";
@@ -8,9 +8,9 @@ const STRATEGIES = ["best", "adaptive", "grid", "rrt", "kde"];
 export class StartDialog {
   readonly element: HTMLDialogElement;
   private readonly list = el("ul", { class: "s-scenarios" });
-  private readonly seed = el("input", { type: "number", min: 0, step: 1, placeholder: "the task's", "aria-label": "Seed" });
+  private readonly seed = el("input", { type: "number", min: 0, step: 1, placeholder: "from the task", "aria-label": "Seed" });
   private readonly strategy = el("select", { class: "w-select", "aria-label": "Strategy" },
-    el("option", { value: "" }, "the task's"), ...STRATEGIES.map((name) => el("option", { value: name }, name)));
+    el("option", { value: "" }, "from the task"), ...STRATEGIES.map((name) => el("option", { value: name }, name)));
   private readonly path = el("input", { type: "text", placeholder: "/path/to/task.toml", "aria-label": "Task file on this machine", autocomplete: "off", spellcheck: "false" });
   private readonly fault = el("p", { class: "w-complaint", role: "alert", hidden: true });
   private busy = false;
@@ -23,14 +23,14 @@ export class StartDialog {
         event.preventDefault();
         void this.start(this.path.value.trim());
       },
-    }, el("label", {}, "A task file of your own", this.path), el("button", { class: "w-button", type: "submit" }, "Start"));
+    }, el("label", {}, "Your own task file", this.path), el("button", { class: "w-button", type: "submit" }, "Start"));
     this.element = el("dialog", { class: "s-dialog", "aria-labelledby": "s-start-title" },
       el("header", {}, el("h1", { id: "s-start-title" }, "Start a task"),
         el("button", { class: "w-button", type: "button", "aria-label": "Close", click: () => this.element.close() }, "\u00d7")),
       this.fault, this.list, own,
       el("div", { class: "s-options" }, el("label", {}, "Seed", this.seed), el("label", {}, "Strategy", this.strategy)));
     this.list.append(el("li", {}, "Loading \u2026"));
-    // A click beside it closes it.
+    // A click outside the dialog closes it.
     this.element.addEventListener("click", (event) => { if (event.target === this.element) this.element.close(); });
   }
 
@@ -39,22 +39,22 @@ export class StartDialog {
     this.element.showModal();
   }
 
-  /** Lists what there is to start. */
-  know(scenarios: Scenario[]): void {
+  /** Lists the shipped tasks. */
+  setScenarios(scenarios: Scenario[]): void {
     const key = JSON.stringify(scenarios);
     if (key === this.known) return;
     this.known = key;
     this.list.replaceChildren(...scenarios.map(({ name, about }) => el("li", {},
       el("div", {}, el("b", {}, name), el("p", {}, about)),
       el("button", { class: "w-button s-primary", type: "button", "data-task": name, "aria-label": `Start ${name}`, click: () => void this.start(name) }, "Start"))));
-    if (!scenarios.length) this.list.append(el("li", {}, "The program has no shipped tasks."));
+    if (!scenarios.length) this.list.append(el("li", {}, "No shipped tasks were found."));
   }
 
   private async start(task: string): Promise<void> {
     if (this.busy) return;
     const seed = this.seed.value.trim();
-    if (!task) return this.complain("Give the path of a task file.");
-    if (seed && !/^\d+$/.test(seed)) return this.complain("A seed is a whole number, 0 or greater.");
+    if (!task) return this.complain("The path is empty. Enter the path of a task file.");
+    if (seed && !/^\d+$/.test(seed)) return this.complain("The seed must be a whole number, 0 or greater.");
     this.setBusy(true);
     try {
       const id = await startRun(task, seed ? Number(seed) : null, this.strategy.value || null);

@@ -1,4 +1,4 @@
-// What all parts of the timeline draw with: which time is where, and which lane is where.
+// Layout of the timeline: positions of times and lanes, ticks and text.
 import { colour } from "../theme.ts";
 
 export interface Lane {
@@ -14,32 +14,32 @@ const LABELS: Record<LaneName, string> = {
   force: "Force [N]", height: "Height [mm]", performance: "Done [%]",
 };
 const HEIGHTS: Record<LaneName, number> = { axis: 20, rounds: 20, phases: 18, contact: 12, events: 18, force: 74, height: 50, performance: 88 };
-/** Lanes that have an axis. */
+/** Lanes with a value axis. */
 export const PLOTS: ReadonlySet<LaneName> = new Set<LaneName>(["force", "height", "performance"]);
 const GAP = 4;
 
-/** Where times and lanes lie on the canvas, in pixels of the page. */
+/** Positions of times and lanes on the canvas [CSS pixels]. */
 export class Frame {
   lanes: Lane[] = [];
   left = 112;
   right = 22;
   width = 600;
   height = 0;
-  /** Seconds that are seen. */
+  /** Visible interval [s]. */
   from = 0;
   to = 1;
 
   constructor(readonly names: LaneName[]) {}
 
-  /** Lays the lanes out over a width; plots are lower where there is little height. */
-  lay(width: number, tight: boolean): void {
+  /** Lays out the lanes over a width; with `tight`, plots are lower. */
+  layOut(width: number, tight: boolean): void {
     this.width = width;
     const narrow = width < 560;
     this.left = narrow ? 34 : 112;
     let top = 0;
     this.lanes = this.names.map((name) => {
       const plot = PLOTS.has(name);
-      // On a narrow page the name of a plot stands over it.
+      // On a narrow page, the label of a plot is above it.
       if (narrow && plot) top += 13;
       const lane = { name, label: LABELS[name], top, height: Math.round(HEIGHTS[name] * (plot && tight ? 0.66 : 1)) };
       top += lane.height + GAP + (plot ? 4 : 0);
@@ -71,7 +71,7 @@ export class Frame {
 
 const STEPS = [0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 30, 60, 120, 300, 600, 1200, 1800, 3600, 7200];
 
-/** Times that a label stands at: the step, and the first. */
+/** Returns the step between time labels and their times, at most `most` of them [s]. */
 export function ticks(from: number, to: number, most: number): { step: number; times: number[] } {
   const step = STEPS.find((step) => (to - from) / step <= most) ?? (to - from) / most;
   const times: number[] = [];
@@ -79,7 +79,7 @@ export function ticks(from: number, to: number, most: number): { step: number; t
   return { step, times };
 }
 
-/** Round values of an axis from `low` to `high`. */
+/** Returns round values of an axis from `low` to `high`, about `most` of them. */
 export function levels(low: number, high: number, most: number): number[] {
   const raw = (high - low) / most;
   const power = 10 ** Math.floor(Math.log10(raw));
@@ -95,8 +95,8 @@ export const font = (pen: Pen, size = 11, weight = 400): void => {
   pen.font = `${weight} ${size}px system-ui, -apple-system, "Segoe UI", Roboto, sans-serif`;
 };
 
-/** Text that is cut where it does not fit; nothing if there is no room for a few letters. */
-export function fitted(pen: Pen, text: string, x: number, y: number, room: number): void {
+/** Draws text, shortened to `room` [pixels]; draws nothing if fewer than three letters fit. */
+export function drawFitted(pen: Pen, text: string, x: number, y: number, room: number): void {
   if (room < 14) return;
   let shown = text.length > 200 ? text.slice(0, 200) : text;
   if (pen.measureText(shown).width > room) {
@@ -107,7 +107,7 @@ export function fitted(pen: Pen, text: string, x: number, y: number, room: numbe
   pen.fillText(shown, x, y);
 }
 
-export function line(pen: Pen, x1: number, y1: number, x2: number, y2: number, name: string, width = 1): void {
+export function drawLine(pen: Pen, x1: number, y1: number, x2: number, y2: number, name: string, width = 1): void {
   pen.strokeStyle = colour(name);
   pen.lineWidth = width;
   pen.beginPath();

@@ -1,6 +1,6 @@
-// What an answer points at: bands over all lanes, and their names where there is room for them.
+// Highlighted intervals: bands over all lanes, with their names where space permits.
 import { colour } from "../theme.ts";
-import { fitted, font } from "./frame.ts";
+import { drawFitted, font } from "./frame.ts";
 import type { Frame, Pen } from "./frame.ts";
 
 export interface Interval {
@@ -9,7 +9,7 @@ export interface Interval {
   label: string;
 }
 
-/** A name beside where its band begins [pixels]. */
+/** A name beside the start of its band [pixels]. */
 export interface Tag {
   text: string;
   x: number;
@@ -17,25 +17,25 @@ export interface Tag {
   row: number;
 }
 
-/** A name that is longer is cut. */
+/** Maximum width of a name [pixels]. */
 const WIDEST_PX = 170;
 const ROW_PX = 15;
-/** Between two names in one row, and round each. */
-const APART_PX = 8;
+/** Gap between two names in a row, and padding around each [pixels]. */
+const GAP_PX = 8;
 const PADDING_PX = 3;
-/** So many rows of names cover what is below them. */
+/** Maximum number of rows of names. */
 export const ROWS = 3;
 
-/** Names that overlap none: same ones that lie close are one with their number, others go a row up. What finds no row is left
- * out, and said by the pointer over it. */
+/** Places names without overlap. Equal names that would overlap become one with their count; others move up a row. Names that
+ * fit in no row are omitted; the tooltip still shows them. */
 export function tagsOf(bands: { x: number; label: string }[], measure: (text: string) => number, right: number): Tag[] {
   interface Group { x: number; label: string; count: number }
-  const width = ({ label, count }: Group) => Math.min(WIDEST_PX, measure(titled(label, count)));
+  const width = ({ label, count }: Group) => Math.min(WIDEST_PX, measure(titleOf(label, count)));
   const groups: Group[] = [];
   const lastOf = new Map<string, Group>();
   for (const { x, label } of [...bands].sort((a, b) => a.x - b.x)) {
     const last = lastOf.get(label);
-    if (last && x < last.x + width(last) + APART_PX) {
+    if (last && x < last.x + width(last) + GAP_PX) {
       last.count++;
       continue;
     }
@@ -48,15 +48,15 @@ export function tagsOf(bands: { x: number; label: string }[], measure: (text: st
   for (const group of groups) {
     const wide = width(group);
     const x = Math.min(group.x, right - wide);
-    const row = ends.findIndex((end) => end + APART_PX <= x);
+    const row = ends.findIndex((end) => end + GAP_PX <= x);
     if (row < 0) continue;
     ends[row] = x + wide;
-    tags.push({ text: titled(group.label, group.count), x, width: wide, row });
+    tags.push({ text: titleOf(group.label, group.count), x, width: wide, row });
   }
   return tags;
 }
 
-const titled = (label: string, count: number): string => (count > 1 ? `${label} \u00d7${count}` : label);
+const titleOf = (label: string, count: number): string => (count > 1 ? `${label} \u00d7${count}` : label);
 
 export function drawHighlights(pen: Pen, frame: Frame, highlights: readonly Interval[]): void {
   const top = frame.lane("rounds")?.top ?? 0;
@@ -85,6 +85,6 @@ export function drawHighlights(pen: Pen, frame: Frame, highlights: readonly Inte
     pen.fill();
     pen.globalAlpha = 1;
     pen.fillStyle = colour("ink");
-    fitted(pen, text, x, middle + 0.5, width + 1);
+    drawFitted(pen, text, x, middle + 0.5, width + 1);
   }
 }

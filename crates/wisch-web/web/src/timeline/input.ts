@@ -1,21 +1,21 @@
-// Pointer and wheel on the timeline: drag to scrub, wheel or two fingers to zoom, double-click to see all.
+// Pointer and wheel on the timeline: drag to seek, wheel or two fingers to zoom, double-click to show the whole run.
 
 export interface Handlers {
   seek(x: number): void;
   hover(x: number | null, y: number): void;
-  /** Zooms by a factor about a place, then moves by pixels. */
+  /** Zooms by a factor about x, then moves by `moved` [pixels]. */
   zoom(x: number, factor: number, moved: number): void;
   reset(): void;
 }
 
-export function listen(element: HTMLElement, handlers: Handlers): void {
+export function listenPointer(element: HTMLElement, handlers: Handlers): void {
   const pointers = new Map<number, number>();
   let pinched = false;
   const xOf = (event: MouseEvent) => event.clientX - element.getBoundingClientRect().left;
   const yOf = (event: MouseEvent) => event.clientY - element.getBoundingClientRect().top;
-  const pinch = () => {
+  const measurePinch = () => {
     const [a = 0, b = 0] = [...pointers.values()];
-    return { middle: (a + b) / 2, apart: Math.max(10, Math.abs(a - b)) };
+    return { middle: (a + b) / 2, distance: Math.max(10, Math.abs(a - b)) };
   };
 
   element.addEventListener("pointerdown", (event) => {
@@ -33,11 +33,11 @@ export function listen(element: HTMLElement, handlers: Handlers): void {
       handlers.hover(xOf(event), yOf(event));
       return;
     }
-    const before = pinch();
+    const before = measurePinch();
     pointers.set(event.pointerId, xOf(event));
     if (pointers.size === 2) {
-      const now = pinch();
-      handlers.zoom(before.middle, before.apart / now.apart, now.middle - before.middle);
+      const now = measurePinch();
+      handlers.zoom(before.middle, before.distance / now.distance, now.middle - before.middle);
     } else if (!pinched) {
       handlers.hover(xOf(event), yOf(event));
       handlers.seek(xOf(event));

@@ -1,7 +1,7 @@
-// Lanes of what goes on: rounds, phases and strokes, contact, events.
+// Lanes of the timeline: rounds, phases and strokes, contact, events.
 import { clockText } from "../dom.ts";
 import { colour } from "../theme.ts";
-import { fitted, font, line, ticks } from "./frame.ts";
+import { drawFitted, drawLine, font, ticks } from "./frame.ts";
 import type { Frame, Lane, Pen } from "./frame.ts";
 import type { Round } from "../round.ts";
 import type { Happening, Recording } from "../store.ts";
@@ -14,14 +14,14 @@ export function drawAxis(pen: Pen, frame: Frame, lane: Lane): void {
   const digits = step < 0.1 ? 2 : step < 1 ? 1 : 0;
   for (const t of times) {
     const x = frame.x(t);
-    line(pen, x, lane.top + lane.height, x, frame.height, "grid");
+    drawLine(pen, x, lane.top + lane.height, x, frame.height, "grid");
     pen.fillStyle = colour("quiet");
     pen.fillText(clockText(t, digits), Math.min(Math.max(x, frame.left + 10), frame.width - 16), lane.top + lane.height / 2);
   }
 }
 
-/** From where to where a stretch of time is seen, at least a little; null if it is not. */
-function seen(frame: Frame, start: number, end: number, least = 1): [number, number] | null {
+/** Returns the visible part of an interval as left and right end, at least `least` wide [pixels]; null if it is not visible. */
+function clipInterval(frame: Frame, start: number, end: number, least = 1): [number, number] | null {
   if (end < frame.from || start > frame.to) return null;
   const from = Math.max(frame.x(start), frame.left);
   return [from, Math.max(Math.min(frame.x(end), frame.width - frame.right), from + least)];
@@ -32,7 +32,7 @@ export function drawRounds(pen: Pen, frame: Frame, lane: Lane, recording: Record
   pen.textAlign = "left";
   pen.textBaseline = "middle";
   for (const round of recording.rounds) {
-    const place = seen(frame, round.start, round.end);
+    const place = clipInterval(frame, round.start, round.end);
     if (!place) continue;
     const [from, to] = place;
     pen.fillStyle = colour("round");
@@ -40,13 +40,13 @@ export function drawRounds(pen: Pen, frame: Frame, lane: Lane, recording: Record
     pen.roundRect(from + 0.5, lane.top, Math.max(1, to - from - 1), lane.height, 4);
     pen.fill();
     pen.fillStyle = colour("ink");
-    fitted(pen, roundTitle(round), from + 7, lane.top + lane.height / 2 + 0.5, to - from - 12);
-    if (round.start > frame.from) line(pen, frame.x(round.start), lane.top, frame.x(round.start), frame.height, "rule");
+    drawFitted(pen, roundTitle(round), from + 7, lane.top + lane.height / 2 + 0.5, to - from - 12);
+    if (round.start > frame.from) drawLine(pen, frame.x(round.start), lane.top, frame.x(round.start), frame.height, "rule");
   }
 }
 
 export const roundTitle = (round: Round): string => {
-  const ended = round.judged ? round.judged.verdict : round.plan.kind === "planned" ? "planned only" : round.over ? "not judged" : "running";
+  const ended = round.judged ? round.judged.verdict : round.plan.kind === "planned" ? "planned only" : round.over ? "no result" : "running";
   return `${round.number} \u00b7 ${ended}`;
 };
 
@@ -56,19 +56,19 @@ export function drawPhases(pen: Pen, frame: Frame, lane: Lane, recording: Record
   pen.textBaseline = "middle";
   for (const { start, plan, length } of recording.rounds) {
     for (const phase of plan.phases) {
-      const place = seen(frame, start + phase.start, start + Math.min(phase.end, Math.max(length, phase.start)));
+      const place = clipInterval(frame, start + phase.start, start + Math.min(phase.end, Math.max(length, phase.start)));
       if (!place) continue;
       const [from, to] = place;
       pen.fillStyle = colour(phase.contact ? "wiping" : "lane");
       pen.fillRect(from, lane.top, Math.max(1, to - from - 1), lane.height);
       pen.fillStyle = colour(phase.contact ? "ink" : "quiet");
-      // A stroke's number stays where its name finds no room.
+      // Without space for its name, a stroke still gets its number.
       const number = phase.stroke === null ? "" : String(phase.stroke + 1);
       const text = number ? `${number} ${phase.name}` : phase.name;
       const y = lane.top + lane.height / 2 + 0.5;
       if (number && pen.measureText(text).width > to - from - 7) {
         if (pen.measureText(number).width <= to - from - 3) pen.fillText(number, (from + to - pen.measureText(number).width) / 2, y);
-      } else fitted(pen, text, from + 4, y, to - from - 7);
+      } else drawFitted(pen, text, from + 4, y, to - from - 7);
     }
   }
 }
@@ -77,16 +77,16 @@ export function drawContact(pen: Pen, frame: Frame, lane: Lane, recording: Recor
   pen.fillStyle = colour("lane");
   pen.fillRect(frame.left, lane.top, frame.span, lane.height);
   for (const round of recording.rounds) {
-    if (!seen(frame, round.start, round.end)) continue;
+    if (!clipInterval(frame, round.start, round.end)) continue;
     pen.fillStyle = colour("contact");
     if (round.judged) {
       for (const [from, to] of round.judged.contacts) {
-        const place = seen(frame, round.start + from, round.start + to);
+        const place = clipInterval(frame, round.start + from, round.start + to);
         if (place) pen.fillRect(place[0], lane.top, place[1] - place[0], lane.height);
       }
     } else {
-      // Not judged yet: where it presses.
-      eachPixel(frame, round, (x, from, to) => {
+      // Before the result, contact is where the measured force exceeds the threshold.
+      forEachPixel(frame, round, (x, from, to) => {
         const range = round.normal.range(from, to);
         if (range && range[1] > round.touchForce) pen.fillRect(x, lane.top, 1, lane.height);
       });
@@ -94,8 +94,8 @@ export function drawContact(pen: Pen, frame: Frame, lane: Lane, recording: Recor
   }
 }
 
-/** Calls back for each column of pixels with the samples that lie in it. */
-export function eachPixel(frame: Frame, round: Round, draw: (x: number, from: number, to: number) => void): void {
+/** Calls `draw` for each column of pixels with the index range of its samples. */
+export function forEachPixel(frame: Frame, round: Round, draw: (x: number, from: number, to: number) => void): void {
   if (!round.count) return;
   const first = Math.max(Math.floor(frame.left), Math.floor(frame.x(round.start)));
   const last = Math.min(frame.width - frame.right, frame.x(round.start + round.t.last));
@@ -107,7 +107,7 @@ export function eachPixel(frame: Frame, round: Round, draw: (x: number, from: nu
   }
 }
 
-/** What an event looks like, by what it is. */
+/** Returns the name of an event's colour. */
 export const eventColour = ({ source, kind, byHand }: Happening): string =>
   source === "push" ? "push" : /collision/i.test(kind) ? "collision" : byHand ? "hand" : "event";
 
@@ -116,7 +116,7 @@ export function drawEvents(pen: Pen, frame: Frame, lane: Lane, recording: Record
   pen.fillRect(frame.left, lane.top, frame.span, lane.height);
   const middle = lane.top + lane.height / 2;
   for (const event of recording.happenings) {
-    const place = seen(frame, event.start, event.end, 3);
+    const place = clipInterval(frame, event.start, event.end, 3);
     if (!place) continue;
     const [from, to] = place;
     const name = eventColour(event);
@@ -129,12 +129,12 @@ export function drawEvents(pen: Pen, frame: Frame, lane: Lane, recording: Record
       continue;
     }
     pen.fillRect(from, middle - 2.5, to - from, 5);
-    mark(pen, name, from, middle);
+    drawMark(pen, name, from, middle);
   }
 }
 
-/** A mark whose form tells the kind too: triangle, circle, square. */
-function mark(pen: Pen, name: string, x: number, y: number): void {
+/** Draws a mark whose shape also shows the kind of event: triangle, circle or square. */
+function drawMark(pen: Pen, name: string, x: number, y: number): void {
   pen.beginPath();
   if (name === "collision") {
     pen.moveTo(x - 6, y + 5.5);

@@ -1,7 +1,7 @@
-// Plots over the clock: force, height, and how much is done.
+// Plots over time: force, height and performance.
 import { colour } from "../theme.ts";
-import { eachPixel } from "./lanes.ts";
-import { font, levels, line } from "./frame.ts";
+import { forEachPixel } from "./lanes.ts";
+import { drawLine, font, levels } from "./frame.ts";
 import type { Frame, Lane, Pen } from "./frame.ts";
 import type { PlotColumn } from "../columns.ts";
 import type { Estimate } from "../recording.ts";
@@ -10,21 +10,21 @@ import type { Recording } from "../store.ts";
 
 type Scale = (value: number) => number;
 
-/** Axis of a plot, its grid, and where values lie. */
-function axis(pen: Pen, frame: Frame, lane: Lane, low: number, high: number, most: number, shown: (value: number) => string): Scale {
+/** Draws the axis and grid of a plot; returns its scale. */
+function drawScale(pen: Pen, frame: Frame, lane: Lane, low: number, high: number, most: number, shown: (value: number) => string): Scale {
   const y = (value: number) => lane.top + lane.height - ((value - low) / (high - low)) * lane.height;
   font(pen, 10);
   pen.textAlign = "right";
   pen.textBaseline = "middle";
   for (const value of levels(low, high, most)) {
-    line(pen, frame.left, y(value), frame.width - frame.right, y(value), Math.abs(value) < 1e-12 ? "rule" : "grid");
+    drawLine(pen, frame.left, y(value), frame.width - frame.right, y(value), Math.abs(value) < 1e-12 ? "rule" : "grid");
     pen.fillStyle = colour("quiet");
     pen.fillText(shown(value), frame.left - 5, Math.min(Math.max(y(value), lane.top + 4), lane.top + lane.height - 3));
   }
   return y;
 }
 
-function clipped(pen: Pen, frame: Frame, lane: Lane, draw: () => void): void {
+function drawClipped(pen: Pen, frame: Frame, lane: Lane, draw: () => void): void {
   pen.save();
   pen.beginPath();
   pen.rect(frame.left - 1, lane.top - 2, frame.span + 2, lane.height + 4);
@@ -33,18 +33,18 @@ function clipped(pen: Pen, frame: Frame, lane: Lane, draw: () => void): void {
   pen.restore();
 }
 
-/** A measured column of all rounds; `unit` turns what is kept into what is shown. */
+/** Draws a measured column of all rounds; `unit` converts its values to shown values. */
 export function drawMeasured(pen: Pen, frame: Frame, lane: Lane, recording: Recording, of: (round: Round) => PlotColumn, look: { name: string; unit: number; least: number; bounds?: [number, number] }): void {
   let [low, high] = [0, look.least];
   for (const round of recording.rounds) {
     const { least, largest } = of(round);
     if (least <= largest) [low, high] = [Math.min(low, least * look.unit), Math.max(high, largest * look.unit)];
   }
-  // What lies far from the surface would flatten what happens on it.
+  // Heights far from the surface would flatten the heights in contact.
   if (look.bounds) [low, high] = [Math.max(low, look.bounds[0]), Math.min(high, look.bounds[1])];
   const room = 0.06 * (high - low);
-  const y = axis(pen, frame, lane, low < 0 ? low - room : 0, high + room, 3, (value) => String(Number(value.toPrecision(3))).replace("-", "\u2212"));
-  clipped(pen, frame, lane, () => {
+  const y = drawScale(pen, frame, lane, low < 0 ? low - room : 0, high + room, 3, (value) => String(Number(value.toPrecision(3))).replace("-", "\u2212"));
+  drawClipped(pen, frame, lane, () => {
     for (const round of recording.rounds) {
       if (round.end < frame.from || round.start > frame.to || !round.count) continue;
       pen.strokeStyle = colour(look.name);
@@ -53,15 +53,15 @@ export function drawMeasured(pen: Pen, frame: Frame, lane: Lane, recording: Reco
       pen.beginPath();
       const column = of(round);
       const dense = round.count * ((frame.to - frame.from) / Math.max(round.length, 1e-9)) > 4 * frame.span;
-      if (dense) envelope(pen, frame, round, column, (value) => y(value * look.unit));
-      else each(pen, frame, round, column, (value) => y(value * look.unit));
+      if (dense) drawEnvelope(pen, frame, round, column, (value) => y(value * look.unit));
+      else drawSamples(pen, frame, round, column, (value) => y(value * look.unit));
       pen.stroke();
     }
   });
 }
 
-/** Every sample that is seen. */
-function each(pen: Pen, frame: Frame, round: Round, column: PlotColumn, y: Scale): void {
+/** Draws every visible sample. */
+function drawSamples(pen: Pen, frame: Frame, round: Round, column: PlotColumn, y: Scale): void {
   const from = round.place(frame.from - round.start)[0];
   const to = Math.min(round.count, round.place(frame.to - round.start)[0] + 2);
   let down = false;
@@ -75,10 +75,10 @@ function each(pen: Pen, frame: Frame, round: Round, column: PlotColumn, y: Scale
   }
 }
 
-/** From the least to the largest of each column of pixels. */
-function envelope(pen: Pen, frame: Frame, round: Round, column: PlotColumn, y: Scale): void {
+/** Draws minimum to maximum of each column of pixels. */
+function drawEnvelope(pen: Pen, frame: Frame, round: Round, column: PlotColumn, y: Scale): void {
   let down = false;
-  eachPixel(frame, round, (x, from, to) => {
+  forEachPixel(frame, round, (x, from, to) => {
     const range = column.range(from, to + 1);
     if (!range) { down = false; return; }
     const [top, bottom] = [y(range[1]), y(range[0])];
@@ -89,24 +89,24 @@ function envelope(pen: Pen, frame: Frame, round: Round, column: PlotColumn, y: S
   });
 }
 
-/** How much is done: predicted growth, estimates with their intervals, the truth, the target. */
+/** Draws predicted, estimated and true performance, and the target. */
 export function drawPerformance(pen: Pen, frame: Frame, lane: Lane, recording: Recording): void {
-  const y = axis(pen, frame, lane, 0, 1, 2, (value) => String(Math.round(100 * value)));
+  const y = drawScale(pen, frame, lane, 0, 1, 2, (value) => String(Math.round(100 * value)));
   const target = recording.head?.task.target;
   const right = frame.width - frame.right;
-  clipped(pen, frame, lane, () => {
+  drawClipped(pen, frame, lane, () => {
     if (target !== undefined) {
       pen.setLineDash([6, 4]);
-      line(pen, frame.left, y(target), right, y(target), "target", 1.5);
+      drawLine(pen, frame.left, y(target), right, y(target), "target", 1.5);
       pen.setLineDash([]);
     }
     for (const round of recording.rounds) {
       if (round.end < frame.from || round.start > frame.to) continue;
-      growth(pen, frame, round, y);
+      drawGrowth(pen, frame, round, y);
     }
   });
   for (const round of recording.rounds) {
-    if (round.judged && round.end >= frame.from && round.end <= frame.to + 1e-9) whiskers(pen, frame.x(round.end), y, round);
+    if (round.judged && round.end >= frame.from && round.end <= frame.to + 1e-9) drawWhiskers(pen, frame.x(round.end), y, round);
   }
   if (target === undefined) return;
   font(pen, 10);
@@ -116,7 +116,7 @@ export function drawPerformance(pen: Pen, frame: Frame, lane: Lane, recording: R
   pen.fillText(`target ${Math.round(100 * target)}\u202f%`, frame.left + 5, y(target) + (target > 0.8 ? 3 : -2));
 }
 
-function growth(pen: Pen, frame: Frame, round: Round, y: Scale): void {
+function drawGrowth(pen: Pen, frame: Frame, round: Round, y: Scale): void {
   const points = round.plan.growth;
   if (!points.length) return;
   pen.strokeStyle = colour("believed");
@@ -132,24 +132,24 @@ function growth(pen: Pen, frame: Frame, round: Round, y: Scale): void {
   pen.stroke();
 }
 
-function whiskers(pen: Pen, x: number, y: Scale, { judged, truth }: Round): void {
+function drawWhiskers(pen: Pen, x: number, y: Scale, { judged, truth }: Round): void {
   const { estimate, felt } = judged!;
-  whisker(pen, x - 13, y, felt, "felt", 1.4, 3);
+  drawWhisker(pen, x - 13, y, felt, "felt", 1.4, 3);
   pen.fillStyle = colour("interval");
   pen.fillRect(x - 6, y(estimate.high), 12, y(estimate.low) - y(estimate.high));
-  whisker(pen, x, y, estimate, "estimated", 2, 5);
+  drawWhisker(pen, x, y, estimate, "estimated", 2, 5);
   if (truth?.performance === null || truth?.performance === undefined) return;
   const at = y(truth.performance);
   for (const [width, name] of [[5, "paper"], [2.4, "actual"]] as const) {
-    line(pen, x + 7, at - 4.5, x + 16, at + 4.5, name, width);
-    line(pen, x + 16, at - 4.5, x + 7, at + 4.5, name, width);
+    drawLine(pen, x + 7, at - 4.5, x + 16, at + 4.5, name, width);
+    drawLine(pen, x + 16, at - 4.5, x + 7, at + 4.5, name, width);
   }
 }
 
-function whisker(pen: Pen, x: number, y: Scale, { mean, low, high }: Estimate, name: string, width: number, cap: number): void {
-  line(pen, x, y(low), x, y(high), name, width);
-  line(pen, x - cap, y(low), x + cap, y(low), name, width);
-  line(pen, x - cap, y(high), x + cap, y(high), name, width);
+function drawWhisker(pen: Pen, x: number, y: Scale, { mean, low, high }: Estimate, name: string, width: number, cap: number): void {
+  drawLine(pen, x, y(low), x, y(high), name, width);
+  drawLine(pen, x - cap, y(low), x + cap, y(low), name, width);
+  drawLine(pen, x - cap, y(high), x + cap, y(high), name, width);
   pen.fillStyle = colour(name);
   pen.beginPath();
   pen.arc(x, y(mean), 1.7 * width, 0, 2 * Math.PI);
