@@ -277,7 +277,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn times_are_read_as_they_are_meant() {
+    fn times_and_days_are_parsed() {
         assert_eq!(time("1970-01-02"), Ok(DAY));
         assert_eq!(time("1970-01-02T01:00:00Z"), Ok(DAY + 3600.0));
         assert!(end_time("1970-01-01").unwrap() > DAY - 1.0);

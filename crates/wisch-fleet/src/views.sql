@@ -1,5 +1,5 @@
 -- Frequent questions about wiping. They are views of wisch-fleet; other engines over the same Parquet files can use them too.
--- Means are computed of decimals: their sums do not depend on the order, so an answer is the same for any number of threads and machines.
+-- Means are computed from decimals, whose sums do not depend on the order. An answer is therefore the same for any number of threads and machines.
 
 -- Episodes with a final estimated performance of 80 % or less.
 CREATE VIEW low_performance AS

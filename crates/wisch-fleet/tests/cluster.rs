@@ -1,35 +1,35 @@
-//! The same answers from a scheduler and its executors, which are processes of the program on loopback.
+//! A scheduler and its executors, which are processes on loopback, give the same answers as one machine.
 
 use crate::memories::{memory, some};
-use crate::processes::{Cluster, in_time, program, sorted};
+use crate::processes::{Cluster, program, run_in_time, sort_lines};
 use crate::queries::records;
 use crate::s3_server::{KEY_ID, SECRET, Server};
 use std::process::{Command, Output};
 use std::time::Duration;
 use wisch_fleet::ask::views;
 
-/// The answers here and there.
-fn both(
+/// Returns the answers of one machine and of the cluster.
+fn ask_both(
     cluster: &Cluster,
     program: &dyn Fn() -> Command,
     sources: &[&str],
     sql: &str,
 ) -> [Vec<String>; 2] {
     let mut here = program();
-    let here = in_time(here.args(["sql", sql, "--csv"]).args(sources), sql);
+    let here = run_in_time(here.args(["sql", sql, "--csv"]).args(sources), sql);
     let there = cluster.ask(program(), sources, sql);
-    [sorted(&here, sql), sorted(&there, sql)]
+    [sort_lines(&here, sql), sort_lines(&there, sql)]
 }
 
-/// They are the same, byte for byte.
-fn same(cluster: &Cluster, program: &dyn Fn() -> Command, sources: &[&str], sql: &str) {
-    let [here, there] = both(cluster, program, sources, sql);
+/// Checks that both answers are equal, byte for byte.
+fn assert_equal(cluster: &Cluster, program: &dyn Fn() -> Command, sources: &[&str], sql: &str) {
+    let [here, there] = ask_both(cluster, program, sources, sql);
     assert_eq!(here, there, "{sql}");
 }
 
-/// They are the same but for the last bits of sums of doubles, which depend on the order.
-fn close(cluster: &Cluster, sources: &[&str], sql: &str) {
-    let [here, there] = both(cluster, &program, sources, sql);
+/// Checks that both answers are equal up to rounding: sums of doubles depend on the order.
+fn assert_close(cluster: &Cluster, sources: &[&str], sql: &str) {
+    let [here, there] = ask_both(cluster, &program, sources, sql);
     let cells = |lines: &[String]| -> Vec<String> {
         let cells = lines.iter().flat_map(|line| line.split(','));
         cells.map(str::to_owned).collect()
@@ -44,7 +44,7 @@ fn close(cluster: &Cluster, sources: &[&str], sql: &str) {
     }
 }
 
-/// Sources of every kind: a fleet, a memory that shares episodes with it, a fleet of which there is nothing yet.
+/// Sources of every kind: a fleet, a memory that shares episodes with it, and a fleet without objects.
 struct Sources {
     folder: tempfile::TempDir,
 }
@@ -56,7 +56,7 @@ impl Sources {
         let here = memory(&folder.path().join("pushed"), &all[..220]);
         memory(&folder.path().join("memory"), &all[180..]);
         let fleet = folder.path().join("fleet");
-        let output = in_time(program().arg("push").args([here.folder(), &fleet]), "push");
+        let output = run_in_time(program().arg("push").args([here.folder(), &fleet]), "push");
         assert!(output.status.success());
         Self { folder }
     }
@@ -66,7 +66,7 @@ impl Sources {
     }
 }
 
-/// Whatever DataFusion does otherwise when others do it.
+/// Statements whose plan for a cluster differs from the plan for one machine.
 const STATEMENTS: [&str; 18] = [
     "SELECT count(*) AS n FROM strokes",
     "SELECT tool, surface, count(*) AS n, min(performance) AS low, max(performance) AS high FROM rounds GROUP BY tool, surface",
@@ -88,13 +88,13 @@ const STATEMENTS: [&str; 18] = [
     "SELECT count(*) AS n FROM episodes AS a WHERE EXISTS (SELECT 1 FROM events AS b WHERE b.episode = a.episode AND b.start_s > a.start_s)",
 ];
 
-/// Sums and means of doubles. They also differ between machines with more cores and fewer.
+/// Sums and means of doubles. They also differ between machines with different numbers of cores.
 const SUMS: [&str; 2] = [
     "SELECT tool, sum(performance) AS s, avg(performance_high) AS m FROM rounds GROUP BY tool",
     "SELECT class, stddev(end_s - start_s) AS d FROM motions GROUP BY class",
 ];
 
-/// What Ballista would answer with too many rows or never, where there is more than one source.
+/// Statements over several sources for which Ballista would return too many rows, or never end.
 const REFUSED: [&str; 5] = [
     "SELECT a.episode, b.episode AS other FROM episodes AS a LEFT JOIN episodes AS b ON a.start_s > b.end_s + 9000 AND a.tool <> b.tool",
     "SELECT a.tool, count(*) AS n FROM episodes AS a LEFT JOIN episodes AS b ON a.start_s > b.end_s + 9000 AND a.tool <> b.tool GROUP BY a.tool",
@@ -104,7 +104,7 @@ const REFUSED: [&str; 5] = [
 ];
 
 #[test]
-fn answers_are_those_of_one_machine() {
+fn answers_equal_those_of_one_machine() {
     let sources = Sources::write();
     let folder = tempfile::tempdir().unwrap();
     let cluster = Cluster::begin(folder.path(), 2, program);
@@ -117,7 +117,7 @@ fn answers_are_those_of_one_machine() {
     ];
     for sources in kinds {
         for view in views::all() {
-            same(
+            assert_equal(
                 &cluster,
                 &program,
                 sources,
@@ -125,15 +125,15 @@ fn answers_are_those_of_one_machine() {
             );
         }
         for sql in STATEMENTS {
-            same(&cluster, &program, sources, sql);
+            assert_equal(&cluster, &program, sources, sql);
         }
         for sql in SUMS {
-            close(&cluster, sources, sql);
+            assert_close(&cluster, sources, sql);
         }
     }
     for sql in REFUSED {
-        let said = failed(&cluster.ask(program(), kinds[3], sql));
-        assert!(said.contains("without a cluster"), "{sql}: {said}");
+        let message = read_error(&cluster.ask(program(), kinds[3], sql));
+        assert!(message.contains("without a cluster"), "{sql}: {message}");
     }
 }
 
@@ -142,54 +142,54 @@ fn a_bucket_is_read_with_the_executors_own_credentials() {
     let folder = tempfile::tempdir().unwrap();
     let server = Server::start(&folder.path().join("s3"));
     let here = memory(&folder.path().join("here"), &some(40));
-    let asking = || server.program(SECRET);
-    let mut push = asking();
+    let s3_program = || server.program(SECRET);
+    let mut push = s3_program();
     push.arg("push").arg(here.folder()).arg("s3://fleet/robots");
-    assert!(in_time(&mut push, "push").status.success());
+    assert!(run_in_time(&mut push, "push").status.success());
     let sources = ["--fleet", "s3://fleet/robots"];
-    // The scheduler has no credentials: it reads nothing.
+    // The scheduler reads nothing, so it needs no credentials.
     let mut cluster = Cluster::begin(folder.path(), 0, program);
-    cluster.add(asking());
+    cluster.add(s3_program());
     for sql in STATEMENTS {
-        same(&cluster, &asking, &sources, sql);
+        assert_equal(&cluster, &s3_program, &sources, sql);
     }
     for view in views::all() {
-        same(
+        assert_equal(
             &cluster,
-            &asking,
+            &s3_program,
             &sources,
             &format!("SELECT * FROM {}", view.name),
         );
     }
-    // Nobody has a password from another.
+    // No process gets credentials from another.
     cluster.executors.clear();
     cluster.add(server.program("another-secret"));
     let output = cluster.ask(
-        asking(),
+        s3_program(),
         &sources,
         "SELECT count(DISTINCT episode) FROM events",
     );
-    let said = failed(&output);
+    let message = read_error(&output);
     assert!(
-        said.contains("AWS_SECRET_ACCESS_KEY") && said.contains(&cluster.url),
-        "{said}"
+        message.contains("AWS_SECRET_ACCESS_KEY") && message.contains(&cluster.url),
+        "{message}"
     );
     let errors = cluster.errors();
-    for text in [&said, &errors] {
+    for text in [&message, &errors] {
         for secret in [KEY_ID, SECRET, "another-secret"] {
             assert!(!text.contains(secret), "{text}");
         }
     }
 }
 
-/// What a program that failed says; it is one line.
-fn failed(output: &Output) -> String {
-    let said = String::from_utf8_lossy(&output.stderr);
-    assert_eq!(output.status.code(), Some(2), "{said}");
-    let mut lines = said.trim_end().lines();
-    // That sources share episodes may be said before.
+/// Returns the error of a failed program, which is one line.
+fn read_error(output: &Output) -> String {
+    let message = String::from_utf8_lossy(&output.stderr);
+    assert_eq!(output.status.code(), Some(2), "{message}");
+    let mut lines = message.trim_end().lines();
+    // A note on shared episodes may precede it.
     let error = lines.find(|line| line.starts_with("error: "));
-    assert_eq!(lines.next(), None, "{said}");
+    assert_eq!(lines.next(), None, "{message}");
     error.expect("an error").to_owned()
 }
 
@@ -201,42 +201,42 @@ fn no_scheduler_and_no_executor_are_errors() {
     let ask = |url: &str| {
         let mut command = program();
         command.args(["sql", "SELECT count(*) FROM episodes", "--memory", &memory]);
-        failed(&in_time(command.args(["--cluster", url]), url))
+        read_error(&run_in_time(command.args(["--cluster", url]), url))
     };
     for wrong in [
         "127.0.0.1:50050",
         "http://127.0.0.1:50050",
         "df://127.0.0.1",
     ] {
-        let said = ask(wrong);
+        let message = ask(wrong);
         assert!(
-            said.contains("df://HOST:PORT") && said.contains(wrong),
-            "{said}"
+            message.contains("df://HOST:PORT") && message.contains(wrong),
+            "{message}"
         );
     }
-    // A port that was free a moment ago.
+    // A port that was just free.
     let listener = std::net::TcpListener::bind("127.0.0.1:0").unwrap();
     let silent = format!("df://{}", listener.local_addr().unwrap());
-    let said = ask(&silent);
+    let message = ask(&silent);
     assert!(
-        said.contains(&silent),
-        "who listens but is no scheduler: {said}"
+        message.contains(&silent),
+        "a listener that is no scheduler: {message}"
     );
     drop(listener);
-    let said = ask(&silent);
+    let message = ask(&silent);
     assert!(
-        said.contains(&silent) && said.contains("no scheduler"),
-        "{said}"
+        message.contains(&silent) && message.contains("no scheduler"),
+        "{message}"
     );
     let cluster = Cluster::begin(folder.path(), 0, program);
-    let said = ask(&cluster.url);
+    let message = ask(&cluster.url);
     assert!(
-        said.contains(&cluster.url) && said.contains("no executor"),
-        "{said}"
+        message.contains(&cluster.url) && message.contains("no executor"),
+        "{message}"
     );
 }
 
-/// Long enough to die meanwhile, with tasks for two.
+/// A statement that takes long enough to kill a process meanwhile, with tasks for two executors.
 const LONG: &str = "SELECT count(*) AS n FROM (SELECT unnest(range(0, 12)) AS k) AS c JOIN motions AS a ON a.round + c.k > 0 \
      JOIN motions AS b ON a.start_s < b.end_s + sin(a.start_s * b.start_s)";
 
@@ -256,29 +256,29 @@ fn when_an_executor_dies_its_statement_fails_and_others_answer() {
             .status();
         asked.join().unwrap()
     });
-    // It may have had no part in the answer.
+    // The killed executor may have had no task of the statement.
     if found.status.success() {
         let mut here = program();
-        let here = in_time(here.args(["sql", LONG, "--csv"]).args(from), LONG);
-        assert_eq!(sorted(&found, LONG), sorted(&here, LONG));
+        let here = run_in_time(here.args(["sql", LONG, "--csv"]).args(from), LONG);
+        assert_eq!(sort_lines(&found, LONG), sort_lines(&here, LONG));
     } else {
-        let said = failed(&found);
+        let message = read_error(&found);
         assert!(
-            said.contains("executor") && said.contains(&cluster.url),
-            "{said}"
+            message.contains("executor") && message.contains(&cluster.url),
+            "{message}"
         );
     }
     cluster.executors.remove(0);
-    same(&cluster, &program, &from, STATEMENTS[1]);
+    assert_equal(&cluster, &program, &from, STATEMENTS[1]);
     cluster.executors.clear();
-    let said = failed(&cluster.ask(program(), &from, STATEMENTS[1]));
+    let message = read_error(&cluster.ask(program(), &from, STATEMENTS[1]));
     assert!(
-        said.contains("executor") && said.contains(&cluster.url),
-        "{said}"
+        message.contains("executor") && message.contains(&cluster.url),
+        "{message}"
     );
     cluster.scheduler.kill();
-    let said = failed(&cluster.ask(program(), &from, STATEMENTS[1]));
-    assert!(said.contains("no scheduler"), "{said}");
+    let message = read_error(&cluster.ask(program(), &from, STATEMENTS[1]));
+    assert!(message.contains("no scheduler"), "{message}");
 }
 
 #[test]
@@ -295,12 +295,12 @@ fn a_statement_fails_when_its_scheduler_dies() {
             .status();
         asked.join().unwrap()
     });
-    let said = failed(&found);
-    assert!(said.contains(&cluster.url), "{said}");
+    let message = read_error(&found);
+    assert!(message.contains(&cluster.url), "{message}");
 }
 
 #[test]
-fn what_is_said_of_tables_and_plans_is_said_here() {
+fn descriptions_of_tables_and_plans_come_from_the_client() {
     let sources = Sources::write();
     let folder = tempfile::tempdir().unwrap();
     let cluster = Cluster::begin(folder.path(), 1, program);
@@ -312,16 +312,16 @@ fn what_is_said_of_tables_and_plans_is_said_here() {
         "DESCRIBE rounds",
     ] {
         let output = cluster.ask(program(), &from, sql);
-        assert!(sorted(&output, sql).len() > 3, "{sql}");
+        assert!(sort_lines(&output, sql).len() > 3, "{sql}");
     }
     for sql in [
         "EXPLAIN SELECT count(*) FROM rounds",
         "EXPLAIN ANALYZE SELECT count(*) FROM rounds",
     ] {
         let output = cluster.ask(program(), &from, sql);
-        assert!(sorted(&output, sql).len() > 1, "{sql}");
+        assert!(sort_lines(&output, sql).len() > 1, "{sql}");
     }
     let mixed = "SELECT count(*) FROM episodes, information_schema.tables";
-    let said = failed(&cluster.ask(program(), &from, mixed));
-    assert!(said.contains("information_schema"), "{said}");
+    let message = read_error(&cluster.ask(program(), &from, mixed));
+    assert!(message.contains("information_schema"), "{message}");
 }

@@ -1,4 +1,4 @@
-//! docs/fleet.md lists the columns and views that there are.
+//! docs/fleet.md lists every column and view.
 
 use wisch_fleet::ask::views;
 use wisch_fleet::tables::TABLES;

@@ -1,4 +1,4 @@
-//! Everything that must hold of a fleet, against memories of synthetic episodes.
+//! Tests of the fleet with memories of synthetic episodes.
 
 #[cfg(feature = "cluster")]
 mod cluster;

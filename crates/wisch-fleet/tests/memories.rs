@@ -1,4 +1,4 @@
-//! Memories to push, pull and ask.
+//! Memories for the tests.
 
 use crate::records;
 use std::collections::BTreeMap;
@@ -9,17 +9,17 @@ use wisch_fleet::store::StorePlace;
 use wisch_memory::{EpisodeRecord, Mark, Memory, TelemetryHead};
 
 pub const SEED: u64 = 7;
-/// Of the telemetry that there is.
+/// Number of samples in the telemetry.
 pub const SAMPLES: usize = 1000;
 
-/// Synthetic records of these numbers.
+/// Returns the first synthetic records.
 pub fn some(count: usize) -> Vec<EpisodeRecord> {
     (0..count)
         .map(|number| records::record(SEED, number))
         .collect()
 }
 
-/// A memory of these; the first of all has telemetry of its first round.
+/// Creates a memory of these episodes. The first synthetic one has telemetry of its first round.
 pub fn memory(folder: &Path, records: &[EpisodeRecord]) -> Memory {
     let memory = Memory::create(folder).unwrap();
     for record in records {
@@ -47,7 +47,7 @@ pub fn memory(folder: &Path, records: &[EpisodeRecord]) -> Memory {
     memory
 }
 
-/// All files of a memory's episodes, by name.
+/// Returns all files of a memory's episodes, by name.
 pub fn contents(memory: &Memory) -> BTreeMap<String, Vec<u8>> {
     let mut all = BTreeMap::new();
     for id in memory.episodes().unwrap() {

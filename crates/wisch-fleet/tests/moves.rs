@@ -1,4 +1,4 @@
-//! Episodes into a fleet and out of it.
+//! Push, pull and verification.
 
 use crate::memories::{contents, memory, place, session, some};
 use std::fs;
@@ -11,7 +11,7 @@ fn quiet() -> impl FnMut(usize, usize) {
 }
 
 #[tokio::test]
-async fn what_is_pushed_comes_back_byte_for_byte() {
+async fn pushed_episodes_are_pulled_byte_for_byte() {
     let folder = tempfile::tempdir().unwrap();
     let memory = memory(&folder.path().join("here"), &some(30));
     let fleet = place(&folder.path().join("fleet"));
@@ -35,7 +35,7 @@ async fn what_is_pushed_comes_back_byte_for_byte() {
 }
 
 #[tokio::test]
-async fn filters_select() {
+async fn filters_select_episodes() {
     let folder = tempfile::tempdir().unwrap();
     let records = some(80);
     let memory = memory(&folder.path().join("here"), &records);
@@ -129,7 +129,7 @@ async fn two_episodes_of_one_name_are_a_conflict() {
 }
 
 #[tokio::test(flavor = "multi_thread")]
-async fn two_pushers_at_once_double_nothing() {
+async fn simultaneous_pushes_add_each_episode_once() {
     let folder = tempfile::tempdir().unwrap();
     let records = some(60);
     let one = memory(&folder.path().join("one"), &records[..40]);
@@ -157,7 +157,7 @@ async fn two_pushers_at_once_double_nothing() {
 }
 
 #[tokio::test]
-async fn a_damaged_archive_is_named_and_the_others_come() {
+async fn a_damaged_archive_is_named_and_the_others_are_pulled() {
     let folder = tempfile::tempdir().unwrap();
     let records = some(3);
     let memory = memory(&folder.path().join("here"), &records);
@@ -186,7 +186,7 @@ async fn a_damaged_archive_is_named_and_the_others_come() {
         assert_eq!(
             there.episodes().unwrap(),
             [records[0].id.clone(), records[2].id.clone()],
-            "none half"
+            "no part of the damaged episode"
         );
         let faults = verify(&fleet, &mut quiet()).await.unwrap().faults;
         assert_eq!(faults.len(), 1, "{faults:?}");

@@ -1,4 +1,4 @@
-//! Processes of the program that make a cluster on loopback, and none of which outlives its test.
+//! A cluster of processes on loopback. No process outlives its test.
 
 use std::fs::File;
 use std::io::{BufRead, BufReader};
@@ -6,8 +6,8 @@ use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Output, Stdio};
 use std::time::{Duration, Instant};
 
-/// No statement of these tests takes nearly as long: one that does hangs.
-const HANGS: Duration = Duration::from_secs(240);
+/// Time after which a process counts as hanging. No statement of these tests takes nearly as long.
+const HANG_TIME: Duration = Duration::from_secs(240);
 
 pub fn program() -> Command {
     Command::new(env!("CARGO_BIN_EXE_wisch-fleet"))
@@ -20,7 +20,7 @@ pub struct Process {
 }
 
 impl Process {
-    /// Begins, and waits until it says that it has; errors go to a file.
+    /// Starts a process, and waits for its first line. Errors go to a file.
     fn begin(command: &mut Command, errors: &Path) -> Self {
         let errors = File::options()
             .create(true)
@@ -30,16 +30,19 @@ impl Process {
         let command = command.stdin(Stdio::null()).stderr(errors);
         let mut child = command.stdout(Stdio::piped()).spawn().unwrap();
         let mut lines = BufReader::new(child.stdout.take().unwrap()).lines();
-        let mut begun = Self {
+        let mut process = Self {
             child,
             first_line: String::new(),
         };
-        begun.first_line = lines.next().expect("it ended before it began").unwrap();
-        begun
+        process.first_line = lines
+            .next()
+            .expect("it ended before its first line")
+            .unwrap();
+        process
     }
 
     pub fn kill(&mut self) {
-        // SIGKILL; one that has ended already is as dead.
+        // An error means that the process has ended already.
         let _ = self.child.kill();
         self.child.wait().unwrap();
     }
@@ -85,34 +88,34 @@ impl Cluster {
         self.executors.push(executor);
     }
 
-    /// What the scheduler and the executors have said.
+    /// Returns the messages of the scheduler and the executors.
     pub fn errors(&self) -> String {
         std::fs::read_to_string(self.folder.join("errors.txt")).unwrap()
     }
 
-    /// A statement asked here and there.
+    /// Asks the cluster.
     pub fn ask(&self, mut program: Command, sources: &[&str], sql: &str) -> Output {
         program.args(["sql", sql, "--csv", "--cluster", &self.url]);
-        in_time(program.args(sources), sql)
+        run_in_time(program.args(sources), sql)
     }
 }
 
-/// What a program says, if it ends.
-pub fn in_time(command: &mut Command, what: &str) -> Output {
+/// Runs a program, and returns its output. Panics if the program hangs.
+pub fn run_in_time(command: &mut Command, what: &str) -> Output {
     let command = command.stdin(Stdio::null()).stdout(Stdio::piped());
     let child = command.stderr(Stdio::piped()).spawn().unwrap();
     let mut guard = Guard(Some(child.id()));
     let waiting = std::thread::spawn(move || child.wait_with_output().unwrap());
     let begun = Instant::now();
     while !waiting.is_finished() {
-        assert!(begun.elapsed() < HANGS, "it hangs: {what}");
+        assert!(begun.elapsed() < HANG_TIME, "the program hangs: {what}");
         std::thread::sleep(Duration::from_millis(5));
     }
     guard.0 = None;
     waiting.join().unwrap()
 }
 
-/// Ends a process that hangs.
+/// Kills a process that hangs.
 struct Guard(Option<u32>);
 
 impl Drop for Guard {
@@ -123,8 +126,8 @@ impl Drop for Guard {
     }
 }
 
-/// The lines of an answer, sorted, but the names stay first.
-pub fn sorted(output: &Output, what: &str) -> Vec<String> {
+/// Returns the lines of an answer: the names, then the sorted rows.
+pub fn sort_lines(output: &Output, what: &str) -> Vec<String> {
     let errors = String::from_utf8_lossy(&output.stderr);
     assert!(output.status.success(), "{what}: {errors}");
     let text = String::from_utf8(output.stdout.clone()).unwrap();

@@ -1,4 +1,4 @@
-//! The program itself, against a real S3 server, and killed at any moment.
+//! The program with a real S3 server; it is also killed at many moments.
 
 use crate::memories::{contents, memory, some};
 use crate::s3_server::{KEY_ID, SECRET, Server};
@@ -19,7 +19,7 @@ fn stdout(output: &Output) -> String {
 }
 
 #[test]
-fn killed_at_any_moment_a_push_loses_doubles_and_halves_nothing() {
+fn a_push_killed_at_any_moment_leaves_whole_episodes_once() {
     let folder = tempfile::tempdir().unwrap();
     let server = Server::start(&folder.path().join("s3"));
     let records = some(600);
@@ -38,7 +38,7 @@ fn killed_at_any_moment_a_push_loses_doubles_and_halves_nothing() {
             .args(["verify", FLEET, "--json"])))
     };
     let mut killed = 0;
-    // Moments spread over the length of a push by the golden ratio, as random ones would be.
+    // The golden ratio spreads the moments evenly over the duration of a push.
     for moment in 0..20_u32 {
         let wait = 0.05 + 1.2 * (f64::from(moment) * 0.618_034).fract();
         let mut child = push()
@@ -51,13 +51,13 @@ fn killed_at_any_moment_a_push_loses_doubles_and_halves_nothing() {
         {
             std::thread::sleep(Duration::from_millis(5));
         }
-        // SIGKILL; one that has ended already is counted as it is.
+        // A push that has ended already does not count as killed.
         killed += u32::from(child.try_wait().unwrap().is_none());
         let _ = child.kill();
         child.wait().unwrap();
         assert!(verify().contains("\"faults\":[]"), "after kill {moment}");
     }
-    assert!(killed > 0, "none was killed amid its work");
+    assert!(killed > 0, "every push ended before it was killed");
     stdout(&run(&mut push()));
     let found = verify();
     assert!(
@@ -82,7 +82,7 @@ fn killed_at_any_moment_a_push_loses_doubles_and_halves_nothing() {
 }
 
 #[test]
-fn two_programs_at_once_push_each_episode_once() {
+fn simultaneous_programs_push_each_episode_once() {
     let folder = tempfile::tempdir().unwrap();
     let server = Server::start(&folder.path().join("s3"));
     let records = some(120);
@@ -130,7 +130,7 @@ fn a_full_disk_is_an_error() {
     let here = Memory::create(&folder.path().join("here")).unwrap();
     let record = some(1).remove(0);
     let writer = here.begin(&record.id).unwrap();
-    // What does not pack: 64 KiB that a generator drew.
+    // 64 KiB of pseudorandom bytes, which compression does not shorten.
     let mut state = 1_u64;
     let noise: Vec<u8> = (0..65_536)
         .map(|_| {
@@ -143,7 +143,7 @@ fn a_full_disk_is_an_error() {
     writer.attach("noise.bin", &noise).unwrap();
     writer.commit(&record).unwrap();
     let fleet = folder.path().join("fleet");
-    // No file may grow beyond 16 KiB: a disk that is full says it in the same way.
+    // No file may grow beyond 16 KiB. The program sees the same kind of error as on a full disk.
     let output = Command::new("sh")
         .arg("-c")
         .arg("trap '' XFSZ; ulimit -f 32; exec \"$@\"")
@@ -166,26 +166,26 @@ fn a_full_disk_is_an_error() {
 }
 
 #[test]
-fn answers_come_as_asked() {
+fn answers_have_the_requested_form() {
     let folder = tempfile::tempdir().unwrap();
     let here = memory(&folder.path().join("here"), &some(5));
-    let asked = |more: &[&str]| {
+    let ask = |more: &[&str]| {
         let mut command = Command::new(env!("CARGO_BIN_EXE_wisch-fleet"));
         command.args(["sql", "SELECT count(*) AS n FROM episodes", "--memory"]);
         run(command.arg(here.folder()).args(more))
     };
-    assert_eq!(stdout(&asked(&["--csv"])), "n\n5\n");
-    assert_eq!(stdout(&asked(&["--json"])), "{\"n\":5}\n");
-    assert!(stdout(&asked(&[])).contains("1 row"));
+    assert_eq!(stdout(&ask(&["--csv"])), "n\n5\n");
+    assert_eq!(stdout(&ask(&["--json"])), "{\"n\":5}\n");
+    assert!(stdout(&ask(&[])).contains("1 row"));
     let file = folder.path().join("n.parquet");
-    stdout(&asked(&["--parquet", file.to_str().unwrap()]));
+    stdout(&ask(&["--parquet", file.to_str().unwrap()]));
     assert!(std::fs::read(file).unwrap().starts_with(b"PAR1"));
     let wrong = run(Command::new(env!("CARGO_BIN_EXE_wisch-fleet")).args(["sql", "SELECT 1"]));
     assert_eq!(wrong.status.code(), Some(2));
 }
 
 #[test]
-fn a_statement_that_takes_too_much_is_an_error_with_its_limit() {
+fn a_statement_beyond_a_limit_is_an_error_with_the_limit() {
     let folder = tempfile::tempdir().unwrap();
     let here = memory(&folder.path().join("here"), &some(5));
     let deep = format!("SELECT 1{}", "+1".repeat(50_000));
@@ -211,7 +211,7 @@ fn a_statement_that_takes_too_much_is_an_error_with_its_limit() {
         assert_eq!(output.status.code(), Some(2), "{words}: {said}");
         assert!(said.contains(words), "{words}: {said}");
     }
-    // What is deep, but not too deep, is answered.
+    // A statement below the limit of depth is answered.
     let chain = format!("SELECT 1{} AS n", "+1".repeat(900));
     let mut command = Command::new(env!("CARGO_BIN_EXE_wisch-fleet"));
     command
@@ -221,7 +221,7 @@ fn a_statement_that_takes_too_much_is_an_error_with_its_limit() {
 }
 
 #[test]
-fn a_pull_that_leaves_an_episode_out_says_so_by_its_exit_code() {
+fn a_pull_that_leaves_an_episode_out_has_exit_code_1() {
     let folder = tempfile::tempdir().unwrap();
     let records = some(2);
     let here = memory(&folder.path().join("here"), &records);
@@ -254,7 +254,7 @@ fn a_pull_that_leaves_an_episode_out_says_so_by_its_exit_code() {
 
 #[cfg(not(feature = "cluster"))]
 #[test]
-fn without_clusters_the_program_says_how_to_get_them() {
+fn a_build_without_clusters_names_the_feature() {
     for args in [
         &[
             "sql",

@@ -1,4 +1,4 @@
-//! What the views answer, held against the same computed from the catalogue.
+//! The views' answers, compared with values computed from the catalogue.
 
 use crate::memories::{memory, place, session, some};
 use datafusion::arrow::array::{Array, AsArray, RecordBatch};
@@ -10,7 +10,7 @@ use wisch_fleet::moves::{Part, PushOptions, local, push};
 use wisch_memory::catalogue::entries;
 use wisch_memory::{Catalogue, CatalogueNode, EpisodeRecord, IndividualId};
 
-/// Rows as texts; numbers in full.
+/// Returns the rows as texts; numbers have all digits.
 fn texts(batches: &[RecordBatch]) -> Vec<Vec<String>> {
     let mut rows = Vec::new();
     for batch in batches {
@@ -69,7 +69,7 @@ fn round_of(catalogue: &Catalogue, id: IndividualId) -> IndividualId {
     }
 }
 
-/// Rounds of some episodes know the truth, and one stroke touched nothing.
+/// Returns records in which some rounds have the ground truth, and some strokes have no contact.
 pub fn records() -> Vec<EpisodeRecord> {
     let mut all = some(300);
     for (number, record) in all.iter_mut().enumerate() {
@@ -93,12 +93,12 @@ pub fn records() -> Vec<EpisodeRecord> {
     all
 }
 
-async fn asked(run: impl AsyncFn(&SqlSession, &Catalogue)) {
+async fn with_sources(run: impl AsyncFn(&SqlSession, &Catalogue)) {
     let folder = tempfile::tempdir().unwrap();
     let records = records();
     let memory = memory(&folder.path().join("episodes"), &records);
     let catalogue = Catalogue::of(&records);
-    // Pushed, and as it is: the same answers.
+    // A fleet and a local memory give the same answers.
     let fleet = place(&folder.path().join("fleet"));
     push(&memory, &fleet, &PushOptions::default(), &mut |_, _| {})
         .await
@@ -110,7 +110,7 @@ async fn asked(run: impl AsyncFn(&SqlSession, &Catalogue)) {
 
 #[tokio::test]
 async fn performance_of_80_percent_or_less() {
-    asked(async |session, catalogue| {
+    with_sources(async |session, catalogue| {
         for (view, class) in [
             ("low_performance", "semco:WipingAction"),
             ("low_performance_rounds", "semco:WipingRound"),
@@ -132,7 +132,7 @@ async fn performance_of_80_percent_or_less() {
 
 #[tokio::test]
 async fn collisions_by_tool_and_hour() {
-    asked(async |session, catalogue| {
+    with_sources(async |session, catalogue| {
         let found = session
             .rows("SELECT * FROM collisions_by_tool_and_hour")
             .await
@@ -157,7 +157,7 @@ async fn collisions_by_tool_and_hour() {
 
 #[tokio::test]
 async fn peak_force_of_each_collision() {
-    asked(async |session, catalogue| {
+    with_sources(async |session, catalogue| {
         let sql =
             "SELECT 'HumanCollision_' || episode || '-' || place FROM peak_force_per_collision";
         let found = session.rows(sql).await.unwrap();
@@ -185,7 +185,7 @@ async fn peak_force_of_each_collision() {
 
 #[tokio::test]
 async fn strokes_without_contact() {
-    asked(async |session, catalogue| {
+    with_sources(async |session, catalogue| {
         let sql = "SELECT episode, CAST(place AS VARCHAR) FROM strokes_without_contact";
         let found = session.rows(sql).await.unwrap();
         let all = catalogue.of_class("semco:Stroke").iter();
@@ -205,7 +205,7 @@ async fn strokes_without_contact() {
 
 #[tokio::test]
 async fn calibration_of_estimates() {
-    asked(async |session, catalogue| {
+    with_sources(async |session, catalogue| {
         let sql = "SELECT sum(rounds) AS rounds, sum(rounds * held_share) AS held FROM calibration";
         let found = session.rows(sql).await.unwrap();
         let (mut rounds, mut held) = (0.0, 0.0);
@@ -227,7 +227,7 @@ async fn calibration_of_estimates() {
 
 #[tokio::test]
 async fn drift_of_contact_force() {
-    asked(async |session, catalogue| {
+    with_sources(async |session, catalogue| {
         let found = session
             .rows("SELECT * FROM contact_force_drift")
             .await
@@ -267,7 +267,7 @@ async fn drift_of_contact_force() {
         assert!(!slopes.is_empty());
         assert_eq!(found.len(), slopes.len());
         for (found, expected) in found.iter().zip(&slopes) {
-            // Sums in another order.
+            // The sums have another order.
             assert!((found - expected).abs() < 1e-9 * expected.abs().max(1.0));
         }
     })
@@ -276,7 +276,7 @@ async fn drift_of_contact_force() {
 
 #[tokio::test]
 async fn collisions_that_overlap_strokes() {
-    asked(async |session, catalogue| {
+    with_sources(async |session, catalogue| {
         let sql = "SELECT episode, CAST(collision AS VARCHAR), CAST(stroke_place AS VARCHAR) FROM collisions_in_strokes";
         let found = session.rows(sql).await.unwrap();
         let mut expected = Vec::new();
@@ -326,7 +326,7 @@ async fn an_episode_of_two_sources_counts_once() {
 }
 
 #[tokio::test]
-async fn rows_of_a_memory_follow_it() {
+async fn rows_of_a_memory_are_updated() {
     let folder = tempfile::tempdir().unwrap();
     let all = some(6);
     let here = memory(folder.path(), &all[..4]);
@@ -343,7 +343,7 @@ async fn rows_of_a_memory_follow_it() {
 }
 
 #[tokio::test]
-async fn a_statement_only_reads() {
+async fn a_statement_that_changes_something_is_refused() {
     let folder = tempfile::tempdir().unwrap();
     let session = session(&place(folder.path())).await;
     for sql in [

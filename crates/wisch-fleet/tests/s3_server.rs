@@ -1,5 +1,5 @@
-//! An S3 server of our own on loopback. `s3s-fs` looks whether an object is there and then writes it, so that two writers may both pass:
-//! here one PUT goes on at a time, as on a store that keeps its promise.
+//! An S3 server on loopback. `s3s-fs` checks whether an object exists and then writes it, so that two writers may both
+//! succeed. This server handles one PUT at a time, so that creation is atomic as in S3.
 
 use hyper_util::rt::{TokioExecutor, TokioIo};
 use hyper_util::server::conn::auto::Builder;
@@ -15,14 +15,14 @@ use tokio::sync::Mutex;
 pub const KEY_ID: &str = "fleet-test-key";
 pub const SECRET: &str = "fleet-test-secret";
 
-/// A server, as long as it is held.
+/// A server, which runs until it is dropped.
 pub struct Server {
     port: u16,
     _runtime: Runtime,
 }
 
 impl Server {
-    /// Of the buckets in a folder.
+    /// Starts a server of the buckets in a folder.
     pub fn start(folder: &Path) -> Self {
         std::fs::create_dir_all(folder.join("fleet")).unwrap();
         let mut builder = S3ServiceBuilder::new(s3s_fs::FileSystem::new(folder).unwrap());
@@ -52,7 +52,7 @@ impl Server {
                         },
                     );
                     let builder = Builder::new(TokioExecutor::new());
-                    // Who is killed amid a request is no fault of the server.
+                    // A client may be killed during a request.
                     let _ = builder.serve_connection(TokioIo::new(socket), one).await;
                 });
             }
@@ -63,7 +63,7 @@ impl Server {
         }
     }
 
-    /// The program, so that it finds the server.
+    /// Returns the program with the environment for this server.
     pub fn program(&self, secret: &str) -> Command {
         let mut command = Command::new(env!("CARGO_BIN_EXE_wisch-fleet"));
         command

@@ -1,4 +1,4 @@
-//! Compaction, retention, older and newer files.
+//! Compaction, retention, and files of older and newer versions.
 
 use crate::memories::{SAMPLES, contents, memory, place, session, some};
 use datafusion::arrow::util::display::array_value_to_string;
@@ -41,7 +41,7 @@ async fn all_rows(session: &SqlSession) -> String {
 }
 
 #[tokio::test]
-async fn compaction_changes_no_answer_and_takes_nothing_from_who_reads() {
+async fn compaction_changes_no_answer_and_no_open_session() {
     let folder = tempfile::tempdir().unwrap();
     let memory = memory(&folder.path().join("here"), &some(200));
     let fleet = place(&folder.path().join("fleet"));
@@ -53,7 +53,11 @@ async fn compaction_changes_no_answer_and_takes_nothing_from_who_reads() {
     let done = compact(&fleet).await.unwrap();
     assert!(done.before > done.after && done.after > 0, "{done:?}");
     assert_eq!(all_rows(&session(&fleet).await).await, before);
-    assert_eq!(all_rows(&reader).await, before, "who began before reads on");
+    assert_eq!(
+        all_rows(&reader).await,
+        before,
+        "a session opened before the compaction"
+    );
     assert_eq!(
         purge(&fleet, now() - 3600.0).await.unwrap(),
         0,
@@ -79,7 +83,7 @@ async fn samples(fleet: &StorePlace) -> String {
 }
 
 #[tokio::test]
-async fn telemetry_that_is_not_kept_is_gone_and_nothing_else() {
+async fn retention_removes_only_old_telemetry() {
     let folder = tempfile::tempdir().unwrap();
     let memory = memory(&folder.path().join("here"), &some(5));
     let fleet = place(&folder.path().join("fleet"));
@@ -111,7 +115,7 @@ async fn telemetry_that_is_not_kept_is_gone_and_nothing_else() {
     assert!(lacking[0].ends_with("round-1.parquet"));
 }
 
-/// Each log says which version wrote it; rows of another are made of what is there.
+/// Replaces a text in every commit of the log.
 fn rewrite(fleet: &Path, from: &str, to: &str) {
     for entry in fs::read_dir(fleet.join("log")).unwrap() {
         let path = entry.unwrap().path();
@@ -122,7 +126,7 @@ fn rewrite(fleet: &Path, from: &str, to: &str) {
 }
 
 #[tokio::test]
-async fn what_a_newer_program_wrote_is_refused() {
+async fn files_of_a_newer_version_are_refused() {
     for (from, to) in [
         ("\"version\":[1,0]", "\"version\":[2,0]"),
         ("\"schema\":[1,0]", "\"schema\":[2,0]"),
@@ -147,9 +151,9 @@ async fn what_a_newer_program_wrote_is_refused() {
 }
 
 #[tokio::test]
-async fn every_version_that_ever_was_is_read() {
+async fn every_earlier_version_is_read() {
     let fixtures = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/fixtures");
-    // "lacking" is as a version before `plane_tilt_rad` would have written it.
+    // A version before `plane_tilt_rad` would have written the files in "lacking".
     for (name, tilts) in [
         ("version-1.0", "| 3      |"),
         ("version-1.0-lacking", "| 0      |"),

@@ -54,16 +54,16 @@ impl SqlLimits {
     ) -> Result<T, FleetError> {
         match tokio::time::timeout(self.time, work).await {
             Ok(done) => done,
-            Err(_) => Err(FleetError::Asked(self.late())),
+            Err(_) => Err(FleetError::Asked(self.time_error())),
         }
     }
 
-    fn late(&self) -> String {
+    fn time_error(&self) -> String {
         let limit = self.time.as_secs_f64();
         format!("the statement takes longer than the limit of {limit} s; --timeout raises it")
     }
 
-    fn large(&self) -> String {
+    fn memory_error(&self) -> String {
         let limit = self.memory >> 20;
         format!(
             "the statement takes more memory than the limit of {limit} MB; --memory-limit raises it"
@@ -141,9 +141,9 @@ impl LimitWatch {
                 continue;
             }
             let what = if self.begun.elapsed() > Duration::from_millis(deadline) {
-                self.limits.late()
+                self.limits.time_error()
             } else if resident().is_some_and(|bytes| bytes > self.limits.memory) {
-                self.limits.large()
+                self.limits.memory_error()
             } else {
                 continue;
             };
@@ -186,7 +186,7 @@ mod tests {
     }
 
     #[tokio::test]
-    async fn a_statement_that_takes_too_long_is_given_up() {
+    async fn a_statement_beyond_its_time_is_cancelled() {
         let limits = SqlLimits {
             time: Duration::from_millis(10),
             ..SqlLimits::default()

@@ -53,9 +53,9 @@ pub(super) fn depth(sql: &str) -> usize {
     let mut rest = sql;
     while let Some(first) = rest.chars().next() {
         let length = match first {
-            '\'' | '"' | '`' => quoted(rest, first),
+            '\'' | '"' | '`' => quoted_length(rest, first),
             '-' if rest.starts_with("--") => rest.find('\n').unwrap_or(rest.len()),
-            '/' if rest.starts_with("/*") => remark(rest),
+            '/' if rest.starts_with("/*") => comment_length(rest),
             c if c.is_alphabetic() || c == '_' => {
                 let is_part = |c: char| c.is_alphanumeric() || c == '_' || c == '$';
                 let word = &rest[..rest.find(|c| !is_part(c)).unwrap_or(rest.len())];
@@ -83,13 +83,13 @@ pub(super) fn depth(sql: &str) -> usize {
 }
 
 /// Returns the length of a quoted text. A doubled quote ends one text and begins the next.
-fn quoted(text: &str, quote: char) -> usize {
+fn quoted_length(text: &str, quote: char) -> usize {
     let end = text[1..].find(quote);
     end.map_or(text.len(), |end| end + 2)
 }
 
 /// Returns the length of a comment, which may be nested.
-fn remark(text: &str) -> usize {
+fn comment_length(text: &str) -> usize {
     let (mut open, mut at) = (0_usize, 0);
     while let Some(found) = text[at..].find(['/', '*']) {
         at += found;
@@ -117,7 +117,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn what_nests_is_counted() {
+    fn nested_parts_are_counted() {
         for (sql, expected) in [
             ("", 0),
             ("SELECT a, b, c FROM t WHERE d", 1),
@@ -135,7 +135,7 @@ mod tests {
     }
 
     #[test]
-    fn texts_names_and_remarks_are_not() {
+    fn texts_names_and_comments_are_not_counted() {
         for sql in [
             "SELECT '((( + ''AND'' )))'",
             "SELECT \"a + b\" -- ((( + AND\n",

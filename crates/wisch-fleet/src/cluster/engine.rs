@@ -55,13 +55,13 @@ impl ExecutionEngine for Engine {
     ) -> Result<Arc<dyn QueryStageExecutor>> {
         if plan.exists(|node| Ok(emits_build_side(node)))? {
             return not_impl_err!(
-                "an outer, semi or anti join without an equation cannot be answered by several tasks; ask without a cluster"
+                "several tasks cannot compute an outer, semi or anti join without an equation; ask without a cluster"
             );
         }
         let has_union = plan.exists(|node| Ok(node.is::<UnionExec>()))?;
         if plan.exists(|node| Ok(node.is::<UnionExec>() && needs_all_rows(node)))? {
             return not_impl_err!(
-                "rows of several sources, or of UNION ALL, of which some are of a sum, an order or a limit, cannot be combined by several tasks; ask without a cluster"
+                "several tasks cannot unite rows of several sources, or of UNION ALL, if a part of the union is a sum, or has an order or a limit; ask without a cluster"
             );
         }
         let stage = self.ballista.create_query_stage_exec(

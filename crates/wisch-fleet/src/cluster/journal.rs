@@ -57,7 +57,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn what_is_secret_is_not_printed() {
+    fn secrets_are_not_printed() {
         let secrets = ["KEY".to_owned(), "SECRET".to_owned()];
         assert_eq!(without("a KEY, a SECRET", &secrets), "a …, a …");
     }

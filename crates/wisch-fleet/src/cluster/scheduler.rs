@@ -91,8 +91,8 @@ pub async fn schedule(
             .map_err(|error| failed(error.to_string()))?;
     let removals = scheduler.cluster_state_events().await;
     let removals = removals.map_err(|error| failed(error.to_string()))?;
-    tokio::spawn(give_up(scheduler.clone(), removals));
-    tokio::spawn(give_up_idle(scheduler.clone()));
+    tokio::spawn(cancel_on_loss(scheduler.clone(), removals));
+    tokio::spawn(cancel_stuck(scheduler.clone()));
     begun(&address);
     let served = start_grpc_service_with_listener(listener, scheduler).await;
     served.map_err(|error| failed(error.to_string()))
@@ -100,7 +100,7 @@ pub async fn schedule(
 
 /// Cancels running statements when an executor is lost. Ballista 55.0 would restart them; with planning between stages
 /// a restart never ends, and without it joins without an equation give wrong results.
-async fn give_up(scheduler: Server, mut events: ClusterStateEventStream) {
+async fn cancel_on_loss(scheduler: Server, mut events: ClusterStateEventStream) {
     while let Some(event) = events.next().await {
         if let ClusterStateEvent::RemovedExecutor { .. } = event {
             for job in scheduler.state.task_manager.get_running_job_cache().keys() {
@@ -112,7 +112,7 @@ async fn give_up(scheduler: Server, mut events: ClusterStateEventStream) {
 }
 
 /// Cancels statements without running or waiting tasks at two checks: their planning is stuck and would never end.
-async fn give_up_idle(scheduler: Server) {
+async fn cancel_stuck(scheduler: Server) {
     let mut idle = HashSet::new();
     loop {
         sleep(Duration::from_secs(LOOKED_AFTER)).await;

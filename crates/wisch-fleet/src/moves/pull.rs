@@ -127,7 +127,7 @@ pub async fn pull(
     };
     for (done, one) in selected.iter().enumerate() {
         report(done, selected.len());
-        match bring(place, memory, &snapshot, one).await {
+        match copy_if_absent(place, memory, &snapshot, one).await {
             Ok(Came::Before) => pulled.there += 1,
             Ok(came) => {
                 pulled.thinned += usize::from(came == Came::WithoutTelemetry);
@@ -203,7 +203,7 @@ enum Came {
 }
 
 /// Copies an episode into the memory, unless the memory has it.
-async fn bring(
+async fn copy_if_absent(
     place: &StorePlace,
     memory: &Memory,
     snapshot: &Snapshot,
@@ -240,7 +240,7 @@ async fn fetch(
             what: "the fleet has rows of this episode, but no archive".to_owned(),
         });
     };
-    let mut files = checked(place, &name, sum).await?;
+    let mut files = read_archive(place, &name, sum).await?;
     let mut came = Came::Whole;
     if let Some(sum) = &one.telemetry {
         let name = telemetry_name(&one.id);
@@ -248,7 +248,7 @@ async fn fetch(
             came = Came::WithoutTelemetry;
             forget_telemetry(&mut files, &place.shown(&archive_name(&one.id)))?;
         } else {
-            files.extend(checked(place, &name, sum).await?);
+            files.extend(read_archive(place, &name, sum).await?);
         }
     }
     let writer = memory.begin(&one.id)?;
@@ -260,7 +260,7 @@ async fn fetch(
 }
 
 /// Returns the files of an archive, after verifying its checksum.
-pub(super) async fn checked(
+pub(super) async fn read_archive(
     place: &StorePlace,
     name: &str,
     sum: &str,

@@ -1,6 +1,6 @@
 //! Verification that all valid data of a fleet are what was written.
 
-use super::pull::{checked, texts};
+use super::pull::{read_archive, texts};
 use super::push::{archive_name, telemetry_name};
 use super::upkeep::table_of;
 use crate::ask::{SqlSession, SqlSource};
@@ -83,7 +83,7 @@ pub async fn verify(
                 wanted.push((telemetry_name(&id), telemetry));
             }
             for (name, sum) in wanted {
-                let read = checked(place, &name, &sum).await;
+                let read = read_archive(place, &name, &sum).await;
                 verified
                     .faults
                     .extend(read.err().map(|error| error.to_string()));

@@ -246,7 +246,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_within_the_limits_is_unpacked() {
+    fn an_archive_within_the_limits_is_unpacked() {
         let files = archive([("a/b.json".to_owned(), 3), ("zeros".to_owned(), ANY_RATIO)]);
         let files = files.files("x").unwrap();
         assert_eq!(files[0], ("a/b.json".to_owned(), vec![0; 3]));
@@ -295,7 +295,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_no_file_is_not_unpacked() {
+    fn an_entry_that_is_not_a_file_is_refused() {
         let mut header = tar::Header::new_gnu();
         header.set_size(0);
         header.set_entry_type(tar::EntryType::Symlink);

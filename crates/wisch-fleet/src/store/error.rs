@@ -89,7 +89,7 @@ pub enum FleetError {
         error: std::io::Error,
     },
     /// A statement is invalid, or cannot be answered.
-    #[error("{}", in_short(.0))]
+    #[error("{}", first_line(.0))]
     Sql(#[from] DataFusionError),
     /// The scheduler reports an error, or is not reachable.
     #[error("{address}: {what}")]
@@ -133,7 +133,7 @@ pub(crate) fn without_echo(text: &str) -> String {
 }
 
 /// Returns the first line of DataFusion's message, without a backtrace.
-fn in_short(error: &DataFusionError) -> String {
+fn first_line(error: &DataFusionError) -> String {
     without_echo(&error.strip_backtrace())
 }
 
@@ -142,7 +142,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn what_a_server_echoes_of_credentials_is_not_repeated() {
+    fn credentials_echoed_by_a_server_are_not_printed() {
         let body = "403 Forbidden: <?xml version=\"1.0\"?><Error><Code>SignatureDoesNotMatch</Code>\
                     <AWSAccessKeyId>AKIASECRET</AWSAccessKeyId></Error>";
         let error = FleetError::Store {

@@ -146,7 +146,7 @@ impl Snapshot {
         let Some(bytes) = place.find(&name).await? else {
             return Ok(None);
         };
-        parsed(place, &name, &bytes).map(Some)
+        parse(place, &name, &bytes).map(Some)
     }
 
     /// Reads new commits, and returns them.
@@ -160,7 +160,7 @@ impl Snapshot {
             let Some(bytes) = place.find(&name).await? else {
                 return Ok(newer);
             };
-            let commit: Commit = parsed(place, &name, &bytes)?;
+            let commit: Commit = parse(place, &name, &bytes)?;
             self.apply(&commit);
             newer.push(commit);
         }
@@ -245,7 +245,7 @@ fn to_json(value: &impl Serialize) -> Bytes {
 }
 
 /// Parses a commit or checkpoint, after checking its version.
-fn parsed<T: for<'a> Deserialize<'a>>(
+fn parse<T: for<'a> Deserialize<'a>>(
     place: &StorePlace,
     name: &str,
     bytes: &[u8],
