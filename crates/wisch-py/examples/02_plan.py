@@ -1,4 +1,4 @@
-"""Build a task of Python objects, plan it, and predict what the plan does to the dirt."""
+"""Build a task from Python objects, plan it, and predict the effect of the plan on the dirt."""
 
 import numpy as np
 import wisch

@@ -1,4 +1,4 @@
-"""Follow the plan with a robot of one's own, and check the motion."""
+"""Follow the plan with your own robot, and check the motion."""
 
 import wisch
 
@@ -7,6 +7,6 @@ robot = wisch.Robot.load("arm7")  # or the path of a URDF
 session = task.session(robot)
 motion, audit = session.follow(), session.audit()
 print(f"{robot.name} wipes for {motion.contact_time_s:.0f} s")
-print(f"it gives {len(motion.abandoned)} nodes up")
+print(f"{len(motion.abandoned)} nodes abandoned")
 print(f"it keeps {1e3 * audit.min_clearance_m:.0f} mm clear")
 print(f"the check finds {len(audit.faults)} faults")

@@ -1,4 +1,4 @@
-"""Run the whole loop with an executor of one's own: a robot whose tool follows the plan exactly."""
+"""Run the whole loop with your own executor: a robot whose tool follows the plan exactly."""
 
 import wisch
 

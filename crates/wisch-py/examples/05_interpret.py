@@ -1,4 +1,4 @@
-"""Interpret poses and forces, and plan the next round from what they say."""
+"""Interpret poses and forces, and plan the next round from the estimate."""
 
 import numpy as np
 import wisch
@@ -11,6 +11,6 @@ pose[:, 1] -= 0.06
 force = np.tile(task.surface_reaction, (2000, 1))
 
 # A bag or a table is read by wisch.read_log(path), and handed to task.interpret as it is.
-told = task.interpret(time_s=time, world_from_tool=pose, force_n=force, certain=True)
-print(f"{100 * told.performance:.0f} % are at the goal")
-print(f"the next round wipes {told.next_plan().contact_distance_m:.2f} m")
+estimate = task.interpret(time_s=time, world_from_tool=pose, force_n=force, certain=True)
+print(f"{100 * estimate.performance:.0f} % are at the goal")
+print(f"the next round wipes {estimate.next_plan().contact_distance_m:.2f} m")

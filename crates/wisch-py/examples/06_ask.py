@@ -1,4 +1,4 @@
-"""Remember a session as an episode, and ask the memory for it in Prolog."""
+"""Store a session as an episode, and query the memory in Prolog."""
 
 import tempfile
 

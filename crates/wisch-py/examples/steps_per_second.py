@@ -1,7 +1,7 @@
-"""Count strokes per second of the environment, 100 particles in each world: in all, and per second of processor time.
+"""Measure the environment in strokes per second of wall time and of processor time, with 100 particles in each world.
 
-Ten episodes of 30 random strokes; steps that begin an episode take their time but are not counted. Where robosuite is installed, the
-steps of its Wipe task are counted beside them, 100 markers, with random actions; beginning an episode takes none of their time.
+Each world runs ten episodes of 30 random strokes. The time includes the steps that begin an episode; their number does not.
+If robosuite is installed, its Wipe task runs with 100 markers and random actions; its time excludes the beginning of episodes.
 """
 
 import logging
@@ -14,7 +14,7 @@ import wisch.gym
 
 
 class Clock:
-    """Wall and processor time while something runs."""
+    """Wall time and processor time of its ``with`` blocks [s]."""
 
     def __init__(self):
         self.wall = self.processor = 0.0
@@ -27,8 +27,8 @@ class Clock:
         self.processor += time.process_time() - self._began[1]
 
 
-def many(worlds):
-    """Steps and the time they took, of worlds side by side."""
+def measure_vector(worlds):
+    """Return the number of strokes in parallel worlds, and their time."""
     env = wisch.gym.WipingVectorEnv(worlds, particles=100, max_strokes=30)
     env.action_space.seed(1)
     env.reset(seed=1)
@@ -42,8 +42,8 @@ def many(worlds):
     return strokes, clock
 
 
-def single(steps=3000):
-    """The same of one world, by Gymnasium's interface."""
+def measure_single(steps=3000):
+    """Return the number of strokes in one world through Gymnasium, and their time."""
     env = gymnasium.make("wisch/Wiping-v0", particles=100, max_strokes=30)
     env.action_space.seed(1)
     env.reset(seed=1)
@@ -56,10 +56,10 @@ def single(steps=3000):
     return steps, clock
 
 
-def of_robosuite(steps=400):
-    """The same of robosuite's Wipe, as it is made by default but for pictures; nothing where it is not installed."""
+def measure_robosuite(steps=400):
+    """Return the same for robosuite's Wipe with its defaults, but without pictures; None if robosuite is not installed."""
     os.environ.setdefault("MUJOCO_GL", "disable")
-    logging.disable(logging.WARNING)  # it tells of optional packages at import
+    logging.disable(logging.WARNING)  # the import warns of missing optional packages
     try:
         import robosuite
     except ImportError:
@@ -78,20 +78,20 @@ def of_robosuite(steps=400):
     return steps, clock
 
 
-def told(name, steps, clock, beside):
-    """Prints how fast it is, and how many times as fast as what is beside it."""
+def print_speed(name, steps, clock, other):
+    """Print the speed, and its ratio to another speed."""
     line = f"{name}: {steps / clock.wall:.0f} steps/s, {steps / clock.processor:.0f} per second of processor time"
-    if beside:
-        other_steps, other = beside
-        wall = steps / clock.wall * other.wall / other_steps
-        processor = steps / clock.processor * other.processor / other_steps
+    if other:
+        other_steps, other_clock = other
+        wall = steps / clock.wall * other_clock.wall / other_steps
+        processor = steps / clock.processor * other_clock.processor / other_steps
         line += f"; {wall:.0f} and {processor:.0f} times robosuite's"
     print(line)
 
 
-beside = of_robosuite()
-if beside:
-    told("robosuite's Wipe", *beside, None)
-told("one world", *single(), beside)
+robosuite_steps = measure_robosuite()
+if robosuite_steps:
+    print_speed("robosuite's Wipe", *robosuite_steps, None)
+print_speed("one world", *measure_single(), robosuite_steps)
 for worlds in (256, 1024):
-    told(f"{worlds} worlds", *many(worlds), beside)
+    print_speed(f"{worlds} worlds", *measure_vector(worlds), robosuite_steps)

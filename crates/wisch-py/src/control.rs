@@ -23,12 +23,12 @@ struct State {
 }
 
 impl PyImpedanceController {
-    fn with<T>(&self, look: impl FnOnce(&mut State) -> T) -> T {
-        look(&mut self.state.lock().unwrap_or_else(PoisonError::into_inner))
+    fn with<T>(&self, run: impl FnOnce(&mut State) -> T) -> T {
+        run(&mut self.state.lock().unwrap_or_else(PoisonError::into_inner))
     }
 
-    fn told<T>(&self, look: impl FnOnce(&ControlCommand) -> T) -> PyResult<T> {
-        self.with(|state| state.command.as_ref().map(look))
+    fn read_command<T>(&self, read: impl FnOnce(&ControlCommand) -> T) -> PyResult<T> {
+        self.with(|state| state.command.as_ref().map(read))
             .ok_or_else(|| plain("the controller has not been commanded yet"))
     }
 }
@@ -90,7 +90,7 @@ impl PyImpedanceController {
         );
         let controller = controller.map_err(of_robot)?.ok_or_else(|| {
             let robot = order.cell.robot().name();
-            plain(format!("{robot}: nothing moves the tool"))
+            plain(format!("{robot}: no joint of the robot moves the tool"))
         })?;
         Ok(Self {
             order,
@@ -135,7 +135,9 @@ impl PyImpedanceController {
         self.with(|state| {
             state.command = state.controller.command(task, followed, time_s, &q, &qd);
             if state.command.is_none() {
-                return Err(plain(format!("at {time_s} s the robot has no inertia")));
+                return Err(plain(format!(
+                    "at {time_s} s the mass matrix of the robot is not positive definite"
+                )));
             }
             Ok(vector(py, state.controller.efforts().to_vec()))
         })
@@ -154,24 +156,24 @@ impl PyImpedanceController {
     /// Pose of the tool by forward kinematics, (7).
     #[getter]
     fn world_from_tool<'py>(&self, py: Python<'py>) -> PyResult<Vector<'py>> {
-        self.told(|told| pose_array(py, &told.world_from_tool))
+        self.read_command(|command| pose_array(py, &command.world_from_tool))
     }
 
     /// Commanded pose of the tool, including the press into the surface, (7).
     #[getter]
     fn world_from_commanded<'py>(&self, py: Python<'py>) -> PyResult<Vector<'py>> {
-        self.told(|told| pose_array(py, &told.desired.world_from_tool))
+        self.read_command(|command| pose_array(py, &command.desired.world_from_tool))
     }
 
     /// Commanded wrench on the tool: force [N] and moment [Nm] in the axes of the world, (6).
     #[getter]
     fn controller_wrench<'py>(&self, py: Python<'py>) -> PyResult<Vector<'py>> {
-        self.told(|told| force(py, &told.controller))
+        self.read_command(|command| force(py, &command.controller))
     }
 
     /// Observed wrench of the surroundings on the tool: force [N] and moment [Nm] in the axes of the world, (6).
     #[getter]
     fn external_wrench<'py>(&self, py: Python<'py>) -> PyResult<Vector<'py>> {
-        self.told(|told| force(py, &told.external))
+        self.read_command(|command| force(py, &command.external))
     }
 }

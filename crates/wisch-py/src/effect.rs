@@ -20,10 +20,10 @@ pub struct PyEffectField {
 }
 
 impl PyEffectField {
-    fn with<T>(&self, look: impl FnOnce(&mut ParticleField, &mut EffectModel) -> T) -> T {
+    fn with<T>(&self, run: impl FnOnce(&mut ParticleField, &mut EffectModel) -> T) -> T {
         let mut state = self.state.lock().unwrap_or_else(PoisonError::into_inner);
         let (field, model) = &mut *state;
-        look(field, model)
+        run(field, model)
     }
 
     fn new(
@@ -128,12 +128,12 @@ impl PyEffectField {
                 model.lift_off(field, &self.surface);
             });
         });
-        let told = PyDict::new(py);
-        told.set_item("absorbed", all.absorbed)?;
-        told.set_item("pushed", all.pushed)?;
-        told.set_item("off_surface", all.off_surface)?;
-        told.set_item("treated", all.treated)?;
-        Ok(told)
+        let counts = PyDict::new(py);
+        counts.set_item("absorbed", all.absorbed)?;
+        counts.set_item("pushed", all.pushed)?;
+        counts.set_item("off_surface", all.off_surface)?;
+        counts.set_item("treated", all.treated)?;
+        Ok(counts)
     }
 
     /// Positions of the particles, or where they left the surface, in their original order, (N, 2) [m].

@@ -18,7 +18,7 @@ use wisch::represent::{
 const ACTION: usize = 5;
 /// Length of the tool's observation: x, y in the box of the actions, and cosine and sine of its yaw.
 const TOOL: usize = 4;
-/// Number of worlds below which a further thread does not pay.
+/// Number of worlds below which a further thread does not save time.
 const WORLDS_PER_THREAD: usize = 64;
 /// Spreads the seeds of a world's episodes.
 const NEXT_EPISODE: u64 = 0x9e37_79b9_7f4a_7c15;
@@ -63,7 +63,7 @@ struct Outcome {
 }
 
 impl Rules {
-    fn begun(&self, seed: u64, episode: u64) -> Result<World, SourceError> {
+    fn begin(&self, seed: u64, episode: u64) -> Result<World, SourceError> {
         let area = DirtArea {
             outline: &self.surface.outline,
             occupied: &self.occupied,
@@ -86,7 +86,7 @@ impl Rules {
     /// Executes a stroke in a world; if its episode is over, begins the next episode instead.
     fn step(&self, world: &mut World, action: [f64; ACTION]) -> Result<Outcome, SourceError> {
         if world.is_over {
-            *world = self.begun(world.seed, world.episode.wrapping_add(1))?;
+            *world = self.begin(world.seed, world.episode.wrapping_add(1))?;
             return Ok(Outcome {
                 performance: world.performance,
                 ..Outcome::default()
@@ -154,14 +154,19 @@ pub struct PyWipingWorlds {
 }
 
 /// Density (n, rows, columns) and tool (n, 4).
-type Seen<'py> = (Bound<'py, PyArray3<f32>>, Bound<'py, PyArray2<f32>>);
+type Observations<'py> = (Bound<'py, PyArray3<f32>>, Bound<'py, PyArray2<f32>>);
 
 impl PyWipingWorlds {
-    fn with<T>(&self, look: impl FnOnce(&mut Vec<World>) -> T) -> T {
-        look(&mut self.worlds.lock().unwrap_or_else(PoisonError::into_inner))
+    fn with<T>(&self, run: impl FnOnce(&mut Vec<World>) -> T) -> T {
+        run(&mut self.worlds.lock().unwrap_or_else(PoisonError::into_inner))
     }
 
-    fn seen<'py>(&self, py: Python<'py>, density: Vec<f32>, tool: Vec<f32>) -> Seen<'py> {
+    fn to_arrays<'py>(
+        &self,
+        py: Python<'py>,
+        density: Vec<f32>,
+        tool: Vec<f32>,
+    ) -> Observations<'py> {
         let Rules { rows, columns, .. } = self.rules;
         let count = tool.len() / TOOL;
         let density = Array3::from_shape_vec((count, rows, columns), density);
@@ -207,7 +212,7 @@ impl PyWipingWorlds {
         let task = task.loaded.task.clone();
         let goal = task
             .goal()
-            .ok_or_else(|| plain("the task leaves its goal open: say where, by collect.goal_m"))?;
+            .ok_or_else(|| plain("the task states no goal of the collect; set collect.goal_m"))?;
         let outline = task.surface.outline.outer().iter().copied();
         let bounds = Bounds2::of(outline).ok_or_else(|| plain("the surface has no outline"))?;
         let margin = Vector2::repeat(task.tool.collision_radius());
@@ -229,7 +234,7 @@ impl PyWipingWorlds {
             cost_per_m,
             task,
         };
-        let worlds = (0..count as u64).map(|seed| rules.begun(seed, 0));
+        let worlds = (0..count as u64).map(|seed| rules.begin(seed, 0));
         let worlds: Result<Vec<World>, SourceError> = worlds.collect();
         Ok(Self {
             worlds: Mutex::new(worlds.map_err(plain)?),
@@ -238,7 +243,7 @@ impl PyWipingWorlds {
     }
 
     /// Begins new episodes in all worlds; a seed starts a new sequence of episodes, `None` continues the old one.
-    fn reset<'py>(&self, py: Python<'py>, seeds: Vec<Option<u64>>) -> PyResult<Seen<'py>> {
+    fn reset<'py>(&self, py: Python<'py>, seeds: Vec<Option<u64>>) -> PyResult<Observations<'py>> {
         let cells = self.rules.rows * self.rules.columns;
         let (density, tool) = self.with(|worlds| {
             if seeds.len() != worlds.len() {
@@ -252,20 +257,17 @@ impl PyWipingWorlds {
                     Some(seed) => (seed, 0),
                     None => (world.seed, world.episode.wrapping_add(1)),
                 };
-                *world = self.rules.begun(seed, episode).map_err(plain)?;
+                *world = self.rules.begin(seed, episode).map_err(plain)?;
                 self.rules.observe(world, density, tool);
             }
             Ok((density, tool))
         })?;
-        Ok(self.seen(py, density, tool))
+        Ok(self.to_arrays(py, density, tool))
     }
 
     /// Executes a stroke in each world, actions (n, 5); a world whose episode is over begins its next instead. Returns
     /// density, tool, rewards, terminated, truncated and performance.
-    #[expect(
-        clippy::type_complexity,
-        reason = "a tuple of arrays, as Gymnasium has it"
-    )]
+    #[expect(clippy::type_complexity, reason = "a tuple of arrays, as in Gymnasium")]
     fn step<'py>(
         &self,
         py: Python<'py>,
@@ -315,7 +317,7 @@ impl PyWipingWorlds {
                 Ok((density, tool, outcomes.map_err(plain)?))
             })
         })?;
-        let (density, tool) = self.seen(py, density, tool);
+        let (density, tool) = self.to_arrays(py, density, tool);
         let numbers =
             |of: fn(&Outcome) -> f64| Array1::from_iter(outcomes.iter().map(of)).into_pyarray(py);
         let flags =

@@ -79,13 +79,13 @@ impl PyExecutor<'_> {
     }
 
     /// Returns its observation, if it arrives in time; `None` without a camera.
-    pub fn look(&self) -> PyResult<Option<Observation>> {
+    pub fn call_observe(&self) -> PyResult<Option<Observation>> {
         let py = self.object.py();
         let watchdog = Watchdog::begin(py, self.timeout)?;
-        let seen = observe(&self.object);
+        let observation = observe(&self.object);
         match watchdog {
-            Some(watchdog) => watchdog.end(py, seen, "returned no observation"),
-            None => seen,
+            Some(watchdog) => watchdog.end(py, observation, "returned no observation"),
+            None => observation,
         }
     }
 }
@@ -159,7 +159,7 @@ impl Executor for PyExecutor<'_> {
     }
 
     fn observe(&mut self, _: &Task) -> Result<Option<Observation>, ExecutorError> {
-        self.look().or_else(|error| self.raise(error))
+        self.call_observe().or_else(|error| self.raise(error))
     }
 }
 
@@ -189,19 +189,19 @@ fn robot_state(object: &Bound<'_, PyAny>) -> PyResult<Option<RobotState>> {
 
 /// Returns an executor's observation; `None` without a camera.
 fn observe(object: &Bound<'_, PyAny>) -> PyResult<Option<Observation>> {
-    let Ok(look) = object.getattr("observe") else {
+    let Ok(method) = object.getattr("observe") else {
         return Ok(None);
     };
-    let seen = look.call0()?;
-    if seen.is_none() {
+    let observation = method.call0()?;
+    if observation.is_none() {
         return Ok(None);
     }
     let mut record = ObservationRecord::default();
-    match seen.cast::<PyMapping>() {
-        Err(_) => record.detections = rows("observe()", &seen)?,
-        Ok(seen) => {
-            for key in seen.keys()?.iter() {
-                let value = seen.get_item(&key)?;
+    match observation.cast::<PyMapping>() {
+        Err(_) => record.detections = rows("observe()", &observation)?,
+        Ok(observation) => {
+            for key in observation.keys()?.iter() {
+                let value = observation.get_item(&key)?;
                 match key.extract::<String>()?.as_str() {
                     "detections" => record.detections = rows("detections", &value)?,
                     "hidden" => {
@@ -251,12 +251,12 @@ impl Round<'_> {
             positions,
         };
         if !returned.is_none() {
-            let told = returned.cast::<PyMapping>().map_err(|_| {
+            let entries = returned.cast::<PyMapping>().map_err(|_| {
                 let wanted = "nothing, or a dict with ending, duration_s, positions";
                 refused("execute() returned", kind_of(returned), wanted)
             })?;
-            for key in told.keys()?.iter() {
-                let value = told.get_item(&key)?;
+            for key in entries.keys()?.iter() {
+                let value = entries.get_item(&key)?;
                 match key.extract::<String>()?.as_str() {
                     "duration_s" => done.duration_s = value.extract()?,
                     "ending" => done.ending = ending(&value)?,
@@ -343,14 +343,18 @@ fn array<const N: usize>(key: &str, value: &Bound<'_, PyAny>, time: f64) -> PyRe
 }
 
 impl PySink {
-    fn hand_over(&self, sample: SampleRecord) -> PyResult<bool> {
-        let over = || plain("the motion is over, or another thread's: its sink takes no samples");
+    fn pass(&self, sample: SampleRecord) -> PyResult<bool> {
+        let refuse = || {
+            plain(
+                "the sink belongs to a motion that has ended or to another thread, and takes no samples",
+            )
+        };
         if !TAKING.is_set() {
-            return Err(over());
+            return Err(refuse());
         }
         TAKING.with(|taking| {
             if taking.number() != self.number {
-                return Err(over());
+                return Err(refuse());
             }
             taking.take(sample).map_err(plain)
         })
@@ -431,7 +435,7 @@ impl PySink {
         let given = sample
             .or(keys)
             .ok_or_else(|| plain("a sample: key \"time_s\" is missing"))?;
-        self.hand_over(self.record(given)?)
+        self.pass(self.record(given)?)
     }
 
     /// Passes many samples: the same keys, each an array with a row per sample. Ends after the sample at which the
@@ -463,7 +467,7 @@ impl PySink {
                 "time_s" => {}
                 "trajectory_time_s" => {
                     let times = list(&key, &value)?;
-                    counted(&key, times.len(), samples.len())?;
+                    check_count(&key, times.len(), samples.len())?;
                     for (sample, time) in samples.iter_mut().zip(times) {
                         sample.trajectory_time_s = Some(time);
                     }
@@ -495,7 +499,7 @@ impl PySink {
             }
         }
         for sample in samples {
-            if !self.hand_over(sample)? {
+            if !self.pass(sample)? {
                 return Ok(false);
             }
         }
@@ -510,7 +514,7 @@ fn fill<const N: usize>(
     field: impl Fn(&mut SampleRecord) -> &mut [f64; N],
 ) -> PyResult<()> {
     let rows = rows::<N>(key, value)?;
-    counted(key, rows.len(), samples.len())?;
+    check_count(key, rows.len(), samples.len())?;
     for (sample, row) in samples.iter_mut().zip(rows) {
         *field(sample) = row;
     }
@@ -526,14 +530,14 @@ fn spread(
     let array: numpy::PyArrayLike2<'_, f64, numpy::AllowTypeChange> = (value.extract())
         .map_err(|_| refused(key, kind_of(value), "an array of shape (samples, joints)"))?;
     let array = array.as_array();
-    counted(key, array.nrows(), samples.len())?;
+    check_count(key, array.nrows(), samples.len())?;
     for (sample, row) in samples.iter_mut().zip(array.rows()) {
         *field(sample) = row.to_vec();
     }
     Ok(())
 }
 
-fn counted(key: &str, found: usize, wanted: usize) -> PyResult<()> {
+fn check_count(key: &str, found: usize, wanted: usize) -> PyResult<()> {
     if found == wanted {
         return Ok(());
     }

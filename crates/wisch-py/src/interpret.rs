@@ -20,17 +20,17 @@ use wisch_io::LoadedTask;
 pub struct PyInterpretation {
     pub task: Arc<Task>,
     pub goal: GoalState,
-    pub told: Arc<Interpretation>,
+    pub estimate: Arc<Interpretation>,
     config: PlanConfig,
 }
 
 impl PyInterpretation {
     /// Returns the interpretation of a round.
-    pub fn of(task: &Task, goal: GoalState, config: &PlanConfig, told: Interpretation) -> Self {
+    pub fn of(task: &Task, goal: GoalState, config: &PlanConfig, estimate: Interpretation) -> Self {
         Self {
             task: Arc::new(task.clone()),
             goal,
-            told: Arc::new(told),
+            estimate: Arc::new(estimate),
             config: config.clone(),
         }
     }
@@ -45,8 +45,8 @@ impl PyInterpretation {
         let task = &loaded.task;
         let goal = task
             .goal()
-            .ok_or_else(|| plain("the task leaves its goal open: say where, by collect.goal_m"))?;
-        let told = py.detach(|| {
+            .ok_or_else(|| plain("the task states no goal of the collect; set collect.goal_m"))?;
+        let estimate = py.detach(|| {
             let believed = if is_certain {
                 Belief::certain(task.particles.clone())
             } else {
@@ -54,7 +54,12 @@ impl PyInterpretation {
             };
             interpret(samples, task, &believed, &goal, &InterpretConfig::of(task))
         });
-        Ok(Self::of(task, goal, &loaded.config, told.map_err(plain)?))
+        Ok(Self::of(
+            task,
+            goal,
+            &loaded.config,
+            estimate.map_err(plain)?,
+        ))
     }
 }
 
@@ -67,25 +72,25 @@ impl PyInterpretation {
     /// Expected performance, 0 to 1.
     #[getter]
     fn performance(&self) -> f64 {
-        self.told.performance.mean
+        self.estimate.performance.mean
     }
 
     /// 90 % interval of the performance.
     #[getter]
     fn interval(&self) -> (f64, f64) {
-        interval(&self.told.performance)
+        interval(&self.estimate.performance)
     }
 
     /// Performance by touch alone, without camera observations.
     #[getter]
     fn performance_by_touch(&self) -> f64 {
-        self.told.felt.mean
+        self.estimate.felt.mean
     }
 
     /// localized, relocalize, no contact or hovering.
     #[getter]
     fn diagnosis(&self) -> &'static str {
-        match self.told.diagnosis {
+        match self.estimate.diagnosis {
             Diagnosis::Localized => "localized",
             Diagnosis::Relocalize { .. } => "relocalize",
             Diagnosis::NoContact => "no contact",
@@ -96,7 +101,7 @@ impl PyInterpretation {
     /// Estimated pose of the surface, (7): by touch, if that differs from the believed pose.
     #[getter]
     fn world_from_surface<'py>(&self, py: Python<'py>) -> Vector<'py> {
-        match &self.told.diagnosis {
+        match &self.estimate.diagnosis {
             Diagnosis::Relocalize { world_from_surface } => pose_array(py, world_from_surface),
             _ => pose_array(py, &self.task.surface.world_from_surface),
         }
@@ -105,19 +110,23 @@ impl PyInterpretation {
     /// Time in contact divided by the time on or near the surface, 0 to 1.
     #[getter]
     fn contact_share(&self) -> f64 {
-        self.told.contact_share
+        self.estimate.contact_share
     }
 
     /// Reasons why the log may not show wiping of this surface.
     #[getter]
     fn doubts(&self) -> Vec<String> {
-        self.told.doubts.iter().map(ToString::to_string).collect()
+        self.estimate
+            .doubts
+            .iter()
+            .map(ToString::to_string)
+            .collect()
     }
 
     /// Events, each with kind, `start_s`, `end_s`, `peak_force_n`.
     #[getter]
     fn events<'py>(&self, py: Python<'py>) -> PyResult<Vec<Bound<'py, PyDict>>> {
-        let events = self.told.events.iter().map(|event| {
+        let events = self.estimate.events.iter().map(|event| {
             let entry = PyDict::new(py);
             entry.set_item("kind", event.kind.as_str())?;
             entry.set_item("start_s", event.start)?;
@@ -131,7 +140,7 @@ impl PyInterpretation {
     /// Draws the present positions of the dirt from the belief, (N, 2) in the frame of the surface [m].
     #[pyo3(signature = (seed = 0))]
     fn particles<'py>(&self, py: Python<'py>, seed: u64) -> PyResult<Matrix<'py>> {
-        let drawn = self.told.belief.sample(seed).map_err(plain)?;
+        let drawn = self.estimate.belief.sample(seed).map_err(plain)?;
         Ok(arrays::points(py, drawn.remaining()))
     }
 
@@ -139,7 +148,7 @@ impl PyInterpretation {
     fn next_plan(&self, py: Python<'_>) -> PyResult<PyPlan> {
         let seed = self.task.seed.wrapping_add(1);
         py.detach(|| {
-            let next = next_task(&self.task, &self.goal, &self.told, seed).map_err(plain)?;
+            let next = next_task(&self.task, &self.goal, &self.estimate, seed).map_err(plain)?;
             let plan = plan(&next, &self.config).map_err(plain)?;
             Ok(PyPlan::of(&next, plan))
         })
@@ -148,7 +157,7 @@ impl PyInterpretation {
     /// Probability of each member of the belief, (members).
     #[getter]
     fn weights<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
-        arrays::vector(py, self.told.belief.weights().to_vec())
+        arrays::vector(py, self.estimate.belief.weights().to_vec())
     }
 
     fn __repr__(&self) -> String {

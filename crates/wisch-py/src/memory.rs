@@ -55,20 +55,20 @@ impl Asking {
                 }
             }
         });
-        let interrupt = begins.recv().map_err(|_| broken_off())?;
+        let interrupt = begins.recv().map_err(|_| engine_error())?;
         Ok(Self {
             queries,
             answers,
-            interrupt: interrupt.map_err(|error| kept(folder, error))?,
+            interrupt: interrupt.map_err(|error| memory_error(folder, error))?,
         })
     }
 }
 
-fn broken_off() -> PyErr {
-    plain("internal error: a query broke off; please report it")
+fn engine_error() -> PyErr {
+    plain("internal error: the thread of the queries has ended; please report it")
 }
 
-fn kept(folder: &Path, error: impl std::fmt::Display) -> PyErr {
+fn memory_error(folder: &Path, error: impl std::fmt::Display) -> PyErr {
     let details = Details {
         file: Some(folder.display().to_string()),
         ..Details::default()
@@ -78,10 +78,10 @@ fn kept(folder: &Path, error: impl std::fmt::Display) -> PyErr {
 
 impl PyMemory {
     fn memory(&self) -> PyResult<Memory> {
-        Memory::open(&self.folder).map_err(|error| kept(&self.folder, error))
+        Memory::open(&self.folder).map_err(|error| memory_error(&self.folder, error))
     }
 
-    fn asking(&self) -> PyResult<Asking> {
+    fn begin(&self) -> PyResult<Asking> {
         let engine = EngineCommand::find().ok_or_else(|| {
             let details = Details {
                 help: Some(NO_ENGINE.to_owned()),
@@ -101,16 +101,16 @@ impl PyMemory {
             interrupt,
         } = match slot.take() {
             Some(asking) => asking,
-            None => self.asking()?,
+            None => self.begin()?,
         };
-        queries.send(query).map_err(|_| broken_off())?;
+        queries.send(query).map_err(|_| engine_error())?;
         let mut interrupted = Ok(());
         let answered = loop {
             let (answer, back) = py.detach(move || (answers.recv_timeout(LOOK), answers));
             answers = back;
             match answer {
                 Ok(answered) => break answered,
-                Err(RecvTimeoutError::Disconnected) => return Err(broken_off()),
+                Err(RecvTimeoutError::Disconnected) => return Err(engine_error()),
                 Err(RecvTimeoutError::Timeout) => {}
             }
             if let Err(error) = py.check_signals() {
@@ -153,7 +153,7 @@ impl PyMemory {
     #[new]
     #[pyo3(signature = (folder = PathBuf::from("episodes")))]
     fn new(folder: PathBuf) -> PyResult<Self> {
-        Memory::create(&folder).map_err(|error| kept(&folder, error))?;
+        Memory::create(&folder).map_err(|error| memory_error(&folder, error))?;
         Ok(Self {
             folder,
             asking: Mutex::default(),
@@ -169,7 +169,7 @@ impl PyMemory {
     #[getter]
     fn episodes(&self) -> PyResult<Vec<String>> {
         let episodes = self.memory()?.episodes();
-        episodes.map_err(|error| kept(&self.folder, error))
+        episodes.map_err(|error| memory_error(&self.folder, error))
     }
 
     /// Answers a query in Prolog (`wisch ask --list` lists the predicates): returns a dict per answer, from the names
@@ -195,7 +195,7 @@ impl PyMemory {
         round: usize,
         columns: Option<Vec<String>>,
     ) -> PyResult<Bound<'py, PyDict>> {
-        let refused = |error: &dyn std::fmt::Display| kept(&self.folder, error);
+        let refused = |error: &dyn std::fmt::Display| memory_error(&self.folder, error);
         let episode = self.memory()?.episode(episode);
         let episode = episode.map_err(|error| refused(&error))?;
         let telemetry = episode.telemetry(round).map_err(|error| refused(&error))?;
@@ -227,9 +227,9 @@ impl PyMemory {
         let rounds = session.rounds(py)?;
         let rounds: Vec<_> = rounds.iter().map(|round| round.get()).collect();
         if rounds.is_empty() {
-            return Err(plain("the session has no round that is over"));
+            return Err(plain("the session has no finished round"));
         }
-        let refused = |error: RecordError| kept(&self.folder, error);
+        let refused = |error: RecordError| memory_error(&self.folder, error);
         let target = EpisodeTarget {
             memory: self.folder.clone(),
             executor: session.executor(),
@@ -240,13 +240,13 @@ impl PyMemory {
         for round in &rounds {
             let motion = &round.round.motion;
             if let Some(telemetry) = &round.telemetry {
-                let mut tell = |event: &RunEvent<'_>| sink.on_event(event);
-                tell(&RunEvent::Executing(motion)).map_err(plain)?;
+                let mut record = |event: &RunEvent<'_>| sink.on_event(event);
+                record(&RunEvent::Executing(motion)).map_err(plain)?;
                 telemetry.get().each(py, &motion.followed, |sample| {
-                    tell(&RunEvent::Sample(sample))
+                    record(&RunEvent::Sample(sample))
                 })?;
                 let round = motion.number;
-                tell(&RunEvent::Interpreting { round }).map_err(plain)?;
+                record(&RunEvent::Interpreting { round }).map_err(plain)?;
             }
             finished.push(FinishedRound {
                 round: (*round.round).clone(),

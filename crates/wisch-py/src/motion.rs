@@ -82,10 +82,11 @@ impl PyMotion {
     }
 
     fn columns(&self, py: Python<'_>) -> &Columns {
-        self.columns.get_or_init(py, || self.laid_out(py, PERIOD))
+        self.columns
+            .get_or_init(py, || self.sample_columns(py, PERIOD))
     }
 
-    fn laid_out(&self, py: Python<'_>, period: f64) -> Columns {
+    fn sample_columns(&self, py: Python<'_>, period: f64) -> Columns {
         let points: Vec<Setpoint> = py.detach(|| self.order.borrowed().setpoints(period).collect());
         let dof = self.order.cell.robot().dof();
         let strokes = points.iter().map(|point| {
@@ -269,7 +270,7 @@ impl PyMotion {
         if !(1e-5..=100.0).contains(&period_s) {
             return Err(refused("period_s", period_s, "0.00001 to 100"));
         }
-        let columns = self.laid_out(py, period_s);
+        let columns = self.sample_columns(py, period_s);
         let all = PyDict::new(py);
         all.set_item("time_s", columns.time_s)?;
         all.set_item("positions", columns.positions)?;

@@ -9,7 +9,7 @@ use wisch_report::{EffectFrames, ReportInput, pictures};
 pub const NAMES: [&str; 4] = ["before-after", "graph", "density", "effect-over-time"];
 
 /// Returns a picture of a plan by its name, as SVG; `bandwidth` of the density in [m].
-pub fn drawn(name: &str, task: &Task, plan: &Plan, bandwidth: Option<f64>) -> String {
+pub fn draw(name: &str, task: &Task, plan: &Plan, bandwidth: Option<f64>) -> String {
     let mut frames = EffectFrames::new(task, plan);
     let prediction = predict(task, plan, |progress| frames.watch(progress));
     let all = pictures(&ReportInput {
@@ -31,9 +31,9 @@ pub fn table(task: &str, rounds: &[&Round], verdict: Option<&str>) -> String {
     let percent = |share: f64| format!("{:.0} %", 100.0 * share);
     let mut html = format!(
         "<table><caption>{}: {}</caption><tr><th>round</th><th>strokes</th><th>predicted</th>\
-         <th>estimated</th><th>90 %</th><th>time</th><th>ending</th><th>verdict</th></tr>",
-        escaped(task),
-        verdict.unwrap_or("not over")
+         <th>estimated</th><th>90 % interval</th><th>duration</th><th>ending</th><th>verdict</th></tr>",
+        escape(task),
+        verdict.unwrap_or("not finished")
     );
     for round in rounds {
         let estimate = &round.interpretation.performance;
@@ -54,7 +54,7 @@ pub fn table(task: &str, rounds: &[&Round], verdict: Option<&str>) -> String {
     html + "</table>"
 }
 
-fn escaped(text: &str) -> String {
+fn escape(text: &str) -> String {
     let text = text.replace('&', "&amp;");
     text.replace('<', "&lt;").replace('>', "&gt;")
 }

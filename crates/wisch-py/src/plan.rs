@@ -131,7 +131,7 @@ impl PyPlan {
         if !pictures::NAMES.contains(&name) {
             return Err(plain(UnknownName::new("picture", name, pictures::NAMES)));
         }
-        Ok(py.detach(|| pictures::drawn(name, &self.task, &self.plan, None)))
+        Ok(py.detach(|| pictures::draw(name, &self.task, &self.plan, None)))
     }
 
     /// Graph and strokes, for notebooks.
@@ -192,7 +192,7 @@ impl PyPrediction {
 
     /// Particles before and after, for notebooks.
     fn _repr_svg_(&self, py: Python<'_>) -> String {
-        py.detach(|| pictures::drawn("before-after", &self.task, &self.plan, None))
+        py.detach(|| pictures::draw("before-after", &self.task, &self.plan, None))
     }
 
     fn __repr__(&self) -> String {

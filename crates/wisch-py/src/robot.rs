@@ -31,7 +31,7 @@ impl PyRobot {
     }
 
     /// Converts a robot, a name or a path to a robot. Also returns whether the task names it.
-    pub fn given(given: &Bound<'_, PyAny>) -> PyResult<(Arc<Robot>, bool)> {
+    pub fn parse(given: &Bound<'_, PyAny>) -> PyResult<(Arc<Robot>, bool)> {
         if let Ok(robot) = given.cast::<Self>() {
             let robot = robot.get();
             return Ok((Arc::clone(&robot.robot), robot.is_of_task));
@@ -65,7 +65,7 @@ impl PyRobot {
     /// Loads a shipped robot by its name, or a URDF by its path.
     #[staticmethod]
     fn load(urdf: &Bound<'_, PyAny>) -> PyResult<Self> {
-        let (robot, is_of_task) = Self::given(urdf)?;
+        let (robot, is_of_task) = Self::parse(urdf)?;
         Ok(Self { robot, is_of_task })
     }
 

@@ -117,8 +117,8 @@ impl PyRound {
     #[getter]
     fn interpretation(&self) -> PyInterpretation {
         let PlannedRound { task, plan, .. } = &self.round.motion;
-        let told = self.round.interpretation.clone();
-        PyInterpretation::of(task, plan.graph.goal, &self.config, told)
+        let interpretation = self.round.interpretation.clone();
+        PyInterpretation::of(task, plan.graph.goal, &self.config, interpretation)
     }
 
     /// Expected performance, 0 to 1.
@@ -152,7 +152,7 @@ impl PyRound {
     /// Picture of the prediction, for notebooks.
     fn _repr_svg_(&self) -> String {
         let motion = &self.round.motion;
-        pictures::drawn(
+        pictures::draw(
             "before-after",
             &motion.task,
             &motion.executable_plan(),

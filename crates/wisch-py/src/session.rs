@@ -67,26 +67,26 @@ pub struct PySession {
     rounds: Mutex<Vec<Py<PyRound>>>,
     /// Recorder of the session, until its results are written.
     record: Arc<Mutex<Option<RunRecord>>>,
-    kept: Mutex<Option<KeptPlaces>>,
+    kept: Mutex<Option<StoredResults>>,
     /// Class of the last executor.
     executor: Mutex<Option<String>>,
 }
 
 /// Stored results of a session.
 #[derive(Debug, Clone, Default)]
-struct KeptPlaces {
+struct StoredResults {
     episode: Option<String>,
     remarks: Vec<String>,
 }
 
 /// Passes an event to the recorder.
 fn keep(record: &Mutex<Option<RunRecord>>, event: &RunEvent<'_>) -> ControlFlow<()> {
-    let mut record = locked(record);
+    let mut record = lock(record);
     let flow = record.as_mut().map(|record| record.on_event(event));
     flow.unwrap_or(ControlFlow::Continue(()))
 }
 
-fn locked<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
+fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
     mutex.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
@@ -109,10 +109,10 @@ enum Request {
 /// Reply to a request.
 enum Reply {
     Flow(ControlFlow<()>),
-    Seen(Result<Option<Observation>, ExecutorError>),
+    Observation(Result<Option<Observation>, ExecutorError>),
 }
 
-/// The executor as seen by a stage's thread.
+/// The executor for a stage's thread.
 struct Proxy<'a> {
     ask: &'a Sender<Request>,
     answers: &'a Receiver<Reply>,
@@ -130,7 +130,7 @@ impl Executor for Proxy<'_> {
     fn observe(&mut self, _: &Task) -> Result<Option<Observation>, ExecutorError> {
         let asked = self.ask.send(Request::Observe).is_ok();
         match self.answers.recv() {
-            Ok(Reply::Seen(seen)) if asked => seen,
+            Ok(Reply::Observation(observation)) if asked => observation,
             _ => Err(ExecutorError::new("interrupted")),
         }
     }
@@ -144,7 +144,7 @@ struct Call<'py> {
 
 impl Call<'_> {
     /// Passes an event to the callback, whose `False` stops the session.
-    fn tell(&self, event: &str) -> PyResult<ControlFlow<()>> {
+    fn call_back(&self, event: &str) -> PyResult<ControlFlow<()>> {
         let Some(on_event) = &self.on_event else {
             return Ok(ControlFlow::Continue(()));
         };
@@ -161,7 +161,7 @@ impl Call<'_> {
 }
 
 /// Returns the event as JSON, if it is published.
-fn described(events: &mut Events, event: &RunEvent<'_>) -> Option<String> {
+fn to_json(events: &mut Events, event: &RunEvent<'_>) -> Option<String> {
     serde_json::to_string(&events.record(event)?).ok()
 }
 
@@ -230,50 +230,50 @@ impl PySession {
     }
 
     /// Returns the completed stage, after an interrupted stage has finished.
-    fn reached(&self, py: Python<'_>) -> PyResult<Option<Stage>> {
+    fn wait_for_stage(&self, py: Python<'_>) -> PyResult<Option<Stage>> {
         drop(self.lock(py)?);
-        Ok(*locked(&self.stage))
+        Ok(*lock(&self.stage))
     }
 
     /// Returns the completed stage of a session that is not running.
-    fn settled(&self, py: Python<'_>) -> PyResult<Option<Stage>> {
+    fn idle_stage(&self, py: Python<'_>) -> PyResult<Option<Stage>> {
         let _running = self.begin()?;
-        self.reached(py)
+        self.wait_for_stage(py)
     }
 
     /// Reads the session while it is not running.
-    fn look<T>(
+    fn read<T>(
         &self,
         py: Python<'_>,
-        look: impl FnOnce(&Session<'_>) -> PyResult<T>,
+        read: impl FnOnce(&Session<'_>) -> PyResult<T>,
     ) -> PyResult<T> {
         let _running = self.begin()?;
         let wiping = self.lock(py)?;
-        look(wiping.borrow_dependent())
+        read(wiping.borrow_dependent())
     }
 
     /// Class of the last executor.
     pub fn executor(&self) -> Option<String> {
-        locked(&self.executor).clone()
+        lock(&self.executor).clone()
     }
 
     /// Observation before the first round; `None` without a camera.
     pub fn first_observation(&self, py: Python<'_>) -> PyResult<Option<Observation>> {
-        self.look(py, |session| Ok(session.first_observation().cloned()))
+        self.read(py, |session| Ok(session.first_observation().cloned()))
     }
 
     fn run_until(&self, py: Python<'_>, until: Stage, call: Call<'_>) -> PyResult<()> {
         let _running = self.begin()?;
-        let run = self.go_on(py, until, call);
+        let run = self.run_stages(py, until, call);
         // An interrupted stage may still be running on its thread; nobody waits for it here.
-        if *locked(&self.stage) != Some(Stage::Ended) {
+        if *lock(&self.stage) != Some(Stage::Ended) {
             return run;
         }
         let kept = self.finish_record(py);
         if let (Err(_), Err(lost)) = (&run, &kept) {
-            // The run's own error is raised; what could not be kept is a remark.
-            let text = format!("not everything was kept: {}", lost.value(py));
-            let mut kept = locked(&self.kept);
+            // The run's own error is raised; what could not be stored is a remark.
+            let text = format!("some results could not be stored: {}", lost.value(py));
+            let mut kept = lock(&self.kept);
             kept.get_or_insert_default().remarks.push(text);
         }
         run.and(kept)
@@ -282,7 +282,7 @@ impl PySession {
     /// Writes the session's results so far, once.
     fn finish_record(&self, py: Python<'_>) -> PyResult<()> {
         let wiping = self.lock(py)?;
-        let Some(mut record) = locked(&self.record).take() else {
+        let Some(mut record) = lock(&self.record).take() else {
             return Ok(());
         };
         if let (Some(name), Some(episode)) = (self.executor(), record.episode_mut()) {
@@ -290,7 +290,7 @@ impl PySession {
         }
         let session = wiping.borrow_dependent();
         let mut results = match RunResults::of(session, record.stages_mut()) {
-            // A session that has not begun leaves nothing.
+            // A session that has not begun has no results.
             Err(RecordError::Nothing) => return Ok(()),
             results => results.map_err(of_record)?,
         };
@@ -309,14 +309,14 @@ impl PySession {
             Ok(episode) => (episode, None),
             Err(error) => (None, Some(error)),
         };
-        // What was kept is stated even if a part is missing.
-        *locked(&self.kept) = Some(KeptPlaces {
+        // The stored results are stated even if a part is missing.
+        *lock(&self.kept) = Some(StoredResults {
             episode: episode.as_ref().map(|kept| kept.id.clone()),
             remarks: episode.map_or_else(Vec::new, |mut kept| {
                 let without = kept
                     .without
                     .iter()
-                    .map(|what| format!("kept without {what}"));
+                    .map(|what| format!("the episode was stored without {what}"));
                 kept.remarks.extend(without);
                 kept.remarks
             }),
@@ -325,13 +325,13 @@ impl PySession {
         lost.map_or(Ok(()), |error| Err(of_record(error)))
     }
 
-    fn go_on(&self, py: Python<'_>, until: Stage, mut call: Call<'_>) -> PyResult<()> {
+    fn run_stages(&self, py: Python<'_>, until: Stage, mut call: Call<'_>) -> PyResult<()> {
         if let Some(executor) = &call.executor {
             let class = executor.object.get_type().name()?;
-            *locked(&self.executor) = Some(class.to_string());
+            *lock(&self.executor) = Some(class.to_string());
         }
         loop {
-            let before = self.reached(py)?;
+            let before = self.wait_for_stage(py)?;
             let reached = if before == Some(Stage::Audited) && call.executor.is_some() {
                 self.execute(py, &mut call)
             } else {
@@ -361,7 +361,7 @@ impl PySession {
         let tells = call.on_event.is_some();
         let record = Arc::clone(&self.record);
         std::thread::spawn(move || {
-            let mut wiping = locked(&wiping);
+            let mut wiping = lock(&wiping);
             let mut events = EventWriter::new(std::io::sink());
             let mut proxy = Proxy {
                 ask: &ask,
@@ -370,14 +370,14 @@ impl PySession {
             let done = wiping.with_dependent_mut(|_, session| {
                 session.step(&mut proxy, &mut |event| {
                     if let RunEvent::Ended(end) = event {
-                        *locked(&verdict) = *end;
+                        *lock(&verdict) = *end;
                     }
                     let flow = keep(&record, event);
-                    let told = tells.then(|| described(&mut events, event)).flatten();
-                    let Some(told) = told else {
+                    let json = tells.then(|| to_json(&mut events, event)).flatten();
+                    let Some(json) = json else {
                         return flow;
                     };
-                    if ask.send(Request::Event(told)).is_err() {
+                    if ask.send(Request::Event(json)).is_err() {
                         return flow;
                     }
                     match answers.recv() {
@@ -387,7 +387,7 @@ impl PySession {
                 })
             });
             // The receiver may be gone.
-            *locked(&stage) = Some(*done.as_ref().unwrap_or(&Stage::Ended));
+            *lock(&stage) = Some(*done.as_ref().unwrap_or(&Stage::Ended));
             drop(wiping);
             let _ = ask.send(Request::Done(done));
         });
@@ -409,15 +409,15 @@ impl PySession {
                     ));
                 }
                 Some(Ok(Request::Event(event))) => {
-                    let flow = call.tell(&event)?;
+                    let flow = call.call_back(&event)?;
                     let _ = answer.send(Reply::Flow(flow));
                 }
                 Some(Ok(Request::Observe)) => {
-                    let seen = match &call.executor {
-                        Some(executor) => executor.look()?,
+                    let observation = match &call.executor {
+                        Some(executor) => executor.call_observe()?,
                         None => None,
                     };
-                    let _ = answer.send(Reply::Seen(Ok(seen)));
+                    let _ = answer.send(Reply::Observation(Ok(observation)));
                 }
                 Some(Ok(Request::Done(Ok(stage)))) => return Ok(stage),
                 Some(Ok(Request::Done(Err(error)))) => {
@@ -451,10 +451,10 @@ impl PySession {
                 if call.on_event.is_none() {
                     return flow;
                 }
-                let Some(told) = described(&mut events, event) else {
+                let Some(json) = to_json(&mut events, event) else {
                     return flow;
                 };
-                let answered = call.tell(&told).unwrap_or_else(|error| {
+                let answered = call.call_back(&json).unwrap_or_else(|error| {
                     refused.get_or_insert(error);
                     ControlFlow::Break(())
                 });
@@ -467,14 +467,14 @@ impl PySession {
         // Telemetry is stored whether or not the execution succeeds.
         if let Some(number) = number {
             let telemetry = PyTelemetry::of(py, number, columns)?;
-            locked(&self.telemetry).push(telemetry);
+            lock(&self.telemetry).push(telemetry);
         }
         let interrupted = call.executor.as_mut().and_then(|executor| {
             let is_interrupted =
                 |error: &mut PyErr| error.is_instance_of::<PyKeyboardInterrupt>(py);
             executor.raised.take_if(is_interrupted)
         });
-        *locked(&self.stage) = Some(*done.as_ref().unwrap_or(&Stage::Ended));
+        *lock(&self.stage) = Some(*done.as_ref().unwrap_or(&Stage::Ended));
         if let Some(error) = refused.or(interrupted) {
             return Err(error);
         }
@@ -535,10 +535,10 @@ impl PySession {
         executor: Option<Bound<'_, PyAny>>,
         on_event: Option<Bound<'_, PyAny>>,
     ) -> PyResult<PyPlan> {
-        if self.settled(py)?.is_none() {
+        if self.idle_stage(py)?.is_none() {
             self.run_until(py, Stage::Planned, call(executor, on_event, None)?)?;
         }
-        self.look(py, |session| self.planned_plan(session))
+        self.read(py, |session| self.planned_plan(session))
     }
 
     /// Continues to the joint motion of the plan.
@@ -549,10 +549,10 @@ impl PySession {
         executor: Option<Bound<'_, PyAny>>,
         on_event: Option<Bound<'_, PyAny>>,
     ) -> PyResult<PyMotion> {
-        if matches!(self.settled(py)?, None | Some(Stage::Planned)) {
+        if matches!(self.idle_stage(py)?, None | Some(Stage::Planned)) {
             self.run_until(py, Stage::Followed, call(executor, on_event, None)?)?;
         }
-        self.look(py, |session| {
+        self.read(py, |session| {
             let planned = session.planned_round().map(PyMotion::of_round);
             planned.ok_or_else(|| plain("there is no motion: the session has ended"))
         })
@@ -566,11 +566,11 @@ impl PySession {
         executor: Option<Bound<'_, PyAny>>,
         on_event: Option<Bound<'_, PyAny>>,
     ) -> PyResult<PyAudit> {
-        let stage = self.settled(py)?;
+        let stage = self.idle_stage(py)?;
         if matches!(stage, None | Some(Stage::Planned | Stage::Followed)) {
             self.run_until(py, Stage::Audited, call(executor, on_event, None)?)?;
         }
-        self.look(py, |session| {
+        self.read(py, |session| {
             let audit = session.audit().map(PyAudit::of);
             audit.ok_or_else(|| plain("there is no motion: the session has ended"))
         })
@@ -607,11 +607,11 @@ impl PySession {
     /// Finished rounds.
     #[getter]
     pub fn rounds(&self, py: Python<'_>) -> PyResult<Vec<Py<PyRound>>> {
-        self.look(py, |session| {
-            let mut kept = locked(&self.rounds);
+        self.read(py, |session| {
+            let mut kept = lock(&self.rounds);
             let all = session.rounds();
             for round in &all[kept.len().min(all.len())..] {
-                let telemetry = locked(&self.telemetry);
+                let telemetry = lock(&self.telemetry);
                 let of_round = telemetry
                     .iter()
                     .rfind(|t| t.get().is_of(round.motion.number));
@@ -634,14 +634,14 @@ impl PySession {
     /// Telemetry of every motion, including one that failed.
     #[getter]
     fn telemetry(&self, py: Python<'_>) -> Vec<Py<PyTelemetry>> {
-        let telemetry = locked(&self.telemetry);
+        let telemetry = lock(&self.telemetry);
         telemetry.iter().map(|one| one.clone_ref(py)).collect()
     }
 
     /// Completed stage: planned, followed, audited, executed, interpreted, judged or ended; `None` before the first.
     #[getter]
     fn stage(&self) -> Option<&'static str> {
-        (*locked(&self.stage)).map(|stage| match stage {
+        (*lock(&self.stage)).map(|stage| match stage {
             Stage::Planned => "planned",
             Stage::Followed => "followed",
             Stage::Audited => "audited",
@@ -655,15 +655,15 @@ impl PySession {
     /// Why the session has ended; `None` before its end, or if it was stopped.
     #[getter]
     fn verdict(&self) -> Option<&'static str> {
-        (*locked(&self.verdict)).map(Verdict::as_str)
+        (*lock(&self.verdict)).map(Verdict::as_str)
     }
 
     /// Detections before the first round, (k, 2) in the frame of the surface [m]; `None` without a camera.
     #[getter]
     fn first_look<'py>(&self, py: Python<'py>) -> PyResult<Option<Matrix<'py>>> {
-        self.look(py, |session| {
-            let seen = session.first_observation();
-            Ok(seen.map(|seen| arrays::points(py, seen.detections.iter().copied())))
+        self.read(py, |session| {
+            let observation = session.first_observation();
+            Ok(observation.map(|it| arrays::points(py, it.detections.iter().copied())))
         })
     }
 
@@ -690,13 +690,13 @@ impl PySession {
     /// Name of the session's episode, once it has ended; `None` without a memory.
     #[getter]
     fn episode(&self) -> Option<String> {
-        locked(&self.kept).as_ref()?.episode.clone()
+        lock(&self.kept).as_ref()?.episode.clone()
     }
 
     /// Remarks on the stored results, a sentence each.
     #[getter]
     fn remarks(&self) -> Vec<String> {
-        (locked(&self.kept).as_ref()).map_or_else(Vec::new, |kept| kept.remarks.clone())
+        (lock(&self.kept).as_ref()).map_or_else(Vec::new, |kept| kept.remarks.clone())
     }
 
     /// Rounds as a table, for notebooks.

@@ -57,7 +57,7 @@ pub fn load_task(
 }
 
 /// Loads the task of a file's text, with particles from an array if they were given as one.
-fn made(path: &Path, text: String, csv: Option<String>, options: LoadOptions) -> PyResult<PyTask> {
+fn load(path: &Path, text: String, csv: Option<String>, options: LoadOptions) -> PyResult<PyTask> {
     let mut files = beside(path);
     let mut read = |file: &str| match &csv {
         Some(csv) if file == GIVEN_PARTICLES => Ok(csv.clone().into_bytes()),
@@ -92,7 +92,7 @@ pub fn task_of_keys(
         text += &format!("\n[particles]\nsource = \"csv\"\nfile = {GIVEN_PARTICLES:?}\n");
     }
     let path = path.unwrap_or_else(|| PathBuf::from(NO_FILE));
-    py.detach(|| made(&path, text, csv, options))
+    py.detach(|| load(&path, text, csv, options))
 }
 
 fn csv_of(particles: &Bound<'_, PyAny>) -> PyResult<String> {
@@ -185,8 +185,8 @@ fn options_of(
 }
 
 impl PyTask {
-    /// A plan, strokes, or a function that returns strokes for a task.
-    fn given(&self, given: &Bound<'_, PyAny>) -> PyResult<Given> {
+    /// Converts a plan, strokes, or a function that returns strokes for a task.
+    fn parse_plan(&self, given: &Bound<'_, PyAny>) -> PyResult<Given> {
         if let Ok(plan) = given.cast::<PyPlan>() {
             return Ok(Given::Plan((*plan.get().plan).clone()));
         }
@@ -412,8 +412,8 @@ impl PyTask {
         out: Option<PathBuf>,
         memory: Option<PathBuf>,
     ) -> PyResult<PySession> {
-        let given = plan.map_or(Ok(Given::Nothing), |plan| self.given(plan))?;
-        let robot = robot.map(PyRobot::given).transpose()?;
+        let given = plan.map_or(Ok(Given::Nothing), |plan| self.parse_plan(plan))?;
+        let robot = robot.map(PyRobot::parse).transpose()?;
         let mut config = self.loaded.run_config();
         if let Some(pose) = world_from_robot {
             let pose = arrays::pose("world_from_robot", pose)?;
@@ -487,7 +487,7 @@ impl PyTask {
         options.action = laid_over.action.or(options.action);
         options.strategy = laid_over.strategy.or(options.strategy);
         let (path, text) = (&self.loaded.path, self.loaded.text.clone());
-        py.detach(|| made(path, text, Some(csv), options))
+        py.detach(|| load(path, text, Some(csv), options))
     }
 
     /// Interprets poses and forces: a `Telemetry`, or arrays of times (T) [s], poses (T, 7) and forces of the

@@ -107,12 +107,14 @@ impl PyTelemetry {
     ) -> PyResult<()> {
         let column = |array: &Py<PyArray2<f64>>| array.bind(py).to_vec().map_err(plain);
         let times = self.time_s.bind(py).to_vec().map_err(plain)?;
-        let [tool, told] = [&self.world_from_tool, &self.world_from_commanded].map(column);
+        let [tool, commanded] = [&self.world_from_tool, &self.world_from_commanded].map(column);
         let [force, moment] = [&self.force_n, &self.moment_nm].map(column);
-        let [asked, turned] = [&self.controller_force_n, &self.controller_moment_nm].map(column);
+        let [controller_force, controller_moment] =
+            [&self.controller_force_n, &self.controller_moment_nm].map(column);
         let [q, qd, efforts] = [&self.positions, &self.velocities, &self.efforts].map(column);
-        let (tool, told, force, moment) = (tool?, told?, force?, moment?);
-        let (asked, turned, q, qd, efforts) = (asked?, turned?, q?, qd?, efforts?);
+        let (tool, commanded, force, moment) = (tool?, commanded?, force?, moment?);
+        let (controller_force, controller_moment, q, qd, efforts) =
+            (controller_force?, controller_moment?, q?, qd?, efforts?);
         let count = times.len();
         let of = |numbers: &[f64], k: usize| -> std::ops::Range<usize> {
             let width = numbers.len().checked_div(count).unwrap_or_default();
@@ -130,9 +132,9 @@ impl PyTelemetry {
                 positions: &q[of(&q, k)],
                 velocities: &qd[of(&qd, k)],
                 efforts: &efforts[of(&efforts, k)],
-                world_from_commanded: pose_of(&at(&told, k)),
+                world_from_commanded: pose_of(&at(&commanded, k)),
                 world_from_tool: pose_of(&at(&tool, k)),
-                controller: wrench_of(&at(&asked, k), &at(&turned, k)),
+                controller: wrench_of(&at(&controller_force, k), &at(&controller_moment, k)),
                 external: wrench_of(&at(&force, k), &at(&moment, k)),
                 motion,
                 phase: phase.unwrap_or(Phase::FreeMotion),
@@ -309,14 +311,14 @@ pub fn read_log(
         ("time_unit_s", time_unit_s),
         ("max_gap_s", Some(max_gap_s)),
     ])?;
-    let posed = |name, given: Option<&Bound<'_, PyAny>>| -> PyResult<Option<Pose>> {
+    let parse_pose = |name, given: Option<&Bound<'_, PyAny>>| -> PyResult<Option<Pose>> {
         given.map(|given| arrays::pose(name, given)).transpose()
     };
-    options.world_from_log = posed("world_from_log", world_from_log)?;
-    if let Some(pose) = posed("world_from_surface", world_from_surface)? {
+    options.world_from_log = parse_pose("world_from_log", world_from_log)?;
+    if let Some(pose) = parse_pose("world_from_surface", world_from_surface)? {
         options.world_from_surface = pose;
     }
-    if let Some(pose) = posed("pose_offset", pose_offset)? {
+    if let Some(pose) = parse_pose("pose_offset", pose_offset)? {
         options.logged_from_tool = pose;
     }
     let log = py.detach(|| wisch_telemetry::read(&path, &options));

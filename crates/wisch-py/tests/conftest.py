@@ -1,4 +1,4 @@
-"""What the tests share: a small board, an arm bolted beside it, and robots that only follow."""
+"""Shared fixtures: a small board, an arm bolted beside it, and executors that follow the plan exactly."""
 
 import sys
 import sysconfig
@@ -11,7 +11,7 @@ import wisch
 
 
 class Exact:
-    """A robot whose tool follows the plan exactly, and feels what it is to press with."""
+    """A robot whose tool follows the plan exactly, and measures the press force."""
 
     def __init__(self, reaction):
         self.reaction = reaction
@@ -31,7 +31,7 @@ class Exact:
 
 
 class AllAtOnce(Exact):
-    """The same, in one piece."""
+    """The same robot, which passes all samples at once."""
 
     def execute(self, motion, sink):
         touches = (motion.stroke >= 0)[:, None]
@@ -60,7 +60,7 @@ def exact(task):
 
 @pytest.fixture(scope="session")
 def program():
-    """The program that the wheel carries."""
+    """Return the command of the program in the wheel."""
     script = Path(sysconfig.get_path("scripts")) / "wisch"
     return [str(script)] if script.is_file() else [sys.executable, "-m", "wisch"]
 

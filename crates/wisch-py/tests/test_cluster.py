@@ -1,4 +1,4 @@
-"""Evaluations in parts: on a local Ray of two workers, and as an array of jobs."""
+"""Evaluations in parts: on a local Ray cluster with two workers, and as an array of jobs."""
 
 import json
 import os
@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-#: Runs the program; kills the worker that began it, once, amid part 2.
+#: Runs the program. Once, during part 2, it kills its worker.
 KILLER = """
 import os, signal, subprocess, sys
 from pathlib import Path
@@ -24,12 +24,12 @@ ARRAY = Path(__file__).resolve().parents[3] / "docs" / "cluster" / "evaluate.slu
 
 
 def program():
-    """The program: that of the wheel, or what WISCH names."""
+    """Return the command of the program: the wheel's, or the value of WISCH."""
     return [os.environ["WISCH"]] if "WISCH" in os.environ else [sys.executable, "-m", "wisch"]
 
 
-def results(folder):
-    """What must be the same however it came about: all results but for the time that they took."""
+def read_results(folder):
+    """Return all results except their durations, which differ between runs."""
     rows = [line.rsplit(",", 1)[0] for line in (folder / "runs.csv").read_text().splitlines()]
     assert len(rows) == 1 + 6
     return rows
@@ -37,13 +37,13 @@ def results(folder):
 
 @pytest.fixture(scope="module")
 def whole(tmp_path_factory):
-    """The evaluation in one piece."""
+    """Return the results of an evaluation without parts."""
     folder = tmp_path_factory.mktemp("whole") / "out"
     subprocess.run([*program(), "eval", *EVALUATION, "--out", folder, "--quiet"], check=True)
-    return results(folder)
+    return read_results(folder)
 
 
-def test_a_killed_worker_costs_its_part_only(tmp_path, whole):
+def test_only_the_part_of_a_killed_worker_is_repeated(tmp_path, whole):
     ray = pytest.importorskip("ray")
     from wisch.ray import evaluate
 
@@ -55,7 +55,7 @@ def test_a_killed_worker_costs_its_part_only(tmp_path, whole):
         code = evaluate(EVALUATION, out=out, shards=3, program=[sys.executable, str(killer)])
         assert code == 0
         assert mark.exists(), "no worker was killed"
-        assert results(out) == whole
+        assert read_results(out) == whole
         names = sorted(path.name for path in out.glob("*.jsonl"))
         assert [name for name in names if "-of-3" in name] == [f"runs-{i}-of-3.jsonl" for i in (1, 2, 3)]
         lines = [json.loads(line) for i in (1, 2, 3) for line in (out / f"runs-{i}-of-3.jsonl").open()]
@@ -64,7 +64,7 @@ def test_a_killed_worker_costs_its_part_only(tmp_path, whole):
         ray.shutdown()
 
 
-def test_what_the_program_refuses_is_said(tmp_path):
+def test_invalid_evaluations_are_refused(tmp_path):
     ray = pytest.importorskip("ray")
     from wisch.ray import evaluate
 
@@ -80,7 +80,7 @@ def test_what_the_program_refuses_is_said(tmp_path):
         ray.shutdown()
 
 
-def test_an_array_of_jobs_is_put_together(tmp_path, whole):
+def test_the_parts_of_an_array_of_jobs_are_combined(tmp_path, whole):
     if not ARRAY.exists():
         pytest.skip("the script is not shipped with the wheel")
     words = " ".join(program())
@@ -90,4 +90,4 @@ def test_an_array_of_jobs_is_put_together(tmp_path, whole):
         job = {**environment, "SLURM_ARRAY_TASK_ID": index}
         subprocess.run(["bash", ARRAY, *EVALUATION], check=True, env=job, cwd=tmp_path)
     subprocess.run(["bash", ARRAY, "--merge", *EVALUATION], check=True, env=environment, cwd=tmp_path)
-    assert results(tmp_path / "out") == whole
+    assert read_results(tmp_path / "out") == whole

@@ -6,7 +6,7 @@ import pytest
 import wisch
 
 
-def test_on_its_way_the_controller_asks_for_the_inverse_dynamics(robot, motion):
+def test_in_free_motion_the_efforts_are_those_of_the_inverse_dynamics(robot, motion):
     controller = wisch.ImpedanceController(motion, tool_mass_kg=0.0)
     assert controller.joints == motion.joints
     time = 0.5 * motion.phases[0]["end_s"]
@@ -19,7 +19,7 @@ def test_on_its_way_the_controller_asks_for_the_inverse_dynamics(robot, motion):
     np.testing.assert_allclose(controller.controller_wrench, 0, atol=1e-4)
 
 
-def test_on_the_surface_it_presses_as_hard_as_the_task_asks(task, motion):
+def test_on_the_surface_the_controller_presses_with_the_press_force(task, motion):
     controller = wisch.ImpedanceController(motion)
     k = int(np.flatnonzero(motion.stroke >= 0)[0])
     controller.command(motion.time_s[k], motion.positions[k], np.zeros(7))
@@ -32,8 +32,8 @@ def test_on_the_surface_it_presses_as_hard_as_the_task_asks(task, motion):
     assert deep == pytest.approx(1.1 * task.press_force_n / task.stiffness_n_per_m, rel=1e-3)
 
 
-def test_the_observer_finds_the_force_that_holds_the_arm(robot, motion):
-    """A hand holds the arm still where the controller asks for less than its weight."""
+def test_the_observer_estimates_the_force_that_holds_the_arm(robot, motion):
+    """The efforts do not hold the arm's weight, and a hand holds the arm still."""
     controller = wisch.ImpedanceController(motion, tool_mass_kg=0.0, observer_gain_per_s=150.0)
     q, still = motion.positions[0], np.zeros(7)
     for k in range(200):

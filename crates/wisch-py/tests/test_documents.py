@@ -1,4 +1,4 @@
-"""What is shown in documents: examples, notebooks, stubs and docstrings."""
+"""Examples, notebooks, stubs and docstrings."""
 
 import ast
 import doctest
@@ -22,11 +22,11 @@ NOTEBOOKS = sorted((DOCS / "notebooks").glob("*.ipynb"))
 
 
 @pytest.mark.parametrize("example", EXAMPLES, ids=[path.stem for path in EXAMPLES])
-def test_an_example_runs_and_is_shown_as_it_is(example, tmp_path):
+def test_an_example_runs_and_equals_the_text_in_the_document(example, tmp_path):
     ended = subprocess.run([sys.executable, example], cwd=tmp_path, capture_output=True, text=True, timeout=120)
     assert ended.returncode == 0, ended.stderr
     assert ended.stdout
-    # The first line is its heading there.
+    # The first line is a heading in the document.
     body = example.read_text().split("\n", 2)[2].strip()
     assert f"```python\n{body}\n```" in (DOCS / "python.md").read_text(), f"docs/python.md does not show {example.name}"
 
@@ -39,21 +39,21 @@ def test_a_notebook_runs(notebook, tmp_path):
     assert all(not cell.get("outputs") for cell in book.cells), "outputs are not committed"
     nbclient.NotebookClient(book, timeout=120, resources={"metadata": {"path": tmp_path}}).execute()
     shown = [kind for cell in book.cells for output in cell.get("outputs", []) for kind in output.get("data", {})]
-    assert {"image/svg+xml", "text/html"} & set(shown), "nothing is drawn"
+    assert {"image/svg+xml", "text/html"} & set(shown), "no picture and no table"
 
 
-def test_all_three_notebooks_are_there():
+def test_there_are_three_notebooks():
     assert len(NOTEBOOKS) == 3 and len(EXAMPLES) == 6
 
 
 @pytest.mark.parametrize("module", [wisch, wisch._task, wisch.gym], ids=lambda module: module.__name__)
-def test_docstrings_are_true(module):
+def test_examples_in_docstrings_run(module):
     failed, tried = doctest.testmod(module)
     assert tried and not failed
 
 
-def stubs():
-    """By class, its members; the functions under None."""
+def read_stubs():
+    """Return the members of each class; the functions are under None."""
     tree = ast.parse((Path(wisch.__file__).parent / "_wisch.pyi").read_text())
     members = {None: {node.name: node for node in tree.body if isinstance(node, ast.FunctionDef)}}
     for node in tree.body:
@@ -62,8 +62,8 @@ def stubs():
     return members
 
 
-def test_stubs_are_those_of_the_module():
-    typed = stubs()
+def test_stubs_have_the_members_of_the_module():
+    typed = read_stubs()
     for name, thing in vars(wisch._wisch).items():
         if inspect.isclass(thing):
             public = {n for n in vars(thing) if not n.startswith("_") or n in ("_repr_svg_", "_repr_html_")}
@@ -74,7 +74,7 @@ def test_stubs_are_those_of_the_module():
 
 
 def test_stubs_have_the_arguments_of_the_module():
-    for owner, members in stubs().items():
+    for owner, members in read_stubs().items():
         for name, node in members.items():
             if any(isinstance(d, ast.Name) and d.id == "property" for d in node.decorator_list) or name.startswith("__"):
                 continue
@@ -85,8 +85,8 @@ def test_stubs_have_the_arguments_of_the_module():
             assert arguments == signature, f"{owner}.{name}"
 
 
-def test_what_is_public_is_documented():
-    typed = stubs()
+def test_public_members_are_documented():
+    typed = read_stubs()
     for name in wisch.__all__:
         thing = getattr(wisch, name)
         assert inspect.getdoc(thing) or name in typed, name
@@ -94,7 +94,7 @@ def test_what_is_public_is_documented():
     assert len(shapes) > 60
 
 
-def test_importing_is_quick():
+def test_import_is_quick():
     script = "import sys, time; t = time.perf_counter(); import wisch; print(time.perf_counter() - t, 'gymnasium' in sys.modules)"
     times = []
     for _ in range(3):

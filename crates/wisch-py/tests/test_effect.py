@@ -1,4 +1,4 @@
-"""The effect model on arrays: closed form."""
+"""The effect model on arrays, compared with closed forms."""
 
 import numpy as np
 import pytest
@@ -9,7 +9,7 @@ BOARD = [[-0.2, -0.14], [0.2, -0.14], [0.2, 0.14], [-0.2, 0.14]]
 SPONGE = [[-0.035, -0.055], [0.035, -0.055], [0.035, 0.055], [-0.035, 0.055]]
 
 
-def test_a_crumb_rides_on_the_leading_edge():
+def test_a_crumb_moves_with_the_leading_edge():
     field = wisch.EffectField([[0.05, 0.0], [0.05, 0.1]], BOARD, SPONGE)
     assert field.apply([[0.0, 0.0, 0.0], [0.1, 0.0, 0.0]])["pushed"] == 1
     np.testing.assert_allclose(field.particles, [[0.135, 0.0], [0.05, 0.1]], atol=1e-8)
@@ -17,13 +17,13 @@ def test_a_crumb_rides_on_the_leading_edge():
     assert field.fates.tolist() == [2, 0]
 
 
-def test_a_touch_absorbs_what_is_under_it():
+def test_a_touch_absorbs_the_particles_under_the_tool():
     field = wisch.EffectField([[0.01, 0.0], [0.05, 0.1]], BOARD, SPONGE, "absorb")
     assert field.apply([[0.0, 0.0, 0.0]])["absorbed"] == 1
     assert field.fates.tolist() == [1, 0]
 
 
-def test_the_field_of_a_task_does_what_its_plan_predicts(task):
+def test_the_field_of_a_task_agrees_with_the_prediction_of_the_plan(task):
     plan = task.session().plan()
     field = wisch.EffectField.of_task(task)
     for stroke in plan.strokes:

@@ -1,4 +1,4 @@
-"""Executors that go wrong: a clear error, what was felt is kept, and nothing is left running."""
+"""Faults of executors: the error is clear, the samples before it are kept, and no process is left."""
 
 import json
 import subprocess
@@ -12,12 +12,12 @@ from conftest import AllAtOnce, Exact
 
 import wisch
 
-#: Samples that are handed on before something goes wrong: until amid the first stroke.
+#: Number of samples before the fault, which is during the first stroke.
 GOOD = 200
 
 
 class Spoiled(Exact):
-    """Good samples, then one that is changed, then what is left of the motion."""
+    """Passes good samples, and then a changed one, which the sink must refuse."""
 
     def __init__(self, reaction, change):
         super().__init__(reaction)
@@ -27,7 +27,7 @@ class Spoiled(Exact):
         for k in range(GOOD):
             sink(self.sample(motion, k))
         sink({**self.sample(motion, GOOD), **self.change})
-        pytest.fail("the sink took it")
+        pytest.fail("the sink took the changed sample")
 
 
 WRONG = [
@@ -48,7 +48,7 @@ WRONG = [
 
 
 @pytest.mark.parametrize(("change", "message"), WRONG, ids=[message[:30] for _, message in WRONG])
-def test_a_wrong_sample_is_named_and_what_was_felt_is_kept(task, robot, change, message):
+def test_a_wrong_sample_is_named_and_the_samples_before_it_are_kept(task, robot, change, message):
     session = task.session(robot)
     with pytest.raises(wisch.WischError) as caught:
         session.run(Spoiled(task.surface_reaction, change))
@@ -59,7 +59,7 @@ def test_a_wrong_sample_is_named_and_what_was_felt_is_kept(task, robot, change, 
     assert session.stage == "ended"
 
 
-def test_an_executor_that_throws_throws_its_own_with_where_it_happened(task, robot):
+def test_an_executors_exception_is_raised_with_round_and_time(task, robot):
     class Throws(Exact):
         def execute(self, motion, sink):
             for k in range(GOOD):
@@ -83,7 +83,7 @@ def test_an_executor_that_throws_throws_its_own_with_where_it_happened(task, rob
     assert session.rounds == [] and len(session.telemetry[0]) == 0
 
 
-def test_a_fault_that_is_swallowed_is_still_told(task, robot):
+def test_a_fault_that_the_executor_catches_is_still_raised(task, robot):
     class Swallows(Exact):
         def execute(self, motion, sink):
             for k in range(len(motion.time_s)):
@@ -135,8 +135,8 @@ def test_what_an_executor_returns_is_checked(task, robot):
         assert message in str(caught.value)
 
 
-def failure_of(run, thread):
-    """What a run on the main or on another thread raises, and after how many seconds."""
+def measure_failure(run, thread):
+    """Return the exception of a run on the main or on another thread, and the duration of the run [s]."""
     results = []
 
     def timed():
@@ -158,7 +158,7 @@ def failure_of(run, thread):
 
 @pytest.mark.parametrize("how", ["sleeps", "spins", "swallows"])
 @pytest.mark.parametrize("thread", ["main", "other"])
-def test_an_executor_that_hangs_is_given_up(task, robot, how, thread):
+def test_an_executor_that_hangs_is_interrupted(task, robot, how, thread):
     class Hangs(Exact):
         def execute(self, motion, sink):
             for k in range(GOOD):
@@ -177,16 +177,16 @@ def test_an_executor_that_hangs_is_given_up(task, robot, how, thread):
     how_often = []
     session = task.session(robot)
 
-    error, seconds = failure_of(lambda: session.run(Hangs(task.surface_reaction), timeout=0.4), thread)
+    error, seconds = measure_failure(lambda: session.run(Hangs(task.surface_reaction), timeout=0.4), thread)
     assert isinstance(error, wisch.WischError) and "no sample for 0.4 s" in str(error), repr(error)
     assert seconds < 30
     assert len(session.rounds[0].telemetry) == GOOD
-    time.sleep(0.1)  # an interruption that came late would come now
+    time.sleep(0.1)  # time for a late interrupt
 
 
 @pytest.mark.parametrize("looks", [1, 2], ids=["before the first plan", "after a motion"])
 @pytest.mark.parametrize("thread", ["main", "other"])
-def test_an_executor_that_looks_for_ever_is_given_up(robot, looks, thread):
+def test_an_observation_without_end_is_interrupted(robot, looks, thread):
     class Stares(AllAtOnce):
         def observe(self):
             seen.append(1)
@@ -199,13 +199,13 @@ def test_an_executor_that_looks_for_ever_is_given_up(robot, looks, thread):
     seeing = wisch.load_task("arm-board")
     session = seeing.session(robot)
 
-    error, seconds = failure_of(lambda: session.run(Stares(seeing.surface_reaction), timeout=0.4), thread)
+    error, seconds = measure_failure(lambda: session.run(Stares(seeing.surface_reaction), timeout=0.4), thread)
     assert isinstance(error, wisch.WischError) and "returned no observation for 0.4 s" in str(error), repr(error)
     assert len(seen) == looks and seconds < 30
-    time.sleep(0.1)  # an interruption that came late would come now
+    time.sleep(0.1)  # time for a late interrupt
 
 
-def test_one_that_is_slow_but_alive_is_not_given_up(task, robot):
+def test_a_slow_executor_is_not_interrupted(task, robot):
     class Slow(Exact):
         def execute(self, motion, sink):
             for k in range(0, len(motion.time_s), 200):
@@ -219,7 +219,7 @@ def test_one_that_is_slow_but_alive_is_not_given_up(task, robot):
         task.session(robot).run(Slow(task.surface_reaction), timeout=-1)
 
 
-def test_a_sink_is_of_its_motion_alone(task, robot):
+def test_a_sink_takes_samples_of_its_own_motion_only(task, robot):
     kept = []
 
     class Keeps(Exact):
@@ -229,16 +229,16 @@ def test_a_sink_is_of_its_motion_alone(task, robot):
 
     task.session(robot, rounds=1).run(Keeps(task.surface_reaction))
     sink, sample = kept[0]
-    with pytest.raises(wisch.WischError, match="the motion is over"):
+    with pytest.raises(wisch.WischError, match="a motion that has ended"):
         sink(sample)
 
 
-def test_what_is_no_executor_is_refused(task, robot):
+def test_an_object_without_execute_is_refused(task, robot):
     with pytest.raises(wisch.WischError, match=r"executor: expected an object with execute\(motion, sink\), found dict"):
         task.session(robot).run({})
 
 
-#: A robot that is served to the program, with what it does after its good samples.
+#: A program that serves an executor. ``then`` runs after the good samples.
 SERVED = """
 import sys, time
 import numpy as np
@@ -262,7 +262,7 @@ wisch.executor.serve(Robot())
 """
 
 
-def served(program, tmp_path, then, *more):
+def run_served(program, tmp_path, then, *more):
     script = tmp_path / "robot.py"
     script.write_text(SERVED.format(good=GOOD, then=then))
     command = [*program, "run", "arm-board", "--rounds", "1", "--out", "out", "--memory", "memory", "--set", "target_performance=0.2"]
@@ -270,14 +270,14 @@ def served(program, tmp_path, then, *more):
     return subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, timeout=120)
 
 
-def test_an_executor_that_is_served_to_the_program_does_the_same(program, tmp_path, task, robot):
-    ended = served(program, tmp_path, "pass")
+def test_a_served_executor_has_the_results_of_a_direct_one(program, tmp_path, task, robot):
+    ended = run_served(program, tmp_path, "pass")
     assert ended.returncode == 0, ended.stderr
-    assert "executing ['joint_1'" in ended.stderr, "what it prints goes to standard error"
+    assert "executing ['joint_1'" in ended.stderr, "output of the executor goes to standard error"
     assert len(wisch.Memory(tmp_path / "memory").episodes) == 1
     [by_program] = json.loads((tmp_path / "out" / "rounds.json").read_text())
     [here] = task.session(robot, rounds=1, target=0.2).run(Exact(task.surface_reaction))
-    assert (by_program["estimated"], by_program["verdict"]) == (here.performance, here.verdict), "to the last digit"
+    assert (by_program["estimated"], by_program["verdict"]) == (here.performance, here.verdict), "exactly equal"
 
 
 @pytest.mark.parametrize(
@@ -292,8 +292,8 @@ def test_an_executor_that_is_served_to_the_program_does_the_same(program, tmp_pa
         ("sys.exit(3)", "it ended while wisch waited for a message"),
     ],
 )
-def test_a_served_executor_that_goes_wrong_ends_the_run_and_keeps_the_episode(program, tmp_path, then, message):
-    ended = served(program, tmp_path, then, "--timeout", "1.5")
+def test_a_fault_of_a_served_executor_ends_the_run_and_keeps_the_episode(program, tmp_path, then, message):
+    ended = run_served(program, tmp_path, then, "--timeout", "1.5")
     assert ended.returncode == 2
     assert message in ended.stderr, ended.stderr
     assert "the episode was kept in" in ended.stderr
@@ -302,4 +302,4 @@ def test_a_served_executor_that_goes_wrong_ends_the_run_and_keeps_the_episode(pr
     assert len(memory.telemetry(episode, 1)["time_s"]) == GOOD
     script = str(tmp_path / "robot.py")
     listed = subprocess.run(["ps", "-eo", "args"], capture_output=True, text=True, check=True).stdout
-    assert script not in listed, "nothing is left running"
+    assert script not in listed, "no process is left"

@@ -1,4 +1,4 @@
-"""The environment: Gymnasium's own checks, seeds, many worlds, and the baselines."""
+"""The environment: Gymnasium's checks, seeds, parallel worlds, and the baselines."""
 
 import subprocess
 import sys
@@ -19,42 +19,42 @@ def test_it_passes_gymnasiums_checker():
         check_env(gymnasium.make("wisch/Wiping-v0").unwrapped, skip_render_check=True)
 
 
-def test_it_is_known_by_the_name_of_its_module():
+def test_the_name_with_the_module_needs_no_import():
     script = "import gymnasium; env = gymnasium.make('wisch.gym:wisch/Wiping-v0'); print(env.reset(seed=1)[0]['density'].sum())"
     ended = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, check=True)
     assert float(ended.stdout) == pytest.approx(1.0, abs=1e-5)
 
 
-def test_the_same_seed_is_the_same_episode_and_another_is_another():
-    def played(seed):
+def test_the_seed_determines_the_episode():
+    def play(seed):
         env = wisch.gym.WipingEnv()
         policy = wisch.gym.RandomPolicy(env, seed=1)
-        seen = [env.reset(seed=seed)[0]["density"]]
+        observations = [env.reset(seed=seed)[0]["density"]]
         for _ in range(40):
             observation, reward, terminated, truncated, _ = env.step(policy(None))
-            seen.append(observation["density"] * (1 + reward))
+            observations.append(observation["density"] * (1 + reward))
             if terminated or truncated:
-                seen.append(env.reset()[0]["density"])
-        return np.array(seen)
+                observations.append(env.reset()[0]["density"])
+        return np.array(observations)
 
-    np.testing.assert_array_equal(played(3), played(3))
-    assert (played(3) != played(4)).any()
+    np.testing.assert_array_equal(play(3), play(3))
+    assert (play(3) != play(4)).any()
 
 
-def test_many_worlds_are_as_many_single_ones():
+def test_parallel_worlds_equal_single_worlds():
     count, steps = 5, 70
     many = gymnasium.make_vec("wisch/Wiping-v0", num_envs=count, particles=20, max_strokes=9)
     single = [wisch.gym.WipingEnv(particles=20, max_strokes=9) for _ in range(count)]
-    seen, _ = many.reset(seed=11)
+    observation, _ = many.reset(seed=11)
     alone = [env.reset(seed=11 + i)[0] for i, env in enumerate(single)]
     over = [False] * count
     random = np.random.default_rng(2)
     for _ in range(steps):
         for i in range(count):
-            np.testing.assert_array_equal(seen["density"][i], alone[i]["density"])
-            np.testing.assert_array_equal(seen["tool"][i], alone[i]["tool"])
+            np.testing.assert_array_equal(observation["density"][i], alone[i]["density"])
+            np.testing.assert_array_equal(observation["tool"][i], alone[i]["tool"])
         actions = random.uniform(-1, 1, (count, 5)).astype(np.float32)
-        seen, rewards, terminated, truncated, _ = many.step(actions)
+        observation, rewards, terminated, truncated, _ = many.step(actions)
         for i, env in enumerate(single):
             if over[i]:
                 alone[i], over[i] = env.reset()[0], False
@@ -63,10 +63,10 @@ def test_many_worlds_are_as_many_single_ones():
                 alone[i], reward, *ended, _ = env.step(actions[i])
                 over[i] = any(ended)
                 assert (rewards[i], terminated[i], truncated[i]) == (reward, *ended)
-    assert many.observation_space.contains(seen)
+    assert many.observation_space.contains(observation)
 
 
-def test_a_reward_is_what_is_gained_less_the_way():
+def test_the_reward_is_the_gain_minus_the_cost_of_the_path():
     env = wisch.gym.WipingEnv(particles=50, cost_per_m=0.5)
     env.reset(seed=1)
     low, high = env.worlds.reach
@@ -111,8 +111,8 @@ def test_wrong_actions_and_settings_are_refused():
         wisch.gym.WipingVectorEnv(2).step(np.zeros((3, 5)))
 
 
-def test_how_fast_it_is():
-    """Told, not judged: how many strokes a second, of 1024 worlds with 100 particles."""
+def test_print_the_speed():
+    """Prints the number of strokes per second in 1024 worlds with 100 particles; no value is too small."""
     env = wisch.gym.WipingVectorEnv(1024)
     env.reset(seed=1)
     actions = [env.action_space.sample() for _ in range(8)]

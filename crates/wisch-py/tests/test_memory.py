@@ -1,4 +1,4 @@
-"""Episodes of sessions, and what can be asked of them."""
+"""Episodes of sessions, and queries about them."""
 
 import os
 import shutil
@@ -9,7 +9,7 @@ import pytest
 
 import wisch
 
-#: Engines that can answer, with how they are got.
+#: Prolog engines, with the way to install each.
 ENGINES = {
     "wisch-prolog": "cargo install --path crates/wisch-prolog --locked",
     "swipl": "install SWI-Prolog",
@@ -26,12 +26,12 @@ def remembered(task, robot, tmp_path_factory):
     return memory, memory.remember(session), rounds
 
 
-def test_a_session_is_kept_with_its_telemetry(remembered):
+def test_an_episode_contains_the_telemetry_of_its_session(remembered):
     memory, episode, rounds = remembered
     assert memory.episodes == [episode]
     columns = memory.telemetry(episode, 2)
     log = rounds[1].telemetry
-    # Times are kept in nanoseconds.
+    # The memory stores times in nanoseconds.
     np.testing.assert_allclose(columns["time_s"], log.time_s, atol=1e-9)
     for column, of_log in [
         ("measured/x", log.world_from_tool[:, 0]),
@@ -46,8 +46,8 @@ def test_a_session_is_kept_with_its_telemetry(remembered):
         memory.telemetry("20200101-000000-0000")
 
 
-def with_engine(monkeypatch, engine):
-    """Has only this Prolog engine be found, or none."""
+def restrict_path(monkeypatch, engine):
+    """Set PATH so that only this Prolog engine is found, or none."""
     folders = os.environ["PATH"].split(os.pathsep)
     found = shutil.which(engine) if engine else None
     if engine and found is None:
@@ -61,15 +61,15 @@ def with_engine(monkeypatch, engine):
 
 @pytest.mark.parametrize("engine", ENGINES)
 def test_the_memory_answers(remembered, engine, monkeypatch):
-    with_engine(monkeypatch, engine)
+    restrict_path(monkeypatch, engine)
     folder, episode, rounds = remembered[0].folder, *remembered[1:]
-    memory = wisch.Memory(folder)  # one that has asked no engine yet
+    memory = wisch.Memory(folder)  # a memory without an engine yet
     answers = memory.ask("member(X, [1, 2.5, a, f(b)])")
     assert [answer["X"] for answer in answers] == [1, 2.5, "a", ("f", ["b"])]
 
-    # The rounds themselves say what is to be answered.
-    told = memory.ask("performance_by_round(Action, Number, Performance)")
-    wiped = sorted((answer["Number"], answer["Performance"]) for answer in told)
+    # The expected answers come from the rounds.
+    by_round = memory.ask("performance_by_round(Action, Number, Performance)")
+    wiped = sorted((answer["Number"], answer["Performance"]) for answer in by_round)
     assert [number for number, _ in wiped] == [1, 2]
     assert [performance for _, performance in wiped] == pytest.approx([r.performance for r in rounds])
     low = memory.ask("low_performance_round(Round, Performance)")
@@ -82,16 +82,16 @@ def test_the_memory_answers(remembered, engine, monkeypatch):
 
     with pytest.raises(wisch.WischError, match="no_such_thing"):
         memory.ask("no_such_thing(X)")
-    assert memory.ask("fail") == [], "it can be asked on after a query that was wrong"
+    assert memory.ask("fail") == [], "a query is possible after a wrong one"
 
 
-def test_without_an_engine_it_is_said_what_is_missing(remembered, monkeypatch):
-    with_engine(monkeypatch, None)
+def test_a_missing_engine_is_named(remembered, monkeypatch):
+    restrict_path(monkeypatch, None)
     with pytest.raises(wisch.WischError, match="no Prolog engine") as caught:
         wisch.Memory(remembered[0].folder).ask("true")
     assert "SWI-Prolog" in caught.value.help
 
 
-def test_a_session_without_a_round_is_not_kept(task, robot, tmp_path):
-    with pytest.raises(wisch.WischError, match="no round that is over"):
+def test_a_session_without_a_round_is_refused(task, robot, tmp_path):
+    with pytest.raises(wisch.WischError, match="no finished round"):
         wisch.Memory(tmp_path / "m").remember(task.session(robot))

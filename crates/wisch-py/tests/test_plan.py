@@ -1,4 +1,4 @@
-"""Plans, predictions, motions and audits; and that they are those of the program, byte for byte."""
+"""Plans, predictions, motions and audits; plans and motions equal those of the program, byte for byte."""
 
 import subprocess
 
@@ -9,7 +9,7 @@ import wisch
 
 
 @pytest.mark.parametrize(("scenario", "strategy", "seed"), [("arm-board", "kde", 3), ("arm-board", "adaptive", 4), ("table", "grid", 1)])
-def test_a_plan_is_that_of_the_program_byte_for_byte(program, tmp_path, scenario, strategy, seed):
+def test_a_plan_equals_that_of_the_program_byte_for_byte(program, tmp_path, scenario, strategy, seed):
     settings = {"plan.evaluations": 3000}
     out = tmp_path / "out"
     command = ["plan", scenario, "--strategy", strategy, "--seed", str(seed), "--set", "plan.evaluations=3000"]
@@ -22,7 +22,7 @@ def test_a_plan_is_that_of_the_program_byte_for_byte(program, tmp_path, scenario
     assert other.session().plan().to_json() != text
 
 
-def test_strokes_are_arrays_of_poses_as_long_as_the_plan_says(task):
+def test_the_length_of_the_strokes_is_that_of_the_plan(task):
     plan = task.session().plan()
     assert all(stroke.shape[1] == 3 for stroke in plan.strokes)
     way = sum(np.linalg.norm(np.diff(stroke[:, :2], axis=0), axis=1).sum() for stroke in plan.strokes)
@@ -56,7 +56,7 @@ def test_a_motion_is_within_limits_and_on_the_surface(task, robot, motion):
     assert task.session(robot).audit().faults == []
 
 
-def test_a_robot_that_is_missing_or_wrong_is_said(task):
+def test_a_missing_or_unknown_robot_is_refused(task):
     with pytest.raises(wisch.WischError, match="has no robot"):
         task.session().follow()
     with pytest.raises(wisch.WischError) as caught:
@@ -66,7 +66,7 @@ def test_a_robot_that_is_missing_or_wrong_is_said(task):
         task.session(3)
 
 
-def test_kinematics_and_dynamics_fit_each_other(robot):
+def test_kinematics_and_dynamics_agree(robot):
     random = np.random.default_rng(1)
     q, qd, qdd = random.normal(size=(3, robot.dof))
     mass, bias = robot.mass_matrix(q), robot.bias(q, qd)
@@ -90,7 +90,7 @@ def test_pictures_are_svg(task):
 
 
 def lawnmower(task):
-    """Rows along x, from border to border."""
+    """Return strokes along x over the whole surface."""
     outline = np.asarray(task.surface_outline)
     (left, low), (right, high) = outline.min(0), outline.max(0)
     rows = int(np.ceil((high - low) / task.area_of_effect_m[1]))
@@ -98,7 +98,7 @@ def lawnmower(task):
     return [np.array([[left, y, 0.0], [right, y, 0.0]]) for y in middles]
 
 
-def test_strokes_of_ones_own_are_a_plan_that_a_session_takes():
+def test_a_session_takes_given_strokes():
     task = wisch.load_task("chopping-board", action="absorb", seed=1)
     strokes = lawnmower(task)
     plan = task.plan_of_strokes(strokes)
@@ -117,7 +117,7 @@ def test_strokes_of_ones_own_are_a_plan_that_a_session_takes():
     assert len(seen) == 1 and seen[0].shape == task.particles.shape
 
 
-def test_strokes_through_a_thing_or_off_the_surface_are_refused():
+def test_strokes_through_an_object_or_off_the_surface_are_refused():
     task = wisch.load_task("table", action="absorb", strategy="grid", seed=1)
     with pytest.raises(wisch.WischError, match=r"strokes\[\d+\] leads the tool through"):
         task.plan_of_strokes(lawnmower(task))
@@ -131,7 +131,7 @@ def test_strokes_through_a_thing_or_off_the_surface_are_refused():
         task.session(plan=fails).plan()
 
 
-def test_a_plan_for_known_dirt_is_shorter_than_one_for_all_that_is_believed():
+def test_a_plan_for_known_dirt_is_shorter_than_one_for_the_belief():
     task = wisch.load_task("table", action="absorb", strategy="adaptive", seed=1)
     known, believed = task.plan_known_dirt(), task.session().plan()
     assert known.contact_distance_m < believed.contact_distance_m

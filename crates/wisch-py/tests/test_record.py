@@ -1,4 +1,4 @@
-"""What a session leaves: results, bags, and an episode."""
+"""Stored results of a session: report, bags, and an episode."""
 
 import json
 
@@ -9,7 +9,7 @@ import wisch
 
 
 class Stumbles:
-    """A robot that breaks off amid its second motion."""
+    """A robot that fails during its second motion."""
 
     def __init__(self, exact):
         self.exact = exact
@@ -22,7 +22,7 @@ class Stumbles:
         self.exact.execute(motion, sink)
 
 
-def test_a_session_leaves_a_report_bags_and_an_episode(task, robot, exact, tmp_path):
+def test_a_session_writes_a_report_bags_and_an_episode(task, robot, exact, tmp_path):
     out, memory = tmp_path / "out", tmp_path / "episodes"
     session = task.session(robot, rounds=2, out=out, memory=memory)
     assert session.episode is None
@@ -41,7 +41,7 @@ def test_a_session_leaves_a_report_bags_and_an_episode(task, robot, exact, tmp_p
     np.testing.assert_allclose(columns["external/fz"], rounds[0].telemetry.force_n[:, 2], atol=1e-12)
 
 
-def test_what_was_executed_is_kept_of_a_session_that_breaks_off(task, robot, exact, tmp_path):
+def test_a_session_that_fails_keeps_its_finished_rounds(task, robot, exact, tmp_path):
     out = tmp_path / "out"
     session = task.session(robot, rounds=3, target=1.0, out=out, memory=tmp_path / "episodes")
     with pytest.raises(RuntimeError, match="unplugged"):
@@ -51,17 +51,17 @@ def test_what_was_executed_is_kept_of_a_session_that_breaks_off(task, robot, exa
     assert wisch.Memory(tmp_path / "episodes").episodes == [session.episode]
 
 
-def test_a_session_that_is_left_early_is_written_by_its_with_block(task, robot, exact, tmp_path):
+def test_the_with_block_writes_an_unfinished_session(task, robot, exact, tmp_path):
     with task.session(robot, rounds=3, out=tmp_path / "out") as session:
         session.run_round(exact)
         assert not (tmp_path / "out").exists()
     assert (tmp_path / "out" / "telemetry" / "round-1.mcap").is_file()
     with task.session(robot, out=tmp_path / "nothing"):
         pass
-    assert not (tmp_path / "nothing").exists(), "what has not begun leaves nothing"
+    assert not (tmp_path / "nothing").exists(), "a session that has not begun writes no files"
 
 
-def test_a_place_that_cannot_be_written_is_refused_before_anything_moves(task, robot, tmp_path):
+def test_an_unwritable_folder_is_refused_before_the_first_motion(task, robot, tmp_path):
     (tmp_path / "file").write_text("not a folder")
     for place in [{"out": tmp_path / "file"}, {"memory": tmp_path / "file" / "episodes"}]:
         with pytest.raises(wisch.WischError):

@@ -7,27 +7,27 @@ from conftest import AllAtOnce, Exact
 import wisch
 
 
-def told(rounds):
+def summarize(rounds):
     return [(r.number, r.performance, r.interval, r.verdict, r.ending) for r in rounds]
 
 
-def test_samples_one_by_one_and_all_at_once_are_the_same(task, robot):
+def test_single_samples_and_arrays_have_the_same_results(task, robot):
     by_one, at_once = (
         task.session(robot, rounds=2).run(kind(task.surface_reaction)) for kind in (Exact, AllAtOnce)
     )
-    assert told(by_one) == told(at_once)
+    assert summarize(by_one) == summarize(at_once)
     assert len(by_one) == 2
     assert by_one[-1].performance > 0.8
     np.testing.assert_allclose(by_one[0].telemetry.world_from_tool, by_one[0].motion.world_from_tool, atol=1e-12)
 
 
-def test_telemetry_is_handed_out_without_a_copy(task, robot, exact):
+def test_telemetry_is_not_copied(task, robot, exact):
     session = task.session(robot, rounds=1)
     [first] = session.run(exact)
     telemetry = first.telemetry
     assert telemetry is session.telemetry[0]
     assert telemetry.force_n is telemetry.force_n
-    assert not telemetry.force_n.flags.owndata, "the array is a view of what Rust keeps"
+    assert not telemetry.force_n.flags.owndata, "the array is a view of data in Rust"
     assert len(telemetry) == len(first.motion.time_s)
     assert telemetry.positions.shape == first.motion.positions.shape
     assert telemetry.velocities.shape == (len(telemetry), 0)
@@ -55,10 +55,10 @@ def test_events_come_in_order_and_can_stop_the_session(task, robot, exact):
 
     [stopped] = task.session(robot).run(Exact(task.surface_reaction), on_event=a_few)
     assert stopped.ending == "stopped"
-    assert len(stopped.telemetry) == 101, "every fiftieth sample is told"
+    assert len(stopped.telemetry) == 101, "an event for every fiftieth sample"
 
 
-def test_what_a_callback_raises_comes_out(task, robot, exact):
+def test_an_exception_of_a_callback_is_raised(task, robot, exact):
     def fails(event):
         if event["event"] == "following":
             raise KeyError("my own")
@@ -71,7 +71,7 @@ def test_what_a_callback_raises_comes_out(task, robot, exact):
         session.run(exact, on_event=lambda event: session.rounds)
 
 
-def test_an_executor_that_looks_is_asked(robot):
+def test_observe_is_called_before_the_first_plan_and_after_a_motion(robot):
     task = wisch.load_task("arm-board")
 
     class Looks(AllAtOnce):
@@ -96,7 +96,7 @@ def test_an_executor_that_looks_is_asked(robot):
         task.session(robot).run(Wrong(task.surface_reaction))
 
 
-def test_how_an_executor_ended_is_taken_over(task, robot):
+def test_the_returned_ending_is_that_of_the_round(task, robot):
     class Caught(Exact):
         def execute(self, motion, sink):
             for k in range(200):
@@ -107,7 +107,7 @@ def test_how_an_executor_ended_is_taken_over(task, robot):
     assert (first.ending, first.duration_s) == ("protective stop", 2.0)
 
 
-def test_stages_can_be_gone_through_one_by_one(task, robot, exact):
+def test_stages_run_one_by_one(task, robot, exact):
     session = task.session(robot)
     assert session.stage is None
     plan = session.plan()
@@ -122,14 +122,14 @@ def test_stages_can_be_gone_through_one_by_one(task, robot, exact):
     assert "<table>" in session._repr_html_() and first._repr_svg_().startswith("<svg")
 
 
-def test_arrays_are_interpreted_as_the_session_does(task, robot, exact):
+def test_arrays_are_interpreted_as_in_the_session(task, robot, exact):
     [first] = task.session(robot, rounds=1).run(exact)
     log = first.telemetry
-    told = task.interpret(log)
-    assert told.performance == first.performance and told.diagnosis == "localized"
+    interpretation = task.interpret(log)
+    assert interpretation.performance == first.performance and interpretation.diagnosis == "localized"
     arrays = task.interpret(time_s=log.time_s, world_from_tool=log.world_from_tool, force_n=log.force_n)
-    assert arrays.performance == told.performance
-    assert told.next_plan().contact_distance_m < first.plan.contact_distance_m
+    assert arrays.performance == interpretation.performance
+    assert interpretation.next_plan().contact_distance_m < first.plan.contact_distance_m
     with pytest.raises(wisch.WischError, match="force_n: expected 5, one per time, found 4 rows"):
         task.interpret(time_s=log.time_s[:5], world_from_tool=log.world_from_tool[:5], force_n=log.force_n[:4])
     with pytest.raises(wisch.WischError):

@@ -1,4 +1,4 @@
-"""Tasks from files and from objects, and what is said of wrong ones."""
+"""Tasks from files and from objects, and errors of wrong ones."""
 
 import pickle
 
@@ -10,7 +10,7 @@ import wisch
 PLACES = np.array([[0.1, 0.0], [0.0, 0.05], [-0.1, -0.05]])
 
 
-def built(**more):
+def build(**more):
     keys = dict(
         action="absorb",
         tool="sponge",
@@ -21,7 +21,7 @@ def built(**more):
     return wisch.build_task(**{**keys, **more})
 
 
-def test_a_shipped_task_says_what_it_asks(task):
+def test_a_shipped_task_has_the_values_of_its_file(task):
     assert (task.name, task.action, task.tool) == ("arm-board", "collect", "sponge")
     assert task.particles.shape == (60, 2)
     np.testing.assert_array_equal(task.world_from_surface, [0, 0, 0.77, 0, 0, 0, 1])
@@ -31,7 +31,7 @@ def test_a_shipped_task_says_what_it_asks(task):
     assert np.ptp(task.scene[0]["vertices"], axis=0) == pytest.approx([0.32, 0.24, 0.02])
 
 
-def test_values_are_laid_over_a_file():
+def test_given_values_override_the_file():
     task = wisch.load_task(
         "arm-board",
         set={"particles.count": np.int64(7), "tool.name": "brush", "surface.size_m": (0.3, 0.2), "execution": {"friction": 0.3}},
@@ -42,8 +42,8 @@ def test_values_are_laid_over_a_file():
     assert np.ptp(task.surface_outline, axis=0) == pytest.approx([0.3, 0.2])
 
 
-def test_a_task_of_objects_is_the_task_of_a_file_with_the_same_keys(tmp_path):
-    made = built(scene=[{"name": "cup", "box_m": [0.05, 0.05, 0.1], "frame": "surface", "position_m": np.array([-0.1, 0.1, 0.05])}])
+def test_a_task_from_objects_equals_the_task_from_a_file_with_the_same_keys(tmp_path):
+    made = build(scene=[{"name": "cup", "box_m": [0.05, 0.05, 0.1], "frame": "surface", "position_m": np.array([-0.1, 0.1, 0.05])}])
     np.testing.assert_array_equal(made.particles, PLACES)
     lists = "\n".join(f"{x},{y}" for x, y in PLACES.tolist())
     (tmp_path / "crumbs.csv").write_text(f"x,y\n{lists}\n")
@@ -54,7 +54,7 @@ def test_a_task_of_objects_is_the_task_of_a_file_with_the_same_keys(tmp_path):
     assert read.session().plan().to_json() == made.session().plan().to_json()
 
 
-def test_other_particles_make_another_task_and_leave_the_first(task):
+def test_other_particles_make_another_task_and_do_not_change_the_first(task):
     other = task.with_particles(PLACES, strategy="grid")
     np.testing.assert_array_equal(other.particles, PLACES)
     assert (other.strategy, task.strategy, len(task.particles)) == ("grid", "kde", 60)
@@ -64,12 +64,12 @@ def test_other_particles_make_another_task_and_leave_the_first(task):
     ("make", "message", "value", "limit"),
     [
         (lambda: wisch.load_task("arm-board", set={"particles.count": 0}), "particles.count = 0", "0", "at least 1"),
-        (lambda: built(tool="spunge"), "nearest: sponge", "spunge", "sponge"),
-        (lambda: built(colour=3), 'unknown key "colour"', "colour", "schema"),
-        (lambda: built(strategy="greedy"), "greedy", "greedy", "kde"),
-        (lambda: built(particles=np.zeros((3, 3))), "particles", "an array of shape (3, 3)", "(rows, 2)"),
+        (lambda: build(tool="spunge"), "nearest: sponge", "spunge", "sponge"),
+        (lambda: build(colour=3), 'unknown key "colour"', "colour", "schema"),
+        (lambda: build(strategy="greedy"), "greedy", "greedy", "kde"),
+        (lambda: build(particles=np.zeros((3, 3))), "particles", "an array of shape (3, 3)", "(rows, 2)"),
         (lambda: wisch.load_task("arm-board", action="wipe"), "wipe", None, None),
-        (lambda: built(surface={"name": "chopping_board", "size_m": [0.4, float("nan")]}), "surface.size_m[1] = NaN is outside its limits", "NaN", "at least 0.001"),
+        (lambda: build(surface={"name": "chopping_board", "size_m": [0.4, float("nan")]}), "surface.size_m[1] = NaN is outside its limits", "NaN", "at least 0.001"),
     ],
 )
 def test_a_wrong_task_is_refused_with_place_value_and_limit(make, message, value, limit):
@@ -82,7 +82,7 @@ def test_a_wrong_task_is_refused_with_place_value_and_limit(make, message, value
     assert isinstance(error, ValueError)
 
 
-def test_an_error_keeps_its_place_and_help_when_it_is_pickled(tmp_path):
+def test_a_pickled_error_keeps_its_place_and_help(tmp_path):
     file = tmp_path / "task.toml"
     file.write_text("schema = 1\nname = 3\n")
     with pytest.raises(wisch.WischError) as caught:
@@ -94,8 +94,8 @@ def test_an_error_keeps_its_place_and_help_when_it_is_pickled(tmp_path):
     assert caught.value.help == "did you mean arm-board?"
 
 
-def test_particles_that_are_none_are_named():
+def test_an_invalid_particle_is_named():
     places = PLACES.copy()
     places[1, 0] = np.nan
     with pytest.raises(wisch.WischError, match=r"particle 1: position \(NaN, 0.05\)"):
-        built(particles=places)
+        build(particles=places)

@@ -394,7 +394,7 @@ class Session:
     ``observe`` does not return, within ``timeout`` [s], the session stops waiting and raises WischError.
     """
     def plan(self, executor: Executor | None = None, *, on_event: OnEvent | None = None) -> Plan:
-        """Plan the current round, unless it is planned. Before the first plan, an executor with ``observe`` is asked for it."""
+        """Plan the current round, unless it is planned. Before the first plan, ``observe`` of an executor with a camera is called."""
     def follow(self, executor: Executor | None = None, *, on_event: OnEvent | None = None) -> Motion:
         """Continue to the joint motion of the plan."""
     def audit(self, executor: Executor | None = None, *, on_event: OnEvent | None = None) -> Audit:

@@ -90,14 +90,14 @@ class _Motion:
 class _Wire:
     """Connection to wisch. A thread of its own receives messages, so that a "stop" takes effect at once."""
 
-    def __init__(self, heard, said) -> None:
-        self._said = said
+    def __init__(self, source, target) -> None:
+        self._target = target
         self._messages: queue.SimpleQueue = queue.SimpleQueue()
         self.is_stopped = threading.Event()
-        threading.Thread(target=self._listen, args=(heard,), daemon=True).start()
+        threading.Thread(target=self._listen, args=(source,), daemon=True).start()
 
-    def _listen(self, heard) -> None:
-        for line in heard:
+    def _listen(self, source) -> None:
+        for line in source:
             message = json.loads(line)
             if message == "stop":
                 self.is_stopped.set()
@@ -106,15 +106,15 @@ class _Wire:
         self.is_stopped.set()
         self._messages.put(None)
 
-    def hear(self):
+    def receive(self):
         return self._messages.get()
 
-    def say(self, **message) -> None:
-        self._said.write(json.dumps(message, default=_plain, allow_nan=False) + "\n")
-        self._said.flush()
+    def send(self, **message) -> None:
+        self._target.write(json.dumps(message, default=_to_list, allow_nan=False) + "\n")
+        self._target.flush()
 
 
-def _plain(value):
+def _to_list(value):
     if hasattr(value, "tolist"):
         return value.tolist()
     raise TypeError(f"a message cannot hold a {type(value).__name__}")
@@ -132,14 +132,14 @@ class _Sink:
         sample = dict(keys if sample is None else sample)
         for key in ("positions", "velocities", "efforts"):
             if isinstance(sample.get(key), dict):
-                sample[key] = self._in_order(key, sample[key])
+                sample[key] = self._sort_by_joint(key, sample[key])
         sample.setdefault("positions", [])
-        sample = {key: _finite(key, value) for key, value in sample.items()}
-        self._wire.say(sample=sample)
+        sample = {key: _check_finite(key, value) for key, value in sample.items()}
+        self._wire.send(sample=sample)
         self.last = sample
         return not self._wire.is_stopped.is_set()
 
-    def _in_order(self, key: str, by_name: dict[str, float]) -> list[float]:
+    def _sort_by_joint(self, key: str, by_name: dict[str, float]) -> list[float]:
         for joint in self._joints:
             if joint not in by_name:
                 raise ValueError(f"{key}: joint {joint!r} is missing; given: {', '.join(by_name)}")
@@ -155,7 +155,7 @@ class _Sink:
         return True
 
 
-def _finite(key: str, value):
+def _check_finite(key: str, value):
     if isinstance(value, str):
         return value
     array = np.asarray(value, dtype=float)
@@ -165,22 +165,22 @@ def _finite(key: str, value):
 
 
 def _execute(executor, wire: _Wire, head: dict[str, Any]) -> None:
-    points = [wire.hear()["point"] for _ in range(head.pop("points"))]
+    points = [wire.receive()["point"] for _ in range(head.pop("points"))]
     motion = _Motion(head, points)
     sink = _Sink(wire, head["joints"])
     done = executor.execute(motion, sink) or {}
     ending = "stopped" if wire.is_stopped.is_set() else "complete"
     time = sink.last.get("time_s", 0.0)
     positions = sink.last.get("positions", [])
-    wire.say(done={"duration_s": time, "ending": ending, "positions": positions, **done})
+    wire.send(done={"duration_s": time, "ending": ending, "positions": positions, **done})
 
 
-def _seen(executor):
-    look = getattr(executor, "observe", None)
-    seen = look() if look else None
-    if seen is None or isinstance(seen, dict):
-        return seen
-    return {"detections": seen}
+def _observe(executor):
+    observe = getattr(executor, "observe", None)
+    observation = observe() if observe else None
+    if observation is None or isinstance(observation, dict):
+        return observation
+    return {"detections": observation}
 
 
 def serve(executor) -> None:
@@ -190,21 +190,21 @@ def serve(executor) -> None:
     """
     wire = _Wire(sys.stdin, sys.stdout)
     sys.stdout = sys.stderr
-    while (message := wire.hear()) is not None:
+    while (message := wire.receive()) is not None:
         try:
             if message == "state":
                 state = executor.state()
                 if not isinstance(state, dict):
                     state = {"positions": [] if state is None else state}
-                wire.say(state=state)
+                wire.send(state=state)
             elif "hello" in message:
-                wire.say(ready={"version": VERSION, "reports_state": hasattr(executor, "state")})
+                wire.send(ready={"version": VERSION, "reports_state": hasattr(executor, "state")})
             elif "execute" in message:
                 wire.is_stopped.clear()
                 _execute(executor, wire, message["execute"])
             elif "observe" in message:
-                wire.say(observation=_seen(executor))
+                wire.send(observation=_observe(executor))
         except Exception as error:
             traceback.print_exc()
-            wire.say(error=f"{type(error).__name__}: {error}")
+            wire.send(error=f"{type(error).__name__}: {error}")
             sys.exit(1)

@@ -228,10 +228,10 @@ class AdaptivePolicy:
     def __call__(self, observation) -> np.ndarray:
         """Return the next action, (5,)."""
         if not self._strokes:
-            self._strokes = self._planned()
+            self._strokes = self._plan()
         return self._strokes.pop(0)
 
-    def _planned(self) -> list[np.ndarray]:
+    def _plan(self) -> list[np.ndarray]:
         here = self._env.particles()
         if len(here):
             task = self._env.task.with_particles(
