@@ -36,36 +36,36 @@ pub struct CalibrationLevel {
 /// Draws the reliability diagram and the widths of the intervals as SVG. The first curve is that of wisch.
 pub fn calibration_drawing(title: &str, what: &str, curves: &[CalibrationCurve]) -> String {
     let classes = ["curve", "course", "trail", "driven"];
-    let classed = || curves.iter().zip(classes.iter().cycle());
-    let entries = classed().map(|(curve, class)| legend::line(class, curve.name.clone()));
+    let with_class = || curves.iter().zip(classes.iter().cycle());
+    let entries = with_class().map(|(curve, class)| legend::line(class, curve.name.clone()));
     let mut entries: Vec<_> = entries.collect();
     entries.push(legend::line(
         "lifted",
-        "ideal: as many outcomes within the interval as stated",
+        "ideal: observed share equals nominal probability",
     ));
     let widest = (curves.iter().flat_map(|curve| &curve.levels))
         .map(|level| level.width)
         .fold(0.1, f64::max);
     let body = html! {
-        text class="text small quiet" x="8" y="14" { "outcomes within the interval" }
+        text class="text small quiet" x="8" y="14" { "share of outcomes within the interval" }
         (axes::beside(axes::quarters(down), RELIABILITY, 6.0))
-        (axes::below(shares(RELIABILITY), BOTTOM, 18.0))
-        (straight(RELIABILITY))
-        @for (curve, class) in classed() {
-            (plot(curve, class, RELIABILITY, |level| down(level.held)))
+        (axes::below(level_ticks(RELIABILITY), BOTTOM, 18.0))
+        (draw_diagonal(RELIABILITY))
+        @for (curve, class) in with_class() {
+            (draw_curve(curve, class, RELIABILITY, |level| down(level.held)))
             @for level in &curve.levels {
-                (whisker(across(level.level, RELIABILITY), level.bounds))
+                (draw_whisker(across(level.level, RELIABILITY), level.bounds))
             }
         }
-        text class="text small quiet" x=(px(WIDTHS[0] - 44.0)) y="14" { "mean width of the interval, of at most " (percent(widest)) }
+        text class="text small quiet" x=(px(WIDTHS[0] - 44.0)) y="14" { "mean width of the interval (largest: " (percent(widest)) ")" }
         (axes::beside(width_ticks(widest), WIDTHS, 6.0))
-        (axes::below(shares(WIDTHS), BOTTOM, 18.0))
-        @for (curve, class) in classed() {
-            (plot(curve, class, WIDTHS, |level| down(level.width / widest)))
+        (axes::below(level_ticks(WIDTHS), BOTTOM, 18.0))
+        @for (curve, class) in with_class() {
+            (draw_curve(curve, class, WIDTHS, |level| down(level.width / widest)))
         }
         @for ends in [RELIABILITY, WIDTHS] {
             path class="axis" d=(format!("M{} {}H{}", px(ends[0]), px(BOTTOM), px(ends[1]))) {}
-            text class="text small quiet end" x=(px(ends[1])) y=(px(BOTTOM + 34.0)) { "probability within the interval" }
+            text class="text small quiet end" x=(px(ends[1])) y=(px(BOTTOM + 34.0)) { "nominal probability of the interval" }
         }
     };
     let panel = Panel {
@@ -90,7 +90,7 @@ fn down(share: f64) -> f64 {
     BOTTOM - share.clamp(0.0, 1.0) * (BOTTOM - TOP)
 }
 
-fn shares(ends: [f64; 2]) -> impl Iterator<Item = (f64, String)> {
+fn level_ticks(ends: [f64; 2]) -> impl Iterator<Item = (f64, String)> {
     [0.0, 0.5, 0.8, 0.95]
         .into_iter()
         .map(move |share| (across(share, ends), percent(share)))
@@ -103,12 +103,12 @@ fn width_ticks(widest: f64) -> impl Iterator<Item = (f64, String)> {
     })
 }
 
-fn straight([left, right]: [f64; 2]) -> Markup {
+fn draw_diagonal([left, right]: [f64; 2]) -> Markup {
     let d = format!("M{} {}L{} {}", px(left), px(BOTTOM), px(right), px(TOP));
     html! { path class="lifted" d=(d) {} }
 }
 
-fn plot(
+fn draw_curve(
     curve: &CalibrationCurve,
     class: &str,
     ends: [f64; 2],
@@ -123,7 +123,7 @@ fn plot(
     html! { path class=(class) d=(pen.path()) {} }
 }
 
-fn whisker(x: f64, [low, high]: [f64; 2]) -> Markup {
+fn draw_whisker(x: f64, [low, high]: [f64; 2]) -> Markup {
     let d = format!("M{} {}V{}", px(x), px(down(low)), px(down(high)));
     html! { path class="whisker" d=(d) {} }
 }

@@ -17,7 +17,7 @@ const SCALE_BAR_SHARE: f64 = 0.4;
 pub fn footprint_drawing(tool: &Tool) -> String {
     let mm = |metres: f64| 1e3 * metres;
     let radius = mm(tool.collision_radius());
-    // A footprint need not lie round the tool centre point.
+    // A footprint need not enclose the tool centre point.
     let reach = tool
         .footprint
         .edges()
@@ -30,8 +30,8 @@ pub fn footprint_drawing(tool: &Tool) -> String {
     let bar = round_length(side * SCALE_BAR_SHARE);
     let (left, top, bottom) = (-0.92 * half, -0.92 * half + 0.5 * text, 0.92 * half);
     let above_bar = bottom - 0.4 * text;
-    let (name, outline) = (escaped(&tool.name), outline(tool));
-    // From below: the ground, the collision sphere, the footprint, the tool centre point and its way, a scale.
+    let (name, outline) = (escape(&tool.name), outline(tool));
+    // Layers from below: background, collision sphere, footprint, tool centre point with its direction of motion, scale.
     format!(
         r##"<svg xmlns="http://www.w3.org/2000/svg" width="{WIDTH}" height="{WIDTH}" viewBox="{low:.3} {low:.3} {side:.3} {side:.3}" font-family="sans-serif" font-size="{text:.3}">
 <title>Footprint of {name}</title>
@@ -54,7 +54,7 @@ fn outline(tool: &Tool) -> String {
     for ring in tool.footprint.polygons().iter().flat_map(|p| p.rings()) {
         for (i, Point2 { coords }) in ring.iter().enumerate() {
             let command = if i == 0 { 'M' } else { 'L' };
-            // A String takes whatever is written.
+            // Writing to a String cannot fail.
             let _ = write!(
                 path,
                 "{command}{:.4} {:.4}",
@@ -77,7 +77,7 @@ fn round_length(length: f64) -> f64 {
         .unwrap_or(power)
 }
 
-fn escaped(text: &str) -> String {
+fn escape(text: &str) -> String {
     visible(text)
         .replace('&', "&amp;")
         .replace('<', "&lt;")

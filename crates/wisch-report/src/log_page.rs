@@ -71,7 +71,7 @@ fn events(events: &[Event]) -> Markup {
                     tbody {
                         @for event in events.iter().take(MAX_EVENTS) {
                             tr {
-                                td { (words::kind(event.kind)) }
+                                td { (words::kind_name(event.kind)) }
                                 td { (metres(event.start, 2)) } td { (metres(event.end, 2)) }
                                 td { (metres(event.peak_force, 1)) }
                             }
@@ -80,7 +80,7 @@ fn events(events: &[Event]) -> Markup {
                 }
             }
             @if events.len() > MAX_EVENTS {
-                p class="note" { "The first " (MAX_EVENTS) " of " (events.len()) " events are listed." }
+                p class="note" { "The table lists the first " (MAX_EVENTS) " of " (events.len()) " events." }
             }
         }
     }

@@ -1,4 +1,4 @@
-//! What is drawn of a run, as files.
+//! The pictures of a run, as files.
 
 use crate::input::ReportInput;
 use crate::motion::{joint_plots, placements_plan};
@@ -6,7 +6,7 @@ use crate::prediction::figures;
 use crate::prediction::layers::Drawing;
 use crate::rounds;
 
-/// The pictures of a run as (file stem, SVG).
+/// Draws the pictures of a run as (file stem, SVG).
 pub fn pictures(input: &ReportInput) -> Vec<(String, String)> {
     let drawing = Drawing::new(input);
     let mut pictures = Vec::new();

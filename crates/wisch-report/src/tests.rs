@@ -11,7 +11,7 @@ use wisch::represent::{
 };
 use wisch_testkit::{sponge, surface};
 
-/// Set to a folder, the reports of these tests are kept there to be looked at.
+/// Environment variable with a folder in which these tests keep their pictures for inspection.
 const KEEP: &str = "WISCH_KEEP_REPORTS";
 
 struct Run {
@@ -53,11 +53,11 @@ impl Run {
     }
 }
 
-/// What is known of a sponge on crumbs.
+/// Returns the shipped interaction of a sponge with breadcrumbs.
 fn interaction() -> Interaction {
     let knowledge = wisch_io::KnowledgeSource::BuiltIn
         .base()
-        .expect("what is shipped");
+        .expect("the shipped knowledge");
     let known = knowledge.interaction("sponge", "breadcrumbs", "table");
     known.expect("the sponge on the table").clone()
 }
@@ -85,7 +85,7 @@ fn task(action: Action, size: Vector2, scene: Vec<SceneObject>, count: usize) ->
     };
     let meshes: Vec<_> = task.obstacles_in_surface().collect();
     let space = FreeSpace::new(&task.surface, &meshes, 0.065).expect("boxes make a scene");
-    // Low-discrepancy places (Roberts' R2 sequence), so that nothing random enters.
+    // A low-discrepancy sequence (Roberts' R2) makes the positions deterministic.
     let places: Vec<Point2> = (1..)
         .map(|i| {
             let i = f64::from(i);
@@ -138,7 +138,7 @@ pub(crate) fn windshield(action: Action) -> Task {
     task(action, Vector2::new(0.90, 0.40), scene, 160)
 }
 
-/// Keeps a file if [`KEEP`] says so.
+/// Keeps a file if [`KEEP`] is set.
 pub(crate) fn keep(name: &str, bytes: impl AsRef<[u8]>) {
     let Some(folder) = std::env::var_os(KEEP).map(PathBuf::from) else {
         return;
@@ -147,7 +147,7 @@ pub(crate) fn keep(name: &str, bytes: impl AsRef<[u8]>) {
     std::fs::write(folder.join(name), bytes).expect("the file is written");
 }
 
-/// Writes pictures into a folder that is kept only if [`KEEP`] says so.
+/// Writes pictures into a folder, which is kept if [`KEEP`] is set.
 fn write(name: &str, input: &ReportInput) {
     let scratch = tempfile::tempdir().expect("a temporary folder");
     let folder = std::env::var_os(KEEP).map_or(scratch.path().to_owned(), PathBuf::from);
@@ -159,8 +159,8 @@ fn write(name: &str, input: &ReportInput) {
     }
 }
 
-/// Addresses that a browser would ask for: none may stand in a page or picture. Names of namespaces are none.
-pub(crate) fn requests(text: &str) -> Vec<&str> {
+/// Returns the addresses that a browser would request; a page or picture must have none. Namespaces do not count.
+pub(crate) fn find_requests(text: &str) -> Vec<&str> {
     let named = text
         .replace("http://www.w3.org/2000/svg", "")
         .replace("http://www.w3.org/1999/xhtml", "");
@@ -171,16 +171,16 @@ pub(crate) fn requests(text: &str) -> Vec<&str> {
 }
 
 #[test]
-fn a_request_would_be_seen() {
+fn requests_are_found() {
     for bad in [
         r#"<script src="x.js">"#,
         "@import 'x.css'",
         "fetch('https://example.org')",
     ] {
-        assert_ne!(requests(bad), [""; 0], "{bad}");
+        assert_ne!(find_requests(bad), [""; 0], "{bad}");
     }
     assert_eq!(
-        requests(r#"<svg xmlns="http://www.w3.org/2000/svg">"#),
+        find_requests(r#"<svg xmlns="http://www.w3.org/2000/svg">"#),
         [""; 0]
     );
 }
@@ -214,7 +214,7 @@ fn every_kind_of_run_has_pictures_that_decode_to_their_size() {
         let input = run.input();
         write(name, &input);
         for (stem, svg) in pictures(&input) {
-            assert_eq!(requests(&svg), [""; 0], "{name} {stem}");
+            assert_eq!(find_requests(&svg), [""; 0], "{name} {stem}");
             let size = usvg::Tree::from_str(&svg, &usvg::Options::default())
                 .expect("the picture is SVG")
                 .size();
@@ -244,7 +244,7 @@ fn text_is_drawn_with_the_shipped_font() {
 }
 
 #[test]
-fn what_is_no_picture_is_refused() {
+fn invalid_pictures_are_rejected() {
     assert!(matches!(rasterize("<p>", 1.0), Err(PictureError::Svg(_))));
     let svg = r#"<svg xmlns="http://www.w3.org/2000/svg" width="100" height="100"/>"#;
     for scale in [0.0, -1.0, f32::NAN, 1e9] {
@@ -274,7 +274,7 @@ fn hostile_names_stay_text() {
 }
 
 #[test]
-fn a_run_without_frames_strokes_or_particles_is_shown_all_the_same() {
+fn a_run_without_frames_strokes_or_particles_is_drawn() {
     let mut unwatched = Run::of(board(Action::Collect), CoverageStrategy::Kde);
     unwatched.frames = EffectFrames::new(&unwatched.task, &unwatched.plan);
     let mut still = Run::of(board(Action::Skim), CoverageStrategy::Grid);
@@ -351,7 +351,7 @@ fn of_many_motions_eighty_moments_are_kept_the_last_among_them() {
 }
 
 #[test]
-fn contours_of_one_particle_are_circles_of_the_radius_that_the_kernel_says() {
+fn contours_of_one_particle_are_circles_with_the_radius_of_the_kernel() {
     let bandwidth = 0.05;
     let bounds = wisch::geometry::Bounds2 {
         min: Point2::new(-0.2, -0.2),

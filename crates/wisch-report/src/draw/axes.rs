@@ -1,9 +1,9 @@
-//! Numbers below and beside a plot.
+//! Ticks and numbers of a plot's axes.
 
 use super::numbers::px;
 use maud::{Markup, html};
 
-/// Marks that hang from a line at `y`, each with its number `drop` below it.
+/// Draws ticks below a line at `y`, each with its number `drop` below the line.
 pub(crate) fn below(ticks: impl IntoIterator<Item = (f64, String)>, y: f64, drop: f64) -> Markup {
     html! {
         @for (x, number) in ticks {
@@ -13,7 +13,7 @@ pub(crate) fn below(ticks: impl IntoIterator<Item = (f64, String)>, y: f64, drop
     }
 }
 
-/// Rules from `left` to `right`, each with its number `gap` before it.
+/// Draws grid lines from `left` to `right`, each with its number `gap` to the left.
 pub(crate) fn beside(
     ticks: impl IntoIterator<Item = (f64, String)>,
     [left, right]: [f64; 2],
@@ -27,7 +27,7 @@ pub(crate) fn beside(
     }
 }
 
-/// Shares of 1 by quarters, where `down` puts them.
+/// Returns the ticks 0, 25, 50, 75 and 100 % at the heights that `down` gives.
 pub(crate) fn quarters(down: impl Fn(f64) -> f64) -> impl Iterator<Item = (f64, String)> {
     (0..=4).map(move |quarter| {
         let y = down(f64::from(quarter) / 4.0);

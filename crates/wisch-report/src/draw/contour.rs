@@ -1,19 +1,19 @@
-//! Lines of equal density (marching squares), and loose edges joined to rings.
+//! Lines of equal density (marching squares).
 
 use std::collections::BTreeMap;
 use wisch::geometry::{Edge, Point2};
 use wisch::plan::CoverageDensity;
 
-/// Most samples along one side of the map that are looked at.
+/// Maximum number of samples along one side of the map.
 const MAX_SAMPLES: usize = 320;
-/// Ends closer than this are the same corner [m].
+/// Ends closer than this count as the same corner [m].
 const SAME: f64 = 1e-7;
 
-/// The density, sampled coarsely enough to draw.
+/// A density, sampled for contours.
 pub(crate) struct Contours<'a> {
     density: &'a CoverageDensity,
     stride: usize,
-    /// Largest sample.
+    /// Largest sampled density.
     pub(crate) peak: f64,
 }
 
@@ -31,9 +31,9 @@ impl<'a> Contours<'a> {
         }
     }
 
-    /// Rings round everything above `level`; a ring inside a ring is a hollow.
+    /// Returns rings around all areas with a density above `level`; a ring inside a ring encloses a hole.
     ///
-    /// The map reaches so far beyond the particles that the density is nil on its border: rings close.
+    /// The map extends beyond the particles until the density vanishes, so all rings close.
     pub(crate) fn rings(&self, level: f64) -> Vec<Vec<Point2>> {
         let (columns, rows) = self.density.shape();
         let mut edges = Vec::new();
@@ -42,7 +42,7 @@ impl<'a> Contours<'a> {
                 self.cross_cell(column, row, level, &mut edges);
             }
         }
-        rings(&edges)
+        join_edges(&edges)
     }
 
     fn cross_cell(&self, column: usize, row: usize, level: f64, edges: &mut Vec<Edge>) {
@@ -62,7 +62,7 @@ impl<'a> Contours<'a> {
             place[low] + (place[high] - place[low]) * (value[low] / (value[low] - value[high]))
         };
         let cuts: Vec<usize> = (0..4).filter(|&s| above[s] != above[(s + 1) % 4]).collect();
-        // A saddle is joined as its middle says.
+        // The mean of the corners decides how a saddle is connected.
         let turned = cuts.len() == 4 && (value.iter().sum::<f64>() > 0.0) == above[0];
         let pairs: &[(usize, usize)] = match (cuts.len(), turned) {
             (2, _) => &[(0, 1)],
@@ -76,8 +76,8 @@ impl<'a> Contours<'a> {
     }
 }
 
-/// Joins unordered edges end to end. What does not close is left open.
-pub(crate) fn rings(edges: &[Edge]) -> Vec<Vec<Point2>> {
+/// Joins unordered edges end to end. A chain that does not close stays open.
+pub(crate) fn join_edges(edges: &[Edge]) -> Vec<Vec<Point2>> {
     let key = |p: Point2| ((p.x / SAME).round() as i64, (p.y / SAME).round() as i64);
     let mut at: BTreeMap<(i64, i64), Vec<usize>> = BTreeMap::new();
     for (i, edge) in edges.iter().enumerate() {

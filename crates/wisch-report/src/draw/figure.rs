@@ -1,19 +1,19 @@
-//! A picture with what explains it.
+//! A picture with its description and legend.
 
 use super::legend::{self, Entry};
 use super::panel::Panel;
 use maud::html;
 
-/// A picture with its name and what explains its marks.
+/// A picture with its description and legend.
 pub(crate) struct Figure {
     pub(crate) panel: Panel,
     pub(crate) entries: Vec<Entry>,
-    /// What is seen, for those who do not see it, and for the headline of the file.
+    /// Description of the picture, for screen readers and for the headline of the file.
     pub(crate) what: String,
 }
 
 impl Figure {
-    /// As a file of its own, its legend so far from the left and right.
+    /// Returns an SVG file with a headline and a legend. The second argument: margins of the legend, left and right.
     pub(crate) fn standalone(self, title: &str, [left, right]: [f64; 2]) -> String {
         let panel = self.panel;
         let (legend, below) = legend::rows(

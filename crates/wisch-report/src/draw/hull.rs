@@ -1,20 +1,20 @@
-//! What shapes cover, seen from above.
+//! Outlines of shapes, seen from above.
 
 use std::f64::consts::TAU;
 use wisch::geometry::{Point2, Point3, Pose};
 use wisch::robot::Shape;
 
-/// Corners of a circle.
+/// Number of corners of a circle.
 const CORNERS: usize = 32;
 
-/// The convex hull of points, counter-clockwise (Andrew's monotone chain); fewer than three corners if
-/// they lie on a line.
+/// Returns the convex hull of points, counter-clockwise (Andrew's monotone chain); fewer than three corners for
+/// collinear points.
 pub(crate) fn hull(points: impl IntoIterator<Item = Point2>) -> Vec<Point2> {
     let mut points: Vec<Point2> = points.into_iter().collect();
     points.sort_by(|a, b| a.x.total_cmp(&b.x).then(a.y.total_cmp(&b.y)));
     points.dedup();
-    let mut lower = half(points.iter());
-    let mut upper = half(points.iter().rev());
+    let mut lower = half_hull(points.iter());
+    let mut upper = half_hull(points.iter().rev());
     // Each half ends where the other begins.
     lower.pop();
     upper.pop();
@@ -22,7 +22,7 @@ pub(crate) fn hull(points: impl IntoIterator<Item = Point2>) -> Vec<Point2> {
     if lower.is_empty() { points } else { lower }
 }
 
-fn half<'a>(points: impl Iterator<Item = &'a Point2>) -> Vec<Point2> {
+fn half_hull<'a>(points: impl Iterator<Item = &'a Point2>) -> Vec<Point2> {
     let mut chain: Vec<Point2> = Vec::new();
     for &point in points {
         while let [.., a, b] = chain[..] {
@@ -36,7 +36,7 @@ fn half<'a>(points: impl Iterator<Item = &'a Point2>) -> Vec<Point2> {
     chain
 }
 
-/// Points whose hull is a shape's outline from above; a circle becomes a polygon.
+/// Returns points whose hull is the outline of a shape from above; circles become polygons.
 pub(crate) fn outline(shape: &Shape, frame_from_shape: &Pose) -> Vec<Point2> {
     let place = |p: Point3| (frame_from_shape * p).xy();
     let ends = |length: f64| [-0.5, 0.5].map(|s| Point3::new(0.0, 0.0, s * length));
@@ -77,7 +77,7 @@ mod tests {
     use wisch::geometry::{Polygon, Vector3};
 
     #[test]
-    fn the_hull_of_a_tilted_capsule_is_its_shadow() {
+    fn the_hull_of_a_lying_capsule_is_a_stadium() {
         let capsule = Shape::Capsule {
             radius: 0.1,
             length: 0.4,
@@ -87,7 +87,7 @@ mod tests {
             Vector3::new(0.0, std::f64::consts::FRAC_PI_2, 0.0),
         );
         let outline = Polygon::new(hull(super::outline(&capsule, &lying)), vec![]);
-        // A stadium; its 32-gon ends are a little small.
+        // The 32-gons at its ends are slightly smaller than circles.
         let stadium = 0.4 * 0.2 + std::f64::consts::PI * 0.01;
         assert!(
             (outline.area() - stadium).abs() < 0.01 * stadium,

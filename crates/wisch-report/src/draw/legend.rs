@@ -1,4 +1,4 @@
-//! What marks mean: as a list of the page, and as rows of a picture that stands alone.
+//! Legends: as a list of a page, and as rows of a picture.
 
 use super::numbers::px;
 use maud::{Markup, html};
@@ -9,11 +9,11 @@ const ROW: f64 = 23.0;
 /// A mark and its meaning.
 pub(crate) struct Entry {
     pub(crate) label: String,
-    /// 24 by 14 units round (12, 0).
+    /// Sample of the mark: 24 by 14 units around (12, 0).
     pub(crate) sample: Markup,
 }
 
-/// A mark drawn as a line of this class.
+/// Returns an entry with a line of a CSS class.
 pub(crate) fn line(class: &str, label: impl Into<String>) -> Entry {
     Entry {
         label: label.into(),
@@ -21,7 +21,7 @@ pub(crate) fn line(class: &str, label: impl Into<String>) -> Entry {
     }
 }
 
-/// A mark drawn as an area of this class.
+/// Returns an entry with an area of a CSS class.
 pub(crate) fn area(class: &str, label: impl Into<String>) -> Entry {
     Entry {
         label: label.into(),
@@ -29,7 +29,7 @@ pub(crate) fn area(class: &str, label: impl Into<String>) -> Entry {
     }
 }
 
-/// A mark drawn as a dot of this class.
+/// Returns an entry with a dot of a CSS class.
 pub(crate) fn dot(class: &str, label: impl Into<String>) -> Entry {
     Entry {
         label: label.into(),
@@ -37,7 +37,7 @@ pub(crate) fn dot(class: &str, label: impl Into<String>) -> Entry {
     }
 }
 
-/// A list of the page.
+/// Returns the legend as a list of a page.
 pub(crate) fn list(entries: &[Entry]) -> Markup {
     html! {
         @if !entries.is_empty() {
@@ -46,7 +46,7 @@ pub(crate) fn list(entries: &[Entry]) -> Markup {
     }
 }
 
-/// The items of such a list.
+/// Returns the items of the legend's list.
 pub(crate) fn items(entries: &[Entry]) -> Markup {
     html! {
         @for entry in entries {
@@ -58,13 +58,13 @@ pub(crate) fn items(entries: &[Entry]) -> Markup {
     }
 }
 
-/// Rows of a picture from `corner` on; gives their height too.
+/// Draws the legend as rows of a picture, with its upper left corner at `corner`; returns its height, too.
 pub(crate) fn rows(entries: &[Entry], corner: [f64; 2], width: f64) -> (Markup, f64) {
     let [left, top] = corner;
     let (mut x, mut row) = (0.0, 0);
     let mut places = Vec::with_capacity(entries.len());
     for entry in entries {
-        let wide = 31.0 + text_width(&entry.label) + 20.0;
+        let wide = 31.0 + estimate_text_width(&entry.label) + 20.0;
         if x > 0.0 && x + wide > width {
             (x, row) = (0.0, row + 1);
         }
@@ -83,8 +83,8 @@ pub(crate) fn rows(entries: &[Entry], corner: [f64; 2], width: f64) -> (Markup, 
     (body, ROW * f64::from(rows) + 8.0)
 }
 
-/// About the width of a text of 12 units in Inter and its like.
-fn text_width(text: &str) -> f64 {
+/// Estimates the width of a text of 12 units in Inter or a similar font.
+fn estimate_text_width(text: &str) -> f64 {
     text.chars()
         .map(|c| match c {
             'i' | 'j' | 'l' | 't' | 'f' | 'r' | ' ' | ',' | '.' | '\'' => 4.4,

@@ -1,4 +1,4 @@
-//! What all pictures are drawn with: views, panels, legends, colours and marks on a surface.
+//! Shared parts of all pictures: views, panels, legends, colours and marks on a surface.
 
 pub(crate) mod axes;
 mod contour;
@@ -19,7 +19,7 @@ pub(crate) use hull::{hull, outline};
 pub(crate) use legend::Entry;
 pub(crate) use numbers::{decimals, grouped, metres, percent, px, range, tick_step};
 pub(crate) use palette::{BANDS, page_rules};
-pub(crate) use panel::{GAP, Panel, WIDTH, inset, short};
+pub(crate) use panel::{GAP, Panel, WIDTH, inset, shorten};
 #[cfg(any(test, feature = "png"))]
 pub use png::{PictureError, rasterize};
 pub(crate) use view::{Pen, View};

@@ -1,6 +1,6 @@
-//! Numbers as they stand in pictures and on pages.
+//! Formats of numbers in pictures and on pages.
 
-/// A coordinate of a picture, to a tenth of a unit.
+/// Formats a coordinate of a picture to a tenth of a unit.
 pub(crate) fn px(value: f64) -> String {
     let tenths = (value * 10.0).round() as i64;
     if tenths % 10 == 0 {
@@ -10,7 +10,7 @@ pub(crate) fn px(value: f64) -> String {
     }
 }
 
-/// A number of metres with a true minus sign.
+/// Formats a number with a given number of digits and a typographic minus sign.
 pub(crate) fn metres(value: f64, digits: usize) -> String {
     let text = format!("{:.digits$}", value.abs());
     if value < 0.0 && text.bytes().any(|b| (b'1'..=b'9').contains(&b)) {
@@ -20,12 +20,12 @@ pub(crate) fn metres(value: f64, digits: usize) -> String {
     }
 }
 
-/// A share as per cent with one decimal.
+/// Formats a share as per cent with one decimal.
 pub(crate) fn percent(share: f64) -> String {
     format!("{:.1} %", share * 100.0)
 }
 
-/// A count with its thousands set apart.
+/// Formats a count with separated thousands.
 pub(crate) fn grouped(count: usize) -> String {
     let digits = count.to_string();
     let first = digits.len() % 3;
@@ -38,7 +38,7 @@ pub(crate) fn grouped(count: usize) -> String {
         .collect()
 }
 
-/// The round step (1, 2 or 5 times a power of ten) nearest above `wanted`.
+/// Returns the smallest round step (1, 2 or 5 times a power of ten) of at least `wanted`.
 pub(crate) fn tick_step(wanted: f64) -> f64 {
     if !(wanted.is_finite() && wanted > 0.0) {
         return 1.0;
@@ -51,12 +51,12 @@ pub(crate) fn tick_step(wanted: f64) -> f64 {
     factor * power
 }
 
-/// Decimals needed to tell multiples of `step` apart.
+/// Returns the number of decimals that distinguish multiples of `step`.
 pub(crate) fn decimals(step: f64) -> usize {
     (-(step.log10() + 1e-9).floor()).clamp(0.0, 6.0) as usize
 }
 
-/// Smallest and largest; 0 where there are none.
+/// Returns the smallest and the largest value; 0 and 0 without values.
 pub(crate) fn range(values: impl Iterator<Item = f64>) -> (f64, f64) {
     let (low, high) = values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), v| {
         (low.min(v), high.max(v))

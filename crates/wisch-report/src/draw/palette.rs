@@ -1,10 +1,10 @@
-//! One look for all pictures: a class per meaning, with a colour for light and one for dark.
+//! The style of all pictures: a CSS class per meaning, with a light and a dark colour.
 //!
-//! Hues after Okabe and Ito (2008), which colour-blind readers tell apart; shapes repeat what colours say.
+//! Hues are after Okabe and Ito (2008), so that colour-blind readers can distinguish them. Shapes repeat the meaning of colours.
 
 use std::fmt::Write;
 
-/// Name of a colour, its value on light and on dark ground.
+/// Name of a colour, and its value on a light and on a dark background.
 const COLOURS: [(&str, &str, &str); 38] = [
     ("paper", "#ffffff", "#14181d"),
     ("ink", "#1d242c", "#e8ecf0"),
@@ -46,10 +46,10 @@ const COLOURS: [(&str, &str, &str); 38] = [
     ("plane", "#7440b8", "#b594f2"),
 ];
 
-/// Number of bands of the density picture.
+/// Number of bands of a density.
 pub(crate) const BANDS: usize = 8;
 
-/// What each class of the pictures looks like, colours as `{name}`.
+/// CSS rules of the classes, with colours as `{name}`.
 const RULES: &str = "\
 .ground{fill:{paper}}\
 .text{fill:{ink};font-family:Inter,system-ui,sans-serif;font-size:13px}\
@@ -127,7 +127,7 @@ const RULES: &str = "\
 .whisker{fill:none;stroke:{ink};stroke-width:1.5}\
 .end{text-anchor:end}.middle{text-anchor:middle}";
 
-/// The classes with the light colours written out, for a picture that stands alone.
+/// Returns the rules with literal light colours, for a picture in a file.
 pub(crate) fn standalone_rules() -> String {
     COLOURS
         .iter()
@@ -136,7 +136,7 @@ pub(crate) fn standalone_rules() -> String {
         })
 }
 
-/// The classes and colours of the page, which follows the reader's light or dark scheme.
+/// Returns the rules and colours of a page, which follows the reader's light or dark scheme.
 pub(crate) fn page_rules() -> String {
     let mut css = String::from(":root{color-scheme:light dark;");
     for (name, light, _) in COLOURS {

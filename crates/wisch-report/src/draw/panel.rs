@@ -1,4 +1,4 @@
-//! Something drawn, and how it becomes part of a page or a file.
+//! A drawing, as part of a page or as a file.
 
 use super::numbers::px;
 use super::palette::standalone_rules;
@@ -7,12 +7,12 @@ use maud::{Markup, PreEscaped, html};
 
 /// Width of a picture.
 pub(crate) const WIDTH: f64 = 760.0;
-/// Between the parts of a picture, and round them.
+/// Gap between the parts of a picture, and around them.
 pub(crate) const GAP: f64 = 24.0;
-/// Room for the headline of a picture that stands alone.
+/// Height of the headline of a picture in a file.
 const HEADLINE: f64 = 44.0;
 
-/// Something drawn, with its size.
+/// A drawing with its size.
 pub(crate) struct Panel {
     pub(crate) width: f64,
     pub(crate) height: f64,
@@ -20,7 +20,7 @@ pub(crate) struct Panel {
 }
 
 impl Panel {
-    /// Nothing.
+    /// Returns an empty drawing.
     pub(crate) fn empty() -> Self {
         Self {
             width: WIDTH,
@@ -29,7 +29,7 @@ impl Panel {
         }
     }
 
-    /// As part of a page, which brings colours.
+    /// Returns the drawing as part of a page, which defines the colours.
     pub(crate) fn inline(&self, label: &str) -> Markup {
         html! {
             svg viewBox=(format!("0 0 {} {}", px(self.width), px(self.height))) role="img" aria-label=(label) {
@@ -38,7 +38,7 @@ impl Panel {
         }
     }
 
-    /// As a file of its own, with light colours and a headline.
+    /// Returns the drawing as a file with light colours and a headline.
     pub(crate) fn standalone(&self, title: &str, what: &str) -> String {
         let height = self.height + HEADLINE;
         html! {
@@ -46,7 +46,7 @@ impl Panel {
                 viewBox=(format!("0 0 {} {}", px(self.width), px(height))) {
                 style { (PreEscaped(standalone_rules())) }
                 rect class="ground" width=(px(self.width)) height=(px(height)) {}
-                text class="text strong" x="12" y="20" { (short(title, 70)) }
+                text class="text strong" x="12" y="20" { (shorten(title, 70)) }
                 text class="text small quiet" x="12" y="36" { (what) }
                 g transform=(format!("translate(0 {HEADLINE})")) { (self.body) }
             }
@@ -55,7 +55,7 @@ impl Panel {
     }
 }
 
-/// Shows only what lies within the view.
+/// Clips `body` to the view.
 pub(crate) fn inset(view: &View, body: Markup) -> Markup {
     let frame = [view.left(), view.top(), view.width(), view.height()].map(px);
     let [x, y, width, height] = &frame;
@@ -64,8 +64,8 @@ pub(crate) fn inset(view: &View, body: Markup) -> Markup {
     }
 }
 
-/// At most `most` characters, the rest as an ellipsis.
-pub(crate) fn short(text: &str, most: usize) -> String {
+/// Shortens a text to `most` characters, with an ellipsis.
+pub(crate) fn shorten(text: &str, most: usize) -> String {
     if text.chars().count() <= most {
         text.to_owned()
     } else {

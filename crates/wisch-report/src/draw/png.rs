@@ -1,4 +1,4 @@
-//! Pictures as PNG, drawn with the fonts that are shipped with the program.
+//! Pictures as PNG, drawn with the embedded fonts.
 
 use resvg::{tiny_skia, usvg};
 use std::sync::Arc;
@@ -27,8 +27,8 @@ pub enum PictureError {
         /// Pixels down.
         height: f32,
     },
-    /// The pixels could not be packed.
-    #[error("the picture cannot be packed as PNG: {0}")]
+    /// The pixels could not be encoded.
+    #[error("the picture cannot be encoded as PNG: {0}")]
     Png(String),
 }
 

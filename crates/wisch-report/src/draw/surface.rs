@@ -1,6 +1,6 @@
 //! The surface from above, with obstacles and particles.
 
-use super::contour::rings;
+use super::contour::join_edges;
 use super::numbers::px;
 use super::view::{Pen, View};
 use maud::{Markup, html};
@@ -8,7 +8,7 @@ use wisch::geometry::{Bounds2, Point2};
 use wisch::plan::FreeSpace;
 use wisch::represent::{Fate, GoalState, Surface, Task};
 
-/// A particle in a picture: where, and what became of it.
+/// A particle in a picture: its position and fate.
 pub(crate) type Particle = (Point2, Fate);
 
 /// The outcome of a particle, which determines its colour.
@@ -20,7 +20,7 @@ pub(crate) enum Outcome {
     Gone,
 }
 
-/// Corners of the box round a surface, in its frame [m].
+/// Returns the bounding box of a surface in its frame [m].
 pub(crate) fn extent(surface: &Surface) -> Bounds2 {
     Bounds2::of(surface.outline.outer().iter().copied()).unwrap_or(Bounds2 {
         min: Point2::new(-0.5, -0.5),
@@ -31,11 +31,11 @@ pub(crate) fn extent(surface: &Surface) -> Bounds2 {
 /// Returns the obstacles on the surface as rings in its frame [m].
 pub(crate) fn obstacle_rings(task: &Task, collision_radius: f64) -> Vec<Vec<Point2>> {
     let scene: Vec<_> = task.obstacles_in_surface().collect();
-    // A scene that the collision library refuses has no plan and never comes here.
+    // A scene that the collision library rejects has no plan, so it cannot occur here.
     FreeSpace::new(&task.surface, &scene, collision_radius)
         .map(|space| {
             let sections = space.occupied_area().sections().iter();
-            sections.flat_map(|edges| rings(edges)).collect()
+            sections.flat_map(|edges| join_edges(edges)).collect()
         })
         .unwrap_or_default()
 }
@@ -85,7 +85,7 @@ pub(crate) fn dot_radius(view: &View, count: usize) -> f64 {
     (0.07 * area.sqrt()).clamp(0.9, 3.2)
 }
 
-/// The surface, its edges and the goal.
+/// Draws the surface, its edges and the goal.
 pub(crate) fn ground(view: &View, surface: &Surface, goal: &GoalState) -> Markup {
     let outline = view.rings(surface.outline.rings());
     let edges: Vec<_> = surface.outline.edges().collect();
@@ -110,7 +110,7 @@ pub(crate) fn ground(view: &View, surface: &Surface, goal: &GoalState) -> Markup
     }
 }
 
-/// Particles, filled, by what became of them.
+/// Draws particles as filled dots, by outcome.
 pub(crate) fn particles(
     view: &View,
     particles: impl IntoIterator<Item = (Point2, Outcome)>,

@@ -1,17 +1,17 @@
-//! From metres on the surface to units of a picture, with axes to read them back.
+//! Mapping from metres on the surface to units of a picture, with axes.
 
 use super::numbers::{decimals, metres, px, tick_step};
 use maud::{Markup, html};
 use std::fmt::Write;
 use wisch::geometry::{Bounds2, PlanarPose, Point2, Region, Vector2};
 
-/// Room for the numbers of the axes, left and below.
+/// Space for the numbers of the axes, left and below.
 const AXIS_LEFT: f64 = 48.0;
 const AXIS_BELOW: f64 = 40.0;
 /// Wanted distance between two numbers on an axis.
 const TICK_PITCH: f64 = 90.0;
 
-/// Which part of the surface's plane is shown, and where in the picture.
+/// The shown part of the surface plane, and its place in the picture.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct View {
     low: Point2,
@@ -36,7 +36,7 @@ impl View {
         }
     }
 
-    /// As [`View::fit`] with the corner at the picture's, in the middle of its width.
+    /// Like [`View::fit`], at the top of the picture and centred in its width.
     pub(crate) fn centred(bounds: Bounds2, size: Vector2) -> Self {
         let view = Self::fit(bounds, 0.0, 0.0, size);
         Self {
@@ -45,7 +45,7 @@ impl View {
         }
     }
 
-    /// As [`View::centred`], with room for axes on the left and below.
+    /// Like [`View::centred`], with space for axes on the left and below.
     pub(crate) fn with_axes(bounds: Bounds2, size: Vector2) -> Self {
         let inner = Vector2::new(size.x - AXIS_LEFT - 12.0, size.y);
         let view = Self::centred(bounds, inner);
@@ -64,7 +64,7 @@ impl View {
         (self.high.y - self.low.y) * self.scale
     }
 
-    /// Where the axes end below.
+    /// Returns the lower end of the axes.
     pub(crate) fn bottom(&self) -> f64 {
         self.top + self.height() + AXIS_BELOW
     }
@@ -77,7 +77,7 @@ impl View {
         self.top
     }
 
-    /// A place of the surface [m] in the picture; y points down there.
+    /// Maps a point of the surface [m] to the picture, where y points down.
     pub(crate) fn at(&self, p: Point2) -> (f64, f64) {
         (
             self.left + (p.x - self.low.x) * self.scale,
@@ -85,7 +85,7 @@ impl View {
         )
     }
 
-    /// Closed rings as a path.
+    /// Returns closed rings as an SVG path.
     pub(crate) fn rings<'a>(&self, rings: impl IntoIterator<Item = &'a [Point2]>) -> String {
         let mut pen = Pen::default();
         for ring in rings {
@@ -97,14 +97,14 @@ impl View {
         pen.path()
     }
 
-    /// An open line as a path.
+    /// Returns an open line as an SVG path.
     pub(crate) fn line(&self, points: impl IntoIterator<Item = Point2>) -> String {
         let mut pen = Pen::default();
         pen.line(points.into_iter().map(|p| self.at(p)));
         pen.path()
     }
 
-    /// The tool's footprint at a pose, as a path.
+    /// Returns the tool's footprint at a pose as an SVG path.
     pub(crate) fn footprint(&self, footprint: &Region, surface_from_tool: &PlanarPose) -> String {
         let rings: Vec<Vec<Point2>> = footprint
             .polygons()
@@ -119,7 +119,7 @@ impl View {
         self.rings(rings.iter().map(Vec::as_slice))
     }
 
-    /// Axes with numbers in metres round the view.
+    /// Draws axes with numbers in metres around the view.
     pub(crate) fn axes(&self) -> Markup {
         let step = tick_step(TICK_PITCH / self.scale);
         let (right, bottom) = (self.left + self.width(), self.top + self.height());
@@ -149,7 +149,7 @@ impl View {
         }
     }
 
-    /// A bar of a round length, in the lower left corner of the view.
+    /// Draws a scale bar of a round length in the lower left corner of the view.
     pub(crate) fn scale_bar(&self) -> Markup {
         let length = tick_step(0.12 * self.width() / self.scale);
         let (x, y) = (self.left + 12.0, self.top + self.height() - 12.0);
@@ -165,7 +165,7 @@ impl View {
     }
 }
 
-/// Collects a path.
+/// A builder of an SVG path.
 #[derive(Debug, Default)]
 pub(crate) struct Pen(String);
 
@@ -182,13 +182,13 @@ impl Pen {
         }
     }
 
-    /// A point, seen through a round line cap.
+    /// Adds a point, which is visible through its round line cap.
     pub(crate) fn dot(&mut self, (x, y): (f64, f64)) {
         let _ = write!(self.0, "M{} {}h0", px(x), px(y));
     }
 
     pub(crate) fn ring(&mut self, (x, y): (f64, f64), radius: f64) {
-        // Rounded first: arcs over a chord that is not quite their diameter make no circle.
+        // Rounding comes first: arcs whose chord differs from their diameter do not form a circle.
         let radius = (radius * 10.0).round() / 10.0;
         let (r, d) = (px(radius), px(2.0 * radius));
         let _ = write!(

@@ -20,7 +20,7 @@ const SCRIPT: &str = include_str!("space.js");
 /// Maximum number of rows of the table.
 const MAX_ROWS: usize = 200;
 
-/// Most letters of a cell, and those that are left of a longer one.
+/// Maximum length of a cell, and shown length of a longer one [characters].
 const LONG_CELL: usize = 90;
 const SHORT_CELL: usize = 36;
 
@@ -43,9 +43,9 @@ pub fn answers_page(input: &AnswersInput) -> String {
         h1 { "Answers of the memory" }
         pre class="query" { (input.query) }
         (table(input.answers))
-        @if !space.is_empty() { (in_space(&space)) }
+        @if !space.is_empty() { (draw_space(&space)) }
         @if view.left_out > 0 {
-            p class="note" { "The picture is full: " (view.left_out) " more of what the query shows is left out." }
+            p class="note" { "The picture is full: " (view.left_out) @if view.left_out == 1 { " more queried object is not drawn." } @else { " more queried objects are not drawn." } }
         }
         @for remark in input.answers.remarks.iter().chain(&view.remarks) {
             p class="note" { (remark) }
@@ -53,14 +53,14 @@ pub fn answers_page(input: &AnswersInput) -> String {
         @if !view.plots.is_empty() {
             h2 { "Diagrams" }
             div class="plots" {
-                @for plot in &view.plots { (plots::plot(plot)) }
+                @for plot in &view.plots { (plots::draw_plot(plot)) }
             }
         }
         @if !view.episodes.is_empty() {
             h2 { "Over time" }
             @for episode in &view.episodes {
                 h3 { (episode.task) " · " (episode.id) }
-                (times::timeline(episode))
+                (times::draw_timeline(episode))
             }
         }
         footer class="note" {
@@ -73,7 +73,7 @@ pub fn answers_page(input: &AnswersInput) -> String {
 
 fn table(answers: &Answers) -> Markup {
     let count = answers.rows.len();
-    // A variable that is never bound gets no column.
+    // A variable without values gets no column.
     let columns: Vec<usize> = (0..answers.names.len())
         .filter(|&column| {
             let mut cells = answers.rows.iter().filter_map(|row| row.get(column));
@@ -82,7 +82,7 @@ fn table(answers: &Answers) -> Markup {
         .collect();
     html! {
         @if count == 0 {
-            p class="verdict" { "false: nothing in the memory fits." }
+            p class="verdict" { "false: the memory has no match." }
         } @else if columns.is_empty() {
             p class="verdict" { "true" }
         } @else {
@@ -95,20 +95,20 @@ fn table(answers: &Answers) -> Markup {
                     thead { tr { @for &column in &columns { th scope="col" { (answers.names[column]) } } } }
                     tbody {
                         @for row in answers.rows.iter().take(MAX_ROWS) {
-                            tr { @for &column in &columns { td { (folded(&cell(row.get(column)))) } } }
+                            tr { @for &column in &columns { td { (fold_text(&cell(row.get(column)))) } } }
                         }
                     }
                 }
             }
             @if count > MAX_ROWS {
-                p class="note" { "The first " (MAX_ROWS) " are listed." }
+                p class="note" { "The table lists the first " (MAX_ROWS) " answers." }
             }
         }
     }
 }
 
-/// Long texts are folded up, for the table to stay one.
-fn folded(text: &str) -> Markup {
+/// Folds a long text, which would distort the table.
+fn fold_text(text: &str) -> Markup {
     let letters = text.chars().count();
     let start: String = text.chars().take(SHORT_CELL).collect();
     html! {
@@ -122,13 +122,13 @@ fn cell(term: Option<&Term>) -> String {
     match term {
         None | Some(Term::Variable(_)) => String::new(),
         Some(Term::Atom(name)) => local(name).to_owned(),
-        Some(Term::Float(value)) => short(*value),
+        Some(Term::Float(value)) => format_number(*value),
         Some(other) => other.to_string(),
     }
 }
 
-/// A number to a thousandth, or to four digits if it is small.
-fn short(value: f64) -> String {
+/// Formats a number to a thousandth, or to four digits if it is small.
+fn format_number(value: f64) -> String {
     if value == 0.0 || value.abs() >= 0.1 {
         format!("{value:.3}")
     } else {
@@ -136,12 +136,12 @@ fn short(value: f64) -> String {
     }
 }
 
-fn in_space(space: &Space) -> Markup {
+fn draw_space(space: &Space) -> Markup {
     html! {
         h2 { "In space" }
         section class="motion" {
-            p id="space-none" class="note" hidden { "This browser draws nothing in 3-D, so the picture is left out." }
-            noscript { p class="note" { "Without scripts there is no picture in 3-D." } }
+            p id="space-none" class="note" hidden { "This browser cannot draw 3-D graphics, so the page shows no scene." }
+            noscript { p class="note" { "The 3-D scene needs JavaScript." } }
             div class="stage" id="space-stage" hidden {
                 canvas id="space" tabindex="0" role="img" aria-label="Data of the query in 3-D: drag to turn, shift and drag to move, arrow keys to turn" {}
                 div class="views" {

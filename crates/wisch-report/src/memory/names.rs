@@ -1,6 +1,6 @@
-//! Names of individuals and classes, as they are shown.
+//! Shown names of individuals and classes.
 
-/// A name without its prefix.
+/// Returns a name without its prefix.
 pub(crate) fn local(name: &str) -> &str {
     name.split_once(':').map_or(name, |(_, local)| local)
 }

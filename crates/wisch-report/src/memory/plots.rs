@@ -1,4 +1,4 @@
-//! Diagrams of numbers that a query found, as pictures.
+//! Diagrams of a query.
 
 use super::names::local;
 use crate::draw::{Pen, axes, decimals, px, range, tick_step};
@@ -12,23 +12,23 @@ const RIGHT: f64 = 16.0;
 const TOP: f64 = 14.0;
 const HEIGHT: f64 = 220.0;
 const ROW: f64 = 24.0;
-/// Room for labels of rows, and for their numbers.
+/// Width of row labels, and of their numbers.
 const LABELS: f64 = 136.0;
 const NUMBERS: f64 = 58.0;
-/// Most letters of a label.
+/// Maximum length of a label [characters].
 const LETTERS: usize = 22;
-/// Most slices and rows; the others are put together or left out.
+/// Maximum number of rows and slices; other rows are omitted, other slices are merged.
 const MAX_ROWS: usize = 60;
 const MAX_SLICES: usize = 10;
-/// Colours of slices, of the page's.
+/// Colours of slices, by their names on the page.
 const HUES: [&str; 10] = [
     "left", "contact", "done", "lost", "plane", "goal", "tool", "limit", "quiet", "band-3",
 ];
-/// Numbers whose range is so much smaller than they are written from where they begin.
+/// Numbers above this multiple of their range are shown relative to the start of the axis.
 const FAR: f64 = 1e4;
 
-/// A diagram with its headline.
-pub(crate) fn plot(plot: &Plot) -> Markup {
+/// Draws a diagram with its headline.
+pub(crate) fn draw_plot(plot: &Plot) -> Markup {
     let title = if plot.title.is_empty() {
         &plot.id
     } else {
@@ -38,23 +38,23 @@ pub(crate) fn plot(plot: &Plot) -> Markup {
         figure class="plot" {
             h3 { (title) }
             @match &plot.data {
-                PlotData::Amounts(amounts) if plot.diagram == Diagram::Pie => (pie(amounts, title)),
-                PlotData::Amounts(amounts) => (bars(amounts, plot, title)),
-                PlotData::Spans(spans) => (spans_over_time(spans, plot, title)),
-                PlotData::Points(points) => (points_in_plane(points, plot, title)),
+                PlotData::Amounts(amounts) if plot.diagram == Diagram::Pie => (draw_pie(amounts, title)),
+                PlotData::Amounts(amounts) => (draw_bars(amounts, plot, title)),
+                PlotData::Spans(spans) => (draw_timeline(spans, plot, title)),
+                PlotData::Points(points) => (draw_points(points, plot, title)),
             }
         }
     }
 }
 
-fn nothing() -> Markup {
-    html! { p class="note" { "There is nothing to draw." } }
+fn note_no_data() -> Markup {
+    html! { p class="note" { "The diagram has no data." } }
 }
 
-fn pie(amounts: &[(String, f64)], title: &str) -> Markup {
+fn draw_pie(amounts: &[(String, f64)], title: &str) -> Markup {
     let total: f64 = amounts.iter().map(|(_, amount)| amount).sum();
     if total <= 0.0 {
-        return nothing();
+        return note_no_data();
     }
     let mut slices: Vec<(String, f64)> = amounts.iter().take(MAX_SLICES).cloned().collect();
     if amounts.len() > MAX_SLICES {
@@ -86,14 +86,14 @@ fn pie(amounts: &[(String, f64)], title: &str) -> Markup {
                 @let at = (height - ROW * drawn.len() as f64) / 2.0 + ROW * row as f64;
                 rect fill=(format!("var(--{hue})")) x="206" y=(px(at + 5.0)) width="13" height="13" rx="3" {}
                 text class="text small" x="226" y=(px(at + 16.0)) {
-                    (short(label)) " · " (number(*amount)) " · " (format!("{:.1} %", 100.0 * share))
+                    (shorten_label(label)) " · " (format_number(*amount)) " · " (format!("{:.1} %", 100.0 * share))
                 }
             }
         }
     }
 }
 
-/// A slice of a pie between two turns from 0 to 1, clockwise from above.
+/// Returns the path of a slice between two turns in [0, 1], clockwise from above.
 fn slice([x, y]: [f64; 2], radius: f64, from: f64, to: f64) -> String {
     let at = |turn: f64| {
         let (sin, cos) = (TAU * turn).sin_cos();
@@ -117,9 +117,9 @@ fn slice([x, y]: [f64; 2], radius: f64, from: f64, to: f64) -> String {
     )
 }
 
-fn bars(amounts: &[(String, f64)], plot: &Plot, title: &str) -> Markup {
+fn draw_bars(amounts: &[(String, f64)], plot: &Plot, title: &str) -> Markup {
     if amounts.is_empty() {
-        return nothing();
+        return note_no_data();
     }
     let rows = &amounts[..amounts.len().min(MAX_ROWS)];
     let values = rows.iter().map(|(_, amount)| *amount);
@@ -134,23 +134,23 @@ fn bars(amounts: &[(String, f64)], plot: &Plot, title: &str) -> Markup {
             @for (row, (label, amount)) in rows.iter().enumerate() {
                 @let y = TOP + ROW * row as f64;
                 @let (from, to) = (across(*amount).min(zero), across(*amount).max(zero));
-                text class="text small end" x=(px(LABELS - 10.0)) y=(px(y + 16.0)) { (short(label)) }
+                text class="text small end" x=(px(LABELS - 10.0)) y=(px(y + 16.0)) { (shorten_label(label)) }
                 rect class="bar-estimated" x=(px(from)) y=(px(y + 4.0)) width=(px((to - from).max(1.0))) height=(px(ROW - 8.0)) rx="2" {}
-                text class="text small quiet" x=(px(to + 7.0)) y=(px(y + 16.0)) { (number(*amount)) }
+                text class="text small quiet" x=(px(to + 7.0)) y=(px(y + 16.0)) { (format_number(*amount)) }
             }
             path class="axis" d=(format!("M{} {}V{}", px(zero), px(TOP), px(bottom))) {}
             text class="text small quiet end" x=(px(LABELS - 10.0)) y=(px(bottom + 18.0)) { (plot.x_label) }
             text class="text small quiet" x=(px(LABELS)) y=(px(bottom + 18.0)) { (plot.y_label) }
         }
         @if amounts.len() > rows.len() {
-            p class="note" { "The first " (rows.len()) " of " (amounts.len()) " are drawn." }
+            p class="note" { "The diagram shows the first " (rows.len()) " of " (amounts.len()) " bars." }
         }
     }
 }
 
-fn spans_over_time(spans: &[(String, [f64; 2])], plot: &Plot, title: &str) -> Markup {
+fn draw_timeline(spans: &[(String, [f64; 2])], plot: &Plot, title: &str) -> Markup {
     if spans.is_empty() {
-        return nothing();
+        return note_no_data();
     }
     let mut labels: Vec<&str> = Vec::new();
     for (label, _) in spans {
@@ -170,7 +170,7 @@ fn spans_over_time(spans: &[(String, [f64; 2])], plot: &Plot, title: &str) -> Ma
             @for (row, label) in labels.iter().enumerate() {
                 @let y = TOP + ROW * row as f64;
                 rect class="lane" x=(px(LABELS)) y=(px(y + 3.0)) width=(px(WIDTH - LABELS - RIGHT)) height=(px(ROW - 6.0)) {}
-                text class="text small end" x=(px(LABELS - 10.0)) y=(px(y + 16.0)) { (short(label)) }
+                text class="text small end" x=(px(LABELS - 10.0)) y=(px(y + 16.0)) { (shorten_label(label)) }
                 @for (_, [from, to]) in spans.iter().filter(|(of, _)| of == label) {
                     rect class="bar-estimated" x=(px(across(*from))) y=(px(y + 3.0))
                         width=(px((across(*to) - across(*from)).max(2.0))) height=(px(ROW - 6.0)) {}
@@ -181,9 +181,9 @@ fn spans_over_time(spans: &[(String, [f64; 2])], plot: &Plot, title: &str) -> Ma
     }
 }
 
-fn points_in_plane(points: &[[f64; 2]], plot: &Plot, title: &str) -> Markup {
+fn draw_points(points: &[[f64; 2]], plot: &Plot, title: &str) -> Markup {
     if points.is_empty() {
-        return nothing();
+        return note_no_data();
     }
     let axis = |place: usize| {
         let values = points.iter().map(|point| point[place]);
@@ -204,7 +204,7 @@ fn points_in_plane(points: &[[f64; 2]], plot: &Plot, title: &str) -> Markup {
     let heights =
         (y.ticks().into_iter()).map(|(value, text)| (bottom - y.share(value) * HEIGHT, text));
     html! {
-        p class="note" { (y.named(&plot.y_label)) }
+        p class="note" { (y.full_label(&plot.y_label)) }
         svg viewBox=(format!("0 0 {} {}", px(WIDTH), px(bottom + 44.0))) role="img" aria-label=(title) {
             (axes::beside(heights, [LEFT, WIDTH - RIGHT], 8.0))
             @if plot.diagram == Diagram::Line { path class="course" d=(line.path()) {} }
@@ -216,12 +216,12 @@ fn points_in_plane(points: &[[f64; 2]], plot: &Plot, title: &str) -> Markup {
     }
 }
 
-/// From where to where numbers go, and where they are written.
+/// Range and ticks of an axis.
 struct Axis {
     low: f64,
     high: f64,
     step: f64,
-    /// What written numbers count from.
+    /// Value to which shown numbers are relative.
     origin: f64,
 }
 
@@ -262,8 +262,8 @@ impl Axis {
         ticks.collect()
     }
 
-    /// A label that says what numbers count from.
-    fn named(&self, label: &str) -> String {
+    /// Returns the label, with the value to which shown numbers are relative.
+    fn full_label(&self, label: &str) -> String {
         if self.origin == 0.0 {
             label.to_owned()
         } else {
@@ -279,13 +279,13 @@ impl Axis {
         html! {
             path class="axis" d=(format!("M{} {}H{}", px(left), px(bottom), px(WIDTH - RIGHT))) {}
             (axes::below(ticks, bottom, 19.0))
-            text class="text small quiet end" x=(px(WIDTH - RIGHT)) y=(px(bottom + 37.0)) { (self.named(label)) }
+            text class="text small quiet end" x=(px(WIDTH - RIGHT)) y=(px(bottom + 37.0)) { (self.full_label(label)) }
         }
     }
 }
 
-/// A number with as many digits as say something.
-fn number(value: f64) -> String {
+/// Formats a number with four significant digits.
+fn format_number(value: f64) -> String {
     let digits = (3.0 - value.abs().max(1e-12).log10().floor()).clamp(0.0, 6.0) as usize;
     let text = format!("{value:.digits$}");
     let text = if text.contains('.') {
@@ -296,8 +296,8 @@ fn number(value: f64) -> String {
     text.replace('-', "\u{2212}")
 }
 
-/// A label that fits: of an individual its class and number, of others both ends.
-fn short(label: &str) -> String {
+/// Shortens a label: an individual keeps its class and number, other names keep both ends.
+fn shorten_label(label: &str) -> String {
     let label = local(label);
     let individual = label.split_once('_').and_then(|(class, rest)| {
         let (episode, number) = rest.rsplit_once('-')?;
@@ -320,25 +320,28 @@ mod tests {
     use super::*;
 
     #[test]
-    fn numbers_have_the_digits_that_say_something() {
-        let texts = [0.0, 1.0, -2.5, 0.012_345, 123.456, 98_765.4].map(number);
+    fn numbers_have_four_significant_digits() {
+        let texts = [0.0, 1.0, -2.5, 0.012_345, 123.456, 98_765.4].map(format_number);
         assert_eq!(texts, ["0", "1", "−2.5", "0.01235", "123.5", "98765"]);
     }
 
     #[test]
-    fn times_since_1970_are_counted_from_where_they_begin() {
+    fn times_since_1970_are_relative_to_the_start_of_the_axis() {
         let axis = Axis::new(1_795_312_612.3, 1_795_312_616.9);
-        assert_eq!(axis.named("time [s]"), "time [s] since 1795312612.000");
+        assert_eq!(axis.full_label("time [s]"), "time [s] since 1795312612.000");
         let texts: Vec<String> = axis.ticks().into_iter().map(|(_, text)| text).collect();
         assert_eq!(texts, ["0", "1", "2", "3", "4", "5"]);
     }
 
     #[test]
-    fn labels_are_shortened_without_their_difference() {
-        assert_eq!(short("semco:Stroke_20261122-021522-785e-39"), "Stroke 39");
-        assert_eq!(short("sponge"), "sponge");
+    fn shortened_labels_stay_distinct() {
         assert_eq!(
-            short("a_very_long_name_of_something-1"),
+            shorten_label("semco:Stroke_20261122-021522-785e-39"),
+            "Stroke 39"
+        );
+        assert_eq!(shorten_label("sponge"), "sponge");
+        assert_eq!(
+            shorten_label("a_very_long_name_of_something-1"),
             "a_very_long…omething-1"
         );
     }

@@ -1,15 +1,15 @@
-// What a query shows, in 3-D: plain WebGL, so that the page stays small.
+// Draws the answers of a query in 3-D. It uses WebGL without a library, so that the page stays small.
 (() => {
 "use strict";
-const PER_METRE = 1e4; // points come as whole tenths of a millimetre
-const ROUND = 18; // sides of what is round
-const FIELD = 0.66; // field of view, up and down [rad]
-const GRID = 0.5; // lines on the floor [m]
-const THROUGH = 0.3; // how much what shines is seen through the rest
+const PER_METRE = 1e4; // points are stored as integers [0.1 mm]
+const ROUND = 18; // sides of a round surface
+const FIELD = 0.66; // vertical field of view [rad]
+const GRID = 0.5; // distance between the lines on the floor [m]
+const THROUGH = 0.3; // opacity of a highlighted item behind another item
 
 const data = JSON.parse(document.getElementById("space-data").textContent);
 const canvas = document.getElementById("space");
-const gl = canvas.getContext("webgl", { antialias: true, alpha: true, premultipliedAlpha: true });
+const gl = canvas.getContext("webgl", { antialias: true, alpha: true, premultiplyAlpha: true });
 if (!gl) {
   document.getElementById("space-none").hidden = false;
   return;
@@ -23,12 +23,12 @@ const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 const cross = (a, b) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
 const size = (a) => Math.hypot(a[0], a[1], a[2]);
 const unit = (a) => { const n = size(a) || 1; return [a[0] / n, a[1] / n, a[2] / n]; };
-const turned = ([x, y, z], [, , , i, j, k, w]) => {
+const rotate = ([x, y, z], [, , , i, j, k, w]) => {
   const t = [2 * (j * z - k * y), 2 * (k * x - i * z), 2 * (i * y - j * x)];
   return [x + w * t[0] + j * t[2] - k * t[1], y + w * t[1] + k * t[0] - i * t[2], z + w * t[2] + i * t[1] - j * t[0]];
 };
 
-// Triangles: three places and a normal at each.
+// A list of triangles: three corners, each a place and a normal.
 class Skin {
   constructor() { this.values = []; }
   corner(place, normal) { this.values.push(place[0], place[1], place[2], normal[0], normal[1], normal[2]); }
@@ -36,7 +36,7 @@ class Skin {
     const normal = unit(cross(minus(b, a), minus(c, a)));
     this.corner(a, normal); this.corner(b, normal); this.corner(c, normal);
   }
-  // Round about z: a list of [radius, height, normal outwards, normal upwards], joined by rings.
+  // Adds a surface of revolution about z. Profile: [radius, height, outward normal, upward normal] for each ring.
   turn(profile, put, sides = ROUND) {
     const at = (k, s) => {
       const angle = (2 * Math.PI * s) / sides, [radius, height, out, up] = profile[k];
@@ -70,7 +70,7 @@ class Skin {
   }
   solid(solid) {
     const pose = solid.pose;
-    const put = (place, isNormal) => { const t = turned(place, pose); return isNormal ? t : add(t, pose); };
+    const put = (place, isNormal) => { const t = rotate(place, pose); return isNormal ? t : add(t, pose); };
     if (solid.kind === "sphere") this.ball(solid.radius, 0, put);
     else if (solid.kind === "capsule") this.ball(solid.radius, solid.length, put);
     else if (solid.kind === "cylinder") {
@@ -128,7 +128,7 @@ const items = data.items.map((item) => {
   return { ...item, low, high, count: skin.values.length / 6, buffer: load(skin.values), shown: true };
 });
 
-// The smallest box round some items, as a ball.
+// Returns the ball round the bounding box of the items.
 const ball = (list) => {
   const low = [Infinity, Infinity, Infinity], high = [-Infinity, -Infinity, -Infinity];
   for (const item of list) {
@@ -185,9 +185,9 @@ const rgb = (name) => {
   return [(number >> 16) & 255, (number >> 8) & 255, number & 255].map((v) => v / 255);
 };
 
-// The camera goes round a place.
+// The camera orbits the target.
 const view = { target: whole.center, distance: 3, azimuth: 0.8, height: 0.5 };
-const CLOSE = 0.45; // least that is shown round what shines [m]
+const CLOSE = 0.45; // smallest radius shown round the highlighted items [m]
 const look = (what) => {
   const shown = items.filter((item) => item.shown && item.count);
   const asked = shown.filter((item) => item.asked);
@@ -199,14 +199,14 @@ const look = (what) => {
   view.target = center;
   const narrow = Math.min(1, canvas.clientWidth / Math.max(1, canvas.clientHeight));
   view.distance = (1.02 * radius) / Math.sin((FIELD / 2) * narrow);
-  // From the other side of the surface, past the robot's right hand.
+  // The camera looks across the surface at the robot, from the side of its right hand.
   const way = data.robot && data.surface ? minus(data.surface, data.robot) : [0, 1, 0];
   view.azimuth = Math.atan2(way[1], way[0]) - 0.75;
   view.height = what === "above" ? 1.45 : 0.42;
   ask();
 };
 
-const multiplied = (a, b) => {
+const multiply = (a, b) => {
   const m = new Float32Array(16);
   for (let c = 0; c < 4; c++) for (let r = 0; r < 4; r++) for (let k = 0; k < 4; k++) m[4 * c + r] += a[4 * k + r] * b[4 * c + k];
   return m;
@@ -232,7 +232,7 @@ const draw = () => {
   const f = 1 / Math.tan(FIELD / 2);
   const lens = [(f * height) / width, 0, 0, 0, 0, f, 0, 0, 0, 0, (far + near) / (near - far), -1, 0, 0, (2 * far * near) / (near - far), 0];
   const turn = [right[0], up[0], back[0], 0, right[1], up[1], back[1], 0, right[2], up[2], back[2], 0, -dot(right, eye), -dot(up, eye), -dot(back, eye), 1];
-  gl.uniformMatrix4fv(clip, false, multiplied(lens, turn));
+  gl.uniformMatrix4fv(clip, false, multiply(lens, turn));
   gl.uniform3fv(eyeAt, eye);
   const paint = (buffer, kind, count, colour, alpha, shading = 1) => {
     gl.bindBuffer(gl.ARRAY_BUFFER, buffer);
@@ -246,7 +246,7 @@ const draw = () => {
   paint(floorBuffer, gl.LINES, floor.length / 6, rgb("rule"), 0.9, 0);
   const shown = items.filter((item) => item.shown && item.count);
   for (const item of shown.filter((item) => item.alpha >= 1)) paint(item.buffer, gl.TRIANGLES, item.count, rgb(item.colour), 1);
-  // What is seen through: only what of it is nearest.
+  // Of a translucent item, only the nearest surface is drawn.
   for (const item of shown.filter((item) => item.alpha < 1)) {
     gl.colorMask(false, false, false, false);
     paint(item.buffer, gl.TRIANGLES, item.count, [0, 0, 0], 1);
@@ -262,8 +262,8 @@ const draw = () => {
 let asked = 0;
 function ask() { if (!asked) asked = requestAnimationFrame(draw); }
 
-// Drag turns, with shift or two fingers it moves; the wheel comes nearer once the picture was touched.
-const hands = new Map();
+// A drag orbits. A drag with shift, or with two fingers, pans. The wheel zooms after a click on the picture.
+const pointers = new Map();
 let touched = false;
 const pan = (dx, dy) => {
   const { right, up } = axes();
@@ -278,24 +278,24 @@ const zoom = (factor) => { view.distance = Math.max(0.1, Math.min(20 * whole.rad
 canvas.addEventListener("pointerdown", (event) => {
   touched = true;
   canvas.setPointerCapture(event.pointerId);
-  hands.set(event.pointerId, [event.clientX, event.clientY]);
+  pointers.set(event.pointerId, [event.clientX, event.clientY]);
 });
 canvas.addEventListener("pointermove", (event) => {
-  const before = hands.get(event.pointerId);
+  const before = pointers.get(event.pointerId);
   if (!before) return;
   const now = [event.clientX, event.clientY];
   const [dx, dy] = [now[0] - before[0], now[1] - before[1]];
-  if (hands.size === 2) {
-    const [other] = [...hands].filter(([id]) => id !== event.pointerId).map(([, at]) => at);
-    const apart = (at) => Math.hypot(at[0] - other[0], at[1] - other[1]) || 1;
-    zoom(apart(before) / apart(now));
+  if (pointers.size === 2) {
+    const [other] = [...pointers].filter(([id]) => id !== event.pointerId).map(([, at]) => at);
+    const distance = (at) => Math.hypot(at[0] - other[0], at[1] - other[1]) || 1;
+    zoom(distance(before) / distance(now));
     pan(dx / 2, dy / 2);
   } else if (event.shiftKey || event.buttons === 2) pan(dx, dy);
   else orbit(dx, dy);
-  hands.set(event.pointerId, now);
+  pointers.set(event.pointerId, now);
   ask();
 });
-for (const end of ["pointerup", "pointercancel"]) canvas.addEventListener(end, (event) => hands.delete(event.pointerId));
+for (const end of ["pointerup", "pointercancel"]) canvas.addEventListener(end, (event) => pointers.delete(event.pointerId));
 canvas.addEventListener("pointerleave", (event) => { if (event.pointerType === "mouse") touched = false; });
 canvas.addEventListener("contextmenu", (event) => event.preventDefault());
 canvas.addEventListener("wheel", (event) => {
@@ -320,11 +320,11 @@ for (const box of document.querySelectorAll("[data-item]")) {
   box.addEventListener("change", () => { items[Number(box.dataset.item)].shown = box.checked; ask(); });
 }
 matchMedia("(prefers-color-scheme: dark)").addEventListener("change", ask);
-let shaped = false;
+let hasSize = false;
 new ResizeObserver(() => {
   if (!canvas.clientWidth) return;
-  if (!shaped) look("near");
-  shaped = true;
+  if (!hasSize) look("near");
+  hasSize = true;
   ask();
 }).observe(canvas);
 })();

@@ -1,4 +1,4 @@
-//! The data of a query in space, in the format of the page's script.
+//! The 3-D scene of a query, in the format of the page's script.
 
 use super::names::local;
 use crate::scene::{Meshes, Solid, tenths, vector};
@@ -8,45 +8,45 @@ use wisch_memory::view::{
     Colour, DirtState, Emphasis, Figure, ShownBody, ShownDirt, ShownPart, ShownRound, Track, View,
 };
 
-/// Most triangles of one mesh.
+/// Maximum number of triangles of a mesh.
 const MAX_TRIANGLES: usize = 3000;
 /// Maximum number of drawn particles; with more particles, every n-th is drawn.
 const MAX_PARTICLES: usize = 3000;
-/// Radius of a line that is asked for, as a share of the surface's diagonal.
+/// Radius of a queried line, as a share of the surface's diagonal [1].
 const LINE: f64 = 0.011;
-/// The diagonal of a surface that is not known, as a share of how far the tool went, its way there included.
+/// Assumed diagonal of an unknown surface, as a share of the tool's largest distance from its start [1].
 const FAR_SHARE: f64 = 0.5;
-/// Radius of particles, as a share of that of lines.
+/// Radius of particles, as a share of that of lines [1].
 const PARTICLE: f64 = 0.7;
-/// Limits of that radius [m].
+/// Limits of the radius of lines [m].
 const LINE_LIMITS: [f64; 2] = [0.0025, 0.02];
 /// Height above the surface at which flat items are drawn [m].
 const ABOVE: f64 = 0.0015;
-/// How solid a robot is drawn beside the first one.
+/// Opacity of robots after the first [1].
 const GHOST: f64 = 0.28;
 
-/// What the script reads, written as in [`crate::scene`].
+/// The script's input, in the format of [`crate::scene`].
 #[derive(Debug, Serialize)]
 pub(crate) struct Space {
     meshes: Meshes,
     pub(crate) items: Vec<Item>,
-    /// Where the robots stand and where they wipe, to look from the right side [m].
+    /// Positions of robots and surface, which determine the first view [m].
     robot: Option<[f64; 3]>,
     surface: Option<[f64; 3]>,
 }
 
-/// Something that can be shown and hidden.
+/// An item that the reader can show and hide.
 #[derive(Debug, Serialize)]
 pub(crate) struct Item {
-    /// For people.
+    /// Shown name.
     pub(crate) name: String,
     /// Name of a colour of the page, or `#rrggbb`.
     pub(crate) colour: String,
-    /// 1 is solid.
+    /// Opacity, in [0, 1].
     alpha: f64,
-    /// Whether it is what the query asked for, and not what stands round it.
+    /// Whether the query asked for it; other items are context.
     pub(crate) asked: bool,
-    /// Whether it is seen through what stands before it.
+    /// Whether it shows through items in front of it.
     shines: bool,
     solids: Vec<Solid>,
     lines: Vec<Line>,
@@ -60,7 +60,7 @@ struct Line {
 }
 
 impl Space {
-    /// What a view has in space.
+    /// Makes the scene of a view.
     pub(crate) fn new(view: &View) -> Self {
         let mut space = Self {
             meshes: Meshes::new(MAX_TRIANGLES),
@@ -69,39 +69,41 @@ impl Space {
             surface: None,
         };
         for (place, round) in view.rounds.iter().enumerate() {
-            // Rounds of an episode share what stands there.
+            // The rounds of an episode share their surroundings.
             let before = &view.rounds[..place];
-            let is_new = !before.iter().any(|other| stands_alike(other, round));
+            let is_new = !before
+                .iter()
+                .any(|other| has_same_surroundings(other, round));
             if is_new {
-                space.surroundings(round);
+                space.add_surroundings(round);
             }
-            space.way(view, round);
+            space.add_full_path(view, round);
         }
         let mut robots = 0;
         for body in &view.bodies {
-            space.body(view, body, robots);
+            space.add_body(view, body, robots);
             robots += usize::from(matches!(body.figure, Figure::Robot { .. }));
         }
         for track in &view.tracks {
-            space.track(view, track);
+            space.add_track(view, track);
         }
         for dirt in &view.particles {
-            space.dirt(view, dirt);
+            space.add_dirt(view, dirt);
         }
         space
     }
 
-    /// Whether there is nothing.
+    /// Whether the scene has no items.
     pub(crate) fn is_empty(&self) -> bool {
         self.items.is_empty()
     }
 
-    /// Whether something shines that can be looked at from near.
+    /// Whether an item shows through others, so that a close view makes sense.
     pub(crate) fn shines(&self) -> bool {
         self.items.iter().any(|item| item.shines)
     }
 
-    fn surroundings(&mut self, round: &ShownRound) {
+    fn add_surroundings(&mut self, round: &ShownRound) {
         let [_, _, name] = &round.names;
         self.surface = Some(vector(&round.world_from_surface.translation.vector));
         if let Some(outline) = &round.outline {
@@ -119,8 +121,8 @@ impl Space {
         }
     }
 
-    /// All of a round's way, thin, for what is looked at to be seen in it.
-    fn way(&mut self, view: &View, round: &ShownRound) {
+    /// Adds the full path of the tool as a thin line, as context of queried paths.
+    fn add_full_path(&mut self, view: &View, round: &ShownRound) {
         let episode = &view.episodes[round.episode].id;
         let [_, tool, _] = &round.names;
         let name = format!(
@@ -133,13 +135,13 @@ impl Space {
         self.items.push(item);
     }
 
-    fn body(&mut self, view: &View, body: &ShownBody, robots: usize) {
+    fn add_body(&mut self, view: &View, body: &ShownBody, robots: usize) {
         let round = &view.rounds[body.round];
-        let at = moment(view, body.round, body.time);
-        let name = format!("{} {at}", named(round, &body.thing));
+        let at = describe_time(view, body.round, body.time);
+        let name = format!("{} {at}", display_name(round, &body.thing));
         let mut item = Item::new(
             &name,
-            &tint(body.emphasis, body.colour, usual(&body.figure)),
+            &tint(body.emphasis, body.colour, default_colour(&body.figure)),
         );
         item.asked = true;
         match &body.figure {
@@ -153,12 +155,14 @@ impl Space {
                 let mut held = Item::new(&format!("{} {at}", round.names[1]), "tool");
                 held.alpha = item.alpha;
                 held.asked = true;
-                held.solids.push(self.tool(round, world_from_tool));
-                item.solids = self.parts(parts);
+                held.solids.push(self.tool_solid(round, world_from_tool));
+                item.solids = self.make_solids(parts);
                 self.items.extend([item, held]);
                 return;
             }
-            Figure::Tool(world_from_tool) => item.solids.push(self.tool(round, world_from_tool)),
+            Figure::Tool(world_from_tool) => {
+                item.solids.push(self.tool_solid(round, world_from_tool))
+            }
             Figure::Surface(world_from_surface) => match &round.outline {
                 Some(outline) => item.lines = rings(round, outline, world_from_surface),
                 None => item.dots.push(mark(round, world_from_surface)),
@@ -168,7 +172,7 @@ impl Space {
         self.items.push(item);
     }
 
-    fn parts(&mut self, parts: &[ShownPart]) -> Vec<Solid> {
+    fn make_solids(&mut self, parts: &[ShownPart]) -> Vec<Solid> {
         if let Some(base) = parts.first() {
             let at = vector(&base.world_from_shape.translation.vector);
             self.robot.get_or_insert(at);
@@ -178,22 +182,22 @@ impl Space {
         solids.collect()
     }
 
-    /// The tool; a ball where its mesh is not known.
-    fn tool(&mut self, round: &ShownRound, world_from_tool: &Pose) -> Solid {
+    /// Returns the tool; a ball if its mesh is unknown.
+    fn tool_solid(&mut self, round: &ShownRound, world_from_tool: &Pose) -> Solid {
         match &round.tool_mesh {
             Some(mesh) => self.meshes.solid(world_from_tool, mesh),
             None => Solid::ball(world_from_tool, 4.0 * line_radius(round)),
         }
     }
 
-    fn track(&mut self, view: &View, track: &Track) {
+    fn add_track(&mut self, view: &View, track: &Track) {
         let round = &view.rounds[track.round];
         let [from, to] = track.interval;
         let name = format!(
-            "{}'s way {} to {}",
-            named(round, &track.thing),
-            moment(view, track.round, from),
-            since(view, track.round, to)
+            "{}'s path {} to {}",
+            display_name(round, &track.thing),
+            describe_time(view, track.round, from),
+            format_since_start(view, track.round, to)
         );
         let mut item = Item::new(&name, &tint(track.emphasis, track.colour, "contact"));
         item.asked = true;
@@ -205,7 +209,7 @@ impl Space {
         self.items.push(item);
     }
 
-    fn dirt(&mut self, view: &View, dirt: &ShownDirt) {
+    fn add_dirt(&mut self, view: &View, dirt: &ShownDirt) {
         let round = &view.rounds[dirt.round];
         let when = match dirt.state {
             DirtState::Before => "before",
@@ -247,7 +251,7 @@ impl Line {
     }
 }
 
-/// The rings of an outline, a little above the surface.
+/// Returns the rings of an outline, slightly above the surface.
 fn rings(round: &ShownRound, outline: &Polygon, world_from_surface: &Pose) -> Vec<Line> {
     let rings = outline.rings().map(|ring| {
         let closed = ring.iter().chain(ring.first());
@@ -257,8 +261,8 @@ fn rings(round: &ShownRound, outline: &Polygon, world_from_surface: &Pose) -> Ve
     rings.collect()
 }
 
-/// The colour of what a query gives none.
-const fn usual(figure: &Figure) -> &'static str {
+/// Returns the default colour of a figure.
+const fn default_colour(figure: &Figure) -> &'static str {
     match figure {
         Figure::Robot { .. } => "robot-arm",
         Figure::Tool(_) => "tool",
@@ -272,26 +276,26 @@ fn mark(round: &ShownRound, world_from_frame: &Pose) -> Line {
     Line::new(3.0 * line_radius(round), [place].into_iter())
 }
 
-/// Whether the same stands in the same place.
-fn stands_alike(a: &ShownRound, b: &ShownRound) -> bool {
+/// Whether two rounds have the same objects at the same poses.
+fn has_same_surroundings(a: &ShownRound, b: &ShownRound) -> bool {
     let near = (a.world_from_surface.translation.vector - b.world_from_surface.translation.vector)
         .norm()
         < 1e-6;
     near && a.names == b.names && a.objects.len() == b.objects.len()
 }
 
-/// Thick enough to be seen, thin enough to be told apart.
+/// Returns the radius of queried lines [m].
 fn line_radius(round: &ShownRound) -> f64 {
     let corners = round.outline.iter().flat_map(Polygon::outer).copied();
     let extent = match Bounds2::of(corners) {
         Some(bounds) => bounds.size().norm(),
-        None => FAR_SHARE * reach(&round.tool_path),
+        None => FAR_SHARE * max_distance(&round.tool_path),
     };
     (LINE * extent).clamp(LINE_LIMITS[0], LINE_LIMITS[1])
 }
 
-/// How far a way leads from where it begins [m].
-fn reach(path: &[Point3]) -> f64 {
+/// Returns the largest distance of a path from its start [m].
+fn max_distance(path: &[Point3]) -> f64 {
     path.first().map_or(0.0, |first| {
         let reach = path.iter().map(|place| (place - first).norm());
         reach.fold(0.0, f64::max)
@@ -306,8 +310,8 @@ fn tint(emphasis: Emphasis, colour: Option<Colour>, usual: &str) -> String {
     }
 }
 
-/// A time, for people: in which round of which episode, and since it began.
-fn moment(view: &View, round: usize, time: f64) -> String {
+/// Describes a time: its round, its episode, and the time since the start of the episode.
+fn describe_time(view: &View, round: usize, time: f64) -> String {
     let shown = &view.rounds[round];
     let episode = &view.episodes[shown.episode];
     let of = if view.episodes.len() > 1 {
@@ -315,18 +319,18 @@ fn moment(view: &View, round: usize, time: f64) -> String {
     } else {
         String::new()
     };
-    let at = since(view, round, time);
+    let at = format_since_start(view, round, time);
     format!("in round {}{of}, {at}", shown.number)
 }
 
-/// A time since its episode began.
-fn since(view: &View, round: usize, time: f64) -> String {
+/// Formats the time since the start of the episode.
+fn format_since_start(view: &View, round: usize, time: f64) -> String {
     let began = view.episodes[view.rounds[round].episode].interval[0];
     format!("{:.1} s", time - began)
 }
 
-/// What people call a thing.
-fn named<'a>(round: &'a ShownRound, thing: &'a str) -> &'a str {
+/// Returns the shown name of an object.
+fn display_name<'a>(round: &'a ShownRound, thing: &'a str) -> &'a str {
     match local(thing) {
         "tool" | "tcp" => &round.names[1],
         name => name,

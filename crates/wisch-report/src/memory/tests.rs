@@ -23,7 +23,7 @@ fn answers() -> Answers {
     }
 }
 
-/// A push during a round: a robot of one capsule, its tool's way, particles and a diagram.
+/// A push during a round: a robot with one capsule, the path of its tool, particles and a diagram.
 fn view() -> View {
     let occurrence = |class: &str, is_collision, interval| Occurrence {
         name: format!("{class}_20261122-1"),
@@ -110,7 +110,7 @@ fn page() -> String {
     })
 }
 
-/// What the script reads.
+/// Returns the script's input.
 fn data(page: &str) -> serde_json::Value {
     let marker = "id=\"space-data\">";
     let from = page.find(marker).unwrap() + marker.len();
@@ -119,7 +119,7 @@ fn data(page: &str) -> serde_json::Value {
 }
 
 #[test]
-fn the_page_needs_nothing_but_itself() {
+fn the_page_is_self_contained() {
     let page = page();
     for foreign in ["http:", "https:", "src=", "@import", "url("] {
         assert_eq!(page.find(foreign), None, "{foreign}");
@@ -127,27 +127,30 @@ fn the_page_needs_nothing_but_itself() {
 }
 
 #[test]
-fn query_and_answers_stand_on_the_page() {
+fn the_page_shows_query_and_answers() {
     let page = page();
     assert!(page.contains("S &lt; E."), "the query, escaped");
     assert!(page.contains("<td>HumanCollision_20261122-1</td><td>1002.500</td>"));
     assert!(page.contains("<th scope=\"col\">S</th>"));
-    assert!(!page.contains("Free"), "what is never bound has no column");
+    assert!(
+        !page.contains("Free"),
+        "a variable without values has no column"
+    );
 }
 
 #[test]
-fn a_query_that_fails_says_so() {
+fn a_query_without_answers_says_so() {
     let page = answers_page(&AnswersInput {
         query: "fail.",
         answers: &Answers::default(),
         view: &View::default(),
     });
     assert!(page.contains("false: nothing"));
-    assert!(!page.contains("<canvas"), "nothing to see, no picture");
+    assert!(!page.contains("<canvas"), "an empty scene has no canvas");
 }
 
 #[test]
-fn what_was_asked_for_is_in_the_picture() {
+fn queried_data_is_in_the_scene() {
     let data = data(&page());
     let items = data["items"].as_array().unwrap();
     let item = |start: &str| {
@@ -161,7 +164,7 @@ fn what_was_asked_for_is_in_the_picture() {
     assert_eq!(robot["colour"], "limit", "highlighted");
     assert_eq!(robot["solids"][0]["kind"], "capsule");
     assert_eq!(robot["solids"][0]["pose"][1], -1.0);
-    let way = item("sponge's way in round 1, 2.0 s to 3.0 s");
+    let way = item("sponge's path in round 1, 2.0 s to 3.0 s");
     assert_eq!(way["colour"], "#0102ff");
     assert_eq!(way["shines"], true);
     let points = &way["lines"][0]["points"];
@@ -213,7 +216,7 @@ fn collisions_are_marked_over_time() {
     let page = page();
     assert_eq!(page.matches("class=\"event-collision\"").count(), 1);
     assert!(page.contains("HumanCollision_20261122-1: 2.00 to 3.00 s"));
-    // A mutated one shows nothing: the mark comes from the data.
+    // Without the collision there is no mark, so the mark comes from the data.
     let mut without = view();
     without.episodes[0].occurrences.pop();
     let page = answers_page(&AnswersInput {
@@ -225,7 +228,7 @@ fn collisions_are_marked_over_time() {
 }
 
 #[test]
-fn diagrams_and_what_is_left_out_are_told() {
+fn the_page_shows_diagrams_and_remarks() {
     let page = page();
     assert!(page.contains("The picture is full: 3 more"));
     assert!(page.contains("an episode is left out") && page.contains("there is no spoon"));
@@ -234,7 +237,7 @@ fn diagrams_and_what_is_left_out_are_told() {
 }
 
 #[test]
-fn no_name_can_leave_its_place() {
+fn names_are_escaped() {
     let mut view = view();
     view.bodies[0].thing = "semco:</script><script>alert(1)".to_owned();
     view.plots[0].title = "<b>".to_owned();

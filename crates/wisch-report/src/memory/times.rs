@@ -9,10 +9,10 @@ const LEFT: f64 = 118.0;
 const RIGHT: f64 = 14.0;
 const LANE: f64 = 24.0;
 const TOP: f64 = 22.0;
-/// Narrowest mark.
+/// Minimum width of a mark.
 const THIN: f64 = 2.0;
 
-/// Lanes from above: label, classes, and how they look. Lanes without marks are left out.
+/// Lanes from above: label, classes, and CSS class of their marks. Lanes without marks are omitted.
 const LANES: [(&str, &[&str], &str); 12] = [
     ("rounds", &["WipingRound"], "bar-estimated"),
     ("strokes", &["Stroke"], "phase-contact"),
@@ -22,13 +22,13 @@ const LANES: [(&str, &[&str], &str); 12] = [
         "phase-lifted",
     ),
     ("contact", &["ToolContact"], "event-contact"),
-    ("contact lost", &["ContactLoss"], "event-loss"),
+    ("contact loss", &["ContactLoss"], "event-loss"),
     ("stick-slip", &["StickSlip"], "event-stick"),
     ("landings", &["Landing"], "event-loss"),
     ("overloads", &["Overload"], "event-loss"),
     ("vibrations", &["Vibration"], "event-loss"),
     (
-        "stops, localizing",
+        "stops, localising",
         &["ProtectiveStop", "Relocalization"],
         "event-push",
     ),
@@ -36,8 +36,8 @@ const LANES: [(&str, &[&str], &str); 12] = [
     ("collisions", &[], "event-collision"),
 ];
 
-/// One episode's timeline.
-pub(crate) fn timeline(episode: &ShownEpisode) -> Markup {
+/// Draws the timeline of an episode.
+pub(crate) fn draw_timeline(episode: &ShownEpisode) -> Markup {
     let [start, end] = episode.interval;
     let length = (end - start).max(f64::MIN_POSITIVE);
     let scale = (WIDTH - LEFT - RIGHT) / length;
@@ -94,7 +94,7 @@ pub(crate) fn timeline(episode: &ShownEpisode) -> Markup {
                 (axes::below(ticks, bottom + 4.0, 18.0))
                 text class="text small quiet end" x=(px(WIDTH - RIGHT)) y=(px(bottom + 38.0)) { "since the episode began [s]" }
                 @if !episode.looked.is_empty() {
-                    text class="text small quiet" x=(px(LEFT)) y=(px(bottom + 38.0)) { "framed: what the query looks at" }
+                    text class="text small quiet" x=(px(LEFT)) y=(px(bottom + 38.0)) { "framed: intervals of the query" }
                 }
             }
         }

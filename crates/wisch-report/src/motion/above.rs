@@ -30,7 +30,10 @@ pub(crate) fn panel(input: &MotionInput, frames: &SampledMotion) -> Option<Panel
         .map(|p| p.xy())
         .collect();
     let surface = surface(input);
-    let bodies: Vec<Vec<Point2>> = stands.iter().map(|stand| moved(&body, stand)).collect();
+    let bodies: Vec<Vec<Point2>> = stands
+        .iter()
+        .map(|stand| place_points(&body, stand))
+        .collect();
     let rated = || {
         input
             .ratings
@@ -49,16 +52,16 @@ pub(crate) fn panel(input: &MotionInput, frames: &SampledMotion) -> Option<Panel
     let view = View::with_axes(bounds, Vector2::new(WIDTH, HEIGHT));
     let drives = Bounds2::of(way.iter().copied()).is_some_and(|b| b.size().norm() > STILL);
     let layers = html! {
-        (scene(input, &view))
+        (draw_scene(input, &view))
         path class="surface-plan" d=(view.rings(surface.iter().map(Vec::as_slice))) {}
-        (places(input, &view))
-        (tool_path(input, frames, &view, &path))
-        @if drives { path class="driven" d=(view.line(thinned_line(&way))) {} }
+        (draw_ratings(input, &view))
+        (draw_tool_path(input, frames, &view, &path))
+        @if drives { path class="driven" d=(view.line(thin_line(&way))) {} }
         @for (body, stand) in bodies.iter().zip(&stands) {
             path class="robot-plan" d=(view.rings([body.as_slice()])) {}
-            (heading(&view, stand))
+            (draw_heading(&view, stand))
         }
-        (numbers(&view, &stands))
+        (draw_numbers(&view, &stands))
     };
     let (legend, below) = legend(input, drives, view.bottom());
     Some(Panel {
@@ -136,7 +139,7 @@ fn stands(input: &MotionInput, frames: &SampledMotion, base: LinkId) -> Vec<Plan
     stand.into_iter().collect()
 }
 
-fn moved(points: &[Point2], world_from_base: &PlanarPose) -> Vec<Point2> {
+fn place_points(points: &[Point2], world_from_base: &PlanarPose) -> Vec<Point2> {
     points
         .iter()
         .map(|&p| world_from_base.transform(p))
@@ -151,7 +154,7 @@ fn surface(input: &MotionInput) -> Vec<Vec<Point2>> {
 }
 
 /// Returns the hulls of the scene objects, the lowest first.
-fn scene(input: &MotionInput, view: &View) -> Markup {
+fn draw_scene(input: &MotionInput, view: &View) -> Markup {
     let shown = (input.task.scene.iter())
         .filter(|object| matches!(object.part, ScenePart::Obstacle | ScenePart::Carrier));
     let mut hulls: Vec<(f64, ScenePart, Vec<Point2>)> = shown
@@ -171,13 +174,13 @@ fn scene(input: &MotionInput, view: &View) -> Markup {
     }
 }
 
-/// Every how many-th rated place is drawn.
+/// Returns n so that every n-th rated position is drawn.
 fn place_step(input: &MotionInput) -> usize {
     input.ratings.len().div_ceil(MAX_PLACES).max(1)
 }
 
 /// Draws rated positions as dots (darker is better), and blocked positions as crosses.
-fn places(input: &MotionInput, view: &View) -> Markup {
+fn draw_ratings(input: &MotionInput, view: &View) -> Markup {
     let drawn = input.ratings.iter().step_by(place_step(input));
     let drawn: Vec<&CandidateBase> = drawn
         .filter(|p| p.x.is_finite() && p.y.is_finite())
@@ -205,7 +208,7 @@ fn places(input: &MotionInput, view: &View) -> Markup {
     }
 }
 
-/// The band of a rating, from 1 to [`BANDS`].
+/// Returns the band of a rating, from 1 to [`BANDS`].
 fn band(rating: f64) -> usize {
     (rating * BANDS as f64)
         .floor()
@@ -214,7 +217,12 @@ fn band(rating: f64) -> usize {
 }
 
 /// Draws the path of the tool, in contact and lifted.
-fn tool_path(input: &MotionInput, frames: &SampledMotion, view: &View, path: &[Point2]) -> Markup {
+fn draw_tool_path(
+    input: &MotionInput,
+    frames: &SampledMotion,
+    view: &View,
+    path: &[Point2],
+) -> Markup {
     let wipes = |time: f64| {
         let next = input.phases.partition_point(|phase| phase.start <= time);
         next.checked_sub(1)
@@ -229,7 +237,7 @@ fn tool_path(input: &MotionInput, frames: &SampledMotion, view: &View, path: &[P
             to += 1;
         }
         let pen = if kind { &mut contact } else { &mut lifted };
-        let line = thinned_line(&path[from..=to]);
+        let line = thin_line(&path[from..=to]);
         pen.line(line.into_iter().map(|p| view.at(p)));
         from = to;
     }
@@ -239,8 +247,8 @@ fn tool_path(input: &MotionInput, frames: &SampledMotion, view: &View, path: &[P
     }
 }
 
-/// Without points that are less than 2 mm from the last one kept.
-fn thinned_line(points: &[Point2]) -> Vec<Point2> {
+/// Removes points that are less than 2 mm from the last kept point.
+fn thin_line(points: &[Point2]) -> Vec<Point2> {
     let mut line: Vec<Point2> = Vec::new();
     for (i, &point) in points.iter().enumerate() {
         let far = line.last().is_none_or(|last| (point - last).norm() > 2e-3);
@@ -252,7 +260,7 @@ fn thinned_line(points: &[Point2]) -> Vec<Point2> {
 }
 
 /// Draws the heading of the base.
-fn heading(view: &View, stand: &PlanarPose) -> Markup {
+fn draw_heading(view: &View, stand: &PlanarPose) -> Markup {
     let tip = |along: f64, aside: f64| view.at(stand.transform(Point2::new(along, aside)));
     let mut arrow = Pen::default();
     arrow.line([tip(0.14, 0.0), tip(0.27, 0.0)]);
@@ -265,7 +273,7 @@ fn heading(view: &View, stand: &PlanarPose) -> Markup {
     }
 }
 
-fn numbers(view: &View, stands: &[PlanarPose]) -> Markup {
+fn draw_numbers(view: &View, stands: &[PlanarPose]) -> Markup {
     html! {
         @for (i, stand) in stands.iter().enumerate() {
             @let (x, y) = view.at(stand.position);
@@ -330,18 +338,18 @@ fn legend(input: &MotionInput, drives: bool, top: f64) -> (Markup, f64) {
     }
     let body = html! {
         (body)
-        g transform=(format!("translate({} {})", px(LEFT), px(top + height + 10.0))) { (scale(place_step(input))) }
+        g transform=(format!("translate({} {})", px(LEFT), px(top + height + 10.0))) { (draw_scale(place_step(input))) }
     };
     (body, height + 46.0)
 }
 
-/// The colours of ratings.
-fn scale(one_in: usize) -> Markup {
+/// Draws the colour scale of ratings.
+fn draw_scale(one_in: usize) -> Markup {
     const FROM: f64 = 110.0;
     const CELL: f64 = 34.0;
     let end = FROM + CELL * BANDS as f64;
     html! {
-        text class="text" font-size="12" x="0" y="4.3" { "rating of a place" }
+        text class="text" font-size="12" x="0" y="4.3" { "position rating" }
         @for band in 1..=BANDS {
             rect class=(format!("band-{band}")) x=(px(FROM + CELL * (band - 1) as f64)) y="-7" width=(px(CELL)) height="14" {}
         }
@@ -349,7 +357,7 @@ fn scale(one_in: usize) -> Markup {
         text class="text small quiet middle" x=(px(FROM)) y="20" { "0" }
         text class="text small quiet middle" x=(px(end)) y="20" { "1" }
         @if one_in > 1 {
-            text class="text small quiet" x=(px(end + 20.0)) y="4.3" { "drawn is one place in " (one_in) }
+            text class="text small quiet" x=(px(end + 20.0)) y="4.3" { "1 of " (one_in) " positions is drawn" }
         }
     }
 }

@@ -13,7 +13,7 @@ use wisch_io::{LoadOptions, load_task, read, read_text};
 /// Ready pose of the paper's robot: torso, right arm [deg].
 const TORSO: [f64; 3] = [0.0, -48.527, 97.386];
 const ARM: [f64; 7] = [-60.532, -107.672, -26.066, 106.409, -5.171, -41.724, 9.236];
-/// Where it comes from and where it wipes: x, y [m], yaw [rad].
+/// Base poses before driving and for wiping: x, y [m], yaw [rad].
 const FROM: [f64; 3] = [0.75, -1.75, 2.2];
 const AT: [f64; 3] = [-0.05, -0.74, std::f64::consts::FRAC_PI_2];
 /// Largest height at which the tool counts as wiping [m].
@@ -88,7 +88,7 @@ fn task(path: &Path) -> Task {
     loaded.expect("the shipped scenario").task
 }
 
-/// Postures along the plan's path, each from the one before by damped least squares, timed.
+/// Returns timed postures along the plan's path; each follows from the one before by damped least squares.
 fn samples(robot: &RobotModel, task: &Task, plan: &Plan) -> Vec<TrajectorySample> {
     let index = |name: &str| {
         let joint = robot.joint(name).expect("a joint");
@@ -135,7 +135,7 @@ fn samples(robot: &RobotModel, task: &Task, plan: &Plan) -> Vec<TrajectorySample
     });
     let limits = JointLimits::new(limits.collect()).expect("limits");
     let segments = path.len() - 1;
-    // Wiping goes slowly, at about 0.1 m/s.
+    // The tool wipes at about 0.1 m/s.
     let times = (0..segments).map(|i| {
         if i == 0 || i + 1 == segments {
             0.0
@@ -150,7 +150,7 @@ fn samples(robot: &RobotModel, task: &Task, plan: &Plan) -> Vec<TrajectorySample
     trajectory.samples(5e-3).collect()
 }
 
-/// Poses of the tool in the world a centimetre apart.
+/// Returns tool positions in the world, 1 cm apart [m].
 fn waypoints(task: &Task, plan: &Plan) -> Vec<Point3> {
     let place = |w: &TcpWaypoint| {
         let position = w.surface_from_tool.position;
@@ -167,7 +167,7 @@ fn waypoints(task: &Task, plan: &Plan) -> Vec<Point3> {
     points
 }
 
-/// Brings the tool's centre to a place, its axis upright, as far as the limits let it.
+/// Moves the tool centre to a point with its axis upright, within the joint limits.
 fn reach(robot: &RobotModel, tcp: LinkId, moving: &[usize], q: &mut [f64], target: &Point3) {
     for _ in 0..200 {
         let kinematics = robot.forward_kinematics(q).expect("n positions");
@@ -178,7 +178,7 @@ fn reach(robot: &RobotModel, tcp: LinkId, moving: &[usize], q: &mut [f64], targe
             return;
         }
         let all = kinematics.jacobian(tcp, Point3::origin());
-        // Linear rows and the two of the tilt; a turn about the vertical is free.
+        // Three linear rows and two rows of the tilt; rotation about the vertical is free.
         let jacobian = all.select_columns(moving).rows(0, 5).into_owned();
         let mut error = jacobian.column(0).into_owned();
         error.copy_from_slice(&[offset.x, offset.y, offset.z, tilt.x, tilt.y]);
@@ -195,7 +195,7 @@ fn reach(robot: &RobotModel, tcp: LinkId, moving: &[usize], q: &mut [f64], targe
     }
 }
 
-/// Wiping, lifting and driving, from where the tool and the base are.
+/// Derives the phases wiping, lifting and driving from the motion of tool and base.
 fn phases(input: &MotionInput) -> Vec<ShownPhase> {
     let surface_from_world = input.task.surface.world_from_surface.inverse();
     let mut phases: Vec<ShownPhase> = Vec::new();
@@ -231,7 +231,7 @@ fn phases(input: &MotionInput) -> Vec<ShownPhase> {
     phases
 }
 
-/// The prediction's particles, evenly over the time in contact.
+/// Distributes the predicted particles evenly over the time in contact.
 fn particles(input: &MotionInput, plan: &Plan) -> Vec<ParticleFrame> {
     let contact = || {
         input
@@ -263,7 +263,7 @@ fn particles(input: &MotionInput, plan: &Plan) -> Vec<ParticleFrame> {
     frames
 }
 
-/// A grid of places before the table, the best a good arm's length from the board.
+/// Returns a grid of rated positions; the best are about an arm's length from the board.
 fn ratings() -> Vec<CandidateBase> {
     let step = 0.1;
     let column = move |x: i32| (-17..=4).map(move |y| (f64::from(x) * step, f64::from(y) * step));

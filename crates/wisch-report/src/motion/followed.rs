@@ -81,8 +81,7 @@ impl<'a> ShownMotion<'a> {
     }
 }
 
-/// The particles of a prediction's frames at the times at which the tool has come about that far:
-/// as if it wiped each stroke at one speed.
+/// Assigns times to the particles of a prediction's frames, on the assumption of a constant speed within each stroke.
 fn particles(followed: &Followed, frames: &EffectFrames) -> Vec<ParticleFrame> {
     let mut before = vec![0.0];
     for stroke in &followed.strokes {

@@ -31,7 +31,7 @@ pub struct MotionInput<'a> {
     pub particles: &'a [ParticleFrame],
 }
 
-/// A stretch of time with a name.
+/// A named interval of the motion.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ShownPhase {
     /// Name of the phase.

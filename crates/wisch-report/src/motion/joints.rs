@@ -2,13 +2,13 @@
 
 use super::input::{MotionInput, ShownContact};
 use super::sampled::with_velocities;
-use crate::draw::{Panel, Pen, axes, decimals, metres, px, range, short, tick_step};
+use crate::draw::{Panel, Pen, axes, decimals, metres, px, range, shorten, tick_step};
 use maud::{Markup, html};
 use wisch::follow::TrajectorySample;
 use wisch::robot::Joint;
 
 const WIDTH: f64 = 1000.0;
-/// Where names, positions and velocities stand, and how wide the curves are.
+/// Left ends of names, positions and velocities, and the width of the curves.
 const NAME: f64 = 12.0;
 const POSITION: f64 = 224.0;
 const VELOCITY: f64 = 640.0;
@@ -16,13 +16,13 @@ const CURVE: f64 = 346.0;
 const TOP: f64 = 30.0;
 const ROW: f64 = 92.0;
 const CURVE_HEIGHT: f64 = 70.0;
-/// Most joints that are drawn; pictures have an end.
+/// Maximum number of drawn joints.
 const MAX_ROWS: usize = 48;
-/// A joint that moves less than this stands still [rad or m].
+/// A joint with a smaller range of motion counts as not moving [rad or m].
 const STILL: f64 = 1e-6;
-/// Least extent of a position axis [rad or m].
+/// Minimum extent of a position axis [rad or m].
 const LEAST_EXTENT: f64 = 0.02;
-/// How far a curve may be from what is drawn of it [units of the picture].
+/// Maximum error of a simplified curve [units of the picture].
 const TOLERANCE: f64 = 0.15;
 
 /// A joint with its positions and velocities at all samples.
@@ -52,7 +52,7 @@ impl Axis {
     }
 }
 
-/// When the samples are, across a curve.
+/// The time axis.
 struct Times<'a> {
     samples: &'a [&'a TrajectorySample],
     first: f64,
@@ -70,7 +70,7 @@ impl Times<'_> {
     }
 }
 
-/// One row per joint that moves: position with limits on the left, velocity by its limit on the right.
+/// Draws a row per moving joint: position with its limits on the left, velocity as a share of its limit on the right.
 pub(crate) fn panel(input: &MotionInput) -> Panel {
     let samples = with_velocities(input);
     let first = samples.first().map_or(0.0, |s| s.time);
@@ -88,13 +88,13 @@ pub(crate) fn panel(input: &MotionInput) -> Panel {
     let still = still_lines(&still, moving.len() - rows);
     let height = bottom + 34.0 + 18.0 * still.len() as f64;
     let body = html! {
-        (contact(input, &times, bottom))
+        (draw_contact(input, &times, bottom))
         @for (i, course) in moving.iter().take(rows).enumerate() {
-            (row(course, &times, TOP + ROW * i as f64))
+            (draw_row(course, &times, TOP + ROW * i as f64))
         }
         @if rows > 0 {
-            (headings(bottom))
-            @for left in [POSITION, VELOCITY] { (time_axis(&times, left, bottom - (ROW - CURVE_HEIGHT))) }
+            (draw_headings(bottom))
+            @for left in [POSITION, VELOCITY] { (draw_time_axis(&times, left, bottom - (ROW - CURVE_HEIGHT))) }
         }
         @for (i, line) in still.iter().enumerate() {
             text class="text small quiet" x=(px(NAME)) y=(px(bottom + 34.0 + 18.0 * i as f64)) { (line) }
@@ -121,7 +121,7 @@ impl<'a> JointHistory<'a> {
         high - low > STILL
     }
 
-    /// Round the positions, with a limit where it is not far.
+    /// Returns an axis around the positions, which includes a limit if it is near.
     fn position_axis(&self, top: f64) -> Axis {
         let (low, high) = range(self.position.iter().copied());
         let extent = (high - low).max(LEAST_EXTENT);
@@ -149,7 +149,7 @@ impl<'a> JointHistory<'a> {
         }
     }
 
-    /// What velocities are divided by, and the axis of the result.
+    /// Returns the divisor of the velocities, and the axis of the quotient.
     fn velocity_axis(&self, top: f64) -> (f64, Axis) {
         let most = self
             .velocity
@@ -168,7 +168,7 @@ impl<'a> JointHistory<'a> {
     }
 }
 
-fn row(course: &JointHistory, times: &Times, top: f64) -> Markup {
+fn draw_row(course: &JointHistory, times: &Times, top: f64) -> Markup {
     let joint = course.joint;
     let unit = joint.kind.unit();
     let positions = course.position_axis(top);
@@ -186,7 +186,7 @@ fn row(course: &JointHistory, times: &Times, top: f64) -> Markup {
     let relative: Vec<f64> = course.velocity.iter().map(|v| v / of).collect();
     let fastest = relative.iter().fold(0.0, |most: f64, v| most.max(v.abs()));
     html! {
-        text class="text strong" x=(px(NAME)) y=(px(top + 14.0)) { (short(&joint.name, 20)) }
+        text class="text strong" x=(px(NAME)) y=(px(top + 14.0)) { (shorten(&joint.name, 20)) }
         text class="text small quiet" x=(px(NAME)) y=(px(top + 31.0)) { (bounds) }
         text class="text small quiet" x=(px(NAME)) y=(px(top + 46.0)) { "moves " (metres(low, 2)) " … " (metres(high, 2)) " " (unit) }
         text class="text small quiet" x=(px(NAME)) y=(px(top + 61.0)) {
@@ -196,29 +196,29 @@ fn row(course: &JointHistory, times: &Times, top: f64) -> Markup {
                 "at most " (format!("{of:.2}")) " " (unit) "/s, no limit"
             }
         }
-        (beyond(&positions, limits))
+        (draw_forbidden_bands(&positions, limits))
         @for tick in ticks {
             @let y = positions.down(tick as f64 * step);
             path class="rule" d=(format!("M{} {}h{}", px(POSITION), px(y), px(CURVE))) {}
             text class="text small quiet end" x=(px(POSITION - 6.0)) y=(px(y + 4.0)) { (metres(tick as f64 * step, decimals(step))) }
         }
-        (limit_lines(&positions, limits))
+        (draw_limits(&positions, limits))
         rect class="axis" x=(px(POSITION)) y=(px(top)) width=(px(CURVE)) height=(px(CURVE_HEIGHT)) {}
         path class="course" d=(curve(times, &course.position, &positions)) {}
-        (beyond(&velocities, Some([-1.0, 1.0])))
+        (draw_forbidden_bands(&velocities, Some([-1.0, 1.0])))
         @for (value, label) in [(-1.0, "−100 %"), (0.0, "0"), (1.0, "100 %")] {
             @let y = velocities.down(value);
             path class="rule" d=(format!("M{} {}h{}", px(VELOCITY), px(y), px(CURVE))) {}
             text class="text small quiet end" x=(px(VELOCITY - 6.0)) y=(px(y + 4.0)) { (label) }
         }
-        @if joint.limits.velocity.is_some() { (limit_lines(&velocities, Some([-1.0, 1.0]))) }
+        @if joint.limits.velocity.is_some() { (draw_limits(&velocities, Some([-1.0, 1.0]))) }
         rect class="axis" x=(px(VELOCITY)) y=(px(top)) width=(px(CURVE)) height=(px(CURVE_HEIGHT)) {}
         path class="course" d=(curve(times, &relative, &velocities)) {}
     }
 }
 
-/// Bands where a joint must not be.
-fn beyond(axis: &Axis, limits: Option<[f64; 2]>) -> Markup {
+/// Draws bands beyond the limits.
+fn draw_forbidden_bands(axis: &Axis, limits: Option<[f64; 2]>) -> Markup {
     let [lower, upper] = limits.unwrap_or([axis.low, axis.high]);
     let bands = [
         (axis.top, axis.down(upper)),
@@ -231,7 +231,7 @@ fn beyond(axis: &Axis, limits: Option<[f64; 2]>) -> Markup {
     }
 }
 
-fn limit_lines(axis: &Axis, limits: Option<[f64; 2]>) -> Markup {
+fn draw_limits(axis: &Axis, limits: Option<[f64; 2]>) -> Markup {
     html! {
         @for limit in limits.into_iter().flatten().filter(|&limit| axis.shows(limit)) {
             path class="limit" d=(format!("M{} {}h{}", px(axis.left), px(axis.down(limit)), px(CURVE))) {}
@@ -239,8 +239,8 @@ fn limit_lines(axis: &Axis, limits: Option<[f64; 2]>) -> Markup {
     }
 }
 
-/// Bands over all rows while the tool wipes.
-fn contact(input: &MotionInput, times: &Times, bottom: f64) -> Markup {
+/// Draws bands over all rows while the tool wipes.
+fn draw_contact(input: &MotionInput, times: &Times, bottom: f64) -> Markup {
     let wiping = input
         .phases
         .iter()
@@ -259,7 +259,7 @@ fn contact(input: &MotionInput, times: &Times, bottom: f64) -> Markup {
     }
 }
 
-fn headings(bottom: f64) -> Markup {
+fn draw_headings(bottom: f64) -> Markup {
     html! {
         text class="text small quiet" x=(px(POSITION)) y="20" { "position [rad or m]" }
         text class="text small quiet" x=(px(VELOCITY)) y="20" { "velocity, share of its limit" }
@@ -271,7 +271,7 @@ fn headings(bottom: f64) -> Markup {
     }
 }
 
-fn time_axis(times: &Times, left: f64, y: f64) -> Markup {
+fn draw_time_axis(times: &Times, left: f64, y: f64) -> Markup {
     let step = tick_step(times.duration / 6.0);
     let last = if times.duration > 0.0 {
         (times.duration / step + 1e-9) as i64
@@ -285,19 +285,19 @@ fn time_axis(times: &Times, left: f64, y: f64) -> Markup {
     axes::below(ticks, y, 17.0)
 }
 
-/// Names of joints that stand still, in lines, and how many others are left out.
+/// Returns lines with the names of joints that do not move, and the number of moving joints that are not drawn.
 fn still_lines(still: &[JointHistory], left_out: usize) -> Vec<String> {
     const LONGEST: usize = 150;
     let mut lines = Vec::new();
     if left_out > 0 {
-        lines.push(format!("{left_out} more joints move and are not drawn."));
+        lines.push(format!("{left_out} more moving joints are not drawn."));
     }
     if still.is_empty() {
         return lines;
     }
     let mut line = String::from("Not moving: ");
     for (i, course) in still.iter().enumerate() {
-        let name = short(&course.joint.name, 40);
+        let name = shorten(&course.joint.name, 40);
         if line.chars().count() + name.chars().count() > LONGEST {
             lines.push(std::mem::take(&mut line));
         }
@@ -311,19 +311,19 @@ fn still_lines(still: &[JointHistory], left_out: usize) -> Vec<String> {
     lines
 }
 
-/// A course as a path that differs from it by no more than can be seen.
+/// Returns the simplified curve of values as an SVG path.
 fn curve(times: &Times, values: &[f64], axis: &Axis) -> String {
     let places: Vec<(f64, f64)> = (times.samples.iter().zip(values))
         .map(|(sample, &value)| (axis.left + times.across(sample.time), axis.down(value)))
         .collect();
     let mut pen = Pen::default();
-    pen.line(simplified(&places));
+    pen.line(simplify(&places));
     pen.path()
 }
 
-/// Those places without which the line would be off by more than [`TOLERANCE`] (Ramer 1972, Douglas
-/// and Peucker 1973, with distances up and down).
-fn simplified(places: &[(f64, f64)]) -> Vec<(f64, f64)> {
+/// Simplifies a line with an error of at most [`TOLERANCE`] (Ramer 1972; Douglas and Peucker 1973), measured
+/// vertically.
+fn simplify(places: &[(f64, f64)]) -> Vec<(f64, f64)> {
     let Some(last) = places.len().checked_sub(1) else {
         return Vec::new();
     };

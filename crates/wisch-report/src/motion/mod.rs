@@ -19,17 +19,17 @@ use sampled::SampledMotion;
 /// Draws position and velocity of every moving joint over time, as SVG with light colours.
 pub fn joint_plots(input: &MotionInput) -> String {
     let what = "Joint positions within their limits, and velocities as a share of their limits";
-    alone(input, &joints::panel(input), what)
+    standalone(input, &joints::panel(input), what)
 }
 
 /// Draws the rated and chosen base poses with the scene from above, as SVG with light colours.
 /// For a fixed base it shows its pose.
 pub fn placements_plan(input: &MotionInput) -> String {
     let panel = above::panel(input, &SampledMotion::new(input)).unwrap_or_else(Panel::empty);
-    alone(input, &panel, "Base poses, seen from above")
+    standalone(input, &panel, "Base poses, seen from above")
 }
 
-fn alone(input: &MotionInput, panel: &Panel, what: &str) -> String {
+fn standalone(input: &MotionInput, panel: &Panel, what: &str) -> String {
     let title = format!("{}: {}", input.task.name, input.robot.name());
     panel.standalone(&title, what)
 }

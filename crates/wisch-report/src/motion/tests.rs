@@ -1,7 +1,7 @@
 use super::demo::Demo;
 use super::*;
 use crate::rasterize;
-use crate::tests::{keep, requests};
+use crate::tests::{find_requests, keep};
 use resvg::usvg;
 use wisch::follow::TrajectorySample;
 use wisch::robot::RobotModel;
@@ -19,7 +19,7 @@ fn the_humanoid_at_the_board_is_shown() {
     let input = demo.input();
     assert_eq!(pictures(&input), pictures(&input), "same input, same bytes");
     for (stem, svg) in pictures(&input) {
-        assert_eq!(requests(&svg), [""; 0], "{stem}");
+        assert_eq!(find_requests(&svg), [""; 0], "{stem}");
         assert!(svg.len() < 200_000, "{stem}: {} bytes", svg.len());
         usvg::Tree::from_str(&svg, &usvg::Options::default()).expect("it is SVG");
         keep(&format!("motion-{stem}.svg"), &svg);
@@ -72,7 +72,7 @@ fn hostile_names_stay_text() {
 }
 
 #[test]
-fn motions_with_nothing_in_them_are_shown_all_the_same() {
+fn empty_and_invalid_motions_are_drawn() {
     let demo = Demo::new();
     let full = demo.input();
     let bare = MotionInput {

@@ -10,13 +10,13 @@ const RIGHT: f64 = 16.0;
 const TOP: f64 = 26.0;
 const BOTTOM: f64 = 170.0;
 
-/// Where a chart of this width puts a distance [m] out of `total`.
+/// Returns the x coordinate of a distance [m] out of `total` in a chart of a given width.
 pub(crate) fn across(distance: f64, total: f64, width: f64) -> f64 {
     let share = if total > 0.0 { distance / total } else { 0.0 };
     LEFT + share * (width - LEFT - RIGHT)
 }
 
-/// Where a chart puts a performance in [0, 1].
+/// Returns the y coordinate of a performance in [0, 1].
 pub(crate) fn down(performance: f64) -> f64 {
     BOTTOM - performance * (BOTTOM - TOP)
 }
@@ -63,7 +63,7 @@ pub(crate) fn performance(drawing: &Drawing, width: f64) -> Panel {
         path class="axis" d=(format!("M{} {}H{}", px(LEFT), px(BOTTOM), px(width - RIGHT))) {}
         path class="under" d=(under.path()) {}
         path class="curve" d=(curve.path()) {}
-        text class="text small quiet end" x=(px(width - RIGHT)) y=(px(BOTTOM + 35.0)) { "distance wiped [m]" }
+        text class="text small quiet end" x=(px(width - RIGHT)) y=(px(BOTTOM + 35.0)) { "distance in contact [m]" }
     };
     Panel {
         width,

@@ -1,4 +1,4 @@
-//! The pictures of a plan and its prediction: layers put together, with a legend.
+//! The pictures of a plan and its prediction.
 
 use super::chart;
 use super::frames::{Frame, thinning};
@@ -10,9 +10,9 @@ use crate::draw::{
 use maud::{Markup, html};
 use wisch::geometry::Vector2;
 
-/// Where legends begin, and their room on the right.
+/// Margins of legends, left and right.
 const MARGINS: [f64; 2] = [48.0, 10.0];
-/// Moments shown side by side, as in Fig. 7.
+/// Number of snapshots side by side, as in Fig. 7.
 pub(crate) const SNAPSHOTS: usize = 5;
 
 const PARTICLE_KEYS: [Key; 5] = [
@@ -35,7 +35,7 @@ const GRAPH_KEYS: [Key; 10] = [
     Key::Obstacle,
 ];
 
-/// Nodes, edges and order over the particles as they lay; paper Fig. 5.
+/// Draws nodes, edges and order of strokes over the initial particles; paper Fig. 5.
 pub(crate) fn graph(drawing: &Drawing) -> String {
     let view = drawing.map_view();
     let layers = html! {
@@ -50,14 +50,14 @@ pub(crate) fn graph(drawing: &Drawing) -> String {
         .into_iter()
         .chain(GRAPH_KEYS);
     Figure {
-        panel: framed(drawing, &view, layers),
+        panel: add_axes(drawing, &view, layers),
         entries: entries(drawing, wanted),
         what: "Planned strokes, seen from above".to_owned(),
     }
     .standalone(drawing.input.title, MARGINS)
 }
 
-/// Bands of equal density with the nodes on top; paper Fig. 4.
+/// Draws bands of equal density with the nodes on top; paper Fig. 4.
 pub(crate) fn density_figure(drawing: &Drawing) -> Figure {
     let view = View::with_axes(drawing.close, Vector2::new(WIDTH, HEIGHT));
     let layers = html! {
@@ -66,7 +66,7 @@ pub(crate) fn density_figure(drawing: &Drawing) -> Figure {
         g class="on-density" { (drawing.before(&view)) }
         (drawing.nodes(&view))
     };
-    let panel = framed(drawing, &view, layers);
+    let panel = add_axes(drawing, &view, layers);
     let (top, cell) = (panel.height + 6.0, 34.0);
     let body = html! {
         (panel.body)
@@ -100,7 +100,7 @@ pub(crate) fn density_figure(drawing: &Drawing) -> Figure {
     }
 }
 
-/// [`density_figure`] as a file of its own.
+/// Draws [`density_figure`] as a file.
 pub(crate) fn density(drawing: &Drawing) -> String {
     let bandwidth = metres(drawing.bandwidth(), 3);
     Figure {
@@ -110,8 +110,8 @@ pub(crate) fn density(drawing: &Drawing) -> String {
     .standalone(drawing.input.title, MARGINS)
 }
 
-/// Axes and scale bar round layers, which are cut off at the view's border.
-fn framed(drawing: &Drawing, view: &View, layers: Markup) -> Panel {
+/// Clips layers to the view, and adds axes and a scale bar.
+fn add_axes(drawing: &Drawing, view: &View, layers: Markup) -> Panel {
     Panel {
         width: WIDTH,
         height: view.bottom(),
@@ -123,7 +123,7 @@ fn framed(drawing: &Drawing, view: &View, layers: Markup) -> Panel {
     }
 }
 
-/// Two views, before and after, with the particles alone.
+/// Draws the particles before and after in two views.
 pub(crate) fn before_after(drawing: &Drawing) -> String {
     const WIDE: f64 = 1000.0;
     let extent = drawing.close.size();
@@ -178,7 +178,7 @@ pub(crate) fn before_after(drawing: &Drawing) -> String {
     .standalone(drawing.input.title, [GAP, MARGINS[1]])
 }
 
-/// Frames about evenly spaced over the distance, the first and the last among them.
+/// Selects frames at about even distances, including the first and the last.
 pub(crate) fn snapshots<'a>(drawing: &Drawing<'a>) -> Vec<&'a Frame> {
     let frames = drawing.input.frames.all();
     let total = frames.last().map_or(0.0, |frame| frame.distance);
@@ -197,7 +197,7 @@ pub(crate) fn snapshots<'a>(drawing: &Drawing<'a>) -> Vec<&'a Frame> {
     chosen.iter().map(|&i| &frames[i]).collect()
 }
 
-/// What is seen in a moment of the effect over time.
+/// Returns the legend of a snapshot.
 pub(crate) fn moment_entries(drawing: &Drawing) -> Vec<Entry> {
     let wanted = [
         Key::LeftNow,
@@ -210,7 +210,7 @@ pub(crate) fn moment_entries(drawing: &Drawing) -> Vec<Entry> {
     entries(drawing, wanted)
 }
 
-/// One moment, small.
+/// Draws a snapshot.
 pub(crate) fn snapshot(drawing: &Drawing, frame: &Frame, width: f64) -> Panel {
     let view = View::fit(drawing.bounds, 0.0, 0.0, Vector2::new(width, 1.2 * width));
     let trail = drawing
@@ -219,7 +219,7 @@ pub(crate) fn snapshot(drawing: &Drawing, frame: &Frame, width: f64) -> Panel {
         .strokes
         .iter()
         .take(frame.stroke.map_or(0, |s| s + 1));
-    // Thinner than a frame's particles: a snapshot is small.
+    // A snapshot is small, so it shows fewer particles than a frame.
     let step = thinning(frame.particles.len(), 1_500);
     let particles: Vec<_> = frame.particles.iter().copied().step_by(step).collect();
     let radius = surface::dot_radius(&view, particles.len()).clamp(0.8, 2.0);
@@ -227,7 +227,7 @@ pub(crate) fn snapshot(drawing: &Drawing, frame: &Frame, width: f64) -> Panel {
     let body = html! {
         (drawing.ground(&view))
         @for (i, stroke) in trail.enumerate() {
-            @let until = if i == last { reached(stroke, frame) } else { stroke.poses.len() };
+            @let until = if i == last { count_passed(stroke, frame) } else { stroke.poses.len() };
             path class="trail" d=(view.line(stroke.poses[..until].iter().map(|p| p.position))) {}
         }
         (drawing.particles(&view, &particles, radius))
@@ -244,8 +244,8 @@ pub(crate) fn snapshot(drawing: &Drawing, frame: &Frame, width: f64) -> Panel {
     }
 }
 
-/// How many of a stroke's poses lie behind the tool at this moment.
-fn reached(stroke: &wisch::plan::Stroke, frame: &Frame) -> usize {
+/// Returns the number of poses of a stroke that the tool has passed.
+fn count_passed(stroke: &wisch::plan::Stroke, frame: &Frame) -> usize {
     stroke
         .poses
         .iter()
@@ -253,7 +253,7 @@ fn reached(stroke: &wisch::plan::Stroke, frame: &Frame) -> usize {
         .map_or(stroke.poses.len(), |i| i + 1)
 }
 
-/// What stands below a snapshot.
+/// Returns the caption of a snapshot.
 pub(crate) fn caption(frame: &Frame) -> String {
     format!(
         "{} m · {}",
@@ -262,7 +262,7 @@ pub(crate) fn caption(frame: &Frame) -> String {
     )
 }
 
-/// Snapshots in a row, and the performance over the distance below them; paper Fig. 7.
+/// Draws snapshots in a row, with the performance over the distance below; paper Fig. 7.
 pub(crate) fn effect_over_time(drawing: &Drawing) -> String {
     const WIDE: f64 = 1000.0;
     const GAP: f64 = 12.0;

@@ -41,7 +41,7 @@ pub struct EffectFrames {
 }
 
 impl EffectFrames {
-    /// Begins with the particles before the first stroke.
+    /// Makes a recorder that holds the particles before the first stroke.
     pub fn new(task: &Task, plan: &Plan) -> Self {
         let heading = plan
             .tcp_path()
@@ -80,12 +80,12 @@ impl EffectFrames {
         }
     }
 
-    /// The frames, in order of time.
+    /// Returns the frames in order of time.
     pub fn all(&self) -> &[Frame] {
         &self.frames
     }
 
-    /// The thinning factor n: every n-th particle is kept; 1 keeps all.
+    /// Returns the thinning factor n: every n-th particle is kept; 1 keeps all.
     pub fn thinning(&self) -> usize {
         self.thinning
     }

@@ -67,7 +67,7 @@ impl Key {
             (Self::LeftNow, _) => "on the surface",
             (Self::DoneNow, GoalState::Skimmed) => "over the skim edge",
             (Self::DoneNow, _) => "in the goal area",
-            (Self::Trail, _) => "wiped so far",
+            (Self::Trail, _) => "path wiped so far",
         }
     }
 

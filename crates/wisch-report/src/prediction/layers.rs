@@ -10,15 +10,15 @@ use maud::{Markup, html};
 use wisch::geometry::{Bounds2, Point2, Vector2};
 use wisch::plan::{CoverageDensity, NodeRole, data_bandwidth};
 
-/// Most height of the surface in a picture.
+/// Maximum height of the surface in a picture.
 pub(crate) const HEIGHT: f64 = 560.0;
 
 /// The data of a run that its drawings share.
 pub(crate) struct Drawing<'a> {
     pub(crate) input: &'a ReportInput<'a>,
-    /// What is shown [m].
+    /// Bounds of the view [m].
     pub(crate) bounds: Bounds2,
-    /// What is shown where the tool's start does not matter [m].
+    /// Bounds of views without the start of the tool [m].
     pub(crate) close: Bounds2,
     obstacles: Vec<Vec<Point2>>,
     before: Vec<Point2>,
@@ -96,7 +96,7 @@ impl<'a> Drawing<'a> {
         !self.unreachable.is_empty()
     }
 
-    /// The particles before: hollow; struck through where no node or edge comes near.
+    /// Draws the initial particles as hollow dots; those out of reach are struck through.
     pub(crate) fn before(&self, view: &View) -> Markup {
         let radius = surface::dot_radius(view, self.before.len());
         let (mut hollow, mut struck) = (Pen::default(), Pen::default());
@@ -112,19 +112,19 @@ impl<'a> Drawing<'a> {
         }
     }
 
-    /// The particles after.
+    /// Draws the predicted particles.
     pub(crate) fn after(&self, view: &View) -> Markup {
         let radius = surface::dot_radius(view, self.after.len());
         self.particles(view, &self.after, radius)
     }
 
-    /// Particles as they lie at one moment: filled, by outcome.
+    /// Draws particles as filled dots, by outcome.
     pub(crate) fn particles(&self, view: &View, particles: &[Particle], radius: f64) -> Markup {
         let outcomes = particles.iter().map(|&p| (p.0, self.outcome(p)));
         surface::particles(view, outcomes, radius)
     }
 
-    /// Directed edges, an arrow on each.
+    /// Draws directed edges with arrows.
     pub(crate) fn edges(&self, view: &View) -> Markup {
         let graph = &self.input.plan.graph;
         let size = (0.13 * self.input.plan.collision_radius * view.scale).clamp(2.5, 7.0);
@@ -154,12 +154,12 @@ impl<'a> Drawing<'a> {
             arrows.close();
         }
         html! {
-            path class="edge" style=[self.thin(view, "stroke-width:1")] d=(lines.path()) {}
+            path class="edge" style=[self.thin_style(view, "stroke-width:1")] d=(lines.path()) {}
             path class="arrow" d=(arrows.path()) {}
         }
     }
 
-    /// Nodes: red where they cover, yellow where they are goals, hollow where nothing leads.
+    /// Draws nodes: coverage nodes red, goal nodes yellow, nodes without a path to the goal hollow.
     pub(crate) fn nodes(&self, view: &View) -> Markup {
         let graph = &self.input.plan.graph;
         let radius = self.node_radius(view);
@@ -186,7 +186,7 @@ impl<'a> Drawing<'a> {
         self.input.plan.collision_radius * view.scale >= 22.0
     }
 
-    /// Where the map of the surface lies in its picture.
+    /// Returns the view of the map of the surface.
     pub(crate) fn map_view(&self) -> View {
         View::with_axes(self.bounds, Vector2::new(WIDTH, HEIGHT))
     }
@@ -196,12 +196,12 @@ impl<'a> Drawing<'a> {
         self.numbers_fit(&self.map_view())
     }
 
-    /// A lighter hand where the tool is small beside the surface and lines lie close.
-    fn thin(&self, view: &View, style: &'static str) -> Option<&'static str> {
+    /// Returns a style of thinner lines if the tool is small relative to the surface, so that lines are close.
+    fn thin_style(&self, view: &View, style: &'static str) -> Option<&'static str> {
         (!self.numbers_fit(view)).then_some(style)
     }
 
-    /// Lifted moves, and the number of each stroke where it begins.
+    /// Draws lifted moves, and the number of each stroke at its start.
     pub(crate) fn order(&self, view: &View) -> Markup {
         let plan = self.input.plan;
         let mut lifted = Pen::default();
@@ -214,7 +214,7 @@ impl<'a> Drawing<'a> {
         }
         let radius = 2.0 * self.node_radius(view);
         html! {
-            path class="lifted" style=[self.thin(view, "stroke-width:.6;stroke-opacity:.7")] d=(lifted.path()) {}
+            path class="lifted" style=[self.thin_style(view, "stroke-width:.6;stroke-opacity:.7")] d=(lifted.path()) {}
             @if self.numbers_fit(view) {
                 @for (i, stroke) in plan.strokes.iter().enumerate() {
                     @if let Some(first) = stroke.poses.first() {
@@ -228,7 +228,7 @@ impl<'a> Drawing<'a> {
         }
     }
 
-    /// The tool at scale where it waits, on the robot's side.
+    /// Draws the tool to scale at its start, on the robot's side.
     pub(crate) fn tool_at_start(&self, view: &View) -> Markup {
         let Some(start) = self.input.frames.all().first() else {
             return html! {};
@@ -257,7 +257,7 @@ impl<'a> Drawing<'a> {
         (b.min.x..=b.max.x).contains(&p.x) && (b.min.y..=b.max.y).contains(&p.y)
     }
 
-    /// Filled bands of the density (2), each a fixed share of the peak.
+    /// Draws the density (2) in filled bands of a fixed share of its peak.
     pub(crate) fn density(&self, view: &View) -> Markup {
         let outline = &self.input.task.surface.outline;
         let particles: Vec<Point2> = self.input.task.particles.remaining().collect();
@@ -280,7 +280,7 @@ impl<'a> Drawing<'a> {
         }
     }
 
-    /// Bandwidth h of the density [m]: the one the plan was asked for, or that of the data.
+    /// Returns the bandwidth h of the density [m]: that of the planner settings, or else that of the data.
     pub(crate) fn bandwidth(&self) -> f64 {
         self.input.bandwidth.unwrap_or_else(|| {
             let particles: Vec<Point2> = self.input.task.particles.remaining().collect();
@@ -289,7 +289,7 @@ impl<'a> Drawing<'a> {
     }
 }
 
-/// The surface with the nodes, what was pushed off, and the tool's start if it is asked for and near.
+/// Returns bounds that include the surface, the nodes, particles pushed off it, and `tool_start` if it is near [m].
 fn bounds(input: &ReportInput, tool_start: Option<Point2>) -> Bounds2 {
     let outline = input.task.surface.outline.outer().iter().copied();
     let surface = surface::extent(&input.task.surface);

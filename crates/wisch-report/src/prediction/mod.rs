@@ -1,4 +1,4 @@
-//! What a plan is predicted to do: the surface with its particles, nodes and strokes, and the effect over time.
+//! Pictures of a plan and its predicted effect: particles, nodes and strokes on the surface, and the effect over time.
 
 pub(crate) mod chart;
 pub(crate) mod figures;

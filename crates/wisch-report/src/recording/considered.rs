@@ -1,6 +1,6 @@
 //! The candidate plans of a round.
 
-use super::samples::rounded;
+use super::samples::round_to;
 use serde::Serialize;
 use wisch::plan::Plan;
 use wisch::run::CandidateEvaluation;
@@ -33,13 +33,13 @@ impl ConsideredRecord {
         Self {
             strategy: one.strategy.as_str(),
             chosen: false,
-            worth: found.ok().map(|found| rounded(found.score.total, 1e4)),
-            predicted: performance.map(|found| rounded(found.ratio(), 1e4)),
+            worth: found.ok().map(|found| round_to(found.score.total, 1e4)),
+            predicted: performance.map(|found| round_to(found.ratio(), 1e4)),
             lost: performance
-                .map(|found| rounded(found.lost as f64 / found.initial.max(1) as f64, 1e4)),
+                .map(|found| round_to(found.lost as f64 / found.initial.max(1) as f64, 1e4)),
             strokes: plan.map(|plan| plan.strokes.len()),
-            in_contact: plan.map(|plan| rounded(Plan::contact_distance(plan), 1e3)),
-            duration: one.motion.map(|motion| rounded(motion.duration, 1e2)),
+            in_contact: plan.map(|plan| round_to(Plan::contact_distance(plan), 1e3)),
+            duration: one.motion.map(|motion| round_to(motion.duration, 1e2)),
             error: found.err().map(ToString::to_string),
         }
     }

@@ -1,7 +1,7 @@
 //! The pieces of a finished round: its result, and the simulated world's ground truth.
 
-use super::particles::lying;
-use super::samples::rounded;
+use super::particles::flat_remaining;
+use super::samples::round_to;
 use super::{RoundTruth, words};
 use crate::scene::seven;
 use serde::Serialize;
@@ -58,7 +58,7 @@ impl Judged {
         Self {
             piece: "judged",
             round: motion.number,
-            duration: rounded(round.execution.duration, 1e3),
+            duration: round_to(round.execution.duration, 1e3),
             estimate: EstimateRecord::new(found.performance),
             felt: EstimateRecord::new(found.felt),
             verdict: round.verdict.as_str(),
@@ -72,8 +72,8 @@ impl Judged {
                 .map(EventRecord::new)
                 .collect(),
             contacts: contacts(found),
-            particles: lying(
-                typical(found, &motion.plan.graph.goal, &motion.task.surface)
+            particles: flat_remaining(
+                typical_replay(found, &motion.plan.graph.goal, &motion.task.surface)
                     .unwrap_or(&motion.task.particles),
             ),
         }
@@ -83,7 +83,7 @@ impl Judged {
 impl EstimateRecord {
     fn new(estimate: Estimate) -> Self {
         let [mean, low, high] =
-            [estimate.mean, estimate.low, estimate.high].map(|share| rounded(share, 1e4));
+            [estimate.mean, estimate.low, estimate.high].map(|share| round_to(share, 1e4));
         Self { mean, low, high }
     }
 }
@@ -91,10 +91,10 @@ impl EstimateRecord {
 impl EventRecord {
     fn new(event: &Event) -> Self {
         Self {
-            kind: crate::rounds::words::kind(event.kind),
-            start: rounded(event.start, 1e3),
-            end: rounded(event.end, 1e3),
-            words: crate::rounds::words::evidence(event),
+            kind: crate::rounds::words::kind_name(event.kind),
+            start: round_to(event.start, 1e3),
+            end: round_to(event.end, 1e3),
+            words: crate::rounds::words::describe_evidence(event),
             by_hand: event.kind.is_by_hand(),
         }
     }
@@ -105,10 +105,10 @@ impl Truth {
         Self {
             piece: "truth",
             round: truth.round,
-            performance: truth.performance.map(|share| rounded(share, 1e4)),
-            particles: truth.particles.map(lying),
+            performance: truth.performance.map(|share| round_to(share, 1e4)),
+            particles: truth.particles.map(flat_remaining),
             pushes: (truth.pushes.iter())
-                .map(|times| times.map(|time| rounded(time, 1e3)))
+                .map(|times| times.map(|time| round_to(time, 1e3)))
                 .collect(),
             surface: truth.world_from_surface.as_ref().map(seven),
         }
@@ -116,7 +116,7 @@ impl Truth {
 }
 
 /// Returns the belief's replay whose performance is nearest to the mean estimate, as a typical particle distribution.
-fn typical<'a>(
+fn typical_replay<'a>(
     found: &'a Interpretation,
     goal: &GoalState,
     surface: &Surface,
@@ -138,7 +138,7 @@ fn contacts(found: &Interpretation) -> Vec<[f64; 2]> {
         if !matches!(piece.touch, Touch::Weak | Touch::Confident) {
             continue;
         }
-        let [start, end] = piece.time.map(|time| rounded(time, 1e3));
+        let [start, end] = piece.time.map(|time| round_to(time, 1e3));
         match contacts.last_mut() {
             Some(last) if start - last[1] <= GAP => last[1] = end,
             _ => contacts.push([start, end]),

@@ -216,7 +216,7 @@ impl<W: Write> RecordingWriter<W> {
                     piece: "observed",
                     round,
                     detections: particles::flat_places(observation.detections.iter().copied()),
-                    hidden_m2: samples::rounded(observation.hidden.area(), 1e4),
+                    hidden_m2: samples::round_to(observation.hidden.area(), 1e4),
                 };
                 write(&mut self.output, &piece)
             }
@@ -237,7 +237,7 @@ impl<W: Write> RecordingWriter<W> {
             .followed
             .map(|(_, _, audit)| words::describe_audit(audit));
         let piece = RoundPiece::planned(planned, audited, &mut self.meshes, self.written)
-            .chosen_among(std::mem::take(&mut self.considered), planned.plan.strategy);
+            .with_candidates(std::mem::take(&mut self.considered), planned.plan.strategy);
         self.written = self.meshes.len();
         write(&mut self.output, &piece)?;
         for batch in samples::planned(planned) {
@@ -272,7 +272,7 @@ impl<W: Write> RecordingWriter<W> {
             &mut self.meshes,
             self.written,
         )
-        .chosen_among(std::mem::take(&mut self.considered), planned.plan.strategy);
+        .with_candidates(std::mem::take(&mut self.considered), planned.plan.strategy);
         self.written = self.meshes.len();
         self.batch = Batch::of(planned);
         write(&mut self.output, &piece)?;

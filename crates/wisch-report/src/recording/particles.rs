@@ -1,4 +1,4 @@
-//! Particles over time, each step as what differs from the one before.
+//! Particles over time, each step as its difference from the step before.
 
 use crate::scene::tenth;
 use std::collections::BTreeMap;
@@ -7,10 +7,10 @@ use wisch::represent::ParticleDistribution;
 
 /// Maximum number of particles that are shown at one time.
 const MAX_SHOWN: usize = 1_500;
-/// Most changes of particles in a round.
+/// Maximum number of changes of particles in a round.
 const MAX_CHANGES: usize = 24_000;
 
-/// Time [s]; indices in the step before of particles that are gone; x, y of those that are new, in tenths of a millimetre.
+/// Time [s]; indices of removed particles in the step before; x, y of added particles in tenths of a millimetre.
 pub(super) type ParticleStep = (f64, Vec<usize>, Vec<i64>);
 
 /// Particles at a time [s].
@@ -19,7 +19,7 @@ pub(super) struct Moment {
     pub(super) places: Vec<Point2>,
 }
 
-/// The steps from moment to moment.
+/// Returns the steps between moments.
 pub(super) fn steps(moments: &[Moment]) -> Vec<ParticleStep> {
     let most = moments.iter().map(|moment| moment.places.len()).max();
     let one_in = most.unwrap_or(0).div_ceil(MAX_SHOWN).max(1);
@@ -47,7 +47,7 @@ pub(super) fn steps(moments: &[Moment]) -> Vec<ParticleStep> {
         let added: Vec<[i64; 2]> = (wanted.into_iter())
             .flat_map(|(place, count)| std::iter::repeat_n(place, count))
             .collect();
-        // Rather fewer moments than a page too large; the first and the last one are always there.
+        // Beyond the budget, moments are skipped, except the first and the last.
         let changes = gone.len() + added.len();
         if changes > budget && !is_last && i > 0 {
             continue;
@@ -55,14 +55,14 @@ pub(super) fn steps(moments: &[Moment]) -> Vec<ParticleStep> {
         budget = budget.saturating_sub(changes);
         next.extend(&added);
         now = next;
-        let time = super::samples::rounded(moment.time, 1e3);
+        let time = super::samples::round_to(moment.time, 1e3);
         steps.push((time, gone, added.into_flattened()));
     }
     steps
 }
 
 /// Returns the positions of particles on the surface, thinned.
-pub(super) fn lying(particles: &ParticleDistribution) -> Vec<i64> {
+pub(super) fn flat_remaining(particles: &ParticleDistribution) -> Vec<i64> {
     let remaining = particles.remaining().map(|p| flat(&p));
     let one_in = particles.len().div_ceil(MAX_SHOWN).max(1);
     let shown = remaining.filter(|place| is_shown(*place, one_in));
@@ -79,7 +79,7 @@ pub(super) fn flat_places(places: impl ExactSizeIterator<Item = Point2>) -> Vec<
         .collect()
 }
 
-/// Points in a row, all of them.
+/// Returns all points: x, y alternating, in tenths of a millimetre.
 pub(super) fn line<'a>(points: impl IntoIterator<Item = &'a Point2>) -> Vec<i64> {
     points.into_iter().flat_map(flat).collect()
 }

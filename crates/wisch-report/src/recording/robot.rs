@@ -5,9 +5,9 @@ use serde::Serialize;
 use wisch::follow::Workcell;
 use wisch::robot::{Appearance, Joint, JointKind, Link, LinkId, RobotModel, Shape, Visual};
 
-/// Most triangles of a mesh.
+/// Maximum number of triangles of a mesh.
 pub(super) const MAX_TRIANGLES: usize = 2_000;
-/// Most triangles of all that a robot looks like, which its meshes share, and of one of them.
+/// Maximum number of triangles of all visual meshes of a robot together, and of one of them.
 const MAX_SHOWN_TRIANGLES: usize = 40_000;
 const MAX_SHOWN_TRIANGLES_OF_ONE: usize = 5_000;
 
@@ -62,7 +62,7 @@ impl<'a> RobotRecord<'a> {
                 visual: looks.is_some(),
                 shapes: match looks {
                     Some(visuals) => (visuals.iter())
-                        .map(|visual| coloured(visual, most, meshes))
+                        .map(|visual| visual_solid(visual, most, meshes))
                         .collect(),
                     None => (link.collision.iter())
                         .map(|c| meshes.shape(&c.link_from_shape, &c.shape))
@@ -81,10 +81,10 @@ impl<'a> RobotRecord<'a> {
     }
 }
 
-fn coloured(visual: &Visual, most: usize, meshes: &mut Meshes) -> Solid {
+fn visual_solid(visual: &Visual, most: usize, meshes: &mut Meshes) -> Solid {
     let solid = meshes.shape_within(&visual.link_from_shape, &visual.shape, most);
     match visual.color {
-        Some(rgba) => solid.coloured(rgba),
+        Some(rgba) => solid.with_colour(rgba),
         None => solid,
     }
 }

@@ -2,7 +2,7 @@
 
 use super::considered::ConsideredRecord;
 use super::particles::{Moment, ParticleStep, line, steps};
-use super::samples::{NOMINAL_SPEED, rounded, seconds_at};
+use super::samples::{NOMINAL_SPEED, round_to, seconds_at};
 use super::{UnexecutedPlan, words};
 use crate::prediction::frames::EffectFrames;
 use crate::scene::{MeshRecord, Meshes, Solid, seven};
@@ -125,7 +125,7 @@ impl RoundPiece {
     }
 
     /// Adds the candidates, and marks the one with the strategy of the plan.
-    pub(super) fn chosen_among(
+    pub(super) fn with_candidates(
         mut self,
         considered: Vec<ConsideredRecord>,
         chosen: Strategy,
@@ -190,8 +190,8 @@ impl Shown<'_> {
         };
         let growth = moments.iter().map(|&(time, i)| {
             [
-                rounded(time, 1e3),
-                rounded(frames.all()[i].performance.ratio(), 1e4),
+                round_to(time, 1e3),
+                round_to(frames.all()[i].performance.ratio(), 1e4),
             ]
         });
         let duration = match followed {
@@ -202,7 +202,7 @@ impl Shown<'_> {
             piece: "round",
             round: self.round,
             kind: self.kind,
-            duration: rounded(duration, 1e3),
+            duration: round_to(duration, 1e3),
             root: self.root,
             surface: SurfaceRecord {
                 pose: seven(&task.surface.world_from_surface),
@@ -214,7 +214,7 @@ impl Shown<'_> {
                 .map(|stroke| line(stroke.poses.iter().map(|pose| &pose.position)))
                 .collect(),
             phases: followed.map_or_else(Vec::new, phases),
-            predicted: rounded(self.predicted, 1e4),
+            predicted: round_to(self.predicted, 1e4),
             growth: growth.collect(),
             particles: steps(&moments.iter().map(of_frame).collect::<Vec<_>>()),
             why: self.why,
@@ -228,8 +228,8 @@ impl GoalRecord {
     fn new(goal: &GoalState) -> Self {
         match goal {
             GoalState::Collected { center, radius } => Self::Collected {
-                place: [center.x, center.y].map(|x| rounded(x, 1e4)),
-                radius: rounded(*radius, 1e4),
+                place: [center.x, center.y].map(|x| round_to(x, 1e4)),
+                radius: round_to(*radius, 1e4),
             },
             GoalState::Absorbed => Self::Absorbed,
             GoalState::Skimmed => Self::Skimmed,
@@ -243,14 +243,14 @@ impl GoalRecord {
 fn phases(followed: &Followed) -> Vec<PhaseRecord> {
     let mut phases: Vec<PhaseRecord> = Vec::new();
     for motion in &followed.motions {
-        let (phase, end): (Phase, f64) = (motion.phase, rounded(motion.end(), 1e3));
+        let (phase, end): (Phase, f64) = (motion.phase, round_to(motion.end(), 1e3));
         match phases.last_mut() {
             Some(last) if last.name == phase.as_str() && last.stroke == phase.stroke() => {
                 last.end = end;
             }
             _ => phases.push(PhaseRecord {
                 name: phase.as_str(),
-                start: rounded(motion.start, 1e3),
+                start: round_to(motion.start, 1e3),
                 end,
                 contact: phase.is_contact(),
                 stroke: phase.stroke(),

@@ -11,7 +11,7 @@ use wisch::run::{PlannedRound, TelemetrySample};
 const RATE: f64 = 25.0;
 /// Speed of the tool in a recording without a robot [m/s].
 pub(super) const NOMINAL_SPEED: f64 = 0.1;
-/// Instants in a piece.
+/// Number of samples in a piece.
 const BATCH: usize = 10;
 /// A force peak between two samples that exceeds them by this much is kept [N].
 const PEAK: f64 = 5.0;
@@ -21,7 +21,7 @@ pub(super) struct Samples {
     piece: &'static str,
     round: usize,
     t: Vec<f64>,
-    /// By index of the variable.
+    /// Positions by index of the variable.
     q: BTreeMap<usize, Vec<f64>>,
     tool: Vec<f64>,
     force: Vec<f64>,
@@ -29,7 +29,7 @@ pub(super) struct Samples {
     height: Vec<f64>,
 }
 
-/// Instants until there are enough for a piece.
+/// Samples of an unfinished piece.
 #[derive(Debug, Default)]
 pub(super) struct Batch {
     round: usize,
@@ -40,10 +40,10 @@ pub(super) struct Batch {
     force: Vec<f64>,
     normal: Vec<f64>,
     height: Vec<f64>,
-    /// Positions when the piece before ended; none yet.
+    /// Positions at the end of the piece before; `None` before the first.
     last: Option<Vec<f64>>,
     last_time: Option<f64>,
-    /// The greatest normal force since the last instant [N].
+    /// Largest normal force since the last sample [N].
     peak: f64,
 }
 
@@ -62,7 +62,7 @@ impl Batch {
 
     /// Adds a sample; returns whether a piece is full.
     pub(super) fn watch(&mut self, sample: &TelemetrySample<'_>) -> bool {
-        // Times of periods add up to a little less.
+        // Sums of periods have rounding errors.
         const SLACK: f64 = 1e-6;
         let normal = (self.surface_from_world * sample.external.force).z;
         if normal.abs() > self.peak.abs() {
@@ -90,16 +90,16 @@ impl Batch {
 
     fn push(&mut self, time: f64, q: &[f64], world_from_tool: &Pose, force: Vector3, normal: f64) {
         self.last_time = Some(time);
-        self.times.push(rounded(time, 1e3));
+        self.times.push(round_to(time, 1e3));
         self.positions
-            .push(q.iter().map(|&q| rounded(q, 1e4)).collect());
-        self.tool.extend(short_pose(world_from_tool));
+            .push(q.iter().map(|&q| round_to(q, 1e4)).collect());
+        self.tool.extend(round_pose(world_from_tool));
         self.force
-            .extend([force.x, force.y, force.z].map(|f| rounded(f, 1e2)));
-        self.normal.push(rounded(normal, 1e2));
+            .extend([force.x, force.y, force.z].map(|f| round_to(f, 1e2)));
+        self.normal.push(round_to(normal, 1e2));
         let tool = Point3::from(world_from_tool.translation.vector);
         self.height
-            .push(rounded((self.surface_from_world * tool).z, 1e4));
+            .push(round_to((self.surface_from_world * tool).z, 1e4));
     }
 
     /// Takes the collected samples as a piece.
@@ -172,7 +172,7 @@ fn world_from_tool(cell: &Workcell, q: &[f64]) -> Option<Pose> {
     Some(cell.world_from_root() * kinematics.world_from_link(cell.tip()) * cell.tip_from_tool())
 }
 
-/// When a tool has come so far in contact [m], wiping each stroke at one speed [s].
+/// Returns the time at which the tool has covered a distance in contact [m], at constant speed within a stroke [s].
 pub(super) fn seconds_at(
     followed: Option<&Followed>,
     stroke: Option<usize>,
@@ -191,15 +191,15 @@ pub(super) fn seconds_at(
     Some(motion.start + share * motion.trajectory.duration())
 }
 
-/// To a tenth of a millimetre and of a milliradian.
-fn short_pose(pose: &Pose) -> [f64; 7] {
+/// Rounds a pose to a tenth of a millimetre and of a milliradian.
+fn round_pose(pose: &Pose) -> [f64; 7] {
     let (at, turn) = (pose.translation.vector, pose.rotation.coords);
-    let [x, y, z] = [at.x, at.y, at.z].map(|x| rounded(x, 1e4));
-    let [i, j, k, w] = [turn.x, turn.y, turn.z, turn.w].map(|x| rounded(x, 1e4));
+    let [x, y, z] = [at.x, at.y, at.z].map(|x| round_to(x, 1e4));
+    let [i, j, k, w] = [turn.x, turn.y, turn.z, turn.w].map(|x| round_to(x, 1e4));
     [x, y, z, i, j, k, w]
 }
 
 /// Rounds a number to multiples of `1 / per_unit`; adding zero avoids "-0.0".
-pub(super) fn rounded(value: f64, per_unit: f64) -> f64 {
+pub(super) fn round_to(value: f64, per_unit: f64) -> f64 {
     (value * per_unit).round() / per_unit + 0.0
 }

@@ -2,7 +2,7 @@
 
 use super::words;
 use crate::draw::percent;
-use crate::rounds::words::interval;
+use crate::rounds::words::format_estimate;
 use serde::Serialize;
 use wisch::recover::Verdict;
 use wisch::represent::Task;
@@ -49,8 +49,8 @@ impl<'a> Ended<'a> {
     pub(super) fn new(outcome: &RunOutcome<'a>, episode: Option<&'a str>) -> Self {
         let asked = words::describe_task(outcome.task, outcome.target);
         let story = match outcome.last {
-            Some((last, rounds)) => executed(outcome, asked, last, rounds),
-            None => predicted(outcome, asked),
+            Some((last, rounds)) => summarise_execution(outcome, asked, last, rounds),
+            None => summarise_prediction(outcome, asked),
         };
         Self {
             piece: "ended",
@@ -63,14 +63,19 @@ impl<'a> Ended<'a> {
     }
 }
 
-fn executed(outcome: &RunOutcome<'_>, asked: String, last: &Round, rounds: usize) -> Story {
+fn summarise_execution(
+    outcome: &RunOutcome<'_>,
+    asked: String,
+    last: &Round,
+    rounds: usize,
+) -> Story {
     let found = &last.interpretation;
     let rounds = match rounds {
         1 => "one round".to_owned(),
         many => format!("{many} rounds"),
     };
     let truth = outcome.truth.map_or_else(String::new, |share| {
-        format!(" Ground truth of the simulated world: {}.", percent(share))
+        format!(" Ground truth in the simulated world: {}.", percent(share))
     });
     let senses = match found.observation {
         Some(_) => "touch and sight",
@@ -89,13 +94,13 @@ fn executed(outcome: &RunOutcome<'_>, asked: String, last: &Round, rounds: usize
         ),
         sure: format!(
             "Estimated from {senses}: {}.{truth}",
-            interval(found.performance)
+            format_estimate(found.performance)
         ),
         surer: words::suggest_measures(last),
     }
 }
 
-fn predicted(outcome: &RunOutcome<'_>, asked: String) -> Story {
+fn summarise_prediction(outcome: &RunOutcome<'_>, asked: String) -> Story {
     Story {
         asked,
         happened: format!(
@@ -103,7 +108,7 @@ fn predicted(outcome: &RunOutcome<'_>, asked: String) -> Story {
             percent(outcome.predicted)
         ),
         sure:
-            "This is a prediction; it assumes that dirt, tool and surface are as the task states."
+            "This is a prediction. It assumes that dirt, tool and surface are as the task states."
                 .to_owned(),
         surer: "Execute the plan with a robot: wisch run.".to_owned(),
     }

@@ -7,7 +7,7 @@ use wisch::represent::Action;
 use wisch::run::CandidateEvaluation;
 use wisch_testkit as kit;
 
-/// The pieces of a recording.
+/// Parses the pieces of a recording.
 fn pieces(recording: &[u8]) -> Vec<Value> {
     let text = std::str::from_utf8(recording).expect("it is text");
     let lines = text.lines();
@@ -16,8 +16,8 @@ fn pieces(recording: &[u8]) -> Vec<Value> {
         .collect()
 }
 
-/// A plan for a board that an arm follows and nobody executes, as a recording.
-fn followed(task: &Task) -> Vec<u8> {
+/// Records a followed plan that is not executed.
+fn record_followed_plan(task: &Task) -> Vec<u8> {
     let plan = kit::planned(task);
     let cell = kit::cell(task);
     let config = FollowConfig::default();
@@ -57,10 +57,14 @@ fn followed(task: &Task) -> Vec<u8> {
 }
 
 #[test]
-fn a_followed_plan_is_whole() {
+fn the_recording_of_a_followed_plan_is_complete() {
     let task = kit::board(Action::Absorb, [0.6, 0.0, 0.2]);
-    let recording = followed(&task);
-    assert_eq!(recording, followed(&task), "same input, same bytes");
+    let recording = record_followed_plan(&task);
+    assert_eq!(
+        recording,
+        record_followed_plan(&task),
+        "same input, same bytes"
+    );
     let pieces = pieces(&recording);
     let (head, round, samples) = (&pieces[0], &pieces[1], &pieces[2..]);
     assert_eq!(
@@ -100,7 +104,7 @@ fn a_followed_plan_is_whole() {
 }
 
 #[test]
-fn steps_of_particles_lead_back_to_where_they_are() {
+fn particle_steps_reproduce_the_positions() {
     let moments: Vec<particles::Moment> = (0..5)
         .map(|k| particles::Moment {
             time: f64::from(k),
@@ -129,7 +133,7 @@ fn steps_of_particles_lead_back_to_where_they_are() {
 }
 
 #[test]
-fn what_is_large_is_thinned() {
+fn many_particles_are_thinned() {
     let crowd = |k: usize| particles::Moment {
         time: k as f64,
         places: (0..200_000)
@@ -151,7 +155,7 @@ fn what_is_large_is_thinned() {
 }
 
 #[test]
-fn a_round_says_among_which_plans_its_own_was_chosen() {
+fn a_round_lists_the_candidate_plans() {
     let task = kit::board(Action::Absorb, [0.6, 0.0, 0.2]);
     let plan = kit::planned(&task);
     let prediction = predict(&task, &plan, |_| ());
@@ -185,11 +189,11 @@ fn a_round_says_among_which_plans_its_own_was_chosen() {
         },
     ];
     let mut recording = RecordingWriter::new(Vec::new());
-    let weighed = RunEvent::Evaluated {
+    let evaluated = RunEvent::Evaluated {
         round: 1,
         considered: &considered,
     };
-    recording.see(&weighed).expect("memory takes it");
+    recording.see(&evaluated).expect("memory takes it");
     let planned = UnexecutedPlan {
         task: &task,
         plan: &plan,
@@ -217,11 +221,11 @@ fn a_round_says_among_which_plans_its_own_was_chosen() {
     assert!(chosen["error"].is_null() && chosen["duration"].is_null());
     assert!(
         rounds[1].get("considered").is_none(),
-        "another plan was not weighed"
+        "candidates belong to one plan only"
     );
 }
 
-/// The head of a recording in which nothing happens.
+/// Returns the head of a recording without rounds.
 fn head(task: &Task, cell: Option<&Workcell>, appearance: Option<&Appearance>) -> Value {
     let mut recording = RecordingWriter::new(Vec::new());
     let head = RecordingHead {
@@ -238,7 +242,7 @@ fn head(task: &Task, cell: Option<&Workcell>, appearance: Option<&Appearance>) -
 }
 
 #[test]
-fn a_task_that_nobody_can_do_has_a_head() {
+fn a_task_without_a_robot_has_a_head() {
     let piece = head(&kit::board(Action::Collect, [0.6, 0.0, 0.2]), None, None);
     assert!(piece["robot"].is_null() && piece["tool"]["link"].is_null());
     let asked = piece["task"]["asked"].as_str().expect("words");
@@ -246,7 +250,7 @@ fn a_task_that_nobody_can_do_has_a_head() {
 }
 
 #[test]
-fn a_robot_is_shown_as_it_looks() {
+fn a_robot_is_shown_with_its_visual_geometry() {
     let task = kit::board(Action::Absorb, [0.6, 0.0, 0.2]);
     let cell = kit::cell(&task);
     let head = |appearance: Option<&Appearance>| head(&task, Some(&cell), appearance);
@@ -280,13 +284,13 @@ fn a_robot_is_shown_as_it_looks() {
     let mesh = &shown["meshes"][solid["mesh"].as_u64().expect("a number") as usize];
     let triangles = mesh["triangles"].as_array().expect("triangles").len() / 3;
     assert!((2000..=5000).contains(&triangles), "{triangles}");
-    // Beside it are those of which nothing can be shown, and those that show nothing.
+    // Links whose mesh is missing, or without visual geometry, keep their collision geometry.
     let plain = head(None);
     let plain_links = plain["robot"]["links"].as_array().expect("links");
     assert_eq!(links[1], plain_links[1], "by its collision geometry");
     assert!(links[1].get("visual").is_none());
     assert_eq!(links[2]["shapes"], serde_json::json!([]));
-    // A robot without any visual geometry is shown as it collides.
+    // A robot without any visual geometry is shown with its collision geometry.
     let bare = format!(r#"<robot name="r"><link name="{first}"/></robot>"#);
     let bare = Appearance::from_urdf("r.urdf", &bare, robot, &mut meshes).expect("a URDF");
     assert_eq!(head(Some(&bare)), plain);

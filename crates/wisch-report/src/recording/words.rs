@@ -1,7 +1,7 @@
 //! Sentences of the recording: task, plan, checks, results and advice.
 
 use crate::draw::{grouped, metres, percent};
-use crate::rounds::words::{diagnosis, interval, tally};
+use crate::rounds::words::{count_events, describe_diagnosis, format_estimate};
 use wisch::follow::{Audit, Followed};
 use wisch::interpret::{Doubt, EventKind};
 use wisch::plan::Plan;
@@ -11,7 +11,7 @@ use wisch::run::{Ending, Round};
 
 /// States the task and its target.
 pub(super) fn describe_task(task: &Task, target: f64) -> String {
-    let (medium, surface) = (spaced(&task.medium), spaced(&task.surface.name));
+    let (medium, surface) = (format_name(&task.medium), format_name(&task.surface.name));
     let doing = match task.action {
         Action::Absorb => format!("Absorb the {medium} on the {surface}"),
         Action::Collect => format!("Collect the {medium} on the {surface}"),
@@ -19,7 +19,7 @@ pub(super) fn describe_task(task: &Task, target: f64) -> String {
         Action::Polish => format!("Polish the {surface}"),
         Action::Emit => format!("Dispense {medium} onto the {surface}"),
     };
-    let tool = spaced(&task.tool.name);
+    let tool = format_name(&task.tool.name);
     let (target, count) = (percent(target), grouped(task.particles.len()));
     let wanted = match task.action {
         Action::Absorb => format!("{target} of the {count} particles absorbed"),
@@ -32,7 +32,7 @@ pub(super) fn describe_task(task: &Task, target: f64) -> String {
 }
 
 /// Formats a name as words.
-fn spaced(name: &str) -> String {
+fn format_name(name: &str) -> String {
     name.replace(['_', '-'], " ")
 }
 
@@ -41,7 +41,7 @@ pub(super) fn summarise_plan(plan: &Plan) -> String {
     format!(
         "planned by {}: {}, {} m in contact",
         plan.strategy.as_str(),
-        counted(plan.strokes.len(), "stroke"),
+        format_count(plan.strokes.len(), "stroke"),
         metres(plan.contact_distance(), 2)
     )
 }
@@ -51,9 +51,9 @@ pub(super) fn explain_plan(plan: &Plan, wiped: &Plan, followed: Option<&Followed
     let mut sentences = vec![format!(
         "The strategy {} planned {} for the action {}: {}, {} m in contact.",
         plan.strategy.as_str(),
-        counted(plan.graph.nodes.len(), "node"),
+        format_count(plan.graph.nodes.len(), "node"),
         plan.graph.goal.action().as_str(),
-        counted(wiped.strokes.len(), "stroke"),
+        format_count(wiped.strokes.len(), "stroke"),
         metres(wiped.contact_distance(), 2)
     )];
     if plan.unreachable_share > 0.0 {
@@ -65,20 +65,20 @@ pub(super) fn explain_plan(plan: &Plan, wiped: &Plan, followed: Option<&Followed
     if !plan.graph.unreachable.is_empty() {
         sentences.push(format!(
             "No collision-free path leads from {} to the goal.",
-            counted(plan.graph.unreachable.len(), "node")
+            format_count(plan.graph.unreachable.len(), "node")
         ));
     }
     let Some(followed) = followed else {
         return sentences;
     };
     if !followed.placements.is_empty() {
-        let poses = counted(followed.placements.len(), "base pose");
+        let poses = format_count(followed.placements.len(), "base pose");
         sentences.push(format!("The robot works from {poses}."));
     }
     if !followed.abandoned.is_empty() {
         sentences.push(format!(
             "The robot abandons {} that it cannot reach.",
-            counted(followed.abandoned.len(), "node")
+            format_count(followed.abandoned.len(), "node")
         ));
     }
     sentences
@@ -101,10 +101,10 @@ pub(super) fn describe_audit(audit: &Audit) -> String {
 /// Summarises a round: diagnosis, events, ending, estimate and verdict.
 pub(super) fn describe_round(round: &Round, target: f64) -> Vec<String> {
     let found = &round.interpretation;
-    let mut sentences = vec![diagnosis(found)];
-    let felt = tally(&found.events);
-    if !felt.is_empty() {
-        sentences.push(format!("Detected events: {felt}."));
+    let mut sentences = vec![describe_diagnosis(found)];
+    let events = count_events(&found.events);
+    if !events.is_empty() {
+        sentences.push(format!("Detected events: {events}."));
     }
     for doubt in &found.doubts {
         sentences.push(format!("{doubt}."));
@@ -116,20 +116,22 @@ pub(super) fn describe_round(round: &Round, target: f64) -> Vec<String> {
             sentences.push(format!("The round ended early at {time:.1} s: {cause}."));
         }
         Ending::ProtectiveStop { time, cause } => {
-            sentences.push(format!("The robot stopped itself at {time:.1} s: {cause}."));
+            sentences.push(format!(
+                "The robot made a protective stop at {time:.1} s: {cause}."
+            ));
         }
     }
     if found.observation.is_some() {
-        let [felt, seen] = [found.felt, found.performance].map(interval);
+        let [touch, camera] = [found.felt, found.performance].map(format_estimate);
         sentences.push(format!(
-            "Estimated performance: {felt} from touch, {seen} with the camera observation."
+            "Estimated performance: {touch} from touch, {camera} with the camera observation."
         ));
     } else {
-        let felt = interval(found.performance);
+        let estimate = format_estimate(found.performance);
         sentences.push(if found.is_conclusive() {
-            format!("Estimated performance from touch: {felt}.")
+            format!("Estimated performance from touch: {estimate}.")
         } else {
-            format!("The log does not allow an estimate; possible performance: {felt}.")
+            format!("The log does not allow an estimate; possible performance: {estimate}.")
         });
     }
     sentences.push(describe_verdict(round, target));
@@ -157,7 +159,7 @@ fn describe_verdict(round: &Round, target: f64) -> String {
             "It is unknown whether the goal is met: the log does not allow an estimate.".to_owned()
         }
         Verdict::UnknowableByTouch => format!(
-            "It is unknown whether the goal is met ({claim}). Another round of touch would not change that; a camera would."
+            "It is unknown whether the goal is met ({claim}). Another round with touch only would not change this; a camera observation would."
         ),
     }
 }
@@ -169,31 +171,31 @@ pub(super) fn suggest_measures(last: &Round) -> String {
         .events
         .iter()
         .any(|event| event.kind == EventKind::Collision);
-    let mut ways = Vec::new();
+    let mut measures = Vec::new();
     match &found.observation {
-        None => ways
+        None => measures
             .push("a camera that observes the surface after each round ([perception] in the task)"),
         Some(observation) if observation.hidden.area() > 0.0 => {
-            ways.push("a view of the area that robot and tool hide from the camera");
+            measures.push("a view of the area that robot and tool hide from the camera");
         }
         Some(_) => {}
     }
     if pushed {
-        ways.push("a round without a push");
+        measures.push("a round without a push");
     }
     if matches!(found.doubts.as_slice(), [Doubt::HandGuided { .. }, ..]) {
-        ways.push("a round without hand guiding");
+        measures.push("a round without hand guiding");
     }
     if found.plane.is_none_or(|plane| plane.directions < 2) {
-        ways.push("strokes in a second direction, which determine the tilt of the surface");
+        measures.push("strokes in a second direction, which determine the tilt of the surface");
     }
-    match ways.as_slice() {
+    match measures.as_slice() {
         [] => "Only another observation or another round narrows the interval.".to_owned(),
-        ways => format!("To narrow the interval: {}.", ways.join("; ")),
+        measures => format!("To narrow the interval: {}.", measures.join("; ")),
     }
 }
 
-fn counted(count: usize, noun: &str) -> String {
+fn format_count(count: usize, noun: &str) -> String {
     let plural = if count == 1 { "" } else { "s" };
     format!("{} {noun}{plural}", grouped(count))
 }

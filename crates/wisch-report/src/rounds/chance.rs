@@ -23,7 +23,7 @@ const Z: f64 = 4.0;
 /// Maximum of the density's axis; beyond it, a contact with full force has no effect.
 const MOST_X: f64 = 3.0;
 
-/// Time in contact by f'.
+/// Distribution of the time in contact over f'.
 struct Histogram {
     /// Share of the time in contact, per twentieth of f'.
     shares: [f64; BINS],
@@ -42,7 +42,7 @@ impl Histogram {
         };
         let mut last: Option<f64> = None;
         for piece in path {
-            // A piece of few samples lasts from the end of the one before.
+            // A piece lasts from the end of the piece before, even if it has few samples.
             let begin = last.replace(piece.time[1]).unwrap_or(piece.time[0]);
             if !matches!(piece.touch, Touch::Weak | Touch::Confident) {
                 continue;
@@ -81,15 +81,15 @@ pub(crate) fn figure(input: &RoundsInput, round: &RoundView) -> Figure {
 }
 
 fn histogram(input: &RoundsInput, round: &RoundView) -> Histogram {
-    let path = reduce::usable(&round.interpretation.path);
+    let path = reduce::select_usable(&round.interpretation.path);
     Histogram::new(&path, &input.task.interaction.likelihood)
 }
 
 fn panels(input: &RoundsInput, round: &RoundView) -> [Panel; 2] {
     let likelihood = &input.task.interaction.likelihood;
     let bodies = [
-        chance(likelihood, &histogram(input, round)),
-        density(likelihood),
+        draw_probability(likelihood, &histogram(input, round)),
+        draw_density(likelihood),
     ];
     bodies.map(|body| Panel {
         width: WIDTH,
@@ -106,8 +106,8 @@ fn down(share: f64, bottom: f64, top: f64) -> f64 {
     bottom - share.clamp(0.0, 1.0) * (bottom - top)
 }
 
-/// Forces at which the curves are drawn, dense where they bend.
-fn forces(likelihood: &LogNormal, most: f64) -> Vec<f64> {
+/// Returns the forces at which the curves are evaluated, dense where they bend.
+fn curve_forces(likelihood: &LogNormal, most: f64) -> Vec<f64> {
     let quantile = |i: usize| {
         let z = Z * (2.0 * i as f64 / POINTS as f64 - 1.0);
         (likelihood.mu + likelihood.sigma * z).exp()
@@ -118,9 +118,9 @@ fn forces(likelihood: &LogNormal, most: f64) -> Vec<f64> {
 }
 
 /// Draws P(X ≤ f'), with the histogram below.
-fn chance(likelihood: &LogNormal, histogram: &Histogram) -> Markup {
+fn draw_probability(likelihood: &LogNormal, histogram: &Histogram) -> Markup {
     let mut curve = Pen::default();
-    let places = forces(likelihood, 1.0).into_iter().map(|f| {
+    let places = curve_forces(likelihood, 1.0).into_iter().map(|f| {
         let share = likelihood.probability(f);
         (across(f, 1.0), down(share, CURVE, TOP))
     });
@@ -139,7 +139,7 @@ fn chance(likelihood: &LogNormal, histogram: &Histogram) -> Markup {
         (left, right - left, down(share, BARS, CURVE + 26.0))
     };
     html! {
-        text class="text small quiet" x="8" y="14" { "P(X ≤ f'), the chance of an effect" }
+        text class="text small quiet" x="8" y="14" { "P(X ≤ f'), the probability of an effect" }
         (axes::beside(axes::quarters(|share| down(share, CURVE, TOP)), [LEFT, RIGHT], 6.0))
         @if (0.0..1.0).contains(&likelihood.mu.exp()) {
             @let median = across(likelihood.mu.exp(), 1.0);
@@ -147,19 +147,19 @@ fn chance(likelihood: &LogNormal, histogram: &Histogram) -> Markup {
         }
         path class="curve" d=(curve.path()) {}
         text class="text small quiet" x="8" y=(px(CURVE + 18.0)) {
-            @if most > 0.0 { "share of the contact time, at most " (percent(most)) } @else { "no contact" }
+            @if most > 0.0 { "share of the contact time (peak: " (percent(most)) ")" } @else { "no contact" }
         }
         @for (left, width, top) in (0..BINS).map(bar) {
             @if BARS - top > 0.05 {
                 rect class="contact-time" x=(px(left + 0.5)) y=(px(top)) width=(px(width - 1.0)) height=(px(BARS - top)) {}
             }
         }
-        (force_axis(1.0, BARS, "normalised contact force f'"))
+        (draw_force_axis(1.0, BARS, "normalised contact force f'"))
     }
 }
 
 /// Draws p(x), with the part that full force covers.
-fn density(likelihood: &LogNormal) -> Markup {
+fn draw_density(likelihood: &LogNormal) -> Markup {
     let LogNormal { mu, sigma } = *likelihood;
     let most = (mu + 2.6 * sigma).exp().clamp(1.2, MOST_X);
     let p = |x: f64| {
@@ -167,7 +167,7 @@ fn density(likelihood: &LogNormal) -> Markup {
         let value = (-0.5 * score * score).exp() / (x * sigma * std::f64::consts::TAU.sqrt());
         if value.is_finite() { value } else { 0.0 }
     };
-    let forces = forces(likelihood, most);
+    let forces = curve_forces(likelihood, most);
     let peak = forces.iter().map(|&x| p(x)).fold(0.0, f64::max);
     let step = tick_step(peak / 4.0);
     let top = if peak > 0.0 { 1.05 * peak } else { 1.0 };
@@ -189,18 +189,18 @@ fn density(likelihood: &LogNormal) -> Markup {
         (down(value / top, BARS, TOP), metres(value, decimals(step)))
     });
     html! {
-        text class="text small quiet" x="8" y="14" { "p(x), density of the least force that has an effect" }
+        text class="text small quiet" x="8" y="14" { "p(x), density of the minimum force with an effect" }
         (axes::beside(ticks, [LEFT, RIGHT], 6.0))
         path class="under" d=(under.path()) {}
         path class="curve" d=(curve.path()) {}
         path class="lifted" d=(format!("M{} {}V{}", px(full), px(BARS), px(TOP))) {}
         text class="text small end" x=(px(full - 6.0)) y=(px(TOP + 12.0)) { "full force" }
         text class="text small quiet end" x=(px(full - 6.0)) y=(px(TOP + 26.0)) { (percent(likelihood.probability(1.0))) " below" }
-        (force_axis(most, BARS, "normalised force x"))
+        (draw_force_axis(most, BARS, "normalised force x"))
     }
 }
 
-fn force_axis(most: f64, y: f64, label: &str) -> Markup {
+fn draw_force_axis(most: f64, y: f64, label: &str) -> Markup {
     let step = tick_step(most / 6.0);
     let ticks = (0..=(most / step + 1e-9) as i64).map(|tick| {
         let value = tick as f64 * step;

@@ -1,4 +1,4 @@
-//! Rounds for the tests: a sponge whose log is made by rule, with a little noise, and crumbs to match.
+//! Rounds for the tests: a sponge with a synthetic, slightly noisy log, and crumbs that match it.
 
 use super::input::{RoundView, RoundsInput};
 use std::f64::consts::TAU;
@@ -10,16 +10,16 @@ use wisch::interpret::{
 use wisch::plan::{CoverageStrategy, Plan, PlanConfig, TcpWaypoint, plan, predict};
 use wisch::represent::{Fate, GoalState, LogNormal, ParticleDistribution, Performance, Task};
 
-/// How fast the tool goes [m/s], and how long a piece of the path is [s].
+/// Speed of the tool [m/s], and duration of a piece of the path [s].
 const SPEED: f64 = 0.12;
 const PERIOD: f64 = 0.004;
-/// Heights of the tool that are lifted moves [m].
+/// Height above which the tool is lifted [m].
 const LIFTED: f64 = 0.5e-3;
 const REPLAYS: u64 = 24;
-/// A particle feels the tool when its centre comes so near [m].
+/// Maximum distance of the tool centre at which it affects a particle [m].
 const REACH: f64 = 0.045;
 
-/// What is wrong in a round.
+/// The disturbance of a round.
 #[derive(Clone, Copy, PartialEq)]
 pub(crate) enum Trouble {
     Nothing,
@@ -52,7 +52,7 @@ impl Demo {
             rounds: Vec::new(),
             task,
         };
-        // Flatter than is known of sponges, so that chance is seen.
+        // Flatter than that of real sponges, so that the probability curve is visible.
         demo.task.interaction.likelihood = LogNormal {
             mu: -0.6,
             sigma: 0.45,
@@ -78,7 +78,7 @@ impl Demo {
         };
         let plan = plan(&self.task, &config).expect("a plan");
         let predicted = predict(&self.task, &plan, |_| ()).performance.ratio();
-        let way = way(&plan.tcp_path());
+        let way = commanded_path(&plan.tcp_path());
         let last = way.last().map_or(0.0, |(time, _)| *time);
         let pushes = match trouble {
             Trouble::Pushed => vec![[0.30, 0.36], [0.62, 0.65]],
@@ -98,7 +98,8 @@ impl Demo {
                 )
             })
             .collect();
-        let draw = |from: &ParticleDistribution, seed| affected(&self.task, &path, from, seed);
+        let draw =
+            |from: &ParticleDistribution, seed| wipe_particles(&self.task, &path, from, seed);
         let replays: Vec<ParticleDistribution> = (0..REPLAYS)
             .map(|replay| draw(&self.task.particles, 100 * number + replay))
             .collect();
@@ -116,8 +117,8 @@ impl Demo {
         }
     }
 
-    /// The rounds again, their logs interpreted by the library.
-    pub(crate) fn interpreted(mut self) -> Self {
+    /// Interprets the logs of the rounds with the library.
+    pub(crate) fn interpret_logs(mut self) -> Self {
         let config = InterpretConfig::of(&self.task);
         for round in &mut self.rounds {
             let log = samples(&self.task, &round.interpretation.path);
@@ -152,12 +153,12 @@ impl Demo {
     }
 }
 
-/// The log that these pieces would come from.
+/// Returns a log that corresponds to pieces of a path.
 fn samples(task: &Task, path: &[PathPiece]) -> Vec<TouchSample> {
     let world_from_surface = task.surface.world_from_surface;
     let sample = |piece: &PathPiece| {
         let p = piece.position;
-        // What the tool presses with, the surface presses back.
+        // The force on the tool is opposite to the force on the surface.
         let force = Vector3::new(piece.tangential_force, 0.0, -piece.normal_force);
         TouchSample {
             time: piece.time[0],
@@ -168,7 +169,7 @@ fn samples(task: &Task, path: &[PathPiece]) -> Vec<TouchSample> {
     path.iter().map(sample).collect()
 }
 
-/// Between −1 and 1, as good as random (SplitMix64).
+/// Returns a pseudo-random number between −1 and 1 (SplitMix64).
 fn noise(seed: u64) -> f64 {
     let mut z = seed.wrapping_add(1).wrapping_mul(0x9e37_79b9_7f4a_7c15);
     z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
@@ -176,8 +177,8 @@ fn noise(seed: u64) -> f64 {
     ((z ^ (z >> 31)) >> 11) as f64 / (1u64 << 52) as f64 - 1.0
 }
 
-/// When the tool is to be where, a piece apart.
-fn way(corners: &[TcpWaypoint]) -> Vec<(f64, Point3)> {
+/// Returns times and commanded positions of the tool, one per piece.
+fn commanded_path(corners: &[TcpWaypoint]) -> Vec<(f64, Point3)> {
     let place = |w: &TcpWaypoint| {
         let p = w.surface_from_tool.position;
         Point3::new(p.x, p.y, w.height)
@@ -229,7 +230,7 @@ fn piece(
             share if share > 0.05 => Touch::Weak,
             _ => Touch::Free,
         };
-        // A tool pressed less than it should be has sprung back so far.
+        // A tool that is pressed with less force is less compressed.
         let relief = 1.0 - (force / press).clamp(0.0, 1.0);
         let mut gap = relief * task.interaction.compression_depth_m;
         if touch == Touch::Free {
@@ -252,8 +253,8 @@ fn piece(
     }
 }
 
-/// The particles after each had its chance under the hardest contact that came near.
-fn affected(
+/// Wipes each particle with the probability of the strongest contact near it.
+fn wipe_particles(
     task: &Task,
     path: &[PathPiece],
     particles: &ParticleDistribution,
@@ -331,7 +332,7 @@ fn interpretation(
     }
 }
 
-/// Runs of contact and of pushes, and what lies between two contacts without a lift.
+/// Returns intervals of contact, pushes, and contact losses between contacts without a lift.
 fn events(path: &[PathPiece]) -> Vec<Event> {
     let kind = |piece: &PathPiece| match piece.touch {
         Touch::Weak | Touch::Confident => Some(EventKind::Contact),
@@ -353,7 +354,7 @@ fn events(path: &[PathPiece]) -> Vec<Event> {
         })
     };
     let lasts = |event: &Event| match event.kind {
-        // Coming down and going up are no losses.
+        // Approach and lift are not contact losses.
         EventKind::ContactLoss => event.end - event.start > 0.12,
         _ => event.end - event.start > 0.03,
     };

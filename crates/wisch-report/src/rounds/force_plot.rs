@@ -69,7 +69,7 @@ impl Times {
         LEFT + share.clamp(0.0, 1.0) * (RIGHT - LEFT)
     }
 
-    /// Left and width of a span, wide enough to be seen; `None` if it lies outside.
+    /// Returns left end and width of a span, at least a visible width; `None` if it lies outside.
     fn place(&self, [from, to]: [f64; 2]) -> Option<(f64, f64)> {
         let inside = from <= self.last && to >= self.first && from <= to;
         inside.then(|| {
@@ -90,8 +90,8 @@ pub(crate) fn figure(input: &RoundsInput, round: &RoundView) -> Figure {
     let pushes: Vec<_> = (round.pushes.iter())
         .filter_map(|&push| times.place(push))
         .collect();
-    let (lanes, below) = lanes(&found.events, &pushes, &times, bottom + 12.0);
-    // A unit of the picture in seconds: pushes that close look like one.
+    let (lanes, below) = draw_lanes(&found.events, &pushes, &times, bottom + 12.0);
+    // Duration of a unit of the picture: closer pushes look like one.
     let gap = times.duration() / (RIGHT - LEFT);
     let collisions: Vec<_> = (reduce::spans(&path, Touch::FalsePositive, gap).into_iter())
         .filter_map(|span| times.place(span))
@@ -101,26 +101,26 @@ pub(crate) fn figure(input: &RoundsInput, round: &RoundView) -> Figure {
         .take(MAX_SPANS)
         .filter_map(|event| times.place([event.start, event.end]))
         .collect();
-    let above = if found.plane.is_some() {
+    let reference = if found.plane.is_some() {
         "the fitted plane"
     } else {
         "the believed surface"
     };
     let body = html! {
         @for plot in [&forces, &heights] {
-            (bands(plot, &pushes, "true-push"))
-            (bands(plot, &losses, "contact-lost"))
-            (bands(plot, &collisions, "collision"))
+            (draw_bands(plot, &pushes, "true-push"))
+            (draw_bands(plot, &losses, "contact-lost"))
+            (draw_bands(plot, &collisions, "collision"))
         }
         text class="text small quiet" x=(px(LEFT)) y="14" { "normal force on the surface [N], negative where the tool presses" }
-        (intended(&forces, press))
-        (scale(&forces, 1.0))
-        (curves(&path, &times, &forces, |piece| piece.normal_force))
-        text class="text small quiet" x=(px(LEFT)) y=(px(heights.top - 8.0)) { "height over " (above) " [mm]" (cut_note(&path, &heights)) }
-        (scale(&heights, MILLIMETRES))
-        (curves(&path, &times, &heights, |piece| piece.height))
+        (draw_commanded_force(&forces, press))
+        (draw_scale(&forces, 1.0))
+        (draw_curves(&path, &times, &forces, |piece| piece.normal_force))
+        text class="text small quiet" x=(px(LEFT)) y=(px(heights.top - 8.0)) { "height above " (reference) " [mm]" (cut_note(&path, &heights)) }
+        (draw_scale(&heights, MILLIMETRES))
+        (draw_curves(&path, &times, &heights, |piece| piece.height))
         (lanes)
-        (time_axis(&times, bottom + 12.0 + below))
+        (draw_time_axis(&times, bottom + 12.0 + below))
         @if path.is_empty() {
             text class="text middle" x=(px((LEFT + RIGHT) / 2.0)) y=(px(forces.top + HEIGHT / 2.0)) { "The log is empty." }
         }
@@ -132,7 +132,7 @@ pub(crate) fn figure(input: &RoundsInput, round: &RoundView) -> Figure {
             body,
         },
         entries: entries(&path, &losses, &pushes),
-        what: format!("Normal force and height over {above}, over time"),
+        what: format!("Normal force, and height above {reference}, over time"),
     }
 }
 
@@ -147,10 +147,10 @@ fn force_plot(path: &[PathPiece], press: f64) -> Plot {
 
 /// Returns the axis of heights around the measured contacts; lifted moves are cut off.
 fn height_plot(path: &[PathPiece], top: f64) -> Plot {
-    let felt = path.iter().filter(|piece| piece.touch != Touch::Free);
-    let (low, felt) = range(felt.map(|piece| piece.height));
+    let touched = path.iter().filter(|piece| piece.touch != Touch::Free);
+    let (low, highest_touched) = range(touched.map(|piece| piece.height));
     let (lowest, highest) = range(path.iter().map(|piece| piece.height));
-    let high = highest.min(felt + LIFT_SHOWN);
+    let high = highest.min(highest_touched + LIFT_SHOWN);
     let low = lowest.max(low.min(0.0) - LIFT_SHOWN).min(0.0);
     let margin = 0.06 * (high - low).max(LEAST_HEIGHT);
     Plot {
@@ -162,11 +162,11 @@ fn height_plot(path: &[PathPiece], top: f64) -> Plot {
 
 fn cut_note(path: &[PathPiece], heights: &Plot) -> Markup {
     let cut = path.iter().any(|piece| piece.height > heights.high);
-    html! { @if cut { "; lifted moves go on above the plot" } }
+    html! { @if cut { "; lifted moves extend above the plot" } }
 }
 
 /// Draws spans over the whole height of a plot.
-fn bands(plot: &Plot, places: &[(f64, f64)], class: &str) -> Markup {
+fn draw_bands(plot: &Plot, places: &[(f64, f64)], class: &str) -> Markup {
     html! {
         @for (left, width) in places {
             rect class=(class) x=(px(*left)) y=(px(plot.top)) width=(px(*width)) height=(px(HEIGHT)) {}
@@ -175,7 +175,7 @@ fn bands(plot: &Plot, places: &[(f64, f64)], class: &str) -> Markup {
 }
 
 /// Draws the commanded force, and the band of confident contact.
-fn intended(plot: &Plot, press: f64) -> Markup {
+fn draw_commanded_force(plot: &Plot, press: f64) -> Markup {
     let [weak, full] = CONFIDENT.map(|share| plot.down(-share * press));
     html! {
         rect class="confident-band" x=(px(LEFT)) y=(px(weak)) width=(px(RIGHT - LEFT)) height=(px(full - weak)) {}
@@ -186,8 +186,8 @@ fn intended(plot: &Plot, press: f64) -> Markup {
     }
 }
 
-/// Numbers at the side; `unit` is how many of the axis' units one of the values has.
-fn scale(plot: &Plot, unit: f64) -> Markup {
+/// Draws the value axis of a plot. `unit`: shown units per unit of the values.
+fn draw_scale(plot: &Plot, unit: f64) -> Markup {
     let step = tick_step(unit * (plot.high - plot.low) / 5.0);
     let ticks = (unit * plot.low / step).ceil() as i64..=(unit * plot.high / step).floor() as i64;
     html! {
@@ -201,7 +201,7 @@ fn scale(plot: &Plot, unit: f64) -> Markup {
     }
 }
 
-fn curves(
+fn draw_curves(
     path: &[PathPiece],
     times: &Times,
     plot: &Plot,
@@ -245,7 +245,7 @@ const fn class(touch: Touch) -> &'static str {
 }
 
 /// Draws a row of spans for each kind of event, and a row of true pushes; returns their height, too.
-fn lanes(events: &[Event], pushes: &[(f64, f64)], times: &Times, top: f64) -> (Markup, f64) {
+fn draw_lanes(events: &[Event], pushes: &[(f64, f64)], times: &Times, top: f64) -> (Markup, f64) {
     let spans = |kind: EventKind| -> Vec<(f64, f64)> {
         let of_kind = events.iter().filter(|event| event.kind == kind);
         of_kind
@@ -253,9 +253,10 @@ fn lanes(events: &[Event], pushes: &[(f64, f64)], times: &Times, top: f64) -> (M
             .filter_map(|event| times.place([event.start, event.end]))
             .collect()
     };
-    let felt = words::KINDS.map(|kind| (words::kind(kind), event_class(kind), spans(kind)));
+    let detected =
+        words::KINDS.map(|kind| (words::kind_name(kind), event_class(kind), spans(kind)));
     let truth = ("true push", "event-push", pushes.to_vec());
-    let lanes: Vec<_> = (felt.into_iter().chain([truth]))
+    let lanes: Vec<_> = (detected.into_iter().chain([truth]))
         .filter(|(_, _, spans)| !spans.is_empty())
         .collect();
     let body = html! {
@@ -282,7 +283,7 @@ const fn event_class(kind: EventKind) -> &'static str {
     }
 }
 
-fn time_axis(times: &Times, top: f64) -> Markup {
+fn draw_time_axis(times: &Times, top: f64) -> Markup {
     let step = tick_step(times.duration() / 7.0);
     let moments = (times.first / step).ceil() as i64..=(times.last / step).floor() as i64;
     let moments = moments.filter(|_| times.duration() > 0.0);
@@ -302,12 +303,12 @@ fn time_axis(times: &Times, top: f64) -> Markup {
 
 fn entries(path: &[PathPiece], losses: &[(f64, f64)], pushes: &[(f64, f64)]) -> Vec<Entry> {
     let has = |touch| path.iter().any(|piece| piece.touch == touch);
-    let felt = [
+    let classes = [
         (Touch::Confident, "confident contact"),
         (Touch::Weak, "weak contact"),
         (Touch::Free, "no contact"),
     ];
-    let mut entries: Vec<Entry> = (felt.into_iter())
+    let mut entries: Vec<Entry> = (classes.into_iter())
         .filter(|(touch, _)| has(*touch))
         .map(|(touch, label)| legend::line(class(touch), label))
         .collect();
@@ -325,7 +326,7 @@ fn entries(path: &[PathPiece], losses: &[(f64, f64)], pushes: &[(f64, f64)]) -> 
         });
     }
     if !losses.is_empty() {
-        entries.push(legend::area("contact-lost", "contact lost"));
+        entries.push(legend::area("contact-lost", "contact loss"));
     }
     if !pushes.is_empty() {
         entries.push(legend::area(

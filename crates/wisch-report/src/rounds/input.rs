@@ -7,7 +7,7 @@ use wisch::represent::{GoalState, ParticleDistribution, Performance, Task};
 /// A round for figures: its plan and the interpretation of its execution.
 #[derive(Debug, Clone, Copy)]
 pub struct RoundView<'a> {
-    /// Its number, counted from 1.
+    /// Number of the round, from 1.
     pub number: usize,
     /// The plan; `None` for a log, which has no plan.
     pub plan: Option<&'a Plan>,
@@ -37,13 +37,13 @@ pub struct RoundsInput<'a> {
 }
 
 impl<'a> RoundView<'a> {
-    /// The replays that form the belief after the round.
+    /// Returns the replays that form the belief after the round.
     pub(crate) fn replays(&self) -> &'a [ParticleDistribution] {
         self.interpretation.belief.replays()
     }
 
     /// Returns the replay whose performance is nearest to the mean estimate, as a typical particle distribution.
-    pub(crate) fn typical(&self, input: &RoundsInput) -> &'a ParticleDistribution {
+    pub(crate) fn typical_replay(&self, input: &RoundsInput) -> &'a ParticleDistribution {
         let mean = self.interpretation.performance.mean;
         let off = |particles: &ParticleDistribution| {
             (Performance::of(particles, input.goal, &input.task.surface).ratio() - mean).abs()

@@ -30,7 +30,7 @@ pub(crate) fn pictures(input: &RoundsInput) -> Vec<(String, String)> {
         "rounds".to_owned(),
         overview::bars(input).standalone(title, [GAP, GAP]),
     )];
-    for round in pictured(input.rounds) {
+    for round in select_pictured(input.rounds) {
         let mut add = |stem: &str, figure: Figure| {
             let number = round.number;
             let title = format!("Round {number}: {title}");
@@ -59,7 +59,7 @@ pub(crate) fn log_figures(input: &RoundsInput, round: &RoundView) -> [Figure; 4]
 }
 
 /// Returns the rounds with pictures: all, or the first and the last ones.
-fn pictured<'r, 'a>(rounds: &'r [RoundView<'a>]) -> Vec<&'r RoundView<'a>> {
+fn select_pictured<'r, 'a>(rounds: &'r [RoundView<'a>]) -> Vec<&'r RoundView<'a>> {
     let left_out = rounds.len().saturating_sub(MAX_PICTURED);
     (rounds.iter().enumerate())
         .filter(|(i, _)| *i == 0 || *i > left_out)

@@ -1,17 +1,17 @@
-//! All rounds at once: predicted, estimated and true performance, and what was felt.
+//! Predicted, estimated and true performance of all rounds.
 
 use super::input::{RoundView, RoundsInput};
 use crate::draw::{Entry, Figure, Panel, axes, legend, percent, px};
 use maud::{Markup, html};
 
-/// Narrower than the surface, so that its numbers can be read on a phone.
+/// Width of the picture; narrower than other pictures, so that its numbers are readable on a phone.
 const WIDTH: f64 = 520.0;
 const LEFT: f64 = 52.0;
 const RIGHT: f64 = WIDTH - 60.0;
 const TOP: f64 = 34.0;
 const BOTTOM: f64 = 214.0;
 const HEIGHT: f64 = BOTTOM + 44.0;
-/// Widest bar.
+/// Maximum width of a bar.
 const WIDEST: f64 = 40.0;
 /// Minimum width of a bar with a number above it.
 const NUMBERED: f64 = 22.0;
@@ -52,7 +52,7 @@ pub(crate) fn bars(input: &RoundsInput) -> Figure {
     let most = groups.iter().map(Vec::len).max().unwrap_or(1) as f64;
     let width = (0.8 * each / most).min(WIDEST);
     let numbered = width >= NUMBERED;
-    // Numbers of rounds must not run into each other.
+    // Numbers of rounds must not overlap.
     let every = (24.0 / each).ceil().max(1.0) as usize;
     let target = down(input.target);
     let middle = |i: usize| LEFT + each * (i as f64 + 0.5);
@@ -73,7 +73,7 @@ pub(crate) fn bars(input: &RoundsInput) -> Figure {
         path class="axis" d=(format!("M{} {}H{}", px(LEFT), px(BOTTOM), px(RIGHT))) {}
         path class="limit" d=(format!("M{} {}H{}", px(LEFT), px(target), px(RIGHT))) {}
         @if numbered {
-            @for (bar, left) in &placed { (number(bar, left + 0.5 * width)) }
+            @for (bar, left) in &placed { (draw_number(bar, left + 0.5 * width)) }
         }
         text class="text small" x=(px(RIGHT + 6.0)) y=(px(target + 1.0)) { "target" }
         text class="text small quiet" x=(px(RIGHT + 6.0)) y=(px(target + 14.0)) { (percent(input.target)) }
@@ -106,7 +106,7 @@ fn draw(bar: &Bar, left: f64, width: f64) -> Markup {
 }
 
 /// Draws the number above a bar and its whisker.
-fn number(bar: &Bar, middle: f64) -> Markup {
+fn draw_number(bar: &Bar, middle: f64) -> Markup {
     let top = down(bar.range.map_or(bar.share, |[_, high]| high.max(bar.share)));
     html! {
         text class="text small middle halo" x=(px(middle)) y=(px(top - 5.0)) { (format!("{:.0}", 100.0 * bar.share)) }
@@ -116,9 +116,9 @@ fn number(bar: &Bar, middle: f64) -> Markup {
 fn entries(input: &RoundsInput) -> Vec<Entry> {
     let was_seen = |round: &RoundView| round.interpretation.observation.is_some();
     let estimated = if input.rounds.iter().any(was_seen) {
-        "estimated by touch and sight, with its 90 % interval"
+        "estimated from touch and sight, with 90 % interval"
     } else {
-        "estimated by touch, with its 90 % interval"
+        "estimated from touch, with 90 % interval"
     };
     let mut entries = vec![
         legend::area("bar-predicted", "predicted by the plan"),

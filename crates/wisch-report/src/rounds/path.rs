@@ -10,29 +10,29 @@ use wisch::interpret::{FittedPlane, Touch};
 /// Direction of view: azimuth from the front to the right, and elevation [rad].
 const AZIMUTH: f64 = 0.5;
 const ELEVATION: f64 = 0.56;
-/// Narrower than the surface from above, so that a phone shows it whole.
+/// Width of the picture; narrower than the maps, so that it fits on a phone.
 const WIDTH: f64 = 620.0;
 const SIZE: [f64; 2] = [WIDTH - 2.0 * MARGIN, 400.0];
 const MARGIN: f64 = 20.0;
-/// Room below, where the lower left corner shows how long things are.
+/// Space below the path, for the scale in the lower left corner.
 const BELOW: f64 = 44.0;
-/// A stretch of the path is about this long [units of the picture].
+/// Approximate length of a stretch of the path [units of the picture].
 const STRETCH: f64 = 2.0;
-/// How far round the surface the path is shown, as a share of its size.
+/// Shown margin around the surface, as a share of its size [1].
 const AROUND: f64 = 0.15;
-/// What heights are stretched by, and which share of the surface's extent they may take then.
+/// Factors by which heights may be enlarged, and their maximum extent as a share of the surface's [1].
 const STRETCHING: [f64; 6] = [1.0, 2.0, 3.0, 5.0, 10.0, 20.0];
 const HEIGHT_SHARE: f64 = 0.35;
-/// Least half thickness of the fitted plane's box [m]: else it would not be seen.
+/// Minimum half thickness of the fitted plane's box, for visibility [m].
 const LEAST_HALF: f64 = 0.5e-3;
-/// Half the box, in root mean square distances of the inliers: nearly all of them are in it.
+/// Half thickness of the box in RMS distances of the inliers; nearly all inliers are within.
 const HALF_IN_RMS: f64 = 3.0;
 /// Classes of contact by f', from weak to full.
 const LEVELS: [&str; 5] = ["felt-1", "felt-2", "felt-3", "felt-4", "felt-5"];
 
-/// Parallel projection; places are in the frame of the believed surface [m].
+/// A parallel projection of points in the frame of the believed surface [m].
 struct Projection {
-    /// Heights are drawn this many times as large.
+    /// Factor by which heights are enlarged [1].
     stretching: f64,
     /// Units of the picture per metre.
     scale: f64,
@@ -40,7 +40,7 @@ struct Projection {
 }
 
 impl Projection {
-    /// What is right and up on the screen of a place, at one unit per metre.
+    /// Projects a point to right and up on the screen, at one unit per metre.
     fn flat(stretching: f64, p: Point3) -> (f64, f64) {
         let (sin, cos) = AZIMUTH.sin_cos();
         let (rise, level) = ELEVATION.sin_cos();
@@ -51,7 +51,7 @@ impl Projection {
         )
     }
 
-    /// Fits these places into the picture.
+    /// Fits points into the picture.
     fn new(stretching: f64, places: impl Iterator<Item = Point3>) -> Self {
         let bounds = Bounds2::of(places.map(|p| {
             let (x, y) = Self::flat(stretching, p);
@@ -105,14 +105,14 @@ pub(crate) fn figure(input: &RoundsInput, round: &RoundView) -> Figure {
         let beyond = (p.xy() - bounds.center()).abs() - 0.5 * bounds.size();
         beyond.x.max(beyond.y) < reach && p.z.abs() < reach
     };
-    let felt: Vec<Point3> = (path.iter().map(|piece| piece.position))
+    let travelled: Vec<Point3> = (path.iter().map(|piece| piece.position))
         .filter(near)
         .collect();
     let shown: Vec<Point3> = (corners.iter().copied())
         .chain(plane.iter().flat_map(PlaneBox::corners))
-        .chain(felt)
+        .chain(travelled)
         .collect();
-    let stretching = stretching(&shown, bounds.size().norm());
+    let stretching = height_factor(&shown, bounds.size().norm());
     let projection = Projection::new(stretching, shown.iter().copied());
     let stretches = reduce::stretches(&path, STRETCH / projection.scale);
     let base: Vec<Vec<Point3>> = (outline.rings())
@@ -125,8 +125,8 @@ pub(crate) fn figure(input: &RoundsInput, round: &RoundView) -> Figure {
         svg x="0" y="0" width=(px(WIDTH)) height=(px(height)) viewBox=(format!("0 0 {} {}", px(WIDTH), px(height))) {
             path class="believed-surface" d=(base) {}
             @if let Some(plane) = &plane { (plane.draw(&projection)) }
-            (way(&projection, path.first().map(|piece| piece.position), &stretches))
-            (lengths(&projection, height, &shown))
+            (draw_path(&projection, path.first().map(|piece| piece.position), &stretches))
+            (draw_axis_lengths(&projection, height, &shown))
         }
     };
     Figure {
@@ -138,13 +138,13 @@ pub(crate) fn figure(input: &RoundsInput, round: &RoundView) -> Figure {
         entries: entries(&stretches, plane.as_ref(), stretching),
         what: format!(
             "The tool's path over the surface, coloured by contact force; {}",
-            stretched(stretching)
+            describe_height_scale(stretching)
         ),
     }
 }
 
 /// Describes the scale of heights.
-fn stretched(stretching: f64) -> String {
+fn describe_height_scale(stretching: f64) -> String {
     if stretching > 1.0 {
         format!("heights enlarged {stretching} times")
     } else {
@@ -152,7 +152,7 @@ fn stretched(stretching: f64) -> String {
     }
 }
 
-/// Anticlockwise from the lower left.
+/// Returns the corners of bounds, anticlockwise from the lower left.
 fn corners(bounds: &Bounds2) -> [Point3; 4] {
     let (low, high) = (bounds.min, bounds.max);
     [
@@ -164,8 +164,8 @@ fn corners(bounds: &Bounds2) -> [Point3; 4] {
     .map(|(x, y)| Point3::new(x, y, 0.0))
 }
 
-/// As much as leaves heights a share of the picture.
-fn stretching(shown: &[Point3], extent: f64) -> f64 {
+/// Returns the largest factor with which heights stay within their share of the picture.
+fn height_factor(shown: &[Point3], extent: f64) -> f64 {
     let (low, high) = (shown.iter()).fold((0.0, 0.0), |(low, high): (f64, f64), p| {
         (low.min(p.z), high.max(p.z))
     });
@@ -173,7 +173,7 @@ fn stretching(shown: &[Point3], extent: f64) -> f64 {
     STRETCHING.iter().rev().find(fits).copied().unwrap_or(1.0)
 }
 
-/// The fitted plane over the surface, as thick as what it was fitted to is spread.
+/// The fitted plane over the surface, as thick as the spread of its inliers.
 struct PlaneBox {
     top: [Point3; 4],
     bottom: [Point3; 4],
@@ -181,7 +181,7 @@ struct PlaneBox {
 }
 
 impl PlaneBox {
-    /// `None` for a plane that stands upright.
+    /// Makes the box; `None` for a steep plane.
     fn new(plane: &FittedPlane, corners: &[Point3; 4]) -> Option<Self> {
         const STEEPEST: f64 = 0.2;
         let (n, p) = (plane.normal, plane.point);
@@ -206,7 +206,7 @@ impl PlaneBox {
         self.top.into_iter().chain(self.bottom)
     }
 
-    /// Its two sides that are seen, and its top.
+    /// Draws the two visible sides and the top.
     fn draw(&self, projection: &Projection) -> Markup {
         let side = |i: usize| {
             let j = (i + 1) % 4;
@@ -220,8 +220,8 @@ impl PlaneBox {
     }
 }
 
-/// The path in the order in which it was travelled, with free motion below contact and pushes on top.
-fn way(projection: &Projection, start: Option<Point3>, stretches: &[Stretch]) -> Markup {
+/// Draws the path with free motion below contact, and pushes on top.
+fn draw_path(projection: &Projection, start: Option<Point3>, stretches: &[Stretch]) -> Markup {
     let mut lines: Vec<(&str, Vec<Point3>)> = Vec::new();
     let mut before = start;
     for stretch in stretches {
@@ -252,14 +252,14 @@ fn class(stretch: &Stretch) -> &'static str {
     }
 }
 
-/// Which fifth of full force.
+/// Returns the index of the fifth of full force.
 fn level(normalized_force: f64) -> usize {
     ((5.0 * normalized_force).ceil() as usize).clamp(1, 5) - 1
 }
 
-/// A round length along each axis, in the lower left.
-fn lengths(projection: &Projection, height: f64, shown: &[Point3]) -> Markup {
-    /// About how long the lines are [units of the picture].
+/// Draws a round length along each axis in the lower left corner.
+fn draw_axis_lengths(projection: &Projection, height: f64, shown: &[Point3]) -> Markup {
+    /// Approximate length of the lines [units of the picture].
     const LONG: f64 = 50.0;
     let origin = (MARGIN + 4.0, height - 34.0);
     let high = shown.iter().fold(0.0, |high: f64, p| high.max(p.z.abs()));
@@ -318,7 +318,7 @@ fn entries(stretches: &[Stretch], plane: Option<&PlaneBox>, stretching: f64) -> 
     }
     entries.push(legend::area(
         "believed-surface",
-        format!("believed surface ({})", stretched(stretching)),
+        format!("believed surface ({})", describe_height_scale(stretching)),
     ));
     entries
 }

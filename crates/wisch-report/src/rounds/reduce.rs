@@ -100,7 +100,7 @@ pub(crate) fn spans(path: &[PathPiece], touch: Touch, gap: f64) -> Vec<[f64; 2]>
 }
 
 /// Returns the pieces that can be drawn: finite, and not earlier than the piece before.
-pub(crate) fn usable(path: &[PathPiece]) -> Vec<PathPiece> {
+pub(crate) fn select_usable(path: &[PathPiece]) -> Vec<PathPiece> {
     let mut usable: Vec<PathPiece> = Vec::with_capacity(path.len());
     for piece in path {
         let [from, to] = piece.time;
@@ -185,7 +185,7 @@ impl Stretch {
 /// Returns the path to draw. Force away from the plane counts as a false positive only during a collision, because force and
 /// height also disagree briefly at landing.
 pub(crate) fn drawable(interpretation: &Interpretation) -> Vec<PathPiece> {
-    let mut path = usable(&interpretation.path);
+    let mut path = select_usable(&interpretation.path);
     let spans: Vec<[f64; 2]> = (interpretation.events.iter())
         .filter(|event| event.kind.is_by_hand())
         .map(|event| [event.start, event.end])

@@ -2,7 +2,7 @@
 
 use super::input::{RoundView, RoundsInput};
 use crate::draw::{
-    BANDS, Entry, Figure, GAP, Panel, Pen, View, inset, legend, metres, percent, px, short,
+    BANDS, Entry, Figure, GAP, Panel, Pen, View, inset, legend, metres, percent, px, shorten,
     surface::{
         self, Outcome, achieved, dot_radius, extent, ground, lost, obstacle_rings, open, outcome,
     },
@@ -21,7 +21,7 @@ const NAME: f64 = 24.0;
 const RAMP: f64 = 46.0;
 /// Approximate maximum number of cells along the longer side of the surface.
 const MOST_CELLS: f64 = 20.0;
-/// Least width of views side by side.
+/// Minimum width of views side by side.
 const NARROWEST: f64 = 600.0;
 /// Maximum number of drawn particles.
 const MAX_DRAWN: usize = 3_000;
@@ -154,7 +154,7 @@ pub(crate) fn particles_figure(input: &RoundsInput, round: &RoundView) -> Figure
     let views = views(input, round, &cells);
     let panels = views.into_iter().map(|(panel, _)| panel).collect();
     Figure {
-        panel: beside(panels),
+        panel: place_in_row(panels),
         entries: particle_entries(input, round),
         what: "Believed dirt before the round, and estimated and true dirt after it".to_owned(),
     }
@@ -163,17 +163,17 @@ pub(crate) fn particles_figure(input: &RoundsInput, round: &RoundView) -> Figure
 pub(crate) fn density_figure(input: &RoundsInput, round: &RoundView) -> Figure {
     let cells = Cells::new(round.replays(), input.goal, &input.task.surface);
     Figure {
-        panel: beside(maps(input, round, &cells).into()),
+        panel: place_in_row(maps(input, round, &cells).into()),
         entries: Vec::new(),
         what: match round.replays().len() {
-            1 => format!("{}, by the one replay", counted(input.goal)),
-            many => format!("{}, over {many} replays", counted(input.goal)),
+            1 => format!("{}, in the only replay", map_title(input.goal)),
+            many => format!("{}, over {many} replays", map_title(input.goal)),
         },
     }
 }
 
 /// Returns the title of the maps.
-fn counted(goal: &GoalState) -> &'static str {
+fn map_title(goal: &GoalState) -> &'static str {
     if goal.action().treats() {
         "Passes"
     } else {
@@ -181,8 +181,8 @@ fn counted(goal: &GoalState) -> &'static str {
     }
 }
 
-/// Panels in a row.
-fn beside(panels: Vec<Panel>) -> Panel {
+/// Places panels in a row.
+fn place_in_row(panels: Vec<Panel>) -> Panel {
     let width = panels.iter().map(|panel| panel.width + GAP).sum::<f64>() + GAP;
     let height = panels.iter().map(|panel| panel.height).fold(0.0, f64::max) + 8.0;
     let mut left = GAP;
@@ -205,14 +205,14 @@ fn beside(panels: Vec<Panel>) -> Panel {
     }
 }
 
-/// The views side by side, each with what it shows.
+/// Returns the views with their descriptions: believed, estimated and true dirt.
 fn views(input: &RoundsInput, round: &RoundView, cells: &Cells) -> Vec<(Panel, String)> {
     let view = view(input, VIEW);
-    let typical = round.typical(input);
+    let typical = round.typical_replay(input);
     let performance = round.interpretation.performance;
     let planned = html! {
         (particles(input, &view, round.believed))
-        (strokes(round, &view))
+        (draw_strokes(round, &view))
     };
     let id = format!("round-{}-estimated", round.number);
     let estimated = html! {
@@ -220,16 +220,16 @@ fn views(input: &RoundsInput, round: &RoundView, cells: &Cells) -> Vec<(Panel, S
         (particles(input, &view, typical))
     };
     let mut views = vec![
-        framed(
+        draw_view(
             input,
             &view,
             match round.plan {
-                Some(_) => "believed before, and the plan",
+                Some(_) => "believed before, with the plan",
                 None => "believed before",
             },
             planned,
         ),
-        framed(
+        draw_view(
             input,
             &view,
             &format!("estimated: {}", percent(performance.mean)),
@@ -238,7 +238,12 @@ fn views(input: &RoundsInput, round: &RoundView, cells: &Cells) -> Vec<(Panel, S
     ];
     if let Some((truth, share)) = round.truth {
         let name = format!("true: {}", percent(share));
-        views.push(framed(input, &view, &name, particles(input, &view, truth)));
+        views.push(draw_view(
+            input,
+            &view,
+            &name,
+            particles(input, &view, truth),
+        ));
     }
     views
 }
@@ -248,8 +253,8 @@ fn view(input: &RoundsInput, width: f64) -> View {
     View::fit(shown(&input.task.surface), 0.0, NAME, size)
 }
 
-/// Name, ground, `layers`, obstacles and frame.
-fn framed(input: &RoundsInput, view: &View, name: &str, layers: Markup) -> (Panel, String) {
+/// Draws a view with its name, the surface, `layers`, obstacles and a frame.
+fn draw_view(input: &RoundsInput, view: &View, name: &str, layers: Markup) -> (Panel, String) {
     let radius = input.task.tool.collision_radius();
     let obstacles = obstacle_rings(input.task, radius);
     let inner = html! {
@@ -264,7 +269,7 @@ fn framed(input: &RoundsInput, view: &View, name: &str, layers: Markup) -> (Pane
         width: view.width(),
         height: NAME + view.height() + 1.0,
         body: html! {
-            text class="text strong" x="0" y="15" { (short(name, 44)) }
+            text class="text strong" x="0" y="15" { (shorten(name, 44)) }
             (inset(view, inner))
             rect class="rule" x="0.5" y=(px(NAME)) width=(px(view.width() - 1.0)) height=(px(view.height())) {}
         },
@@ -295,8 +300,8 @@ fn particles(input: &RoundsInput, view: &View, particles: &ParticleDistribution)
     }
 }
 
-/// The planned strokes.
-fn strokes(round: &RoundView, view: &View) -> Markup {
+/// Draws the planned strokes.
+fn draw_strokes(round: &RoundView, view: &View) -> Markup {
     let strokes = round.plan.iter().flat_map(|plan| &plan.strokes);
     let lines: String = strokes
         .map(|stroke| view.line(stroke.poses.iter().map(|pose| pose.position)))
@@ -305,10 +310,10 @@ fn strokes(round: &RoundView, view: &View) -> Markup {
 }
 
 fn particle_entries(input: &RoundsInput, round: &RoundView) -> Vec<Entry> {
-    let seen = [round.believed, round.typical(input)]
+    let distributions = [round.believed, round.typical_replay(input)]
         .into_iter()
         .chain(round.truth.map(|(particles, _)| particles));
-    let outcomes: Vec<Outcome> = seen
+    let outcomes: Vec<Outcome> = distributions
         .flat_map(ParticleDistribution::iter)
         .map(|particle| outcome(input.goal, &input.task.surface, particle))
         .collect();
@@ -338,16 +343,16 @@ fn particle_entries(input: &RoundsInput, round: &RoundView) -> Vec<Entry> {
     entries
 }
 
-/// Mean and standard deviation by cell.
+/// Draws maps of mean and standard deviation by cell.
 fn maps(input: &RoundsInput, round: &RoundView, cells: &Cells) -> [Panel; 2] {
     let view = view(input, MAP);
     [
         (
             "mean",
             if input.goal.action().treats() {
-                "mean of the passes"
+                "mean number of passes"
             } else {
-                "mean of the particles still to be wiped"
+                "mean number of particles still to be wiped"
             },
             &cells.mean,
         ),
@@ -360,17 +365,17 @@ fn maps(input: &RoundsInput, round: &RoundView, cells: &Cells) -> [Panel; 2] {
     .map(|(stem, name, values)| {
         let id = format!("round-{}-{stem}", round.number);
         let drawn = cells.draw(&view, &input.task.surface, &id, values);
-        let (panel, _) = framed(input, &view, name, drawn);
+        let (panel, _) = draw_view(input, &view, name, drawn);
         Panel {
             height: panel.height + RAMP,
-            body: html! { (panel.body) (ramp(panel.height + 10.0, values, cells.side)) },
+            body: html! { (panel.body) (draw_colour_scale(panel.height + 10.0, values, cells.side)) },
             ..panel
         }
     })
 }
 
 /// Draws the colour scale of a map.
-fn ramp(top: f64, values: &[f64], side: f64) -> Markup {
+fn draw_colour_scale(top: f64, values: &[f64], side: f64) -> Markup {
     const CELL: f64 = 24.0;
     let peak = peak(values);
     let unit = format!(

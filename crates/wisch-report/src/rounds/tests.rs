@@ -3,7 +3,7 @@ use super::reduce::Dot;
 use super::residual_map::Cells;
 use super::*;
 use crate::rasterize;
-use crate::tests::{board, keep, requests, table, windshield};
+use crate::tests::{board, find_requests, keep, table, windshield};
 use proptest::prelude::*;
 use wisch::geometry::{Point2, Point3, Polygon, Vector2};
 use wisch::interpret::{Belief, Diagnosis, Estimate, PathPiece, Touch};
@@ -23,7 +23,7 @@ fn three_rounds_are_shown() {
     let pictures = pictures(&input);
     assert_eq!(pictures.len(), 1 + 3 * 5);
     for (stem, svg) in pictures {
-        assert_eq!(requests(&svg), [""; 0], "{stem}");
+        assert_eq!(find_requests(&svg), [""; 0], "{stem}");
         assert!(svg.len() < 150_000, "{stem}: {} bytes", svg.len());
         let png = rasterize(&svg, 1.5).expect("our own pictures can be drawn");
         keep(&format!("{stem}.svg"), &svg);
@@ -31,7 +31,7 @@ fn three_rounds_are_shown() {
     }
 }
 
-/// What the reductions and pictures are given in the tests: a piece at a time [s], at a height [m].
+/// Makes a piece of a path at a time [s] and a height [m].
 fn piece(time: f64, height: f64, touch: Touch) -> PathPiece {
     PathPiece {
         time: [time, time + 1e-3],
@@ -50,7 +50,7 @@ fn dot(x: f64, y: f64, touch: Touch) -> Dot {
     Dot { x, y, touch }
 }
 
-/// Pictures of a demo that was changed, all of them drawable: their text, and each.
+/// Draws and rasterises the pictures of a changed demo; returns their joined text and each picture.
 fn draw(
     name: &str,
     demo: &Demo,
@@ -93,7 +93,7 @@ fn a_peak_of_one_sample_in_minutes_is_kept() {
 
 proptest! {
     #[test]
-    fn extremes_of_every_judgement_are_drawn(
+    fn extremes_of_every_contact_class_are_drawn(
         values in proptest::collection::vec((0.0..700.0_f64, 0.0..200.0_f64, 0..4usize), 1..400)
     ) {
         let touches = [Touch::Free, Touch::Weak, Touch::Confident, Touch::FalsePositive];
@@ -114,7 +114,7 @@ proptest! {
 }
 
 #[test]
-fn a_judgement_that_flickers_stays_drawable() {
+fn a_flickering_contact_class_stays_drawable() {
     let touches = [
         Touch::Free,
         Touch::Weak,
@@ -136,7 +136,7 @@ fn a_judgement_that_flickers_stays_drawable() {
 }
 
 #[test]
-fn runs_meet_and_lose_no_point() {
+fn runs_are_contiguous_and_lose_no_point() {
     let curve = [
         dot(0.0, 1.0, Touch::Free),
         dot(1.0, 2.0, Touch::Free),
@@ -156,7 +156,7 @@ fn runs_meet_and_lose_no_point() {
 }
 
 #[test]
-fn spans_join_over_small_gaps_only() {
+fn spans_are_merged_over_small_gaps_only() {
     let path: Vec<PathPiece> = [0.0, 0.002, 0.5, 0.501]
         .into_iter()
         .map(|time| piece(time, 0.0, Touch::FalsePositive))
@@ -167,7 +167,7 @@ fn spans_join_over_small_gaps_only() {
 }
 
 #[test]
-fn a_push_is_seen_on_the_path_however_short() {
+fn a_short_push_is_visible_on_the_path() {
     let mut path: Vec<PathPiece> = (0..1_000)
         .map(|i| piece(f64::from(i) * 0.05, 0.0, Touch::Confident))
         .collect();
@@ -182,14 +182,17 @@ fn a_push_is_seen_on_the_path_however_short() {
 }
 
 #[test]
-fn pieces_that_cannot_be_shown_are_left_out() {
+fn invalid_pieces_are_skipped() {
     let good = piece(1.0, 0.0, Touch::Weak);
     let mut nan = piece(2.0, 0.0, Touch::Weak);
     nan.normal_force = f64::NAN;
     let early = piece(0.5, 0.0, Touch::Weak);
     let mut backwards = piece(3.0, 0.0, Touch::Weak);
     backwards.time = [3.0, 2.0];
-    assert_eq!(reduce::usable(&[good, nan, early, backwards]), [good]);
+    assert_eq!(
+        reduce::select_usable(&[good, nan, early, backwards]),
+        [good]
+    );
     draw("unusable", &one_round(&[nan, backwards]), |_, _| ());
 }
 
@@ -227,11 +230,11 @@ fn a_round_without_contact_says_so() {
     assert!(!path.contains("class=\"fitted-plane\""));
 }
 
-/// Where figures show what is true.
+/// Marks of ground truth in figures.
 const TRUTHS: [&str; 2] = ["true: ", "class=\"bar-true"];
 
 #[test]
-fn where_nobody_knows_the_truth_none_is_shown() {
+fn without_ground_truth_none_is_shown() {
     let demo = three_rounds();
     let (html, _) = draw("no-truth", &demo, |_, views| {
         for view in views {
@@ -259,7 +262,7 @@ fn names_are_escaped() {
 }
 
 #[test]
-fn no_round_is_no_fault() {
+fn a_run_without_rounds_has_pictures() {
     let demo = three_rounds();
     let (_, pictures) = draw("none", &demo, |_, views| views.clear());
     assert_eq!(pictures, []);
@@ -279,7 +282,7 @@ fn of_many_rounds_the_first_and_the_last_have_pictures() {
 }
 
 #[test]
-fn cells_hold_mean_and_spread() {
+fn cells_hold_mean_and_standard_deviation() {
     let mut task = board(Action::Absorb);
     task.surface.outline = Polygon::rectangle(Vector2::new(0.4, 0.2));
     let lying = |points: &[Point2]| ParticleDistribution::new(points).expect("finite");
@@ -291,11 +294,11 @@ fn cells_hold_mean_and_spread() {
     let cells = Cells::new(&replays, &GoalState::Absorbed, &task.surface);
     // Each of 8 particles has 0.01 m² for itself, a square of 0.1 m: 4 × 2 cells.
     assert_eq!((cells.side, cells.columns, cells.mean.len()), (0.1, 4, 8));
-    // Three and one of them: 2 on average, 1 apart. Five and seven: 6, 1 apart.
+    // 3 and 1 particles: mean 2, deviation 1. 5 and 7 particles: mean 6, deviation 1.
     assert_eq!((cells.mean[0], cells.deviation[0]), (2.0, 1.0));
     assert_eq!((cells.mean[7], cells.deviation[7]), (6.0, 1.0));
     assert_eq!(cells.mean.iter().sum::<f64>(), 8.0);
-    // At the goal nothing is left to do.
+    // No particle outside the goal remains.
     let goal = GoalState::Collected {
         center: low,
         radius: 0.05,
@@ -315,7 +318,7 @@ fn the_typical_replay_is_nearest_to_the_mean() {
         Performance::of(particles, input.goal, &input.task.surface).ratio()
     };
     let mean = views[0].interpretation.performance.mean;
-    let off = (share(views[0].typical(&input)) - mean).abs();
+    let off = (share(views[0].typical_replay(&input)) - mean).abs();
     assert!(
         views[0]
             .replays()
@@ -325,8 +328,8 @@ fn the_typical_replay_is_nearest_to_the_mean() {
 }
 
 #[test]
-fn what_the_library_interprets_is_shown() {
-    let demo = three_rounds().interpreted();
+fn logs_that_the_library_interpreted_are_shown() {
+    let demo = three_rounds().interpret_logs();
     let (_, pictures) = draw("interpreted", &demo, |_, _| ());
     let path = |stem: &str| pictures.iter().find(|(name, _)| name == stem);
     let pushed = path("round-1-path").map(|(_, svg)| svg.contains("class=\"felt-false\" d="));

@@ -15,7 +15,7 @@ pub(crate) const KINDS: [EventKind; 8] = [
     EventKind::StickSlip,
 ];
 
-pub(crate) const fn kind(kind: EventKind) -> &'static str {
+pub(crate) const fn kind_name(kind: EventKind) -> &'static str {
     match kind {
         EventKind::Contact => "contact",
         EventKind::ContactLoss => "contact loss",
@@ -33,7 +33,7 @@ pub(crate) const fn kind(kind: EventKind) -> &'static str {
 }
 
 /// Formats a mean with its 90 % interval.
-pub(crate) fn interval(estimate: Estimate) -> String {
+pub(crate) fn format_estimate(estimate: Estimate) -> String {
     if estimate.low == estimate.high {
         return percent(estimate.mean);
     }
@@ -46,11 +46,11 @@ pub(crate) fn interval(estimate: Estimate) -> String {
 }
 
 /// Formats the diagnosis as a sentence.
-pub(crate) fn diagnosis(found: &Interpretation) -> String {
+pub(crate) fn describe_diagnosis(found: &Interpretation) -> String {
     let plane = found.plane.map_or_else(String::new, |plane| {
         format!(
             ": the fitted plane is tilted by {} and {} mm {} it",
-            degrees(plane.tilt),
+            format_degrees(plane.tilt),
             metres(1e3 * plane.offset.abs(), 1),
             if plane.offset < 0.0 { "below" } else { "above" }
         )
@@ -61,15 +61,15 @@ pub(crate) fn diagnosis(found: &Interpretation) -> String {
             format!("The surface is not at its believed pose{plane}.")
         }
         Diagnosis::NoContact => {
-            "Too few confident contacts: the pose of the surface is unknown.".to_owned()
+            "The pose of the surface is unknown, because too few contacts are confident.".to_owned()
         }
         Diagnosis::Hovering => {
-            "The tool works without contact, so the estimate uses tool poses only.".to_owned()
+            "The tool works without contact, so the estimate is from tool poses only.".to_owned()
         }
     }
 }
 
-pub(crate) fn degrees(angle: f64) -> String {
+pub(crate) fn format_degrees(angle: f64) -> String {
     format!("{}°", metres(angle.to_degrees(), 2))
 }
 
@@ -78,14 +78,14 @@ pub(crate) fn count(events: &[Event], kind: EventKind) -> usize {
 }
 
 /// Counts the events of each kind, as text.
-pub(crate) fn tally(events: &[Event]) -> String {
+pub(crate) fn count_events(events: &[Event]) -> String {
     let kinds = KINDS.into_iter().filter_map(|of| {
         let many = count(events, of);
         let name = match (of, many) {
             (_, 0) => return None,
             (EventKind::ContactLoss, 2..) => "contact losses".to_owned(),
-            (EventKind::StickSlip | EventKind::HandGuiding, _) | (_, 1) => kind(of).to_owned(),
-            _ => format!("{}s", kind(of)),
+            (EventKind::StickSlip | EventKind::HandGuiding, _) | (_, 1) => kind_name(of).to_owned(),
+            _ => format!("{}s", kind_name(of)),
         };
         Some(format!("{many} {name}"))
     });
@@ -93,7 +93,7 @@ pub(crate) fn tally(events: &[Event]) -> String {
 }
 
 /// Describes the measurements that show an event.
-pub(crate) fn evidence(event: &Event) -> String {
+pub(crate) fn describe_evidence(event: &Event) -> String {
     let samples = match event.samples {
         1 => "1 sample".to_owned(),
         many => format!("{many} samples"),

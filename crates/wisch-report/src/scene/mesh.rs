@@ -1,25 +1,25 @@
-//! Meshes for a page: fewer triangles where there are too many.
+//! Meshes for a page, with a limited number of triangles.
 
 use nalgebra::Matrix3;
 use std::collections::BTreeMap;
 use wisch::geometry::{Mesh, Point3, Vector3};
 
-/// Cells along the longest side with which thinning begins.
+/// Number of cells along the longest side in the first grid.
 const FINEST: f64 = 256.0;
-/// Cells of the next grid as a share of those of the last.
+/// Ratio of the cells of a grid to those of the grid before [1].
 const COARSER: f64 = 0.88;
-/// How strongly a vertex is held at the mean of its cell, beside what holds it to the planes.
+/// Weight that pulls a vertex to the mean of its cell, relative to the planes [1].
 const PULL: f64 = 1e-3;
 
-/// A mesh as it is embedded.
+/// A mesh for embedding.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Thinned {
     pub(crate) vertices: Vec<Point3>,
     pub(crate) triangles: Vec<[u32; 3]>,
 }
 
-/// At most `most` triangles (at least 12) of about the same shape: vertices that share a cell of a grid become one, which
-/// lies where the planes of their triangles are nearest, and the grid is coarsened until it suffices (Lindstrom, 2000).
+/// Reduces a mesh to at most `most` (at least 12) triangles of about the same shape (Lindstrom, 2000). Vertices that share a
+/// grid cell are merged at the point nearest to the planes of their triangles; the grid is coarsened until the limit holds.
 pub(crate) fn resample(mesh: &Mesh, most: usize) -> Thinned {
     let mut thinned = Thinned {
         vertices: mesh.vertices().to_vec(),
@@ -31,13 +31,13 @@ pub(crate) fn resample(mesh: &Mesh, most: usize) -> Thinned {
     let planes = vertex_planes(mesh);
     let mut cells = FINEST;
     while thinned.triangles.len() > most.max(12) && cells >= 1.0 {
-        thinned = clustered(mesh, &planes, mesh.extent() / cells);
+        thinned = cluster_vertices(mesh, &planes, mesh.extent() / cells);
         cells *= COARSER;
     }
     thinned
 }
 
-/// How far a point is from the planes of triangles, as a function of the point x: the sum of area (n·x - offset)².
+/// The squared distance of a point x to the planes of triangles, weighted by area: the sum of area (n·x - offset)².
 #[derive(Debug, Clone, Copy, Default)]
 struct Planes {
     /// Sum of area n nᵀ.
@@ -52,7 +52,7 @@ impl Planes {
         self.offsets += other.offsets;
     }
 
-    /// Where the planes are nearest, pulled a little to `mean` so that along what is flat it stays there.
+    /// Returns the point nearest to the planes, with a weak pull to `mean`, which decides on flat parts.
     fn nearest(&self, mean: Point3) -> Option<Point3> {
         let pull = PULL * self.normals.trace();
         let matrix = self.normals + Matrix3::from_diagonal_element(pull);
@@ -63,7 +63,7 @@ impl Planes {
     }
 }
 
-/// Of each vertex, the planes of the triangles that meet there.
+/// Returns the planes of the triangles at each vertex.
 fn vertex_planes(mesh: &Mesh) -> Vec<Planes> {
     let mut planes = vec![Planes::default(); mesh.vertices().len()];
     for (corners, [a, b, c]) in mesh.triangles().iter().zip(mesh.corners()) {
@@ -84,7 +84,7 @@ fn vertex_planes(mesh: &Mesh) -> Vec<Planes> {
     planes
 }
 
-/// Vertices of a cell.
+/// The vertices of a cell.
 #[derive(Default)]
 struct Cluster {
     index: u32,
@@ -93,7 +93,7 @@ struct Cluster {
     planes: Planes,
 }
 
-fn clustered(mesh: &Mesh, planes: &[Planes], cell: f64) -> Thinned {
+fn cluster_vertices(mesh: &Mesh, planes: &[Planes], cell: f64) -> Thinned {
     let low = mesh.bounds().0;
     let mut clusters: BTreeMap<[i64; 3], Cluster> = BTreeMap::new();
     let mut cluster_of = Vec::with_capacity(mesh.vertices().len());
@@ -113,7 +113,7 @@ fn clustered(mesh: &Mesh, planes: &[Planes], cell: f64) -> Thinned {
     for (key, cluster) in clusters {
         let mean = Point3::from(cluster.sum / cluster.count);
         let near = cluster.planes.nearest(mean).unwrap_or(mean);
-        // Never out of its cell, so that no two change places.
+        // A vertex stays in its cell, so that no two vertices swap.
         let kept = [0, 1, 2].map(|i| {
             let from = low[i] + key[i] as f64 * cell;
             near[i].clamp(from, from + cell)
@@ -127,7 +127,7 @@ fn clustered(mesh: &Mesh, planes: &[Planes], cell: f64) -> Thinned {
         .map(moved)
         .filter(|[a, b, c]| a != b && b != c && c != a)
         .collect();
-    // Folded together, several triangles may have become the same.
+    // Merging can make triangles equal.
     triangles.sort_unstable();
     triangles.dedup();
     Thinned {
@@ -151,7 +151,7 @@ mod tests {
         // Corners stay where they are, however coarse the grid.
         let mut fine = Mesh::cuboid(Vector3::new(0.1, 0.2, 0.3)).expect("a box");
         for _ in 0..4 {
-            fine = subdivided(&fine);
+            fine = subdivide(&fine);
         }
         let thin = resample(&fine, 300);
         assert!(thin.triangles.len() <= 300, "{}", thin.triangles.len());
@@ -166,8 +166,8 @@ mod tests {
         assert_eq!(resample(&cuboid, 900).triangles, cuboid.triangles());
     }
 
-    /// Each triangle in four.
-    fn subdivided(mesh: &Mesh) -> Mesh {
+    /// Splits each triangle into four.
+    fn subdivide(mesh: &Mesh) -> Mesh {
         let (mut vertices, mut triangles) = (Vec::new(), Vec::new());
         for [a, b, c] in mesh.corners() {
             let first = vertices.len() as u32;

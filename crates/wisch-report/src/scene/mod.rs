@@ -1,5 +1,5 @@
-//! Solids in space, as the scripts of pages read them. Poses are x, y, z [m], quaternion x, y, z, w; vertices and
-//! points come in tenths of a millimetre.
+//! Solids in the format of the pages' scripts. Poses are x, y, z [m] and a quaternion x, y, z, w; vertices and
+//! points are in tenths of a millimetre.
 
 mod mesh;
 
@@ -8,28 +8,28 @@ use serde::Serialize;
 use wisch::geometry::{Mesh, Point3, Pose, Vector3};
 use wisch::robot::Shape;
 
-/// Lengths of meshes and points per metre.
+/// Units of vertices and points per metre.
 const PER_METRE: f64 = 1e4;
 
-/// The meshes of a page, each written once however often it is shown.
+/// The meshes of a page, each stored once.
 #[derive(Debug, Serialize)]
 #[serde(transparent)]
 pub(crate) struct Meshes {
     records: Vec<MeshRecord>,
-    /// Most triangles of each.
+    /// Maximum number of triangles of a mesh.
     #[serde(skip)]
     most: usize,
 }
 
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub(crate) struct MeshRecord {
-    /// x, y, z of all vertices in turn.
+    /// x, y, z of all vertices, concatenated.
     vertices: Vec<i64>,
-    /// Three vertices each.
+    /// Three vertex indices per triangle.
     triangles: Vec<u32>,
 }
 
-/// A shape at its place.
+/// A shape at its pose.
 #[derive(Debug, Serialize)]
 pub(crate) struct Solid {
     pose: [f64; 7],
@@ -56,14 +56,14 @@ enum Form {
     Sphere {
         radius: f64,
     },
-    /// One of [`Meshes`].
+    /// Index into [`Meshes`].
     Mesh {
         mesh: usize,
     },
 }
 
 impl Meshes {
-    /// None yet; each may have at most `most` triangles, and is coarsened until it does.
+    /// Makes an empty collection, whose meshes are reduced to at most `most` triangles.
     pub(crate) fn new(most: usize) -> Self {
         Self {
             records: Vec::new(),
@@ -71,22 +71,22 @@ impl Meshes {
         }
     }
 
-    /// How many there are.
+    /// Returns the number of meshes.
     pub(crate) const fn len(&self) -> usize {
         self.records.len()
     }
 
-    /// Those from this one on.
+    /// Returns the meshes from index `first` on.
     pub(crate) fn since(&self, first: usize) -> Vec<MeshRecord> {
         self.records[first..].to_vec()
     }
 
-    /// A shape of a link; `pose` is its pose in the frame that it is shown in.
+    /// Adds a shape at its pose.
     pub(crate) fn shape(&mut self, pose: &Pose, shape: &Shape) -> Solid {
         self.shape_within(pose, shape, self.most)
     }
 
-    /// The same; a mesh may have at most `most` triangles.
+    /// Adds a shape at its pose; a mesh is reduced to at most `most` triangles.
     pub(crate) fn shape_within(&mut self, pose: &Pose, shape: &Shape, most: usize) -> Solid {
         let form = match shape {
             Shape::Box { size } => Form::Box { size: vector(size) },
@@ -98,7 +98,7 @@ impl Meshes {
         Solid::new(pose, form)
     }
 
-    /// A mesh at its pose.
+    /// Adds a mesh at its pose.
     pub(crate) fn solid(&mut self, pose: &Pose, mesh: &Mesh) -> Solid {
         self.solid_within(pose, mesh, self.most)
     }
@@ -122,7 +122,7 @@ impl Meshes {
 }
 
 impl Solid {
-    /// A ball round the origin of a frame.
+    /// Returns a ball around the origin of a frame.
     pub(crate) fn ball(pose: &Pose, radius: f64) -> Self {
         Self::new(pose, Form::Sphere { radius })
     }
@@ -135,45 +135,46 @@ impl Solid {
         }
     }
 
-    /// The same in a colour: red, green, blue and opacity, in [0, 1].
-    pub(crate) fn coloured(self, rgba: [f64; 4]) -> Self {
+    /// Sets the colour: red, green, blue and opacity, in [0, 1].
+    pub(crate) fn with_colour(self, rgba: [f64; 4]) -> Self {
         let color = Some(rgba.map(|part| (part * 1e3).round() / 1e3));
         Self { color, ..self }
     }
 }
 
-/// A pose as seven numbers.
+/// Returns a pose as seven numbers.
 pub(crate) fn seven(pose: &Pose) -> [f64; 7] {
     let turn = pose.rotation.coords;
     let [x, y, z] = vector(&pose.translation.vector);
-    let [i, j, k, w] = [turn.x, turn.y, turn.z, turn.w].map(rounded);
+    let [i, j, k, w] = [turn.x, turn.y, turn.z, turn.w].map(round);
     [x, y, z, i, j, k, w]
 }
 
-/// Three numbers.
+/// Returns a vector as three numbers.
 pub(crate) fn vector(v: &Vector3) -> [f64; 3] {
-    [v.x, v.y, v.z].map(rounded)
+    [v.x, v.y, v.z].map(round)
 }
 
-/// To seven decimals, as a turn is amplified by the length of a robot.
-fn rounded(value: f64) -> f64 {
+/// Rounds to seven decimals, because the length of a robot amplifies errors of rotation.
+fn round(value: f64) -> f64 {
     // Adding zero leaves no "-0.0".
     (value * 1e7).round() / 1e7 + 0.0
 }
 
-/// Points in turn.
+/// Returns the coordinates of points, concatenated.
 pub(crate) fn tenths(points: impl IntoIterator<Item = Point3>) -> Vec<i64> {
     (points.into_iter())
         .flat_map(|p| [p.x, p.y, p.z].map(tenth))
         .collect()
 }
 
-/// A length [m] in tenths of a millimetre.
+/// Converts a length [m] to tenths of a millimetre.
 pub(crate) fn tenth(length: f64) -> i64 {
     (length * PER_METRE).round() as i64
 }
 
-/// A record within a page's script element: a "<" occurs only within texts, where "</script>" must not end it.
+/// Formats a record for a page's script element. In JSON, "<" occurs only within texts; it is escaped, so that no text can end
+/// the element.
 pub(crate) fn json(record: &impl Serialize) -> String {
     let data = serde_json::to_string(record).unwrap_or_default();
     data.replace('<', "\\u003c")

@@ -79,7 +79,7 @@ pub fn table1_page(input: &Table1Input) -> String {
             }
         }
         h2 { "Figures" }
-        p { "Each cell: the figure of wisch, and below it the paper's." }
+        p { "Each cell shows the figure of wisch, with the paper's figure below it." }
         @for action in &input.actions { (figures(input, action)) }
         @for note in &input.notes { p class="note" { (note) } }
         @if input.actions.iter().any(|action| action.surfaces.iter().any(has_pictures)) {
@@ -109,7 +109,7 @@ fn has_pictures(surface: &SurfaceColumns) -> bool {
         .any(|column| column.picture.is_some())
 }
 
-/// The table of an action: quantities below each other, surfaces and strategies side by side.
+/// Returns the table of an action, with a row per quantity and a column per surface and strategy.
 fn figures(input: &Table1Input, action: &ActionRows) -> Markup {
     let surfaces = || action.surfaces.iter();
     html! {
@@ -137,7 +137,7 @@ fn figures(input: &Table1Input, action: &ActionRows) -> Markup {
                             @for surface in surfaces() {
                                 @for (i, column) in surface.columns.iter().enumerate() {
                                     td class=[(i == 0).then_some("first")] {
-                                        @if let Some(figure) = column.figures.get(row) { (compared(figure)) }
+                                        @if let Some(figure) = column.figures.get(row) { (draw_figure(figure)) }
                                     }
                                 }
                             }
@@ -149,14 +149,14 @@ fn figures(input: &Table1Input, action: &ActionRows) -> Markup {
     }
 }
 
-fn compared(figure: &ComparedFigure) -> Markup {
+fn draw_figure(figure: &ComparedFigure) -> Markup {
     html! {
         @if figure.is_strong { b { (figure.ours) } } @else { (figure.ours) }
         @if let Some(paper) = &figure.paper { small { (paper) } }
     }
 }
 
-/// The surface before, and after each strategy.
+/// Draws the surface before, and after each strategy.
 fn pictures(surface: &SurfaceColumns) -> Markup {
     let pictured: Vec<_> = (surface.columns.iter())
         .filter_map(|column| Some((column, column.picture.as_ref()?)))
@@ -213,7 +213,7 @@ mod tests {
     }
 
     #[test]
-    fn the_papers_figure_stands_below_ours() {
+    fn the_papers_figure_is_below_that_of_wisch() {
         let page = table1_page(&input(None));
         assert!(page.contains("<b>92.00</b><small>90.50</small>"), "{page}");
         assert!(page.contains("<td class=\"first\">3.0</td>"), "{page}");

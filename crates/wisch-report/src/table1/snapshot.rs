@@ -7,9 +7,9 @@ use maud::{Markup, html};
 use wisch::geometry::{Bounds2, Point2, Vector2};
 use wisch::represent::{GoalState, Task};
 
-/// Size of a picture at most.
+/// Maximum size of a picture.
 const SIZE: [f64; 2] = [300.0, 300.0];
-/// Radius of a particle.
+/// Minimum and maximum radius of a particle.
 const RADIUS: [f64; 2] = [1.6, 3.0];
 
 /// A surface with its particles before and after, in its own frame \[m\].
@@ -34,7 +34,7 @@ pub struct WipedSurface<'a> {
 }
 
 impl WipedSurface<'_> {
-    /// Before it is wiped.
+    /// Draws the surface before wiping.
     pub(super) fn before(&self) -> Panel {
         self.panel(|view| {
             let mut rings = Pen::default();
@@ -45,7 +45,7 @@ impl WipedSurface<'_> {
         })
     }
 
-    /// After it was wiped.
+    /// Draws the surface after wiping.
     pub(super) fn after(&self) -> Panel {
         self.panel(|view| {
             let of = |places: &'_ [Point2], outcome: Outcome| {
@@ -72,7 +72,7 @@ impl WipedSurface<'_> {
         surface::dot_radius(view, self.before.len()).clamp(RADIUS[0], RADIUS[1])
     }
 
-    /// The surface with something on it.
+    /// Draws the surface with marks.
     fn panel(&self, marks: impl Fn(&View) -> Markup) -> Panel {
         let reach = Vector2::new(self.collision_radius, self.collision_radius);
         let extent = surface::extent(&self.task.surface);
@@ -100,7 +100,7 @@ impl WipedSurface<'_> {
     }
 }
 
-/// What the marks mean.
+/// Returns the legend.
 pub(super) fn entries() -> Vec<Entry> {
     vec![
         Entry {
