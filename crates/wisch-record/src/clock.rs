@@ -3,8 +3,8 @@
 use std::time::{SystemTime, UNIX_EPOCH};
 use wisch_memory::{Memory, local_date_and_time};
 
-/// Difference of clocks above which a remark is made [s].
-const CLOCKS_APART: f64 = 60.0;
+/// Minimum difference of two clocks for a remark [s].
+const MIN_DIFFERENCE: f64 = 60.0;
 
 /// Returns the present time [s since 1970, UTC].
 pub fn now() -> f64 {
@@ -13,36 +13,36 @@ pub fn now() -> f64 {
 }
 
 /// Returns a remark if the memory's last episode begins after `now` [s since 1970]: the clock was fast then or is slow now.
-pub(crate) fn dated_ahead(memory: &Memory, now: f64) -> Option<String> {
+pub(crate) fn future_episode_remark(memory: &Memory, now: f64) -> Option<String> {
     let names = memory.episodes().unwrap_or_default();
     // Names begin with the date. An unreadable episode must not prevent new episodes.
     let last = names.iter().max()?;
     let record = memory.episode(last).ok()?.record().ok()?;
     let ahead = record.interval[0] - now;
-    (ahead > CLOCKS_APART).then(|| {
+    (ahead > MIN_DIFFERENCE).then(|| {
         format!(
             "episode {last} is dated {}, {} ahead of this machine's clock ({}): the clock was fast then or is slow now; the \
              new episode uses the clock",
             local_date_and_time(record.interval[0]),
-            lasting(ahead),
+            format_duration(ahead),
             local_date_and_time(now),
         )
     })
 }
 
 /// Returns a remark if this machine's clock was set during the run. `by`: the change [s].
-pub(crate) fn clock_was_set(by: f64) -> Option<String> {
-    let way = if by > 0.0 { "forward" } else { "back" };
-    (by.abs() > CLOCKS_APART).then(|| {
+pub(crate) fn clock_change_remark(by: f64) -> Option<String> {
+    let direction = if by > 0.0 { "forward" } else { "back" };
+    (by.abs() > MIN_DIFFERENCE).then(|| {
         format!(
-            "this machine's clock was set {way} by {} during the run; the episode uses the clock as set at its start",
-            lasting(by)
+            "this machine's clock was set {direction} by {} during the run; the episode uses the clock as set at its start",
+            format_duration(by)
         )
     })
 }
 
-/// Formats a duration for people.
-fn lasting(seconds: f64) -> String {
+/// Formats a duration with a suitable unit.
+fn format_duration(seconds: f64) -> String {
     match seconds.abs() {
         s if s >= 172_800.0 => format!("{:.0} days", s / 86_400.0),
         s if s >= 7_200.0 => format!("{:.1} h", s / 3_600.0),
@@ -58,13 +58,13 @@ mod tests {
     const YEAR: f64 = 31_557_600.0;
 
     #[test]
-    fn a_clock_set_by_a_year_either_way_gives_a_remark() {
+    fn a_clock_change_of_a_year_in_either_direction_gives_a_remark() {
         for (by, way) in [(YEAR, "forward by 365 days"), (-YEAR, "back by 365 days")] {
-            let remark = clock_was_set(by).expect("a remark");
+            let remark = clock_change_remark(by).expect("a remark");
             assert!(remark.contains(way), "{remark}");
         }
         for by in [0.0, 0.4, -30.0] {
-            assert_eq!(clock_was_set(by), None);
+            assert_eq!(clock_change_remark(by), None);
         }
     }
 
@@ -72,7 +72,7 @@ mod tests {
     fn an_episode_that_is_dated_ahead_gives_a_remark() {
         let folder = tempfile::tempdir().expect("a folder");
         let memory = Memory::create(folder.path()).expect("a memory");
-        assert_eq!(dated_ahead(&memory, 2e9), None);
+        assert_eq!(future_episode_remark(&memory, 2e9), None);
         let id = episode_id(2e9, 1);
         let record = EpisodeRecord {
             schema: EPISODE_SCHEMA,
@@ -88,11 +88,11 @@ mod tests {
         };
         let writer = memory.begin(&id).expect("a writer");
         writer.commit(&record).expect("an episode");
-        let remark = dated_ahead(&memory, 2e9 - YEAR).expect("a remark");
+        let remark = future_episode_remark(&memory, 2e9 - YEAR).expect("a remark");
         assert!(
             remark.contains(&id) && remark.contains("365 days"),
             "{remark}"
         );
-        assert_eq!(dated_ahead(&memory, 2e9 + YEAR), None);
+        assert_eq!(future_episode_remark(&memory, 2e9 + YEAR), None);
     }
 }

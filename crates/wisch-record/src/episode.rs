@@ -1,7 +1,7 @@
 //! The episode of a run: telemetry is written during execution, the rest at the end.
 
 use crate::bag::Seen;
-use crate::clock::{clock_was_set, dated_ahead, now};
+use crate::clock::{clock_change_remark, future_episode_remark, now};
 use crate::error::{RecordError, internal};
 use crate::results::FinishedRound;
 use crate::sink::{RunSink, SinkError};
@@ -121,7 +121,9 @@ impl EpisodeSink {
             is_live: true,
             executing: None,
             executed: BTreeMap::new(),
-            clock_remarks: dated_ahead(&memory, clock_begin).into_iter().collect(),
+            clock_remarks: future_episode_remark(&memory, clock_begin)
+                .into_iter()
+                .collect(),
             names,
             earlier,
             memory,
@@ -206,12 +208,12 @@ impl EpisodeSink {
         });
         for finished in finished {
             attach_round(&self.writer, finished)?;
-            let looks = observations(finished, seen.as_ref());
+            let observed = observations(finished, seen.as_ref());
             let number = finished.round.motion.number;
-            self.writer.observations(number, &looks)?;
-            let [_, after] = looks.observations;
+            self.writer.observations(number, &observed)?;
+            let [_, after] = observed.observations;
             seen = after.map(|observation| Seen {
-                world_from_surface: looks.world_from_surface,
+                world_from_surface: observed.world_from_surface,
                 observation,
             });
         }
@@ -300,21 +302,21 @@ impl EpisodeSink {
     fn durations(&mut self, finished: &[FinishedRound]) -> Vec<f64> {
         let mut durations = Vec::with_capacity(finished.len());
         for finished in finished {
-            let said = finished.round.execution.duration;
+            let reported = finished.round.execution.duration;
             let number = finished.round.motion.number;
             let clock =
                 (self.executed.get(&number)).filter(|_| self.is_live && self.executor.is_some());
             let [share, slack] = EXECUTOR_SLACK;
             durations.push(match clock {
-                Some(&clock) if !(0.0..=clock * (1.0 + share) + slack).contains(&said) => {
+                Some(&clock) if !(0.0..=clock * (1.0 + share) + slack).contains(&reported) => {
                     self.clock_remarks.push(format!(
-                        "round {number} lasted {said:.1} s by its executor but {clock:.1} s by this machine's clock; the episode \
+                        "round {number} lasted {reported:.1} s by its executor but {clock:.1} s by this machine's clock; the episode \
                          keeps the executor's time; check that the executor reports seconds"
                     ));
                     // The events of the round use the time of its samples.
-                    if said.is_finite() { said } else { clock }
+                    if reported.is_finite() { reported } else { clock }
                 }
-                _ => said,
+                _ => reported,
             });
         }
         durations
@@ -325,7 +327,7 @@ impl EpisodeSink {
     fn start(&mut self, duration: f64) -> f64 {
         let clock_duration = self.since.elapsed().as_secs_f64();
         let set_by = now() - self.clock_begin - clock_duration;
-        self.clock_remarks.extend(clock_was_set(set_by));
+        self.clock_remarks.extend(clock_change_remark(set_by));
         // start = clock start + min(0, elapsed - duration)
         self.clock_begin + (clock_duration - duration).min(0.0)
     }
