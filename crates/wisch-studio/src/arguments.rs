@@ -63,13 +63,14 @@ impl Arguments {
                         text.parse()
                     };
                     host = found.map_err(|_| {
-                        format!("--host {text}: it must be an IP address or localhost")
+                        format!("--host is {text:?}; expected an IP address or localhost")
                     })?;
                 }
                 _ => {
                     let found = text.parse();
-                    port = found
-                        .map_err(|_| format!("--port {text}: it must be within 0 to 65535"))?;
+                    port = found.map_err(|_| {
+                        format!("--port is {text:?}; expected a number from 0 to 65535")
+                    })?;
                 }
             }
         }
@@ -97,7 +98,7 @@ mod tests {
     }
 
     #[test]
-    fn everything_has_its_place() {
+    fn all_options_are_parsed() {
         let typed = "--memory m --wisch w --engine e --scenarios s --host ::1 --port 8080 --open";
         let arguments = parse(typed).unwrap().unwrap();
         assert!(arguments.open);
@@ -109,7 +110,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_wrong_is_named() {
+    fn errors_name_the_wrong_option() {
         for (typed, named) in [
             ("--memory m", "--wisch"),
             ("--wisch w", "--memory"),

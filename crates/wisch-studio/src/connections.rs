@@ -190,7 +190,7 @@ mod tests {
     }
 
     #[tokio::test(flavor = "multi_thread")]
-    async fn a_request_that_is_not_finished_is_given_up() {
+    async fn an_unfinished_request_times_out() {
         let limits = ConnectionLimits {
             count: 8,
             head: Duration::from_millis(50),
@@ -204,7 +204,7 @@ mod tests {
     }
 
     #[tokio::test(flavor = "multi_thread")]
-    async fn idle_connections_give_way_and_used_ones_stay() {
+    async fn idle_connections_are_closed_before_used_ones() {
         let limits = ConnectionLimits {
             count: 4,
             head: Duration::from_secs(600),
@@ -222,7 +222,7 @@ mod tests {
     }
 
     #[test]
-    fn an_address_that_is_given_is_the_only_one() {
+    fn a_specific_address_is_the_only_one() {
         let bound = "127.0.0.1:8080".parse().unwrap();
         assert_eq!(addresses_of_machine(bound).unwrap(), []);
         let any: SocketAddr = "0.0.0.0:8080".parse().unwrap();

@@ -203,7 +203,7 @@ mod tests {
     }
 
     #[test]
-    fn only_the_whole_token_opens() {
+    fn only_the_whole_token_is_accepted() {
         let host = [("host", "localhost")];
         for path in ["/a0b1", "/a0b1/", "/a0b1/api/overview"] {
             assert_eq!(refusal(path, &host), None, "{path}");
@@ -216,7 +216,7 @@ mod tests {
     }
 
     #[test]
-    fn the_usual_port_is_left_out() {
+    fn the_default_port_may_be_omitted() {
         for host in ["127.0.0.1", "localhost:80", "[::1]"] {
             assert_eq!(refusal("/a0b1/", &[("host", host)]), None, "{host}");
         }
@@ -231,7 +231,7 @@ mod tests {
     }
 
     #[test]
-    fn the_address_that_was_reached_is_this_machines() {
+    fn the_reached_address_is_accepted_as_host() {
         for host in ["192.168.1.5", "192.168.1.5:80"] {
             assert_eq!(refusal("/a0b1/", &[("host", host)]), None, "{host}");
         }

@@ -30,7 +30,7 @@ const MOST_WAITING: usize = 8;
 /// Longest query [bytes].
 const LONGEST: usize = 20_000;
 /// Interval at which an abandoned query is stopped.
-const TELL_AGAIN: Duration = Duration::from_millis(50);
+const INTERRUPT_INTERVAL: Duration = Duration::from_millis(50);
 /// File of the statements by queries.
 const STATEMENTS_FILE: &str = "told.jsonl";
 
@@ -129,7 +129,7 @@ impl Drop for Waiting {
                 if let Some(interrupt) = &*lock(&now.interrupt) {
                     interrupt.store(true, Ordering::Relaxed);
                 }
-                std::thread::sleep(TELL_AGAIN);
+                std::thread::sleep(INTERRUPT_INTERVAL);
             }
         });
     }
@@ -147,14 +147,14 @@ fn answer_all(library: &Library, engine: Option<&Path>, jobs: &Receiver<Job>, no
             .and_then(|open| answer(open, library, &job.question));
         now.number.store(0, Ordering::SeqCst);
         let seconds = began.elapsed().as_secs_f64();
-        let said = match answered {
-            Ok(mut said) => {
-                said["seconds"] = json!(seconds);
-                said
+        let reply = match answered {
+            Ok(mut reply) => {
+                reply["seconds"] = json!(seconds);
+                reply
             }
-            Err(error) => in_words(&error, &job.question.query),
+            Err(error) => fault_json(&error, &job.question.query),
         };
-        let _ = job.reply.send(said);
+        let _ = job.reply.send(reply);
     }
 }
 
@@ -249,7 +249,7 @@ fn answer(open: &mut Open, library: &Library, question: &Question) -> Result<Val
             shown::view(&view, &open.catalogue)
         }
         Err(error) => {
-            remarks.push(format!("cannot be shown: {error}"));
+            remarks.push(format!("the scene cannot show the answers: {error}"));
             Value::Null
         }
     };
@@ -281,18 +281,18 @@ fn about(answers: &Answers, catalogue: &Catalogue) -> Vec<Vec<Value>> {
         .collect()
 }
 
-fn in_words(error: &AskError, query: &str) -> Value {
-    let mut said = Map::new();
-    said.insert("message".to_owned(), json!(error.to_string()));
+fn fault_json(error: &AskError, query: &str) -> Value {
+    let mut entry = Map::new();
+    entry.insert("message".to_owned(), json!(error.to_string()));
     if let AskError::Fault(fault) = error
         && let Some(place) = locate_fault(fault, query)
     {
-        said.insert("offset".to_owned(), json!(place.offset));
-        said.insert("length".to_owned(), json!(place.length));
-        said.insert("line".to_owned(), json!(place.line));
-        said.insert("column".to_owned(), json!(place.column));
+        entry.insert("offset".to_owned(), json!(place.offset));
+        entry.insert("length".to_owned(), json!(place.length));
+        entry.insert("line".to_owned(), json!(place.line));
+        entry.insert("column".to_owned(), json!(place.column));
     }
-    json!({ "error": said })
+    json!({ "error": entry })
 }
 
 fn lock<T>(mutex: &Mutex<T>) -> std::sync::MutexGuard<'_, T> {

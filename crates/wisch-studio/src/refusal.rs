@@ -48,13 +48,13 @@ impl From<MemoryError> for Refusal {
 
 impl From<tokio::task::JoinError> for Refusal {
     fn from(error: tokio::task::JoinError) -> Self {
-        Self::failed(format!("this request broke off: {error}"))
+        Self::failed(format!("the request failed: {error}"))
     }
 }
 
 impl IntoResponse for Refusal {
     fn into_response(self) -> Response {
-        let said = json!({ "error": { "message": self.message } });
-        (self.status, Json(said)).into_response()
+        let body = json!({ "error": { "message": self.message } });
+        (self.status, Json(body)).into_response()
     }
 }

@@ -19,11 +19,11 @@ const MOST_RUNS: usize = 4;
 /// Longest time until a run announces its start.
 const BEGINNING: Duration = Duration::from_secs(20);
 /// Interval of the checks whether it has.
-const LOOK_AGAIN: Duration = Duration::from_millis(25);
+const CHECK_INTERVAL: Duration = Duration::from_millis(25);
 /// Longest time until a run ends after a request.
 const ENDING: Duration = Duration::from_secs(15);
 /// Size of the end of a run's standard error that is kept [bytes].
-const LAST_WORDS: u64 = 4096;
+const MESSAGE_BYTES: u64 = 4096;
 
 /// Request to start a run.
 #[derive(Debug, Clone, Deserialize)]
@@ -133,7 +133,7 @@ impl Runs {
                         "the run did not announce its start; check that the program wisch has the same version as the studio",
                     ));
                 }
-                Err(_) => tokio::time::sleep(LOOK_AGAIN).await,
+                Err(_) => tokio::time::sleep(CHECK_INTERVAL).await,
             }
         }
     }
@@ -170,7 +170,7 @@ impl Runs {
         }
         let deadline = Instant::now() + ENDING;
         while !self.state().children.is_empty() && Instant::now() < deadline {
-            tokio::time::sleep(LOOK_AGAIN).await;
+            tokio::time::sleep(CHECK_INTERVAL).await;
         }
     }
 
@@ -192,7 +192,7 @@ async fn await_exit(
     let code = status.ok().and_then(|status| status.code());
     let len = errors.metadata().map_or(0, |metadata| metadata.len());
     let mut words = Vec::new();
-    let begin = SeekFrom::Start(len.saturating_sub(LAST_WORDS));
+    let begin = SeekFrom::Start(len.saturating_sub(MESSAGE_BYTES));
     if errors.seek(begin).is_ok() {
         let _ = errors.read_to_end(&mut words);
     }
@@ -215,9 +215,10 @@ async fn await_exit(
 
 impl Ended {
     fn refusal(&self) -> Refusal {
-        let code = self
-            .code
-            .map_or_else(|| "by a signal".to_owned(), |code| format!("with {code}"));
+        let code = self.code.map_or_else(
+            || "by a signal".to_owned(),
+            |code| format!("with exit code {code}"),
+        );
         let words = self
             .words
             .strip_prefix("error: ")

@@ -75,7 +75,7 @@ pub enum StudioError {
         error: io::Error,
     },
     /// The system provides no random numbers.
-    #[error("the system gives no random numbers: {0}")]
+    #[error("the operating system provides no random numbers: {0}")]
     Random(getrandom::Error),
     /// The shipped tasks cannot be listed.
     #[error("{0}")]
@@ -268,12 +268,12 @@ async fn overview(State(state): State<Arc<ServerState>>, Query(wanted): Query<Wa
 impl ServerState {
     /// Returns the summary of a run.
     fn run(&self, run: &LiveRun) -> Value {
-        let mut said = serde_json::to_value(run).unwrap_or_default();
-        said["own"] = json!(self.runs.is_own(&run.id));
+        let mut summary = serde_json::to_value(run).unwrap_or_default();
+        summary["own"] = json!(self.runs.is_own(&run.id));
         if run.state == RunState::Lost {
-            said["message"] = json!(self.runs.last_words(&run.id));
+            summary["message"] = json!(self.runs.last_words(&run.id));
         }
-        said
+        summary
     }
 
     fn redirect(&self) -> std::sync::MutexGuard<'_, Option<TempPath>> {

@@ -15,11 +15,11 @@ use std::time::{Duration, Instant};
 use tokio::sync::OwnedSemaphorePermit;
 
 /// Interval of checks whether a file has grown.
-const LOOK_AGAIN: Duration = Duration::from_millis(40);
+const CHECK_INTERVAL: Duration = Duration::from_millis(40);
 /// Interval of messages on an idle stream.
 const HEARTBEAT: Duration = Duration::from_secs(10);
 /// Interval of checks whether the run's process exists.
-const LOOK_FOR_PROCESS: Duration = Duration::from_millis(500);
+const PROCESS_CHECK_INTERVAL: Duration = Duration::from_millis(500);
 /// Begin of the piece that ends a recording.
 const LAST_PIECE: &[u8] = b"{\"piece\":\"ended\"";
 /// Longest line of a recording [bytes]. The longest lines that wisch writes hold meshes, of a few million bytes.
@@ -136,7 +136,7 @@ impl Tail {
                     Step::Wait if tail.last_sent.elapsed() > HEARTBEAT => {
                         break (tail, ": still here\n\n".to_owned());
                     }
-                    Step::Wait => tokio::time::sleep(LOOK_AGAIN).await,
+                    Step::Wait => tokio::time::sleep(CHECK_INTERVAL).await,
                 }
             };
             let mut tail = tail;
@@ -187,7 +187,7 @@ impl Tail {
         if self.is_in_doubt {
             return self.end(text, "lost", "");
         }
-        if self.last_look.elapsed() > LOOK_FOR_PROCESS {
+        if self.last_look.elapsed() > PROCESS_CHECK_INTERVAL {
             self.last_look = Instant::now();
             // The process may have written more just before its end, so the file is read once more before its end is
             // reported.
@@ -198,9 +198,9 @@ impl Tail {
 
     fn end(&mut self, text: String, state: &str, message: &str) -> Step {
         self.has_ended = true;
-        let said = json!({ "state": state, "message": message });
+        let body = json!({ "state": state, "message": message });
         // The browser must not reconnect after this event.
-        Step::Text(text + &format!("event: end\ndata: {said}\n\n"))
+        Step::Text(text + &format!("event: end\ndata: {body}\n\n"))
     }
 
     /// Adds bytes, and writes complete new lines as events.

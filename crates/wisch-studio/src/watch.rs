@@ -8,7 +8,7 @@ use std::time::Duration;
 use tokio::sync::watch;
 
 /// Interval of checks.
-const LOOK_AGAIN: Duration = Duration::from_millis(700);
+const CHECK_INTERVAL: Duration = Duration::from_millis(700);
 
 /// Counter that increases with every change, while there are listeners.
 pub fn changes(library: Arc<Library>, live: LiveFolder) -> watch::Receiver<u64> {
@@ -16,7 +16,7 @@ pub fn changes(library: Arc<Library>, live: LiveFolder) -> watch::Receiver<u64> 
     tokio::spawn(async move {
         let mut before = None;
         loop {
-            tokio::time::sleep(LOOK_AGAIN).await;
+            tokio::time::sleep(CHECK_INTERVAL).await;
             // One receiver is kept for new listeners.
             if sender.receiver_count() < 2 {
                 continue;

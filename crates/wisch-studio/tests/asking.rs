@@ -6,14 +6,14 @@ use std::path::PathBuf;
 use wisch_memory::ask::EngineCommand;
 use wisch_studio::EXAMPLES;
 
-/// The engine, if there is one. Where everything has to be checked, there has to be.
+/// Returns the installed engine, or `None`. With `CI=true` an engine must be installed.
 fn engine() -> Option<PathBuf> {
     match EngineCommand::find() {
         Some(EngineCommand::Scryer(path) | EngineCommand::Swi(path)) => Some(path),
         None => {
             let is_needed = std::env::var("CI").is_ok_and(|set| set == "true");
-            assert!(!is_needed, "neither wisch-prolog nor swipl is there");
-            eprintln!("NOT CHECKED: neither wisch-prolog nor swipl is there");
+            assert!(!is_needed, "neither wisch-prolog nor swipl is installed");
+            eprintln!("NOT CHECKED: neither wisch-prolog nor swipl is installed");
             None
         }
     }
@@ -26,12 +26,12 @@ fn ask(place: &Place, query: &str) -> Value {
 }
 
 #[test]
-fn answers_come_with_what_they_are_about() {
+fn answers_list_the_intervals_that_they_mention() {
     let Some(engine) = engine() else { return };
     let place = Place::with_engine(Some(engine));
     let query = "owl_individual_of(C, semco:'Collision'), occurs(C, [S, E])";
     assert_eq!(ask(&place, query)["holds"], false);
-    // What comes meanwhile is known to the next.
+    // The next query finds an episode that was stored in the meantime.
     place.keep(ID, None);
     let said = ask(&place, query);
     assert_eq!(said["columns"], json!(["C", "S", "E"]));
@@ -43,7 +43,7 @@ fn answers_come_with_what_they_are_about() {
 }
 
 #[test]
-fn what_is_wrong_with_a_query_is_said_with_its_place() {
+fn errors_of_a_query_have_a_position() {
     let Some(engine) = engine() else { return };
     let place = Place::with_engine(Some(engine));
     for (query, words, offset, length) in [
@@ -65,12 +65,12 @@ fn what_is_wrong_with_a_query_is_said_with_its_place() {
             "{query}"
         );
     }
-    // It can be asked on.
+    // The next query is answered.
     assert_eq!(ask(&place, "X = 1")["rows"], json!([[1]]));
 }
 
 #[test]
-fn a_query_does_what_is_listed_and_no_more_than_it_may() {
+fn forbidden_predicates_and_limits_are_enforced() {
     let Some(engine) = engine() else { return };
     let place = Place::with_engine(Some(engine));
     for query in [
@@ -96,7 +96,7 @@ fn a_query_does_what_is_listed_and_no_more_than_it_may() {
 }
 
 #[test]
-fn every_question_to_begin_with_is_one() {
+fn every_example_query_is_valid() {
     let Some(engine) = engine() else { return };
     let place = Place::with_engine(Some(engine));
     for (title, query) in EXAMPLES {
@@ -109,7 +109,7 @@ fn every_question_to_begin_with_is_one() {
 }
 
 #[test]
-fn an_engine_that_is_not_there_is_named() {
+fn a_missing_engine_is_reported() {
     let place = Place::with_engine(Some(PathBuf::from("/nowhere/wisch-prolog")));
     let fault = &ask(&place, "true")["error"]["message"];
     assert!(fault.as_str().unwrap().contains("Prolog engine"), "{fault}");

@@ -1,4 +1,4 @@
-//! A client that says exactly what it is told to.
+//! An HTTP client that sends exactly the given bytes.
 
 use serde_json::Value;
 use std::collections::BTreeMap;
@@ -6,10 +6,10 @@ use std::io::{BufRead, BufReader, Read, Write};
 use std::net::TcpStream;
 use std::time::{Duration, Instant};
 
-/// Longest wait for anything.
+/// Maximum wait for a response or an event.
 const PATIENCE: Duration = Duration::from_secs(30);
 
-/// An answer.
+/// A response.
 #[derive(Debug)]
 pub struct Answer {
     pub status: u16,
@@ -32,7 +32,7 @@ impl Answer {
     }
 }
 
-/// Sends a request with these headers; `Host` is the address unless they say otherwise.
+/// Sends a request with headers; without a `Host` header, the host is the address.
 pub fn send(
     address: &str,
     method: &str,
@@ -112,7 +112,7 @@ pub struct Event {
     pub data: String,
 }
 
-/// A stream of events that is read bit by bit.
+/// A stream of events, read as they arrive.
 pub struct Events {
     pub status: u16,
     reader: BufReader<TcpStream>,
@@ -137,8 +137,8 @@ impl Iterator for Events {
     fn next(&mut self) -> Option<Event> {
         let begun = Instant::now();
         loop {
-            // Signs of life are no events.
-            assert!(begun.elapsed() < PATIENCE, "no event comes");
+            // Heartbeats are not events.
+            assert!(begun.elapsed() < PATIENCE, "no event within the time limit");
             if let Some((block, rest)) = self.text.split_once("\n\n") {
                 let field = |name: &str| {
                     let lines = block.lines().filter_map(|line| line.split_once(": "));

@@ -1,4 +1,4 @@
-//! Episodes: listed and handed out, whatever else is broken.
+//! Episodes: listed and sent, even if others are damaged.
 
 use crate::place::{ID, OTHER, Place, packed};
 use std::fs;
@@ -15,7 +15,7 @@ fn listed(place: &Place) -> Vec<String> {
 }
 
 #[test]
-fn episodes_are_listed_with_what_came_of_them() {
+fn episodes_are_listed_with_their_results() {
     let place = Place::new();
     assert_eq!(listed(&place), [""; 0]);
     place.keep(ID, Some(&packed(LINES)));
@@ -44,7 +44,7 @@ fn episodes_are_listed_with_what_came_of_them() {
 }
 
 #[test]
-fn a_recording_is_handed_out_as_it_is_kept() {
+fn a_recording_is_sent_as_it_is_stored() {
     let place = Place::new();
     let kept = packed(LINES);
     place.keep(ID, Some(&kept));
@@ -58,7 +58,7 @@ fn a_recording_is_handed_out_as_it_is_kept() {
 }
 
 #[test]
-fn what_is_broken_says_so_and_breaks_nothing_else() {
+fn a_damaged_episode_is_reported_and_affects_no_other() {
     let place = Place::new();
     place.keep(ID, Some(&packed(LINES)));
     place.keep(OTHER, Some(&packed(LINES)));
@@ -79,7 +79,7 @@ fn what_is_broken_says_so_and_breaks_nothing_else() {
 }
 
 #[test]
-fn a_recording_that_was_written_broken_says_so() {
+fn an_invalid_recording_is_reported() {
     let place = Place::new();
     place.keep(ID, Some(b"this was never packed"));
     let broken = place.get(&format!("api/episodes/{ID}/recording"));
@@ -88,7 +88,7 @@ fn a_recording_that_was_written_broken_says_so() {
 }
 
 #[test]
-fn an_episode_without_a_record_is_named_among_the_others() {
+fn an_episode_without_a_record_is_listed_as_damaged() {
     let place = Place::new();
     place.keep(ID, Some(&packed(LINES)));
     place.keep(OTHER, None);

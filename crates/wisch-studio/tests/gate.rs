@@ -1,4 +1,4 @@
-//! Who is let in.
+//! Access control.
 
 use crate::client::send;
 use crate::place::Place;
@@ -7,7 +7,7 @@ use std::net::{Ipv4Addr, TcpStream};
 use std::time::Duration;
 
 #[test]
-fn without_the_token_there_is_nothing() {
+fn requests_without_the_token_get_nothing() {
     let place = Place::new();
     let token = place.base.trim_matches('/');
     assert_eq!(token.len(), 32);
@@ -43,7 +43,7 @@ fn tokens_differ() {
 }
 
 #[test]
-fn a_name_that_somebody_points_here_is_refused() {
+fn a_foreign_host_name_is_refused() {
     let place = Place::new();
     let port = place.address.rsplit(':').next().unwrap();
     for (host, status) in [
@@ -62,7 +62,7 @@ fn a_name_that_somebody_points_here_is_refused() {
     }
 }
 
-/// Linux answers at all addresses from 127.0.0.1 to 127.255.255.254.
+/// On Linux, all addresses from 127.0.0.1 to 127.255.255.254 are local.
 #[cfg(target_os = "linux")]
 #[test]
 fn a_studio_at_all_addresses_answers_at_each_of_them() {
@@ -90,13 +90,13 @@ fn a_studio_at_all_addresses_answers_at_each_of_them() {
 }
 
 #[test]
-fn idle_connections_keep_nobody_out() {
+fn idle_connections_block_no_client() {
     let place = Place::new();
     let idle: Vec<TcpStream> = (0..200)
         .map(|_| TcpStream::connect(&place.address).unwrap())
         .collect();
     assert_eq!(place.get("api/overview").status, 200);
-    // The first have given way.
+    // The first connections were closed.
     for mut one in &idle[..64] {
         one.set_read_timeout(Some(Duration::from_secs(60))).unwrap();
         let read = one.read(&mut [0]);
@@ -108,7 +108,7 @@ fn idle_connections_keep_nobody_out() {
 }
 
 #[test]
-fn other_pages_are_refused() {
+fn requests_from_other_pages_are_refused() {
     let place = Place::new();
     let own = format!("http://{}", place.address);
     let secure = format!("https://{}", place.address);
@@ -148,7 +148,7 @@ fn responses_carry_security_headers() {
 }
 
 #[test]
-fn the_pages_script_is_the_only_one_that_may_run() {
+fn only_the_pages_script_may_run() {
     let place = Place::new();
     let page = place.get("");
     let policy = &page.headers["content-security-policy"];

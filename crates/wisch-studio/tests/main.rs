@@ -1,4 +1,4 @@
-//! The studio's server, over real connections.
+//! Tests of the studio's server over real connections.
 
 mod asking;
 mod client;

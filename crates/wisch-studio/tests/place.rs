@@ -1,4 +1,4 @@
-//! A studio on a memory of its own, with a program that plays a run.
+//! A studio with its own memory and a program that imitates runs.
 
 use crate::client::{Answer, send};
 use flate2::Compression;
@@ -17,8 +17,8 @@ use wisch_studio::{Config, Studio};
 pub const ID: &str = "20261122-010000-abcd";
 pub const OTHER: &str = "20261123-010000-0001";
 
-/// Plays a run as `wisch run --live` does: as many lines as the file `lines` beside it says, one after the other; told to
-/// end, it ends in order. A task of the name `fails` is no task.
+/// Imitates `wisch run --live`: it writes as many lines as the file `lines` beside it states, and ends in order after a
+/// termination signal. The task `fails` does not exist.
 const PROGRAM: &str = r#"#!/bin/bash
 here=$(dirname "$0")
 [ "$1" = scenarios ] && { echo "board       Crumbs on a board"; echo "fails       Nothing"; exit; }
@@ -59,7 +59,7 @@ impl Place {
         Self::with(engine, Ipv4Addr::LOCALHOST.into())
     }
 
-    /// One that listens at this address.
+    /// Starts a studio that listens at an address.
     pub fn at(host: IpAddr) -> Self {
         Self::with(None, host)
     }
@@ -136,13 +136,13 @@ impl Place {
         }
     }
 
-    /// Keeps an episode with this recording.
+    /// Stores an episode with a recording.
     pub fn keep(&self, id: &str, recording: Option<&[u8]>) {
         keep(&self.memory(), id, recording);
     }
 }
 
-/// Keeps an episode with this recording in a memory.
+/// Stores an episode with a recording in a memory.
 pub fn keep(memory: &Memory, id: &str, recording: Option<&[u8]>) {
     let writer = memory.begin(id).unwrap();
     if let Some(recording) = recording {
@@ -157,8 +157,8 @@ impl Drop for Place {
     }
 }
 
-/// By a process of its own: what this one holds open for writing, one that another test starts at that moment holds open
-/// too, and then it cannot be run.
+/// Writes a script from another process. A file that this process holds open for writing is inherited by children of other
+/// tests, and could then not be executed.
 pub fn script(file: &Path, text: &str) {
     let mut command = Command::new("sh");
     command.args(["-c", "printf %s \"$1\" > \"$0\" && chmod 755 \"$0\""]);
@@ -171,7 +171,7 @@ pub fn packed(lines: &str) -> Vec<u8> {
     encoder.finish().unwrap()
 }
 
-/// Waits until this holds.
+/// Waits until a condition holds.
 pub fn wait_until(what: &str, mut holds: impl FnMut() -> bool) {
     let deadline = Instant::now() + Duration::from_secs(20);
     while !holds() {
@@ -180,7 +180,7 @@ pub fn wait_until(what: &str, mut holds: impl FnMut() -> bool) {
     }
 }
 
-/// An episode in which something collided from 3 to 4.5 s.
+/// Returns the record of an episode with a collision from 3 to 4.5 s.
 fn record(id: &str) -> EpisodeRecord {
     let individual = |class: &str, parent, interval| Individual {
         class: format!("semco:{class}"),

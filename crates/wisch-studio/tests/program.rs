@@ -1,4 +1,4 @@
-//! The program as a process of its own.
+//! The program as a process.
 
 use crate::client::{Events, send};
 use crate::place::{ID, OTHER, script, wait_until};
@@ -14,9 +14,9 @@ use std::process::{Child, Command, Stdio};
 use tempfile::TempDir;
 use wisch_memory::Memory;
 
-/// Most memory that the program may take for any recording [bytes]; with none it takes about 15 MB.
+/// Maximum memory of the program for any recording [bytes]; without one it uses about 15 MB.
 const MOST_MEMORY: u64 = 128 << 20;
-/// How long a recording is, unpacked [bytes].
+/// Size of a decompressed recording [bytes].
 const UNPACKED: usize = 256 << 20;
 
 struct Program {
@@ -27,7 +27,7 @@ struct Program {
 }
 
 impl Program {
-    /// One on an empty memory; `xdg-open` writes down what it was called with.
+    /// Starts the program on an empty memory; `xdg-open` logs its arguments.
     fn begin(options: &[&str]) -> Self {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path();
@@ -75,8 +75,8 @@ impl Program {
         self.child.wait().unwrap().code()
     }
 
-    /// Most memory that it has had at any time [bytes].
-    fn most_memory(&self) -> u64 {
+    /// Returns the peak memory of the program [bytes].
+    fn peak_memory(&self) -> u64 {
         let status = fs::read_to_string(format!("/proc/{}/status", self.child.id())).unwrap();
         let line = status
             .lines()
@@ -85,7 +85,7 @@ impl Program {
         line.trim().trim_end_matches(" kB").parse::<u64>().unwrap() * 1024
     }
 
-    /// Puts a recording into an episode of its memory.
+    /// Stores an episode with a recording in its memory.
     fn keep(&self, id: &str, recording: &[u8]) {
         let memory = Memory::open(&self.folder.path().join("episodes")).unwrap();
         crate::place::keep(&memory, id, Some(recording));
@@ -100,10 +100,10 @@ impl Drop for Program {
 }
 
 #[test]
-fn signals_end_it_in_order() {
+fn signals_end_the_program_in_order() {
     for signal in [Signal::INT, Signal::TERM, Signal::HUP] {
         let mut program = Program::begin(&[]);
-        // Somebody who follows does not hold it up.
+        // A follower does not delay the end.
         let path = format!("{}api/overview/events", program.base);
         let _follower = Events::open(&program.address, &path, &[]);
         assert_eq!(program.end(signal), Some(0), "{signal:?}");
@@ -131,7 +131,7 @@ fn the_browser_is_called_without_the_token() {
             .unwrap()
             .contains(&format!("url={url}\""))
     );
-    // Once the page was opened, the file has done its work.
+    // Once the page was opened, the file is removed.
     assert_eq!(
         send(&program.address, "GET", &program.base, &[], "").status,
         200
@@ -141,7 +141,7 @@ fn the_browser_is_called_without_the_token() {
 }
 
 #[test]
-fn a_redirect_that_nobody_followed_goes_with_the_program() {
+fn an_unused_redirect_is_removed_with_the_program() {
     let mut program = Program::begin(&["--open"]);
     let opened = program.folder.path().join("opened");
     wait_until("the browser is called", || opened.is_file());
@@ -150,7 +150,7 @@ fn a_redirect_that_nobody_followed_goes_with_the_program() {
     assert_eq!(fs::read_dir(program.live()).unwrap().count(), 0);
 }
 
-/// Of as many bytes as lines of this form fill.
+/// Compresses copies of a line, [`UNPACKED`] bytes in total.
 fn packed(line: &str) -> Vec<u8> {
     let mut encoder = GzEncoder::new(Vec::new(), Compression::best());
     let piece = line.repeat((1 << 20) / line.len());
@@ -161,7 +161,7 @@ fn packed(line: &str) -> Vec<u8> {
 }
 
 #[test]
-fn a_recording_that_unpacks_to_much_takes_little_memory() {
+fn a_large_recording_needs_little_memory() {
     let program = Program::begin(&[]);
     let lines = packed(&format!(
         "{{\"piece\":\"samples\",\"n\":\"{}\"}}\n",
@@ -184,9 +184,9 @@ fn a_recording_that_unpacks_to_much_takes_little_memory() {
         }
     }
     assert!(all > UNPACKED * 9 / 10, "{all}");
-    let took = program.most_memory();
+    let took = program.peak_memory();
     assert!(took < MOST_MEMORY, "{took} bytes");
-    // A line that does not end is no line.
+    // A line without an end is rejected.
     let path = format!("{}api/runs/{OTHER}/stream", program.base);
     let events: Vec<_> = Events::open(&program.address, &path, &[]).collect();
     assert_eq!(events.len(), 1);
@@ -195,6 +195,6 @@ fn a_recording_that_unpacks_to_much_takes_little_memory() {
         "{}",
         events[0].data
     );
-    let took = program.most_memory();
+    let took = program.peak_memory();
     assert!(took < MOST_MEMORY, "{took} bytes");
 }

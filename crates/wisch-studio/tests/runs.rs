@@ -1,4 +1,4 @@
-//! Runs that are begun and ended here.
+//! Runs that the studio starts and stops.
 
 use crate::place::{Place, wait_until};
 use serde_json::Value;
@@ -19,7 +19,7 @@ fn runs(place: &Place) -> Vec<Value> {
 }
 
 #[test]
-fn a_run_is_begun_as_asked_for_and_stopped() {
+fn a_run_is_started_with_its_options_and_stopped() {
     let place = waiting();
     let order = r#"{"task":"board","seed":7,"strategy":"grid"}"#;
     let begun = place.post("api/runs", order);
@@ -41,7 +41,7 @@ fn a_run_is_begun_as_asked_for_and_stopped() {
     assert_eq!(
         place.post(&format!("api/runs/{id}/clear"), "{}").status,
         409,
-        "it goes on"
+        "the run is live"
     );
     assert_eq!(place.post(&format!("api/runs/{id}/stop"), "{}").status, 202);
     wait_until("the run ends", || runs(&place).is_empty());
@@ -49,7 +49,7 @@ fn a_run_is_begun_as_asked_for_and_stopped() {
 }
 
 #[test]
-fn what_cannot_be_run_says_why() {
+fn invalid_tasks_are_refused_with_a_reason() {
     let place = waiting();
     let file = place.folder.path().join("text.txt");
     fs::write(&file, "").unwrap();
@@ -90,7 +90,7 @@ fn what_cannot_be_run_says_why() {
 }
 
 #[test]
-fn there_are_not_more_runs_than_may_be() {
+fn the_number_of_runs_is_limited() {
     let place = waiting();
     for _ in 0..4 {
         assert_eq!(place.post("api/runs", r#"{"task":"board"}"#).status, 201);
@@ -101,19 +101,19 @@ fn there_are_not_more_runs_than_may_be() {
 }
 
 #[test]
-fn who_ends_the_studio_ends_its_runs_in_order() {
+fn the_studio_stops_its_runs_when_it_ends() {
     let mut place = waiting();
     let begun = place.post("api/runs", r#"{"task":"board"}"#).json();
     let id = begun["run"].as_str().unwrap();
     let lines = place.live().join(format!("{id}.jsonl"));
     assert!(lines.is_file());
     place.end();
-    // It has cleared up, as it does when it is told to end.
+    // The run has removed its files, as after a termination signal.
     assert!(!lines.exists());
 }
 
 #[test]
-fn a_process_that_runs_no_tasks_is_not_ended() {
+fn a_process_of_another_program_is_not_stopped() {
     let place = waiting();
     let mut sleeping = std::process::Command::new("sleep")
         .arg("60")
@@ -124,7 +124,10 @@ fn a_process_that_runs_no_tasks_is_not_ended() {
     let sidecar = format!("{{\"pid\":{},\"task\":\"odd\"}}", sleeping.id());
     fs::write(place.live().join("odd.json"), sidecar).unwrap();
     assert_eq!(place.post("api/runs/odd/stop", "{}").status, 409);
-    assert!(sleeping.try_wait().unwrap().is_none(), "it sleeps on");
+    assert!(
+        sleeping.try_wait().unwrap().is_none(),
+        "the process is still running"
+    );
     sleeping.kill().unwrap();
     sleeping.wait().unwrap();
 }

@@ -1,4 +1,4 @@
-//! Runs that are watched while they go on.
+//! Streams of live runs.
 
 use crate::client::{Event, Events};
 use crate::place::{ID, Place, packed, wait_until};
@@ -20,7 +20,7 @@ fn stream(place: &Place, id: &str, query: &str, headers: &[(&str, &str)]) -> Eve
     Events::open(&place.address, &path, headers)
 }
 
-/// All lines, in order, each once, then the end.
+/// Checks that the events are all lines in order, each once, and then the end.
 fn check(events: &[Event], from: usize) {
     let (last, lines) = events.split_last().unwrap();
     assert_eq!(last.kind, "end");
@@ -41,7 +41,7 @@ fn check(events: &[Event], from: usize) {
 }
 
 #[test]
-fn ten_readers_see_all_of_a_run_and_one_that_comes_back_misses_nothing() {
+fn ten_readers_get_a_whole_run_and_one_that_reconnects_misses_nothing() {
     let place = Place::new();
     let id = begin(&place);
     std::thread::scope(|scope| {
@@ -53,7 +53,7 @@ fn ten_readers_see_all_of_a_run_and_one_that_comes_back_misses_nothing() {
         }
         scope.spawn(|| {
             let mut seen: Vec<Event> = Vec::new();
-            // It breaks off three times; the browser says what it has.
+            // The connection breaks three times; the browser states the last line that it has.
             for part in [1, 57, 100] {
                 let last = seen.last().map_or("0".to_owned(), |event| event.id.clone());
                 let broken = stream(&place, &id, "?after=0", &[("Last-Event-ID", &last)]);
@@ -67,7 +67,7 @@ fn ten_readers_see_all_of_a_run_and_one_that_comes_back_misses_nothing() {
 }
 
 #[test]
-fn who_comes_too_late_sees_what_is_kept() {
+fn a_late_reader_gets_the_stored_recording() {
     let place = Place::new();
     let lines: String = (0..5)
         .map(|n| format!("{{\"piece\":\"samples\",\"n\":{n}}}\n"))
@@ -81,12 +81,12 @@ fn who_comes_too_late_sees_what_is_kept() {
 }
 
 #[test]
-fn a_line_is_sent_when_it_is_whole() {
+fn a_line_is_sent_when_it_is_complete() {
     let place = Place::new();
     fs::create_dir_all(place.live()).unwrap();
     let file = place.live().join("odd.jsonl");
     fs::write(&file, "one\ntw").unwrap();
-    // It is at work as long as this test is.
+    // The process of this test stands for the run.
     let name = fs::read_to_string("/proc/self/comm").unwrap_or_default();
     let is_known = name.trim() == "wisch";
     let sidecar = format!("{{\"pid\":{},\"task\":\"odd\"}}", std::process::id());
@@ -98,12 +98,12 @@ fn a_line_is_sent_when_it_is_whole() {
     assert_eq!(events.next().unwrap().data, "two");
     assert_eq!(events.next().unwrap().data.trim_end(), "three");
     assert!(!is_known);
-    // A process of another name is no run.
+    // A process of another program is not a run.
     assert!(events.next().unwrap().data.contains("\"lost\""));
 }
 
 #[test]
-fn a_run_that_breaks_off_is_said_to_and_stays_to_be_seen() {
+fn a_run_that_breaks_off_is_reported_and_stays_readable() {
     let place = Place::new();
     fs::write(place.folder.path().join("dies"), "").unwrap();
     let id = begin(&place);
@@ -125,7 +125,7 @@ fn a_run_that_breaks_off_is_said_to_and_stays_to_be_seen() {
 }
 
 #[test]
-fn there_are_not_more_streams_than_may_be() {
+fn the_number_of_streams_is_limited() {
     let place = Place::new();
     fs::write(place.folder.path().join("waits"), "").unwrap();
     let id = begin(&place);
@@ -133,7 +133,7 @@ fn there_are_not_more_streams_than_may_be() {
     assert!(open.iter().all(|events| events.status == 200));
     assert_eq!(stream(&place, &id, "", &[]).status, 503);
     drop(open);
-    wait_until("streams are given back", || {
+    wait_until("streams are released", || {
         stream(&place, &id, "", &[]).status == 200
     });
     assert_eq!(place.post(&format!("api/runs/{id}/stop"), "{}").status, 202);
@@ -144,7 +144,7 @@ fn the_overview_streams_changes() {
     let place = Place::new();
     let path = format!("{}api/overview/events", place.base);
     let mut events = Events::open(&place.address, &path, &[]);
-    // What is there at first is a change, too.
+    // The initial state counts as a change.
     assert_eq!(events.next().unwrap().kind, "changed");
     place.keep(ID, None);
     assert_eq!(events.next().unwrap().kind, "changed");

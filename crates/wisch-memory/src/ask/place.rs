@@ -222,7 +222,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_unknown_is_found_where_it_stands() {
+    fn an_unknown_name_is_located() {
         let query = "owl_individual_of(C, semco:'Colision'),\n  occur(C, [S, E])";
         let class = unknown("class", "semco:'Colision'");
         assert_eq!(part(&class, query).as_deref(), Some("semco:'Colision'"));
@@ -235,21 +235,21 @@ mod tests {
     }
 
     #[test]
-    fn the_call_with_these_many_arguments_is_meant() {
+    fn the_call_with_the_right_arity_is_located() {
         let query = "f(a), f(b, [c, d])";
         let place = locate_fault(&unknown("predicate", "f/2"), query).unwrap();
         assert_eq!(place.offset, 6);
     }
 
     #[test]
-    fn places_count_as_browsers_do() {
+    fn positions_count_utf_16_units() {
         let query = "X = '𝄞', foo(X)";
         let place = locate_fault(&unknown("predicate", "foo/1"), query).unwrap();
         assert_eq!((place.offset, place.column), (10, 10));
     }
 
     #[test]
-    fn a_syntax_error_lies_at_the_first_token_that_does_not_fit() {
+    fn a_syntax_error_is_at_the_first_invalid_token() {
         let fault = QueryFault::Syntax {
             what: "incomplete reduction".to_owned(),
         };
@@ -271,7 +271,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_right_has_no_place_but_its_end() {
+    fn a_valid_query_has_no_error_before_its_end() {
         for query in [
             "owl_individual_of(C, semco:'Collision'), occurs(C, [S, E]), M is 0.5*(S+E)",
             "has_data_value(A, performance =< 0.8), \\+ goal_met(A)",
