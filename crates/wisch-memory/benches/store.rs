@@ -1,4 +1,4 @@
-//! What it costs to record, to open, and to know of many episodes.
+//! Costs of recording, opening, and cataloguing episodes.
 
 #[path = "../examples/synthetic/hour.rs"]
 mod hour;
@@ -15,7 +15,7 @@ use wisch_memory::{
     Catalogue, EpisodeRecord, Frames, Memory, RoundScene, Sampling, Telemetry, TelemetryWriter,
 };
 
-/// A tenth of an hour is enough to tell how much an hour costs [samples].
+/// Number of recorded samples: a minute, from which the costs of an hour follow.
 const RECORDED: usize = hour::SAMPLES / 60;
 
 fn main() {
@@ -32,7 +32,7 @@ fn writer(path: &Path) -> TelemetryWriter {
 fn record_a_minute(bencher: Bencher<'_, '_>) {
     let folder = tempfile::tempdir().expect("a folder");
     let path = folder.path().join("minute.parquet");
-    // What is recorded is made before, so that only the recording counts.
+    // The samples are generated first, so that only the recording is measured.
     let mut rows: Vec<Row> = Vec::new();
     let kept: Result<(), ()> = hour::write(1, RECORDED, &mut |sample| {
         rows.push(Row::of(sample));
@@ -99,7 +99,7 @@ fn open_an_hour(bencher: Bencher<'_, '_>) {
     bencher.bench_local(|| Telemetry::open(path).expect("telemetry").rows());
 }
 
-/// Where the tool was during 50 collisions of 1.5 s, each half second: as the paper asks.
+/// Poses of the tool during 50 collisions of 1.5 s, every 0.5 s: the paper's query.
 #[divan::bench]
 fn trajectories_warm(bencher: Bencher<'_, '_>) {
     let robot = robot();
@@ -108,7 +108,7 @@ fn trajectories_warm(bencher: Bencher<'_, '_>) {
     bencher.bench_local(|| trajectories(&frames));
 }
 
-/// The same, decoding all that is asked for.
+/// The same query without cached data.
 #[divan::bench(sample_count = 10)]
 fn trajectories_cold(bencher: Bencher<'_, '_>) {
     let robot = robot();
@@ -157,7 +157,7 @@ fn records(count: usize) -> Vec<EpisodeRecord> {
         .collect()
 }
 
-/// A memory whose catalogue is in its tables.
+/// Returns a memory whose tables hold the whole catalogue.
 fn memory(count: usize) -> (TempDir, Memory) {
     let folder = tempfile::tempdir().expect("a folder");
     let memory = Memory::create(&folder.path().join("episodes")).expect("a memory");

@@ -1,4 +1,4 @@
-//! Writes episodes that never were as a NEEM: for other programs to read, and for measuring.
+//! Writes synthetic episodes as a NEEM, for tests of other readers and for measurements.
 //!
 //! ```text
 //! cargo run --release --workspace --example synthetic_neem -- FOLDER COUNT
@@ -14,7 +14,7 @@ use wisch_memory::Ontology;
 use wisch_memory::neem::{FrameSample, NeemConfig, NeemMeta, NeemWriter, import};
 
 const SEED: u64 = 1;
-/// How often the tool's pose is offered [Hz].
+/// Rate at which the tool's pose is passed to the writer [Hz].
 const RATE: f64 = 100.0;
 
 fn main() -> Result<(), Box<dyn Error>> {
@@ -25,7 +25,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let count: usize = count.parse()?;
     let meta = NeemMeta {
         name: "Synthetic wiping".to_owned(),
-        description: format!("{count} episodes that never were"),
+        description: format!("{count} synthetic episodes"),
         created_by: "wisch".to_owned(),
         created_at: records::FIRST_START,
         keywords: vec!["wiping".to_owned(), "synthetic".to_owned()],
@@ -46,7 +46,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         let [start, end] = record.interval;
         for step in 0..((end - start) * RATE) as u64 {
             let time = start + step as f64 / RATE;
-            // Round a circle of 0.1 m, once in 2 s.
+            // The tool circles with a radius of 0.1 m, once in 2 s.
             let (y, x) = (std::f64::consts::PI * (time - start)).sin_cos();
             neem.frame(&FrameSample {
                 time,
@@ -57,11 +57,13 @@ fn main() -> Result<(), Box<dyn Error>> {
         }
     }
     println!("{:?}", neem.finish()?);
-    // What was written is there again.
+    // The import must return what was written.
     for (number, record) in import(folder)?.iter().enumerate() {
         let written = (0..count).any(|number| records::record(SEED, number) == *record);
         if !written {
-            return Err(format!("episode {number}, {}, came back otherwise", record.id).into());
+            return Err(
+                format!("episode {number}, {}, differs after the import", record.id).into(),
+            );
         }
     }
     Ok(())

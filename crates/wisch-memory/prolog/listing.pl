@@ -57,10 +57,10 @@ predicate(telemetry, 4, 'telemetry(Channel, When, Statistic, V): max, min, mean 
 predicate(telemetry_in, 5, 'telemetry_in(Episode, Channel, When, Statistic, V): the same, in one episode').
 predicate(show, 0, 'show: shows the scene').
 predicate(show, 1, 'show(What): shows a thing, trajectory(O), particles(O), or a list of these').
-predicate(show, 2, 'show(What, When): shows it at a time, over interval(S, E) or over interval(S, E, dt(D))').
-predicate(show, 3, 'show(What, When, Style): shows it with a colour').
-predicate(highlight, 1, 'highlight(What): highlights it').
-predicate(highlight, 2, 'highlight(What, Color): highlights it in a colour').
+predicate(show, 2, 'show(What, When): shows What at a time, over interval(S, E) or over interval(S, E, dt(D))').
+predicate(show, 3, 'show(What, When, Style): shows What at When in a colour').
+predicate(highlight, 1, 'highlight(What): highlights What').
+predicate(highlight, 2, 'highlight(What, Color): highlights What in a colour').
 predicate(highlight_trajectory, 4, 'highlight_trajectory(O, S, E, Color): highlights the trajectory of O from S to E').
 predicate(marker_highlight, 2, 'marker_highlight(What, Color): the same as highlight/2').
 predicate(data_vis, 2, 'data_vis(barchart(Id), [data: [Xs, Ys], title: T]): draws a piechart, barchart, timeline, linechart or scatter').
@@ -85,20 +85,20 @@ predicate(peak_force_per_collision, 2, 'peak_force_per_collision(C, F): the larg
 predicate(hardest_collision, 2, 'hardest_collision(C, F): the collision with the largest force [N]').
 predicate(interrupted_stroke, 2, 'interrupted_stroke(Stroke, C): strokes with a collision').
 predicate(pushed_then_recovered, 2, 'pushed_then_recovered(Action, N): actions with N collisions that met their goal').
-predicate(protective_stop, 3, 'protective_stop(Stop, Time, Round): the robot stopped itself').
+predicate(protective_stop, 3, 'protective_stop(Stop, Time, Round): the robot made a protective stop').
 predicate(contact_share, 2, 'contact_share(Round, Share): time in contact divided by time near the surface').
 predicate(poor_contact, 2, 'poor_contact(Round, Share): rounds with less than 80 % of the time in contact').
 predicate(contact_loss_near_edge, 2, 'contact_loss_near_edge(Loss, D): contact losses within 3 cm of an edge').
-predicate(mean_force_per_stroke, 2, 'mean_force_per_stroke(Stroke, F): mean normal force [N], negative where the tool presses').
+predicate(mean_force_per_stroke, 2, 'mean_force_per_stroke(Stroke, F): mean normal force [N] of each stroke, negative where the tool presses').
 predicate(weak_stroke, 2, 'weak_stroke(Stroke, F): strokes with a mean force below 8 N').
 predicate(stroke_without_contact, 1, 'stroke_without_contact(Stroke): strokes without contact').
 predicate(longest_contact, 3, 'longest_contact(Episode, C, Seconds): the longest contact of an episode').
 predicate(contact_time, 2, 'contact_time(Round, Seconds): time in contact').
 predicate(stick_slip, 2, 'stick_slip(Stroke, Event): strokes with stick-slip').
-predicate(landing, 3, 'landing(Motion, Event, F): the tool landed harder than it wipes, with peak force F [N]').
-predicate(overload, 3, 'overload(Motion, Event, F): the force on the surface far exceeded the commanded one, with peak force F [N]').
-predicate(vibration, 3, 'vibration(Motion, Event, F): the tool vibrated, with peak force F [N]').
-predicate(hand_guiding, 3, 'hand_guiding(Motion, Event, F): a person guided the tool by hand, with peak force F [N]').
+predicate(landing, 3, 'landing(Motion, Event, F): the tool landed with more force than it wipes with; peak force F [N]').
+predicate(overload, 3, 'overload(Motion, Event, F): the force on the surface far exceeded the commanded force; peak force F [N]').
+predicate(vibration, 3, 'vibration(Motion, Event, F): the tool vibrated; peak force F [N]').
+predicate(hand_guiding, 3, 'hand_guiding(Motion, Event, F): a person guided the tool by hand; peak force F [N]').
 predicate(recovery_that_worked, 4, 'recovery_that_worked(Action, Round, Before, After): the round that reached the target').
 predicate(recovery_gain, 2, 'recovery_gain(Round, Gain): performance gained by a further round').
 predicate(round_without_progress, 1, 'round_without_progress(Round): further rounds without a gain').
@@ -114,11 +114,11 @@ predicate(strategy_performance, 3, 'strategy_performance(Strategy, Mean, N): mea
 predicate(surface_performance, 3, 'surface_performance(Surface, Mean, N): mean performance on a surface, over N episodes').
 predicate(episode_with_tool, 2, 'episode_with_tool(Episode, Tool): episodes with a tool').
 predicate(episode_on_surface, 2, 'episode_on_surface(Episode, Surface): episodes on a surface').
-predicate(last_episode, 2, 'last_episode(Episode, Time): the latest episode, and its end').
-predicate(episode_of, 2, 'episode_of(Thing, Episode): the episode that something belongs to').
+predicate(last_episode, 2, 'last_episode(Episode, Time): the latest episode, and its end [s since 1970]').
+predicate(episode_of, 2, 'episode_of(Thing, Episode): the episode of Thing').
 predicate(sure_failure, 2, 'sure_failure(Action, High): actions whose whole confidence interval lies below the target').
-predicate(kb_call, 1, 'kb_call(Goal): calls it').
-predicate(ask, 1, 'ask(Goal): calls it').
+predicate(kb_call, 1, 'kb_call(Goal): solves Goal').
+predicate(ask, 1, 'ask(Goal): solves Goal').
 predicate(during, 2, 'Statement during [S, E]: the event of the statement lies within these times; an error if it has no time').
 predicate(since, 2, 'Statement since T: the event of the statement begins at T or later').
 predicate(until, 2, 'Statement until T: the event of the statement ends at T or earlier').

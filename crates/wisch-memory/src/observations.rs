@@ -221,7 +221,7 @@ pub(crate) mod tests {
     }
 
     #[test]
-    fn what_was_seen_comes_back_to_the_last_bit() {
+    fn observations_are_read_back_bit_for_bit() {
         let mut only_after = example_observations();
         only_after.round = None;
         only_after.observations[0] = None;
@@ -232,7 +232,7 @@ pub(crate) mod tests {
     }
 
     #[test]
-    fn what_was_not_seen_so_is_refused() {
+    fn invalid_observations_are_refused() {
         let refused = |observations: &RoundObservations| observations.to_json().unwrap_err();
         let mut infinite = example_observations();
         let [Some(before), _] = &mut infinite.observations else {

@@ -1,4 +1,4 @@
-//! Frames on demand, against closed forms.
+//! Frames on demand, compared with closed forms.
 
 use std::f64::consts::FRAC_PI_2;
 use std::path::Path;
@@ -24,7 +24,7 @@ fn robot() -> RobotModel {
     RobotModel::from_urdf("justin.urdf", ROBOT, &mut none).expect("a robot")
 }
 
-/// The platform one metre up, with the tool at the end of the arm.
+/// Returns the scene: the platform at a height of 1 m, the tool at the end of the arm.
 fn scene() -> RoundScene {
     RoundScene {
         world_from_root: StoredPose::from(&Pose::translation(0.0, 0.0, 1.0)),
@@ -35,7 +35,7 @@ fn scene() -> RoundScene {
     }
 }
 
-/// Two seconds at 100 Hz: the platform slides by 1 m/s, the arm turns by a quarter in each second.
+/// Writes two seconds at 100 Hz: the platform slides at 1 m/s, and the arm turns by 90° per second.
 fn telemetry(path: &Path, head: TelemetryHead) -> Telemetry {
     let mut writer = TelemetryWriter::create(path, head).expect("a file");
     for step in 0..=200 {
@@ -63,7 +63,7 @@ fn joints(names: [&str; 2]) -> Vec<String> {
 }
 
 #[test]
-fn links_tool_robot_and_surface_are_where_the_joints_say() {
+fn links_tool_robot_and_surface_follow_the_joints() {
     let folder = tempfile::tempdir().expect("a folder");
     let path = folder.path().join("round-1.parquet");
     let head = scene().head(joints(["slide", "turn"]));
@@ -112,7 +112,7 @@ fn a_trajectory_is_sampled_by_period_and_by_number() {
     assert_eq!(every(0.5), Ok(vec![0.2, 0.7, 1.2, 1.7]));
     assert_eq!(every(0.6), Ok(vec![0.2, 0.8, 1.4]));
     assert_eq!(every(9.0), Ok(vec![0.2]));
-    // Finer than the telemetry, each sample comes once.
+    // With a period finer than the telemetry, each sample occurs once.
     assert_eq!(
         times([0.0, 2.0], Sampling::Every(1e-4)).map(|t| t.len()),
         Ok(201)

@@ -1,4 +1,4 @@
-//! The tests of the memory, one module for each of its parts.
+//! Tests of the memory, one module per part.
 
 mod frames;
 mod store;

@@ -1,4 +1,4 @@
-//! The store: an episode is there whole or not at all, whoever writes, reads or dies.
+//! The store: an episode is stored completely or not at all, whatever happens to its writers and readers.
 
 #[path = "../examples/synthetic/records.rs"]
 mod records;
@@ -20,11 +20,11 @@ use wisch_memory::{
     Origin, RoundObservations, TelemetryHead, Value,
 };
 
-/// Tells the child process where to write.
+/// Environment variable with the folder into which the child process writes.
 const CHILD_MEMORY: &str = "WISCH_TEST_MEMORY";
 
-/// A look before a round, and none after it.
-fn looked() -> RoundObservations {
+/// Returns an observation before a round, and none after it.
+fn example_observations() -> RoundObservations {
     let seen = Observation {
         detections: vec![Point2::new(0.1, -1.0 / 3.0)],
         hidden: Region::new(vec![Polygon::rectangle([0.1, 0.2].into())]),
@@ -36,7 +36,7 @@ fn looked() -> RoundObservations {
     }
 }
 
-/// Telemetry of one column, what was seen, and files.
+/// Stores an episode with one column of telemetry, observations and files.
 fn store(memory: &Memory, record: &EpisodeRecord) -> Result<(), MemoryError> {
     let writer = memory.begin(&record.id)?;
     let columns = ["v".to_owned()];
@@ -49,7 +49,7 @@ fn store(memory: &Memory, record: &EpisodeRecord) -> Result<(), MemoryError> {
         log.push(f64::from(step) * 0.2, mark, [f64::from(step)])?;
     }
     log.finish()?;
-    writer.observations(1, &looked())?;
+    writer.observations(1, &example_observations())?;
     writer.attach("task.toml", b"name = \"board\"")?;
     writer.attach("round-1/plan.json", b"{}")?;
     writer.commit(record)
@@ -66,8 +66,8 @@ fn memory(folder: &Path) -> Memory {
     Memory::create(&folder.join("episodes")).unwrap()
 }
 
-/// All that a catalogue says, without the numbers that it gives to things, which depend on who came first.
-fn told(catalogue: &Catalogue) -> BTreeMap<String, Vec<String>> {
+/// Returns the contents of a catalogue without its indices, which depend on the order of episodes.
+fn contents(catalogue: &Catalogue) -> BTreeMap<String, Vec<String>> {
     let mut episodes = BTreeMap::new();
     for row in catalogue.episodes() {
         let head = format!("{} {:?} {:?}", row.task, row.interval, row.rounds);
@@ -109,11 +109,11 @@ fn from_folders(memory: &Memory) -> BTreeMap<String, Vec<String>> {
     let ids = memory.episodes().unwrap();
     let records = ids.iter().map(|id| memory.episode(id).unwrap().record());
     let records: Vec<EpisodeRecord> = records.collect::<Result<_, _>>().unwrap();
-    told(&Catalogue::of(&records))
+    contents(&Catalogue::of(&records))
 }
 
 #[test]
-fn an_episode_is_read_back_and_forgotten() {
+fn an_episode_is_read_back_and_deleted() {
     let folder = tempfile::tempdir().unwrap();
     let memory = memory(folder.path());
     let record = one_round(0);
@@ -123,8 +123,11 @@ fn an_episode_is_read_back_and_forgotten() {
     assert_eq!(episode.record().unwrap(), record);
     assert_eq!(episode.attachment("round-1/plan.json").unwrap(), b"{}");
     assert_eq!(episode.telemetry(1).unwrap().rows(), 100);
-    assert_eq!(episode.observations(1).unwrap(), Some(looked()));
-    // As of rounds in which nothing looked, and of episodes of before.
+    assert_eq!(
+        episode.observations(1).unwrap(),
+        Some(example_observations())
+    );
+    // As for rounds without a camera, and for episodes from before observations.
     assert_eq!(episode.observations(2).unwrap(), None);
     let files = [
         "checksums.json",
@@ -150,7 +153,7 @@ fn an_episode_is_read_back_and_forgotten() {
     memory.forget(&record.id).unwrap();
     assert!(memory.episodes().unwrap().is_empty());
     assert!(memory.catalogue().unwrap().is_empty());
-    // What has been forgotten can be told anew, and differently.
+    // After a deletion, the same name can be used for another episode.
     let mut other = record.clone();
     other.task = "another".into();
     store(&memory, &other).unwrap();
@@ -158,7 +161,7 @@ fn an_episode_is_read_back_and_forgotten() {
 }
 
 #[test]
-fn what_cannot_be_an_episode_is_refused_and_leaves_nothing() {
+fn invalid_episodes_are_refused_and_leave_no_files() {
     let folder = tempfile::tempdir().unwrap();
     let memory = memory(folder.path());
     for id in ["", "a b", "../x", ".new-x", &"x".repeat(81)] {
@@ -184,7 +187,7 @@ fn what_cannot_be_an_episode_is_refused_and_leaves_nothing() {
     let refused = writer.commit(&one_round(0));
     assert!(matches!(refused, Err(MemoryError::Unfinished { .. })));
     drop(log);
-    assert_eq!(left_over(&memory), [""; 0]);
+    assert_eq!(list_remains(&memory), [""; 0]);
     assert_eq!(names_in(memory.folder()), [".new"]);
     assert!(matches!(
         Memory::open(&folder.path().join("none")),
@@ -193,7 +196,7 @@ fn what_cannot_be_an_episode_is_refused_and_leaves_nothing() {
 }
 
 #[test]
-fn every_scratch_and_cut_is_named_by_file() {
+fn every_damage_is_reported_with_its_file() {
     let folder = tempfile::tempdir().unwrap();
     let memory = memory(folder.path());
     let record = one_round(0);
@@ -206,7 +209,7 @@ fn every_scratch_and_cut_is_named_by_file() {
             let faults = memory.verify().unwrap();
             let said: Vec<String> = faults.iter().map(ToString::to_string).collect();
             let is_named = said.iter().any(|fault| fault.contains(&name));
-            // Scratched sums accuse another file, or themselves.
+            // Damaged check sums are reported for another file, or for themselves.
             assert!(
                 is_named || name == "checksums.json" && !said.is_empty(),
                 "{what} {name}: {said:?}"
@@ -229,7 +232,7 @@ fn every_scratch_and_cut_is_named_by_file() {
 }
 
 #[test]
-fn who_reads_telemetry_notices_every_scratch() {
+fn reading_telemetry_detects_every_damage() {
     let folder = tempfile::tempdir().unwrap();
     let memory = memory(folder.path());
     let record = one_round(0);
@@ -254,7 +257,7 @@ fn who_reads_telemetry_notices_every_scratch() {
 }
 
 #[test]
-fn the_catalogue_from_tables_is_that_from_the_folders() {
+fn the_catalogues_from_tables_and_from_folders_are_equal() {
     let folder = tempfile::tempdir().unwrap();
     let memory = memory(folder.path());
     let put = |numbers: std::ops::Range<usize>| {
@@ -265,11 +268,16 @@ fn the_catalogue_from_tables_is_that_from_the_folders() {
     };
     let tables = memory.folder().join(".catalogue");
     let current = || std::fs::read_to_string(tables.join("current")).unwrap_or_default();
-    let agrees = || assert_eq!(told(&memory.catalogue().unwrap()), from_folders(&memory));
+    let agrees = || {
+        assert_eq!(
+            contents(&memory.catalogue().unwrap()),
+            from_folders(&memory)
+        )
+    };
     put(0..120);
     agrees();
     assert_eq!(current(), "1");
-    // From the tables alone, then with some that are not in them, and without some that are.
+    // From the tables alone, then with additional episodes, and without deleted ones.
     agrees();
     put(120..130);
     agrees();
@@ -286,7 +294,7 @@ fn the_catalogue_from_tables_is_that_from_the_folders() {
     assert!(!tables.join("forgotten").exists());
     agrees();
 
-    // Broken tables are made anew.
+    // Damaged tables are rewritten.
     let damages: [fn(&mut Vec<u8>); 2] = [
         |bytes| bytes.truncate(bytes.len() / 2),
         |bytes| {
@@ -310,7 +318,7 @@ fn the_catalogue_from_tables_is_that_from_the_folders() {
 }
 
 #[test]
-fn writers_and_readers_do_not_meet_half_an_episode() {
+fn readers_see_only_complete_episodes() {
     const WRITERS: usize = 4;
     const EACH: usize = 8;
     let folder = tempfile::tempdir().unwrap();
@@ -336,7 +344,7 @@ fn writers_and_readers_do_not_meet_half_an_episode() {
                     memory.catalogue().unwrap();
                     for id in memory.episodes().unwrap() {
                         let read = memory.episode(&id).and_then(|episode| episode.record());
-                        // It may have been forgotten since.
+                        // The episode may have been deleted since.
                         assert!(read.is_ok() || memory.episode(&id).is_err(), "{read:?}");
                     }
                 }
@@ -351,10 +359,13 @@ fn writers_and_readers_do_not_meet_half_an_episode() {
     });
     assert_eq!(memory.episodes().unwrap().len(), WRITERS * (EACH - 1));
     assert!(memory.verify().unwrap().is_empty());
-    assert_eq!(told(&memory.catalogue().unwrap()), from_folders(&memory));
+    assert_eq!(
+        contents(&memory.catalogue().unwrap()),
+        from_folders(&memory)
+    );
 }
 
-/// Not a test of its own: what the child process of the next test does until it is killed.
+/// Not an independent test: the child process of the next test, which runs until it is killed.
 #[test]
 fn child_writes_until_it_is_killed() {
     let Some(folder) = std::env::var_os(CHILD_MEMORY) else {
@@ -365,7 +376,7 @@ fn child_writes_until_it_is_killed() {
     for number in first.. {
         store(&memory, &one_round(number)).unwrap();
         if number % 5 == 4 {
-            // Its place is taken again at once, so that the count still tells the next number.
+            // Its place is reused at once, so that the count still gives the next number.
             memory.forget(&one_round(number).id).unwrap();
             store(&memory, &one_round(number)).unwrap();
         }
@@ -374,7 +385,7 @@ fn child_writes_until_it_is_killed() {
 }
 
 #[test]
-fn a_kill_at_any_time_loses_the_running_episode_at_most() {
+fn a_kill_loses_at_most_the_unfinished_episode() {
     let folder = tempfile::tempdir().unwrap();
     let memory = memory(folder.path());
     let mut least = 0;
@@ -386,13 +397,13 @@ fn a_kill_at_any_time_loses_the_running_episode_at_most() {
             .stderr(Stdio::null())
             .spawn()
             .unwrap();
-        // However slow the machine is, the first one gets to write.
+        // The first child may write an episode, however slow the machine is.
         let patience = Instant::now() + Duration::from_secs(60);
         while kill == 0 && memory.episodes().unwrap().is_empty() {
             assert!(Instant::now() < patience, "nothing is written");
             thread::sleep(Duration::from_millis(5));
         }
-        // Scattered over several episodes of the child's.
+        // The kills are spread over several episodes of the child.
         thread::sleep(Duration::from_micros(20_000 + 9_173 * kill));
         child.kill().unwrap();
         child.wait().unwrap();
@@ -404,17 +415,20 @@ fn a_kill_at_any_time_loses_the_running_episode_at_most() {
             .collect();
         assert_eq!(faults, [""; 0], "kill {kill}");
         let count = memory.episodes().unwrap().len();
-        // One may have been being forgotten.
+        // The child may have been deleting an episode.
         assert!(
             count + 1 >= least,
             "{count} episodes where there were {least}"
         );
         least = count;
-        assert_eq!(told(&memory.catalogue().unwrap()), from_folders(&memory));
+        assert_eq!(
+            contents(&memory.catalogue().unwrap()),
+            from_folders(&memory)
+        );
     }
-    // The next writer clears away what is left.
+    // The next writer removes the remains.
     store(&memory, &one_round(5000)).unwrap();
-    assert_eq!(left_over(&memory), [""; 0]);
+    assert_eq!(list_remains(&memory), [""; 0]);
 }
 
 fn names_in(folder: &Path) -> Vec<String> {
@@ -424,8 +438,8 @@ fn names_in(folder: &Path) -> Vec<String> {
         .collect()
 }
 
-/// What stands where episodes are written, besides the memory's own lock.
-fn left_over(memory: &Memory) -> Vec<String> {
+/// Returns the entries of the folder for unfinished episodes, without the memory's own lock.
+fn list_remains(memory: &Memory) -> Vec<String> {
     let mut names = names_in(&memory.folder().join(".new"));
     names.retain(|name| name != ".lock");
     names
@@ -496,6 +510,6 @@ proptest! {
         memory.begin(&record.id).unwrap().commit(&record).unwrap();
         let read = memory.episode(&record.id).unwrap().record().unwrap();
         prop_assert_eq!(&read, &record);
-        prop_assert_eq!(told(&memory.catalogue().unwrap()), told(&Catalogue::of([&record])));
+        prop_assert_eq!(contents(&memory.catalogue().unwrap()), contents(&Catalogue::of([&record])));
     }
 }

@@ -1,4 +1,4 @@
-//! Telemetry files: what is written is read back by column and time, and what is broken is named.
+//! Telemetry files: reading by column and time, and errors of damaged files.
 
 use proptest::prelude::*;
 use std::path::Path;
@@ -20,7 +20,7 @@ fn head(joints: &[&str]) -> TelemetryHead {
     }
 }
 
-/// A file of the column `v`, which holds ten times the time.
+/// Writes a file with the column `v`, which holds ten times the time.
 fn ramp(path: &Path, times: &[f64]) -> Telemetry {
     let columns = ["v".to_owned()];
     let mut writer = TelemetryWriter::with_columns(path, head(&[]), &columns).unwrap();
@@ -89,7 +89,7 @@ fn a_sample_is_read_back_part_by_part() {
 }
 
 #[test]
-fn every_phase_has_its_place() {
+fn every_phase_has_an_index() {
     let phases = [
         Phase::Drive,
         Phase::FreeMotion,
@@ -102,7 +102,7 @@ fn every_phase_has_its_place() {
 }
 
 #[test]
-fn nothing_written_is_an_empty_file() {
+fn a_file_without_samples_is_valid() {
     let folder = tempfile::tempdir().unwrap();
     let telemetry = ramp(&folder.path().join("none.parquet"), &[]);
     assert_eq!((telemetry.rows(), telemetry.interval()), (0, None));
@@ -113,9 +113,9 @@ fn nothing_written_is_an_empty_file() {
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(32))]
 
-    /// Against all times, searched one by one; gaps make several row groups.
+    /// Comparison with a linear search; gaps give several row groups.
     #[test]
-    fn ranges_and_nearest_rows_are_those_of_a_plain_search(
+    fn ranges_and_nearest_rows_agree_with_a_linear_search(
         gaps in prop::collection::vec(prop_oneof![1_u32..2000, 5000_u32..15_000], 1..60),
         ask in -5.0..200.0_f64,
         length in 0.0..50.0_f64,
@@ -151,7 +151,7 @@ proptest! {
 }
 
 #[test]
-fn wrong_samples_are_refused_and_leave_nothing_behind() {
+fn invalid_samples_are_refused_and_leave_no_files() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("ramp.parquet");
     let columns = ["v".to_owned()];
@@ -181,7 +181,7 @@ fn wrong_samples_are_refused_and_leave_nothing_behind() {
 }
 
 #[test]
-fn an_unknown_column_is_named_with_the_nearest() {
+fn an_unknown_column_is_reported_with_the_nearest_name() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("round-1.parquet");
     let writer = TelemetryWriter::create(&path, head(&["elbow"])).unwrap();
@@ -193,7 +193,7 @@ fn an_unknown_column_is_named_with_the_nearest() {
 }
 
 #[test]
-fn what_is_cut_off_or_scratched_is_an_error_that_names_the_file() {
+fn a_cut_or_damaged_file_is_an_error_with_its_name() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("ramp.parquet");
     let times: Vec<f64> = (0..3000).map(|i| f64::from(i) * 0.01).collect();
@@ -208,7 +208,7 @@ fn what_is_cut_off_or_scratched_is_an_error_that_names_the_file() {
         let said = fault(&whole[..length]).unwrap_err().to_string();
         assert!(said.contains("broken.parquet"), "{said}");
     }
-    // What a scratch leaves readable is found by the check sums of the episode.
+    // The check sums of the episode detect damage that leaves the file readable.
     for place in (4..whole.len()).step_by(53) {
         let mut bytes = whole.clone();
         bytes[place] ^= 0x55;

@@ -1,4 +1,4 @@
-//! What a memory has to show, for a tool that slides along x at a tenth of a metre per second.
+//! Views of a memory with a tool that slides along x at 0.1 m/s.
 
 use std::path::Path;
 use tempfile::TempDir;
@@ -14,12 +14,12 @@ use wisch_memory::{
 };
 
 const ID: &str = "20261122-010000-abcd";
-/// When the episode begins [s since 1970].
+/// Start of the episode [s since 1970].
 const BEGIN: f64 = 1000.0;
 const SPEED: f64 = 0.1;
 const PERIOD: f64 = 0.1;
 const SAMPLES: usize = 101;
-/// Telemetry keeps joints in single precision.
+/// Tolerance: telemetry stores joints in single precision.
 const TOLERANCE: f64 = 1e-6;
 
 const SLIDER: &str = r#"<robot name="slider"><link name="root"/>
@@ -133,20 +133,20 @@ impl Shown {
         gather(&said, &[], &self.memory, &self.catalogue, &mut around)
     }
 
-    /// Why something is not drawn.
+    /// Returns the remarks on what is not drawn.
     fn remarks(&self, said: &str) -> Vec<String> {
         self.view(&[said]).unwrap().remarks
     }
 }
 
 #[test]
-fn the_tools_way_and_the_robot_during_a_push_are_where_they_were() {
+fn the_path_of_the_tool_and_the_robot_during_a_push_are_shown() {
     let shown = memory_with(AFTER);
     let view = shown
         .view(&[
             "show(trajectory('semco:sponge'),interval(1003,1005,dt(0.5)))",
             "show('semco:slider',1004)",
-            // Another answer says the same.
+            // Another answer repeats the command.
             "show('semco:slider',1004)",
         ])
         .unwrap();
@@ -187,7 +187,7 @@ fn the_tools_way_and_the_robot_during_a_push_are_where_they_were() {
 }
 
 #[test]
-fn an_event_is_shown_by_the_tools_way_while_it_lasted() {
+fn an_event_is_shown_by_the_path_of_the_tool() {
     let shown = memory_with(AFTER);
     let view = shown
         .view(&[&format!("highlight('semco:HumanCollision_{ID}-4',blue)")])
@@ -199,7 +199,7 @@ fn an_event_is_shown_by_the_tools_way_while_it_lasted() {
 }
 
 #[test]
-fn what_is_shown_already_is_highlighted_and_not_shown_twice() {
+fn shown_data_is_highlighted_and_not_duplicated() {
     let shown = memory_with(AFTER);
     let view = shown
         .view(&["show('semco:sponge',1002)", "highlight('semco:sponge')"])
@@ -210,7 +210,7 @@ fn what_is_shown_already_is_highlighted_and_not_shown_twice() {
 }
 
 #[test]
-fn particles_lie_as_they_were_believed_to() {
+fn particles_are_the_believed_ones() {
     let shown = memory_with(AFTER);
     let view = shown
         .view(&[
@@ -235,7 +235,7 @@ fn particles_lie_as_they_were_believed_to() {
 }
 
 #[test]
-fn without_a_time_the_latest_is_shown() {
+fn without_a_time_the_latest_pose_is_shown() {
     let shown = memory_with(AFTER);
     let view = shown
         .view(&["show('semco:sponge')", "show(trajectory('semco:sponge'))"])
@@ -247,7 +247,7 @@ fn without_a_time_the_latest_is_shown() {
 }
 
 #[test]
-fn answers_bring_their_episodes_along() {
+fn answers_add_their_episodes() {
     let shown = memory_with(AFTER);
     let row = vec![Term::atom(format!("semco:Stroke_{ID}-3")), Term::Float(1.0)];
     let mut around = |_: &wisch_memory::Episode| Surroundings::default();
@@ -257,7 +257,7 @@ fn answers_bring_their_episodes_along() {
 }
 
 #[test]
-fn of_too_many_answers_the_first_are_shown() {
+fn the_number_of_shown_answers_is_limited() {
     let shown = memory_with(AFTER);
     let said: Vec<String> = (0..MAX_POSES + 16)
         .map(|k| format!("show('semco:slider',{})", BEGIN + PERIOD * k as f64))
@@ -269,7 +269,7 @@ fn of_too_many_answers_the_first_are_shown() {
 }
 
 #[test]
-fn what_cannot_be_drawn_takes_nothing_else_away() {
+fn a_command_that_fails_affects_no_other() {
     let shown = memory_with(AFTER);
     let view = shown
         .view(&["show('semco:spong',1002)", "show('semco:sponge',1002)"])
@@ -278,7 +278,7 @@ fn what_cannot_be_drawn_takes_nothing_else_away() {
 }
 
 #[test]
-fn what_was_not_recorded_is_named() {
+fn missing_recordings_are_reported() {
     let shown = memory_with("x\n1\n");
     for (said, says) in [
         (

@@ -1,4 +1,4 @@
-//! An hour of telemetry at 1 kHz, of an arm that wipes to and fro.
+//! An hour of synthetic telemetry at 1 kHz of an arm that wipes back and forth.
 
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
@@ -8,25 +8,25 @@ use wisch::follow::Phase;
 use wisch::geometry::{Pose, Vector3};
 use wisch::run::{TelemetrySample, Wrench};
 
-/// Samples of an hour.
+/// Number of samples.
 pub const SAMPLES: usize = 3_600_000;
-/// Joints of the arm: with poses and wrenches 65 columns, of which 39 are of joints.
+/// Number of joints of the arm; with poses and wrenches, the telemetry has 65 columns, 39 of them for joints.
 pub const JOINTS: usize = 13;
-/// Between two samples [s].
+/// Sample period [s].
 const PERIOD: f64 = 1e-3;
-/// An encoder of 17 bits in a turn tells joints apart by this [rad].
+/// Resolution of an encoder with 17 bits per turn [rad].
 const ENCODER: f64 = TAU / 131_072.0;
-/// Force sensors tell forces apart by this, and hiss by a few times as much [N].
+/// Resolution of the force sensor [N]; its noise is a few times larger.
 const FORCE_STEP: f64 = 0.02;
-/// A stroke takes so long [s], the way back as long.
+/// Duration of a stroke, and of the return motion [s].
 const STROKE: f64 = 4.0;
 
-/// The names of the arm's joints.
+/// Returns the names of the arm's joints.
 pub fn joints() -> Vec<String> {
     (0..JOINTS).map(|joint| format!("joint_{joint}")).collect()
 }
 
-/// The arm: links of 10 cm, whose joints turn about x, y and z by turns.
+/// Returns the arm as URDF: links of 10 cm, with joint axes x, y and z in turn.
 pub fn urdf() -> String {
     let mut text = String::from("<robot name=\"arm\"><link name=\"link_0\"/>");
     let axes = ["1 0 0", "0 1 0", "0 0 1"];
@@ -48,10 +48,10 @@ pub fn urdf() -> String {
     text + "</robot>"
 }
 
-/// So many samples, one after the other.
+/// Generates samples one by one, and passes each on.
 ///
 /// # Errors
-/// Those of who takes them.
+/// Errors of the receiver.
 pub fn write<E>(
     seed: u64,
     samples: usize,
@@ -66,7 +66,7 @@ pub fn write<E>(
             let amplitude = 0.3 / (1.0 + joint as f64);
             let angle = amplitude * (rate * time).sin();
             positions[joint] = (angle / ENCODER).round() * ENCODER;
-            // Velocities are those of an encoder, smoothed over some periods.
+            // Velocities have the noise of a smoothed encoder.
             let velocity = amplitude * rate * (rate * time).cos() + rng.random_range(-2e-3..2e-3);
             velocities[joint] = (velocity / ENCODER).round() * ENCODER;
             let effort = 20.0 * amplitude * (rate * time + 1.0).cos() + rng.random_range(-0.1..0.1);

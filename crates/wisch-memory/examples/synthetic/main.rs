@@ -1,4 +1,4 @@
-//! Writes a memory of synthetic episodes, to measure with and to try queries on.
+//! Writes a memory of synthetic episodes, for measurements and for trying queries.
 //!
 //! ```text
 //! cargo run --release -p wisch-memory --example synthetic -- --episodes 10000 --seed 1 --out /tmp/episodes
@@ -14,11 +14,11 @@ use std::thread;
 use std::time::Instant;
 use wisch_memory::{Memory, MemoryError, RobotText, RoundScene};
 
-/// Episodes are written by so many at the same time: each waits for the disk most of the time.
+/// Number of parallel writers, each of which mostly waits for the disk.
 const WRITERS: usize = 16;
 
-/// What the command line asks for.
-struct Asked {
+/// Command-line arguments.
+struct Arguments {
     episodes: usize,
     seed: u64,
     out: PathBuf,
@@ -26,13 +26,13 @@ struct Asked {
 }
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
-    let asked = asked()?;
-    let memory = &Memory::create(&asked.out)?;
-    let asked = &asked;
+    let arguments = parse_arguments()?;
+    let memory = &Memory::create(&arguments.out)?;
+    let arguments = &arguments;
     let begun = Instant::now();
     thread::scope(|scope| {
         let writers: Vec<_> = (0..WRITERS)
-            .map(|writer| scope.spawn(move || write_some(memory, asked, writer)))
+            .map(|writer| scope.spawn(move || write_some(memory, arguments, writer)))
             .collect();
         let mut written = writers.into_iter().map(|writer| match writer.join() {
             Ok(result) => result,
@@ -41,9 +41,9 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         written.try_for_each(|result| result)
     })?;
     let seconds = begun.elapsed().as_secs_f64();
-    println!("{} episodes written in {seconds:.1} s", asked.episodes);
-    if asked.hour {
-        write_hour(memory, asked)?;
+    println!("{} episodes written in {seconds:.1} s", arguments.episodes);
+    if arguments.hour {
+        write_hour(memory, arguments)?;
     }
     for time in ["cold", "warm"] {
         let begun = Instant::now();
@@ -58,17 +58,17 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     Ok(())
 }
 
-/// Every so manieth episode.
-fn write_some(memory: &Memory, asked: &Asked, writer: usize) -> Result<(), MemoryError> {
-    for number in (writer..asked.episodes).step_by(WRITERS) {
-        let record = records::record(asked.seed, number);
+/// Writes the episodes of one of the parallel writers.
+fn write_some(memory: &Memory, arguments: &Arguments, writer: usize) -> Result<(), MemoryError> {
+    for number in (writer..arguments.episodes).step_by(WRITERS) {
+        let record = records::record(arguments.seed, number);
         memory.begin(&record.id)?.commit(&record)?;
     }
     Ok(())
 }
 
-fn write_hour(memory: &Memory, asked: &Asked) -> Result<(), Box<dyn std::error::Error>> {
-    let record = pushed::record(asked.seed);
+fn write_hour(memory: &Memory, arguments: &Arguments) -> Result<(), Box<dyn std::error::Error>> {
+    let record = pushed::record(arguments.seed);
     let writer = memory.begin(&record.id)?;
     let robot = RobotText {
         urdf: hour::urdf(),
@@ -78,7 +78,7 @@ fn write_hour(memory: &Memory, asked: &Asked) -> Result<(), Box<dyn std::error::
     let head = RoundScene::upright("arm", "tip", "sponge", "chopping_board").head(hour::joints());
     let mut telemetry = writer.telemetry(1, head)?;
     let begun = Instant::now();
-    hour::write(asked.seed, hour::SAMPLES, &mut |sample| {
+    hour::write(arguments.seed, hour::SAMPLES, &mut |sample| {
         telemetry.write(sample)
     })?;
     telemetry.finish()?;
@@ -94,8 +94,8 @@ fn write_hour(memory: &Memory, asked: &Asked) -> Result<(), Box<dyn std::error::
     Ok(())
 }
 
-fn asked() -> Result<Asked, Box<dyn std::error::Error>> {
-    let mut asked = Asked {
+fn parse_arguments() -> Result<Arguments, Box<dyn std::error::Error>> {
+    let mut arguments = Arguments {
         episodes: 0,
         seed: 1,
         out: PathBuf::from("episodes"),
@@ -103,14 +103,19 @@ fn asked() -> Result<Asked, Box<dyn std::error::Error>> {
     };
     let mut args = std::env::args().skip(1);
     while let Some(arg) = args.next() {
-        let mut value = || args.next().ok_or(format!("{arg} wants a value"));
+        let mut value = || args.next().ok_or(format!("{arg} needs a value"));
         match arg.as_str() {
-            "--episodes" => asked.episodes = value()?.parse()?,
-            "--seed" => asked.seed = value()?.parse()?,
-            "--out" => asked.out = value()?.into(),
-            "--hour" => asked.hour = true,
-            _ => return Err(format!("{arg}: known are --episodes, --seed, --out, --hour").into()),
+            "--episodes" => arguments.episodes = value()?.parse()?,
+            "--seed" => arguments.seed = value()?.parse()?,
+            "--out" => arguments.out = value()?.into(),
+            "--hour" => arguments.hour = true,
+            _ => {
+                return Err(format!(
+                    "unexpected argument {arg}; expected --episodes, --seed, --out or --hour"
+                )
+                .into());
+            }
         }
     }
-    Ok(asked)
+    Ok(arguments)
 }

@@ -3,12 +3,12 @@
 use super::records;
 use wisch_memory::EpisodeRecord;
 
-/// How long it is [s].
+/// Duration [s].
 const LENGTH: f64 = 3600.0;
-/// A stroke takes so long [s], the way back as long.
+/// Duration of a stroke, and of the return motion [s].
 const STROKE: f64 = 4.0;
 
-/// A record of one round that lasts an hour, with a push in it now and then.
+/// Returns a record with one round of an hour and several pushes.
 pub fn record(seed: u64) -> EpisodeRecord {
     let length = LENGTH;
     let mut record = records::record(seed, usize::from(u16::MAX));

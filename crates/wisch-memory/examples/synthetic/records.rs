@@ -1,26 +1,26 @@
-//! Episodes that never were, but might have been: for measuring, and for trying queries.
+//! Synthetic episodes, for measurements and for trying queries.
 
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use std::collections::BTreeMap;
 use wisch_memory::{EPISODE_SCHEMA, EpisodeRecord, Individual, Origin, Value, episode_id};
 
-/// When the first episode begins: 2026-01-01, 8 o'clock UTC [s since 1970].
+/// Start of the first episode: 2026-01-01, 8:00 UTC [s since 1970].
 pub const FIRST_START: f64 = 1_767_254_400.0;
-/// Between the starts of two episodes [s].
+/// Time between the starts of two episodes [s].
 const SPACING: f64 = 1200.0;
-/// Between two motions the robot does nothing [s].
+/// Pause between two motions [s].
 const PAUSE: f64 = 0.2;
-/// Normal force of contact while the surface is where it is believed [N].
+/// Normal force in contact without a localisation error [N].
 const PRESS: f64 = -9.5;
-/// In every so many episodes the contact force fades to half of it: bad localisation creeping in.
+/// Number of episodes over which the contact force falls to half, by a growing localisation error.
 const DRIFT_PERIOD: usize = 250;
-/// Chance that somebody pushes the robot during a stroke.
+/// Probability that a person pushes the robot during a stroke [1].
 const COLLISION_CHANCE: f64 = 0.03;
-/// Chance that a stroke loses the surface.
+/// Probability of a contact loss during a stroke [1].
 const LOSS_CHANCE: f64 = 0.08;
 
-/// A task with what it is done with.
+/// A task with its tool, medium and surface.
 struct Kind {
     task: &'static str,
     class: &'static str,
@@ -71,7 +71,7 @@ const KINDS: [Kind; 4] = [
     },
 ];
 
-/// The episode of this number; with the same seed always the same.
+/// Returns the record of an episode; the same seed and number give the same record.
 pub fn record(seed: u64, number: usize) -> EpisodeRecord {
     let mut rng = ChaCha8Rng::seed_from_u64(seed);
     rng.set_stream(number as u64);
@@ -107,11 +107,11 @@ pub fn record(seed: u64, number: usize) -> EpisodeRecord {
     }
 }
 
-/// An episode in the making.
+/// Builder of an episode.
 struct Draft {
     rng: ChaCha8Rng,
     kind: &'static Kind,
-    /// Share of the contact force that is left.
+    /// Remaining share of the contact force [1].
     fade: f64,
     time: f64,
     individuals: Vec<Individual>,
@@ -156,7 +156,7 @@ impl Draft {
         individual.relations = relations;
     }
 
-    /// A round; what the performance is after it.
+    /// Adds a round; returns the performance after it.
     fn round(&mut self, action: usize, number: usize, before: f64) -> f64 {
         let start = self.time;
         self.rounds.push(start);
@@ -213,7 +213,7 @@ impl Draft {
         performance
     }
 
-    /// A stroke with its events; its mean normal force [N].
+    /// Adds a stroke with its events; returns its mean normal force [N].
     fn stroke(&mut self, round: usize, number: usize) -> f64 {
         let start = self.time;
         let length = self.between(2.0, 5.0);

@@ -70,7 +70,7 @@ impl Assertions {
     ) -> Result<Term, QueryFault> {
         if self.statements.len() - self.committed >= most {
             return Err(QueryFault::TooMuch {
-                what: "statements told",
+                what: "statements by tell",
                 limit: most,
             });
         }
@@ -167,7 +167,7 @@ fn is_not_finite(text: &str) -> bool {
 
 fn not_finite(number: impl std::fmt::Display) -> QueryFault {
     QueryFault::Prolog {
-        what: format!("{number} cannot be told: numbers must be finite"),
+        what: format!("tell cannot store {number}: numbers must be finite"),
     }
 }
 

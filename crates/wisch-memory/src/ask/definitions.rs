@@ -63,7 +63,7 @@ mod tests {
     use super::definitions;
 
     #[test]
-    fn predicates_of_one_clause_are_defined_by_it() {
+    fn predicates_with_one_clause_are_defined() {
         let text = "% About: nothing.\n\na(X, [Y, Z]) :-\n    b(X, 'p,q'),\n    % So it is.\n    c(Y, Z).\n\
                     b(X, Y) :- c(X, Y).\nb(X) :- c(X, X).\nc(1, 2).\nd(X) :- c(X, 1).\nd(X) :- c(X, 2).\n:- op(700, xfx, e).\n";
         assert_eq!(

@@ -24,7 +24,7 @@ const LONGEST_ERROR: u64 = 1 << 20;
 /// Memory of SWI-Prolog beside the stacks of queries: code, atoms, facts, stacks of its threads [bytes].
 const SWI_ITSELF: u64 = 1 << 30;
 /// Interval between checks for an interrupt.
-const LOOK_UP: Duration = Duration::from_millis(50);
+const INTERRUPT_CHECK: Duration = Duration::from_millis(50);
 /// Processor time beside queries: start, and reading of the predicates [s].
 const PROCESSOR_SPARE_S: u64 = 30;
 
@@ -284,13 +284,13 @@ impl Engine {
                 return Err(AskError::Interrupted);
             }
             let left = deadline.saturating_duration_since(Instant::now());
-            match self.lines.recv_timeout(left.min(LOOK_UP)) {
+            match self.lines.recv_timeout(left.min(INTERRUPT_CHECK)) {
                 Ok(line) if line.trim().is_empty() => {}
                 Ok(line) => {
                     self.program = None;
                     return Ok(Some(Term::parse(&line)?));
                 }
-                Err(RecvTimeoutError::Timeout) if left > LOOK_UP => {}
+                Err(RecvTimeoutError::Timeout) if left > INTERRUPT_CHECK => {}
                 Err(RecvTimeoutError::Timeout) => return Ok(None),
                 Err(RecvTimeoutError::Disconnected) => return Err(self.end_error()),
             }

@@ -124,9 +124,7 @@ impl QueryFault {
             Some(("telemetry", [what])) => Self::Telemetry { what: text(what) },
             Some(("prolog", [what])) => Self::Prolog { what: text(what) },
             Some(("untold", [property])) => Self::Prolog {
-                what: format!(
-                    "{property} cannot be told: classes and parts are fixed by the episodes"
-                ),
+                what: format!("tell cannot change {property}: the episodes fix classes and parts"),
             },
             Some(("unknown_predicate", [Term::Atom(name), Term::Integer(arity)])) => {
                 Self::unknown_predicate(name, *arity, callable)
@@ -160,7 +158,7 @@ impl QueryFault {
                     what: what.to_string().replace('_', " "),
                 },
                 _ => Self::Prolog {
-                    what: in_words(what),
+                    what: describe_error(what),
                 },
             },
             _ => Self::Prolog {
@@ -188,7 +186,7 @@ impl QueryFault {
 }
 
 /// Describes a standard error of Prolog.
-fn in_words(error: &Term) -> String {
+fn describe_error(error: &Term) -> String {
     match error.parts() {
         Some(("instantiation_error", [])) => {
             "a variable must be bound here; put the goal that binds it first".to_owned()

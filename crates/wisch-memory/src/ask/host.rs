@@ -124,7 +124,6 @@ impl Host {
     ///
     /// # Errors
     /// If the query must end.
-    /// If the query has to end.
     pub fn solve(
         &mut self,
         goals: &Term,
@@ -151,7 +150,7 @@ impl Host {
     }
 
     /// Returns all solutions of goals at the front of a query.
-    fn joined(
+    fn solve_front(
         &mut self,
         goals: &Term,
         wanted: &[Term],
@@ -177,7 +176,7 @@ impl Host {
         reply: &mut String,
     ) -> Result<(), AskError> {
         if let Some(("join", [goals, Term::List(wanted)])) = request.parts() {
-            match self.joined(goals, wanted, budget)? {
+            match self.solve_front(goals, wanted, budget)? {
                 Some(rows) => {
                     let (rows, size) = (rows.peekable(), CHUNK[0]);
                     self.next_chunk(Cursor { rows, size }, reply);
@@ -242,9 +241,9 @@ impl Host {
             }
             ("size", [of]) => vec![Term::atom(self.size(of)?)],
             ("filter", [Term::Atom(property), Term::Atom(operator), bound]) => {
-                let (found, told) = self.filter(property, operator, bound)?;
+                let (found, asserted) = self.filter(property, operator, bound)?;
                 let is_many = found.len() > FILTERED_FACTS;
-                let names = known.named(found).chain(told);
+                let names = known.named(found).chain(asserted);
                 if is_many {
                     return Ok(Reply::Stream(Box::new(names)));
                 }
@@ -379,15 +378,15 @@ impl Host {
         let bound = number.ok_or_else(|| AskError::unexpected(format!("filter by {bound}")))?;
         let numbers = self.known.catalogue.numbers(property).iter();
         let matching = numbers.filter(|(_, value)| matches(*value, bound));
-        let told = self.known.assertions.values(property).into_iter();
-        let told = told.filter_map(|pair| match pair {
+        let asserted = self.known.assertions.values(property).into_iter();
+        let asserted = asserted.filter_map(|pair| match pair {
             Term::Compound(_, parts) => {
                 let [value, name] = <[Term; 2]>::try_from(parts).ok()?;
                 matches(value.as_number()?, bound).then_some(name)
             }
             _ => None,
         });
-        Ok((matching.map(|(id, _)| *id).collect(), told.collect()))
+        Ok((matching.map(|(id, _)| *id).collect(), asserted.collect()))
     }
 
     fn last_episode(&self) -> Vec<Term> {

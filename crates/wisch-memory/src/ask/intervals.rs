@@ -229,7 +229,7 @@ mod tests {
 
     proptest! {
         #[test]
-        fn the_index_finds_what_looking_at_all_finds(
+        fn the_index_agrees_with_a_linear_search(
             intervals in prop::collection::vec((0_u8..20, 0_u8..6), 0..40),
             to in (0_u8..20, 0_u8..6),
         ) {
@@ -249,7 +249,7 @@ mod tests {
         }
 
         #[test]
-        fn a_relation_holds_where_its_inverse_holds_the_other_way_round(
+        fn a_relation_holds_if_its_inverse_holds_for_swapped_intervals(
             a in (0_u8..9, 0_u8..6), b in (0_u8..9, 0_u8..6),
         ) {
             let [a, b] = [a, b].map(|(s, l)| [f64::from(s), f64::from(s + l)]);
@@ -259,7 +259,7 @@ mod tests {
         }
 
         #[test]
-        fn proper_intervals_stand_in_exactly_one_of_allens_relations(
+        fn proper_intervals_have_exactly_one_of_allens_relations(
             a in (0_u8..9, 1_u8..6), b in (0_u8..9, 1_u8..6),
         ) {
             let [a, b] = [a, b].map(|(s, l)| [f64::from(s), f64::from(s + l)]);

@@ -190,7 +190,7 @@ mod tests {
     }
 
     #[test]
-    fn what_does_not_fit_is_said() {
+    fn invalid_formats_are_errors() {
         for (format, arguments, says) in [
             ("~w", "[]", "~w has no argument"),
             ("x", "[a]", "1 arguments too many"),

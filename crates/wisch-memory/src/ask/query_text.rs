@@ -187,7 +187,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_full_stop_and_comments_go() {
+    fn the_full_stop_and_comments_are_removed() {
         for (query, body) in [
             ("true. ", "true"),
             ("true", "true"),
@@ -218,7 +218,7 @@ mod tests {
     }
 
     #[test]
-    fn numbers_are_as_every_engine_reads_them() {
+    fn numbers_are_rewritten_for_every_engine() {
         for (query, body) in [
             ("X is 1e308", "X is 1.0e308"),
             ("X is 2E-3 + 1.5e+2", "X is 2.0E-3 + 1.5e+2"),

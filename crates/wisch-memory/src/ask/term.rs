@@ -579,7 +579,7 @@ mod tests {
     }
 
     #[test]
-    fn both_engines_notations_are_read_alike() {
+    fn the_notations_of_both_engines_give_the_same_term() {
         let scryer = "row('.'(a,'.'(1,'.'(-2.5,[]))),:(semco,'Collision'),_12,-(1,2),{}(x)).";
         let swi = "row([a,1,-2.5],:(semco,'Collision'),_G12,-(1,2),{}(x)).";
         let [a, b] = [scryer, swi].map(shown);
@@ -588,7 +588,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_called_a_pair_and_is_none_is_a_term_like_others() {
+    fn a_term_with_the_name_of_pairs_and_another_arity_is_ordinary() {
         let dot = |arguments: &[i64]| {
             let arguments = arguments.iter().copied().map(Term::Integer);
             Term::compound(".", arguments.collect::<Vec<_>>())
@@ -604,7 +604,7 @@ mod tests {
     }
 
     #[test]
-    fn names_may_hold_any_sign() {
+    fn names_may_contain_any_symbol() {
         let names = ["fla☋tten", "→", "=→", "→="];
         for name in names {
             let read = Term::parse(&format!("fault({name},/({name},2))")).unwrap();
@@ -615,7 +615,7 @@ mod tests {
     }
 
     #[test]
-    fn a_term_in_braces_is_one_with_their_name() {
+    fn a_term_in_braces_has_their_name() {
         assert_eq!(shown("row({','(a,b)},{})"), "row({}(','(a, b)), {})");
     }
 
@@ -651,7 +651,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_written_is_read_again() {
+    fn written_terms_are_read_back() {
         let term = Term::compound(
             "f x",
             [
@@ -668,7 +668,7 @@ mod tests {
     }
 
     #[test]
-    fn a_long_list_of_pairs_does_not_fill_the_stack() {
+    fn a_long_list_of_pairs_does_not_overflow_the_stack() {
         let n = 100_000;
         let text = format!("{}[]{}", "'.'(1,".repeat(n), ")".repeat(n));
         let Term::List(items) = Term::parse(&text).unwrap() else {
@@ -678,7 +678,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_no_term_is_an_error() {
+    fn invalid_terms_are_errors() {
         for text in ["f(", "f(a", "'a", "[a|", ")", "", "f(a) b", "1Inf"] {
             assert!(Term::parse(text).is_err(), "{text}");
         }

@@ -300,7 +300,7 @@ mod tests {
     use rand_chacha::ChaCha8Rng;
 
     #[test]
-    fn a_line_is_found_again() {
+    fn a_line_is_recovered() {
         let values: Vec<f64> = (0..7).map(|x| 3.0 - 0.25 * f64::from(x)).collect();
         let found = line(&values);
         for (found, is) in found.iter().zip([-0.25, 3.0, 1.5]) {
@@ -321,7 +321,7 @@ mod tests {
     }
 
     #[test]
-    fn a_step_is_found_where_it_is_and_a_slope_is_none() {
+    fn a_step_is_located_and_a_slope_has_no_step() {
         let mut found_elsewhere = 0;
         for seed in 0..100 {
             let step = scattered(seed, |k| if k < 12 { 0.0 } else { -5e-3 });

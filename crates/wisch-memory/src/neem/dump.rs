@@ -118,12 +118,12 @@ mod tests {
 
     proptest! {
         #[test]
-        fn what_is_written_is_read(documents in documents()) {
+        fn written_documents_are_read_back(documents in documents()) {
             prop_assert_eq!(read(&bytes_of(&documents)).unwrap(), documents);
         }
 
         #[test]
-        fn a_cut_file_is_an_error_not_a_shorter_one(documents in documents(), cut in 1_usize..8) {
+        fn a_cut_file_is_an_error(documents in documents(), cut in 1_usize..8) {
             let bytes = bytes_of(&documents);
             if !bytes.is_empty() {
                 prop_assert!(read(&bytes[..bytes.len() - cut]).is_err());
@@ -131,7 +131,7 @@ mod tests {
         }
 
         #[test]
-        fn no_bytes_make_it_panic(mut bytes in prop::collection::vec(any::<u8>(), 0..64), length in 0_u8..64) {
+        fn arbitrary_bytes_cause_no_panic(mut bytes in prop::collection::vec(any::<u8>(), 0..64), length in 0_u8..64) {
             if let Some(first) = bytes.first_mut() {
                 *first = length;
             }
@@ -141,7 +141,7 @@ mod tests {
         }
 
         #[test]
-        fn a_flipped_byte_does_not_make_it_panic(documents in documents(), at: prop::sample::Index, to: u8) {
+        fn a_flipped_byte_causes_no_panic(documents in documents(), at: prop::sample::Index, to: u8) {
             let mut bytes = bytes_of(&documents);
             if !bytes.is_empty() {
                 let at = at.index(bytes.len());
@@ -154,7 +154,7 @@ mod tests {
     }
 
     #[test]
-    fn a_lie_about_the_length_is_found() {
+    fn a_false_length_is_an_error() {
         let long = i32::MAX.to_le_bytes();
         assert!(matches!(read(&long), Err(DumpError::Long { .. })));
         let mut bytes = rawdoc! { "a": "b" }.into_bytes();
@@ -163,7 +163,7 @@ mod tests {
     }
 
     #[test]
-    fn deep_nesting_is_read_no_deeper_than_it_is_looked_at() {
+    fn deeply_nested_documents_are_read_lazily() {
         let mut nested = rawdoc! { "time": "" };
         for _ in 0..10_000 {
             nested = rawdoc! { "scope": nested };

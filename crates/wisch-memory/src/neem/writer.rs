@@ -201,7 +201,7 @@ impl NeemWriter {
             self.triple(&triple)?;
         }
         if !record.individuals.is_empty() {
-            self.annotation(&individual(record, 0), &in_words(record))?;
+            self.annotation(&individual(record, 0), &describe_episode(record))?;
         }
         Ok(())
     }
@@ -419,7 +419,7 @@ impl ObjectIds {
 }
 
 /// Describes an episode in a sentence.
-fn in_words(record: &EpisodeRecord) -> String {
+fn describe_episode(record: &EpisodeRecord) -> String {
     let mut text = format!("Wiping task {}", record.task);
     let rounds = record.rounds.len();
     text += &format!(" in {rounds} round{}", if rounds == 1 { "" } else { "s" });

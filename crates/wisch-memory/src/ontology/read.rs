@@ -93,8 +93,8 @@ pub(super) fn read_file(
                 before: term.kind.word(),
             });
         }
-        for said in node.children().filter(Node::is_element) {
-            read_statement(file, term, &said)?;
+        for statement in node.children().filter(Node::is_element) {
+            read_statement(file, term, &statement)?;
         }
     }
     Ok(())
@@ -114,10 +114,14 @@ fn kind(node: &Node) -> Option<TermKind> {
     }
 }
 
-fn read_statement(file: &str, term: &mut OntologyTerm, said: &Node) -> Result<(), OntologyError> {
-    let tag = said.tag_name();
-    let resource = || name(file, said.attribute((RDF, "resource")));
-    let text = || said.text().unwrap_or_default().trim().to_owned();
+fn read_statement(
+    file: &str,
+    term: &mut OntologyTerm,
+    statement: &Node,
+) -> Result<(), OntologyError> {
+    let tag = statement.tag_name();
+    let resource = || name(file, statement.attribute((RDF, "resource")));
+    let text = || statement.text().unwrap_or_default().trim().to_owned();
     match (tag.namespace().unwrap_or_default(), tag.name()) {
         (RDFS, "subClassOf" | "subPropertyOf") => term.parents.push(resource()?),
         (RDF, "type") if term.kind == TermKind::Individual => term.parents.push(resource()?),

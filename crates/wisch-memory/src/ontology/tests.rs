@@ -65,7 +65,7 @@ fn foreign(name: &&str) -> bool {
 }
 
 #[test]
-fn every_class_of_a_record_is_there_with_label_and_comment() {
+fn every_class_of_a_record_has_a_label_and_a_comment() {
     let ontology = Ontology::shipped();
     for class in CLASSES {
         let class = format!("semco:{class}");
@@ -126,7 +126,7 @@ fn relations_of_tool_medium_and_surface_are_participations() {
 }
 
 #[test]
-fn tasks_and_events_lie_where_the_literature_puts_them() {
+fn tasks_and_events_have_the_parents_of_the_literature() {
     let ontology = Ontology::shipped();
     let above = |class| ontology.superclasses(class).unwrap();
     assert_eq!(
@@ -156,7 +156,7 @@ fn tasks_and_events_lie_where_the_literature_puts_them() {
 }
 
 #[test]
-fn super_and_subclasses_are_each_other_turned_round() {
+fn superclasses_and_subclasses_are_inverse() {
     let ontology = Ontology::shipped();
     for upper in ontology.classes() {
         for lower in ontology.classes() {
@@ -170,7 +170,7 @@ fn super_and_subclasses_are_each_other_turned_round() {
 }
 
 #[test]
-fn names_and_iris_lead_to_each_other() {
+fn names_and_iris_are_converted_both_ways() {
     let ontology = Ontology::shipped();
     for (name, _) in ontology.terms() {
         let iri = ontology.expand(name).unwrap();
@@ -182,7 +182,7 @@ fn names_and_iris_lead_to_each_other() {
 }
 
 #[test]
-fn names_are_resolved_or_the_nearest_is_named() {
+fn names_are_resolved_or_the_nearest_name_is_reported() {
     let ontology = Ontology::shipped();
     assert_eq!(
         ontology.resolve("soma", "Collision").unwrap(),
@@ -215,7 +215,7 @@ fn names_are_resolved_or_the_nearest_is_named() {
     );
 }
 
-/// A file with these lines in it.
+/// Returns a file with these lines.
 fn file(lines: &str) -> String {
     format!(
         "<rdf:RDF xmlns:rdf='http://www.w3.org/1999/02/22-rdf-syntax-ns#' \

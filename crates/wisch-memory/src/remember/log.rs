@@ -146,7 +146,7 @@ mod tests {
     use wisch::run::Wrench;
 
     #[test]
-    fn lifted_motions_are_told_apart_by_the_strokes_round_them() {
+    fn lifted_motions_are_classified_by_adjacent_strokes() {
         let phases = [
             Phase::Drive,
             Phase::FreeMotion,

@@ -28,7 +28,7 @@ pub fn remember_log(
     episode.set_number("semco:seed", header.seed as f64);
     let mut action = Individual::new("semco:WipingAction", Some(0));
     action.estimate(interpretation);
-    action.set_text("semco:verdict", in_words(verdict));
+    action.set_text("semco:verdict", verdict_text(verdict));
     action.set_number("semco:target", header.target);
     action.set_number("semco:rounds", 1.0);
     action.set_text("semco:goal", &goal_of(task, goal));
@@ -39,7 +39,7 @@ pub fn remember_log(
     describe_touch(&mut round, interpretation);
     round.set_number("semco:round", 1.0);
     round.relations = things_of(task);
-    round.set_text("semco:verdict", in_words(verdict));
+    round.set_text("semco:verdict", verdict_text(verdict));
     round.end_in(state(verdict));
     if !interpretation.is_conclusive() {
         // A mean from a misread log would answer queries as if it were certain, so only the interval is stored.
@@ -78,7 +78,7 @@ pub fn remember_log(
 }
 
 /// Describes the verdict on a log, for which no further round follows.
-const fn in_words(verdict: Verdict) -> &'static str {
+const fn verdict_text(verdict: Verdict) -> &'static str {
     match verdict {
         Verdict::Again => "goal not met",
         _ => verdict.as_str(),

@@ -25,7 +25,6 @@ impl Memory {
     ///
     /// # Errors
     /// If the folder cannot be listed.
-    /// If the folder cannot be listed.
     pub fn verify(&self) -> Result<Vec<Fault>, MemoryError> {
         let mut faults = Vec::new();
         for id in self.episodes()? {

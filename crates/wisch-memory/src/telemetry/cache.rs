@@ -85,7 +85,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn what_was_not_asked_for_goes_first_and_the_budget_holds() {
+    fn least_recently_used_chunks_are_evicted_first() {
         let piece = || Piece::Singles(vec![0.0; 25].into());
         let mut cache = PieceCache::new(400);
         for group in 0..4 {

@@ -24,7 +24,7 @@ fn thing(name: &str) -> ViewSubject {
 }
 
 #[test]
-fn every_way_to_show_is_understood() {
+fn all_forms_of_show_are_parsed() {
     let sponge = "semco:sponge";
     for (text, subject, when) in [
         ("show('semco:sponge')", thing(sponge), When::Latest),
@@ -62,7 +62,7 @@ fn every_way_to_show_is_understood() {
 }
 
 #[test]
-fn lists_are_as_many_wishes() {
+fn a_list_gives_a_wish_per_entry() {
     let wishes = wishes("show([a,trajectory(b),trajectory([c,d])],1)");
     let subjects: Vec<ViewSubject> = wishes.into_iter().map(|wish| wish.subject).collect();
     let way = |name: &str| ViewSubject::Trajectory(name.to_owned());
@@ -70,7 +70,7 @@ fn lists_are_as_many_wishes() {
 }
 
 #[test]
-fn what_is_highlighted_stands_out_in_its_colour() {
+fn highlights_have_emphasis_and_colour() {
     let red = Colour([213, 52, 43]);
     for (text, when, colour) in [
         ("highlight(a)", When::Latest, None),
@@ -107,7 +107,7 @@ fn what_is_highlighted_stands_out_in_its_colour() {
 }
 
 #[test]
-fn what_cannot_be_shown_is_named() {
+fn invalid_commands_are_reported() {
     for (text, says) in [
         ("dance(a)", "dance(a) cannot be drawn"),
         (
@@ -188,7 +188,7 @@ fn labels_of_diagrams_may_be_names_or_characters() {
 }
 
 #[test]
-fn wrong_data_is_named() {
+fn invalid_data_is_reported() {
     for (text, says) in [
         (
             "data_vis(piechart(a),[:(title,t)])",

@@ -12,7 +12,7 @@ const MOST_TERMS: usize = 2_000_000;
 
 impl Solver<'_> {
     /// Returns the result; `None` without a result, such as the maximum of no solutions.
-    pub(super) fn aggregated(
+    pub(super) fn compute_aggregate(
         &mut self,
         block: &Block,
         aggregate: &Aggregate,
@@ -51,7 +51,7 @@ impl Solver<'_> {
             } => {
                 let mut best: Option<(JoinValue, Option<Term>)> = None;
                 self.solve(block, &mut |solver| {
-                    let value = solver.evaluated(of)?;
+                    let value = solver.evaluate(of)?;
                     let number = value.as_number().ok_or(Stop::Declined)?;
                     let before = best.as_ref().and_then(|(best, _)| best.as_number());
                     let is_better = match before {
@@ -130,7 +130,7 @@ impl Solver<'_> {
     ) -> Result<(JoinValue, i64), Stop> {
         let (mut sum, mut count) = (JoinValue::Integer(0), 0);
         self.solve(block, &mut |solver| {
-            let value = solver.evaluated(of)?;
+            let value = solver.evaluate(of)?;
             let before = std::mem::replace(&mut sum, JoinValue::Integer(0));
             sum = binary(Binary::Plus, before, value).ok_or(Stop::Declined)?;
             count += 1;

@@ -4,7 +4,7 @@ mod lookup;
 
 use super::expression::{Binary, Comparison, Expression, Unary};
 use super::goal::{Aggregate, Block, Goal};
-use super::order::ordered;
+use super::order::order_goals;
 use super::value::{JoinValue, Pattern};
 use crate::ask::streams::Knowledge;
 use crate::ask::term::Term;
@@ -72,7 +72,7 @@ impl<'a> Compiler<'a> {
         }
         self.later = outer;
         let is_bound = |variable: usize| before.get(variable).copied().unwrap_or_default();
-        Some(ordered(goals, is_bound, &self.known.catalogue))
+        Some(order_goals(goals, is_bound, &self.known.catalogue))
     }
 
     /// Whether the answers of a goal would change if a variable were bound that only a later goal binds.

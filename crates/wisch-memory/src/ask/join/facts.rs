@@ -444,7 +444,7 @@ impl<'s> Solver<'s> {
         self.candidate(&pairs, 0, next)
     }
 
-    pub(super) fn felt(
+    pub(super) fn telemetry_statistic(
         &mut self,
         [episode, channel, when, statistic, value]: [&Pattern; 5],
         next: Next<'_, 's>,

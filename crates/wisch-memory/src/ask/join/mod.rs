@@ -55,7 +55,6 @@ impl Joins<'_> {
     ///
     /// # Errors
     /// If the query must end.
-    /// If the query has to end.
     pub fn solve(
         self,
         goals: &Term,

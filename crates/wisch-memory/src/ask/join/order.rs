@@ -7,7 +7,7 @@ use crate::catalogue::Catalogue;
 use std::collections::HashSet;
 
 /// Factor by which another order must reduce the candidates to be chosen [1].
-const WORTH_IT: f64 = 2.0;
+const MIN_IMPROVEMENT: f64 = 2.0;
 /// Estimated number of parts of a whole.
 const PARTS: f64 = 8.0;
 /// Estimated number of events that overlap another event.
@@ -15,7 +15,11 @@ const AT_A_TIME: f64 = 8.0;
 
 /// Returns a block of goals in the best order. Goals that look facts up may move; other goals stay behind those that
 /// bind their variables.
-pub fn ordered(goals: Vec<Goal>, is_bound: impl Fn(usize) -> bool, catalogue: &Catalogue) -> Block {
+pub fn order_goals(
+    goals: Vec<Goal>,
+    is_bound: impl Fn(usize) -> bool,
+    catalogue: &Catalogue,
+) -> Block {
     let variables: Vec<Vec<usize>> = goals.iter().map(Goal::variables).collect();
     let mut binds: Vec<usize> = variables.concat();
     binds.sort_unstable();
@@ -27,7 +31,8 @@ pub fn ordered(goals: Vec<Goal>, is_bound: impl Fn(usize) -> bool, catalogue: &C
     let places: Vec<usize> = (0..goals.len()).collect();
     let cost = |order: &[usize]| cost(order, &goals, &variables, &is_bound, catalogue);
     let better = (!stays).then(|| greedy(&goals, &variables, &is_bound, catalogue));
-    let better = better.filter(|order| *order != places && cost(order) * WORTH_IT < cost(&places));
+    let better =
+        better.filter(|order| *order != places && cost(order) * MIN_IMPROVEMENT < cost(&places));
     match better {
         None => Block {
             goals,

@@ -16,7 +16,7 @@ use std::time::{Duration, Instant};
 /// Largest number of solutions that are sorted back into their order; more are left to the engine.
 const MOST_SORTED: usize = 1_000_000;
 /// Number of candidates between two checks of the clock.
-const LOOK_UP: u64 = 4096;
+const CLOCK_CHECK: u64 = 4096;
 
 /// Whether more solutions are wanted.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -190,11 +190,11 @@ impl<'s> Solver<'s> {
                 when,
                 statistic,
                 value,
-            } => self.felt([episode, channel, when, statistic, value], next),
+            } => self.telemetry_statistic([episode, channel, when, statistic, value], next),
             Goal::Is(result, expression) => self.assign(result, expression, next),
             Goal::Comparison(comparison, left, right) => {
                 let (left, right) = (self.number(left)?, self.number(right)?);
-                self.only_if(comparison.holds(left, right), next)
+                self.continue_if(comparison.holds(left, right), next)
             }
             Goal::Same(left, right) => self.equate(left, right, next),
             Goal::Number(pattern) => self.check_number(pattern, next),
@@ -223,7 +223,7 @@ impl<'s> Solver<'s> {
         expression: &Expression,
         next: Next<'_, 's>,
     ) -> Result<Flow, Stop> {
-        let value = self.evaluated(expression)?;
+        let value = self.evaluate(expression)?;
         self.candidate(&[(result, value)], 0, next)
     }
 
@@ -237,7 +237,7 @@ impl<'s> Solver<'s> {
         match (self.instance(left), self.instance(right)) {
             (Some(left), Some(right)) => {
                 let is_same = self.are_same(&left, &right).ok_or(Stop::Declined)?;
-                self.only_if(is_same, next)
+                self.continue_if(is_same, next)
             }
             (Some(value), None) => self.candidate(&[(right, value)], 0, next),
             (None, Some(value)) => self.candidate(&[(left, value)], 0, next),
@@ -248,7 +248,7 @@ impl<'s> Solver<'s> {
     /// Continues if a pattern is a number.
     fn check_number(&mut self, pattern: &Pattern, next: Next<'_, 's>) -> Result<Flow, Stop> {
         let value = self.instance(pattern);
-        self.only_if(value.is_some_and(|value| value.as_number().is_some()), next)
+        self.continue_if(value.is_some_and(|value| value.as_number().is_some()), next)
     }
 
     /// Unifies a pattern with the length of a known list.
@@ -272,7 +272,7 @@ impl<'s> Solver<'s> {
             is_found = true;
             Ok(Flow::Stop)
         })?;
-        self.only_if(!is_found, next)
+        self.continue_if(!is_found, next)
     }
 
     /// Continues with the solutions of each block, one block after the other.
@@ -303,7 +303,7 @@ impl<'s> Solver<'s> {
         result: &Pattern,
         next: Next<'_, 's>,
     ) -> Result<Flow, Stop> {
-        match self.aggregated(block, aggregate)? {
+        match self.compute_aggregate(block, aggregate)? {
             Some(value) => self.candidate(&[(result, value)], 0, next),
             None => Ok(Flow::Continue),
         }
@@ -327,7 +327,7 @@ impl<'s> Solver<'s> {
         Ok(Flow::Continue)
     }
 
-    pub(super) fn only_if(&mut self, holds: bool, next: Next<'_, 's>) -> Result<Flow, Stop> {
+    pub(super) fn continue_if(&mut self, holds: bool, next: Next<'_, 's>) -> Result<Flow, Stop> {
         if holds {
             next(self, 0)
         } else {
@@ -359,7 +359,7 @@ impl<'s> Solver<'s> {
     /// Counts a candidate, and checks time and interrupt regularly.
     pub(super) fn tick(&mut self) -> Result<(), Stop> {
         self.candidates += 1;
-        if !self.candidates.is_multiple_of(LOOK_UP) {
+        if !self.candidates.is_multiple_of(CLOCK_CHECK) {
             return Ok(());
         }
         if self.budget.interrupt.swap(false, Ordering::Relaxed) {
@@ -510,14 +510,12 @@ impl<'s> Solver<'s> {
         named(self.known, name)
     }
 
-    pub(super) fn evaluated(&self, expression: &Expression) -> Result<JoinValue, Stop> {
+    pub(super) fn evaluate(&self, expression: &Expression) -> Result<JoinValue, Stop> {
         let value = expression.evaluate(&|pattern| self.instance(pattern));
         value.ok_or(Stop::Declined)
     }
 
     pub(super) fn number(&self, expression: &Expression) -> Result<f64, Stop> {
-        self.evaluated(expression)?
-            .as_number()
-            .ok_or(Stop::Declined)
+        self.evaluate(expression)?.as_number().ok_or(Stop::Declined)
     }
 }

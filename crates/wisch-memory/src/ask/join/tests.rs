@@ -1,4 +1,4 @@
-//! Goals over two small episodes, solved without an engine.
+//! Goals on two small episodes, solved without an engine.
 
 use super::{Indices, Joins, Solutions, SolverBudget};
 use crate::ask::assertions::Assertions;
@@ -104,7 +104,7 @@ fn solve_within(
     joins.solve(&Term::List(terms(goals)), &terms(wanted), most, budget)
 }
 
-/// Returns the solutions as text; `None` where the engine must find them.
+/// Returns the solutions as text; `None` if the engine must find them.
 fn solve(goals: &str, wanted: &str) -> Option<Vec<String>> {
     let solved = solve_within(goals, wanted, 100, Duration::from_secs(10)).unwrap()?;
     let row = |row: Vec<Term>| {
@@ -117,7 +117,7 @@ fn solve(goals: &str, wanted: &str) -> Option<Vec<String>> {
 }
 
 #[test]
-fn facts_are_joined_from_whichever_end() {
+fn facts_are_joined_in_any_order_of_goals() {
     let pushed = "semco:'Stroke_e0-4' semco:'HumanCollision_e0-6'|semco:'Stroke_e1-4' semco:'HumanCollision_e1-6'";
     for goals in [
         "[instance_of(C,'HumanCollision'),part(S,C)]",
@@ -131,7 +131,7 @@ fn facts_are_joined_from_whichever_end() {
 }
 
 #[test]
-fn what_was_moved_comes_in_the_order_in_which_it_was_asked() {
+fn solutions_keep_the_order_of_the_query() {
     // By the collision first: it has fewer solutions, and strokes are then found by their times.
     let goals = "[instance_of(S,'Stroke'),instance_of(C,'HumanCollision'),related(before,S,C)]";
     let found = solve(goals, "[S,C]").unwrap();
@@ -145,7 +145,7 @@ fn what_was_moved_comes_in_the_order_in_which_it_was_asked() {
 }
 
 #[test]
-fn results_over_all_solutions_are_found() {
+fn aggregates_are_computed() {
     for (goals, wanted, expected) in [
         (
             "[aggregate_all(count,[instance_of(S,'Stroke')],N)]",
@@ -183,7 +183,7 @@ fn results_over_all_solutions_are_found() {
 }
 
 #[test]
-fn goals_may_be_negated_and_be_alternatives() {
+fn negations_and_alternatives_are_solved() {
     let goals = "[instance_of(S,'Stroke'),'\\\\+'([part(S,_C)]),value(S,'semco:meanNormalForce',F),either([['<'(F,-9.2)],['>'(F,-8.0)]])]";
     assert_eq!(
         solve(goals, "[S,F]").unwrap(),
@@ -194,7 +194,7 @@ fn goals_may_be_negated_and_be_alternatives() {
 }
 
 #[test]
-fn what_engines_are_to_say_is_left_to_them() {
+fn errors_and_unsupported_goals_are_left_to_the_engine() {
     for goals in [
         "[instance_of(A,'Stroek')]",
         "[instance_of(A,B)]",
@@ -210,7 +210,7 @@ fn what_engines_are_to_say_is_left_to_them() {
 }
 
 #[test]
-fn there_are_no_more_solutions_than_wanted_and_no_more_time() {
+fn number_of_solutions_and_time_are_limited() {
     let cut = solve_within(
         "[instance_of(S,'Stroke')]",
         "[S]",

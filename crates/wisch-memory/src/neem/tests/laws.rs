@@ -1,4 +1,4 @@
-//! For any record.
+//! Round trip of arbitrary records.
 
 use super::super::{Triple, document, records, triples};
 use super::SEMCO;
@@ -6,7 +6,7 @@ use crate::ontology::Ontology;
 use crate::record::{EPISODE_SCHEMA, EpisodeRecord, Individual, Origin, Value};
 use proptest::prelude::*;
 
-/// A name with prefix, known or not.
+/// Returns names with prefix, known and unknown.
 fn names() -> impl Strategy<Value = String> {
     let known: Vec<String> = Ontology::shipped()
         .terms()
@@ -43,7 +43,7 @@ fn individuals() -> impl Strategy<Value = Vec<Individual>> {
         names().prop_map(Ok),
         any::<prop::sample::Index>().prop_map(Err)
     ];
-    // Those are said by parent and interval.
+    // Parent and interval state these relations.
     let relation = names().prop_filter("free", |name| {
         ![triples::STEP_OF, triples::HAS_INTERVAL].contains(&name.as_str())
     });
@@ -111,7 +111,7 @@ fn episodes() -> impl Strategy<Value = EpisodeRecord> {
 
 proptest! {
     #[test]
-    fn records_and_triples_are_each_other_turned_round(record in episodes()) {
+    fn records_survive_conversion_to_triples_and_back(record in episodes()) {
         prop_assume!(record.check().is_ok());
         let through_documents = |triple: &Triple| {
             let document = document::Closures::default().document(bson::oid::ObjectId::from_bytes([0; 12]), triple).unwrap();

@@ -1,4 +1,4 @@
-//! What a NEEM holds, and that it comes back as it went.
+//! Contents of a NEEM, and the round trip of an export and import.
 
 mod laws;
 mod stored;
@@ -39,8 +39,8 @@ fn valued(mut to: Individual, values: &[(&str, f64)]) -> Individual {
     to
 }
 
-/// One round in which a human bumps into a stroke.
-fn bumped() -> EpisodeRecord {
+/// Returns an episode with one round, in which a human pushes the robot during a stroke.
+fn pushed_episode() -> EpisodeRecord {
     let start = 1_767_225_600.0;
     let mut individuals = vec![
         individual("semco:WipingEpisode", [start, start + 9.0], 0),
@@ -126,21 +126,24 @@ fn texts(document: &RawDocumentBuf, field: &str) -> Vec<String> {
 }
 
 #[test]
-fn what_is_exported_is_imported() {
+fn an_export_is_imported_unchanged() {
     let folder = tempfile::tempdir().unwrap();
     let neem = folder.path().join("neem");
-    let mut second = bumped();
+    let mut second = pushed_episode();
     second.id = "other".to_owned();
     second.origin = Origin::Imported("lab.mcap".to_owned());
     let mut writer = NeemWriter::create(&neem, &meta(), &NeemConfig::default()).unwrap();
-    for record in [&bumped(), &second] {
+    for record in [&pushed_episode(), &second] {
         writer.episode(record).unwrap();
     }
-    assert!(!neem.exists(), "it appears whole or not at all");
+    assert!(
+        !neem.exists(),
+        "the folder appears only when it is complete"
+    );
     let report = writer.finish().unwrap();
     assert_eq!(report.episodes, 2);
     assert_eq!(report.triples, documents(&neem, "triples").len() as u64);
-    assert_eq!(import(&neem).unwrap(), [bumped(), second]);
+    assert_eq!(import(&neem).unwrap(), [pushed_episode(), second]);
     assert!(documents(&neem, "inferred").is_empty());
 }
 
@@ -149,7 +152,7 @@ fn documents_carry_the_closures_that_readers_match() {
     let folder = tempfile::tempdir().unwrap();
     let neem = folder.path().join("neem");
     let mut writer = NeemWriter::create(&neem, &meta(), &NeemConfig::default()).unwrap();
-    writer.episode(&bumped()).unwrap();
+    writer.episode(&pushed_episode()).unwrap();
     writer.finish().unwrap();
     let all = documents(&neem, "triples");
     let event = format!("{SEMCO}HumanCollision_20260101-crumbs-5");
@@ -181,7 +184,7 @@ fn documents_carry_the_closures_that_readers_match() {
             .all(|document| document.get_str("graph").ok() == Some(GRAPH))
     );
 
-    // Its force as a region, and the whole that has it.
+    // The force as a region, and the event that has it.
     let force = &said(&format!("{SEMCO}hasPeakForce"))[0];
     let region = force.get_str("o").unwrap();
     let value = all.iter().find(|document| {
@@ -275,10 +278,10 @@ fn poses_are_thinned_frame_by_frame() {
 }
 
 /// Checksums of the files of an export. Those of triples and annotations change with the ontology; the others were
-/// recorded when its BSON was still written by hand, but for the observations.
+/// recorded with an earlier BSON writer, except those of the observations.
 const RECORDED: [(&str, u32); 6] = [
     ("triples", 1_278_370_868),
-    ("annotations", 1_509_251_503),
+    ("annotations", 3_792_192_486),
     ("inferred", 0),
     ("tf", 2_541_484_127),
     ("wrench", 3_300_141_627),
@@ -286,12 +289,12 @@ const RECORDED: [(&str, u32); 6] = [
 ];
 
 #[test]
-fn an_export_has_the_bytes_of_the_recorded_one() {
+fn an_export_has_the_recorded_checksums() {
     let folder = tempfile::tempdir().unwrap();
     let neem = folder.path().join("neem");
     let mut writer = NeemWriter::create(&neem, &meta(), &NeemConfig::default()).unwrap();
-    writer.episode(&bumped()).unwrap();
-    let start = bumped().interval[0];
+    writer.episode(&pushed_episode()).unwrap();
+    let start = pushed_episode().interval[0];
     for step in 0..20 {
         let time = start + 0.1 * f64::from(step);
         let angle = 0.05 * f64::from(step);
@@ -312,9 +315,9 @@ fn an_export_has_the_bytes_of_the_recorded_one() {
         writer.wrench(&wrench).unwrap();
     }
     let round = NeemRound {
-        episode: &bumped().id,
+        episode: &pushed_episode().id,
         number: 1,
-        interval: bumped().interval,
+        interval: pushed_episode().interval,
         surface: "chopping_board",
     };
     writer
@@ -329,18 +332,18 @@ fn an_export_has_the_bytes_of_the_recorded_one() {
 }
 
 #[test]
-fn wrong_input_is_refused_and_leaves_nothing() {
+fn invalid_input_is_refused_and_leaves_no_folder() {
     let folder = tempfile::tempdir().unwrap();
     let neem = folder.path().join("neem");
     let create = |rate| NeemWriter::create(&neem, &meta(), &NeemConfig { tf_rate_hz: rate });
     assert!(matches!(create(0.0), Err(NeemError::Rate { .. })));
     let mut writer = create(f64::INFINITY).unwrap();
-    writer.episode(&bumped()).unwrap();
+    writer.episode(&pushed_episode()).unwrap();
     assert!(matches!(
-        writer.episode(&bumped()),
+        writer.episode(&pushed_episode()),
         Err(NeemError::Twice { .. })
     ));
-    let mut strange = bumped();
+    let mut strange = pushed_episode();
     strange.id = "strange".to_owned();
     strange.individuals[4].class = "semka:Stroke".to_owned();
     let error = writer.episode(&strange).unwrap_err().to_string();
@@ -377,17 +380,17 @@ fn wrong_input_is_refused_and_leaves_nothing() {
 }
 
 #[test]
-fn half_an_episode_is_an_error_not_another_episode() {
-    let all = triples(&bumped()).unwrap();
-    assert_eq!(records(all.clone()).unwrap(), [bumped()]);
+fn an_incomplete_episode_is_an_error() {
+    let all = triples(&pushed_episode()).unwrap();
+    assert_eq!(records(all.clone()).unwrap(), [pushed_episode()]);
     let mut incomplete = 0;
     for missing in 0..all.len() {
         let mut some = all.clone();
         some.remove(missing);
         match records(some) {
-            Ok(records) if records == [bumped()] => {}
+            Ok(records) if records == [pushed_episode()] => {}
             Ok(records) => {
-                // A relation, value or parent less: that is another episode, but a good one.
+                // Without a relation, value or parent, the result is another valid episode.
                 for record in records {
                     record.check().unwrap();
                 }
@@ -395,20 +398,20 @@ fn half_an_episode_is_an_error_not_another_episode() {
             Err(_) => incomplete += 1,
         }
     }
-    // Six fields of the record, a type and two ends of an interval each.
+    // The record has six fields; each interval has a type and two ends.
     assert!(incomplete >= 6 + 6 + 10, "{incomplete}");
 }
 
 #[test]
-fn order_of_triples_between_subjects_does_not_matter() {
-    let mut all = triples(&bumped()).unwrap();
+fn the_order_of_subjects_does_not_matter() {
+    let mut all = triples(&pushed_episode()).unwrap();
     all.sort_by(|a, b| b.subject.cmp(&a.subject));
-    assert_eq!(records(all).unwrap(), [bumped()]);
+    assert_eq!(records(all).unwrap(), [pushed_episode()]);
 }
 
 #[test]
-fn a_relation_that_is_derived_as_well_keeps_its_place() {
-    let mut record = bumped();
+fn a_stated_relation_that_is_also_derived_is_kept() {
+    let mut record = pushed_episode();
     let parts = ["#5", "semco:sponge"].map(str::to_owned).to_vec();
     let relations = &mut record.individuals[4].relations;
     relations.insert("dul:hasConstituent".to_owned(), parts);

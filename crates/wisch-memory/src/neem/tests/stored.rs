@@ -1,8 +1,8 @@
-//! Episodes of the store.
+//! Export of stored episodes.
 
 use super::super::collection_file;
 use super::super::{NeemConfig, NeemError, NeemWriter, PoseSource, import, observations};
-use super::{bumped, documents, meta};
+use super::{documents, meta, pushed_episode};
 use crate::observations::tests::example_observations;
 use crate::store::Memory;
 use crate::telemetry::{Mark, TelemetryHead};
@@ -11,10 +11,10 @@ use wisch::follow::Phase;
 use wisch::geometry::{Pose, Vector3};
 use wisch::robot::RobotModel;
 
-/// A memory with [`bumped`] in it: one second at 1 kHz of an arm that turns about its first joint.
+/// A memory with [`pushed_episode`] in it: one second at 1 kHz of an arm that turns about its first joint.
 fn write_stored_episode(folder: &std::path::Path, robot: &RobotModel) -> Memory {
     let memory = Memory::create(&folder.join("episodes")).unwrap();
-    let writer = memory.begin(&bumped().id).unwrap();
+    let writer = memory.begin(&pushed_episode().id).unwrap();
     let joints: Vec<String> = (0..robot.dof())
         .map(|variable| robot.variable(variable).name.clone())
         .collect();
@@ -53,7 +53,7 @@ fn write_stored_episode(folder: &std::path::Path, robot: &RobotModel) -> Memory 
     }
     log.finish().unwrap();
     writer.observations(1, &example_observations()).unwrap();
-    writer.commit(&bumped()).unwrap();
+    writer.commit(&pushed_episode()).unwrap();
     memory
 }
 
@@ -63,11 +63,11 @@ fn arm() -> RobotModel {
 }
 
 #[test]
-fn a_stored_episode_brings_its_poses_and_wrenches() {
+fn a_stored_episode_is_exported_with_poses_and_wrenches() {
     let folder = tempfile::tempdir().unwrap();
     let robot = arm();
     let memory = write_stored_episode(folder.path(), &robot);
-    let episode = memory.episode(&bumped().id).unwrap();
+    let episode = memory.episode(&pushed_episode().id).unwrap();
     let export = |name, poses| {
         let neem = folder.path().join(name);
         let mut writer = NeemWriter::create(&neem, &meta(), &NeemConfig::default()).unwrap();
@@ -81,10 +81,10 @@ fn a_stored_episode_brings_its_poses_and_wrenches() {
     let frames = robot.links().len() as u64 + 3;
     assert_eq!((report.poses, report.wrenches), (10 * frames, 1000));
     for neem in [&by_tool, &by_robot] {
-        assert_eq!(import(neem).unwrap(), [bumped()]);
+        assert_eq!(import(neem).unwrap(), [pushed_episode()]);
         let rounds = [(1, example_observations())].into();
-        let seen = [(bumped().id, rounds)].into();
-        assert_eq!(observations(neem).unwrap(), seen);
+        let expected = [(pushed_episode().id, rounds)].into();
+        assert_eq!(observations(neem).unwrap(), expected);
         let documents = documents(neem, "observation");
         let headers = documents.iter().map(|seen| {
             let header = seen.get_document("header").unwrap();
@@ -93,7 +93,7 @@ fn a_stored_episode_brings_its_poses_and_wrenches() {
                 header.get_str("frame_id").unwrap(),
             )
         });
-        let [start, end] = bumped().interval;
+        let [start, end] = pushed_episode().interval;
         let expected = [(start, "chopping_board"), (end, "chopping_board")];
         assert_eq!(headers.collect::<Vec<_>>(), expected);
     }
@@ -114,7 +114,7 @@ fn a_stored_episode_brings_its_poses_and_wrenches() {
     for (number, pose) in sponge(&by_tool).iter().enumerate() {
         let [x, y, z] = position(pose);
         assert_eq!([x, y], [0.5, 0.25]);
-        // Telemetry keeps 32 bits of a pose.
+        // Telemetry stores poses in single precision.
         assert!((z - 0.1 * number as f64).abs() < 1e-6, "{z}");
     }
     for (number, pose) in sponge(&by_robot).iter().enumerate() {
@@ -131,10 +131,10 @@ fn a_stored_episode_brings_its_poses_and_wrenches() {
 }
 
 #[test]
-fn a_document_that_is_no_observation_is_named() {
+fn an_invalid_observation_is_reported_with_its_document() {
     let folder = tempfile::tempdir().unwrap();
     let memory = write_stored_episode(folder.path(), &arm());
-    let episode = memory.episode(&bumped().id).unwrap();
+    let episode = memory.episode(&pushed_episode().id).unwrap();
     let neem = folder.path().join("neem");
     let mut writer = NeemWriter::create(&neem, &meta(), &NeemConfig::default()).unwrap();
     writer
@@ -177,7 +177,7 @@ fn a_document_that_is_no_observation_is_named() {
         "{error}"
     );
     assert!(refused(&whole[..whole.len() - 3]).contains("observation.bson"));
-    // A NEEM of before has no such collection.
+    // NEEMs from before observations lack this collection.
     std::fs::remove_file(&path).unwrap();
     assert!(observations(&neem).unwrap().is_empty());
 }
@@ -190,7 +190,7 @@ fn telemetry_of_another_robot_is_refused() {
     let other = RobotModel::from_urdf("arm6.urdf", urdf, &mut |mesh| Err(mesh.to_owned())).unwrap();
     let neem = folder.path().join("neem");
     let mut writer = NeemWriter::create(&neem, &meta(), &NeemConfig::default()).unwrap();
-    let episode = memory.episode(&bumped().id).unwrap();
+    let episode = memory.episode(&pushed_episode().id).unwrap();
     let refused = writer.write_stored_episode(&episode, PoseSource::Robot(&other));
     assert!(matches!(refused, Err(NeemError::Frames(_))), "{refused:?}");
 }

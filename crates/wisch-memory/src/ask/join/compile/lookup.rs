@@ -6,7 +6,7 @@ use crate::ask::join::expression::Comparison;
 use crate::ask::join::goal::{Goal, GoalSource, Side};
 use crate::ask::term::Term;
 
-/// Properties that hold the other way round of others, where one side is known: left to the engine.
+/// Inverse properties, which are left to the engine.
 const WITH_INVERSE: [&str; 4] = [
     "dul:isConstituentOf",
     "dul:isParticipantIn",
@@ -15,7 +15,7 @@ const WITH_INVERSE: [&str; 4] = [
 ];
 
 impl Compiler<'_> {
-    /// Compiles a goal that looks something up; `None` where it is left to the engine.
+    /// Compiles a goal that looks facts up; `None` if it is left to the engine.
     pub(super) fn compile_lookup(&mut self, name: &str, arguments: &[Term]) -> Option<Goal> {
         Some(match (name, arguments) {
             ("instance_of", [thing, class]) => self.compile_named_class(thing, class)?,
@@ -138,7 +138,7 @@ impl Compiler<'_> {
         })
     }
 
-    /// A source in a list of its own, unless people have added statements to it, which the catalogue does not hold.
+    /// Returns the source as a list; `None` if users have added statements to it, which the catalogue does not hold.
     fn without_assertions(&self, source: GoalSource) -> Option<Vec<GoalSource>> {
         let of = match &source {
             GoalSource::Parts => return Some(vec![source]),
