@@ -266,7 +266,7 @@ mod tests {
     }
 
     #[test]
-    fn a_circle_of_frames_ends() {
+    fn a_cycle_of_frames_ends() {
         let mut frames = Frames::default();
         frames.insert("a", "b", 0, Pose::identity(), true);
         frames.insert("b", "a", 0, Pose::identity(), true);

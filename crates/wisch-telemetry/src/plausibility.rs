@@ -104,7 +104,7 @@ mod tests {
     }
 
     #[test]
-    fn absurd_units_are_named_and_plausible_ones_are_not() {
+    fn implausible_units_are_reported_and_plausible_ones_are_not() {
         assert_eq!(log(1.0, 1.0, 10.0), [] as [String; 0]);
         let one = |mut doubts: Vec<String>| {
             assert!(!doubts.is_empty());

@@ -151,7 +151,7 @@ mod tests {
     }
 
     #[test]
-    fn numbers_that_are_no_pose_or_force_are_refused() {
+    fn invalid_poses_and_forces_are_refused() {
         let refused = |numbers: &[f64]| Pose::from_numbers(numbers).unwrap_err().to_string();
         assert_eq!(
             refused(&[0.0; 7]),
@@ -165,7 +165,7 @@ mod tests {
     }
 
     #[test]
-    fn poses_are_interpolated_the_short_way() {
+    fn poses_are_interpolated_along_the_shorter_rotation() {
         let turned = |angle: f64| Pose::rotation(Vector3::z() * angle);
         let between = turned(0.2).between(&turned(0.6), 0.25);
         assert!((between.rotation.angle() - 0.3).abs() < 1e-12);

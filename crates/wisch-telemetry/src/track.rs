@@ -262,7 +262,6 @@ pub(crate) fn seconds(time: i64) -> f64 {
 ///
 /// # Errors
 /// If both are known at no time.
-/// No time at which both are known.
 pub(crate) fn pair<P: Quantity, W: Quantity>(
     poses: &Track<P>,
     wrenches: &Track<W>,
@@ -341,14 +340,18 @@ mod tests {
     }
 
     #[test]
-    fn a_gap_in_the_rarer_one_leaves_a_gap() {
+    fn a_gap_in_the_rarer_track_leaves_a_gap() {
         let pairs = pair(&poses(0..=10), &forces([0, 4, 9]), 4.5e-9).unwrap();
         let times: Vec<i64> = pairs.iter().map(|(time, ..)| *time).collect();
-        assert_eq!(times, [0, 1, 2, 3, 4, 9], "between 4 and 9 lies too much");
+        assert_eq!(
+            times,
+            [0, 1, 2, 3, 4, 9],
+            "the gap from 4 to 9 exceeds the limit"
+        );
     }
 
     #[test]
-    fn what_is_never_there_at_the_same_time_is_refused_with_both_times() {
+    fn tracks_without_overlap_are_refused_with_both_intervals() {
         let second = NANOSECONDS_PER_SECOND as i64;
         let refused = pair(&poses([0, second]), &forces([2 * second, 3 * second]), 0.1);
         assert_eq!(
@@ -359,7 +362,7 @@ mod tests {
     }
 
     #[test]
-    fn what_comes_late_is_sorted_within_a_window() {
+    fn late_entries_are_sorted_within_a_window() {
         let second = NANOSECONDS_PER_SECOND as i64;
         let mut track = forces([]);
         let push = |track: &mut Track<Vector3>, time: i64| {
@@ -389,7 +392,7 @@ mod tests {
     proptest! {
         /// Linear motion is interpolated exactly, with either track as the more frequent one.
         #[test]
-        fn linear_motion_is_kept(times in prop::collection::btree_set(0_i64..1000, 2..40), step in 1_i64..50) {
+        fn linear_motion_is_interpolated_exactly(times in prop::collection::btree_set(0_i64..1000, 2..40), step in 1_i64..50) {
             let regular = (0..=1000 / step).map(|k| k * step);
             let pairs = pair(&poses(times), &forces(regular), 1.0);
             for (time, pose, force) in pairs.into_iter().flatten() {

@@ -1,3 +1,3 @@
-//! The tests of telemetry.
+//! Tests of telemetry.
 
 mod telemetry;

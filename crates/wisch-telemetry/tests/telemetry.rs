@@ -1,4 +1,4 @@
-//! Bags as they are written and read: whole, cut off, damaged, and of other writers.
+//! Tests of writing and reading bags: complete, cut off, damaged, and from other writers.
 
 mod columns;
 mod damage;
@@ -49,7 +49,7 @@ fn head(start: u64) -> BagHead {
     }
 }
 
-/// Writes the made-up log with what a bag may show besides.
+/// Writes the synthetic log with data for viewers.
 fn write_shown(path: &Path, rate: f64) -> usize {
     let mut bag = BagWriter::create(path, head(0)).unwrap();
     bag.write_particles(0.0, &[Point3::origin()]).unwrap();
@@ -59,7 +59,7 @@ fn write_shown(path: &Path, rate: f64) -> usize {
     count
 }
 
-/// Writes the made-up log; how many samples it has.
+/// Writes the synthetic log; returns its number of samples.
 fn write_bag(path: &Path, rate: f64, start: u64) -> usize {
     let mut bag = BagWriter::create(path, head(start)).unwrap();
     bag.write_particles(0.0, &[Point3::origin()]).unwrap();
@@ -91,7 +91,7 @@ fn named(pose: &str, wrench: &str) -> LogOptions {
 }
 
 #[test]
-fn what_is_written_is_read() {
+fn a_written_bag_is_read_back() {
     let (_folder, path) = in_folder();
     let count = write_bag(&path, 200.0, 5_000_000_000);
     let log = read(&path, &LogOptions::default()).unwrap();
@@ -142,7 +142,7 @@ fn the_same_samples_give_the_same_bytes() {
 }
 
 #[test]
-fn samples_that_do_not_fit_are_refused() {
+fn invalid_samples_are_refused() {
     let (_folder, path) = in_folder();
     let mut bag = BagWriter::create(&path, head(0)).unwrap();
     let sample = |time, joints: &'static [f64]| TelemetrySample {
@@ -175,7 +175,7 @@ fn samples_that_do_not_fit_are_refused() {
 }
 
 #[test]
-fn topics_are_chosen_by_name_and_refused_by_name() {
+fn topics_are_selected_by_name_and_unknown_names_are_refused() {
     let (_folder, path) = in_folder();
     write_bag(&path, 20.0, 0);
     let log = read(&path, &named("/tf:tool", "/wrench/controller")).unwrap();
@@ -223,7 +223,7 @@ fn topics_are_chosen_by_name_and_refused_by_name() {
     }
 }
 
-/// Times of the messages of each topic [ns].
+/// Returns the times of each topic's messages [ns].
 fn times(path: &Path) -> BTreeMap<String, Vec<u64>> {
     let bytes = fs::read(path).unwrap();
     let mut times = BTreeMap::<_, Vec<u64>>::new();
@@ -236,7 +236,7 @@ fn times(path: &Path) -> BTreeMap<String, Vec<u64>> {
 }
 
 #[test]
-fn what_a_bag_shows_besides_changes_nothing_of_what_is_read() {
+fn data_for_viewers_does_not_change_the_log() {
     let (_folder, path) = in_folder();
     write_bag(&path, 200.0, 0);
     let bare = read(&path, &LogOptions::default()).unwrap();
@@ -252,7 +252,7 @@ fn what_a_bag_shows_besides_changes_nothing_of_what_is_read() {
 }
 
 #[test]
-fn what_stands_is_shown_once_and_what_moves_at_25_hz() {
+fn static_data_is_written_once_and_moving_data_at_25_hz() {
     let (_folder, path) = in_folder();
     let count = write_shown(&path, 200.0);
     let times = times(&path);
@@ -268,7 +268,7 @@ fn what_stands_is_shown_once_and_what_moves_at_25_hz() {
     let period = 40_000_000;
     let force = &times["/force"];
     assert!(force.windows(2).all(|pair| pair[1] - pair[0] >= period));
-    // It is drawn while the tool wipes, and taken away once where it leaves.
+    // The arrow is drawn while the tool wipes, and deleted once when it leaves.
     let log = read(&path, &LogOptions::default()).unwrap();
     let pressed = log.samples.iter().filter(|s| s.force.norm() > 1.0).count();
     let expected = pressed as f64 / 200.0 * 25.0;
@@ -276,14 +276,14 @@ fn what_stands_is_shown_once_and_what_moves_at_25_hz() {
     assert!(pressed < count, "the tool leaves the surface");
     let last_pressed = log.samples.iter().rfind(|s| s.force.norm() > 1.0).unwrap();
     let last_said = *force.last().unwrap() as f64 * 1e-9;
-    assert!(last_said > last_pressed.time, "the arrow stays");
+    assert!(last_said > last_pressed.time, "the arrow is not deleted");
     // The tool's frame at 50 Hz, the robot's links at half of that.
     let both = count.div_ceil(4) + count.div_ceil(8);
     assert_eq!(times["/tf"].len(), both);
 }
 
 #[test]
-fn links_move_by_their_joints() {
+fn links_follow_their_joints() {
     let (_folder, path) = in_folder();
     write_shown(&path, 200.0);
     let model =
@@ -296,28 +296,33 @@ fn links_move_by_their_joints() {
         ..named("/tf:forearm", "/wrench/external")
     };
     let in_world = read(&path, &world).unwrap();
-    let said = "the pose of \"forearm\" in \"world\" comes from a chain of transforms";
-    assert_eq!(in_world.remarks, [said]);
-    for sample in in_world.samples.iter().filter(|s| on_the_dot(s.time)) {
+    let remark = "the pose of \"forearm\" in \"world\" comes from a chain of transforms";
+    assert_eq!(in_world.remarks, [remark]);
+    for sample in in_world.samples.iter().filter(|s| has_links_at(s.time)) {
         let wave = (0.5 * sample.time).sin();
         let kinematics = model
             .forward_kinematics(&[wave, 0.5 * wave, -wave])
             .unwrap();
         let expected = Pose::translation(x, y, z) * kinematics.world_from_link(forearm);
-        let apart = expected.to_matrix() - sample.world_from_tool.to_matrix();
-        assert!(apart.norm() < 1e-6, "{} {}", sample.time, apart.norm());
+        let difference = expected.to_matrix() - sample.world_from_tool.to_matrix();
+        assert!(
+            difference.norm() < 1e-6,
+            "{} {}",
+            sample.time,
+            difference.norm()
+        );
         assert_ne!(kinematics.world_from_link(upper), expected);
     }
 }
 
-/// Whether the robot's links are told of at this time, not between two such times.
-fn on_the_dot(time: f64) -> bool {
+/// Whether the bag has messages with the robot's links at a time.
+fn has_links_at(time: f64) -> bool {
     let steps = time * 25.0;
     (steps - steps.round()).abs() < 1e-6
 }
 
 #[test]
-fn a_robot_of_other_joints_is_refused() {
+fn a_robot_with_other_joints_is_refused() {
     let (_folder, path) = in_folder();
     let head = BagHead::at(surface());
     let mut bag = BagWriter::create(&path, head).unwrap();

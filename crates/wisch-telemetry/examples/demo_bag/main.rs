@@ -1,4 +1,4 @@
-//! Writes a bag of a made-up tool that wipes the board of `scenarios/chopping-board.toml`:
+//! Writes a bag of a synthetic tool that wipes the board of `scenarios/chopping-board.toml`:
 //!
 //! ```text
 //! cargo run -p wisch-telemetry --example demo_bag -- demo.mcap

@@ -1,4 +1,4 @@
-//! What the made-up log shows beside what is measured: a robot, a board with a hole on a table, a tool, and the strokes.
+//! Data for viewers in the synthetic log: a robot, a board with a hole on a table, a tool, and the strokes.
 
 use super::wiping::Wiping;
 use wisch::geometry::{Mesh, PlanarPose, Point2, Polygon, Pose, Vector2, Vector3};
@@ -7,15 +7,15 @@ use wisch::represent::{GoalState, SceneObject, ScenePart, Surface};
 use wisch::robot::RobotModel;
 use wisch_telemetry::{BagRobot, BagScene, BagWriter};
 
-/// A robot with the joints of the made-up log.
+/// A robot with the joints of the synthetic log.
 pub const URDF: &str = include_str!("arm.urdf");
-/// Where it stands.
+/// Pose of the robot's root.
 pub const WORLD_FROM_ROOT: [f64; 3] = [0.0, -0.6, 0.77];
 
-/// Shows it all.
+/// Writes robot, scene, tool and strokes.
 ///
 /// # Errors
-/// What the writer says, or what is wrong with the robot.
+/// If the robot is invalid, or writing fails.
 pub fn write(bag: &mut BagWriter, wiping: &Wiping) -> Result<(), Box<dyn std::error::Error>> {
     let model = RobotModel::from_urdf("arm.urdf", URDF, &mut |_| Err("no meshes".to_owned()))?;
     let [x, y, z] = WORLD_FROM_ROOT;

@@ -1,39 +1,39 @@
-//! A made-up log: a tool that wipes a surface in rows.
+//! A synthetic log of a tool that wipes a surface in rows.
 
 use wisch::follow::Phase;
 use wisch::geometry::{Pose, Vector3};
 use wisch::run::{TelemetrySample, Wrench};
 use wisch_telemetry::{BagWriter, WriteError};
 
-/// How the made-up tool wipes.
+/// Parameters of the synthetic tool's motion.
 #[derive(Debug, Clone, Copy)]
 pub struct Wiping {
-    /// Where the surface really is.
+    /// True pose of the surface.
     pub world_from_surface: Pose,
     /// Extent that the tool centre point covers, along x and y of the surface [m].
     pub extent: [f64; 2],
-    /// Rows along x.
+    /// Number of rows along x.
     pub rows: usize,
-    /// How fast the tool centre point moves [m/s].
+    /// Speed of the tool centre point [m/s].
     pub speed: f64,
-    /// How hard the tool presses [N].
+    /// Normal force [N].
     pub press: f64,
     /// Samples per second.
     pub rate: f64,
 }
 
-/// How high the tool is before and after [m].
+/// Height of the tool before and after wiping [m].
 const LIFTED: f64 = 0.05;
 /// Coefficient of friction.
 const FRICTION: f64 = 0.3;
-/// How many joints the made-up robot has.
+/// Number of joints of the synthetic robot.
 pub const JOINTS: [&str; 3] = ["shoulder", "elbow", "wrist"];
 
 impl Wiping {
-    /// Writes it all; how many samples that were.
+    /// Writes all samples; returns their number.
     ///
     /// # Errors
-    /// What the writer says.
+    /// If writing fails.
     pub fn write(&self, bag: &mut BagWriter) -> Result<usize, WriteError> {
         let way = self.way();
         let length: f64 = way.windows(2).map(|w| (w[1] - w[0]).norm()).sum();
@@ -46,7 +46,7 @@ impl Wiping {
         Ok(count)
     }
 
-    /// Corners of the tool centre point's way, in the surface frame [m].
+    /// Returns the corners of the tool centre point's path in the surface frame [m].
     fn way(&self) -> Vec<Vector3> {
         let [x, y] = self.extent.map(|side| side / 2.0);
         let mut way = vec![Vector3::new(-x, -y, LIFTED)];
@@ -107,7 +107,7 @@ impl Wiping {
     }
 }
 
-/// The point at a distance along a way, and the direction there.
+/// Returns the point at a distance along a path, and the direction of the path there.
 fn at(way: &[Vector3], mut distance: f64) -> (Vector3, Vector3) {
     for corners in way.windows(2) {
         let step = corners[1] - corners[0];

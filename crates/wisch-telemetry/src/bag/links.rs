@@ -115,7 +115,7 @@ mod tests {
     }
 
     #[test]
-    fn links_bear_their_names_but_those_of_the_bag_s_own_frames() {
+    fn links_keep_their_names_unless_the_bag_uses_them() {
         let here = frames(Pose::identity());
         assert_eq!(standing(&here), [("plate", "tip")]);
         let moving = [("world", "robot/tool"), ("robot/tool", "plate")];
@@ -129,7 +129,7 @@ mod tests {
     }
 
     #[test]
-    fn they_lead_to_where_the_robot_s_kinematics_has_the_links() {
+    fn frames_agree_with_the_robots_kinematics() {
         let model = RobotModel::from_urdf("lift", URDF, &mut |_| Err(String::new())).unwrap();
         let frames = frames(Pose::identity());
         let q = [0.3, 1.1];

@@ -187,7 +187,7 @@ mod tests {
     }
 
     #[test]
-    fn poses_and_wrenches_are_known_by_their_fields() {
+    fn poses_and_wrenches_are_recognised_by_their_fields() {
         let cases = [
             ("geometry_msgs/PoseStamped", [true, false]),
             ("geometry_msgs/Pose", [true, false]),

@@ -115,7 +115,7 @@ impl Looks {
 }
 
 /// Whether a topic is one of an observation.
-pub(super) fn is_look(topic: &str) -> bool {
+pub(super) fn is_observation_topic(topic: &str) -> bool {
     DIRT.contains(&topic) || HIDDEN.contains(&topic)
 }
 
@@ -216,13 +216,13 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_cloud_is_read_as_it_was_written() {
+    fn a_written_cloud_is_read_back() {
         let written = [Point2::new(0.125, -0.5), Point2::new(0.0, 0.25)];
         let cloud = point_cloud(7, &written);
         assert_eq!(places(&cloud), Ok(written.to_vec()));
         assert_eq!(places(&point_cloud(7, &[])), Ok(vec![]));
 
-        // A camera with another layout: eight bytes a number, big-endian, y before x, padding between them.
+        // Another layout: eight bytes per number, big-endian, y before x, with padding between them.
         let field = |name: &str, offset| PointField {
             name: name.to_owned(),
             offset,
@@ -241,7 +241,7 @@ mod tests {
     }
 
     #[test]
-    fn a_cloud_that_lies_is_refused() {
+    fn an_inconsistent_cloud_is_refused() {
         let cloud = || point_cloud(7, &[Point2::new(0.125, -0.5)]);
         let refused = |cloud: PointCloud2| places(&cloud).unwrap_err();
         let mut other = cloud();

@@ -4,7 +4,7 @@ use super::clocks::Offset;
 use super::container::{Ending, Entry, entries};
 use super::joint_states::JointStates;
 use super::locator::Locator;
-use super::observation::{Looks, is_look};
+use super::observation::{Looks, is_observation_topic};
 use super::search::{Located, Search, alignment_remark};
 use super::topic::{NOTES, ROLE_POSE, ROLE_WRENCH, ROUND_NOTE, TASK_NOTE};
 use super::unpack::{is_packed, unpack_message};
@@ -229,7 +229,7 @@ impl<'a> BagReader<'a> {
             Cow::Borrowed(data)
         };
         let data = &*data;
-        if is_look(&channel.topic) {
+        if is_observation_topic(&channel.topic) {
             return self.looks.take(channel, data);
         }
         if !self.channels.contains_key(&channel.id) {

@@ -267,7 +267,7 @@ mod tests {
     }
 
     #[test]
-    fn a_face_is_as_large_as_its_outline_and_leaves_its_holes_out() {
+    fn a_face_has_the_area_of_its_outline_without_holes() {
         let hole = points(&[[0.2, 0.2], [0.4, 0.25], [0.3, 0.5]]);
         let notched = [
             [0.0, 0.0],

@@ -105,7 +105,7 @@ mod tests {
     }
 
     #[test]
-    fn chunks_come_out_whole() {
+    fn chunks_are_unpacked_completely() {
         assert_eq!(*unpack("", &text(), LIMIT).unwrap(), text());
         assert_eq!(*unpack("lz4", &lz4(), LIMIT).unwrap(), text());
         assert_eq!(*unpack("zstd", &zstd(), LIMIT).unwrap(), text());
@@ -121,7 +121,7 @@ mod tests {
     }
 
     #[test]
-    fn a_message_comes_out_whole() {
+    fn a_message_is_unpacked_completely() {
         assert!(is_packed(&zstd()) && !is_packed(&[0, 1, 0, 0]));
         assert_eq!(unpack_message("/p", &zstd()).unwrap(), text());
         let refused = unpack_message("/p", &zstd()[..9]).unwrap_err().to_string();
@@ -138,7 +138,7 @@ mod tests {
             assert!(matches!(short, Err(UnpackError::TooLong)), "{name}");
             assert!(unpack(name, &packed, text().len()).is_ok(), "{name}");
             let half = unpack(name, &packed[..packed.len() / 2], LIMIT);
-            // A cut may fall between blocks: then fewer bytes come out, which the chunk's header reveals.
+            // A cut between blocks gives fewer bytes, which the chunk's header reveals.
             assert!(
                 half.is_err() || half.is_ok_and(|plain| plain.len() < text().len()),
                 "{name}"

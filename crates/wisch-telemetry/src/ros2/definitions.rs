@@ -172,7 +172,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn every_type_in_the_table_is_made_of_types_in_the_table() {
+    fn all_nested_types_are_in_the_table() {
         for (name, fields) in DEFINITIONS {
             assert!(!fields.is_empty(), "{name}");
             for part in nested_types(fields) {
@@ -182,7 +182,7 @@ mod tests {
     }
 
     #[test]
-    fn a_type_that_is_used_twice_is_told_once() {
+    fn a_type_that_is_used_twice_is_defined_once() {
         let text = full_definition("geometry_msgs/WrenchStamped");
         assert_eq!(text.matches("MSG: geometry_msgs/Vector3\n").count(), 1);
         assert_eq!(text.matches("MSG: ").count(), 4);

@@ -343,7 +343,7 @@ mod tests {
     }
 
     #[test]
-    fn fields_arrays_bounds_defaults_constants_and_comments_are_told_apart() {
+    fn fields_arrays_bounds_defaults_constants_and_comments_are_parsed() {
         let schema = parse(
             "# about it\nint32 LIMIT=8\nstring NAME = 'a # b'\nfloat64[3] v # m\nstring<=5[<=2] words\n\
              uint8 level 3\nstring text \"x # y\"\nPart[] parts\n===\nMSG: my_msgs/Part\nbool on\n",
@@ -388,7 +388,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_no_schema_is_refused_with_its_place() {
+    fn invalid_schemas_are_refused_with_their_line() {
         let refused = |text: &str| parse(text).unwrap_err().to_string();
         assert_eq!(
             refused("int32 a\nnonsense\n"),
@@ -418,7 +418,7 @@ mod tests {
 
     proptest! {
         #[test]
-        fn no_text_makes_it_panic(text in "[a-z0-9/\\[\\]<=# \n'\"=MSG:]{0,200}") {
+        fn arbitrary_text_causes_no_panic(text in "[a-z0-9/\\[\\]<=# \n'\"=MSG:]{0,200}") {
             let _ = parse(&text);
         }
     }

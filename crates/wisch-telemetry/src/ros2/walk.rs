@@ -277,7 +277,7 @@ mod tests {
 
     proptest! {
         #[test]
-        fn what_another_library_lays_out_is_taken_apart(
+        fn messages_of_another_library_are_decoded(
             on: bool, near: i16, words in prop::collection::vec("[a-zé]{0,9}", 0..4), far in -(1_i64 << 53)..(1 << 53),
             small in -1e6_f32..1e6, bytes in prop::collection::vec(any::<u8>(), 0..9),
             parts in prop::collection::vec((any::<u8>(), -1e9..1e9), 0..4), three: [i32; 3], last: u32, big_endian: bool,
@@ -291,14 +291,14 @@ mod tests {
             };
             let message = message.unwrap();
             prop_assert_eq!(decode(&schema(), &message), Ok(expected(&mixed)));
-            // The last field ends the message, so every shorter message lacks something.
+            // The last field ends the message, so every shorter message is incomplete.
             let shorter = decode(&schema(), &message[..message.len() - 1]);
             let is_too_short = matches!(shorter, Err(MessageError::TooShort { .. }));
             prop_assert!(is_too_short);
         }
 
         #[test]
-        fn no_bytes_make_it_panic(bytes in prop::collection::vec(any::<u8>(), 0..300), plain: bool) {
+        fn arbitrary_bytes_cause_no_panic(bytes in prop::collection::vec(any::<u8>(), 0..300), plain: bool) {
             let mut bytes = bytes;
             if plain && bytes.len() > 4 {
                 bytes[..4].copy_from_slice(&[0, 1, 0, 0]);
@@ -310,7 +310,7 @@ mod tests {
     }
 
     #[test]
-    fn a_count_that_lies_costs_no_memory() {
+    fn a_false_count_costs_no_memory() {
         let text = "Part[] parts\n===\nMSG: a/Part\nuint8 id\n";
         let schema = Schema::parse("a/Many", text.as_bytes()).unwrap();
         let message = [0, 1, 0, 0, 0xff, 0xff, 0xff, 0xff, 7];
@@ -320,14 +320,14 @@ mod tests {
     }
 
     #[test]
-    fn what_is_no_plain_cdr_is_refused() {
+    fn other_encodings_than_plain_cdr_are_refused() {
         let refused = decode(&schema(), &[0, 3, 0, 0]).unwrap_err();
         assert_eq!(refused, MessageError::Encapsulation(3));
         assert!(decode(&schema(), &[0]).is_err());
     }
 
     #[test]
-    fn deep_messages_end_at_a_limit() {
+    fn the_depth_of_messages_is_limited() {
         let mut text = "M0 m\n".to_owned();
         for level in 0..MAX_DEPTH + 1 {
             text += &format!("===\nMSG: a/M{level}\nM{} m\n", level + 1);

@@ -132,7 +132,7 @@ impl<'a> Messages<'a> {
             let len = usize::try_from(i32::from_le_bytes(*len)).ok()?;
             rest.get(..rest.len().checked_sub(len)?)
         });
-        let mut rest = rest.ok_or_else(|| damaged(KIND, "it is cut off: its end is not there"))?;
+        let mut rest = rest.ok_or_else(|| damaged(KIND, "it is cut off: its end is missing"))?;
         while let Some(messages) = rest.strip_prefix(&ZEROS) {
             rest = messages;
         }

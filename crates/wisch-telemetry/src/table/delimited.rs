@@ -309,7 +309,7 @@ mod tests {
     }
 
     #[test]
-    fn every_dialect_gives_the_same_rows() {
+    fn all_dialects_give_the_same_rows() {
         for text in [
             "t,x\n0,1.5\n",
             "t;x\r\n0;1,5\r\n",
@@ -337,7 +337,7 @@ mod tests {
     }
 
     #[test]
-    fn a_line_of_another_length_is_named() {
+    fn a_line_of_another_length_is_reported() {
         let shown = |text: &str| rows(text).unwrap_err().to_string();
         assert_eq!(
             shown("t,x\n0,1\n\n1,2,3\n"),

@@ -65,7 +65,7 @@ mod tests {
     proptest! {
         /// A rotation about x by c, then about y by b, then about z by a, in every form that can state it.
         #[test]
-        fn every_form_states_the_same_turn(a in -3.0..3.0, b in -1.5..1.5, c in -3.0..3.0) {
+        fn every_form_states_the_same_rotation(a in -3.0..3.0, b in -1.5..1.5, c in -3.0..3.0) {
             let about = |axis: Vector3, angle: f64| UnitQuaternion::from_scaled_axis(axis * angle);
             let turn = about(Vector3::z(), a) * about(Vector3::y(), b) * about(Vector3::x(), c);
             let matrix = Pose::from_parts(Vector3::new(1.0, 2.0, 3.0).into(), turn).to_homogeneous();
@@ -87,7 +87,7 @@ mod tests {
     }
 
     #[test]
-    fn a_matrix_that_is_no_rotation_is_refused() {
+    fn a_matrix_that_is_not_a_rotation_is_refused() {
         let mut matrix = Pose::identity().to_homogeneous();
         matrix[(0, 0)] = -1.0;
         let numbers = [&[0.0; 3], matrix.as_slice()].concat();

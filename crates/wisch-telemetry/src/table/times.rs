@@ -227,7 +227,7 @@ mod tests {
     }
 
     #[test]
-    fn units_are_told_from_the_size_of_times() {
+    fn units_follow_from_the_size_of_times() {
         let second = NANOSECONDS_PER_SECOND as i64;
         // Each pair is 40 ms apart.
         for (texts, start, word) in [
@@ -295,7 +295,7 @@ mod tests {
     }
 
     #[test]
-    fn times_that_no_log_bears_are_refused_and_others_are_no_dates() {
+    fn times_out_of_range_are_refused_and_invalid_dates_are_not_times() {
         let refused = scale_times(&[Some(Instant::Real(1e300)), None], None).unwrap_err();
         let shown = refused
             .at(|index| format!("line {}", index + 2))

@@ -1,4 +1,4 @@
-//! Tables in binary files, as other programs write them: Parquet, Arrow and archives of NumPy arrays.
+//! Binary tables of other programs: Parquet, Arrow and archives of NumPy arrays.
 
 use super::tables::{COUNT, NAMES, assert_is_it, plain, table, time};
 use super::{in_folder, refused};
@@ -19,10 +19,10 @@ use wisch_telemetry::{Log, LogOptions, ReadFault, read};
 use zip::write::SimpleFileOptions;
 use zip::{CompressionMethod, ZipWriter};
 
-/// A column: its name, and its numbers, those that are missing being NaN.
+/// A column: its name and numbers; missing numbers are NaN.
 type Reals = (String, Vec<f64>);
 
-/// The log of `table` as columns, by the text of it.
+/// Converts the log of `table` from text to columns.
 fn columns(text: &str) -> Vec<Reals> {
     let mut lines = text.lines();
     let names = lines.next().unwrap().split(',');
@@ -35,7 +35,7 @@ fn columns(text: &str) -> Vec<Reals> {
     columns
 }
 
-/// Nanoseconds since 1970 of each sample, from some time on.
+/// Returns the time of each sample [ns since 1970].
 fn dates() -> Vec<i64> {
     let nanoseconds = (0..COUNT).map(|tick| (time(tick) * 1e9).round() as i64);
     nanoseconds
@@ -57,7 +57,7 @@ fn batch_of(columns: &[Reals]) -> RecordBatch {
     RecordBatch::try_from_iter_with_nullable(columns).unwrap()
 }
 
-/// The columns with one of them in another form.
+/// Returns a batch with one column replaced.
 fn batch_with(columns: &[Reals], name: &str, array: &ArrayRef) -> RecordBatch {
     let all = batch_of(columns);
     let columns = all.schema().fields().clone();
@@ -89,7 +89,7 @@ fn arrow_stream(batch: &RecordBatch) -> Vec<u8> {
     stream.into_inner().unwrap()
 }
 
-/// A Parquet file of a schema; `write` writes the columns of a group of rows.
+/// Returns a Parquet file with a schema; `write` writes the columns of a group of rows.
 fn parquet(schema: &str, packing: Compression, columns: &[Cells]) -> Vec<u8> {
     let schema = Arc::new(parse_message_type(&format!("message log {{ {schema} }}")).unwrap());
     let properties = WriterProperties::builder().set_compression(packing).build();
@@ -122,7 +122,7 @@ fn parquet(schema: &str, packing: Compression, columns: &[Cells]) -> Vec<u8> {
     bytes
 }
 
-/// The values of a column of a Parquet file; of the first, some are missing where they are NaN.
+/// Writes the values of a column of a Parquet file; NaN values of the first column are missing.
 enum Cells {
     Reals(Vec<f64>),
     Whole(Vec<i64>),
@@ -140,7 +140,7 @@ fn parquet_of(columns: &[Reals], packing: Compression) -> Vec<u8> {
     parquet(&schema.collect::<String>(), packing, &cells)
 }
 
-/// An array of NumPy with the bytes of its numbers.
+/// Returns a NumPy array with the given bytes.
 fn npy(descr: &str, is_fortran: &str, shape: &str, numbers: &[u8]) -> Vec<u8> {
     let head =
         format!("{{'descr': '{descr}', 'fortran_order': {is_fortran}, 'shape': {shape}, }}\n");
@@ -179,7 +179,7 @@ fn npz_of(columns: &[Reals], packing: CompressionMethod) -> Vec<u8> {
     npz(packing, arrays)
 }
 
-/// The same columns in every kind of file.
+/// Returns the same columns in every kind of file.
 fn every_kind(columns: &[Reals]) -> Vec<(&'static str, Vec<u8>)> {
     let zstd = Compression::ZSTD(ZstdLevel::default());
     let of_arrow = |packing| arrow_file(&batch_of(columns), packing);
@@ -216,8 +216,8 @@ fn refused_bytes(bytes: &[u8]) -> String {
 }
 
 #[test]
-fn every_kind_of_file_says_the_same_as_text() {
-    // Every other row bears no force, as where two rates are joined.
+fn all_kinds_of_files_agree_with_text() {
+    // Every other row lacks the force, as in a table that joins two rates.
     let joined = table(NAMES, |t, x| {
         let tick = (t * 25.0).round() as usize;
         match tick % 2 == 1 && tick + 1 < COUNT {
@@ -329,7 +329,7 @@ fn arrays_of_many_numbers_per_row_are_columns() {
 }
 
 #[test]
-fn what_is_not_read_is_named() {
+fn unsupported_contents_are_reported() {
     let columns = columns(&table(NAMES, plain));
     let flags: ArrayRef = Arc::new(BooleanArray::from(vec![true; COUNT]));
     let shown = refused_bytes(&arrow_file(&batch_with(&columns, "fz", &flags), None));
@@ -375,7 +375,7 @@ fn what_is_not_read_is_named() {
 }
 
 #[test]
-fn what_is_too_long_is_refused_before_it_is_unpacked() {
+fn too_long_data_is_refused_before_unpacking() {
     const MANY: usize = 5_000_001;
     let rows = ": the table has 5000001 rows, and the limit is 5000000";
     let cells = [Cells::Whole(vec![0; MANY])];
@@ -395,7 +395,7 @@ fn what_is_too_long_is_refused_before_it_is_unpacked() {
     };
     assert_eq!(refused_bytes(&of_shape("(5000001,)")), rows);
 
-    // Each column is said to be a terabyte.
+    // Each column claims a length of a terabyte.
     let columns = columns(&table(NAMES, plain));
     let mut bytes = arrow_file(&batch_of(&columns), Some(CompressionType::ZSTD));
     let told = (COUNT as u64 / 2 * 8).to_le_bytes();
@@ -434,16 +434,16 @@ fn a_file_that_is_cut_off_is_an_error() {
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(512))]
 
-    /// Any damage ends in a log or in an error, never in a panic.
+    /// Any damage gives a log or an error, never a panic.
     #[test]
-    fn damaged_tables_are_no_panic(
+    fn damaged_tables_cause_no_panic(
         which in any::<prop::sample::Index>(),
         damage in prop::collection::vec((any::<prop::sample::Index>(), any::<u8>()), 1..6),
         at_end: bool,
     ) {
         let mut bytes = SMALL[which.index(SMALL.len())].1.clone();
         for (index, byte) in damage {
-            // What tells where all else lies stands at the end.
+            // The positions of all other data are at the end of the file.
             let last = bytes.len().min(if at_end { 1000 } else { usize::MAX });
             let index = bytes.len() - 1 - index.index(last);
             bytes[index] = byte;

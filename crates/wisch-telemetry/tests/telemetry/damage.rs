@@ -11,7 +11,7 @@ use std::time::{Duration, Instant};
 use wisch_telemetry::{BagWriter, LogOptions, active_path, read};
 
 #[test]
-fn a_bag_that_is_cut_off_anywhere_is_read_up_to_its_last_whole_second() {
+fn a_cut_bag_is_read_up_to_its_last_complete_second() {
     let (folder, path) = in_folder();
     write_bag(&path, 200.0, 0);
     let bytes = fs::read(&path).unwrap();
@@ -21,7 +21,7 @@ fn a_bag_that_is_cut_off_anywhere_is_read_up_to_its_last_whole_second() {
     for share in [0.2, 0.4, 0.6, 0.8] {
         let cut_bytes = &bytes[..(bytes.len() as f64 * share) as usize];
         fs::write(active_path(&cut), cut_bytes).unwrap();
-        // By its own name or by the one that it is to have.
+        // The bag is found by its present name and by its final name.
         for name in [active_path(&cut), cut.clone()] {
             let Ok(log) = read(&name, &LogOptions::default()) else {
                 assert!(share < 0.4);
@@ -29,7 +29,7 @@ fn a_bag_that_is_cut_off_anywhere_is_read_up_to_its_last_whole_second() {
             };
             assert!(log.is_unfinished);
             assert_eq!(log.samples, whole[..log.samples.len()]);
-            assert_eq!(log.samples.len() % 200, 0, "whole seconds");
+            assert_eq!(log.samples.len() % 200, 0, "complete seconds");
             assert!(log.samples.len() >= most);
             most = log.samples.len();
         }
@@ -44,14 +44,14 @@ fn a_bag_that_is_cut_off_anywhere_is_read_up_to_its_last_whole_second() {
     assert!(most >= whole.len() / 2, "{most} of {}", whole.len());
 }
 
-/// Not a test of its own: what the next one starts and kills.
+/// Not an independent test: the process that the next test starts and kills.
 #[test]
 fn a_writer_that_does_not_end_by_itself() {
     let Some(path) = std::env::var_os("WISCH_TEST_ENDLESS_BAG") else {
         return;
     };
     let mut bag = BagWriter::create(Path::new(&path), head(0)).unwrap();
-    // Long enough to be killed, short enough not to fill a disk where it is not.
+    // Long enough to be killed, but short enough not to fill a disk otherwise.
     let endless = Wiping {
         rows: 4000,
         ..wipe(1000.0)
@@ -61,7 +61,7 @@ fn a_writer_that_does_not_end_by_itself() {
 }
 
 #[test]
-fn what_a_killed_writer_leaves_is_read() {
+fn the_bag_of_a_killed_writer_is_read() {
     let (_folder, path) = in_folder();
     let mut writer = Command::new(std::env::current_exe().unwrap())
         .args([
@@ -91,14 +91,14 @@ fn what_a_killed_writer_leaves_is_read() {
     assert!((last - (log.samples.len() - 1) as f64 / 1000.0).abs() < 1e-9);
 }
 
-/// A small bag to damage.
+/// Returns a small bag for damage tests.
 static SMALL: LazyLock<Vec<u8>> = LazyLock::new(|| {
     let (_folder, path) = in_folder();
     write_bag(&path, 10.0, 0);
     fs::read(&path).unwrap()
 });
 
-/// The same, its messages unpacked, so that damage reaches them.
+/// Returns the small bag with unpacked messages, so that damage reaches them.
 static PLAIN: LazyLock<Vec<u8>> = LazyLock::new(|| {
     let mut plain = std::io::Cursor::new(Vec::new());
     let options = WriteOptions::new()
@@ -113,7 +113,7 @@ static PLAIN: LazyLock<Vec<u8>> = LazyLock::new(|| {
     plain.into_inner()
 });
 
-/// That of another library, packed with Zstandard.
+/// Returns a bag of another library, packed with Zstandard.
 static FOREIGN: LazyLock<Vec<u8>> = LazyLock::new(|| {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data/foreign.mcap");
     fs::read(path).unwrap()
@@ -122,9 +122,9 @@ static FOREIGN: LazyLock<Vec<u8>> = LazyLock::new(|| {
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(256))]
 
-    /// Any damage ends in a log or in an error that names the file, never in a panic.
+    /// Any damage gives a log or an error with the name of the file, never a panic.
     #[test]
-    fn damaged_bags_are_no_panic(
+    fn damaged_bags_cause_no_panic(
         which in 0..3_usize, is_active: bool, damage in prop::collection::vec((any::<prop::sample::Index>(), any::<u8>()), 1..6),
         end in prop::option::of(any::<prop::sample::Index>()),
     ) {
@@ -151,12 +151,12 @@ proptest! {
     }
 }
 
-/// Length of the content of the record at a place [B].
+/// Returns the length of the content of the record at a position [bytes].
 fn len_at(bytes: &[u8], at: usize) -> usize {
     u64::from_le_bytes(bytes[at + 1..at + 9].try_into().unwrap()) as usize
 }
 
-/// Where the first chunk begins; the first record comes after the magic.
+/// Returns the position of the first chunk; the first record follows the magic bytes.
 fn first_chunk(bytes: &[u8]) -> usize {
     let mut at = 8;
     while bytes[at] != mcap::records::op::CHUNK {
@@ -166,7 +166,7 @@ fn first_chunk(bytes: &[u8]) -> usize {
 }
 
 #[test]
-fn a_flipped_bit_in_a_chunk_is_found_out() {
+fn a_flipped_bit_in_a_chunk_is_detected() {
     let (_folder, path) = in_folder();
     let mut bytes = SMALL.clone();
     let chunk = first_chunk(&bytes);
@@ -178,11 +178,11 @@ fn a_flipped_bit_in_a_chunk_is_found_out() {
 }
 
 #[test]
-fn a_record_that_is_longer_than_its_chunk_is_found_out() {
+fn a_record_longer_than_its_chunk_is_detected() {
     let (_folder, path) = in_folder();
     let mut bytes = PLAIN.clone();
     let chunk = first_chunk(&bytes);
-    // Its own header without compression has 40 bytes.
+    // The header of a chunk without compression has 40 bytes.
     let first = chunk + 9 + 40;
     let longer = len_at(&bytes, chunk) as u64;
     bytes[first + 1..first + 9].copy_from_slice(&longer.to_le_bytes());

@@ -1,4 +1,4 @@
-//! What is taken off a measured force: a bias, a scale, and the weight of what hangs behind the sensor.
+//! Corrections of a measured force: bias, scale, and the weight of the payload behind the sensor.
 
 use super::{in_folder, refused};
 use nalgebra::{Unit, UnitQuaternion};
@@ -7,14 +7,14 @@ use std::fs;
 use wisch::geometry::Vector3;
 use wisch_telemetry::{Axes, AxesChoice, Log, LogOptions, Payload, WrenchSign, read};
 
-/// The force of the surroundings on the tool in the world [N].
+/// Force of the environment on the tool in the world [N].
 const CONTACT: Vector3 = Vector3::new(1.0, -2.0, 10.0);
 
-/// The weight of a kilogram [N].
+/// Weight of a payload of 1 kg [N].
 const WEIGHT: f64 = 9.80665;
 
-/// A log of a tool that is held upright and then tilted by a quarter about an axis of the world; `measured` tells the
-/// numbers of a force in the world and of the tool's turn.
+/// Returns the log of a tool that is held upright and then tilted by 90° about an axis of the world. `measured`: maps the
+/// force in the world and the rotation of the tool to the logged force.
 fn log(measured: impl Fn(Vector3, UnitQuaternion<f64>) -> Vector3, options: &LogOptions) -> Log {
     let mut text = "t,x,y,z,qx,qy,qz,qw,fx,fy,fz\n".to_owned();
     for tick in 0..100_u32 {
@@ -51,16 +51,16 @@ fn payload(mass: f64, centre: Vector3) -> LogOptions {
 }
 
 #[test]
-fn weight_is_taken_off_in_every_orientation() {
+fn weight_is_subtracted_in_every_orientation() {
     let weight = Vector3::new(0.0, 0.0, -WEIGHT);
     let by_tool_axes =
         |contact: Vector3, turn: UnitQuaternion<f64>| turn.inverse() * (contact + weight);
-    // Nothing is assumed where nothing is said.
+    // Without options, no correction applies.
     let without = log(by_tool_axes, &LogOptions::default());
     let first = &without.samples[0];
     assert!((first.force - CONTACT - weight).norm() < 1e-9);
     assert_eq!(without.remarks, [] as [&str; 0]);
-    // Of half the mass, half the weight remains.
+    // With half the mass, half the weight remains.
     let half = log(by_tool_axes, &payload(0.5, Vector3::zeros()));
     for sample in &half.samples {
         assert!((sample.force - CONTACT - weight * 0.5).norm() < 1e-9);
@@ -73,7 +73,7 @@ fn weight_is_taken_off_in_every_orientation() {
             "by --payload-mass, the weight of 1 kg behind the sensor is subtracted from the force, rotated by each pose: 9.81 N along the world's -z"
         ]
     );
-    // By the tool, and turned in its frame.
+    // With the opposite sign, and rotated in the tool's frame.
     let sensor = UnitQuaternion::from_euler_angles(0.3, -0.2, 1.0);
     let options = LogOptions {
         sign: Some(WrenchSign::ByTool),
@@ -86,7 +86,7 @@ fn weight_is_taken_off_in_every_orientation() {
     );
     assert_is_contact(&turned, "in the sensor's axes");
     assert!(turned.remarks[1].starts_with("--payload-centre is not used"));
-    // Zeroed while the tool hung below, upright: z of the sensor points down.
+    // The sensor was zeroed with the tool hanging upright: z of the sensor points down.
     let down = UnitQuaternion::from_euler_angles(std::f64::consts::PI, 0.0, 0.0);
     let zeroed = LogOptions {
         logged_from_sensor: Some(down),
@@ -115,10 +115,10 @@ fn weight_is_taken_off_in_every_orientation() {
 }
 
 #[test]
-fn bias_and_scale_are_taken_off_before_all_else() {
+fn bias_and_scale_are_corrected_first() {
     let bias = Vector3::new(0.5, -30.0, 4.0);
     let weight = Vector3::new(0.0, 0.0, -2.0 * WEIGHT);
-    // A sensor that shows four fifths, in kiloponds, of what the tool does.
+    // A sensor that shows four fifths of the tool's force, in kiloponds.
     let measured = |contact: Vector3, turn: UnitQuaternion<f64>| {
         (-(turn.inverse() * (contact + weight)) * 0.8 + bias) / WEIGHT
     };
@@ -141,7 +141,7 @@ fn bias_and_scale_are_taken_off_before_all_else() {
 }
 
 #[test]
-fn numbers_that_no_sensor_has_are_refused() {
+fn invalid_corrections_are_refused() {
     let scale = |scale: f64| LogOptions {
         force_scale: Some(scale),
         ..LogOptions::default()

@@ -15,7 +15,7 @@ use wisch_telemetry::{
 };
 
 #[test]
-fn a_sensor_is_turned_by_a_urdf_or_by_hand() {
+fn a_urdf_or_an_option_states_the_rotation_of_the_sensor() {
     let (_folder, path) = in_folder();
     foreign(&path, "sensor", 0);
     let urdf = r#"<robot name="arm"><link name="flange"/><link name="sensor"/>
@@ -42,7 +42,7 @@ fn a_sensor_is_turned_by_a_urdf_or_by_hand() {
 }
 
 #[test]
-fn what_is_no_number_is_left_out_and_counted_and_gaps_are_told() {
+fn invalid_numbers_are_dropped_and_counted_and_gaps_are_reported() {
     let (_folder, path) = in_folder();
     let mut bag = Foreign::create(&path);
     let (pose, wrench) = (bag.poses("/p"), bag.wrenches("/w"));
@@ -61,14 +61,18 @@ fn what_is_no_number_is_left_out_and_counted_and_gaps_are_told() {
         skipped.first,
         "topic /p, message 51: x is NaN, which is not finite"
     );
-    assert_eq!(log.samples.len(), 202, "between its neighbours it is known");
+    assert_eq!(
+        log.samples.len(),
+        202,
+        "the pose is interpolated between its neighbours"
+    );
     let [[start, end]] = log.gaps[..] else {
         panic!("{:?}", log.gaps);
     };
     assert!((start - 1.0).abs() < 1e-9 && (end - 3.0).abs() < 1e-9);
 }
 
-/// A robot that logs its flange at 10 Hz in millimetres and the force on it at 100 Hz.
+/// Writes the bag of a robot that logs its flange at 10 Hz in millimetres and the force on it at 100 Hz.
 fn foreign(path: &Path, wrench_frame: &'static str, stamp_offset_ms: u64) {
     let mut bag = Foreign::create(path);
     let (pose, wrench) = (bag.poses("/arm/pose"), bag.wrenches("/arm/wrench"));
@@ -105,12 +109,16 @@ fn in_millimetres() -> LogOptions {
 }
 
 #[test]
-fn a_foreign_bag_is_understood() {
+fn a_foreign_bag_is_read() {
     let (_folder, path) = in_folder();
     for stamp_offset in [0, 7_000] {
         foreign(&path, "sensor", stamp_offset);
         let log = read(&path, &in_millimetres()).unwrap();
-        assert_eq!(log.samples.len(), 101, "the force sets the pace");
+        assert_eq!(
+            log.samples.len(),
+            101,
+            "the force is the more frequent track"
+        );
         assert_eq!(
             (log.axes, log.axes_source),
             (Axes::Tool, AxesSource::Assumed)
@@ -139,7 +147,7 @@ fn frames_signs_units_and_offsets_are_applied() {
     assert_eq!(
         (axes, source),
         (Axes::Log, AxesSource::Logged),
-        "both are said to be in base"
+        "both topics state the frame base"
     );
     assert_eq!(sample.force, Vector3::new(0.0, -2.0, 0.0));
 
@@ -176,7 +184,7 @@ fn frames_signs_units_and_offsets_are_applied() {
     };
     close(first(by_tool).2.force, Vector3::new(0.0, 2.0 * 9.81, 0.0));
 
-    // The tool sticks out of the flange by 0.2 m along the flange's z, which is −y of the log.
+    // The tool extends from the flange by 0.2 m along the flange's z, which is −y of the log.
     let logged_from_tool = Pose::translation(0.0, 0.0, 0.2);
     let (.., sample) = first(LogOptions {
         logged_from_tool,
@@ -192,7 +200,7 @@ fn frames_signs_units_and_offsets_are_applied() {
 }
 
 #[test]
-fn two_topics_that_might_be_meant_are_told_and_none_as_well() {
+fn ambiguous_and_missing_topics_are_reported() {
     let (_folder, path) = in_folder();
     let mut bag = Foreign::create(&path);
     let (left, right) = (bag.poses("/left"), bag.poses("/right"));
@@ -214,7 +222,7 @@ fn two_topics_that_might_be_meant_are_told_and_none_as_well() {
 }
 
 #[test]
-fn values_that_cannot_be_are_refused_with_their_message() {
+fn invalid_values_are_refused_with_their_message() {
     let (_folder, path) = in_folder();
     type Poses = [(u64, f64, [f64; 4])];
     let cases: [(&Poses, &str); 3] = [
@@ -244,7 +252,7 @@ fn values_that_cannot_be_are_refused_with_their_message() {
 }
 
 #[test]
-fn encodings_and_schemas_that_are_not_read_are_told() {
+fn unsupported_encodings_and_schemas_are_reported() {
     let (_folder, path) = in_folder();
     let cases = [
         (
@@ -278,7 +286,7 @@ fn encodings_and_schemas_that_are_not_read_are_told() {
 }
 
 #[test]
-fn what_is_no_bag_is_told_by_its_first_bytes() {
+fn other_formats_are_recognised_by_their_first_bytes() {
     let (_folder, path) = in_folder();
     fs::write(&path, b"#ROSBAG V2.0\n").unwrap();
     assert_eq!(
@@ -301,9 +309,9 @@ fn what_is_no_bag_is_told_by_its_first_bytes() {
     assert!(shown.starts_with(": No such file"), "{shown}");
 }
 
-/// The bag is written by the Python libraries of MCAP, see peers/bag.py.
+/// The Python libraries of MCAP wrote this bag; see peers/bag.py.
 #[test]
-fn a_bag_of_another_library_is_understood() {
+fn a_bag_of_another_library_is_read() {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data/foreign.mcap");
     let log = read(&path, &LogOptions::default()).unwrap();
     assert_eq!(
@@ -313,7 +321,7 @@ fn a_bag_of_another_library_is_understood() {
     assert_eq!((log.axes, log.axes_source), (Axes::Log, AxesSource::Logged));
     assert_eq!(
         log.start, 1_699_999_999_995_000_000,
-        "the stamp counts, not the recording"
+        "the time is the stamp, not the time of recording"
     );
     assert_eq!((log.samples.len(), log.unpaired, log.repeated), (201, 0, 0));
     for (tick, sample) in log.samples.iter().enumerate() {
@@ -327,7 +335,7 @@ fn a_bag_of_another_library_is_understood() {
 }
 
 #[test]
-fn pose_and_force_may_stand_in_one_message() {
+fn pose_and_force_may_be_in_one_message() {
     let (_folder, path) = in_folder();
     let mut bag = Foreign::create(&path);
     let definition = format!(
@@ -350,7 +358,7 @@ fn pose_and_force_may_stand_in_one_message() {
 }
 
 #[test]
-fn topics_that_are_not_read_are_told_with_the_reason() {
+fn unreadable_topics_are_reported_with_the_reason() {
     let (_folder, path) = in_folder();
     let mut bag = Foreign::create(&path);
     let json = bag

@@ -1,4 +1,4 @@
-//! Writes bags as other libraries would.
+//! A writer of bags in the style of other libraries.
 
 use mcap::WriteOptions;
 use mcap::records::MessageHeader;
@@ -8,7 +8,7 @@ use std::fs;
 use std::path::Path;
 use wisch_telemetry::Log;
 
-/// A bag of some other robot, topic by topic.
+/// A bag of another robot, written topic by topic.
 pub struct Foreign {
     pub bag: mcap::Writer<std::io::BufWriter<fs::File>>,
 }
@@ -59,7 +59,7 @@ impl Foreign {
         self.topic(name, "geometry_msgs/msg/WrenchStamped", &definition)
     }
 
-    /// The stamp may be zero where the log's time is not.
+    /// Writes a message; a stamp of 0 stands for none.
     pub fn put<T: Serialize>(
         &mut self,
         channel: u16,
@@ -89,7 +89,7 @@ impl Foreign {
     }
 }
 
-/// Turned by a quarter about x: what is up in the log lies along y of the tool.
+/// A rotation by 90° about x: z of the log is y of the tool.
 pub const QUARTER: [f64; 4] = [
     std::f64::consts::FRAC_1_SQRT_2,
     0.0,
@@ -97,7 +97,7 @@ pub const QUARTER: [f64; 4] = [
     std::f64::consts::FRAC_1_SQRT_2,
 ];
 
-/// A transform: stamp, frame, child frame, where the child is and how it is turned.
+/// A transform: stamp, frame, child frame, position and rotation of the child.
 pub type Transform = ([u32; 2], &'static str, &'static str, [f64; 3], [f64; 4]);
 
 pub const UPRIGHT: [f64; 4] = [0.0, 0.0, 0.0, 1.0];
@@ -127,7 +127,7 @@ impl Foreign {
     }
 }
 
-/// Samples of a tool that goes 0.1 m/s along x and is pressed with 1 N per second agree with one another wherever they begin.
+/// Checks samples of a tool that moves at 0.1 m/s along x with a force that grows by 1 N/s, whatever their start.
 pub fn assert_ramp(log: &Log, count: usize) {
     assert_eq!(log.samples.len(), count, "{:?}", log.remarks);
     let start = log.samples[0].world_from_tool.translation.x / 0.1;

@@ -1,4 +1,4 @@
-//! Bags in parts, out of order, packed, and with clocks of their own.
+//! Bags in parts, out of order, packed, and with several clocks.
 
 use super::foreign_bag::{Foreign, QUARTER, UPRIGHT, assert_ramp};
 use super::{in_folder, refused};
@@ -33,8 +33,8 @@ fn a_folder_of_parts_is_one_log() {
     );
 }
 
-/// A tool that goes 0.1 m/s along x and is pressed with 1 N per second, every 10 ms; who writes it may say each message's
-/// time of recording and stamps of pose and force [ms].
+/// Writes a bag of a tool that moves at 0.1 m/s along x with a force that grows by 1 N/s, sampled every 10 ms. The callback
+/// gives each message's time of recording, and the stamps of pose and force [ms].
 fn ramp(path: &Path, times: impl IntoIterator<Item = [u64; 4]>) {
     let mut bag = Foreign::create(path);
     let (pose, wrench) = (bag.poses("/tool/pose"), bag.wrenches("/ft"));
@@ -49,7 +49,7 @@ fn ramp(path: &Path, times: impl IntoIterator<Item = [u64; 4]>) {
 }
 
 #[test]
-fn messages_are_put_into_the_order_of_their_stamps() {
+fn messages_are_sorted_by_their_stamps() {
     let (_folder, path) = in_folder();
     let mut times: Vec<u64> = (1000..=2000).step_by(10).collect();
     times.swap(20, 50);
@@ -62,7 +62,7 @@ fn messages_are_put_into_the_order_of_their_stamps() {
         "{:?}",
         log.remarks
     );
-    // Within a shorter window that is a clock that went back.
+    // Beyond a shorter window, the same delay is an error.
     let narrow = LogOptions {
         reorder_window: 0.1,
         ..LogOptions::default()
@@ -83,11 +83,11 @@ fn parts_of_a_bag_may_overlap() {
     }
     let log = read(folder.path(), &LogOptions::default()).unwrap();
     assert_ramp(&log, 101);
-    assert_eq!(log.repeated, 40, "twenty poses and forces stand in both");
+    assert_eq!(log.repeated, 40, "both parts hold twenty poses and forces");
 }
 
 #[test]
-fn stamps_that_are_missing_are_taken_from_the_recording() {
+fn missing_stamps_are_replaced_by_times_of_recording() {
     let (_folder, path) = in_folder();
     let stamp = |time: u64| {
         if time.is_multiple_of(50) {
@@ -106,14 +106,14 @@ fn stamps_that_are_missing_are_taken_from_the_recording() {
     assert!(
         log.remarks
             .iter()
-            .any(|said| said.starts_with("21 of 101 messages of /tool/pose have no stamp")),
+            .any(|remark| remark.starts_with("21 of 101 messages of /tool/pose have no stamp")),
         "{:?}",
         log.remarks
     );
 }
 
 #[test]
-fn a_sensor_with_a_clock_of_its_own_is_aligned() {
+fn a_sensor_with_its_own_clock_is_aligned() {
     let (_folder, path) = in_folder();
     let times = || (1000..=2000).step_by(10);
     ramp(
@@ -139,7 +139,7 @@ fn a_sensor_with_a_clock_of_its_own_is_aligned() {
 }
 
 #[test]
-fn bags_that_are_packed_as_a_whole_or_by_message_are_read() {
+fn bags_packed_by_file_or_by_message_are_read() {
     let (folder, path) = in_folder();
     ramp(&path, (1000..=2000).step_by(10).map(|time| [time; 4]));
     let plain = fs::read(&path).unwrap();

@@ -1,4 +1,4 @@
-//! Tables as other programs write them.
+//! Text tables of other programs.
 
 use super::{in_folder, refused};
 use std::fmt::Write;
@@ -6,14 +6,15 @@ use std::fs;
 use wisch::geometry::Vector3;
 use wisch_telemetry::{Axes, AxesSource, Log, LogOptions, OrientationForm, read};
 
-/// A tool that goes 0.1 m/s along x at a height of 0.8 m with a turn by 0.5 rad about z and is pressed with 10 N, at 25 Hz.
+/// Number of samples at 25 Hz: a tool moves at 0.1 m/s along x at a height of 0.8 m, rotated by 0.5 rad about z, with a force
+/// of 10 N.
 pub(super) const COUNT: usize = 250;
 
 pub(super) fn time(tick: usize) -> f64 {
     tick as f64 / 25.0
 }
 
-/// A table with names and, from the time [s] and x [m] of a sample, its line.
+/// Returns a table with names and a line per sample. `line`: formats the time [s] and x [m] of a sample.
 pub(super) fn table(names: &str, line: impl Fn(f64, f64) -> String) -> String {
     let mut text = format!("{names}\n");
     for tick in 0..COUNT {
@@ -36,7 +37,7 @@ fn refused_text(text: &str, options: &LogOptions) -> String {
     refused(&path, options)
 }
 
-/// The motion of [`table`], and its force in the axes of the log as it acts on the tool.
+/// Checks the motion of [`table`], and the force on the tool in the axes of the log.
 pub(super) fn assert_is_it(log: &Log, what: &str) {
     assert_eq!(log.samples.len(), COUNT, "{what}: {:?}", log.remarks);
     for (tick, sample) in log.samples.iter().enumerate() {
@@ -117,7 +118,7 @@ fn dialects_of_text_are_read() {
 }
 
 #[test]
-fn units_in_names_are_read_and_said() {
+fn units_in_names_are_read_and_reported() {
     let in_units = |t: f64, x: f64| {
         let turn = format!("0,0,{},{}", 0.25_f64.sin(), 0.25_f64.cos());
         format!("{},{},0,800,{turn},0,0,0.01", 1e3 * t, 1e3 * x)
@@ -135,7 +136,7 @@ fn units_in_names_are_read_and_said() {
             "{said}"
         );
     }
-    // What the options say goes before.
+    // Options take precedence.
     let options = LogOptions {
         time_unit: Some(1e-3),
         length_unit: Some(1e-3),
@@ -150,7 +151,7 @@ fn units_in_names_are_read_and_said() {
 }
 
 #[test]
-fn tables_of_known_robots_are_read_by_themselves() {
+fn tables_of_known_robots_are_read_without_options() {
     let by_index = |base: &str, count: usize| {
         let names: Vec<String> = (0..count).map(|k| format!("{base}{k}")).collect();
         names.join(",")
@@ -262,7 +263,7 @@ fn orientations_are_read_in_every_form() {
 }
 
 #[test]
-fn times_of_other_units_and_a_rate_stand_for_seconds() {
+fn times_in_other_units_and_a_rate_are_converted_to_seconds() {
     let line = |time: String, x: f64| plain(0.0, x).replacen('0', &time, 1);
     let start = 1_760_000_000_u64;
     let nanoseconds = table(NAMES, |t, x| {
@@ -304,7 +305,7 @@ fn times_of_other_units_and_a_rate_stand_for_seconds() {
 }
 
 #[test]
-fn lines_out_of_order_are_sorted_and_empty_cells_are_filled_in() {
+fn lines_out_of_order_are_sorted_and_empty_cells_are_interpolated() {
     let mut lines: Vec<String> = table(NAMES, plain).lines().map(str::to_owned).collect();
     lines.swap(20, 40);
     let log = read_text(&lines.join("\n"), &LogOptions::default());
@@ -314,7 +315,7 @@ fn lines_out_of_order_are_sorted_and_empty_cells_are_filled_in() {
         "{:?}",
         log.remarks
     );
-    // Every other line bears no force, as where two rates are joined.
+    // Every other line lacks the force, as in a table that joins two rates.
     let tick = |t: f64| (t * 25.0).round() as usize;
     let joined = table(NAMES, |t, x| {
         match tick(t) % 2 == 1 && tick(t) + 1 < COUNT {
@@ -326,7 +327,7 @@ fn lines_out_of_order_are_sorted_and_empty_cells_are_filled_in() {
 }
 
 #[test]
-fn tables_that_can_be_misread_are_refused_with_the_place() {
+fn ambiguous_tables_are_refused_with_the_line() {
     let good = table(NAMES, plain);
     let line = plain(20.0, 2.0);
     let cases = [

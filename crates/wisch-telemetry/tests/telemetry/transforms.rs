@@ -8,8 +8,8 @@ use wisch::geometry::{Pose, Vector3};
 use wisch::robot::joint_transforms;
 use wisch_telemetry::{Axes, AxesSource, LogOptions, TopicChoice, read};
 
-/// A robot whose base stands off the world, with a force sensor at its flange that is turned by a quarter about x. The
-/// flange goes 0.1 m along x of the base; where `is_moving`, its transforms are published too.
+/// Writes the log of a robot whose base is not at the world's origin, with a force sensor at its flange that is rotated by
+/// 90° about x. The flange moves by 0.1 m along x of the base. `is_moving`: publish its transforms, too.
 fn with_transforms(path: &Path, is_moving: bool) {
     let mut bag = Foreign::create(path);
     let [fixed, moving] = ["/tf_static", "/tf"].map(|name| bag.transforms(name));
@@ -59,13 +59,13 @@ fn frames_are_resolved_by_the_transforms_of_the_log() {
         let expected = if is_moving {
             (Axes::Named, AxesSource::Logged)
         } else {
-            // The flange is taken for what the pose is of.
+            // The reader assumes that the pose is that of the flange.
             (Axes::Tool, AxesSource::Assumed)
         };
         assert_eq!((log.axes, log.axes_source), expected);
         assert_eq!(log.frames_used.len(), 2, "{:?}", log.frames_used);
         for (index, sample) in log.samples.iter().enumerate() {
-            // The base is turned by half a turn about z: x of the base runs along -x of the world.
+            // The base is rotated by 180° about z: x of the base is -x of the world.
             let at = Vector3::new(1.0 - 1e-3 * index as f64, 0.0, 0.8);
             assert!((sample.world_from_tool.translation.vector - at).norm() < 1e-9);
             // y of the sensor is z of the flange.
@@ -74,7 +74,7 @@ fn frames_are_resolved_by_the_transforms_of_the_log() {
     }
 }
 
-/// A lift that carries a turning column with a camera: its mast follows the lift at half its way.
+/// A lift that carries a rotating column with a camera; its mast moves by half the stroke of the lift.
 const LIFT: &str = r#"<robot name="lift"><link name="robot_base"/><link name="mast"/><link name="table"/>
     <link name="column"/><link name="camera"/><link name="flange"/><link name="ft_sensor"/>
     <joint name="lift_half" type="prismatic"><parent link="robot_base"/><child link="mast"/><axis xyz="0 0 1"/>
@@ -103,13 +103,13 @@ fn frames_are_resolved_by_the_joints_of_a_robot() {
             let (names, empty) = (vec!["turn", "lift", "wrist"], Vec::<f64>::new());
             (names, positions.to_vec(), empty.clone(), empty)
         };
-        // What is measured every 20 ms is interpolated.
+        // Joint positions are measured every 20 ms and interpolated.
         if time.is_multiple_of(20) {
             let measured = state([share, 0.4 * share, 2.0 * share]);
             bag.put(joints, time, time, "", measured);
         }
         bag.put(commands, time, time, "", state([0.0; 3]));
-        // The tool stands still in the base, so it moves in the camera.
+        // The tool is fixed in the base, so it moves in the camera's frame.
         let base_from_camera = Pose::new(
             Vector3::new(0.0, 0.0, 0.1 + 0.2 * share + 0.4 * share + 0.5),
             Vector3::z() * share,
@@ -151,13 +151,13 @@ fn frames_are_resolved_by_the_joints_of_a_robot() {
             sample.force
         );
     }
-    // Without the robot nothing leads from frame to frame.
+    // Without the robot, no transforms connect the frames.
     let log = read(&path, &LogOptions::default()).unwrap();
     assert_eq!(log.frames_used, [] as [String; 0]);
 }
 
 #[test]
-fn static_transforms_are_no_poses_of_a_tool() {
+fn static_transforms_are_not_poses_of_a_tool() {
     let (_folder, path) = in_folder();
     let mut bag = Foreign::create(&path);
     let [fixed, moving] = ["/tf_static", "/tf"].map(|name| bag.transforms(name));
@@ -184,7 +184,7 @@ fn static_transforms_are_no_poses_of_a_tool() {
     );
 }
 
-/// An arm whose wrist turns below a lift, with a tool that is bolted to it; what is bolted stands among fixed transforms.
+/// Writes the log of an arm whose wrist rotates below a lift, with a tool that is fixed to it by static transforms.
 fn chain(path: &Path) {
     let mut bag = Foreign::create(path);
     let [fixed, moving] = ["/tf_static", "/tf"].map(|name| bag.transforms(name));
@@ -203,7 +203,7 @@ fn chain(path: &Path) {
         let stamp = [(time / 1000) as u32, (time % 1000) as u32 * 1_000_000];
         let seconds = time as f64 / 1000.0;
         let lift = (stamp, "world", "lift", [0.1 * seconds, 0.0, 0.5], UPRIGHT);
-        // By a quarter about x: y of the wrist is z of the lift.
+        // A rotation by 90° about x: y of the wrist is z of the lift.
         bag.put_transforms(
             moving,
             time,
@@ -228,7 +228,7 @@ fn a_pose_is_found_along_moving_and_fixed_transforms() {
         };
         let log = read(&path, &options).unwrap();
         assert_eq!(log.pose_name, "/tf:tool0");
-        // The wrist's quarter turns the force in y of the tool up.
+        // The rotation of the wrist turns the force along y of the tool upwards.
         assert_ramp(&log, 101);
         assert!((log.samples[0].world_from_tool.translation.z - 0.7).abs() < 1e-9);
     }
