@@ -64,14 +64,14 @@ fn draw_pie(amounts: &[(String, f64)], title: &str) -> Markup {
     }
     let height = (ROW * slices.len() as f64 + 20.0).max(220.0);
     let (radius, x, y) = (88.0, 96.0, height / 2.0);
-    let mut turned = 0.0;
+    let mut angle = 0.0;
     let drawn: Vec<(String, &str, &str, f64, f64)> = (slices.iter().zip(HUES))
         .map(|((label, amount), hue)| {
             let share = amount / total;
-            let from = turned;
-            turned += share;
+            let from = angle;
+            angle += share;
             (
-                slice([x, y], radius, from, turned),
+                slice([x, y], radius, from, angle),
                 label.as_str(),
                 hue,
                 *amount,

@@ -39,9 +39,9 @@ fn view() -> View {
             length: 0.6,
         },
     };
-    let said =
+    let query =
         "data_vis(barchart(forces),[:(title,'How hard'),:(data,[[first,second],[20.5,31]])])";
-    let plot = match ViewCommand::of(&Term::parse(said).unwrap()).unwrap() {
+    let plot = match ViewCommand::of(&Term::parse(query).unwrap()).unwrap() {
         ViewCommand::Plot(plot) => plot,
         ViewCommand::Look(wishes) => panic!("{wishes:?}"),
     };

@@ -33,7 +33,7 @@ pub(super) fn steps(moments: &[Moment]) -> Vec<ParticleStep> {
         for place in places.filter(|place| is_shown(*place, one_in)) {
             *wanted.entry(place).or_default() += 1;
         }
-        let mut gone = Vec::new();
+        let mut removed = Vec::new();
         let mut next = Vec::new();
         for (index, place) in now.iter().enumerate() {
             match wanted.get_mut(place) {
@@ -41,14 +41,14 @@ pub(super) fn steps(moments: &[Moment]) -> Vec<ParticleStep> {
                     *count -= 1;
                     next.push(*place);
                 }
-                _ => gone.push(index),
+                _ => removed.push(index),
             }
         }
         let added: Vec<[i64; 2]> = (wanted.into_iter())
             .flat_map(|(place, count)| std::iter::repeat_n(place, count))
             .collect();
         // Beyond the budget, moments are skipped, except the first and the last.
-        let changes = gone.len() + added.len();
+        let changes = removed.len() + added.len();
         if changes > budget && !is_last && i > 0 {
             continue;
         }
@@ -56,7 +56,7 @@ pub(super) fn steps(moments: &[Moment]) -> Vec<ParticleStep> {
         next.extend(&added);
         now = next;
         let time = super::samples::round_to(moment.time, 1e3);
-        steps.push((time, gone, added.into_flattened()));
+        steps.push((time, removed, added.into_flattened()));
     }
     steps
 }

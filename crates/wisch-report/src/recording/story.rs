@@ -47,10 +47,10 @@ struct Story {
 
 impl<'a> Ended<'a> {
     pub(super) fn new(outcome: &RunOutcome<'a>, episode: Option<&'a str>) -> Self {
-        let asked = words::describe_task(outcome.task, outcome.target);
+        let task = words::describe_task(outcome.task, outcome.target);
         let story = match outcome.last {
-            Some((last, rounds)) => summarise_execution(outcome, asked, last, rounds),
-            None => summarise_prediction(outcome, asked),
+            Some((last, rounds)) => summarise_execution(outcome, task, last, rounds),
+            None => summarise_prediction(outcome, task),
         };
         Self {
             piece: "ended",

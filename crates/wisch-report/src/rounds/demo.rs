@@ -268,10 +268,10 @@ fn wipe_particles(
             .fold(0.0, f64::max);
         let chance = task.interaction.likelihood.probability(hardest);
         let threshold = 0.5 * (1.0 + noise(seed * 10_000 + i as u64));
-        let gone = fate == Fate::Absorbed || threshold < chance;
+        let is_absorbed = fate == Fate::Absorbed || threshold < chance;
         (
             p,
-            if gone {
+            if is_absorbed {
                 Fate::Absorbed
             } else {
                 Fate::OnSurface

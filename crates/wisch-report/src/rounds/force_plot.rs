@@ -215,7 +215,7 @@ fn draw_curves(
         })
         .collect();
     let runs = reduce::runs(&reduce::peaks(&dots));
-    let drawn = |touch: Touch| {
+    let draw = |touch: Touch| {
         let (mut lines, mut alone) = (Pen::default(), Pen::default());
         for run in runs.iter().filter(|run| run.touch == touch) {
             match run.points.as_slice() {
@@ -227,7 +227,7 @@ fn draw_curves(
     };
     html! {
         @for touch in [Touch::Free, Touch::Weak, Touch::Confident, Touch::FalsePositive] {
-            @for (path, style) in drawn(touch) {
+            @for (path, style) in draw(touch) {
                 @if !path.is_empty() { path class=(class(touch)) style=[style] d=(path) {} }
             }
         }

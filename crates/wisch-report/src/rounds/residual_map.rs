@@ -141,7 +141,7 @@ fn band(value: f64, peak: f64) -> Option<usize> {
 }
 
 /// Returns the bounds of the surface and of particles that fell off it.
-fn shown(surface: &Surface) -> Bounds2 {
+fn drawn_bounds(surface: &Surface) -> Bounds2 {
     let mut bounds = extent(surface);
     let margin = Vector2::repeat(0.06 * bounds.size().max());
     bounds.min -= margin;
@@ -250,7 +250,7 @@ fn views(input: &RoundsInput, round: &RoundView, cells: &Cells) -> Vec<(Panel, S
 
 fn view(input: &RoundsInput, width: f64) -> View {
     let size = Vector2::new(width, TALLEST * width);
-    View::fit(shown(&input.task.surface), 0.0, NAME, size)
+    View::fit(drawn_bounds(&input.task.surface), 0.0, NAME, size)
 }
 
 /// Draws a view with its name, the surface, `layers`, obstacles and a frame.
