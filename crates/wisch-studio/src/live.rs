@@ -116,8 +116,8 @@ impl LiveFolder {
     /// Returns the run of a process.
     pub fn of_process(&self, pid: u32) -> Option<String> {
         self.ids().into_iter().find(|id| {
-            let said = self.sidecar(id);
-            said.is_some_and(|sidecar| sidecar.pid == pid) && self.recording(id).is_some()
+            let sidecar = self.sidecar(id);
+            sidecar.is_some_and(|sidecar| sidecar.pid == pid) && self.recording(id).is_some()
         })
     }
 
@@ -134,8 +134,8 @@ impl LiveFolder {
 
     /// Removes the files of a run that broke off. Returns whether there was one.
     pub fn clear(&self, id: &str) -> io::Result<bool> {
-        let lost = |run: &LiveRun| run.state != RunState::Running;
-        if self.run(id).filter(lost).is_none() {
+        let has_ended = |run: &LiveRun| run.state != RunState::Running;
+        if self.run(id).filter(has_ended).is_none() {
             return Ok(false);
         }
         for ending in ["json", "jsonl"] {

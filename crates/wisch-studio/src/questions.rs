@@ -235,7 +235,7 @@ fn answer(open: &mut Open, library: &Library, question: &Question) -> Result<Val
     }
     let (views, rows) = (&answers.views, &answers.rows);
     let mut surroundings = |_: &_| Surroundings::default();
-    let seen = gather(
+    let view = gather(
         views,
         rows,
         library.memory(),
@@ -243,7 +243,7 @@ fn answer(open: &mut Open, library: &Library, question: &Question) -> Result<Val
         &mut surroundings,
     );
     let mut remarks = answers.remarks.clone();
-    let view = match seen {
+    let view = match view {
         Ok(view) => {
             remarks.extend(view.remarks.iter().cloned());
             shown::view(&view, &open.catalogue)

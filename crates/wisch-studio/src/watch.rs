@@ -22,9 +22,9 @@ pub fn changes(library: Arc<Library>, live: LiveFolder) -> watch::Receiver<u64> 
                 continue;
             }
             let (library, live) = (Arc::clone(&library), live.clone());
-            let seen = tokio::task::spawn_blocking(move || fingerprint(&library, &live)).await;
-            let Ok(seen) = seen else { continue };
-            if before.replace(seen) != Some(seen) {
+            let current = tokio::task::spawn_blocking(move || fingerprint(&library, &live)).await;
+            let Ok(current) = current else { continue };
+            if before.replace(current) != Some(current) {
                 sender.send_modify(|count| *count += 1);
             }
         }

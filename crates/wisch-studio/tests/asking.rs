@@ -33,13 +33,13 @@ fn answers_list_the_intervals_that_they_mention() {
     assert_eq!(ask(&place, query)["holds"], false);
     // The next query finds an episode that was stored in the meantime.
     place.keep(ID, None);
-    let said = ask(&place, query);
-    assert_eq!(said["columns"], json!(["C", "S", "E"]));
-    assert_eq!(said["rows"][0][1], 1003.0);
-    assert_eq!(said["about"][0][0]["episode"], ID);
-    assert_eq!(said["about"][0][0]["interval"], json!([1003.0, 1004.5]));
-    assert_eq!(said["view"]["episodes"][0]["rounds"], json!([1000.0]));
-    assert_eq!(said["more"], false);
+    let reply = ask(&place, query);
+    assert_eq!(reply["columns"], json!(["C", "S", "E"]));
+    assert_eq!(reply["rows"][0][1], 1003.0);
+    assert_eq!(reply["about"][0][0]["episode"], ID);
+    assert_eq!(reply["about"][0][0]["interval"], json!([1003.0, 1004.5]));
+    assert_eq!(reply["view"]["episodes"][0]["rounds"], json!([1000.0]));
+    assert_eq!(reply["more"], false);
 }
 
 #[test]
@@ -79,8 +79,8 @@ fn forbidden_predicates_and_limits_are_enforced() {
         "halt",
         "consult(user)",
     ] {
-        let said = ask(&place, query);
-        assert!(said["error"]["message"].is_string(), "{query}: {said}");
+        let reply = ask(&place, query);
+        assert!(reply["error"]["message"].is_string(), "{query}: {reply}");
     }
     let many = ask(&place, "between(1, 5000, X)");
     assert_eq!(many["rows"].as_array().unwrap().len(), 1000);
@@ -100,8 +100,8 @@ fn every_example_query_is_valid() {
     let Some(engine) = engine() else { return };
     let place = Place::with_engine(Some(engine));
     for (title, query) in EXAMPLES {
-        let said = ask(&place, query);
-        assert!(said["error"].is_null(), "{title}: {said}");
+        let reply = ask(&place, query);
+        assert!(reply["error"].is_null(), "{title}: {reply}");
     }
     place.keep(ID, None);
     let paper = &ask(&place, EXAMPLES[0].1);

@@ -34,7 +34,7 @@ pub fn locate_fault(fault: &QueryFault, query: &str) -> Option<ErrorPlace> {
             let (name, arity) = name.rsplit_once('/')?;
             call(&tokens, query, name, arity.parse().unwrap_or(0))?
         }
-        QueryFault::Unknown { name, .. } => named(&tokens, query, name)?,
+        QueryFault::Unknown { name, .. } => find_name(&tokens, query, name)?,
         QueryFault::NoName { term } => {
             let start = query.find(term.as_str())?;
             (start, start + term.len())
@@ -98,7 +98,7 @@ fn arguments(tokens: &[Token]) -> usize {
 }
 
 /// Finds a name, for example `semco:'Colision'`.
-fn named(tokens: &[Token], query: &str, name: &str) -> Option<(usize, usize)> {
+fn find_name(tokens: &[Token], query: &str, name: &str) -> Option<(usize, usize)> {
     let bare = |text: &str| text.trim_matches('\'').replace("\\'", "'");
     let (prefix, local) = match name.split_once(':') {
         Some((prefix, local)) => (Some(prefix), bare(local)),
