@@ -156,11 +156,11 @@ pub(crate) fn read_chunk<T: DataType>(
 fn catch_panics<T>(read: impl FnOnce() -> Result<T, ParquetError>) -> Result<T, ParquetError> {
     // Partial results of a panicking reader are discarded, so unwinding leaves no broken state.
     catch_unwind(AssertUnwindSafe(read)).unwrap_or_else(|panic| {
-        let said = panic.downcast_ref::<String>().map(String::as_str);
-        let said = said.or_else(|| panic.downcast_ref::<&str>().copied());
+        let message = panic.downcast_ref::<String>().map(String::as_str);
+        let message = message.or_else(|| panic.downcast_ref::<&str>().copied());
         Err(ParquetError::General(format!(
             "the file is damaged: {}",
-            said.unwrap_or("no reason given")
+            message.unwrap_or("no reason given")
         )))
     })
 }

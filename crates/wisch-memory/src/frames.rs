@@ -524,11 +524,11 @@ impl<'a> Frames<'a> {
 
 /// Returns the scene in a round's telemetry, if there is one.
 fn scene_of(telemetry: &Telemetry) -> Result<Option<RoundScene>, FrameError> {
-    let Some(said) = telemetry.notes().get(SCENE_NOTE) else {
+    let Some(note) = telemetry.notes().get(SCENE_NOTE) else {
         return Ok(None);
     };
     let path = || telemetry.path().to_path_buf();
-    let scene: RoundScene = serde_json::from_str(said).map_err(|error| FrameError::Scene {
+    let scene: RoundScene = serde_json::from_str(note).map_err(|error| FrameError::Scene {
         path: path(),
         what: error.to_string(),
     })?;

@@ -244,14 +244,14 @@ pub(crate) mod tests {
             "detections_m: inf is not finite"
         );
         let text = example_observations().to_json().unwrap();
-        for (part, other, said) in [
+        for (part, other, message) in [
             ("\"schema\":1", "\"schema\":9", "schema: 9 is not supported"),
             ("[0.0,0.6,", "[3.0,0.6,", "further than 0.000001 from 1"),
             ("detections_m", "detections", "missing field `detections_m`"),
         ] {
             let changed = text.replacen(part, other, 1);
             let error = RoundObservations::from_json(changed.as_bytes()).unwrap_err();
-            assert!(error.to_string().contains(said), "{error}");
+            assert!(error.to_string().contains(message), "{error}");
         }
         let mut stretched = example_observations();
         stretched.world_from_surface = pose([0.0; 3], [0.0, 0.0, 0.0, 1.5]);

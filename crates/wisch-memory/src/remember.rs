@@ -252,13 +252,13 @@ fn describe_stroke(
         let middle = 0.5 * (piece.time[0] + piece.time[1]);
         (span.start..span.end).contains(&middle)
     });
-    let felt = ContactStatistics::of(during);
+    let contact = ContactStatistics::of(during);
     individual.set_number("semco:stroke", stroke as f64);
     individual.set_number("semco:peakForce", span.peak_force);
-    if let Some(share) = felt.contact_share {
+    if let Some(share) = contact.contact_share {
         individual.set_number("semco:contactShare", share);
     }
-    if let Some(force) = felt.mean_force {
+    if let Some(force) = contact.mean_force {
         individual.set_number("semco:meanNormalForce", force);
     }
 }

@@ -167,6 +167,6 @@ fn telemetry_of_another_robot_or_without_a_scene_is_refused() {
         tip: "hand".to_owned(),
         ..scene()
     };
-    let said = refused("c.parquet", elsewhere.head(joints(["slide", "turn"])));
-    assert!(said.contains("hand"), "{said}");
+    let message = refused("c.parquet", elsewhere.head(joints(["slide", "turn"])));
+    assert!(message.contains("hand"), "{message}");
 }

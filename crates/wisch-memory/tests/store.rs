@@ -85,24 +85,24 @@ fn individual(catalogue: &Catalogue, id: IndividualId) -> String {
     let name = catalogue.name(id);
     assert_eq!(catalogue.find(&name), Some(id));
     assert!(catalogue.of_class(catalogue.class(id)).contains(&id));
-    let mut said = vec![format!("{name} {:?} {parent:?}", catalogue.interval(id))];
+    let mut lines = vec![format!("{name} {:?} {parent:?}", catalogue.interval(id))];
     for property in catalogue.properties() {
         for (_, value) in entries(catalogue.numbers(property), id) {
-            said.push(format!("{property} {value:?}"));
+            lines.push(format!("{property} {value:?}"));
         }
         for (_, text) in entries(catalogue.texts(property), id) {
-            said.push(format!("{property} {text:?}"));
+            lines.push(format!("{property} {text:?}"));
         }
         for (_, node) in entries(catalogue.relations(property), id) {
             let object = match *node {
                 CatalogueNode::Individual(id) => catalogue.name(id),
                 CatalogueNode::Shared(place) => catalogue.shared()[place as usize].clone(),
             };
-            said.push(format!("{property} {object}"));
+            lines.push(format!("{property} {object}"));
         }
     }
-    said[1..].sort();
-    said.join("; ")
+    lines[1..].sort();
+    lines.join("; ")
 }
 
 fn from_folders(memory: &Memory) -> BTreeMap<String, Vec<String>> {
@@ -143,11 +143,12 @@ fn an_episode_is_read_back_and_deleted() {
         memory.begin(&record.id),
         Err(MemoryError::Exists { .. })
     ));
-    let said = memory.episode("20260101-080000-0001").unwrap_err();
+    let message = memory.episode("20260101-080000-0001").unwrap_err();
     assert!(
-        said.to_string()
+        message
+            .to_string()
             .ends_with("the nearest is \"20260101-080000-0000\""),
-        "{said}"
+        "{message}"
     );
 
     memory.forget(&record.id).unwrap();
@@ -207,12 +208,12 @@ fn every_damage_is_reported_with_its_file() {
         let whole = std::fs::read(&path).unwrap();
         let faulty = |what: &str| {
             let faults = memory.verify().unwrap();
-            let said: Vec<String> = faults.iter().map(ToString::to_string).collect();
-            let is_named = said.iter().any(|fault| fault.contains(&name));
+            let messages: Vec<String> = faults.iter().map(ToString::to_string).collect();
+            let is_named = messages.iter().any(|fault| fault.contains(&name));
             // Damaged check sums are reported for another file, or for themselves.
             assert!(
-                is_named || name == "checksums.json" && !said.is_empty(),
-                "{what} {name}: {said:?}"
+                is_named || name == "checksums.json" && !messages.is_empty(),
+                "{what} {name}: {messages:?}"
             );
         };
         let step = whole.len() / 7 + 1;

@@ -157,20 +157,20 @@ fn invalid_samples_are_refused_and_leave_no_files() {
     let columns = ["v".to_owned()];
     let mut writer = TelemetryWriter::with_columns(&path, head(&[]), &columns).unwrap();
     writer.push(1.0, MARK, [1.0]).unwrap();
-    let mut say = |time, values: &[f64]| {
+    let mut refuse = |time, values: &[f64]| {
         let pushed = writer.push(time, MARK, values.iter().copied());
         pushed.unwrap_err().to_string()
     };
     assert_eq!(
-        say(1.0, &[2.0]),
+        refuse(1.0, &[2.0]),
         "time: 1 s is not later than the previous sample's, 1 s"
     );
     assert_eq!(
-        say(f64::NAN, &[2.0]),
+        refuse(f64::NAN, &[2.0]),
         "time: NaN s is not between 0 and 1000000000 s"
     );
-    assert_eq!(say(2.0, &[]), "row: 0 values; expected 1");
-    assert_eq!(say(2.0, &[1.0, 2.0]), "row: 2 values; expected 1");
+    assert_eq!(refuse(2.0, &[]), "row: 0 values; expected 1");
+    assert_eq!(refuse(2.0, &[1.0, 2.0]), "row: 2 values; expected 1");
     writer.push(2.0, MARK, [3.0]).unwrap();
     writer.finish().unwrap();
     let telemetry = Telemetry::open(&path).unwrap();
@@ -187,9 +187,9 @@ fn an_unknown_column_is_reported_with_the_nearest_name() {
     let writer = TelemetryWriter::create(&path, head(&["elbow"])).unwrap();
     writer.finish().unwrap();
     let telemetry = Telemetry::open(&path).unwrap();
-    let said = telemetry.series("position/elbw", [0.0, 1.0]).unwrap_err();
+    let message = telemetry.series("position/elbw", [0.0, 1.0]).unwrap_err();
     let expected = "there is no column \"position/elbw\"; the nearest is \"position/elbow\"";
-    assert!(said.to_string().ends_with(expected), "{said}");
+    assert!(message.to_string().ends_with(expected), "{message}");
 }
 
 #[test]
@@ -205,8 +205,8 @@ fn a_cut_or_damaged_file_is_an_error_with_its_name() {
         Telemetry::open(&broken).and_then(|telemetry| telemetry.verify())
     };
     for length in (0..whole.len()).step_by(97) {
-        let said = fault(&whole[..length]).unwrap_err().to_string();
-        assert!(said.contains("broken.parquet"), "{said}");
+        let message = fault(&whole[..length]).unwrap_err().to_string();
+        assert!(message.contains("broken.parquet"), "{message}");
     }
     // The check sums of the episode detect damage that leaves the file readable.
     for place in (4..whole.len()).step_by(53) {

@@ -121,8 +121,11 @@ fn memory_with(after: &str) -> Shown {
 }
 
 impl Shown {
-    fn view(&self, said: &[&str]) -> Result<View, ViewError> {
-        let said: Vec<Term> = said.iter().map(|text| Term::parse(text).unwrap()).collect();
+    fn view(&self, views: &[&str]) -> Result<View, ViewError> {
+        let views: Vec<Term> = views
+            .iter()
+            .map(|text| Term::parse(text).unwrap())
+            .collect();
         let mut around = |episode: &wisch_memory::Episode| {
             assert!(episode.folder().ends_with(Path::new(ID)));
             Surroundings {
@@ -130,12 +133,12 @@ impl Shown {
                 ..Surroundings::default()
             }
         };
-        gather(&said, &[], &self.memory, &self.catalogue, &mut around)
+        gather(&views, &[], &self.memory, &self.catalogue, &mut around)
     }
 
     /// Returns the remarks on what is not drawn.
-    fn remarks(&self, said: &str) -> Vec<String> {
-        self.view(&[said]).unwrap().remarks
+    fn remarks(&self, view: &str) -> Vec<String> {
+        self.view(&[view]).unwrap().remarks
     }
 }
 
@@ -259,11 +262,11 @@ fn answers_add_their_episodes() {
 #[test]
 fn the_number_of_shown_answers_is_limited() {
     let shown = memory_with(AFTER);
-    let said: Vec<String> = (0..MAX_POSES + 16)
+    let views: Vec<String> = (0..MAX_POSES + 16)
         .map(|k| format!("show('semco:slider',{})", BEGIN + PERIOD * k as f64))
         .collect();
-    let said: Vec<&str> = said.iter().map(String::as_str).collect();
-    let view = shown.view(&said).unwrap();
+    let views: Vec<&str> = views.iter().map(String::as_str).collect();
+    let view = shown.view(&views).unwrap();
     assert_eq!(view.bodies.len(), MAX_POSES);
     assert_eq!(view.left_out, 16);
 }
@@ -280,7 +283,7 @@ fn a_command_that_fails_affects_no_other() {
 #[test]
 fn missing_recordings_are_reported() {
     let shown = memory_with("x\n1\n");
-    for (said, says) in [
+    for (view, remark) in [
         (
             "show('semco:sponge',5)",
             "semco:sponge: nothing was recorded between 5 and 5 s".to_owned(),
@@ -304,6 +307,6 @@ fn missing_recordings_are_reported() {
             ),
         ),
     ] {
-        assert_eq!(shown.remarks(said), [says]);
+        assert_eq!(shown.remarks(view), [remark]);
     }
 }

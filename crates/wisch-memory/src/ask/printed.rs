@@ -162,7 +162,7 @@ fn character(term: &Term) -> Option<char> {
 mod tests {
     use super::*;
 
-    fn made(format: &str, arguments: &str) -> Result<String, String> {
+    fn print(format: &str, arguments: &str) -> Result<String, String> {
         let arguments = Term::parse(arguments).unwrap();
         format_answer(&Term::atom(format), &arguments).map_err(|error| error.to_string())
     }
@@ -185,7 +185,7 @@ mod tests {
             ("~w", "one", "one"),
             ("~2d", "[-5]", "-0.05"),
         ] {
-            assert_eq!(made(format, arguments).as_deref(), Ok(text), "{format}");
+            assert_eq!(print(format, arguments).as_deref(), Ok(text), "{format}");
         }
     }
 
@@ -198,7 +198,7 @@ mod tests {
             ("~z", "[a]", "~z is unknown"),
             ("~", "[]", "ends with ~"),
         ] {
-            let error = made(format, arguments).unwrap_err();
+            let error = print(format, arguments).unwrap_err();
             assert!(error.contains(says), "{format}: {error}");
         }
     }

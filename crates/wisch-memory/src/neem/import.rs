@@ -94,14 +94,14 @@ pub fn records(triples: impl IntoIterator<Item = Triple>) -> Result<Vec<EpisodeR
 }
 
 /// Predicate, with prefix if it has one, and object.
-type Said = Vec<(String, Object)>;
+type Statements = Vec<(String, Object)>;
 
 /// Triples about the parts of an episode.
 #[derive(Debug, Default)]
 struct Parts {
-    record: Said,
-    individuals: BTreeMap<usize, Said>,
-    intervals: HashMap<usize, Said>,
+    record: Statements,
+    individuals: BTreeMap<usize, Statements>,
+    intervals: HashMap<usize, Statements>,
 }
 
 /// Role of a subject in its episode.
@@ -136,12 +136,16 @@ fn sort_in(parts: &mut BTreeMap<String, Parts>, triple: Triple) {
         return;
     };
     let predicate = ontology.compact(&triple.predicate);
-    let said = (predicate.unwrap_or(triple.predicate), triple.object);
+    let statement = (predicate.unwrap_or(triple.predicate), triple.object);
     let episode = parts.entry(episode.to_owned()).or_default();
     match part {
-        Part::Record => episode.record.push(said),
-        Part::Individual(place) => episode.individuals.entry(place).or_default().push(said),
-        Part::Interval(place) => episode.intervals.entry(place).or_default().push(said),
+        Part::Record => episode.record.push(statement),
+        Part::Individual(place) => episode
+            .individuals
+            .entry(place)
+            .or_default()
+            .push(statement),
+        Part::Interval(place) => episode.intervals.entry(place).or_default().push(statement),
     }
 }
 
@@ -160,14 +164,15 @@ fn record(id: String, mut parts: Parts) -> Result<EpisodeRecord, NeemError> {
     };
     let mut record = header(&id, &parts.record).map_err(incomplete)?;
     let mut left = Vec::new();
-    for (place, (number, said)) in std::mem::take(&mut parts.individuals)
+    for (place, (number, statements)) in std::mem::take(&mut parts.individuals)
         .into_iter()
         .enumerate()
     {
         if number != place {
             return Err(incomplete(format!("individual {place} is missing")));
         }
-        let (individual, rest) = skeleton(place, said, &parts.intervals).map_err(incomplete)?;
+        let (individual, rest) =
+            skeleton(place, statements, &parts.intervals).map_err(incomplete)?;
         record.individuals.push(individual);
         left.push(rest);
     }
@@ -182,19 +187,21 @@ fn record(id: String, mut parts: Parts) -> Result<EpisodeRecord, NeemError> {
     Ok(record)
 }
 
-fn header(id: &str, said: &Said) -> Result<EpisodeRecord, String> {
-    let number = |property: &str| match find(said, property) {
+fn header(id: &str, statements: &Statements) -> Result<EpisodeRecord, String> {
+    let number = |property: &str| match find(statements, property) {
         Some(Object::Number(number)) => Ok(*number),
         _ => Err(format!("its record lacks the number {property}")),
     };
-    let text = |property: &str| match find(said, property) {
+    let text = |property: &str| match find(statements, property) {
         Some(Object::Text(text)) => Ok(text.clone()),
         _ => Err(format!("its record lacks the text {property}")),
     };
-    let rounds = said.iter().filter_map(|(property, object)| match object {
-        Object::Number(start) if property == "semco:recordRoundStart" => Some(*start),
-        _ => None,
-    });
+    let rounds = statements
+        .iter()
+        .filter_map(|(property, object)| match object {
+            Object::Number(start) if property == "semco:recordRoundStart" => Some(*start),
+            _ => None,
+        });
     let seed = text("semco:recordSeed")?;
     Ok(EpisodeRecord {
         schema: number("semco:recordSchema")? as u32,
@@ -213,8 +220,9 @@ fn header(id: &str, said: &Said) -> Result<EpisodeRecord, String> {
     })
 }
 
-fn find<'a>(said: &'a Said, property: &str) -> Option<&'a Object> {
-    said.iter()
+fn find<'a>(statements: &'a Statements, property: &str) -> Option<&'a Object> {
+    statements
+        .iter()
         .find(|(name, _)| name == property)
         .map(|(_, object)| object)
 }
@@ -222,9 +230,9 @@ fn find<'a>(said: &'a Said, property: &str) -> Option<&'a Object> {
 /// Builds an individual with class, interval, parent and values. Returns the remaining triples as well.
 fn skeleton(
     place: usize,
-    said: Said,
-    intervals: &HashMap<usize, Said>,
-) -> Result<(Individual, Said), String> {
+    statements: Statements,
+    intervals: &HashMap<usize, Statements>,
+) -> Result<(Individual, Statements), String> {
     let mut individual = Individual {
         class: String::new(),
         interval: None,
@@ -232,8 +240,8 @@ fn skeleton(
         relations: BTreeMap::new(),
         values: BTreeMap::new(),
     };
-    let mut left = Said::new();
-    for (property, object) in said {
+    let mut left = Statements::new();
+    for (property, object) in statements {
         let object = match object {
             Object::Iri(iri) => iri,
             Object::Number(number) => {
@@ -278,15 +286,15 @@ fn skeleton(
     Ok((individual, left))
 }
 
-fn interval(said: &Said) -> Option<[f64; 2]> {
-    match [find(said, BEGIN)?, find(said, END)?] {
+fn interval(statements: &Statements) -> Option<[f64; 2]> {
+    match [find(statements, BEGIN)?, find(statements, END)?] {
         [Object::Number(start), Object::Number(end)] => Some([*start, *end]),
         _ => None,
     }
 }
 
 /// Adds the remaining triples of each individual as relations, except those that the export derived.
-fn relate(record: &mut EpisodeRecord, left: Vec<Said>) -> Result<(), NeemError> {
+fn relate(record: &mut EpisodeRecord, left: Vec<Statements>) -> Result<(), NeemError> {
     let ontology = Ontology::shipped();
     let mut places = HashMap::new();
     let mut repeated = HashMap::<[String; 3], usize>::new();
@@ -300,11 +308,11 @@ fn relate(record: &mut EpisodeRecord, left: Vec<Said>) -> Result<(), NeemError> 
             }
         }
     }
-    for (place, said) in left.into_iter().enumerate() {
+    for (place, statements) in left.into_iter().enumerate() {
         let subject = iri(&individual(record, place))?;
         let mut kept = Vec::new();
         // Backwards, because derived triples follow those of the record.
-        for (property, object) in said.into_iter().rev() {
+        for (property, object) in statements.into_iter().rev() {
             let Object::Iri(object) = object else {
                 continue;
             };

@@ -194,15 +194,15 @@ impl Memory {
         let guard = self.lock()?;
         self.note_forgotten(id)?;
         // By one rename, so that no reader meets a partial episode.
-        let gone = (self.folder.join(NEW_FOLDER)).join(format!("{id}{FORGOTTEN_ENDING}"));
-        remove_folder(&gone)?;
-        fs::rename(episode.folder(), &gone).map_err(at(episode.folder()))?;
+        let removed = (self.folder.join(NEW_FOLDER)).join(format!("{id}{FORGOTTEN_ENDING}"));
+        remove_folder(&removed)?;
+        fs::rename(episode.folder(), &removed).map_err(at(episode.folder()))?;
         sync_folder(&self.folder)?;
         // Statements about the episode answer no queries any more, as their subject is gone; remove them as well.
         let aside = self.folder.join(NEW_FOLDER).join(TOLD_FILE);
         forget_episode(&self.folder, id, &aside).map_err(at(&self.folder))?;
         // Still under the lock: another episode with this name may be deleted next.
-        remove_folder(&gone)?;
+        remove_folder(&removed)?;
         drop(guard);
         Ok(())
     }

@@ -78,13 +78,13 @@ impl Telemetry {
             path: path.to_path_buf(),
             what,
         };
-        let said = reader.metadata().file_metadata().key_value_metadata();
-        let said: BTreeMap<&str, &str> = said
+        let metadata = reader.metadata().file_metadata().key_value_metadata();
+        let metadata: BTreeMap<&str, &str> = metadata
             .into_iter()
             .flatten()
             .filter_map(|entry| Some((entry.key.as_str(), entry.value.as_deref()?)))
             .collect();
-        match said.get(SCHEMA_KEY) {
+        match metadata.get(SCHEMA_KEY) {
             None => return Err(foreign("this is not telemetry of wisch".to_owned())),
             Some(schema) if schema.parse() == Ok(TELEMETRY_SCHEMA) => {}
             Some(schema) => {
@@ -93,10 +93,10 @@ impl Telemetry {
                 )));
             }
         }
-        let joints = said.get(JOINTS_KEY).copied().unwrap_or("[]");
+        let joints = metadata.get(JOINTS_KEY).copied().unwrap_or("[]");
         let joints = serde_json::from_str(joints)
             .map_err(|error| foreign(format!("{JOINTS_KEY}: {error}")))?;
-        let notes = said.iter().filter_map(|(key, value)| {
+        let notes = metadata.iter().filter_map(|(key, value)| {
             let key = key.strip_prefix(NOTE_PREFIX)?;
             Some((key.to_owned(), (*value).to_owned()))
         });

@@ -82,17 +82,17 @@ impl ViewCommand {
         match term.parts() {
             // The page always shows the scene, so this command adds nothing.
             Some(("show", [])) => Ok(Self::Look(Vec::new())),
-            Some(("show", [what])) => look(what, When::Latest, plain, None),
-            Some(("show", [what, how])) => look(what, when(how)?, plain, None),
+            Some(("show", [what])) => parse_look(what, When::Latest, plain, None),
+            Some(("show", [what, how])) => parse_look(what, when(how)?, plain, None),
             Some(("show", [what, how, style])) => {
-                look(what, when(how)?, plain, Some(Colour::of(style)?))
+                parse_look(what, when(how)?, plain, Some(Colour::of(style)?))
             }
-            Some(("highlight", [what])) => look(what, When::Latest, strong, None),
+            Some(("highlight", [what])) => parse_look(what, When::Latest, strong, None),
             Some(("highlight", [what, style])) => {
-                look(what, When::Latest, strong, Some(Colour::of(style)?))
+                parse_look(what, When::Latest, strong, Some(Colour::of(style)?))
             }
             Some(("highlight", [what, how, style])) => {
-                look(what, when(how)?, strong, Some(Colour::of(style)?))
+                parse_look(what, when(how)?, strong, Some(Colour::of(style)?))
             }
             Some(("data_vis", [diagram, properties])) => {
                 Ok(Self::Plot(Plot::of(diagram, properties)?))
@@ -104,7 +104,7 @@ impl ViewCommand {
     }
 }
 
-fn look(
+fn parse_look(
     what: &Term,
     when: When,
     emphasis: Emphasis,

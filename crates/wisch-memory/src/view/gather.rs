@@ -45,7 +45,7 @@ pub struct Surroundings {
 /// # Errors
 /// If a term is not a command.
 pub fn gather(
-    said: &[Term],
+    views: &[Term],
     rows: &[Vec<Term>],
     memory: &Memory,
     catalogue: &Catalogue,
@@ -60,7 +60,7 @@ pub fn gather(
         known: HashMap::new(),
     };
     let mut wishes: Vec<Wish> = Vec::new();
-    for term in said {
+    for term in views {
         match ViewCommand::of(term)? {
             ViewCommand::Plot(plot) => {
                 let plots = &mut gathering.view.plots;

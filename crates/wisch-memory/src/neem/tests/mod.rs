@@ -156,20 +156,20 @@ fn documents_carry_the_closures_that_readers_match() {
     writer.finish().unwrap();
     let all = documents(&neem, "triples");
     let event = format!("{SEMCO}HumanCollision_20260101-crumbs-5");
-    let said = |predicate: &str| -> Vec<&RawDocumentBuf> {
+    let find = |predicate: &str| -> Vec<&RawDocumentBuf> {
         let of_event = |document: &&RawDocumentBuf| {
             document.get_str("s").ok() == Some(&event)
                 && document.get_str("p").ok() == Some(predicate)
         };
         all.iter().filter(of_event).collect()
     };
-    let types = said("http://www.w3.org/1999/02/22-rdf-syntax-ns#type");
+    let types = find("http://www.w3.org/1999/02/22-rdf-syntax-ns#type");
     let above = texts(types[0], "o*");
     assert_eq!(above[0], format!("{SEMCO}HumanCollision"));
     for class in [format!("{SEMCO}Collision"), format!("{DUL}Event")] {
         assert!(above.contains(&class), "{class}");
     }
-    let classified = said(&format!("{DUL}isClassifiedBy"));
+    let classified = find(&format!("{DUL}isClassifiedBy"));
     assert_eq!(
         texts(classified[0], "p*"),
         ["isClassifiedBy", "associatedWith"].map(|local| format!("{DUL}{local}"))
@@ -185,7 +185,7 @@ fn documents_carry_the_closures_that_readers_match() {
     );
 
     // The force as a region, and the event that has it.
-    let force = &said(&format!("{SEMCO}hasPeakForce"))[0];
+    let force = &find(&format!("{SEMCO}hasPeakForce"))[0];
     let region = force.get_str("o").unwrap();
     let value = all.iter().find(|document| {
         document.get_str("s").ok() == Some(region)

@@ -154,7 +154,7 @@ fn an_invalid_observation_is_reported_with_its_document() {
         bytes[at..at + part.len()].copy_from_slice(other);
         bytes
     };
-    for (part, other, said) in [
+    for (part, other, message) in [
         (
             &b"dirt_before"[..],
             &b"dirt_during"[..],
@@ -166,7 +166,7 @@ fn an_invalid_observation_is_reported_with_its_document() {
     ] {
         let error = refused(&changed(part, other));
         assert!(
-            error.contains("observation.bson: ") && error.contains(said),
+            error.contains("observation.bson: ") && error.contains(message),
             "{error}"
         );
     }
