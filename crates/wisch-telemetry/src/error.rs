@@ -222,7 +222,7 @@ pub enum ReadFault {
         what: &'static str,
     },
     /// No topic holds the quantity.
-    #[error("no topic holds a {what}; the topics are: {}{}", listed(.topics), and_unread(.unread))]
+    #[error("no topic holds a {what}; the topics are: {}{}", join_names(.topics), and_unread(.unread))]
     Nothing {
         /// "pose" or "wrench".
         what: &'static str,
@@ -254,7 +254,7 @@ pub enum ReadFault {
         kind: &'static str,
     },
     /// Several topics hold the quantity.
-    #[error("{} topics hold a {what}; choose one of: {}", .topics.len(), listed(.topics))]
+    #[error("{} topics hold a {what}; choose one of: {}", .topics.len(), join_names(.topics))]
     Several {
         /// "pose" or "wrench".
         what: &'static str,
@@ -312,7 +312,7 @@ pub enum ReadFault {
         names: usize,
     },
     /// A table has no column of times.
-    #[error("no column holds the time; the columns are: {}", listed(.columns))]
+    #[error("no column holds the time; the columns are: {}", join_names(.columns))]
     NoTime {
         /// Names of all columns.
         columns: Vec<String>,
@@ -388,7 +388,7 @@ pub enum ReadFault {
         kind: String,
     },
     /// The missing column may be one whose type is not supported.
-    #[error("{fault}; lists, records and objects are not read: {}", listed(.columns))]
+    #[error("{fault}; lists, records and objects are not read: {}", join_names(.columns))]
     BesideUnread {
         /// The fault: the missing column.
         fault: Box<ReadFault>,
@@ -438,9 +438,9 @@ impl std::fmt::Display for RecordingKind {
 /// Largest number of topics in a message.
 const TOPICS_SHOWN: usize = 12;
 
-fn listed(topics: &[String]) -> String {
-    let mut text = topics[..topics.len().min(TOPICS_SHOWN)].join(", ");
-    match topics.len() {
+fn join_names(names: &[String]) -> String {
+    let mut text = names[..names.len().min(TOPICS_SHOWN)].join(", ");
+    match names.len() {
         0 => "none".to_owned(),
         count if count > TOPICS_SHOWN => {
             text += &format!(" and {} more", count - TOPICS_SHOWN);

@@ -105,15 +105,17 @@ impl Frames {
 
     /// The frames that move in their parents; if none moves, those with repeated transforms.
     pub fn moving(&self) -> Vec<&str> {
-        let told = self.links.iter().filter(|(_, link)| !link.is_static);
-        let told: Vec<(&str, &Link)> = told.map(|(child, link)| (child.as_str(), link)).collect();
+        let repeated = self.links.iter().filter(|(_, link)| !link.is_static);
+        let repeated: Vec<(&str, &Link)> = repeated
+            .map(|(child, link)| (child.as_str(), link))
+            .collect();
         let is_moved = |link: &Link| link.entries.windows(2).any(|pair| pair[0].1 != pair[1].1);
-        let moving: Vec<&str> = (told.iter())
+        let moving: Vec<&str> = (repeated.iter())
             .filter(|(_, link)| is_moved(link))
             .map(|(child, _)| *child)
             .collect();
         if moving.is_empty() {
-            return told.into_iter().map(|(child, _)| child).collect();
+            return repeated.into_iter().map(|(child, _)| child).collect();
         }
         moving
     }
@@ -229,31 +231,30 @@ mod tests {
     use wisch::geometry::Vector3;
 
     fn close(a: Pose, b: Pose) {
-        let apart = a.inverse() * b;
+        let difference = a.inverse() * b;
         assert!(
-            apart.translation.vector.norm() < 1e-9 && apart.rotation.angle() < 1e-9,
+            difference.translation.vector.norm() < 1e-9 && difference.rotation.angle() < 1e-9,
             "{a} {b}"
         );
     }
 
     #[test]
     fn frames_are_found_up_and_down_the_tree() {
-        let turned =
-            |x: f64, angle: f64| Pose::new(Vector3::new(x, 0.0, 0.0), Vector3::z() * angle);
+        let pose = |x: f64, angle: f64| Pose::new(Vector3::new(x, 0.0, 0.0), Vector3::z() * angle);
         let mut frames = Frames::default();
-        frames.insert("world", "base", 0, turned(1.0, 0.5), true);
-        frames.insert("/base", "/flange", 20, turned(0.4, 0.2), false);
-        frames.insert("base", "flange", 0, turned(0.2, 0.2), false);
-        frames.insert("flange", "sensor", 0, turned(0.0, 1.0), true);
-        frames.insert("flange", "tool", 0, turned(0.1, 0.0), true);
+        frames.insert("world", "base", 0, pose(1.0, 0.5), true);
+        frames.insert("/base", "/flange", 20, pose(0.4, 0.2), false);
+        frames.insert("base", "flange", 0, pose(0.2, 0.2), false);
+        frames.insert("flange", "sensor", 0, pose(0.0, 1.0), true);
+        frames.insert("flange", "tool", 0, pose(0.1, 0.0), true);
         frames.sort();
         let at = |to: &str, from: &str, time| frames.between(to, from)?.at(time, 1.0);
-        let sensor = turned(1.0, 0.5) * turned(0.3, 0.2) * turned(0.0, 1.0);
+        let sensor = pose(1.0, 0.5) * pose(0.3, 0.2) * pose(0.0, 1.0);
         close(at("world", "sensor", 10).unwrap(), sensor);
         close(at("sensor", "world", 10).unwrap(), sensor.inverse());
         close(
             at("tool", "sensor", 10).unwrap(),
-            turned(-0.1, 0.0) * turned(0.0, 1.0),
+            pose(-0.1, 0.0) * pose(0.0, 1.0),
         );
         close(at("tool", "tool", 10).unwrap(), Pose::identity());
         assert!(frames.between("world", "camera").is_none());

@@ -145,8 +145,8 @@ mod tests {
     fn numbers_become_a_pose_with_the_quaternion_as_x_y_z_w() {
         let half = std::f64::consts::FRAC_1_SQRT_2;
         let pose = Pose::from_numbers(&[1.0, 2.0, 3.0, 0.0, 0.0, half, half]).unwrap();
-        let turned = pose * Vector3::x();
-        assert!((turned - Vector3::y()).norm() < 1e-12);
+        let axis = pose * Vector3::x();
+        assert!((axis - Vector3::y()).norm() < 1e-12);
         assert_eq!(pose.translation.vector, Vector3::new(1.0, 2.0, 3.0));
     }
 
@@ -166,14 +166,14 @@ mod tests {
 
     #[test]
     fn poses_are_interpolated_along_the_shorter_rotation() {
-        let turned = |angle: f64| Pose::rotation(Vector3::z() * angle);
-        let between = turned(0.2).between(&turned(0.6), 0.25);
+        let rotation = |angle: f64| Pose::rotation(Vector3::z() * angle);
+        let between = rotation(0.2).between(&rotation(0.6), 0.25);
         assert!((between.rotation.angle() - 0.3).abs() < 1e-12);
         let negated = Pose::from_parts(
-            turned(0.6).translation,
-            UnitQuaternion::new_unchecked(-turned(0.6).rotation.into_inner()),
+            rotation(0.6).translation,
+            UnitQuaternion::new_unchecked(-rotation(0.6).rotation.into_inner()),
         );
-        let between = turned(0.2).between(&negated, 0.25);
+        let between = rotation(0.2).between(&negated, 0.25);
         assert!((between.rotation.angle() - 0.3).abs() < 1e-12);
     }
 }

@@ -67,13 +67,13 @@ fn in_surface(time: u64) -> OwnedHeader {
 
 /// Collector of the observations in a bag.
 #[derive(Debug, Default)]
-pub(super) struct Looks {
+pub(super) struct ObservationCollector {
     /// Detections before and after the round.
     seen: [Option<Vec<Point2>>; 2],
     hidden: [Vec<Polygon>; 2],
 }
 
-impl Looks {
+impl ObservationCollector {
     /// Reads a message, if its topic is one of an observation.
     pub(super) fn take(&mut self, channel: &Channel<'_>, data: &[u8]) -> Result<(), ReadFault> {
         let topic = channel.topic.as_str();

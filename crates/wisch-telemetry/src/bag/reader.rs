@@ -4,7 +4,7 @@ use super::clocks::Offset;
 use super::container::{Ending, Entry, entries};
 use super::joint_states::JointStates;
 use super::locator::Locator;
-use super::observation::{Looks, is_observation_topic};
+use super::observation::{ObservationCollector, is_observation_topic};
 use super::search::{Located, Search, alignment_remark};
 use super::topic::{NOTES, ROLE_POSE, ROLE_WRENCH, ROUND_NOTE, TASK_NOTE};
 use super::unpack::{is_packed, unpack_message};
@@ -45,7 +45,7 @@ pub(crate) struct BagReader<'a> {
     task: Option<String>,
     /// Number of the round, if the writer states it.
     round: Option<usize>,
-    looks: Looks,
+    looks: ObservationCollector,
     unfinished: bool,
 }
 
@@ -95,7 +95,7 @@ impl<'a> BagReader<'a> {
             joints_ahead: Vec::new(),
             task: None,
             round: None,
-            looks: Looks::default(),
+            looks: ObservationCollector::default(),
             unfinished: false,
         }
     }

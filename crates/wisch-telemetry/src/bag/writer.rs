@@ -475,12 +475,12 @@ impl BagWriter {
         match force {
             Some(force) => self.put(Topic::Force, time, &force.marker(time)),
             None if was_drawn => {
-                let gone = scene::no_force();
-                let gone = Marker {
+                let deletion = scene::no_force();
+                let deletion = Marker {
                     action: MARKER_DELETE,
-                    ..gone.marker(time)
+                    ..deletion.marker(time)
                 };
-                self.put(Topic::Force, time, &gone)
+                self.put(Topic::Force, time, &deletion)
             }
             None => Ok(()),
         }

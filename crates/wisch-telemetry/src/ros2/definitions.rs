@@ -136,15 +136,15 @@ pub(crate) fn is_separator(line: &str) -> bool {
 /// A type outside the table above has no fields.
 pub(crate) fn full_definition(name: &str) -> String {
     let mut text = own_fields(name).to_owned();
-    let mut told = vec![name];
+    let mut written = vec![name];
     let mut open = nested_types(own_fields(name));
     while !open.is_empty() {
         let name = open.remove(0);
-        if told.contains(&name) {
+        if written.contains(&name) {
             continue;
         }
         text += &format!("{SEPARATOR}MSG: {name}\n{}", own_fields(name));
-        told.push(name);
+        written.push(name);
         open.extend(nested_types(own_fields(name)));
     }
     text

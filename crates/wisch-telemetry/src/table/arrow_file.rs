@@ -187,9 +187,11 @@ fn check_buffers(batch: &RecordBatch<'_>, body: &[u8]) -> Result<(), ReadFault> 
         let (start, len) = (start.map_err(|_| cut())?, len.map_err(|_| cut())?);
         let end = start.checked_add(len).ok_or_else(cut)?;
         let bytes = body.get(start..end).ok_or_else(cut)?;
-        let said = bytes.first_chunk().map(|said| i64::from_le_bytes(*said));
-        let len = match said.filter(|&said| is_packed && said != NOT_PACKED) {
-            Some(said) => u64::try_from(said).map_err(|_| cut())?,
+        let stated = bytes
+            .first_chunk()
+            .map(|stated| i64::from_le_bytes(*stated));
+        let len = match stated.filter(|&stated| is_packed && stated != NOT_PACKED) {
+            Some(stated) => u64::try_from(stated).map_err(|_| cut())?,
             None => len as u64,
         };
         unpacked = unpacked.saturating_add(len);

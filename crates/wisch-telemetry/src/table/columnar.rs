@@ -187,8 +187,8 @@ pub(super) fn catch_panics<T>(
     let read = catch_unwind(AssertUnwindSafe(read));
     IS_GUARDED.set(false);
     read.unwrap_or_else(|panic| {
-        let said = panic.downcast_ref::<String>().map(String::as_str);
-        let said = said.or_else(|| panic.downcast_ref::<&str>().copied());
-        Err(damaged(kind, said.unwrap_or("no reason given")))
+        let message = panic.downcast_ref::<String>().map(String::as_str);
+        let message = message.or_else(|| panic.downcast_ref::<&str>().copied());
+        Err(damaged(kind, message.unwrap_or("no reason given")))
     })
 }

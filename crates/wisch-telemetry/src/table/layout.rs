@@ -500,8 +500,8 @@ impl Finder<'_> {
                 Err(self.missing(ours.iter().find(is_missing).unwrap_or(&ours[0])))
             }
             [one] => {
-                let said = format!("{what} from columns {}", listed(one));
-                self.remarks.push(said);
+                let remark = format!("{what} from columns {}", listed(one));
+                self.remarks.push(remark);
                 Ok(families.into_iter().flatten().collect())
             }
             many => Err(ReadFault::SeveralColumns {

@@ -107,24 +107,24 @@ impl Table<'_> {
                 (None, Some(unit)) => (unit.text.clone(), &mut by_name),
                 (None, None) => continue,
             };
-            let said = format!("{} in {text}", column.ours);
+            let remark = format!("{} in {text}", column.ours);
             match column.kind.size_of(&text) {
                 Some(size) => {
                     self.scales[index] = size;
                     column.is_unit_known = true;
-                    list.push(said);
+                    list.push(remark);
                 }
-                None => unknown.push(said),
+                None => unknown.push(remark),
             }
         }
-        let mut say = |what: &str, list: Vec<String>| {
+        let mut add_remark = |what: &str, list: Vec<String>| {
             if !list.is_empty() {
                 self.remarks.push(format!("{what}: {}", list.join(", ")));
             }
         };
-        say("from its line of units", by_line);
-        say("from its names of columns", by_name);
-        say(
+        add_remark("from its line of units", by_line);
+        add_remark("from its names of columns", by_name);
+        add_remark(
             "its units include unknown ones, which are read as SI units",
             unknown,
         );

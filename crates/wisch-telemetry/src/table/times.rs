@@ -182,9 +182,9 @@ fn assumed_unit(instants: &[Option<Instant>]) -> (f64, Option<String>) {
         let is_date = (SINCE_1970[0]..=SINCE_1970[1]).contains(&(first * unit));
         // A controller's clock may count from when it was switched on.
         if is_date && step.is_none_or(|step| step * unit < LONG_STEP) {
-            let said =
+            let remark =
                 format!("times are read as {name} since 1970; --time-unit-s states another unit");
-            return (unit, (unit < 1.0).then_some(said));
+            return (unit, (unit < 1.0).then_some(remark));
         }
     }
     let Some(step) = step.filter(|step| *step >= LONG_STEP) else {
@@ -194,10 +194,10 @@ fn assumed_unit(instants: &[Option<Instant>]) -> (f64, Option<String>) {
     let Some((unit, name)) = UNITS.iter().find(fits) else {
         return (1.0, None);
     };
-    let said = format!(
+    let remark = format!(
         "times are read as {name}, as {step} s from sample to sample would be long; --time-unit-s states another unit"
     );
-    (*unit, Some(said))
+    (*unit, Some(remark))
 }
 
 /// Returns the median of the positive steps.

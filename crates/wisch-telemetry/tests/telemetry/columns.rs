@@ -332,18 +332,18 @@ fn arrays_of_many_numbers_per_row_are_columns() {
 fn unsupported_contents_are_reported() {
     let columns = columns(&table(NAMES, plain));
     let flags: ArrayRef = Arc::new(BooleanArray::from(vec![true; COUNT]));
-    let shown = refused_bytes(&arrow_file(&batch_with(&columns, "fz", &flags), None));
+    let message = refused_bytes(&arrow_file(&batch_with(&columns, "fz", &flags), None));
     assert_eq!(
-        shown,
+        message,
         ": column \"fz\" holds Boolean, but only numbers, times and text are read"
     );
     let lists = (0..COUNT).map(|_| Some([Some(1.0), Some(2.0)]));
     let lists: ArrayRef = Arc::new(ListArray::from_iter_primitive::<Float64Type, _, _>(lists));
-    let shown = refused_bytes(&arrow_stream(&batch_with(&columns, "fz", &lists)));
+    let message = refused_bytes(&arrow_stream(&batch_with(&columns, "fz", &lists)));
     assert!(
-        shown.starts_with(": unknown column \"fz\"")
-            && shown.ends_with("; lists, records and objects are not read: fz"),
-        "{shown}"
+        message.starts_with(": unknown column \"fz\"")
+            && message.ends_with("; lists, records and objects are not read: fz"),
+        "{message}"
     );
     let mut arrays: Vec<(&str, Vec<u8>)> = Vec::new();
     arrays.extend(
@@ -352,21 +352,21 @@ fn unsupported_contents_are_reported() {
             .map(|(name, values)| (name.as_str(), npy_of(values))),
     );
     *arrays.last_mut().unwrap() = ("fz", npy_of(&[1.0, 2.0]));
-    let shown = refused_bytes(&npz(CompressionMethod::Stored, arrays.clone()));
+    let message = refused_bytes(&npz(CompressionMethod::Stored, arrays.clone()));
     assert_eq!(
-        shown,
+        message,
         ": column \"t\" has 250 rows, but column \"fz\" has 2"
     );
     *arrays.last_mut().unwrap() = ("fz", npy("<f8", "False", "(250,)", &[0; 8]));
-    let shown = refused_bytes(&npz(CompressionMethod::Stored, arrays));
+    let message = refused_bytes(&npz(CompressionMethod::Stored, arrays));
     assert_eq!(
-        shown,
+        message,
         ": the npz file cannot be read: array \"fz\" has 8 bytes of numbers; expected 2000"
     );
-    let shown = refused_bytes(b"PK\x03\x04 and so on");
+    let message = refused_bytes(b"PK\x03\x04 and so on");
     assert!(
-        shown.starts_with(": the npz file cannot be read: "),
-        "{shown}"
+        message.starts_with(": the npz file cannot be read: "),
+        "{message}"
     );
     assert_eq!(
         refused_bytes(b"FEA1 and so on"),
@@ -398,19 +398,19 @@ fn too_long_data_is_refused_before_unpacking() {
     // Each column claims a length of a terabyte.
     let columns = columns(&table(NAMES, plain));
     let mut bytes = arrow_file(&batch_of(&columns), Some(CompressionType::ZSTD));
-    let told = (COUNT as u64 / 2 * 8).to_le_bytes();
+    let length = (COUNT as u64 / 2 * 8).to_le_bytes();
     let places: Vec<usize> = (0..bytes.len() - 8)
-        .filter(|&k| bytes[k..k + 8] == told)
+        .filter(|&k| bytes[k..k + 8] == length)
         .collect();
     assert!(!places.is_empty());
     for place in places {
         bytes[place..place + 8].copy_from_slice(&(1_u64 << 40).to_le_bytes());
     }
-    let shown = refused_bytes(&bytes);
+    let message = refused_bytes(&bytes);
     assert!(
-        shown.starts_with(": a batch of rows is ")
-            && shown.ends_with(" bytes long when unpacked, and the limit is 1073741824 bytes"),
-        "{shown}"
+        message.starts_with(": a batch of rows is ")
+            && message.ends_with(" bytes long when unpacked, and the limit is 1073741824 bytes"),
+        "{message}"
     );
 }
 
@@ -421,11 +421,11 @@ static SMALL: LazyLock<Vec<(&str, Vec<u8>)>> =
 fn a_file_that_is_cut_off_is_an_error() {
     for (kind, bytes) in &*SMALL {
         for share in [0.1, 0.3, 0.5, 0.7, 0.9, 0.99] {
-            let shown = refused_bytes(&bytes[..(bytes.len() as f64 * share) as usize]);
+            let message = refused_bytes(&bytes[..(bytes.len() as f64 * share) as usize]);
             let name = kind.split(',').next().unwrap();
             assert!(
-                shown.starts_with(&format!(": the {name} file cannot be read: ")),
-                "{kind} {share}: {shown}"
+                message.starts_with(&format!(": the {name} file cannot be read: ")),
+                "{kind} {share}: {message}"
             );
         }
     }

@@ -34,12 +34,12 @@ fn a_cut_bag_is_read_up_to_its_last_complete_second() {
             most = log.samples.len();
         }
         fs::write(folder.path().join("finished.mcap"), cut_bytes).unwrap();
-        let shown = refused(&folder.path().join("finished.mcap"), &LogOptions::default());
+        let message = refused(&folder.path().join("finished.mcap"), &LogOptions::default());
         let expected = format!(
             ": the bag ends at byte {} in the middle of a record, like a bag that is still being written",
             cut_bytes.len()
         );
-        assert_eq!(shown, expected);
+        assert_eq!(message, expected);
     }
     assert!(most >= whole.len() / 2, "{most} of {}", whole.len());
 }

@@ -67,8 +67,8 @@ fn messages_are_sorted_by_their_stamps() {
         reorder_window: 0.1,
         ..LogOptions::default()
     };
-    let shown = refused(&path, &narrow);
-    assert!(shown.contains("its time of 1.21 s is"), "{shown}");
+    let message = refused(&path, &narrow);
+    assert!(message.contains("its time of 1.21 s is"), "{message}");
 }
 
 #[test]

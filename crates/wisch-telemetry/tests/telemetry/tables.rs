@@ -130,10 +130,10 @@ fn units_in_names_are_read_and_reported() {
     ] {
         let log = read_text(&table(names, in_units), &LogOptions::default());
         assert_is_it(&log, names);
-        let said = log.remarks.join("; ");
+        let remarks = log.remarks.join("; ");
         assert!(
-            said.contains("t in ms, x in mm, y in mm, z in mm, fx in kN"),
-            "{said}"
+            remarks.contains("t in ms, x in mm, y in mm, z in mm, fx in kN"),
+            "{remarks}"
         );
     }
     // Options take precedence.
@@ -193,10 +193,10 @@ fn tables_of_known_robots_are_read_without_options() {
         };
         let log = read_text(&table(&franka(bracket), line), &LogOptions::default());
         assert_is_it(&log, "libfranka");
-        let said = log.remarks.join("; ");
+        let remarks = log.remarks.join("; ");
         assert!(
-            said.contains("(O_F_ext_hat_K) are read as those of the tool on its surroundings"),
-            "{said}"
+            remarks.contains("(O_F_ext_hat_K) are read as those of the tool on its surroundings"),
+            "{remarks}"
         );
     }
 
@@ -208,10 +208,10 @@ fn tables_of_known_robots_are_read_without_options() {
         &LogOptions::default(),
     );
     assert_is_it(&log, "KUKA");
-    let said = log.remarks.join("; ");
+    let remarks = log.remarks.join("; ");
     assert!(
-        said.contains("a to c are read as degrees") && said.contains("millimetres"),
-        "{said}"
+        remarks.contains("a to c are read as degrees") && remarks.contains("millimetres"),
+        "{remarks}"
     );
 }
 
@@ -292,10 +292,10 @@ fn times_in_other_units_and_a_rate_are_converted_to_seconds() {
     assert_eq!(log.start, 1_760_000_000_000_000_000);
 
     let without = table(&NAMES[2..], |_, x| plain(0.0, x)[2..].to_owned());
-    let shown = refused_text(&without, &LogOptions::default());
+    let message = refused_text(&without, &LogOptions::default());
     assert!(
-        shown.starts_with(": no column holds the time; the columns are: x, y, z"),
-        "{shown}"
+        message.starts_with(": no column holds the time; the columns are: x, y, z"),
+        "{message}"
     );
     let options = LogOptions {
         rate: Some(25.0),
@@ -356,7 +356,7 @@ fn ambiguous_tables_are_refused_with_the_line() {
         ),
     ];
     for (text, expected) in cases {
-        let shown = refused_text(&text, &LogOptions::default());
-        assert!(shown.starts_with(expected), "{shown}");
+        let message = refused_text(&text, &LogOptions::default());
+        assert!(message.starts_with(expected), "{message}");
     }
 }

@@ -238,19 +238,19 @@ fn a_pose_is_found_along_moving_and_fixed_transforms() {
     };
     let camera = read(&path, &named("camera")).unwrap();
     assert!((camera.samples[0].world_from_tool.translation.y + 0.1).abs() < 1e-9);
-    let shown = refused(&path, &named("tool1"));
+    let message = refused(&path, &named("tool1"));
     assert!(
-        shown.starts_with(": unknown frame \"tool1\"; nearest: tool0"),
-        "{shown}"
+        message.starts_with(": unknown frame \"tool1\"; nearest: tool0"),
+        "{message}"
     );
     let in_tool = LogOptions {
         world_frame: "flange".to_owned(),
         ..named("tool0")
     };
-    let shown = refused(&path, &in_tool);
+    let message = refused(&path, &in_tool);
     assert!(
-        shown.starts_with(": frame \"tool0\" never moves in \"flange\""),
-        "{shown}"
+        message.starts_with(": frame \"tool0\" never moves in \"flange\""),
+        "{message}"
     );
 }
 
