@@ -34,7 +34,10 @@ mod with {
             bind: args.bind,
             host: args.host.clone(),
         };
-        cluster::schedule(&options, |address| say(&format!("scheduling at {address}"))).await?;
+        cluster::schedule(&options, |address| {
+            print_line(&format!("scheduling at {address}"))
+        })
+        .await?;
         Ok(Outcome::Done)
     }
 
@@ -51,13 +54,14 @@ mod with {
             slots: args.slots,
             work_dir: args.work_dir.clone(),
         };
-        let begun = |slots| say(&format!("executing for {scheduler}, {slots} tasks at once"));
+        let begun =
+            |slots| print_line(&format!("executing for {scheduler}, {slots} tasks at once"));
         cluster::execute(&options, begun).await?;
         Ok(Outcome::Done)
     }
 
     /// Prints a line at once, also to a pipe.
-    fn say(text: &str) {
+    fn print_line(text: &str) {
         let mut out = io::stdout();
         // The pipe may be closed.
         let _ = writeln!(out, "{text}").and_then(|()| out.flush());

@@ -105,13 +105,13 @@ fn statements(text: &str) -> Vec<&str> {
         }
     }
     found.push(&text[begin..]);
-    let says = |part: &&str| {
+    let has_code = |part: &&str| {
         let lines = part.lines().map(str::trim);
         lines
             .into_iter()
             .any(|line| !line.is_empty() && !line.starts_with("--"))
     };
-    found.retain(says);
+    found.retain(has_code);
     found
 }
 
@@ -225,14 +225,14 @@ pub async fn push(args: &PushArgs) -> Result<Outcome, FleetError> {
     .await;
     bar.finish_and_clear();
     let pushed = pushed?;
-    let said = format!(
+    let summary = format!(
         "{}: {} episodes pushed ({}), {} already present\n",
         place.url(),
         pushed.episodes,
         bytes(pushed.bytes),
         pushed.there
     );
-    print(&if args.json { json(&pushed) } else { said })
+    print(&if args.json { json(&pushed) } else { summary })
 }
 
 /// Pulls episodes.
@@ -254,7 +254,7 @@ pub async fn pull(args: &PullArgs) -> Result<Outcome, FleetError> {
     .await;
     bar.finish_and_clear();
     let pulled = pulled?;
-    let mut said = format!(
+    let mut summary = format!(
         "{}: {} of {} episodes selected, {} pulled ({}), {} already present\n",
         place.url(),
         pulled.ids.len(),
@@ -264,7 +264,7 @@ pub async fn pull(args: &PullArgs) -> Result<Outcome, FleetError> {
         pulled.there
     );
     if pulled.thinned > 0 {
-        said += &format!(
+        summary += &format!(
             "{} of them without telemetry, which the fleet no longer keeps\n",
             pulled.thinned
         );
@@ -274,9 +274,9 @@ pub async fn pull(args: &PullArgs) -> Result<Outcome, FleetError> {
     }
     if !pulled.left_out.is_empty() {
         let count = pulled.left_out.len();
-        said += &format!("{count} of them left out; see wisch-fleet verify\n");
+        summary += &format!("{count} of them left out; see wisch-fleet verify\n");
     }
-    print(&if args.json { json(&pulled) } else { said })?;
+    print(&if args.json { json(&pulled) } else { summary })?;
     Ok(match pulled.left_out.is_empty() {
         true => Outcome::Done,
         false => Outcome::NotAsHoped,
@@ -289,28 +289,28 @@ pub async fn compact(args: &CompactArgs) -> Result<Outcome, FleetError> {
     let mut compacted = moves::compact(&place).await?;
     let purged = moves::purge(&place, now() - args.older_than).await?;
     compacted.deleted = purged;
-    let said = format!(
+    let summary = format!(
         "{}: {} files became {}, {} objects deleted\n",
         place.url(),
         compacted.before,
         compacted.after,
         compacted.deleted
     );
-    print(&if args.json { json(&compacted) } else { said })
+    print(&if args.json { json(&compacted) } else { summary })
 }
 
 /// Removes old telemetry.
 pub async fn retain(args: &RetainArgs) -> Result<Outcome, FleetError> {
     let place = StorePlace::open(&args.url)?;
     let retained = moves::retain(&place, now() - args.keep_telemetry).await?;
-    let said = format!(
+    let summary = format!(
         "{}: telemetry before {} is now unused ({} files, {}); wisch-fleet compact deletes it\n",
         place.url(),
         retained.since,
         retained.files,
         bytes(retained.bytes)
     );
-    print(&if args.json { json(&retained) } else { said })
+    print(&if args.json { json(&retained) } else { summary })
 }
 
 /// Verifies a fleet.
@@ -320,7 +320,7 @@ pub async fn verify(args: &VerifyArgs) -> Result<Outcome, FleetError> {
     let verified = moves::verify(&place, &mut |done, of| step(&bar, done, of)).await;
     bar.finish_and_clear();
     let verified = verified?;
-    let mut said: String = verified
+    let mut summary: String = verified
         .faults
         .iter()
         .map(|fault| format!("{fault}\n"))
@@ -329,11 +329,11 @@ pub async fn verify(args: &VerifyArgs) -> Result<Outcome, FleetError> {
         0 => "no faults".to_owned(),
         count => format!("{count} faults"),
     };
-    said += &format!(
+    summary += &format!(
         "{} files, {} episodes: {found}\n",
         verified.files, verified.episodes
     );
-    print(&if args.json { json(&verified) } else { said })?;
+    print(&if args.json { json(&verified) } else { summary })?;
     Ok(match verified.faults.is_empty() {
         true => Outcome::Done,
         false => Outcome::NotAsHoped,

@@ -113,14 +113,14 @@ fn wrong_credentials_are_an_error_that_does_not_show_them() {
     let server = Server::start(&folder.path().join("s3"));
     let output = run(server.program("another-secret").args(["verify", FLEET]));
     assert_eq!(output.status.code(), Some(2));
-    let said = String::from_utf8_lossy(&output.stderr);
+    let message = String::from_utf8_lossy(&output.stderr);
     assert!(
-        said.contains("s3://fleet/robots") && said.contains("AWS_SECRET_ACCESS_KEY"),
-        "{said}"
+        message.contains("s3://fleet/robots") && message.contains("AWS_SECRET_ACCESS_KEY"),
+        "{message}"
     );
     assert!(
-        !said.contains(KEY_ID) && !said.contains("another-secret"),
-        "{said}"
+        !message.contains(KEY_ID) && !message.contains("another-secret"),
+        "{message}"
     );
 }
 
@@ -154,10 +154,10 @@ fn a_full_disk_is_an_error() {
         .output()
         .unwrap();
     assert_eq!(output.status.code(), Some(2));
-    let said = String::from_utf8_lossy(&output.stderr);
+    let message = String::from_utf8_lossy(&output.stderr);
     assert!(
-        said.contains(&record.id) && said.contains("File too large"),
-        "{said}"
+        message.contains(&record.id) && message.contains("File too large"),
+        "{message}"
     );
     let output = run(Command::new(env!("CARGO_BIN_EXE_wisch-fleet"))
         .arg("verify")
@@ -207,9 +207,9 @@ fn a_statement_beyond_a_limit_is_an_error_with_the_limit() {
             .arg(here.folder())
             .args(more);
         let output = run(&mut command);
-        let said = String::from_utf8_lossy(&output.stderr);
-        assert_eq!(output.status.code(), Some(2), "{words}: {said}");
-        assert!(said.contains(words), "{words}: {said}");
+        let message = String::from_utf8_lossy(&output.stderr);
+        assert_eq!(output.status.code(), Some(2), "{words}: {message}");
+        assert!(message.contains(words), "{words}: {message}");
     }
     // A statement below the limit of depth is answered.
     let chain = format!("SELECT 1{} AS n", "+1".repeat(900));
@@ -236,15 +236,15 @@ fn a_pull_that_leaves_an_episode_out_has_exit_code_1() {
     let there = folder.path().join("there");
     let output = run(program().arg("pull").arg(&fleet).arg(&there).arg("--json"));
     assert_eq!(output.status.code(), Some(1));
-    let said = String::from_utf8_lossy(&output.stderr);
+    let message = String::from_utf8_lossy(&output.stderr);
     assert!(
-        said.contains(&records[0].id) && said.contains("left out"),
-        "{said}"
+        message.contains(&records[0].id) && message.contains("left out"),
+        "{message}"
     );
-    let said = String::from_utf8_lossy(&output.stdout);
+    let message = String::from_utf8_lossy(&output.stdout);
     assert!(
-        said.contains("\"selected\":2") && said.contains("\"episodes\":1"),
-        "{said}"
+        message.contains("\"selected\":2") && message.contains("\"episodes\":1"),
+        "{message}"
     );
     assert_eq!(
         Memory::open(&there).unwrap().episodes().unwrap(),
@@ -269,7 +269,7 @@ fn a_build_without_clusters_names_the_feature() {
     ] {
         let output = run(Command::new(env!("CARGO_BIN_EXE_wisch-fleet")).args(args));
         assert_eq!(output.status.code(), Some(2), "{args:?}");
-        let said = String::from_utf8_lossy(&output.stderr);
-        assert!(said.contains("--features cluster"), "{said}");
+        let message = String::from_utf8_lossy(&output.stderr);
+        assert!(message.contains("--features cluster"), "{message}");
     }
 }

@@ -26,14 +26,14 @@ async fn main() -> Result<(), Box<dyn std::error::Error>> {
     let pairs = args
         .chunks(2)
         .filter_map(|pair| Some((pair.first()?.as_str(), pair.get(1)?.as_str())));
-    let asked: BTreeMap<&str, &str> = pairs.collect();
+    let options: BTreeMap<&str, &str> = pairs.collect();
     let number =
-        |name: &str, otherwise: usize| asked.get(name).map_or(Ok(otherwise), |text| text.parse());
+        |name: &str, otherwise: usize| options.get(name).map_or(Ok(otherwise), |text| text.parse());
     let (episodes, robots) = (
         number("--episodes", 10_000)?,
         number("--robots", 100)?.max(1),
     );
-    let place = StorePlace::open(asked.get("--out").copied().unwrap_or("fleet"))?;
+    let place = StorePlace::open(options.get("--out").copied().unwrap_or("fleet"))?;
     let mut snapshot = Snapshot::read(&place).await?;
     let begun = Instant::now();
     let each = episodes.div_ceil(robots);

@@ -101,7 +101,7 @@ pub async fn execute(
         ..ExecutorProcessConfig::default()
     };
     let running = start_executor_process(Arc::new(config));
-    let told = async {
+    let announce = async {
         while !health.is_ready() {
             sleep(Duration::from_millis(20)).await;
         }
@@ -110,7 +110,7 @@ pub async fn execute(
     };
     tokio::select! {
         ended = running => ended.map_err(|error| failed(error.to_string())),
-        () = told => Ok(()),
+        () = announce => Ok(()),
     }
 }
 

@@ -20,8 +20,8 @@ use std::sync::Arc;
 
 /// Returns a session with the same tables and views on the cluster.
 pub(crate) fn on_cluster(here: &SessionContext, address: &Address) -> Result<SessionContext> {
-    let asked = here.copied_config();
-    let optimizer = &asked.options().optimizer;
+    let local_config = here.copied_config();
+    let optimizer = &local_config.options().optimizer;
     let built_at_once = optimizer.hash_join_single_partition_threshold;
     let built_rows_at_once = optimizer.hash_join_single_partition_threshold_rows;
     let mut config = here

@@ -117,7 +117,7 @@ pub async fn pull(
     let session = SqlSession::new(&[source]).await?;
     let mut selected = Vec::new();
     for batch in session.rows(&filter.statement()).await? {
-        selected.extend(kept(&batch)?);
+        selected.extend(parse_rows(&batch)?);
     }
     let mut pulled = Pulled {
         selected: selected.len(),
@@ -144,7 +144,7 @@ pub async fn pull(
     Ok(pulled)
 }
 
-fn kept(batch: &RecordBatch) -> Result<Vec<Kept>, FleetError> {
+fn parse_rows(batch: &RecordBatch) -> Result<Vec<Kept>, FleetError> {
     let texts: Result<Vec<_>, _> = (batch.columns()[..5].iter())
         .map(|column| cast(column, &DataType::Utf8))
         .collect();

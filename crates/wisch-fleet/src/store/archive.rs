@@ -256,16 +256,17 @@ mod tests {
     #[test]
     fn an_archive_that_unpacks_to_too_much_names_its_limit() {
         let bomb = archive([("zeros".to_owned(), 2 * ANY_RATIO)]);
-        let said = error(&bomb);
+        let message = error(&bomb);
         let packed = bomb.bytes.len();
         assert!(packed < 20_000, "{packed}");
         assert!(
-            said.contains("s3://fleet/x.tar.zst") && said.contains(&format!("its {packed} bytes")),
-            "{said}"
+            message.contains("s3://fleet/x.tar.zst")
+                && message.contains(&format!("its {packed} bytes")),
+            "{message}"
         );
         assert!(
-            said.contains("67108864") && said.contains("200 times"),
-            "{said}"
+            message.contains("67108864") && message.contains("200 times"),
+            "{message}"
         );
         // A name may be a decompression bomb as well.
         let mut head = tar::Header::new_gnu();
