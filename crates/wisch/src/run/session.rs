@@ -2,7 +2,7 @@
 
 mod planning;
 
-use super::stance::{check_positions, check_start, root_pose};
+use super::stance::{check_positions, check_rest, check_start, root_pose};
 use super::stroke_watch::StrokeWatch;
 use super::{
     AfterStop, Ending, Execution, Executor, MotionOrder, Observer, OwnStrategy, PlannedRound,
