@@ -31,6 +31,8 @@ const EFFORT_SHARE: f64 = 0.98;
 const LEAST_LEFT: f64 = 1e-3;
 /// Step in which an arc of the line is compared [m or rad].
 const LINE_STEP: f64 = 1e-3;
+/// Largest step of a variable for which a limit of the tool's speed is computed [rad or m].
+const MAX_STEP: f64 = 0.05;
 /// Largest number of halvings of the blend until the tool stays on its line.
 const HALVINGS: usize = 6;
 
@@ -46,12 +48,18 @@ pub(super) fn time_motion(
     if path.len() < 2 || path.windows(2).all(|pair| pair[0] == pair[1]) {
         return Ok(None);
     }
-    let mut joints = JointPath::new(path)?;
     let speed = match phase {
         Phase::Wipe(_) => config.contact_speed,
         Phase::Lower => config.approach_speed.min(config.free_speed),
         Phase::Drive | Phase::FreeMotion | Phase::Lifted | Phase::Lift => config.free_speed,
     };
+    // Where the tool follows a line, its steps are short.
+    let path = &if speed.is_finite() && tool_line.is_empty() {
+        divide_steps(path)
+    } else {
+        path.to_vec()
+    };
+    let mut joints = JointPath::new(path)?;
     if speed.is_finite() {
         let line = segment_lengths(cell, path)?;
         joints = joints.with_segment_times(line.iter().map(|way| way / speed).collect())?;
@@ -80,6 +88,26 @@ pub(super) fn time_motion(
         blend /= 2.0;
     }
     Ok(Some(timed(blend)?))
+}
+
+/// Divides the steps of a path until no variable moves by more than [`MAX_STEP`]. Over a longer step, the speed of the tool
+/// differs from its mean.
+fn divide_steps(path: &[Vec<f64>]) -> Vec<Vec<f64>> {
+    let mut divided: Vec<Vec<f64>> = path.first().cloned().into_iter().collect();
+    for pair in path.windows(2) {
+        let steps = pair[0].iter().zip(&pair[1]).map(|(from, to)| to - from);
+        let widest = steps.fold(0.0, |widest: f64, step| widest.max(step.abs()));
+        let count = (widest / MAX_STEP).ceil().max(1.0) as usize;
+        divided.extend((1..count).map(|k| {
+            let share = k as f64 / count as f64;
+            let joints = pair[0].iter().zip(&pair[1]);
+            joints
+                .map(|(from, to)| from + share * (to - from))
+                .collect()
+        }));
+        divided.push(pair[1].clone());
+    }
+    divided
 }
 
 /// Slows a motion down until no joint exceeds its effort limit by its weight and the robot's own inertia, mimic
