@@ -46,13 +46,13 @@ fuzz_target!(|bytes: &[u8]| {
     );
     if log.samples.len() <= MOST_SAMPLES {
         let goal = TASK.goal().expect("to absorb leaves nothing open");
-        let believed = Belief::certain(TASK.particles.clone());
+        let believed = Belief::from_particles(TASK.particles.clone());
         let _ = interpret(
             &log.samples,
             &TASK,
             &believed,
             &goal,
-            &InterpretConfig::of(&TASK),
+            &InterpretConfig::from_task(&TASK),
         );
     }
 });

@@ -47,10 +47,10 @@ fuzz_target!(|text: &str| {
     let Ok(cell) = Workcell::new(robot, srdf.as_ref(), &TASK, &WorkcellConfig::default()) else {
         return;
     };
-    assert_eq!(cell.ready().len(), cell.robot().dof());
+    assert_eq!(cell.ready_posture().len(), cell.robot().dof());
     let _ = cell
         .collisions()
-        .clearance(cell.ready(), 0.1)
+        .clearance(cell.ready_posture(), 0.1)
         .expect("a posture of this robot");
     let target = Pose::translation(0.45, 0.0, 0.3);
     let reached = cell

@@ -4,7 +4,7 @@ use crate::args::GlobalArgs;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use std::io::IsTerminal;
 use std::time::Duration;
-use wisch::source_location::visible;
+use wisch::source_location::escape_controls;
 
 /// Period of the spinner.
 const TICK: Duration = Duration::from_millis(100);
@@ -44,7 +44,8 @@ impl Progress {
     /// Shows the current activity.
     pub fn say(&self, what: impl Into<std::borrow::Cow<'static, str>>) {
         let what = what.into();
-        self.spinner.set_message(visible(&what).into_owned());
+        self.spinner
+            .set_message(escape_controls(&what).into_owned());
     }
 }
 

@@ -6,7 +6,7 @@ use std::ffi::OsString;
 use std::io::{self, ErrorKind, IsTerminal, Write};
 use std::panic::{self, AssertUnwindSafe};
 use std::sync::atomic::{AtomicBool, Ordering};
-use wisch::source_location::visible;
+use wisch::source_location::escape_controls;
 
 /// The outcome of a command that ran without an error.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -46,7 +46,7 @@ pub fn run(args: &[OsString], program: impl FnOnce() -> Result<Outcome, Failure>
         let error = format!("internal error{place}: {cause}");
         let help = "this is an error in wisch, not in your files; please report it";
         print_json_error(&error, Some(help));
-        complain(&visible(&format!("{error}\n  help: {help}")));
+        complain(&escape_controls(&format!("{error}\n  help: {help}")));
     }));
     // Unwinding drops the unfinished output folders, which removes them; an exit from the hook would leave them.
     match panic::catch_unwind(AssertUnwindSafe(program)) {
@@ -91,10 +91,13 @@ pub fn complain_of(failure: &Failure) {
     };
     print_json_error(&failure.to_string(), failure.help());
     let help = failure.help().map_or_else(String::new, |help| {
-        format!("\n  {green}help:{plain} {}", visible(help))
+        format!("\n  {green}help:{plain} {}", escape_controls(help))
     });
     let sentence = failure.to_string();
-    complain(&format!("{red}error:{plain} {}{help}", visible(&sentence)));
+    complain(&format!(
+        "{red}error:{plain} {}{help}",
+        escape_controls(&sentence)
+    ));
 }
 
 /// Exits with the requested help text, or with the command-line parser's error.
@@ -121,7 +124,7 @@ fn print_json_error(error: &str, help: Option<&str>) {
 /// Prints to standard output, without control characters. A closed pipe, as `head` leaves it, is not an error.
 pub fn print(text: &str) -> Result<(), Failure> {
     PRINTED.store(true, Ordering::Relaxed);
-    let text = visible(text);
+    let text = escape_controls(text);
     let mut out = io::stdout().lock();
     match out.write_all(text.as_bytes()).and_then(|()| out.flush()) {
         Err(error) if error.kind() != ErrorKind::BrokenPipe => {
@@ -134,7 +137,7 @@ pub fn print(text: &str) -> Result<(), Failure> {
 /// Prints a note on standard error, unless `--quiet` is given.
 pub fn remark(text: &str) {
     if !QUIET.load(Ordering::Relaxed) {
-        complain(&format!("note: {}", visible(text)));
+        complain(&format!("note: {}", escape_controls(text)));
     }
 }
 

@@ -102,7 +102,7 @@ fn no_kill_leaves_a_process_or_takes_an_episode() {
         ChaCha8Rng::seed_from_u64(seed.map_or(1, |seed| seed.parse().expect("a seed")));
     let folder = folder_with("arm-board.toml");
     let folder = folder.path();
-    let engines: &[&str] = match EngineCommand::swi() {
+    let engines: &[&str] = match EngineCommand::find_swi() {
         Some(_) => &["scryer", "swi"],
         None => &["scryer"],
     };

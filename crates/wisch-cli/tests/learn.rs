@@ -56,7 +56,7 @@ fn write_bag(path: &Path, task: &str, looks: [Option<&Observation>; 2]) {
         notes: [("task", task), ("round", "1"), ("file", file)]
             .map(|(key, value)| (key.to_owned(), value.to_owned()))
             .into(),
-        ..BagHead::at(world_from_surface)
+        ..BagHead::from_surface_pose(world_from_surface)
     };
     let mut bag = BagWriter::create(path, head).unwrap();
     if let Some(before) = looks[0] {

@@ -23,7 +23,7 @@ use wisch::represent::{
 };
 use wisch::run::{Session, Stage, ignore_events};
 use wisch_io::{LoadOptions, LoadedTask, load_task};
-use wisch_sim::{SimulationSettings, Site, World};
+use wisch_sim::{SimulationSettings, WorkSurface, World};
 
 type AnyError = Box<dyn Error + Send + Sync>;
 
@@ -214,8 +214,12 @@ fn stages(
     let robot = loaded.robot()?.ok_or("the scenario has no robot")?;
     let mut times: [Vec<f64>; 5] = Default::default();
     for _ in 0..REPETITIONS {
-        let site = Site::of(&loaded.task);
-        let mut world = World::new(&site, SimulationSettings::of(&loaded)?, loaded.task.seed)?;
+        let site = WorkSurface::from_task(&loaded.task);
+        let mut world = World::new(
+            &site,
+            SimulationSettings::from_task(&loaded)?,
+            loaded.task.seed,
+        )?;
         let session = Session::new(&loaded.task, loaded.run_config());
         let belief = match members {
             Some(members) => loaded.dirt_prior().belief(&loaded.task, members),

@@ -34,7 +34,7 @@ impl Baselines {
     pub fn new(prior: &Belief, task: &Task) -> Self {
         Self {
             blind: prior.clone(),
-            single: Belief::certain(task.particles.clone()),
+            single: Belief::from_particles(task.particles.clone()),
         }
     }
 
@@ -42,14 +42,14 @@ impl Baselines {
     ///
     /// # Errors
     /// If the interpretation fails.
-    pub fn after(
+    pub fn update(
         &mut self,
         planned: &PlannedRound,
         felt: &[TouchSample],
         goal: &GoalState,
     ) -> Result<Baseline, InterpretError> {
         let task = &planned.task;
-        let config = InterpretConfig::of(task);
+        let config = InterpretConfig::from_task(task);
         let order = MotionOrder {
             round: planned.number,
             seed: task.seed,

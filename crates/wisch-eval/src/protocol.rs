@@ -9,8 +9,8 @@ const PUBLICATION: u64 = 10_000;
 ///
 /// ```
 /// use wisch_eval::SeedUse;
-/// assert_eq!(SeedUse::of(1_000, 500), SeedUse::Choice);
-/// assert_eq!(SeedUse::of(4_900, 200), SeedUse::Mixed);
+/// assert_eq!(SeedUse::classify(1_000, 500), SeedUse::Choice);
+/// assert_eq!(SeedUse::classify(4_900, 200), SeedUse::Mixed);
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum SeedUse {
@@ -26,7 +26,7 @@ pub enum SeedUse {
 
 impl SeedUse {
     /// Returns the use of `count` seeds that start at `first`.
-    pub fn of(first: u64, count: u64) -> Self {
+    pub fn classify(first: u64, count: u64) -> Self {
         let last = first.saturating_add(count.saturating_sub(1));
         let within = |[least, most]: [u64; 2]| first >= least && last <= most;
         if within(DEMONSTRATION) {
@@ -40,7 +40,7 @@ impl SeedUse {
         }
     }
 
-    /// The use as text.
+    /// Name of the use in tables and files.
     pub const fn as_str(self) -> &'static str {
         match self {
             Self::Demonstration => "demonstration",
@@ -57,11 +57,11 @@ mod tests {
 
     #[test]
     fn every_block_has_one_use() {
-        assert_eq!(SeedUse::of(1, 999), SeedUse::Demonstration);
-        assert_eq!(SeedUse::of(4_999, 1), SeedUse::Choice);
-        assert_eq!(SeedUse::of(10_000, 1_000), SeedUse::Publication);
+        assert_eq!(SeedUse::classify(1, 999), SeedUse::Demonstration);
+        assert_eq!(SeedUse::classify(4_999, 1), SeedUse::Choice);
+        assert_eq!(SeedUse::classify(10_000, 1_000), SeedUse::Publication);
         for (first, count) in [(0, 1), (999, 2), (4_999, 2), (9_999, 2), (5_000, 10)] {
-            assert_eq!(SeedUse::of(first, count), SeedUse::Mixed, "{first}");
+            assert_eq!(SeedUse::classify(first, count), SeedUse::Mixed, "{first}");
         }
     }
 }

@@ -34,7 +34,7 @@ pub struct PushCounts {
 impl PushCounts {
     /// Counts the pushes of a round, from its duration \[s\], the times at which a hand touched the tool, the times at which
     /// robot or tool touched an object of the scene, and the detected collisions.
-    pub fn of_round(
+    pub fn count(
         duration: f64,
         touches: &[[f64; 2]],
         obstructions: &[[f64; 2]],
@@ -115,7 +115,7 @@ mod tests {
     fn touches_close_in_time_are_one_push() {
         let touches = [[1.0, 1.5], [1.7, 2.0], [5.0, 5.5], [9.0, 10.0]];
         let told = [[1.02, 1.6], [1.65, 2.2]];
-        let counts = PushCounts::of_round(10.0, &touches, &[], &told);
+        let counts = PushCounts::count(10.0, &touches, &[], &told);
         let expected = PushCounts {
             rounds: 1,
             pushes: 2,
@@ -124,10 +124,10 @@ mod tests {
             ..PushCounts::default()
         };
         assert_eq!(counts, expected, "the last is cut off, the second not told");
-        let calm = PushCounts::of_round(10.0, &[], &[], &told);
+        let calm = PushCounts::count(10.0, &[], &[], &told);
         assert_eq!((calm.undisturbed, calm.invented, calm.pushes), (1, 2, 0));
         // A cup is struck a moment before it is told.
-        let struck = PushCounts::of_round(10.0, &[], &[[0.8, 0.9], [3.0, 3.1]], &told);
+        let struck = PushCounts::count(10.0, &[], &[[0.8, 0.9], [3.0, 3.1]], &told);
         assert_eq!((struck.obstructed, struck.invented), (1, 1));
         let both: PushCounts = [counts, calm].into_iter().sum();
         assert_eq!((both.rounds, both.pushes, both.invented), (2, 2, 2));

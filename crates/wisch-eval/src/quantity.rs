@@ -73,7 +73,7 @@ impl Quantity {
         Self::ComputationS,
     ];
 
-    /// Its name in files.
+    /// Name of the quantity in files, with its unit.
     pub const fn as_str(self) -> &'static str {
         match self {
             Self::Planned => "planned",
@@ -99,7 +99,7 @@ impl Quantity {
     }
 
     /// Returns its value in a run; `None` if the run was not followed or executed.
-    pub fn of(self, score: &WipingScore) -> Option<f64> {
+    pub fn value(self, score: &WipingScore) -> Option<f64> {
         let motion = |of: fn(&MotionScore) -> f64| score.motion.as_ref().map(of);
         let executed = |of: fn(&ExecutionScore) -> f64| score.execution.as_ref().map(of);
         match self {
@@ -138,14 +138,14 @@ pub struct Statistics {
 /// Statistics of each quantity that at least one run has.
 pub type QuantitySummary = BTreeMap<Quantity, Statistics>;
 
-/// Computes the statistics of runs.
+/// Returns the statistics of each quantity over several runs.
 pub fn summary<'a>(scores: impl IntoIterator<Item = &'a WipingScore> + Clone) -> QuantitySummary {
     let of = |quantity: Quantity| {
         let values: Vec<f64> = (scores.clone().into_iter())
-            .filter_map(|score| quantity.of(score))
+            .filter_map(|score| quantity.value(score))
             .collect();
         let mean = values.iter().sum::<f64>() / values.len() as f64;
-        let quartiles = Quartiles::of(values)?;
+        let quartiles = Quartiles::from_values(values)?;
         Some((quantity, Statistics { mean, quartiles }))
     };
     Quantity::ALL.into_iter().filter_map(of).collect()

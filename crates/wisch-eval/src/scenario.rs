@@ -61,7 +61,7 @@ impl ScenarioRun {
     }
 
     /// Returns the true performance after the last round.
-    pub fn after(&self) -> f64 {
+    pub fn final_performance(&self) -> f64 {
         self.rounds
             .last()
             .map_or(self.before, |round| round.outcome)
@@ -69,7 +69,7 @@ impl ScenarioRun {
 
     /// Returns the share of the initially misplaced dirt that has reached the goal after a round (from 1); `None` without
     /// that round or without misplaced dirt.
-    pub fn moved(&self, round: usize) -> Option<f64> {
+    pub fn recovered_share(&self, round: usize) -> Option<f64> {
         let round = self.rounds.get(round.checked_sub(1)?)?;
         (self.before < 1.0).then(|| (round.outcome - self.before) / (1.0 - self.before))
     }
@@ -114,10 +114,8 @@ fn evaluated(
             let events = round.interpretation.events.iter();
             Ok(ScenarioRound {
                 outcome,
-                belief: BeliefScore::of(&round.interpretation.distribution, outcome),
-                collisions: events
-                    .filter(|event| event.kind == EventKind::Collision)
-                    .count(),
+                belief: BeliefScore::evaluate(&round.interpretation.distribution, outcome),
+                collisions: events.filter(|event| event.kind == EventKind::Push).count(),
                 verdict: round.verdict.as_str().to_owned(),
                 is_claimed: round.verdict == Verdict::GoalMet,
             })
@@ -134,7 +132,7 @@ fn evaluated(
 /// Returns the performance before wiping.
 fn before(dirt: &Dirt, goal: &GoalState, task: &Task) -> Result<f64, String> {
     let particles = dirt.particles().map_err(words)?;
-    Ok(Performance::of(&particles, goal, &task.surface).ratio())
+    Ok(Performance::evaluate(&particles, goal, &task.surface).ratio())
 }
 
 /// Minimum, first quartile, median, third quartile and maximum of some values.
@@ -146,11 +144,11 @@ impl Quartiles {
     ///
     /// ```
     /// use wisch_eval::Quartiles;
-    /// assert_eq!(Quartiles::of(vec![4.0, 1.0, 3.0, 2.0, 5.0]), Some(Quartiles([1.0, 2.0, 3.0, 4.0, 5.0])));
-    /// assert_eq!(Quartiles::of(vec![1.0, 2.0]).map(|of| of.median()), Some(1.5));
-    /// assert_eq!(Quartiles::of(vec![]), None);
+    /// assert_eq!(Quartiles::from_values(vec![4.0, 1.0, 3.0, 2.0, 5.0]), Some(Quartiles([1.0, 2.0, 3.0, 4.0, 5.0])));
+    /// assert_eq!(Quartiles::from_values(vec![1.0, 2.0]).map(|of| of.median()), Some(1.5));
+    /// assert_eq!(Quartiles::from_values(vec![]), None);
     /// ```
-    pub fn of(mut values: Vec<f64>) -> Option<Self> {
+    pub fn from_values(mut values: Vec<f64>) -> Option<Self> {
         values.sort_by(f64::total_cmp);
         let last = values.len().checked_sub(1)?;
         let at = |share: f64| {
@@ -161,13 +159,13 @@ impl Quartiles {
         Some(Self([0.0, 0.25, 0.5, 0.75, 1.0].map(at)))
     }
 
-    /// The median.
+    /// Median, the middle one of the five numbers.
     pub const fn median(&self) -> f64 {
         self.0[2]
     }
 }
 
-/// Statistics of a scenario's runs.
+/// Statistics of the runs of one scenario.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct ScenarioScores {
     /// Name or path of the scenario, as typed.
@@ -197,8 +195,8 @@ pub struct ScenarioScores {
 }
 
 impl ScenarioScores {
-    /// Summarises a scenario's runs.
-    pub fn of(scenario: &str, runs: &[ScenarioRun]) -> Self {
+    /// Summarises the runs of one scenario.
+    pub fn summarise(scenario: &str, runs: &[ScenarioRun]) -> Self {
         let rounds: Vec<&ScenarioRound> = runs.iter().flat_map(|run| &run.rounds).collect();
         let error = (rounds.iter()).map(|round| (round.belief.mean - round.outcome).abs());
         let claims = |run: &&ScenarioRun| run.rounds.last().is_some_and(|last| last.is_claimed);
@@ -207,17 +205,24 @@ impl ScenarioScores {
             scenario: scenario.to_owned(),
             runs: runs.len(),
             rounds: rounds.len(),
-            first: Quartiles::of(first.map(|round| round.outcome).collect()),
-            last: Quartiles::of(runs.iter().map(ScenarioRun::after).collect()),
-            moved: Quartiles::of(runs.iter().filter_map(|run| run.moved(1)).collect()),
+            first: Quartiles::from_values(first.map(|round| round.outcome).collect()),
+            last: Quartiles::from_values(runs.iter().map(ScenarioRun::final_performance).collect()),
+            moved: Quartiles::from_values(
+                runs.iter()
+                    .filter_map(|run| run.recovered_share(1))
+                    .collect(),
+            ),
             held: (rounds.iter())
                 .filter(|round| round.belief.holds(LEVEL_90, round.outcome))
                 .count(),
             error: error.sum::<f64>() / rounds.len().max(1) as f64,
-            met: runs.iter().filter(|run| run.after() >= run.target).count(),
+            met: runs
+                .iter()
+                .filter(|run| run.final_performance() >= run.target)
+                .count(),
             claimed: runs.iter().filter(claims).count(),
             false_claims: (runs.iter().filter(claims))
-                .filter(|run| run.after() < run.target - 0.1)
+                .filter(|run| run.final_performance() < run.target - 0.1)
                 .count(),
             collisions: rounds.iter().map(|round| round.collisions).sum(),
         }

@@ -25,7 +25,7 @@ pub struct Calibration {
     pub pushes: PushCounts,
 }
 
-/// Scores of an estimator.
+/// The scores of one estimator over many worlds.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct MethodScores {
     /// Name of the estimator.
@@ -162,7 +162,7 @@ impl MethodScores {
 
 impl Calibration {
     /// Summarises worlds, in any order, with the given variants.
-    pub fn of(worlds: &[WorldScore], variants: &[Variant]) -> Self {
+    pub fn summarise(worlds: &[WorldScore], variants: &[Variant]) -> Self {
         let rounds: Vec<&RoundScore> = worlds.iter().flat_map(|world| &world.rounds).collect();
         let each = || rounds.iter().copied();
         let mut methods = vec![

@@ -1,7 +1,7 @@
 //! The simulated world of a task, and its robot.
 
 use wisch_io::{LoadedTask, Robot};
-use wisch_sim::{Dirt, SimulationSettings, Site, World};
+use wisch_sim::{Dirt, SimulationSettings, WorkSurface, World};
 
 /// A simulated world before wiping.
 pub(crate) struct SimulatedWorld {
@@ -13,8 +13,8 @@ pub(crate) struct SimulatedWorld {
 impl SimulatedWorld {
     /// Draws the world of a task with the task's seed.
     pub(crate) fn of(loaded: &LoadedTask) -> Result<Self, String> {
-        let settings = SimulationSettings::of(loaded).map_err(words)?;
-        let (site, seed) = (Site::of(&loaded.task), loaded.task.seed);
+        let settings = SimulationSettings::from_task(loaded).map_err(words)?;
+        let (site, seed) = (WorkSurface::from_task(&loaded.task), loaded.task.seed);
         Ok(Self {
             dirt: Dirt::draw(&site, &settings, seed).map_err(words)?,
             world: World::new(&site, settings, seed).map_err(words)?,

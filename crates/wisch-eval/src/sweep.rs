@@ -185,7 +185,7 @@ pub struct SweepCase {
     pub seed: u64,
 }
 
-/// A run with its score.
+/// A run of a sweep with its score.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct SweepRun {
     /// The case.
@@ -210,7 +210,7 @@ impl SweepCase {
         }
     }
 
-    /// Runs the task once.
+    /// Runs the task of the case once.
     ///
     /// # Errors
     /// A message if a stage fails.
@@ -225,7 +225,7 @@ impl SweepCase {
         Ok(SweepRun {
             case: self.clone(),
             setup: setup.clone(),
-            score: WipingScore::of(Path::new(&setup.task), &load, options)?,
+            score: WipingScore::evaluate(Path::new(&setup.task), &load, options)?,
         })
     }
 }

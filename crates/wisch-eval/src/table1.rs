@@ -96,14 +96,14 @@ const PAPER: [[[PaperFigures; 3]; 3]; 3] = {
 
 impl PaperFigures {
     /// Returns the figures of a cell for a strategy of the paper; `None` for another strategy.
-    pub fn of(task: TaskCase, strategy: Strategy) -> Option<Self> {
+    pub fn find(task: TaskCase, strategy: Strategy) -> Option<Self> {
         let mut all = CoverageStrategy::ALL.into_iter();
         let column = all.position(|covering| Strategy::from(covering) == strategy)?;
         Some(PAPER[task.action_index()][task.place_index()][column])
     }
 
     /// Returns the best of the paper's three strategies in each figure, for the comparison of other strategies.
-    pub fn best_of(task: TaskCase) -> Self {
+    pub fn find_best(task: TaskCase) -> Self {
         let [first, rest @ ..] = PAPER[task.action_index()][task.place_index()];
         rest.into_iter().fold(first, |best, other| Self {
             distance_m: best.distance_m.min(other.distance_m),
@@ -139,7 +139,7 @@ pub struct Table1Setup {
     pub pictured_seed: u64,
 }
 
-/// A run with its score.
+/// A run of Table 1 with its score.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Table1Run {
     /// The case.
@@ -169,7 +169,7 @@ impl Table1Case {
         format!("{action} {place} by {}, seed {}", self.strategy, self.seed)
     }
 
-    /// Runs the task once.
+    /// Runs the task of the case once.
     ///
     /// # Errors
     /// A message if a stage fails.
@@ -177,14 +177,14 @@ impl Table1Case {
         let options = WipingOptions {
             extent: setup.extent,
             is_certain: true,
-            limit: (setup.is_limited).then(|| PaperFigures::best_of(self.task).distance_m),
+            limit: (setup.is_limited).then(|| PaperFigures::find_best(self.task).distance_m),
             is_pictured: self.seed == setup.pictured_seed,
         };
         let load = self.load_options(setup)?;
         Ok(Table1Run {
             case: self.clone(),
             setup: setup.clone(),
-            score: WipingScore::of(Path::new(self.task.scenario()), &load, options)?,
+            score: WipingScore::evaluate(Path::new(self.task.scenario()), &load, options)?,
         })
     }
 }
@@ -214,7 +214,7 @@ pub struct Table1Row {
 
 /// Makes the table of runs, given in any order; its rows are sorted by action, surface and strategy as in the paper.
 pub fn table1_rows(runs: &[Table1Run]) -> Vec<Table1Row> {
-    let cells = TaskCase::by_action().flat_map(|task| {
+    let cells = TaskCase::cases_by_action().flat_map(|task| {
         Strategy::ALL
             .into_iter()
             .map(move |strategy| (task, strategy))
@@ -224,8 +224,8 @@ pub fn table1_rows(runs: &[Table1Run]) -> Vec<Table1Row> {
             |run: &&Table1Run| run.case.task == task && run.case.strategy == strategy.as_str();
         let own: Vec<&WipingScore> = runs.iter().filter(is_of).map(|run| &run.score).collect();
         let ours = summary(own.iter().copied());
-        let papers = PaperFigures::of(task, strategy);
-        let paper = papers.unwrap_or_else(|| PaperFigures::best_of(task));
+        let papers = PaperFigures::find(task, strategy);
+        let paper = papers.unwrap_or_else(|| PaperFigures::find_best(task));
         let predicted = ours.get(&Quantity::Predicted)?.mean;
         Some(Table1Row {
             action: task.action().as_str(),
@@ -279,9 +279,9 @@ mod tests {
 
     #[test]
     fn the_papers_figures_stand_where_its_table_has_them() {
-        let named = |text: &str| TaskCase::named(text).expect("a cell")[0];
+        let named = |text: &str| TaskCase::parse(text).expect("a cell")[0];
         let of =
-            |text: &str, strategy| PaperFigures::of(named(text), strategy).expect("the paper's");
+            |text: &str, strategy| PaperFigures::find(named(text), strategy).expect("the paper's");
         let kde = of("collect/windshield", CoverageStrategy::Kde.into());
         assert_eq!(
             (
@@ -295,16 +295,16 @@ mod tests {
         let grid = of("skim/table", CoverageStrategy::Grid.into());
         assert_eq!((grid.distance_m, grid.performance_percent), (5.48, 71.75));
         assert_eq!(
-            PaperFigures::of(named("skim/table"), Strategy::Adaptive),
+            PaperFigures::find(named("skim/table"), Strategy::Adaptive),
             None
         );
-        let best = PaperFigures::best_of(named("skim/table"));
+        let best = PaperFigures::find_best(named("skim/table"));
         assert_eq!((best.distance_m, best.performance_percent), (3.75, 71.75));
     }
 
     #[test]
     fn rows_are_means_in_the_papers_order() {
-        let named = |text: &str| TaskCase::named(text).expect("a cell")[0];
+        let named = |text: &str| TaskCase::parse(text).expect("a cell")[0];
         let (first, last) = (named("absorb/board"), named("skim/windshield"));
         let runs = [
             run(last, "kde", 1, 0.9),

@@ -20,14 +20,14 @@ const PLACES: [(&str, &str); 3] = [
 ];
 
 impl TaskCase {
-    /// Returns all nine tasks, by action.
-    pub fn all() -> impl Iterator<Item = Self> {
+    /// Returns all nine tasks, surface by surface.
+    pub fn cases_by_surface() -> impl Iterator<Item = Self> {
         (0..PLACES.len())
             .flat_map(|place| (0..Action::WIPING.len()).map(move |action| Self { place, action }))
     }
 
-    /// Returns all nine tasks in the order of the paper's Table 1, by surface.
-    pub fn by_action() -> impl Iterator<Item = Self> {
+    /// Returns all nine tasks in the order of the paper's Table 1, action by action.
+    pub fn cases_by_action() -> impl Iterator<Item = Self> {
         (0..Action::WIPING.len())
             .flat_map(|action| (0..PLACES.len()).map(move |place| Self { place, action }))
     }
@@ -42,7 +42,7 @@ impl TaskCase {
         self.action % Action::WIPING.len()
     }
 
-    /// Name of the shipped scenario.
+    /// Name of the shipped scenario with this surface.
     pub fn scenario(&self) -> &'static str {
         PLACES[self.place_index()].0
     }
@@ -52,7 +52,7 @@ impl TaskCase {
         PLACES[self.place_index()].1
     }
 
-    /// The action.
+    /// The wiping action of the task.
     pub fn action(&self) -> Action {
         Action::WIPING[self.action_index()]
     }
@@ -63,23 +63,23 @@ impl TaskCase {
     }
 
     /// Returns the tasks that a text names by a surface, an action, or both, such as `board/absorb`, in the order of
-    /// [`Self::by_action`].
+    /// [`Self::cases_by_action`].
     ///
     /// # Errors
     /// If the text names no task.
     ///
     /// ```
     /// use wisch_eval::TaskCase;
-    /// let names = |text| TaskCase::named(text).map(|cases| cases.iter().map(TaskCase::name).collect::<Vec<_>>());
+    /// let names = |text| TaskCase::parse(text).map(|cases| cases.iter().map(TaskCase::name).collect::<Vec<_>>());
     /// assert_eq!(names("board/absorb"), Ok(vec!["absorb chopping-board".to_owned()]));
     /// assert_eq!(names("windshield").map(|names| names.len()), Ok(3));
     /// assert!(names("bord/absorb").is_err());
     /// ```
-    pub fn named(text: &str) -> Result<Vec<Self>, UnknownCell> {
+    pub fn parse(text: &str) -> Result<Vec<Self>, UnknownCell> {
         let fits = |case: &Self, word: &str| {
             [case.place(), case.scenario(), case.action().as_str()].contains(&word)
         };
-        let cases: Vec<Self> = Self::by_action()
+        let cases: Vec<Self> = Self::cases_by_action()
             .filter(|case| text.split('/').all(|word| fits(case, word)))
             .collect();
         if cases.is_empty() {

@@ -14,7 +14,7 @@ use wisch::recover::Verdict;
 use wisch::represent::{GoalState, Observation, Sight, Task};
 use wisch::run::{AfterStop, Round, RunConfig, RunEvent, Session};
 use wisch_io::{LoadOptions, LoadedTask, load_task};
-use wisch_sim::{GroundTruth, SimulationSettings, Site, World};
+use wisch_sim::{GroundTruth, SimulationSettings, WorkSurface, World};
 
 /// Nominal probabilities of the scored intervals \[1\].
 pub const LEVELS: [f64; 4] = [0.5, 0.8, 0.9, 0.95];
@@ -45,8 +45,8 @@ pub struct BeliefScore {
 }
 
 impl BeliefScore {
-    /// Scores a belief.
-    pub fn of(belief: &PerformanceDistribution, outcome: f64) -> Self {
+    /// Scores an estimated performance against the true performance `outcome`.
+    pub fn evaluate(belief: &PerformanceDistribution, outcome: f64) -> Self {
         Self {
             mean: belief.mean(),
             intervals: LEVELS.map(|level| belief.interval(level)),
@@ -62,7 +62,7 @@ impl BeliefScore {
     }
 }
 
-/// The scores of a round.
+/// The scores of one round in a world.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct RoundScore {
     /// True performance.
@@ -86,7 +86,7 @@ pub struct RoundScore {
     pub is_claimed: bool,
 }
 
-/// The scores of a world.
+/// The scores of all rounds in a world.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct WorldScore {
     /// The world.
@@ -134,7 +134,7 @@ impl WorldCase {
         let begin = Instant::now();
         let loaded = self.load(senses, set)?;
         let robot = robot_of(&loaded)?;
-        let calm = SimulationSettings::of(&loaded).map_err(words)?;
+        let calm = SimulationSettings::from_task(&loaded).map_err(words)?;
         let settings = self.settings(&calm, &loaded.task);
         let config = RunConfig {
             // The person who pushes lets go, and the robot resumes without an operator.
@@ -142,7 +142,7 @@ impl WorldCase {
             ..loaded.run_config()
         };
         let (target, sight) = (config.target, config.sight);
-        let site = Site::of(&loaded.task);
+        let site = WorkSurface::from_task(&loaded.task);
         let mut world = World::new(&site, settings, self.seed).map_err(words)?;
         let prior = loaded.belief();
         let session = Session::new(&loaded.task, config).with_belief(prior.clone());
@@ -240,7 +240,7 @@ impl<'a> RoundScorer<'a> {
         if let Some(seen) = Seen::of(first_observation, sight) {
             // As in the session: a goal area that the planner chooses is unknown at this point.
             let goal = task.goal().unwrap_or(GoalState::Skimmed);
-            before = before.observe(&seen.look(task, &goal));
+            before = before.observe(&seen.update(task, &goal));
         }
         Self {
             sight,
@@ -265,24 +265,24 @@ impl<'a> RoundScorer<'a> {
         let outcome = outcome
             .map_err(words)?
             .ok_or("there is no dirt in this world")?;
-        let simpler = (self.baselines.after(motion, touch, &goal)).map_err(words)?;
+        let simpler = (self.baselines.update(motion, touch, &goal)).map_err(words)?;
         let seen = Seen::of(interpretation.observation.as_ref(), self.sight);
         let score_variant = |variant: &mut VariantBelief<'_>| {
             let belief = variant.after(motion, touch, seen, &goal);
-            Ok(BeliefScore::of(&belief.map_err(words)?, outcome))
+            Ok(BeliefScore::evaluate(&belief.map_err(words)?, outcome))
         };
         let variants: Result<_, String> = self.variants.iter_mut().map(score_variant).collect();
         let events = interpretation.events.iter();
-        let collisions = events.filter(|event| event.kind == EventKind::Collision);
+        let collisions = events.filter(|event| event.kind == EventKind::Push);
         let detected: Vec<_> = collisions.map(|event| [event.start, event.end]).collect();
         Ok(RoundScore {
             outcome,
-            belief: BeliefScore::of(&interpretation.distribution, outcome),
+            belief: BeliefScore::evaluate(&interpretation.distribution, outcome),
             prediction: simpler.prediction,
-            force_blind: BeliefScore::of(&simpler.force_blind, outcome),
+            force_blind: BeliefScore::evaluate(&simpler.force_blind, outcome),
             paper: simpler.paper,
             variants: variants?,
-            pushes: PushCounts::of_round(
+            pushes: PushCounts::count(
                 round.execution.duration,
                 &truth.pushes,
                 &truth.obstructions,

@@ -4,8 +4,8 @@
 use serde::{Deserialize, Serialize};
 use std::str::FromStr;
 use wisch::interpret::{
-    Belief, InterpretConfig, InterpretError, Interpreter, Look, PerformanceDistribution,
-    TouchSample, Uncertainty,
+    Belief, InterpretConfig, InterpretError, Interpreter, ObservationUpdate,
+    PerformanceDistribution, TouchSample, Uncertainty,
 };
 use wisch::represent::{GoalState, Observation, Sight, Task};
 use wisch::run::PlannedRound;
@@ -32,7 +32,9 @@ impl Variant {
     /// If a field is unknown or a value is outside its limits.
     pub fn uncertainty(&self, method: Uncertainty) -> Result<Uncertainty, InterpretError> {
         let mut fields = self.fields.iter().filter(|(name, _)| name != MEMBERS);
-        fields.try_fold(method, |changed, (name, value)| changed.with(name, *value))
+        fields.try_fold(method, |changed, (name, value)| {
+            changed.with_field(name, *value)
+        })
     }
 
     /// Number of members of its belief; `None` for the method's number.
@@ -91,8 +93,8 @@ impl<'a> Seen<'a> {
         })
     }
 
-    pub(crate) fn look(self, task: &'a Task, goal: &'a GoalState) -> Look<'a> {
-        Look {
+    pub(crate) fn update(self, task: &'a Task, goal: &'a GoalState) -> ObservationUpdate<'a> {
+        ObservationUpdate {
             observation: self.observation,
             sight: self.sight,
             surface: &task.surface,
@@ -128,7 +130,7 @@ impl<'a> VariantBelief<'a> {
         goal: &GoalState,
     ) -> Result<PerformanceDistribution, InterpretError> {
         let task = &planned.task;
-        let mut config = InterpretConfig::of(task);
+        let mut config = InterpretConfig::from_task(task);
         config.uncertainty = self.variant.uncertainty(config.uncertainty)?;
         config.replays = self.variant.members().unwrap_or(config.replays);
         let mut interpreter = Interpreter::new(task, &config)?;
@@ -137,7 +139,7 @@ impl<'a> VariantBelief<'a> {
         }
         let mut interpretation = interpreter.conclude(&self.belief, goal)?;
         if let Some(seen) = seen {
-            interpretation.look(&seen.look(task, goal));
+            interpretation.observe(&seen.update(task, goal));
         }
         self.belief = interpretation.belief;
         Ok(interpretation.distribution)

@@ -26,7 +26,7 @@ pub enum WipingExtent {
 }
 
 impl WipingExtent {
-    /// The extent as text.
+    /// Name of the extent in files.
     pub const fn as_str(self) -> &'static str {
         match self {
             Self::Planned => "planned without a robot",
@@ -36,7 +36,7 @@ impl WipingExtent {
     }
 }
 
-/// Settings of a wiping run.
+/// Settings of a wiping run, beside those of its task.
 #[derive(Debug, Clone, Copy)]
 pub struct WipingOptions {
     /// Last stage.
@@ -85,7 +85,7 @@ pub struct WipingScore {
     pub picture: Option<Picture>,
 }
 
-/// A robot's motion.
+/// The score of a robot's planned motion.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct MotionScore {
     /// Number of abandoned nodes.
@@ -150,7 +150,11 @@ impl WipingScore {
     ///
     /// # Errors
     /// A message if a stage fails.
-    pub fn of(scenario: &Path, load: &LoadOptions, options: WipingOptions) -> Result<Self, String> {
+    pub fn evaluate(
+        scenario: &Path,
+        load: &LoadOptions,
+        options: WipingOptions,
+    ) -> Result<Self, String> {
         let loaded = load_task(scenario, load).map_err(words)?;
         let mut score = match options.extent {
             WipingExtent::Planned => planned(&loaded, options)?,
@@ -210,7 +214,7 @@ fn followed(loaded: &LoadedTask, options: WipingOptions) -> Result<WipingScore, 
     (session.run_until(Stage::Followed, &mut none, &mut ignore_events)).map_err(words)?;
     let computation_s = begin.elapsed().as_secs_f64();
     (session.run_until(Stage::Audited, &mut none, &mut ignore_events)).map_err(words)?;
-    let (first, audit) = session.first().ok_or("no motion was made")?;
+    let (first, audit) = session.first_motion().ok_or("no motion was made")?;
     let mut score = first_round(first, audit, computation_s);
     if options.is_pictured {
         let (task, wiped) = (&first.task, first.executable_plan());
@@ -228,10 +232,11 @@ fn executed(loaded: &LoadedTask, options: WipingOptions) -> Result<WipingScore, 
     (session.run_until(Stage::Followed, &mut world, &mut ignore_events)).map_err(words)?;
     let computation_s = begin.elapsed().as_secs_f64();
     session.run(&mut world, &mut ignore_events).map_err(words)?;
-    let (first, audit) = session.first().ok_or("no motion was made")?;
+    let (first, audit) = session.first_motion().ok_or("no motion was made")?;
     let (goal, surface) = (first.plan.graph.goal, &first.task.surface);
     let before = dirt.particles().map_err(words)?;
-    let performance = |particles: &ParticleDistribution| Performance::of(particles, &goal, surface);
+    let performance =
+        |particles: &ParticleDistribution| Performance::evaluate(particles, &goal, surface);
     let truths = world.truth().iter().map(GroundTruth::particles);
     let truths: Vec<ParticleDistribution> = truths
         .filter_map(Result::transpose)

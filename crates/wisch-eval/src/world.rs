@@ -9,7 +9,7 @@ use std::f64::consts::{PI, TAU};
 use wisch::geometry::{Pose, Vector2, Vector3};
 use wisch::represent::{LogNormal, Task};
 use wisch_io::{Moment, Push};
-use wisch_sim::{Places, SimulationSettings};
+use wisch_sim::{SimulationSettings, TrueDirt};
 
 /// Stream of random numbers, independent of the task's.
 const STREAM: u64 = 0x776f_726c_6400_0000;
@@ -66,7 +66,7 @@ pub enum MismatchKind {
 }
 
 impl MismatchKind {
-    /// All variants.
+    /// All kinds of mismatch, in the order of tables.
     pub const ALL: [Self; 9] = [
         Self::AsBelieved,
         Self::Uniform,
@@ -79,7 +79,7 @@ impl MismatchKind {
         Self::Footprint,
     ];
 
-    /// The mismatch as text.
+    /// Name of the mismatch in files.
     pub const fn as_str(self) -> &'static str {
         match self {
             Self::AsBelieved => "as believed",
@@ -98,14 +98,14 @@ impl MismatchKind {
         let sign = if random.random::<bool>() { 1.0 } else { -1.0 };
         let angle = TAU * random.random::<f64>();
         settings.dirt = match self {
-            Self::AsBelieved => Places::Listed(task.particles.remaining().collect()),
-            Self::Clusters => Places::Clusters(None),
-            Self::Stripe => Places::Stripe {
+            Self::AsBelieved => TrueDirt::Listed(task.particles.remaining().collect()),
+            Self::Clusters => TrueDirt::Clusters(None),
+            Self::Stripe => TrueDirt::Stripe {
                 center: None,
                 direction: None,
                 width: None,
             },
-            _ => Places::Uniform,
+            _ => TrueDirt::Uniform,
         };
         match self {
             Self::AsBelieved | Self::Uniform | Self::Clusters | Self::Stripe => {}
@@ -121,7 +121,7 @@ impl MismatchKind {
     }
 }
 
-/// The disturbance of a world.
+/// The disturbance that acts during the rounds of a world.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Disturbance {
@@ -134,10 +134,10 @@ pub enum Disturbance {
 }
 
 impl Disturbance {
-    /// All variants.
+    /// All kinds of disturbance, in the order of tables.
     pub const ALL: [Self; 3] = [Self::None, Self::Place, Self::Push];
 
-    /// The disturbance as text.
+    /// Name of the disturbance in files.
     pub const fn as_str(self) -> &'static str {
         match self {
             Self::None => "undisturbed",
@@ -181,7 +181,7 @@ impl Disturbance {
     }
 }
 
-/// The robot's senses.
+/// The senses that the robot uses in a world.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Senses {
@@ -206,9 +206,9 @@ pub struct WorldCase {
 
 impl WorldCase {
     /// Returns the world of a seed. 243 consecutive seeds cover each combination of task, mismatch and disturbance once.
-    pub fn of(seed: u64) -> Self {
+    pub fn from_seed(seed: u64) -> Self {
         let digit = |place: u64, base: usize| (seed / place) as usize % base;
-        let tasks: Vec<TaskCase> = TaskCase::all().collect();
+        let tasks: Vec<TaskCase> = TaskCase::cases_by_surface().collect();
         // Each seed advances by one mismatch and each block by one task, so that a few consecutive seeds are mixed, too.
         let (mismatch, block) = (digit(1, 9), digit(9, 9));
         Self {
@@ -238,7 +238,7 @@ mod tests {
     #[test]
     fn seeds_in_a_row_have_each_combination_once() {
         let of = |seed| {
-            let case = WorldCase::of(seed);
+            let case = WorldCase::from_seed(seed);
             (case.task, case.mismatch, case.disturbance)
         };
         for first in [1, 1000, 10_000] {

@@ -55,7 +55,7 @@ fn number(catalogue: &Catalogue, property: &str, id: IndividualId) -> Option<f64
 fn thing(catalogue: &Catalogue, property: &str, id: IndividualId) -> String {
     match entries(catalogue.relations(property), id).first() {
         Some((_, CatalogueNode::Shared(place))) => {
-            let name = &catalogue.shared()[*place as usize];
+            let name = &catalogue.shared_individuals()[*place as usize];
             name.split_once(':').unwrap().1.to_owned()
         }
         _ => String::new(),
@@ -97,7 +97,7 @@ async fn with_sources(run: impl AsyncFn(&SqlSession, &Catalogue)) {
     let folder = tempfile::tempdir().unwrap();
     let records = records();
     let memory = memory(&folder.path().join("episodes"), &records);
-    let catalogue = Catalogue::of(&records);
+    let catalogue = Catalogue::from_records(&records);
     // A fleet and a local memory give the same answers.
     let fleet = place(&folder.path().join("fleet"));
     push(&memory, &fleet, &PushOptions::default(), &mut |_, _| {})
@@ -119,7 +119,7 @@ async fn performance_of_80_percent_or_less() {
                 .rows(&format!("SELECT * FROM {view}"))
                 .await
                 .unwrap();
-            let all = catalogue.of_class(class).iter();
+            let all = catalogue.individuals_of_class(class).iter();
             let all = all.filter_map(|&id| number(catalogue, "semco:performance", id));
             let mut expected: Vec<f64> = all.filter(|value| *value <= 0.8).collect();
             expected.sort_by(f64::total_cmp);
@@ -138,7 +138,7 @@ async fn collisions_by_tool_and_hour() {
             .await
             .unwrap();
         let mut expected: BTreeMap<(String, i64), usize> = BTreeMap::new();
-        for &id in catalogue.of_class("semco:HumanCollision") {
+        for &id in catalogue.individuals_of_class("semco:HumanCollision") {
             let tool = thing(catalogue, "semco:usesTool", round_of(catalogue, id));
             let [start, _] = catalogue.interval(id).unwrap();
             *expected
@@ -161,7 +161,9 @@ async fn peak_force_of_each_collision() {
         let sql =
             "SELECT 'HumanCollision_' || episode || '-' || place FROM peak_force_per_collision";
         let found = session.rows(sql).await.unwrap();
-        let all = catalogue.of_class("semco:HumanCollision").iter();
+        let all = catalogue
+            .individuals_of_class("semco:HumanCollision")
+            .iter();
         let mut expected: Vec<String> = all.map(|&id| catalogue.name(id)).collect();
         expected.sort();
         let names: Vec<String> = texts(&found)
@@ -174,7 +176,9 @@ async fn peak_force_of_each_collision() {
             .rows("SELECT * FROM peak_force_per_collision")
             .await
             .unwrap();
-        let all = catalogue.of_class("semco:HumanCollision").iter();
+        let all = catalogue
+            .individuals_of_class("semco:HumanCollision")
+            .iter();
         let all = all.map(|&id| number(catalogue, "semco:peakForce", id).unwrap());
         let mut expected: Vec<f64> = all.collect();
         expected.sort_by(f64::total_cmp);
@@ -188,7 +192,7 @@ async fn strokes_without_contact() {
     with_sources(async |session, catalogue| {
         let sql = "SELECT episode, CAST(place AS VARCHAR) FROM strokes_without_contact";
         let found = session.rows(sql).await.unwrap();
-        let all = catalogue.of_class("semco:Stroke").iter();
+        let all = catalogue.individuals_of_class("semco:Stroke").iter();
         let all = all.filter(|&&id| number(catalogue, "semco:contactShare", id).unwrap() <= 0.01);
         let mut expected: Vec<Vec<String>> = all
             .map(|&id| {
@@ -209,7 +213,7 @@ async fn calibration_of_estimates() {
         let sql = "SELECT sum(rounds) AS rounds, sum(rounds * held_share) AS held FROM calibration";
         let found = session.rows(sql).await.unwrap();
         let (mut rounds, mut held) = (0.0, 0.0);
-        for &id in catalogue.of_class("semco:WipingRound") {
+        for &id in catalogue.individuals_of_class("semco:WipingRound") {
             let of = |property: &str| number(catalogue, property, id);
             if let Some(truth) = of("semco:simulatedPerformance") {
                 rounds += 1.0;
@@ -233,7 +237,7 @@ async fn drift_of_contact_force() {
             .await
             .unwrap();
         let mut series: BTreeMap<String, Vec<(f64, f64)>> = BTreeMap::new();
-        for &id in catalogue.of_class("semco:WipingRound") {
+        for &id in catalogue.individuals_of_class("semco:WipingRound") {
             if number(catalogue, "semco:round", id) == Some(1.0) {
                 let force = number(catalogue, "semco:meanNormalForce", id)
                     .unwrap()
@@ -280,10 +284,10 @@ async fn collisions_that_overlap_strokes() {
         let sql = "SELECT episode, CAST(collision AS VARCHAR), CAST(stroke_place AS VARCHAR) FROM collisions_in_strokes";
         let found = session.rows(sql).await.unwrap();
         let mut expected = Vec::new();
-        for &collision in catalogue.of_class("semco:HumanCollision") {
+        for &collision in catalogue.individuals_of_class("semco:HumanCollision") {
             let episode = catalogue.episode_of(collision);
             let [start, end] = catalogue.interval(collision).unwrap();
-            for &stroke in catalogue.of_class("semco:Stroke") {
+            for &stroke in catalogue.individuals_of_class("semco:Stroke") {
                 let [begin, stop] = catalogue.interval(stroke).unwrap();
                 let is_here = catalogue.episode_of(stroke).id == episode.id;
                 if is_here && start < stop && begin < end {

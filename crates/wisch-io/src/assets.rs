@@ -25,7 +25,7 @@ static SCENARIOS: Dir = include_dir!("$WISCH_SHIPPED/scenarios");
 /// The file with the PDDL domain in a knowledge folder.
 const DOMAIN_FILE: &str = "wiping.pddl";
 
-/// Reads a whole file.
+/// Reads a whole file into memory.
 ///
 /// # Errors
 /// If the file is missing, is a folder, exceeds 256 MiB, or cannot be read.
@@ -194,7 +194,7 @@ fn nearest_of(wanted: &str, names: impl Iterator<Item = String>) -> Option<Strin
 }
 
 /// Returns a reader for the files of a task; their paths are relative to the task file's folder.
-pub fn beside(task_file: &Path) -> impl FnMut(&str) -> Result<Vec<u8>, String> + use<> {
+pub fn read_beside(task_file: &Path) -> impl FnMut(&str) -> Result<Vec<u8>, String> + use<> {
     let folder = task_file
         .parent()
         .map(Path::to_path_buf)

@@ -16,16 +16,16 @@ mod records;
 mod robots;
 mod task_file;
 
-pub use assets::{KnowledgeSource, beside, read, read_text, shipped_scenarios};
+pub use assets::{KnowledgeSource, read, read_beside, read_text, shipped_scenarios};
 pub use digest::InputDigest;
 pub use error::Error;
 pub use knowledge::{InteractionRevision, KnowledgeFileError, RevisedFile, parse_knowledge};
-pub use load::{Derivation, LoadOptions, LoadedTask, load_task, task_of_text};
+pub use load::{Derivation, LoadOptions, LoadedTask, load_task, parse_task};
 pub use output::{
-    FOLLOWING_FILE, Found, INTERPRETATION_FILE, Leftover, OutputFile, OutputFolder,
+    FOLLOWING_FILE, INTERPRETATION_FILE, KilledRuns, Leftover, OutputFile, OutputFolder,
     PARTICLES_AFTER_FILE, PARTICLES_BEFORE_FILE, PARTICLES_ESTIMATED_FILE, PARTICLES_TRUE_FILE,
     PLAN_FILE, RECORDING_FILE, REPORT_FILE, ROUNDS_FILE, Replaceable, TCP_PATH_FILE,
-    TRAJECTORY_FILE, of_round, path_in_results,
+    TRAJECTORY_FILE, path_in_results, round_file_name,
 };
 pub use particles::{
     MaskSource, ParticleSource, ParticleSourceError, csv_particles, mask_particles,
@@ -46,6 +46,6 @@ pub use records::{
 };
 pub use robots::{MAP_EXTENSION, Robot, RobotFiles, robot_meshes, shipped_robots};
 pub use task_file::{
-    CameraRecord, DirtRecord, ExecutionRecord, FrictionChange, Intent, Moment, Perception, Push,
-    ReadFile, RobotDescription, RobotRecord, TaskError, TaskFile, TrueDirt,
+    CameraRecord, DirtRecord, DirtSource, ExecutionRecord, FrictionChange, Intent, Moment,
+    Perception, Push, ReadFile, RobotDescription, RobotRecord, TaskError, TaskFile, TrueDirt,
 };

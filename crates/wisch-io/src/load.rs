@@ -1,6 +1,6 @@
 //! Loads a task file with all its data into a task that can be planned.
 
-use crate::assets::{KnowledgeSource, beside, read_task_text};
+use crate::assets::{KnowledgeSource, read_beside, read_task_text};
 use crate::digest::InputDigest;
 use crate::error::Error;
 use crate::particles::{ParticleSource, read_observed_image, read_observed_list};
@@ -12,9 +12,9 @@ use wisch::follow::FollowConfig;
 use wisch::geometry::Mesh;
 use wisch::geometry::Point2;
 use wisch::goal::{GoalLiteral, resolve_goal};
-use wisch::interpret::{Belief, DirtPrior, members};
+use wisch::interpret::{Belief, DirtPrior, member_count};
 use wisch::plan::{
-    CoverageStrategy, HeadingRule, Plan, PlanConfig, PlanError, SearchConfig, Strategy, plan,
+    CoverageStrategy, Plan, PlanConfig, PlanError, SearchConfig, Strategy, YawRule, plan,
 };
 use wisch::represent::{
     Action, DirtArea, KnowledgeBase, Observation, OccupiedArea, SensorModel, Sight, SteepSurface,
@@ -26,7 +26,20 @@ use wisch::source_location::UnknownName;
 /// Default strategy: the paper's simplest, which leaves no free cell out.
 const DEFAULT_STRATEGY: Strategy = Strategy::Coverage(CoverageStrategy::Grid);
 
-/// Overrides of a task file.
+/// Values that override those of a task file.
+///
+/// ```
+/// use wisch_io::{LoadOptions, load_task};
+/// # let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../scenarios/chopping-board.toml").as_ref();
+/// let options = LoadOptions {
+///     settings: vec![("particles.count".to_owned(), "20".to_owned())],
+///     seed: Some(3),
+///     ..LoadOptions::default()
+/// };
+/// let task = load_task(path, &options)?.task;
+/// assert_eq!((task.seed, task.particles.len()), (3, 20));
+/// # Ok::<(), wisch_io::Error>(())
+/// ```
 #[derive(Debug, Clone, Default)]
 pub struct LoadOptions {
     /// Settings that override the file's values, see [`TaskFile::parse`].
@@ -63,7 +76,7 @@ pub struct LoadedTask {
     /// The knowledge base.
     pub knowledge: KnowledgeBase,
     /// True dirt locations of a simulated world, in the frame of the true surface \[m\], if `[execution]` names a file of them.
-    pub real_places: Option<Vec<Point2>>,
+    pub true_dirt_locations: Option<Vec<Point2>>,
     /// The slope of the surface, if it is too steep for the medium, so that the task's particles have already slid down.
     pub steep: Option<SteepSurface>,
     /// Digest of all read files and of the options.
@@ -101,7 +114,7 @@ impl LoadedTask {
             contact_speed: self.file.contact_speed_m_per_s(),
             free_speed: (self.file.free_speed_m_per_s()).unwrap_or(f64::INFINITY),
             // A rule that the user has chosen is not changed.
-            free_yaw: self.file.heading() == HeadingRule::Best,
+            free_yaw: self.file.yaw_rule() == YawRule::Best,
             ..FollowConfig::default()
         }
     }
@@ -123,7 +136,8 @@ impl LoadedTask {
 
     /// Returns the belief about the dirt before any measurement.
     pub fn belief(&self) -> Belief {
-        self.dirt_prior().belief(&self.task, members(&self.task))
+        self.dirt_prior()
+            .belief(&self.task, member_count(&self.task))
     }
 
     /// Returns the prior of the dirt locations from the source of the particles.
@@ -161,7 +175,7 @@ impl LoadedTask {
         let meshes: Vec<Mesh> = self.task.obstacles_in_surface().collect();
         let area = DirtArea {
             outline: &self.task.surface.outline,
-            occupied: &OccupiedArea::of(&meshes),
+            occupied: &OccupiedArea::from_scene(&meshes),
         };
         let is_list = path
             .extension()
@@ -169,7 +183,7 @@ impl LoadedTask {
         let seen = match self.file.particle_source() {
             _ if is_list => read_observed_list(&shown, &bytes, area),
             ParticleSource::Image(mask) => {
-                let before = beside(&self.path)(&mask.file).map_err(refused)?;
+                let before = read_beside(&self.path)(&mask.file).map_err(refused)?;
                 read_observed_image(mask, &before, &shown, &bytes, area, self.task.seed)
             }
             _ => {
@@ -235,7 +249,7 @@ struct Chosen {
 /// # Ok::<(), wisch_io::Error>(())
 /// ```
 pub fn load_task(path: &Path, options: &LoadOptions) -> Result<LoadedTask, Error> {
-    task_of_text(path, read_task_text(path)?, &mut beside(path), options)
+    parse_task(path, read_task_text(path)?, &mut read_beside(path), options)
 }
 
 /// Loads a task from the text of a task file.
@@ -247,14 +261,14 @@ pub fn load_task(path: &Path, options: &LoadOptions) -> Result<LoadedTask, Error
 /// Those of [`load_task`].
 ///
 /// ```
-/// use wisch_io::{LoadOptions, TaskFile, task_of_text};
+/// use wisch_io::{LoadOptions, TaskFile, parse_task};
 /// let mut no_files = |path: &str| Err(format!("{path}: there are no files here"));
 /// let text = TaskFile::TEMPLATE.to_owned();
-/// let loaded = task_of_text("made.toml".as_ref(), text, &mut no_files, &LoadOptions::default())?;
+/// let loaded = parse_task("made.toml".as_ref(), text, &mut no_files, &LoadOptions::default())?;
 /// assert_eq!(loaded.task.particles.len(), 80);
 /// # Ok::<(), wisch_io::Error>(())
 /// ```
-pub fn task_of_text(
+pub fn parse_task(
     path: &Path,
     text: String,
     files: &mut dyn FnMut(&str) -> Result<Vec<u8>, String>,
@@ -292,7 +306,8 @@ pub fn task_of_text(
     let steep = let_slide(&mut task, &knowledge);
     assumptions.extend(steep.map(|steep| steep.to_string()));
     assumptions.extend(unit_remarks(&task));
-    let real_places = file.real_places(&task, &mut |path| taken_in(path, files(path)))?;
+    let true_dirt_locations =
+        file.true_dirt_locations(&task, &mut |path| taken_in(path, files(path)))?;
     let mut inputs = inputs.into_inner();
     inputs.add("action", chosen.action.as_str());
     inputs.add("seed", seed.to_le_bytes());
@@ -305,7 +320,7 @@ pub fn task_of_text(
         },
         seed,
         bandwidth: file.bandwidth_m(),
-        heading: file.heading(),
+        yaw: file.yaw_rule(),
         lift_height: file.lift_height_m(),
         max_distance: file.max_distance_m(),
         search: SearchConfig {
@@ -323,7 +338,7 @@ pub fn task_of_text(
         task,
         config,
         inputs,
-        real_places,
+        true_dirt_locations,
         steep,
         derived: chosen.derived,
         knowledge,

@@ -1,6 +1,6 @@
 //! Shipped robots, and robots of the user.
 
-use crate::assets::{self, beside, read_text};
+use crate::assets::{self, read_beside, read_text};
 use crate::digest::InputDigest;
 use crate::error::Error;
 use crate::task_file::RobotDescription;
@@ -200,7 +200,7 @@ impl Robot {
             }
         };
         if let Some((name, bytes)) = found {
-            let hash = RobotHash::of(&robot.model);
+            let hash = RobotHash::from_robot(&robot.model);
             robot.map = Some(CapabilityMap::from_bytes(&name, &bytes, hash)?);
             robot.files.map = Some(bytes);
         }
@@ -249,7 +249,7 @@ impl Robot {
     }
 }
 
-/// Names of the shipped robots.
+/// Returns the names of the shipped robots.
 pub fn shipped_robots() -> impl Iterator<Item = &'static str> {
     BUILT_IN.files().filter_map(|file| {
         let path = file.path();
@@ -330,11 +330,11 @@ pub fn robot_meshes(
     urdf: &Path,
     packages: &[(String, PathBuf)],
 ) -> impl FnMut(&str) -> Result<Vec<u8>, String> {
-    let mut beside = beside(urdf);
+    let mut read_beside = read_beside(urdf);
     let place = urdf.to_owned();
     move |path| {
         let Some(in_package) = path.strip_prefix("package://") else {
-            return beside(path.strip_prefix("file://").unwrap_or(path));
+            return read_beside(path.strip_prefix("file://").unwrap_or(path));
         };
         // "package:///name/…" is written, too.
         let in_package = in_package.trim_start_matches('/');

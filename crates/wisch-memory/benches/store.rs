@@ -23,7 +23,7 @@ fn main() {
 }
 
 fn writer(path: &Path) -> TelemetryWriter {
-    let head = RoundScene::upright("arm", "tip", "sponge", "board").head(hour::joints());
+    let head = RoundScene::with_upright_tool("arm", "tip", "sponge", "board").head(hour::joints());
     TelemetryWriter::create(path, head).expect("a file")
 }
 
@@ -180,7 +180,7 @@ fn catalogue_from_tables(bencher: Bencher<'_, '_>, count: usize) {
 
 #[divan::bench(args = [10_000, 100_000], sample_count = 3)]
 fn filter_by_performance(bencher: Bencher<'_, '_>, count: usize) {
-    let catalogue = Catalogue::of(
+    let catalogue = Catalogue::from_records(
         (0..count)
             .map(|number| records::record(1, number))
             .collect::<Vec<_>>()

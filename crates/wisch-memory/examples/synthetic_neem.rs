@@ -32,7 +32,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         url: String::new(),
         activity: [
             "Wiping".to_owned(),
-            Ontology::shipped().expand("semco:Wiping")?,
+            Ontology::load().expand("semco:Wiping")?,
         ],
         environment: "none".to_owned(),
         agent: "humanoid".to_owned(),

@@ -8,12 +8,12 @@ use std::collections::HashMap;
 /// Index of an individual in a [`Catalogue`].
 pub type IndividualId = u32;
 
-/// Object of a relation.
+/// The object of a relation between individuals.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum CatalogueNode {
     /// An individual of an episode.
     Individual(IndividualId),
-    /// Something that episodes share, for example a tool: its index in [`Catalogue::shared`].
+    /// Something that episodes share, for example a tool: its index in [`Catalogue::shared_individuals`].
     Shared(u32),
 }
 
@@ -34,7 +34,7 @@ pub struct Catalogue {
     left_out: Vec<String>,
 }
 
-/// An episode in the catalogue.
+/// The entry of an episode in the catalogue.
 #[derive(Debug, Clone, PartialEq)]
 pub struct EpisodeRow {
     /// Its name.
@@ -90,7 +90,7 @@ const NONE: u32 = u32::MAX;
 
 impl Catalogue {
     /// Returns the catalogue of the given episodes.
-    pub fn of<'a>(records: impl IntoIterator<Item = &'a EpisodeRecord>) -> Self {
+    pub fn from_records<'a>(records: impl IntoIterator<Item = &'a EpisodeRecord>) -> Self {
         let mut catalogue = Self::default();
         for record in records {
             catalogue.push(record);
@@ -198,7 +198,7 @@ impl Catalogue {
     }
 
     /// Episodes that the catalogue lacks because they cannot be read, each with the reason.
-    pub fn left_out(&self) -> &[String] {
+    pub fn omitted_episodes(&self) -> &[String] {
         &self.left_out
     }
 
@@ -238,7 +238,7 @@ impl Catalogue {
             .map(|&number| &self.episodes[number as usize])
     }
 
-    /// Number of individuals.
+    /// Number of individuals of all episodes.
     pub fn len(&self) -> usize {
         self.classes.len()
     }
@@ -259,12 +259,12 @@ impl Catalogue {
     }
 
     /// The things that episodes share, with prefix.
-    pub fn shared(&self) -> &[String] {
+    pub fn shared_individuals(&self) -> &[String] {
         &self.names.shared.names
     }
 
     /// Returns the individuals of exactly this class, without subclasses.
-    pub fn of_class(&self, class: &str) -> &[IndividualId] {
+    pub fn individuals_of_class(&self, class: &str) -> &[IndividualId] {
         let number = self.names.classes.find(class);
         number
             .and_then(|number| self.of_class.get(number))
@@ -291,7 +291,7 @@ impl Catalogue {
         (parent != NONE).then_some(parent)
     }
 
-    /// The episode of an individual.
+    /// Returns the entry of an individual's episode.
     pub fn episode_of(&self, id: IndividualId) -> &EpisodeRow {
         let after = self.episodes.partition_point(|row| row.first <= id);
         &self.episodes[after.saturating_sub(1)]

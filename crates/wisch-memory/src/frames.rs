@@ -87,7 +87,7 @@ impl From<StoredPose> for Pose {
 
 impl RoundScene {
     /// Returns the scene of a round.
-    pub fn of(motion: &PlannedRound) -> Self {
+    pub fn from_motion(motion: &PlannedRound) -> Self {
         let cell = &motion.cell;
         let robot = cell.robot();
         Self {
@@ -108,7 +108,7 @@ impl RoundScene {
 
     /// Returns a scene with the robot at the world's origin, the tool's frame at that of its link, and the surface at
     /// the world's origin. For examples that do not wipe.
-    pub fn upright(robot: &str, tip: &str, tool: &str, surface: &str) -> Self {
+    pub fn with_upright_tool(robot: &str, tip: &str, tool: &str, surface: &str) -> Self {
         let nowhere = StoredPose::from(&Pose::identity());
         Self {
             schema: SCENE_SCHEMA,
@@ -124,10 +124,10 @@ impl RoundScene {
     }
 
     /// Returns the scene of a log with the tool's poses but without a robot.
-    pub fn of_log(tool: &str, surface: &str, world_from_surface: &Pose) -> Self {
+    pub fn from_log(tool: &str, surface: &str, world_from_surface: &Pose) -> Self {
         Self {
             world_from_surface: world_from_surface.into(),
-            ..Self::upright("", "", tool, surface)
+            ..Self::with_upright_tool("", "", tool, surface)
         }
     }
 
@@ -215,7 +215,7 @@ pub enum FrameError {
     Telemetry(#[from] TelemetryError),
 }
 
-/// Sampling of a trajectory.
+/// How densely a trajectory is sampled.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Sampling {
     /// A sample per period \[s\], from the first time on.
@@ -224,7 +224,7 @@ pub enum Sampling {
     Count(usize),
 }
 
-/// A pose at a time.
+/// The pose of a frame at one time.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PoseAt {
     /// Time since the round began \[s\].
@@ -242,7 +242,7 @@ enum Carrier {
     Logged,
 }
 
-/// Frames of one round.
+/// The moving frames of one round, from its telemetry.
 ///
 /// Frames are the robot's links by name, `tool` and `tcp` (the tool centre point) or the tool's name, `robot` and
 /// `base` or the robot's name (the link that moves over the floor, else the root), `surface` or the
@@ -324,7 +324,7 @@ impl<'a> Frames<'a> {
     ///
     /// # Errors
     /// If the telemetry lacks poses of the tool, or its scene cannot be read.
-    pub fn of_log(telemetry: &'a Telemetry, tool: &str) -> Result<Self, FrameError> {
+    pub fn from_log(telemetry: &'a Telemetry, tool: &str) -> Result<Self, FrameError> {
         let columns = telemetry.columns();
         if let Some(missing) = LOGGED_POSE.iter().find(|name| !columns.contains(name)) {
             return Err(FrameError::Scene {
@@ -338,7 +338,8 @@ impl<'a> Frames<'a> {
         Ok(Self {
             robot: None,
             telemetry,
-            scene: scene.unwrap_or_else(|| RoundScene::of_log(tool, NO_SURFACE, &Pose::identity())),
+            scene: scene
+                .unwrap_or_else(|| RoundScene::from_log(tool, NO_SURFACE, &Pose::identity())),
         })
     }
 
@@ -352,7 +353,7 @@ impl<'a> Frames<'a> {
         &self.scene
     }
 
-    /// Names of all frames.
+    /// Returns the names of all frames.
     pub fn names(&self) -> Vec<&str> {
         let mut names: Vec<&str> = OWN_FRAMES.to_vec();
         let scene = &self.scene;

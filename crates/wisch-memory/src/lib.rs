@@ -15,9 +15,9 @@ pub mod ontology;
 mod record;
 mod remember;
 mod robot;
+mod statements;
 pub mod store;
 pub mod telemetry;
-mod told;
 pub mod view;
 
 pub use catalogue::{Catalogue, CatalogueNode, IndividualId};

@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 use wisch::geometry::{Point2, Polygon, Pose, Region};
 use wisch::represent::Observation;
 
-/// Version of the file's schema.
+/// Version of the schema of a round's observations.
 pub const OBSERVATIONS_SCHEMA: u32 = 1;
 
 /// Largest deviation of a stored quaternion's norm from 1 [1].
@@ -24,7 +24,7 @@ pub struct RoundObservations {
     pub observations: [Option<Observation>; 2],
 }
 
-/// Fault of stored observations.
+/// A fault of the stored observations of a round.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum ObservationFault {
     /// The file is not JSON of this form.

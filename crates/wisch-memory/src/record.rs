@@ -3,13 +3,13 @@
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
-/// Version of [`EpisodeRecord`].
+/// Version of the schema of [`EpisodeRecord`].
 pub const EPISODE_SCHEMA: u32 = 1;
 
 /// Property of a round without telemetry: the reason.
 pub(crate) const TELEMETRY_LOST: &str = "semco:telemetryLost";
 
-/// Source of an episode.
+/// How an episode came into the memory.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Origin {
@@ -21,7 +21,7 @@ pub enum Origin {
     Imported(String),
 }
 
-/// A value of a property.
+/// The value of a property: a number or a text.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(untagged)]
 pub enum Value {
@@ -77,7 +77,7 @@ pub struct EpisodeRecord {
     pub individuals: Vec<Individual>,
 }
 
-/// Fault of a record.
+/// A fault that keeps a record from being stored.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum RecordFault {
     /// The schema is not supported.

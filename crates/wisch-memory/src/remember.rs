@@ -33,6 +33,12 @@ pub struct EpisodeHeader {
 
 impl EpisodeHeader {
     /// Returns the header of an episode that begins at a time [s since 1970], which also gives its name.
+    ///
+    /// ```
+    /// use wisch_memory::EpisodeHeader;
+    /// let header = EpisodeHeader::new(1_795_309_772.5, 0.95, 7, "my program 1.0");
+    /// assert_eq!(header.id, "20261122-010932-0000");
+    /// ```
     pub fn new(start: f64, target: f64, seed: u64, program: &str) -> Self {
         Self {
             id: episode_id(start, 0),
@@ -345,7 +351,7 @@ impl RoundContext<'_> {
         let class = match event.kind {
             EventKind::Contact => "semco:ToolContact",
             EventKind::ContactLoss => "semco:ContactLoss",
-            EventKind::Collision => "semco:HumanCollision",
+            EventKind::Push => "semco:HumanCollision",
             EventKind::HandGuiding => "semco:HandGuiding",
             EventKind::Landing => "semco:Landing",
             EventKind::Overload => "semco:Overload",
@@ -371,7 +377,7 @@ impl RoundContext<'_> {
             let outline = &self.task.surface.outline;
             individual.set_number("semco:edgeDistance", edge_distance(outline, point));
         }
-        if event.kind == EventKind::Collision {
+        if event.kind == EventKind::Push {
             individual.relate("dul:isClassifiedBy", "semco:collision_concept".to_owned());
             let tool = self.task.tool.name.as_str();
             let who = ["human"].into_iter().chain(self.robot).chain([tool]);

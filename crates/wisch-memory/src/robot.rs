@@ -8,7 +8,7 @@ const SRDF_FILE: &str = "robot.srdf";
 /// File that maps the meshes of the description to files.
 const MESHES_FILE: &str = "robot-meshes.json";
 
-/// Files of a robot's description.
+/// The files of a robot's description, as an episode keeps them.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct RobotText {
     /// The URDF.

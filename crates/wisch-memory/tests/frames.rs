@@ -31,7 +31,7 @@ fn scene() -> RoundScene {
         base: Some("platform".to_owned()),
         tip_from_tool: StoredPose::from(&Pose::translation(1.0, 0.0, 0.0)),
         world_from_surface: StoredPose::from(&Pose::translation(3.0, 2.0, 1.0)),
-        ..RoundScene::upright("justin", "arm", "sponge", "board")
+        ..RoundScene::with_upright_tool("justin", "arm", "sponge", "board")
     }
 }
 

@@ -84,7 +84,11 @@ fn individual(catalogue: &Catalogue, id: IndividualId) -> String {
     let parent = catalogue.parent(id).map(|parent| catalogue.name(parent));
     let name = catalogue.name(id);
     assert_eq!(catalogue.find(&name), Some(id));
-    assert!(catalogue.of_class(catalogue.class(id)).contains(&id));
+    assert!(
+        catalogue
+            .individuals_of_class(catalogue.class(id))
+            .contains(&id)
+    );
     let mut lines = vec![format!("{name} {:?} {parent:?}", catalogue.interval(id))];
     for property in catalogue.properties() {
         for (_, value) in entries(catalogue.numbers(property), id) {
@@ -96,7 +100,9 @@ fn individual(catalogue: &Catalogue, id: IndividualId) -> String {
         for (_, node) in entries(catalogue.relations(property), id) {
             let object = match *node {
                 CatalogueNode::Individual(id) => catalogue.name(id),
-                CatalogueNode::Shared(place) => catalogue.shared()[place as usize].clone(),
+                CatalogueNode::Shared(place) => {
+                    catalogue.shared_individuals()[place as usize].clone()
+                }
             };
             lines.push(format!("{property} {object}"));
         }
@@ -109,7 +115,7 @@ fn from_folders(memory: &Memory) -> BTreeMap<String, Vec<String>> {
     let ids = memory.episodes().unwrap();
     let records = ids.iter().map(|id| memory.episode(id).unwrap().record());
     let records: Vec<EpisodeRecord> = records.collect::<Result<_, _>>().unwrap();
-    contents(&Catalogue::of(&records))
+    contents(&Catalogue::from_records(&records))
 }
 
 #[test]
@@ -511,6 +517,6 @@ proptest! {
         memory.begin(&record.id).unwrap().commit(&record).unwrap();
         let read = memory.episode(&record.id).unwrap().record().unwrap();
         prop_assert_eq!(&read, &record);
-        prop_assert_eq!(contents(&memory.catalogue().unwrap()), contents(&Catalogue::of([&record])));
+        prop_assert_eq!(contents(&memory.catalogue().unwrap()), contents(&Catalogue::from_records([&record])));
     }
 }

@@ -71,8 +71,8 @@ fn slide(memory: &Memory, after: &str) {
         ..RobotText::default()
     };
     robot.attach_to(&writer).unwrap();
-    let head =
-        RoundScene::upright("slider", "tip", "sponge", "board").head(vec!["rail".to_owned()]);
+    let head = RoundScene::with_upright_tool("slider", "tip", "sponge", "board")
+        .head(vec!["rail".to_owned()]);
     let mut telemetry = writer.telemetry(1, head).unwrap();
     let none = Wrench {
         force: Vector3::zeros(),

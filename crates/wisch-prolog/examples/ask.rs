@@ -17,9 +17,9 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let is_swi = arguments.first().is_some_and(|first| first == "--swi");
     let command = if is_swi {
         arguments.remove(0);
-        EngineCommand::swi().ok_or("swipl cannot be found")?
+        EngineCommand::find_swi().ok_or("swipl cannot be found")?
     } else {
-        EngineCommand::scryer()
+        EngineCommand::find_scryer()
             .ok_or("wisch-prolog cannot be found: cargo build --release -p wisch-prolog")?
     };
     let Some((folder, queries)) = arguments.split_first() else {
@@ -34,7 +34,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         answers: 100_000,
         ..AskLimits::default()
     };
-    let telemetry = TelemetryPredicates::of(memory);
+    let telemetry = TelemetryPredicates::new(memory);
     let mut asker = QuerySession::new(command, limits, catalogue, telemetry, Assertions::default());
     println!("{:>10} {:>10} {:>8}", "cold", "warm", "answers");
     for query in queries {

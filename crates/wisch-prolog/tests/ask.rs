@@ -25,7 +25,7 @@ fn scryer() -> EngineCommand {
 /// SWI-Prolog. Where it is not installed its part of the tests is skipped, aloud; in CI that is a failure.
 fn swi() -> Option<EngineCommand> {
     static SWI: LazyLock<Option<EngineCommand>> = LazyLock::new(|| {
-        let swi = EngineCommand::swi();
+        let swi = EngineCommand::find_swi();
         if swi.is_none() {
             let is_ci = std::env::var("CI").is_ok_and(|ci| ci == "true");
             assert!(!is_ci, "SWI-Prolog (swipl) is not installed, and CI=true");
@@ -45,7 +45,7 @@ fn engines() -> Vec<EngineCommand> {
 }
 
 fn asker_with(command: EngineCommand, limits: AskLimits) -> QuerySession {
-    let catalogue = Arc::new(Catalogue::of(&memory::episodes()));
+    let catalogue = Arc::new(Catalogue::from_records(&memory::episodes()));
     QuerySession::new(
         command,
         limits,

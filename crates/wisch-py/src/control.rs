@@ -106,7 +106,7 @@ impl PyImpedanceController {
     fn joints(&self) -> Vec<String> {
         let robot = self.order.cell.robot();
         self.with(|state| {
-            let compliant = state.controller.compliant();
+            let compliant = state.controller.compliant_variables();
             compliant.map(|i| robot.variable(i).name.clone()).collect()
         })
     }
@@ -114,7 +114,7 @@ impl PyImpedanceController {
     /// Their indices among the robot's joints.
     #[getter]
     fn compliant(&self) -> Vec<usize> {
-        self.with(|state| state.controller.compliant().collect())
+        self.with(|state| state.controller.compliant_variables().collect())
     }
 
     /// Computes the efforts of the compliant joints (k) [Nm or N] at a time [s] of the motion, from all n positions and

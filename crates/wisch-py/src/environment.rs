@@ -70,7 +70,7 @@ impl Rules {
         };
         let drawn = seed.wrapping_add(episode.wrapping_mul(NEXT_EPISODE));
         let particles = uniform_particles(area, self.particles, drawn)?;
-        let performance = Performance::of(&particles, &self.goal, &self.surface).ratio();
+        let performance = Performance::evaluate(&particles, &self.goal, &self.surface).ratio();
         Ok(World {
             seed,
             episode,
@@ -103,7 +103,7 @@ impl Rules {
         world.tool = motion.to;
         world.strokes += 1;
         let particles = world.field.distribution();
-        let performance = Performance::of(&particles, &self.goal, &self.surface).ratio();
+        let performance = Performance::evaluate(&particles, &self.goal, &self.surface).ratio();
         let gain = performance - world.performance;
         world.performance = performance;
         let terminated = performance >= self.target;
@@ -214,12 +214,13 @@ impl PyWipingWorlds {
             .goal()
             .ok_or_else(|| plain("the task states no goal of the collect; set collect.goal_m"))?;
         let outline = task.surface.outline.outer().iter().copied();
-        let bounds = Bounds2::of(outline).ok_or_else(|| plain("the surface has no outline"))?;
+        let bounds =
+            Bounds2::from_points(outline).ok_or_else(|| plain("the surface has no outline"))?;
         let margin = Vector2::repeat(task.tool.collision_radius());
         let obstacles: Vec<Mesh> = task.obstacles_in_surface().collect();
         let rules = Rules {
             surface: task.surface.clone(),
-            occupied: OccupiedArea::of(&obstacles),
+            occupied: OccupiedArea::from_scene(&obstacles),
             reach: Bounds2 {
                 min: bounds.min - margin,
                 max: bounds.max + margin,

@@ -99,7 +99,7 @@ impl Executor for PyExecutor<'_> {
         static MOTIONS: AtomicU64 = AtomicU64::new(1);
         let py = self.object.py();
         let number = MOTIONS.fetch_add(1, Ordering::Relaxed);
-        let motion = match Py::new(py, PyMotion::of(order)) {
+        let motion = match Py::new(py, PyMotion::from_order(order)) {
             Ok(motion) => motion,
             Err(error) => return self.raise(error),
         };

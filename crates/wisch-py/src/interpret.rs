@@ -26,7 +26,12 @@ pub struct PyInterpretation {
 
 impl PyInterpretation {
     /// Returns the interpretation of a round.
-    pub fn of(task: &Task, goal: GoalState, config: &PlanConfig, estimate: Interpretation) -> Self {
+    pub fn new(
+        task: &Task,
+        goal: GoalState,
+        config: &PlanConfig,
+        estimate: Interpretation,
+    ) -> Self {
         Self {
             task: Arc::new(task.clone()),
             goal,
@@ -48,13 +53,19 @@ impl PyInterpretation {
             .ok_or_else(|| plain("the task states no goal of the collect; set collect.goal_m"))?;
         let estimate = py.detach(|| {
             let believed = if is_certain {
-                Belief::certain(task.particles.clone())
+                Belief::from_particles(task.particles.clone())
             } else {
                 loaded.belief()
             };
-            interpret(samples, task, &believed, &goal, &InterpretConfig::of(task))
+            interpret(
+                samples,
+                task,
+                &believed,
+                &goal,
+                &InterpretConfig::from_task(task),
+            )
         });
-        Ok(Self::of(
+        Ok(Self::new(
             task,
             goal,
             &loaded.config,
@@ -84,7 +95,7 @@ impl PyInterpretation {
     /// Performance by touch alone, without camera observations.
     #[getter]
     fn performance_by_touch(&self) -> f64 {
-        self.estimate.felt.mean
+        self.estimate.by_touch.mean
     }
 
     /// localized, relocalize, no contact or hovering.
@@ -150,7 +161,7 @@ impl PyInterpretation {
         py.detach(|| {
             let next = next_task(&self.task, &self.goal, &self.estimate, seed).map_err(plain)?;
             let plan = plan(&next, &self.config).map_err(plain)?;
-            Ok(PyPlan::of(&next, plan))
+            Ok(PyPlan::new(&next, plan))
         })
     }
 

@@ -235,7 +235,9 @@ impl PyMemory {
             executor: session.executor(),
             names: None,
         };
-        let mut sink = EpisodeSink::begin(target).map_err(refused)?.for_replay();
+        let mut sink = EpisodeSink::begin(target)
+            .map_err(refused)?
+            .with_replayed_events();
         let mut finished = Vec::new();
         for round in &rounds {
             let motion = &round.round.motion;

@@ -54,8 +54,8 @@ pub struct PyMotion {
 }
 
 impl PyMotion {
-    pub fn of(order: &MotionOrder<'_>) -> Self {
-        Self::from_order(HeldOrder {
+    pub fn from_order(order: &MotionOrder<'_>) -> Self {
+        Self::hold(HeldOrder {
             round: order.round,
             seed: order.seed,
             task: order.task.clone(),
@@ -64,8 +64,8 @@ impl PyMotion {
         })
     }
 
-    pub fn of_round(planned: &PlannedRound) -> Self {
-        Self::of(&MotionOrder {
+    pub fn from_round(planned: &PlannedRound) -> Self {
+        Self::from_order(&MotionOrder {
             round: planned.number,
             seed: planned.task.seed,
             task: &planned.task,
@@ -74,7 +74,7 @@ impl PyMotion {
         })
     }
 
-    fn from_order(order: HeldOrder) -> Self {
+    fn hold(order: HeldOrder) -> Self {
         Self {
             order: Arc::new(order),
             columns: PyOnceLock::new(),

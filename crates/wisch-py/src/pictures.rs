@@ -11,7 +11,7 @@ pub const NAMES: [&str; 4] = ["before-after", "graph", "density", "effect-over-t
 /// Returns a picture of a plan by its name, as SVG; `bandwidth` of the density in [m].
 pub fn draw(name: &str, task: &Task, plan: &Plan, bandwidth: Option<f64>) -> String {
     let mut frames = EffectFrames::new(task, plan);
-    let prediction = predict(task, plan, |progress| frames.watch(progress));
+    let prediction = predict(task, plan, |progress| frames.record(progress));
     let all = pictures(&ReportInput {
         title: &task.name,
         task,

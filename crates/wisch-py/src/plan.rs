@@ -20,7 +20,7 @@ pub struct PyPlan {
 }
 
 impl PyPlan {
-    pub fn of(task: &Task, plan: Plan) -> Self {
+    pub fn new(task: &Task, plan: Plan) -> Self {
         Self {
             task: Arc::new(task.clone()),
             plan: Arc::new(plan),

@@ -17,7 +17,7 @@ pub struct PyAudit(Audit);
 
 impl PyAudit {
     /// Returns the check of a motion.
-    pub fn of(audit: &Audit) -> Self {
+    pub fn new(audit: &Audit) -> Self {
         Self(audit.clone())
     }
 }
@@ -68,7 +68,7 @@ pub struct PyRound {
 
 impl PyRound {
     /// Converts a round of a session with this configuration.
-    pub fn of(round: &Round, telemetry: Option<Py<PyTelemetry>>, config: &PlanConfig) -> Self {
+    pub fn new(round: &Round, telemetry: Option<Py<PyTelemetry>>, config: &PlanConfig) -> Self {
         Self {
             round: Arc::new(round.clone()),
             telemetry,
@@ -86,7 +86,7 @@ impl PyRound {
 
     #[getter]
     fn plan(&self) -> PyPlan {
-        PyPlan::of(&self.round.motion.task, self.round.motion.plan.clone())
+        PyPlan::new(&self.round.motion.task, self.round.motion.plan.clone())
     }
 
     #[getter]
@@ -101,7 +101,7 @@ impl PyRound {
 
     #[getter]
     fn motion(&self) -> PyMotion {
-        PyMotion::of_round(&self.round.motion)
+        PyMotion::from_round(&self.round.motion)
     }
 
     #[getter]
@@ -118,7 +118,7 @@ impl PyRound {
     fn interpretation(&self) -> PyInterpretation {
         let PlannedRound { task, plan, .. } = &self.round.motion;
         let interpretation = self.round.interpretation.clone();
-        PyInterpretation::of(task, plan.graph.goal, &self.config, interpretation)
+        PyInterpretation::new(task, plan.graph.goal, &self.config, interpretation)
     }
 
     /// Expected performance, 0 to 1.

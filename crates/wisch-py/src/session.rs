@@ -289,7 +289,7 @@ impl PySession {
             episode.set_executor(name);
         }
         let session = wiping.borrow_dependent();
-        let mut results = match RunResults::of(session, record.stages_mut()) {
+        let mut results = match RunResults::from_session(session, record.stages_mut()) {
             // A session that has not begun has no results.
             Err(RecordError::Nothing) => return Ok(()),
             results => results.map_err(of_record)?,
@@ -466,7 +466,7 @@ impl PySession {
         call.executor = executor;
         // Telemetry is stored whether or not the execution succeeds.
         if let Some(number) = number {
-            let telemetry = PyTelemetry::of(py, number, columns)?;
+            let telemetry = PyTelemetry::from_columns(py, number, columns)?;
             lock(&self.telemetry).push(telemetry);
         }
         let interrupted = call.executor.as_mut().and_then(|executor| {
@@ -487,7 +487,7 @@ impl PySession {
         let task = session
             .planned_round()
             .map_or(&self.task.task, |planned| &planned.task);
-        Ok(PyPlan::of(task, plan.clone()))
+        Ok(PyPlan::new(task, plan.clone()))
     }
 }
 
@@ -553,7 +553,7 @@ impl PySession {
             self.run_until(py, Stage::Followed, call(executor, on_event, None)?)?;
         }
         self.read(py, |session| {
-            let planned = session.planned_round().map(PyMotion::of_round);
+            let planned = session.planned_round().map(PyMotion::from_round);
             planned.ok_or_else(|| plain("there is no motion: the session has ended"))
         })
     }
@@ -571,7 +571,7 @@ impl PySession {
             self.run_until(py, Stage::Audited, call(executor, on_event, None)?)?;
         }
         self.read(py, |session| {
-            let audit = session.audit().map(PyAudit::of);
+            let audit = session.audit().map(PyAudit::new);
             audit.ok_or_else(|| plain("there is no motion: the session has ended"))
         })
     }
@@ -600,7 +600,7 @@ impl PySession {
         timeout: Option<f64>,
     ) -> PyResult<Vec<Py<PyRound>>> {
         let call = call(Some(executor), on_event, timeout)?;
-        self.run_until(py, Stage::Judged, call)?;
+        self.run_until(py, Stage::Decided, call)?;
         self.rounds(py)
     }
 
@@ -616,7 +616,7 @@ impl PySession {
                     .iter()
                     .rfind(|t| t.get().is_of(round.motion.number));
                 let telemetry = of_round.map(|telemetry| telemetry.clone_ref(py));
-                let round = PyRound::of(round, telemetry, &self.task.config);
+                let round = PyRound::new(round, telemetry, &self.task.config);
                 kept.push(Py::new(py, round)?);
             }
             // The last verdict is given at the end of the session.
@@ -624,7 +624,7 @@ impl PySession {
                 && last.get().round.verdict != round.verdict
             {
                 let telemetry = last.get().telemetry.as_ref().map(|t| t.clone_ref(py));
-                let renewed = PyRound::of(round, telemetry, &self.task.config);
+                let renewed = PyRound::new(round, telemetry, &self.task.config);
                 *last = Py::new(py, renewed)?;
             }
             Ok(kept.iter().map(|round| round.clone_ref(py)).collect())
@@ -638,7 +638,7 @@ impl PySession {
         telemetry.iter().map(|one| one.clone_ref(py)).collect()
     }
 
-    /// Completed stage: planned, followed, audited, executed, interpreted, judged or ended; `None` before the first.
+    /// Completed stage: planned, followed, audited, executed, interpreted, `judged` or ended; `None` before the first.
     #[getter]
     fn stage(&self) -> Option<&'static str> {
         (*lock(&self.stage)).map(|stage| match stage {
@@ -647,7 +647,7 @@ impl PySession {
             Stage::Audited => "audited",
             Stage::Executed => "executed",
             Stage::Interpreted => "interpreted",
-            Stage::Judged => "judged",
+            Stage::Decided => "judged",
             Stage::Ended => "ended",
         })
     }

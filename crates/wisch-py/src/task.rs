@@ -12,10 +12,10 @@ use pyo3::types::{PyDict, PyFloat, PyInt, PyMapping};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use wisch::geometry::{PlanarPose, Point2};
-use wisch::plan::plan_of_strokes;
+use wisch::plan::plan_from_strokes;
 use wisch::represent::{ParticleDistribution, ScenePart, Task};
 use wisch::run::OwnStrategy;
-use wisch_io::{LoadOptions, LoadedTask, PlanRecord, beside, particles_to_csv};
+use wisch_io::{LoadOptions, LoadedTask, PlanRecord, particles_to_csv, read_beside};
 use wisch_record::{EpisodeTarget, RecordOptions, RunRecord};
 
 /// File name that stands for particles given as an array, in a task from objects.
@@ -58,12 +58,12 @@ pub fn load_task(
 
 /// Loads the task of a file's text, with particles from an array if they were given as one.
 fn load(path: &Path, text: String, csv: Option<String>, options: LoadOptions) -> PyResult<PyTask> {
-    let mut files = beside(path);
+    let mut files = read_beside(path);
     let mut read = |file: &str| match &csv {
         Some(csv) if file == GIVEN_PARTICLES => Ok(csv.clone().into_bytes()),
         _ => files(file),
     };
-    let loaded = wisch_io::task_of_text(path, text, &mut read, &options).map_err(of_file)?;
+    let loaded = wisch_io::parse_task(path, text, &mut read, &options).map_err(of_file)?;
     Ok(PyTask {
         loaded: Arc::new(loaded),
         options,
@@ -518,7 +518,7 @@ impl PyTask {
     /// for the whole belief about the dirt instead.
     fn plan_known_dirt(&self, py: Python<'_>) -> PyResult<PyPlan> {
         let plan = py.detach(|| self.loaded.plan_for_known_dirt());
-        Ok(PyPlan::of(&self.loaded.task, plan.map_err(plain)?))
+        Ok(PyPlan::new(&self.loaded.task, plan.map_err(plain)?))
     }
 
     /// Returns the plan of given strokes, each an array (k, 3) of x, y [m] and yaw [rad] of the tool in the frame of
@@ -526,15 +526,15 @@ impl PyTask {
     fn plan_of_strokes(&self, strokes: &Bound<'_, PyAny>) -> PyResult<PyPlan> {
         let strokes = strokes_of(strokes)?;
         let (task, lift) = (&self.loaded.task, self.loaded.config.lift_height);
-        let plan = plan_of_strokes(task, &strokes, lift).map_err(plain)?;
-        Ok(PyPlan::of(task, plan))
+        let plan = plan_from_strokes(task, &strokes, lift).map_err(plain)?;
+        Ok(PyPlan::new(task, plan))
     }
 
     /// Returns the plan of a `plan.json`.
     fn plan_of_json(&self, json: &str) -> PyResult<PyPlan> {
         let record = PlanRecord::parse(json).map_err(plain)?;
         let plan = record.to_plan(&self.loaded.task).map_err(plain)?;
-        Ok(PyPlan::of(&self.loaded.task, plan))
+        Ok(PyPlan::new(&self.loaded.task, plan))
     }
 
     fn __repr__(&self) -> String {

@@ -145,7 +145,7 @@ impl PyTelemetry {
     }
 
     /// Returns the arrays that take over the columns.
-    pub fn of(py: Python<'_>, round: usize, columns: Columns) -> PyResult<Py<Self>> {
+    pub fn from_columns(py: Python<'_>, round: usize, columns: Columns) -> PyResult<Py<Self>> {
         let samples = columns.time.len();
         let rows = |numbers: Vec<f64>, width: usize| {
             if width == 0 {
@@ -332,9 +332,9 @@ pub fn read_log(
     })?;
     let mut columns = Columns::default();
     for touch in &log.samples {
-        columns.push(&TelemetrySample::of_touch(touch, 0, Phase::FreeMotion));
+        columns.push(&TelemetrySample::from_touch(touch, 0, Phase::FreeMotion));
     }
-    PyTelemetry::of(py, log.round.unwrap_or_default(), columns)
+    PyTelemetry::from_columns(py, log.round.unwrap_or_default(), columns)
 }
 
 /// Checks that a number is above 0, if given.

@@ -50,7 +50,7 @@ impl BagSink {
 
     /// Returns the sink for a resumed run. `taken_over`: number of rounds whose bags exist already.
     #[must_use]
-    pub fn after(self, taken_over: usize) -> Self {
+    pub fn with_resumed_rounds(self, taken_over: usize) -> Self {
         Self { taken_over, ..self }
     }
 
@@ -101,7 +101,7 @@ impl BagSink {
             RunEvent::Observed { observation, .. } => (self.bag.as_mut()).map_or(Ok(()), |bag| {
                 bag.write_observation(ObservationTime::After, observation)
             }),
-            RunEvent::Judged(_) => self.end(),
+            RunEvent::Decided(_) => self.end(),
             _ => Ok(()),
         }
     }
@@ -141,7 +141,7 @@ impl BagSink {
         bag.write_strokes(&planned.followed.strokes)?;
         bag.write_particles(0.0, &in_world(task))?;
         if let Some(seen) = &self.seen {
-            let before = seen.of_surface(&task.surface.world_from_surface);
+            let before = seen.transform_to_surface(&task.surface.world_from_surface);
             bag.write_observation(ObservationTime::Before, &before)?;
         }
         self.bag = Some(bag);
@@ -153,7 +153,7 @@ impl BagSink {
 impl RunSink for BagSink {
     /// Receives one event. A bag that cannot be written stops the run cleanly.
     fn on_event(&mut self, event: &RunEvent<'_>) -> Result<(), SinkError> {
-        self.take_in(event).map_err(SinkError::end_in_order)
+        self.take_in(event).map_err(SinkError::stop_run)
     }
 }
 
@@ -165,7 +165,7 @@ pub(crate) struct Seen {
 
 impl Seen {
     /// Returns the observation in the frame of another surface pose.
-    pub fn of_surface(&self, world_from_surface: &Pose) -> Observation {
+    pub fn transform_to_surface(&self, world_from_surface: &Pose) -> Observation {
         if self.world_from_surface == *world_from_surface {
             return self.observation.clone();
         }

@@ -7,7 +7,7 @@ use wisch_memory::{Memory, local_date_and_time};
 const MIN_DIFFERENCE: f64 = 60.0;
 
 /// Returns the present time [s since 1970, UTC].
-pub fn now() -> f64 {
+pub fn unix_time() -> f64 {
     let since = SystemTime::now().duration_since(UNIX_EPOCH);
     since.unwrap_or_default().as_secs_f64()
 }

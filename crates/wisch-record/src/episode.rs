@@ -1,7 +1,7 @@
 //! The episode of a run: telemetry is written during execution, the rest at the end.
 
 use crate::bag::Seen;
-use crate::clock::{clock_change_remark, future_episode_remark, now};
+use crate::clock::{clock_change_remark, future_episode_remark, unix_time};
 use crate::error::{RecordError, internal};
 use crate::results::FinishedRound;
 use crate::sink::{RunSink, SinkError};
@@ -109,7 +109,7 @@ impl EpisodeSink {
             names,
         } = target;
         let memory = Memory::create(&folder)?;
-        let clock_begin = now();
+        let clock_begin = unix_time();
         let earlier = names.as_deref().map(read_names).unwrap_or_default();
         // Programs that start in the same second rarely share the last digits of their process ids.
         let writer = begin_episode(&memory, clock_begin, std::process::id() as u16)?;
@@ -137,7 +137,7 @@ impl EpisodeSink {
 
     /// Returns the sink for a finished run, whose events are replayed, so that this machine's clock does not apply to them.
     #[must_use]
-    pub fn for_replay(self) -> Self {
+    pub fn with_replayed_events(self) -> Self {
         Self {
             is_live: false,
             ..self
@@ -150,16 +150,16 @@ impl EpisodeSink {
     }
 
     /// Keeps the episodes of a killed run, because this run resumes none of its rounds.
-    pub fn resume_nothing(&mut self) {
+    pub fn keep_interrupted_episodes(&mut self) {
         self.earlier.clear();
     }
 
-    /// The folder of the memory.
+    /// Path of the folder of the memory.
     pub fn memory_folder(&self) -> &Path {
         self.memory.folder()
     }
 
-    /// The name of the episode.
+    /// Name of the episode in its memory.
     pub fn id(&self) -> &str {
         self.writer.id()
     }
@@ -168,7 +168,7 @@ impl EpisodeSink {
     ///
     /// # Parameters
     /// - `finished`: the finished rounds.
-    /// - `first_look`: observation before the first round, if there is one.
+    /// - `first_observation`: observation before the first round, if there is one.
     /// - `robot`: files of the robot; `None` if they are unknown.
     /// - `recording`: compressed recording; `None` leaves the page out.
     /// - `program`: name and version of the program that writes it, such as "wisch 0.2.0".
@@ -178,7 +178,7 @@ impl EpisodeSink {
     pub fn commit(
         mut self,
         finished: &[FinishedRound],
-        first_look: Option<Observation>,
+        first_observation: Option<Observation>,
         loaded: &LoadedTask,
         robot: Option<&RobotFiles>,
         recording: Option<&[u8]>,
@@ -202,7 +202,7 @@ impl EpisodeSink {
             };
             robot.attach_to(&self.writer)?;
         }
-        let mut seen = first_look.map(|observation| Seen {
+        let mut seen = first_observation.map(|observation| Seen {
             world_from_surface: loaded.task.surface.world_from_surface,
             observation,
         });
@@ -290,7 +290,7 @@ impl EpisodeSink {
     fn execute(&mut self, motion: &PlannedRound) -> Result<(), MemoryError> {
         let robot = motion.cell.robot();
         let joints = (0..robot.dof()).map(|i| robot.variable(i).name.clone());
-        let head = RoundScene::of(motion).head(joints.collect());
+        let head = RoundScene::from_motion(motion).head(joints.collect());
         self.round = motion.number;
         self.executing = Some(Instant::now());
         self.telemetry = Some(self.writer.telemetry(motion.number, head)?);
@@ -326,7 +326,7 @@ impl EpisodeSink {
     /// faster than the clock.
     fn start(&mut self, duration: f64) -> f64 {
         let clock_duration = self.since.elapsed().as_secs_f64();
-        let set_by = now() - self.clock_begin - clock_duration;
+        let set_by = unix_time() - self.clock_begin - clock_duration;
         self.clock_remarks.extend(clock_change_remark(set_by));
         // start = clock start + min(0, elapsed - duration)
         self.clock_begin + (clock_duration - duration).min(0.0)
@@ -419,7 +419,7 @@ fn observations(finished: &FinishedRound, before: Option<&Seen>) -> RoundObserva
         round: Some(round.motion.number),
         world_from_surface,
         observations: [
-            before.map(|seen| seen.of_surface(&world_from_surface)),
+            before.map(|seen| seen.transform_to_surface(&world_from_surface)),
             round.interpretation.observation.clone(),
         ],
     }

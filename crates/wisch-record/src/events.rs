@@ -26,7 +26,7 @@ impl<W: Write> RunSink for EventSink<W> {
     /// Writes one event. A failure, such as a closed pipe, stops the run cleanly.
     fn on_event(&mut self, event: &RunEvent<'_>) -> Result<(), SinkError> {
         self.writer.write(event).map_err(|error| {
-            SinkError::end_in_order(format!("{}: cannot write events: {error}", self.name))
+            SinkError::stop_run(format!("{}: cannot write events: {error}", self.name))
         })
     }
 }

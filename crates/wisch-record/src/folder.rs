@@ -10,7 +10,7 @@ use wisch_io::{
     FOLLOWING_FILE, FollowedRecord, LoadedTask, OutputFolder, PARTICLES_AFTER_FILE,
     PARTICLES_BEFORE_FILE, PARTICLES_ESTIMATED_FILE, PARTICLES_TRUE_FILE, PLAN_FILE, PlanRecord,
     RECORDING_FILE, REPORT_FILE, ROUNDS_FILE, RobotTrajectory, RoundSummary, TCP_PATH_FILE,
-    TRAJECTORY_FILE, of_round, particles_to_csv, planned_path_csv, tcp_path_csv,
+    TRAJECTORY_FILE, particles_to_csv, planned_path_csv, round_file_name, tcp_path_csv,
 };
 use wisch_report::{
     self as report, EffectFrames, ReportInput, RoundView, RoundsInput, ShownMotion,
@@ -51,7 +51,7 @@ pub fn write_results(
                 ..
             } = &finished.round.motion;
             let record = PlanRecord::new(task, plan, task.seed);
-            folder.write(&of_round(PLAN_FILE, *number), json(&record)?)?;
+            folder.write(&round_file_name(PLAN_FILE, *number), json(&record)?)?;
             let faults = &finished.round.audit.faults;
             write_motion(folder, loaded, *number, (followed, cell, faults))?;
         }
@@ -92,7 +92,7 @@ fn write_motion(
     round: usize,
     (followed, cell, faults): (&Followed, &Workcell, &[MotionFault]),
 ) -> Result<(), RecordError> {
-    let name = |file: &str| of_round(file, round);
+    let name = |file: &str| round_file_name(file, round);
     let faults = faults.iter().map(ToString::to_string);
     let record = FollowedRecord::new(cell.robot().name(), followed, faults.collect());
     folder.write(&name(FOLLOWING_FILE), json(&record)?)?;
@@ -113,7 +113,7 @@ fn write_figures(
 ) -> Result<(), RecordError> {
     let following = results.following.as_ref();
     let wiped = results.executable_plan();
-    let shown = following.map(|f| ShownMotion::of(&f.cell, &f.followed, frames));
+    let shown = following.map(|f| ShownMotion::sample(&f.cell, &f.followed, frames));
     let motion = shown.as_ref().map(|shown| shown.input(&results.task));
     let views = views(&results.rounds);
     let rounds = results.rounds.first().map(|first| RoundsInput {

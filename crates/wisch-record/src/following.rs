@@ -8,7 +8,7 @@ use wisch_io::FollowingSummary;
 
 /// A plan with the robot that followed it.
 #[derive(Debug, Clone)]
-pub struct Following {
+pub struct FollowedPlan {
     /// The robot's name.
     pub robot: String,
     /// Robot, tool and scene.
@@ -98,10 +98,10 @@ impl MotionTotal {
     }
 }
 
-impl Following {
+impl FollowedPlan {
     /// Returns the first motion of a session; `None` if no robot followed a plan.
-    pub fn of(session: &Session<'_>, time_s: f64) -> Option<Self> {
-        let (planned, audit) = session.first()?;
+    pub fn from_session(session: &Session<'_>, time_s: f64) -> Option<Self> {
+        let (planned, audit) = session.first_motion()?;
         let total = match session.rounds() {
             [] => MotionTotal::of_motion(planned, audit),
             rounds => MotionTotal::of_rounds(rounds),
@@ -125,7 +125,7 @@ impl Following {
         }
     }
 
-    /// Returns the summary for `--json`.
+    /// Returns the summary of the motion for `--json`.
     pub fn summary(&self) -> FollowingSummary {
         let total = &self.total;
         let [in_contact, in_all] = total.joint_movement;
@@ -197,7 +197,7 @@ impl Following {
         if self.cell.base().is_some() {
             facts.push(("Base poses", followed.placements.len().to_string()));
         }
-        if self.cell.second().is_some() {
+        if self.cell.second_arm().is_some() {
             let off = format!("{:.2} mm", 1e3 * self.audit.grip.position);
             facts.push(("Maximum grip error of the second hand", off));
         }

@@ -29,12 +29,12 @@ mod stages;
 mod words;
 
 pub use bag::{BagSink, bag_name};
-pub use clock::now;
+pub use clock::unix_time;
 pub use episode::{EpisodeSink, EpisodeTarget, KeptEpisode, attach_task, begin_episode};
 pub use error::RecordError;
 pub use events::EventSink;
 pub use folder::write_results;
-pub use following::{Following, MotionTotal};
+pub use following::{FollowedPlan, MotionTotal};
 pub use packed::read_recording;
 pub use page::PageSink;
 pub use record::{KeptRun, RecordOptions, RunRecord};

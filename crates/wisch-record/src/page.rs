@@ -64,7 +64,7 @@ impl Drop for Live {
 }
 
 impl PageSink {
-    /// Begins a recording.
+    /// Begins a recording that is kept in memory.
     ///
     /// # Parameters
     /// - `program`: name and version of the program that writes it, such as "wisch 0.2.0".
@@ -92,7 +92,7 @@ impl PageSink {
     ) -> Result<Self, RecordError> {
         let [lines, card] = ["jsonl", "json"].map(|ending| live_path(memory, id, ending));
         let folder = lines.parent().unwrap_or(memory);
-        let begun = wisch_memory::date_and_time(crate::clock::now());
+        let begun = wisch_memory::date_and_time(crate::clock::unix_time());
         let who = serde_json::json!({
             "pid": std::process::id(),
             "task": loaded.task.name,
@@ -174,7 +174,7 @@ impl PageSink {
             if known.performance.is_none() && known.particles.is_none() {
                 continue;
             }
-            self.writer.truth(&RoundTruth {
+            self.writer.record_truth(&RoundTruth {
                 round: finished.round.motion.number,
                 performance: known.performance,
                 particles: known.particles.as_ref(),
@@ -225,7 +225,7 @@ impl PageSink {
 impl RunSink for PageSink {
     /// Records one event. A failure is an error in this library and stops the run cleanly.
     fn on_event(&mut self, event: &RunEvent<'_>) -> Result<(), SinkError> {
-        self.writer.see(event).map_err(SinkError::end_in_order)
+        self.writer.record_event(event).map_err(SinkError::stop_run)
     }
 }
 

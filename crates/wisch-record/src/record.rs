@@ -130,11 +130,12 @@ impl RunRecord {
             None => PageSink::begin(loaded, &program, performer)?,
         };
         let bags = bags.or_else(|| {
-            let bag = folder.as_ref()?.place(&bag_name(1));
+            let bag = folder.as_ref()?.file_path(&bag_name(1));
             bag.parent().map(PathBuf::from)
         });
         let urdf = robot.map(|robot| robot.files.urdf.as_str());
-        let bags = bags.map(|place| BagSink::new(place, urdf, &loaded.task).after(taken_over));
+        let bags = bags
+            .map(|place| BagSink::new(place, urdf, &loaded.task).with_resumed_rounds(taken_over));
         Ok(Self {
             program,
             stages: StageSink::default(),
@@ -150,7 +151,19 @@ impl RunRecord {
         })
     }
 
-    /// Adds a custom sink.
+    /// Adds a sink of your own to the record.
+    ///
+    /// ```
+    /// use wisch::run::RunEvent;
+    /// use wisch_io::{LoadOptions, load_task};
+    /// use wisch_record::{EventSink, RecordOptions, RunRecord};
+    /// # let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../scenarios/chopping-board.toml").as_ref();
+    /// let loaded = load_task(path, &LoadOptions::default())?;
+    /// let mut record = RunRecord::begin(&loaded, None, RecordOptions::default())?;
+    /// record.add(Box::new(EventSink::new("standard error", std::io::stderr())));
+    /// assert!(record.on_event(&RunEvent::Planning { round: 1 }).is_continue());
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn add(&mut self, sink: Box<dyn RunSink + Send>) {
         self.more.add(sink);
     }
@@ -160,7 +173,7 @@ impl RunRecord {
         self.page.remarks()
     }
 
-    /// The unfinished episode.
+    /// The episode that the record keeps, while it is unfinished.
     pub fn episode_mut(&mut self) -> Option<&mut EpisodeSink> {
         self.episode.as_mut()
     }
@@ -187,8 +200,8 @@ impl RunRecord {
         let more = self.more.on_event(event);
         for error in self.more.take_failures() {
             match error.after {
-                AfterFailure::EndInOrder => self.fail(RecordError::Sink(error)),
-                AfterFailure::GoOn => self.lost_sinks.push(error),
+                AfterFailure::StopRun => self.fail(RecordError::Sink(error)),
+                AfterFailure::ContinueRun => self.lost_sinks.push(error),
             }
         }
         if let Some(episode) = &mut self.episode {
@@ -196,7 +209,7 @@ impl RunRecord {
         }
         let bag = self.bags.as_mut().map(|bags| bags.take_in(event));
         if let Some(Err(error)) = bag {
-            self.give_up_bags(error.into());
+            self.abandon_bags(error.into());
         }
         self.is_ending |= more.is_break();
         if self.is_ending {
@@ -212,7 +225,7 @@ impl RunRecord {
     }
 
     /// Stops writing bags after an error. With an episode the run continues; without an episode it stops cleanly.
-    pub fn give_up_bags(&mut self, error: RecordError) {
+    pub fn abandon_bags(&mut self, error: RecordError) {
         self.bags = None;
         if self.episode.is_some() {
             self.no_bag.get_or_insert(error);
@@ -243,7 +256,7 @@ impl RunRecord {
         loaded: &LoadedTask,
         robot: Option<&Robot>,
         mut results: RunResults,
-        first_look: Option<Observation>,
+        first_observation: Option<Observation>,
     ) -> Result<KeptRun, RecordError> {
         self.end_bags();
         results.recording = self.page.end(loaded, &results)?;
@@ -253,7 +266,7 @@ impl RunRecord {
         let episode = (self.episode)
             .map(|episode| {
                 let (rounds, packed) = (&results.rounds, Some(&results.packed[..]));
-                episode.commit(rounds, first_look, loaded, files, packed, program)
+                episode.commit(rounds, first_observation, loaded, files, packed, program)
             })
             .transpose();
         let kept = episode.as_ref().ok().and_then(Option::as_ref);
@@ -284,10 +297,10 @@ impl RunRecord {
         executed_by: ExecutedBy,
         truths: Vec<RoundGroundTruth>,
     ) -> Result<KeptRun, RecordError> {
-        let mut results = RunResults::of(&session, &mut self.stages)?;
-        let first_look = session.first_observation().cloned();
+        let mut results = RunResults::from_session(&session, &mut self.stages)?;
+        let first_observation = session.first_observation().cloned();
         results.add_rounds(session.into_rounds(), &mut self.stages, executed_by, truths);
-        self.finish_with(loaded, robot, results, first_look)
+        self.finish_with(loaded, robot, results, first_observation)
     }
 
     /// Finishes the record like [`finish`](Self::finish), with results that the caller has collected.
@@ -299,10 +312,10 @@ impl RunRecord {
         loaded: &LoadedTask,
         robot: Option<&Robot>,
         results: RunResults,
-        first_look: Option<Observation>,
+        first_observation: Option<Observation>,
     ) -> Result<KeptRun, RecordError> {
         let folder = self.folder.take();
-        let mut kept = self.keep(loaded, robot, results, first_look)?;
+        let mut kept = self.keep(loaded, robot, results, first_observation)?;
         if let Some(folder) = folder {
             let written = write_results(&folder, loaded, &kept.results);
             let written = written.and_then(|()| Ok(folder.finish()?));

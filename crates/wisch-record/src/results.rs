@@ -1,7 +1,7 @@
 //! The results of a run.
 
 use crate::error::RecordError;
-use crate::following::Following;
+use crate::following::FollowedPlan;
 use crate::stages::{RoundStages, StageSink};
 use wisch::geometry::Pose;
 use wisch::plan::{Plan, Prediction};
@@ -62,7 +62,7 @@ pub struct RunResults {
     /// Planning time \[s\]; `None` if the user gave the plan.
     pub planning_time_s: Option<f64>,
     /// The motion of the first round; `None` without a robot.
-    pub following: Option<Following>,
+    pub following: Option<FollowedPlan>,
     /// Predicted effect of the first round.
     pub predicted: Option<(Prediction, EffectFrames)>,
     /// All candidate plans; `None` if they were not requested.
@@ -80,15 +80,18 @@ impl RunResults {
     ///
     /// # Errors
     /// [`RecordError::Nothing`] if no round was planned.
-    pub fn of(session: &Session<'_>, stages: &mut StageSink) -> Result<Self, RecordError> {
-        let (planned, _) = session.first().ok_or(RecordError::Nothing)?;
+    pub fn from_session(
+        session: &Session<'_>,
+        stages: &mut StageSink,
+    ) -> Result<Self, RecordError> {
+        let (planned, _) = session.first_motion().ok_or(RecordError::Nothing)?;
         let first = stages.round(1);
         let frames = first.effect(&planned.task, &planned.executable_plan());
         Ok(Self {
             task: planned.task.clone(),
             plan: planned.plan.clone(),
             planning_time_s: Some(first.times.planning_s),
-            following: Following::of(session, first.times.following_s),
+            following: FollowedPlan::from_session(session, first.times.following_s),
             predicted: Some((planned.prediction.clone(), frames)),
             considered: None,
             rounds: Vec::new(),
@@ -97,7 +100,7 @@ impl RunResults {
         })
     }
 
-    /// Adds the finished rounds.
+    /// Adds the finished rounds to the results.
     ///
     /// # Parameters
     /// - `truths`: their ground truth in a simulated world, in the same order; empty for a real robot.

@@ -37,12 +37,12 @@ pub trait RunSink {
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum AfterFailure {
     /// The run continues without the sink.
-    GoOn,
+    ContinueRun,
     /// The run stops cleanly: no further motion begins, and the executed part is interpreted and kept.
-    EndInOrder,
+    StopRun,
 }
 
-/// The failure of a sink.
+/// The failure of a sink, with its consequence for the run.
 #[derive(Debug, thiserror::Error)]
 #[error("{error}")]
 pub struct SinkError {
@@ -55,18 +55,18 @@ pub struct SinkError {
 
 impl SinkError {
     /// Makes a failure after which the run continues without the sink.
-    pub fn go_on(error: impl Into<Box<dyn std::error::Error + Send + Sync>>) -> Self {
+    pub fn continue_run(error: impl Into<Box<dyn std::error::Error + Send + Sync>>) -> Self {
         Self {
             error: error.into(),
-            after: AfterFailure::GoOn,
+            after: AfterFailure::ContinueRun,
         }
     }
 
     /// Makes a failure that stops the run cleanly.
-    pub fn end_in_order(error: impl Into<Box<dyn std::error::Error + Send + Sync>>) -> Self {
+    pub fn stop_run(error: impl Into<Box<dyn std::error::Error + Send + Sync>>) -> Self {
         Self {
             error: error.into(),
-            after: AfterFailure::EndInOrder,
+            after: AfterFailure::StopRun,
         }
     }
 }
@@ -92,7 +92,7 @@ impl SinkSet {
             let result = sink.on_event(event);
             result.map_err(|error| failed.push(error)).is_ok()
         });
-        self.is_ending |= (self.failed.iter()).any(|error| error.after == AfterFailure::EndInOrder);
+        self.is_ending |= (self.failed.iter()).any(|error| error.after == AfterFailure::StopRun);
         if self.is_ending {
             ControlFlow::Break(())
         } else {
@@ -142,17 +142,17 @@ mod tests {
     fn a_sink_that_failed_gets_no_more_events_and_the_others_do() {
         let [first, second] = [(); 2].map(|()| Arc::new(AtomicUsize::new(0)));
         let mut set = SinkSet::default();
-        set.add(Box::new(Fails(Arc::clone(&first), AfterFailure::GoOn)));
+        set.add(Box::new(Fails(
+            Arc::clone(&first),
+            AfterFailure::ContinueRun,
+        )));
         let event = RunEvent::Planning { round: 1 };
         for _ in 0..4 {
             assert!(set.on_event(&event).is_continue());
         }
         assert_eq!(first.load(Ordering::SeqCst), 2);
         assert_eq!(set.take_failures().len(), 1);
-        set.add(Box::new(Fails(
-            Arc::clone(&second),
-            AfterFailure::EndInOrder,
-        )));
+        set.add(Box::new(Fails(Arc::clone(&second), AfterFailure::StopRun)));
         assert!(set.on_event(&event).is_continue());
         for _ in 0..2 {
             assert!(

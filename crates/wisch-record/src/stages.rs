@@ -72,11 +72,11 @@ impl RunSink for StageSink {
             } => {
                 let frames = &mut self.round(*round).frames;
                 let begin = || EffectFrames::new(task, wiped);
-                frames.get_or_insert_with(begin).watch(progress);
+                frames.get_or_insert_with(begin).record(progress);
             }
             RunEvent::Audited { round, .. } => self.take(*round, |times| &mut times.following_s),
             RunEvent::Interpreting { round } => self.take(*round, |times| &mut times.executing_s),
-            RunEvent::Judged(round) => {
+            RunEvent::Decided(round) => {
                 self.take(round.motion.number, |times| &mut times.interpreting_s);
             }
             RunEvent::Evaluated { .. }

@@ -3,7 +3,7 @@
 use std::fmt::Write as _;
 use wisch::geometry::Point2;
 use wisch::represent::Tool;
-use wisch::source_location::visible;
+use wisch::source_location::escape_controls;
 
 /// Margin around the drawing, as a share of the collision sphere's diameter [1].
 const MARGIN: f64 = 0.1;
@@ -78,7 +78,7 @@ fn round_length(length: f64) -> f64 {
 }
 
 fn escape(text: &str) -> String {
-    visible(text)
+    escape_controls(text)
         .replace('&', "&amp;")
         .replace('<', "&lt;")
         .replace('>', "&gt;")

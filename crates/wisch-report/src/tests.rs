@@ -30,7 +30,7 @@ impl Run {
         };
         let plan = plan(&task, &config).expect("the scenes of these tests can be planned");
         let mut frames = EffectFrames::new(&task, &plan);
-        let prediction = predict(&task, &plan, |progress| frames.watch(progress));
+        let prediction = predict(&task, &plan, |progress| frames.record(progress));
         Self {
             task,
             plan,
@@ -282,7 +282,7 @@ fn a_run_without_frames_strokes_or_particles_is_drawn() {
     still.plan.graph.edges.clear();
     still.plan.graph.nodes.clear();
     still.frames = EffectFrames::new(&still.task, &still.plan);
-    still.prediction = predict(&still.task, &still.plan, |p| still.frames.watch(p));
+    still.prediction = predict(&still.task, &still.plan, |p| still.frames.record(p));
     let clean = Run::of(
         task(Action::Absorb, Vector2::new(0.4, 0.28), Vec::new(), 0),
         CoverageStrategy::Kde,
@@ -302,8 +302,8 @@ fn a_hundred_thousand_particles_are_thinned() {
         CoverageStrategy::Grid,
     );
     write("many", &run.input());
-    assert!(run.frames.all().len() <= MAX_FRAMES);
-    assert!(run.frames.all()[0].particles.len() <= MAX_DRAWN);
+    assert!(run.frames.frames().len() <= MAX_FRAMES);
+    assert!(run.frames.frames()[0].particles.len() <= MAX_DRAWN);
 }
 
 #[test]
@@ -314,7 +314,7 @@ fn frames_begin_before_the_first_stroke_and_end_with_the_prediction() {
         windshield(Action::Absorb),
     ] {
         let run = Run::of(task, CoverageStrategy::Grid);
-        let frames = run.frames.all();
+        let frames = run.frames.frames();
         let (first, last) = (&frames[0], &frames[frames.len() - 1]);
         assert_eq!((first.distance, first.stroke), (0.0, None));
         assert!(frames.len() <= MAX_FRAMES);
@@ -333,7 +333,7 @@ fn frames_begin_before_the_first_stroke_and_end_with_the_prediction() {
 fn of_many_motions_eighty_moments_are_kept_the_last_among_them() {
     let large = task(Action::Collect, Vector2::new(2.0, 1.5), Vec::new(), 300);
     let run = Run::of(large, CoverageStrategy::Grid);
-    let frames = run.frames.all();
+    let frames = run.frames.frames();
     assert!(
         run.plan
             .strokes

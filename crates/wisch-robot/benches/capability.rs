@@ -26,7 +26,7 @@ fn arm() -> Chain {
 fn make(config: &MapConfig) -> CapabilityMap {
     let chain = arm();
     let collisions = CollisionModel::new(&HUMANOID, None).unwrap();
-    let collisions = collisions.for_variables(chain.variables());
+    let collisions = collisions.with_variables(chain.variables());
     let tool = MapRequest {
         robot: &HUMANOID,
         base: chain.base(),
@@ -82,7 +82,7 @@ fn index_of_a_point(bencher: Bencher) {
 fn forward_samples_10000_checked(bencher: Bencher) {
     let chain = arm();
     let collisions = CollisionModel::new(&HUMANOID, None).unwrap();
-    let collisions = collisions.for_variables(chain.variables());
+    let collisions = collisions.with_variables(chain.variables());
     let mut random = ChaCha8Rng::seed_from_u64(0);
     let mut all = vec![0.0; HUMANOID.dof()];
     const SAMPLES: usize = 10_000;
@@ -119,6 +119,6 @@ fn make_at_10_cm(bencher: Bencher) {
 #[divan::bench(sample_count = 10)]
 fn read_from_bytes(bencher: Bencher) {
     let bytes = MAP.to_bytes();
-    let hash = RobotHash::of(&HUMANOID);
+    let hash = RobotHash::from_robot(&HUMANOID);
     bencher.bench_local(|| CapabilityMap::from_bytes("map", black_box(&bytes), hash).unwrap());
 }

@@ -65,7 +65,7 @@ fn with_scene(mut humanoid: Humanoid) -> Humanoid {
 fn of_right_arm(mut humanoid: Humanoid) -> Humanoid {
     let right = |i: &usize| humanoid.robot.variable(*i).name.starts_with("right_arm");
     let arm: Vec<usize> = (0..humanoid.robot.dof()).filter(right).collect();
-    humanoid.model = humanoid.model.for_variables(&arm);
+    humanoid.model = humanoid.model.with_variables(&arm);
     humanoid
 }
 

@@ -107,7 +107,7 @@ fn main() -> Result<(), Failure> {
     let map = make(case, &robot, &config)?;
     let bytes = map.to_bytes();
     let begin = Instant::now();
-    let back = CapabilityMap::from_bytes(case.name, &bytes, RobotHash::of(&robot))?;
+    let back = CapabilityMap::from_bytes(case.name, &bytes, RobotHash::from_robot(&robot))?;
     let seconds = begin.elapsed().as_secs_f64();
     println!(
         "{:?} cells, {} bytes, read in {seconds:.2} s",
@@ -144,7 +144,7 @@ fn tool<'a>(
 /// Self-collision of what the chain of a tool moves.
 fn own_collisions(tool: &MapRequest<'_>) -> Result<CollisionModel, Failure> {
     let chain = tool.robot.chain(tool.base, tool.tip)?;
-    Ok(CollisionModel::new(tool.robot, None)?.for_variables(chain.variables()))
+    Ok(CollisionModel::new(tool.robot, None)?.with_variables(chain.variables()))
 }
 
 fn make(case: &Case, robot: &RobotModel, config: &MapConfig) -> Result<CapabilityMap, Failure> {

@@ -7,8 +7,8 @@
 
 use std::time::Instant;
 use wisch_robot::timing::{
-    CheckConfig, JointLimit, JointLimits, JointPath, SAMPLE_PERIOD, TimingConfig, time_path,
-    trajectory_faults,
+    JointLimit, JointLimits, JointPath, SAMPLE_PERIOD, TimingConfig, TrajectoryCheckConfig,
+    time_path, trajectory_faults,
 };
 
 type Failure = Box<dyn std::error::Error>;
@@ -46,9 +46,9 @@ fn main() -> Result<(), Failure> {
     let trajectory = time_path(&path, &limits, &config)?;
     let milliseconds = begin.elapsed().as_secs_f64() * 1e3;
     let samples: Vec<_> = trajectory.samples(SAMPLE_PERIOD).collect();
-    let check = CheckConfig {
+    let check = TrajectoryCheckConfig {
         path_deviation: config.blend_tolerance,
-        ..CheckConfig::default()
+        ..TrajectoryCheckConfig::default()
     };
     let faults = trajectory_faults(&samples, &path, &limits, &check);
     println!(

@@ -1,6 +1,6 @@
 //! Kinematics and dynamics of the moving part of a robot without allocation, for control loops.
 
-use super::frame::{Frame, z_to};
+use super::frame::{Frame, rotation_from_z};
 use super::model::motion;
 use super::{Body, JointId, JointKind, LinkId, RobotError, RobotModel};
 use crate::geometry::{Pose, Vector3};
@@ -150,7 +150,8 @@ impl Articulation {
                 });
                 continue;
             }
-            let joint_from_axis = Pose::from_parts(Translation3::identity(), z_to(&joint.axis));
+            let joint_from_axis =
+                Pose::from_parts(Translation3::identity(), rotation_from_z(&joint.axis));
             let held = (joint.drive.terms.iter()).filter(|&&(i, _)| !moving[i]);
             let offset = joint.drive.offset + held.map(|&(i, f)| f * posture[i]).sum::<f64>();
             let terms = joint.drive.terms.iter();

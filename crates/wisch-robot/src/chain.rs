@@ -1,6 +1,6 @@
 //! Kinematics between two links without allocation, for numerical solvers.
 
-use super::frame::{Frame, z_to};
+use super::frame::{Frame, rotation_from_z};
 use super::{JointKind, LinkId, RobotError, RobotModel};
 use crate::geometry::{Point3, Pose, Vector3};
 use nalgebra::{Dyn, Matrix3, MatrixView, Rotation3, Translation3, U1, U6, UnitQuaternion};
@@ -47,7 +47,7 @@ struct ChainJoint {
     terms: Vec<(usize, f64)>,
 }
 
-/// Configuration of a chain.
+/// The kinematics of a chain in one configuration.
 #[derive(Debug, Clone)]
 pub struct ChainKinematics<'a> {
     chain: &'a Chain,
@@ -104,7 +104,8 @@ impl RobotModel {
             if joint.kind == JointKind::Fixed {
                 continue;
             }
-            let joint_from_axis = Pose::from_parts(Translation3::identity(), z_to(&joint.axis));
+            let joint_from_axis =
+                Pose::from_parts(Translation3::identity(), rotation_from_z(&joint.axis));
             let term = |&(i, factor): &(usize, f64)| {
                 variables.binary_search(&i).ok().map(|own| (own, factor))
             };

@@ -47,7 +47,7 @@ impl Frame {
 }
 
 /// Returns the rotation that takes the z axis to this one.
-pub fn z_to(axis: &Vector3) -> UnitQuaternion<f64> {
+pub fn rotation_from_z(axis: &Vector3) -> UnitQuaternion<f64> {
     UnitQuaternion::rotation_between(&Vector3::z(), axis).unwrap_or_else(|| {
         UnitQuaternion::from_axis_angle(&Vector3::x_axis(), std::f64::consts::PI)
     })

@@ -57,17 +57,17 @@ pub use capability::{
 };
 pub use chain::{Chain, ChainJacobian, ChainKinematics, MAX_CHAIN};
 pub use clearance::{
-    BodyId, Clearance, CollisionModel, Contact, Margins, Reason, SEGMENT_RESOLUTION,
+    AllowedReason, BodyId, Clearance, CollisionModel, Contact, Margins, SEGMENT_RESOLUTION,
 };
 pub use description::{
     Appearance, Collision, Diagnostic, DiagnosticKind, DisabledPair, EndEffector, Group,
-    GroupState, HOME_STATE, Ignored, JointMimic, JointMotion, JointTransform, MAX_DEPTH, MAX_LINKS,
-    MAX_MESH_EXTENT, MAX_SHAPES, MAX_URDF_BYTES, READY_STATE, Severity, Shape, Srdf, Subject,
-    Visual, check, joint_transforms,
+    GroupState, HOME_STATE, IgnoredElement, JointMimic, JointMotion, JointTransform, MAX_DEPTH,
+    MAX_LINKS, MAX_MESH_EXTENT, MAX_SHAPES, MAX_URDF_BYTES, READY_STATE, Severity, Shape, Srdf,
+    Subject, Visual, check, joint_transforms,
 };
 pub use dynamics::{Dynamics, MIN_INERTIA};
 pub use error::RobotError;
-pub use frame::z_to;
+pub use frame::rotation_from_z;
 pub use ik::{IkConfig, IkOutcome, IkSolver, JointPositions, MAX_TARGET_DISTANCE, RotationGoal};
 pub use kinematics::Kinematics;
 pub use model::{

@@ -17,14 +17,14 @@ pub struct LinkId(pub(super) usize);
 pub struct JointId(pub(super) usize);
 
 impl LinkId {
-    /// Index in [`RobotModel::links`].
+    /// Index of the link in [`RobotModel::links`].
     pub const fn index(self) -> usize {
         self.0
     }
 }
 
 impl JointId {
-    /// Index in [`RobotModel::joints`].
+    /// Index of the joint in [`RobotModel::joints`].
     pub const fn index(self) -> usize {
         self.0
     }
@@ -86,7 +86,7 @@ impl JointKind {
     }
 }
 
-/// A joint between two links.
+/// A joint that connects a child link to its parent.
 ///
 /// `parent_from_child = parent_from_joint * motion(axis, position)`.
 #[derive(Debug, Clone, PartialEq)]

@@ -19,10 +19,10 @@ impl Place {
     ///
     /// ```
     /// use wisch_robot::source_location::Place;
-    /// let place = Place::at_offset("tools.toml", "schema = 1\nname = 3\n", 18);
+    /// let place = Place::from_offset("tools.toml", "schema = 1\nname = 3\n", 18);
     /// assert_eq!(place.to_string(), "tools.toml:2:8");
     /// ```
-    pub fn at_offset(file: &str, text: &str, offset: usize) -> Self {
+    pub fn from_offset(file: &str, text: &str, offset: usize) -> Self {
         let before = &text[..text.floor_char_boundary(offset)];
         let line_start = before.rfind('\n').map_or(0, |newline| newline + 1);
         Self {
@@ -44,11 +44,11 @@ impl fmt::Display for Place {
 /// hide text. JSON keeps its value.
 ///
 /// ```
-/// use wisch_robot::source_location::visible;
-/// assert_eq!(visible("a cup\n"), "a cup\n");
-/// assert_eq!(visible("\u{1b}[2Jcup"), "\\u001b[2Jcup");
+/// use wisch_robot::source_location::escape_controls;
+/// assert_eq!(escape_controls("a cup\n"), "a cup\n");
+/// assert_eq!(escape_controls("\u{1b}[2Jcup"), "\\u001b[2Jcup");
 /// ```
-pub fn visible(text: &str) -> Cow<'_, str> {
+pub fn escape_controls(text: &str) -> Cow<'_, str> {
     let is_plain = |c: char| {
         let turns = matches!(c, '\u{200b}'..='\u{200f}' | '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}' | '\u{feff}');
         matches!(c, '\n' | '\t') || !(c.is_control() || turns)

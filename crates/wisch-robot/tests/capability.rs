@@ -367,7 +367,7 @@ fn progress_reaches_its_end() {
 fn bytes_come_back_as_the_same_map() {
     let (robot, map) = &*TELESCOPE;
     let bytes = map.to_bytes();
-    let hash = RobotHash::of(robot);
+    let hash = RobotHash::from_robot(robot);
     let back = CapabilityMap::from_bytes("telescope.map", &bytes, hash).unwrap();
     assert!(&back == map);
     assert_eq!(back.origin().config, CONFIG);
@@ -382,7 +382,7 @@ fn bytes_come_back_as_the_same_map() {
 }
 
 fn refusal(bytes: &[u8], robot: &RobotModel) -> String {
-    let refused = CapabilityMap::from_bytes("a.map", bytes, RobotHash::of(robot));
+    let refused = CapabilityMap::from_bytes("a.map", bytes, RobotHash::from_robot(robot));
     refused.map(|_| ()).unwrap_err().to_string()
 }
 
@@ -409,7 +409,7 @@ fn wrong_files_are_refused_with_what_is_wrong() {
         "a.map: no capability map: its checksum is wrong: it is cut short or damaged"
     );
     let other = telescope(1.0);
-    let (found, expected) = (RobotHash::of(robot), RobotHash::of(&other));
+    let (found, expected) = (RobotHash::from_robot(robot), RobotHash::from_robot(&other));
     assert_eq!(
         refusal(&bytes, &other),
         format!(
@@ -422,7 +422,7 @@ proptest! {
     #[test]
     fn a_damaged_or_truncated_file_is_an_error(at in any::<prop::sample::Index>(), bit in 0u8..8) {
         let (robot, map) = &*TELESCOPE;
-        let hash = RobotHash::of(robot);
+        let hash = RobotHash::from_robot(robot);
         let bytes = map.to_bytes();
         let at = at.index(bytes.len());
         prop_assert!(CapabilityMap::from_bytes("a.map", &bytes[..at], hash).is_err());
@@ -517,7 +517,7 @@ fn a_chain_without_joints_reaches_one_pose() {
 
 #[test]
 fn the_hash_tells_reach_apart_and_nothing_else() {
-    let hash = |text: &str| RobotHash::of(&read(text));
+    let hash = |text: &str| RobotHash::from_robot(&read(text));
     let arm = r#"<robot name="r"><link name="wall"/><link name="rod">
         <inertial><mass value="1"/><inertia ixx="1" iyy="1" izz="1" ixy="0" ixz="0" iyz="0"/></inertial>
         <collision><geometry><sphere radius="0.1"/></geometry></collision></link>

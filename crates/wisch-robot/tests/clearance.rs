@@ -8,7 +8,7 @@ use std::collections::BTreeSet;
 use std::sync::LazyLock;
 use wisch_robot::geometry::{Mesh, Point3, Pose, Vector3};
 use wisch_robot::{
-    CollisionModel, Margins, Reason, RobotError, RobotModel, SEGMENT_RESOLUTION, Shape, Srdf,
+    AllowedReason, CollisionModel, Margins, RobotError, RobotModel, SEGMENT_RESOLUTION, Shape, Srdf,
 };
 
 pub(crate) fn committed(file: &str) -> String {
@@ -132,7 +132,7 @@ fn parsed(text: &str) -> RobotModel {
 fn pairs_that_always_overlap_may_touch() {
     let model = CollisionModel::new(&parsed(CROWDED), None).unwrap();
     let allowed: Vec<_> = model.allowed_pairs().collect();
-    assert_eq!(allowed, [("a", "b", Reason::AlwaysColliding)]);
+    assert_eq!(allowed, [("a", "b", AllowedReason::AlwaysColliding)]);
     let checked: Vec<_> = model.checked_pairs().collect();
     assert_eq!(checked, [("a", "c"), ("b", "c")]);
 }
@@ -338,7 +338,7 @@ fn at_the_table() -> &'static (CollisionModel, CollisionModel) {
         let arm: Vec<usize> = (0..robot.dof())
             .filter(|&i| !base(i) && robot.variable(i).name.starts_with("right_arm"))
             .collect();
-        let arm_only = model.for_variables(&arm);
+        let arm_only = model.with_variables(&arm);
         (model, arm_only)
     });
     &MODEL

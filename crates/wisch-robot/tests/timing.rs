@@ -2,8 +2,9 @@
 
 use proptest::prelude::*;
 use wisch_robot::timing::{
-    CheckConfig, JointLimit, JointLimits, JointPath, Rate, SAMPLE_PERIOD, TimingConfig,
-    TimingError, Trajectory, TrajectoryFault, TrajectorySample, time_path, trajectory_faults,
+    JointLimit, JointLimits, JointPath, RateKind, SAMPLE_PERIOD, TimingConfig, TimingError,
+    Trajectory, TrajectoryCheckConfig, TrajectoryFault, TrajectorySample, time_path,
+    trajectory_faults,
 };
 
 fn limits(joints: &[(f64, f64)]) -> JointLimits {
@@ -37,7 +38,7 @@ fn faults(
     limits: &JointLimits,
 ) -> Vec<TrajectoryFault> {
     let samples: Vec<_> = trajectory.samples(period).collect();
-    trajectory_faults(&samples, path, limits, &CheckConfig::default())
+    trajectory_faults(&samples, path, limits, &TrajectoryCheckConfig::default())
 }
 
 /// Shortest time over a way from rest to rest with a velocity and an acceleration limit.
@@ -232,7 +233,7 @@ proptest! {
         let trajectory = time_path(&path, &limits, &config).unwrap();
         prop_assert!(trajectory.duration().is_finite());
         let samples: Vec<_> = trajectory.samples((trajectory.duration() / 3000.0).max(1e-6)).collect();
-        let check = CheckConfig { path_deviation: blend_tolerance, ..CheckConfig::default() };
+        let check = TrajectoryCheckConfig { path_deviation: blend_tolerance, ..TrajectoryCheckConfig::default() };
         prop_assert_eq!(trajectory_faults(&samples, &path, &limits, &check), vec![]);
     }
 
@@ -268,11 +269,11 @@ proptest! {
         prop_assert_eq!(trajectory.duration(), abrupt.duration() + longer);
         let samples: Vec<_> = trajectory.samples(SAMPLE_PERIOD).collect();
         let fastest = limits.joints().iter().map(|limit| limit.acceleration).fold(0.0, f64::max);
-        let config = CheckConfig {
+        let config = TrajectoryCheckConfig {
             path_deviation: TimingConfig::default().blend_tolerance + fastest * ramp * ramp / 24.0,
             // Of differences over the ramp, of what is summed up over all of the duration.
             position_resolution: (4.0 * f64::EPSILON * trajectory.duration() / ramp).max(1e-12),
-            ..CheckConfig::default()
+            ..TrajectoryCheckConfig::default()
         };
         prop_assert_eq!(trajectory_faults(&samples, &path, &limits, &config), vec![]);
         let last = abrupt.sample(abrupt.duration());
@@ -402,7 +403,7 @@ fn every_planted_fault_is_found() {
                 matches!(
                     f,
                     TrajectoryFault::TooFast {
-                        rate: Rate::Velocity,
+                        rate: RateKind::Velocity,
                         sample: 200,
                         joint: 0,
                         ..
@@ -417,7 +418,7 @@ fn every_planted_fault_is_found() {
                 matches!(
                     f,
                     TrajectoryFault::TooFast {
-                        rate: Rate::Acceleration,
+                        rate: RateKind::Acceleration,
                         sample: 200,
                         joint: 1,
                         ..
@@ -433,7 +434,7 @@ fn every_planted_fault_is_found() {
                 matches!(
                     f,
                     TrajectoryFault::TooFast {
-                        rate: Rate::PositionStep,
+                        rate: RateKind::PositionStep,
                         sample: 199,
                         ..
                     }
@@ -448,7 +449,7 @@ fn every_planted_fault_is_found() {
                     f,
                     TrajectoryFault::VelocityMismatch { joint: 1, .. }
                         | TrajectoryFault::TooFast {
-                            rate: Rate::PositionBend,
+                            rate: RateKind::PositionBend,
                             joint: 1,
                             ..
                         }
@@ -462,7 +463,7 @@ fn every_planted_fault_is_found() {
                 matches!(
                     f,
                     TrajectoryFault::TooFast {
-                        rate: Rate::PositionBend,
+                        rate: RateKind::PositionBend,
                         sample: 200,
                         ..
                     }
@@ -476,7 +477,7 @@ fn every_planted_fault_is_found() {
                 matches!(
                     f,
                     TrajectoryFault::TooFast {
-                        rate: Rate::VelocityStep,
+                        rate: RateKind::VelocityStep,
                         sample: 199,
                         joint: 0,
                         ..
@@ -521,7 +522,7 @@ fn every_planted_fault_is_found() {
                 matches!(
                     f,
                     TrajectoryFault::TooFast {
-                        rate: Rate::SegmentVelocity,
+                        rate: RateKind::SegmentVelocity,
                         joint: 1,
                         ..
                     }
@@ -530,7 +531,7 @@ fn every_planted_fault_is_found() {
         ),
     ];
     let (samples, path, limits) = sound();
-    let config = CheckConfig::default();
+    let config = TrajectoryCheckConfig::default();
     assert_eq!(trajectory_faults(&samples, &path, &limits, &config), []);
     for (name, plant, sign) in planted {
         let mut samples = samples.clone();
@@ -555,9 +556,9 @@ fn a_motion_within_looser_limits_breaks_tighter_ones() {
             []
         );
     }
-    let strict = CheckConfig {
+    let strict = TrajectoryCheckConfig {
         path_deviation: 1e-3,
-        ..CheckConfig::default()
+        ..TrajectoryCheckConfig::default()
     };
     let samples: Vec<_> = trajectory.samples(SAMPLE_PERIOD).collect();
     assert_ne!(trajectory_faults(&samples, &path, &loose, &strict), []);
@@ -567,14 +568,24 @@ fn a_motion_within_looser_limits_breaks_tighter_ones() {
 fn a_path_the_other_way_round_or_with_a_detour_is_not_followed() {
     let (samples, _, limits) = sound();
     let detour = JointPath::new(&[[0.0, 0.0], [0.5, 0.0], [0.7, 0.2], [0.5, 0.4]]).unwrap();
-    let faults = trajectory_faults(&samples, &detour, &limits, &CheckConfig::default());
+    let faults = trajectory_faults(
+        &samples,
+        &detour,
+        &limits,
+        &TrajectoryCheckConfig::default(),
+    );
     assert!(
         faults
             .iter()
             .any(|f| matches!(f, TrajectoryFault::WaypointMissed { waypoint: 2, .. }))
     );
     let reverse = JointPath::new(&[[0.5, 0.4], [0.5, 0.0], [0.0, 0.0]]).unwrap();
-    let faults = trajectory_faults(&samples, &reverse, &limits, &CheckConfig::default());
+    let faults = trajectory_faults(
+        &samples,
+        &reverse,
+        &limits,
+        &TrajectoryCheckConfig::default(),
+    );
     assert!(
         faults
             .iter()

@@ -40,7 +40,7 @@ fn wiping(name: &str, grains: usize, robot: ShippedRobot) -> Wiping {
         ..LoadOptions::default()
     };
     let loaded = load_task(&scenario(name), &options).unwrap();
-    let reality = SimulationSettings::of(&loaded).unwrap();
+    let reality = SimulationSettings::from_task(&loaded).unwrap();
     let LoadedTask {
         file, task, config, ..
     } = loaded;

@@ -40,11 +40,11 @@ pub fn observe(
     world_from_real: &Pose,
     dirt: &Dirt,
     hidden: &[Vec<Point2>],
-    look: ObservationIndex,
+    index: ObservationIndex,
 ) -> Option<Observation> {
     let sensor = settings.camera?.sensor;
-    let mut random = ChaCha8Rng::seed_from_u64(look.seed ^ OBSERVATION_SEED);
-    random.set_stream((look.rounds << 32) | look.number);
+    let mut random = ChaCha8Rng::seed_from_u64(index.seed ^ OBSERVATION_SEED);
+    random.set_stream((index.rounds << 32) | index.number);
     let believed_from_real = task.surface.world_from_surface.inverse() * world_from_real;
     let believed = |place: &Point2| (believed_from_real * Point3::new(place.x, place.y, 0.0)).xy();
     let hulls = |to: &dyn Fn(&Point2) -> Point2| {
@@ -66,7 +66,7 @@ pub fn observe(
         }
     }
     let outline = &task.surface.outline;
-    let bounds = Bounds2::of(outline.outer().iter().copied())?;
+    let bounds = Bounds2::from_points(outline.outer().iter().copied())?;
     let expected = sensor.false_alarms_per_m2 * outline.area();
     for _ in 0..poisson(expected, &mut random) {
         let mut places = (0..DRAWS).map(|_| {

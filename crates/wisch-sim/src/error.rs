@@ -5,6 +5,7 @@ use wisch::robot::RobotError;
 
 /// Why an execution cannot begin or continue.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
 pub enum SimulationError {
     /// The robot's description is incomplete or inconsistent.
     #[error(transparent)]

@@ -22,10 +22,11 @@ mod truth;
 mod world;
 
 pub use checkpoint::{CheckpointRound, Checkpoints};
-pub use dirt::{Dirt, Grain, GrainCount, Places, Site};
+pub use dirt::{Dirt, Grain, GrainCount, WorkSurface};
 pub use error::SimulationError;
 pub use mismatch::Mismatch;
 pub use period::execute;
 pub use settings::{Camera, RealTool, Schedule, Sensing, SimulationSettings, Waviness};
 pub use truth::{GroundTruth, Spread};
+pub use wisch_io::TrueDirt;
 pub use world::World;

@@ -1,6 +1,6 @@
 //! Differences between a simulated world and what a robot believes about it.
 
-use crate::{GrainCount, Places, RealTool, Sensing, SimulationSettings, Waviness};
+use crate::{GrainCount, RealTool, Sensing, SimulationSettings, TrueDirt, Waviness};
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use std::f64::consts::TAU;
@@ -25,19 +25,19 @@ const WAVE_LENGTH: [f64; 2] = [0.15, 0.6];
 /// Range for the width of the strip of dirt along the outline [m].
 const EDGE_WIDTH: [f64; 2] = [0.02, 0.08];
 
-/// Differences between a world and the settings of a task, applied by [`SimulationSettings::with`].
+/// Differences between a world and the settings of a task, applied by [`SimulationSettings::with_mismatch`].
 ///
 /// ```
-/// use wisch_sim::{Mismatch, Places};
-/// let softer = Mismatch { places: Some(Places::Edge(0.03)), stiffness: 0.7, ..Mismatch::default() };
+/// use wisch_sim::{Mismatch, TrueDirt};
+/// let softer = Mismatch { dirt: Some(TrueDirt::Edge(0.03)), stiffness: 0.7, ..Mismatch::default() };
 /// assert_ne!(softer, Mismatch::default());
-/// assert_eq!(Mismatch::random(3), Mismatch::random(3));
-/// assert_ne!(Mismatch::random(3), Mismatch::random(4));
+/// assert_eq!(Mismatch::draw(3), Mismatch::draw(3));
+/// assert_ne!(Mismatch::draw(3), Mismatch::draw(4));
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Mismatch {
     /// Spatial distribution of the dirt; `None` keeps that of the settings.
-    pub places: Option<Places>,
+    pub dirt: Option<TrueDirt>,
     /// Number of grains; `None` keeps that of the settings.
     pub count: Option<GrainCount>,
     /// Offset of the mean of ln f′, the threshold above which the tool takes a grain along \[1\].
@@ -64,7 +64,7 @@ impl Default for Mismatch {
     /// No mismatch.
     fn default() -> Self {
         Self {
-            places: None,
+            dirt: None,
             count: None,
             mu_shift: 0.0,
             sigma: None,
@@ -86,7 +86,7 @@ impl Mismatch {
     /// standard deviation is 0.15 to 0.5. Stiffness is off by up to 30 %, the footprint by 10 %, the grasp by 10 mm.
     /// Sensors have the errors of good sensors that have been used, and the surface has waves of up to half a
     /// millimetre.
-    pub fn random(seed: u64) -> Self {
+    pub fn draw(seed: u64) -> Self {
         let mut random = ChaCha8Rng::seed_from_u64(seed);
         random.set_stream(STREAM);
         let kind = random.random_range(0..4_u32);
@@ -94,15 +94,15 @@ impl Mismatch {
             |[low, high]: [f64; 2]| -> f64 { low + (high - low) * random.random::<f64>() };
         let (angle, radius) = (between([0.0, TAU]), between([0.0, GRASP]));
         Self {
-            places: Some(match kind {
-                0 => Places::Uniform,
-                1 => Places::Clusters(None),
-                2 => Places::Stripe {
+            dirt: Some(match kind {
+                0 => TrueDirt::Uniform,
+                1 => TrueDirt::Clusters(None),
+                2 => TrueDirt::Stripe {
                     center: None,
                     direction: None,
                     width: None,
                 },
-                _ => Places::Edge(between(EDGE_WIDTH)),
+                _ => TrueDirt::Edge(between(EDGE_WIDTH)),
             }),
             count: None,
             mu_shift: between([-MU, MU]),
@@ -129,10 +129,10 @@ impl Mismatch {
 impl SimulationSettings {
     /// Returns these settings with a mismatch applied.
     #[must_use]
-    pub fn with(&self, mismatch: &Mismatch) -> Self {
+    pub fn with_mismatch(&self, mismatch: &Mismatch) -> Self {
         let mut settings = self.clone();
-        if let Some(places) = &mismatch.places {
-            settings.dirt = places.clone();
+        if let Some(dirt) = &mismatch.dirt {
+            settings.dirt = dirt.clone();
         }
         settings.count = mismatch.count.unwrap_or(self.count);
         settings.likelihood.mu += mismatch.mu_shift;

@@ -128,7 +128,7 @@ impl<'a> Simulation<'a> {
             robot: robot.name().to_owned(),
         })?;
         let articulation = controller.articulation();
-        let start = (followed.sample(0.0)).map_or_else(|| cell.ready().to_vec(), |s| s.q);
+        let start = (followed.sample(0.0)).map_or_else(|| cell.ready_posture().to_vec(), |s| s.q);
         let q: Vec<f64> = articulation.variables().iter().map(|&i| start[i]).collect();
         let tool = HeldTool::new(cell, task, &settings.tool);
         let (_, joint_from_tip) = articulation.carrier(cell.tip());
@@ -137,9 +137,9 @@ impl<'a> Simulation<'a> {
             .collect();
         let loads = [(cell.tip(), firm_load(&tool))];
         let firm = Articulation::new(robot, cell.world_from_root(), &start, &moving, &loads)?;
-        let compliant = controller.own_compliant();
+        let compliant = controller.compliant_indices();
         let mut plant = Plant::new(cell, task, &tool, settings, &firm, compliant, &q, config)?;
-        let treated = TreatedSurface::of(task, &tool, settings);
+        let treated = TreatedSurface::from_task(task, &tool, settings);
         let none = Dirt::default();
         // Points of a treated surface need no bodies.
         let loose = if treated.is_some() { &none } else { dirt };
@@ -235,7 +235,7 @@ impl<'a> Simulation<'a> {
             actual.pose(self.controller.carrier()) * self.joint_from_real_tool;
         self.plant.drive(
             actual,
-            self.controller.own_compliant(),
+            self.controller.compliant_indices(),
             self.controller.efforts(),
             self.controller.planned_variables(),
             &mut self.joint_efforts,
@@ -329,7 +329,7 @@ impl<'a> Simulation<'a> {
             return Some(cause);
         }
         let limits = self.cell.limits().joints();
-        for &k in self.controller.own_compliant() {
+        for &k in self.controller.compliant_indices() {
             let i = moving[k];
             let joint = self.cell.robot().variable(i);
             let limit = OVERSPEED_FACTOR * limits[i].velocity;
@@ -391,7 +391,7 @@ impl<'a> Simulation<'a> {
         for (&i, bias) in variables.iter().zip(self.controller.state().bias()) {
             self.robot_efforts[i] = *bias;
         }
-        for (i, effort) in (self.controller.compliant()).zip(self.controller.efforts()) {
+        for (i, effort) in (self.controller.compliant_variables()).zip(self.controller.efforts()) {
             self.robot_efforts[i] = *effort;
         }
         sample(&TelemetrySample {

@@ -1,11 +1,11 @@
 //! Ground truth of the simulated world. Neither planner nor interpreter reads it.
 
-use crate::{GrainCount, Places};
+use crate::GrainCount;
 use std::f64::consts::TAU;
 use wisch::follow::Followed;
 use wisch::geometry::{Point2, Pose, Vector2, Vector3};
 use wisch::represent::{GrainSize, KnowledgeError, LogNormal, MediumKind, SensorModel};
-use wisch_io::{FrictionChange, LoadedTask, Push, TrueDirt};
+use wisch_io::{DirtSource, FrictionChange, LoadedTask, Push, TrueDirt};
 
 /// Diameters of the drops of a liquid on a surface that they wet [m].
 const DROPS: GrainSize = GrainSize {
@@ -41,7 +41,7 @@ pub struct SimulationSettings {
     /// Largest number of particles that are simulated as bodies; a task with more is executed without dirt.
     pub max_bodies: usize,
     /// Where the dirt lies at the start.
-    pub dirt: Places,
+    pub dirt: TrueDirt,
     /// Number of grains, where their positions are drawn.
     pub count: GrainCount,
     /// Mass of the dirt that each grain stands for \[kg\]; `None` stands for the grain alone.
@@ -149,7 +149,7 @@ impl SimulationSettings {
     /// Returns the number of particles if it exceeds [`Self::max_bodies`], so that no dirt is simulated.
     pub fn count_over_limit(&self) -> Option<usize> {
         let count = match (&self.dirt, self.count) {
-            (Places::Listed(places), _) => places.len(),
+            (TrueDirt::Listed(places), _) => places.len(),
             (_, GrainCount::Exactly(count) | GrainCount::About(count)) => count,
         };
         (count > self.max_bodies).then_some(count)
@@ -163,7 +163,7 @@ impl SimulationSettings {
     ///
     /// # Errors
     /// If the knowledge base does not know the task's surface or medium.
-    pub fn of(loaded: &LoadedTask) -> Result<Self, KnowledgeError> {
+    pub fn from_task(loaded: &LoadedTask) -> Result<Self, KnowledgeError> {
         let (task, knowledge) = (&loaded.task, &loaded.knowledge);
         let record = loaded.file.execution();
         let medium = knowledge.medium(&task.medium)?;
@@ -201,22 +201,11 @@ impl SimulationSettings {
             },
             dirt: match &record.dirt.source {
                 // A treated surface has the points of the task.
-                _ if task.action.treats() => Places::Listed(believed()),
-                TrueDirt::AsBelieved => Places::Listed(believed()),
-                TrueDirt::Uniform => Places::Uniform,
-                TrueDirt::Clusters(heaps) => Places::Clusters(heaps.clone()),
-                TrueDirt::Stripe {
-                    center,
-                    direction,
-                    width,
-                } => Places::Stripe {
-                    center: *center,
-                    direction: *direction,
-                    width: *width,
-                },
-                TrueDirt::Edge(within) => Places::Edge(*within),
-                TrueDirt::Csv { .. } | TrueDirt::Image { .. } => {
-                    Places::Listed(loaded.real_places.clone().unwrap_or_default())
+                _ if task.action.treats() => TrueDirt::Listed(believed()),
+                DirtSource::AsBelieved => TrueDirt::Listed(believed()),
+                DirtSource::Stated(dirt) => dirt.clone(),
+                DirtSource::Csv { .. } | DirtSource::Image { .. } => {
+                    TrueDirt::Listed(loaded.true_dirt_locations.clone().unwrap_or_default())
                 }
             },
             count: record
@@ -243,7 +232,7 @@ impl SimulationSettings {
                 length: record.waviness_length,
             },
             camera: loaded.file.perception().sight.map(|believed| Camera {
-                sensor: record.camera.over(believed),
+                sensor: record.camera.complete(believed),
                 arm_hides: record.camera.arm_hides,
             }),
         })

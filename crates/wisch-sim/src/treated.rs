@@ -22,7 +22,7 @@ pub(super) struct TreatedSurface {
 
 impl TreatedSurface {
     /// Returns the treatment of a task; `None` for a task that moves dirt.
-    pub fn of(task: &Task, tool: &HeldTool, settings: &SimulationSettings) -> Option<Self> {
+    pub fn from_task(task: &Task, tool: &HeldTool, settings: &SimulationSettings) -> Option<Self> {
         let treatment = task.treatment.filter(|_| task.action.treats())?;
         let area = tool.footprint.area();
         let preston = match treatment {

@@ -21,7 +21,7 @@ impl Spread {
     }
 
     /// Returns the spread of `count` values with the given mean and sum of squared differences from it.
-    pub const fn of(count: usize, mean: f64, squares: f64) -> Self {
+    pub const fn from_moments(count: usize, mean: f64, squares: f64) -> Self {
         Self {
             count,
             mean,
@@ -34,7 +34,7 @@ impl Spread {
         self.squares
     }
 
-    /// Number of values.
+    /// Number of values that were summarised.
     pub const fn count(&self) -> usize {
         self.count
     }
@@ -50,7 +50,7 @@ impl Spread {
     }
 }
 
-/// Ground truth of one execution.
+/// The ground truth of one execution in the simulated world.
 #[derive(Debug, Clone, PartialEq)]
 pub struct GroundTruth {
     /// The dirt after the execution.

@@ -1,7 +1,7 @@
 //! The simulated world that lasts over the rounds of a session.
 
 use crate::camera::{ObservationIndex, observe};
-use crate::{Dirt, GroundTruth, SimulationError, SimulationSettings, Site, execute};
+use crate::{Dirt, GroundTruth, SimulationError, SimulationSettings, WorkSurface, execute};
 use wisch::control::ControlConfig;
 use wisch::geometry::Pose;
 use wisch::represent::{
@@ -27,19 +27,19 @@ pub struct World {
 }
 
 impl World {
-    /// Creates a world on `site`, with dirt drawn from `settings` and `seed`. The world knows nothing of a task.
+    /// Creates a world on `surface`, with dirt drawn from `settings` and `seed`. The world knows nothing of a task.
     ///
     /// # Errors
     /// If the dirt that the settings describe does not fit on the surface.
     pub fn new(
-        site: &Site,
+        surface: &WorkSurface,
         settings: SimulationSettings,
         seed: u64,
     ) -> Result<Self, SimulationError> {
         Ok(Self {
-            world_from_real: site.world_from_surface * settings.believed_from_real,
+            world_from_real: surface.world_from_surface * settings.believed_from_real,
             control: ControlConfig::default(),
-            dirt: Dirt::draw(site, &settings, seed)?,
+            dirt: Dirt::draw(surface, &settings, seed)?,
             settings,
             seed,
             looks: 0,
@@ -60,7 +60,7 @@ impl World {
 
     /// Returns the same world after earlier rounds, given their ground truth in order.
     #[must_use]
-    pub fn after(self, truth: Vec<GroundTruth>) -> Self {
+    pub fn with_history(self, truth: Vec<GroundTruth>) -> Self {
         Self { truth, ..self }
     }
 
@@ -94,7 +94,7 @@ impl Executor for World {
         if self.dirt.grains().is_empty() {
             return Ok(None);
         }
-        let look = ObservationIndex {
+        let index = ObservationIndex {
             seed: self.seed,
             rounds: self.truth.len() as u64,
             number: self.looks,
@@ -105,7 +105,7 @@ impl Executor for World {
             None => (&self.dirt, &[]),
         };
         let (settings, real) = (&self.settings, &self.world_from_real);
-        Ok(observe(settings, task, real, dirt, hidden, look))
+        Ok(observe(settings, task, real, dirt, hidden, index))
     }
 }
 
@@ -129,6 +129,6 @@ impl GroundTruth {
         surface: &Surface,
     ) -> Result<Option<f64>, ParticleError> {
         let particles = self.particles()?;
-        Ok(particles.map(|particles| Performance::of(&particles, goal, surface).ratio()))
+        Ok(particles.map(|particles| Performance::evaluate(&particles, goal, surface).ratio()))
     }
 }

@@ -5,7 +5,8 @@ use wisch::geometry::{Point2, Vector2};
 use wisch::represent::Cluster;
 use wisch_io::{LoadOptions, LoadedTask, load_task};
 use wisch_sim::{
-    Dirt, GrainCount, Mismatch, Places, RealTool, SimulationError, SimulationSettings, Site,
+    Dirt, GrainCount, Mismatch, RealTool, SimulationError, SimulationSettings, TrueDirt,
+    WorkSurface,
 };
 use wisch_testkit::scenario;
 
@@ -21,12 +22,12 @@ fn board(seed: u64, settings: &[(&str, &str)]) -> LoadedTask {
 }
 
 fn settings(dirt: &str) -> SimulationSettings {
-    SimulationSettings::of(&board(1, &[("execution.dirt", dirt)])).unwrap()
+    SimulationSettings::from_task(&board(1, &[("execution.dirt", dirt)])).unwrap()
 }
 
 /// Where the grains lie under these settings, on the board.
 fn drawn(settings: &SimulationSettings, seed: u64) -> Result<Vec<Point2>, SimulationError> {
-    let dirt = Dirt::draw(&Site::of(&board(1, &[]).task), settings, seed)?;
+    let dirt = Dirt::draw(&WorkSurface::from_task(&board(1, &[]).task), settings, seed)?;
     let grains = dirt.grains().iter();
     Ok(grains.map(|grain| grain.position).collect())
 }
@@ -41,9 +42,9 @@ fn real_dirt_is_not_where_it_is_believed_unless_asked_for() {
         let believed: Vec<Point2> = board(seed, &[]).task.particles.remaining().collect();
         let apart = places("{ source = \"uniform\" }", seed);
         assert!(apart.iter().all(|place| !believed.contains(place)));
-        assert_eq!(settings("{ source = \"uniform\" }").dirt, Places::Uniform);
+        assert_eq!(settings("{ source = \"uniform\" }").dirt, TrueDirt::Uniform);
         let loaded = board(seed, &[("execution.dirt", "{ source = \"as_believed\" }")]);
-        let as_believed = SimulationSettings::of(&loaded).unwrap();
+        let as_believed = SimulationSettings::from_task(&loaded).unwrap();
         assert_eq!(drawn(&as_believed, seed).unwrap(), believed);
     }
 }
@@ -62,8 +63,8 @@ fn every_shipped_scenario_draws_its_dirt_apart() {
         if loaded.task.action.treats() {
             continue;
         }
-        let settings = SimulationSettings::of(&loaded).unwrap();
-        assert_eq!(settings.dirt, Places::Uniform, "{}", path.display());
+        let settings = SimulationSettings::from_task(&loaded).unwrap();
+        assert_eq!(settings.dirt, TrueDirt::Uniform, "{}", path.display());
         let about = GrainCount::About(loaded.task.particles.len());
         assert_eq!(settings.count, about, "{}", path.display());
         count += 1;
@@ -151,7 +152,7 @@ fn listed_dirt_is_read_beside_the_task() {
         };
         load_task(Path::new(&task), &options)
     };
-    let settings = SimulationSettings::of(&load("real.csv").unwrap()).unwrap();
+    let settings = SimulationSettings::from_task(&load("real.csv").unwrap()).unwrap();
     let expected = vec![Point2::new(0.1, 0.05), Point2::new(-0.1, 0.0)];
     assert_eq!(drawn(&settings, 1).unwrap(), expected);
     let missing = load("unreal.csv").unwrap_err().to_string();
@@ -176,8 +177,8 @@ fn laws_and_sizes_are_the_worlds_own() {
         ("execution.sigma", "0.5"),
         ("execution.grain_size_m", "[0.003, 0.004]"),
     ];
-    let settings = SimulationSettings::of(&board(1, &own)).unwrap();
-    let site = Site::of(&board(1, &[]).task);
+    let settings = SimulationSettings::from_task(&board(1, &own)).unwrap();
+    let site = WorkSurface::from_task(&board(1, &[]).task);
     let dirt = Dirt::draw(&site, &settings, 1).unwrap();
     let logs: Vec<f64> = dirt.grains().iter().map(|g| g.threshold.ln()).collect();
     let mean = logs.iter().sum::<f64>() / logs.len() as f64;
@@ -189,9 +190,9 @@ fn laws_and_sizes_are_the_worlds_own() {
 #[test]
 fn a_mismatch_is_laid_over_the_settings() {
     let settings = settings("{ source = \"uniform\" }");
-    assert_eq!(settings.with(&Mismatch::default()), settings);
+    assert_eq!(settings.with_mismatch(&Mismatch::default()), settings);
     let mismatch = Mismatch {
-        places: Some(Places::Edge(0.03)),
+        dirt: Some(TrueDirt::Edge(0.03)),
         count: Some(GrainCount::Exactly(5)),
         mu_shift: -0.5,
         sigma: Some(0.4),
@@ -202,10 +203,10 @@ fn a_mismatch_is_laid_over_the_settings() {
         joint_friction: 0.2,
         ..Mismatch::default()
     };
-    let world = settings.with(&mismatch).with(&mismatch);
+    let world = settings.with_mismatch(&mismatch).with_mismatch(&mismatch);
     assert_eq!(
         (world.dirt, world.count),
-        (Places::Edge(0.03), GrainCount::Exactly(5))
+        (TrueDirt::Edge(0.03), GrainCount::Exactly(5))
     );
     assert!((world.likelihood.mu - settings.likelihood.mu + 1.0).abs() < 1e-12);
     let tool = RealTool {
@@ -221,14 +222,14 @@ fn a_mismatch_is_laid_over_the_settings() {
         weight: 1.0,
     };
     let heaped = Mismatch {
-        places: Some(Places::Clusters(Some(vec![heap]))),
+        dirt: Some(TrueDirt::Clusters(Some(vec![heap]))),
         ..Mismatch::default()
     };
-    let found = drawn(&settings.with(&heaped), 1).unwrap();
+    let found = drawn(&settings.with_mismatch(&heaped), 1).unwrap();
     assert!(found.iter().all(|place| place.coords.norm() < 0.06));
     // Random worlds are of every kind.
-    let random: Vec<_> = (1..=40).map(|seed| Mismatch::random(seed).places).collect();
-    for kind in [Places::Uniform, Places::Clusters(None)] {
+    let random: Vec<_> = (1..=40).map(|seed| Mismatch::draw(seed).dirt).collect();
+    for kind in [TrueDirt::Uniform, TrueDirt::Clusters(None)] {
         assert!(random.contains(&Some(kind)));
     }
 }

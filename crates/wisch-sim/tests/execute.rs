@@ -113,8 +113,8 @@ fn the_bias_that_is_set_is_the_one_that_is_found() {
         let samples: Vec<TouchSample> = (log.rows.iter())
             .map(|row| TouchSample::new(row.time, row.world_from_tool, row.external))
             .collect();
-        let believed = Belief::certain(wiping.task.particles.clone());
-        let config = InterpretConfig::of(&wiping.task);
+        let believed = Belief::from_particles(wiping.task.particles.clone());
+        let config = InterpretConfig::from_task(&wiping.task);
         let goal = GoalState::Absorbed;
         let found = interpret(&samples, &wiping.task, &believed, &goal, &config);
         // The surface lies level: its normal is the world's z.
@@ -132,8 +132,8 @@ fn a_rigid_tool_wipes_and_is_understood() {
     let samples: Vec<TouchSample> = (log.rows.iter())
         .map(|row| TouchSample::new(row.time, row.world_from_tool, row.external))
         .collect();
-    let believed = Belief::certain(wiping.task.particles.clone());
-    let config = InterpretConfig::of(&wiping.task);
+    let believed = Belief::from_particles(wiping.task.particles.clone());
+    let config = InterpretConfig::from_task(&wiping.task);
     let goal = GoalState::Absorbed;
     let found = interpret(&samples, &wiping.task, &believed, &goal, &config).unwrap();
     assert_eq!(found.diagnosis, Diagnosis::Localized);

@@ -8,7 +8,7 @@ use wisch::run::{
     Execution, Executor, ExecutorError, MotionOrder, RecordedRound, RecordedSample, Recording,
 };
 use wisch::run::{RunConfig, SampleSink, Session};
-use wisch_sim::{Dirt, Places, SimulationSettings, Site, World};
+use wisch_sim::{Dirt, SimulationSettings, TrueDirt, WorkSurface, World};
 use wisch_testkit::{arm7, board};
 
 /// A world, and what its sink was given of the first round.
@@ -52,12 +52,12 @@ fn the_world_does_not_look_at_what_the_robot_believes_of_the_dirt() {
 fn other_dirt_changes_no_plan_no_motion_and_no_interpretation_of_the_same_log() {
     let task = board(Action::Absorb, [0.5, 0.0, 0.2]);
     let robot = arm7();
-    let world = |places: Places| {
+    let world = |dirt: TrueDirt| {
         let settings = SimulationSettings {
-            dirt: places,
+            dirt,
             ..as_believed()
         };
-        World::new(&Site::of(&task), settings, 1).unwrap()
+        World::new(&WorkSurface::from_task(&task), settings, 1).unwrap()
     };
     let rounds = |executor: &mut dyn Executor| {
         let config = RunConfig {
@@ -70,10 +70,10 @@ fn other_dirt_changes_no_plan_no_motion_and_no_interpretation_of_the_same_log() 
         session.into_rounds()
     };
     let mut even = Heard {
-        world: world(Places::Uniform),
+        world: world(TrueDirt::Uniform),
         rounds: Vec::new(),
     };
-    let mut edge = world(Places::Edge(0.01));
+    let mut edge = world(TrueDirt::Edge(0.01));
     assert_ne!(even.world.dirt(), edge.dirt());
     let [of_even, of_edge] = [rounds(&mut even), rounds(&mut edge)];
     assert_eq!(of_even[0].motion.plan, of_edge[0].motion.plan);
@@ -82,7 +82,7 @@ fn other_dirt_changes_no_plan_no_motion_and_no_interpretation_of_the_same_log() 
     assert_ne!(even.world.truth()[0].dirt, edge.truth()[0].dirt);
 
     // The log of one world, interpreted in front of the other.
-    let mut recording = Recording::new(None, even.rounds, world(Places::Edge(0.01)));
+    let mut recording = Recording::new(None, even.rounds, world(TrueDirt::Edge(0.01)));
     let again = rounds(&mut recording);
     let understood = [&again, &of_even].map(|rounds| format!("{:?}", rounds[0].interpretation));
     assert_eq!(understood[0], understood[1]);

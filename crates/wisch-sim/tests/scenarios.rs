@@ -5,7 +5,7 @@ use wisch::interpret::EventKind;
 use wisch::recover::Verdict;
 use wisch::run::{Ending, Round, RunConfig, Session, StrokeEnd};
 use wisch_io::{LoadOptions, LoadedTask, Moment, load_task};
-use wisch_sim::{GroundTruth, SimulationSettings, Site, World};
+use wisch_sim::{GroundTruth, SimulationSettings, WorkSurface, World};
 use wisch_testkit::{arm7, by_density, humanoid, run_config, scenario};
 
 /// How far the estimate may be off the truth where it is narrower than that [1]; of 29 rounds on the board the worst was off by 0.092, of those since by 0.119.
@@ -20,7 +20,7 @@ const FELT: f64 = 0.05;
 type Executed = (Round, GroundTruth, f64);
 
 fn settings(loaded: &LoadedTask) -> SimulationSettings {
-    SimulationSettings::of(loaded).unwrap()
+    SimulationSettings::from_task(loaded).unwrap()
 }
 
 /// The first rounds of a scenario with the humanoid, seed 1, with its dirt as told.
@@ -30,7 +30,8 @@ fn executed(name: &str, dirt: &str, most: usize) -> (LoadedTask, Vec<Executed>) 
         ..by_density(1)
     };
     let loaded = load_task(&scenario(name), &options).unwrap();
-    let mut world = World::new(&Site::of(&loaded.task), settings(&loaded), 1).unwrap();
+    let mut world =
+        World::new(&WorkSurface::from_task(&loaded.task), settings(&loaded), 1).unwrap();
     let robot = humanoid();
     let config = RunConfig {
         max_rounds: most,
@@ -100,7 +101,7 @@ fn all_faults(rounds: &[Executed]) -> Vec<String> {
 /// When collisions were felt [s].
 fn collisions(round: &Round) -> Vec<[f64; 2]> {
     let events = round.interpretation.events.iter();
-    let felt = events.filter(|event| event.kind == EventKind::Collision);
+    let felt = events.filter(|event| event.kind == EventKind::Push);
     felt.map(|event| [event.start, event.end]).collect()
 }
 
@@ -185,7 +186,8 @@ fn a_round_ends_amid_a_stroke_that_somebody_leads_away_and_the_rest_is_planned_a
         ..LoadOptions::default()
     };
     let loaded = load_task(&scenario("arm-board"), &options).unwrap();
-    let mut world = World::new(&Site::of(&loaded.task), settings(&loaded), 1).unwrap();
+    let mut world =
+        World::new(&WorkSurface::from_task(&loaded.task), settings(&loaded), 1).unwrap();
     let robot = arm7();
     let session = Session::new(&loaded.task, loaded.run_config()).with_belief(loaded.belief());
     let mut session = session.with_robot(robot.robot_setup());

@@ -5,7 +5,8 @@ use wisch::geometry::{Point2, Polygon, Pose, Region};
 use wisch::represent::{Action, Fate, Observation, SensorModel, Task};
 use wisch::run::Executor;
 use wisch_sim::{
-    Camera, Dirt, Grain, GrainCount, GroundTruth, Places, SimulationSettings, Site, Spread, World,
+    Camera, Dirt, Grain, GrainCount, GroundTruth, SimulationSettings, Spread, TrueDirt,
+    WorkSurface, World,
 };
 use wisch_testkit::board;
 
@@ -28,13 +29,13 @@ fn settings(sensor: SensorModel) -> SimulationSettings {
             arm_hides: false,
         }),
         count: GrainCount::Exactly(200),
-        dirt: Places::Uniform,
+        dirt: TrueDirt::Uniform,
         ..super::execute::as_believed()
     }
 }
 
 fn world(settings: SimulationSettings) -> World {
-    World::new(&Site::of(&task()), settings, 1).unwrap()
+    World::new(&WorkSurface::from_task(&task()), settings, 1).unwrap()
 }
 
 fn seen(world: &mut World) -> Observation {
@@ -184,7 +185,7 @@ fn what_is_gone_or_hidden_is_not_seen() {
     };
     let corners = [(0.05, -0.01), (0.07, -0.01), (0.07, 0.01), (0.05, 0.01)];
     let truth = GroundTruth {
-        dirt: Dirt::of(fates.map(grain).to_vec()),
+        dirt: Dirt::from_grains(fates.map(grain).to_vec()),
         contact_force: Spread::default(),
         max_plane_distance: 0.0,
         max_controller_force: 0.0,
@@ -194,7 +195,7 @@ fn what_is_gone_or_hidden_is_not_seen() {
         obstructions: vec![],
         hidden: vec![corners.map(|(x, y)| Point2::new(x, y)).to_vec()],
     };
-    let mut world = world(settings(PERFECT)).after(vec![truth]);
+    let mut world = world(settings(PERFECT)).with_history(vec![truth]);
     let seen = seen(&mut world);
     assert_eq!(seen.detections, [Point2::origin()]);
     assert!(seen.is_hidden(Point2::new(0.06, 0.0)) && !seen.is_hidden(Point2::origin()));

@@ -101,7 +101,7 @@ impl Library {
         let mut list = List {
             episodes: Vec::new(),
             total: 0,
-            broken: catalogue.left_out().to_vec(),
+            broken: catalogue.omitted_episodes().to_vec(),
         };
         for row in rows {
             let is_wanted = words.is_empty() || {
@@ -137,10 +137,10 @@ impl<'a> About<'a> {
     fn of(catalogue: &'a Catalogue) -> Self {
         let first = |id: IndividualId| catalogue.episode_of(id).first;
         let mut collisions = HashMap::new();
-        for &id in catalogue.of_class("semco:HumanCollision") {
+        for &id in catalogue.individuals_of_class("semco:HumanCollision") {
             *collisions.entry(first(id)).or_default() += 1;
         }
-        let actions = catalogue.of_class("semco:WipingAction").iter();
+        let actions = catalogue.individuals_of_class("semco:WipingAction").iter();
         let verdicts = catalogue.texts("semco:verdict").iter();
         Self {
             catalogue,
@@ -194,7 +194,7 @@ impl<'a> About<'a> {
         let related = entries(self.catalogue.relations(property), id);
         related.iter().find_map(|(_, node)| match node {
             CatalogueNode::Shared(place) => {
-                let name = self.catalogue.shared().get(*place as usize)?;
+                let name = self.catalogue.shared_individuals().get(*place as usize)?;
                 Some(local(name).to_owned())
             }
             CatalogueNode::Individual(_) => None,

@@ -66,7 +66,7 @@ pub enum RunState {
 }
 
 impl LiveFolder {
-    pub fn of(memory: &Path, program: &Path) -> Self {
+    pub fn new(memory: &Path, program: &Path) -> Self {
         let program = program.file_stem().unwrap_or_default();
         Self {
             memory: memory.to_path_buf(),

@@ -187,7 +187,7 @@ fn open_memory<'a>(
                 command(engine)?,
                 LIMITS,
                 Arc::clone(&catalogue),
-                TelemetryPredicates::of(library.memory().clone()),
+                TelemetryPredicates::new(library.memory().clone()),
                 Assertions::read(folder)?,
             );
             *lock(&now.interrupt) = Some(asker.interrupt());

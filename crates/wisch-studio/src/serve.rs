@@ -139,7 +139,7 @@ impl Studio {
         let bound = listener.local_addr();
         let bound = bound.map_err(|error| StudioError::Listen { address, error })?;
         let gate = Arc::new(Gate::new(bound).map_err(StudioError::Random)?);
-        let live = LiveFolder::of(&folder, &config.wisch);
+        let live = LiveFolder::new(&folder, &config.wisch);
         let library = Arc::new(Library::new(memory));
         let state = ServerState {
             runs: Runs::new(&config.wisch, &folder, live.clone()),

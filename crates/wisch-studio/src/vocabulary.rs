@@ -54,7 +54,7 @@ pub const EXAMPLES: [(&str, &str); 10] = [
 
 /// Returns the whole vocabulary.
 pub fn vocabulary() -> Value {
-    let ontology = Ontology::shipped();
+    let ontology = Ontology::load();
     let terms = |wanted: fn(TermKind) -> bool| {
         let found = ontology.terms().filter(move |(_, term)| wanted(term.kind));
         found

@@ -25,7 +25,7 @@ impl Correction {
     ///
     /// # Errors
     /// If a number is not finite or out of its range.
-    pub fn of(options: &LogOptions) -> Result<Self, ReadFault> {
+    pub fn from_options(options: &LogOptions) -> Result<Self, ReadFault> {
         let mut remarks = Vec::new();
         if let Some(bias) = options.force_bias {
             check("--force-bias", bias.as_slice(), FINITE, f64::is_finite)?;

@@ -79,7 +79,7 @@ pub struct ReadError {
     pub fault: ReadFault,
 }
 
-/// Fault of a log.
+/// A fault of a log that prevents reading it.
 #[derive(Debug, thiserror::Error)]
 pub enum ReadFault {
     /// The operating system refuses an operation.
@@ -200,7 +200,7 @@ pub enum ReadFault {
     },
     /// A camera observation is invalid.
     #[error("topic {topic}: {problem}")]
-    Look {
+    Observation {
         /// Name of the topic.
         topic: String,
         /// Description of the fault.

@@ -191,7 +191,7 @@ impl Chain<'_> {
 
     /// Returns the pose of one frame in the other at a time [ns]. `None` if a transform on the path has a gap of more
     /// than `max_gap` [s] around that time.
-    pub fn at(&self, time: i64, max_gap: f64) -> Option<Pose> {
+    pub fn pose_at(&self, time: i64, max_gap: f64) -> Option<Pose> {
         let along = |links: &[&Link]| {
             links.iter().try_fold(Pose::identity(), |pose, link| {
                 Some(link.at(time, max_gap)? * pose)
@@ -248,7 +248,7 @@ mod tests {
         frames.insert("flange", "sensor", 0, pose(0.0, 1.0), true);
         frames.insert("flange", "tool", 0, pose(0.1, 0.0), true);
         frames.sort();
-        let at = |to: &str, from: &str, time| frames.between(to, from)?.at(time, 1.0);
+        let at = |to: &str, from: &str, time| frames.between(to, from)?.pose_at(time, 1.0);
         let sensor = pose(1.0, 0.5) * pose(0.3, 0.2) * pose(0.0, 1.0);
         close(at("world", "sensor", 10).unwrap(), sensor);
         close(at("sensor", "world", 10).unwrap(), sensor.inverse());
@@ -262,8 +262,11 @@ mod tests {
         assert_eq!(frames.rigid_root("flange"), None);
         // The transform is known at most a nanosecond before and after.
         let chain = frames.between("world", "tool").unwrap();
-        assert!(chain.at(21, 1e-9).is_some() && chain.at(22, 1e-9).is_none());
-        assert!(chain.at(10, 1e-9).is_none(), "20 ns lie between its times");
+        assert!(chain.pose_at(21, 1e-9).is_some() && chain.pose_at(22, 1e-9).is_none());
+        assert!(
+            chain.pose_at(10, 1e-9).is_none(),
+            "20 ns lie between its times"
+        );
     }
 
     #[test]

@@ -91,6 +91,25 @@ impl Skipped {
 ///
 /// # Errors
 /// If the file cannot be read or its contents are ambiguous; see [`ReadFault`].
+///
+/// ```
+/// use wisch::follow::Phase;
+/// use wisch::geometry::{Pose, Vector3};
+/// use wisch::interpret::TouchSample;
+/// use wisch::run::TelemetrySample;
+/// use wisch_telemetry::{BagHead, BagWriter, LogOptions, read};
+/// # let folder = tempfile::tempdir()?;
+/// # let path = folder.path().join("wipe.mcap");
+/// let mut bag = BagWriter::create(&path, BagHead::from_surface_pose(Pose::identity()))?;
+/// for index in 0..3 {
+///     let pose = Pose::translation(0.01 * f64::from(index), 0.0, 0.0);
+///     let touch = TouchSample::new(0.1 * f64::from(index), pose, Vector3::new(0.0, 0.0, 10.0));
+///     bag.write(&TelemetrySample::from_touch(&touch, 0, Phase::Wipe(0)))?;
+/// }
+/// bag.finish()?;
+/// assert_eq!(read(&path, &LogOptions::default())?.samples.len(), 3);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 pub fn read(path: &Path, options: &LogOptions) -> Result<Log, ReadError> {
     let active = active_path(path);
     let path = if !path.exists() && active.exists() {
@@ -102,7 +121,7 @@ pub fn read(path: &Path, options: &LogOptions) -> Result<Log, ReadError> {
         file: path.display().to_string(),
         fault,
     };
-    let correction = Correction::of(options).map_err(|fault| within(path, fault))?;
+    let correction = Correction::from_options(options).map_err(|fault| within(path, fault))?;
     let parts = list_parts(path).map_err(|error| within(path, ReadFault::System(error)))?;
     for part in &parts {
         check_is_file(part).map_err(|fault| within(part, fault))?;
@@ -269,7 +288,7 @@ fn combine(raw: RawLog, correction: Correction, options: &LogOptions) -> Result<
             Axes::Tool => world_from_logged.rotation,
             Axes::Surface => options.world_from_surface.rotation,
             Axes::Named => {
-                let log_from_sensor = sensor.chain.as_ref()?.at(time, options.max_gap)?;
+                let log_from_sensor = sensor.chain.as_ref()?.pose_at(time, options.max_gap)?;
                 world_from_log.rotation * log_from_sensor.rotation
             }
         };
@@ -360,7 +379,7 @@ impl<'a> World<'a> {
 
     fn at(&self, time: i64, options: &LogOptions) -> Option<Pose> {
         match &self.chain {
-            Some(chain) => chain.at(time, options.max_gap),
+            Some(chain) => chain.pose_at(time, options.max_gap),
             None => Some(options.world_from_log.unwrap_or_else(Pose::identity)),
         }
     }
@@ -420,7 +439,7 @@ impl<'a> Sensor<'a> {
         let rigid = |logged: &'a str| {
             let chain = raw.frames.between(logged, frame)?;
             // A chain that does not move is known at any time, even outside the log's.
-            Some(chain.at(i64::MIN / 2, 0.0)?.rotation)
+            Some(chain.pose_at(i64::MIN / 2, 0.0)?.rotation)
         };
         if let Some(logged) = logged
             && let Some(turned) = rigid(logged)
@@ -463,7 +482,7 @@ impl<'a> Sensor<'a> {
 /// Pose of the target surface in a log that `BagWriter` wrote.
 fn surface(raw: &RawLog, time: i64) -> Option<Pose> {
     let chain = raw.frames.between(FRAME_WORLD, FRAME_SURFACE)?;
-    chain.at(time, f64::INFINITY)
+    chain.pose_at(time, f64::INFINITY)
 }
 
 /// Returns begin and end of gaps longer than `limit` [s].

@@ -4,7 +4,7 @@ use nalgebra::UnitQuaternion;
 use wisch::geometry::{Pose, Vector3};
 use wisch::robot::JointTransform;
 
-/// Choice of a bag's topic.
+/// How the topic of a quantity is chosen in a bag.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum TopicChoice {
     /// The only topic that holds the quantity.
@@ -53,7 +53,7 @@ pub enum AxesChoice {
     Given(Axes),
 }
 
-/// Sign convention of a force.
+/// Sign convention of a measured force.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum WrenchSign {
     /// The force of the surroundings on the tool.
@@ -81,7 +81,7 @@ pub enum Clock {
 }
 
 impl Clock {
-    /// All clocks.
+    /// Both clocks, in the order in which help lists them.
     pub const ALL: [Self; 2] = [Self::Header, Self::Log];
 
     /// Its name on the command line.
@@ -109,7 +109,7 @@ pub enum OrientationForm {
 }
 
 impl OrientationForm {
-    /// All forms.
+    /// All forms, in the order in which help lists them.
     pub const ALL: [Self; 5] = [
         Self::Quaternion,
         Self::RotationVector,
@@ -130,7 +130,18 @@ impl OrientationForm {
     }
 }
 
-/// Options for reading a log.
+/// Options for reading a log: topics, columns, axes, units and corrections.
+///
+/// ```
+/// use wisch_telemetry::{LogOptions, WrenchSign};
+/// // A table with 500 rows per second, whose force is that of the tool on the surface.
+/// let options = LogOptions {
+///     rate: Some(500.0),
+///     sign: Some(WrenchSign::ByTool),
+///     ..LogOptions::default()
+/// };
+/// assert_eq!(options.force_unit, None);
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct LogOptions {
     /// Topic of the poses in a bag.

@@ -89,7 +89,7 @@ impl Frames {
         for time in times {
             if let Some(pose) = chain
                 .as_ref()
-                .and_then(|chain| chain.at(time, options.max_gap))
+                .and_then(|chain| chain.pose_at(time, options.max_gap))
             {
                 track.push(time, Ok(pose), || frame.clone())?;
             }

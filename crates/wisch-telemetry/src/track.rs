@@ -67,7 +67,7 @@ pub(crate) struct JointPositions {
 
 impl JointPositions {
     /// Creates an empty record for the moving joints among `joints`, and for the joints that they follow.
-    pub fn of(joints: &[JointTransform]) -> Self {
+    pub fn new(joints: &[JointTransform]) -> Self {
         let moving = (joints.iter()).filter(|joint| joint.motion != JointMotion::Fixed);
         let names = moving.flat_map(|joint| {
             let others = joint.mimic.iter().flat_map(|mimic| &mimic.terms);
@@ -114,10 +114,16 @@ impl JointPositions {
                 continue;
             }
             if joint.motion == JointMotion::Fixed {
-                frames.insert(parent, child, 0, joint.at(0.0), true);
+                frames.insert(parent, child, 0, joint.parent_from_child(0.0), true);
             }
             for (time, position) in self.of_joint(joint) {
-                frames.insert(parent, child, time, joint.at(position), false);
+                frames.insert(
+                    parent,
+                    child,
+                    time,
+                    joint.parent_from_child(position),
+                    false,
+                );
             }
         }
     }

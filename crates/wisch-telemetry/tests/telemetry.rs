@@ -324,7 +324,7 @@ fn has_links_at(time: f64) -> bool {
 #[test]
 fn a_robot_with_other_joints_is_refused() {
     let (_folder, path) = in_folder();
-    let head = BagHead::at(surface());
+    let head = BagHead::from_surface_pose(surface());
     let mut bag = BagWriter::create(&path, head).unwrap();
     let refused = shown::write(&mut bag, &wipe(100.0)).unwrap_err();
     let expected = "robot \"demo_arm\" has 3 variables, but the bag has 0 joints";

@@ -24,7 +24,7 @@ pub fn any_task(seed: u64) -> Result<Task, AnyError> {
     let count = random.random_range(1..=edges);
     let first = random.random_range(0..edges);
     let scene = scene(random, &outline)?;
-    let occupied = OccupiedArea::of(
+    let occupied = OccupiedArea::from_scene(
         scene
             .iter()
             .map(|object| object.mesh.transform(&object.world_from_object))

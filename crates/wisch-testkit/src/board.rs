@@ -5,7 +5,7 @@ use crate::problems::lost_nodes;
 use crate::shipped::{ShippedRobot, robot};
 use wisch::follow::{FollowConfig, Followed, Workcell, WorkcellConfig, audit};
 use wisch::geometry::{Mesh, Point2, Pose, Vector2, Vector3};
-use wisch::plan::{CoverageStrategy, HeadingRule, Plan, PlanConfig, plan};
+use wisch::plan::{CoverageStrategy, Plan, PlanConfig, YawRule, plan};
 use wisch::represent::{Action, ParticleDistribution, SceneObject, ScenePart, Surface, Task};
 
 /// Extent of the board [m].
@@ -60,7 +60,7 @@ pub fn planned(task: &Task) -> Plan {
     let config = PlanConfig {
         strategy: CoverageStrategy::Grid.into(),
         seed: 1,
-        heading: HeadingRule::Blended,
+        yaw: YawRule::Blended,
         ..PlanConfig::default()
     };
     plan(task, &config).unwrap()

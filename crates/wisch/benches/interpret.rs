@@ -32,7 +32,7 @@ fn script(seconds: usize) -> Script {
 
 fn interpreter(samples: &[TouchSample]) -> Interpreter {
     let task = task(80, STEEP);
-    let mut interpreter = Interpreter::new(&task, &InterpretConfig::of(&task)).unwrap();
+    let mut interpreter = Interpreter::new(&task, &InterpretConfig::from_task(&task)).unwrap();
     for sample in samples {
         interpreter.push(sample).unwrap();
     }
@@ -44,7 +44,7 @@ fn interpreter(samples: &[TouchSample]) -> Interpreter {
 fn log_of_seconds(bencher: Bencher, seconds: usize) {
     let task = task(80, STEEP);
     let samples = script(seconds).samples(&task);
-    let believed = Belief::certain(task.particles.clone());
+    let believed = Belief::from_particles(task.particles.clone());
     bencher.bench(|| interpreter(black_box(&samples)).conclude(&believed, &GoalState::Absorbed));
 }
 
@@ -53,7 +53,7 @@ fn log_of_seconds(bencher: Bencher, seconds: usize) {
 fn pushing_log_of_seconds(bencher: Bencher, seconds: usize) {
     let task = task(80, STEEP);
     let samples = script(seconds).samples(&task);
-    let believed = Belief::certain(task.particles.clone());
+    let believed = Belief::from_particles(task.particles.clone());
     let goal = GoalState::Collected {
         center: Point2::origin(),
         radius: 0.065,

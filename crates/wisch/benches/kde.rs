@@ -25,7 +25,7 @@ fn points(count: usize) -> Vec<Point2> {
 #[divan::bench(args = [1_000, 100_000, 1_000_000])]
 fn density_map(bencher: Bencher, count: usize) {
     let points = points(count);
-    let bounds = Bounds2::of(points.iter().copied()).unwrap();
+    let bounds = Bounds2::from_points(points.iter().copied()).unwrap();
     bencher.bench(|| CoverageDensity::new(black_box(&points), bounds, BANDWIDTH));
 }
 

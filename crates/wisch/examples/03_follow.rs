@@ -22,7 +22,7 @@ pub(crate) fn main() -> Result<(), Box<dyn Error>> {
     let mut session = loaded.session().with_robot(robot.robot_setup());
     session.run_until(Stage::Audited, &mut NoExecutor, &mut ignore_events)?;
 
-    let (planned, audit) = session.first().ok_or("there is no motion")?;
+    let (planned, audit) = session.first_motion().ok_or("there is no motion")?;
     let followed = &planned.followed;
     println!(
         "{} wipes for {:.0} s",

@@ -26,19 +26,19 @@ pub(crate) fn main() -> Result<(), Box<dyn Error>> {
     let (task, board) = (&loaded.task, loaded.task.surface.world_from_surface);
     let folder = tempfile::tempdir()?;
     let file = folder.path().join("wipe.mcap");
-    let mut bag = BagWriter::create(&file, BagHead::at(board))?;
+    let mut bag = BagWriter::create(&file, BagHead::from_surface_pose(board))?;
     for k in 0..2000 {
         let time = f64::from(k) * 1e-3;
         let world_from_tool = board * Pose::translation(0.1 * time - 0.1, -0.06, 0.0);
         let touch = TouchSample::new(time, world_from_tool, task.surface_reaction());
-        bag.write(&TelemetrySample::of_touch(&touch, 0, Phase::Wipe(0)))?;
+        bag.write(&TelemetrySample::from_touch(&touch, 0, Phase::Wipe(0)))?;
     }
     bag.finish()?;
 
     let log = read(&file, &LogOptions::default())?;
     let goal = task.goal().ok_or("the task leaves its goal open")?;
-    let believed = Belief::certain(task.particles.clone());
-    let config = InterpretConfig::of(task);
+    let believed = Belief::from_particles(task.particles.clone());
+    let config = InterpretConfig::from_task(task);
     let estimate = interpret(&log.samples, task, &believed, &goal, &config)?;
     println!("{:.0} % are at the goal", 100.0 * estimate.performance.mean);
 

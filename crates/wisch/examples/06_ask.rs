@@ -29,8 +29,8 @@ pub(crate) fn main() -> Result<(), Box<dyn Error>> {
         TouchSample::new(0.01 * i as f64, tool, task.surface_reaction() * down)
     });
     let goal = task.goal().ok_or("the task leaves its goal open")?;
-    let believed = Belief::certain(task.particles.clone());
-    let config = InterpretConfig::of(task);
+    let believed = Belief::from_particles(task.particles.clone());
+    let config = InterpretConfig::from_task(task);
     let estimate = interpret(&touches, task, &believed, &goal, &config)?;
 
     let folder = tempfile::tempdir()?;

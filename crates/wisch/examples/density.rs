@@ -15,7 +15,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         .try_into()
         .map_err(|_| "usage: density POINTS.csv BANDWIDTH_M")?;
     let points = points::read(&path)?;
-    let bounds = Bounds2::of(points.iter().copied()).ok_or("no points")?;
+    let bounds = Bounds2::from_points(points.iter().copied()).ok_or("no points")?;
     let begin = Instant::now();
     let map = CoverageDensity::new(&points, bounds, bandwidth.parse()?);
     eprintln!("{:.3}", begin.elapsed().as_secs_f64() * 1e3);

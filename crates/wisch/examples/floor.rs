@@ -20,7 +20,7 @@ use std::path::Path;
 use std::time::Instant;
 use wisch::follow::{FollowConfig, Workcell, WorkcellConfig, audit, follow};
 use wisch::geometry::{Mesh, Point2, Polygon, Pose, Region, Vector2, Vector3};
-use wisch::plan::{CoverageStrategy, HeadingRule, Plan, PlanConfig, plan, predict};
+use wisch::plan::{CoverageStrategy, Plan, PlanConfig, YawRule, plan, predict};
 use wisch::represent::{Action, ParticleDistribution, SceneObject, ScenePart, Surface, Task, Tool};
 use wisch::robot::{RobotModel, Srdf};
 use wisch_testkit::{AnyError, arm7, interaction, sponge};
@@ -83,11 +83,11 @@ fn main() -> Result<(), AnyError> {
         if !is_asked("strategy", strategy.as_str()) {
             continue;
         }
-        for (tool, heading, [free_yaw, free_order]) in [
-            ("blended", HeadingRule::Blended, [false, false]),
-            ("best", HeadingRule::Best, [false, false]),
-            ("free-yaw", HeadingRule::Best, [true, false]),
-            ("free-order", HeadingRule::Best, [true, true]),
+        for (tool, yaw, [free_yaw, free_order]) in [
+            ("blended", YawRule::Blended, [false, false]),
+            ("best", YawRule::Best, [false, false]),
+            ("free-yaw", YawRule::Best, [true, false]),
+            ("free-order", YawRule::Best, [true, true]),
         ] {
             if !is_asked("tool", tool) {
                 continue;
@@ -95,7 +95,7 @@ fn main() -> Result<(), AnyError> {
             let begin = Instant::now();
             let config = PlanConfig {
                 strategy: strategy.into(),
-                heading,
+                yaw,
                 bandwidth: number("bandwidth")?,
                 ..PlanConfig::default()
             };

@@ -261,7 +261,7 @@ fn a_plan_for_all_that_may_be_fails_less_on_what_comes() {
                 ..task.clone()
             };
             let after = predict(&there, plan, |_| ()).particles;
-            Performance::of(&after, &goal, &task.surface).ratio()
+            Performance::evaluate(&after, &goal, &task.surface).ratio()
         });
         shares.sum::<f64>() / 20.0
     };

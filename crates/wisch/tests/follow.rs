@@ -16,7 +16,7 @@ use wisch::follow::{
     follow,
 };
 use wisch::geometry::{Point2, Polygon, Region};
-use wisch::plan::{CoverageStrategy, HeadingRule, Plan, PlanConfig, plan, predict};
+use wisch::plan::{CoverageStrategy, Plan, PlanConfig, YawRule, plan, predict};
 use wisch::represent::Action;
 use wisch::robot::Margins;
 use wisch_testkit::{Problem, SolvedProblem, arm7, block, board, cell, faults, planned, robots};
@@ -226,7 +226,7 @@ fn the_tool_turns_on_a_node_in_contact() {
         let task = board(action, [0.5, 0.0, 0.2]);
         let config = PlanConfig {
             strategy: CoverageStrategy::Grid.into(),
-            heading: HeadingRule::AlongEdges,
+            yaw: YawRule::AlongEdges,
             ..PlanConfig::default()
         };
         let (plan, cell) = (plan(&task, &config).unwrap(), cell(&task));
@@ -295,7 +295,7 @@ fn joints_move_less_where_the_yaw_is_theirs_to_choose() {
 fn the_global_method_finds_a_way_where_the_local_one_finds_none() {
     let robots = robots();
     let mut problem = Problem::random(ONLY_GLOBALLY).unwrap();
-    problem.plan.heading = HeadingRule::Blended;
+    problem.plan.yaw = YawRule::Blended;
     let with = |search| {
         let config = FollowConfig {
             search,

@@ -3,7 +3,7 @@
 use wisch::geometry::{PlanarPose, Point2, Polygon, Vector2};
 use wisch::plan::{
     CoverageStrategy, Plan, PlanConfig, PlanError, Strategy, StrokeFault, check_strokes,
-    describe_over_border, plan, plan_of_strokes, predict,
+    describe_over_border, plan, plan_from_strokes, predict,
 };
 use wisch::represent::{Action, Ground, ParticleDistribution, Task, Treatment};
 use wisch::run::{RunError, check_score};
@@ -24,7 +24,7 @@ fn bare(action: Action) -> Task {
 }
 
 fn given(task: &Task, strokes: &[Vec<PlanarPose>]) -> Result<Plan, StrokeFault> {
-    match plan_of_strokes(task, strokes, 0.05) {
+    match plan_from_strokes(task, strokes, 0.05) {
         Ok(plan) => Ok(plan),
         Err(PlanError::Stroke(fault)) => Err(fault),
         Err(other) => panic!("{other}"),
@@ -219,7 +219,7 @@ fn a_surface_is_polished_round_its_holes() {
     check_strokes(&task, &plan.strokes).unwrap();
     for stroke in &plan.strokes {
         for leg in stroke.poses.windows(2) {
-            let parts = task.surface.parts_of_way(leg[0].position, leg[1].position);
+            let parts = task.surface.split_move(leg[0].position, leg[1].position);
             assert!(
                 !parts
                     .iter()

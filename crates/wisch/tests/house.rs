@@ -286,7 +286,7 @@ const ACCEPTING: [&str; 11] = [
     "worst_grip",
     "is_held",
     ".deviation(",
-    ".towards(",
+    ".interpolate(",
     ".samples(",
     "time_path",
 ];

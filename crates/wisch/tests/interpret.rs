@@ -33,20 +33,24 @@ fn interpreted_with(
     task: &Task,
     config: &InterpretConfig,
 ) -> Interpretation {
-    let believed = Belief::certain(task.particles.clone());
+    let believed = Belief::from_particles(task.particles.clone());
     interpret(samples, task, &believed, &GoalState::Absorbed, config).unwrap()
 }
 
 fn interpreted(script: &Script) -> Interpretation {
     let task = task(80, STEEP);
-    interpreted_with(&script.samples(&task), &task, &InterpretConfig::of(&task))
+    interpreted_with(
+        &script.samples(&task),
+        &task,
+        &InterpretConfig::from_task(&task),
+    )
 }
 
 /// As the task has it, nothing uncertain but the chances of (12).
 fn exact(task: &Task) -> InterpretConfig {
     InterpretConfig {
         uncertainty: Uncertainty::NONE,
-        ..InterpretConfig::of(task)
+        ..InterpretConfig::from_task(task)
     }
 }
 
@@ -187,7 +191,7 @@ fn a_tilted_board_is_found_and_the_side_out_of_reach_not_wiped() {
     // No force where the surface lies more than 4 mm too low.
     let lost_below = -0.003 / 2.0_f64.to_radians().tan();
     assert!((-0.09..-0.08).contains(&lost_below));
-    for replay in interpretation.belief.replays() {
+    for replay in interpretation.belief.members() {
         for (i, (_, fate)) in replay.iter().enumerate() {
             let place = task.particles.position(i);
             if place.x < lost_below - 0.036 {
@@ -215,12 +219,12 @@ fn without_contact_nothing_is_said_and_nothing_wiped() {
     assert_eq!(interpretation.events, []);
     assert!(!interpretation.is_conclusive());
     let task = task(80, STEEP);
-    let mut dirt = interpretation.belief.replays().iter();
+    let mut dirt = interpretation.belief.members().iter();
     assert!(dirt.all(|dirt| dirt.tally().remaining == 80));
     let few = &script.samples(&task)[..3];
     let none: &[TouchSample] = &[];
     for samples in [few, none] {
-        let interpretation = interpreted_with(samples, &task, &InterpretConfig::of(&task));
+        let interpretation = interpreted_with(samples, &task, &InterpretConfig::from_task(&task));
         assert_eq!(interpretation.diagnosis, Diagnosis::NoContact);
         assert!(!interpretation.is_conclusive());
     }
@@ -252,7 +256,7 @@ fn a_bias_of_the_sensor_is_found_and_taken_off() {
     let samples: Vec<TouchSample> = (script.samples(&task).into_iter())
         .filter(|sample| (start..end).contains(&sample.time))
         .collect();
-    let interpretation = interpreted_with(&samples, &task, &InterpretConfig::of(&task));
+    let interpretation = interpreted_with(&samples, &task, &InterpretConfig::from_task(&task));
     assert_eq!(interpretation.force_bias, 0.0);
 }
 
@@ -275,7 +279,7 @@ fn one_stroke_tells_height_and_slope_along_itself() {
 #[test]
 fn a_log_at_100_hz_tells_what_one_at_1_khz_does() {
     let task = task(2000, STEEP);
-    let config = InterpretConfig::of(&task);
+    let config = InterpretConfig::from_task(&task);
     for script in [Script::default(), tilted(), events_found::lifted()] {
         let fast = script.samples(&task);
         let slow: Vec<TouchSample> = fast.iter().copied().step_by(10).collect();
@@ -305,7 +309,7 @@ fn a_log_at_100_hz_tells_what_one_at_1_khz_does() {
 fn pieces_are_joined_beyond_the_limit_and_tell_nearly_the_same() {
     let task = task(500, STEEP);
     let samples = Script::default().samples(&task);
-    let config = InterpretConfig::of(&task);
+    let config = InterpretConfig::from_task(&task);
     let fine = interpreted_with(&samples, &task, &config);
     let coarse = interpreted_with(
         &samples,
@@ -328,7 +332,7 @@ fn pieces_are_joined_beyond_the_limit_and_tell_nearly_the_same() {
 #[test]
 fn what_is_no_measurement_is_refused_with_number_field_and_value() {
     let task = task(80, STEEP);
-    let config = InterpretConfig::of(&task);
+    let config = InterpretConfig::from_task(&task);
     let mut interpreter = Interpreter::new(&task, &config).unwrap();
     let sample = TouchSample {
         time: 1.0,
@@ -417,7 +421,7 @@ fn a_tool_believed_rigid_is_thought_off_the_plane_where_it_presses_less() {
         ..config
     };
     let rigid = interpreted_with(&samples, &task, &rigid);
-    assert_eq!(events(&soft, EventKind::Collision), []);
+    assert_eq!(events(&soft, EventKind::Push), []);
     assert!(soft.performance.mean > rigid.performance.mean + 0.2);
 }
 
@@ -533,7 +537,7 @@ proptest! {
     fn any_log_is_interpreted_but_for_samples_that_no_robot_measures(samples in any_log(), collect: bool, max_pieces in 16_usize..200) {
         let mut task = task(60, STEEP);
         task.surface.world_from_surface = Pose::identity();
-        let config = InterpretConfig { replays: 2, max_pieces, ..InterpretConfig::of(&task) };
+        let config = InterpretConfig { replays: 2, max_pieces, ..InterpretConfig::from_task(&task) };
         let mut interpreter = Interpreter::new(&task, &config).unwrap();
         let mut accepted = Vec::new();
         for sample in &samples {
@@ -546,13 +550,13 @@ proptest! {
         } else {
             GoalState::Absorbed
         };
-        let interpretation = interpreter.conclude(&Belief::certain(task.particles.clone()), &goal).unwrap();
+        let interpretation = interpreter.conclude(&Belief::from_particles(task.particles.clone()), &goal).unwrap();
         prop_assert!(interpretation.path.len() <= max_pieces);
         let ends = |path: &[PathPiece]| Some([path.first()?.time[0], path.last()?.time[1]]);
         let times = accepted.first().copied().zip(accepted.last().copied());
         prop_assert_eq!(ends(&interpretation.path), times.map(<[f64; 2]>::from));
         prop_assert!((0.0..=1.0).contains(&interpretation.contact_share));
-        for replay in interpretation.belief.replays() {
+        for replay in interpretation.belief.members() {
             let tally = replay.tally();
             prop_assert_eq!(tally.initial, tally.remaining + tally.absorbed + tally.off_surface);
         }

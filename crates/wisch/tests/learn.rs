@@ -9,8 +9,8 @@ use rand_chacha::{ChaCha8Rng, rand_core::SeedableRng};
 use wisch::geometry::Point2;
 use wisch::interpret::{Exposure, ParticleTouch};
 use wisch::learn::{
-    LEAST_PARTICLES, LearnConfig, LearnError, LearnedLaw, Lesson, ObservedRound, PosteriorSummary,
-    learn,
+    LEAST_PARTICLES, LawObservations, LearnConfig, LearnError, LearnedLaw, ObservedRound,
+    PosteriorSummary, learn,
 };
 use wisch::random::normal_pair;
 use wisch::represent::{Effect, Interaction, LogNormal, LogNormalSpread, Observation, Redraw};
@@ -21,7 +21,7 @@ fn radius() -> f64 {
 }
 
 fn learned(interaction: &Interaction, rounds: &[ObservedRound]) -> LearnedLaw {
-    let lesson = Lesson {
+    let lesson = LawObservations {
         interaction,
         collision_radius_m: radius(),
         rounds,
@@ -176,7 +176,7 @@ fn a_law_that_is_seen_rarely_borrows_from_others_of_its_tool() {
         ("sponge", "sand"),
     ];
     let pairs = pairs.map(|(tool, medium)| interaction_of(tool, medium));
-    let lesson = |index: usize| Lesson {
+    let lesson = |index: usize| LawObservations {
         interaction: &pairs[index],
         collision_radius_m: radius(),
         rounds: if index < 3 { &often } else { &rarely },
@@ -262,7 +262,7 @@ fn plain(count: usize) -> ObservedRound {
 fn what_teaches_nothing_is_refused_by_name() {
     let interaction = interaction_of("sponge", "breadcrumbs");
     let refused = |round: ObservedRound| {
-        let lesson = Lesson {
+        let lesson = LawObservations {
             interaction: &interaction,
             collision_radius_m: radius(),
             rounds: &[round],

@@ -2,9 +2,9 @@
 
 use std::collections::BTreeSet;
 use wisch::geometry::{Mesh, Point2, Point3, Polygon, Vector2, footprint};
-use wisch::interpret::{Belief, Look};
+use wisch::interpret::{Belief, ObservationUpdate};
 use wisch::plan::{
-    CoverageStrategy, HeadingRule, MAX_NODES, MAX_TOUR_NODES, NodeRole, PlanConfig, PlanError, plan,
+    CoverageStrategy, MAX_NODES, MAX_TOUR_NODES, NodeRole, PlanConfig, PlanError, YawRule, plan,
 };
 use wisch::represent::{
     Action, GoalState, Observation, ParticleDistribution, SensorModel, Sight, Surface, Task,
@@ -37,7 +37,7 @@ fn config(strategy: CoverageStrategy) -> PlanConfig {
     PlanConfig {
         strategy: strategy.into(),
         seed: 1,
-        heading: HeadingRule::Blended,
+        yaw: YawRule::Blended,
         ..PlanConfig::default()
     }
 }
@@ -174,8 +174,8 @@ fn a_hundred_thousand_detections_are_believed() {
     let count = wisch::represent::MAX_DETECTIONS;
     let detections: Vec<Point2> = (0..count as u32).map(place).collect();
     let member = ParticleDistribution::new(&detections[..20_000]).unwrap();
-    let belief = Belief::of(vec![member; 64]).unwrap();
-    let seen = belief.observe(&Look {
+    let belief = Belief::from_members(vec![member; 64]).unwrap();
+    let seen = belief.observe(&ObservationUpdate {
         observation: &Observation {
             detections,
             ..Observation::default()
@@ -188,9 +188,9 @@ fn a_hundred_thousand_detections_are_believed() {
         goal: &GoalState::Absorbed,
         seed: 1,
     });
-    let all: usize = seen.replays().iter().map(ParticleDistribution::len).sum();
+    let all: usize = seen.members().iter().map(ParticleDistribution::len).sum();
     assert!(all <= 5_000_000, "{all} particles of all members");
-    for member in seen.replays() {
+    for member in seen.members() {
         let left = member.tally().remaining as f64;
         assert!((left / count as f64 - 1.0).abs() < 0.06, "{left}");
     }

@@ -3,8 +3,8 @@
 use proptest::prelude::*;
 use wisch::geometry::{Mesh, Point2, Pose, Vector2, Vector3};
 use wisch::plan::{
-    CoverageStrategy, FreeSpace, HeadingRule, KdeConfig, NodeRole, Plan, PlanConfig, PlanError,
-    RrtConfig, grid, kde, plan, predict, rrt,
+    CoverageStrategy, FreeSpace, KdeConfig, NodeRole, Plan, PlanConfig, PlanError, RrtConfig,
+    YawRule, grid, kde, plan, predict, rrt,
 };
 use wisch::represent::{
     Action, Fate, GoalState, ParticleDistribution, Performance, SceneObject, ScenePart, Task,
@@ -51,7 +51,7 @@ fn config(strategy: CoverageStrategy) -> PlanConfig {
     PlanConfig {
         strategy: strategy.into(),
         seed: 1,
-        heading: HeadingRule::Blended,
+        yaw: YawRule::Blended,
         ..PlanConfig::default()
     }
 }
@@ -458,13 +458,13 @@ fn no_pose_of_the_tool_covers_the_corner_between_two_walls() {
         Point2::new(-0.28 + along, -0.18 + along)
     };
     for (distance, expected) in [(gap - 1e-3, 1.0), (gap + 1e-3, 0.0)] {
-        let share = space.out_of_reach(&[at(distance)], &task.tool.footprint);
+        let share = space.unreachable_share(&[at(distance)], &task.tool.footprint);
         assert_eq!(share, expected, "{distance} m from the corner");
     }
-    assert_eq!(space.out_of_reach(&[], &task.tool.footprint), 0.0);
+    assert_eq!(space.unreachable_share(&[], &task.tool.footprint), 0.0);
     // Of one place that is in reach and three that stand in the wall.
     let places = [at(2.0 * gap), at(-0.02), at(-0.015), at(-0.02)];
-    let share = space.out_of_reach(&places, &task.tool.footprint);
+    let share = space.unreachable_share(&places, &task.tool.footprint);
     assert_eq!(share, 0.75);
 }
 
@@ -481,13 +481,13 @@ fn performance_counts_what_the_goal_wants() {
         center: Point2::origin(),
         radius: 0.06,
     };
-    let collected = Performance::of(&particles, &goal, &surface);
+    let collected = Performance::evaluate(&particles, &goal, &surface);
     assert_eq!(
         (collected.achieved, collected.initial, collected.lost),
         (2, 3, 0)
     );
     assert_eq!(
-        Performance::of(&particles, &GoalState::Absorbed, &surface).ratio(),
+        Performance::evaluate(&particles, &GoalState::Absorbed, &surface).ratio(),
         0.0
     );
 }

@@ -154,7 +154,7 @@ fn dirt_lies_on_the_surface_and_not_where_things_stand() {
         for seed in 1..=20 {
             let task = task(name, Action::Absorb, seed);
             let scene: Vec<Mesh> = task.obstacles_in_surface().collect();
-            let occupied = OccupiedArea::of(&scene);
+            let occupied = OccupiedArea::from_scene(&scene);
             for position in task.particles.remaining() {
                 assert!(task.surface.outline.contains(position));
                 assert!(!occupied.contains(position), "{name}: {position}");
@@ -256,7 +256,7 @@ fn segment_by_segment_the_board_is_wiped() {
                 }
                 segment = Planner::new(&task, &config)
                     .with_remaining(&open)
-                    .best_subplan_of(VARIANTS)
+                    .plan_best_subplan(VARIANTS)
                     .expect("there is room");
             }
             assert!(performance >= 0.90, "{action} {seed}: {performance}");
@@ -275,7 +275,7 @@ fn among_variants_a_plan_that_pushes_less_over_the_edge_is_chosen() {
     let lost = |seed, count| {
         let task = task("chopping-board", Action::Collect, seed);
         let plan = Planner::new(&task, &config(seed))
-            .best_of(count)
+            .plan_best(count)
             .expect("a plan");
         predict(&task, &plan, |_| ()).performance.lost
     };

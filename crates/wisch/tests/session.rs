@@ -4,7 +4,7 @@ use std::ops::ControlFlow;
 use wisch::follow::{FollowConfig, MotionFault, Phase};
 use wisch::geometry::Point2;
 use wisch::interpret::TouchSample;
-use wisch::plan::{HeadingRule, Strategy};
+use wisch::plan::{Strategy, YawRule};
 use wisch::recover::{Verdict, is_claimable};
 use wisch::represent::{Observation, SensorModel, Task};
 use wisch::run::{
@@ -81,7 +81,7 @@ fn kind(event: &RunEvent<'_>) -> &'static str {
         RunEvent::Sample(_) => "sample",
         RunEvent::Interpreting { .. } => "interpreting",
         RunEvent::Observed { .. } => "observed",
-        RunEvent::Judged(_) => "judged",
+        RunEvent::Decided(_) => "judged",
         RunEvent::Ended(_) => "ended",
     }
 }
@@ -198,7 +198,7 @@ fn a_toy_that_sees_the_dirt_at_the_goal_meets_it() {
     };
     assert_eq!((round.verdict, toy.looks), (Verdict::GoalMet, 2));
     assert_eq!(round.interpretation.performance.low, 1.0);
-    assert!(round.interpretation.felt.low < 1.0);
+    assert!(round.interpretation.by_touch.low < 1.0);
     assert_eq!(
         session
             .first_observation()
@@ -214,7 +214,7 @@ fn a_toy_that_sees_the_dirt_at_the_goal_meets_it() {
     let mut blind = blind.with_robot(robot.robot_setup());
     toy.looks = 0;
     blind
-        .run_until(Stage::Judged, &mut toy, &mut ignore_events)
+        .run_until(Stage::Decided, &mut toy, &mut ignore_events)
         .expect("it ends");
     assert_eq!(toy.looks, 0);
 }
@@ -316,7 +316,7 @@ fn a_motion_with_a_fault_is_never_executed() {
     session.run(&mut Forbidden, &mut look).expect("a verdict");
     assert_eq!(verdict, Some(Verdict::UnsafeMotion));
     assert!(session.rounds().is_empty());
-    let (planned, audit) = session.first().expect("the motion that was refused");
+    let (planned, audit) = session.first_motion().expect("the motion that was refused");
     assert!(planned.followed.duration() > 0.0);
     let is_off_line = |fault: &MotionFault| matches!(fault, MotionFault::OffLine { .. });
     assert!(audit.faults.iter().any(is_off_line), "{:?}", audit.faults);
@@ -350,7 +350,7 @@ fn steps_by_hand_and_one_go_are_the_same() {
         Stage::Audited,
         Stage::Executed,
         Stage::Interpreted,
-        Stage::Judged,
+        Stage::Decided,
     ];
     assert_eq!(stages[..6], round);
     assert_eq!(stages.len(), 12, "{stages:?}");
@@ -384,7 +384,7 @@ impl Executor for Headless {
         _: &MotionOrder<'_>,
         _: &mut SampleSink<'_>,
     ) -> Result<Execution, ExecutorError> {
-        Ok(Execution::at_rest(&[0.0; 3]))
+        Ok(Execution::from_positions(&[0.0; 3]))
     }
 }
 
@@ -412,7 +412,7 @@ fn the_best_of_all_plans_has_the_highest_score_with_the_robot() {
     loaded.config.strategy = Strategy::Best;
     loaded.config.search.evaluations = 2_000;
     // The arm turns the tool as planned, where it does not have to turn it on the spot.
-    loaded.config.heading = HeadingRule::Blended;
+    loaded.config.yaw = YawRule::Blended;
     let robot = robot(&loaded);
     let session = || Session::new(&loaded.task, loaded.run_config());
     let alone = session().evaluate_candidates().expect("plans");
@@ -584,7 +584,7 @@ fn after_a_protective_stop_the_robot_waits_unless_the_task_says_otherwise() {
         let mut retreating = session(AfterStop::Retreat).with_robot(robot.robot_setup());
         let mut stopped = Vec::new();
         let mut look = |event: &RunEvent<'_>| {
-            if let RunEvent::Judged(round) = event {
+            if let RunEvent::Decided(round) = event {
                 stopped.push(round.execution.positions.clone());
             }
             ControlFlow::Continue(())
@@ -742,7 +742,7 @@ fn ready() -> Vec<f64> {
         .run_until(Stage::Followed, &mut NoExecutor, &mut ignore_events)
         .expect("a motion");
     let planned = session.planned_round().expect("a motion");
-    planned.cell.ready().to_vec()
+    planned.cell.ready_posture().to_vec()
 }
 
 #[test]
@@ -811,7 +811,7 @@ fn a_camera_that_fails_after_a_motion_loses_no_round() {
     let mut session = loaded.session().with_robot(robot.robot_setup());
     let mut judged = 0;
     let error = session.run(&mut Blinded(Toy::new(0.95), false), &mut |event| {
-        judged += usize::from(matches!(event, RunEvent::Judged(_)));
+        judged += usize::from(matches!(event, RunEvent::Decided(_)));
         ControlFlow::Continue(())
     });
     let error = error.expect_err("it fails").to_string();

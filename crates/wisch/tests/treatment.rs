@@ -197,7 +197,7 @@ fn only_what_is_missing_is_gone_over_again() {
     assert!(open.len() < task.particles.len() * 3 / 4);
     let rest = Planner::new(&after, &lanes())
         .with_remaining(&open)
-        .best_of(1)
+        .plan_best(1)
         .unwrap();
     assert!(rest.contact_distance() < 0.8 * whole.contact_distance());
     assert_eq!(share(&after, &rest), 1.0);
@@ -250,7 +250,7 @@ fn passes_are_counted_whole_and_coats_within_a_fifth() {
     let met = |goal: GoalState, passes| {
         let place = (Point2::origin(), Fate::Treated { passes });
         let places = ParticleDistribution::with_fates(&[place]).unwrap();
-        let performance = Performance::of(&places, &goal, &surface);
+        let performance = Performance::evaluate(&places, &goal, &surface);
         (performance.achieved, performance.lost)
     };
     let polished = GoalState::Polished { passes: 2 };
@@ -292,10 +292,10 @@ fn estimated(task: &Task, samples: &[TouchSample]) -> (Diagnosis, f64) {
 }
 
 fn read(task: &Task, samples: &[TouchSample], uncertainty: Uncertainty) -> Interpretation {
-    let believed = Belief::certain(task.particles.clone());
+    let believed = Belief::from_particles(task.particles.clone());
     let config = InterpretConfig {
         uncertainty,
-        ..InterpretConfig::of(task)
+        ..InterpretConfig::from_task(task)
     };
     let goal = task.goal().unwrap();
     interpret(samples, task, &believed, &goal, &config).unwrap()

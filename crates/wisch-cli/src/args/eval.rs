@@ -151,7 +151,7 @@ pub struct Table1Args {
 pub struct Cells(pub Vec<TaskCase>);
 
 fn cells(text: &str) -> Result<Cells, wisch_eval::UnknownCell> {
-    TaskCase::named(text).map(Cells)
+    TaskCase::parse(text).map(Cells)
 }
 
 /// Arguments of `eval sweep`.

@@ -94,7 +94,7 @@ impl Asked {
         })?;
         let catalogue = Arc::new(memory.catalogue().map_err(Failure::new)?);
         if !global.quiet {
-            for why in catalogue.left_out() {
+            for why in catalogue.omitted_episodes() {
                 remark(&format!(
                     "{why}: left out; wisch memory verify lists damaged files"
                 ));
@@ -121,7 +121,7 @@ fn asker(
         answers: args.limit as usize,
     };
     let assertions = Assertions::read(memory.folder()).map_err(Failure::new)?;
-    let telemetry = TelemetryPredicates::of(memory);
+    let telemetry = TelemetryPredicates::new(memory);
     Ok(QuerySession::new(
         command, limits, catalogue, telemetry, assertions,
     ))

@@ -174,7 +174,7 @@ fn points_near<'a>(
 /// Evenly spaced points on the surface.
 fn raster(task: &Task) -> Vec<Point2> {
     let outline = &task.surface.outline;
-    let Some(bounds) = Bounds2::of(outline.outer().iter().copied()) else {
+    let Some(bounds) = Bounds2::from_points(outline.outer().iter().copied()) else {
         return Vec::new();
     };
     let size = bounds.size();
@@ -299,9 +299,10 @@ fn action(prepared: &Prepared) -> String {
 
 fn surface(task: &Task) -> String {
     let outline = &task.surface.outline;
-    let size = Bounds2::of(outline.outer().iter().copied()).map_or_else(String::new, |b| {
-        format!("{:.3} x {:.3} m, ", b.size().x, b.size().y)
-    });
+    let size = Bounds2::from_points(outline.outer().iter().copied())
+        .map_or_else(String::new, |b| {
+            format!("{:.3} x {:.3} m, ", b.size().x, b.size().y)
+        });
     let at = task.surface.world_from_surface.translation.vector;
     let edges = match task.surface.skim_edges.len() {
         0 => "no skim edge".to_owned(),

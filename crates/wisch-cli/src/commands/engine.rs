@@ -15,12 +15,12 @@ const ENGINE: Companion = Companion {
 /// Finds the chosen engine. Without a choice, prefers Scryer Prolog, which is built if possible, to SWI-Prolog.
 pub fn find(choice: Option<EngineChoice>, global: &GlobalArgs) -> Result<EngineCommand, Failure> {
     if choice == Some(EngineChoice::Swi) {
-        return EngineCommand::swi().ok_or_else(|| {
+        return EngineCommand::find_swi().ok_or_else(|| {
             Failure::new("SWI-Prolog is not installed: swipl is not in PATH")
                 .with_help("install SWI-Prolog, or leave out --engine")
         });
     }
-    if let Some(engine) = EngineCommand::scryer() {
+    if let Some(engine) = EngineCommand::find_scryer() {
         return Ok(engine);
     }
     let (name, install) = (ENGINE.name, ENGINE.install());
@@ -28,11 +28,11 @@ pub fn find(choice: Option<EngineChoice>, global: &GlobalArgs) -> Result<EngineC
         Failure::new(format!("the Prolog engine {why}"))
             .with_help(format!("{install}; --engine swi uses SWI-Prolog instead"))
     })?;
-    if let (true, Some(engine)) = (built, EngineCommand::scryer()) {
+    if let (true, Some(engine)) = (built, EngineCommand::find_scryer()) {
         return Ok(engine);
     }
     if choice.is_none()
-        && let Some(engine) = EngineCommand::swi()
+        && let Some(engine) = EngineCommand::find_swi()
     {
         if !global.quiet {
             remark(&format!(

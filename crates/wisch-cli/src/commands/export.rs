@@ -10,7 +10,7 @@ use crate::terminal::{Outcome, print};
 use std::collections::BTreeSet;
 use wisch_memory::neem::{NeemConfig, NeemError, NeemMeta, NeemReport, NeemWriter, PoseSource};
 use wisch_memory::{Episode, EpisodeRecord, Memory, Ontology};
-use wisch_record::now;
+use wisch_record::unix_time;
 
 /// Writes the named episodes, or all, as one NEEM.
 pub fn export(args: &ExportArgs, global: &GlobalArgs) -> Result<Outcome, Failure> {
@@ -100,7 +100,7 @@ impl About {
         for names in [&self.tools, &self.media, &self.surfaces, &self.robots] {
             keywords.extend(names.iter().map(|name| name.replace('_', " ")));
         }
-        let wiping = Ontology::shipped().expand("semco:Wiping");
+        let wiping = Ontology::load().expand("semco:Wiping");
         Ok(NeemMeta {
             name: "Robotic wiping".to_owned(),
             description: format!(
@@ -109,7 +109,7 @@ impl About {
                 words(&self.tasks)
             ),
             created_by: PROGRAM.to_owned(),
-            created_at: now(),
+            created_at: unix_time(),
             keywords,
             url: String::new(),
             activity: ["Wiping".to_owned(), wiping.map_err(Failure::new)?],

@@ -122,7 +122,7 @@ pub fn describe_stand(cell: &Workcell) -> String {
     let robot = cell.robot();
     let place = match cell.base() {
         Some(base) => {
-            let [x, y, yaw] = [base.x, base.y, base.yaw].map(|i| cell.ready()[i]);
+            let [x, y, yaw] = [base.x, base.y, base.yaw].map(|i| cell.ready_posture()[i]);
             format!(
                 "starts at ({x:.3}, {y:.3}) m, heading {:.1}°, and moves its base",
                 yaw.to_degrees()

@@ -331,7 +331,7 @@ fn write_telemetry(
 ) -> Result<(), MemoryError> {
     let columns = COLUMNS.map(str::to_owned);
     let (tool, surface) = (&prepared.task.tool.name, &prepared.task.surface.name);
-    let scene = RoundScene::of_log(tool, surface, &seen.world_from_surface);
+    let scene = RoundScene::from_log(tool, surface, &seen.world_from_surface);
     let mut telemetry = writer.telemetry_with_columns(1, scene.head(Vec::new()), &columns)?;
     // A log does not state the robot's phases.
     let mark = Mark {

@@ -12,7 +12,9 @@ use crate::terminal::{Outcome, print};
 use nalgebra::{Translation3, UnitQuaternion};
 use std::path::{Path, PathBuf};
 use wisch::geometry::{Pose, Vector3};
-use wisch::interpret::{EventKind, InterpretConfig, Interpretation, Look, interpret as conclude};
+use wisch::interpret::{
+    EventKind, InterpretConfig, Interpretation, ObservationUpdate, interpret as conclude,
+};
 use wisch::represent::{GoalState, ParticleDistribution};
 use wisch::robot::joint_transforms;
 use wisch_io::Leftover;
@@ -109,7 +111,7 @@ pub(super) fn interpret_log(
     let mut interpretation = interpret_samples(source, prepared, &log, &goal)?;
     if let Some(seen) = seen {
         let sensor = prepared.file.perception().sight.unwrap_or_default();
-        interpretation.look(&Look {
+        interpretation.observe(&ObservationUpdate {
             observation: &prepared.observation(seen)?,
             sight: prepared.sight(sensor),
             surface: &prepared.task.surface,
@@ -410,7 +412,7 @@ fn interpret_samples(
 ) -> Result<Interpretation, Failure> {
     let task = &prepared.task;
     let believed = prepared.belief();
-    let config = InterpretConfig::of(task);
+    let config = InterpretConfig::from_task(task);
     conclude(&log.samples, task, &believed, goal, &config)
         .map_err(|error| Failure::new(error).within(&args.log))
 }

@@ -51,7 +51,7 @@ pub fn map(args: &RobotMapArgs, global: &GlobalArgs) -> Result<Outcome, Failure>
         .model
         .chain(group.base, group.tip)
         .map_err(Failure::new)?;
-    let collisions = collisions.for_variables(chain.variables());
+    let collisions = collisions.with_variables(chain.variables());
     let tool = MapRequest {
         robot: &robot.model,
         base: group.base,

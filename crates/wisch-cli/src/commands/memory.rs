@@ -33,7 +33,7 @@ struct Listed<'a> {
 /// Lists the episodes.
 pub fn list(args: &MemoryListArgs) -> Result<Outcome, Failure> {
     let catalogue = open(&args.memory)?.catalogue().map_err(broken)?;
-    for why in catalogue.left_out() {
+    for why in catalogue.omitted_episodes() {
         remark(&format!(
             "{why}: left out; wisch memory verify lists damaged files"
         ));
@@ -80,7 +80,8 @@ impl<'a> Listed<'a> {
             match states.first() {
                 None => UNDECIDED,
                 Some((_, CatalogueNode::Shared(place)))
-                    if catalogue.shared()[*place as usize] == "soma:ExecutionState_Succeeded" =>
+                    if catalogue.shared_individuals()[*place as usize]
+                        == "soma:ExecutionState_Succeeded" =>
                 {
                     "met"
                 }
@@ -103,7 +104,7 @@ impl<'a> Listed<'a> {
 
 /// The wiping of each episode, by the episode's first individual.
 fn actions(catalogue: &Catalogue) -> BTreeMap<IndividualId, IndividualId> {
-    let actions = catalogue.of_class("semco:WipingAction").iter();
+    let actions = catalogue.individuals_of_class("semco:WipingAction").iter();
     let by_episode = actions.map(|&id| (catalogue.episode_of(id).first, id));
     by_episode.collect()
 }
@@ -111,7 +112,7 @@ fn actions(catalogue: &Catalogue) -> BTreeMap<IndividualId, IndividualId> {
 /// The number of individuals of a class in each episode, by the episode's first individual.
 fn counts(catalogue: &Catalogue, class: &str) -> BTreeMap<IndividualId, usize> {
     let mut counts = BTreeMap::new();
-    for &id in catalogue.of_class(class) {
+    for &id in catalogue.individuals_of_class(class) {
         *counts.entry(catalogue.episode_of(id).first).or_default() += 1;
     }
     counts
@@ -257,7 +258,7 @@ pub fn verify(args: &MemoryVerifyArgs, global: &GlobalArgs) -> Result<Outcome, F
 
 /// Reports episodes that end in the future of this machine's clock.
 fn dated_ahead(catalogue: &Catalogue) -> Vec<String> {
-    let now = wisch_record::now();
+    let now = wisch_record::unix_time();
     let ahead = catalogue
         .episodes()
         .iter()

@@ -48,7 +48,7 @@ impl Prepared {
             seed: args.seed,
         };
         let loaded = load_task(&args.task, &options)?;
-        let reality = SimulationSettings::of(&loaded)
+        let reality = SimulationSettings::from_task(&loaded)
             .map_err(|error| Failure::new(error).within(&args.task))?;
         Ok(Self { loaded, reality })
     }

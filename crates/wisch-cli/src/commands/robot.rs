@@ -174,7 +174,7 @@ fn no_ready(name: &str, text: &str, robot: &RobotModel) -> Option<Diagnostic> {
     let is_ready = |state: &GroupState| state.name.starts_with(READY_STATE);
     (!srdf.states.iter().any(is_ready)).then(|| Diagnostic {
         severity: Severity::Note,
-        at: Place::at_offset(name, text, 0),
+        at: Place::from_offset(name, text, 0),
         subject: Subject::Robot,
         kind: DiagnosticKind::Srdf,
         value: format!("no group state is named \"{READY_STATE}\""),

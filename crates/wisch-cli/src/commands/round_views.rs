@@ -23,7 +23,7 @@ pub fn rounds_in_words(finished: &[FinishedRound], target: f64) -> Vec<(&'static
                 text += &format!(", true {}", percent(truth));
             }
             let collisions = (interpretation.events.iter())
-                .filter(|event| event.kind == EventKind::Collision)
+                .filter(|event| event.kind == EventKind::Push)
                 .count();
             if collisions > 0 {
                 text += &format!(", {}", counted(collisions, "collision"));
@@ -51,7 +51,7 @@ pub fn rounds_in_words(finished: &[FinishedRound], target: f64) -> Vec<(&'static
             }
             text += &format!(": {}", round.verdict.as_str());
             if round.verdict == Verdict::UnknowableByTouch {
-                let claim = Claim::of(&round.interpretation.distribution, target);
+                let claim = Claim::assess(&round.interpretation.distribution, target);
                 text += &format!(" ({claim}; needs a camera)");
             }
             let number = round.motion.number;

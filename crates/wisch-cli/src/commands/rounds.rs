@@ -24,7 +24,7 @@ use wisch_record::{
     EpisodeTarget, EventSink, KeptEpisode, RecordError, RecordOptions, RunRecord, RunResults,
     bag_name,
 };
-use wisch_sim::{CheckpointRound, Checkpoints, GroundTruth, Site, World};
+use wisch_sim::{CheckpointRound, Checkpoints, GroundTruth, WorkSurface, World};
 
 /// File in a run's state folder with the names of its episodes.
 const EPISODES_FILE: &str = "episodes";
@@ -49,7 +49,7 @@ pub fn execute(
 ) -> Result<Executed, Failure> {
     let (chosen, robot) = job.robot.ok_or_else(|| internal("there is no robot"))?;
     let identity = identity(job.prepared, robot, args, given.as_ref())?;
-    let checkpoints = Checkpoints::new(&job.folder.state(), identity);
+    let checkpoints = Checkpoints::new(&job.folder.checkpoint_folder(), identity);
     let killed = rounds_of_killed_run(job, &checkpoints)?;
     let taken_over: Vec<f64> = killed.iter().map(|round| round.executing_s).collect();
     let workcell = super::follow::workcell_config(chosen, job.prepared);
@@ -57,9 +57,9 @@ pub fn execute(
     let mut record = RunRecord::begin(&job.prepared.loaded, Some(robot), options)?;
     record.remarks().iter().for_each(|text| remark(text));
     if let (true, Some(episode)) = (killed.is_empty(), record.episode_mut()) {
-        episode.resume_nothing();
+        episode.keep_interrupted_episodes();
     }
-    if args.resume && job.folder.found().is_taken_over {
+    if args.resume && job.folder.leftovers().is_taken_over {
         let rounds = counted(killed.len(), "round");
         let text = format!("resuming after {rounds} of the killed run");
         job.progress.aside(|| remark(&text));
@@ -96,13 +96,18 @@ pub fn execute(
         broken => broken,
     };
     sinks.say_if_interrupted(finished, job.progress)?;
-    let first_look = session.first_observation().cloned();
+    let first_observation = session.first_observation().cloned();
     let Sinks { mut record, .. } = sinks;
     let mut results = results(job, args, session, executor.truth(), &mut record)?;
     if is_given {
         results.planning_time_s = None;
     }
-    let kept = record.keep(&job.prepared.loaded, Some(robot), results, first_look)?;
+    let kept = record.keep(
+        &job.prepared.loaded,
+        Some(robot),
+        results,
+        first_observation,
+    )?;
     let episode = kept.episode.map_err(Failure::from);
     if let Some(error) = kept.no_bag {
         remark_episode_folder(&episode);
@@ -122,11 +127,11 @@ fn record_options(
     taken_over: usize,
     workcell: wisch::follow::WorkcellConfig,
 ) -> RecordOptions {
-    let bags = job.folder.place(&bag_name(1));
+    let bags = job.folder.file_path(&bag_name(1));
     let episode = (!args.memory.no_memory).then(|| EpisodeTarget {
         memory: args.memory.memory.clone(),
         executor: args.executor.as_deref().map(program_of),
-        names: Some(job.folder.state().join(EPISODES_FILE)),
+        names: Some(job.folder.checkpoint_folder().join(EPISODES_FILE)),
     });
     RecordOptions {
         program: PROGRAM.to_owned(),
@@ -145,11 +150,11 @@ fn rounds_of_killed_run(
     checkpoints: &Checkpoints,
 ) -> Result<Vec<CheckpointRound>, Failure> {
     let folder = job.folder;
-    if !folder.found().is_taken_over {
+    if !folder.leftovers().is_taken_over {
         return Ok(Vec::new());
     }
     let rounds = (1..).zip(checkpoints.read());
-    let whole = rounds.take_while(|(number, _)| folder.place(&bag_name(*number)).is_file());
+    let whole = rounds.take_while(|(number, _)| folder.file_path(&bag_name(*number)).is_file());
     let kept: Vec<CheckpointRound> = whole.map(|(_, kept)| kept).collect();
     let bags: Vec<String> = (1..=kept.len()).map(bag_name).collect();
     folder.keep_only(&bags)?;
@@ -167,7 +172,9 @@ fn start_executing(
         return Ok(Executing::Process(start(command, args.timeout, stop)?));
     }
     let prepared = job.prepared;
-    let first_look = kept.first().and_then(|round| round.first_look.clone());
+    let first_observation = kept
+        .first()
+        .and_then(|round| round.first_observation.clone());
     let (recorded, truth) = kept.into_iter().map(|r| (r.recorded, r.truth)).unzip();
     let (task, reality) = (&prepared.task, prepared.reality.clone());
     if let Some(count) = reality.count_over_limit() {
@@ -177,10 +184,10 @@ fn start_executing(
         );
         job.progress.aside(|| remark(&text));
     }
-    let world = World::new(&Site::of(task), reality, task.seed)
+    let world = World::new(&WorkSurface::from_task(task), reality, task.seed)
         .map_err(|error| prepared.failure(job.task_args, error))?
-        .after(truth);
-    let recording = Recording::new(first_look, recorded, world);
+        .with_history(truth);
+    let recording = Recording::new(first_observation, recorded, world);
     Ok(Executing::World(Box::new(recording)))
 }
 
@@ -193,7 +200,7 @@ fn results(
     record: &mut RunRecord,
 ) -> Result<RunResults, Failure> {
     let prepared = job.prepared;
-    let mut results = RunResults::of(&session, record.stages_mut())?;
+    let mut results = RunResults::from_session(&session, record.stages_mut())?;
     let executed_by = match &args.executor {
         Some(_) => ExecutedBy::Executor,
         None => ExecutedBy::SimulatedWorld,
@@ -300,16 +307,16 @@ impl Sinks<'_> {
         }
         let stages = self.record.stages_mut().round(round.motion.number);
         let seconds = stages.times.executing_s;
-        let first_look = session.first_observation();
+        let first_observation = session.first_observation();
         let kept = self
             .watch
             .checkpoints
-            .keep(round, first_look, truth, seconds);
+            .keep(round, first_observation, truth, seconds);
         let kept = kept.map_err(|error| RecordError::State {
             place: self.watch.state.clone(),
             error,
         });
-        kept.map_err(|error| self.record.give_up_bags(error))
+        kept.map_err(|error| self.record.abandon_bags(error))
             .is_ok()
     }
 }

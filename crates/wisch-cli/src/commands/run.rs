@@ -25,7 +25,7 @@ use wisch::plan::{Plan, Strategy, check_strokes, describe_over_border, predict};
 use wisch::recover::Verdict;
 use wisch::run::{Ending, NoExecutor, RunEvent, Stage};
 use wisch_io::OutputFolder;
-use wisch_io::{Found, Leftover, Replaceable};
+use wisch_io::{KilledRuns, Leftover, Replaceable};
 use wisch_io::{PlanRecord, read_text};
 use wisch_record::{KeptEpisode, RecordOptions, RunRecord, RunResults, StageSink, write_results};
 use wisch_report::EffectFrames;
@@ -264,9 +264,9 @@ fn begin_folder(
     };
     let folder = OutputFolder::begin(out, leftover, replaceable)?;
     if !global.quiet {
-        progress.aside(|| say_what_was_found(folder.found(), leftover));
+        progress.aside(|| say_what_was_found(folder.leftovers(), leftover));
     }
-    if leftover == Leftover::TakeOver && folder.found().is_finished {
+    if leftover == Leftover::TakeOver && folder.leftovers().is_finished {
         return Err(Failure::new(format!(
             "{}: nothing to resume: the killed run was complete, and its results are in this folder",
             out.display()
@@ -310,7 +310,7 @@ fn waits_for_the_operator(results: &RunResults) -> bool {
 }
 
 /// Prints notes about the leftovers of killed runs.
-fn say_what_was_found(found: &Found, leftover: Leftover) {
+fn say_what_was_found(found: &KilledRuns, leftover: Leftover) {
     for path in &found.removed {
         let path = path.display();
         remark(&format!("removed {path}, left behind by a killed run"));
@@ -332,7 +332,7 @@ fn simulate_effect(
         known_dirt: true, ..
     } = extent
     {
-        session = session.with_belief(Belief::certain(job.prepared.task.particles.clone()));
+        session = session.with_belief(Belief::from_particles(job.prepared.task.particles.clone()));
     }
     let considered = match extent {
         Extent::Plan { explain: true, .. } => {
@@ -360,8 +360,8 @@ fn simulate_effect(
         record.on_event(event)
     };
     (session.run_until(until, &mut NoExecutor, &mut look)).map_err(|error| job.failed(error))?;
-    let mut results = match (session.plan(), session.first()) {
-        (_, Some(_)) => RunResults::of(&session, record.stages_mut())?,
+    let mut results = match (session.plan(), session.first_motion()) {
+        (_, Some(_)) => RunResults::from_session(&session, record.stages_mut())?,
         (Some(plan), None) => predict_without_robot(job, extent, plan, record.stages_mut()),
         (None, None) => return Err(internal("no plan was made")),
     };
@@ -391,7 +391,7 @@ fn predict_without_robot(
         let strokes = counted(plan.strokes.len(), "stroke");
         job.progress.say(format!("predicting {strokes}"));
         let mut frames = EffectFrames::new(task, plan);
-        (predict(task, plan, |p| frames.watch(p)), frames)
+        (predict(task, plan, |p| frames.record(p)), frames)
     });
     RunResults {
         task: task.clone(),

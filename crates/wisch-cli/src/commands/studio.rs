@@ -22,7 +22,7 @@ pub fn studio(args: &StudioArgs, global: &GlobalArgs) -> Result<Outcome, Failure
     let mut server = Command::new(&program);
     server.arg("--memory").arg(&args.memory.memory);
     server.arg("--wisch").arg(wisch);
-    if let Some(EngineCommand::Scryer(engine)) = EngineCommand::scryer() {
+    if let Some(EngineCommand::Scryer(engine)) = EngineCommand::find_scryer() {
         server.arg("--engine").arg(engine);
     }
     server.args(["--host", &args.host]);

@@ -11,7 +11,7 @@ use wisch_io::{FOLLOWING_FILE, PLAN_FILE, REPORT_FILE, path_in_results};
 use wisch_io::{
     FollowingSummary, LoopSummary, PredictionSummary, SUMMARY_SCHEMA, Summary, TreatmentSummary,
 };
-use wisch_record::{FinishedRound, Following, RunResults};
+use wisch_record::{FinishedRound, FollowedPlan, RunResults};
 
 /// Members of a belief over which a treatment is averaged.
 const SUMMARISED: usize = 64;
@@ -48,7 +48,7 @@ pub(super) fn summary(prepared: &Prepared, results: &RunResults, out: &Path) -> 
         distance_total_m: in_all,
         planning_time_s: results.planning_time_s,
         treatment: treatment(prepared, results),
-        following: (results.following.as_ref()).map(Following::summary),
+        following: (results.following.as_ref()).map(FollowedPlan::summary),
         prediction: prediction.map(|prediction| {
             let performance = prediction.performance;
             let predicted_performance = performance.ratio();
@@ -72,7 +72,7 @@ fn treatment(prepared: &Prepared, results: &RunResults) -> Option<TreatmentSumma
     let places: Vec<ParticleDistribution> = match results.rounds.last() {
         Some(last) => {
             let belief = &last.round.interpretation.belief;
-            belief.members(SUMMARISED, prepared.config.seed)
+            belief.draw_members(SUMMARISED, prepared.config.seed)
         }
         None => vec![results.predicted.as_ref()?.0.particles.clone()],
     };

@@ -37,7 +37,7 @@ impl<'a> Watch<'a> {
         Self {
             progress: job.progress,
             checkpoints,
-            state: job.folder.state(),
+            state: job.folder.checkpoint_folder(),
             taken_over,
             is_realtime,
             samples: 0,

@@ -50,7 +50,7 @@ fn engine_at_work(of: &Child) -> Pid {
 fn an_engine_ends_with_the_program_that_began_it() {
     build_engine();
     let folder = memory();
-    let engines: &[&str] = match EngineCommand::swi() {
+    let engines: &[&str] = match EngineCommand::find_swi() {
         Some(_) => &["scryer", "swi"],
         None => &["scryer"],
     };
@@ -101,7 +101,7 @@ fn an_engine_ends_with_its_program_though_its_input_does_not() {
     build_engine();
     let folder = memory();
     let mut engines = vec!["scryer"];
-    if EngineCommand::swi().is_some() && has_setpriv.is_ok_and(|status| status.success()) {
+    if EngineCommand::find_swi().is_some() && has_setpriv.is_ok_and(|status| status.success()) {
         engines.push("swi");
     }
     for engine in engines {
@@ -128,7 +128,7 @@ fn an_engine_has_limits_of_its_own() {
     build_engine();
     let folder = memory();
     for (engine, memory_bytes) in [("scryer", 512 << 20), ("swi", (512 << 20) + (1 << 30))] {
-        if engine == "swi" && EngineCommand::swi().is_none() {
+        if engine == "swi" && EngineCommand::find_swi().is_none() {
             continue;
         }
         let mut asking = Command::new(program())

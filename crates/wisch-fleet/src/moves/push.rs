@@ -47,7 +47,7 @@ pub async fn push(
     report: &mut (dyn FnMut(usize, usize) + Send),
 ) -> Result<Pushed, FleetError> {
     let catalogue = memory.catalogue()?;
-    if let Some(why) = catalogue.left_out().first() {
+    if let Some(why) = catalogue.omitted_episodes().first() {
         return Err(FleetError::Damaged {
             object: memory.folder().display().to_string(),
             what: why.clone(),

@@ -151,7 +151,7 @@ impl Source<'_> {
     fn syntax_error(self, error: &toml::de::Error) -> KnowledgeFileError {
         let offset = error.span().map_or(0, |span| span.start);
         KnowledgeFileError::Syntax {
-            at: Place::at_offset(self.name, self.text, offset),
+            at: Place::from_offset(self.name, self.text, offset),
             message: error.message().to_owned(),
         }
     }

@@ -6,7 +6,7 @@ use serde::Deserialize;
 use std::path::Path;
 use wisch::represent::{Interaction, LogNormal};
 
-/// A learned interaction.
+/// A learned interaction, with which an entry of the knowledge base is revised.
 #[derive(Debug, Clone, PartialEq)]
 pub struct InteractionRevision {
     /// The interaction with its new law, spreads and ℓ; the other values are unchanged.

@@ -26,7 +26,7 @@ pub(super) struct Source<'a> {
 
 impl Source<'_> {
     pub(super) fn place<T>(self, spanned: &Spanned<T>) -> Place {
-        Place::at_offset(self.name, self.text, spanned.span().start)
+        Place::from_offset(self.name, self.text, spanned.span().start)
     }
 
     pub(super) fn number(

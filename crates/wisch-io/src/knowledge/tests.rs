@@ -448,7 +448,7 @@ proptest! {
 
     #[test]
     fn every_offset_has_a_place(text in "(\\PC|\n){0,40}", offset in 0..200_usize) {
-        let place = Place::at_offset("a", &text, offset);
+        let place = Place::from_offset("a", &text, offset);
         prop_assert!(place.line <= text.matches('\n').count() + 1);
         prop_assert!(place.column <= text.chars().count() + 1);
     }

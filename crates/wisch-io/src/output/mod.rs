@@ -3,7 +3,7 @@
 mod replacement;
 mod staging_dir;
 
-pub use staging_dir::{Found, Leftover};
+pub use staging_dir::{KilledRuns, Leftover};
 
 use crate::error::Error;
 use crate::records::{INTERPRETATION_FORMAT, PLAN_FORMAT};
@@ -15,17 +15,17 @@ use std::path::{Path, PathBuf};
 
 /// The plan. This file or the next one identifies a folder of results.
 pub const PLAN_FILE: &str = "plan.json";
-/// The interpretation of a log.
+/// Name of the file with the interpretation of a log.
 pub const INTERPRETATION_FILE: &str = "interpretation.json";
-/// The estimated particles.
+/// Name of the file with the estimated particles.
 pub const PARTICLES_ESTIMATED_FILE: &str = "particles-estimated.csv";
 /// The true particles of the simulation.
 pub const PARTICLES_TRUE_FILE: &str = "particles-true.csv";
-/// The summaries of the rounds.
+/// Name of the file with the summaries of the rounds.
 pub const ROUNDS_FILE: &str = "rounds.json";
-/// The believed particles before wiping.
+/// Name of the file with the believed particles before wiping.
 pub const PARTICLES_BEFORE_FILE: &str = "particles-before.csv";
-/// The predicted particles after wiping.
+/// Name of the file with the predicted particles after wiping.
 pub const PARTICLES_AFTER_FILE: &str = "particles-after.csv";
 /// The record of how the robot follows the plan.
 pub const FOLLOWING_FILE: &str = "following.json";
@@ -37,7 +37,7 @@ const OLD_TRAJECTORY_FILE: &str = "trajectory.yaml";
 pub const TCP_PATH_FILE: &str = "tcp-path.csv";
 /// The recording for the report, as compressed JSON lines.
 pub const RECORDING_FILE: &str = "recording.jsonl.gz";
-/// The report.
+/// Name of the file with the report.
 pub const REPORT_FILE: &str = "report.html";
 
 /// Returns the subfolder of a file in a folder of results; the main files are at the top level.
@@ -60,7 +60,7 @@ fn subfolder(name: &str) -> &'static str {
 
 /// Returns the name of a round's file: the plain name for the first round, else a name with the number, such as
 /// `plan-round-2.json`.
-pub fn of_round(name: &str, round: usize) -> String {
+pub fn round_file_name(name: &str, round: usize) -> String {
     match name.rsplit_once('.') {
         Some((stem, ending)) if round > 1 => format!("{stem}-round-{round}.{ending}"),
         _ => name.to_owned(),
@@ -92,7 +92,7 @@ pub struct OutputFile {
 }
 
 impl OutputFile {
-    /// Begins a file for `target`.
+    /// Begins a file beside `target`, which [`Self::finish`] moves there.
     ///
     /// # Errors
     /// If the target is a folder, or the file cannot be written.
@@ -164,7 +164,7 @@ pub struct OutputFolder {
     target: PathBuf,
     /// Contains `new`, the files of [`replacement`], and `state`, which a resumed run reads.
     staging: StagingDir,
-    found: Found,
+    found: KilledRuns,
     /// Dropped after `staging`, which they contain.
     _made: MadeFolders,
 }
@@ -221,7 +221,7 @@ impl OutputFolder {
             _made: made,
         };
         let subfolders = SUBFOLDERS.map(|name| folder.new_path().join(name));
-        for path in subfolders.into_iter().chain([folder.state()]) {
+        for path in subfolders.into_iter().chain([folder.checkpoint_folder()]) {
             fs::create_dir_all(&path).map_err(|error| cannot_write(&path, &error))?;
         }
         Ok(folder)
@@ -232,17 +232,17 @@ impl OutputFolder {
     /// # Errors
     /// If the file cannot be written.
     pub fn write(&self, name: &str, contents: impl AsRef<[u8]>) -> Result<(), Error> {
-        fs::write(self.place(name), contents)
+        fs::write(self.file_path(name), contents)
             .map_err(|error| cannot_write(&self.target.join(path_in_results(name)), &error))
     }
 
-    /// The leftovers of killed runs.
-    pub const fn found(&self) -> &Found {
+    /// What killed runs left for this target.
+    pub fn leftovers(&self) -> &KilledRuns {
         &self.found
     }
 
     /// The folder of the run's checkpoints.
-    pub fn state(&self) -> PathBuf {
+    pub fn checkpoint_folder(&self) -> PathBuf {
         self.staging.path().join("state")
     }
 
@@ -261,7 +261,7 @@ impl OutputFolder {
     }
 
     /// Returns the path for a file that the caller writes before the folder is finished.
-    pub fn place(&self, name: &str) -> PathBuf {
+    pub fn file_path(&self, name: &str) -> PathBuf {
         self.new_path().join(path_in_results(name))
     }
 
@@ -408,7 +408,7 @@ mod tests {
         ];
         for name in names {
             assert!(is_result_file(name), "{name}");
-            let later = of_round(name, 12);
+            let later = round_file_name(name, 12);
             assert!(is_result_file(&later), "{later}");
             assert_eq!(of_first_round(&later), name);
         }

@@ -17,9 +17,9 @@ pub enum Leftover {
     TakeOver,
 }
 
-/// The leftovers of killed runs.
+/// What killed runs left for a target.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
-pub struct Found {
+pub struct KilledRuns {
     /// Removed folders.
     pub removed: Vec<PathBuf>,
     /// Whether a folder was taken over.
@@ -46,7 +46,7 @@ impl StagingDir {
         name: &str,
         leftover: Leftover,
         target: &Path,
-    ) -> io::Result<(Self, Found)> {
+    ) -> io::Result<(Self, KilledRuns)> {
         let prefix = format!(".{name}.");
         // Of two simultaneous processes, the first locks its folder before the other checks. If folders cannot be locked,
         // both may see each other and fail.
@@ -68,7 +68,7 @@ impl StagingDir {
         let removed = dead.iter().map(|place| place.path.clone()).collect();
         // Removed when dropped.
         drop(dead);
-        let found = Found {
+        let found = KilledRuns {
             removed,
             is_taken_over: taken.is_some(),
             is_finished,

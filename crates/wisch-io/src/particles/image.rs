@@ -196,7 +196,7 @@ impl MaskSource {
                 );
             }
         }
-        let bounds = Bounds2::of(area.outline.outer().iter().copied())
+        let bounds = Bounds2::from_points(area.outline.outer().iter().copied())
             .ok_or_else(|| "the surface has no outline".to_owned())?;
         let (min, max) = (bounds.min, bounds.max);
         let corners = [

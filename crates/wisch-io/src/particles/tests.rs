@@ -12,7 +12,7 @@ fn board() -> Polygon {
 /// A cup of radius 0.08 m in the middle of the board.
 fn cup() -> OccupiedArea {
     let mesh = Mesh::cylinder(0.08, 0.1, 48).expect("sizes are positive");
-    OccupiedArea::of([&mesh.transform(&Pose::translation(0.0, 0.0, 0.05))])
+    OccupiedArea::from_scene([&mesh.transform(&Pose::translation(0.0, 0.0, 0.05))])
 }
 
 fn bare() -> OccupiedArea {

@@ -200,7 +200,7 @@ pub struct ObservationRecord {
 }
 
 impl ObservationRecord {
-    /// Returns the checked observation.
+    /// Checks the record and returns its observation.
     ///
     /// # Errors
     /// If a number is not finite or beyond the limit of coordinates, if there are more than [`MAX_DETECTIONS`] detections,
@@ -378,7 +378,7 @@ impl<'a> Intake<'a> {
         self.clock.time_reached()
     }
 
-    /// Duration of the trajectory \[s\].
+    /// Duration of the motion's trajectory \[s\].
     pub fn end(&self) -> f64 {
         self.order.followed.duration()
     }

@@ -46,6 +46,12 @@ const TRAJECTORY_PERIOD: f64 = 0.01;
 ///
 /// Its standard error is copied to this program's standard error, with control characters escaped. The child has its own
 /// process group. When the executor is dropped, the child is asked to end; after two seconds its group is killed.
+///
+/// ```
+/// use wisch_io::ProcessExecutor;
+/// let error = ProcessExecutor::start("no-such-program", &[]).unwrap_err();
+/// assert!(error.to_string().contains("no-such-program"));
+/// ```
 #[derive(Debug)]
 pub struct ProcessExecutor {
     name: String,

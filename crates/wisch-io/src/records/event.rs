@@ -4,7 +4,7 @@ use serde::Serialize;
 use std::io::{self, Write};
 use wisch::run::RunEvent;
 
-/// Schema number of the records.
+/// Schema number of the records of events.
 pub const EVENT_SCHEMA: u32 = 1;
 
 /// Every how many samples one is recorded: 20 per second at 1 kHz.
@@ -110,12 +110,12 @@ pub struct EventWriter<W> {
 }
 
 impl<W: Write> EventWriter<W> {
-    /// Makes a writer to `output`.
+    /// Makes a writer of events to `output`, one JSON object per line.
     pub const fn new(output: W) -> Self {
         Self { output, samples: 0 }
     }
 
-    /// Writes an event.
+    /// Writes an event as one line.
     ///
     /// # Errors
     /// If the output cannot be written.
@@ -181,7 +181,7 @@ impl<W: Write> EventWriter<W> {
                 detections: observation.detections.len(),
                 hidden_m2: observation.hidden.area(),
             },
-            RunEvent::Judged(round) => {
+            RunEvent::Decided(round) => {
                 let estimate = &round.interpretation.performance;
                 RunEventRecord::Judged {
                     round: round.motion.number,

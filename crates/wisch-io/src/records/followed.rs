@@ -8,7 +8,7 @@ const FORMAT: &str = "wisch-following";
 /// Schema number of following.json.
 const SCHEMA: u32 = 1;
 
-/// The contents of following.json.
+/// The contents of `following.json`: how a robot follows a plan.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct FollowedRecord {
     /// Always "wisch-following".
@@ -33,7 +33,7 @@ pub struct FollowedRecord {
     pub faults: Vec<String>,
 }
 
-/// A base pose.
+/// A base pose with the rating of its reach.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct PlacementRecord {
     /// x, y in the world.
@@ -58,7 +58,7 @@ pub struct MotionRecord {
     pub end_s: f64,
 }
 
-/// An executable stroke.
+/// A stroke that the robot can execute.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct WipedRecord {
     /// Nodes of the plan's graph.
@@ -67,7 +67,7 @@ pub struct WipedRecord {
     pub in_surface: Vec<[f64; 3]>,
 }
 
-/// An abandoned node.
+/// A node that the robot cannot reach.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct AbandonedRecord {
     /// The node.

@@ -3,14 +3,14 @@
 use super::plan::PoseRecord;
 use serde::Serialize;
 use wisch::interpret::{Diagnosis, Doubt, Event, EventKind, FittedPlane, Interpretation};
-use wisch::recover::{Claim, Verdict, judge_log};
+use wisch::recover::{Claim, Verdict, assess_log};
 
 /// Value of `format` in the record.
 pub const INTERPRETATION_FORMAT: &str = "wisch-interpretation";
 /// Schema number of the record.
 const SCHEMA: u32 = 1;
 
-/// The interpretation of a log.
+/// The contents of `interpretation.json`: what a log shows.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct InterpretationRecord {
     /// Always [`INTERPRETATION_FORMAT`].
@@ -71,7 +71,7 @@ pub struct InterpretationRecord {
     pub log: LogRecord,
 }
 
-/// The stiffness of a tool.
+/// The estimated stiffness of a tool.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct ToolStiffnessRecord {
     /// Most likely value.
@@ -97,7 +97,7 @@ pub struct PlaneRecord {
     pub rms_m: f64,
 }
 
-/// A detected event.
+/// An event that the interpretation detected.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct EventRecord {
     /// contact, contact_loss, collision (a person's push), hand_guiding, landing, overload, vibration or stick_slip;
@@ -159,7 +159,7 @@ impl InterpretationRecord {
         log: LogRecord,
     ) -> Self {
         let performance = interpretation.performance;
-        let is_collision = |event: &&Event| event.kind == EventKind::Collision;
+        let is_collision = |event: &&Event| event.kind == EventKind::Push;
         let is_cut =
             interpretation.observation.is_none() && interpretation.doubts.iter().any(Doubt::is_cut);
         let (verdict, reason) = verdict(interpretation, target_performance);
@@ -180,7 +180,7 @@ impl InterpretationRecord {
                 .observation
                 .as_ref()
                 .map(|seen| seen.detections.len()),
-            replays: interpretation.belief.replays().len(),
+            replays: interpretation.belief.members().len(),
             contact_share: interpretation.contact_share,
             collisions: interpretation.events.iter().filter(is_collision).count(),
             plane_tilt_rad: interpretation.plane.map(|plane| plane.tilt),
@@ -238,8 +238,8 @@ impl EventRecord {
 
 /// Returns whether the target is reached, and the reason.
 fn verdict(interpretation: &Interpretation, target: f64) -> (&'static str, String) {
-    let claim = Claim::of(&interpretation.distribution, target).to_string();
-    match judge_log(interpretation, target) {
+    let claim = Claim::assess(&interpretation.distribution, target).to_string();
+    match assess_log(interpretation, target) {
         Verdict::GoalMet => ("met", claim),
         Verdict::Undecidable => {
             let decisive = (interpretation.doubts.iter())

@@ -11,12 +11,12 @@ use wisch::plan::{
 };
 use wisch::represent::{GoalState, Task, UnknownName};
 
-/// Value of `format` in plan.json.
+/// Value of the key `format` in `plan.json`.
 pub const PLAN_FORMAT: &str = "wisch-plan";
-/// Schema number of plan.json.
+/// Schema number of the file `plan.json`.
 pub const PLAN_SCHEMA: u32 = 1;
 
-/// The contents of plan.json.
+/// The contents of `plan.json`: strokes with the graph that they come from.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct PlanRecord {
@@ -64,7 +64,7 @@ pub struct PlanRecord {
     pub tcp_path: Vec<WaypointRecord>,
 }
 
-/// A pose in space.
+/// A pose in space: position \[m\] and orientation.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct PoseRecord {
@@ -83,7 +83,7 @@ impl From<&Pose> for PoseRecord {
     }
 }
 
-/// The goal state.
+/// The goal state that the plan serves.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[serde(tag = "state", rename_all = "snake_case", deny_unknown_fields)]
 pub enum GoalRecord {
@@ -157,7 +157,7 @@ impl From<GoalRecord> for GoalState {
     }
 }
 
-/// A node of the graph.
+/// A node of the plan's graph.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct NodeRecord {
@@ -167,7 +167,7 @@ pub struct NodeRecord {
     pub in_surface_m: [f64; 2],
 }
 
-/// The role of a node.
+/// The role of a node in the graph.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum RoleRecord {
@@ -331,7 +331,7 @@ impl PlanRecord {
         }
     }
 
-    /// Reads a plan file.
+    /// Reads the text of a plan file.
     ///
     /// # Errors
     /// If the text is not a plan of this version. [`Self::to_plan`] checks whether it fits a task.

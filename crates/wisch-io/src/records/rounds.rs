@@ -17,7 +17,7 @@ pub struct RoundTimes {
     pub interpreting_s: f64,
 }
 
-/// The executor of a motion.
+/// The kind of executor that executed a motion.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum ExecutedBy {
     /// The simulated world of wisch.
@@ -27,7 +27,7 @@ pub enum ExecutedBy {
 }
 
 impl ExecutedBy {
-    /// Its name in files.
+    /// Name of the kind in files.
     pub const fn as_str(self) -> &'static str {
         match self {
             Self::SimulatedWorld => "simulated world",
@@ -36,7 +36,7 @@ impl ExecutedBy {
     }
 }
 
-/// The summary of a round.
+/// The summary of a round, for `rounds.json` and `--json`.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct RoundSummary {
     /// Its number, from 1.
@@ -92,7 +92,7 @@ pub struct RoundSummary {
     pub timing: Option<RoundTiming>,
 }
 
-/// Computation times of a round.
+/// Computation times of a round's stages.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct RoundTiming {
     /// Ratio of simulated time to computation time; null without a simulated world.
@@ -115,7 +115,7 @@ impl RoundSummary {
     ) -> Self {
         let interpretation = &round.interpretation;
         let executed = round.executed_motion();
-        let collisions = (interpretation.events.iter()).filter(|e| e.kind == EventKind::Collision);
+        let collisions = (interpretation.events.iter()).filter(|e| e.kind == EventKind::Push);
         let collision_times_s: Vec<[f64; 2]> =
             collisions.map(|event| [event.start, event.end]).collect();
         Self {
@@ -125,7 +125,7 @@ impl RoundSummary {
             estimated: interpretation.performance.mean,
             estimated_low: interpretation.performance.low,
             estimated_high: interpretation.performance.high,
-            felt: interpretation.felt.mean,
+            felt: interpretation.by_touch.mean,
             seen: interpretation
                 .observation
                 .as_ref()

@@ -2,10 +2,10 @@
 
 use serde::Serialize;
 
-/// Schema number of the summary.
+/// Schema number of the summary that `--json` prints.
 pub const SUMMARY_SCHEMA: u32 = 1;
 
-/// The summary that `--json` prints.
+/// The summary of a command that `--json` prints.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Summary {
     /// Always [`SUMMARY_SCHEMA`].

@@ -225,7 +225,7 @@ pub fn planned_path_csv(task: &Task, plan: &Plan, config: &FollowConfig) -> Stri
         let count = (way / config.step).ceil().max(1.0) as usize;
         for i in 0..=count {
             let share = i as f64 / count as f64;
-            let at = Workcell::world_from_tool(task, &from.towards(&to, share));
+            let at = Workcell::world_from_tool(task, &from.interpolate(&to, share));
             let now = time + share * way / speed;
             path_line(&mut csv, now, phase, &at, &task.interaction);
         }
@@ -248,10 +248,10 @@ fn legs(plan: &Plan) -> Vec<(Phase, ToolPose, ToolPose)> {
             continue;
         };
         let (first, end) = (on(first), on(end));
-        let above = first.at_height(plan.lift_height);
+        let above = first.with_height(plan.lift_height);
         let mut from = last.unwrap_or_else(|| {
             let start = PlanarPose::new(plan.tool_start, first.surface_from_tool.heading);
-            on(start).at_height(plan.lift_height)
+            on(start).with_height(plan.lift_height)
         });
         // Out of contact, the tool rotates by the shorter angle.
         let (to, heading) = (
@@ -266,7 +266,7 @@ fn legs(plan: &Plan) -> Vec<(Phase, ToolPose, ToolPose)> {
             .windows(2)
             .map(|pair| (Phase::Wipe(number), on(pair[0]), on(pair[1])));
         legs.extend(wiped);
-        let up = end.at_height(plan.lift_height);
+        let up = end.with_height(plan.lift_height);
         legs.push((Phase::Lift, end, up));
         last = Some(up);
     }

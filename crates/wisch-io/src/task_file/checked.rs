@@ -73,7 +73,7 @@ pub(super) fn read(source: &Source<'_>) -> Result<TaskFile, TaskError> {
         particles: particle_source(&task.particles.value, source)?,
         scene,
         bandwidth: task.plan.bandwidth_m.map(|h| h.0),
-        heading: task.plan.heading.into(),
+        yaw: task.plan.heading.into(),
         lift_height: task.plan.lift_height_m.0,
         evaluations: task.plan.evaluations.0 as usize,
         margin: task.plan.margin_m.0,

@@ -81,32 +81,41 @@ pub struct ExecutionRecord {
 /// True locations and number of the grains of a simulated world.
 #[derive(Debug, Clone, PartialEq)]
 pub struct DirtRecord {
-    /// Locations.
-    pub source: TrueDirt,
+    /// Source of the locations.
+    pub source: DirtSource,
     /// Number of grains; `None` draws a number near the believed one.
     pub count: Option<usize>,
 }
 
-/// True dirt locations of a simulated world, in the frame of the true surface.
+/// Spatial distribution of the true dirt in a simulated world, in the frame of the true surface.
 #[derive(Debug, Clone, PartialEq)]
 pub enum TrueDirt {
-    /// At the believed locations.
-    AsBelieved,
-    /// Uniform over the free surface.
+    /// At these points \[m\]; the stated number of grains is ignored.
+    Listed(Vec<Point2>),
+    /// Uniformly over the free surface.
     Uniform,
-    /// Heaps; `None` draws random heaps.
+    /// In heaps; `None` draws 1 to 6 heaps, each with a standard deviation of 1 to 10 cm, anywhere on the surface.
     Clusters(Option<Vec<Cluster>>),
-    /// A band; `None` values are drawn at random.
+    /// In a band across the surface; a field that is `None` is drawn.
     Stripe {
-        /// Point on its centre line \[m\].
+        /// A point of the band's middle line \[m\].
         center: Option<Point2>,
-        /// Direction, about the surface's z from its x \[rad\].
+        /// Direction of the band, about the surface's z from its x \[rad\].
         direction: Option<f64>,
-        /// Width \[m\].
+        /// Width of the band \[m\].
         width: Option<f64>,
     },
-    /// Along the outline, within this distance \[m\].
+    /// Along the outline, at most this far inside it \[m\].
     Edge(f64),
+}
+
+/// Source of the true dirt in a task file, `execution.dirt`.
+#[derive(Debug, Clone, PartialEq)]
+pub enum DirtSource {
+    /// The believed locations.
+    AsBelieved,
+    /// A distribution that the file states.
+    Stated(TrueDirt),
     /// A list in a file.
     Csv {
         /// Location of its name in the task file.
@@ -127,7 +136,7 @@ impl Default for DirtRecord {
     /// Uniform, with a number near the believed one.
     fn default() -> Self {
         Self {
-            source: TrueDirt::Uniform,
+            source: DirtSource::Stated(TrueDirt::Uniform),
             count: None,
         }
     }
@@ -150,7 +159,7 @@ pub struct CameraRecord {
 
 impl CameraRecord {
     /// Returns the true camera: these values, with missing ones from the believed camera.
-    pub fn over(&self, believed: SensorModel) -> SensorModel {
+    pub fn complete(&self, believed: SensorModel) -> SensorModel {
         SensorModel {
             detection: self.detection.unwrap_or(believed.detection),
             half_size_m: self.half_size_m.unwrap_or(believed.half_size_m),
@@ -191,7 +200,7 @@ pub(super) fn perception(
                 arm_hides: false,
             };
             return Ok(Perception {
-                sight: Some(given.over(SensorModel::default())),
+                sight: Some(given.complete(SensorModel::default())),
             });
         }
         (0, _) => "\"touch\" is missing; it is always one of the senses",
@@ -202,11 +211,12 @@ pub(super) fn perception(
 
 fn dirt(table: &At<DirtTable>, source: &Source<'_>) -> Result<DirtRecord, TaskError> {
     let (found, count) = match &table.value {
-        DirtTable::AsBelieved {} => (TrueDirt::AsBelieved, &None),
-        DirtTable::Uniform { count } => (TrueDirt::Uniform, count),
+        DirtTable::AsBelieved {} => (DirtSource::AsBelieved, &None),
+        DirtTable::Uniform { count } => (DirtSource::Stated(TrueDirt::Uniform), count),
         DirtTable::Clusters { count, clusters } => {
             let given = clusters.as_ref().map(|given| heaps(given, source));
-            (TrueDirt::Clusters(given.transpose()?), count)
+            let heaps = TrueDirt::Clusters(given.transpose()?);
+            (DirtSource::Stated(heaps), count)
         }
         DirtTable::Stripe {
             count,
@@ -219,16 +229,16 @@ fn dirt(table: &At<DirtTable>, source: &Source<'_>) -> Result<DirtRecord, TaskEr
                 direction: direction_rad.map(|angle| angle.0),
                 width: width_m.map(|width| width.0),
             };
-            (stripe, count)
+            (DirtSource::Stated(stripe), count)
         }
         DirtTable::Edge { count, within_m } => {
             let within = within_m.map_or(WITHIN, |within| within.0);
-            (TrueDirt::Edge(within), count)
+            (DirtSource::Stated(TrueDirt::Edge(within)), count)
         }
         DirtTable::Csv { file } => {
             let at = file.place(source);
             let file = file.value.0.clone();
-            (TrueDirt::Csv { at, file }, &None)
+            (DirtSource::Csv { at, file }, &None)
         }
         DirtTable::Image {
             file,
@@ -237,7 +247,7 @@ fn dirt(table: &At<DirtTable>, source: &Source<'_>) -> Result<DirtRecord, TaskEr
             tolerance,
             count,
         } => {
-            let image = TrueDirt::Image {
+            let image = DirtSource::Image {
                 at: file.place(source),
                 mask: MaskSource {
                     file: file.value.0.clone(),

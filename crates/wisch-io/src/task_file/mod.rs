@@ -19,7 +19,7 @@ mod values;
 
 pub use disturbance::{FrictionChange, Moment, Push};
 pub use error::TaskError;
-pub use execution::{CameraRecord, DirtRecord, ExecutionRecord, Perception, TrueDirt};
+pub use execution::{CameraRecord, DirtRecord, DirtSource, ExecutionRecord, Perception, TrueDirt};
 pub use resolve::ReadFile;
 pub(crate) use resolve::unit_remarks;
 
@@ -27,7 +27,7 @@ use crate::particles::ParticleSource;
 use definitions::Definitions;
 use wisch::follow::WorkcellConfig;
 use wisch::geometry::{Point2, Pose, Vector3};
-use wisch::plan::HeadingRule;
+use wisch::plan::YawRule;
 use wisch::represent::{Action, KnowledgeError, Mount, ScenePart, Surface, Task, Treatment};
 use wisch::run::{AfterStop, Pace};
 use wisch::source_location::Place;
@@ -74,7 +74,7 @@ pub enum RobotDescription {
     },
 }
 
-/// The robot of a task.
+/// The robot of a task, as the table `[robot]` states it.
 #[derive(Debug, Clone, PartialEq)]
 pub struct RobotRecord {
     /// The source of its description.
@@ -130,7 +130,7 @@ pub struct TaskFile {
     particles: ParticleSource,
     particles_at: Place,
     bandwidth: Option<f64>,
-    heading: HeadingRule,
+    yaw: YawRule,
     lift_height: f64,
     evaluations: usize,
     margin: f64,
@@ -240,7 +240,7 @@ impl TaskFile {
         format!("{:#}\n", schema.as_value())
     }
 
-    /// The action or goal.
+    /// The action or the goal that the file states.
     pub fn intent(&self) -> &Intent {
         &self.intent
     }
@@ -250,7 +250,7 @@ impl TaskFile {
         self.robot.as_ref()
     }
 
-    /// Name of the task.
+    /// Name of the task, key `name`.
     pub fn name(&self) -> &str {
         &self.name
     }
@@ -276,8 +276,8 @@ impl TaskFile {
     }
 
     /// Rule for the tool's yaw along the strokes of a coverage strategy.
-    pub fn heading(&self) -> HeadingRule {
-        self.heading
+    pub fn yaw_rule(&self) -> YawRule {
+        self.yaw
     }
 
     /// Number of plans that the strategies adaptive and best try.
@@ -310,17 +310,17 @@ impl TaskFile {
         self.lift_height
     }
 
-    /// The robot's senses.
+    /// The senses that the robot has, table `[perception]`.
     pub fn perception(&self) -> &Perception {
         &self.perception
     }
 
-    /// Ground truth of the simulation.
+    /// Ground truth of the simulated world, table `[execution]`.
     pub fn execution(&self) -> &ExecutionRecord {
         &self.execution
     }
 
-    /// Source of the particles.
+    /// Source of the believed particles, table `[particles]`.
     pub fn particle_source(&self) -> &ParticleSource {
         &self.particles
     }
@@ -330,7 +330,7 @@ impl TaskFile {
         self.end_strokes_early
     }
 
-    /// Extent of a round, `execution.pace`.
+    /// Amount of work in one round, `execution.pace`.
     pub fn pace(&self) -> Pace {
         self.pace
     }
@@ -345,12 +345,12 @@ impl TaskFile {
         self.start_rad
     }
 
-    /// Maximum number of rounds, `execution.max_rounds`.
+    /// Largest number of rounds, `execution.max_rounds` \[1\].
     pub fn max_rounds(&self) -> usize {
         self.max_rounds
     }
 
-    /// Number of candidate plans.
+    /// Number of candidate plans of a coverage strategy.
     pub fn plan_variants(&self) -> usize {
         self.variants
     }
@@ -360,7 +360,7 @@ impl TaskFile {
         self.min_score
     }
 
-    /// Target performance, in [0, 1].
+    /// Performance at which the goal counts as met, in [0, 1].
     pub fn target_performance(&self) -> f64 {
         self.target_performance
     }

@@ -1,6 +1,6 @@
 //! Resolves a task file: looks up knowledge, reads files and places particles.
 
-use super::{Frame, ObjectRecord, Shape, TaskError, TaskFile, TrueDirt};
+use super::{DirtSource, Frame, ObjectRecord, Shape, TaskError, TaskFile};
 use crate::particles::{ParticleSource, csv_particles, mask_particles};
 use wisch::geometry::{
     Bounds2, LikelyUnit, Mesh, MeshError, MeshFormat, Point2, Point3, Polygon, RIGID_DEPTH, Region,
@@ -117,7 +117,7 @@ impl TaskFile {
         let meshes: Vec<Mesh> = task.obstacles_in_surface().collect();
         let area = DirtArea {
             outline: &task.surface.outline,
-            occupied: &OccupiedArea::of(&meshes),
+            occupied: &OccupiedArea::from_scene(&meshes),
         };
         task.particles = self.particles(area, seed, assets)?;
         Ok(task)
@@ -152,7 +152,7 @@ impl TaskFile {
     ///
     /// # Errors
     /// If a file is missing or invalid; the error states its location in the task file.
-    pub fn real_places(
+    pub fn true_dirt_locations(
         &self,
         task: &Task,
         assets: &mut ReadFile<'_>,
@@ -160,20 +160,18 @@ impl TaskFile {
         let meshes: Vec<Mesh> = task.obstacles_in_surface().collect();
         let area = DirtArea {
             outline: &task.surface.outline,
-            occupied: &OccupiedArea::of(&meshes),
+            occupied: &OccupiedArea::from_scene(&meshes),
         };
         let (at, listed) = match &self.execution.dirt.source {
-            TrueDirt::Csv { at, file } => (at, csv_particles(file, &read(assets, at, file)?, area)),
-            TrueDirt::Image { at, mask } => {
+            DirtSource::Csv { at, file } => {
+                (at, csv_particles(file, &read(assets, at, file)?, area))
+            }
+            DirtSource::Image { at, mask } => {
                 let bytes = read(assets, at, &mask.file)?;
                 // A different seed than for believed particles of the same image.
                 (at, mask_particles(mask, &bytes, area, !task.seed))
             }
-            TrueDirt::AsBelieved
-            | TrueDirt::Uniform
-            | TrueDirt::Clusters(_)
-            | TrueDirt::Stripe { .. }
-            | TrueDirt::Edge(_) => return Ok(None),
+            DirtSource::AsBelieved | DirtSource::Stated(_) => return Ok(None),
         };
         let listed = listed.map_err(|error| TaskError::Particles {
             at: at.clone(),
@@ -272,7 +270,7 @@ fn scale_of_mesh(
         return Ok(());
     }
     let [usually_least, usually_most] = usual;
-    let advice = match LikelyUnit::of(extent, usually_least, usually_most) {
+    let advice = match LikelyUnit::guess(extent, usually_least, usually_most) {
         Some(unit) => format!("{unit}; {}", how(unit.metres)),
         None => "correct its scale".to_owned(),
     };
@@ -292,14 +290,14 @@ fn rounded(number: f64) -> f64 {
 
 /// Returns remarks on scene meshes that are probably in other units: objects much longer than the surface.
 pub(crate) fn unit_remarks(task: &Task) -> Vec<String> {
-    let bounds = Bounds2::of(task.surface.outline.outer().iter().copied());
+    let bounds = Bounds2::from_points(task.surface.outline.outer().iter().copied());
     let surface = bounds.map_or(0.0, |bounds| bounds.size().max());
     let limit = (PER_SURFACE * surface).max(USUAL_OBJECT);
     let large = (task.scene.iter()).filter(|object| object.mesh.extent() > limit);
     large
         .map(|object| {
             let extent = object.mesh.extent();
-            let unit = LikelyUnit::of(extent, OBJECT_EXTENT[0], USUAL_OBJECT);
+            let unit = LikelyUnit::guess(extent, OBJECT_EXTENT[0], USUAL_OBJECT);
             let unit = unit.map_or(String::new(), |unit| {
                 format!("; if it should be smaller, {unit}")
             });
@@ -393,7 +391,7 @@ fn resolved_tool(
 
 /// Returns the middle of the side with the smallest y, where scenes have their robot by convention.
 fn start_before(outline: &Polygon) -> Point2 {
-    Bounds2::of(outline.outer().iter().copied()).map_or_else(Point2::origin, |bounds| {
+    Bounds2::from_points(outline.outer().iter().copied()).map_or_else(Point2::origin, |bounds| {
         Point2::new(bounds.center().x, bounds.min.y)
     })
 }

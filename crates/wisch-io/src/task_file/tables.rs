@@ -17,7 +17,7 @@ use serde::{Deserialize, Deserializer};
 use std::borrow::Cow;
 use std::collections::BTreeMap;
 use std::fmt;
-use wisch::plan::HeadingRule;
+use wisch::plan::YawRule;
 use wisch::represent::{Action, MediumKind, ScenePart};
 use wisch::run::MIN_SCORE;
 
@@ -573,7 +573,7 @@ pub(super) enum HeadingName {
     Best,
 }
 
-impl From<HeadingName> for HeadingRule {
+impl From<HeadingName> for YawRule {
     fn from(name: HeadingName) -> Self {
         match name {
             HeadingName::Blended => Self::Blended,

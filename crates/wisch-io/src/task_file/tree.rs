@@ -40,17 +40,17 @@ impl<'a> Source<'a> {
         if offset < start {
             let before = self.lines.partition_point(|&line| line <= offset) - 1;
             let line = &self.text[self.lines[before]..];
-            let mut place = Place::at_offset(self.name, line, offset - self.lines[before]);
+            let mut place = Place::from_offset(self.name, line, offset - self.lines[before]);
             place.line += before;
             return place;
         }
         for (key, value) in self.settings {
             if offset < start + value.len() + 1 {
-                return Place::at_offset(&format!("setting {key}"), value, offset - start);
+                return Place::from_offset(&format!("setting {key}"), value, offset - start);
             }
             start += value.len() + 1;
         }
-        Place::at_offset(self.name, self.text, self.text.len())
+        Place::from_offset(self.name, self.text, self.text.len())
     }
 
     /// Parses the text and applies the settings.

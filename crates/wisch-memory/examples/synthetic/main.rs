@@ -75,7 +75,8 @@ fn write_hour(memory: &Memory, arguments: &Arguments) -> Result<(), Box<dyn std:
         ..RobotText::default()
     };
     robot.attach_to(&writer)?;
-    let head = RoundScene::upright("arm", "tip", "sponge", "chopping_board").head(hour::joints());
+    let head = RoundScene::with_upright_tool("arm", "tip", "sponge", "chopping_board")
+        .head(hour::joints());
     let mut telemetry = writer.telemetry(1, head)?;
     let begun = Instant::now();
     hour::write(arguments.seed, hour::SAMPLES, &mut |sample| {

@@ -3,7 +3,7 @@
 use super::error::{AskError, QueryFault};
 use super::term::Term;
 use crate::catalogue::Catalogue;
-use crate::told::{FILE, Statement, append, individual_of, parse, whole_lines};
+use crate::statements::{FILE, Statement, append, complete_length, individual_of, parse};
 use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
@@ -29,7 +29,7 @@ impl Assertions {
             Err(error) if error.kind() == io::ErrorKind::NotFound => String::new(),
             Err(error) => return Err(failed(&file, error)),
         };
-        let statements = text[..whole_lines(text.as_bytes())]
+        let statements = text[..complete_length(text.as_bytes())]
             .lines()
             .enumerate()
             .map(|(number, line)| {
@@ -47,7 +47,8 @@ impl Assertions {
     pub(super) fn retain_known(&mut self, catalogue: &Catalogue) {
         let is_known = |name: &str| match individual_of(name) {
             Some(local) => {
-                catalogue.find(local).is_some() || catalogue.shared().iter().any(|s| s == name)
+                catalogue.find(local).is_some()
+                    || catalogue.shared_individuals().iter().any(|s| s == name)
             }
             None => true,
         };
@@ -116,7 +117,7 @@ impl Assertions {
     }
 
     /// Returns the statements about a thing, as facts.
-    pub fn about(&self, name: &str) -> Vec<Term> {
+    pub fn statements_about(&self, name: &str) -> Vec<Term> {
         let about = self
             .statements
             .iter()

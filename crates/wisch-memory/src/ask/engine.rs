@@ -46,7 +46,7 @@ const PORTABLE: [&str; 11] = [
     include_str!("../../prolog/listing.pl"),
 ];
 
-/// Limits of a query.
+/// Limits of a query on time, memory and answers.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct AskLimits {
     /// Wall-clock time of a query.
@@ -79,20 +79,28 @@ pub enum EngineCommand {
 
 impl EngineCommand {
     /// Finds an installed system: Scryer Prolog, else SWI-Prolog.
+    ///
+    /// ```
+    /// use wisch_memory::ask::EngineCommand;
+    /// match EngineCommand::find() {
+    ///     Some(EngineCommand::Scryer(path) | EngineCommand::Swi(path)) => println!("{}", path.display()),
+    ///     None => println!("no Prolog system is installed"),
+    /// }
+    /// ```
     pub fn find() -> Option<Self> {
-        Self::scryer().or_else(Self::swi)
+        Self::find_scryer().or_else(Self::find_swi)
     }
 
     /// Finds Scryer Prolog: `wisch-prolog` beside this program, in the parent folder (for cargo's examples), or in
     /// `PATH`.
-    pub fn scryer() -> Option<Self> {
+    pub fn find_scryer() -> Option<Self> {
         let program = std::env::current_exe().unwrap_or_default();
         let folders = program.ancestors().skip(1).take(2).map(Path::to_path_buf);
         find("wisch-prolog", folders.chain(search_path())).map(Self::Scryer)
     }
 
-    /// Finds SWI-Prolog: `swipl` in `PATH`.
-    pub fn swi() -> Option<Self> {
+    /// Finds SWI-Prolog: the program `swipl` in `PATH`.
+    pub fn find_swi() -> Option<Self> {
         find("swipl", search_path()).map(Self::Swi)
     }
 
@@ -195,7 +203,7 @@ pub struct Engine {
 }
 
 impl Engine {
-    /// Starts the process.
+    /// Starts the process of the Prolog engine.
     ///
     /// # Errors
     /// If it cannot be started.
@@ -257,7 +265,7 @@ impl Engine {
         self.send(order)
     }
 
-    /// Sends a line.
+    /// Sends a line to the engine.
     ///
     /// # Errors
     /// If the engine has ended.

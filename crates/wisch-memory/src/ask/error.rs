@@ -5,7 +5,7 @@ use crate::store::MemoryError;
 use std::fmt::Display;
 use std::time::Duration;
 
-/// Fault of a query.
+/// A fault of a query that its author can mend.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum QueryFault {
     /// A name is unknown.

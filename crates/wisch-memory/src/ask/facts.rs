@@ -29,7 +29,7 @@ impl SentFacts {
     /// Returns the members of exactly this class.
     pub fn members(&mut self, known: &Knowledge, class: &str) -> Vec<Term> {
         let mut facts = Vec::new();
-        let members = known.catalogue.of_class(class);
+        let members = known.catalogue.individuals_of_class(class);
         let mut names: Vec<Term> = Vec::with_capacity(members.len());
         for &id in members {
             self.send_individual(&known.catalogue, id, &mut facts);
@@ -39,7 +39,7 @@ impl SentFacts {
             self.send_shared(&name, class, &mut facts);
             names.push(Term::Atom(name));
         }
-        facts.extend(in_lists("c", &Term::atom(class), names));
+        facts.extend(list_facts("c", &Term::atom(class), names));
         facts
     }
 
@@ -116,7 +116,7 @@ impl SentFacts {
     /// Returns people's statements about a thing.
     pub fn assertions(&mut self, known: &Knowledge, name: &str) -> Vec<Term> {
         if self.assertions.insert(name.to_owned()) {
-            known.assertions.about(name)
+            known.assertions.statements_about(name)
         } else {
             Vec::new()
         }
@@ -151,13 +151,13 @@ impl SentFacts {
 
 /// Returns the block of `count` individuals of the same class that contains an individual.
 fn neighbours(catalogue: &Catalogue, id: IndividualId, count: usize) -> &[IndividualId] {
-    let alike = catalogue.of_class(catalogue.class(id));
+    let alike = catalogue.individuals_of_class(catalogue.class(id));
     let first = alike.partition_point(|other| *other < id) / count * count;
     &alike[first..alike.len().min(first + count)]
 }
 
 /// Returns names as facts `fact(of, Names)`, with several hundred names in each.
-pub fn in_lists(fact: &str, of: &Term, names: Vec<Term>) -> Vec<Term> {
+pub fn list_facts(fact: &str, of: &Term, names: Vec<Term>) -> Vec<Term> {
     let lists = names.chunks(NAMES_IN_A_FACT);
     let facts = lists.map(|names| Term::compound(fact, [of.clone(), Term::List(names.to_vec())]));
     facts.collect()

@@ -2,7 +2,7 @@
 
 use super::assertions::Assertions;
 use super::error::{AskError, QueryFault};
-use super::facts::{SentFacts, in_lists};
+use super::facts::{SentFacts, list_facts};
 use super::intervals::{IntervalIndex, Relation};
 use super::join::{Indices, Joins, Solutions, SolverBudget};
 use super::names::Names;
@@ -64,7 +64,7 @@ impl Host {
         assertions.retain_known(&catalogue);
         Self {
             known: Knowledge {
-                names: Names::new(Arc::clone(&catalogue), Ontology::shipped()),
+                names: Names::new(Arc::clone(&catalogue), Ontology::load()),
                 catalogue,
                 assertions,
             },
@@ -90,7 +90,7 @@ impl Host {
         self.telemetry.take_remarks()
     }
 
-    /// Commits the query's statements.
+    /// Commits the statements that the query added.
     ///
     /// # Errors
     /// If they cannot be written.
@@ -144,8 +144,8 @@ impl Host {
         Ok(solved)
     }
 
-    /// Number of joined conjunctions.
-    pub fn joined_so_far(&self) -> u64 {
+    /// Number of conjunctions that the host has joined.
+    pub fn join_count(&self) -> u64 {
         self.joined
     }
 
@@ -165,7 +165,7 @@ impl Host {
         Ok(all.map(|solutions| Box::new(solutions.rows.into_iter().map(Term::List)) as AnswerRows))
     }
 
-    /// Answers a request.
+    /// Answers a request of the Prolog engine.
     ///
     /// # Errors
     /// If this program failed; a fault of the query is part of the answer.
@@ -231,7 +231,7 @@ impl Host {
             ("superclasses", [Term::Atom(name)]) => names.superclasses(name),
             ("subproperties", [Term::Atom(name)]) => names.subproperties(name),
             ("superproperties", [Term::Atom(name)]) => names.superproperties(name),
-            ("classes", []) => Ontology::shipped().classes().map(Term::atom).collect(),
+            ("classes", []) => Ontology::load().classes().map(Term::atom).collect(),
             ("members", [Term::Atom(class)]) => self.sent.members(known, class),
             ("individual", [Term::Atom(name)]) => self.sent.individual(known, name),
             ("parts", [Term::Atom(name)]) => self.sent.parts(known, name),
@@ -243,15 +243,15 @@ impl Host {
             ("filter", [Term::Atom(property), Term::Atom(operator), bound]) => {
                 let (found, asserted) = self.filter(property, operator, bound)?;
                 let is_many = found.len() > FILTERED_FACTS;
-                let names = known.named(found).chain(asserted);
+                let names = known.name_rows(found).chain(asserted);
                 if is_many {
                     return Ok(Reply::Stream(Box::new(names)));
                 }
-                in_lists("f", request, names.collect())
+                list_facts("f", request, names.collect())
             }
             ("last_episode", []) => self.last_episode(),
             ("drifts", [Term::Atom(drift), from, to]) => {
-                let drift = Drift::named(drift).ok_or_else(malformed)?;
+                let drift = Drift::from_name(drift).ok_or_else(malformed)?;
                 drifts(
                     &known.catalogue,
                     drift,
@@ -259,7 +259,7 @@ impl Host {
                 )
             }
             ("changes", [Term::Atom(drift), from, to]) => {
-                let drift = Drift::named(drift).ok_or_else(malformed)?;
+                let drift = Drift::from_name(drift).ok_or_else(malformed)?;
                 changes(
                     &known.catalogue,
                     drift,
@@ -270,7 +270,7 @@ impl Host {
                 causes(&known.catalogue, times(from, to).ok_or_else(malformed)?)
             }
             ("series", [Term::Atom(drift), Term::Atom(thing)]) => {
-                let drift = Drift::named(drift).ok_or_else(malformed)?;
+                let drift = Drift::from_name(drift).ok_or_else(malformed)?;
                 series(&known.catalogue, drift, thing)
             }
             ("local_time", [time]) => {
@@ -311,7 +311,7 @@ impl Host {
             ("individuals", []) => known.individuals(),
             ("named_members", [Term::Atom(class)]) => {
                 let shared = known.names.share_names(class).into_iter().map(Term::Atom);
-                let members = known.named(known.catalogue.of_class(class).to_vec());
+                let members = known.name_rows(known.catalogue.individuals_of_class(class).to_vec());
                 Box::new(members.chain(shared))
             }
             ("values", []) => known.all_values(),
@@ -321,17 +321,17 @@ impl Host {
             ("related_to", [Term::Atom(object)]) => known.related_to(object),
             ("at", [start, end]) => {
                 let times = times(start, end).ok_or_else(malformed)?;
-                let found = self.intervals().related(Relation::Equals, times);
-                self.known.named(found)
+                let found = self.intervals().find_related(Relation::Equals, times);
+                self.known.name_rows(found)
             }
             ("relation", [Term::Atom(relation), start, end]) => {
-                let relation = Relation::named(relation).ok_or_else(malformed)?;
+                let relation = Relation::from_name(relation).ok_or_else(malformed)?;
                 let times = times(start, end).ok_or_else(malformed)?;
-                let found = self.intervals().related(relation, times);
-                self.known.timed(found)
+                let found = self.intervals().find_related(relation, times);
+                self.known.interval_rows(found)
             }
             ("pairs", [Term::Atom(relation)]) => {
-                let relation = Relation::named(relation).ok_or_else(malformed)?;
+                let relation = Relation::from_name(relation).ok_or_else(malformed)?;
                 let index = self.intervals();
                 self.known.pairs(index, relation)
             }
@@ -348,7 +348,7 @@ impl Host {
     fn size(&self, request: &Term) -> Result<&'static str, HostRefusal> {
         let is_many = match request.parts() {
             Some(("members", [Term::Atom(class)])) => {
-                self.known.catalogue.of_class(class).len() > MOST_MEMBERS
+                self.known.catalogue.individuals_of_class(class).len() > MOST_MEMBERS
             }
             Some(("filter", [Term::Atom(property), Term::Atom(operator), bound])) => {
                 self.filter(property, operator, bound)?.0.len() > FILTERED_FACTS

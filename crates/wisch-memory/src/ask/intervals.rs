@@ -41,7 +41,7 @@ pub enum Relation {
 
 impl Relation {
     /// Returns the relation with this name.
-    pub fn named(name: &str) -> Option<Self> {
+    pub fn from_name(name: &str) -> Option<Self> {
         Some(match name {
             "before" => Self::Before,
             "after" => Self::After,
@@ -123,7 +123,7 @@ pub struct IntervalIndex {
 
 impl IntervalIndex {
     /// Returns the index of all individuals with a time.
-    pub fn of(catalogue: &Catalogue) -> Self {
+    pub fn from_catalogue(catalogue: &Catalogue) -> Self {
         let ids = 0..u32::try_from(catalogue.len()).unwrap_or(u32::MAX);
         let timed = ids.filter_map(|id| catalogue.interval(id).map(|[s, e]| (s, e, id)));
         Self::new(timed.collect())
@@ -146,7 +146,7 @@ impl IntervalIndex {
         }
     }
 
-    /// Number of intervals.
+    /// Number of intervals in the index.
     pub fn len(&self) -> usize {
         self.entries.len()
     }
@@ -158,7 +158,7 @@ impl IntervalIndex {
     }
 
     /// Returns the intervals with a relation to an interval, sorted by their start.
-    pub fn related(&self, relation: Relation, to: [f64; 2]) -> Vec<IndividualId> {
+    pub fn find_related(&self, relation: Relation, to: [f64; 2]) -> Vec<IndividualId> {
         let fits = |entry: &&(f64, f64, IndividualId)| relation.holds([entry.0, entry.1], to);
         match relation {
             Relation::Before => {
@@ -241,7 +241,7 @@ mod tests {
             let index = IntervalIndex::new(entries.clone());
             let to = interval(to);
             for relation in ALL {
-                let mut found = index.related(relation, to);
+                let mut found = index.find_related(relation, to);
                 found.sort_unstable();
                 let all: Vec<_> = entries.iter().filter(|e| relation.holds([e.0, e.1], to)).map(|e| e.2).collect();
                 prop_assert_eq!(found, all, "{:?}", relation);

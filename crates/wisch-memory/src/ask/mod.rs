@@ -41,7 +41,7 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Instant;
 
-/// Answers to a query.
+/// The answers to a query, with what it printed.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Answers {
     /// Variables of the query, except those that begin with `_`.
@@ -84,7 +84,7 @@ impl QuerySession {
     pub fn open(memory: Memory, command: EngineCommand) -> Result<Self, AskError> {
         let catalogue = Arc::new(memory.catalogue()?);
         let assertions = Assertions::read(memory.folder())?;
-        let telemetry = TelemetryPredicates::of(memory);
+        let telemetry = TelemetryPredicates::new(memory);
         let limits = AskLimits::default();
         Ok(Self::new(command, limits, catalogue, telemetry, assertions))
     }
@@ -114,8 +114,8 @@ impl QuerySession {
     }
 
     /// Number of conjunctions that the program has joined so far.
-    pub fn joined_so_far(&self) -> u64 {
-        self.host.joined_so_far()
+    pub fn join_count(&self) -> u64 {
+        self.host.join_count()
     }
 
     /// Flag that ends the current query when it is set; later queries are possible.

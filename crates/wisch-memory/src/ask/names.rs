@@ -30,7 +30,7 @@ const CLASS_BY_RELATION: [(&str, &str); 4] = [
     ("soma:isPerformedBy", "semco:WipingRobot"),
 ];
 
-/// Resolver of names.
+/// A resolver of the names that queries write.
 pub struct Names {
     catalogue: Arc<Catalogue>,
     ontology: &'static Ontology,
@@ -50,7 +50,7 @@ impl Names {
         for (property, class) in CLASS_BY_RELATION {
             for (_, node) in catalogue.relations(property) {
                 if let CatalogueNode::Shared(number) = node {
-                    let name = &catalogue.shared()[*number as usize];
+                    let name = &catalogue.shared_individuals()[*number as usize];
                     if !shared.contains_key(name) {
                         shared.insert(name.clone(), class.to_owned());
                     }
@@ -175,7 +175,7 @@ impl Names {
         }
         let place = self
             .catalogue
-            .shared()
+            .shared_individuals()
             .iter()
             .position(|shared| shared == name)?;
         u32::try_from(place).ok().map(CatalogueNode::Shared)

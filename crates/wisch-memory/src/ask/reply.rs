@@ -7,7 +7,7 @@ use std::iter::Peekable;
 /// Rows that are computed on demand.
 pub type AnswerRows = Box<dyn Iterator<Item = Term> + Send>;
 
-/// A reply.
+/// A reply of the host to a request.
 pub enum Reply {
     /// All facts at once.
     Facts(Vec<Term>),
@@ -25,7 +25,7 @@ pub struct Cursor {
     pub size: usize,
 }
 
-/// Why there is no reply.
+/// Why the host cannot reply to a request.
 pub enum HostRefusal {
     /// A fault of the query.
     Fault(QueryFault),

@@ -12,7 +12,9 @@ pub fn name_of(catalogue: &Catalogue, id: IndividualId) -> Term {
 pub fn node_name(catalogue: &Catalogue, node: CatalogueNode) -> Term {
     match node {
         CatalogueNode::Individual(id) => name_of(catalogue, id),
-        CatalogueNode::Shared(number) => Term::atom(&catalogue.shared()[number as usize]),
+        CatalogueNode::Shared(number) => {
+            Term::atom(&catalogue.shared_individuals()[number as usize])
+        }
     }
 }
 

@@ -20,7 +20,7 @@ pub struct Knowledge {
 }
 
 impl Knowledge {
-    /// Returns all individuals.
+    /// Returns the facts about all individuals.
     pub fn individuals(&self) -> AnswerRows {
         let catalogue = Arc::clone(&self.catalogue);
         let ids = 0..u32::try_from(catalogue.len()).unwrap_or(u32::MAX);
@@ -49,7 +49,7 @@ impl Knowledge {
         Box::new(rows.chain(asserted))
     }
 
-    /// Returns all values, by property.
+    /// Returns the values of all individuals, by property.
     pub fn all_values(&self) -> AnswerRows {
         let properties = self.catalogue.properties().to_vec();
         let columns: Vec<AnswerRows> = properties.iter().map(|p| self.column(p)).collect();
@@ -103,14 +103,14 @@ impl Knowledge {
         })
     }
 
-    /// Returns the names of individuals.
-    pub fn named(&self, found: Vec<IndividualId>) -> AnswerRows {
+    /// Returns the names of individuals, one per row.
+    pub fn name_rows(&self, found: Vec<IndividualId>) -> AnswerRows {
         let catalogue = Arc::clone(&self.catalogue);
         Box::new((found.into_iter()).map(move |id| name_of(&catalogue, id)))
     }
 
     /// The names of individuals, with their times.
-    pub fn timed(&self, found: Vec<IndividualId>) -> AnswerRows {
+    pub fn interval_rows(&self, found: Vec<IndividualId>) -> AnswerRows {
         let catalogue = Arc::clone(&self.catalogue);
         Box::new(found.into_iter().map(move |id| {
             let [start, end] = catalogue.interval(id).unwrap_or_default().map(Term::Float);
@@ -123,7 +123,7 @@ impl Knowledge {
         let catalogue = Arc::clone(&self.catalogue);
         Box::new((0..index.len()).flat_map(move |place| {
             let (to, second) = index.entry(place);
-            let firsts = index.related(relation, to).into_iter();
+            let firsts = index.find_related(relation, to).into_iter();
             let catalogue = Arc::clone(&catalogue);
             let others = firsts.filter(move |first| *first != second);
             others.map(move |first| {

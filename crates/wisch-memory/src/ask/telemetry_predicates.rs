@@ -45,7 +45,7 @@ struct Span {
 
 impl TelemetryPredicates {
     /// Opens the telemetry of a memory's episodes.
-    pub fn of(memory: Memory) -> Self {
+    pub fn new(memory: Memory) -> Self {
         Self {
             memory: Some(memory),
             ..Self::default()
@@ -319,7 +319,7 @@ pub(crate) fn tool_of(catalogue: &Catalogue, row: &EpisodeRow) -> String {
     let mut nodes = (row.first..row.first + row.len).flat_map(|id| entries(tools, id));
     match nodes.next() {
         Some((_, CatalogueNode::Shared(number))) => {
-            local(&catalogue.shared()[*number as usize]).to_owned()
+            local(&catalogue.shared_individuals()[*number as usize]).to_owned()
         }
         _ => "tool".to_owned(),
     }
@@ -410,7 +410,7 @@ fn statistic_of(values: &[f64], statistic: &str) -> Result<f64, QueryFault> {
 fn poses(span: &Span, thing: &str, sampling: Sampling) -> Result<Vec<PoseAt>, QueryFault> {
     let frames = match &span.robot {
         Some(robot) => Frames::new(robot, &span.telemetry),
-        None => Frames::of_log(&span.telemetry, &span.tool),
+        None => Frames::from_log(&span.telemetry, &span.tool),
     };
     let frames = frames.map_err(frame_fault)?;
     let found = match sampling {

@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-/// A term.
+/// A Prolog term: atom, number, variable, list or compound.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Term {
     /// An unbound variable, by the engine's name.
@@ -23,12 +23,12 @@ pub enum Term {
 const MAX_DEPTH: usize = 1000;
 
 impl Term {
-    /// An atom.
+    /// Returns the atom with a name.
     pub fn atom(name: impl Into<String>) -> Self {
         Self::Atom(name.into())
     }
 
-    /// Returns a compound term.
+    /// Returns a compound term with a name and arguments.
     pub fn compound(name: impl Into<String>, arguments: impl Into<Vec<Self>>) -> Self {
         Self::Compound(name.into(), arguments.into())
     }
@@ -51,7 +51,7 @@ impl Term {
         }
     }
 
-    /// The text of an atom.
+    /// Returns the name of an atom; `None` for any other term.
     pub fn as_atom(&self) -> Option<&str> {
         match self {
             Self::Atom(name) => Some(name),
@@ -59,7 +59,7 @@ impl Term {
         }
     }
 
-    /// The value of a number.
+    /// Returns the value of a number; `None` for any other term.
     pub fn as_number(&self) -> Option<f64> {
         match self {
             #[allow(

@@ -21,7 +21,7 @@ const IS_NO_CAUSE: f64 = 0.3;
 /// Least change in height whose cause is determined [m].
 const LEAST_OFFSET: f64 = 1e-3;
 
-/// Quantity whose trend is computed.
+/// A quantity whose trend over episodes is computed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Drift {
     /// Mean contact force on a surface [N], without its sign.
@@ -34,7 +34,7 @@ pub enum Drift {
 
 impl Drift {
     /// Returns the quantity with this name.
-    pub fn named(name: &str) -> Option<Self> {
+    pub fn from_name(name: &str) -> Option<Self> {
         Some(match name {
             "contact_force" => Self::ContactForce,
             "localization" => Self::Localization,

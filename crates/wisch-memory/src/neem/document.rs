@@ -24,7 +24,7 @@ impl Closures {
     /// Returns the IRIs of a class or property and of everything above it; for an unknown term, only its own IRI.
     fn of(&mut self, term: &str) -> Result<&[String], NeemError> {
         if !self.known.contains_key(term) {
-            let ontology = Ontology::shipped();
+            let ontology = Ontology::load();
             let name = ontology.compact(term).unwrap_or_default();
             let above = match ontology.kind(&name) {
                 Some(TermKind::Class) => ontology.superclasses(&name)?,
@@ -82,14 +82,14 @@ impl Closures {
 
 /// Whether the object of a property is a class or property.
 fn names_a_term(predicate: &str) -> bool {
-    let name = Ontology::shipped().compact(predicate);
+    let name = Ontology::load().compact(predicate);
     let name = name.unwrap_or_default();
     name == TYPE || name == "rdfs:subClassOf" || name == "rdfs:subPropertyOf"
 }
 
 /// Whether the ontology declares that the objects of a property are literals.
 fn literal_by_property(predicate: &str) -> bool {
-    let ontology = Ontology::shipped();
+    let ontology = Ontology::load();
     let name = ontology.compact(predicate).unwrap_or_default();
     ontology.kind(&name) == Some(TermKind::DataProperty) || name == "rdfs:label"
 }

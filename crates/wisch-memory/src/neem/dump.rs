@@ -6,7 +6,7 @@ use std::io::{self, Read};
 /// Largest document [bytes]: the limit of MongoDB.
 pub(super) const MAX_DOCUMENT: usize = 16 << 20;
 
-/// Fault of a document.
+/// A fault of a document in a database dump.
 #[derive(Debug, thiserror::Error)]
 pub enum DumpError {
     /// The file cannot be read.
@@ -40,7 +40,7 @@ pub(super) struct Documents<R> {
 }
 
 impl<R: Read> Documents<R> {
-    /// Reads documents from `from`.
+    /// Returns an iterator over the documents in `from`.
     pub fn new(from: R) -> Self {
         Self {
             from,

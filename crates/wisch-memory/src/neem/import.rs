@@ -130,7 +130,7 @@ fn part(name: &str) -> Option<(&str, Part)> {
 }
 
 fn sort_in(parts: &mut BTreeMap<String, Parts>, triple: Triple) {
-    let ontology = Ontology::shipped();
+    let ontology = Ontology::load();
     let name = ontology.compact(&triple.subject).unwrap_or_default();
     let Some((episode, part)) = part(&name) else {
         return;
@@ -256,7 +256,7 @@ fn skeleton(
         // The first triple of each property belongs to the record itself; further ones are relations.
         match property.as_str() {
             TYPE if individual.class.is_empty() => {
-                let class = Ontology::shipped().compact(&object);
+                let class = Ontology::load().compact(&object);
                 let class = class.ok_or_else(|| format!("{object:?} is not a class"))?;
                 if class == NAMED {
                     left.push((property, Object::Iri(object)));
@@ -265,7 +265,7 @@ fn skeleton(
                 }
             }
             STEP_OF if individual.parent.is_none() => {
-                let name = Ontology::shipped().compact(&object).unwrap_or_default();
+                let name = Ontology::load().compact(&object).unwrap_or_default();
                 let Some((_, Part::Individual(parent))) = part(&name) else {
                     return Err(format!("individual {place} is part of {object:?}"));
                 };
@@ -295,7 +295,7 @@ fn interval(statements: &Statements) -> Option<[f64; 2]> {
 
 /// Adds the remaining triples of each individual as relations, except those that the export derived.
 fn relate(record: &mut EpisodeRecord, left: Vec<Statements>) -> Result<(), NeemError> {
-    let ontology = Ontology::shipped();
+    let ontology = Ontology::load();
     let mut places = HashMap::new();
     let mut repeated = HashMap::<[String; 3], usize>::new();
     for place in 0..record.individuals.len() {

@@ -7,7 +7,7 @@ use serde_json::json;
 /// Version of the triples' data model.
 const MODEL_VERSION: &str = "0.1";
 
-/// Metadata of a NEEM.
+/// The metadata of a NEEM: its title, author and contents.
 #[derive(Debug, Clone, PartialEq)]
 pub struct NeemMeta {
     /// Title.

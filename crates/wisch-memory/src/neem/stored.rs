@@ -22,7 +22,7 @@ const FORCE: [&str; 3] = ["fx", "fy", "fz"];
 const TORQUE: [&str; 3] = ["mx", "my", "mz"];
 const POSE: [&str; 7] = ["x", "y", "z", "qx", "qy", "qz", "qw"];
 
-/// Source of the poses.
+/// The source of the poses in a NEEM.
 #[derive(Debug, Clone, Copy)]
 pub enum PoseSource<'a> {
     /// The tool's measured pose; gives the tool's frame only.

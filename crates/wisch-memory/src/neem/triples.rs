@@ -4,7 +4,7 @@ use super::NeemError;
 use crate::ontology::{Ontology, TermKind};
 use crate::record::{EpisodeRecord, Individual, Origin, Value};
 
-/// Object of a triple.
+/// The object of a triple: a name or a literal.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Object {
     /// A thing, by its IRI.
@@ -69,7 +69,7 @@ pub(super) struct About<'a> {
 impl<'a> About<'a> {
     pub(super) fn new(subject: &str, since: f64) -> Result<Self, NeemError> {
         Ok(Self {
-            ontology: Ontology::shipped(),
+            ontology: Ontology::load(),
             subject: iri(subject)?,
             since,
         })
@@ -98,7 +98,7 @@ impl<'a> About<'a> {
 
 /// Returns the IRI of a name with prefix.
 pub(super) fn iri(name: &str) -> Result<String, NeemError> {
-    let iri = Ontology::shipped().expand(name)?;
+    let iri = Ontology::load().expand(name)?;
     let forbidden = |c: char| c.is_whitespace() || c.is_control() || "<>\"{}|^`\\".contains(c);
     if iri.contains(forbidden) {
         return Err(NeemError::Name {
@@ -262,7 +262,7 @@ fn has_part(about: &About, whole: &Individual, part: &Individual) -> &'static st
 /// # Errors
 /// None with the shipped ontology.
 pub fn ontology_triples() -> Result<Vec<Triple>, NeemError> {
-    let ontology = Ontology::shipped();
+    let ontology = Ontology::load();
     let mut all = Vec::new();
     let own = |name: &str| name.starts_with("semco:") || name.starts_with("justin:");
     for (name, term) in ontology.terms().filter(|(name, _)| own(name)) {

@@ -16,7 +16,7 @@ use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
 use wisch::geometry::Pose;
 
-/// Settings of a NEEM's writer.
+/// Settings of the writer of a NEEM.
 #[derive(Debug, Clone, PartialEq)]
 pub struct NeemConfig {
     /// Rate of each frame's poses \[Hz\]; infinite for every sample.
@@ -45,7 +45,7 @@ pub struct FrameSample<'a> {
     pub parent_from_frame: Pose,
 }
 
-/// A wrench at a time.
+/// A wrench at one time, stated in a frame.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct WrenchSample<'a> {
     /// Time [s since 1970].
@@ -60,7 +60,7 @@ pub struct WrenchSample<'a> {
     pub torque: Option<[f64; 3]>,
 }
 
-/// Numbers of documents written.
+/// Numbers of the documents that were written, by kind.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct NeemReport {
     /// Episodes.
@@ -172,7 +172,7 @@ impl NeemWriter {
         for triple in triples::ontology_triples()? {
             self.triple(&triple)?;
         }
-        let ontology = Ontology::shipped();
+        let ontology = Ontology::load();
         for (name, term) in ontology.terms() {
             if !term.comment.is_empty() {
                 self.annotation(name, &term.comment)?;
@@ -276,7 +276,7 @@ impl NeemWriter {
         }
     }
 
-    /// Writes a wrench.
+    /// Writes a wrench sample as a document.
     ///
     /// # Errors
     /// If a number is not finite, or writing fails.

@@ -31,7 +31,7 @@ const PREFIXES: [(&str, &str); 8] = [
 pub const SEMCO_OWL: &str = include_str!("../../ontology/semco.owl");
 const UPPER_OWL: &str = include_str!("../../ontology/upper.owl");
 
-/// Kind of a name.
+/// The kind of thing that a name denotes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum TermKind {
     /// A class of things or events.
@@ -45,7 +45,7 @@ pub enum TermKind {
 }
 
 impl TermKind {
-    /// Its word in messages.
+    /// The word for the kind in messages.
     pub fn word(self) -> &'static str {
         match self {
             Self::Class => "class",
@@ -54,13 +54,13 @@ impl TermKind {
         }
     }
 
-    /// Whether it is a property.
+    /// Whether the name is that of a property.
     pub fn is_property(self) -> bool {
         matches!(self, Self::ObjectProperty | Self::DataProperty)
     }
 }
 
-/// Axioms about a name.
+/// The axioms of the ontology about one name.
 #[derive(Debug, Clone, PartialEq)]
 pub struct OntologyTerm {
     /// Kind of the name.
@@ -84,7 +84,7 @@ pub struct OntologyTerm {
 /// ```
 /// use wisch_memory::Ontology;
 ///
-/// let ontology = Ontology::shipped();
+/// let ontology = Ontology::load();
 /// assert!(ontology.superclasses("semco:HumanCollision")?.contains(&"dul:Process"));
 /// assert_eq!(ontology.types_of("semco:sponge")?[..2], ["semco:Sponge", "semco:WipingTool"]);
 /// assert_eq!(ontology.resolve("justin", "justin_robot1")?, "semco:humanoid");
@@ -101,11 +101,11 @@ pub struct Ontology {
 }
 
 impl Ontology {
-    /// Returns the ontology of this program.
+    /// Returns the ontology of this program, which is parsed once.
     ///
     /// # Panics
     /// If a file that was compiled in is not an ontology, which a test excludes.
-    pub fn shipped() -> &'static Self {
+    pub fn load() -> &'static Self {
         static SHIPPED: LazyLock<Ontology> = LazyLock::new(|| {
             Ontology::read(&[
                 ("ontology/upper.owl", UPPER_OWL),

@@ -8,7 +8,7 @@ const RDF: &str = "http://www.w3.org/1999/02/22-rdf-syntax-ns#";
 const RDFS: &str = "http://www.w3.org/2000/01/rdf-schema#";
 const OWL: &str = "http://www.w3.org/2002/07/owl#";
 
-/// Fault of an ontology.
+/// A fault in the text of an ontology.
 #[derive(Debug, thiserror::Error)]
 pub enum OntologyError {
     /// The file is not XML.

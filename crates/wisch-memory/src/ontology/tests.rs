@@ -66,7 +66,7 @@ fn foreign(name: &&str) -> bool {
 
 #[test]
 fn every_class_of_a_record_has_a_label_and_a_comment() {
-    let ontology = Ontology::shipped();
+    let ontology = Ontology::load();
     for class in CLASSES {
         let class = format!("semco:{class}");
         assert_eq!(ontology.kind(&class), Some(TermKind::Class), "{class}");
@@ -77,7 +77,7 @@ fn every_class_of_a_record_has_a_label_and_a_comment() {
 
 #[test]
 fn every_own_term_has_an_ancestor_in_soma_or_dul() {
-    let ontology = Ontology::shipped();
+    let ontology = Ontology::load();
     for (name, term) in ontology.terms().filter(|(name, _)| !foreign(name)) {
         let above = ontology.above(name);
         assert!(above.iter().any(foreign), "{name}");
@@ -92,7 +92,7 @@ fn every_own_term_has_an_ancestor_in_soma_or_dul() {
 
 #[test]
 fn every_value_is_a_data_property_with_domain_range_and_unit() {
-    let ontology = Ontology::shipped();
+    let ontology = Ontology::load();
     for value in VALUES.split_whitespace() {
         let name = format!("semco:{value}");
         let term = ontology.term(&name).unwrap_or_else(|| panic!("{name}"));
@@ -113,7 +113,7 @@ fn every_value_is_a_data_property_with_domain_range_and_unit() {
 
 #[test]
 fn relations_of_tool_medium_and_surface_are_participations() {
-    let ontology = Ontology::shipped();
+    let ontology = Ontology::load();
     let participations = ontology.subproperties("dul:hasParticipant").unwrap();
     for property in [
         "semco:usesTool",
@@ -127,7 +127,7 @@ fn relations_of_tool_medium_and_surface_are_participations() {
 
 #[test]
 fn tasks_and_events_have_the_parents_of_the_literature() {
-    let ontology = Ontology::shipped();
+    let ontology = Ontology::load();
     let above = |class| ontology.superclasses(class).unwrap();
     assert_eq!(
         above("semco:Absorbing")[..2],
@@ -157,7 +157,7 @@ fn tasks_and_events_have_the_parents_of_the_literature() {
 
 #[test]
 fn superclasses_and_subclasses_are_inverse() {
-    let ontology = Ontology::shipped();
+    let ontology = Ontology::load();
     for upper in ontology.classes() {
         for lower in ontology.classes() {
             assert_eq!(
@@ -171,7 +171,7 @@ fn superclasses_and_subclasses_are_inverse() {
 
 #[test]
 fn names_and_iris_are_converted_both_ways() {
-    let ontology = Ontology::shipped();
+    let ontology = Ontology::load();
     for (name, _) in ontology.terms() {
         let iri = ontology.expand(name).unwrap();
         assert_eq!(ontology.compact(&iri).as_deref(), Some(name));
@@ -183,7 +183,7 @@ fn names_and_iris_are_converted_both_ways() {
 
 #[test]
 fn names_are_resolved_or_the_nearest_name_is_reported() {
-    let ontology = Ontology::shipped();
+    let ontology = Ontology::load();
     assert_eq!(
         ontology.resolve("soma", "Collision").unwrap(),
         "soma:Collision"

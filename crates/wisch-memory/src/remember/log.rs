@@ -85,7 +85,7 @@ impl Span {
 }
 
 impl RoundLog {
-    /// Adds a sample.
+    /// Adds a sample of the round's execution.
     pub fn push(&mut self, sample: &TelemetrySample<'_>) {
         let kind = match sample.phase {
             Phase::Drive => Kind::Drive,

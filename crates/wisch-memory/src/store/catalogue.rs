@@ -30,7 +30,7 @@ impl Memory {
     /// Tables on disk hold most of them. The tables are rewritten if they are damaged or lack many episodes. If that
     /// fails, for example in a read-only folder, the result is the same but slower.
     ///
-    /// [`Catalogue::left_out`] lists episodes that cannot be read.
+    /// [`Catalogue::omitted_episodes`] lists episodes that cannot be read.
     ///
     /// # Errors
     /// If the folder cannot be listed.

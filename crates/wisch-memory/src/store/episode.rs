@@ -25,17 +25,17 @@ impl Episode {
         }
     }
 
-    /// Name of the episode.
+    /// Name of the episode in its memory.
     pub fn id(&self) -> &str {
         &self.id
     }
 
-    /// Path of its folder.
+    /// Path of the folder that holds the episode.
     pub fn folder(&self) -> &Path {
         &self.folder
     }
 
-    /// Returns its record.
+    /// Reads the record of the episode.
     ///
     /// # Errors
     /// If the record cannot be read, differs from what was written, or contradicts itself.

@@ -32,13 +32,13 @@ pub use error::MemoryError;
 pub use verify::Fault;
 pub use writer::EpisodeWriter;
 
-use crate::told::forget_episode;
+use crate::statements::forget_episode;
 use error::at;
 use std::fs::{self, File, TryLockError};
 use std::io;
 use std::path::{Path, PathBuf};
 
-/// File of an episode's record.
+/// Name of the file with an episode's record.
 pub const RECORD_FILE: &str = "episode.json";
 /// File of an episode's robot.
 pub(crate) const URDF_FILE: &str = "robot.urdf";
@@ -63,7 +63,7 @@ pub fn live_path(memory: &Path, id: &str, ending: &str) -> PathBuf {
     memory.join(".live").join(format!("{id}.{ending}"))
 }
 
-/// A memory of episodes.
+/// A memory of episodes in a folder.
 ///
 /// Any number of programs may read and write simultaneously; each episode has one writer.
 ///
@@ -93,7 +93,7 @@ pub fn live_path(memory: &Path, id: &str, ending: &str) -> PathBuf {
 /// })?;
 ///
 /// assert_eq!(memory.episodes()?, ["20261122-005612-3f2a"]);
-/// assert_eq!(memory.catalogue()?.of_class("semco:WipingEpisode").len(), 1);
+/// assert_eq!(memory.catalogue()?.individuals_of_class("semco:WipingEpisode").len(), 1);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Debug, Clone)]
@@ -126,7 +126,7 @@ impl Memory {
         Self::open(folder)
     }
 
-    /// Path of its folder.
+    /// Path of the folder that holds the memory.
     pub fn folder(&self) -> &Path {
         &self.folder
     }
@@ -142,7 +142,7 @@ impl Memory {
         Ok(names)
     }
 
-    /// Returns an episode.
+    /// Opens an episode. `id`: its name.
     ///
     /// # Errors
     /// If no episode has this name.
@@ -185,7 +185,7 @@ impl Memory {
         Ok(EpisodeWriter::new(self.clone(), id, lock))
     }
 
-    /// Deletes an episode.
+    /// Deletes an episode from the memory. `id`: its name.
     ///
     /// # Errors
     /// If no episode has this name, or a file cannot be removed.

@@ -34,7 +34,7 @@ impl EpisodeWriter {
         }
     }
 
-    /// Name of the episode.
+    /// Name of the episode in its memory.
     pub fn id(&self) -> &str {
         &self.id
     }

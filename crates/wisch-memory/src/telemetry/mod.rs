@@ -25,7 +25,7 @@ pub use writer::{Mark, TelemetryHead, TelemetryWriter};
 
 use crate::columns::Kind;
 
-/// Version of the files.
+/// Version of the schema of telemetry files.
 pub const TELEMETRY_SCHEMA: u32 = 1;
 
 /// Meaning of the numbers in the column `phase`.

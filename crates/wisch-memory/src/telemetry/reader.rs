@@ -29,7 +29,7 @@ pub struct Series {
     pub values: Vec<f64>,
 }
 
-/// Telemetry of a round.
+/// The telemetry of a round, as columns in a file.
 ///
 /// Opening reads only the footer. Any number of threads may read.
 pub struct Telemetry {
@@ -56,7 +56,7 @@ struct Group {
 }
 
 impl Telemetry {
-    /// Opens a file.
+    /// Opens a telemetry file and reads its footer.
     ///
     /// # Errors
     /// If the file cannot be read, is cut off, or was not written by [`TelemetryWriter`](super::TelemetryWriter).
@@ -123,7 +123,7 @@ impl Telemetry {
         })
     }
 
-    /// Path of the file.
+    /// Path of the file from which the telemetry is read.
     pub fn path(&self) -> &Path {
         &self.path
     }
@@ -133,19 +133,19 @@ impl Telemetry {
         &self.joints
     }
 
-    /// Notes of the writer.
+    /// Notes that the writer added, by name.
     pub fn notes(&self) -> &BTreeMap<String, String> {
         &self.notes
     }
 
-    /// Names of the columns, sorted.
+    /// Returns the names of the columns, sorted.
     pub fn columns(&self) -> Vec<&str> {
         let mut names: Vec<&str> = self.columns.keys().map(String::as_str).collect();
         names.sort_unstable();
         names
     }
 
-    /// Number of samples.
+    /// Number of rows, one per sample.
     pub fn rows(&self) -> usize {
         self.groups.last().map_or(0, |group| group.rows.end)
     }

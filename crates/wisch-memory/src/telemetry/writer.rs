@@ -27,7 +27,7 @@ const GROUP_ROWS: usize = 100_000;
 /// Largest time of a sample [s]: thirty years, well within 64 bits of nanoseconds.
 const MAX_TIME: f64 = 1e9;
 
-/// Constant data of a file.
+/// The constant data of a telemetry file.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct TelemetryHead {
     /// Names of the robot's variables, in the order of the samples' arrays.
@@ -259,7 +259,7 @@ impl TelemetryWriter {
         })
     }
 
-    /// Abandons and removes the file.
+    /// Ends writing and removes the unfinished file.
     pub fn abandon(self) {
         drop(self.file);
         // A file that cannot be removed keeps the ending that marks it as incomplete.

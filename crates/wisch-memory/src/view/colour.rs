@@ -31,17 +31,17 @@ impl Colour {
     ///
     /// # Errors
     /// If the term is not a colour.
-    pub fn of(term: &Term) -> Result<Self, ViewError> {
+    pub fn from_term(term: &Term) -> Result<Self, ViewError> {
         match term {
             Term::Compound(name, parts) => match (name.as_str(), parts.as_slice()) {
-                ("color" | "colour", [colour]) => Self::of(colour),
+                ("color" | "colour", [colour]) => Self::from_term(colour),
                 (":" | "=", [key, colour]) if matches!(key.as_atom(), Some("color" | "colour")) => {
-                    Self::of(colour)
+                    Self::from_term(colour)
                 }
                 _ => Err(Self::none(term, "")),
             },
             Term::List(items) => match items.as_slice() {
-                [one] => Self::of(one),
+                [one] => Self::from_term(one),
                 [red, green, blue] => Self::from_shares(term, [red, green, blue]),
                 _ => Err(Self::none(term, "")),
             },

@@ -5,7 +5,7 @@ use super::colour::Colour;
 use super::plot::Plot;
 use crate::ask::Term;
 
-/// Subject of a view.
+/// The thing that a query wants to show.
 #[derive(Debug, Clone, PartialEq)]
 pub enum ViewSubject {
     /// A thing at its pose, by its name, for example `semco:sponge`.
@@ -18,7 +18,7 @@ pub enum ViewSubject {
 
 /// Time of a view [s since 1970].
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum When {
+pub enum ViewTime {
     /// The end of the latest episode.
     Latest,
     /// At a time.
@@ -29,7 +29,7 @@ pub enum When {
     Every([f64; 2], f64),
 }
 
-/// Emphasis of a drawing.
+/// How strongly a thing stands out in a drawing.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Emphasis {
     /// Normal.
@@ -40,22 +40,22 @@ pub enum Emphasis {
 
 /// A subject with its time and style.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Wish {
+pub struct ViewRequest {
     /// Subject.
     pub subject: ViewSubject,
     /// Time.
-    pub when: When,
+    pub when: ViewTime,
     /// Emphasis.
     pub emphasis: Emphasis,
     /// Colour, if the query states one.
     pub colour: Option<Colour>,
 }
 
-/// A command of a query.
+/// A command by which a query shows things or plots data.
 #[derive(Debug, Clone, PartialEq)]
 pub enum ViewCommand {
     /// Shows these subjects.
-    Look(Vec<Wish>),
+    Show(Vec<ViewRequest>),
     /// Draws this diagram.
     Plot(Plot),
 }
@@ -68,34 +68,37 @@ impl ViewCommand {
     ///
     /// ```
     /// use wisch_memory::ask::Term;
-    /// use wisch_memory::view::{ViewCommand, ViewSubject, When};
+    /// use wisch_memory::view::{ViewCommand, ViewSubject, ViewTime};
     ///
     /// let term = Term::parse("show(trajectory('semco:sponge'),interval(10,12,dt(0.5)))")?;
-    /// let ViewCommand::Look(wishes) = ViewCommand::of(&term)? else { panic!() };
+    /// let ViewCommand::Show(wishes) = ViewCommand::from_term(&term)? else { panic!() };
     /// assert_eq!(wishes[0].subject, ViewSubject::Trajectory("semco:sponge".to_owned()));
-    /// assert_eq!(wishes[0].when, When::Every([10.0, 12.0], 0.5));
+    /// assert_eq!(wishes[0].when, ViewTime::Every([10.0, 12.0], 0.5));
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
-    pub fn of(term: &Term) -> Result<Self, ViewError> {
+    pub fn from_term(term: &Term) -> Result<Self, ViewError> {
         let plain = Emphasis::Plain;
         let strong = Emphasis::Strong;
         match term.parts() {
             // The page always shows the scene, so this command adds nothing.
-            Some(("show", [])) => Ok(Self::Look(Vec::new())),
-            Some(("show", [what])) => parse_look(what, When::Latest, plain, None),
+            Some(("show", [])) => Ok(Self::Show(Vec::new())),
+            Some(("show", [what])) => parse_look(what, ViewTime::Latest, plain, None),
             Some(("show", [what, how])) => parse_look(what, when(how)?, plain, None),
             Some(("show", [what, how, style])) => {
-                parse_look(what, when(how)?, plain, Some(Colour::of(style)?))
+                parse_look(what, when(how)?, plain, Some(Colour::from_term(style)?))
             }
-            Some(("highlight", [what])) => parse_look(what, When::Latest, strong, None),
-            Some(("highlight", [what, style])) => {
-                parse_look(what, When::Latest, strong, Some(Colour::of(style)?))
-            }
+            Some(("highlight", [what])) => parse_look(what, ViewTime::Latest, strong, None),
+            Some(("highlight", [what, style])) => parse_look(
+                what,
+                ViewTime::Latest,
+                strong,
+                Some(Colour::from_term(style)?),
+            ),
             Some(("highlight", [what, how, style])) => {
-                parse_look(what, when(how)?, strong, Some(Colour::of(style)?))
+                parse_look(what, when(how)?, strong, Some(Colour::from_term(style)?))
             }
             Some(("data_vis", [diagram, properties])) => {
-                Ok(Self::Plot(Plot::of(diagram, properties)?))
+                Ok(Self::Plot(Plot::from_terms(diagram, properties)?))
             }
             _ => Err(ViewError::ViewCommand {
                 found: term.to_string(),
@@ -106,18 +109,18 @@ impl ViewCommand {
 
 fn parse_look(
     what: &Term,
-    when: When,
+    when: ViewTime,
     emphasis: Emphasis,
     colour: Option<Colour>,
 ) -> Result<ViewCommand, ViewError> {
     let subjects = subjects(what)?.into_iter();
-    let wishes = subjects.map(|subject| Wish {
+    let wishes = subjects.map(|subject| ViewRequest {
         subject,
         when,
         emphasis,
         colour,
     });
-    Ok(ViewCommand::Look(wishes.collect()))
+    Ok(ViewCommand::Show(wishes.collect()))
 }
 
 fn subjects(what: &Term) -> Result<Vec<ViewSubject>, ViewError> {
@@ -149,7 +152,7 @@ fn subjects(what: &Term) -> Result<Vec<ViewSubject>, ViewError> {
     }
 }
 
-fn when(how: &Term) -> Result<When, ViewError> {
+fn when(how: &Term) -> Result<ViewTime, ViewError> {
     let refused = || ViewError::When {
         found: how.to_string(),
     };
@@ -160,19 +163,19 @@ fn when(how: &Term) -> Result<When, ViewError> {
     };
     if let Term::List(ends) = how {
         return match ends.as_slice() {
-            [from, to] => Ok(When::During(span(from, to)?)),
+            [from, to] => Ok(ViewTime::During(span(from, to)?)),
             _ => Err(refused()),
         };
     }
     match how.parts() {
-        Some(("interval", [from, to])) => Ok(When::During(span(from, to)?)),
+        Some(("interval", [from, to])) => Ok(ViewTime::During(span(from, to)?)),
         Some(("interval", [from, to, step])) => match step.parts() {
             Some(("dt", [period])) => match time(period) {
-                Some(period) if period > 0.0 => Ok(When::Every(span(from, to)?, period)),
+                Some(period) if period > 0.0 => Ok(ViewTime::Every(span(from, to)?, period)),
                 _ => Err(refused()),
             },
             _ => Err(refused()),
         },
-        _ => time(how).map(When::At).ok_or_else(refused),
+        _ => time(how).map(ViewTime::At).ok_or_else(refused),
     }
 }

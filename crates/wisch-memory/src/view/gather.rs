@@ -3,7 +3,7 @@
 use super::posed::{figure, line, local, place};
 use super::{
     DirtState, Emphasis, Occurrence, ShownBody, ShownDirt, ShownEpisode, ShownRound, Track, View,
-    ViewCommand, ViewError, ViewSubject, When, Wish,
+    ViewCommand, ViewError, ViewRequest, ViewSubject, ViewTime,
 };
 use crate::ask::{Term, tool_of};
 use crate::catalogue::{Catalogue, CatalogueNode, EpisodeRow, IndividualId, entries};
@@ -59,16 +59,16 @@ pub fn gather(
         opened: Vec::new(),
         known: HashMap::new(),
     };
-    let mut wishes: Vec<Wish> = Vec::new();
+    let mut wishes: Vec<ViewRequest> = Vec::new();
     for term in views {
-        match ViewCommand::of(term)? {
+        match ViewCommand::from_term(term)? {
             ViewCommand::Plot(plot) => {
                 let plots = &mut gathering.view.plots;
                 plots.retain(|other| (other.diagram, &other.id) != (plot.diagram, &plot.id));
                 plots.push(plot);
             }
             // Answers repeat commands that do not depend on them.
-            ViewCommand::Look(wanted) => {
+            ViewCommand::Show(wanted) => {
                 for wish in wanted {
                     if !wishes.contains(&wish) {
                         wishes.push(wish);
@@ -136,16 +136,16 @@ impl Gathering<'_> {
         }
     }
 
-    fn wish(&mut self, wish: &Wish) {
+    fn wish(&mut self, wish: &ViewRequest) {
         let (ViewSubject::Thing(name)
         | ViewSubject::Trajectory(name)
         | ViewSubject::Particles(name)) = &wish.subject;
         // An event is shown as the tool's trajectory during the event.
         if let Some((interval, _)) = self.event(name) {
-            let tool = Wish {
+            let tool = ViewRequest {
                 subject: ViewSubject::Trajectory("tool".to_owned()),
                 when: match wish.when {
-                    When::Latest => When::During(interval),
+                    ViewTime::Latest => ViewTime::During(interval),
                     when => when,
                 },
                 ..wish.clone()
@@ -178,8 +178,8 @@ impl Gathering<'_> {
     }
 
     /// Highlights what is already shown, if the wish asks for nothing else.
-    fn emphasize(&mut self, name: &str, wish: &Wish) -> bool {
-        if wish.emphasis == Emphasis::Plain || wish.when != When::Latest {
+    fn emphasize(&mut self, name: &str, wish: &ViewRequest) -> bool {
+        if wish.emphasis == Emphasis::Plain || wish.when != ViewTime::Latest {
             return false;
         }
         let mut found = false;
@@ -229,12 +229,12 @@ impl Gathering<'_> {
     }
 
     /// Returns the parts of rounds that a wish asks for.
-    fn stretches(&mut self, thing: &str, when: When) -> Result<Vec<Stretch>, ViewError> {
+    fn stretches(&mut self, thing: &str, when: ViewTime) -> Result<Vec<Stretch>, ViewError> {
         let catalogue = self.catalogue;
         let [from, to] = match when {
-            When::At(time) => [time; 2],
-            When::During(interval) | When::Every(interval, _) => interval,
-            When::Latest => return self.latest(thing),
+            ViewTime::At(time) => [time; 2],
+            ViewTime::During(interval) | ViewTime::Every(interval, _) => interval,
+            ViewTime::Latest => return self.latest(thing),
         };
         let (mut found, mut has_faults) = (Vec::new(), false);
         for row in catalogue.episodes_during([from, to]) {
@@ -357,7 +357,7 @@ impl Gathering<'_> {
         let mut media: Vec<String> = nodes
             .filter_map(|(_, node)| match node {
                 CatalogueNode::Shared(number) => {
-                    Some(self.catalogue.shared()[*number as usize].clone())
+                    Some(self.catalogue.shared_individuals()[*number as usize].clone())
                 }
                 CatalogueNode::Individual(_) => None,
             })
@@ -382,18 +382,23 @@ impl Gathering<'_> {
         shown.len() - 1
     }
 
-    fn bodies(&mut self, name: &str, wish: &Wish, stretch: Stretch) -> Result<(), ViewError> {
+    fn bodies(
+        &mut self,
+        name: &str,
+        wish: &ViewRequest,
+        stretch: Stretch,
+    ) -> Result<(), ViewError> {
         let opened = self.opened[stretch.round].clone();
         let frames = frames_of(opened.robot.as_deref(), &opened.telemetry, &opened.tool)?;
         let Stretch { round, from, to } = stretch;
         let poses = match wish.when {
-            When::Latest => vec![frames.pose(local(name), to)?],
-            When::At(_) => vec![frames.pose(local(name), from)?],
-            When::During(_) => {
+            ViewTime::Latest => vec![frames.pose(local(name), to)?],
+            ViewTime::At(_) => vec![frames.pose(local(name), from)?],
+            ViewTime::During(_) => {
                 let sampling = Sampling::Count(POSES_OF_INTERVAL);
                 frames.trajectory(local(name), [from, to], sampling)?
             }
-            When::Every(_, period) => {
+            ViewTime::Every(_, period) => {
                 frames.trajectory(local(name), [from, to], Sampling::Every(period))?
             }
         };
@@ -423,12 +428,12 @@ impl Gathering<'_> {
         Ok(())
     }
 
-    fn track(&mut self, name: &str, wish: &Wish, stretch: Stretch) -> Result<(), ViewError> {
+    fn track(&mut self, name: &str, wish: &ViewRequest, stretch: Stretch) -> Result<(), ViewError> {
         let opened = self.opened[stretch.round].clone();
         let frames = frames_of(opened.robot.as_deref(), &opened.telemetry, &opened.tool)?;
         let interval = [stretch.from, stretch.to];
         let samples = match wish.when {
-            When::Every(_, period) => {
+            ViewTime::Every(_, period) => {
                 let poses = frames.trajectory(local(name), interval, Sampling::Every(period))?;
                 let timed = poses.iter();
                 timed
@@ -449,11 +454,11 @@ impl Gathering<'_> {
         Ok(())
     }
 
-    fn particles(&mut self, wish: &Wish, stretch: Stretch) -> Result<(), ViewError> {
+    fn particles(&mut self, wish: &ViewRequest, stretch: Stretch) -> Result<(), ViewError> {
         let round = &self.view.rounds[stretch.round];
         let id = self.view.episodes[round.episode].id.clone();
         let (state, name) = match wish.when {
-            When::Latest => (DirtState::Estimated, "particles-estimated.csv"),
+            ViewTime::Latest => (DirtState::Estimated, "particles-estimated.csv"),
             _ => (DirtState::Before, "particles-before.csv"),
         };
         let file = format!("round-{}/{name}", round.number);
@@ -495,13 +500,13 @@ fn frames_of<'a>(
 ) -> Result<Frames<'a>, FrameError> {
     match robot {
         Some(robot) => Frames::new(robot, telemetry),
-        None => Frames::of_log(telemetry, tool),
+        None => Frames::from_log(telemetry, tool),
     }
 }
 
 /// Returns the actions and events of an episode, without individuals that only group others.
 fn occurrences(catalogue: &Catalogue, row: &EpisodeRow) -> Vec<Occurrence> {
-    let kinds = Ontology::shipped().subclasses("semco:Collision");
+    let kinds = Ontology::load().subclasses("semco:Collision");
     let kinds = kinds.unwrap_or_default();
     let ids = row.first..row.first + row.len;
     let found = ids.filter_map(|id| {

@@ -11,7 +11,7 @@ mod posed;
 mod tests;
 
 pub use colour::Colour;
-pub use command::{Emphasis, ViewCommand, ViewSubject, When, Wish};
+pub use command::{Emphasis, ViewCommand, ViewRequest, ViewSubject, ViewTime};
 pub use gather::{MAX_POSES, Surroundings, gather};
 pub use plot::{Diagram, Plot, PlotData};
 
@@ -21,7 +21,7 @@ use crate::store::MemoryError;
 use wisch::geometry::{Mesh, Point2, Point3, Polygon, Pose};
 use wisch::robot::Shape;
 
-/// Why something cannot be shown.
+/// Why a thing cannot be shown in a view.
 #[derive(Debug, thiserror::Error)]
 pub enum ViewError {
     /// The term is not a command.
@@ -124,7 +124,7 @@ pub enum ViewError {
     Memory(#[from] MemoryError),
 }
 
-/// Data of a view.
+/// The data of a view: episodes, bodies, tracks, particles and diagrams.
 #[derive(Debug, Clone, Default)]
 pub struct View {
     /// Its episodes, in the order of their first mention.
@@ -145,7 +145,7 @@ pub struct View {
     pub remarks: Vec<String>,
 }
 
-/// An episode of a view.
+/// An episode of which a view shows parts.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ShownEpisode {
     /// Name of the episode.
@@ -173,7 +173,7 @@ pub struct Occurrence {
     pub interval: [f64; 2],
 }
 
-/// A round of a view.
+/// A round of which a view shows parts.
 #[derive(Debug, Clone)]
 pub struct ShownRound {
     /// Index of its episode in [`View::episodes`].
@@ -194,7 +194,7 @@ pub struct ShownRound {
     pub objects: Vec<(Pose, Mesh)>,
 }
 
-/// A thing at a time.
+/// A thing with its shape and pose at one time.
 #[derive(Debug, Clone)]
 pub struct ShownBody {
     /// Its name.
@@ -211,7 +211,7 @@ pub struct ShownBody {
     pub colour: Option<Colour>,
 }
 
-/// Shape of a thing.
+/// The shape of a thing in a view.
 #[derive(Debug, Clone)]
 pub enum Figure {
     /// A whole robot, with its tool.
@@ -229,7 +229,7 @@ pub enum Figure {
     Frame(Pose),
 }
 
-/// A solid of a robot.
+/// A solid of a robot, with its link and pose.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ShownPart {
     /// Name of its link.
@@ -240,7 +240,7 @@ pub struct ShownPart {
     pub shape: Shape,
 }
 
-/// The trajectory of a thing.
+/// The trajectory of a thing over an interval.
 #[derive(Debug, Clone)]
 pub struct Track {
     /// Its name.
@@ -259,7 +259,7 @@ pub struct Track {
     pub colour: Option<Colour>,
 }
 
-/// Believed particles on a surface.
+/// The believed particles on a surface at one time.
 #[derive(Debug, Clone)]
 pub struct ShownDirt {
     /// Index of its round in [`View::rounds`].
@@ -272,7 +272,7 @@ pub struct ShownDirt {
     pub colour: Option<Colour>,
 }
 
-/// Time of a particle distribution.
+/// The time to which a particle distribution belongs.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum DirtState {
     /// Before the round.

@@ -6,7 +6,7 @@ use crate::ask::Term;
 /// Largest number of entries in a diagram.
 const MAX_ENTRIES: usize = 20_000;
 
-/// Kind of a diagram.
+/// The kind of a diagram that a query plots.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Diagram {
     /// Pie chart: shares of a whole.
@@ -21,7 +21,7 @@ pub enum Diagram {
     Scatter,
 }
 
-/// Data of a diagram.
+/// The data that a diagram shows.
 #[derive(Debug, Clone, PartialEq)]
 pub enum PlotData {
     /// Labelled numbers, for pie and bar charts.
@@ -32,7 +32,7 @@ pub enum PlotData {
     Points(Vec<[f64; 2]>),
 }
 
-/// A diagram.
+/// A diagram with its title, labels and data.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Plot {
     /// Kind of the diagram.
@@ -50,7 +50,7 @@ pub struct Plot {
 }
 
 impl Diagram {
-    /// Its name in queries.
+    /// Name of the kind in queries.
     pub const fn as_str(self) -> &'static str {
         match self {
             Self::Pie => "piechart",
@@ -79,7 +79,7 @@ impl Plot {
     ///
     /// # Errors
     /// If the terms are not a diagram with valid data.
-    pub fn of(diagram: &Term, properties: &Term) -> Result<Self, ViewError> {
+    pub fn from_terms(diagram: &Term, properties: &Term) -> Result<Self, ViewError> {
         let refused = || ViewError::ViewCommand {
             found: diagram.to_string(),
         };

@@ -2,12 +2,12 @@ use super::*;
 use crate::ask::Term;
 
 fn command(text: &str) -> Result<ViewCommand, String> {
-    ViewCommand::of(&Term::parse(text).unwrap()).map_err(|error| error.to_string())
+    ViewCommand::from_term(&Term::parse(text).unwrap()).map_err(|error| error.to_string())
 }
 
-fn wishes(text: &str) -> Vec<Wish> {
+fn wishes(text: &str) -> Vec<ViewRequest> {
     match command(text).unwrap() {
-        ViewCommand::Look(wishes) => wishes,
+        ViewCommand::Show(wishes) => wishes,
         ViewCommand::Plot(plot) => panic!("{plot:?}"),
     }
 }
@@ -15,7 +15,7 @@ fn wishes(text: &str) -> Vec<Wish> {
 fn plot(text: &str) -> Plot {
     match command(text).unwrap() {
         ViewCommand::Plot(plot) => plot,
-        ViewCommand::Look(wishes) => panic!("{wishes:?}"),
+        ViewCommand::Show(wishes) => panic!("{wishes:?}"),
     }
 }
 
@@ -27,30 +27,30 @@ fn thing(name: &str) -> ViewSubject {
 fn all_forms_of_show_are_parsed() {
     let sponge = "semco:sponge";
     for (text, subject, when) in [
-        ("show('semco:sponge')", thing(sponge), When::Latest),
-        ("show('semco:sponge',12)", thing(sponge), When::At(12.0)),
+        ("show('semco:sponge')", thing(sponge), ViewTime::Latest),
+        ("show('semco:sponge',12)", thing(sponge), ViewTime::At(12.0)),
         (
             "show('semco:sponge',interval(1,2.5))",
             thing(sponge),
-            When::During([1.0, 2.5]),
+            ViewTime::During([1.0, 2.5]),
         ),
         (
             "show('semco:sponge',[1,2.5])",
             thing(sponge),
-            When::During([1.0, 2.5]),
+            ViewTime::During([1.0, 2.5]),
         ),
         (
             "show(trajectory('semco:sponge'),interval(1,2,dt(0.5)))",
             ViewSubject::Trajectory(sponge.to_owned()),
-            When::Every([1.0, 2.0], 0.5),
+            ViewTime::Every([1.0, 2.0], 0.5),
         ),
         (
             "show(particles('semco:breadcrumbs'),3)",
             ViewSubject::Particles("semco:breadcrumbs".to_owned()),
-            When::At(3.0),
+            ViewTime::At(3.0),
         ),
     ] {
-        let wanted = Wish {
+        let wanted = ViewRequest {
             subject,
             when,
             emphasis: Emphasis::Plain,
@@ -73,25 +73,25 @@ fn a_list_gives_a_wish_per_entry() {
 fn highlights_have_emphasis_and_colour() {
     let red = Colour([213, 52, 43]);
     for (text, when, colour) in [
-        ("highlight(a)", When::Latest, None),
-        ("highlight(a,red)", When::Latest, Some(red)),
+        ("highlight(a)", ViewTime::Latest, None),
+        ("highlight(a,red)", ViewTime::Latest, Some(red)),
         (
             "highlight(a,'#0a0B0c')",
-            When::Latest,
+            ViewTime::Latest,
             Some(Colour([10, 11, 12])),
         ),
         (
             "highlight(a,color([1,0,0.2]))",
-            When::Latest,
+            ViewTime::Latest,
             Some(Colour([255, 0, 51])),
         ),
         (
             "highlight(a,interval(1,2),[=(color,red)])",
-            When::During([1.0, 2.0]),
+            ViewTime::During([1.0, 2.0]),
             Some(red),
         ),
     ] {
-        let wanted = Wish {
+        let wanted = ViewRequest {
             subject: thing("a"),
             when,
             emphasis: Emphasis::Strong,

@@ -35,7 +35,7 @@ fn joined_or_not_random_queries_have_the_same_answers() {
             answered += usize::from(!answers.is_empty());
         }
         assert!(answered > 60, "only {answered} of 200 queries have answers");
-        let [joins, none] = [&joined, &plain].map(QuerySession::joined_so_far);
+        let [joins, none] = [&joined, &plain].map(QuerySession::join_count);
         assert!(joins > 150 && none == 0, "{joins} and {none} joins");
     }
 }
@@ -67,9 +67,9 @@ fn whole_queries_beginnings_and_what_is_inside_are_joined() {
     for engine in engines() {
         let mut asker = asker(engine);
         for query in queries {
-            let before = asker.joined_so_far();
+            let before = asker.join_count();
             asker.ask(query).unwrap();
-            assert!(asker.joined_so_far() > before, "{query}");
+            assert!(asker.join_count() > before, "{query}");
         }
     }
 }

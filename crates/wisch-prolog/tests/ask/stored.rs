@@ -221,7 +221,7 @@ fn store_log(memory: &Memory, id: &str, head: TelemetryHead) {
 #[test]
 fn where_the_tool_of_a_log_was_is_answered_from_its_poses() {
     let lifted = wisch::geometry::Pose::translation(0.0, 0.0, 0.7);
-    let scene = wisch_memory::RoundScene::of_log("sponge", "table", &lifted);
+    let scene = wisch_memory::RoundScene::from_log("sponge", "table", &lifted);
     // Older episodes have no scene.
     for (head, has_scene) in [
         (scene.head(Vec::new()), true),
@@ -311,8 +311,8 @@ fn an_episode_whose_record_is_damaged_is_named_and_left_out() {
         let (_folder, memory) = two_runs();
         damage(&memory.folder().join("run-1/episode.json"));
         let catalogue = memory.catalogue().unwrap();
-        assert_eq!(catalogue.left_out().len(), 1);
-        assert!(catalogue.left_out()[0].contains("run-1"));
+        assert_eq!(catalogue.omitted_episodes().len(), 1);
+        assert!(catalogue.omitted_episodes()[0].contains("run-1"));
         for command in engines() {
             let found = asked(&memory, command, "has_type(X, 'Collision')");
             assert_eq!(found, ["semco:'HumanCollision_run-0-1'"]);

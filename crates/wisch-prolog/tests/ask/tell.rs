@@ -16,7 +16,7 @@ fn asker_of(folder: &Path, command: EngineCommand, limits: AskLimits) -> QuerySe
     QuerySession::new(
         command,
         limits,
-        Arc::new(Catalogue::of(&memory::episodes())),
+        Arc::new(Catalogue::from_records(&memory::episodes())),
         TelemetryPredicates::default(),
         Assertions::read(folder).unwrap(),
     )

@@ -61,7 +61,7 @@ fn episodes(values: impl IntoIterator<Item = (f64, Option<f64>)>) -> Catalogue {
             }
         });
     let records: Vec<EpisodeRecord> = records.collect();
-    Catalogue::of(&records)
+    Catalogue::from_records(&records)
 }
 
 fn check(catalogue: &Catalogue, queries: &[(&str, &[&str])]) {

@@ -22,7 +22,7 @@ pub(crate) enum Outcome {
 
 /// Returns the bounding box of a surface in its frame [m].
 pub(crate) fn extent(surface: &Surface) -> Bounds2 {
-    Bounds2::of(surface.outline.outer().iter().copied()).unwrap_or(Bounds2 {
+    Bounds2::from_points(surface.outline.outer().iter().copied()).unwrap_or(Bounds2 {
         min: Point2::new(-0.5, -0.5),
         max: Point2::new(0.5, 0.5),
     })

@@ -287,7 +287,7 @@ fn has_same_surroundings(a: &ShownRound, b: &ShownRound) -> bool {
 /// Returns the radius of queried lines [m].
 fn line_radius(round: &ShownRound) -> f64 {
     let corners = round.outline.iter().flat_map(Polygon::outer).copied();
-    let extent = match Bounds2::of(corners) {
+    let extent = match Bounds2::from_points(corners) {
         Some(bounds) => bounds.size().norm(),
         None => FAR_SHARE * max_distance(&round.tool_path),
     };

@@ -41,9 +41,9 @@ fn view() -> View {
     };
     let query =
         "data_vis(barchart(forces),[:(title,'How hard'),:(data,[[first,second],[20.5,31]])])";
-    let plot = match ViewCommand::of(&Term::parse(query).unwrap()).unwrap() {
+    let plot = match ViewCommand::from_term(&Term::parse(query).unwrap()).unwrap() {
         ViewCommand::Plot(plot) => plot,
-        ViewCommand::Look(wishes) => panic!("{wishes:?}"),
+        ViewCommand::Show(wishes) => panic!("{wishes:?}"),
     };
     View {
         episodes: vec![ShownEpisode {

@@ -46,11 +46,11 @@ pub(crate) fn panel(input: &MotionInput, frames: &SampledMotion) -> Option<Panel
         .chain(path.iter().copied())
         .chain(rated())
         .filter(|p| p.x.is_finite() && p.y.is_finite());
-    let mut bounds = Bounds2::of(shown)?;
+    let mut bounds = Bounds2::from_points(shown)?;
     bounds.min -= Vector2::repeat(MARGIN);
     bounds.max += Vector2::repeat(MARGIN);
     let view = View::with_axes(bounds, Vector2::new(WIDTH, HEIGHT));
-    let drives = Bounds2::of(way.iter().copied()).is_some_and(|b| b.size().norm() > STILL);
+    let drives = Bounds2::from_points(way.iter().copied()).is_some_and(|b| b.size().norm() > STILL);
     let layers = html! {
         (draw_scene(input, &view))
         path class="surface-plan" d=(view.rings(surface.iter().map(Vec::as_slice))) {}

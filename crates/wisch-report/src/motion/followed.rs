@@ -21,7 +21,7 @@ pub struct ShownMotion<'a> {
 
 impl<'a> ShownMotion<'a> {
     /// Samples a motion. Particles are those of `frames`, at the times at which the tool has covered their distance.
-    pub fn of(cell: &'a Workcell, followed: &'a Followed, frames: &EffectFrames) -> Self {
+    pub fn sample(cell: &'a Workcell, followed: &'a Followed, frames: &EffectFrames) -> Self {
         let count = (followed.duration() / SHOWN_PERIOD).ceil() as usize;
         let samples = (0..=count)
             .filter_map(|i| followed.sample((i as f64 * SHOWN_PERIOD).min(followed.duration())))
@@ -97,7 +97,7 @@ fn particles(followed: &Followed, frames: &EffectFrames) -> Vec<ParticleFrame> {
         Some(motion.start + share * motion.trajectory.duration())
     };
     let mut shown: Vec<ParticleFrame> = Vec::new();
-    for frame in frames.all() {
+    for frame in frames.frames() {
         let since = shown.last().map_or(0.0, |last| last.time);
         let at = frame.stroke.and_then(|stroke| time(stroke, frame.distance));
         shown.push(ParticleFrame {

@@ -5,7 +5,7 @@ use wisch::geometry::{Point2, Pose};
 use wisch::represent::Task;
 use wisch::robot::{LinkId, RobotModel};
 
-/// A robot's motion for figures.
+/// The motion of a robot with its scene, for figures.
 #[derive(Debug, Clone, Copy)]
 pub struct MotionInput<'a> {
     /// The robot.

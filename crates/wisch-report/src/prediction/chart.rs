@@ -23,7 +23,7 @@ pub(crate) fn down(performance: f64) -> f64 {
 
 /// Draws the performance over the distance in contact.
 pub(crate) fn performance(drawing: &Drawing, width: f64) -> Panel {
-    let frames = drawing.input.frames.all();
+    let frames = drawing.input.frames.frames();
     let total = frames.last().map_or(0.0, |frame| frame.distance);
     let places: Vec<(f64, f64)> = frames
         .iter()

@@ -180,7 +180,7 @@ pub(crate) fn before_after(drawing: &Drawing) -> String {
 
 /// Selects frames at about even distances, including the first and the last.
 pub(crate) fn snapshots<'a>(drawing: &Drawing<'a>) -> Vec<&'a Frame> {
-    let frames = drawing.input.frames.all();
+    let frames = drawing.input.frames.frames();
     let total = frames.last().map_or(0.0, |frame| frame.distance);
     let mut chosen: Vec<usize> = (0..SNAPSHOTS)
         .filter_map(|i| {

@@ -9,7 +9,7 @@ pub const MAX_FRAMES: usize = 80;
 /// Maximum number of particles in a frame; with more particles, every n-th is kept.
 pub const MAX_DRAWN: usize = 5_000;
 
-/// A frame of a prediction.
+/// The state of the particles at one time of a prediction.
 #[derive(Debug, Clone)]
 pub struct Frame {
     /// Distance travelled in contact so far \[m\].
@@ -28,7 +28,7 @@ pub struct Frame {
 ///
 /// ```ignore
 /// let mut frames = EffectFrames::new(&task, &plan);
-/// let prediction = predict(&task, &plan, |progress| frames.watch(progress));
+/// let prediction = predict(&task, &plan, |progress| frames.record(progress));
 /// ```
 #[derive(Debug, Clone)]
 pub struct EffectFrames {
@@ -65,7 +65,7 @@ impl EffectFrames {
     }
 
     /// Records the result of one motion.
-    pub fn watch(&mut self, progress: &PredictionProgress) {
+    pub fn record(&mut self, progress: &PredictionProgress) {
         // Motion n of N is kept if n * MAX_FRAMES / N passes a whole number, so the last one is always kept.
         let gaps = MAX_FRAMES - 1;
         let due = |seen: usize| seen * gaps / self.motions.max(gaps);
@@ -81,7 +81,7 @@ impl EffectFrames {
     }
 
     /// Returns the frames in order of time.
-    pub fn all(&self) -> &[Frame] {
+    pub fn frames(&self) -> &[Frame] {
         &self.frames
     }
 
@@ -102,7 +102,7 @@ impl EffectFrames {
             surface_from_tool,
             stroke,
             particles: particles.iter().step_by(self.thinning).collect(),
-            performance: Performance::of(particles, &self.goal, &self.surface),
+            performance: Performance::evaluate(particles, &self.goal, &self.surface),
         });
     }
 }

@@ -230,7 +230,7 @@ impl<'a> Drawing<'a> {
 
     /// Draws the tool to scale at its start, on the robot's side.
     pub(crate) fn tool_at_start(&self, view: &View) -> Markup {
-        let Some(start) = self.input.frames.all().first() else {
+        let Some(start) = self.input.frames.frames().first() else {
             return html! {};
         };
         let pose = start.surface_from_tool;
@@ -261,7 +261,7 @@ impl<'a> Drawing<'a> {
     pub(crate) fn density(&self, view: &View) -> Markup {
         let outline = &self.input.task.surface.outline;
         let particles: Vec<Point2> = self.input.task.particles.remaining().collect();
-        let Some(bounds) = Bounds2::of(outline.outer().iter().copied()) else {
+        let Some(bounds) = Bounds2::from_points(outline.outer().iter().copied()) else {
             return html! {};
         };
         let map = CoverageDensity::new(&particles, bounds, self.bandwidth());
@@ -311,5 +311,5 @@ fn bounds(input: &ReportInput, tool_start: Option<Point2>) -> Bounds2 {
         .flat_map(|p| around(p, radius))
         .chain(moved.filter(near).flat_map(|p| around(p, 0.2 * radius)))
         .chain(outline.flat_map(|p| around(p, 0.35 * radius)));
-    Bounds2::of(shown).unwrap_or(surface)
+    Bounds2::from_points(shown).unwrap_or(surface)
 }

@@ -60,7 +60,7 @@ impl Judged {
             round: motion.number,
             duration: round_to(round.execution.duration, 1e3),
             estimate: EstimateRecord::new(found.performance),
-            felt: EstimateRecord::new(found.felt),
+            felt: EstimateRecord::new(found.by_touch),
             verdict: round.verdict.as_str(),
             ending: round.execution.ending.as_str(),
             words: words::describe_round(round, target),
@@ -123,9 +123,9 @@ fn typical_replay<'a>(
 ) -> Option<&'a ParticleDistribution> {
     let mean = found.performance.mean;
     let off = |particles: &ParticleDistribution| {
-        (Performance::of(particles, goal, surface).ratio() - mean).abs()
+        (Performance::evaluate(particles, goal, surface).ratio() - mean).abs()
     };
-    let replays = found.belief.replays().iter();
+    let replays = found.belief.members().iter();
     replays.min_by(|a, b| off(a).total_cmp(&off(b)))
 }
 

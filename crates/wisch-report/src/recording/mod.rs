@@ -34,7 +34,7 @@ use wisch::represent::{ParticleDistribution, Task};
 use wisch::robot::Appearance;
 use wisch::run::{PlannedRound, RunEvent};
 
-/// Version of the recording's format.
+/// Version of the format of recordings.
 pub const RECORDING_SCHEMA: u32 = 1;
 
 /// The first piece of a recording: task, program and robot.
@@ -122,7 +122,7 @@ pub struct RecordingWriter<W> {
 }
 
 impl<W: Write> RecordingWriter<W> {
-    /// Makes a writer to `output`.
+    /// Makes a writer of a recording to `output`.
     pub fn new(output: W) -> Self {
         Self {
             output,
@@ -136,7 +136,7 @@ impl<W: Write> RecordingWriter<W> {
         }
     }
 
-    /// Returns the output.
+    /// Ends writing and returns the output.
     pub fn into_inner(self) -> W {
         self.output
     }
@@ -146,7 +146,7 @@ impl<W: Write> RecordingWriter<W> {
         &mut self.output
     }
 
-    /// Writes the first piece.
+    /// Writes the first piece of the recording.
     ///
     /// # Errors
     /// If the output cannot be written.
@@ -161,7 +161,7 @@ impl<W: Write> RecordingWriter<W> {
     ///
     /// # Errors
     /// If the output cannot be written.
-    pub fn see(&mut self, event: &RunEvent<'_>) -> io::Result<()> {
+    pub fn record_event(&mut self, event: &RunEvent<'_>) -> io::Result<()> {
         match *event {
             RunEvent::Planning { round } => {
                 self.frames = None;
@@ -190,7 +190,7 @@ impl<W: Write> RecordingWriter<W> {
                 ..
             } => {
                 let begin = || EffectFrames::new(task, wiped);
-                self.frames.get_or_insert_with(begin).watch(&progress);
+                self.frames.get_or_insert_with(begin).record(&progress);
                 Ok(())
             }
             RunEvent::Audited { round, audit } => {
@@ -220,7 +220,7 @@ impl<W: Write> RecordingWriter<W> {
                 };
                 write(&mut self.output, &piece)
             }
-            RunEvent::Judged(round) => {
+            RunEvent::Decided(round) => {
                 self.flush_batch()?;
                 write(&mut self.output, &Judged::new(round, self.target))
             }
@@ -250,7 +250,7 @@ impl<W: Write> RecordingWriter<W> {
     ///
     /// # Errors
     /// If the output cannot be written.
-    pub fn truth(&mut self, truth: &RoundTruth<'_>) -> io::Result<()> {
+    pub fn record_truth(&mut self, truth: &RoundTruth<'_>) -> io::Result<()> {
         write(&mut self.output, &Truth::new(truth))
     }
 

@@ -50,7 +50,7 @@ impl<'a> RobotRecord<'a> {
         let robot = cell.robot();
         let arm = arm(robot, cell.tip());
         let appearance = appearance.filter(|looks| !looks.is_empty());
-        let looks = |link: &Link| appearance?.of(robot.link(&link.name).ok()?);
+        let looks = |link: &Link| appearance?.visuals(robot.link(&link.name).ok()?);
         let shown = robot.links().iter().filter_map(looks).flatten();
         let shown = shown.filter(|part| matches!(part.shape, Shape::Mesh(_)));
         let most = (MAX_SHOWN_TRIANGLES / shown.count().max(1)).min(MAX_SHOWN_TRIANGLES_OF_ONE);

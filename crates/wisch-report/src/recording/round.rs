@@ -173,7 +173,7 @@ impl Shown<'_> {
             })
             .collect();
         let mut since = 0.0;
-        let moments: Vec<(f64, usize)> = (frames.all().iter().enumerate())
+        let moments: Vec<(f64, usize)> = (frames.frames().iter().enumerate())
             .map(|(i, frame)| {
                 since = seconds_at(followed, frame.stroke, frame.distance)
                     .unwrap_or(since)
@@ -183,7 +183,7 @@ impl Shown<'_> {
             .collect();
         let of_frame = |&(time, i): &(f64, usize)| Moment {
             time,
-            places: (frames.all()[i].particles.iter())
+            places: (frames.frames()[i].particles.iter())
                 .filter(|(_, fate)| fate.is_on_surface())
                 .map(|(place, _)| *place)
                 .collect(),
@@ -191,7 +191,7 @@ impl Shown<'_> {
         let growth = moments.iter().map(|&(time, i)| {
             [
                 round_to(time, 1e3),
-                round_to(frames.all()[i].performance.ratio(), 1e4),
+                round_to(frames.frames()[i].performance.ratio(), 1e4),
             ]
         });
         let duration = match followed {

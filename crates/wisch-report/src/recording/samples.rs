@@ -151,7 +151,7 @@ pub(super) fn planned(planned: &UnexecutedPlan<'_>) -> Vec<Samples> {
             }
         }
         None => {
-            for frame in planned.frames.all() {
+            for frame in planned.frames.frames() {
                 let at = ToolPose {
                     surface_from_tool: frame.surface_from_tool,
                     height: 0.0,

@@ -8,7 +8,7 @@ use wisch::recover::Verdict;
 use wisch::represent::Task;
 use wisch::run::{Ending, Round};
 
-/// The outcome of a run.
+/// How a run ended, for the last piece of a recording.
 #[derive(Debug, Clone, Copy)]
 pub struct RunOutcome<'a> {
     /// The task.

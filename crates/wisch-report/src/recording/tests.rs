@@ -27,7 +27,7 @@ fn record_followed_plan(task: &Task) -> Vec<u8> {
         ..plan
     };
     let mut frames = EffectFrames::new(task, &wiped);
-    let prediction = predict(task, &wiped, |progress| frames.watch(progress));
+    let prediction = predict(task, &wiped, |progress| frames.record(progress));
     let audit = Audit {
         line: Default::default(),
         grip: Default::default(),
@@ -193,7 +193,7 @@ fn a_round_lists_the_candidate_plans() {
         round: 1,
         considered: &considered,
     };
-    recording.see(&evaluated).expect("memory takes it");
+    recording.record_event(&evaluated).expect("memory takes it");
     let planned = UnexecutedPlan {
         task: &task,
         plan: &plan,

@@ -122,7 +122,7 @@ pub(super) fn describe_round(round: &Round, target: f64) -> Vec<String> {
         }
     }
     if found.observation.is_some() {
-        let [touch, camera] = [found.felt, found.performance].map(format_estimate);
+        let [touch, camera] = [found.by_touch, found.performance].map(format_estimate);
         sentences.push(format!(
             "Estimated performance: {touch} from touch, {camera} with the camera observation."
         ));
@@ -140,7 +140,7 @@ pub(super) fn describe_round(round: &Round, target: f64) -> Vec<String> {
 
 /// States the verdict on a round with its reason.
 fn describe_verdict(round: &Round, target: f64) -> String {
-    let claim = Claim::of(&round.interpretation.distribution, target);
+    let claim = Claim::assess(&round.interpretation.distribution, target);
     match round.verdict {
         Verdict::GoalMet => format!("The goal is met: {claim}."),
         Verdict::Again => format!("The goal is not met yet: {claim}."),
@@ -170,7 +170,7 @@ pub(super) fn suggest_measures(last: &Round) -> String {
     let pushed = found
         .events
         .iter()
-        .any(|event| event.kind == EventKind::Collision);
+        .any(|event| event.kind == EventKind::Push);
     let mut measures = Vec::new();
     match &found.observation {
         None => measures

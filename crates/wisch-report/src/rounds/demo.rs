@@ -62,7 +62,7 @@ impl Demo {
         for (number, &trouble) in troubles.iter().enumerate() {
             demo.task.particles = believed.clone();
             let round = demo.play(number as u64, trouble, &truth);
-            believed = round.interpretation.belief.replays()[0].clone();
+            believed = round.interpretation.belief.members()[0].clone();
             truth = round.truth.clone();
             demo.rounds.push(round);
         }
@@ -104,25 +104,25 @@ impl Demo {
             .map(|replay| draw(&self.task.particles, 100 * number + replay))
             .collect();
         let truth = draw(truth, 7_000 + number);
-        let belief = Belief::of(replays).expect("replays of one length");
+        let belief = Belief::from_members(replays).expect("replays of one length");
         let performance = belief.performance(&self.goal, &self.task.surface, 0.0);
         Played {
             believed: self.task.particles.clone(),
             predicted,
             interpretation: interpretation(trouble, &path, belief, performance),
-            share: Performance::of(&truth, &self.goal, &self.task.surface).ratio(),
+            share: Performance::evaluate(&truth, &self.goal, &self.task.surface).ratio(),
             truth,
             pushes,
             plan,
         }
     }
 
-    /// Interprets the logs of the rounds with the library.
+    /// Interprets the logs from_task the rounds with the library.
     pub(crate) fn interpret_logs(mut self) -> Self {
-        let config = InterpretConfig::of(&self.task);
+        let config = InterpretConfig::from_task(&self.task);
         for round in &mut self.rounds {
             let log = samples(&self.task, &round.interpretation.path);
-            let before = Belief::certain(round.believed.clone());
+            let before = Belief::from_particles(round.believed.clone());
             round.interpretation = interpret(&log, &self.task, &before, &self.goal, &config)
                 .expect("the log can be interpreted");
         }
@@ -326,7 +326,7 @@ fn interpretation(
         contact_share: contact as f64 / near.max(1) as f64,
         belief,
         distribution,
-        felt: performance,
+        by_touch: performance,
         observation: None,
         performance,
     }
@@ -336,7 +336,7 @@ fn interpretation(
 fn events(path: &[PathPiece]) -> Vec<Event> {
     let kind = |piece: &PathPiece| match piece.touch {
         Touch::Weak | Touch::Confident => Some(EventKind::Contact),
-        Touch::FalsePositive => Some(EventKind::Collision),
+        Touch::FalsePositive => Some(EventKind::Push),
         Touch::Free if piece.height < 0.0085 => Some(EventKind::ContactLoss),
         Touch::Free => None,
     };

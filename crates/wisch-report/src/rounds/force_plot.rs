@@ -276,7 +276,7 @@ const fn event_class(kind: EventKind) -> &'static str {
     match kind {
         EventKind::Contact => "event-contact",
         EventKind::ContactLoss => "event-loss",
-        EventKind::Collision | EventKind::HandGuiding => "event-collision",
+        EventKind::Push | EventKind::HandGuiding => "event-collision",
         EventKind::Landing | EventKind::Overload | EventKind::Vibration => "event-loss",
         EventKind::StickSlip => "event-stick",
         EventKind::Approach | EventKind::Stroke | EventKind::Lift | EventKind::Retreat => "",

@@ -23,7 +23,7 @@ pub struct RoundView<'a> {
     pub pushes: &'a [[f64; 2]],
 }
 
-/// All rounds of a task.
+/// All rounds of a task, for the figures of a report.
 #[derive(Debug, Clone, Copy)]
 pub struct RoundsInput<'a> {
     /// The task.
@@ -37,18 +37,18 @@ pub struct RoundsInput<'a> {
 }
 
 impl<'a> RoundView<'a> {
-    /// Returns the replays that form the belief after the round.
-    pub(crate) fn replays(&self) -> &'a [ParticleDistribution] {
-        self.interpretation.belief.replays()
+    /// Returns the members that form the belief after the round.
+    pub(crate) fn members(&self) -> &'a [ParticleDistribution] {
+        self.interpretation.belief.members()
     }
 
     /// Returns the replay whose performance is nearest to the mean estimate, as a typical particle distribution.
     pub(crate) fn typical_replay(&self, input: &RoundsInput) -> &'a ParticleDistribution {
         let mean = self.interpretation.performance.mean;
         let off = |particles: &ParticleDistribution| {
-            (Performance::of(particles, input.goal, &input.task.surface).ratio() - mean).abs()
+            (Performance::evaluate(particles, input.goal, &input.task.surface).ratio() - mean).abs()
         };
-        let nearest = (self.replays().iter()).min_by(|a, b| off(a).total_cmp(&off(b)));
+        let nearest = (self.members().iter()).min_by(|a, b| off(a).total_cmp(&off(b)));
         nearest.unwrap_or(self.believed)
     }
 }

@@ -53,7 +53,7 @@ impl Projection {
 
     /// Fits points into the picture.
     fn new(stretching: f64, places: impl Iterator<Item = Point3>) -> Self {
-        let bounds = Bounds2::of(places.map(|p| {
+        let bounds = Bounds2::from_points(places.map(|p| {
             let (x, y) = Self::flat(stretching, p);
             Point2::new(x, y)
         }));

@@ -150,7 +150,7 @@ fn drawn_bounds(surface: &Surface) -> Bounds2 {
 }
 
 pub(crate) fn particles_figure(input: &RoundsInput, round: &RoundView) -> Figure {
-    let cells = Cells::new(round.replays(), input.goal, &input.task.surface);
+    let cells = Cells::new(round.members(), input.goal, &input.task.surface);
     let views = views(input, round, &cells);
     let panels = views.into_iter().map(|(panel, _)| panel).collect();
     Figure {
@@ -161,13 +161,13 @@ pub(crate) fn particles_figure(input: &RoundsInput, round: &RoundView) -> Figure
 }
 
 pub(crate) fn density_figure(input: &RoundsInput, round: &RoundView) -> Figure {
-    let cells = Cells::new(round.replays(), input.goal, &input.task.surface);
+    let cells = Cells::new(round.members(), input.goal, &input.task.surface);
     Figure {
         panel: place_in_row(maps(input, round, &cells).into()),
         entries: Vec::new(),
-        what: match round.replays().len() {
+        what: match round.members().len() {
             1 => format!("{}, in the only replay", map_title(input.goal)),
-            many => format!("{}, over {many} replays", map_title(input.goal)),
+            many => format!("{}, over {many} members", map_title(input.goal)),
         },
     }
 }

@@ -315,13 +315,13 @@ fn the_typical_replay_is_nearest_to_the_mean() {
     let views = demo.views();
     let input = demo.input(&views);
     let share = |particles: &ParticleDistribution| {
-        Performance::of(particles, input.goal, &input.task.surface).ratio()
+        Performance::evaluate(particles, input.goal, &input.task.surface).ratio()
     };
     let mean = views[0].interpretation.performance.mean;
     let off = (share(views[0].typical_replay(&input)) - mean).abs();
     assert!(
         views[0]
-            .replays()
+            .members()
             .iter()
             .all(|r| (share(r) - mean).abs() >= off)
     );
@@ -371,7 +371,7 @@ fn a_collect_and_a_skim_are_shown() {
         let (after, share) = (prediction.particles, prediction.performance.ratio());
         demo.goal = round.plan.graph.goal;
         (round.truth, round.share) = (after.clone(), share);
-        round.interpretation.belief = Belief::certain(after);
+        round.interpretation.belief = Belief::from_particles(after);
         round.interpretation.performance = Estimate {
             mean: share,
             low: share,

@@ -7,7 +7,7 @@ use wisch::interpret::{Diagnosis, Estimate, Event, EventKind, Interpretation};
 pub(crate) const KINDS: [EventKind; 8] = [
     EventKind::Contact,
     EventKind::ContactLoss,
-    EventKind::Collision,
+    EventKind::Push,
     EventKind::HandGuiding,
     EventKind::Landing,
     EventKind::Overload,
@@ -19,7 +19,7 @@ pub(crate) const fn kind_name(kind: EventKind) -> &'static str {
     match kind {
         EventKind::Contact => "contact",
         EventKind::ContactLoss => "contact loss",
-        EventKind::Collision => "collision",
+        EventKind::Push => "collision",
         EventKind::HandGuiding => "hand guiding",
         EventKind::Landing => "landing",
         EventKind::Overload => "overload",

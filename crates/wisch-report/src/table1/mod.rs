@@ -27,7 +27,7 @@ pub struct Table1Input<'a> {
     pub notes: Vec<String>,
 }
 
-/// An action on each surface.
+/// The results of one action on each surface.
 #[derive(Debug, Clone)]
 pub struct ActionRows<'a> {
     /// Its name.
@@ -36,7 +36,7 @@ pub struct ActionRows<'a> {
     pub surfaces: Vec<SurfaceColumns<'a>>,
 }
 
-/// A surface by each strategy.
+/// The results on one surface, by each strategy.
 #[derive(Debug, Clone)]
 pub struct SurfaceColumns<'a> {
     /// Its name.
@@ -45,7 +45,7 @@ pub struct SurfaceColumns<'a> {
     pub columns: Vec<StrategyColumn<'a>>,
 }
 
-/// One strategy.
+/// The results of one strategy on one surface.
 #[derive(Debug, Clone)]
 pub struct StrategyColumn<'a> {
     /// Its name.

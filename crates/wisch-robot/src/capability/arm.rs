@@ -1,7 +1,7 @@
 //! The chain of a capability map: sampling within its limits, and descent from a pose to a nearby one.
 
 use super::{MapError, MapRequest};
-use crate::frame::z_to;
+use crate::frame::rotation_from_z;
 use crate::geometry::{Point3, Pose, Vector3};
 use crate::{
     Drive, IkConfig, IkOutcome, IkSolver, JointKind, LinkId, MAX_CHAIN, Range, RobotModel,
@@ -116,7 +116,7 @@ impl Arm {
     /// Returns positions that put the tool at a goal, by a descent from nearby positions.
     pub(super) fn approach(&self, goal: &ToolGoal, start: &Positions) -> Option<Positions> {
         let place = Translation3::from(goal.point.coords);
-        let base_from_tool = Pose::from_parts(place, z_to(&goal.axis));
+        let base_from_tool = Pose::from_parts(place, rotation_from_z(&goal.axis));
         let start = &start[..self.variables().len()];
         let free = RotationGoal::AboutToolZFree;
         match self

@@ -93,7 +93,7 @@ impl CapabilityMap {
         let values = builder.refine();
         let name = |link: LinkId| tool.robot.links()[link.index()].name.clone();
         let about = MapOrigin {
-            robot: RobotHash::of(tool.robot),
+            robot: RobotHash::from_robot(tool.robot),
             base: name(tool.base),
             tip: name(tool.tip),
             tip_from_tool: tool.tip_from_tool,

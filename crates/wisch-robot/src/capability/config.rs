@@ -90,7 +90,7 @@ impl MapConfig {
     }
 }
 
-/// Stage of building a map.
+/// Stage of building a capability map, for reports of progress.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum MapStage {
     /// Random positions; progress counts positions.

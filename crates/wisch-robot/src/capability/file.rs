@@ -26,7 +26,7 @@ use nalgebra::{Quaternion, Translation3, UnitQuaternion};
 const MAGIC: &[u8; 8] = b"wischmap";
 const VERSION: u32 = 2;
 
-/// Most bytes of a map.
+/// Largest size of a capability map's file \[bytes\].
 pub const MAX_MAP_BYTES: usize = 64 << 20;
 
 /// Longest name that fits its two-byte length; a URDF has no longer ones.

@@ -79,12 +79,12 @@ impl RobotHash {
     /// let arm = |upper: f64| format!(r#"<robot name="r"><link name="wall"/><link name="rod"/>
     ///     <joint name="pivot" type="revolute"><parent link="wall"/><child link="rod"/>
     ///       <limit lower="-1" upper="{upper}"/></joint></robot>"#);
-    /// let hash = RobotHash::of(&read(&arm(1.0))?);
-    /// assert_eq!(hash, RobotHash::of(&read(&arm(1.0).replace(' ', "  "))?));
-    /// assert_ne!(hash, RobotHash::of(&read(&arm(1.5))?));
+    /// let hash = RobotHash::from_robot(&read(&arm(1.0))?);
+    /// assert_eq!(hash, RobotHash::from_robot(&read(&arm(1.0).replace(' ', "  "))?));
+    /// assert_ne!(hash, RobotHash::from_robot(&read(&arm(1.5))?));
     /// # Ok::<(), wisch_robot::RobotError>(())
     /// ```
-    pub fn of(robot: &RobotModel) -> Self {
+    pub fn from_robot(robot: &RobotModel) -> Self {
         let mut hash = Fnv::new();
         hash.count(robot.links().len());
         for link in robot.links() {

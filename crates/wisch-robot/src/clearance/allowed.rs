@@ -8,7 +8,7 @@ use std::f64::consts::PI;
 
 /// Why a pair of bodies is excluded from collision checks.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub enum Reason {
+pub enum AllowedReason {
     /// One body holds the other, and no link between them has shapes.
     Neighbours,
     /// The bodies overlap in at least 95 % of the postures within the limits.
@@ -53,7 +53,7 @@ pub(super) fn neighbours(robot: &RobotModel) -> Vec<Vec<BodyId>> {
 
 impl CollisionModel {
     /// Allows two bodies to touch; the first reason is kept.
-    pub(super) fn permit(&mut self, a: BodyId, b: BodyId, reason: Reason) {
+    pub(super) fn permit(&mut self, a: BodyId, b: BodyId, reason: AllowedReason) {
         if a != b {
             self.allowed.entry([a.min(b), a.max(b)]).or_insert(reason);
         }
@@ -64,7 +64,7 @@ impl CollisionModel {
             let has_shapes = !self.bodies[link].solids.is_empty();
             for neighbour in self.neighbours[link].clone() {
                 if has_shapes {
-                    self.permit(BodyId(link), neighbour, Reason::Neighbours);
+                    self.permit(BodyId(link), neighbour, AllowedReason::Neighbours);
                 }
             }
         }
@@ -99,7 +99,7 @@ impl CollisionModel {
         }
         for ([a, b], apart) in candidates {
             if postures > 0 && apart * POSTURES <= postures * MAX_APART {
-                self.permit(a, b, Reason::AlwaysColliding);
+                self.permit(a, b, AllowedReason::AlwaysColliding);
             }
         }
         self.list_pairs();

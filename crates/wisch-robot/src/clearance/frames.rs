@@ -1,6 +1,6 @@
 //! The frames of a robot that move against each other. Links that are fixed to each other share a frame.
 
-use super::super::frame::{Frame, z_to};
+use super::super::frame::{Frame, rotation_from_z};
 use super::super::{JointKind, RobotModel};
 use crate::geometry::Pose;
 use nalgebra::Translation3;
@@ -58,7 +58,8 @@ impl LinkFrames {
                 });
                 continue;
             }
-            let joint_from_axis = Pose::from_parts(Translation3::identity(), z_to(&joint.axis));
+            let joint_from_axis =
+                Pose::from_parts(Translation3::identity(), rotation_from_z(&joint.axis));
             joints.push(MovingJoint {
                 parent: parent.frame,
                 parent_from_this: Frame::from_pose(&(frame_from_joint * joint_from_axis)),

@@ -9,7 +9,7 @@ mod solid;
 #[cfg(test)]
 mod tests;
 
-pub use allowed::Reason;
+pub use allowed::AllowedReason;
 pub use segment::SEGMENT_RESOLUTION;
 
 use super::frame::Frame;
@@ -81,7 +81,7 @@ pub struct CollisionModel {
     by_name: BTreeMap<String, BodyId>,
     solids: Vec<PlacedSolid>,
     /// Allowed pairs, the lower index first.
-    allowed: BTreeMap<[BodyId; 2], Reason>,
+    allowed: BTreeMap<[BodyId; 2], AllowedReason>,
     obstacles: Obstacles,
     /// Pairs to check, and solids to place for them; derived from the fields above.
     rows: Vec<Row>,
@@ -154,7 +154,7 @@ impl Margins {
     }
 }
 
-/// Distance of the nearest pair.
+/// The nearest pair of bodies with its distance.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Clearance {
     /// Distance of the nearest pair, at most the searched one \[m\]. If the pair overlaps, a value of at most 0 that is a
@@ -231,7 +231,7 @@ impl CollisionModel {
         model.allow_neighbours();
         for pair in srdf.map_or(&[][..], |srdf| &srdf.disabled) {
             let [a, b] = [model.body_of_link(pair.a)?, model.body_of_link(pair.b)?];
-            model.permit(a, b, Reason::Disabled);
+            model.permit(a, b, AllowedReason::Disabled);
         }
         model.list_pairs();
         model.allow_always_colliding(robot);
@@ -270,7 +270,7 @@ impl CollisionModel {
             near.extend((self.neighbours[part.0].iter()).filter(|&&held| held >= part));
         }
         for neighbour in near {
-            self.permit(neighbour, body, Reason::Neighbours);
+            self.permit(neighbour, body, AllowedReason::Neighbours);
         }
         self.list_pairs();
         Ok(())
@@ -330,7 +330,7 @@ impl CollisionModel {
     /// If a name does not exist; the error has the nearest names.
     pub fn allow(&mut self, a: &str, b: &str) -> Result<(), RobotError> {
         let pair = [self.body(a)?, self.body(b)?];
-        self.permit(pair[0], pair[1], Reason::Asked);
+        self.permit(pair[0], pair[1], AllowedReason::Asked);
         // Pairs with obstacles are not stored.
         if pair.iter().all(|id| !self.bodies[id.0].is_obstacle) {
             self.list_pairs();
@@ -339,7 +339,7 @@ impl CollisionModel {
     }
 
     /// Iterates over the pairs that may touch, each once, with the first reason for it.
-    pub fn allowed_pairs(&self) -> impl Iterator<Item = (&str, &str, Reason)> {
+    pub fn allowed_pairs(&self) -> impl Iterator<Item = (&str, &str, AllowedReason)> {
         let pairs = self.allowed.iter();
         pairs.map(|(&[a, b], &reason)| (self.name(a), self.name(b), reason))
     }
@@ -382,7 +382,7 @@ impl CollisionModel {
         &self.bodies[body.0].name
     }
 
-    /// Describes a contact in words.
+    /// Describes a contact in words, with the names of both bodies and their distance.
     ///
     /// # Panics
     /// If it belongs to another, larger model.
@@ -397,7 +397,7 @@ impl CollisionModel {
     /// Returns the model for queries that move only these variables, without the pairs that they do not move against
     /// each other. Positions are still those of all n variables.
     #[must_use]
-    pub fn for_variables(&self, variables: &[usize]) -> Self {
+    pub fn with_variables(&self, variables: &[usize]) -> Self {
         let mut model = self.clone();
         for (i, is_moved) in model.is_moved.iter_mut().enumerate() {
             *is_moved &= variables.contains(&i);

@@ -20,7 +20,7 @@ pub struct Visual {
     pub color: Option<[f64; 4]>,
 }
 
-/// Visual geometry of a robot.
+/// The visual geometry of a robot, by link.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Appearance {
     links: Vec<Option<Vec<Visual>>>,
@@ -43,7 +43,7 @@ impl Appearance {
     /// </robot>"#;
     /// let robot = RobotModel::from_urdf("r.urdf", text, &mut |_| Err("no meshes".into()))?;
     /// let looks = Appearance::from_urdf("r.urdf", text, &robot, &mut |_| Err("no meshes".into()))?;
-    /// let base = looks.of(robot.root()).ok_or("the base has visual geometry")?;
+    /// let base = looks.visuals(robot.root()).ok_or("the base has visual geometry")?;
     /// assert_eq!(base[0].shape, Shape::Sphere { radius: 0.1 });
     /// assert_eq!(base[0].color, Some([0.6, 0.6, 0.7, 1.0]));
     /// # Ok::<(), Box<dyn std::error::Error>>(())
@@ -91,7 +91,7 @@ impl Appearance {
 
     /// Returns the visual geometry of a link, empty if the URDF has none; `None` if it cannot be read or the robot has
     /// no such link.
-    pub fn of(&self, link: LinkId) -> Option<&[Visual]> {
+    pub fn visuals(&self, link: LinkId) -> Option<&[Visual]> {
         self.links.get(link.index())?.as_deref()
     }
 
@@ -108,7 +108,7 @@ fn note(report: &mut Diagnostics<'_>, subject: Subject, fault: &RobotError) {
         severity: Severity::Note,
         at: at
             .cloned()
-            .unwrap_or_else(|| Place::at_offset(report.file, "", 0)),
+            .unwrap_or_else(|| Place::from_offset(report.file, "", 0)),
         subject,
         kind: DiagnosticKind::Visual,
         value,
@@ -247,7 +247,7 @@ mod tests {
         let (robot, looks) = looks(ARM, Some(100.0));
         let looks = looks.unwrap();
         assert!(!looks.is_empty() && looks.diagnostics().is_empty());
-        let [cube, mesh] = looks.of(robot.root()).unwrap() else {
+        let [cube, mesh] = looks.visuals(robot.root()).unwrap() else {
             panic!("two visual elements");
         };
         assert_eq!(cube.link_from_shape.translation.z, 0.1);
@@ -257,14 +257,14 @@ mod tests {
             panic!("the second is a mesh");
         };
         assert!((mesh.extent() - 0.1).abs() < 1e-6, "{}", mesh.extent());
-        assert_eq!(looks.of(robot.link("rod").unwrap()), Some(&[][..]));
+        assert_eq!(looks.visuals(robot.link("rod").unwrap()), Some(&[][..]));
     }
 
     #[test]
     fn a_missing_mesh_removes_the_appearance_of_its_link_only() {
         let (robot, looks) = looks(ARM, None);
         let looks = looks.unwrap();
-        assert_eq!(looks.of(robot.root()), None);
+        assert_eq!(looks.visuals(robot.root()), None);
         let [note] = looks.diagnostics() else {
             panic!("{:?}", looks.diagnostics());
         };
@@ -281,7 +281,7 @@ mod tests {
     fn a_mesh_in_millimetres_is_not_drawn_a_thousand_times_too_large() {
         let (robot, looks) = looks(&ARM.replace("0.001 0.001 0.001", "1 1 1"), Some(100.0));
         let looks = looks.unwrap();
-        assert_eq!(looks.of(robot.root()), None);
+        assert_eq!(looks.visuals(robot.root()), None);
         assert_eq!(looks.diagnostics()[0].kind, DiagnosticKind::MeshScale);
     }
 
@@ -293,7 +293,7 @@ mod tests {
             let [note] = looks.diagnostics() else {
                 panic!("{:?}", looks.diagnostics());
             };
-            (note.to_string(), looks.of(robot.root()).is_some())
+            (note.to_string(), looks.visuals(robot.root()).is_some())
         };
         let (text, _) = note("<geometry><box size=\"0.2 0.2 0.2\"/></geometry>", "");
         assert!(

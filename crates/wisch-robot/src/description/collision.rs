@@ -177,7 +177,7 @@ pub(super) fn load(
             };
             let (extent, most) = (mesh.extent(), mesh_limit(reach));
             if !(MIN_MESH_EXTENT..=most).contains(&extent) {
-                let unit = LikelyUnit::of(extent, MIN_MESH_EXTENT, most.min(LEAST_MESH_LIMIT));
+                let unit = LikelyUnit::guess(extent, MIN_MESH_EXTENT, most.min(LEAST_MESH_LIMIT));
                 let w = words(
                     format!("mesh {file:?} is {extent:.3e} m long"),
                     match extent > most {

@@ -192,7 +192,7 @@ impl Diagnostics<'_> {
     ) {
         self.diagnostics.push(Diagnostic {
             severity,
-            at: Place::at_offset(self.file, self.text, offset),
+            at: Place::from_offset(self.file, self.text, offset),
             subject,
             kind,
             value: words.value,

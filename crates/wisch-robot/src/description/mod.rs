@@ -16,7 +16,7 @@ pub use check::{MAX_DEPTH, check};
 pub use collision::{Collision, MAX_MESH_EXTENT, Shape};
 pub use diagnostics::{Diagnostic, DiagnosticKind, Severity, Subject};
 pub use srdf::{
-    DisabledPair, EndEffector, Group, GroupState, HOME_STATE, Ignored, READY_STATE, Srdf,
+    DisabledPair, EndEffector, Group, GroupState, HOME_STATE, IgnoredElement, READY_STATE, Srdf,
 };
 pub use transforms::{JointMimic, JointMotion, JointTransform, joint_transforms};
 pub use urdf::{MAX_LINKS, MAX_SHAPES, MAX_URDF_BYTES};

@@ -1,7 +1,7 @@
 //! A planar joint of a URDF, read as three joints: two prismatic ones and a revolute one.
 
 use super::elements::{UrdfJoint, UrdfLimit, UrdfLink};
-use crate::frame::z_to;
+use crate::frame::rotation_from_z;
 use crate::geometry::{Pose, Vector3};
 
 /// Range of a planar joint in either direction [m]: a URDF gives none, and no floor is larger.
@@ -18,7 +18,7 @@ pub(crate) fn split(joint: UrdfJoint) -> (Vec<UrdfJoint>, Vec<UrdfLink>) {
     if joint.kind != "planar" || joint.axis.norm() < MIN_AXIS {
         return (vec![joint], Vec::new());
     }
-    let plane = z_to(&joint.axis.normalize());
+    let plane = rotation_from_z(&joint.axis.normalize());
     let limit = joint.limit.unwrap_or_default();
     let slide = UrdfLimit {
         lower: Some(-EXTENT),

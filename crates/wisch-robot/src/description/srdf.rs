@@ -21,7 +21,7 @@ const MAX_LEAN: std::ops::RangeInclusive<f64> = 0.0..=std::f64::consts::FRAC_PI_
 /// Most groups.
 const MAX_GROUPS: usize = 1000;
 
-/// An SRDF of one robot.
+/// The semantic description (SRDF) of one robot: groups, postures and disabled pairs.
 ///
 /// ```
 /// # use wisch_robot::RobotModel;
@@ -55,7 +55,7 @@ pub struct Srdf {
     pub end_effectors: Vec<EndEffector>,
     /// Groups that are ignored: those of links, of other groups, or of joints that form no chain. Virtual and passive
     /// joints are ignored silently.
-    pub ignored: Vec<Ignored>,
+    pub ignored: Vec<IgnoredElement>,
     /// Diagnostics of elements that are ignored without harm to the groups that wipe: pairs with a link that the robot
     /// does not have (a warning), and postures of joints that are fixed, absent or in no group (a note).
     pub passed_over: Vec<Diagnostic>,
@@ -108,9 +108,9 @@ pub struct DisabledPair {
     pub reason: String,
 }
 
-/// A group that is ignored.
+/// An element of an SRDF that is ignored, with the reason.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Ignored {
+pub struct IgnoredElement {
     /// Place in the text.
     pub at: Place,
     /// Description, such as `group "hand" of a joint, not a chain`.
@@ -190,7 +190,7 @@ impl Srdf {
             report.add(Severity::Warning, DiagnosticKind::Srdf, subject, at, w);
         }
         report.diagnostics.extend(srdf.passed_over);
-        for Ignored { at, what } in srdf.ignored {
+        for IgnoredElement { at, what } in srdf.ignored {
             report.diagnostics.push(Diagnostic {
                 severity: Severity::Note,
                 at,
@@ -246,7 +246,7 @@ impl Srdf {
                     "joints that move, of a group",
                     "fine if it is for other programs: it is ignored here",
                 );
-                let found = finding(Severity::Note, reader.at(node), w);
+                let found = finding(Severity::Note, reader.place(node), w);
                 srdf.passed_over.push(found);
                 continue;
             }
@@ -348,8 +348,8 @@ impl Srdf {
     }
 
     fn ignore(&mut self, reader: &Reader, node: Node, what: String) {
-        let at = reader.at(node);
-        self.ignored.push(Ignored { at, what });
+        let at = reader.place(node);
+        self.ignored.push(IgnoredElement { at, what });
     }
 
     /// Adds a chain to the groups; returns a group of joints that forms a chain.
@@ -442,7 +442,7 @@ fn diagnostic(fault: &RobotError, file: &str, robot: &RobotModel) -> Diagnostic 
         }
         _ => limit,
     };
-    let start = || Place::at_offset(file, "", 0);
+    let start = || Place::from_offset(file, "", 0);
     Diagnostic {
         severity: Severity::Error,
         at: at.cloned().unwrap_or_else(start),
@@ -481,7 +481,7 @@ impl Reader<'_> {
         known: impl Iterator<Item = &'n str>,
     ) -> RobotError {
         RobotError::UnknownAt {
-            at: self.at(node),
+            at: self.place(node),
             unknown: Box::new(UnknownName::new(kind, name, known)),
         }
     }

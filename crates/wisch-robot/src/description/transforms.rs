@@ -44,7 +44,7 @@ pub struct JointMimic {
 
 impl JointTransform {
     /// Returns the pose of the child in the parent at a position of the joint [rad or m].
-    pub fn at(&self, position: f64) -> Pose {
+    pub fn parent_from_child(&self, position: f64) -> Pose {
         let moved = match self.motion {
             JointMotion::Fixed => Pose::identity(),
             JointMotion::Revolute(axis) => Pose::from_parts(
@@ -68,7 +68,7 @@ impl JointTransform {
 ///     <joint name="spindle" type="prismatic"><parent link="floor"/><child link="table"/>
 ///     <origin xyz="0 0 0.4"/><axis xyz="0 0 1"/><limit lower="0" upper="1" velocity="1" effort="1"/></joint></robot>"#;
 /// let joints = wisch_robot::joint_transforms("lift.urdf", urdf)?;
-/// assert_eq!(joints[0].at(0.1).translation.z, 0.5);
+/// assert_eq!(joints[0].parent_from_child(0.1).translation.z, 0.5);
 /// # Ok::<(), wisch_robot::RobotError>(())
 /// ```
 ///

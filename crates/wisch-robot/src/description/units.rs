@@ -54,7 +54,7 @@ pub(super) fn check(urdf: &Urdf, reach: f64, report: &mut Diagnostics) {
             true => Severity::Error,
             false => Severity::Warning,
         };
-        let unit = LikelyUnit::of(reach, 10.0 * least, most / 5.0);
+        let unit = LikelyUnit::guess(reach, 10.0 * least, most / 5.0);
         let advice = match unit {
             Some(unit) => format!("{unit}, in origins, shapes and limits of sliding joints"),
             None => "give lengths in metres".to_owned(),

@@ -29,7 +29,7 @@ use roxmltree::{Document, Node, ParsingOptions};
 
 /// Length of the longest text \[bytes\].
 pub const MAX_URDF_BYTES: usize = 8 << 20;
-/// Most links of a robot.
+/// Largest number of links of a robot.
 pub const MAX_LINKS: usize = 1000;
 /// Most collision shapes of a robot.
 pub const MAX_SHAPES: usize = 10_000;
@@ -182,13 +182,13 @@ impl<'a> Reader<'a> {
         }
     }
 
-    pub fn at(&self, node: Node) -> Place {
-        Place::at_offset(self.file, self.text, node.range().start)
+    pub fn place(&self, node: Node) -> Place {
+        Place::from_offset(self.file, self.text, node.range().start)
     }
 
     pub fn fault(&self, node: Node, problem: String) -> RobotError {
         RobotError::Syntax {
-            at: self.at(node),
+            at: self.place(node),
             problem,
         }
     }
@@ -200,7 +200,7 @@ impl<'a> Reader<'a> {
         expected: &'static str,
     ) -> RobotError {
         RobotError::Attribute {
-            at: self.at(node),
+            at: self.place(node),
             element: node.tag_name().name().to_owned(),
             attribute,
             text: node.attribute(attribute).unwrap_or_default().to_owned(),

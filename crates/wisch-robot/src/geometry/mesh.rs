@@ -14,7 +14,7 @@ use std::f64::consts::{FRAC_PI_2, PI, TAU};
 /// Largest absolute coordinate of a mesh \[m\].
 pub const MAX_COORDINATE: f64 = 1e4;
 
-/// Most triangles of a mesh.
+/// Largest number of triangles of a mesh.
 pub const MAX_TRIANGLES: usize = 5_000_000;
 
 /// Range of the number of segments of a round primitive.

@@ -27,7 +27,7 @@ impl PointGrid {
     }
 
     /// Returns a grid of these points, numbered from 0.
-    pub fn of(points: &[Point2], cell: f64) -> Self {
+    pub fn from_points(points: &[Point2], cell: f64) -> Self {
         let mut grid = Self::new(cell);
         for (number, &point) in points.iter().enumerate() {
             grid.insert(number, point);
@@ -87,7 +87,7 @@ impl PointGrid {
     }
 
     /// Whether a point at most `radius` from a place \[m\] meets the condition.
-    pub fn any_within(
+    pub fn has_within(
         &self,
         place: Point2,
         radius: f64,
@@ -100,8 +100,8 @@ impl PointGrid {
     }
 
     /// Calls `call` with every point at most `radius` from a place \[m\], in arbitrary order.
-    pub fn within(&self, place: Point2, radius: f64, mut call: impl FnMut(usize, Point2)) {
-        self.any_within(place, radius, |number, point| {
+    pub fn visit_within(&self, place: Point2, radius: f64, mut call: impl FnMut(usize, Point2)) {
+        self.has_within(place, radius, |number, point| {
             call(number, point);
             false
         });
@@ -113,7 +113,7 @@ impl PointGrid {
     pub fn nearest_within(&self, place: Point2, radius: f64, most: usize) -> Option<usize> {
         let mut best: Option<(f64, usize)> = None;
         let mut met = 0;
-        self.any_within(place, radius, |number, point| {
+        self.has_within(place, radius, |number, point| {
             let found = ((point - place).norm(), number);
             if best.is_none_or(|best| found < best) {
                 best = Some(found);
@@ -210,7 +210,7 @@ mod tests {
             cell in 0.3..9.0_f64,
             radius in 0.0..12.0_f64,
         ) {
-            let mut grid = PointGrid::of(&points, cell);
+            let mut grid = PointGrid::from_points(&points, cell);
             let mut left: Vec<usize> = (0..points.len()).collect();
             for number in gone {
                 if let Some(known) = left.iter().position(|left| *left == number) {
@@ -226,11 +226,11 @@ mod tests {
             prop_assert_eq!(grid.nearest_within(at, radius, usize::MAX), near_enough);
             let near: Vec<usize> = left.iter().copied().filter(|&n| distance(n) <= radius).collect();
             let mut found = Vec::new();
-            grid.within(at, radius, |number, _| found.push(number));
+            grid.visit_within(at, radius, |number, _| found.push(number));
             found.sort_unstable();
             prop_assert_eq!(&found, &near);
             prop_assert_eq!(grid.remove_within(at, radius), near);
-            prop_assert!(!grid.any_within(at, radius, |_, _| true));
+            prop_assert!(!grid.has_within(at, radius, |_, _| true));
         }
     }
 }

@@ -90,12 +90,12 @@ impl Polygon {
         })
     }
 
-    /// Whether the polygon is convex.
+    /// Whether the outer ring is convex and there are no holes.
     pub fn is_convex(&self) -> bool {
         self.is_convex
     }
 
-    /// Area without the holes \[m²\].
+    /// Area of the polygon without its holes \[m²\].
     pub fn area(&self) -> f64 {
         self.rings().map(signed_area).sum()
     }
@@ -193,7 +193,7 @@ impl Region {
         self.polygons.iter().flat_map(Polygon::edges)
     }
 
-    /// Area of all pieces \[m²\].
+    /// Sum of the areas of all pieces \[m²\].
     pub fn area(&self) -> f64 {
         self.polygons.iter().map(Polygon::area).sum()
     }
@@ -212,7 +212,7 @@ impl Region {
 
     /// Returns the smallest axis-aligned box around all pieces; `None` for an empty region.
     pub fn bounds(&self) -> Option<Bounds2> {
-        Bounds2::of(self.polygons.iter().flat_map(|p| p.outer().iter().copied()))
+        Bounds2::from_points(self.polygons.iter().flat_map(|p| p.outer().iter().copied()))
     }
 }
 
@@ -227,7 +227,7 @@ pub struct Bounds2 {
 
 impl Bounds2 {
     /// Returns the smallest box around the points; `None` if there are none.
-    pub fn of(points: impl IntoIterator<Item = Point2>) -> Option<Self> {
+    pub fn from_points(points: impl IntoIterator<Item = Point2>) -> Option<Self> {
         points.into_iter().fold(None, |bounds, p| {
             Some(match bounds {
                 None => Self { min: p, max: p },
@@ -260,7 +260,7 @@ impl Bounds2 {
         ]
     }
 
-    /// Middle of the box \[m\].
+    /// The middle of the box \[m\].
     pub fn center(&self) -> Point2 {
         nalgebra::center(&self.min, &self.max)
     }

@@ -1,6 +1,6 @@
 //! Guess of the unit of a length that is probably not in metres.
 
-/// A unit of length.
+/// A unit of length in which a number was probably meant.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct LikelyUnit {
     /// Name in the plural, such as "millimetres".
@@ -25,11 +25,11 @@ impl LikelyUnit {
     ///
     /// ```
     /// use wisch_robot::geometry::LikelyUnit;
-    /// let sponge = LikelyUnit::of(110.0, 0.01, 2.0).unwrap();
+    /// let sponge = LikelyUnit::guess(110.0, 0.01, 2.0).unwrap();
     /// assert_eq!((sponge.name, sponge.metres), ("millimetres", 0.001));
-    /// assert_eq!(LikelyUnit::of(0.11, 0.01, 2.0), None);
+    /// assert_eq!(LikelyUnit::guess(0.11, 0.01, 2.0), None);
     /// ```
-    pub fn of(number: f64, least: f64, most: f64) -> Option<Self> {
+    pub fn guess(number: f64, least: f64, most: f64) -> Option<Self> {
         let is_usual = |length: f64| (least..=most).contains(&length);
         if is_usual(number) {
             return None;

@@ -264,7 +264,7 @@ impl IkSolver {
         Ok(self)
     }
 
-    /// The chain of the solver.
+    /// The chain that the solver moves.
     pub const fn chain(&self) -> &Chain {
         &self.chain
     }

@@ -9,7 +9,7 @@ use thiserror::Error;
 
 /// Tolerances beyond which a timed motion counts as faulty; see [`trajectory_faults`].
 #[derive(Debug, Clone, PartialEq)]
-pub struct CheckConfig {
+pub struct TrajectoryCheckConfig {
     /// Largest deviation of a joint from the path's segments, and from a waypoint when passing it [rad or m].
     pub path_deviation: f64,
     /// Relative excess of a velocity or acceleration over its limit that is allowed for rounding \[1\].
@@ -18,7 +18,7 @@ pub struct CheckConfig {
     pub position_resolution: f64,
 }
 
-impl Default for CheckConfig {
+impl Default for TrajectoryCheckConfig {
     /// 2 mrad from the path; 10⁻⁶ of a limit, 10⁻¹³ rad of rounding.
     fn default() -> Self {
         Self {
@@ -31,7 +31,7 @@ impl Default for CheckConfig {
 
 /// The end of a motion, where it should be at rest on a waypoint.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum End {
+pub enum MotionEnd {
     /// The first sample.
     Start,
     /// The last sample.
@@ -41,6 +41,7 @@ pub enum End {
 /// A fault of a motion. Samples, waypoints and joints count from 0; values are in rad or m, rad/s or m/s,
 /// rad/s² or m/s², by the kind of the joint.
 #[derive(Debug, Clone, PartialEq, Error)]
+#[non_exhaustive]
 pub enum TrajectoryFault {
     /// There are no samples.
     #[error("there are no samples")]
@@ -87,7 +88,7 @@ pub enum TrajectoryFault {
     #[error("{}", rate.describe(*sample, *joint, *value, *limit))]
     TooFast {
         /// The quantity that exceeds the limit.
-        rate: Rate,
+        rate: RateKind,
         /// Index of the sample; the earlier or the middle one of several.
         sample: usize,
         /// Index of the joint.
@@ -115,7 +116,7 @@ pub enum TrajectoryFault {
     #[error("joint {joint} is not at rest at the {end:?}: {value}")]
     NotAtRest {
         /// The end.
-        end: End,
+        end: MotionEnd,
         /// Index of the joint.
         joint: usize,
         /// Velocity.
@@ -125,7 +126,7 @@ pub enum TrajectoryFault {
     #[error("joint {joint} is at {value} at the {end:?} instead of {waypoint}")]
     WrongEnd {
         /// The end.
-        end: End,
+        end: MotionEnd,
         /// Index of the joint.
         joint: usize,
         /// Position.
@@ -174,7 +175,8 @@ impl TrajectoryFault {
 
 /// The quantity by which a joint exceeds its limit.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Rate {
+#[non_exhaustive]
+pub enum RateKind {
     /// The velocity that a sample reports.
     Velocity,
     /// The acceleration that a sample reports.
@@ -189,7 +191,7 @@ pub enum Rate {
     SegmentVelocity,
 }
 
-impl Rate {
+impl RateKind {
     fn describe(self, sample: usize, joint: usize, value: f64, limit: f64) -> String {
         let exceeds = |what: &str, whose: &str| {
             format!("sample {sample}, joint {joint}: {what} {value} exceeds {limit}{whose}")
@@ -217,16 +219,16 @@ impl Rate {
 ///
 /// ```
 /// use wisch_robot::timing::{
-///     CheckConfig, JointLimit, JointLimits, JointPath, SAMPLE_PERIOD, TimingConfig, time_path,
+///     TrajectoryCheckConfig, JointLimit, JointLimits, JointPath, SAMPLE_PERIOD, TimingConfig, time_path,
 ///     trajectory_faults,
 /// };
 /// let path = JointPath::new(&[[0.0], [1.0]])?;
 /// let limits = JointLimits::new(vec![JointLimit::arm("elbow", -2.0, 2.0)])?;
 /// let trajectory = time_path(&path, &limits, &TimingConfig::default())?;
 /// let mut samples: Vec<_> = trajectory.samples(SAMPLE_PERIOD).collect();
-/// assert_eq!(trajectory_faults(&samples, &path, &limits, &CheckConfig::default()), []);
+/// assert_eq!(trajectory_faults(&samples, &path, &limits, &TrajectoryCheckConfig::default()), []);
 /// samples[500].q[0] += 1e-4;
-/// assert_ne!(trajectory_faults(&samples, &path, &limits, &CheckConfig::default()), []);
+/// assert_ne!(trajectory_faults(&samples, &path, &limits, &TrajectoryCheckConfig::default()), []);
 /// # Ok::<(), wisch_robot::timing::TimingError>(())
 /// ```
 ///
@@ -237,7 +239,7 @@ pub fn trajectory_faults(
     samples: &[TrajectorySample],
     path: &JointPath,
     limits: &JointLimits,
-    config: &CheckConfig,
+    config: &TrajectoryCheckConfig,
 ) -> Vec<TrajectoryFault> {
     let joints = path.joint_count();
     assert_eq!(limits.joints().len(), joints, "limits of another robot");
@@ -291,7 +293,7 @@ struct Check<'a> {
     samples: &'a [TrajectorySample],
     path: &'a JointPath,
     limits: &'a JointLimits,
-    config: &'a CheckConfig,
+    config: &'a TrajectoryCheckConfig,
 }
 
 impl Check<'_> {
@@ -302,7 +304,7 @@ impl Check<'_> {
     /// Returns the fault of a value beyond its limit; `values` holds both.
     fn too_fast(
         &self,
-        rate: Rate,
+        rate: RateKind,
         sample: usize,
         joint: usize,
         [value, limit]: [f64; 2],
@@ -335,8 +337,8 @@ impl Check<'_> {
             let mut add = |rate, value, limit| {
                 faults.extend(self.too_fast(rate, sample, joint, [value, limit], 0.0));
             };
-            add(Rate::Velocity, qd, limit.velocity);
-            add(Rate::Acceleration, qdd, limit.acceleration);
+            add(RateKind::Velocity, qd, limit.velocity);
+            add(RateKind::Acceleration, qdd, limit.acceleration);
         }
     }
 
@@ -353,7 +355,7 @@ impl Check<'_> {
             let velocity = way / step;
             let values = [velocity, limit.velocity];
             faults.extend(self.too_fast(
-                Rate::PositionStep,
+                RateKind::PositionStep,
                 sample,
                 joint,
                 values,
@@ -361,7 +363,7 @@ impl Check<'_> {
             ));
             let values = [(next.qd[joint] - this.qd[joint]) / step, limit.acceleration];
             faults.extend(self.too_fast(
-                Rate::VelocityStep,
+                RateKind::VelocityStep,
                 sample,
                 joint,
                 values,
@@ -385,8 +387,13 @@ impl Check<'_> {
                 let bend = (second - velocity) / mean_step;
                 let uncertainty = 2.0 * resolution / (mean_step * step.min(second_step));
                 let values = [bend, limit.acceleration];
-                let fault =
-                    self.too_fast(Rate::PositionBend, sample + 1, joint, values, uncertainty);
+                let fault = self.too_fast(
+                    RateKind::PositionBend,
+                    sample + 1,
+                    joint,
+                    values,
+                    uncertainty,
+                );
                 faults.extend(fault);
             }
         }
@@ -396,8 +403,12 @@ impl Check<'_> {
     fn check_ends(&self, faults: &mut Vec<TrajectoryFault>) {
         let last = self.path.waypoint_count() - 1;
         let ends = [
-            (End::Start, &self.samples[0], 0),
-            (End::Finish, &self.samples[self.samples.len() - 1], last),
+            (MotionEnd::Start, &self.samples[0], 0),
+            (
+                MotionEnd::Finish,
+                &self.samples[self.samples.len() - 1],
+                last,
+            ),
         ];
         for (end, state, waypoint) in ends {
             for (joint, &waypoint) in self.path.waypoint(waypoint).iter().enumerate() {
@@ -513,7 +524,7 @@ impl Check<'_> {
         for (joint, (&value, &limit)) in self.samples[sample].qd.iter().zip(&allowed).enumerate() {
             let slack = self.config.relative_tolerance;
             faults.extend(self.too_fast(
-                Rate::SegmentVelocity,
+                RateKind::SegmentVelocity,
                 sample,
                 joint,
                 [value, limit],

@@ -5,6 +5,7 @@ use thiserror::Error;
 
 /// The reason why a path cannot be timed. Waypoints, segments and joints count from 0.
 #[derive(Debug, Clone, PartialEq, Error)]
+#[non_exhaustive]
 pub enum TimingError {
     /// The path has fewer than two waypoints.
     #[error("the path needs at least 2 waypoints, {count} given")]

@@ -11,7 +11,7 @@ mod profile;
 mod trajectory;
 
 use blends::BlendedPath;
-pub use check::{CheckConfig, End, Rate, TrajectoryFault, trajectory_faults};
+pub use check::{MotionEnd, RateKind, TrajectoryCheckConfig, TrajectoryFault, trajectory_faults};
 pub use error::TimingError;
 pub use input::{FollowerLimit, JointLimit, JointLimits, JointPath};
 use trajectory::Stretch;

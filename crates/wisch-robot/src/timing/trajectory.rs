@@ -21,7 +21,7 @@ pub struct TrajectorySample {
 
 impl TrajectorySample {
     /// Returns the state at rest at these positions, at time 0.
-    pub fn at_rest(q: &[f64]) -> Self {
+    pub fn from_positions(q: &[f64]) -> Self {
         Self {
             time: 0.0,
             q: q.to_vec(),
@@ -217,7 +217,7 @@ impl Trajectory {
     /// # Ok::<(), wisch_robot::timing::TimingError>(())
     /// ```
     pub fn sample(&self, time: f64) -> TrajectorySample {
-        let mut sample = TrajectorySample::at_rest(&self.end);
+        let mut sample = TrajectorySample::from_positions(&self.end);
         self.sample_into(time, &mut sample);
         sample
     }

@@ -17,7 +17,7 @@ use wisch::plan::{CoverageStrategy, plan};
 use wisch::represent::{Action, GoalState, Task};
 use wisch::run::MotionOrder;
 use wisch_io::{LoadOptions, LoadedTask, Moment, Push, load_task};
-use wisch_sim::{Dirt, SimulationSettings, Site, execute};
+use wisch_sim::{Dirt, SimulationSettings, WorkSurface, execute};
 use wisch_testkit::{AnyError, humanoid, scenario};
 
 /// Force [N] and duration [s] of the pushes.
@@ -34,7 +34,7 @@ struct Trial<'a> {
 impl Trial<'_> {
     /// Executes, interprets, and prints both.
     fn run(&self, name: &str, reality: &SimulationSettings) -> Result<(), AnyError> {
-        let dirt = Dirt::draw(&Site::of(self.task), reality, self.seed)?;
+        let dirt = Dirt::draw(&WorkSurface::from_task(self.task), reality, self.seed)?;
         let mut samples: Vec<TouchSample> = Vec::new();
         let order = MotionOrder {
             round: 1,
@@ -60,8 +60,8 @@ impl Trial<'_> {
         let truth = truth.performance(self.goal, &self.task.surface)?;
         let truth = truth.ok_or("no dirt was simulated")?;
         let begin = Instant::now();
-        let believed = Belief::certain(self.task.particles.clone());
-        let config = InterpretConfig::of(self.task);
+        let believed = Belief::from_particles(self.task.particles.clone());
+        let config = InterpretConfig::from_task(self.task);
         let interpretation = interpret(&samples, self.task, &believed, self.goal, &config)?;
         let milliseconds = begin.elapsed().as_secs_f64() * 1e3;
         println!(
@@ -145,7 +145,7 @@ fn main() -> Result<(), AnyError> {
         ..LoadOptions::default()
     };
     let loaded = load_task(&scenario(&name), &options)?;
-    let real = SimulationSettings::of(&loaded)?;
+    let real = SimulationSettings::from_task(&loaded)?;
     let LoadedTask {
         file, task, config, ..
     } = loaded;

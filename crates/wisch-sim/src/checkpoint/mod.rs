@@ -28,7 +28,7 @@ pub struct CheckpointRound {
     /// Telemetry and outcome of the round.
     pub recorded: RecordedRound,
     /// Observation before the first round; `None` for later rounds, or without a camera.
-    pub first_look: Option<Observation>,
+    pub first_observation: Option<Observation>,
     /// Ground truth of the round.
     pub truth: GroundTruth,
     /// Wall-clock time that the simulation took \[s\].
@@ -62,7 +62,7 @@ impl Checkpoints {
         }
     }
 
-    /// Begins the round `number`.
+    /// Begins the record of a round. `number`: from 1.
     pub fn begin(&mut self, number: usize) {
         self.writing = Some(Writing {
             file: File::create(samples_path(&self.folder, number)).map(BufWriter::new),
@@ -93,7 +93,7 @@ impl Checkpoints {
     pub fn keep(
         &mut self,
         round: &Round,
-        first_look: Option<&Observation>,
+        first_observation: Option<&Observation>,
         truth: &GroundTruth,
         executing_s: f64,
     ) -> io::Result<()> {
@@ -101,7 +101,7 @@ impl Checkpoints {
         let writing = writing
             .ok_or_else(|| io::Error::other("a checkpoint was kept before its round began"))?;
         writing.file?.flush()?;
-        let looks = [first_look, round.interpretation.observation.as_ref()];
+        let looks = [first_observation, round.interpretation.observation.as_ref()];
         let record = CheckpointRecord::new(
             &round.execution,
             truth,
@@ -137,11 +137,11 @@ fn read_round(state: &Path, number: usize, identity: u64) -> Option<CheckpointRo
     let samples: Vec<RecordedSample> = samples.map(|bytes| read(bytes, record.counts)).collect();
     (samples.len() == record.samples).then(|| {
         let executing_s = record.executing_s;
-        let [first_look, observation] = record.looks();
+        let [first_observation, observation] = record.observations();
         let (execution, truth) = record.into_execution();
         CheckpointRound {
             executing_s,
-            first_look,
+            first_observation,
             recorded: RecordedRound {
                 samples,
                 execution,
@@ -242,6 +242,6 @@ mod tests {
         write(&mut bytes, &sample).unwrap();
         let back = read(&bytes, [2, 2, 1]);
         assert_eq!(back, RecordedSample::from(&sample));
-        assert_eq!(back.during(3, Phase::Wipe(2)), Some(sample));
+        assert_eq!(back.to_sample(3, Phase::Wipe(2)), Some(sample));
     }
 }

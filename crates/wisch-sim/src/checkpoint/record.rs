@@ -7,10 +7,10 @@ use wisch::represent::{Fate, Observation};
 use wisch::robot::Range;
 use wisch::run::{Ending, Execution, StopCause, StopKind, StrokeEnd};
 
-/// Version of the record's schema.
+/// Version of the schema of checkpoint records.
 pub const CHECKPOINT_SCHEMA: u32 = 5;
 
-/// Record of an executed round.
+/// The record of an executed round in a checkpoint.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct CheckpointRecord {
     /// [`CHECKPOINT_SCHEMA`].
@@ -160,7 +160,7 @@ impl CheckpointRecord {
     }
 
     /// Observations before the first round, and after this round.
-    pub fn looks(&self) -> [Option<Observation>; 2] {
+    pub fn observations(&self) -> [Option<Observation>; 2] {
         let look = |record: &ObservationRecord| Observation::from(record);
         self.looks
             .each_ref()
@@ -176,8 +176,8 @@ impl CheckpointRecord {
             positions: self.positions,
         };
         let truth = GroundTruth {
-            dirt: Dirt::of(self.grains.into_iter().map(Grain::from).collect()),
-            contact_force: Spread::of(force.count, force.mean, force.squares),
+            dirt: Dirt::from_grains(self.grains.into_iter().map(Grain::from).collect()),
+            contact_force: Spread::from_moments(force.count, force.mean, force.squares),
             max_plane_distance: self.max_plane_distance_m,
             max_controller_force: self.max_controller_force_n,
             lost_share: self.lost_share,
@@ -412,13 +412,13 @@ mod tests {
                 positions: vec![std::f64::consts::PI, -0.0, 1e-300],
             };
             let truth = GroundTruth {
-                dirt: Dirt::of(vec![
+                dirt: Dirt::from_grains(vec![
                     grain(Fate::OnSurface),
                     grain(Fate::Absorbed),
                     grain(Fate::OffSurface { edge: 3 }),
                     grain(Fate::Treated { passes: 2.0 / 3.0 }),
                 ]),
-                contact_force: Spread::of(7, 9.9, 1.0 / 7.0),
+                contact_force: Spread::from_moments(7, 9.9, 1.0 / 7.0),
                 max_plane_distance: 0.001,
                 max_controller_force: 10.0,
                 lost_share: 0.1,
@@ -437,7 +437,7 @@ mod tests {
             let text = serde_json::to_string(&record).expect("text");
             let read: CheckpointRecord = serde_json::from_str(&text).expect("a record");
             assert_eq!(read, record);
-            assert_eq!(read.looks(), [None, Some(seen)]);
+            assert_eq!(read.observations(), [None, Some(seen)]);
             assert_eq!(read.into_execution(), (execution, truth));
         }
     }

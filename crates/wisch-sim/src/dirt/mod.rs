@@ -2,7 +2,7 @@
 
 mod places;
 
-pub use places::{GrainCount, Places, Site};
+pub use places::{GrainCount, WorkSurface};
 
 use crate::{SimulationError, SimulationSettings};
 use rand::{RngExt, SeedableRng};
@@ -41,16 +41,16 @@ impl Dirt {
     /// # Errors
     /// If the dirt that the settings describe does not fit on the surface.
     pub fn draw(
-        site: &Site,
+        surface: &WorkSurface,
         settings: &SimulationSettings,
         seed: u64,
     ) -> Result<Self, SimulationError> {
-        let places = settings.dirt.draw(site, settings, seed)?;
+        let places = places::draw_positions(&settings.dirt, surface, settings, seed)?;
         let particles = ParticleDistribution::new(&places).map_err(SourceError::from)?;
         Ok(Self::scatter(&particles, settings, seed))
     }
 
-    /// Places a grain on each particle, with size and threshold drawn from `settings`.
+    /// TrueDirt a grain on each particle, with size and threshold drawn from `settings`.
     pub fn scatter(
         particles: &ParticleDistribution,
         settings: &SimulationSettings,
@@ -78,11 +78,11 @@ impl Dirt {
     }
 
     /// Returns dirt of the given grains.
-    pub const fn of(grains: Vec<Grain>) -> Self {
+    pub const fn from_grains(grains: Vec<Grain>) -> Self {
         Self { grains }
     }
 
-    /// The grains.
+    /// The grains, each with its position and fate.
     pub fn grains(&self) -> &[Grain] {
         &self.grains
     }

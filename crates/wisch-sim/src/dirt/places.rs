@@ -9,6 +9,7 @@ use wisch::random::normal;
 use wisch::represent::{
     Cluster, DirtArea, OccupiedArea, SourceError, Task, cluster_particles, uniform_particles,
 };
+use wisch_io::TrueDirt;
 
 /// Separates the random numbers of positions from those of a task with the same seed.
 const PLACE_SEED: u64 = 0x706c_6163_6573_0000;
@@ -28,7 +29,7 @@ const DRAWS_PER_GRAIN: usize = 10_000;
 
 /// The surface of a world and the objects on it, without any belief about the dirt.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Site {
+pub struct WorkSurface {
     /// Believed pose of the surface.
     pub world_from_surface: Pose,
     /// Outline of the surface, in its frame \[m\].
@@ -37,14 +38,14 @@ pub struct Site {
     pub occupied: OccupiedArea,
 }
 
-impl Site {
-    /// The site of a task.
-    pub fn of(task: &Task) -> Self {
+impl WorkSurface {
+    /// Returns the surface of a task with the objects on it, without the believed dirt.
+    pub fn from_task(task: &Task) -> Self {
         let meshes: Vec<Mesh> = task.obstacles_in_surface().collect();
         Self {
             world_from_surface: task.surface.world_from_surface,
             outline: task.surface.outline.clone(),
-            occupied: OccupiedArea::of(&meshes),
+            occupied: OccupiedArea::from_scene(&meshes),
         }
     }
 
@@ -58,7 +59,7 @@ impl Site {
 
     /// Draws a point of the free surface, uniformly.
     fn place(&self, random: &mut ChaCha8Rng) -> Result<Point2, SourceError> {
-        let bounds = Bounds2::of(self.outline.outer().iter().copied());
+        let bounds = Bounds2::from_points(self.outline.outer().iter().copied());
         let bounds = bounds.unwrap_or(Bounds2 {
             min: Point2::origin(),
             max: Point2::origin(),
@@ -86,28 +87,6 @@ pub enum GrainCount {
     About(usize),
 }
 
-/// Spatial distribution of dirt, in the frame of the real surface.
-#[derive(Debug, Clone, PartialEq)]
-pub enum Places {
-    /// At these points \[m\]; the number of grains in the settings is ignored.
-    Listed(Vec<Point2>),
-    /// Uniformly over the free surface.
-    Uniform,
-    /// In heaps; `None` draws 1 to 6 heaps, each with a standard deviation of 1 to 10 cm, anywhere on the surface.
-    Clusters(Option<Vec<Cluster>>),
-    /// In a band across the surface; a field that is `None` is drawn.
-    Stripe {
-        /// A point of the band's middle line \[m\].
-        center: Option<Point2>,
-        /// Direction of the band, about the surface's z from its x \[rad\].
-        direction: Option<f64>,
-        /// Width of the band \[m\].
-        width: Option<f64>,
-    },
-    /// Along the outline, at most this far inside it \[m\].
-    Edge(f64),
-}
-
 /// Draws a number uniformly between two limits.
 fn draw_between([low, high]: [f64; 2], random: &mut ChaCha8Rng) -> f64 {
     low + (high - low) * random.random::<f64>()
@@ -119,77 +98,78 @@ fn stream(seed: u64, number: u64) -> ChaCha8Rng {
     random
 }
 
-impl Places {
-    /// Draws the positions of the grains [m]; none if there are more than the settings allow to simulate.
-    pub(super) fn draw(
-        &self,
-        site: &Site,
-        settings: &SimulationSettings,
-        seed: u64,
-    ) -> Result<Vec<Point2>, SourceError> {
-        if settings.count_over_limit().is_some() {
-            return Ok(Vec::new());
+/// Draws the positions of the grains [m]; none if there are more than the settings allow to simulate.
+pub(super) fn draw_positions(
+    dirt: &TrueDirt,
+    surface: &WorkSurface,
+    settings: &SimulationSettings,
+    seed: u64,
+) -> Result<Vec<Point2>, SourceError> {
+    if settings.count_over_limit().is_some() {
+        return Ok(Vec::new());
+    }
+    if let TrueDirt::Listed(places) = dirt {
+        return Ok(places.clone());
+    }
+    let count = match settings.count {
+        GrainCount::Exactly(count) => count,
+        GrainCount::About(count) => {
+            let factor = libm::exp(COUNT_SPREAD * normal(&mut stream(seed, COUNT_STREAM)));
+            (count as f64 * factor).round().max(1.0) as usize
         }
-        if let Self::Listed(places) = self {
-            return Ok(places.clone());
+    };
+    if count == 0 {
+        return Ok(Vec::new());
+    }
+    let shape = &mut stream(seed, SHAPE_STREAM);
+    let grain_seed = seed ^ PLACE_SEED;
+    match dirt {
+        TrueDirt::Listed(_) => Ok(Vec::new()),
+        TrueDirt::Uniform => {
+            let drawn = uniform_particles(surface.area(), count, grain_seed)?;
+            Ok(drawn.remaining().collect())
         }
-        let count = match settings.count {
-            GrainCount::Exactly(count) => count,
-            GrainCount::About(count) => {
-                let factor = libm::exp(COUNT_SPREAD * normal(&mut stream(seed, COUNT_STREAM)));
-                (count as f64 * factor).round().max(1.0) as usize
-            }
-        };
-        if count == 0 {
-            return Ok(Vec::new());
+        TrueDirt::Clusters(given) => {
+            let heaps = match given {
+                Some(heaps) => heaps.clone(),
+                None => random_heaps(surface, shape)?,
+            };
+            let drawn = cluster_particles(surface.area(), &heaps, count, grain_seed)?;
+            Ok(drawn.remaining().collect())
         }
-        let shape = &mut stream(seed, SHAPE_STREAM);
-        let grain_seed = seed ^ PLACE_SEED;
-        match self {
-            Self::Listed(_) => Ok(Vec::new()),
-            Self::Uniform => {
-                let drawn = uniform_particles(site.area(), count, grain_seed)?;
-                Ok(drawn.remaining().collect())
-            }
-            Self::Clusters(given) => {
-                let heaps = match given {
-                    Some(heaps) => heaps.clone(),
-                    None => random_heaps(site, shape)?,
-                };
-                let drawn = cluster_particles(site.area(), &heaps, count, grain_seed)?;
-                Ok(drawn.remaining().collect())
-            }
-            Self::Stripe {
-                center,
-                direction,
-                width,
-            } => {
-                // All three are drawn, needed or not, so that a given value does not change the drawn ones.
-                let anywhere = site.place(shape)?;
-                let center = center.unwrap_or(anywhere);
-                let drawn = draw_between([0.0, TAU / 2.0], shape);
-                let angle = direction.unwrap_or(drawn);
-                let drawn = draw_between(BAND_WIDTH, shape);
-                let width = width.unwrap_or(drawn);
-                let across = Vector2::new(-libm::sin(angle), libm::cos(angle));
-                sample_where(site, count, seed, |place| {
-                    (place - center).dot(&across).abs() <= width / 2.0
-                })
-            }
-            Self::Edge(within) => sample_where(site, count, seed, |place| {
-                let distances = site.outline.edges().map(|edge| edge.distance(place));
-                distances.fold(f64::INFINITY, f64::min) <= *within
-            }),
+        TrueDirt::Stripe {
+            center,
+            direction,
+            width,
+        } => {
+            // All three are drawn, needed or not, so that a given value does not change the drawn ones.
+            let anywhere = surface.place(shape)?;
+            let center = center.unwrap_or(anywhere);
+            let drawn = draw_between([0.0, TAU / 2.0], shape);
+            let angle = direction.unwrap_or(drawn);
+            let drawn = draw_between(BAND_WIDTH, shape);
+            let width = width.unwrap_or(drawn);
+            let across = Vector2::new(-libm::sin(angle), libm::cos(angle));
+            sample_where(surface, count, seed, |place| {
+                (place - center).dot(&across).abs() <= width / 2.0
+            })
         }
+        TrueDirt::Edge(within) => sample_where(surface, count, seed, |place| {
+            let distances = surface.outline.edges().map(|edge| edge.distance(place));
+            distances.fold(f64::INFINITY, f64::min) <= *within
+        }),
     }
 }
 
-fn random_heaps(site: &Site, random: &mut ChaCha8Rng) -> Result<Vec<Cluster>, SourceError> {
+fn random_heaps(
+    surface: &WorkSurface,
+    random: &mut ChaCha8Rng,
+) -> Result<Vec<Cluster>, SourceError> {
     let [least, most] = HEAPS;
     let count = random.random_range(least..=most);
     let heap = |_| {
         Ok(Cluster {
-            center: site.place(random)?,
+            center: surface.place(random)?,
             sigma: draw_between(HEAP_SIGMA, random),
             weight: 1.0,
         })
@@ -199,7 +179,7 @@ fn random_heaps(site: &Site, random: &mut ChaCha8Rng) -> Result<Vec<Cluster>, So
 
 /// Draws `count` points uniformly over the free surface, among those that `is_wanted` accepts (rejection sampling).
 fn sample_where(
-    site: &Site,
+    surface: &WorkSurface,
     count: usize,
     seed: u64,
     is_wanted: impl Fn(Point2) -> bool,
@@ -208,7 +188,7 @@ fn sample_where(
     let mut places = Vec::with_capacity(count);
     let budget = count * DRAWS_PER_GRAIN;
     for _ in 0..budget {
-        let place = site.place(random)?;
+        let place = surface.place(random)?;
         if is_wanted(place) {
             places.push(place);
         }

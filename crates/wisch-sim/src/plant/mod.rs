@@ -231,7 +231,7 @@ impl Plant {
         task: &Task,
         hand_from_tool: &Pose,
     ) -> Vec<usize> {
-        let (Some(second), Some(grip)) = (cell.second(), &task.tool.second_grip) else {
+        let (Some(second), Some(grip)) = (cell.second_arm(), &task.tool.second_grip) else {
             return Vec::new();
         };
         let (Some(joint), _) = self.articulation.carrier(second.chain().tip()) else {

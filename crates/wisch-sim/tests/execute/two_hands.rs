@@ -43,7 +43,7 @@ fn sweeping() -> Wiping {
 /// place is at the start, seen from the stick, and where the hand has it [m].
 fn slip(log: &Log, wiping: &Wiping) -> f64 {
     let robot = wiping.cell.robot();
-    let second = wiping.cell.second().expect("two hands").chain().tip();
+    let second = wiping.cell.second_arm().expect("two hands").chain().tip();
     let mut held: Option<(Point3, Point3)> = None;
     let mut most: f64 = 0.0;
     for row in log.rows.iter().step_by(20) {

@@ -7,7 +7,8 @@ use wisch::geometry::{Pose, Vector3};
 use wisch::represent::{Action, GrainSize, LogNormal, MediumKind, Task};
 use wisch::run::{Ending, Execution, MotionOrder, TelemetrySample};
 use wisch_sim::{
-    Dirt, GrainCount, GroundTruth, Places, RealTool, Sensing, SimulationSettings, Waviness, execute,
+    Dirt, GrainCount, GroundTruth, RealTool, Sensing, SimulationSettings, TrueDirt, Waviness,
+    execute,
 };
 use wisch_testkit::{board, cell, first_stroke, planned};
 
@@ -223,7 +224,7 @@ pub fn as_believed() -> SimulationSettings {
         },
         kind: MediumKind::Solid,
         max_bodies: 400,
-        dirt: Places::Uniform,
+        dirt: TrueDirt::Uniform,
         count: GrainCount::Exactly(80),
         grain_mass: None,
         grains_resist: true,

@@ -20,7 +20,7 @@ impl Offset {
     };
 
     /// Returns the offset of messages whose stamps were `ahead` of the recorder [ns]; `None` without messages.
-    pub fn of(mut ahead: Vec<i64>) -> Option<Self> {
+    pub fn from_lags(mut ahead: Vec<i64>) -> Option<Self> {
         if ahead.is_empty() {
             return None;
         }
@@ -47,7 +47,8 @@ mod tests {
 
     #[test]
     fn clocks_are_aligned_only_where_they_clearly_differ() {
-        let offset = |ahead: [i64; 4]| Offset::of(ahead.map(|ms| ms * 1_000_000).to_vec()).unwrap();
+        let offset =
+            |ahead: [i64; 4]| Offset::from_lags(ahead.map(|ms| ms * 1_000_000).to_vec()).unwrap();
         let recorder = offset([-3, -2, -2, -1]);
         assert_eq!(
             offset([-60, -50, -52, -40]).shift_onto(recorder),
@@ -61,6 +62,6 @@ mod tests {
             offset([0, 500, 1000, 1500]).shift_onto(offset([900, 901, 902, 903])),
             None
         );
-        assert_eq!(Offset::of(vec![]), None);
+        assert_eq!(Offset::from_lags(vec![]), None);
     }
 }

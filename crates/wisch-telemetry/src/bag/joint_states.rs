@@ -46,7 +46,7 @@ impl JointStates {
 
     /// Returns the stamp of a message [ns]; 0 stands for none.
     pub fn stamp(&self, message: &Value) -> i64 {
-        let whole = |path| (message.at(path).and_then(Value::number)).unwrap_or(0.0) as i64;
+        let whole = |path| (message.field(path).and_then(Value::number)).unwrap_or(0.0) as i64;
         self.stamp.as_ref().map_or(0, |[sec, nanosec]| {
             whole(sec)
                 .saturating_mul(NANOSECONDS_PER_SECOND as i64)
@@ -57,7 +57,7 @@ impl JointStates {
     /// Adds the positions of a message at a time [ns]; values that are not finite are skipped.
     pub fn read(&self, message: &Value, time: i64, positions: &mut JointPositions) {
         let (Some(Value::Texts(names)), Some(Value::Numbers(values))) =
-            (message.at(&self.names), message.at(&self.positions))
+            (message.field(&self.names), message.field(&self.positions))
         else {
             return;
         };

@@ -65,7 +65,7 @@ impl LinkFrames {
                 mimic: None,
             };
             if joint.drive.terms.is_empty() {
-                let pose = transform.at(joint.drive.offset);
+                let pose = transform.parent_from_child(joint.drive.offset);
                 (frames.standing).push((transform.parent, transform.child, pose));
             } else {
                 let joint = joint.clone();
@@ -77,9 +77,9 @@ impl LinkFrames {
 
     /// Returns the moving transforms at positions of the robot's variables [rad or m]: parent, child, and pose of the
     /// child in the parent.
-    pub fn at(&self, q: &[f64]) -> impl Iterator<Item = (&str, &str, Pose)> {
+    pub fn poses(&self, q: &[f64]) -> impl Iterator<Item = (&str, &str, Pose)> {
         self.moving.iter().map(|Moving { transform, joint }| {
-            let pose = transform.at(joint.drive.position(q));
+            let pose = transform.parent_from_child(joint.drive.position(q));
             (transform.parent.as_str(), transform.child.as_str(), pose)
         })
     }
@@ -119,13 +119,13 @@ mod tests {
         let here = frames(Pose::identity());
         assert_eq!(standing(&here), [("plate", "tip")]);
         let moving = [("world", "robot/tool"), ("robot/tool", "plate")];
-        assert_eq!(names(here.at(&[0.0; 2])), moving);
+        assert_eq!(names(here.poses(&[0.0; 2])), moving);
         let there = frames(Pose::translation(1.0, 0.0, 0.0));
         assert_eq!(
             standing(&there),
             [("world", "robot/world"), ("plate", "tip")]
         );
-        assert_eq!(names(there.at(&[0.0; 2]))[0].0, "robot/world");
+        assert_eq!(names(there.poses(&[0.0; 2]))[0].0, "robot/world");
     }
 
     #[test]
@@ -134,7 +134,7 @@ mod tests {
         let frames = frames(Pose::identity());
         let q = [0.3, 1.1];
         let kinematics = model.forward_kinematics(&q).unwrap();
-        let moved: Vec<_> = frames.at(&q).map(|(.., pose)| pose).collect();
+        let moved: Vec<_> = frames.poses(&q).map(|(.., pose)| pose).collect();
         let world_from_tip = moved[0] * moved[1] * frames.standing[0].2;
         let expected = kinematics.world_from_link(model.link("tip").unwrap());
         assert!((world_from_tip.to_matrix() - expected.to_matrix()).norm() < 1e-12);

@@ -98,7 +98,7 @@ impl<Q: Quantity> Locator<Q> {
     pub fn read<'a>(&'a self, message: &'a Value) -> impl Iterator<Item = Found<'a, Q>> {
         let (one, many) = match &self.list {
             None => (Some(message), &[][..]),
-            Some(list) => match message.at(list) {
+            Some(list) => match message.field(list) {
                 Some(Value::List(values)) => (None, values.as_slice()),
                 _ => (None, &[][..]),
             },
@@ -141,12 +141,12 @@ impl Place {
     }
 
     fn read<'a, Q: Quantity>(&self, message: &'a Value) -> Found<'a, Q> {
-        let number = |path: &Vec<usize>| message.at(path).and_then(Value::number);
+        let number = |path: &Vec<usize>| message.field(path).and_then(Value::number);
         // Every path was found in the schema by which the message was decoded.
         let numbers: Vec<f64> = (self.numbers.iter())
             .map(|path| number(path).unwrap_or(f64::NAN))
             .collect();
-        let text = |path: &Option<Vec<usize>>| match path.as_ref().and_then(|p| message.at(p)) {
+        let text = |path: &Option<Vec<usize>>| match path.as_ref().and_then(|p| message.field(p)) {
             Some(Value::Text(text)) => text.as_str(),
             _ => "",
         };

@@ -77,7 +77,7 @@ impl ObservationCollector {
     /// Reads a message, if its topic is one of an observation.
     pub(super) fn take(&mut self, channel: &Channel<'_>, data: &[u8]) -> Result<(), ReadFault> {
         let topic = channel.topic.as_str();
-        let fault = |problem: String| ReadFault::Look {
+        let fault = |problem: String| ReadFault::Observation {
             topic: topic.to_owned(),
             problem,
         };

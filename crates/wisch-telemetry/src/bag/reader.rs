@@ -91,7 +91,7 @@ impl<'a> BagReader<'a> {
             part: 0,
             fixed: Frames::default(),
             moving: BTreeMap::new(),
-            joints: JointPositions::of(&options.joints),
+            joints: JointPositions::new(&options.joints),
             joints_ahead: Vec::new(),
             task: None,
             round: None,
@@ -134,7 +134,7 @@ impl<'a> BagReader<'a> {
             None => self.poses.choose(&self.topics)?,
         };
         // All clocks are shifted to that of the poses.
-        let ahead = |ahead: &[i64]| Offset::of(ahead.to_vec()).unwrap_or(Offset::NONE);
+        let ahead = |ahead: &[i64]| Offset::from_lags(ahead.to_vec()).unwrap_or(Offset::NONE);
         let reference = match (
             &pose,
             self.moving.values().find(|moving| !moving.ahead.is_empty()),

@@ -37,7 +37,7 @@ const fn color(r: f32, g: f32, b: f32, a: f32) -> Color {
     Color { r, g, b, a }
 }
 
-/// Scene that a bag shows.
+/// The scene that a bag shows to viewers.
 #[derive(Debug, Clone, Copy)]
 pub struct BagScene<'a> {
     /// The target surface.

@@ -277,7 +277,7 @@ impl<Q: Quantity> Candidate<Q> {
         let ahead = stamped.map(|entry| entry.stamp.saturating_sub(entry.log_time));
         match clock {
             Clock::Log => Offset::NONE,
-            Clock::Header => Offset::of(ahead.collect()).unwrap_or(Offset::NONE),
+            Clock::Header => Offset::from_lags(ahead.collect()).unwrap_or(Offset::NONE),
         }
     }
 

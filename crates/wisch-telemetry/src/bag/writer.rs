@@ -53,7 +53,7 @@ pub fn active_path(bag: &Path) -> PathBuf {
     PathBuf::from(name)
 }
 
-/// Constant data of a bag.
+/// The constant data of a bag, which its writer needs first.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct BagHead {
     /// Names of the robot's variables, in the order of the samples' arrays.
@@ -68,7 +68,7 @@ pub struct BagHead {
 
 impl BagHead {
     /// Head of a log without joints, with the surface believed at this pose.
-    pub fn at(world_from_surface: Pose) -> Self {
+    pub fn from_surface_pose(world_from_surface: Pose) -> Self {
         Self {
             world_from_surface,
             ..Self::default()
@@ -229,7 +229,7 @@ impl BagWriter {
         &self.active
     }
 
-    /// Adds a sample.
+    /// Adds a sample to the bag's topics.
     ///
     /// # Errors
     /// If the time is not finite, is negative or is not later than the previous one, if an array does not have one
@@ -455,7 +455,7 @@ impl BagWriter {
     fn write_links(&mut self, time: u64, q: &[f64]) -> Result<(), WriteError> {
         // The buffer borrows from `self`, and so do the names; take the names out while both are in use.
         let links = std::mem::take(&mut self.links);
-        let transforms: Vec<_> = (links.at(q))
+        let transforms: Vec<_> = (links.poses(q))
             .map(|(parent, child, pose)| transform(time, parent, child, &pose))
             .collect();
         let written = if transforms.is_empty() {

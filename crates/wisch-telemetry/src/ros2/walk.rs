@@ -66,7 +66,7 @@ pub(crate) enum Value {
 
 impl Value {
     /// Returns the value at a path of [`Schema::find`].
-    pub fn at(&self, path: &[usize]) -> Option<&Self> {
+    pub fn field(&self, path: &[usize]) -> Option<&Self> {
         path.iter().try_fold(self, |value, &index| match value {
             Self::Message(values) => values.get(index),
             _ => None,

@@ -95,7 +95,7 @@ pub(super) struct Columnar {
 
 impl Columnar {
     /// Combines columns with their indices; all must have the same number of rows.
-    pub fn of(
+    pub fn from_columns(
         names: Vec<String>,
         indices: &[usize],
         values: Vec<Values>,
@@ -118,7 +118,7 @@ impl Columnar {
     }
 
     /// Calls `take` with the requested values of each row and the row's number from 1.
-    pub fn each(&self, wanted: &[usize], take: &mut TakeRow<'_>) -> Result<(), ReadFault> {
+    pub fn visit_rows(&self, wanted: &[usize], take: &mut TakeRow<'_>) -> Result<(), ReadFault> {
         let columns = wanted.iter().map(|&k| self.columns[k].as_ref());
         let columns: Vec<Option<&Values>> = columns.collect();
         let rows = (self.columns.iter().flatten().next()).map_or(0, Values::len);

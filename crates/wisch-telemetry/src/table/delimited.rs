@@ -113,7 +113,7 @@ impl<'a> Delimited<'a> {
     }
 
     /// Calls `take` with the requested values of each line and the line's number.
-    pub fn each(&self, wanted: &[usize], take: &mut TakeRow<'_>) -> Result<(), ReadFault> {
+    pub fn visit_rows(&self, wanted: &[usize], take: &mut TakeRow<'_>) -> Result<(), ReadFault> {
         match self.separator {
             Separator::Space => self.each_by_spaces(wanted, take),
             Separator::Character(separator) => self.each_by_character(separator, wanted, take),
@@ -294,7 +294,7 @@ mod tests {
             })?;
         let wanted: Vec<usize> = (0..table.names().len()).collect();
         let mut rows = Vec::new();
-        table.each(&wanted, &mut |line, cells| {
+        table.visit_rows(&wanted, &mut |line, cells| {
             rows.push((
                 line,
                 cells.iter().map(|cell| cell.text().into_owned()).collect(),

@@ -58,10 +58,10 @@ pub(super) struct Layout {
 
 impl Layout {
     /// Finds the columns, given the names of all columns.
-    pub fn of(texts: &[String], options: &LogOptions) -> Result<Self, ReadFault> {
+    pub fn find(texts: &[String], options: &LogOptions) -> Result<Self, ReadFault> {
         let mut finder = Finder {
             texts,
-            names: texts.iter().map(|text| Name::of(text)).collect(),
+            names: texts.iter().map(|text| Name::parse(text)).collect(),
             renamed: &options.columns,
             remarks: Vec::new(),
         };
@@ -112,7 +112,7 @@ impl Layout {
     }
 
     /// Range of the columns with a kind of unit, which are adjacent.
-    pub fn of_kind(&self, kind: UnitKind) -> Range<usize> {
+    pub fn columns_of_kind(&self, kind: UnitKind) -> Range<usize> {
         let is_one = |column: &Column| column.kind == kind;
         let start = self.columns.iter().position(is_one).unwrap_or(0);
         start..start + self.columns.iter().filter(|column| is_one(column)).count()
@@ -120,7 +120,7 @@ impl Layout {
 
     /// Range of the columns of angles.
     pub fn angles(&self) -> Range<usize> {
-        self.of_kind(UnitKind::Angle)
+        self.columns_of_kind(UnitKind::Angle)
     }
 }
 
@@ -169,7 +169,7 @@ impl Finder<'_> {
 
     /// Finds the only column of a name: exactly, or else ignoring case and unit.
     fn sole(&self, name: &str) -> Result<Option<usize>, ReadFault> {
-        let sought = Name::of(name);
+        let sought = Name::parse(name);
         let is_close = |index: &usize| {
             let candidate = &self.names[*index];
             candidate.whole == sought.whole || candidate.is(&sought.whole).is_some()

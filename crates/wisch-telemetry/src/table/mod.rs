@@ -72,13 +72,14 @@ impl Table<'_> {
         let indices = self.layout.indices();
         let mut first: Vec<String> = Vec::new();
         let mut is_units = false;
-        self.source.each(&indices, &mut |_, cells| {
+        self.source.visit_rows(&indices, &mut |_, cells| {
             is_units = (cells.iter()).any(|cell| !matches!(cell, Cell::Empty))
                 && cells
                     .iter()
                     .zip(&self.layout.columns)
                     .all(|(cell, column)| {
-                        let is_time = column.kind == UnitKind::Time && Instant::of(cell).is_some();
+                        let is_time =
+                            column.kind == UnitKind::Time && Instant::parse(cell).is_some();
                         !is_time && cell.number().is_none()
                     });
             first = cells.iter().map(|cell| cell.text().into_owned()).collect();
@@ -132,12 +133,12 @@ impl Table<'_> {
     }
 
     /// Calls `take` with the number and the requested cells of each row of numbers.
-    fn each(&self, columns: &[usize], take: &mut TakeNumbers<'_>) -> Result<(), ReadFault> {
+    fn visit_rows(&self, columns: &[usize], take: &mut TakeNumbers<'_>) -> Result<(), ReadFault> {
         let indices: Vec<usize> = (columns.iter())
             .map(|&column| self.layout.columns[column].index)
             .collect();
         let mut is_units = self.has_units_line;
-        self.source.each(&indices, &mut |row, cells| {
+        self.source.visit_rows(&indices, &mut |row, cells| {
             if !std::mem::take(&mut is_units) {
                 take(row, cells)?;
             }
@@ -149,8 +150,8 @@ impl Table<'_> {
     fn survey(&mut self) -> Result<Vec<Option<i64>>, ReadFault> {
         let layout = &self.layout;
         let angles = layout.angles();
-        let lengths = layout.of_kind(UnitKind::Length);
-        let time = layout.of_kind(UnitKind::Time);
+        let lengths = layout.columns_of_kind(UnitKind::Length);
+        let time = layout.columns_of_kind(UnitKind::Time);
         let wanted: Vec<usize> = time
             .clone()
             .chain(angles.clone())
@@ -160,7 +161,7 @@ impl Table<'_> {
         let mut rows = Vec::new();
         let [mut largest_angle, mut largest_length] = [0.0_f64; 2];
         let (first_angle, first_length) = (time.len(), time.len() + angles.len());
-        self.each(&wanted, &mut |row, cells| {
+        self.visit_rows(&wanted, &mut |row, cells| {
             let largest = |cells: &[Cell<'_>], most: f64| {
                 let sizes = cells.iter().filter_map(Cell::number).map(f64::abs);
                 sizes.filter(|size| size.is_finite()).fold(most, f64::max)
@@ -170,7 +171,7 @@ impl Table<'_> {
             rows.push(row);
             match cells[..first_angle].first() {
                 None | Some(Cell::Empty) => instants.push(None),
-                Some(cell) => match Instant::of(cell) {
+                Some(cell) => match Instant::parse(cell) {
                     Some(instant) => instants.push(Some(instant)),
                     None => return Err(self.not_a_number(row, wanted[0], cell)),
                 },
@@ -205,7 +206,7 @@ impl Table<'_> {
         });
         let given = given.map(|column| self.scales[column]);
         let scaled = times::scale_times(&instants, given)
-            .map_err(|fault| fault.at(|index| self.source.place(rows[index])))?;
+            .map_err(|fault| fault.into_read_fault(|index| self.source.place(rows[index])))?;
         self.remarks.extend(scaled.remarks);
         Ok(scaled.times)
     }
@@ -243,7 +244,7 @@ impl Table<'_> {
         let wanted: Vec<usize> = (first..self.layout.columns.len()).collect();
         let pose_len = 3 + self.layout.form.names().len();
         let (mut without_time, mut number) = (0_usize, 0);
-        self.each(&wanted, &mut |row, cells| {
+        self.visit_rows(&wanted, &mut |row, cells| {
             let time = times.get(number).copied().flatten();
             number += 1;
             let place = || self.source.place(row);

@@ -98,7 +98,7 @@ pub(super) struct Name {
 
 impl Name {
     /// Parses a name: `x [mm]`, `fx (N)`, `x / mm` and `tcp_x_mm` end with units, `O_T_EE[12]` with an index.
-    pub fn of(text: &str) -> Self {
+    pub fn parse(text: &str) -> Self {
         let text = text.trim().trim_start_matches('%');
         let (head, bracketed) = split_unit(text);
         if let Some(unit) = bracketed {
@@ -212,7 +212,7 @@ mod tests {
             ("field.header.stamp", "field_header_stamp", None),
         ];
         for (text, base, unit) in cases {
-            let name = Name::of(text);
+            let name = Name::parse(text);
             let stated = name
                 .is(base)
                 .map(|unit| unit.map(|unit| unit.text.as_str()));

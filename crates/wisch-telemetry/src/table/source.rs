@@ -38,7 +38,7 @@ impl<'a> Source<'a> {
         let text = std::str::from_utf8(bytes).map_err(|error| ReadFault::NotText {
             byte: error.valid_up_to(),
         })?;
-        let (table, layout) = Delimited::open(text, |names| Layout::of(names, options))?;
+        let (table, layout) = Delimited::open(text, |names| Layout::find(names, options))?;
         Ok((Self::Text(table), layout))
     }
 
@@ -50,7 +50,7 @@ impl<'a> Source<'a> {
         options: &LogOptions,
     ) -> Result<(Self, Layout), ReadFault> {
         let (heads, file) = catch_panics(kind, open)?;
-        let layout = Layout::of(&heads.names, options).map_err(|fault| {
+        let layout = Layout::find(&heads.names, options).map_err(|fault| {
             if heads.unread.is_empty() {
                 return fault;
             }
@@ -63,7 +63,7 @@ impl<'a> Source<'a> {
         indices.sort_unstable();
         indices.dedup();
         let values = catch_panics(kind, || read(&file, &indices))?;
-        let table = Columnar::of(heads.names, &indices, values)?;
+        let table = Columnar::from_columns(heads.names, &indices, values)?;
         Ok((Self::Columns(table), layout))
     }
 
@@ -76,10 +76,10 @@ impl<'a> Source<'a> {
     }
 
     /// Passes each row on.
-    pub fn each(&self, wanted: &[usize], take: &mut TakeRow<'_>) -> Result<(), ReadFault> {
+    pub fn visit_rows(&self, wanted: &[usize], take: &mut TakeRow<'_>) -> Result<(), ReadFault> {
         match self {
-            Self::Text(table) => table.each(wanted, take),
-            Self::Columns(table) => table.each(wanted, take),
+            Self::Text(table) => table.visit_rows(wanted, take),
+            Self::Columns(table) => table.visit_rows(wanted, take),
         }
     }
 

@@ -39,7 +39,7 @@ pub(super) enum Instant {
 
 impl Instant {
     /// Parses a cell.
-    pub fn of(cell: &Cell<'_>) -> Option<Self> {
+    pub fn parse(cell: &Cell<'_>) -> Option<Self> {
         let text = match cell {
             Cell::Empty => return None,
             Cell::Real(count) => return Some(Self::Real(*count)),
@@ -127,7 +127,7 @@ pub(super) struct TimeFault {
 
 impl TimeFault {
     /// Returns the fault of a log, with `place` naming the index.
-    pub fn at(self, place: impl Fn(usize) -> String) -> ReadFault {
+    pub fn into_read_fault(self, place: impl Fn(usize) -> String) -> ReadFault {
         ReadFault::Time {
             place: place(self.index),
             time: self.time,
@@ -220,7 +220,7 @@ mod tests {
 
     fn scaled_texts(texts: &[&str]) -> (Vec<i64>, Vec<String>) {
         let instants: Vec<Option<Instant>> = (texts.iter())
-            .map(|text| Some(Instant::of(&Cell::Text((*text).into())).unwrap()))
+            .map(|text| Some(Instant::parse(&Cell::Text((*text).into())).unwrap()))
             .collect();
         let scaled = scale_times(&instants, None).unwrap();
         (scaled.times.into_iter().flatten().collect(), scaled.remarks)
@@ -298,14 +298,14 @@ mod tests {
     fn times_out_of_range_are_refused_and_invalid_dates_are_not_times() {
         let refused = scale_times(&[Some(Instant::Real(1e300)), None], None).unwrap_err();
         let shown = refused
-            .at(|index| format!("line {}", index + 2))
+            .into_read_fault(|index| format!("line {}", index + 2))
             .to_string();
         assert!(
             shown.starts_with("line 2: the time 1000000000000000"),
             "{shown}"
         );
         for text in ["zero", "", "1e", "2025", "10:53"] {
-            let instant = Instant::of(&Cell::Text(text.into()));
+            let instant = Instant::parse(&Cell::Text(text.into()));
             assert!(
                 !matches!(instant, Some(Instant::Date(..))) || text == "10:53",
                 "{text}: {instant:?}"

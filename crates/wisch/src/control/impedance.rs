@@ -27,7 +27,7 @@ const END_STOP_RATE: f64 = 200.0;
 
 /// Desired pose and velocity of the tool.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Desired {
+pub struct DesiredToolState {
     /// Desired pose of the tool, the press into the surface included.
     pub world_from_tool: Pose,
     /// Desired twist, linear first, in the axes of the world [m/s, rad/s].
@@ -36,7 +36,7 @@ pub struct Desired {
 
 /// Desired motion of the joints, one entry per variable of the articulation.
 #[derive(Debug, Clone, Copy)]
-pub struct Posture<'a> {
+pub struct DesiredPosture<'a> {
     /// Positions [rad or m].
     pub q: &'a [f64],
     /// Velocities [rad/s or m/s].
@@ -48,7 +48,7 @@ pub struct Posture<'a> {
 /// Measured state by the robot's joint sensors. Arrays have one entry per variable of the articulation, in its
 /// order.
 #[derive(Debug, Clone, Copy)]
-pub struct Measured<'a> {
+pub struct MeasuredJointState<'a> {
     /// Positions of the articulation's variables [rad or m].
     pub q: &'a [f64],
     /// Their velocities [rad/s or m/s].
@@ -125,7 +125,7 @@ impl ImpedanceController {
     }
 
     /// The variables of the articulation that are compliant.
-    pub fn compliant(&self) -> &[usize] {
+    pub fn compliant_variables(&self) -> &[usize] {
         &self.compliant
     }
 
@@ -139,9 +139,9 @@ impl ImpedanceController {
     pub fn command(
         &mut self,
         state: &ArticulationState,
-        measured: &Measured<'_>,
-        desired: &Desired,
-        posture: &Posture<'_>,
+        measured: &MeasuredJointState<'_>,
+        desired: &DesiredToolState,
+        posture: &DesiredPosture<'_>,
     ) -> Option<Wrench> {
         self.factorize(state, measured)?;
         let wrench = self.spring_and_damper(measured, desired);
@@ -182,13 +182,14 @@ impl ImpedanceController {
     }
 
     /// Keeps the joints within their ranges, also if a person pushes the arm.
-    fn stop_at_ends(&mut self, measured: &Measured<'_>) {
+    fn stop_at_ends(&mut self, measured: &MeasuredJointState<'_>) {
         let Some(mass) = self.mass.as_ref() else {
             return;
         };
         for (k, &i) in self.compliant.iter().enumerate() {
             let (position, velocity) = (measured.q[i], measured.qd[i]);
-            let Some(beyond) = self.ranges[k].and_then(|range| beyond(&range, position)) else {
+            let Some(beyond) = self.ranges[k].and_then(|range| distance_beyond(&range, position))
+            else {
                 continue;
             };
             // Inertia of this joint with all other joints free, 1 / (M⁻¹)ᵢᵢ. It is small for a wrist where
@@ -202,7 +203,11 @@ impl ImpedanceController {
     }
 
     /// Computes the mass matrix and the inertia at the tool, and at intervals the damping.
-    fn factorize(&mut self, state: &ArticulationState, measured: &Measured<'_>) -> Option<()> {
+    fn factorize(
+        &mut self,
+        state: &ArticulationState,
+        measured: &MeasuredJointState<'_>,
+    ) -> Option<()> {
         let used = self.mass.take().map(Cholesky::unpack_dirty);
         let mut mass = used.or_else(|| self.spare.take())?;
         for (row, &i) in self.compliant.iter().enumerate() {
@@ -265,7 +270,11 @@ impl ImpedanceController {
     }
 
     /// Returns f_c: spring and damper at the tool, K Δx + D Δẋ, saturate in norm with the direction kept.
-    fn spring_and_damper(&self, measured: &Measured<'_>, desired: &Desired) -> Wrench {
+    fn spring_and_damper(
+        &self,
+        measured: &MeasuredJointState<'_>,
+        desired: &DesiredToolState,
+    ) -> Wrench {
         let linear = desired.world_from_tool.translation.vector
             - measured.world_from_tool.translation.vector;
         let turn = rotation_vector_between(&measured.world_from_tool, &desired.world_from_tool);
@@ -299,7 +308,7 @@ impl ImpedanceController {
 }
 
 /// Returns the signed distance of a position beyond the nearer end of a range; `None` within the range.
-pub fn beyond(range: &Range, position: f64) -> Option<f64> {
+pub fn distance_beyond(range: &Range, position: f64) -> Option<f64> {
     let over = (position - range.upper).max(0.0) + (position - range.lower).min(0.0);
     (over != 0.0).then_some(over)
 }

@@ -13,7 +13,7 @@ mod motion_controller;
 mod tests;
 
 pub use config::ControlConfig;
-pub use impedance::{Desired, ImpedanceController, Measured, Posture};
+pub use impedance::{DesiredPosture, DesiredToolState, ImpedanceController, MeasuredJointState};
 pub use momentum_observer::MomentumObserver;
 pub use motion_controller::{ControlCommand, MotionController, press_into_surface, tool_load};
 

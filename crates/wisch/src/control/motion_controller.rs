@@ -2,7 +2,8 @@
 //! force.
 
 use super::{
-    ControlConfig, Desired, ImpedanceController, Measured, MomentumObserver, Posture, Wrench,
+    ControlConfig, DesiredPosture, DesiredToolState, ImpedanceController, MeasuredJointState,
+    MomentumObserver, Wrench,
 };
 use crate::follow::{Followed, Phase, TrajectorySample, Workcell};
 use crate::geometry::{Point3, Pose, Vector2, Vector3};
@@ -61,7 +62,7 @@ pub struct ControlCommand {
     /// Measured pose of the tool, by forward kinematics.
     pub world_from_tool: Pose,
     /// Desired pose and twist of the tool, the press into the surface included.
-    pub desired: Desired,
+    pub desired: DesiredToolState,
     /// f_c: the controller's wrench on the tool, saturate.
     pub controller: Wrench,
     /// f_ext: the observed external wrench on the tool.
@@ -113,7 +114,7 @@ impl MotionController {
         config: &ControlConfig,
     ) -> Result<Option<Self>, RobotError> {
         let robot = cell.robot();
-        let start = (followed.sample(0.0)).map_or_else(|| cell.ready().to_vec(), |s| s.q);
+        let start = (followed.sample(0.0)).map_or_else(|| cell.ready_posture().to_vec(), |s| s.q);
         let chain = cell.ik().chain().variables();
         let base = (cell.base()).map_or(vec![], |base| vec![base.x, base.y, base.yaw]);
         let moving: Vec<bool> = (0..robot.dof())
@@ -155,7 +156,7 @@ impl MotionController {
             carrier,
             joint_from_tool,
             jacobian: Matrix6xX::zeros(count),
-            planned_sample: TrajectorySample::at_rest(&start),
+            planned_sample: TrajectorySample::from_positions(&start),
             planned_q: [(); 3].map(|()| vec![0.0; count]),
             q: vec![0.0; count],
             qd: vec![0.0; count],
@@ -165,14 +166,14 @@ impl MotionController {
     }
 
     /// The robot's compliant variables, in the order of [`Self::efforts`].
-    pub fn compliant(&self) -> impl Iterator<Item = usize> + '_ {
-        let own = self.own_compliant().iter();
+    pub fn compliant_variables(&self) -> impl Iterator<Item = usize> + '_ {
+        let own = self.compliant_indices().iter();
         own.map(|&k| self.articulation.variables()[k])
     }
 
     /// The compliant variables as indices into the articulation's variables.
-    pub fn own_compliant(&self) -> &[usize] {
-        self.controller.compliant()
+    pub fn compliant_indices(&self) -> &[usize] {
+        self.controller.compliant_variables()
     }
 
     /// The joints that move, with the tool in the hand.
@@ -247,14 +248,14 @@ impl MotionController {
         let external =
             self.observer
                 .update(&self.state, &self.qd, &self.efforts, self.config.period);
-        let measured = Measured {
+        let measured = MeasuredJointState {
             q: &self.q,
             qd: &self.qd,
             world_from_tool,
             jacobian: &self.jacobian,
         };
         let [q, qd, qdd] = &self.planned_q;
-        let posture = Posture { q, qd, qdd };
+        let posture = DesiredPosture { q, qd, qdd };
         let controller = self
             .controller
             .command(&self.state, &measured, &desired, &posture)?;
@@ -272,7 +273,7 @@ impl MotionController {
     }
 
     /// Returns the desired pose and twist of the tool at a time [s], the press into the surface included.
-    fn desired(&mut self, task: &Task, followed: &Followed, time: f64) -> Desired {
+    fn desired(&mut self, task: &Task, followed: &Followed, time: f64) -> DesiredToolState {
         let motion = followed.motion_at(time);
         if let Some(motion) = motion {
             let since = time - motion.start;
@@ -297,7 +298,7 @@ impl MotionController {
             velocity += column * *rate;
         }
         let phase = motion.map(|motion| motion.phase);
-        Desired {
+        DesiredToolState {
             world_from_tool: press_into_surface(world_from_tool, phase, task, &self.config),
             velocity,
         }

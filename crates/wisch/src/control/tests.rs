@@ -1,8 +1,8 @@
 //! Laws of the controller and the observer.
 
 use super::impedance::{
-    Desired, ImpedanceController, Measured, Posture, beyond, end_stop_effort,
-    rotation_vector_between, saturate,
+    DesiredPosture, DesiredToolState, ImpedanceController, MeasuredJointState, distance_beyond,
+    end_stop_effort, rotation_vector_between, saturate,
 };
 use super::{ControlConfig, MomentumObserver};
 use crate::geometry::{Pose, Vector3};
@@ -95,17 +95,17 @@ impl Machine {
     /// Computes the controller's force when the tool is to stand still at a pose.
     fn command(&mut self, world_from_tool: Pose, posture: &[f64]) -> Vector3 {
         let still = vec![0.0; posture.len()];
-        let measured = Measured {
+        let measured = MeasuredJointState {
             q: &self.q,
             qd: &self.qd,
             world_from_tool: self.state.pose(self.carrier),
             jacobian: &self.jacobian,
         };
-        let desired = Desired {
+        let desired = DesiredToolState {
             world_from_tool,
             velocity: Vector6::zeros(),
         };
-        let posture = Posture {
+        let posture = DesiredPosture {
             q: posture,
             qd: &still,
             qdd: &still,
@@ -252,10 +252,10 @@ fn within_its_range_a_joint_knows_of_no_end() {
         upper: 1.0,
     };
     for position in [-0.5, 0.0, 1.0] {
-        assert_eq!(beyond(&range, position), None);
+        assert_eq!(distance_beyond(&range, position), None);
     }
-    assert_eq!(beyond(&range, 1.25), Some(0.25));
-    assert_eq!(beyond(&range, -0.75), Some(-0.25));
+    assert_eq!(distance_beyond(&range, 1.25), Some(0.25));
+    assert_eq!(distance_beyond(&range, -0.75), Some(-0.25));
     // The spring drives back; the damper brakes only what goes further.
     for side in [-1.0, 1.0] {
         let at_rest = end_stop_effort(0.01 * side, 0.0, 2.0);

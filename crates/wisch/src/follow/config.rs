@@ -12,7 +12,7 @@ pub enum SearchScope {
     Global,
 }
 
-/// Settings of the follower.
+/// Settings of the follower: margins, tolerances and effort of the search.
 #[derive(Debug, Clone, PartialEq)]
 pub struct FollowConfig {
     /// Longest step of the tool between two solved poses \[m\].

@@ -7,6 +7,7 @@ use crate::source_location::UnknownName;
 
 /// The reason why a plan cannot be followed at all.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
 pub enum FollowError {
     /// The robot model cannot be used.
     #[error(transparent)]

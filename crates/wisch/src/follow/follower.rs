@@ -14,7 +14,7 @@ use super::placement::{Candidate, Reachability, best, drive::drive};
 use super::workcell::HandBelow;
 use super::{
     AbandonedNode, Attempt, FollowConfig, FollowError, Followed, Motion, Phase, Placement,
-    RatedPlace, ToolPose, Workcell, schedule,
+    RatedBasePose, ToolPose, Workcell, schedule,
 };
 use crate::geometry::{PlanarPose, Point2};
 use crate::plan::{Plan, predict, rejoin_nodes};
@@ -103,11 +103,16 @@ pub fn follow(
 
 /// Checks that the robot's ready posture is within its limits and free of collision.
 fn check_start(cell: &Workcell, config: &FollowConfig) -> Result<(), FollowError> {
-    if let Some(fault) = cell.robot().limit_faults(cell.ready())?.into_iter().next() {
+    if let Some(fault) = cell
+        .robot()
+        .limit_faults(cell.ready_posture())?
+        .into_iter()
+        .next()
+    {
         return Err(FollowError::StartOutOfLimits(fault));
     }
     let model = cell.collisions();
-    match model.collision(cell.ready(), config.margin)? {
+    match model.collision(cell.ready_posture(), config.margin)? {
         None => Ok(()),
         Some(contact) => Err(FollowError::StartBlocked {
             a: model.name(contact.a).to_owned(),
@@ -147,10 +152,10 @@ impl Follower<'_> {
     fn follow(&self, progress: &mut dyn FnMut(usize)) -> Result<Followed, FollowError> {
         let mut open: Vec<PendingStroke> = self.pending_strokes();
         let all = count_pending(&open);
-        let mut at = self.cell.base_pose(self.cell.ready());
+        let mut at = self.cell.base_pose(self.cell.ready_posture());
         let mut visits: Vec<ReachedVisit> = Vec::new();
         let mut abandoned: Vec<AbandonedNode> = Vec::new();
-        let mut rated: Vec<RatedPlace> = Vec::new();
+        let mut rated: Vec<RatedBasePose> = Vec::new();
         while !open.is_empty() {
             let candidates = self.candidates(&open)?;
             if rated.is_empty() {
@@ -238,7 +243,7 @@ impl Follower<'_> {
     /// Returns the pending strokes with the yaw chosen so that the joints move little: in another order in
     /// which they may move less, and in the planned order. Leaves out versions with a worse predicted effect.
     fn free_yaw_versions(&self, arm: &Arm, open: &[PendingStroke]) -> Vec<Vec<PendingStroke>> {
-        if !self.config.free_yaw || arm.keeps_heading || self.cell.second().is_some() {
+        if !self.config.free_yaw || arm.keeps_heading || self.cell.second_arm().is_some() {
             return Vec::new();
         }
         let achieved = self.predict_achieved(open);
@@ -251,7 +256,7 @@ impl Follower<'_> {
 
     /// Returns the pending strokes in their order, with the yaw chosen so that the joints move little.
     fn choose_yaws(&self, arm: &Arm, open: &[PendingStroke]) -> Vec<PendingStroke> {
-        let mut at = arm.ready();
+        let mut at = arm.ready_posture();
         let mut turned = open.to_vec();
         for (i, open) in turned.iter_mut().enumerate() {
             let seed = self.config.seed ^ (i as u64) << 32;
@@ -284,13 +289,19 @@ impl Follower<'_> {
             }
         }
         let nodes: Vec<usize> = left.iter().map(|waiting| waiting.node).collect();
-        let tour = joint_tour(arm, &arm.ready(), self.plan, &nodes, self.config.seed)?;
+        let tour = joint_tour(
+            arm,
+            &arm.ready_posture(),
+            self.plan,
+            &nodes,
+            self.config.seed,
+        )?;
         let strokes = tour.strokes.iter().map(|stroke| {
             let poses: Vec<PlanarPose> = stroke.iter().map(|&i| left[i].corner.pose).collect();
             let at: Vec<_> = stroke.iter().map(|&i| Some(tour.at[i])).collect();
             let corners = poses_with_yaws(arm, &poses, &at).into_iter().zip(at);
             let nodes = stroke.iter().zip(corners);
-            PendingStroke::through(nodes.map(|(&i, (pose, near))| PendingNode {
+            PendingStroke::from_nodes(nodes.map(|(&i, (pose, near))| PendingNode {
                 corner: Corner { pose, near },
                 ..left[i]
             }))
@@ -312,7 +323,7 @@ impl Follower<'_> {
         let strokes = self.plan.strokes.iter().enumerate();
         strokes
             .filter(|(_, stroke)| !stroke.poses.is_empty())
-            .map(|(number, stroke)| PendingStroke::of(stroke, |_| number))
+            .map(|(number, stroke)| PendingStroke::from_stroke(stroke, |_| number))
             .collect()
     }
 
@@ -433,7 +444,7 @@ impl Follower<'_> {
         };
         let open = strokes
             .iter()
-            .map(|stroke| PendingStroke::of(stroke, stroke_of));
+            .map(|stroke| PendingStroke::from_stroke(stroke, stroke_of));
         Some(open.collect())
     }
 
@@ -447,9 +458,9 @@ impl Follower<'_> {
         if self.cell.base().is_some() {
             return Ok(vec![None; nodes.len()]);
         }
-        let arm = Arm::new(self.cell, self.task, self.config, at)?.following(self.plan);
+        let arm = Arm::new(self.cell, self.task, self.config, at)?.with_plan(self.plan);
         let now = Now {
-            q: arm.ready(),
+            q: arm.ready_posture(),
             tool: None,
         };
         let (lift, seed) = (self.plan.lift_height, self.config.seed);
@@ -495,15 +506,15 @@ impl Follower<'_> {
     }
 
     /// Returns the best heading of every place.
-    fn rated_places(&self, candidates: &[Candidate]) -> Vec<RatedPlace> {
-        let mut places: Vec<RatedPlace> = Vec::new();
-        let mut sorted: Vec<RatedPlace> = candidates.iter().map(RatedPlace::from).collect();
-        let key = |place: &RatedPlace| {
+    fn rated_places(&self, candidates: &[Candidate]) -> Vec<RatedBasePose> {
+        let mut places: Vec<RatedBasePose> = Vec::new();
+        let mut sorted: Vec<RatedBasePose> = candidates.iter().map(RatedBasePose::from).collect();
+        let key = |place: &RatedBasePose| {
             let at = place.world_from_base.position;
             ((at.x * 1e3).round() as i64, (at.y * 1e3).round() as i64)
         };
         sorted.sort_by(|a, b| {
-            let rating = |place: &RatedPlace| place.rating.unwrap_or(-1.0);
+            let rating = |place: &RatedBasePose| place.rating.unwrap_or(-1.0);
             key(a).cmp(&key(b)).then(rating(b).total_cmp(&rating(a)))
         });
         for place in sorted {
@@ -523,7 +534,7 @@ impl Follower<'_> {
         open: &[PendingStroke],
     ) -> Result<BaseVisit, FollowError> {
         let arm =
-            Arm::new(self.cell, self.task, self.config, world_from_base)?.following(self.plan);
+            Arm::new(self.cell, self.task, self.config, world_from_base)?.with_plan(self.plan);
         let eased = self.free_yaw_versions(&arm, open);
         let visits = eased
             .into_par_iter()
@@ -552,7 +563,7 @@ impl Follower<'_> {
         open: Vec<PendingStroke>,
     ) -> BaseVisit {
         let mut now = Now {
-            q: arm.ready(),
+            q: arm.ready_posture(),
             tool: None,
         };
         let mut visit = BaseVisit {
@@ -600,7 +611,7 @@ impl Follower<'_> {
             visit.runs.push((nodes, run));
         }
         if !visit.runs.is_empty() {
-            let ready = arm.ready();
+            let ready = arm.ready_posture();
             let back = (0..RETURN_SEARCHES)
                 .find_map(|i| free_motion(arm, &now.q, &ready, self.config.seed.wrapping_add(i)));
             match back {
@@ -623,7 +634,7 @@ impl Follower<'_> {
             .map(|(.., visit)| visit.world_from_base)
             .collect();
         if places.is_empty() {
-            places.push(self.cell.base_pose(self.cell.ready()));
+            places.push(self.cell.base_pose(self.cell.ready_posture()));
         }
         let strokes = self.plan.strokes.iter();
         let mut poses: Vec<PlanarPose> = (self.plan.graph.nodes.iter())
@@ -632,7 +643,7 @@ impl Follower<'_> {
         for (&node, &pose) in strokes.flat_map(|stroke| stroke.nodes.iter().zip(&stroke.poses)) {
             poses[node] = pose;
         }
-        Ok(reachability.of_each(&poses, &places))
+        Ok(reachability.best_of_each(&poses, &places))
     }
 
     /// Assembles all motions in order and times them.
@@ -640,7 +651,7 @@ impl Follower<'_> {
         &self,
         visits: Vec<ReachedVisit>,
         abandoned: Vec<AbandonedNode>,
-        rated: Vec<RatedPlace>,
+        rated: Vec<RatedBasePose>,
     ) -> Result<Followed, FollowError> {
         let mut followed = Followed {
             motions: Vec::new(),
@@ -656,7 +667,7 @@ impl Follower<'_> {
                 followed.placements.push(placement);
                 let path: Vec<Vec<f64>> = way
                     .iter()
-                    .map(|pose| self.cell.standing(self.cell.ready(), pose))
+                    .map(|pose| self.cell.standing(self.cell.ready_posture(), pose))
                     .collect();
                 self.append(&mut followed, Phase::Drive, &path, Vec::new())?;
             }

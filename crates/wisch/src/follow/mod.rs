@@ -18,14 +18,15 @@ mod schedule;
 mod workcell;
 
 pub use audit::{
-    Audit, CheckConfig, End, MotionFault, Rate, TrajectoryFault, audit, trajectory_faults,
+    Audit, MotionEnd, MotionFault, RateKind, TrajectoryCheckConfig, TrajectoryFault, audit,
+    trajectory_faults,
 };
 pub use config::{FollowConfig, SearchScope};
 pub use error::FollowError;
 pub use follower::follow;
 pub use motion::{
     AbandonedNode, Attempt, Followed, GripDeviation, LineDeviation, Motion, Obstruction, Phase,
-    Placement, RatedPlace, ToolPose,
+    Placement, RatedBasePose, ToolPose,
 };
 pub use retreat::retreat;
 pub use wisch_robot::timing::{

@@ -67,7 +67,7 @@ pub struct ToolPose {
 impl ToolPose {
     /// Returns the pose at share `s` of the way to another pose, 0 being this one. Position, height, heading
     /// and tilt change linearly; the heading is not wrapped to ±π.
-    pub fn towards(&self, to: &Self, s: f64) -> Self {
+    pub fn interpolate(&self, to: &Self, s: f64) -> Self {
         let between = |a: f64, b: f64| a + s * (b - a);
         let (a, b) = (&self.surface_from_tool, &to.surface_from_tool);
         Self {
@@ -81,7 +81,7 @@ impl ToolPose {
     }
 
     /// Returns the pose at the same place, heading and tilt, at a height above the surface \[m\].
-    pub fn at_height(&self, height: f64) -> Self {
+    pub fn with_height(&self, height: f64) -> Self {
         Self { height, ..*self }
     }
 
@@ -254,9 +254,9 @@ pub struct Placement {
     pub rating: f64,
 }
 
-/// A rated base pose.
+/// A candidate base pose with the rating by which the placement chooses.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct RatedPlace {
+pub struct RatedBasePose {
     /// Position and heading in the plane of the world's floor.
     pub world_from_base: PlanarPose,
     /// Share of the path that is in reach from here, 0 to 1; `None` where the robot cannot stand.
@@ -274,7 +274,7 @@ pub struct Followed {
     /// Base poses in order; empty for a robot with a fixed base.
     pub placements: Vec<Placement>,
     /// Rated base poses for the whole path.
-    pub rated: Vec<RatedPlace>,
+    pub rated: Vec<RatedBasePose>,
     /// Reachability of each node of the plan's graph from the best base pose, by the capability map, from 0
     /// (out of reach of all) to 1. It extends the semantic directed graph. Empty without a map.
     pub node_reachability: Vec<f64>,
@@ -320,7 +320,7 @@ impl Followed {
         self
     }
 
-    /// Time in contact \[s\].
+    /// Duration of all motions in contact \[s\].
     pub fn contact_time(&self) -> f64 {
         self.contact_time_until(f64::INFINITY)
     }

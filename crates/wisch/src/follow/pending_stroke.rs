@@ -27,9 +27,9 @@ pub(super) struct PendingStroke {
 
 impl PendingStroke {
     /// Returns a whole stroke as pending. `stroke_of` returns the index of a node's stroke in the plan.
-    pub fn of(stroke: &Stroke, stroke_of: impl Fn(usize) -> usize) -> Self {
+    pub fn from_stroke(stroke: &Stroke, stroke_of: impl Fn(usize) -> usize) -> Self {
         let nodes = stroke.nodes.iter().zip(&stroke.poses);
-        Self::through(nodes.map(|(&node, &pose)| PendingNode {
+        Self::from_nodes(nodes.map(|(&node, &pose)| PendingNode {
             node,
             corner: Corner { pose, near: None },
             stroke: stroke_of(node),
@@ -37,7 +37,7 @@ impl PendingStroke {
     }
 
     /// Returns a pending stroke through these nodes.
-    pub fn through(nodes: impl Iterator<Item = PendingNode>) -> Self {
+    pub fn from_nodes(nodes: impl Iterator<Item = PendingNode>) -> Self {
         Self {
             nodes: nodes.collect(),
             begun: false,

@@ -30,13 +30,13 @@ pub fn retreat(
     height: f64,
     config: &FollowConfig,
 ) -> Result<Vec<Motion>, FollowError> {
-    let base = cell.base_pose(cell.ready());
+    let base = cell.base_pose(cell.ready_posture());
     let arm = Arm::new(cell, task, config, &base)?;
     let limits = cell.limits().joints();
     let within: Vec<f64> = (from.iter().zip(limits))
         .map(|(q, limit)| q.clamp(limit.lower, limit.upper))
         .collect();
-    let (at, ready) = (arm.of_robot(&within), arm.ready());
+    let (at, ready) = (arm.group_variables(&within), arm.ready_posture());
     if movement(&[at, ready]) < AT_READY {
         return Ok(Vec::new());
     }

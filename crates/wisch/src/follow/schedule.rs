@@ -115,7 +115,13 @@ fn divide_steps(path: &[Vec<f64>]) -> Vec<Vec<f64>> {
 fn slow_to_efforts(cell: &Workcell, trajectory: Trajectory) -> Result<Trajectory, FollowError> {
     let robot = cell.robot();
     let all = vec![true; robot.dof()];
-    let articulation = Articulation::new(robot, cell.world_from_root(), cell.ready(), &all, &[])?;
+    let articulation = Articulation::new(
+        robot,
+        cell.world_from_root(),
+        cell.ready_posture(),
+        &all,
+        &[],
+    )?;
     let mut state = articulation.state();
     let at_rest = vec![0.0; robot.dof()];
     // First the effort of each joint by itself, then that of each variable with all joints that it moves.
@@ -180,7 +186,7 @@ fn effort_times(trajectory: &Trajectory) -> impl Iterator<Item = f64> {
 /// tool.
 fn worst_grip(cell: &Workcell, trajectory: &Trajectory) -> Result<GripDeviation, FollowError> {
     let mut worst = GripDeviation::default();
-    let Some(second) = cell.second() else {
+    let Some(second) = cell.second_arm() else {
         return Ok(worst);
     };
     for sample in trajectory.samples(GRIP_PERIOD) {
@@ -261,7 +267,10 @@ impl Line {
                 .ceil()
                 .max(1.0) as usize;
             poses.extend((1..=count).map(|i| {
-                Workcell::world_from_tool(task, &pair[0].towards(&pair[1], i as f64 / count as f64))
+                Workcell::world_from_tool(
+                    task,
+                    &pair[0].interpolate(&pair[1], i as f64 / count as f64),
+                )
             }));
         }
         Self { poses }

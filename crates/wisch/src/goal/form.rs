@@ -19,7 +19,7 @@ pub(super) struct Source<'a> {
 
 impl Source<'_> {
     pub(super) fn place(self, offset: usize) -> Place {
-        Place::at_offset(self.name, self.text, offset)
+        Place::from_offset(self.name, self.text, offset)
     }
 
     pub(super) fn expected(self, expected: &str, form: &Form) -> GoalError {

@@ -62,12 +62,12 @@ impl GoalLiteral {
         Ok(Self { words: atom.words })
     }
 
-    /// The predicate.
+    /// Name of the predicate, such as `collected`.
     pub fn predicate(&self) -> &str {
         &self.words[0]
     }
 
-    /// Arguments of the predicate.
+    /// Arguments of the predicate, in order: the names of objects.
     pub fn arguments(&self) -> &[String] {
         &self.words[1..]
     }

@@ -4,7 +4,7 @@ use super::error::{InterpretError, within};
 use super::uncertainty::Uncertainty;
 use crate::represent::{LogNormal, Task};
 
-/// Settings of the interpretation. [`InterpretConfig::of`] takes the task-dependent ones from a task.
+/// Settings of the interpretation. [`InterpretConfig::from_task`] takes the task-dependent ones from a task.
 #[derive(Debug, Clone, PartialEq)]
 pub struct InterpretConfig {
     /// f_max of (9): above this normal force there is no contact \[N\]; 0 in the paper.
@@ -167,7 +167,20 @@ impl Default for EventConfig {
 
 impl InterpretConfig {
     /// Returns the settings for a task, which provides forces, compliance, likelihood, ℓ and seed.
-    pub fn of(task: &Task) -> Self {
+    ///
+    /// ```
+    /// # use wisch::prelude::*;
+    /// # let outline = Polygon::rectangle(Vector2::new(0.4, 0.3));
+    /// # let surface = Surface::new("tray", outline, Pose::identity());
+    /// # let sponge = Tool::pad("sponge", Vector3::new(0.07, 0.11, 0.05))?;
+    /// # let crumbs = ParticleDistribution::new(&[Point2::new(0.0, 0.0), Point2::new(0.0, 0.12)])?;
+    /// # let task = Task::new(Action::Absorb, surface, sponge, "crumbs", crumbs);
+    /// use wisch::interpret::InterpretConfig;
+    /// let config = InterpretConfig::from_task(&task);
+    /// assert_eq!(config.min_normal_force_n, -task.interaction.press_force_n);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn from_task(task: &Task) -> Self {
         let interaction = &task.interaction;
         let compliance = if interaction.compression_depth_m > 0.0 && !interaction.hovers() {
             ToolCompliance::Spring {
@@ -193,7 +206,7 @@ impl InterpretConfig {
                 kept_share: interaction.redraw.kept_share,
                 ..Uncertainty::default()
             },
-            replays: members(task),
+            replays: member_count(task),
             redraw_length_m: (interaction.redraw.length_m)
                 .unwrap_or_else(|| task.tool.collision_radius()),
             relocalize_tilt: 0.5_f64.to_radians(),
@@ -350,7 +363,7 @@ const FEWEST_MEMBERS: usize = 16;
 const MOST_WORK: usize = 1 << 20;
 
 /// Returns the number of members of a belief about this task: fewer where a replay takes long.
-pub fn members(task: &Task) -> usize {
+pub fn member_count(task: &Task) -> usize {
     let particles = task.particles.len().max(1);
     let edges = task.tool.footprint.edges().count().max(1);
     let [most, least] = MEMBERS;

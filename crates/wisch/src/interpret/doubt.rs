@@ -39,6 +39,7 @@ const LONGEST_GAP: f64 = 1.0;
 
 /// A reason why a log may not show wiping, or not wiping of this surface, and what had to be assumed to read it.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub enum Doubt {
     /// The tool came near the surface, but its force shows no contact.
     NoContactForce {

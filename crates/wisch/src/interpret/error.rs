@@ -4,6 +4,7 @@ use thiserror::Error;
 
 /// A reason why a log cannot be interpreted. Samples are numbered from 0, in the order in which they were pushed.
 #[derive(Debug, Clone, PartialEq, Error)]
+#[non_exhaustive]
 pub enum InterpretError {
     /// A setting is out of its range.
     #[error("{name}: {value} is not within {expected}")]

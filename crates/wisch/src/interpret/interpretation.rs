@@ -1,13 +1,13 @@
 //! Result of an interpretation.
 
-use super::belief::{Belief, Estimate, Look, PerformanceDistribution};
+use super::belief::{Belief, Estimate, ObservationUpdate, PerformanceDistribution};
 use super::contact::{FittedPlane, PathPiece, ToolStiffness};
 use super::doubt::Doubt;
 use super::events::Event;
 use crate::geometry::Pose;
 use crate::represent::Observation;
 
-/// Conclusion from the fitted plane.
+/// Conclusion from the fitted plane: where the surface lies, or that there was no contact.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Diagnosis {
     /// The surface is where it was believed to be.
@@ -53,7 +53,7 @@ pub struct Interpretation {
     /// Mean and 90 % interval of `distribution`.
     pub performance: Estimate,
     /// Estimate of the performance by touch alone, before any observation.
-    pub felt: Estimate,
+    pub by_touch: Estimate,
     /// The camera's observation after the log, if there was one.
     pub observation: Option<Observation>,
 }
@@ -68,11 +68,11 @@ impl Interpretation {
     }
 
     /// Updates belief and performance by an observation of the surface after the log.
-    pub fn look(&mut self, look: &Look<'_>) {
-        self.belief = self.belief.observe(look);
+    pub fn observe(&mut self, update: &ObservationUpdate<'_>) {
+        self.belief = self.belief.observe(update);
         // An observation leaves no model error: what the replays omit does not affect what the camera sees.
-        self.distribution = self.belief.performance(look.goal, look.surface, 0.0);
+        self.distribution = self.belief.performance(update.goal, update.surface, 0.0);
         self.performance = self.distribution.estimate();
-        self.observation = Some(look.observation.clone());
+        self.observation = Some(update.observation.clone());
     }
 }

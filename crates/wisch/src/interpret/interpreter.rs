@@ -67,7 +67,7 @@ const SETTLING: f64 = 0.5;
 /// #     seed: 1,
 /// # };
 /// // A board with two crumbs, one of them in the path of a stroke with the task's 10 N.
-/// let mut interpreter = Interpreter::new(&task, &InterpretConfig::of(&task))?;
+/// let mut interpreter = Interpreter::new(&task, &InterpretConfig::from_task(&task))?;
 /// for i in 0..2000 {
 ///     let time = f64::from(i) * 1e-3;
 ///     interpreter.push(&TouchSample {
@@ -76,7 +76,7 @@ const SETTLING: f64 = 0.5;
 ///         force: Vector3::new(0.0, 0.0, 10.0),
 ///     })?;
 /// }
-/// let believed = Belief::certain(task.particles.clone());
+/// let believed = Belief::from_particles(task.particles.clone());
 /// let interpretation = interpreter.conclude(&believed, &GoalState::Absorbed)?;
 /// assert_eq!(interpretation.diagnosis, Diagnosis::Localized);
 /// // In hardly any member of the belief is the threshold so high that the crumb stays.
@@ -92,7 +92,7 @@ pub struct Interpreter {
 }
 
 impl Interpreter {
-    /// Returns an interpreter without samples.
+    /// Returns an interpreter for a task that has no samples yet.
     ///
     /// # Errors
     /// A setting out of its range.
@@ -189,7 +189,7 @@ impl Interpreter {
                 .stiffness()
                 .map(|believed| stiffness.of_tool(believed)),
             performance: distribution.estimate(),
-            felt: distribution.estimate(),
+            by_touch: distribution.estimate(),
             observation: None,
             distribution,
             belief,
@@ -415,6 +415,27 @@ fn believed_from_real(fit: &PlaneFit, surface: &Surface) -> Pose {
 ///
 /// # Errors
 /// As [`Interpreter::new`], [`Interpreter::push`] and [`Interpreter::conclude`].
+///
+/// ```
+/// # use wisch::prelude::*;
+/// # let outline = Polygon::rectangle(Vector2::new(0.4, 0.3));
+/// # let surface = Surface::new("tray", outline, Pose::identity());
+/// # let sponge = Tool::pad("sponge", Vector3::new(0.07, 0.11, 0.05))?;
+/// # let crumbs = ParticleDistribution::new(&[Point2::new(0.0, 0.0), Point2::new(0.0, 0.12)])?;
+/// # let task = Task::new(Action::Absorb, surface, sponge, "crumbs", crumbs);
+/// use wisch::interpret::{Diagnosis, InterpretConfig};
+/// use wisch::represent::GoalState;
+/// // A stroke along x over the middle of the tray, at 0.1 m/s with the task's 10 N.
+/// let samples: Vec<TouchSample> = (0..2000)
+///     .map(|i| f64::from(i) * 1e-3)
+///     .map(|time| TouchSample::new(time, Pose::translation(0.1 * time - 0.1, 0.0, 0.0), Vector3::new(0.0, 0.0, 10.0)))
+///     .collect();
+/// let believed = Belief::from_particles(task.particles.clone());
+/// let config = InterpretConfig::from_task(&task);
+/// let interpretation = interpret(&samples, &task, &believed, &GoalState::Absorbed, &config)?;
+/// assert_eq!(interpretation.diagnosis, Diagnosis::Localized);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 pub fn interpret<'a>(
     samples: impl IntoIterator<Item = &'a TouchSample>,
     task: &Task,

@@ -17,10 +17,10 @@ mod interpreter;
 mod uncertainty;
 
 pub use belief::{
-    Belief, COUNT_SPREAD, DensityMap, DirtPrior, Estimate, Exposure, Look, ParticleTouch,
-    PerformanceDistribution,
+    Belief, COUNT_SPREAD, DensityMap, DirtPrior, Estimate, Exposure, ObservationUpdate,
+    ParticleTouch, PerformanceDistribution,
 };
-pub use config::{EventConfig, InterpretConfig, PlaneConfig, ToolCompliance, members};
+pub use config::{EventConfig, InterpretConfig, PlaneConfig, ToolCompliance, member_count};
 pub use contact::{FittedPlane, PathPiece, PlaneFit, ToolStiffness, Touch, TouchSample, fit_plane};
 pub use doubt::Doubt;
 pub use error::InterpretError;

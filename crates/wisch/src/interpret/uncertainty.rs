@@ -86,12 +86,12 @@ impl Uncertainty {
     ///
     /// ```
     /// use wisch::interpret::Uncertainty;
-    /// let slippery = Uncertainty::default().with("slip_share", 0.5)?;
+    /// let slippery = Uncertainty::default().with_field("slip_share", 0.5)?;
     /// assert_eq!(slippery.slip_share, 0.5);
-    /// assert!(Uncertainty::default().with("slip_share", 1.5).is_err());
+    /// assert!(Uncertainty::default().with_field("slip_share", 1.5).is_err());
     /// # Ok::<(), wisch::interpret::InterpretError>(())
     /// ```
-    pub fn with(mut self, name: &str, value: f64) -> Result<Self, InterpretError> {
+    pub fn with_field(mut self, name: &str, value: f64) -> Result<Self, InterpretError> {
         let mut fields = self.fields();
         let field = fields.iter_mut().find(|field| field.name() == name);
         let field = field.ok_or_else(|| InterpretError::NoSuchUncertainty {

@@ -5,6 +5,7 @@ use thiserror::Error;
 
 /// A reason why a law cannot be fitted.
 #[derive(Debug, Clone, PartialEq, Error)]
+#[non_exhaustive]
 pub enum LearnError {
     /// A setting is out of its range.
     #[error("{name}: {value} is not within {expected}")]

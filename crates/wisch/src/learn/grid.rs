@@ -423,7 +423,7 @@ impl Draws {
             });
             let draws: Vec<Vec<u16>> = draws.collect();
             let before = earlier.get(guess).map_or(0, |share| bin(*share));
-            let kept = [bin(exposure.most()).max(before), before];
+            let kept = [bin(exposure.max_share()).max(before), before];
             let same = guesses
                 .iter_mut()
                 .find(|(_, d, k)| *d == draws && *k == kept);

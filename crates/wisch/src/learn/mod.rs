@@ -32,7 +32,7 @@ pub const LEAST_PARTICLES: usize = 10;
 /// Number of guesses of each particle's exposure, as its place and the grasp of the tool are uncertain.
 pub const GUESSES: usize = 8;
 
-/// Settings of the learning.
+/// Settings for learning the laws of tools and media.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct LearnConfig {
     /// Standard deviation of the logarithm of a round's force scale, common to the whole round \[1\].
@@ -51,9 +51,9 @@ impl Default for LearnConfig {
     }
 }
 
-/// Observations of one law.
+/// The observed rounds of one pair of tool and medium, whose law is fitted.
 #[derive(Debug, Clone, Copy)]
-pub struct Lesson<'a> {
+pub struct LawObservations<'a> {
     /// Entry of the knowledge base, from which the prior follows.
     pub interaction: &'a Interaction,
     /// r_s of the tool, the prior mean of ℓ if the entry has none \[m\].
@@ -62,7 +62,7 @@ pub struct Lesson<'a> {
     pub rounds: &'a [ObservedRound],
 }
 
-/// Posterior of a law.
+/// The posterior of the law of one pair of tool and medium.
 #[derive(Debug, Clone, PartialEq)]
 pub struct LearnedLaw {
     /// μ \[1\].
@@ -120,7 +120,7 @@ impl LearnedLaw {
 /// ```
 /// use wisch::geometry::{Point2, Region};
 /// use wisch::interpret::{Exposure, ParticleTouch};
-/// use wisch::learn::{LearnConfig, Lesson, ObservedRound, learn};
+/// use wisch::learn::{LearnConfig, LawObservations, ObservedRound, learn};
 /// use wisch::represent::*;
 /// # let interaction = Interaction {
 /// #     tool: "sponge".into(),
@@ -150,14 +150,17 @@ impl LearnedLaw {
 ///     exposures: vec![vec![touch]; 40],
 ///     earlier: vec![],
 /// };
-/// let lesson = Lesson { interaction: &interaction, collision_radius_m: 0.065, rounds: &[round] };
-/// let learned = &learn(&[lesson], &LearnConfig::default())?[0];
+/// let observations = LawObservations { interaction: &interaction, collision_radius_m: 0.065, rounds: &[round] };
+/// let learned = &learn(&[observations], &LearnConfig::default())?[0];
 /// // Half of them respond, so ln f′ is μ.
 /// assert!((learned.mu.mean - 0.35_f64.ln()).abs() < 0.05);
 /// assert!(learned.mu.deviation < 0.15);
 /// # Ok::<(), wisch::learn::LearnError>(())
 /// ```
-pub fn learn(lessons: &[Lesson<'_>], config: &LearnConfig) -> Result<Vec<LearnedLaw>, LearnError> {
+pub fn learn(
+    lessons: &[LawObservations<'_>],
+    config: &LearnConfig,
+) -> Result<Vec<LearnedLaw>, LearnError> {
     if !(0.0..=1.0).contains(&config.force_share) {
         return Err(LearnError::Config {
             name: "force_share",

@@ -58,7 +58,7 @@ impl FreeSpace {
             surface: surface.clone(),
             radius,
             geometry,
-            occupied: OccupiedArea::of(scene),
+            occupied: OccupiedArea::from_scene(scene),
         })
     }
 
@@ -134,7 +134,7 @@ impl FreeSpace {
     /// places.
     ///
     /// `footprint`: the tool's footprint, in the tool frame.
-    pub fn out_of_reach(&self, places: &[Point2], footprint: &Region) -> f64 {
+    pub fn unreachable_share(&self, places: &[Point2], footprint: &Region) -> f64 {
         let rings = rings(footprint);
         let missed = (places.par_iter())
             .filter(|&&place| !self.is_covered(place, &rings))

@@ -1,6 +1,6 @@
 //! Settings of the planner.
 
-use super::{CoverageStrategy, HeadingRule, Strategy};
+use super::{CoverageStrategy, Strategy, YawRule};
 
 /// Planner settings. Tool, medium and action come from the task.
 #[derive(Debug, Clone, PartialEq)]
@@ -12,7 +12,7 @@ pub struct PlanConfig {
     /// Bandwidth of the density estimate \[m\]; `None` takes it from the data.
     pub bandwidth: Option<f64>,
     /// How the planner turns the tool along the strokes of a coverage strategy.
-    pub heading: HeadingRule,
+    pub yaw: YawRule,
     /// Height by which the tool is lifted between strokes \[m\].
     pub lift_height: f64,
     /// Longest distance of the tool in contact \[m\]; `None` sets no limit.
@@ -38,7 +38,7 @@ impl Default for PlanConfig {
             strategy: CoverageStrategy::Grid.into(),
             seed: 0,
             bandwidth: None,
-            heading: HeadingRule::default(),
+            yaw: YawRule::default(),
             lift_height: 0.05,
             max_distance: None,
             search: SearchConfig::default(),

@@ -5,6 +5,7 @@ use crate::represent::Action;
 
 /// The reason why the planner returned no plan.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
 pub enum PlanError {
     /// No node fits on the surface.
     #[error(

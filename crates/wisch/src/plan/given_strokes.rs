@@ -24,6 +24,7 @@ const HEIGHT: f64 = 0.05;
 
 /// The reason why the tool cannot make a stroke. Strokes and poses count from 0.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
 pub enum StrokeFault {
     /// A stroke has no pose.
     #[error("strokes[{stroke}] has no pose; expected at least one")]
@@ -158,7 +159,7 @@ pub fn check_strokes(task: &Task, strokes: &[Stroke]) -> Result<Vec<StrokeOverBo
 /// # Errors
 /// A stroke that the tool cannot make, see [`check_strokes`], or a treatment without a number of passes or a
 /// thickness.
-pub fn plan_of_strokes(
+pub fn plan_from_strokes(
     task: &Task,
     strokes: &[Vec<PlanarPose>],
     lift_height: f64,
@@ -237,7 +238,7 @@ fn obstacles(task: &Task, meshes: &[Mesh]) -> Result<Vec<Obstacle>, PlanError> {
         Ok(Obstacle {
             name: object.name.clone(),
             triangles: (mesh_above.transpose()).map_err(|e| PlanError::Scene(e.to_string()))?,
-            stands_on: OccupiedArea::of([mesh]),
+            stands_on: OccupiedArea::from_scene([mesh]),
         })
     };
     task.obstacles().zip(meshes).map(obstacle).collect()
@@ -307,7 +308,7 @@ impl Check<'_> {
         let surface = &self.task.surface;
         let along = to.position - from.position;
         let mut farthest: Option<StrokeOverBorder> = None;
-        for part in surface.parts_of_way(from.position, to.position) {
+        for part in surface.split_move(from.position, to.position) {
             let [begin, end] = part.shares;
             let at = |share: f64| from.position + along * share;
             match part.ground {

@@ -9,7 +9,6 @@ mod coverage;
 mod error;
 mod given_strokes;
 mod graph;
-mod heading;
 mod lanes;
 mod objective;
 mod planner;
@@ -21,6 +20,7 @@ mod strokes;
 mod subplans;
 mod tour;
 mod tree;
+mod yaw;
 
 pub use clearance::FreeSpace;
 pub use config::{PlanConfig, SearchConfig};
@@ -30,10 +30,9 @@ pub use coverage::{
 };
 pub use error::PlanError;
 pub use given_strokes::{
-    StrokeFault, StrokeOverBorder, check_strokes, describe_over_border, plan_of_strokes,
+    StrokeFault, StrokeOverBorder, check_strokes, describe_over_border, plan_from_strokes,
 };
 pub use graph::{Node, NodeRole, SemanticDirectedGraph};
-pub use heading::HeadingRule;
 pub use objective::has_predicted_gain;
 pub(crate) use planner::highest_score;
 pub use planner::{Candidate, Planner, Portfolio, plan};
@@ -46,3 +45,4 @@ pub use tour::{
     CostMatrix, MAX_TOUR_COST, MAX_TOUR_NODES, TourConfig, TourError, shortest_path_from,
     shortest_tour,
 };
+pub use yaw::YawRule;

@@ -23,7 +23,7 @@ const HEAP_PLACES: [f64; 4] = [0.125, 0.375, 0.625, 0.875];
 /// Objective of doing nothing [particles]: the particles where they belong, less [`LOSS`] for each lost
 /// particle.
 pub(super) fn objective_at_rest(task: &Task, goal: &GoalState) -> i64 {
-    weigh(&Performance::of(&task.particles, goal, &task.surface))
+    weigh(&Performance::evaluate(&task.particles, goal, &task.surface))
 }
 
 /// Whether a plan is predicted to be better than doing nothing.
@@ -57,7 +57,7 @@ pub(super) fn objective(task: &Task, plan: &Plan) -> i64 {
             margin.pass_of(&field, touched.iter().copied());
         }
     }
-    let performance = Performance::of(&field.distribution(), &plan.graph.goal, &task.surface);
+    let performance = Performance::evaluate(&field.distribution(), &plan.graph.goal, &task.surface);
     let risk = RISK * margin.nearness() + margin.beyond(&plan.graph.goal, &task.surface.outline);
     weigh(&performance) - risk.round() as i64
 }

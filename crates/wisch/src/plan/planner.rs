@@ -116,7 +116,7 @@ impl<'a> Planner<'a> {
     ///
     /// # Errors
     /// The errors of [`Self::plan`], if no setting gives a plan.
-    pub fn best_of(&self, count: usize) -> Result<Plan, PlanError> {
+    pub fn plan_best(&self, count: usize) -> Result<Plan, PlanError> {
         let (task, config) = (self.task, self.config);
         check_fits(config.strategy, task)?;
         if config.strategy.turns_tool() {
@@ -145,7 +145,7 @@ impl<'a> Planner<'a> {
     ///
     /// # Errors
     /// The errors of [`Self::plan`], if no setting gives a plan.
-    pub fn best_subplan_of(&self, count: usize) -> Result<Plan, PlanError> {
+    pub fn plan_best_subplan(&self, count: usize) -> Result<Plan, PlanError> {
         let space = free_space_of(self.task)?;
         let task = &reduce_for_comparison(self.task);
         let remaining = self.remaining.unwrap_or(&self.task.particles);
@@ -208,7 +208,7 @@ impl<'a> Planner<'a> {
         Ok(finish(found, &task, &space, self.config))
     }
 
-    /// Scores a plan.
+    /// Returns the score of a plan, as the mean over all possible distributions of the dirt.
     ///
     /// # Errors
     /// Geometry that the libraries refuse.
@@ -299,7 +299,7 @@ fn finish(plan: Plan, task: &Task, space: &FreeSpace, config: &PlanConfig) -> Pl
         _ => plan,
     };
     Plan {
-        unreachable_share: space.out_of_reach(&places, &task.tool.footprint),
+        unreachable_share: space.unreachable_share(&places, &task.tool.footprint),
         ..plan
     }
 }

@@ -1,13 +1,13 @@
 //! The policies of the actions: from nodes to a graph, and from the graph to strokes; paper §3.2.
 
 use super::coverage::CoverageInput;
-use super::heading::Headings;
 use super::lanes::lanes;
 use super::objective::best_by_objective;
 use super::tree::{branches, forest};
+use super::yaw::YawPattern;
 use super::{
-    CostMatrix, CoverageStrategy, FreeSpace, HeadingRule, MAX_TOUR_NODES, Node, NodeRole, Plan,
-    PlanConfig, PlanError, SemanticDirectedGraph, Stroke, TourConfig, TourError, predict,
+    CostMatrix, CoverageStrategy, FreeSpace, MAX_TOUR_NODES, Node, NodeRole, Plan, PlanConfig,
+    PlanError, SemanticDirectedGraph, Stroke, TourConfig, TourError, YawRule, predict,
     shortest_path_from,
 };
 use crate::geometry::{Bounds2, Edge, Point2};
@@ -95,7 +95,7 @@ pub(crate) fn rejoin_nodes(
     let named = |chain: Vec<usize>| chain.into_iter().map(|i| nodes[i]).collect();
     let chains: Vec<Vec<usize>> = chains.into_iter().map(named).collect();
     // A robot that reaches only some nodes is less able to turn the tool on the spot.
-    Ok(Headings::Blended.strokes(task, &plan.graph, &chains))
+    Ok(YawPattern::Blended.strokes(task, &plan.graph, &chains))
 }
 
 /// Returns chains of some nodes of a plan to absorb: an open tour of low cost, cut where the tool has to be
@@ -221,7 +221,7 @@ fn tour_by_tiles(
 
 /// Returns the node numbers in tiles of neighbours, in columns to and fro from the corner nearest to a place.
 fn tiles(nodes: &[Point2], from: Point2) -> Vec<Vec<usize>> {
-    let Some(bounds) = Bounds2::of(nodes.iter().copied()) else {
+    let Some(bounds) = Bounds2::from_points(nodes.iter().copied()) else {
         return Vec::new();
     };
     let (size, center) = (bounds.size(), bounds.center());
@@ -442,12 +442,12 @@ fn assemble(
         tool_start: task.tool_start,
         lift_height: config.lift_height,
     };
-    choose_headings(task, &plan, config.heading, &chains)
+    choose_yaw(task, &plan, config.yaw, &chains)
 }
 
 /// Returns the plan with strokes through these chains of its nodes, with the headings of the best predicted
 /// effect.
-fn choose_headings(task: &Task, plan: &Plan, rule: HeadingRule, chains: &[Vec<usize>]) -> Plan {
+fn choose_yaw(task: &Task, plan: &Plan, rule: YawRule, chains: &[Vec<usize>]) -> Plan {
     let headed = rule.choices(task).into_iter().map(|headings| Plan {
         strokes: headings.strokes(task, &plan.graph, chains),
         ..plan.clone()

@@ -61,7 +61,7 @@ pub fn predict(task: &Task, plan: &Plan, mut watch: impl FnMut(&PredictionProgre
         }
     }
     let particles = field.distribution();
-    let performance = Performance::of(&particles, &plan.graph.goal, &task.surface);
+    let performance = Performance::evaluate(&particles, &plan.graph.goal, &task.surface);
     Prediction {
         particles,
         performance,

@@ -15,7 +15,7 @@ pub enum Strategy {
     Lanes,
     /// The strategy whose plan has the highest predicted score. No plan has this as its own strategy.
     Best,
-    /// Strokes that the user gave ([`plan_of_strokes`](super::plan_of_strokes)); the planner does not plan by
+    /// Strokes that the user gave ([`plan_from_strokes`](super::plan_from_strokes)); the planner does not plan by
     /// it.
     Own,
 }

@@ -56,8 +56,8 @@ pub struct Plan {
     pub strokes: Vec<Stroke>,
     /// Radius r_s of the collision sphere \[m\].
     pub collision_radius: f64,
-    /// Share of the planned particles that the tool covers at no allowed pose ([`FreeSpace::out_of_reach`](super::FreeSpace::out_of_reach))
-    /// \[1\].
+    /// Share of the planned particles that the tool covers at no allowed pose, see
+    /// [`FreeSpace::unreachable_share`](super::FreeSpace::unreachable_share) \[1\].
     pub unreachable_share: f64,
     /// Start of the tool, in the surface frame \[m\].
     pub tool_start: Point2,

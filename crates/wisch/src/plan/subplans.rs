@@ -1,7 +1,7 @@
 //! Subplans: the best single stroke to execute before the next observation; paper §4.3.
 
-use super::heading::Headings;
 use super::objective::{objective, objective_at_rest};
+use super::yaw::YawPattern;
 use super::{FreeSpace, Plan, PlanError, SemanticDirectedGraph, Stroke, predict};
 use crate::represent::{GoalState, Task};
 
@@ -118,7 +118,7 @@ fn subplans(plan: &Plan, task: &Task, space: &FreeSpace) -> Vec<Stroke> {
                 .collect()
         }
     };
-    Headings::Blended.strokes(task, graph, &chains)
+    YawPattern::Blended.strokes(task, graph, &chains)
 }
 
 /// Returns the nodes from a node along the tree's edges to its root.

@@ -26,6 +26,7 @@ const EXACT_NODES: usize = 12;
 
 /// Why a tour cannot be computed.
 #[derive(Debug, Clone, PartialEq, Error)]
+#[non_exhaustive]
 pub enum TourError {
     /// A cost is not a number, infinite or too large.
     #[error(

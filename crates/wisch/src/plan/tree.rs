@@ -49,8 +49,9 @@ pub(super) fn forest(
         };
         (nodes[i] - nodes[j]).norm() - beyond
     };
-    let longest = Bounds2::of(nodes.iter().copied()).map_or(0.0, |bounds| bounds.size().norm());
-    let grid = PointGrid::of(nodes, max_length.max(f64::MIN_POSITIVE));
+    let longest =
+        Bounds2::from_points(nodes.iter().copied()).map_or(0.0, |bounds| bounds.size().norm());
+    let grid = PointGrid::from_points(nodes, max_length.max(f64::MIN_POSITIVE));
     let mut neighbours = vec![Vec::new(); nodes.len()];
     let mut edge_length = max_length;
     let mut looked_at = 0;
@@ -60,7 +61,7 @@ pub(super) fn forest(
         // A pair of nodes from two parts has at least one node outside the largest part.
         let largest = joined.largest();
         for i in (0..nodes.len()).filter(|&i| joined.part(i) != largest) {
-            grid.within(nodes[i], most + space.radius(), |j, _| {
+            grid.visit_within(nodes[i], most + space.radius(), |j, _| {
                 let is_new = j > i || joined.part(j) == largest;
                 if !is_new || joined.part(i) == joined.part(j) || looked_at >= MOST_PAIRS {
                     return;
@@ -146,7 +147,8 @@ pub(super) fn branches(
 
 /// Side of square cells that hold about one node each [m].
 fn cell_size(nodes: &[Point2]) -> f64 {
-    let size = Bounds2::of(nodes.iter().copied()).map_or(1.0, |bounds| bounds.size().max());
+    let size =
+        Bounds2::from_points(nodes.iter().copied()).map_or(1.0, |bounds| bounds.size().max());
     (size / (nodes.len().max(1) as f64).sqrt()).max(1e-6)
 }
 

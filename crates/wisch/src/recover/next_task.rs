@@ -6,7 +6,7 @@ use crate::represent::{
     Fate, GoalState, ParticleDistribution, ParticleError, ScenePart, Surface, Task,
 };
 
-/// Number of draws from the belief for which later rounds are planned, by [`Belief::draws`] with the seed of
+/// Number of draws from the belief for which later rounds are planned, by [`Belief::draw_mixture`] with the seed of
 /// the task.
 pub const PLANNING_DRAWS: usize = 8;
 /// Largest and smallest number of plans that are tried for remaining dirt. Its density is that of a few
@@ -92,7 +92,7 @@ pub fn is_done(
     let median = treats.then(|| belief.median_passes()).flatten();
     let draws = match median {
         Some(places) => places,
-        None => belief.draws(PLANNING_DRAWS, seed)?,
+        None => belief.draw_mixture(PLANNING_DRAWS, seed)?,
     };
     Ok(remaining_particles(&draws, goal, surface).next().is_none())
 }
@@ -141,7 +141,7 @@ mod tests {
             // Eight draws of either order contain the replay that has dirt left.
             (vec![near, far], false),
         ] {
-            let belief = Belief::of(replays).unwrap();
+            let belief = Belief::from_members(replays).unwrap();
             let found = is_done(&belief, &goal, &board, 1).unwrap();
             assert_eq!(found, expected, "{belief:?}");
         }

@@ -65,7 +65,7 @@ impl Verdict {
 /// Whether the goal may be claimed: the expected performance reaches the target, and a performance more than
 /// [`FALSE_CLAIM_MARGIN`] below the target is improbable.
 pub fn is_claimable(believed: &PerformanceDistribution, target: f64) -> bool {
-    Claim::of(believed, target).holds()
+    Claim::assess(believed, target).holds()
 }
 
 /// The rule by which a goal is claimed, with the numbers that decide.
@@ -73,8 +73,8 @@ pub fn is_claimable(believed: &PerformanceDistribution, target: f64) -> bool {
 /// ```
 /// use wisch::interpret::PerformanceDistribution;
 /// use wisch::recover::Claim;
-/// let believed = PerformanceDistribution::of_shares([(0.7, 1.0), (0.98, 19.0)], 0.0);
-/// let claim = Claim::of(&believed, 0.95);
+/// let believed = PerformanceDistribution::from_shares([(0.7, 1.0), (0.98, 19.0)], 0.0);
+/// let claim = Claim::assess(&believed, 0.95);
 /// assert!(!claim.holds());
 /// assert_eq!(
 ///     claim.to_string(),
@@ -91,7 +91,7 @@ pub struct Claim {
 
 impl Claim {
     /// Returns the claim for a belief about the performance and a target \[1\].
-    pub fn of(believed: &PerformanceDistribution, target: f64) -> Self {
+    pub fn assess(believed: &PerformanceDistribution, target: f64) -> Self {
         Self {
             expected: believed.mean(),
             target,
@@ -137,7 +137,7 @@ impl fmt::Display for Claim {
 
 /// Judges a log by itself, without earlier rounds. Returns [`Verdict::GoalMet`], [`Verdict::Undecidable`],
 /// [`Verdict::UnknowableByTouch`], or [`Verdict::Again`] where the goal is not met.
-pub fn judge_log(interpretation: &Interpretation, target: f64) -> Verdict {
+pub fn assess_log(interpretation: &Interpretation, target: f64) -> Verdict {
     let is_seen = interpretation.observation.is_some();
     // The missing dirt may have been wiped before the log begins, or after it ends.
     let is_cut = !is_seen && interpretation.doubts.iter().any(Doubt::is_cut);
@@ -156,7 +156,7 @@ pub fn judge_log(interpretation: &Interpretation, target: f64) -> Verdict {
     }
 }
 
-/// The data by which a round is judged.
+/// The data by which the termination policy decides on a round.
 #[derive(Debug, Clone, Copy)]
 pub struct RoundOutcome<'a> {
     /// Interpretation of the measurements and of the camera's observation.
@@ -187,7 +187,7 @@ pub struct TerminationPolicy {
     low_before: f64,
     /// Number of consecutive rounds without progress.
     stalled: usize,
-    /// Whether no round has been judged so far.
+    /// Whether no round has a verdict so far.
     is_first: bool,
 }
 
@@ -251,7 +251,7 @@ impl TerminationPolicy {
     }
 
     /// Returns the verdict where no plan has a predicted gain.
-    pub fn without_gain(&self, interpretation: &Interpretation) -> Verdict {
+    pub fn conclude_without_gain(&self, interpretation: &Interpretation) -> Verdict {
         self.or_unknowable(interpretation, Verdict::NothingToGain)
     }
 
@@ -281,7 +281,7 @@ mod tests {
     /// Returns the interpretation of a round that found a plane, with these equally likely performances.
     fn touched_round(shares: &[f64]) -> Interpretation {
         let shares = shares.iter().map(|share| (*share, 1.0));
-        let distribution = PerformanceDistribution::of_shares(shares, 0.0);
+        let distribution = PerformanceDistribution::from_shares(shares, 0.0);
         Interpretation {
             path: vec![],
             plane: Some(FittedPlane {
@@ -301,9 +301,9 @@ mod tests {
             pressed_force: None,
             tool_stiffness: None,
             contact_share: 1.0,
-            belief: Belief::certain(ParticleDistribution::default()),
+            belief: Belief::from_particles(ParticleDistribution::default()),
             performance: distribution.estimate(),
-            felt: distribution.estimate(),
+            by_touch: distribution.estimate(),
             observation: None,
             distribution,
         }
@@ -311,7 +311,7 @@ mod tests {
 
     fn pushed(shares: &[f64]) -> Interpretation {
         let push = Event {
-            kind: EventKind::Collision,
+            kind: EventKind::Push,
             start: 1.0,
             end: 2.0,
             samples: 1000,
@@ -425,7 +425,7 @@ mod tests {
         assert_eq!(done(&[0.6; 8]), NothingToGain);
         assert_eq!(done(&wide), UnknowableByTouch);
         let judge = TerminationPolicy::new(TARGET, Pace::Whole);
-        let without_gain = |interpretation| judge.without_gain(&interpretation);
+        let without_gain = |interpretation| judge.conclude_without_gain(&interpretation);
         assert_eq!(without_gain(touched_round(&[0.6; 8])), NothingToGain);
         assert_eq!(without_gain(touched_round(&wide)), UnknowableByTouch);
         assert_eq!(without_gain(seen(touched_round(&wide))), NothingToGain);

@@ -304,7 +304,7 @@ fn pack(order: &mut [u32], particles: &ParticleDistribution) {
             .zip(keys)
             .for_each(|(place, (_, i))| *place = i);
     };
-    let bounds = Bounds2::of(order.iter().map(|&i| particles.position(i as usize)));
+    let bounds = Bounds2::from_points(order.iter().map(|&i| particles.position(i as usize)));
     let size = bounds.map_or(Vector2::zeros(), |bounds| bounds.size());
     let blocks = order.len().div_ceil(BLOCK);
     // As many slices as make the blocks about square.

@@ -37,7 +37,7 @@ pub const THICKNESS_TOLERANCE: f64 = 0.2;
 const COUNTED_PASS: f64 = 0.5;
 
 impl GoalState {
-    /// Action that reaches this goal.
+    /// The wiping action that reaches this goal.
     pub fn action(&self) -> Action {
         match self {
             Self::Absorbed => Action::Absorb,
@@ -112,7 +112,18 @@ pub struct Performance {
 
 impl Performance {
     /// Counts the particles against the goal.
-    pub fn of(particles: &ParticleDistribution, goal: &GoalState, surface: &Surface) -> Self {
+    ///
+    /// ```
+    /// use wisch::prelude::*;
+    /// use wisch::represent::{Fate, GoalState, Performance};
+    /// let surface = Surface::new("tray", Polygon::rectangle(Vector2::new(0.4, 0.3)), Pose::identity());
+    /// let fates = [(Point2::new(0.1, 0.0), Fate::Absorbed), (Point2::new(-0.1, 0.0), Fate::OnSurface)];
+    /// let particles = ParticleDistribution::with_fates(&fates)?;
+    /// let performance = Performance::evaluate(&particles, &GoalState::Absorbed, &surface);
+    /// assert_eq!(performance.ratio(), 0.5);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn evaluate(particles: &ParticleDistribution, goal: &GoalState, surface: &Surface) -> Self {
         let mut performance = Self {
             initial: particles.len(),
             ..Self::default()

@@ -25,7 +25,7 @@ pub struct Observation {
 }
 
 impl Observation {
-    /// Whether a place is occluded.
+    /// Whether a place on the surface is occluded.
     pub fn is_hidden(&self, place: Point2) -> bool {
         self.hidden.contains(place)
     }

@@ -12,7 +12,7 @@ pub const SURFACE_SKIN: f64 = 1e-4;
 /// use wisch::geometry::{Mesh, Point2, Pose, Vector3};
 /// use wisch::represent::OccupiedArea;
 /// let cup = Mesh::cylinder(0.04, 0.10, 48)?.transform(&Pose::translation(0.2, 0.0, 0.05));
-/// let occupied = OccupiedArea::of([&cup]);
+/// let occupied = OccupiedArea::from_scene([&cup]);
 /// assert!(occupied.contains(Point2::new(0.2, 0.03)));
 /// assert!(!occupied.contains(Point2::new(0.2, 0.05)));
 /// # Ok::<(), wisch::geometry::MeshError>(())
@@ -27,11 +27,11 @@ pub struct OccupiedArea {
 
 impl OccupiedArea {
     /// Cuts meshes, given in the surface frame, just above the plane.
-    pub fn of<'a>(scene_in_surface: impl IntoIterator<Item = &'a Mesh>) -> Self {
+    pub fn from_scene<'a>(scene_in_surface: impl IntoIterator<Item = &'a Mesh>) -> Self {
         let sections = scene_in_surface.into_iter().map(section);
         let bounded = sections.filter_map(|edges| {
             let corners = edges.iter().flat_map(|edge| [edge.start, edge.end]);
-            let bounds = Bounds2::of(corners)?;
+            let bounds = Bounds2::from_points(corners)?;
             Some((edges, bounds))
         });
         let (sections, bounds) = bounded.unzip();

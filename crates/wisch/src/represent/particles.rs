@@ -43,6 +43,7 @@ impl Fate {
 
 /// A reason why positions do not make a [`ParticleDistribution`].
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
 pub enum ParticleError {
     /// A coordinate is NaN or infinite.
     #[error("particle {index}: position ({x}, {y}) m is not finite")]
@@ -79,7 +80,7 @@ pub struct ParticleDistribution {
     pub(super) fate: Vec<Fate>,
 }
 
-/// Number of particles by fate.
+/// Number of particles by their fate.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct ParticleTally {
     /// Number of particles in all.
@@ -160,7 +161,7 @@ impl ParticleDistribution {
         self.fate.len()
     }
 
-    /// Whether there are no particles.
+    /// Whether the distribution has no particles.
     pub fn is_empty(&self) -> bool {
         self.fate.is_empty()
     }

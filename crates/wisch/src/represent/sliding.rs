@@ -76,11 +76,11 @@ pub fn slide_down(
     if along.norm() <= friction * into {
         return None;
     }
-    let bounds = Bounds2::of(surface.outline.outer().iter().copied())?;
+    let bounds = Bounds2::from_points(surface.outline.outer().iter().copied())?;
     let length = bounds.size().norm() + BEYOND;
     // Under a ceiling dirt falls, in a direction that does not matter.
     let direction = along.try_normalize(1e-9).unwrap_or_else(Vector2::x);
-    let occupied = OccupiedArea::of(obstacles);
+    let occupied = OccupiedArea::from_scene(obstacles);
     let mut slid = particles.clone();
     let (mut lay, mut left) = (0, 0);
     for (index, (from, fate)) in particles.iter().enumerate() {

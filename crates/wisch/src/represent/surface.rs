@@ -68,7 +68,7 @@ impl Surface {
     }
 
     /// Returns the parts of a straight move, in order; adjacent parts differ. A move of length 0 has one part.
-    pub fn parts_of_way(&self, from: Point2, to: Point2) -> Vec<MoveSegment> {
+    pub fn split_move(&self, from: Point2, to: Point2) -> Vec<MoveSegment> {
         let along = to - from;
         let length = along.norm();
         let mut shares = vec![0.0, 1.0];
@@ -116,7 +116,7 @@ impl Surface {
         if self.outline.is_convex() {
             return true;
         }
-        let parts = self.parts_of_way(from, to);
+        let parts = self.split_move(from, to);
         let last = parts.len() - 1;
         parts.iter().enumerate().all(|(i, part)| match part.ground {
             Ground::Surface => true,
@@ -206,7 +206,7 @@ mod tests {
         assert!(!carries([0.2, 0.0], [0.2, -0.1]));
         // Off the border for good, or onto the surface.
         assert!(carries([0.0, -0.1], [0.0, -0.3]) && carries([0.0, -0.3], [0.0, -0.1]));
-        let parts = surface.parts_of_way(point([0.1, -0.1]), point([0.3, -0.1]));
+        let parts = surface.split_move(point([0.1, -0.1]), point([0.3, -0.1]));
         let grounds: Vec<Ground> = parts.iter().map(|part| part.ground).collect();
         assert_eq!(grounds, [Ground::Surface, Ground::Hole(0), Ground::Surface]);
         assert!(

@@ -86,7 +86,7 @@ impl<'a> SweptRotation<'a> {
             travel: motion.to.position - motion.from.position,
             turn,
             ends: [0.0, 1.0].map(|t| (motion.from.heading + turn * t).sin_cos()),
-            bounds: Bounds2::of(corners).unwrap_or(Bounds2 {
+            bounds: Bounds2::from_points(corners).unwrap_or(Bounds2 {
                 min: Point2::origin(),
                 max: Point2::origin(),
             }),

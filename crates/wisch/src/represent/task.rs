@@ -186,7 +186,7 @@ impl Task {
     /// or if no coefficient is known.
     pub fn depth_per_pass(&self) -> Option<f64> {
         let force = self.interaction.contact_force();
-        self.treatment?.per_pass(self.tool.width(), force)
+        self.treatment?.depth_per_pass(self.tool.width(), force)
     }
 
     /// Force of the surface on a tool that presses as the task demands, in the axes of the world \[N\].

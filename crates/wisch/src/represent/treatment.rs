@@ -3,7 +3,7 @@
 use super::{DirtArea, Fate, GoalState, ParticleDistribution, ParticleError, SourceError};
 use crate::geometry::{Bounds2, Point2};
 
-/// Target of a treatment.
+/// Target of an action that treats the surface.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Treatment {
     /// Passes of a pad under pressure.
@@ -41,7 +41,7 @@ impl Treatment {
 
     /// Returns the depth that one pass removes or leaves \[m\], for a tool of this width \[m\] with this force \[N\]; `None`
     /// without a coefficient.
-    pub fn per_pass(&self, width: f64, force: f64) -> Option<f64> {
+    pub fn depth_per_pass(&self, width: f64, force: f64) -> Option<f64> {
         match *self {
             // Preston: depth = k_p · pressure · travel; pressure times the footprint's mean length is force over width.
             Self::Polish { preston, .. } => preston.map(|preston| preston * force / width),
@@ -89,7 +89,7 @@ pub fn surface_cells(
     count: usize,
 ) -> Result<ParticleDistribution, SourceError> {
     SourceError::check_count(count)?;
-    let bounds = Bounds2::of(area.outline.outer().iter().copied());
+    let bounds = Bounds2::from_points(area.outline.outer().iter().copied());
     let none = SourceError::NoRoom {
         draws: 0,
         placed: 0,

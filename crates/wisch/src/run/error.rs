@@ -29,6 +29,7 @@ pub fn check_score(prediction: &Prediction, action: Action, least: f64) -> Resul
 
 /// The reason why a session cannot continue.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
 pub enum RunError {
     /// The planner found no plan.
     #[error(transparent)]

@@ -8,6 +8,20 @@ use crate::represent::{Observation, Task};
 use std::ops::ControlFlow;
 
 /// What a session is doing or has just done, in the order of the stages.
+///
+/// ```
+/// use std::ops::ControlFlow;
+/// use wisch::run::RunEvent;
+/// /// Stops a session before its third round.
+/// fn stop_early(event: &RunEvent<'_>) -> ControlFlow<()> {
+///     match event {
+///         RunEvent::Planning { round: 3 } => ControlFlow::Break(()),
+///         _ => ControlFlow::Continue(()),
+///     }
+/// }
+/// assert!(stop_early(&RunEvent::Planning { round: 1 }).is_continue());
+/// assert!(stop_early(&RunEvent::Planning { round: 3 }).is_break());
+/// ```
 #[derive(Debug, Clone, Copy)]
 pub enum RunEvent<'a> {
     /// A round is being planned.
@@ -73,12 +87,18 @@ pub enum RunEvent<'a> {
         observation: &'a Observation,
     },
     /// A round is over.
-    Judged(&'a Round),
+    Decided(&'a Round),
     /// The session is over, for this reason; `None` if an observer stopped it.
     Ended(Option<Verdict>),
 }
 
 /// An observer that ignores every event.
+///
+/// ```
+/// use std::ops::ControlFlow;
+/// use wisch::run::{RunEvent, ignore_events};
+/// assert_eq!(ignore_events(&RunEvent::Planning { round: 1 }), ControlFlow::Continue(()));
+/// ```
 pub fn ignore_events(_: &RunEvent<'_>) -> ControlFlow<()> {
     ControlFlow::Continue(())
 }

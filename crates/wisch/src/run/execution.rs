@@ -187,7 +187,13 @@ pub struct Execution {
 
 impl Execution {
     /// Returns the execution of an empty motion: the robot stays at `positions`.
-    pub fn at_rest(positions: &[f64]) -> Self {
+    ///
+    /// ```
+    /// use wisch::run::{Ending, Execution};
+    /// let execution = Execution::from_positions(&[0.1, -0.4]);
+    /// assert_eq!((execution.duration, execution.ending), (0.0, Ending::Complete));
+    /// ```
+    pub fn from_positions(positions: &[f64]) -> Self {
         Self {
             duration: 0.0,
             ending: Ending::Complete,

@@ -32,7 +32,7 @@ pub type SampleSink<'a> = dyn FnMut(&TelemetrySample<'_>) -> ControlFlow<()> + '
 ///         order: &MotionOrder<'_>,
 ///         _: &mut SampleSink<'_>,
 ///     ) -> Result<Execution, ExecutorError> {
-///         Ok(Execution::at_rest(order.cell.ready()))
+///         Ok(Execution::from_positions(order.cell.ready_posture()))
 ///     }
 /// }
 /// ```
@@ -106,6 +106,12 @@ impl From<Vec<f64>> for RobotState {
 }
 
 /// The reason why a world could not execute a motion, as the world reports it.
+///
+/// ```
+/// use wisch::run::ExecutorError;
+/// let error = ExecutorError::new("the driver is off");
+/// assert!(error.to_string().contains("the driver is off"));
+/// ```
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 #[error("{message}")]
 pub struct ExecutorError {
@@ -177,7 +183,7 @@ impl<E: Executor> Executor for Recording<E> {
         };
         for recorded in &round.samples {
             let during = order.motion_at(recorded.time);
-            let sample = during.and_then(|(motion, phase)| recorded.during(motion, phase));
+            let sample = during.and_then(|(motion, phase)| recorded.to_sample(motion, phase));
             let Some(sample) = sample else {
                 break;
             };
@@ -205,6 +211,20 @@ impl<E: Executor> Executor for Recording<E> {
 }
 
 /// An executor without a world, for sessions that end before any execution.
+///
+/// ```
+/// # use wisch::prelude::*;
+/// # let outline = Polygon::rectangle(Vector2::new(0.4, 0.3));
+/// # let surface = Surface::new("tray", outline, Pose::identity());
+/// # let sponge = Tool::pad("sponge", Vector3::new(0.07, 0.11, 0.05))?;
+/// # let crumbs = ParticleDistribution::new(&[Point2::new(0.0, 0.0), Point2::new(0.0, 0.12)])?;
+/// # let task = Task::new(Action::Absorb, surface, sponge, "crumbs", crumbs);
+/// use wisch::run::NoExecutor;
+/// // A session that only plans needs no executor.
+/// let mut session = Session::new(&task, RunConfig::default());
+/// session.run_until(Stage::Planned, &mut NoExecutor, &mut ignore_events)?;
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct NoExecutor;
 

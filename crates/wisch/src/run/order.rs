@@ -99,9 +99,9 @@ impl MotionOrder<'_> {
         sink: &mut SampleSink<'_>,
         mut measure: impl FnMut(&Setpoint) -> TouchSample,
     ) -> Execution {
-        let mut execution = Execution::at_rest(self.cell.ready());
+        let mut execution = Execution::from_positions(self.cell.ready_posture());
         for at in self.setpoints(period) {
-            let sample = TelemetrySample::of_touch(&measure(&at), at.motion, at.phase);
+            let sample = TelemetrySample::from_touch(&measure(&at), at.motion, at.phase);
             let flow = sink(&sample);
             (execution.duration, execution.positions) = (at.time, at.positions);
             if flow.is_break() {

@@ -1,12 +1,12 @@
 //! A strategy of the user's own: a function that returns the strokes for a task.
 
 use crate::geometry::PlanarPose;
-use crate::plan::{Plan, PlanError, plan_of_strokes};
+use crate::plan::{Plan, PlanError, plan_from_strokes};
 use crate::represent::Task;
 use std::fmt;
 use std::sync::Arc;
 
-/// The result of the function: strokes as for [`plan_of_strokes`], or why there are none.
+/// The result of the function: strokes as for [`plan_from_strokes`], or why there are none.
 type OwnStrokes = Result<Vec<Vec<PlanarPose>>, String>;
 
 /// A function that returns the strokes of a round. The planner checks them like any strokes that a user gives.
@@ -40,7 +40,7 @@ impl<'a> OwnStrategy<'a> {
     /// [`PlanError::OwnStrategy`] with the function's error, or a stroke that the tool cannot make.
     pub fn plan(&self, task: &Task, lift_height: f64) -> Result<Plan, PlanError> {
         let strokes = (self.0)(task).map_err(PlanError::OwnStrategy)?;
-        plan_of_strokes(task, &strokes, lift_height)
+        plan_from_strokes(task, &strokes, lift_height)
     }
 }
 

@@ -9,7 +9,9 @@ use super::{
     RobotSetup, Round, RunConfig, RunError, RunEvent, check_score,
 };
 use crate::follow::{Audit, Workcell, WorkcellConfig, audit, follow, retreat};
-use crate::interpret::{Belief, InterpretConfig, Interpretation, Interpreter, Look, TouchSample};
+use crate::interpret::{
+    Belief, InterpretConfig, Interpretation, Interpreter, ObservationUpdate, TouchSample,
+};
 use crate::plan::{Plan, predict};
 use crate::recover::{
     RoundOutcome, TerminationPolicy, Verdict, expected_performance, is_done, next_task,
@@ -19,6 +21,19 @@ use planning::NextPlan;
 use std::ops::ControlFlow;
 
 /// The stage that a session has completed.
+///
+/// ```
+/// # use wisch::prelude::*;
+/// # let outline = Polygon::rectangle(Vector2::new(0.4, 0.3));
+/// # let surface = Surface::new("tray", outline, Pose::identity());
+/// # let sponge = Tool::pad("sponge", Vector3::new(0.07, 0.11, 0.05))?;
+/// # let crumbs = ParticleDistribution::new(&[Point2::new(0.0, 0.0), Point2::new(0.0, 0.12)])?;
+/// # let task = Task::new(Action::Absorb, surface, sponge, "crumbs", crumbs);
+/// use wisch::run::NoExecutor;
+/// let mut session = Session::new(&task, RunConfig::default());
+/// assert_eq!(session.step(&mut NoExecutor, &mut ignore_events)?, Stage::Planned);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Stage {
     /// The strokes are planned.
@@ -32,7 +47,7 @@ pub enum Stage {
     /// The measured data are interpreted.
     Interpreted,
     /// The verdict on the round is known.
-    Judged,
+    Decided,
     /// The session has ended.
     Ended,
 }
@@ -93,7 +108,7 @@ impl<'a> Session<'a> {
         config.follow.seed = task.seed;
         Self {
             performer: None,
-            belief: Belief::certain(task.particles.clone()),
+            belief: Belief::from_particles(task.particles.clone()),
             task: task.clone(),
             workcell: config.workcell.clone(),
             given: None,
@@ -179,14 +194,14 @@ impl<'a> Session<'a> {
     }
 
     /// The first round's motion with its audit; `None` before the check.
-    pub fn first(&self) -> Option<(&PlannedRound, &Audit)> {
+    pub fn first_motion(&self) -> Option<(&PlannedRound, &Audit)> {
         match self.rounds.first() {
             Some(round) => Some((&round.motion, &round.audit)),
             None => self.planned_round().zip(self.audit()),
         }
     }
 
-    /// The executed and judged rounds, in order; a motion with faults is not among them.
+    /// The rounds with an execution and a verdict, in order; a motion with faults is not among them.
     pub fn rounds(&self) -> &[Round] {
         &self.rounds
     }
@@ -199,8 +214,8 @@ impl<'a> Session<'a> {
     /// Runs the session to its end.
     ///
     /// # Errors
-    /// The errors of the stages. If an execution fails, the data measured until then are first interpreted and
-    /// judged: the round is among [`Self::rounds`], [stopped](Ending::Stopped).
+    /// The errors of the stages. If an execution fails, the data measured until then are first interpreted, and the
+    /// policy decides on them: the round is among [`Self::rounds`], [stopped](Ending::Stopped).
     pub fn run(
         &mut self,
         executor: &mut dyn Executor,
@@ -213,6 +228,20 @@ impl<'a> Session<'a> {
     ///
     /// # Errors
     /// The errors of the stages.
+    ///
+    /// ```
+    /// # use wisch::prelude::*;
+    /// # let outline = Polygon::rectangle(Vector2::new(0.4, 0.3));
+    /// # let surface = Surface::new("tray", outline, Pose::identity());
+    /// # let sponge = Tool::pad("sponge", Vector3::new(0.07, 0.11, 0.05))?;
+    /// # let crumbs = ParticleDistribution::new(&[Point2::new(0.0, 0.0), Point2::new(0.0, 0.12)])?;
+    /// # let task = Task::new(Action::Absorb, surface, sponge, "crumbs", crumbs);
+    /// use wisch::run::NoExecutor;
+    /// let mut session = Session::new(&task, RunConfig::default());
+    /// session.run_until(Stage::Planned, &mut NoExecutor, &mut ignore_events)?;
+    /// assert!(session.plan().is_some() && session.rounds().is_empty());
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn run_until(
         &mut self,
         stage: Stage,
@@ -236,7 +265,7 @@ impl<'a> Session<'a> {
         executor: &mut dyn Executor,
         observer: &mut Observer<'_>,
     ) -> Result<Stage, RunError> {
-        // An execution that was stopped is still interpreted and judged.
+        // An execution that was stopped is still interpreted and gets a verdict.
         if self.is_stopped && !matches!(self.state, State::Executed(..) | State::Interpreted(..)) {
             return Ok(self.end(None, observer));
         }
@@ -312,7 +341,8 @@ impl<'a> Session<'a> {
         let next = match self.next_plan(observer) {
             Ok(None) => {
                 let last = self.rounds.last();
-                let verdict = last.map(|round| self.judge.without_gain(&round.interpretation));
+                let verdict =
+                    last.map(|round| self.judge.conclude_without_gain(&round.interpretation));
                 return Ok(self.end(verdict, observer));
             }
             Ok(Some(next)) => next,
@@ -344,7 +374,7 @@ impl<'a> Session<'a> {
             // A camera cannot see that dirt is at a goal that the planner has not chosen yet: nothing counts as
             // done.
             let goal = self.task.goal().unwrap_or(GoalState::Skimmed);
-            self.belief = self.belief.observe(&Look {
+            self.belief = self.belief.observe(&ObservationUpdate {
                 observation: &observation,
                 sight,
                 surface: &self.task.surface,
@@ -500,7 +530,8 @@ impl<'a> Session<'a> {
         if let Some(stands) = &self.stands {
             check_start(stands, &planned, self.config.start_tolerance)?;
         }
-        let mut interpreter = Interpreter::new(&planned.task, &InterpretConfig::of(&planned.task))?;
+        let mut interpreter =
+            Interpreter::new(&planned.task, &InterpretConfig::from_task(&planned.task))?;
         let order = MotionOrder {
             round: planned.number,
             seed: planned.task.seed,
@@ -548,7 +579,7 @@ impl<'a> Session<'a> {
         };
         let mut execution = match (executed, measured_until) {
             (Ok(execution), _) => execution,
-            // The data measured until then are still interpreted and judged.
+            // The data measured until then are still interpreted and get a verdict.
             (Err(error), Some(duration)) => {
                 self.failure = Some(error);
                 Execution {
@@ -588,7 +619,7 @@ impl<'a> Session<'a> {
         let sight = self.config.sight.filter(|_| self.failure.is_none());
         let seen = match sight.map(|_| executor.observe(&planned.task)).transpose() {
             Ok(seen) => seen.flatten(),
-            // The executed part is judged by touch alone, and kept.
+            // The executed part gets a verdict by touch alone, and is kept.
             Err(error) => {
                 self.failure = Some(error.into());
                 None
@@ -599,7 +630,7 @@ impl<'a> Session<'a> {
                 round,
                 observation: &observation,
             });
-            interpretation.look(&Look {
+            interpretation.observe(&ObservationUpdate {
                 observation: &observation,
                 sight,
                 surface: &planned.task.surface,
@@ -648,7 +679,7 @@ impl<'a> Session<'a> {
             interpretation,
             verdict,
         };
-        let _ = observer(&RunEvent::Judged(&round));
+        let _ = observer(&RunEvent::Decided(&round));
         self.rounds.push(round);
         let is_last = was_stopped || self.rounds.len() >= self.config.max_rounds;
         if let Some(error) = self.failure.take() {
@@ -659,7 +690,7 @@ impl<'a> Session<'a> {
             return Ok(self.end(Some(verdict), observer));
         }
         self.state = State::Begin;
-        Ok(Stage::Judged)
+        Ok(Stage::Decided)
     }
 }
 

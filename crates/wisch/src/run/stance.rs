@@ -106,7 +106,7 @@ pub(super) fn root_pose(planned: &PlannedRound, execution: &Execution, config: &
     let as_planned = |followed: &Followed| followed.sample(execution.duration).map(|at| at.q);
     let q = measured
         .or_else(|| as_planned(followed))
-        .unwrap_or_else(|| cell.ready().to_vec());
+        .unwrap_or_else(|| cell.ready_posture().to_vec());
     let at = PlanarPose::new(Point2::new(q[base.x], q[base.y]), q[base.yaw]);
     let start = config
         .workcell

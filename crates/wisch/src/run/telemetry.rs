@@ -34,7 +34,18 @@ pub struct TelemetrySample<'a> {
 impl TelemetrySample<'_> {
     /// Returns the sample of a device that measures only the tool's pose and the force on it; the commanded
     /// pose is the measured pose.
-    pub fn of_touch(touch: &TouchSample, motion: usize, phase: Phase) -> Self {
+    ///
+    /// ```
+    /// use wisch::follow::Phase;
+    /// use wisch::geometry::{Pose, Vector3};
+    /// use wisch::interpret::TouchSample;
+    /// use wisch::run::TelemetrySample;
+    /// let touch = TouchSample::new(0.0, Pose::identity(), Vector3::new(0.0, 0.0, 10.0));
+    /// let sample = TelemetrySample::from_touch(&touch, 0, Phase::Wipe(0));
+    /// assert_eq!(sample.external.force.z, 10.0);
+    /// assert!(sample.positions.is_empty());
+    /// ```
+    pub fn from_touch(touch: &TouchSample, motion: usize, phase: Phase) -> Self {
         Self {
             time: touch.time,
             positions: &[],
@@ -53,7 +64,7 @@ impl TelemetrySample<'_> {
     }
 }
 
-/// A stored sample.
+/// A sample of an execution that owns its data, to store and replay it.
 #[derive(Debug, Clone, PartialEq)]
 pub struct RecordedSample {
     /// Time since the start \[s\].
@@ -75,7 +86,7 @@ pub struct RecordedSample {
 impl RecordedSample {
     /// Returns the sample with its motion and phase; `None` if `counts` does not match the number of entries in
     /// `joints`.
-    pub fn during(&self, motion: usize, phase: Phase) -> Option<TelemetrySample<'_>> {
+    pub fn to_sample(&self, motion: usize, phase: Phase) -> Option<TelemetrySample<'_>> {
         let [positions, velocities, efforts] = self.counts;
         let (measured, last) = self.joints.split_at_checked(positions + velocities)?;
         let (positions, velocities) = measured.split_at(positions);

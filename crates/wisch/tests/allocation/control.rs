@@ -5,7 +5,8 @@ use crate::ALLOCATOR;
 use nalgebra::{Matrix6xX, Vector6};
 use stats_alloc::Region as Watched;
 use wisch::control::{
-    ControlConfig, Desired, ImpedanceController, Measured, MomentumObserver, Posture, Wrench,
+    ControlConfig, DesiredPosture, DesiredToolState, ImpedanceController, MeasuredJointState,
+    MomentumObserver, Wrench,
 };
 use wisch::geometry::{Point3, Pose, Vector3};
 use wisch::robot::{Articulation, RobotModel};
@@ -44,17 +45,17 @@ pub fn a_period_of_control_allocates_nothing() {
         let tool = Point3::from(world_from_tool.translation.vector);
         moving.jacobian(&state, carrier, tool, &mut jacobian);
         let external = observer.update(&state, &qd, controller.efforts(), config.period);
-        let measured = Measured {
+        let measured = MeasuredJointState {
             q: &q,
             qd: &qd,
             world_from_tool,
             jacobian: &jacobian,
         };
-        let desired = Desired {
+        let desired = DesiredToolState {
             world_from_tool: Pose::translation(0.5, 0.0, 0.7),
             velocity: Vector6::zeros(),
         };
-        let posture = Posture {
+        let posture = DesiredPosture {
             q: &q,
             qd: &qd,
             qdd: &qd,

@@ -3,7 +3,7 @@
 use std::mem::discriminant;
 use wisch::follow::{
     FollowConfig, FollowError, Followed, JointLimit, JointLimits, JointPath, Motion, MotionFault,
-    Phase, Rate, TimingConfig, Trajectory, TrajectoryFault, TrajectorySample, Workcell,
+    Phase, RateKind, TimingConfig, Trajectory, TrajectoryFault, TrajectorySample, Workcell,
     WorkcellConfig, audit, follow, time_path,
 };
 use wisch::geometry::Vector3;
@@ -187,12 +187,12 @@ fn moved_within(
     phase: Phase,
     goals: &[(&str, f64)],
 ) -> Followed {
-    let mut goal = cell.ready().to_vec();
+    let mut goal = cell.ready_posture().to_vec();
     for (name, position) in goals {
         let named = |joint: &JointLimit| joint.name == *name;
         goal[cell.limits().joints().iter().position(named).unwrap()] = *position;
     }
-    let path = JointPath::new(&[cell.ready(), &goal]).unwrap();
+    let path = JointPath::new(&[cell.ready_posture(), &goal]).unwrap();
     let trajectory: Trajectory = time_path(&path, limits, &TimingConfig::default()).unwrap();
     Followed {
         motions: vec![Motion {
@@ -274,13 +274,14 @@ fn a_joint_that_follows_others_too_fast_is_a_fault_though_none_of_these_is() {
     let kept = audit(&timed, &cell, &task, &config).unwrap().faults;
     let is_trajectory = |fault: &&MotionFault| matches!(fault, MotionFault::Trajectory { .. });
     assert_eq!(kept.iter().find(is_trajectory), None);
-    for (velocity, acceleration, broken) in
-        [(1.0, 0.4, Rate::Velocity), (0.4, 1.0, Rate::Acceleration)]
-    {
+    for (velocity, acceleration, broken) in [
+        (1.0, 0.4, RateKind::Velocity),
+        (0.4, 1.0, RateKind::Acceleration),
+    ] {
         let limits = of_variables(&cell, velocity, acceleration);
         let fast = moved_within(&cell, &limits, Phase::FreeMotion, &goals);
         let faults = audit(&fast, &cell, &task, &config).unwrap().faults;
-        let rates: Vec<Rate> = (faults.iter())
+        let rates: Vec<RateKind> = (faults.iter())
             .filter_map(|fault| match fault {
                 MotionFault::Trajectory {
                     joint,
@@ -299,8 +300,8 @@ fn a_joint_that_follows_others_too_fast_is_a_fault_though_none_of_these_is() {
             })
             .collect();
         assert!(rates.contains(&broken), "{faults:?}");
-        let of_velocity = [Rate::Velocity, Rate::PositionStep];
-        let is_of_velocity = |rate: &Rate| of_velocity.contains(rate);
+        let of_velocity = [RateKind::Velocity, RateKind::PositionStep];
+        let is_of_velocity = |rate: &RateKind| of_velocity.contains(rate);
         assert!(
             rates
                 .iter()

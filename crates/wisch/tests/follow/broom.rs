@@ -157,7 +157,7 @@ fn a_second_hand_that_cannot_hold_the_tool_is_told() {
 #[test]
 fn one_hand_leaves_the_other_where_it_is() {
     let task = board(Action::Absorb, [0.5, 0.0, 0.2]);
-    assert!(cell(&task).second().is_none());
+    assert!(cell(&task).second_arm().is_none());
     let (file, task) = shipped("broom-chippings", Action::Collect);
     let cell = sweeping(&file, &task, None).unwrap();
     assert_eq!(cell.arm_variables(), cell.ik().chain().variables());

@@ -70,7 +70,7 @@ fn the_humanoid_wipes_the_whole_chopping_board_with_its_base_still() {
 fn a_base_that_has_turned_round_begins_with_the_turns_that_it_counts() {
     let (task, plan, cell, map) = at_the_board();
     let base = cell.base().unwrap();
-    let mut stands = cell.ready().to_vec();
+    let mut stands = cell.ready_posture().to_vec();
     stands[base.yaw] -= 2.0 * TAU - 0.01;
     let cell = cell.with_turns_of(&stands);
     let config = FollowConfig::default();

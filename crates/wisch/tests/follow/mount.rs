@@ -83,7 +83,7 @@ fn a_gripper_on_the_tip_holds_the_tool_at_its_end() {
     let before = out(&bare) - task.tool.mesh.bounds().1.z;
     assert!((out(&with) - out(&bare) - (0.1 - before)).abs() < 1e-9);
     // The fingers touch the tool that they hold.
-    let ready = with.ready().to_vec();
+    let ready = with.ready_posture().to_vec();
     let touched = with.collisions().collision(&ready, 1e-3).unwrap();
     assert!(touched.is_none(), "{touched:?}");
 }
@@ -124,7 +124,7 @@ fn joints_that_no_ready_state_sets_are_at_home() {
     let task = board(Action::Absorb, [0.5, 0.0, 0.2]);
     let homely = text("arm7.srdf").replace("name=\"ready\"", "name=\"home\"");
     let at_home = cell_of(&text("arm7.urdf"), &homely, &task);
-    assert_eq!(at_home.ready(), cell(&task).ready());
+    assert_eq!(at_home.ready_posture(), cell(&task).ready_posture());
 }
 
 /// Returns the arm whose last joint turns without limits and is ready nearly a turn off, and a motion of it.

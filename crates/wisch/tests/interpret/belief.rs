@@ -3,7 +3,7 @@
 use super::interpreted_with;
 use super::log::{STEEP, Script, task};
 use wisch::geometry::{Point2, Polygon, Region, Vector2};
-use wisch::interpret::{Belief, DirtPrior, InterpretConfig, Look};
+use wisch::interpret::{Belief, DirtPrior, InterpretConfig, ObservationUpdate};
 use wisch::represent::{
     Cluster, Fate, GoalState, Observation, ParticleDistribution, SensorModel, Sight, Task,
 };
@@ -19,8 +19,12 @@ const SHARP: Sight = Sight {
     detection: 1.0,
 };
 
-fn look<'a>(task: &'a Task, goal: &'a GoalState, observation: &'a Observation) -> Look<'a> {
-    Look {
+fn look<'a>(
+    task: &'a Task,
+    goal: &'a GoalState,
+    observation: &'a Observation,
+) -> ObservationUpdate<'a> {
+    ObservationUpdate {
         observation,
         sight: SHARP,
         surface: &task.surface,
@@ -37,7 +41,7 @@ fn places(count: usize, x: f64) -> Vec<Point2> {
 
 fn counts(belief: &Belief) -> Vec<usize> {
     belief
-        .replays()
+        .members()
         .iter()
         .map(ParticleDistribution::len)
         .collect()
@@ -70,7 +74,7 @@ fn dirt_that_lies_anywhere_lies_elsewhere_in_every_member() {
     };
     // √((0.4² + 0.28²) / 12) = 0.141 m if spread evenly.
     let heaped = belief
-        .replays()
+        .members()
         .iter()
         .filter(|member| spread(member) < 0.115)
         .count();
@@ -78,7 +82,7 @@ fn dirt_that_lies_anywhere_lies_elsewhere_in_every_member() {
     let outline = &task.surface.outline;
     assert!(
         belief
-            .replays()
+            .members()
             .iter()
             .all(|m| m.remaining().all(|p| outline.contains(p)))
     );
@@ -105,7 +109,7 @@ fn what_is_known_and_what_was_seen_lies_where_it_was_said() {
         "{mean}"
     );
     let near = belief
-        .replays()
+        .members()
         .iter()
         .flat_map(|m| m.remaining())
         .filter(|p| (p.x - 0.1).abs() < 0.01);
@@ -118,7 +122,7 @@ fn what_is_known_and_what_was_seen_lies_where_it_was_said() {
     let belief = DirtPrior::Heaps { count: 50, heaps }.belief(&task, 10);
     assert!(
         belief
-            .replays()
+            .members()
             .iter()
             .all(|m| m.remaining().all(|p| p.x < 0.0))
     );
@@ -134,7 +138,7 @@ fn a_sharp_look_before_wiping_tells_all() {
         hidden: Region::default(),
     };
     let after = belief.observe(&look(&task, &goal, &seen));
-    for member in after.replays() {
+    for member in after.members() {
         assert_eq!(member.tally().remaining, 30);
         assert_eq!(member.len(), 30);
         assert!(member.remaining().all(|p| (p.x - 0.05).abs() < 1e-4));
@@ -148,11 +152,11 @@ fn a_sharp_look_before_wiping_tells_all() {
     let after = belief.observe(&look(&task, &goal, &behind));
     assert!(
         after
-            .replays()
+            .members()
             .iter()
             .all(|m| m.remaining().all(|p| hidden.contains(p)))
     );
-    let all: usize = after.replays().iter().map(|m| m.tally().remaining).sum();
+    let all: usize = after.members().iter().map(|m| m.tally().remaining).sum();
     assert!(all > 64 * 20, "{all}");
 }
 
@@ -161,18 +165,18 @@ fn a_look_after_wiping_tells_what_is_left_and_what_is_gone() {
     let task = task(80, STEEP);
     let goal = GoalState::Absorbed;
     let script = Script::default();
-    let config = InterpretConfig::of(&task);
+    let config = InterpretConfig::from_task(&task);
     let mut felt = interpreted_with(&script.samples(&task), &task, &config);
     assert!(felt.performance.mean > 0.5);
     let seen = Observation {
         detections: places(20, 0.1),
         hidden: Region::default(),
     };
-    felt.look(&look(&task, &goal, &seen));
+    felt.observe(&look(&task, &goal, &seen));
     assert_eq!(felt.performance.mean, 0.75);
     assert_eq!([felt.performance.low, felt.performance.high], [0.75; 2]);
-    assert!(felt.felt.mean > 0.5 && felt.observation.is_some());
-    for member in felt.belief.replays() {
+    assert!(felt.by_touch.mean > 0.5 && felt.observation.is_some());
+    for member in felt.belief.members() {
         assert_eq!((member.len(), member.tally().absorbed), (80, 60));
     }
     // What a blind look sees is no news.
@@ -182,11 +186,11 @@ fn a_look_after_wiping_tells_what_is_left_and_what_is_gone() {
     };
     let before = interpreted_with(&script.samples(&task), &task, &config).belief;
     let nothing = Observation::default();
-    let after = before.observe(&Look {
+    let after = before.observe(&ObservationUpdate {
         sight: blind,
         ..look(&task, &goal, &nothing)
     });
-    assert!(after.replays() == before.replays());
+    assert!(after.members() == before.members());
 }
 
 #[test]
@@ -194,7 +198,7 @@ fn false_alarms_are_told_from_dirt_by_where_dirt_may_be() {
     let task = task(80, STEEP);
     let goal = GoalState::Absorbed;
     let here = ParticleDistribution::new(&places(40, 0.1)).unwrap();
-    let belief = Belief::of(vec![here; 200]).unwrap();
+    let belief = Belief::from_members(vec![here; 200]).unwrap();
     let sight = Sight {
         sensor: SensorModel {
             false_alarms_per_m2: 50.0,
@@ -208,12 +212,12 @@ fn false_alarms_are_told_from_dirt_by_where_dirt_may_be() {
         detections,
         hidden: Region::default(),
     };
-    let after = belief.observe(&Look {
+    let after = belief.observe(&ObservationUpdate {
         sight,
         ..look(&task, &goal, &seen)
     });
     let share = |is: fn(f64) -> bool| {
-        let all = after.replays().iter().flat_map(|m| m.remaining());
+        let all = after.members().iter().flat_map(|m| m.remaining());
         all.filter(|p| is(p.x)).count() as f64 / 200.0
     };
     let [alarm, dirt] = [share(|x| x < 0.0), share(|x| x > 0.0)];
@@ -224,12 +228,12 @@ fn false_alarms_are_told_from_dirt_by_where_dirt_may_be() {
 fn a_look_weighs_the_laws_by_how_much_is_left() {
     let task = task(80, STEEP);
     // What is hard to wipe is left in some members, and gone in others.
-    let mut config = InterpretConfig::of(&task);
+    let mut config = InterpretConfig::from_task(&task);
     config.uncertainty.law_mu = 1.0;
     config.uncertainty.kept_share = 1.0;
     let mut felt = interpreted_with(&Script::default().samples(&task), &task, &config);
     let left = |felt: &wisch::interpret::Interpretation| {
-        let counts = felt.belief.replays().iter().zip(felt.belief.weights());
+        let counts = felt.belief.members().iter().zip(felt.belief.weights());
         let left = counts.map(|(m, w)| w * m.tally().remaining as f64);
         left.sum::<f64>()
     };
@@ -239,7 +243,7 @@ fn a_look_weighs_the_laws_by_how_much_is_left() {
         detections: all,
         hidden: Region::default(),
     };
-    felt.look(&look(&task, &GoalState::Absorbed, &seen));
+    felt.observe(&look(&task, &GoalState::Absorbed, &seen));
     assert!(before < 60.0 && (left(&felt) - 80.0).abs() < 1e-9);
     // Wiped once more, the dirt is believed to stay where it is.
     let again = interpreted_from(&felt.belief, &task, &config);
@@ -253,7 +257,7 @@ fn a_look_weighs_the_laws_by_how_much_is_left() {
     assert!(
         again
             .belief
-            .replays()
+            .members()
             .iter()
             .all(|m| m.iter().all(|(_, f)| f != Fate::OffSurface { edge: 9 }))
     );
@@ -275,7 +279,7 @@ fn what_all_members_agree_on_was_missed_rather_than_gone() {
     let goal = GoalState::Absorbed;
     let pile = places(80, 0.1);
     let here = ParticleDistribution::new(&pile).unwrap();
-    let belief = wiped(&Belief::of(vec![here; 400]).unwrap(), &task);
+    let belief = wiped(&Belief::from_members(vec![here; 400]).unwrap(), &task);
     let sight = Sight {
         detection: 0.9,
         sensor: SensorModel {
@@ -290,12 +294,12 @@ fn what_all_members_agree_on_was_missed_rather_than_gone() {
         detections,
         hidden: Region::default(),
     };
-    let after = belief.observe(&Look {
+    let after = belief.observe(&ObservationUpdate {
         sight,
         ..look(&task, &goal, &seen)
     });
     let left: Vec<f64> = after
-        .replays()
+        .members()
         .iter()
         .map(|m| m.tally().remaining as f64)
         .collect();
@@ -305,11 +309,11 @@ fn what_all_members_agree_on_was_missed_rather_than_gone() {
     assert!((78.0..82.0).contains(&mean) && most < 90.0, "{mean} {most}");
     // Where members have dirt and none of it is seen, there is none.
     let nothing = Observation::default();
-    let gone = belief.observe(&Look {
+    let gone = belief.observe(&ObservationUpdate {
         sight,
         ..look(&task, &goal, &nothing)
     });
-    let left: usize = gone.replays().iter().map(|m| m.tally().remaining).sum();
+    let left: usize = gone.members().iter().map(|m| m.tally().remaining).sum();
     assert!(left < 400, "{left}");
 }
 
@@ -319,7 +323,7 @@ fn wiped(belief: &Belief, task: &Task) -> Belief {
         strokes: vec![[Point2::new(-0.15, 0.0), Point2::new(-0.12, 0.0)]],
         ..Script::default()
     };
-    let config = InterpretConfig::of(task);
+    let config = InterpretConfig::from_task(task);
     let samples = script.samples(task);
     let goal = GoalState::Absorbed;
     let felt = wisch::interpret::interpret(&samples, task, belief, &goal, &config).unwrap();
@@ -337,10 +341,10 @@ fn what_is_gone_went_over_the_edge_over_which_the_tool_wiped() {
     let mut places = vec![(here(-0.2), Fate::OffSurface { edge }); 40];
     places.extend([(here(0.13), Fate::OnSurface); 40]);
     let member = ParticleDistribution::with_fates(&places).unwrap();
-    let belief = wiped(&Belief::of(vec![member; 20]).unwrap(), &task);
+    let belief = wiped(&Belief::from_members(vec![member; 20]).unwrap(), &task);
     let seen = Observation::default();
     let after = belief.observe(&look(&task, &GoalState::Skimmed, &seen));
-    for member in after.replays() {
+    for member in after.members() {
         assert!(
             member
                 .iter()

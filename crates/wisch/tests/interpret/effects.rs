@@ -28,7 +28,7 @@ fn share_affected(likelihood: LogNormal, press: fn(Point2) -> f64) -> f64 {
     let interpretation = interpreted_with(&script.samples(&task), &task, &config);
     let inside = |p: Point2| p.x > -0.03 && p.x < 0.08 && p.y.abs() < 0.05;
     let (mut under, mut affected) = (0.0, 0.0);
-    for replay in interpretation.belief.replays() {
+    for replay in interpretation.belief.members() {
         for i in (0..replay.len()).filter(|&i| inside(task.particles.position(i))) {
             under += 1.0;
             affected += f64::from(u8::from(replay.fate(i) == Fate::Absorbed));
@@ -88,7 +88,7 @@ fn a_threshold_is_drawn_again_after_some_travel() {
         let all: Vec<usize> = (0..task.particles.len()).filter(inside).collect();
         let wiped = interpretation
             .belief
-            .replays()
+            .members()
             .iter()
             .flat_map(|replay| all.iter().map(|&i| replay.fate(i)));
         wiped.filter(|fate| *fate == Fate::Absorbed).count() as f64 / (all.len() * 8) as f64
@@ -113,7 +113,7 @@ fn the_seed_decides_and_the_number_of_threads_does_not() {
     let samples = Script::default().samples(&task);
     let config = InterpretConfig {
         replays: 8,
-        ..InterpretConfig::of(&task)
+        ..InterpretConfig::from_task(&task)
     };
     let on = |threads: usize| {
         let pool = rayon::ThreadPoolBuilder::new()
@@ -135,9 +135,9 @@ fn the_seed_decides_and_the_number_of_threads_does_not() {
     );
     assert_ne!(one.belief, other.belief);
     // Replays differ from one another, particles too.
-    let first = &one.belief.replays()[0];
+    let first = &one.belief.members()[0];
     assert!(
-        one.belief.replays()[1..]
+        one.belief.members()[1..]
             .iter()
             .all(|replay| replay != first)
     );
@@ -149,31 +149,34 @@ fn a_belief_of_several_is_continued_member_by_member() {
     let script = Script::default();
     let config = InterpretConfig {
         replays: 4,
-        ..InterpretConfig::of(&task)
+        ..InterpretConfig::from_task(&task)
     };
     let samples = script.samples(&task);
     let before = interpreted_with(&samples, &task, &config).belief;
     let after = interpret(&samples, &task, &before, &GoalState::Absorbed, &config)
         .unwrap()
         .belief;
-    assert_eq!(after.replays().len(), 4);
-    for (one, next) in before.replays().iter().zip(after.replays()) {
+    assert_eq!(after.members().len(), 4);
+    for (one, next) in before.members().iter().zip(after.members()) {
         let is_kept = |i: usize| one.fate(i) == Fate::OnSurface || next.fate(i) == one.fate(i);
         assert!((0..80).all(is_kept));
         assert!(one.tally().absorbed > 40);
     }
     // Members need not hold as many particles.
     let few = ParticleDistribution::new(&[]).unwrap();
-    let unequal = Belief::of(vec![task.particles.clone(), few]).unwrap();
+    let unequal = Belief::from_members(vec![task.particles.clone(), few]).unwrap();
     let after = interpret(&samples, &task, &unequal, &GoalState::Absorbed, &config).unwrap();
     let counts: Vec<usize> = after
         .belief
-        .replays()
+        .members()
         .iter()
         .map(ParticleDistribution::len)
         .collect();
     assert_eq!(counts, [80, 0]);
-    assert_eq!(Belief::of(vec![]).unwrap_err(), InterpretError::NoMembers);
+    assert_eq!(
+        Belief::from_members(vec![]).unwrap_err(),
+        InterpretError::NoMembers
+    );
 }
 
 #[test]
@@ -188,23 +191,23 @@ fn a_sample_of_a_belief_and_its_density_hold_the_mean() {
     let interpretation = interpreted_with(
         &Script::default().samples(&task),
         &task,
-        &InterpretConfig::of(&task),
+        &InterpretConfig::from_task(&task),
     );
     let belief = &interpretation.belief;
     let remaining = |p: &ParticleDistribution| p.tally().remaining as f64;
-    let members = belief.replays().len() as f64;
-    let mean = belief.replays().iter().map(remaining).sum::<f64>() / members;
+    let members = belief.members().len() as f64;
+    let mean = belief.members().iter().map(remaining).sum::<f64>() / members;
     let sample = belief.sample(1).unwrap();
     assert_eq!(sample, belief.sample(1).unwrap());
     assert_ne!(sample, belief.sample(2).unwrap());
-    assert!(belief.replays().contains(&sample));
+    assert!(belief.members().contains(&sample));
     let map = belief.density(&task.surface, 0.02).unwrap();
     assert_eq!(map.shape(), (20, 14));
     let cells = (0..14).flat_map(|row| (0..20).map(move |column| (column, row)));
     let sum: f64 = cells.map(|(column, row)| map.mean(column, row)).sum();
     assert!((sum - mean).abs() < 1e-6);
     // Draws for a plan are members one on top of the other, each about as often as its weight says.
-    let draws = belief.draws(4 * belief.replays().len(), 5).unwrap();
+    let draws = belief.draw_mixture(4 * belief.members().len(), 5).unwrap();
     let expected = mean * 4.0 * members;
     assert!((remaining(&draws) - expected).abs() < 0.01 * expected);
 }
@@ -219,7 +222,7 @@ fn a_density_is_the_mean_and_the_spread_of_the_counts() {
         ParticleDistribution::with_fates(&places).unwrap()
     };
     let replays = vec![particles(3, Fate::OnSurface), particles(1, Fate::Absorbed)];
-    let belief = Belief::of(replays).unwrap();
+    let belief = Belief::from_members(replays).unwrap();
     let map = belief.density(&surface, 0.1).unwrap();
     assert_eq!((map.shape(), map.cell_size()), ((4, 3), 0.1));
     assert!((map.center(2, 0) - Point2::new(0.05, -0.09)).norm() < 1e-12);
@@ -272,7 +275,7 @@ fn trembling_before_a_stroke_pushes_nothing_away() {
         center: Point2::new(0.14, 0.0),
         radius: 0.065,
     };
-    let believed = Belief::certain(task.particles.clone());
+    let believed = Belief::from_particles(task.particles.clone());
     let interpretation = interpret(&samples, &task, &believed, &goal, &exact(&task)).unwrap();
     assert_eq!(
         interpretation.performance.low, 1.0,

@@ -25,7 +25,7 @@ pub fn lifted() -> Script {
 fn a_hand_that_lifts_the_tool_is_a_collision_and_what_lies_under_it_stays() {
     let script = lifted();
     let interpretation = interpreted(&script);
-    let collisions = events(&interpretation, EventKind::Collision);
+    let collisions = events(&interpretation, EventKind::Push);
     let hand = script.hands[0];
     assert_eq!(collisions.len(), 1, "{collisions:?}");
     assert_near_times(&collisions[0], [hand.start, hand.end]);
@@ -53,7 +53,7 @@ fn a_hand_that_lifts_the_tool_is_a_collision_and_what_lies_under_it_stays() {
         })
         .collect();
     assert!(under.len() > 2);
-    for replay in interpretation.belief.replays() {
+    for replay in interpretation.belief.members() {
         assert!(under.iter().all(|&i| replay.fate(i) == Fate::OnSurface));
     }
 }
@@ -84,7 +84,7 @@ fn pushes_from_every_side_are_collisions_with_start_and_end() {
             hands: vec![hand],
             ..script.clone()
         });
-        let collisions = events(&interpretation, EventKind::Collision);
+        let collisions = events(&interpretation, EventKind::Push);
         assert_eq!(collisions.len(), 1, "{force}: {collisions:?}");
         assert_near_times(&collisions[0], [hand.start, hand.end]);
     }
@@ -107,7 +107,7 @@ fn a_push_begins_where_its_force_rises() {
         hands: vec![drag, push],
         ..script
     });
-    let collisions = events(&interpretation, EventKind::Collision);
+    let collisions = events(&interpretation, EventKind::Push);
     assert_eq!(collisions.len(), 1, "{collisions:?}");
     assert_near_times(&collisions[0], [push.start, push.end]);
 }
@@ -129,7 +129,7 @@ fn a_gap_in_the_press_is_a_loss_of_contact() {
     assert_eq!(losses.len(), 1, "{:?}", interpretation.events);
     let [start, _] = script.contacts()[1];
     assert_near_times(&losses[0], [start + 1.3, start + 1.9]);
-    assert_eq!(events(&interpretation, EventKind::Collision), []);
+    assert_eq!(events(&interpretation, EventKind::Push), []);
     let whole = interpreted(&Script::default());
     assert!(interpretation.contact_share < whole.contact_share - 0.03);
 }
@@ -142,7 +142,7 @@ fn forces_that_lag_raise_no_alarm_and_hide_none() {
             force_lag,
             ..Script::default()
         });
-        assert_eq!(events(&calm, EventKind::Collision), [], "{force_lag}");
+        assert_eq!(events(&calm, EventKind::Push), [], "{force_lag}");
         assert_eq!(events(&calm, EventKind::Contact).len(), 3);
         assert_eq!(calm.diagnosis, Diagnosis::Localized);
     }
@@ -150,7 +150,7 @@ fn forces_that_lag_raise_no_alarm_and_hide_none() {
         force_lag: 0.02,
         ..lifted()
     };
-    let collisions = events(&interpreted(&script), EventKind::Collision);
+    let collisions = events(&interpreted(&script), EventKind::Push);
     assert_eq!(collisions.len(), 1);
     assert_near_times(&collisions[0], [script.hands[0].start, script.hands[0].end]);
 }
@@ -173,7 +173,7 @@ fn sticking_and_slipping_is_noticed() {
             );
             assert!(event.end < end + 0.05 && event.end > end - 0.5, "{event:?}");
         }
-        assert_eq!(events(&interpretation, EventKind::Collision), []);
+        assert_eq!(events(&interpretation, EventKind::Push), []);
     }
 }
 
@@ -216,9 +216,9 @@ fn a_tool_that_sinks_over_an_edge_is_still_in_contact() {
     ];
     for lower in lowers {
         let at_edge = interpreted(&sunk(0.19, lower));
-        assert_eq!(events(&at_edge, EventKind::Collision), []);
+        assert_eq!(events(&at_edge, EventKind::Push), []);
         let inland = interpreted(&sunk(0.05, lower));
-        assert_eq!(events(&inland, EventKind::Collision).len(), 1);
+        assert_eq!(events(&inland, EventKind::Push).len(), 1);
     }
 }
 
@@ -248,13 +248,13 @@ fn any_force_in_free_motion_is_somebody() {
         Vector3::new(0.0, 0.0, -8.0),
     ] {
         let interpretation = interpreted(&held(&[free], Vector3::new(0.0, 0.01, 0.0), force));
-        let collisions = events(&interpretation, EventKind::Collision);
+        let collisions = events(&interpretation, EventKind::Push);
         assert_eq!(collisions.len(), 1, "{force}: {collisions:?}");
         assert_near_times(&collisions[0], free);
     }
     // Inertia of the hand and noise are nobody.
     let faint = held(&[free], Vector3::zeros(), Vector3::new(0.0, 1.5, 0.0));
-    assert_eq!(events(&interpreted(&faint), EventKind::Collision), []);
+    assert_eq!(events(&interpreted(&faint), EventKind::Push), []);
 }
 
 #[test]
@@ -275,7 +275,7 @@ fn a_force_that_swings_is_nobody() {
         hands: (0..10).map(hand).collect(),
         ..Script::default()
     };
-    assert_eq!(events(&interpreted(&swinging), EventKind::Collision), []);
+    assert_eq!(events(&interpreted(&swinging), EventKind::Push), []);
     assert_eq!(
         events(&interpreted(&swinging), EventKind::Vibration).len(),
         1
@@ -283,10 +283,7 @@ fn a_force_that_swings_is_nobody() {
     for hand in &mut swinging.hands {
         hand.force = Vector3::new(0.0, 0.0, 20.0);
     }
-    assert_eq!(
-        events(&interpreted(&swinging), EventKind::Collision).len(),
-        1
-    );
+    assert_eq!(events(&interpreted(&swinging), EventKind::Push).len(), 1);
 }
 
 #[test]
@@ -295,7 +292,7 @@ fn a_tool_that_comes_down_hard_has_not_been_pushed() {
     let blow = Vector3::new(0.0, 0.0, 25.0);
     let pressed = Vector3::new(0.0, 0.0, -0.0075);
     let landing = held(&[[start, start + 0.1]], pressed, blow);
-    assert_eq!(events(&interpreted(&landing), EventKind::Collision), []);
+    assert_eq!(events(&interpreted(&landing), EventKind::Push), []);
     let landing = interpreted(&landing);
     assert_eq!(events(&landing, EventKind::Landing).len(), 1);
     assert_eq!(events(&landing, EventKind::Overload), []);
@@ -313,7 +310,7 @@ fn a_tool_that_is_pressed_too_hard_is_overloaded_and_nobody_is_told() {
             for off in [off, stiff] {
                 let script = held(&[times], off, Vector3::new(0.0, 0.0, force));
                 let interpretation = interpreted(&script);
-                assert_eq!(events(&interpretation, EventKind::Collision), []);
+                assert_eq!(events(&interpretation, EventKind::Push), []);
                 let overloads = events(&interpretation, EventKind::Overload);
                 assert_eq!(overloads.len(), 1, "{off} {force}: {overloads:?}");
                 assert_near_times(&overloads[0], times);
@@ -344,7 +341,7 @@ fn who_leads_the_tool_all_the_time_does_not_push_it() {
         ..Script::default()
     };
     let interpretation = interpreted(&script);
-    assert_eq!(events(&interpretation, EventKind::Collision), []);
+    assert_eq!(events(&interpretation, EventKind::Push), []);
     assert!(!events(&interpretation, EventKind::HandGuiding).is_empty());
     assert!(
         matches!(interpretation.doubts[0], Doubt::HandGuided { share } if share > 0.8),
@@ -378,7 +375,7 @@ fn a_push_that_lasts_into_free_motion_is_one() {
     let parts = [[whole[0], end + 0.4], [end + 0.55, whole[1]]];
     for times in [&[whole][..], &parts] {
         let interpretation = interpreted(&held(times, up.0, up.1));
-        let collisions = events(&interpretation, EventKind::Collision);
+        let collisions = events(&interpretation, EventKind::Push);
         assert_eq!(collisions.len(), 1, "{collisions:?}");
         assert_near_times(&collisions[0], whole);
     }
@@ -386,12 +383,12 @@ fn a_push_that_lasts_into_free_motion_is_one() {
     let start = end - 2.0;
     let soon = [[start, start + 0.4], [start + 0.55, start + 1.0]];
     let soon_after = interpreted(&held(&soon, up.0, up.1));
-    let collisions = events(&soon_after, EventKind::Collision);
+    let collisions = events(&soon_after, EventKind::Push);
     assert_eq!(collisions.len(), 1, "{collisions:?}");
     assert_near_times(&collisions[0], [start, start + 1.0]);
     let pair = [[start, start + 0.4], [start + 0.85, start + 1.3]];
     let interpretation = interpreted(&held(&pair, up.0, up.1));
-    let collisions = events(&interpretation, EventKind::Collision);
+    let collisions = events(&interpretation, EventKind::Push);
     assert_eq!(collisions.len(), 2, "{collisions:?}");
     for (collision, times) in collisions.iter().zip(pair) {
         assert_near_times(collision, times);
@@ -414,7 +411,7 @@ fn contact_of_a_pushed_tool_is_judged_by_its_place_or_by_its_force() {
                 pushed_by_force,
                 ..Uncertainty::NONE
             },
-            ..InterpretConfig::of(&task)
+            ..InterpretConfig::from_task(&task)
         };
         interpreted_with(&script.samples(&task), &task, &config).performance
     };
@@ -447,7 +444,7 @@ fn a_pushed_tool_may_drag_its_load_along_as_long_as_it_is_near_the_surface() {
                 pushed_dragging,
                 ..Uncertainty::NONE
             },
-            ..InterpretConfig::of(&task)
+            ..InterpretConfig::from_task(&task)
         };
         interpreted_with(&script.samples(&task), &task, &config)
             .performance

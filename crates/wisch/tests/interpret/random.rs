@@ -140,7 +140,7 @@ impl Difference {
 fn no_log_of_another_robot_is_read_wrongly_without_a_word() {
     let count = std::env::var("WISCH_LOGS").map_or(COUNT, |count| count.parse().unwrap());
     let task = task(80, STEEP);
-    let config = InterpretConfig::of(&task);
+    let config = InterpretConfig::from_task(&task);
     let (mut wrong, mut answered) = (Vec::new(), 0);
     for seed in FIRST_SEED..FIRST_SEED + count {
         let mut random = ChaCha8Rng::seed_from_u64(seed);

@@ -12,7 +12,7 @@ fn read(script: &Script, force: impl Fn(f64, Vector3) -> Vector3) -> Interpretat
     let samples: Vec<TouchSample> = (script.samples(&task).into_iter())
         .map(|sample| changed(&task, sample, &force))
         .collect();
-    interpreted_with(&samples, &task, &InterpretConfig::of(&task))
+    interpreted_with(&samples, &task, &InterpretConfig::from_task(&task))
 }
 
 fn changed(
@@ -143,14 +143,14 @@ fn forces_with_another_clock_are_aligned() {
     for (i, sample) in samples.iter_mut().enumerate() {
         sample.force = forces[i.saturating_sub(late)];
     }
-    let found = interpreted_with(&samples, &task, &InterpretConfig::of(&task));
+    let found = interpreted_with(&samples, &task, &InterpretConfig::from_task(&task));
     assert_holds(&found, truth, "clock");
     assert!(
         matches!(found.doubts[..], [Doubt::ClockOffset { offset }] if (offset - 0.4).abs() < 0.1),
         "{:?}",
         found.doubts
     );
-    assert_eq!(events(&found, EventKind::Collision), []);
+    assert_eq!(events(&found, EventKind::Push), []);
 }
 
 #[test]
@@ -189,7 +189,7 @@ fn a_log_without_free_motion_tells_nothing() {
     let samples: Vec<TouchSample> = (script.samples(&task).into_iter())
         .filter(|sample| (start..end).contains(&sample.time))
         .collect();
-    let found = interpreted_with(&samples, &task, &InterpretConfig::of(&task));
+    let found = interpreted_with(&samples, &task, &InterpretConfig::from_task(&task));
     assert!(
         found.doubts.contains(&Doubt::NoFreeMotion),
         "{:?}",
@@ -211,7 +211,7 @@ fn a_log_that_begins_in_contact_says_that_it_may_be_cut() {
         let samples: Vec<TouchSample> = (script.samples(&task).into_iter())
             .filter(|sample| (from..to).contains(&sample.time))
             .collect();
-        let found = interpreted_with(&samples, &task, &InterpretConfig::of(&task));
+        let found = interpreted_with(&samples, &task, &InterpretConfig::from_task(&task));
         assert!(
             matches!(found.doubts[..], [Doubt::Incomplete { begins, ends, .. }] if [begins, ends] == cuts),
             "{:?}",
@@ -310,7 +310,7 @@ fn travel_below_the_surface_beside_it_is_no_contact_of_the_other_sign() {
         }))
         .chain(beside(end))
         .collect();
-    let found = interpreted_with(&samples, &task, &InterpretConfig::of(&task));
+    let found = interpreted_with(&samples, &task, &InterpretConfig::from_task(&task));
     assert!(
         !found.doubts.contains(&Doubt::WrenchSignInverted),
         "{:?}",
@@ -358,7 +358,11 @@ fn regular_strokes() -> Vec<TouchSample> {
 #[test]
 fn travel_between_regular_strokes_is_not_taken_for_contact() {
     let task = task(80, STEEP);
-    let found = interpreted_with(&regular_strokes(), &task, &InterpretConfig::of(&task));
+    let found = interpreted_with(
+        &regular_strokes(),
+        &task,
+        &InterpretConfig::from_task(&task),
+    );
     assert_eq!(found.doubts, [], "{:?}", found.pressed_force);
     let pressed = found.pressed_force.expect("the tool pressed");
     assert!((pressed / PRESS - 1.0).abs() < 0.05, "{pressed}");
@@ -391,7 +395,7 @@ fn single_stroke_and_return() -> Vec<TouchSample> {
 fn the_way_back_closely_above_a_single_stroke_is_not_taken_for_contact() {
     let task = task(80, STEEP);
     let samples = single_stroke_and_return();
-    let found = interpreted_with(&samples, &task, &InterpretConfig::of(&task));
+    let found = interpreted_with(&samples, &task, &InterpretConfig::from_task(&task));
     let misread =
         |doubt: &Doubt| matches!(doubt, Doubt::WrenchSignInverted | Doubt::ClockOffset { .. });
     assert!(!found.doubts.iter().any(misread), "{:?}", found.doubts);

@@ -56,7 +56,7 @@ fn taken(lean: f64) -> [f64; 5] {
     };
     let interpretation = interpreted_with(&leaning(&task, lean), &task, &config);
     let mut shares = [0.0; 5];
-    for replay in interpretation.belief.replays() {
+    for replay in interpretation.belief.members() {
         for i in 0..replay.len() {
             if replay.fate(i) == Fate::Absorbed {
                 shares[i / PER_COLUMN] += 1.0 / (PER_COLUMN * 16) as f64;
@@ -98,9 +98,9 @@ fn pushed(task: &Task, samples: &[TouchSample], uncertainty: Uncertainty) -> Int
     };
     let config = InterpretConfig {
         uncertainty,
-        ..InterpretConfig::of(task)
+        ..InterpretConfig::from_task(task)
     };
-    let believed = Belief::certain(task.particles.clone());
+    let believed = Belief::from_particles(task.particles.clone());
     interpret(samples, task, &believed, &goal, &config).unwrap()
 }
 
@@ -202,7 +202,7 @@ fn a_force_known_badly_counts_where_contact_is_weak() {
         };
         let config = InterpretConfig {
             uncertainty,
-            ..InterpretConfig::of(&task)
+            ..InterpretConfig::from_task(&task)
         };
         width(&interpreted_with(&samples, &task, &config))
     };
@@ -232,7 +232,7 @@ fn a_stiffness_known_badly_counts_where_the_tool_leans() {
         };
         let config = InterpretConfig {
             uncertainty,
-            ..InterpretConfig::of(&task)
+            ..InterpretConfig::from_task(&task)
         };
         width(&interpreted_with(&script.samples(&task), &task, &config))
     };
@@ -270,7 +270,7 @@ fn equal_shares_have_that_share_as_their_mean() {
         radius: 0.05,
     };
     for count in 1..100 {
-        let belief = Belief::of(vec![replay.clone(); count]).unwrap();
+        let belief = Belief::from_members(vec![replay.clone(); count]).unwrap();
         let interpretation = belief.performance(&goal, &surface, 0.0).estimate();
         assert_eq!(
             [interpretation.low, interpretation.mean, interpretation.high],
@@ -288,7 +288,7 @@ fn an_uncertainty_out_of_range_is_refused_by_name() {
                 grasp_turn: wrong,
                 ..Uncertainty::default()
             },
-            ..InterpretConfig::of(&task)
+            ..InterpretConfig::from_task(&task)
         };
         let refused = wisch::interpret::Interpreter::new(&task, &config).unwrap_err();
         let InterpretError::Config { name, .. } = refused else {

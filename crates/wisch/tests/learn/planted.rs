@@ -69,7 +69,7 @@ impl Planted {
         };
         let draws = match self.redraw {
             Some(length) => exposure.draws(length),
-            None => vec![exposure.most()],
+            None => vec![exposure.max_share()],
         };
         let mut stays = true;
         for share in draws {
@@ -127,7 +127,7 @@ impl World {
     fn interpreter(&self, seed: u64, log: usize) -> Interpreter {
         let config = InterpretConfig {
             seed,
-            ..InterpretConfig::of(&self.task)
+            ..InterpretConfig::from_task(&self.task)
         };
         let mut interpreter = Interpreter::new(&self.task, &config).unwrap();
         for sample in &self.logs[log] {
@@ -168,7 +168,7 @@ impl World {
             };
             let stays: Vec<bool> = (exposures.iter().zip(&kept))
                 .map(|(exposure, kept)| match self.planted.redraw {
-                    None => *kept >= law.probability(exposure[0].most() * scale),
+                    None => *kept >= law.probability(exposure[0].max_share() * scale),
                     Some(_) => self.planted.stays(&exposure[0], scale, &mut random),
                 })
                 .collect();
@@ -195,7 +195,7 @@ impl World {
             let mut earlier = Vec::new();
             for felt in &felt {
                 let most = exposed(felt).into_iter().map(|guesses| {
-                    let most = guesses.iter().map(Exposure::most);
+                    let most = guesses.iter().map(Exposure::max_share);
                     most.collect::<Vec<f64>>()
                 });
                 let most: Vec<Vec<f64>> = most.collect();

@@ -47,7 +47,7 @@ pub fn calibration(args: &CalibrationArgs, global: &GlobalArgs) -> Result<Outcom
         },
         name: &|seed| format!("seed {seed}"),
         evaluate: &|&seed| {
-            WorldCase::of(seed)
+            WorldCase::from_seed(seed)
                 .evaluate(senses, &args.variant, &args.settings)
                 .map_err(Failure::new)
         },
@@ -61,7 +61,7 @@ pub fn calibration(args: &CalibrationArgs, global: &GlobalArgs) -> Result<Outcom
         provenance,
         senses,
         settings: args.settings.clone(),
-        calibration: Calibration::of(&worlds, &args.variant),
+        calibration: Calibration::summarise(&worlds, &args.variant),
     };
     let table = in_words(&record);
     write(&out.join("reliability.svg"), &drawing(&record))?;

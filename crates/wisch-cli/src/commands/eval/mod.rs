@@ -39,7 +39,7 @@ struct Provenance {
 impl Provenance {
     /// Records the start of an evaluation, with the present commit. `first`: first seed. `worlds`: number of seeds.
     fn begin(format: &'static str, schema: u32, first: u64, worlds: u64) -> Self {
-        let serves = SeedUse::of(first, worlds);
+        let serves = SeedUse::classify(first, worlds);
         if serves == SeedUse::Mixed {
             remark(MIXED);
         }

@@ -53,7 +53,7 @@ pub fn scenarios(args: &ScenarioEvaluationArgs, global: &GlobalArgs) -> Result<O
         let own: Vec<ScenarioRun> = (runs.iter().filter(|run| run.scenario == *task))
             .cloned()
             .collect();
-        ScenarioScores::of(task, &own)
+        ScenarioScores::summarise(task, &own)
     };
     let record = ScenariosRecord {
         provenance,

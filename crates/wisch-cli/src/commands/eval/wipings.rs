@@ -36,7 +36,7 @@ pub(super) fn runs_csv<'a>(
             of(|execution| execution.is_claimed.to_string()),
         ];
         let values = Quantity::ALL.iter().map(|quantity| {
-            let value = quantity.of(score);
+            let value = quantity.value(score);
             value.map_or_else(String::new, |value| value.to_string())
         });
         (keys.into_iter())

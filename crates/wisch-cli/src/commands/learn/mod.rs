@@ -15,7 +15,9 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use wisch::geometry::{Point2, Point3};
 use wisch::interpret::{Exposure, InterpretConfig, Interpreter};
-use wisch::learn::{GUESSES, LearnConfig, LearnedLaw, Lesson, ObservedRound, learn as fitted};
+use wisch::learn::{
+    GUESSES, LawObservations, LearnConfig, LearnedLaw, ObservedRound, learn as fitted,
+};
 use wisch::represent::{Interaction, KnowledgeBase, Task};
 use wisch_io::{InteractionRevision, KnowledgeSource, OutputFile, RevisedFile, shipped_scenarios};
 
@@ -48,8 +50,8 @@ pub fn learn(args: &LearnArgs, global: &GlobalArgs) -> Result<Outcome, Failure> 
     };
     let lessons = evidence(&recordings, &mut tasks, &knowledge, &progress)?;
     progress.say(format!("fitting {}", counted(lessons.len(), "law")));
-    let given: Vec<Lesson<'_>> = (lessons.iter())
-        .map(|evidence| Lesson {
+    let given: Vec<LawObservations<'_>> = (lessons.iter())
+        .map(|evidence| LawObservations {
             interaction: &evidence.interaction,
             collision_radius_m: evidence.collision_radius,
             rounds: &evidence.rounds,
@@ -291,8 +293,8 @@ fn seen_rounds(
                 ));
             });
         }
-        let mut interpreter =
-            Interpreter::new(&task, &InterpretConfig::of(&task)).map_err(|error| fault(&error))?;
+        let mut interpreter = Interpreter::new(&task, &InterpretConfig::from_task(&task))
+            .map_err(|error| fault(&error))?;
         for sample in &round.samples {
             interpreter.push(sample).map_err(|error| fault(&error))?;
         }
@@ -310,7 +312,7 @@ fn seen_rounds(
             let felt = exposures(felt, &places).map_err(|error| fault(&error))?;
             let most = felt
                 .iter()
-                .map(|guesses| guesses.iter().map(Exposure::most));
+                .map(|guesses| guesses.iter().map(Exposure::max_share));
             let most: Vec<Vec<f64>> = most.map(Iterator::collect).collect();
             if earlier.is_empty() {
                 earlier = most;

@@ -11,7 +11,7 @@ fn execution(settings: &[(&str, &str)]) -> ExecutionRecord {
 fn a_world_is_as_believed_but_for_its_dirt_unless_told() {
     let record = execution(&[]);
     assert_eq!(record.dirt, DirtRecord::default());
-    assert_eq!(record.dirt.source, TrueDirt::Uniform);
+    assert_eq!(record.dirt.source, DirtSource::Stated(TrueDirt::Uniform));
     assert_eq!((record.tool_stiffness, record.footprint), (1.0, 1.0));
     assert_eq!(
         (record.grasp_offset, record.grasp_turn),
@@ -53,7 +53,7 @@ fn every_key_of_the_worlds_body_is_read() {
     assert_eq!(record.grain_size, Some(GrainSize { min_m, max_m }));
     let expected = ExecutionRecord {
         dirt: DirtRecord {
-            source: TrueDirt::Edge(0.02),
+            source: DirtSource::Stated(TrueDirt::Edge(0.02)),
             count: Some(9),
         },
         grain_size: record.grain_size,
@@ -94,7 +94,7 @@ fn touch_is_the_default_and_sight_has_a_sensor() {
         "{ half_size_m = 0.001, arm_hides = true }",
     )]);
     assert!(camera.camera.arm_hides);
-    let real = camera.camera.over(worse);
+    let real = camera.camera.complete(worse);
     assert_eq!((real.detection, real.half_size_m), (0.8, 0.001));
 }
 

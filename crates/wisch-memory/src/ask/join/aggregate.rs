@@ -1,6 +1,6 @@
 //! Aggregates over all solutions of a block.
 
-use super::expression::{Binary, binary};
+use super::expression::{Binary, evaluate_binary};
 use super::goal::{Aggregate, Block};
 use super::solver::{Flow, Solver, Stop};
 use super::value::{JoinValue, Pattern, standard_order};
@@ -98,12 +98,12 @@ impl Solver<'_> {
         let groups = all.chunk_by(|a, b| a.0 == b.0).map(|group| {
             let mut sum = JoinValue::Integer(0);
             for (_, number) in group {
-                sum = binary(Binary::Plus, sum, number.clone()).ok_or(Stop::Declined)?;
+                sum = evaluate_binary(Binary::Plus, sum, number.clone()).ok_or(Stop::Declined)?;
             }
             let count = i64::try_from(group.len()).map_err(|_| Stop::Declined)?;
             let mean = quotient(sum, count)?;
             Ok([
-                JoinValue::of(group[0].0.clone()),
+                JoinValue::from_term(group[0].0.clone()),
                 mean,
                 JoinValue::Integer(count),
             ])
@@ -132,7 +132,7 @@ impl Solver<'_> {
         self.solve(block, &mut |solver| {
             let value = solver.evaluate(of)?;
             let before = std::mem::replace(&mut sum, JoinValue::Integer(0));
-            sum = binary(Binary::Plus, before, value).ok_or(Stop::Declined)?;
+            sum = evaluate_binary(Binary::Plus, before, value).ok_or(Stop::Declined)?;
             count += 1;
             Ok(Flow::Continue)
         })?;
@@ -141,7 +141,7 @@ impl Solver<'_> {
 }
 
 fn quotient(sum: JoinValue, count: i64) -> Result<JoinValue, Stop> {
-    binary(Binary::Over, sum, JoinValue::Integer(count)).ok_or(Stop::Declined)
+    evaluate_binary(Binary::Over, sum, JoinValue::Integer(count)).ok_or(Stop::Declined)
 }
 
 /// Sorts by the standard order of a key; the sort is stable.

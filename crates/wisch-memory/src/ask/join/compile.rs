@@ -13,7 +13,7 @@ use std::collections::{HashMap, HashSet};
 /// Largest number of goals, including nested ones; longer queries are left to the engine.
 const MOST_GOALS: usize = 256;
 
-/// Compiler of goals.
+/// A compiler of goals to a block that the solver runs.
 pub struct Compiler<'a> {
     known: &'a Knowledge,
     numbers: HashMap<String, usize>,
@@ -39,7 +39,7 @@ impl<'a> Compiler<'a> {
         }
     }
 
-    /// Number of variables.
+    /// Number of variables that the goals share.
     pub fn len(&self) -> usize {
         self.bound.len()
     }
@@ -135,7 +135,7 @@ impl<'a> Compiler<'a> {
                 let items = items.iter().map(|item| self.pattern(item));
                 Pattern::Compound(name.clone(), items.collect::<Option<_>>()?)
             }
-            ground => Pattern::JoinValue(JoinValue::of(ground.clone())),
+            ground => Pattern::JoinValue(JoinValue::from_term(ground.clone())),
         })
     }
 
@@ -205,8 +205,8 @@ impl<'a> Compiler<'a> {
                 let expression = self.expression(expression)?;
                 Goal::Is(self.pattern(result)?, expression)
             }
-            (_, [left, right]) if Comparison::named(name).is_some() => Goal::Comparison(
-                Comparison::named(name)?,
+            (_, [left, right]) if Comparison::from_name(name).is_some() => Goal::Comparison(
+                Comparison::from_name(name)?,
                 self.expression(left)?,
                 self.expression(right)?,
             ),
@@ -416,11 +416,11 @@ pub fn is_ground(term: &Term) -> bool {
 /// Returns the thing with a name, if there is one.
 pub fn thing_of(known: &Knowledge, name: &Term) -> Option<JoinValue> {
     let name = known.names.resolve("thing", name).ok()?;
-    Some(named(known, name))
+    Some(find_thing(known, name))
 }
 
 /// Returns the thing with this full name.
-pub fn named(known: &Knowledge, name: String) -> JoinValue {
+pub fn find_thing(known: &Knowledge, name: String) -> JoinValue {
     match known.names.node(&name) {
         Some(crate::catalogue::CatalogueNode::Individual(id)) => JoinValue::Individual(id),
         Some(crate::catalogue::CatalogueNode::Shared(number)) => JoinValue::Shared(number),
@@ -431,7 +431,7 @@ pub fn named(known: &Knowledge, name: String) -> JoinValue {
 /// Returns the pattern of an object: a thing if the name is a thing's, otherwise a value.
 pub fn object_of(known: &Knowledge, term: &Term) -> JoinValue {
     match term {
-        Term::Integer(_) | Term::Float(_) => JoinValue::of(term.clone()),
+        Term::Integer(_) | Term::Float(_) => JoinValue::from_term(term.clone()),
         other => thing_of(known, other).unwrap_or_else(|| JoinValue::Term(other.clone())),
     }
 }

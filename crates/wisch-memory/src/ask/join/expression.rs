@@ -16,7 +16,7 @@ pub enum Expression {
     Binary(Binary, Box<Expression>, Box<Expression>),
 }
 
-/// Functions of one number.
+/// A function of one number.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Unary {
     /// Negation.
@@ -27,7 +27,7 @@ pub enum Unary {
     Truncate,
 }
 
-/// Functions of two numbers.
+/// A function of two numbers.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Binary {
     /// Sum.
@@ -41,7 +41,7 @@ pub enum Binary {
 }
 
 impl Expression {
-    /// Collects its variables.
+    /// Appends the variables of the expression to `found`.
     pub fn variables(&self, found: &mut Vec<usize>) {
         match self {
             Self::Pattern(pattern) => pattern.variables(found),
@@ -67,7 +67,7 @@ impl Expression {
             }
             Self::Unary(function, of) => unary(*function, of.evaluate(value)?),
             Self::Binary(function, left, right) => {
-                binary(*function, left.evaluate(value)?, right.evaluate(value)?)
+                evaluate_binary(*function, left.evaluate(value)?, right.evaluate(value)?)
             }
         }
     }
@@ -89,7 +89,7 @@ fn unary(function: Unary, of: JoinValue) -> Option<JoinValue> {
 }
 
 /// Returns the value of a function of two numbers.
-pub fn binary(function: Binary, left: JoinValue, right: JoinValue) -> Option<JoinValue> {
+pub fn evaluate_binary(function: Binary, left: JoinValue, right: JoinValue) -> Option<JoinValue> {
     if let (JoinValue::Integer(a), JoinValue::Integer(b)) = (&left, &right) {
         let (a, b) = (*a, *b);
         let whole = match function {
@@ -114,7 +114,7 @@ pub fn binary(function: Binary, left: JoinValue, right: JoinValue) -> Option<Joi
     found.is_finite().then_some(JoinValue::Float(found))
 }
 
-/// Comparison of two numbers.
+/// A comparison of the values of two numbers.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Comparison {
     /// Less than or equal.
@@ -133,7 +133,7 @@ pub enum Comparison {
 
 impl Comparison {
     /// Returns the comparison with this operator.
-    pub fn named(name: &str) -> Option<Self> {
+    pub fn from_name(name: &str) -> Option<Self> {
         Some(match name {
             "=<" => Self::AtMost,
             ">=" => Self::AtLeast,
@@ -145,7 +145,7 @@ impl Comparison {
         })
     }
 
-    /// Whether it holds.
+    /// Whether the comparison holds for two numbers.
     #[allow(clippy::float_cmp, reason = "the query asks for exact equality")]
     pub fn holds(self, a: f64, b: f64) -> bool {
         match self {

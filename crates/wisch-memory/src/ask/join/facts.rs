@@ -63,12 +63,12 @@ impl<'s> Solver<'s> {
             };
         }
         for (number, class) in classes.iter().enumerate() {
-            for &id in known.catalogue.of_class(class) {
+            for &id in known.catalogue.individuals_of_class(class) {
                 let member = JoinValue::Individual(id);
                 go_on!(self.candidate(&[(thing, member)], key(number, id as usize), next));
             }
             for name in known.names.share_names(class) {
-                let member = self.named(name);
+                let member = self.find_thing(name);
                 go_on!(self.candidate(&[(thing, member)], key(number, usize::MAX >> 32), next));
             }
         }
@@ -116,7 +116,7 @@ impl<'s> Solver<'s> {
             (Err(false), _) => return Ok(Flow::Continue),
             (Err(true), Some(of)) => {
                 let children = self.indices.children(catalogue);
-                for &id in children.of(of) {
+                for &id in children.parts(of) {
                     let pair = [(part, JoinValue::Individual(id))];
                     go_on!(self.candidate(&pair, key(source, id as usize), next));
                 }
@@ -163,7 +163,7 @@ impl<'s> Solver<'s> {
                 JoinValue::Shared(number) => CatalogueNode::Shared(*number),
                 _ => return Ok(Flow::Continue),
             };
-            let index = self.indices.by_object(catalogue, property);
+            let index = self.indices.relations_by_object(catalogue, property);
             for &place in index.get(&node).map_or(&[][..], Vec::as_slice) {
                 let (id, _) = column[place as usize];
                 let pairs = [(subject, JoinValue::Individual(id))];
@@ -276,7 +276,9 @@ impl<'s> Solver<'s> {
                             return Ok(Flow::Continue);
                         };
                         let timeline = self.indices.timeline(catalogue);
-                        let found = timeline.intervals.related(Relation::Equals, [start, end]);
+                        let found = timeline
+                            .intervals
+                            .find_related(Relation::Equals, [start, end]);
                         // As the engine does: the answer repeats the given times, 1 or 1.0.
                         for id in found {
                             let pair = [(event, JoinValue::Individual(id))];
@@ -331,7 +333,7 @@ impl<'s> Solver<'s> {
                 }
             }
             (Known::Nothing(first), Known::Times(to, second)) => {
-                for id in timeline.intervals.related(relation, to) {
+                for id in timeline.intervals.find_related(relation, to) {
                     if Some(id) != second {
                         let pair = [(first, JoinValue::Individual(id))];
                         go_on!(self.candidate(&pair, key(Some(id), second), next));
@@ -340,7 +342,7 @@ impl<'s> Solver<'s> {
                 Ok(Flow::Continue)
             }
             (Known::Times(to, first), Known::Nothing(second)) => {
-                for id in timeline.intervals.related(relation.inverse(), to) {
+                for id in timeline.intervals.find_related(relation.inverse(), to) {
                     if Some(id) != first {
                         let pair = [(second, JoinValue::Individual(id))];
                         go_on!(self.candidate(&pair, key(first, Some(id)), next));
@@ -351,7 +353,7 @@ impl<'s> Solver<'s> {
             (Known::Nothing(first), Known::Nothing(second)) => {
                 for place in 0..timeline.intervals.len() {
                     let (to, of_second) = timeline.intervals.entry(place);
-                    for id in timeline.intervals.related(relation, to) {
+                    for id in timeline.intervals.find_related(relation, to) {
                         if id == of_second {
                             continue;
                         }
@@ -478,8 +480,8 @@ impl<'s> Solver<'s> {
             if let Term::Compound(_, parts) = row
                 && let Ok([Term::Atom(name), found]) = <[Term; 2]>::try_from(parts)
             {
-                let name = self.named(name);
-                let pairs = [(episode, name), (value, JoinValue::of(found))];
+                let name = self.find_thing(name);
+                let pairs = [(episode, name), (value, JoinValue::from_term(found))];
                 go_on!(self.candidate(&pairs, place, next));
             }
         }
@@ -511,7 +513,7 @@ fn part_of<T>(
 
 /// Returns all parts of a whole, each before its own parts.
 fn parts_below(children: &Children, whole: IndividualId, found: &mut Vec<IndividualId>) {
-    for &id in children.of(whole) {
+    for &id in children.parts(whole) {
         found.push(id);
         parts_below(children, id, found);
     }

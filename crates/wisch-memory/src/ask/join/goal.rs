@@ -161,7 +161,7 @@ pub enum Side {
     Times(Pattern, Pattern),
 }
 
-/// Source of statements.
+/// The source of the statements that a goal looks up.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum GoalSource {
     /// The object is a part of the subject.
@@ -201,7 +201,7 @@ impl Goal {
         )
     }
 
-    /// All variables in it.
+    /// Returns all variables of the goal.
     pub fn variables(&self) -> Vec<usize> {
         let mut found = Vec::new();
         self.collect(&mut found);
@@ -304,7 +304,7 @@ impl Block {
 }
 
 impl Side {
-    /// Collects the variables in it.
+    /// Appends the variables of the side to `found`.
     pub fn variables(&self, found: &mut Vec<usize>) {
         match self {
             Self::Event(event) => event.variables(found),

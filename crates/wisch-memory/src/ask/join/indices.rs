@@ -24,7 +24,7 @@ impl Timeline {
     }
 }
 
-/// Parts of each individual.
+/// The direct parts of each individual.
 #[derive(Debug)]
 pub struct Children {
     /// Begin of each individual's parts in the list of all parts, with a final end.
@@ -50,13 +50,13 @@ impl Children {
     }
 
     /// Returns the direct parts of an individual.
-    pub fn of(&self, whole: IndividualId) -> &[IndividualId] {
+    pub fn parts(&self, whole: IndividualId) -> &[IndividualId] {
         let [from, to] = [whole, whole + 1].map(|place| self.begins[place as usize] as usize);
         &self.all[from..to]
     }
 }
 
-/// Indices of a catalogue.
+/// Indices of a catalogue that are built on demand.
 #[derive(Debug, Default)]
 pub struct Indices {
     timeline: Option<Arc<Timeline>>,
@@ -65,10 +65,10 @@ pub struct Indices {
 }
 
 impl Indices {
-    /// Returns all intervals.
+    /// Returns the intervals of all individuals with a time.
     pub fn timeline(&mut self, catalogue: &Catalogue) -> Arc<Timeline> {
         let timeline = self.timeline.get_or_insert_with(|| {
-            let intervals = Arc::new(IntervalIndex::of(catalogue));
+            let intervals = Arc::new(IntervalIndex::from_catalogue(catalogue));
             let mut places = vec![u32::MAX; catalogue.len()];
             for place in 0..intervals.len() {
                 let (_, id) = intervals.entry(place);
@@ -86,7 +86,7 @@ impl Indices {
     }
 
     /// Returns the relations of a property by their objects.
-    pub fn by_object(&mut self, catalogue: &Catalogue, property: &str) -> Arc<ByObject> {
+    pub fn relations_by_object(&mut self, catalogue: &Catalogue, property: &str) -> Arc<ByObject> {
         if let Some(found) = self.by_object.get(property) {
             return Arc::clone(found);
         }

@@ -30,7 +30,7 @@ use compile::Compiler;
 use solver::{Flow, Solver, Stop};
 use value::Pattern;
 
-/// Solutions of goals.
+/// The solutions of a conjunction of goals.
 #[derive(Debug, Default, PartialEq)]
 pub struct Solutions {
     /// Values of the wanted terms, by solution.
@@ -39,7 +39,7 @@ pub struct Solutions {
     pub is_cut: bool,
 }
 
-/// Data for solving goals.
+/// The data with which goals are solved.
 pub struct Joins<'a> {
     /// Episodes and statements.
     pub known: &'a Knowledge,

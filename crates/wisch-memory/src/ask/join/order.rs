@@ -110,7 +110,9 @@ fn fan_out(goal: &Goal, known: &impl Fn(usize) -> bool, catalogue: &Catalogue) -
     match goal {
         Goal::Class { thing, .. } if is_known(thing) => 0.5,
         Goal::Class { classes, .. } => {
-            let members = classes.iter().map(|class| catalogue.of_class(class).len());
+            let members = classes
+                .iter()
+                .map(|class| catalogue.individuals_of_class(class).len());
             len(members.sum())
         }
         Goal::Statement {

@@ -1,6 +1,6 @@
 //! Solver of goals: depth first, solution by solution, like Prolog, with indices instead of names.
 
-use super::compile::{named, thing_of};
+use super::compile::{find_thing, thing_of};
 use super::expression::Expression;
 use super::goal::{Aggregate, Block, Goal};
 use super::indices::Indices;
@@ -18,7 +18,7 @@ const MOST_SORTED: usize = 1_000_000;
 /// Number of candidates between two checks of the clock.
 const CLOCK_CHECK: u64 = 4096;
 
-/// Whether more solutions are wanted.
+/// Whether the caller wants more solutions.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Flow {
     /// The next solution is wanted.
@@ -27,7 +27,7 @@ pub enum Flow {
     Stop,
 }
 
-/// Why solving ends early.
+/// Why the solver ends before all solutions are found.
 #[derive(Debug)]
 pub enum Stop {
     /// The engine must solve the goals.
@@ -36,7 +36,7 @@ pub enum Stop {
     Error(AskError),
 }
 
-/// Limits of solving.
+/// Limits of the solver's time and work.
 #[derive(Debug, Clone, Copy)]
 pub struct SolverBudget<'a> {
     /// Deadline of the query.
@@ -50,10 +50,10 @@ pub struct SolverBudget<'a> {
     pub candidates: u64,
 }
 
-/// Callback for each solution.
+/// The callback that receives each solution.
 pub type Next<'n, 's> = &'n mut dyn FnMut(&mut Solver<'s>, u64) -> Result<Flow, Stop>;
 
-/// Solver of goals.
+/// A solver of compiled goals over the catalogue's columns.
 pub struct Solver<'s> {
     pub(super) known: &'s Knowledge,
     pub(super) indices: &'s mut Indices,
@@ -436,7 +436,7 @@ impl<'s> Solver<'s> {
     fn unify_all(&mut self, patterns: &[Pattern], items: &[Term]) -> bool {
         let mut pairs = patterns.iter().zip(items);
         patterns.len() == items.len()
-            && pairs.all(|(pattern, item)| self.unify(pattern, &JoinValue::of(item.clone())))
+            && pairs.all(|(pattern, item)| self.unify(pattern, &JoinValue::from_term(item.clone())))
     }
 
     /// Returns the value of a pattern, if all of it is known.
@@ -506,8 +506,8 @@ impl<'s> Solver<'s> {
     }
 
     /// Returns the thing with a full name.
-    pub(super) fn named(&self, name: String) -> JoinValue {
-        named(self.known, name)
+    pub(super) fn find_thing(&self, name: String) -> JoinValue {
+        find_thing(self.known, name)
     }
 
     pub(super) fn evaluate(&self, expression: &Expression) -> Result<JoinValue, Stop> {

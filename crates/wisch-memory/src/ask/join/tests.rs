@@ -71,9 +71,9 @@ fn episode(number: usize) -> EpisodeRecord {
 }
 
 fn knowledge() -> Knowledge {
-    let catalogue = Arc::new(Catalogue::of(&[episode(0), episode(1)]));
+    let catalogue = Arc::new(Catalogue::from_records(&[episode(0), episode(1)]));
     Knowledge {
-        names: Names::new(Arc::clone(&catalogue), Ontology::shipped()),
+        names: Names::new(Arc::clone(&catalogue), Ontology::load()),
         catalogue,
         assertions: Assertions::default(),
     }

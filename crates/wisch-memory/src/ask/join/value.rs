@@ -5,7 +5,7 @@ use crate::ask::term::Term;
 use crate::catalogue::{Catalogue, IndividualId};
 use std::cmp::Ordering;
 
-/// Value of a bound variable.
+/// The value of a variable that is bound.
 #[derive(Debug, Clone, PartialEq)]
 pub enum JoinValue {
     /// An individual of an episode.
@@ -22,7 +22,7 @@ pub enum JoinValue {
 
 impl JoinValue {
     /// Converts a term without variables; names in it stay names.
-    pub fn of(term: Term) -> Self {
+    pub fn from_term(term: Term) -> Self {
         match term {
             Term::Integer(value) => Self::Integer(value),
             Term::Float(value) => Self::Float(value),
@@ -34,14 +34,14 @@ impl JoinValue {
     pub fn to_term(&self, catalogue: &Catalogue) -> Term {
         match self {
             Self::Individual(id) => name_of(catalogue, *id),
-            Self::Shared(number) => Term::atom(&catalogue.shared()[*number as usize]),
+            Self::Shared(number) => Term::atom(&catalogue.shared_individuals()[*number as usize]),
             Self::Integer(value) => Term::Integer(*value),
             Self::Float(value) => Term::Float(*value),
             Self::Term(term) => term.clone(),
         }
     }
 
-    /// Whether two values unify.
+    /// Whether two values unify as terms.
     pub fn is_same(&self, other: &Self, catalogue: &Catalogue) -> bool {
         let names = |thing: &Self, term: &Term| {
             // All names of things have a prefix; most texts have none.
@@ -115,7 +115,7 @@ pub enum Pattern {
 }
 
 impl Pattern {
-    /// Collects its variables.
+    /// Appends the variables of the pattern to `found`.
     pub fn variables(&self, found: &mut Vec<usize>) {
         match self {
             Self::Variable(number) => found.push(*number),

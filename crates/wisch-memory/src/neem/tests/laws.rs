@@ -8,7 +8,7 @@ use proptest::prelude::*;
 
 /// Returns names with prefix, known and unknown.
 fn names() -> impl Strategy<Value = String> {
-    let known: Vec<String> = Ontology::shipped()
+    let known: Vec<String> = Ontology::load()
         .terms()
         .map(|(name, _)| name.to_owned())
         .collect();

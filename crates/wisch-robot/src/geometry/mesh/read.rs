@@ -16,7 +16,7 @@ const MAX_PARTS: usize = 100_000;
 const STL_HEADER: usize = 84;
 const STL_TRIANGLE: usize = 50;
 
-/// Mesh formats that [`Mesh::parse`] reads.
+/// The mesh formats that [`Mesh::parse`] reads.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum MeshFormat {
     /// STL, ASCII or binary.

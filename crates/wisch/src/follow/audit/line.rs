@@ -160,7 +160,7 @@ impl Segment {
 
 /// Deviation of the second hand from its grip; zero if one hand holds the tool.
 pub(super) fn off_grip(cell: &Workcell, q: &[f64]) -> GripDeviation {
-    let Some(second) = cell.second() else {
+    let Some(second) = cell.second_arm() else {
         return GripDeviation::default();
     };
     let (robot, grip) = (cell.robot(), second.grip());

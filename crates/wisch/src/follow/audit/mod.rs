@@ -11,7 +11,9 @@ mod kinematics;
 mod line;
 mod surface;
 
-pub use wisch_robot::timing::{CheckConfig, End, Rate, TrajectoryFault, trajectory_faults};
+pub use wisch_robot::timing::{
+    MotionEnd, RateKind, TrajectoryCheckConfig, TrajectoryFault, trajectory_faults,
+};
 
 use crate::follow::{
     AllowedContact, FollowConfig, FollowError, Followed, GRIP_TOLERANCE, GripDeviation, JointLimit,
@@ -38,8 +40,9 @@ const EFFORT_TOLERANCE: f64 = 1e-6;
 /// Distances beyond this are all reported as this [m].
 const FAR: f64 = 0.5;
 
-/// A fault of a motion.
+/// A fault that the audit found in a motion, with its place and value.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
 pub enum MotionFault {
     /// A motion breaks the limits of its joints or does not keep to its times.
     #[error("motion {motion}: {fault}{}", joint_suffix(fault, joint))]
@@ -161,7 +164,7 @@ pub enum MotionFault {
     },
 }
 
-/// The result of an audit.
+/// The result of an audit: the faults of all motions, and the least clearances.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Audit {
     /// Largest deviation of the tool from its lines over all motions.
@@ -183,7 +186,7 @@ fn joint_suffix(fault: &TrajectoryFault, joint: &Option<String>) -> String {
     }
 }
 
-/// Checks every motion.
+/// Checks every motion against the limits of the robot, the cell and the task.
 ///
 /// - Position, velocity and acceleration of every joint are within its limits, mimic joints included.
 /// - Efforts for the robot's own weight and inertia are within their limits.
@@ -383,7 +386,12 @@ fn check_timing(
     let path: Vec<&[f64]> = states.iter().map(|state| state.q.as_slice()).collect();
     // The samples themselves serve as the path: this check concerns the times, not the path.
     let path = JointPath::new(&path)?;
-    let found = trajectory_faults(&states, &path, &moving.limits, &CheckConfig::default());
+    let found = trajectory_faults(
+        &states,
+        &path,
+        &moving.limits,
+        &TrajectoryCheckConfig::default(),
+    );
     faults.extend(found.into_iter().map(|fault| MotionFault::Trajectory {
         motion: number,
         joint: fault.joint().map(|joint| moving.name(joint).to_owned()),

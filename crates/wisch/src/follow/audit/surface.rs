@@ -100,7 +100,7 @@ impl<'a> SurfaceCheck<'a> {
         };
         let depth = task.interaction.compression_depth_m;
         let mut check = Self {
-            bounds: Bounds2::of(task.surface.outline.outer().iter().copied())?,
+            bounds: Bounds2::from_points(task.surface.outline.outer().iter().copied())?,
             links: Vec::new(),
             relaxed: tool(&relax_tool(&task.tool.mesh, depth)),
             pressed: tool(&task.tool.mesh),
@@ -128,7 +128,7 @@ impl<'a> SurfaceCheck<'a> {
                 .links
                 .extend(meshes.map(|mesh| Body::new(&link.name, i, mesh)));
         }
-        let frames = check.frames(cell.ready());
+        let frames = check.frames(cell.ready_posture());
         let tool = &check.relaxed;
         let waiting = check.behind(tool, &frames[tool.link], DEPTH_TOLERANCE);
         check.waits_behind = waiting.is_some();

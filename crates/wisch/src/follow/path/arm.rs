@@ -57,7 +57,7 @@ impl<'a> Arm<'a> {
         config: &'a FollowConfig,
         world_from_base: &PlanarPose,
     ) -> Result<Self, RobotError> {
-        let template = cell.standing(cell.ready(), world_from_base);
+        let template = cell.standing(cell.ready_posture(), world_from_base);
         let base = cell.ik().chain().base();
         let root_from_base = cell
             .robot()
@@ -76,7 +76,7 @@ impl<'a> Arm<'a> {
     }
 
     /// Returns the arm for a plan, which may turn the tool on purpose even where it does not push.
-    pub fn following(self, plan: &Plan) -> Self {
+    pub fn with_plan(self, plan: &Plan) -> Self {
         Self {
             keeps_heading: self.keeps_heading || plan.strategy.turns_tool(),
             ..self
@@ -84,7 +84,7 @@ impl<'a> Arm<'a> {
     }
 
     /// Returns the arm with the larger clearance of free motion.
-    pub fn at_free_clearance(&self) -> Self {
+    pub fn with_free_clearance(&self) -> Self {
         let obstacles = self.config.free_clearance.max(self.config.margin);
         Self {
             margins: Margins {
@@ -97,7 +97,7 @@ impl<'a> Arm<'a> {
     }
 
     /// Returns the group's variables out of the robot's.
-    pub fn of_robot(&self, q: &[f64]) -> JointPositions {
+    pub fn group_variables(&self, q: &[f64]) -> JointPositions {
         let variables = self.cell.arm_variables();
         variables.iter().map(|&i| q[i]).collect()
     }
@@ -112,8 +112,8 @@ impl<'a> Arm<'a> {
     }
 
     /// The group in the robot's ready posture.
-    pub fn ready(&self) -> JointPositions {
-        self.of_robot(&self.template)
+    pub fn ready_posture(&self) -> JointPositions {
+        self.group_variables(&self.template)
     }
 
     /// Returns the ranges of the group's variables; one turn either way for joints without limits.
@@ -364,10 +364,10 @@ impl<'a> Arm<'a> {
         let leading: Vec<&[f64]> = starts.iter().map(|start| &start[..n]).collect();
         let outcome = (self.cell.ik()).solve(&target, RotationGoal::Full, &leading, seed, &config);
         let found = self.to_configuration(outcome)?;
-        let Some(second) = self.cell.second() else {
+        let Some(second) = self.cell.second_arm() else {
             return Ok(found);
         };
-        let ready = self.ready();
+        let ready = self.ready_posture();
         let seconds: Vec<&[f64]> = (starts.iter().copied())
             .chain([&*ready])
             .map(|start| &start[n..])
@@ -385,7 +385,7 @@ impl<'a> Arm<'a> {
 
     /// Returns a configuration of the leading arm with the second hand on the tool, near `second`.
     fn hold_near(&self, leading: &[f64], second: &[f64]) -> Result<JointPositions, Obstruction> {
-        match self.cell.second() {
+        match self.cell.second_arm() {
             None => Ok(leading.iter().copied().collect()),
             Some(arm) => Ok(join_arms(leading, &arm.hold(leading, second, &self.ik)?)),
         }
@@ -399,7 +399,7 @@ impl<'a> Arm<'a> {
 
     /// Whether the second hand is near enough to its grip for a configuration between two solved poses.
     fn is_in_grip(&self, q: &JointPositions) -> bool {
-        let Some(arm) = self.cell.second() else {
+        let Some(arm) = self.cell.second_arm() else {
             return true;
         };
         let (leading, second) = q.split_at(self.leading());
@@ -417,7 +417,7 @@ impl<'a> Arm<'a> {
         to: &JointPositions,
         allowed: AllowedContact,
     ) -> Result<Vec<JointPositions>, Obstruction> {
-        if self.cell.second().is_none() {
+        if self.cell.second_arm().is_none() {
             self.is_free(from, to, allowed)?;
             return Ok(vec![*to]);
         }
@@ -617,10 +617,10 @@ impl<'a> Arm<'a> {
         halvings: u32,
     ) -> Result<(), Obstruction> {
         let [from, to] = line;
-        let next = self.reach(&from.towards(to, s1), near.unwrap_or(at))?;
+        let next = self.reach(&from.interpolate(to, s1), near.unwrap_or(at))?;
         let middle_s = 0.5 * (s0 + s1);
         let on_line =
-            !self.is_jump(at, &next) && self.is_on_line(at, &next, &from.towards(to, middle_s));
+            !self.is_jump(at, &next) && self.is_on_line(at, &next, &from.interpolate(to, middle_s));
         if on_line {
             path.push(next);
             *at = next;

@@ -72,7 +72,7 @@ pub(in crate::follow) fn free_motion(
     seed: u64,
 ) -> Option<Vec<JointPositions>> {
     let clear = search_free_path(
-        &arm.at_free_clearance(),
+        &arm.with_free_clearance(),
         [from, to],
         seed,
         MAX_DRAWS_AT_CLEARANCE,
@@ -150,7 +150,7 @@ fn shorten(arm: &Arm, path: &mut Vec<JointPositions>, random: &mut ChaCha8Rng) {
             arm.free_path(a, b, AllowedContact::None).is_ok()
         };
         // With two hands on the tool, the rest of a piece need not be free if the whole piece is.
-        let is_rest = |a, b| arm.cell.second().is_none() || is_free(a, b);
+        let is_rest = |a, b| arm.cell.second_arm().is_none() || is_free(a, b);
         if i < k && is_free(&from, &to) && is_rest(&path[i], &from) && is_rest(&to, &path[k + 1]) {
             path.splice(i + 1..=k, [from, to]);
         }

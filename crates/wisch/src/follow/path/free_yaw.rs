@@ -56,7 +56,10 @@ pub(in crate::follow) fn start_configurations(
         let any = |&[lower, upper]: &[f64; 2]| random.random_range(lower..=upper);
         ranges.iter().map(any).collect()
     });
-    [*now, arm.ready()].into_iter().chain(anywhere).collect()
+    [*now, arm.ready_posture()]
+        .into_iter()
+        .chain(anywhere)
+        .collect()
 }
 
 /// Returns the planned poses with the headings of the tool in these configurations, not wrapped.

@@ -100,7 +100,7 @@ fn states(
     for (i, orientation) in orientations.iter().step_by(stride).enumerate() {
         // The rotation against the plan is that at the goal, all along: layers change it where they must.
         let end = turn_along_edge(planned, orientation, from);
-        let place = from.towards(&end, s).surface_from_tool.position;
+        let place = from.interpolate(&end, s).surface_from_tool.position;
         let turn_left = (1.0 - s) * (planned[1].heading - planned[0].heading);
         let heading = end.surface_from_tool.heading - turn_left;
         let pose = ToolPose {
@@ -184,10 +184,10 @@ fn connect(
         let next = if i == steps {
             *end
         } else {
-            arm.reach(&from.towards(to, s), &between(start, end, s))
+            arm.reach(&from.interpolate(to, s), &between(start, end, s))
                 .ok()?
         };
-        let middle = from.towards(to, (i as f64 - 0.5) / steps as f64);
+        let middle = from.interpolate(to, (i as f64 - 0.5) / steps as f64);
         let is_way = !arm.is_jump(&at, &next)
             && arm.is_on_line(&at, &next, &middle)
             && arm.is_free(&at, &next, AllowedContact::Surface).is_ok();

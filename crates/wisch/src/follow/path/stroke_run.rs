@@ -209,7 +209,7 @@ impl Search<'_> {
             .tool
             .map_or(planned.heading, |tool| tool.surface_from_tool.heading);
         let pose = turn_pose(planned, orientation, heading);
-        let lifted = pose.at_height(lift_height);
+        let lifted = pose.with_height(lift_height);
         let failed = |progress: f64, obstruction| Attempt {
             rotation: orientation.rotation,
             tilt: orientation.tilt,
@@ -225,7 +225,7 @@ impl Search<'_> {
                 (Some(path), above)
             }
             _ => {
-                let ready = arm.ready();
+                let ready = arm.ready_posture();
                 let near: Vec<&[f64]> = (known.into_iter().chain([&now.q, &ready]))
                     .map(|q| &q[..])
                     .collect();
@@ -381,7 +381,7 @@ fn lift_off(
 ) -> (Contact, Vec<JointPositions>) {
     let mut stuck = Vec::new();
     while !contact.legs.is_empty() {
-        let lifted = contact.end_pose.at_height(lift_height);
+        let lifted = contact.end_pose.with_height(lift_height);
         let (end, pose) = (&contact.end, &contact.end_pose);
         match arm.follow_line(end, pose, &lifted, None, AllowedContact::Surface) {
             Ok(up) => {
@@ -443,8 +443,8 @@ fn finish(
         progress: 1.0,
         obstruction,
     };
-    let lifted = contact.end_pose.at_height(lift_height);
-    let above_start = touch_down.pose.at_height(lift_height);
+    let lifted = contact.end_pose.with_height(lift_height);
+    let above_start = touch_down.pose.with_height(lift_height);
     let mut pieces = Vec::new();
     match (&touch_down.over, now.tool) {
         (Some(path), Some(tool)) => pieces.push(UntimedMotion {

@@ -40,8 +40,8 @@ pub(in crate::follow) fn drive(
     );
     let is_free = |a: &PlanarPose, b: &PlanarPose| {
         let (a, b) = (
-            cell.standing(cell.ready(), a),
-            cell.standing(cell.ready(), b),
+            cell.standing(cell.ready_posture(), a),
+            cell.standing(cell.ready_posture(), b),
         );
         let contact = cell
             .base_collisions()

@@ -3,7 +3,7 @@
 pub(super) mod drive;
 
 use crate::follow::path::tool_redundancy::{orientations, rank};
-use crate::follow::{FollowConfig, Placement, RatedPlace, ToolPose, Workcell};
+use crate::follow::{FollowConfig, Placement, RatedBasePose, ToolPose, Workcell};
 use crate::geometry::{Bounds2, PlanarPose, Point2, Point3, Pose, Vector3, wrap_angle};
 use crate::represent::{Task, Tool};
 use crate::robot::{CapabilityMap, IkConfig, IkOutcome, RobotError, RotationGoal};
@@ -68,7 +68,7 @@ impl<'a> Reachability<'a> {
         map: Option<&'a CapabilityMap>,
     ) -> Result<Self, RobotError> {
         let origin = PlanarPose::new(Point2::origin(), 0.0);
-        let q = cell.standing(cell.ready(), &origin);
+        let q = cell.standing(cell.ready_posture(), &origin);
         let link = cell.ik().chain().base();
         let root_from_base = cell.robot().forward_kinematics(&q)?.world_from_link(link);
         Ok(Self {
@@ -114,7 +114,7 @@ impl<'a> Reachability<'a> {
 
     /// Returns for each pose of the tool on the surface its reachability from the best of some base poses, 0 to
     /// 1.
-    pub fn of_each(&self, poses: &[PlanarPose], places: &[PlanarPose]) -> Vec<f64> {
+    pub fn best_of_each(&self, poses: &[PlanarPose], places: &[PlanarPose]) -> Vec<f64> {
         let ample = |&surface_from_tool: &PlanarPose| {
             let pose = ToolPose {
                 surface_from_tool,
@@ -140,7 +140,9 @@ impl<'a> Reachability<'a> {
         places
             .into_par_iter()
             .map(|world_from_base| {
-                let q = self.cell.standing(self.cell.ready(), &world_from_base);
+                let q = self
+                    .cell
+                    .standing(self.cell.ready_posture(), &world_from_base);
                 let contact = self.cell.collisions().collision(&q, config.margin);
                 if !matches!(contact, Ok(None)) {
                     return Candidate {
@@ -189,7 +191,7 @@ impl<'a> Reachability<'a> {
             let at: Point3 = pose.translation.vector.into();
             Point2::new(at.x, at.y)
         };
-        let bounds = Bounds2::of(world_from_tools.iter().map(flat))?;
+        let bounds = Bounds2::from_points(world_from_tools.iter().map(flat))?;
         let (low, high) = (bounds.min, bounds.max);
         let count = |length: f64| ((length + 2.0 * AROUND) / pitch).round().max(1.0) as usize;
         let (nx, ny) = (count(high.x - low.x), count(high.y - low.y));
@@ -219,7 +221,7 @@ pub(in crate::follow) struct Candidate {
     pub rating: f64,
 }
 
-impl From<&Candidate> for RatedPlace {
+impl From<&Candidate> for RatedBasePose {
     fn from(candidate: &Candidate) -> Self {
         Self {
             world_from_base: candidate.world_from_base,

@@ -128,9 +128,9 @@ impl<'a> MountedTool<'a> {
             rimless,
         } = self.models;
         Ok(WorkcellCollisions {
-            base: free.for_variables(&base_variables),
-            arm: free.for_variables(arm),
-            arm_in_contact: rimless.for_variables(arm),
+            base: free.with_variables(&base_variables),
+            arm: free.with_variables(arm),
+            arm_in_contact: rimless.with_variables(arm),
             free,
             in_contact,
             obstacles: names.chain([surface.face]).chain(surface.behind).collect(),

@@ -190,7 +190,7 @@ impl Workcell {
     }
 
     /// The arm whose hand also holds the tool, if there is one.
-    pub const fn second(&self) -> Option<&SecondArm> {
+    pub const fn second_arm(&self) -> Option<&SecondArm> {
         self.second.as_ref()
     }
 
@@ -212,7 +212,7 @@ impl Workcell {
     }
 
     /// Start posture of the robot: all n variables [rad or m].
-    pub fn ready(&self) -> &[f64] {
+    pub fn ready_posture(&self) -> &[f64] {
         &self.ready
     }
 

@@ -10,7 +10,7 @@ use crate::geometry::{Point3, Pose, Vector3};
 use crate::represent::SecondGrip;
 use crate::robot::{
     Chain, IkConfig, IkOutcome, IkSolver, JointPositions, LinkId, RobotError, RobotModel,
-    RotationGoal, z_to,
+    RotationGoal, rotation_from_z,
 };
 use nalgebra::{Translation3, Unit, UnitQuaternion};
 use std::f64::consts::FRAC_PI_2;
@@ -120,7 +120,7 @@ impl SecondArm {
         let point = fork_from_tool * self.grip.point_in_tool;
         let bar = fork_from_tool * self.grip.axis_in_tool.into_inner();
         let along = limit_lean(&bar, hand, self.grip.max_lean);
-        Pose::from_parts(Translation3::from(point), z_to(&along))
+        Pose::from_parts(Translation3::from(point), rotation_from_z(&along))
     }
 
     /// Returns positions of the second arm that keep the grip for these of the leading arm, near `start`. The

@@ -28,10 +28,11 @@ impl DensityMap {
         surface: &Surface,
         cell_size: f64,
     ) -> Result<Self, InterpretError> {
-        let bounds = Bounds2::of(surface.outline.outer().iter().copied()).unwrap_or(Bounds2 {
-            min: Point2::origin(),
-            max: Point2::origin(),
-        });
+        let bounds =
+            Bounds2::from_points(surface.outline.outer().iter().copied()).unwrap_or(Bounds2 {
+                min: Point2::origin(),
+                max: Point2::origin(),
+            });
         let cells_along = |side: f64| (side / cell_size - ROUNDING).ceil().max(1.0);
         let shape = bounds.size().map(cells_along);
         let cells = shape.x * shape.y;

@@ -12,9 +12,21 @@ use rand_chacha::{ChaCha8Rng, rand_core::SeedableRng};
 
 /// A weighted ensemble of possible worlds. Each member has its own number and places of particles. From the first log
 /// on it also has its own parameters, which it keeps.
+///
+/// ```
+/// use wisch::geometry::Point2;
+/// use wisch::interpret::Belief;
+/// use wisch::represent::ParticleDistribution;
+/// let crumbs = ParticleDistribution::new(&[Point2::new(0.1, 0.0), Point2::new(0.2, 0.0)])?;
+/// let known = Belief::from_particles(crumbs.clone());
+/// assert!(known.is_certain());
+/// let uncertain = Belief::from_members(vec![crumbs, ParticleDistribution::default()])?;
+/// assert_eq!(uncertain.weights(), [0.5, 0.5]);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Belief {
-    replays: Vec<ParticleDistribution>,
+    members: Vec<ParticleDistribution>,
     /// Weights of the members; they sum to 1.
     weights: Vec<f64>,
     /// Parameters and thresholds of each member; empty before the first log.
@@ -32,9 +44,9 @@ pub(super) struct MemberState {
 
 impl Belief {
     /// Returns the belief of a single member, whose dirt is known.
-    pub fn certain(particles: ParticleDistribution) -> Self {
+    pub fn from_particles(particles: ParticleDistribution) -> Self {
         Self {
-            replays: vec![particles],
+            members: vec![particles],
             weights: vec![1.0],
             states: Vec::new(),
             stiffness: None,
@@ -45,7 +57,7 @@ impl Belief {
     ///
     /// # Errors
     /// An empty list of members.
-    pub fn of(members: Vec<ParticleDistribution>) -> Result<Self, InterpretError> {
+    pub fn from_members(members: Vec<ParticleDistribution>) -> Result<Self, InterpretError> {
         if members.is_empty() {
             return Err(InterpretError::NoMembers);
         }
@@ -56,7 +68,7 @@ impl Belief {
     pub(super) fn ensemble(members: Vec<ParticleDistribution>) -> Self {
         let weights = vec![1.0 / members.len() as f64; members.len()];
         Self {
-            replays: members,
+            members,
             weights,
             states: Vec::new(),
             stiffness: None,
@@ -69,9 +81,9 @@ impl Belief {
         weights: Vec<f64>,
         stiffness: StiffnessBelief,
     ) -> Self {
-        let (replays, states) = members.into_iter().unzip();
+        let (members, states) = members.into_iter().unzip();
         Self {
-            replays,
+            members,
             weights,
             states,
             stiffness: Some(stiffness),
@@ -97,9 +109,9 @@ impl Belief {
         members: Vec<(ParticleDistribution, Option<MemberState>)>,
         weights: Vec<f64>,
     ) -> Self {
-        let (replays, states): (Vec<_>, Vec<_>) = members.into_iter().unzip();
+        let (members, states): (Vec<_>, Vec<_>) = members.into_iter().unzip();
         Self {
-            replays,
+            members,
             weights,
             states: states
                 .into_iter()
@@ -110,8 +122,8 @@ impl Belief {
     }
 
     /// Dirt of each member; at least one.
-    pub fn replays(&self) -> &[ParticleDistribution] {
-        &self.replays
+    pub fn members(&self) -> &[ParticleDistribution] {
+        &self.members
     }
 
     /// Weights of the members; they sum to 1.
@@ -121,7 +133,7 @@ impl Belief {
 
     /// Whether there is a single member, whose dirt counts as known.
     pub fn is_certain(&self) -> bool {
-        self.replays.len() == 1
+        self.members.len() == 1
     }
 
     /// Effective number of members: the inverse of the sum of the squared weights (Kish).
@@ -137,7 +149,7 @@ impl Belief {
         surface: &Surface,
         deviation: f64,
     ) -> PerformanceDistribution {
-        PerformanceDistribution::of(&self.replays, &self.weights, goal, surface, deviation)
+        PerformanceDistribution::of(&self.members, &self.weights, goal, surface, deviation)
     }
 
     /// Resamples `count` members of equal weight, at least one. Each member occurs as often as its weight says, rounded
@@ -148,8 +160,8 @@ impl Belief {
     /// use wisch::interpret::Belief;
     /// use wisch::represent::ParticleDistribution;
     /// let at = |x| ParticleDistribution::new(&[Point2::new(x, 0.0)]);
-    /// let belief = Belief::of(vec![at(0.1)?, at(0.2)?, at(0.3)?, at(0.4)?])?;
-    /// assert_eq!(belief.resample(2, 1).replays().len(), 2);
+    /// let belief = Belief::from_members(vec![at(0.1)?, at(0.2)?, at(0.3)?, at(0.4)?])?;
+    /// assert_eq!(belief.resample(2, 1).members().len(), 2);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     #[must_use]
@@ -158,7 +170,7 @@ impl Belief {
         let weights = vec![1.0 / kept.len() as f64; kept.len()];
         let states = self.states.iter().collect::<Vec<_>>();
         Self {
-            replays: kept.iter().map(|&i| self.replays[i].clone()).collect(),
+            members: kept.iter().map(|&i| self.members[i].clone()).collect(),
             weights,
             states: (kept.iter())
                 .filter_map(|&i| states.get(i).map(|&state| state.clone()))
@@ -173,7 +185,7 @@ impl Belief {
     /// None at present: the members' dirt is finite.
     pub fn sample(&self, seed: u64) -> Result<ParticleDistribution, ParticleError> {
         let mut random = ChaCha8Rng::seed_from_u64(seed);
-        Ok(self.replays[self.at(random.random())].clone())
+        Ok(self.members[self.at(random.random())].clone())
     }
 
     /// Returns the dirt of `count` members, drawn by weight, in one distribution. It represents all possible dirt, for
@@ -187,14 +199,18 @@ impl Belief {
     /// use wisch::interpret::Belief;
     /// use wisch::represent::ParticleDistribution;
     /// let [here, there] = [0.0, 0.1].map(|x| ParticleDistribution::new(&[Point2::new(x, 0.0)]).unwrap());
-    /// let belief = Belief::of(vec![here, there])?;
-    /// let draws = belief.draws(1000, 7)?;
+    /// let belief = Belief::from_members(vec![here, there])?;
+    /// let draws = belief.draw_mixture(1000, 7)?;
     /// let share_here = draws.remaining().filter(|place| place.x < 0.05).count() as f64 / 1000.0;
     /// assert!((share_here - 0.5).abs() < 0.1);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
-    pub fn draws(&self, count: usize, seed: u64) -> Result<ParticleDistribution, ParticleError> {
-        let members = self.members(count, seed);
+    pub fn draw_mixture(
+        &self,
+        count: usize,
+        seed: u64,
+    ) -> Result<ParticleDistribution, ParticleError> {
+        let members = self.draw_members(count, seed);
         let particles: Vec<_> = members.iter().flat_map(|dirt| dirt.iter()).collect();
         ParticleDistribution::with_fates(&particles)
     }
@@ -202,7 +218,7 @@ impl Belief {
     /// Returns the places of a treated surface, each with the weighted median of its passes over the members. A place
     /// that at least half of the weight calls untreated is untreated. `None` if the members have different places.
     pub fn median_passes(&self) -> Option<ParticleDistribution> {
-        let [first, others @ ..] = &self.replays[..] else {
+        let [first, others @ ..] = &self.members[..] else {
             return None;
         };
         let is_alike = |other: &ParticleDistribution| {
@@ -212,7 +228,7 @@ impl Belief {
         if !others.iter().all(is_alike) {
             return None;
         }
-        let passes: Vec<Vec<f64>> = (self.replays.iter())
+        let passes: Vec<Vec<f64>> = (self.members.iter())
             .map(|member| member.iter().map(|(_, fate)| fate.passes()).collect())
             .collect();
         let half = self.weights.iter().sum::<f64>() / 2.0;
@@ -239,13 +255,13 @@ impl Belief {
     /// ```
     /// use wisch::interpret::Belief;
     /// use wisch::represent::ParticleDistribution;
-    /// let certain = Belief::certain(ParticleDistribution::default());
-    /// assert_eq!(certain.members(8, 1).len(), 1);
+    /// let certain = Belief::from_particles(ParticleDistribution::default());
+    /// assert_eq!(certain.draw_members(8, 1).len(), 1);
     /// ```
-    pub fn members(&self, count: usize, seed: u64) -> Vec<ParticleDistribution> {
+    pub fn draw_members(&self, count: usize, seed: u64) -> Vec<ParticleDistribution> {
         let count = if self.is_certain() { 1 } else { count };
         let chosen = self.systematic(count, seed).into_iter();
-        chosen.map(|member| self.replays[member].clone()).collect()
+        chosen.map(|member| self.members[member].clone()).collect()
     }
 
     /// Draws member indices by systematic resampling: each member occurs as often as its weight says, rounded up or
@@ -272,6 +288,6 @@ impl Belief {
     /// # Errors
     /// A side that is not above 0, or cells so small that there are too many.
     pub fn density(&self, surface: &Surface, cell_size: f64) -> Result<DensityMap, InterpretError> {
-        DensityMap::of(&self.replays, &self.weights, surface, cell_size)
+        DensityMap::of(&self.members, &self.weights, surface, cell_size)
     }
 }

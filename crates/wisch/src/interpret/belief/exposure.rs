@@ -27,7 +27,7 @@ pub struct ParticleTouch {
 /// let exposure = Exposure::new(vec![touch(0.0, 0.4), touch(0.01, 0.6), touch(0.02, 0.5), touch(1.03, 0.9)]);
 /// assert_eq!(exposure.draws(0.02), [0.6, 0.5, 0.9]);
 /// assert_eq!(exposure.draws(0.5), [0.6, 0.9]);
-/// assert_eq!(exposure.most(), 0.9);
+/// assert_eq!(exposure.max_share(), 0.9);
 /// ```
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Exposure {
@@ -61,7 +61,7 @@ impl Exposure {
     }
 
     /// Largest f′ of all touches \[1\]: a particle that keeps one threshold has stayed if that threshold is higher.
-    pub fn most(&self) -> f64 {
+    pub fn max_share(&self) -> f64 {
         self.touches
             .iter()
             .map(|touch| touch.share)

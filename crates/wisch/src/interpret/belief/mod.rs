@@ -19,4 +19,4 @@ pub use performance::{Estimate, PerformanceDistribution};
 pub use prior::{COUNT_SPREAD, DirtPrior};
 pub(super) use push_hypotheses::ContactEvidence;
 pub(super) use replay::Replay;
-pub use sight::Look;
+pub use sight::ObservationUpdate;

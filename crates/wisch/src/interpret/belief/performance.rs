@@ -25,7 +25,7 @@ pub struct Estimate {
 ///
 /// ```
 /// use wisch::interpret::PerformanceDistribution;
-/// let belief = PerformanceDistribution::of_shares([(0.9, 1.0), (1.0, 3.0)], 0.0);
+/// let belief = PerformanceDistribution::from_shares([(0.9, 1.0), (1.0, 3.0)], 0.0);
 /// assert_eq!(belief.mean(), 0.975);
 /// assert_eq!(belief.quantile(0.2), 0.9);
 /// assert_eq!(belief.probability_below(0.95), 0.25);
@@ -41,7 +41,7 @@ pub struct PerformanceDistribution {
 impl PerformanceDistribution {
     /// Returns a mixture of performances with weights of any positive sum; `deviation` is the standard deviation of
     /// each component \[1\].
-    pub fn of_shares(shares: impl IntoIterator<Item = (f64, f64)>, deviation: f64) -> Self {
+    pub fn from_shares(shares: impl IntoIterator<Item = (f64, f64)>, deviation: f64) -> Self {
         let mut shares: Vec<(f64, f64)> = shares.into_iter().collect();
         shares.sort_by(|a, b| a.0.total_cmp(&b.0));
         shares.dedup_by(|next, kept| {
@@ -77,7 +77,7 @@ impl PerformanceDistribution {
             .shares
             .iter()
             .map(|(share, weight)| (*share, weight * (1.0 - probability)));
-        Self::of_shares(known.chain(unknown), self.deviation)
+        Self::from_shares(known.chain(unknown), self.deviation)
     }
 
     pub(super) fn of(
@@ -87,12 +87,12 @@ impl PerformanceDistribution {
         surface: &Surface,
         deviation: f64,
     ) -> Self {
-        let share = |member| Performance::of(member, goal, surface).ratio();
+        let share = |member| Performance::evaluate(member, goal, surface).ratio();
         let shares = members.iter().map(share).zip(weights.iter().copied());
-        Self::of_shares(shares, deviation)
+        Self::from_shares(shares, deviation)
     }
 
-    /// Expected performance \[1\].
+    /// Expected performance, in [0, 1] \[1\].
     pub fn mean(&self) -> f64 {
         self.mean
     }
@@ -179,10 +179,10 @@ mod tests {
 
     #[test]
     fn a_blurred_belief_is_normal_and_cut_off() {
-        let belief = PerformanceDistribution::of_shares([(0.5, 1.0)], 0.1);
+        let belief = PerformanceDistribution::from_shares([(0.5, 1.0)], 0.1);
         assert!((belief.quantile(0.05) - (0.5 - 0.164_485)).abs() < 1e-5);
         assert!((belief.probability_below(0.6) - 0.841_345).abs() < 1e-5);
-        let full = PerformanceDistribution::of_shares([(1.0, 2.0)], 0.1);
+        let full = PerformanceDistribution::from_shares([(1.0, 2.0)], 0.1);
         assert_eq!(full.quantile(0.95), 1.0);
         assert!((full.quantile(0.05) - (1.0 - 0.164_485)).abs() < 1e-5);
         assert_eq!([full.mean(), full.probability_below(1.1)], [1.0, 1.0]);
@@ -191,12 +191,12 @@ mod tests {
     #[test]
     fn a_score_is_that_of_the_closed_form() {
         // A normal belief about its own mean has a score of 0.2337 standard deviations.
-        let belief = PerformanceDistribution::of_shares([(0.5, 1.0)], 0.05);
+        let belief = PerformanceDistribution::from_shares([(0.5, 1.0)], 0.05);
         assert!((belief.score(0.5) - 0.233_695 * 0.05).abs() < 1e-5);
         // Two certain members, at the mean of which the outcome lies: a quarter of their distance.
-        let two = PerformanceDistribution::of_shares([(0.2, 1.0), (0.6, 1.0)], 0.0);
+        let two = PerformanceDistribution::from_shares([(0.2, 1.0), (0.6, 1.0)], 0.0);
         assert!((two.score(0.2) - 0.1).abs() < 1e-3);
-        let sure = PerformanceDistribution::of_shares([(0.7, 1.0)], 0.0);
+        let sure = PerformanceDistribution::from_shares([(0.7, 1.0)], 0.0);
         assert!(sure.score(0.7) < 1e-3 && (sure.score(0.9) - 0.2).abs() < 1e-3);
     }
 }

@@ -50,10 +50,10 @@ impl DirtPrior {
     /// Known dirt gives a single member, which the first log replaces by an ensemble.
     pub fn belief(&self, task: &Task, members: usize) -> Belief {
         if *self == Self::Known || members == 0 {
-            return Belief::certain(task.particles.clone());
+            return Belief::from_particles(task.particles.clone());
         }
         let obstacles: Vec<_> = task.obstacles_in_surface().collect();
-        let occupied = OccupiedArea::of(&obstacles);
+        let occupied = OccupiedArea::from_scene(&obstacles);
         let area = Area::new(&task.surface, &occupied);
         let one = |member: usize| {
             let mut random = ChaCha8Rng::seed_from_u64(task.seed);
@@ -141,7 +141,7 @@ pub(super) struct Area<'a> {
 impl<'a> Area<'a> {
     pub(super) fn new(surface: &'a Surface, occupied: &'a OccupiedArea) -> Self {
         let outline = &surface.outline;
-        let bounds = Bounds2::of(outline.outer().iter().copied()).unwrap_or(Bounds2 {
+        let bounds = Bounds2::from_points(outline.outer().iter().copied()).unwrap_or(Bounds2 {
             min: Point2::origin(),
             max: Point2::origin(),
         });

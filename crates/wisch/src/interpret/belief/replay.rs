@@ -38,7 +38,7 @@ impl Replay<'_> {
         believed: &Belief,
         evidence: &ContactEvidence<'_>,
     ) -> Belief {
-        let before = believed.replays();
+        let before = believed.members();
         let (count, weights) = if believed.is_certain() {
             let count = self.config.replays;
             (count, vec![1.0 / count as f64; count])
@@ -91,11 +91,11 @@ impl Replay<'_> {
     ) -> f64 {
         // Weight and weighted performance, for each kind of member.
         let mut sums = [[0.0; 2]; 2];
-        for (member, (dirt, weight)) in belief.replays().iter().zip(belief.weights()).enumerate() {
+        for (member, (dirt, weight)) in belief.members().iter().zip(belief.weights()).enumerate() {
             let factor = force_factor(self.config, self.force_ratio, member as u64);
             let of_kind = &mut sums[usize::from(factor == self.force_ratio)];
             of_kind[0] += weight;
-            of_kind[1] += weight * Performance::of(dirt, goal, self.surface).ratio();
+            of_kind[1] += weight * Performance::evaluate(dirt, goal, self.surface).ratio();
         }
         if sums.iter().any(|[weight, _]| *weight <= 0.0) {
             return 0.0;

@@ -50,7 +50,7 @@ const STREAM: u64 = 0x7369_6768_0000_0000;
 
 /// A camera observation of a surface, with what is needed to update a belief by it.
 #[derive(Debug, Clone, Copy)]
-pub struct Look<'a> {
+pub struct ObservationUpdate<'a> {
     /// Detections and occluded area.
     pub observation: &'a Observation,
     /// Detection rate and sensor noise.
@@ -74,30 +74,30 @@ impl Belief {
     ///
     /// A certain belief stays as it is, and so does a belief that is observed with a detection rate of 0.
     #[must_use]
-    pub fn observe(&self, look: &Look<'_>) -> Self {
-        if self.is_certain() || look.sight.detection <= 0.0 {
+    pub fn observe(&self, update: &ObservationUpdate<'_>) -> Self {
+        if self.is_certain() || update.sight.detection <= 0.0 {
             return self.clone();
         }
-        let weights = look.reweight(self);
+        let weights = update.reweight(self);
         let squares: f64 = weights.iter().map(|weight| weight * weight).sum();
         let weighted = self.with_weights(weights);
-        let count = weighted.replays().len();
+        let count = weighted.members().len();
         let is_even = 1.0 / squares >= RESAMPLE_BELOW * count as f64;
-        let kept = count.min(look.most_members(self));
+        let kept = count.min(update.most_members(self));
         let (chosen, weights) = if is_even && kept == count {
             ((0..count).collect(), weighted.weights().to_vec())
         } else {
-            let chosen = weighted.systematic(kept, look.seed ^ STREAM);
+            let chosen = weighted.systematic(kept, update.seed ^ STREAM);
             (chosen, vec![1.0 / kept as f64; kept])
         };
-        let believed = Intensity::of(&weighted, look);
+        let believed = Intensity::of(&weighted, update);
         let is_first = !weighted.was_wiped();
         let members = chosen.into_par_iter().enumerate().map(|(index, member)| {
-            let mut random = ChaCha8Rng::seed_from_u64(look.seed);
+            let mut random = ChaCha8Rng::seed_from_u64(update.seed);
             random.set_stream(STREAM ^ index as u64);
-            let was = &weighted.replays()[member];
+            let was = &weighted.members()[member];
             let state = weighted.states.get(member);
-            look.update_member(was, state, &believed, is_first, &mut random)
+            update.update_member(was, state, &believed, is_first, &mut random)
         });
         weighted.with_observed(members.collect(), weights)
     }
@@ -115,21 +115,21 @@ struct Intensity {
 }
 
 impl Intensity {
-    fn of(belief: &Belief, look: &Look<'_>) -> Self {
-        let area = look.surface.outline.area();
+    fn of(belief: &Belief, update: &ObservationUpdate<'_>) -> Self {
+        let area = update.surface.outline.area();
         let circle = std::f64::consts::PI * NEIGHBOURHOOD * NEIGHBOURHOOD;
         let mut expected = 0.0;
-        let detections = &look.observation.detections;
+        let detections = &update.observation.detections;
         let mut near = vec![0.0; detections.len()];
-        let particles: usize = belief.replays().iter().map(ParticleDistribution::len).sum();
+        let particles: usize = belief.members().iter().map(ParticleDistribution::len).sum();
         let is_exact = particles.saturating_mul(detections.len()) <= MOST_PAIRS;
-        let places = (belief.replays().iter().zip(belief.weights()))
+        let places = (belief.members().iter().zip(belief.weights()))
             .flat_map(|(member, weight)| member.remaining().map(move |place| (place, *weight)));
         if is_exact {
-            let grid = PointGrid::of(detections, NEIGHBOURHOOD);
+            let grid = PointGrid::from_points(detections, NEIGHBOURHOOD);
             for (place, weight) in places {
                 expected += weight;
-                grid.within(place, NEIGHBOURHOOD, |index, _| near[index] += weight);
+                grid.visit_within(place, NEIGHBOURHOOD, |index, _| near[index] += weight);
             }
         } else {
             let mut counted = Counted::default();
@@ -143,8 +143,8 @@ impl Intensity {
         }
         let floor = ANYWHERE * expected.max(1.0) / area;
         let real = |near: &f64| {
-            let intensity = look.sight.detection * ((1.0 - ANYWHERE) * near / circle + floor);
-            intensity / (intensity + look.sight.sensor.false_alarms_per_m2)
+            let intensity = update.sight.detection * ((1.0 - ANYWHERE) * near / circle + floor);
+            intensity / (intensity + update.sight.sensor.false_alarms_per_m2)
         };
         Self {
             real: near.iter().map(real).collect(),
@@ -152,12 +152,12 @@ impl Intensity {
     }
 }
 
-impl Look<'_> {
+impl ObservationUpdate<'_> {
     /// Returns the number of members after the observation; each may have as many particles as before plus one per
     /// detection.
     fn most_members(&self, belief: &Belief) -> usize {
-        let members = belief.replays().len();
-        let before: usize = belief.replays().iter().map(ParticleDistribution::len).sum();
+        let members = belief.members().len();
+        let before: usize = belief.members().iter().map(ParticleDistribution::len).sum();
         let each = before / members + self.observation.detections.len();
         (MOST_PARTICLES / each.max(1)).max(FEWEST_MEMBERS)
     }
@@ -206,7 +206,7 @@ impl Look<'_> {
             });
             fits[0] + fits[1]
         };
-        let fits: Vec<f64> = belief.replays().iter().map(fit).collect();
+        let fits: Vec<f64> = belief.members().iter().map(fit).collect();
         let best = fits.iter().copied().fold(f64::NEG_INFINITY, f64::max);
         let weights = fits.iter().zip(belief.weights());
         let weights: Vec<f64> = weights
@@ -225,29 +225,29 @@ impl Look<'_> {
         is_first: bool,
         random: &mut ChaCha8Rng,
     ) -> (ParticleDistribution, Option<MemberState>) {
-        let mut update = MemberUpdate {
-            look: self,
+        let mut member = MemberUpdate {
+            update: self,
             random,
             particles: was.iter().collect(),
             unassigned: Vec::new(),
             free: Vec::new(),
         };
-        let visible = update.visible();
-        let left = self.count_by_region(visible.iter().map(|&i| update.particles[i].0));
+        let visible = member.visible();
+        let left = self.count_by_region(visible.iter().map(|&i| member.particles[i].0));
         let hidden = was.tally().remaining - visible.len();
         let most = if is_first {
             usize::MAX
         } else {
             was.len() - hidden
         };
-        let (real, unseen) = update.match_detections(&visible, believed);
-        let missed = self.draw_missed(left, &real, most, update.random);
-        update.keep_missed(missed, &unseen, &real);
+        let (real, unseen) = member.match_detections(&visible, believed);
+        let missed = self.draw_missed(left, &real, most, member.random);
+        member.keep_missed(missed, &unseen, &real);
         if !is_first {
-            update.free_gone();
+            member.free_gone();
         }
-        let renewed = update.assign_particles();
-        let particles = update.remove_free(was, is_first);
+        let renewed = member.assign_particles();
+        let particles = member.remove_free(was, is_first);
         let state = state.map(|state| {
             let mut state = state.clone();
             state.activation.renew(&renewed, particles.len());
@@ -349,7 +349,7 @@ impl Look<'_> {
 
 /// A member's dirt during an observation update.
 struct MemberUpdate<'a> {
-    look: &'a Look<'a>,
+    update: &'a ObservationUpdate<'a>,
     random: &'a mut ChaCha8Rng,
     particles: Vec<(Point2, Fate)>,
     /// Detected and missed grains that no particle represents yet.
@@ -363,7 +363,7 @@ impl MemberUpdate<'_> {
     fn visible(&self) -> Vec<usize> {
         let is_visible = |&i: &usize| {
             let (place, fate) = self.particles[i];
-            fate == Fate::OnSurface && self.look.is_visible(place)
+            fate == Fate::OnSurface && self.update.is_visible(place)
         };
         (0..self.particles.len()).filter(is_visible).collect()
     }
@@ -375,18 +375,18 @@ impl MemberUpdate<'_> {
         visible: &[usize],
         believed: &Intensity,
     ) -> ([Vec<Point2>; REGIONS], Vec<usize>) {
-        let look = self.look;
+        let update = self.update;
         let at: Vec<Point2> = visible.iter().map(|&i| self.particles[i].0).collect();
-        let radius = (MATCHED * look.sight.sensor.position_error_m).max(1e-6);
-        let mut grid = PointGrid::of(&at, radius / 2.0);
+        let radius = (MATCHED * update.sight.sensor.position_error_m).max(1e-6);
+        let mut grid = PointGrid::from_points(&at, radius / 2.0);
         let mut is_detected = vec![false; visible.len()];
         let mut real = [const { Vec::new() }; REGIONS];
-        for (place, probability) in look.observation.detections.iter().zip(&believed.real) {
+        for (place, probability) in update.observation.detections.iter().zip(&believed.real) {
             if self.random.random::<f64>() >= *probability {
                 continue;
             }
-            let there = look.draw_place(*place, self.random);
-            real[look.region(*place)].push(there);
+            let there = update.draw_place(*place, self.random);
+            real[update.region(*place)].push(there);
             match grid.nearest_within(*place, radius, MOST_MATCHES) {
                 Some(index) => {
                     grid.remove(index, at[index]);
@@ -411,7 +411,7 @@ impl MemberUpdate<'_> {
     ) {
         for (region, (mut missed, seen)) in missed.into_iter().zip(real).enumerate() {
             for &index in unseen {
-                if self.look.region(self.particles[index].0) != region {
+                if self.update.region(self.particles[index].0) != region {
                     continue;
                 }
                 if missed > 0 {
@@ -466,7 +466,7 @@ impl MemberUpdate<'_> {
             let (place, fate) = &mut self.particles[index];
             if *fate == Fate::OnSurface {
                 is_there[index] = !is_first;
-                *fate = self.look.fate_of_missing(*place, &crossed, self.random);
+                *fate = self.update.fate_of_missing(*place, &crossed, self.random);
             }
         }
         let mut is_there = is_there.into_iter();
@@ -476,7 +476,8 @@ impl MemberUpdate<'_> {
     }
 }
 
-/// Draws as [`Look::draw_missed_in_region`] does, by logarithms, for counts whose likelihood exceeds the range of `f64`.
+/// Draws as [`ObservationUpdate::draw_missed_in_region`] does, by logarithms, for counts whose likelihood exceeds the
+/// range of `f64`.
 /// `place` in [0, 1) is the quantile.
 fn draw_missed_of_many(
     (left, deviation): (f64, f64),

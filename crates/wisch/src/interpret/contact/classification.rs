@@ -231,7 +231,7 @@ fn touching_points(
 /// Middle of the bounds of a surface [m].
 pub(in crate::interpret) fn middle(surface: &Surface) -> Point2 {
     let outline = surface.outline.outer().iter().copied();
-    Bounds2::of(outline).map_or_else(Point2::origin, |bounds| bounds.center())
+    Bounds2::from_points(outline).map_or_else(Point2::origin, |bounds| bounds.center())
 }
 
 fn describe(

@@ -15,6 +15,14 @@ pub struct TouchSample {
 
 impl TouchSample {
     /// Returns a sample: time \[s\], pose of the tool in the world, force on the tool in the axes of the world \[N\].
+    ///
+    /// ```
+    /// use wisch::geometry::{Pose, Vector3};
+    /// use wisch::interpret::TouchSample;
+    /// // A tool that lies still and is pushed up with 10 N.
+    /// let sample = TouchSample::new(0.5, Pose::translation(0.6, 0.0, 0.75), Vector3::new(0.0, 0.0, 10.0));
+    /// assert_eq!(sample.time, 0.5);
+    /// ```
     pub const fn new(time: f64, world_from_tool: Pose, force: Vector3) -> Self {
         Self {
             time,

@@ -25,7 +25,7 @@ const MODEL: f64 = 0.12;
 /// Deviation from the belief, in standard deviations, beyond which a measurement is rejected.
 const FARTHEST: f64 = 3.0;
 
-/// Estimated stiffness of a tool.
+/// The stiffness of a tool, as estimated from its compression.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ToolStiffness {
     /// Most likely value [N/m].

@@ -33,7 +33,7 @@ impl EventDetector<'_> {
         for candidate in candidates {
             let kind = self.cause(&candidate, pushes.last());
             match pushes.last_mut() {
-                _ if kind != EventKind::Collision => others.push((kind, candidate)),
+                _ if kind != EventKind::Push => others.push((kind, candidate)),
                 Some(before) if self.gap(before, &candidate) <= self.config.events.push_gap_s => {
                     before.last = candidate.last;
                 }
@@ -46,7 +46,7 @@ impl EventDetector<'_> {
             let kind = if is_led || is_long {
                 EventKind::HandGuiding
             } else {
-                EventKind::Collision
+                EventKind::Push
             };
             (kind, push)
         });
@@ -108,7 +108,7 @@ impl EventDetector<'_> {
         } else if self.is_overload(candidate) {
             EventKind::Overload
         } else {
-            EventKind::Collision
+            EventKind::Push
         }
     }
 

@@ -9,7 +9,7 @@ pub enum EventKind {
     /// The tool lost contact between two contacts of one stroke.
     ContactLoss,
     /// A person pushed the tool off the plane or along it, or held it in free motion.
-    Collision,
+    Push,
     /// A person guided the tool by hand, for longer than a push lasts or for most of the log.
     HandGuiding,
     /// The tool came down on the surface with more force than it wipes with.
@@ -35,7 +35,7 @@ impl EventKind {
     pub const ALL: [Self; 12] = [
         Self::Contact,
         Self::ContactLoss,
-        Self::Collision,
+        Self::Push,
         Self::HandGuiding,
         Self::Landing,
         Self::Overload,
@@ -47,12 +47,12 @@ impl EventKind {
         Self::Retreat,
     ];
 
-    /// Name in records.
+    /// Name of the kind in files and queries.
     pub const fn as_str(self) -> &'static str {
         match self {
             Self::Contact => "contact",
             Self::ContactLoss => "contact_loss",
-            Self::Collision => "collision",
+            Self::Push => "collision",
             Self::HandGuiding => "hand_guiding",
             Self::Landing => "landing",
             Self::Overload => "overload",
@@ -67,7 +67,7 @@ impl EventKind {
 
     /// Whether a person's hand is on the tool, so that the measured force is the hand's as well as the surface's.
     pub const fn is_by_hand(self) -> bool {
-        matches!(self, Self::Collision | Self::HandGuiding)
+        matches!(self, Self::Push | Self::HandGuiding)
     }
 
     /// Whether the event is a phase of the task. Phases follow one another and cover the whole log.
@@ -83,7 +83,7 @@ impl EventKind {
             Self::Approach | Self::Stroke | Self::Lift | Self::Retreat => true,
             Self::Contact
             | Self::ContactLoss
-            | Self::Collision
+            | Self::Push
             | Self::HandGuiding
             | Self::Landing
             | Self::Overload

@@ -105,7 +105,7 @@ impl<'a> Valuation<'a> {
         max_distance: Option<f64>,
     ) -> Self {
         let surface = &task.surface;
-        let bounds = Bounds2::of(surface.outline.outer().iter().copied());
+        let bounds = Bounds2::from_points(surface.outline.outer().iter().copied());
         let broad = task.tool.area_of_effect.max();
         let allowed = surface.skim_edges.iter();
         let edges: Vec<Edge> = surface.outline.edges().collect();
@@ -235,7 +235,7 @@ impl<'a> Valuation<'a> {
             }
             goal => goal,
         };
-        let performance = Performance::of(&after, &wanted, surface);
+        let performance = Performance::evaluate(&after, &wanted, surface);
         let mut away = 0.0;
         for (place, fate) in after.iter() {
             if fate.is_on_surface() && !wanted.is_met_by(place, fate, surface) {

@@ -34,7 +34,7 @@ impl<'a> KnownWays<'a> {
 
     pub(super) fn new(space: &'a FreeSpace) -> Self {
         let outline = space.surface().outline.outer().iter().copied();
-        let bounds = Bounds2::of(outline).unwrap_or(Bounds2 {
+        let bounds = Bounds2::from_points(outline).unwrap_or(Bounds2 {
             min: Point2::origin(),
             max: Point2::origin(),
         });

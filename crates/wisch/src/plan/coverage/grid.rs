@@ -12,7 +12,7 @@ pub fn grid(space: &FreeSpace) -> Vec<Point2> {
 
 /// Returns the centres of the free square cells of this pitch [m].
 pub(super) fn free_cells(space: &FreeSpace, pitch: f64) -> Vec<Point2> {
-    let Some(bounds) = Bounds2::of(space.surface().outline.outer().iter().copied()) else {
+    let Some(bounds) = Bounds2::from_points(space.surface().outline.outer().iter().copied()) else {
         return Vec::new();
     };
     let [columns, rows] = shape(&bounds, pitch);
@@ -32,7 +32,7 @@ pub(super) fn free_cells(space: &FreeSpace, pitch: f64) -> Vec<Point2> {
 
 /// Number of square cells of this pitch [m] in the surface's bounding box, free or not.
 pub(super) fn cell_count(space: &FreeSpace, pitch: f64) -> usize {
-    let bounds = Bounds2::of(space.surface().outline.outer().iter().copied());
+    let bounds = Bounds2::from_points(space.surface().outline.outer().iter().copied());
     bounds.map_or(0, |bounds| shape(&bounds, pitch).iter().product())
 }
 

@@ -176,7 +176,7 @@ fn cubic_shares(offset: f64) -> [f64; 4] {
 /// reach, until every particle is within reach of a node. If no such peak is left while particles are still out
 /// of reach, further peaks keep only r_s.
 pub fn kde(space: &FreeSpace, particles: &[Point2], config: &KdeConfig) -> Vec<Point2> {
-    let Some(bounds) = Bounds2::of(space.surface().outline.outer().iter().copied()) else {
+    let Some(bounds) = Bounds2::from_points(space.surface().outline.outer().iter().copied()) else {
         return Vec::new();
     };
     let radius = space.radius();
@@ -194,7 +194,7 @@ pub fn kde(space: &FreeSpace, particles: &[Point2], config: &KdeConfig) -> Vec<P
         .filter(|(_, place)| space.is_free(*place))
         .collect();
     places.sort_by(|a, b| b.0.total_cmp(&a.0));
-    let mut out_of_reach = PointGrid::of(particles, config.reach);
+    let mut out_of_reach = PointGrid::from_points(particles, config.reach);
     let mut nodes: Vec<Point2> = Vec::new();
     let mut placed = PointGrid::new(2.0 * radius);
     for clearance in [2.0 * radius, radius] {
@@ -203,8 +203,8 @@ pub fn kde(space: &FreeSpace, particles: &[Point2], config: &KdeConfig) -> Vec<P
                 return nodes;
             }
             let is_too_near = |_, node: Point2| (node - place).norm() < clearance;
-            if !placed.any_within(place, clearance, is_too_near)
-                && out_of_reach.any_within(place, config.reach, |_, _| true)
+            if !placed.has_within(place, clearance, is_too_near)
+                && out_of_reach.has_within(place, config.reach, |_, _| true)
             {
                 placed.insert(nodes.len(), place);
                 nodes.push(place);

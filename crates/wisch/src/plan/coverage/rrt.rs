@@ -49,7 +49,7 @@ pub fn rrt(space: &FreeSpace, start: Point2, config: &RrtConfig) -> Vec<Point2> 
     let budget = config.samples_per_cell * cells.len();
     let mut random = ChaCha8Rng::seed_from_u64(config.seed);
     let mut nodes = vec![root];
-    let mut tree = PointGrid::of(&nodes, step);
+    let mut tree = PointGrid::from_points(&nodes, step);
     let mut uncovered = Uncovered::of(&cells, covers);
     uncovered.cover(root, covers);
     let mut fruitless = 0;
@@ -71,7 +71,7 @@ pub fn rrt(space: &FreeSpace, start: Point2, config: &RrtConfig) -> Vec<Point2> 
         };
         let towards = sample - near;
         let node = near + towards * (step / towards.norm()).min(1.0);
-        let useful = uncovered.grid.any_within(node, covers, |_, _| true);
+        let useful = uncovered.grid.has_within(node, covers, |_, _| true);
         if useful && space.is_free(node) && space.is_clear_between(near, node) {
             uncovered.cover(node, covers);
             tree.insert(nodes.len(), node);
@@ -92,7 +92,7 @@ struct Uncovered {
 impl Uncovered {
     fn of(cells: &[Point2], reach: f64) -> Self {
         Self {
-            grid: PointGrid::of(cells, reach),
+            grid: PointGrid::from_points(cells, reach),
             // The sum at i is over the last i & -i cells up to the i-th.
             sums: (0..=cells.len()).map(|i| i & i.wrapping_neg()).collect(),
         }

@@ -23,7 +23,7 @@ pub struct LogNormalSpread {
 }
 
 impl LogNormalSpread {
-    /// Both parameters known exactly.
+    /// No spread: both parameters are known exactly.
     pub const NONE: Self = Self {
         mu: 0.0,
         ln_sigma: 0.0,

@@ -174,7 +174,7 @@ pub struct ToolEntry {
     pub second_grip: Option<SecondGrip>,
 }
 
-/// Kind of a medium.
+/// Kind of a medium, which decides how its particles behave.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum MediumKind {
     /// Pieces that keep their shape.

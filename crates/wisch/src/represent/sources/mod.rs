@@ -95,7 +95,7 @@ pub fn uniform_particles(
     count: usize,
     seed: u64,
 ) -> Result<ParticleDistribution, SourceError> {
-    let bounds = Bounds2::of(area.outline.outer().iter().copied()).unwrap_or(Bounds2 {
+    let bounds = Bounds2::from_points(area.outline.outer().iter().copied()).unwrap_or(Bounds2 {
         min: Point2::origin(),
         max: Point2::origin(),
     });

@@ -10,7 +10,7 @@ fn board() -> Polygon {
 /// A cup of radius 0.08 m in the middle of the board.
 fn cup() -> OccupiedArea {
     let mesh = Mesh::cylinder(0.08, 0.1, 48).expect("sizes are positive");
-    OccupiedArea::of([&mesh.transform(&Pose::translation(0.0, 0.0, 0.05))])
+    OccupiedArea::from_scene([&mesh.transform(&Pose::translation(0.0, 0.0, 0.05))])
 }
 
 fn bare() -> OccupiedArea {
@@ -25,8 +25,8 @@ fn on<'a>(outline: &'a Polygon, occupied: &'a OccupiedArea) -> DirtArea<'a> {
 fn an_object_below_the_surface_does_not_occupy_it() {
     let table = Mesh::cuboid(Vector3::new(1.0, 1.0, 0.1)).expect("sizes are positive");
     let below = table.transform(&Pose::translation(0.0, 0.0, -0.05));
-    assert!(!OccupiedArea::of([&below]).contains(Point2::origin()));
-    assert!(OccupiedArea::of([&table]).contains(Point2::origin()));
+    assert!(!OccupiedArea::from_scene([&below]).contains(Point2::origin()));
+    assert!(OccupiedArea::from_scene([&table]).contains(Point2::origin()));
 }
 
 #[test]

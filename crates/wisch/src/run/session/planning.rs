@@ -51,7 +51,7 @@ impl Session<'_> {
                 } else {
                     config.variants
                 };
-                NextPlan::Alone(Planner::new(task, &config.plan).best_of(variants)?)
+                NextPlan::Alone(Planner::new(task, &config.plan).plan_best(variants)?)
             }
             (None, Some(goal)) => {
                 let treated = task.treatment.and_then(|_| self.belief.median_passes());
@@ -59,7 +59,7 @@ impl Session<'_> {
                 let task = &Task {
                     particles: match treated {
                         Some(places) => places,
-                        None => self.belief.draws(PLANNING_DRAWS, task.seed)?,
+                        None => self.belief.draw_mixture(PLANNING_DRAWS, task.seed)?,
                     },
                     ..task.clone()
                 };
@@ -83,12 +83,12 @@ impl Session<'_> {
                     Pace::Whole if config.plan.strategy.is_searched() => {
                         self.searched_plan(observer)?
                     }
-                    Pace::Whole => match planner.best_of(count) {
+                    Pace::Whole => match planner.plan_best(count) {
                         // Every pass over the missing places would give too many passes to finished places.
                         Err(PlanError::NoFreeNode { .. }) if is_treated => return Ok(None),
                         plan => NextPlan::Alone(plan?),
                     },
-                    Pace::Greedy => NextPlan::Alone(planner.best_subplan_of(count)?),
+                    Pace::Greedy => NextPlan::Alone(planner.plan_best_subplan(count)?),
                 };
                 return Ok(Some(next).filter(|next| has_predicted_gain(task, next.plan())));
             }
@@ -130,7 +130,7 @@ impl Session<'_> {
 
     /// The possible distributions of the dirt.
     fn dirt(&self) -> Vec<ParticleDistribution> {
-        self.belief.members(PLANNING_DRAWS, self.task.seed)
+        self.belief.draw_members(PLANNING_DRAWS, self.task.seed)
     }
 
     /// Returns a plan for all distributions that the belief holds possible. [`Strategy::Best`] takes the plan

@@ -92,7 +92,7 @@ fn cases(args: &Table1Args, [first, last]: [u64; 2]) -> Vec<(u64, Table1Case)> {
         strategies.iter().flat_map(of)
     };
     (0..)
-        .zip(TaskCase::by_action().filter(is_asked).flat_map(of))
+        .zip(TaskCase::cases_by_action().filter(is_asked).flat_map(of))
         .collect()
 }
 

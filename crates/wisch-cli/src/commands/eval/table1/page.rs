@@ -62,7 +62,7 @@ pub(super) fn page(record: &Table1Record) -> Result<String, Failure> {
         }
     };
     let of_action = |action: Action| {
-        let cells = TaskCase::by_action().filter(|task| task.action() == action);
+        let cells = TaskCase::cases_by_action().filter(|task| task.action() == action);
         ActionRows {
             action: action.to_string(),
             surfaces: cells

@@ -56,7 +56,7 @@ impl Compiler<'_> {
                 end: self.pattern(end)?,
             },
             ("related", [Term::Atom(relation), first, second]) => Goal::Related {
-                relation: Relation::named(relation)?,
+                relation: Relation::from_name(relation)?,
                 first: self.side(first)?,
                 second: self.side(second)?,
             },
@@ -183,7 +183,7 @@ impl Compiler<'_> {
             _ => Goal::Compared {
                 thing: subject,
                 properties,
-                comparison: Comparison::named(operator)?,
+                comparison: Comparison::from_name(operator)?,
                 bound: self.expression(bound)?,
             },
         })

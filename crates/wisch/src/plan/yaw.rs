@@ -12,7 +12,7 @@ const CONSTANT_HEADINGS: usize = 24;
 
 /// How a coverage strategy turns the tool along its strokes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
-pub enum HeadingRule {
+pub enum YawRule {
     /// The tool points from each node to the next, and turns evenly along the edges; paper §3.3.
     Blended,
     /// The broad side stays across the motion along whole edges; the tool turns on the spot at nodes.
@@ -25,34 +25,34 @@ pub enum HeadingRule {
     Best,
 }
 
-impl HeadingRule {
+impl YawRule {
     /// Returns the headings among which the predicted effect chooses, those that turn the tool least first.
-    pub(super) fn choices(self, task: &Task) -> Vec<Headings> {
+    pub(super) fn choices(self, task: &Task) -> Vec<YawPattern> {
         let around = if is_symmetric(task) { PI } else { TAU };
         let constant = (0..CONSTANT_HEADINGS)
-            .map(|i| Headings::Constant(around * i as f64 / CONSTANT_HEADINGS as f64));
+            .map(|i| YawPattern::Constant(around * i as f64 / CONSTANT_HEADINGS as f64));
         match self {
-            Self::Blended => vec![Headings::Blended],
-            Self::AlongEdges => vec![Headings::AlongEdges],
+            Self::Blended => vec![YawPattern::Blended],
+            Self::AlongEdges => vec![YawPattern::AlongEdges],
             Self::Constant => constant.collect(),
             Self::Best if task.action == Action::Absorb => constant
-                .chain([Headings::Blended, Headings::AlongEdges])
+                .chain([YawPattern::Blended, YawPattern::AlongEdges])
                 .collect(),
-            Self::Best => vec![Headings::Blended, Headings::AlongEdges],
+            Self::Best => vec![YawPattern::Blended, YawPattern::AlongEdges],
         }
     }
 }
 
 /// How the tool turns along the strokes of one candidate plan.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) enum Headings {
+pub(super) enum YawPattern {
     Blended,
     AlongEdges,
     /// [rad]
     Constant(f64),
 }
 
-impl Headings {
+impl YawPattern {
     /// Returns the strokes through chains of nodes.
     pub(super) fn strokes(
         self,
@@ -216,7 +216,7 @@ mod tests {
     #[test]
     fn along_edges_the_broad_side_stays_across_the_motion() {
         let graph = graph(&[[0.0, 0.0], [1.0, 0.0], [1.0, 1.0]]);
-        let stroke = Headings::AlongEdges.along(&graph, &[0, 1, 2], false);
+        let stroke = YawPattern::AlongEdges.along(&graph, &[0, 1, 2], false);
         assert_eq!(stroke.nodes, [0, 1, 1, 2]);
         let moved = stroke.motions().filter(|motion| motion.travel().1 > 0.0);
         for motion in moved {
@@ -224,7 +224,7 @@ mod tests {
             assert_eq!(motion.from.heading, libm::atan2(way.y, way.x));
             assert_eq!(motion.to.heading, motion.from.heading);
         }
-        let blended = Headings::Blended.along(&graph, &[0, 1, 2], false);
+        let blended = YawPattern::Blended.along(&graph, &[0, 1, 2], false);
         assert_eq!(blended.nodes, [0, 1, 2]);
         let headings: Vec<f64> = blended.poses.iter().map(|pose| pose.heading).collect();
         assert_eq!(headings, [0.0, PI / 2.0, PI / 2.0]);
@@ -234,7 +234,7 @@ mod tests {
     fn no_stroke_winds_the_tool_up() {
         let graph = spiral(12);
         let chain: Vec<usize> = (0..=12).collect();
-        for headings in [Headings::Blended, Headings::AlongEdges] {
+        for headings in [YawPattern::Blended, YawPattern::AlongEdges] {
             for symmetric in [false, true] {
                 let whole = headings.along(&graph, &chain, symmetric);
                 let parts = split_by_winding(whole.clone());
@@ -245,7 +245,7 @@ mod tests {
                 assert!((length - whole.length()).abs() < 1e-12);
             }
         }
-        let constant = Headings::Constant(0.3).along(&graph, &chain, false);
+        let constant = YawPattern::Constant(0.3).along(&graph, &chain, false);
         assert_eq!(turned(&constant), 0.0);
     }
 
@@ -253,9 +253,9 @@ mod tests {
     fn a_node_alone_is_touched() {
         let graph = graph(&[[0.2, 0.1]]);
         for headings in [
-            Headings::Blended,
-            Headings::AlongEdges,
-            Headings::Constant(0.0),
+            YawPattern::Blended,
+            YawPattern::AlongEdges,
+            YawPattern::Constant(0.0),
         ] {
             assert_eq!(headings.along(&graph, &[0], false).poses.len(), 1);
         }

@@ -28,7 +28,7 @@ pub fn forget_episode(memory: &Path, id: &str, aside: &Path) -> io::Result<()> {
         });
         episode == Some(id)
     };
-    let whole = &text[..whole_lines(text.as_bytes())];
+    let whole = &text[..complete_length(text.as_bytes())];
     let stays = |line: &&str| match parse(line) {
         Ok((subject, _, object)) => !is_of_it(&subject) && !object.as_str().is_some_and(is_of_it),
         // A line that cannot be parsed is reported when it is read, so it stays.
@@ -79,7 +79,7 @@ pub fn parse(line: &str) -> Result<Statement, String> {
 }
 
 /// Returns the length of the complete lines [bytes]: a killed program may leave part of a line behind.
-pub fn whole_lines(text: &[u8]) -> usize {
+pub fn complete_length(text: &[u8]) -> usize {
     text.iter()
         .rposition(|byte| *byte == b'\n')
         .map_or(0, |place| place + 1)
@@ -90,7 +90,7 @@ pub fn append(file: &Path, lines: &str) -> io::Result<()> {
     let mut open = open_locked(file)?;
     let mut before = Vec::new();
     open.read_to_end(&mut before)?;
-    let whole = whole_lines(&before) as u64;
+    let whole = complete_length(&before) as u64;
     open.set_len(whole)?;
     open.seek(SeekFrom::Start(whole))?;
     let written = open
