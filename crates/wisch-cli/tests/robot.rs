@@ -66,6 +66,58 @@ fn packages_are_resolved_where_they_are_named() {
 }
 
 #[test]
+fn packages_are_found_above_the_urdf_and_by_the_task() {
+    let sponge = include_bytes!("../../../knowledge/meshes/sponge.stl");
+    // As ROS lays a workspace out: the meshes are in the package of the URDF, or in one beside it.
+    for (urdf, mesh, manifest) in [
+        ("rods/urdf/arm.urdf", "rods/rod.stl", "rods/package.xml"),
+        (
+            "arm_description/urdf/arm.urdf",
+            "rods/rod.stl",
+            "rods/package.xml",
+        ),
+    ] {
+        let folder = tempfile::tempdir().expect("a temporary folder");
+        for (file, content) in [
+            (urdf, ARM.as_bytes()),
+            (mesh, sponge),
+            (manifest, b"<package/>"),
+        ] {
+            let path = folder.path().join(file);
+            fs::create_dir_all(path.parent().expect("a folder")).expect("made");
+            fs::write(path, content).expect("written");
+        }
+        let (code, out, err) = check(folder.path(), &[urdf]);
+        assert_eq!(code, 0, "{urdf}: {out}{err}");
+    }
+
+    let folder = folder_with(&ARM.replace("package://", "package:///"));
+    let meshes = folder.path().join("elsewhere");
+    fs::create_dir(&meshes).expect("made");
+    fs::write(meshes.join("rod.stl"), sponge).expect("written");
+    let task = fs::read_to_string(root().join("scenarios/arm-board.toml")).expect("shipped");
+    let own = "urdf = \"arm.urdf\"\npackages = { rods = \"elsewhere\" }";
+    fs::write(
+        folder.path().join("own.toml"),
+        task.replace("name = \"arm7\"", own),
+    )
+    .expect("written");
+    let (_, out, err) = wisch(folder.path(), &["check", "own.toml"]);
+    assert!(!err.contains("package"), "{out}{err}");
+    fs::write(
+        folder.path().join("bare.toml"),
+        task.replace("name = \"arm7\"", "urdf = \"arm.urdf\""),
+    )
+    .expect("written");
+    let (code, out, err) = wisch(folder.path(), &["check", "bare.toml"]);
+    assert_eq!(code, 2, "{out}");
+    assert!(
+        err.contains("the package rods is unknown; add --package rods=DIR"),
+        "{err}"
+    );
+}
+
+#[test]
 fn an_unknown_package_is_one_line_and_each_mesh_a_finding() {
     let mesh = |name: &str| {
         format!(
