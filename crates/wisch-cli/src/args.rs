@@ -22,7 +22,7 @@ pub use memory::{
     DEFAULT_MEMORY, EpisodeArgs, ExportArgs, ImportArgs, KeepArgs, MemoryArgs, MemoryCommand,
     MemoryListArgs, MemoryVerifyArgs,
 };
-pub use robot::{RobotCheckArgs, RobotCommand, RobotMapArgs};
+pub use robot::{RobotCheckArgs, RobotCommand, RobotMapArgs, RobotSetupArgs};
 
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{Args, CommandFactory, FromArgMatches, Parser, Subcommand, ValueEnum, ValueHint};
@@ -275,7 +275,7 @@ Examples:
   wisch check board.toml --strategy kde --set plan.bandwidth_m=0.04
   wisch check board.toml --robot arm7 --set 'robot.position_m=[0, -0.45, 0.75]'")]
     Check(CheckArgs),
-    /// Check a robot's description, or map the poses that it can reach
+    /// Set a robot up, check its description, or map the poses that it can reach
     #[command(subcommand, arg_required_else_help = true)]
     Robot(RobotCommand),
     /// Evaluate planning, wiping and estimation in many simulated worlds

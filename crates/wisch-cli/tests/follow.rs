@@ -268,7 +268,7 @@ fn a_map_is_built_found_and_used() {
 #[test]
 fn the_help_of_the_robots_commands_ends_with_examples() {
     let folder = tempfile::tempdir().expect("a temporary folder");
-    for command in ["follow", "robot map", "robot check"] {
+    for command in ["follow", "robot map", "robot check", "robot setup"] {
         let args: Vec<&str> = command.split(' ').chain(["--help"]).collect();
         let (code, out, _) = wisch(folder.path(), &args);
         assert_eq!(code, 0);

@@ -21,6 +21,7 @@ mod plans;
 mod program;
 mod recording;
 mod robot;
+mod robot_setup;
 mod rounds;
 #[cfg(target_os = "linux")]
 mod signals;

@@ -15,6 +15,7 @@
 //! | How fast can a joint path be followed? | [`timing::time_path`] |
 //! | Which groups, states and allowed contacts has the robot? | [`Srdf`] |
 //! | What is wrong with a URDF? | [`check`](check()) |
+//! | Which SRDF suits a URDF that has none? | [`setup`] |
 //!
 //! A robot has n variables, one for each joint that moves by itself. Arrays of positions, velocities and efforts have n
 //! entries in the order of [`RobotModel::variables`]: along the tree, siblings in the order of the file. A joint that
@@ -46,6 +47,7 @@ pub mod geometry;
 mod ik;
 mod kinematics;
 mod model;
+pub mod setup;
 pub mod source_location;
 #[cfg(test)]
 mod tests;
@@ -60,10 +62,10 @@ pub use clearance::{
     AllowedReason, BodyId, Clearance, CollisionModel, Contact, Margins, SEGMENT_RESOLUTION,
 };
 pub use description::{
-    Appearance, Collision, Diagnostic, DiagnosticKind, DisabledPair, EndEffector, Group,
-    GroupState, HOME_STATE, IgnoredElement, JointMimic, JointMotion, JointTransform, MAX_DEPTH,
-    MAX_LINKS, MAX_MESH_EXTENT, MAX_SHAPES, MAX_URDF_BYTES, READY_STATE, Severity, Shape, Srdf,
-    Subject, Visual, check, joint_transforms,
+    Appearance, Collision, Diagnostic, DiagnosticKind, DisabledPair, Group, GroupState, HOME_STATE,
+    IgnoredElement, JointMimic, JointMotion, JointTransform, LinkAxis, MAX_DEPTH, MAX_LINKS,
+    MAX_MESH_EXTENT, MAX_SHAPES, MAX_URDF_BYTES, READY_STATE, Severity, Shape, Srdf, SrdfComments,
+    Subject, ToolHolder, Visual, check, joint_transforms,
 };
 pub use dynamics::{Dynamics, MIN_INERTIA};
 pub use error::RobotError;

@@ -5,6 +5,7 @@ mod capability;
 mod clearance;
 mod ik;
 mod robot;
+mod setup;
 mod srdf;
 mod timing;
 mod tool_meshes;

@@ -28,6 +28,50 @@ wisch uses the map for base placement. It finds a map beside the URDF with the s
 .reach; for a map in another folder, give --map. A map holds for one robot: rebuild it after changing the
 robot.")]
     Map(RobotMapArgs),
+    /// Write the SRDF of a robot that has only a URDF: groups, a ready posture, and pairs that may touch
+    #[command(after_help = "\
+Examples:
+  wisch robot setup my_robot.urdf
+  wisch robot setup arm.urdf --tip tool0 --package arm_description=../arm_description
+  wisch robot setup arm.urdf --task board.toml --force
+
+wisch finds the arms by their chains of joints and the names of their links. It samples postures for the
+pairs of links that need no collision check, and for a ready posture: clear of the robot itself, away from
+limits, agile, with the tool pointing down before the robot or at the task's surface. Comments in the file
+state what was chosen and why.
+
+Exit codes: 0 the SRDF is written, 1 no arm or no collision-free posture was found and nothing is
+written, 2 an error.")]
+    Setup(RobotSetupArgs),
+}
+
+/// Arguments of `robot setup`.
+#[derive(Debug, Args)]
+pub struct RobotSetupArgs {
+    /// URDF of the robot; expand xacro files first
+    #[arg(value_name = "URDF", value_hint = ValueHint::FilePath)]
+    pub file: PathBuf,
+    /// Link that holds the tool; repeatable, one for each arm [default: found by its name and its joints]
+    #[arg(long = "tip", value_name = "LINK")]
+    pub tips: Vec<String>,
+    /// Task whose tool, surface and scene the ready posture fits, where the task puts the robot
+    #[arg(long, value_name = "TASK", value_hint = ValueHint::FilePath)]
+    pub task: Option<PathBuf>,
+    /// Seed of the random postures
+    #[arg(long, value_name = "N", default_value_t = 0)]
+    pub seed: u64,
+    /// File to write, ending in .srdf [default: beside the URDF with the same name, where wisch finds it]
+    #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]
+    pub out: Option<PathBuf>,
+    /// Overwrite an existing file
+    #[arg(long)]
+    pub force: bool,
+    /// Folder to which package://NAME resolves; repeatable
+    #[arg(long = "package", value_name = "NAME=DIR", value_parser = package)]
+    pub packages: Vec<(String, PathBuf)>,
+    /// Print one JSON object instead of the report
+    #[arg(long)]
+    pub json: bool,
 }
 
 /// Arguments of `robot map`.

@@ -29,6 +29,7 @@ mod round_views;
 mod rounds;
 mod run;
 mod scenarios;
+mod setup;
 mod shell;
 mod studio;
 mod summary;
@@ -75,5 +76,6 @@ pub fn run(cli: &Cli) -> Result<Outcome, Failure> {
         Command::Memory(MemoryCommand::Pull(args)) => fleet::pull(args, &cli.global),
         Command::Robot(RobotCommand::Check(args)) => robot::check_robot(args, &cli.global),
         Command::Robot(RobotCommand::Map(args)) => map::map(args, &cli.global),
+        Command::Robot(RobotCommand::Setup(args)) => setup::set_up(args, &cli.global),
     }
 }

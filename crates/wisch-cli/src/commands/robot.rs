@@ -9,11 +9,11 @@ use crate::failure::Failure;
 use crate::terminal::{Outcome, print};
 use serde::Serialize;
 use std::path::{Path, PathBuf};
-use wisch::follow::PlanningGroup;
+use wisch::follow::{MountSource, PlanningGroup};
 use wisch::represent::Mount;
 use wisch::robot::{
-    Appearance, Diagnostic, DiagnosticKind, GroupState, HOME_STATE, READY_STATE, RobotModel,
-    Severity, Srdf, Subject, check,
+    Appearance, Diagnostic, DiagnosticKind, GroupState, HOME_STATE, LinkAxis, READY_STATE,
+    RobotModel, Severity, Srdf, Subject, check,
 };
 use wisch::source_location::Place;
 use wisch_io::{read_text, robot_meshes};
@@ -152,14 +152,20 @@ fn describe_group(robot: &RobotModel, srdf: Option<&str>) -> Result<String, Fail
     let group = PlanningGroup::choose(robot, srdf.as_ref(), None).map_err(Failure::new)?;
     let [base, tip] = [group.base, group.tip].map(|link| &robot.links()[link.index()].name);
     let mut text = format!("  wipes with the chain from {base:?} to {tip:?}\n");
-    text += &match group.mount(srdf.as_ref()).0 {
-        Mount::Hand { lean } => format!(
-            "  holds a tool by the rear edge, leaning back by {lean:.2} rad (from the SRDF), unless the task's [tool.mount] or the tool's grip says otherwise\n"
-        ),
-        _ => format!(
-            "  holds a tool square on {tip:?} (assumed), unless the task's [tool.mount] or the tool's grip says otherwise\n"
-        ),
+    let (mount, source) = group.mount(srdf.as_ref());
+    let holder = srdf.as_ref().and_then(|srdf| srdf.tool_holder(group.tip));
+    let axis = holder.map_or_else(LinkAxis::default, |holder| holder.axis);
+    let how = match mount {
+        Mount::Hand { lean } => format!("by the rear edge, leaning back by {lean:.2} rad"),
+        _ => format!("square on the {axis} axis of {tip:?}"),
     };
+    let origin = match source {
+        MountSource::Assumed => "assumed",
+        _ => "from the SRDF",
+    };
+    text += &format!(
+        "  holds a tool {how} ({origin}), unless the task's [tool.mount] or the tool's grip says otherwise\n"
+    );
     let held = group.held_joints(robot);
     if !held.is_empty() {
         let joints = held.join(", ");

@@ -29,6 +29,7 @@ pub(super) fn mount(table: &At<MountTable>, source: &Source<'_>) -> Result<Mount
     let (is_flange, is_hand) = (is_on(MountName::Flange), is_on(MountName::Hand));
     require(is_flange, &given.yaw_rad, source, "on = \"flange\"")?;
     require(is_flange, &given.distance_m, source, "on = \"flange\"")?;
+    require(is_flange, &given.axis, source, "on = \"flange\"")?;
     require(is_hand, &given.lean_rad, source, "on = \"hand\"")?;
     require(
         given.point_m.is_some(),
@@ -57,6 +58,7 @@ pub(super) fn mount(table: &At<MountTable>, source: &Source<'_>) -> Result<Mount
         Mount::Flange {
             yaw: given.yaw_rad.as_ref().map_or(0.0, |yaw| yaw.value.0),
             distance: (given.distance_m.as_ref()).map(|distance| distance.value.0),
+            axis: given.axis.as_ref().map(|axis| axis.value.into()),
         }
     })
 }

@@ -147,12 +147,46 @@ pub(super) struct MountTable {
     pub(super) yaw_rad: Option<At<AngleRad>>,
     /// On a flange: distance of the tool's upper face from the origin of the link, along its z axis [m]; default: the hand.
     pub(super) distance_m: Option<At<FlangeM>>,
+    /// On a flange: axis of the link that points out of the flange; default: as the robot's SRDF declares, else "z".
+    pub(super) axis: Option<At<AxisName>>,
     /// In a hand: angle by which the hand leans back over the tool [rad]; default 0.8.
     pub(super) lean_rad: Option<At<LeanRad>>,
     /// Position of the hand in the tool frame [m].
     pub(super) point_m: Option<At<[GripM; 3]>>,
     /// With `point_m`: roll, pitch, yaw of the hand in the tool frame [rad].
     pub(super) hand_rpy_rad: Option<At<[AngleRad; 3]>>,
+}
+
+/// Axis of a link.
+#[derive(Deserialize, JsonSchema, Clone, Copy, PartialEq, Eq)]
+#[serde(rename = "axis")]
+#[schemars(rename = "AxisName", inline)]
+pub(super) enum AxisName {
+    #[serde(rename = "x")]
+    X,
+    #[serde(rename = "-x")]
+    NegativeX,
+    #[serde(rename = "y")]
+    Y,
+    #[serde(rename = "-y")]
+    NegativeY,
+    #[serde(rename = "z")]
+    Z,
+    #[serde(rename = "-z")]
+    NegativeZ,
+}
+
+impl From<AxisName> for LinkAxis {
+    fn from(name: AxisName) -> Self {
+        match name {
+            AxisName::X => Self::X,
+            AxisName::NegativeX => Self::NegativeX,
+            AxisName::Y => Self::Y,
+            AxisName::NegativeY => Self::NegativeY,
+            AxisName::Z => Self::Z,
+            AxisName::NegativeZ => Self::NegativeZ,
+        }
+    }
 }
 
 /// Part of the robot that holds the tool.

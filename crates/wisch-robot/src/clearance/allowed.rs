@@ -81,7 +81,7 @@ impl CollisionModel {
             if postures == POSTURES || candidates.is_empty() {
                 break;
             }
-            let q = draw(robot, &mut random);
+            let q = draw_posture(robot, &mut random);
             if robot
                 .limit_faults(&q)
                 .map_or(true, |faults| !faults.is_empty())
@@ -106,8 +106,8 @@ impl CollisionModel {
     }
 }
 
-/// Draws a posture within the limits of the variables.
-fn draw(robot: &RobotModel, random: &mut ChaCha8Rng) -> Vec<f64> {
+/// Draws a posture within the limits of the variables; unlimited ones within π or 1 m of 0.
+pub(crate) fn draw_posture(robot: &RobotModel, random: &mut ChaCha8Rng) -> Vec<f64> {
     let position = |i: usize| {
         let joint = robot.variable(i);
         let (lower, upper) = match (joint.limits.position, joint.kind) {

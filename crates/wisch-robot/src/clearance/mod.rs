@@ -4,12 +4,15 @@ mod allowed;
 mod broad_phase;
 mod frames;
 mod mesh;
+mod pair_distances;
 mod segment;
 mod solid;
 #[cfg(test)]
 mod tests;
 
 pub use allowed::AllowedReason;
+pub(crate) use allowed::draw_posture;
+pub(crate) use pair_distances::PairDistance;
 pub use segment::SEGMENT_RESOLUTION;
 
 use super::frame::Frame;
@@ -204,6 +207,18 @@ impl CollisionModel {
     /// # Errors
     /// If the SRDF is that of another, larger robot.
     pub fn new(robot: &RobotModel, srdf: Option<&Srdf>) -> Result<Self, RobotError> {
+        let mut model = Self::of_links(robot);
+        for pair in srdf.map_or(&[][..], |srdf| &srdf.disabled) {
+            let [a, b] = [model.body_of_link(pair.a)?, model.body_of_link(pair.b)?];
+            model.permit(a, b, AllowedReason::Disabled);
+        }
+        model.list_pairs();
+        model.allow_always_colliding(robot);
+        Ok(model)
+    }
+
+    /// Returns the collision model of a robot's links in which only neighbours may touch.
+    pub(crate) fn of_links(robot: &RobotModel) -> Self {
         let (frames, mounts) = LinkFrames::new(robot);
         let variables = robot.variables().iter();
         let mut model = Self {
@@ -229,13 +244,8 @@ impl CollisionModel {
             model.push(&link.name, mount, solids);
         }
         model.allow_neighbours();
-        for pair in srdf.map_or(&[][..], |srdf| &srdf.disabled) {
-            let [a, b] = [model.body_of_link(pair.a)?, model.body_of_link(pair.b)?];
-            model.permit(a, b, AllowedReason::Disabled);
-        }
         model.list_pairs();
-        model.allow_always_colliding(robot);
-        Ok(model)
+        model
     }
 
     /// Fixes a body, such as a tool, to a link. The body becomes its convex hull. It is not checked against the link,

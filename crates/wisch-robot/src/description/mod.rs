@@ -5,8 +5,10 @@ pub(super) mod check;
 mod collision;
 mod diagnostics;
 pub(super) mod elements;
+mod link_axis;
 mod planar;
 mod srdf;
+mod srdf_writer;
 mod transforms;
 mod units;
 pub(super) mod urdf;
@@ -15,8 +17,10 @@ pub use appearance::{Appearance, Visual};
 pub use check::{MAX_DEPTH, check};
 pub use collision::{Collision, MAX_MESH_EXTENT, Shape};
 pub use diagnostics::{Diagnostic, DiagnosticKind, Severity, Subject};
+pub use link_axis::LinkAxis;
 pub use srdf::{
-    DisabledPair, EndEffector, Group, GroupState, HOME_STATE, IgnoredElement, READY_STATE, Srdf,
+    DisabledPair, Group, GroupState, HOME_STATE, IgnoredElement, READY_STATE, Srdf, ToolHolder,
 };
+pub use srdf_writer::SrdfComments;
 pub use transforms::{JointMimic, JointMotion, JointTransform, joint_transforms};
 pub use urdf::{MAX_LINKS, MAX_SHAPES, MAX_URDF_BYTES};

@@ -1,6 +1,7 @@
 //! Robot semantics beyond the URDF, in MoveIt's SRDF: groups, named postures, and links that may touch.
 
 use super::diagnostics::{Diagnostics, Words, words};
+use super::link_axis::LinkAxis;
 use super::urdf::{Reader, elements};
 use crate::source_location::{Place, UnknownName};
 use crate::{
@@ -51,10 +52,10 @@ pub struct Srdf {
     pub states: Vec<GroupState>,
     /// Pairs of links that are not checked against each other.
     pub disabled: Vec<DisabledPair>,
-    /// End effectors of links that the robot has.
-    pub end_effectors: Vec<EndEffector>,
+    /// How links hold tools: elements `<tool_holder>`, an extension of the format that other programs ignore.
+    pub tool_holders: Vec<ToolHolder>,
     /// Groups that are ignored: those of links, of other groups, or of joints that form no chain. Virtual and passive
-    /// joints are ignored silently.
+    /// joints and end effectors are ignored silently.
     pub ignored: Vec<IgnoredElement>,
     /// Diagnostics of elements that are ignored without harm to the groups that wipe: pairs with a link that the robot
     /// does not have (a warning), and postures of joints that are fixed, absent or in no group (a note).
@@ -85,15 +86,15 @@ pub struct GroupState {
     pub positions: Vec<(usize, f64)>,
 }
 
-/// A hand or gripper: an `<end_effector>` element of an SRDF.
-#[derive(Debug, Clone, PartialEq)]
-pub struct EndEffector {
-    /// Its name.
-    pub name: String,
-    /// The link that carries it.
-    pub parent: LinkId,
-    /// Angle by which it leans back over a tool that it holds at the rear edge \[rad\], from the attribute
-    /// `hand_lean_rad`, which is an extension of the format; `None` for a flange or gripper that holds a tool square.
+/// How a link holds a tool: a `<tool_holder>` element, with the attributes `link`, `axis` and `hand_lean_rad`.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ToolHolder {
+    /// The link.
+    pub link: LinkId,
+    /// The link's axis that points out of the hand; z if the element does not say.
+    pub axis: LinkAxis,
+    /// Angle by which the hand leans back over a tool that it holds at the rear edge \[rad\]; `None` for a flange or
+    /// gripper that holds a tool square.
     pub hand_lean: Option<f64>,
 }
 
@@ -132,6 +133,22 @@ impl GroupState {
 }
 
 impl Srdf {
+    /// Returns the SRDF with these groups, postures and pairs, without a text.
+    pub const fn new(
+        groups: Vec<Group>,
+        states: Vec<GroupState>,
+        disabled: Vec<DisabledPair>,
+    ) -> Self {
+        Self {
+            groups,
+            states,
+            disabled,
+            ignored: Vec::new(),
+            passed_over: Vec::new(),
+            other_robot: None,
+        }
+    }
+
     /// Reads the SRDF of a robot; `name` identifies the text in messages.
     ///
     /// # Errors
@@ -261,9 +278,9 @@ impl Srdf {
                 Err(fault) => faults.push(fault),
             }
         }
-        for node in elements(root, "end_effector") {
-            match reader.end_effector(node, robot) {
-                Ok(found) => srdf.end_effectors.extend(found),
+        for node in elements(root, "tool_holder") {
+            match reader.tool_holder(node, robot) {
+                Ok(holder) => srdf.tool_holders.push(holder),
                 Err(fault) => faults.push(fault),
             }
         }
@@ -299,6 +316,11 @@ impl Srdf {
             }
         }
         Ok((srdf, faults))
+    }
+
+    /// Returns how a link holds tools; `None` if the SRDF does not say.
+    pub fn tool_holder(&self, link: LinkId) -> Option<&ToolHolder> {
+        self.tool_holders.iter().find(|holder| holder.link == link)
     }
 
     /// Returns the group of this name.
@@ -523,27 +545,23 @@ impl Reader<'_> {
         })
     }
 
-    /// Reads an end effector; `None` if its link is unknown and it says nothing that is used.
-    fn end_effector(
-        &self,
-        node: Node,
-        robot: &RobotModel,
-    ) -> Result<Option<EndEffector>, RobotError> {
+    fn tool_holder(&self, node: Node, robot: &RobotModel) -> Result<ToolHolder, RobotError> {
+        let link = self.link_of(node, "link", robot)?;
         let hand_lean = self.number(node, "hand_lean_rad")?;
         if hand_lean.is_some_and(|lean| !MAX_LEAN.contains(&lean)) {
             let expected = "a lean from 0 to 1.57 rad";
             return Err(self.attribute_fault(node, "hand_lean_rad", expected));
         }
-        let parent = match self.link_of(node, "parent_link", robot) {
-            Ok(parent) => parent,
-            Err(_) if hand_lean.is_none() => return Ok(None),
-            Err(fault) => return Err(fault),
+        let axis = match node.attribute("axis") {
+            None => LinkAxis::default(),
+            Some(name) => LinkAxis::from_name(name.trim())
+                .ok_or_else(|| self.attribute_fault(node, "axis", "x, -x, y, -y, z or -z"))?,
         };
-        Ok(Some(EndEffector {
-            name: node.attribute("name").unwrap_or_default().to_owned(),
-            parent,
+        Ok(ToolHolder {
+            link,
+            axis,
             hand_lean,
-        }))
+        })
     }
 
     fn link_of(

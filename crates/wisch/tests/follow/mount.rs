@@ -5,7 +5,7 @@ use std::f64::consts::{PI, TAU};
 use wisch::follow::{FollowConfig, Followed, MountSource, Phase, Workcell, WorkcellConfig, follow};
 use wisch::geometry::Pose;
 use wisch::represent::{Action, Grip, Mount, Task};
-use wisch::robot::{RobotModel, Srdf};
+use wisch::robot::{LinkAxis, RobotModel, Srdf};
 use wisch_testkit::{board, cell, humanoid, planned, root};
 
 /// Returns the angle between the tool's normal and the axis of the link that holds it [rad].
@@ -46,7 +46,11 @@ fn a_tool_is_square_on_a_flange_unless_task_or_robot_declares_otherwise() {
     assert!((lean(&leaning) - 0.8).abs() < 1e-9);
 
     let (yaw, distance) = (0.5, Some(0.1));
-    task.tool.mount = Some(Mount::Flange { yaw, distance });
+    task.tool.mount = Some(Mount::Flange {
+        yaw,
+        distance,
+        axis: None,
+    });
     let turned = cell(&task);
     assert_eq!(turned.mount().source, MountSource::Declared);
     assert!((turned.tip_from_tool().translation.z - 0.1 - thickness).abs() < 1e-9);
@@ -62,6 +66,40 @@ fn a_tool_is_square_on_a_flange_unless_task_or_robot_declares_otherwise() {
     let gripped = cell(&task).tip_from_tool().inverse() * held.tip_from_tool();
     assert!(gripped.translation.vector.norm() + gripped.rotation.angle() < 1e-9);
     assert!(out >= thickness);
+}
+
+#[test]
+fn a_hand_points_along_the_axis_that_task_or_robot_declares() {
+    let mut task = board(Action::Absorb, [0.5, 0.0, 0.2]);
+    for axis in LinkAxis::ALL {
+        let holder = format!("<tool_holder link=\"tcp\" axis=\"{axis}\"/></robot>");
+        let srdf = text("arm7.srdf").replace("</robot>", &holder);
+        let cell = cell_of(&text("arm7.urdf"), &srdf, &task);
+        assert_eq!(
+            (cell.mount().axis, cell.mount().source),
+            (axis, MountSource::Srdf)
+        );
+        let out = cell.tip_from_tool().rotation * -Vector3::z();
+        let expected = axis.frame().rotation * Vector3::z();
+        assert!((out - expected).norm() < 1e-9, "{axis}");
+        let along = cell.tip_from_tool().translation.vector.dot(&expected);
+        assert!(
+            along >= task.tool.mesh.bounds().1.z - 1e-9,
+            "{axis}: {along}"
+        );
+    }
+    task.tool.mount = Some(Mount::Flange {
+        yaw: 0.0,
+        distance: Some(0.1),
+        axis: Some(LinkAxis::NegativeY),
+    });
+    let declared = cell(&task);
+    let out = declared.tip_from_tool().translation.vector;
+    let height = task.tool.mesh.bounds().1.z;
+    assert!(
+        (out - Vector3::new(0.0, -0.1 - height, 0.0)).norm() < 1e-9,
+        "{out}"
+    );
 }
 
 #[test]

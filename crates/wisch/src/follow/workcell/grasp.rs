@@ -4,7 +4,7 @@ use super::PlanningGroup;
 use crate::follow::FollowError;
 use crate::geometry::{Mesh, Point3, Pose, Vector3};
 use crate::represent::{Mount, Tool};
-use crate::robot::{Collision, LinkId, RobotModel, Shape, Srdf};
+use crate::robot::{Collision, LinkAxis, LinkId, RobotModel, Shape, Srdf};
 use nalgebra::{Translation3, UnitQuaternion};
 use std::f64::consts::PI;
 use std::fmt;
@@ -20,6 +20,8 @@ pub struct HeldTool {
     pub tip_from_tool: Pose,
     /// How it is held; `None` if the pose itself is given.
     pub mount: Option<Mount>,
+    /// The link's axis that points out of the hand.
+    pub axis: LinkAxis,
     /// Where that comes from.
     pub source: MountSource,
 }
@@ -42,6 +44,7 @@ impl HeldTool {
             link: robot.links()[tip.index()].name.clone(),
             tip_from_tool,
             mount: None,
+            axis: LinkAxis::default(),
             source: MountSource::Declared,
         }
     }
@@ -58,17 +61,26 @@ impl HeldTool {
             Some(mount) => (mount, MountSource::Declared),
             None => group.mount(srdf),
         };
-        let hand = tip_from_hand(robot, group.tip, &group.ready)?;
+        let known = srdf.and_then(|srdf| srdf.tool_holder(group.tip));
+        let own_axis = match mount {
+            Mount::Flange { axis, .. } => axis,
+            Mount::Hand { .. } | Mount::Grip(_) => None,
+        };
+        let axis = own_axis
+            .or_else(|| known.map(|holder| holder.axis))
+            .unwrap_or_default();
+        let hand = tip_from_hand(robot, group.tip, axis, &group.ready)?;
         let tip_from_tool = match mount {
-            Mount::Flange { yaw, distance } => {
-                let face = distance.map_or(hand, |distance| Pose::translation(0.0, 0.0, distance));
-                face * hold_square(tool, yaw)
+            Mount::Flange { yaw, distance, .. } => {
+                let at = |distance| axis.frame() * Pose::translation(0.0, 0.0, distance);
+                distance.map_or(hand, at) * hold_square(tool, yaw)
             }
             Mount::Hand { lean } => hand * hold_rear_edge(tool, lean),
             Mount::Grip(grip) => hand * grip.tool_from_hand.inverse(),
         };
         Ok(Self {
             mount: Some(mount),
+            axis,
             source,
             ..Self::at_pose(robot, group.tip, tip_from_tool)
         })
@@ -81,9 +93,12 @@ impl fmt::Display for HeldTool {
         match self.mount {
             None => write!(f, "at a given pose on link {link:?}")?,
             Some(Mount::Flange { .. }) => {
-                write!(f, "square on link {link:?}")?;
-                let out = self.tip_from_tool.translation.z;
-                write!(f, ", contact plane {out:.3} m out of its origin")?;
+                let out = self.axis.frame().inverse() * self.tip_from_tool.translation.vector;
+                let (out, axis) = (out.z, self.axis);
+                write!(
+                    f,
+                    "square on link {link:?}, contact plane {out:.3} m along its {axis} axis"
+                )?;
             }
             Some(Mount::Hand { lean }) => write!(
                 f,
@@ -93,30 +108,31 @@ impl fmt::Display for HeldTool {
         }
         match self.source {
             MountSource::Declared => Ok(()),
-            MountSource::Srdf => write!(f, " (from the SRDF)"),
-            MountSource::Assumed => write!(f, " (assumed)"),
+            MountSource::Srdf => f.write_str(" (from the SRDF)"),
+            MountSource::Assumed => f.write_str(" (assumed)"),
         }
     }
 }
 
-/// Returns the end of a hand in the frame of its link: on the z axis, at the outermost point of the shapes of the
-/// link and of all links that it carries, in a posture `q` (n).
+/// Returns the end of a hand in the frame of its link: its z axis is the link's `axis`, and it is at the outermost
+/// point of the shapes of the link and of all links that it carries, in a posture `q` (n).
 pub(in crate::follow) fn tip_from_hand(
     robot: &RobotModel,
     tip: LinkId,
+    axis: LinkAxis,
     q: &[f64],
 ) -> Result<Pose, FollowError> {
     let kinematics = robot.forward_kinematics(q)?;
-    let tip_from_world = kinematics.world_from_link(tip).inverse();
+    let hand_from_world = axis.frame().inverse() * kinematics.world_from_link(tip).inverse();
     let mut reach: f64 = 0.0;
     for link in carried_links(robot, tip) {
-        let tip_from_link = tip_from_world * kinematics.world_from_link(link);
+        let hand_from_link = hand_from_world * kinematics.world_from_link(link);
         let shapes = robot.links()[link.index()].collision.iter();
         reach = shapes
-            .map(|shape| outermost(shape, &tip_from_link))
+            .map(|shape| outermost(shape, &hand_from_link))
             .fold(reach, f64::max);
     }
-    Ok(Pose::translation(0.0, 0.0, reach))
+    Ok(axis.frame() * Pose::translation(0.0, 0.0, reach))
 }
 
 /// Returns a link and all links that it carries.
@@ -178,9 +194,9 @@ pub(in crate::follow) fn relax(mesh: &Mesh, compression_depth: f64) -> Result<Me
     Mesh::new(vertices.collect(), mesh.triangles().to_vec()).map_err(FollowError::Tool)
 }
 
-/// Returns the largest coordinate of a link's shape along the tip's z axis [m].
-fn outermost(collision: &Collision, tip_from_link: &Pose) -> f64 {
-    let pose = &(tip_from_link * collision.link_from_shape);
+/// Returns the largest coordinate of a link's shape along the hand's z axis [m].
+fn outermost(collision: &Collision, hand_from_link: &Pose) -> f64 {
+    let pose = &(hand_from_link * collision.link_from_shape);
     let along = |z: f64| (pose * Point3::new(0.0, 0.0, z)).z;
     let axis_z = (pose.rotation * Vector3::z()).z;
     let rim = |radius: f64| radius * (1.0 - axis_z * axis_z).max(0.0).sqrt();

@@ -63,14 +63,11 @@ impl PlanningGroup {
     /// Returns how the group holds a tool whose mount is not declared, and where that comes from: the SRDF's lean of the
     /// hand on the group's tip, else a square mount is assumed.
     pub fn mount(&self, srdf: Option<&Srdf>) -> (Mount, MountSource) {
-        let hands = srdf.map_or(&[][..], |srdf| &srdf.end_effectors);
-        let hand = hands.iter().find(|hand| hand.parent == self.tip);
-        match hand.and_then(|hand| hand.hand_lean) {
-            Some(lean) => (Mount::Hand { lean }, MountSource::Srdf),
-            None => {
-                let (yaw, distance) = (0.0, None);
-                (Mount::Flange { yaw, distance }, MountSource::Assumed)
-            }
+        let holder = srdf.and_then(|srdf| srdf.tool_holder(self.tip));
+        match holder.map(|holder| holder.hand_lean) {
+            Some(Some(lean)) => (Mount::Hand { lean }, MountSource::Srdf),
+            Some(None) => (Mount::SQUARE, MountSource::Srdf),
+            None => (Mount::SQUARE, MountSource::Assumed),
         }
     }
 

@@ -9,7 +9,7 @@ use crate::follow::{FollowError, GripDeviation, Obstruction};
 use crate::geometry::{Point3, Pose, Vector3};
 use crate::represent::SecondGrip;
 use crate::robot::{
-    Chain, IkConfig, IkOutcome, IkSolver, JointPositions, LinkId, RobotError, RobotModel,
+    Chain, IkConfig, IkOutcome, IkSolver, JointPositions, LinkAxis, LinkId, RobotError, RobotModel,
     RotationGoal, rotation_from_z,
 };
 use nalgebra::{Translation3, Unit, UnitQuaternion};
@@ -72,7 +72,7 @@ impl SecondArm {
         let trunk = robot.chain(leading.base(), fork)?;
         // The tool's z axis becomes the hand's y axis.
         let y_for_z = UnitQuaternion::from_axis_angle(&Vector3::x_axis(), -FRAC_PI_2);
-        let tip_from_hand = tip_from_hand(robot, tip, posture)?;
+        let tip_from_hand = tip_from_hand(robot, tip, LinkAxis::default(), posture)?;
         let ik = IkSolver::new(robot, fork, tip, tip_from_hand * y_for_z)?;
         let own = ik.chain().variables();
         if own.is_empty() {

@@ -1,6 +1,7 @@
 //! Grips of the hands that hold a tool.
 
 use crate::geometry::{Point3, Pose, Vector3};
+use crate::robot::LinkAxis;
 use nalgebra::Unit;
 
 /// Grip of the hand that leads a tool.
@@ -12,16 +13,18 @@ pub struct Grip {
 
 /// How the link at the end of an arm holds a tool.
 ///
-/// The *hand* is a frame on that link's z axis, at the outermost point of the shapes of the link and of all links that it
-/// carries, such as a gripper; its axes are those of the link.
+/// The *hand* is a frame whose z axis is the link's axis that points out of it, usually z. It is at the outermost point, along
+/// that axis, of the shapes of the link and of all links that it carries, such as a gripper.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Mount {
     /// The middle of the tool's upper face lies square on the flange: the tool's z axis points against the link's.
     Flange {
-        /// Rotation of the tool about its own z axis \[rad\]; at 0 its x axis is the link's.
+        /// Rotation of the tool about its own z axis \[rad\]; at 0 its x axis is the hand's.
         yaw: f64,
-        /// Distance of the tool's upper face from the link's origin, along the link's z axis \[m\]; `None` is the hand.
+        /// Distance of the tool's upper face from the link's origin, along that axis \[m\]; `None` is the hand.
         distance: Option<f64>,
+        /// The link's axis that points out of the flange; `None` takes that of the robot's SRDF, else z.
+        axis: Option<LinkAxis>,
     },
     /// The hand holds the rear edge of the tool's upper face and leans back, as the hand of a humanoid, which is as thick as
     /// the tool is wide.
@@ -31,6 +34,15 @@ pub enum Mount {
     },
     /// The hand is at a grip of the tool.
     Grip(Grip),
+}
+
+impl Mount {
+    /// Square on the flange or gripper.
+    pub const SQUARE: Self = Self::Flange {
+        yaw: 0.0,
+        distance: None,
+        axis: None,
+    };
 }
 
 /// A bar of a tool for a second hand, which may turn freely about it and lean on it.

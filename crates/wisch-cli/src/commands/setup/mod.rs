@@ -1,0 +1,149 @@
+//! `wisch robot setup`: proposes the SRDF of a robot that has only a URDF.
+
+mod proposal;
+mod text;
+
+use crate::args::{GlobalArgs, RobotSetupArgs};
+use crate::failure::Failure;
+use crate::progress::Progress;
+use crate::terminal::{Outcome, print};
+use proposal::{Proposal, propose};
+use std::path::{Path, PathBuf};
+use text::{FailedRecord, SetupRecord, comments, describe, group_lines, next_steps, tip_note};
+use wisch::robot::setup::{ArmChain, SetupConfig, SetupError, SetupStage, find_arms};
+use wisch::robot::{LinkId, RobotModel};
+use wisch_io::{Error, LoadOptions, OutputFile, load_task, read_text, robot_meshes};
+
+/// Extension of the file.
+const EXTENSION: &str = "srdf";
+
+/// Searches groups, pairs and a ready posture, and writes them.
+pub fn set_up(args: &RobotSetupArgs, global: &GlobalArgs) -> Result<Outcome, Failure> {
+    let progress = Progress::start(global);
+    progress.say("reading the robot");
+    let robot = read_robot(args)?;
+    let tips = args.tips.iter().map(|tip| robot.link(tip));
+    let tips: Vec<LinkId> = tips.collect::<Result<_, _>>().map_err(|error| {
+        Failure::new(format!("--tip: {error}"))
+            .with_help("name the link that holds the tool, such as tool0 or a flange")
+    })?;
+    let task = match &args.task {
+        Some(path) => Some(load_task(path, &LoadOptions::default())?),
+        None => None,
+    };
+    // The file comes before the long computation, so that a missing permission is reported at once.
+    let out = out_file(args)?;
+    refuse_existing(&out, args.force)?;
+    let file = OutputFile::begin(&out)?;
+    let config = SetupConfig {
+        seed: args.seed,
+        ..SetupConfig::default()
+    };
+    let report = |stage, done, total| {
+        let what = match stage {
+            SetupStage::Pairs => "measuring pairs of links in random postures",
+            SetupStage::NearestPostures => "searching the nearest posture of each pair",
+            SetupStage::Ready => "searching a ready posture",
+        };
+        progress.say(format!("{what}: {done} of {total}"));
+    };
+    let proposal = match propose(&robot, &tips, task.as_ref(), &config, report) {
+        Ok(proposal) => proposal,
+        Err(error @ (SetupError::NoArm { .. } | SetupError::NoReadyPosture { .. })) => {
+            drop((progress, file));
+            let arms = find_arms(&robot, &tips).unwrap_or_default();
+            return tell_failure(args, global, &robot, &error, &arms);
+        }
+        Err(error) => return Err(Failure::new(error).within(&args.file)),
+    };
+    progress.say("writing the SRDF");
+    let comments = comments(&proposal, &robot, args, &config);
+    let text = proposal.srdf.to_xml(&robot, &comments);
+    refuse_existing(&out, args.force)?;
+    file.finish(text.as_bytes())?;
+    drop(progress);
+    tell(args, global, &robot, &proposal, &out)?;
+    Ok(Outcome::Done)
+}
+
+fn read_robot(args: &RobotSetupArgs) -> Result<RobotModel, Failure> {
+    let text = read_text(&args.file)?;
+    let name = args.file.display().to_string();
+    let mut meshes = robot_meshes(&args.file, &args.packages);
+    let robot = RobotModel::from_urdf(&name, &text, &mut meshes).map_err(|error| Error::Urdf {
+        file: name,
+        error: Box::new(error),
+    })?;
+    Ok(robot)
+}
+
+/// Returns the file of `--out`, else the file beside the URDF, where wisch finds the SRDF automatically.
+fn out_file(args: &RobotSetupArgs) -> Result<PathBuf, Failure> {
+    match &args.out {
+        // The check prevents overwriting a task or a URDF by mistake.
+        Some(out) if out.extension().is_none_or(|e| e != EXTENSION) => Err(Failure::new(format!(
+            "{}: the file name of an SRDF must end in .{EXTENSION}",
+            out.display()
+        ))),
+        Some(out) => Ok(out.clone()),
+        None => Ok(args.file.with_extension(EXTENSION)),
+    }
+}
+
+fn refuse_existing(out: &Path, force: bool) -> Result<(), Failure> {
+    if force || !out.exists() {
+        return Ok(());
+    }
+    let shown = out.display();
+    Err(Failure::new(format!("{shown}: the file exists already"))
+        .with_help("choose another name with --out, or overwrite it with --force"))
+}
+
+/// Prints that a part of the SRDF could not be found.
+fn tell_failure(
+    args: &RobotSetupArgs,
+    global: &GlobalArgs,
+    robot: &RobotModel,
+    error: &SetupError,
+    arms: &[ArmChain],
+) -> Result<Outcome, Failure> {
+    let help = match error {
+        SetupError::NoArm { .. } => "name the link that holds the tool with --tip",
+        _ if args.task.is_some() => {
+            "move the robot or the surface in the task, or leave --task out"
+        }
+        _ => "name another link with --tip, or check the collision shapes and the joint limits",
+    };
+    if args.json {
+        print(&FailedRecord::new(args, robot, error, help).line()?)?;
+    } else if !global.quiet {
+        let name = robot.name();
+        let mut text = format!("{name}: no SRDF written\n  {:<12} {error}\n", "reason");
+        for arm in arms {
+            let groups = group_lines(robot, arm).map(|line| ("group", line));
+            let notes = tip_note(robot, arm).map(|note| ("note", note));
+            for (label, line) in groups.chain(notes) {
+                text += &format!("  {label:<12} {line}\n");
+            }
+        }
+        print(&format!("{text}  {:<12} {help}\n", "try"))?;
+    }
+    Ok(Outcome::GoalNotMet)
+}
+
+fn tell(
+    args: &RobotSetupArgs,
+    global: &GlobalArgs,
+    robot: &RobotModel,
+    proposal: &Proposal,
+    out: &Path,
+) -> Result<(), Failure> {
+    if args.json {
+        print(&SetupRecord::new(args, robot, proposal, out).line()?)
+    } else if global.quiet {
+        Ok(())
+    } else {
+        let next = next_steps(args, robot, proposal, out);
+        print(&(describe(args, robot, proposal, out) + &next))
+    }
+}

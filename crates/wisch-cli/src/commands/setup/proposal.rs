@@ -1,0 +1,352 @@
+//! The search for groups, pairs and a ready posture, with a tool at hand and, if there is a task, in its scene.
+
+use wisch::follow::{FollowError, Workcell, WorkcellConfig};
+use wisch::geometry::{Bounds2, Mesh, Pose, Vector3};
+use wisch::robot::setup::{
+    ArmChain, LinkPairs, ReadyPosture, ReadyRequest, SetupConfig, SetupError, SetupStage,
+    WipingRegion, find_arms, find_ready, find_table, held_posture, sample_pairs, tip_extent,
+};
+use wisch::robot::{
+    CollisionModel, Group, GroupState, JointKind, LinkAxis, LinkId, READY_STATE, RobotError,
+    RobotModel, Srdf, ToolHolder,
+};
+use wisch_io::LoadedTask;
+
+/// Sizes of stand-ins for a tool that is not known yet, along x, y and z of the tip \[m\]; `None` for no tool. The first one
+/// with which a ready posture is found is taken.
+const STAND_INS: [Option<[f64; 3]>; 3] = [Some([0.10, 0.10, 0.12]), Some([0.03, 0.03, 0.10]), None];
+/// Name of the group of joints that no arm moves.
+const REST_GROUP: &str = "rest";
+/// Size of the table under a fixed arm \[m\].
+const TABLE: [f64; 3] = [6.0, 6.0, 0.5];
+/// Cosine of the largest angle between the normal of a level surface and the vertical [1].
+const LEVEL: f64 = 0.9;
+
+/// What an SRDF consists of.
+pub struct Proposal {
+    /// The SRDF.
+    pub srdf: Srdf,
+    /// The arms with their groups.
+    pub arms: Vec<ArmChain>,
+    /// Pairs of links that are not checked.
+    pub pairs: LinkPairs,
+    /// Whether a tool at the tips is free of collision in the ready posture.
+    pub has_room_for_tool: bool,
+    /// Ready posture of each arm, with the group that was moved.
+    pub ready: Vec<(Group, ReadyPosture)>,
+}
+
+/// Called occasionally with a stage, the work done and all work.
+type Progress<'a> = &'a (dyn Fn(SetupStage, usize, usize) + Sync);
+
+/// The place in which a ready posture is searched.
+struct Scene {
+    collisions: CollisionModel,
+    /// Posture of the robot before the search; n values.
+    held: Vec<f64>,
+    /// The task's surface; `None` without a task.
+    surface: Option<KnownSurface>,
+}
+
+/// The surface of a task, relative to the robot.
+struct KnownSurface {
+    root_from_surface: Pose,
+    bounds: Bounds2,
+    name: String,
+    /// Whether the robot drives there.
+    is_driven_to: bool,
+}
+
+/// Proposes an SRDF.
+pub fn propose(
+    robot: &RobotModel,
+    tips: &[LinkId],
+    task: Option<&LoadedTask>,
+    config: &SetupConfig,
+    progress: impl Fn(SetupStage, usize, usize) + Sync,
+) -> Result<Proposal, SetupError> {
+    let arms = find_arms(robot, tips)?;
+    let pairs = sample_pairs(robot, &arms, config, &progress)?;
+    let groups = arms.iter().flat_map(|arm| &arm.groups);
+    let groups = groups.map(|proposed| proposed.group.clone()).collect();
+    let mut srdf = Srdf::new(groups, rest_state(robot), pairs.disabled.clone());
+    // z is what programs expect of a flange.
+    let unusual = arms.iter().filter(|arm| arm.tip_axis != LinkAxis::Z);
+    srdf.tool_holders = unusual
+        .filter_map(|arm| {
+            Some(ToolHolder {
+                link: arm.groups.first()?.group.tip,
+                axis: arm.tip_axis,
+                hand_lean: None,
+            })
+        })
+        .collect();
+    let scenes = match task {
+        Some(task) => vec![scene_of_task(robot, &srdf, task)?],
+        None => STAND_INS
+            .into_iter()
+            .map(|size| scene_without_task(robot, &srdf, &arms, size))
+            .collect::<Result<_, _>>()?,
+    };
+    let mut ready = Ok(Vec::new());
+    let mut tried = 0;
+    for scene in scenes {
+        tried += 1;
+        ready = find_postures(robot, &arms, scene, config, &progress);
+        if !matches!(ready, Err(SetupError::NoReadyPosture { .. })) {
+            break;
+        }
+    }
+    let ready = ready?;
+    srdf.states.splice(0..0, states(robot, &arms, &ready)?);
+    Ok(Proposal {
+        has_room_for_tool: tried < STAND_INS.len(),
+        srdf,
+        arms,
+        pairs,
+        ready,
+    })
+}
+
+/// Searches the ready postures of all arms, one after the other; each keeps those before it.
+fn find_postures(
+    robot: &RobotModel,
+    arms: &[ArmChain],
+    scene: Scene,
+    config: &SetupConfig,
+    progress: Progress<'_>,
+) -> Result<Vec<(Group, ReadyPosture)>, SetupError> {
+    let mut held = straighten(robot, arms, scene.held)?;
+    let mut moved: Vec<usize> = Vec::new();
+    let mut ready = Vec::new();
+    for arm in arms {
+        let regions = regions(robot, arm, &held, scene.surface.as_ref())?;
+        let mut found = None;
+        for (group, places) in list_attempts(robot, arm, &moved, regions.len())? {
+            let request = ReadyRequest {
+                robot,
+                group,
+                axis: arm.tip_axis,
+                held: &held,
+                collisions: &scene.collisions,
+                regions: &regions[..places],
+            };
+            match find_ready(&request, config, progress) {
+                Err(error @ SetupError::NoReadyPosture { .. }) => found = Some(Err(error)),
+                other => {
+                    found = Some(other.map(|posture| (group.clone(), posture)));
+                    break;
+                }
+            }
+        }
+        let Some((group, posture)) = found.transpose()? else {
+            continue;
+        };
+        held.clone_from(&posture.q);
+        let chain = robot.chain(group.base, group.tip)?;
+        moved.extend_from_slice(chain.variables());
+        ready.push((group, posture));
+    }
+    Ok(ready)
+}
+
+/// Returns the posture with the revolute joints that carry an arm, such as those of a torso, at 0 where their limits permit
+/// it: the middle of an uneven range would turn the arms aside.
+fn straighten(
+    robot: &RobotModel,
+    arms: &[ArmChain],
+    held: Vec<f64>,
+) -> Result<Vec<f64>, SetupError> {
+    let mut straight = held.clone();
+    for arm in arms {
+        let (Some(whole), Some(own)) = (arm.groups.first(), arm.groups.last()) else {
+            continue;
+        };
+        let whole = robot.chain(whole.group.base, whole.group.tip)?;
+        let own = robot.chain(own.group.base, own.group.tip)?;
+        let carriers = whole
+            .variables()
+            .iter()
+            .filter(|v| !own.variables().contains(v));
+        for &variable in carriers {
+            let joint = robot.variable(variable);
+            let range = joint.limits.position;
+            let permits = range.is_none_or(|range| (range.lower..=range.upper).contains(&0.0));
+            if joint.kind == JointKind::Revolute && permits {
+                straight[variable] = 0.0;
+            }
+        }
+    }
+    let has_more_faults = robot.limit_faults(&straight)?.len() > robot.limit_faults(&held)?.len();
+    Ok(if has_more_faults { held } else { straight })
+}
+
+/// Returns the groups with which a posture is searched, each with the number of places: first the arm alone in the best
+/// place, with a lift or torso where it stays; then with these; then in all places. Joints that an arm before has set are
+/// not moved again.
+fn list_attempts<'a>(
+    robot: &RobotModel,
+    arm: &'a ArmChain,
+    moved: &[usize],
+    places: usize,
+) -> Result<Vec<(&'a Group, usize)>, SetupError> {
+    let mut free = Vec::new();
+    for proposed in arm.groups.iter().rev() {
+        let group = &proposed.group;
+        let chain = robot.chain(group.base, group.tip)?;
+        if chain.variables().iter().all(|v| !moved.contains(v)) {
+            free.push(group);
+        }
+    }
+    if free.is_empty() {
+        free.extend(arm.groups.last().map(|proposed| &proposed.group));
+    }
+    let first = free.iter().map(|&group| (group, 1));
+    let all = free.iter().map(|&group| (group, places));
+    Ok(first.chain(all.filter(|_| places > 1)).collect())
+}
+
+/// Returns the ready state of joints that cannot stay in the middle of their limits; a group of its own, if there are any.
+fn rest_state(robot: &RobotModel) -> Vec<GroupState> {
+    let (held, driving) = held_posture(robot);
+    let state = GroupState {
+        name: READY_STATE.to_owned(),
+        group: REST_GROUP.to_owned(),
+        positions: driving.into_iter().map(|v| (v, held[v])).collect(),
+    };
+    Vec::from_iter((!state.positions.is_empty()).then_some(state))
+}
+
+/// Returns the ready states of all groups, from the last posture, which has all arms in place.
+fn states(
+    robot: &RobotModel,
+    arms: &[ArmChain],
+    ready: &[(Group, ReadyPosture)],
+) -> Result<Vec<GroupState>, SetupError> {
+    let Some((_, last)) = ready.last() else {
+        return Ok(Vec::new());
+    };
+    let groups = arms.iter().flat_map(|arm| &arm.groups);
+    let states = groups.map(|proposed| {
+        let group = &proposed.group;
+        let chain = robot.chain(group.base, group.tip)?;
+        let positions = chain.variables().iter().map(|&v| (v, last.q[v]));
+        Ok(GroupState {
+            name: READY_STATE.to_owned(),
+            group: group.name.clone(),
+            positions: positions.collect(),
+        })
+    });
+    states.collect()
+}
+
+/// Returns where the arm may wait, the best place first.
+fn regions(
+    robot: &RobotModel,
+    arm: &ArmChain,
+    held: &[f64],
+    surface: Option<&KnownSurface>,
+) -> Result<Vec<WipingRegion>, SetupError> {
+    let Some(surface) = surface else {
+        return WipingRegion::around(robot, arm, held);
+    };
+    let (at, name) = (&surface.root_from_surface, &surface.name);
+    if !surface.is_driven_to {
+        return Ok(vec![WipingRegion::over_surface(*at, &surface.bounds, name)]);
+    }
+    let around = WipingRegion::around(robot, arm, held)?;
+    if (at.rotation * Vector3::z()).z < LEVEL {
+        return Ok(around);
+    }
+    let height = at.translation.z;
+    Ok((around.into_iter())
+        .map(|region| region.at_height(height, name))
+        .collect())
+}
+
+/// Returns the robot alone, with a stand-in for a tool at each tip, and on a table if it is an arm on one.
+fn scene_without_task(
+    robot: &RobotModel,
+    srdf: &Srdf,
+    arms: &[ArmChain],
+    stand_in: Option<[f64; 3]>,
+) -> Result<Scene, SetupError> {
+    let (held, _) = held_posture(robot);
+    let mut collisions = CollisionModel::new(robot, Some(srdf))?;
+    for arm in arms {
+        let tip = arm.groups.first().map(|proposed| proposed.group.tip);
+        let (Some(tip), Some([x, y, z])) = (tip, stand_in) else {
+            continue;
+        };
+        let tool = cuboid("tool", Vector3::new(x, y, z))?;
+        let name = format!("tool of {}", arm.name);
+        let axis = arm.tip_axis;
+        let out = tip_extent(robot, tip, axis) + z / 2.0;
+        let in_tip = axis.frame() * Pose::translation(0.0, 0.0, out);
+        collisions.attach(&name, tip, in_tip, &tool)?;
+    }
+    if let Some(top) = find_table(robot, arms, &held)? {
+        let [x, y, z] = TABLE;
+        let table = cuboid("table", Vector3::new(x, y, z))?;
+        let below = Pose::translation(0.0, 0.0, top - z / 2.0);
+        collisions.add_obstacle("table below", below, &table)?;
+    }
+    Ok(Scene {
+        collisions,
+        held,
+        surface: None,
+    })
+}
+
+fn cuboid(name: &str, size: Vector3) -> Result<Mesh, SetupError> {
+    Mesh::cuboid(size).map_err(|error| {
+        SetupError::Robot(RobotError::Obstacle {
+            name: name.to_owned(),
+            problem: error.to_string(),
+        })
+    })
+}
+
+/// Returns the robot with the task's tool in the task's scene, where the task puts it.
+fn scene_of_task(robot: &RobotModel, srdf: &Srdf, task: &LoadedTask) -> Result<Scene, SetupError> {
+    let placed = task
+        .file
+        .robot()
+        .map_or_else(WorkcellConfig::default, |robot| {
+            robot.workcell_config(&task.task)
+        });
+    let config = WorkcellConfig {
+        group: None,
+        second_group: None,
+        ..placed
+    };
+    let cell = Workcell::new(robot.clone(), Some(srdf), &task.task, &config);
+    let cell = cell.map_err(|error| match error {
+        FollowError::Robot(error) => SetupError::Robot(error),
+        other => SetupError::Robot(RobotError::Obstacle {
+            name: task.task.name.clone(),
+            problem: other.to_string(),
+        }),
+    })?;
+    let surface = &task.task.surface;
+    let outline = surface.outline.outer().iter().copied();
+    Ok(Scene {
+        collisions: cell.collisions().clone(),
+        held: cell.ready_posture().to_vec(),
+        surface: Bounds2::of(outline).map(|bounds| KnownSurface {
+            root_from_surface: cell.world_from_root().inv_mul(&surface.world_from_surface),
+            bounds,
+            name: surface.name.clone(),
+            is_driven_to: cell.base().is_some(),
+        }),
+    })
+}
+
+/// Whether a joint moves the robot's base, which is that of its first group.
+pub fn is_mobile(robot: &RobotModel, arms: &[ArmChain]) -> bool {
+    let base = arms.first().and_then(|arm| arm.groups.first());
+    base.is_some_and(|proposed| {
+        let mut joints = robot.joints_above(proposed.group.base);
+        joints.any(|joint| joint.kind != JointKind::Fixed)
+    })
+}

@@ -1,0 +1,431 @@
+//! Comments of the SRDF, the summary and the JSON object.
+
+use super::proposal::{Proposal, is_mobile};
+use crate::args::RobotSetupArgs;
+use crate::commands::PROGRAM;
+use crate::commands::words::{counted, internal};
+use crate::failure::Failure;
+use serde::Serialize;
+use std::f64::consts::FRAC_PI_3;
+use std::fmt::Write;
+use std::path::Path;
+use wisch::robot::setup::{
+    ArmChain, ProposedGroup, ReadyPosture, SetupConfig, SetupError, find_table, held_posture,
+};
+use wisch::robot::{LinkAxis, LinkId, READY_STATE, RobotModel, SrdfComments};
+
+/// The schema of the object that `--json` prints.
+const SCHEMA: u32 = 1;
+/// Reasons for which a pair is not checked, in the order of the file.
+const REASONS: [&str; 4] = ["Adjacent", "Never", "Always", "Default"];
+/// Shipped tasks to try first: for a robot that drives, and for one that is fixed.
+const FIRST_TASKS: [&str; 2] = ["chopping-board", "arm-board"];
+
+/// Angle of a tip's z axis from the direction of the hand above which it is remarked on \[rad\].
+const MAX_TIP_TILT: f64 = FRAC_PI_3;
+/// Angle from straight above which a ready posture is remarked on \[rad\].
+const MAX_TILT: f64 = 0.02;
+
+/// The object that `--json` prints.
+#[derive(Debug, Serialize)]
+pub struct SetupRecord<'a> {
+    format: &'static str,
+    schema: u32,
+    file: String,
+    robot: &'a str,
+    groups: Vec<GroupRecord<'a>>,
+    ready: Vec<ReadyRecord<'a>>,
+    /// Whether a tool at the tips is free of collision in the ready posture.
+    has_room_for_tool: bool,
+    pairs: PairsRecord,
+    seed: u64,
+    task: Option<String>,
+    out: String,
+}
+
+#[derive(Debug, Serialize)]
+struct GroupRecord<'a> {
+    name: &'a str,
+    base: &'a str,
+    tip: &'a str,
+    joints: usize,
+    reason: &'a str,
+    /// A link of the gripper that hangs on the tip, or null.
+    gripper: Option<&'a str>,
+    /// Axis of the tip along which a tool is held.
+    tip_axis: &'static str,
+    tip_tilt_rad: f64,
+}
+
+#[derive(Debug, Serialize)]
+struct ReadyRecord<'a> {
+    group: &'a str,
+    place: &'a str,
+    clearance_m: f64,
+    manipulability: f64,
+    /// Distance to the nearest limit, as a share of half the joint's range.
+    limit_share: f64,
+    tilt_rad: f64,
+    tip_m: [f64; 3],
+    samples: usize,
+    free: usize,
+}
+
+#[derive(Debug, Serialize)]
+struct PairsRecord {
+    total: usize,
+    adjacent: usize,
+    never: usize,
+    always: usize,
+    default: usize,
+    /// Pairs that random postures missed, but a descent did not.
+    near: usize,
+    samples: usize,
+}
+
+/// The object that `--json` prints if a part was not found.
+#[derive(Debug, Serialize)]
+pub struct FailedRecord<'a> {
+    format: &'static str,
+    schema: u32,
+    file: String,
+    robot: &'a str,
+    /// Nothing was written.
+    out: Option<String>,
+    problem: String,
+    help: &'a str,
+}
+
+impl<'a> SetupRecord<'a> {
+    pub fn new(
+        args: &RobotSetupArgs,
+        robot: &'a RobotModel,
+        proposal: &'a Proposal,
+        out: &Path,
+    ) -> Self {
+        let groups = proposal.arms.iter().flat_map(|arm| {
+            let gripper = arm.gripper.map(|link| link_name(robot, link));
+            arm.groups.iter().map(move |proposed| GroupRecord {
+                name: &proposed.group.name,
+                base: link_name(robot, proposed.group.base),
+                tip: link_name(robot, proposed.group.tip),
+                joints: proposed.joints,
+                reason: &proposed.reason,
+                gripper,
+                tip_axis: arm.tip_axis.as_str(),
+                tip_tilt_rad: arm.tip_tilt,
+            })
+        });
+        let ready = proposal.ready.iter().map(|(group, ready)| ReadyRecord {
+            group: &group.name,
+            place: &ready.place,
+            clearance_m: ready.clearance,
+            manipulability: ready.manipulability,
+            limit_share: ready.limit_share,
+            tilt_rad: ready.tilt,
+            tip_m: ready.tip.into(),
+            samples: ready.samples,
+            free: ready.free,
+        });
+        let pairs = &proposal.pairs;
+        let [adjacent, never, always, default] = REASONS.map(|reason| pairs.count(reason));
+        Self {
+            format: "wisch-robot-setup",
+            schema: SCHEMA,
+            file: args.file.display().to_string(),
+            robot: robot.name(),
+            groups: groups.collect(),
+            ready: ready.collect(),
+            has_room_for_tool: proposal.has_room_for_tool,
+            pairs: PairsRecord {
+                total: pairs.total,
+                adjacent,
+                never,
+                always,
+                default,
+                near: pairs.near,
+                samples: pairs.samples,
+            },
+            seed: args.seed,
+            task: args.task.as_ref().map(|task| task.display().to_string()),
+            out: out.display().to_string(),
+        }
+    }
+
+    pub fn line(&self) -> Result<String, Failure> {
+        json_line(self)
+    }
+}
+
+impl<'a> FailedRecord<'a> {
+    pub fn new(
+        args: &RobotSetupArgs,
+        robot: &'a RobotModel,
+        error: &SetupError,
+        help: &'a str,
+    ) -> Self {
+        Self {
+            format: "wisch-robot-setup",
+            schema: SCHEMA,
+            file: args.file.display().to_string(),
+            robot: robot.name(),
+            out: None,
+            problem: error.to_string(),
+            help,
+        }
+    }
+
+    pub fn line(&self) -> Result<String, Failure> {
+        json_line(self)
+    }
+}
+
+fn json_line(record: &impl Serialize) -> Result<String, Failure> {
+    Ok(serde_json::to_string(record).map_err(internal)? + "\n")
+}
+
+fn link_name(robot: &RobotModel, link: LinkId) -> &str {
+    &robot.links()[link.index()].name
+}
+
+/// Returns the comments of the SRDF: what was chosen, and why.
+pub fn comments(
+    proposal: &Proposal,
+    robot: &RobotModel,
+    args: &RobotSetupArgs,
+    config: &SetupConfig,
+) -> SrdfComments {
+    let file = args.file.file_name().unwrap_or_default().to_string_lossy();
+    let seed = config.seed;
+    let groups = proposal.arms.iter().flat_map(|arm| {
+        let gripper = arm.gripper.map(|link| link_name(robot, link));
+        (arm.groups.iter()).map(move |proposed| match gripper {
+            None => proposed.reason.clone(),
+            Some(part) => format!("{} The gripper {part} is no part of it.", proposed.reason),
+        })
+    });
+    let mut groups: Vec<String> = groups.collect();
+    if let Some(first) = groups.first_mut() {
+        *first += "\nwisch takes the first group, unless a task or the command line names another.";
+    }
+    let rest = "Joints that others follow, which would be outside their limits in the middle.";
+    let states = proposal.arms.iter().flat_map(|arm| {
+        arm.groups.iter().map(|proposed| {
+            let group = &proposed.group;
+            let found = proposal.ready.iter().find(|(moved, _)| moved == group);
+            found.map_or_else(
+                || "The same posture, for the joints of this group.".to_owned(),
+                |(_, ready)| describe_ready(ready, seed),
+            )
+        })
+    });
+    let pairs = &proposal.pairs;
+    let mut about_pairs = format!(
+        "{} of {} pairs of links are not checked against each other: {}.\n\
+         From {} random postures, seed {seed}; Never means farther than {} m in all of them, and in a\n\
+         descent from the closest.",
+        pairs.disabled.len(),
+        pairs.total,
+        by_reason(proposal),
+        pairs.samples,
+        config.never_margin,
+    );
+    if pairs.near > 0 {
+        let _ = write!(
+            about_pairs,
+            "\n{} never collided in these postures but can come closer: checked.",
+            counted(pairs.near, "pair")
+        );
+    }
+    SrdfComments {
+        head: format!(
+            "SRDF of {}, proposed by wisch robot setup ({PROGRAM}) from {file}.\n\
+             Look through it before a robot moves by it.",
+            robot.name()
+        ),
+        groups,
+        states: states.chain([rest.to_owned()]).collect(),
+        pairs: about_pairs,
+    }
+}
+
+fn describe_ready(ready: &ReadyPosture, seed: u64) -> String {
+    let [x, y, z] = ready.tip.into();
+    format!(
+        "Tip {} at ({x:.3}, {y:.3}, {z:.3}) m from the root, {:.1} deg from straight at the surface.\n\
+         Clearance {} m between links and tool; {:.0} % of half a range to the nearest limit;\n\
+         manipulability {:.4} (Yoshikawa, in m). Best of {} free of collision, from {} random ones, seed {seed}.",
+        ready.place,
+        ready.tilt.to_degrees(),
+        clearance(ready),
+        100.0 * ready.limit_share,
+        ready.manipulability,
+        counted(ready.free, "posture"),
+        ready.samples,
+    )
+}
+
+/// Clearance in metres; pairs are measured up to 1 m.
+fn clearance(ready: &ReadyPosture) -> String {
+    if ready.clearance < 1.0 {
+        format!("{:.3}", ready.clearance)
+    } else {
+        "over 1".to_owned()
+    }
+}
+
+fn by_reason(proposal: &Proposal) -> String {
+    let counts = REASONS.map(|reason| (proposal.pairs.count(reason), reason));
+    let present = counts.iter().filter(|(count, _)| *count > 0);
+    let words: Vec<String> = present
+        .map(|(count, reason)| format!("{count} {reason}"))
+        .collect();
+    words.join(", ")
+}
+
+/// Describes the result in lines of a label and a value.
+pub fn describe(
+    args: &RobotSetupArgs,
+    robot: &RobotModel,
+    proposal: &Proposal,
+    out: &Path,
+) -> String {
+    let mut lines: Vec<(&str, String)> = Vec::new();
+    for arm in &proposal.arms {
+        lines.extend(group_lines(robot, arm).map(|line| ("group", line)));
+        lines.extend(tip_note(robot, arm).map(|note| ("note", note)));
+        if let Some(part) = arm.gripper {
+            let part = link_name(robot, part);
+            let advice = "if it holds the tool, name the link between its fingers with --tip";
+            lines.push(("gripper", format!("{part} is on the tip: {advice}")));
+        }
+    }
+    for (group, ready) in &proposal.ready {
+        lines.push((
+            READY_STATE,
+            format!(
+                "{}: {}, clearance {} m, manipulability {:.4}, {:.0} % from the limits",
+                group.name,
+                ready.place,
+                clearance(ready),
+                ready.manipulability,
+                100.0 * ready.limit_share
+            ),
+        ));
+        if ready.tilt > MAX_TILT {
+            let tilt = ready.tilt.to_degrees();
+            lines.push(("note", format!(
+                "{}: the tool is {tilt:.0} degrees from straight at the surface, as the arm cannot turn it further",
+                group.name
+            )));
+        }
+    }
+    if !proposal.has_room_for_tool {
+        let advice = "choose another link with --tip, or another tool";
+        lines.push((
+            "note",
+            format!("a tool of 30 mm along the z axis of the tip would touch the arm: {advice}"),
+        ));
+    }
+    let pairs = &proposal.pairs;
+    lines.push((
+        "pairs",
+        match pairs.total {
+            0 => {
+                "none: fewer than two links have collision shapes, so nothing is checked".to_owned()
+            }
+            total => format!(
+                "{} of {total} not checked: {}",
+                pairs.disabled.len(),
+                by_reason(proposal)
+            ),
+        },
+    ));
+    let postures = proposal.ready.first().map_or(0, |(_, ready)| ready.samples);
+    lines.push((
+        "samples",
+        format!(
+            "{} for pairs, {postures} for {READY_STATE}, seed {}",
+            pairs.samples, args.seed
+        ),
+    ));
+    lines.push(("SRDF", out.display().to_string()));
+    let mut text = format!("{}: groups, ready posture and pairs\n", robot.name());
+    for (label, value) in lines {
+        let _ = writeln!(text, "  {label:<12} {value}");
+    }
+    text
+}
+
+/// Describes the groups of an arm.
+pub fn group_lines<'a>(
+    robot: &'a RobotModel,
+    arm: &'a ArmChain,
+) -> impl Iterator<Item = String> + 'a {
+    arm.groups
+        .iter()
+        .map(|ProposedGroup { group, joints, .. }| {
+            let [base, tip] = [group.base, group.tip].map(|link| link_name(robot, link));
+            let joints = counted(*joints, "joint");
+            format!("{}: {joints}, {base} to {tip}", group.name)
+        })
+}
+
+/// Returns a remark on an arm whose tip points out of the hand by another axis than z, or by none.
+pub fn tip_note(robot: &RobotModel, arm: &ArmChain) -> Option<String> {
+    let tip = arm.groups.first()?.group.tip;
+    let (name, link, axis) = (&arm.name, link_name(robot, tip), arm.tip_axis);
+    if arm.tip_tilt > MAX_TIP_TILT {
+        let off = arm.tip_tilt.to_degrees();
+        return Some(format!(
+            "{name}: the {axis} axis of {link} points {off:.0} degrees off the direction of the hand; wisch holds a tool along it"
+        ));
+    }
+    (axis != LinkAxis::Z).then(|| {
+        format!(
+            "{name}: the {axis} axis of {link} points out of the hand; wisch holds a tool along it"
+        )
+    })
+}
+
+/// Returns the commands to go on with.
+pub fn next_steps(
+    args: &RobotSetupArgs,
+    robot: &RobotModel,
+    proposal: &Proposal,
+    out: &Path,
+) -> String {
+    let file = args.file.display();
+    let packages = args.packages.iter();
+    let packages: String = packages
+        .map(|(name, folder)| format!(" --package {name}={}", folder.display()))
+        .collect();
+    let is_beside = out == args.file.with_extension("srdf");
+    let srdf = if is_beside {
+        String::new()
+    } else {
+        format!(" --srdf {}", out.display())
+    };
+    let check = format!("wisch robot check {file}{srdf}{packages}");
+    if !is_beside {
+        let beside = args.file.with_extension("srdf");
+        return format!(
+            "next: {check}, then move the SRDF to {}, where wisch finds it\n",
+            beside.display()
+        );
+    }
+    let [driven, fixed] = FIRST_TASKS;
+    let (held, _) = held_posture(robot);
+    let is_on_table = matches!(find_table(robot, &proposal.arms, &held), Ok(Some(_)));
+    let task = match &args.task {
+        Some(task) => task.display().to_string(),
+        None if is_mobile(robot, &proposal.arms) => driven.to_owned(),
+        None if is_on_table => fixed.to_owned(),
+        None => {
+            return format!(
+                "next: {check}, then put it before the surface of a task with position_m in its [robot] table\n"
+            );
+        }
+    };
+    format!("next: {check}, then wisch follow {task} --robot {file}{packages}\n")
+}

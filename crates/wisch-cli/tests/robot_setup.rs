@@ -1,0 +1,201 @@
+//! `wisch robot setup` in a real temporary directory, and following with what it wrote.
+
+use crate::program::{contents, folder_with, root, wisch};
+use serde_json::Value;
+use std::fs;
+use std::path::Path;
+use tempfile::TempDir;
+
+/// A folder with the URDF of a shipped robot, without its SRDF.
+fn folder_of(robot: &str) -> TempDir {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    copy_urdf(robot, folder.path());
+    folder
+}
+
+fn copy_urdf(robot: &str, folder: &Path) {
+    let file = format!("{robot}.urdf");
+    fs::copy(root().join("robots").join(&file), folder.join(file)).expect("a URDF");
+}
+
+fn setup(folder: &Path, args: &[&str]) -> (i32, String, String) {
+    wisch(folder, &[&["robot", "setup"], args].concat())
+}
+
+/// The object that a command prints with `--json`.
+fn object(out: &str) -> Value {
+    serde_json::from_str(out).expect("exactly one JSON object")
+}
+
+#[test]
+fn an_arm_without_an_srdf_is_set_up_and_wipes() {
+    let folder = folder_with("arm-board.toml");
+    copy_urdf("arm7", folder.path());
+    let (code, out, err) = setup(folder.path(), &["arm7.urdf"]);
+    assert_eq!((code, err.as_str()), (0, ""));
+    assert!(
+        out.contains("  group        arm: 7 joints, link_0 to tcp\n"),
+        "{out}"
+    );
+    assert!(out.contains("  SRDF         arm7.srdf\n"), "{out}");
+    let next = "next: wisch robot check arm7.urdf, then wisch follow arm-board --robot arm7.urdf\n";
+    assert!(out.ends_with(next), "{out}");
+
+    let (code, out, err) = wisch(folder.path(), &["robot", "check", "arm7.urdf"]);
+    assert_eq!((code, err.as_str()), (0, ""));
+    assert!(out.contains("no findings"), "{out}");
+
+    let follow = [
+        "follow",
+        "task.toml",
+        "--robot",
+        "arm7.urdf",
+        "--out",
+        "done",
+        "--json",
+    ];
+    let (code, out, err) = wisch(folder.path(), &follow);
+    assert_eq!(code, 0, "{err}");
+    let summary = object(&out);
+    assert_eq!(summary["abandoned_nodes"], 0);
+    assert_eq!(summary["faults"], 0);
+}
+
+#[test]
+fn a_robot_that_drives_is_set_up_and_wipes_with_its_first_group() {
+    let folder = folder_with("chopping-board.toml");
+    copy_urdf("humanoid", folder.path());
+    let (code, out, err) = setup(folder.path(), &["humanoid.urdf", "--json"]);
+    assert_eq!((code, err.as_str()), (0, ""));
+    let record = object(&out);
+    let names = record["groups"].as_array().expect("a list").iter();
+    let names: Vec<&str> = names
+        .map(|group| group["name"].as_str().expect("a name"))
+        .collect();
+    let expected = [
+        "right_arm_with_torso",
+        "right_arm",
+        "left_arm_with_torso",
+        "left_arm",
+    ];
+    assert_eq!(names, expected);
+    // Its URDF has notes, its SRDF has none.
+    let (code, out, _) = wisch(folder.path(), &["robot", "check", "humanoid.urdf"]);
+    assert_eq!(code, 0, "{out}");
+    assert!(!out.contains("humanoid.srdf:"), "{out}");
+
+    let follow = [
+        "follow",
+        "task.toml",
+        "--strategy",
+        "kde",
+        "--robot",
+        "humanoid.urdf",
+        "--out",
+        "done",
+        "--json",
+    ];
+    let (code, out, err) = wisch(folder.path(), &follow);
+    assert_eq!(code, 0, "{err}");
+    assert_eq!(object(&out)["faults"], 0);
+}
+
+#[test]
+fn the_ready_posture_fits_a_task_and_the_same_seed_gives_the_same_file() {
+    let folder = folder_of("arm7");
+    let out_of = |file: &str, seed: &str| {
+        let args = [
+            "arm7.urdf",
+            "--task",
+            "arm-board",
+            "--out",
+            file,
+            "--seed",
+            seed,
+        ];
+        let (code, out, err) = setup(folder.path(), &args);
+        assert_eq!((code, err.as_str()), (0, ""));
+        assert!(out.contains("over chopping_board"), "{out}");
+        fs::read_to_string(folder.path().join(file)).expect("an SRDF")
+    };
+    let first = out_of("a.srdf", "0");
+    assert_eq!(first, out_of("b.srdf", "0"));
+    assert_ne!(first, out_of("c.srdf", "1"));
+    for told in [
+        "seed 0",
+        "manipulability",
+        "Clearance",
+        "10000 random postures",
+    ] {
+        assert!(first.contains(told), "{told}: {first}");
+    }
+    let check = ["robot", "check", "arm7.urdf", "--srdf", "a.srdf"];
+    let (code, out, _) = wisch(folder.path(), &check);
+    assert_eq!(code, 0, "{out}");
+}
+
+#[test]
+fn an_existing_file_is_kept_without_force() {
+    let folder = folder_of("arm6");
+    fs::write(folder.path().join("arm6.srdf"), "mine").expect("a file");
+    let before = contents(folder.path());
+    let (code, out, err) = setup(folder.path(), &["arm6.urdf"]);
+    assert_eq!((code, out.as_str()), (2, ""));
+    assert!(err.contains("arm6.srdf: the file exists already"), "{err}");
+    assert!(err.contains("--force"), "{err}");
+    assert_eq!(contents(folder.path()), before);
+    let (code, _, err) = setup(folder.path(), &["arm6.urdf", "--force", "--quiet"]);
+    assert_eq!((code, err.as_str()), (0, ""));
+    assert_ne!(contents(folder.path()), before);
+}
+
+#[test]
+fn wrong_arguments_are_errors_and_write_nothing() {
+    let folder = folder_of("arm6");
+    let before = contents(folder.path());
+    for (args, expected) in [
+        (&["arm66.urdf"][..], "arm66.urdf: there is no such file"),
+        (
+            &["arm6.urdf", "--tip", "tpc"],
+            "unknown link \"tpc\"; nearest: tcp",
+        ),
+        (
+            &["arm6.urdf", "--tip", "link_0"],
+            "link \"link_0\": no joint moves it",
+        ),
+        (
+            &["arm6.urdf", "--out", "arm6.urdf"],
+            "arm6.urdf: the file name of an SRDF must end in .srdf",
+        ),
+        (&["arm6.urdf", "--out", "no/arm6.srdf"], "no/arm6.srdf"),
+        (
+            &["arm6.urdf", "--task", "arm-borad"],
+            "arm-borad: there is no such file",
+        ),
+    ] {
+        let (code, out, err) = setup(folder.path(), args);
+        assert_eq!((code, out.as_str()), (2, ""), "{args:?}");
+        assert!(err.contains(expected), "{args:?}: {err}");
+        assert_eq!(contents(folder.path()), before, "{args:?}");
+    }
+}
+
+#[test]
+fn a_robot_without_an_arm_gets_no_file() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let urdf = r#"<robot name="rod"><link name="wall"/><link name="rod"/>
+        <joint name="pivot" type="continuous"><parent link="wall"/><child link="rod"/></joint></robot>"#;
+    fs::write(folder.path().join("rod.urdf"), urdf).expect("a URDF");
+    let (code, out, err) = setup(folder.path(), &["rod.urdf"]);
+    assert_eq!((code, err.as_str()), (1, ""));
+    assert!(out.starts_with("rod: no SRDF written\n"), "{out}");
+    assert!(
+        out.contains("has 1 independent joint (it ends in \"rod\"), expected at least 4"),
+        "{out}"
+    );
+    assert!(out.contains("--tip"), "{out}");
+    let (code, out, _) = setup(folder.path(), &["rod.urdf", "--json"]);
+    assert_eq!(code, 1);
+    assert!(object(&out)["out"].is_null());
+    assert_eq!(contents(folder.path()).len(), 1);
+}
