@@ -739,5 +739,5 @@ fn a_task_with_thousands_of_boxes_is_checked() {
     fs::write(folder.path().join("boxes.toml"), task).expect("written");
     let (code, out, err) = output(folder.path(), &["check", "boxes.toml"]);
     assert_eq!(code, 0, "{out}{err}");
-    assert!(out.contains("holds the tool with right_tcp"), "{out}");
+    assert!(out.contains("the hand of link \"right_tcp\""), "{out}");
 }

@@ -65,6 +65,9 @@ fn a_run_by_another_program_writes_its_events_and_knows_no_truth() {
         "--json",
         "--set",
         "target_performance=0.2",
+        // The target is chosen for the motion with this mount.
+        "--set",
+        "tool.mount={on=\"hand\"}",
     ];
     let output = wisch(
         folder.path(),

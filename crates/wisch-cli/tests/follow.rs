@@ -202,7 +202,7 @@ fn check_says_which_robot_stands_where() {
     for (scenario, expected) in [
         (
             "arm-board.toml",
-            "arm7 holds the tool with tcp; it is fixed at (0.000, -0.450, 0.750) m",
+            "arm7; it is fixed at (0.000, -0.450, 0.750) m",
         ),
         (
             "chopping-board.toml",

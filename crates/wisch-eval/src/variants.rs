@@ -164,7 +164,7 @@ mod tests {
             ("heap_depth=0", "NAME:FIELD=VALUE"),
             ("a:heap_depth", "FIELD=VALUE"),
             ("a:heap_depth=x", "not a number"),
-            ("a:depth=1", "no field"),
+            ("a:depth=1", "not a field"),
             ("a:slip_share=2", "0 to 1"),
             ("a:members=0.5", "whole number"),
         ] {

@@ -316,6 +316,23 @@ impl RobotModel {
         LinkId(0)
     }
 
+    /// Returns a link and all links that it carries, by fixed and moving joints, a parent before its children.
+    ///
+    /// # Panics
+    /// If the link belongs to another, larger robot.
+    pub fn carried_links(&self, first: LinkId) -> Vec<LinkId> {
+        let mut is_carried = vec![false; self.links().len()];
+        is_carried[first.index()] = true;
+        let mut links = vec![first];
+        for joint in self.joints() {
+            if is_carried[joint.parent.index()] {
+                is_carried[joint.child.index()] = true;
+                links.push(joint.child);
+            }
+        }
+        links
+    }
+
     /// Iterates over the joints from the one above a link up to the root.
     ///
     /// # Panics

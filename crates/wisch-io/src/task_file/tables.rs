@@ -19,6 +19,7 @@ use std::collections::BTreeMap;
 use std::fmt;
 use wisch::plan::YawRule;
 use wisch::represent::{Action, MediumKind, ScenePart};
+use wisch::robot::LinkAxis;
 use wisch::run::MIN_SCORE;
 
 /// A task: action, tool, medium, surface and goal. Lengths in metres, angles in radians.

@@ -145,7 +145,7 @@ fn a_query_without_answers_says_so() {
         answers: &Answers::default(),
         view: &View::default(),
     });
-    assert!(page.contains("false: nothing"));
+    assert!(page.contains("false: the memory has no match"));
     assert!(!page.contains("<canvas"), "an empty scene has no canvas");
 }
 

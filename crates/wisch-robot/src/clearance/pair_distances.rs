@@ -2,7 +2,7 @@
 
 use super::super::LinkId;
 use super::solid;
-use super::{BodyId, CollisionModel, Reason, with_scratch};
+use super::{AllowedReason, BodyId, CollisionModel, with_scratch};
 
 /// Distance of a pair that leaves a planner no room [m]: 1 mm more than the 5 mm that wisch keeps by default.
 pub(crate) const CLOSE: f64 = 6e-3;

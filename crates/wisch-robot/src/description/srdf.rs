@@ -143,6 +143,7 @@ impl Srdf {
             groups,
             states,
             disabled,
+            tool_holders: Vec::new(),
             ignored: Vec::new(),
             passed_over: Vec::new(),
             other_robot: None,

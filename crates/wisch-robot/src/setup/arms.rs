@@ -4,7 +4,7 @@ use super::SetupError;
 use super::joint_tree::{JointTree, MIN_ARM_JOINTS};
 use super::link_names::{is_head, is_leg, side};
 use super::tips::{Tip, choose_tip, outward_axis};
-use crate::{Group, JointKind, LinkId, RobotModel};
+use crate::{Group, JointKind, LinkAxis, LinkId, RobotModel};
 
 /// Most arms of a robot.
 const MAX_ARMS: usize = 16;

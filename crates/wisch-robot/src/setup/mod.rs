@@ -57,4 +57,4 @@ pub use error::SetupError;
 pub use pairs::{LinkPairs, sample_pairs};
 pub use postures::{held_posture, middle_posture};
 pub use ready::{ReadyPosture, ReadyRequest, find_ready, manipulability};
-pub use region::{WipingRegion, find_table, tip_extent};
+pub use region::{WipingRegion, find_table, hand_extent};

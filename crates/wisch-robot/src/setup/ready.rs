@@ -3,9 +3,9 @@
 use super::postures::{
     MAX_NEAR_VARIABLES, middle_posture, random_stream, range_of, variables_between,
 };
-use super::region::tip_extent;
+use super::region::hand_extent;
 use super::{SetupConfig, SetupError, SetupStage, WipingRegion};
-use crate::frame::z_to;
+use crate::frame::rotation_from_z;
 use crate::geometry::{Point3, Pose, Vector3};
 use crate::{
     Chain, CollisionModel, Group, IkConfig, IkOutcome, IkSolver, JointKind, LinkAxis, Margins,
@@ -146,11 +146,13 @@ pub fn find_ready(
 ) -> Result<ReadyPosture, SetupError> {
     config.check()?;
     let (robot, group) = (request.robot, request.group);
-    let reach = tip_extent(robot, group.tip, request.axis);
+    let reach = hand_extent(robot, group.tip, request.axis, request.held)?;
     let tip_from_end = request.axis.frame() * Pose::translation(0.0, 0.0, reach);
     let solver = IkSolver::new(robot, group.base, group.tip, tip_from_end)?;
     let kinematics = robot.forward_kinematics(request.held)?;
-    let collisions = request.collisions.for_variables(solver.chain().variables());
+    let collisions = request
+        .collisions
+        .with_variables(solver.chain().variables());
     let search = Search {
         held_faults: (robot.limit_faults(request.held)?.into_iter())
             .map(|fault| fault.joint)
@@ -294,7 +296,8 @@ impl Search<'_> {
             .collect();
         let size = region.high - region.low;
         let place = region.low + size.map(|side| side * share());
-        let into_surface = Pose::from_parts(Translation3::from(place), z_to(&-Vector3::z()));
+        let into_surface =
+            Pose::from_parts(Translation3::from(place), rotation_from_z(&-Vector3::z()));
         let root_from_tool = region.root_from_region * into_surface;
         let goal = self.base_from_root * root_from_tool;
         let outcome =

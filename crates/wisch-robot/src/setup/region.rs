@@ -4,7 +4,7 @@ use super::postures::random_stream;
 use super::{ArmChain, SetupError};
 use crate::clearance::draw_posture;
 use crate::geometry::{Bounds2, Point3, Pose, Vector3};
-use crate::{Collision, JointKind, LinkAxis, LinkId, RobotModel, Shape};
+use crate::{Collision, JointKind, LinkAxis, LinkId, RobotError, RobotModel, Shape};
 use nalgebra::{Translation3, UnitQuaternion};
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -179,16 +179,32 @@ pub fn find_table(
     Ok(Some(lowest - TABLE_GAP))
 }
 
-/// Returns how far the shapes of a link reach along an axis of it from its origin, at least 0 \[m\].
+/// Returns how far the shapes of a link, and of all links that it carries, reach along an axis of it from its origin, at
+/// least 0 \[m\]: where a hand or gripper ends.
+///
+/// `q`: posture of the robot (n) [rad or m], for the joints of a gripper.
+///
+/// # Errors
+/// If the posture does not fit the robot.
 ///
 /// # Panics
 /// If the link belongs to another, larger robot.
-pub fn tip_extent(robot: &RobotModel, tip: LinkId, axis: LinkAxis) -> f64 {
-    // The lowest point of the link with this axis down.
-    let upside_down = LinkAxis::NegativeZ.frame() * axis.frame().inverse();
-    let shapes = robot.links()[tip.index()].collision.iter();
-    let heights = shapes.map(|shape| -lowest_point(&upside_down, shape));
-    heights.fold(0.0, f64::max)
+pub fn hand_extent(
+    robot: &RobotModel,
+    tip: LinkId,
+    axis: LinkAxis,
+    q: &[f64],
+) -> Result<f64, RobotError> {
+    let kinematics = robot.forward_kinematics(q)?;
+    // The hand upside down: its end is the lowest point.
+    let hand_from_tip = LinkAxis::NegativeZ.frame() * axis.frame().inverse();
+    let hand_from_root = hand_from_tip * kinematics.world_from_link(tip).inverse();
+    let ends = robot.carried_links(tip).into_iter().flat_map(|link| {
+        let hand_from_link = hand_from_root * kinematics.world_from_link(link);
+        let shapes = robot.links()[link.index()].collision.iter();
+        shapes.map(move |shape| -lowest_point(&hand_from_link, shape))
+    });
+    Ok(ends.fold(0.0, f64::max))
 }
 
 /// Returns the least height of a shape in the root frame [m].

@@ -3,7 +3,7 @@
 use super::joint_tree::JointTree;
 use super::link_names::{TIP_KINDS, is_in_grasp, is_sensor, tip_kind};
 use super::postures::middle_posture;
-use super::region::tip_extent;
+use super::region::hand_extent;
 use crate::geometry::Vector3;
 use crate::{JointKind, LinkAxis, LinkId};
 use std::cmp::Reverse;
@@ -177,7 +177,9 @@ pub(super) fn outward_axis(tree: &JointTree<'_>, joints: &[usize], tip: LinkId) 
     let along = world_from_joint.rotation * last.axis.into_inner();
     let [(there, tilt), (back, _)] = [along, -along].map(|direction| nearest(&direction));
     // The shapes of a hand reach farther outwards than inwards; without shapes, the usual frame has z outwards.
-    let [reach, reach_back] = [there, back].map(|axis| tip_extent(robot, tip, axis));
+    let middle = middle_posture(robot);
+    let [reach, reach_back] =
+        [there, back].map(|axis| hand_extent(robot, tip, axis, &middle).unwrap_or(0.0));
     let is_back = reach_back > reach || reach_back == reach && back == LinkAxis::Z;
     (if is_back { back } else { there }, tilt)
 }

@@ -4,7 +4,7 @@ use wisch::follow::{FollowError, Workcell, WorkcellConfig};
 use wisch::geometry::{Bounds2, Mesh, Pose, Vector3};
 use wisch::robot::setup::{
     ArmChain, LinkPairs, ReadyPosture, ReadyRequest, SetupConfig, SetupError, SetupStage,
-    WipingRegion, find_arms, find_ready, find_table, held_posture, sample_pairs, tip_extent,
+    WipingRegion, find_arms, find_ready, find_table, hand_extent, held_posture, sample_pairs,
 };
 use wisch::robot::{
     CollisionModel, Group, GroupState, JointKind, LinkAxis, LinkId, READY_STATE, RobotError,
@@ -281,9 +281,13 @@ fn scene_without_task(
         let tool = cuboid("tool", Vector3::new(x, y, z))?;
         let name = format!("tool of {}", arm.name);
         let axis = arm.tip_axis;
-        let out = tip_extent(robot, tip, axis) + z / 2.0;
+        let out = hand_extent(robot, tip, axis, &held)? + z / 2.0;
         let in_tip = axis.frame() * Pose::translation(0.0, 0.0, out);
         collisions.attach(&name, tip, in_tip, &tool)?;
+        // A gripper holds the tool.
+        for link in robot.carried_links(tip) {
+            collisions.allow(&name, &robot.links()[link.index()].name)?;
+        }
     }
     if let Some(top) = find_table(robot, arms, &held)? {
         let [x, y, z] = TABLE;
@@ -333,7 +337,7 @@ fn scene_of_task(robot: &RobotModel, srdf: &Srdf, task: &LoadedTask) -> Result<S
     Ok(Scene {
         collisions: cell.collisions().clone(),
         held: cell.ready_posture().to_vec(),
-        surface: Bounds2::of(outline).map(|bounds| KnownSurface {
+        surface: Bounds2::from_points(outline).map(|bounds| KnownSurface {
             root_from_surface: cell.world_from_root().inv_mul(&surface.world_from_surface),
             bounds,
             name: surface.name.clone(),

@@ -1,7 +1,7 @@
 //! Collision models of a robot with its tool in a scene, by what the tool may touch.
 
 use super::FLOOR_TOLERANCE;
-use super::grasp::{carried_links, relax, without_rim};
+use super::grasp::{relax, without_rim};
 use super::group::{PlanarBase, hand_and_holder, standing_links};
 use super::target_surface::{PlacedTool, TargetSurface, is_tool_behind};
 use crate::follow::FollowError;
@@ -80,7 +80,7 @@ impl<'a> MountedTool<'a> {
             rimless,
         };
         // A gripper on the tip holds the tool.
-        for link in carried_links(robot, tip) {
+        for link in robot.carried_links(tip) {
             models.allow_in_all(&tool, &robot.links()[link.index()].name)?;
         }
         Ok(Self {

@@ -4,7 +4,8 @@ use super::PlanningGroup;
 use crate::follow::FollowError;
 use crate::geometry::{Mesh, Point3, Pose, Vector3};
 use crate::represent::{Mount, Tool};
-use crate::robot::{Collision, LinkAxis, LinkId, RobotModel, Shape, Srdf};
+use crate::robot::setup::hand_extent;
+use crate::robot::{LinkAxis, LinkId, RobotModel, Srdf};
 use nalgebra::{Translation3, UnitQuaternion};
 use std::f64::consts::PI;
 use std::fmt;
@@ -122,32 +123,8 @@ pub(in crate::follow) fn tip_from_hand(
     axis: LinkAxis,
     q: &[f64],
 ) -> Result<Pose, FollowError> {
-    let kinematics = robot.forward_kinematics(q)?;
-    let hand_from_world = axis.frame().inverse() * kinematics.world_from_link(tip).inverse();
-    let mut reach: f64 = 0.0;
-    for link in carried_links(robot, tip) {
-        let hand_from_link = hand_from_world * kinematics.world_from_link(link);
-        let shapes = robot.links()[link.index()].collision.iter();
-        reach = shapes
-            .map(|shape| outermost(shape, &hand_from_link))
-            .fold(reach, f64::max);
-    }
+    let reach = hand_extent(robot, tip, axis, q)?;
     Ok(axis.frame() * Pose::translation(0.0, 0.0, reach))
-}
-
-/// Returns a link and all links that it carries.
-pub(in crate::follow) fn carried_links(robot: &RobotModel, first: LinkId) -> Vec<LinkId> {
-    let mut is_carried = vec![false; robot.links().len()];
-    is_carried[first.index()] = true;
-    let mut links = vec![first];
-    // A parent comes before its children.
-    for joint in robot.joints() {
-        if is_carried[joint.parent.index()] {
-            is_carried[joint.child.index()] = true;
-            links.push(joint.child);
-        }
-    }
-    links
 }
 
 /// Returns the pose of the tool in the flange, the middle of its upper face square on it.
@@ -192,30 +169,6 @@ pub(in crate::follow) fn relax(mesh: &Mesh, compression_depth: f64) -> Result<Me
     }
     let vertices = mesh.vertices().iter().map(stretched);
     Mesh::new(vertices.collect(), mesh.triangles().to_vec()).map_err(FollowError::Tool)
-}
-
-/// Returns the largest coordinate of a link's shape along the hand's z axis [m].
-fn outermost(collision: &Collision, hand_from_link: &Pose) -> f64 {
-    let pose = &(hand_from_link * collision.link_from_shape);
-    let along = |z: f64| (pose * Point3::new(0.0, 0.0, z)).z;
-    let axis_z = (pose.rotation * Vector3::z()).z;
-    let rim = |radius: f64| radius * (1.0 - axis_z * axis_z).max(0.0).sqrt();
-    match &collision.shape {
-        Shape::Sphere { radius } => along(0.0) + radius,
-        Shape::Capsule { radius, length } => along(length / 2.0).max(along(-length / 2.0)) + radius,
-        Shape::Cylinder { radius, length } => {
-            along(length / 2.0).max(along(-length / 2.0)) + rim(*radius)
-        }
-        Shape::Box { size } => {
-            let turned = pose.rotation.to_rotation_matrix();
-            let half: f64 = (0..3).map(|i| turned[(2, i)].abs() * size[i] / 2.0).sum();
-            along(0.0) + half
-        }
-        Shape::Mesh(mesh) => {
-            let heights = mesh.vertices().iter().map(|vertex| (pose * vertex).z);
-            heights.fold(f64::NEG_INFINITY, f64::max)
-        }
-    }
 }
 
 #[cfg(test)]

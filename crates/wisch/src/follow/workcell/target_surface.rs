@@ -1,7 +1,6 @@
 //! The target surface as an obstacle: to the robot and its hand always, to the tool whenever it must not touch
 //! it.
 
-use super::grasp::carried_links;
 use crate::follow::FollowError;
 use crate::geometry::{Point2, Point3, Pose, Vector3};
 use crate::plan::Plan;
@@ -160,5 +159,5 @@ fn hand_links(robot: &RobotModel, tip: LinkId) -> Vec<LinkId> {
         }
         first = joint.parent;
     }
-    carried_links(robot, first)
+    robot.carried_links(first)
 }
