@@ -175,6 +175,12 @@ def _execute(executor, wire: _Wire, head: dict[str, Any]) -> None:
     wire.send(done={"duration_s": time, "ending": ending, "positions": positions, **done})
 
 
+def _ready(executor) -> dict[str, Any]:
+    ready = {"version": VERSION, "reports_state": hasattr(executor, "state")}
+    max_silence_s = getattr(executor, "max_silence_s", None)
+    return ready if max_silence_s is None else {**ready, "max_silence_s": max_silence_s}
+
+
 def _observe(executor):
     observe = getattr(executor, "observe", None)
     observation = observe() if observe else None
@@ -186,6 +192,7 @@ def _observe(executor):
 def serve(executor) -> None:
     """Serve ``wisch run --executor`` over the standard streams until they close.
 
+    If the executor has ``max_silence_s`` [s], wisch stops a motion in which it passes on no sample for longer.
     Output of the executor goes to standard error. Its exceptions are reported to wisch, and end this program with exit code 1.
     """
     wire = _Wire(sys.stdin, sys.stdout)
@@ -198,7 +205,7 @@ def serve(executor) -> None:
                     state = {"positions": [] if state is None else state}
                 wire.send(state=state)
             elif "hello" in message:
-                wire.send(ready={"version": VERSION, "reports_state": hasattr(executor, "state")})
+                wire.send(ready=_ready(executor))
             elif "execute" in message:
                 wire.is_stopped.clear()
                 _execute(executor, wire, message["execute"])

@@ -221,7 +221,7 @@ fn a_round_without_contact_says_so() {
     found.diagnosis = Diagnosis::NoContact;
     found.events = Vec::new();
     let (html, pictures) = draw("no-contact", &demo, |_, _| ());
-    assert!(html.contains("height over the believed surface"));
+    assert!(html.contains("height above the believed surface"));
     let path = &pictures
         .iter()
         .find(|(stem, _)| stem == "round-1-path")
