@@ -4,7 +4,7 @@ use std::ops::ControlFlow;
 use wisch::control::ControlConfig;
 use wisch::follow::{FollowConfig, Followed, Phase, Workcell, follow};
 use wisch::geometry::{Pose, Vector3};
-use wisch::represent::{Action, GrainSize, LogNormal, MediumKind, Task};
+use wisch::represent::{Action, GrainSize, LogNormal, MediumKind, Mount, Task};
 use wisch::run::{Ending, Execution, MotionOrder, TelemetrySample};
 use wisch_sim::{
     Dirt, GrainCount, GroundTruth, RealTool, Sensing, SimulationSettings, TrueDirt, Waviness,
@@ -59,7 +59,9 @@ pub struct Log {
 impl Wiping {
     /// The first stroke of the board's plan, without dirt.
     pub fn of_one_stroke(action: Action) -> Self {
-        let task = board(action, [0.5, 0.0, 0.2]);
+        let mut task = board(action, [0.5, 0.0, 0.2]);
+        // The bounds of the tests are chosen for this mount.
+        task.tool.mount = Some(Mount::Hand { lean: 0.8 });
         let plan = first_stroke(planned(&task));
         let cell = cell(&task);
         // The stroke as planned: tests put things in its way, and waves under it.
