@@ -23,7 +23,7 @@ pub(super) enum ToChild<'a> {
         versions: [u32; 2],
     },
     /// A motion, followed by the stated number of points.
-    Execute(MotionHead),
+    Execute(Box<MotionHead>),
     Point(TrajectoryPoint),
     /// A request to abort the current motion.
     Stop,

@@ -201,11 +201,8 @@ impl ProcessExecutor {
         if points.is_empty() {
             return Err(self.fault("the motion is empty"));
         }
-        self.say(&ToChild::Execute(MotionHead::new(
-            order,
-            points.len(),
-            version,
-        )))?;
+        let head = MotionHead::new(order, points.len(), version);
+        self.say(&ToChild::Execute(Box::new(head)))?;
         for point in points {
             self.say(&ToChild::Point(TrajectoryPoint::new(point, version)))?;
         }

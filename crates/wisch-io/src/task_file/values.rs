@@ -4,7 +4,7 @@ use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::de::{Unexpected, Visitor};
 use serde::{Deserialize, Deserializer, Serialize};
 use std::borrow::Cow;
-use std::f64::consts::TAU;
+use std::f64::consts::{FRAC_PI_2, TAU};
 use std::fmt;
 use wisch::geometry::Point2;
 use wisch::represent::MAX_PARTICLES;
@@ -76,7 +76,7 @@ ranges! { f64, NumberWithin;
     /// Distances of a tool's face from the origin of a link [m].
     FlangeM = (-0.5, 2.0);
     /// Leans of a hand over its tool, from upright to flat [rad].
-    LeanRad = (0.0, 1.5708);
+    LeanRad = (0.0, FRAC_PI_2);
     /// Tilts [rad]: beyond this a surface is another one, not one badly localised.
     TiltRad = (-0.3, 0.3);
     /// Shifts of a badly localised surface [m].

@@ -109,7 +109,7 @@ impl WipingRegion {
     /// - `root_from_surface`: frame of the surface in the robot's root frame; z is its outward normal.
     /// - `bounds`: extent of the surface in its frame \[m\].
     /// - `name`: name of the surface.
-    pub fn over_surface(root_from_surface: Pose, bounds: &Bounds2, name: &str) -> Self {
+    pub fn from_surface(root_from_surface: Pose, bounds: &Bounds2, name: &str) -> Self {
         let middle = bounds.center();
         let half = bounds.size().map(|side| side.max(MIN_EXTENT) / 2.0);
         Self {
@@ -124,7 +124,7 @@ impl WipingRegion {
     ///
     /// `height`: height of the surface in the robot's root frame \[m\].
     #[must_use]
-    pub fn at_height(mut self, height: f64, name: &str) -> Self {
+    pub fn with_height(mut self, height: f64, name: &str) -> Self {
         let from_root = height - self.root_from_region.translation.z;
         self.low.z = from_root + OVER_SURFACE[0];
         self.high.z = from_root + OVER_SURFACE[1];

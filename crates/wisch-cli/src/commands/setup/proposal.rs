@@ -1,4 +1,4 @@
-//! The search for groups, pairs and a ready posture, with a tool at hand and, if there is a task, in its scene.
+//! The search for groups, pairs and a ready posture, with a tool on the tip and, if there is a task, in its scene.
 
 use wisch::follow::{FollowError, Workcell, WorkcellConfig};
 use wisch::geometry::{Bounds2, Mesh, Pose, Vector3};
@@ -252,7 +252,7 @@ fn regions(
     };
     let (at, name) = (&surface.root_from_surface, &surface.name);
     if !surface.is_driven_to {
-        return Ok(vec![WipingRegion::over_surface(*at, &surface.bounds, name)]);
+        return Ok(vec![WipingRegion::from_surface(*at, &surface.bounds, name)]);
     }
     let around = WipingRegion::around(robot, arm, held)?;
     if (at.rotation * Vector3::z()).z < LEVEL {
@@ -260,7 +260,7 @@ fn regions(
     }
     let height = at.translation.z;
     Ok((around.into_iter())
-        .map(|region| region.at_height(height, name))
+        .map(|region| region.with_height(height, name))
         .collect())
 }
 
