@@ -25,7 +25,8 @@ session = task.session(robot)
 
 class Robot:
     def execute(self, motion, sink):
-        after(0.3)
+        if not "{stage}":
+            after(0.3)
         while True:
             k = 0
             for k in range(100):
