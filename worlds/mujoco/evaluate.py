@@ -27,7 +27,7 @@ REACHED = 0.9
 FALSE_BY = 0.1
 """A claim is false where the truth is further below the target than this."""
 ROBOTS = {
-    "arm7": {"robot.name": "arm7", "robot.position_m": [0.0, -0.45, 0.75]},
+    "arm7": {"robot.name": "arm7", "robot.position_m": [0.0, -0.45, 0.75], "tool.mount.on": "hand"},
     "humanoid": {},
 }
 

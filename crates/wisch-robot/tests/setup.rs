@@ -167,7 +167,7 @@ fn a_tip_that_is_named_is_taken() {
 }
 
 #[test]
-fn a_robot_without_an_arm_is_told_with_its_longest_chain() {
+fn a_robot_without_an_arm_is_an_error_that_names_its_longest_chain() {
     let two = joint("continuous", "base", "upper", "0 0 0.1", "")
         + &joint("continuous", "upper", "lower", "0 0 0.3", "");
     let robot = read(&format!(

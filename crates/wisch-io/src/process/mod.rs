@@ -144,8 +144,8 @@ impl ProcessExecutor {
         self.fault(format!("expected {wanted}, found {}", found.kind()))
     }
 
-    fn silent(&mut self) -> ExecutorError {
-        let seconds = self.silence.as_secs_f64();
+    fn silent(&mut self, silence: Duration) -> ExecutorError {
+        let seconds = silence.as_secs_f64();
         self.fault(format!("no message for {seconds} s"))
     }
 
@@ -187,7 +187,7 @@ impl ProcessExecutor {
     fn answer(&mut self) -> Result<FromChild, ExecutorError> {
         match self.hear(Instant::now() + self.silence, true)? {
             Ok(message) => Ok(message),
-            Err(Unheard::Silent) => Err(self.silent()),
+            Err(Unheard::Silent) => Err(self.silent(self.silence)),
             Err(Unheard::Interrupted) => Err(self.fault("interrupted before its answer")),
         }
     }
@@ -360,8 +360,7 @@ impl ProcessExecutor {
                 Err(Unheard::Silent)
                     if progress.told.is_none() && progress.heard.elapsed() >= silence =>
                 {
-                    let seconds = silence.as_secs_f64();
-                    return Err(self.fault(format!("no message for {seconds} s")));
+                    return Err(self.silent(silence));
                 }
                 Err(_) => {}
             }

@@ -82,20 +82,20 @@ impl ViewCommand {
         match term.parts() {
             // The page always shows the scene, so this command adds nothing.
             Some(("show", [])) => Ok(Self::Show(Vec::new())),
-            Some(("show", [what])) => parse_look(what, ViewTime::Latest, plain, None),
-            Some(("show", [what, how])) => parse_look(what, when(how)?, plain, None),
+            Some(("show", [what])) => parse_shown(what, ViewTime::Latest, plain, None),
+            Some(("show", [what, how])) => parse_shown(what, when(how)?, plain, None),
             Some(("show", [what, how, style])) => {
-                parse_look(what, when(how)?, plain, Some(Colour::from_term(style)?))
+                parse_shown(what, when(how)?, plain, Some(Colour::from_term(style)?))
             }
-            Some(("highlight", [what])) => parse_look(what, ViewTime::Latest, strong, None),
-            Some(("highlight", [what, style])) => parse_look(
+            Some(("highlight", [what])) => parse_shown(what, ViewTime::Latest, strong, None),
+            Some(("highlight", [what, style])) => parse_shown(
                 what,
                 ViewTime::Latest,
                 strong,
                 Some(Colour::from_term(style)?),
             ),
             Some(("highlight", [what, how, style])) => {
-                parse_look(what, when(how)?, strong, Some(Colour::from_term(style)?))
+                parse_shown(what, when(how)?, strong, Some(Colour::from_term(style)?))
             }
             Some(("data_vis", [diagram, properties])) => {
                 Ok(Self::Plot(Plot::from_terms(diagram, properties)?))
@@ -107,7 +107,7 @@ impl ViewCommand {
     }
 }
 
-fn parse_look(
+fn parse_shown(
     what: &Term,
     when: ViewTime,
     emphasis: Emphasis,

@@ -258,7 +258,7 @@ impl Gathering<'_> {
                 };
                 let stretch = [(from - began).max(first), (to - began).min(last)];
                 if stretch[0] <= stretch[1] {
-                    found.push(self.look(round, stretch, [from, to]));
+                    found.push(self.show_stretch(round, stretch, [from, to]));
                 }
             }
         }
@@ -284,7 +284,7 @@ impl Gathering<'_> {
                 if let Some([first, last]) = self.opened[round].telemetry.interval() {
                     let began = self.opened[round].began;
                     let looked = [began + last; 2];
-                    return Ok(vec![self.look(round, [first, last], looked)]);
+                    return Ok(vec![self.show_stretch(round, [first, last], looked)]);
                 }
             }
         }
@@ -295,7 +295,7 @@ impl Gathering<'_> {
         })
     }
 
-    fn look(&mut self, round: usize, [from, to]: [f64; 2], looked: [f64; 2]) -> Stretch {
+    fn show_stretch(&mut self, round: usize, [from, to]: [f64; 2], looked: [f64; 2]) -> Stretch {
         let looks = &mut self.view.episodes[self.view.rounds[round].episode].looked;
         if !looks.contains(&looked) {
             looks.push(looked);

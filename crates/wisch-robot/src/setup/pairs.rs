@@ -33,6 +33,8 @@ const STEP_FACTOR: f64 = 0.985;
 pub struct LinkPairs {
     /// The pairs with their reasons, in the order Adjacent, Never, Always, Default.
     pub disabled: Vec<DisabledPair>,
+    /// Pairs called `Always` that are close in fewer than 95 % of the postures: near links, which may touch in others.
+    pub often: Vec<[LinkId; 2]>,
     /// Number of pairs of links with shapes.
     pub total: usize,
     /// Number of pairs that collide in no random posture but come within the margin in a descent, and so stay checked.
@@ -98,7 +100,7 @@ pub fn sample_pairs(
             .into_iter()
             .map(|(pair, overlaps)| (pair, overlap(overlaps))),
     );
-    let mut near = 0;
+    let (mut near, mut often) = (0, Vec::new());
     for (i, &pair) in links.iter().enumerate() {
         let share = distances[i].overlaps as f64 / samples.max(1) as f64;
         let between = variables_between(robot, pair);
@@ -109,6 +111,9 @@ pub fn sample_pairs(
         let close_share = distances[i].close as f64 / samples.max(1) as f64;
         if close_share >= always {
             pairs.push((pair, "Always"));
+            if close_share < ALWAYS_SHARE {
+                often.push(pair);
+            }
         } else if distances[i].overlaps == 0 && samples > 0 {
             match least[i] > config.never_margin {
                 true => pairs.push((pair, "Never")),
@@ -133,6 +138,7 @@ pub fn sample_pairs(
     });
     Ok(LinkPairs {
         disabled: disabled.collect(),
+        often,
         total,
         near,
         samples,

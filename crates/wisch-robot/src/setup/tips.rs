@@ -145,7 +145,8 @@ fn list_candidates(
 pub(super) fn outward_axis(tree: &JointTree<'_>, joints: &[usize], tip: LinkId) -> (LinkAxis, f64) {
     let robot = tree.robot;
     let last = joints.last().map(|&last| &robot.joints()[last]);
-    let kinematics = robot.forward_kinematics(&middle_posture(robot));
+    let middle = middle_posture(robot);
+    let kinematics = robot.forward_kinematics(&middle);
     let (Some(last), Ok(kinematics)) = (last, kinematics) else {
         return (LinkAxis::default(), 0.0);
     };
@@ -177,9 +178,10 @@ pub(super) fn outward_axis(tree: &JointTree<'_>, joints: &[usize], tip: LinkId) 
     let along = world_from_joint.rotation * last.axis.into_inner();
     let [(there, tilt), (back, _)] = [along, -along].map(|direction| nearest(&direction));
     // The shapes of a hand reach farther outwards than inwards; without shapes, the usual frame has z outwards.
-    let middle = middle_posture(robot);
-    let [reach, reach_back] =
-        [there, back].map(|axis| hand_extent(robot, tip, axis, &middle).unwrap_or(0.0));
-    let is_back = reach_back > reach || reach_back == reach && back == LinkAxis::Z;
+    let reach = |axis| hand_extent(robot, tip, axis, &middle).ok();
+    let is_back = match reach(there).zip(reach(back)) {
+        Some((reach, reach_back)) if reach != reach_back => reach_back > reach,
+        _ => back == LinkAxis::Z,
+    };
     (if is_back { back } else { there }, tilt)
 }

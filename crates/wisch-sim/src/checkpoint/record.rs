@@ -396,6 +396,11 @@ mod tests {
                 },
             },
         ];
+        let reported = StopKind::ALL.map(|kind| StopCause::Reported {
+            kind,
+            reason: "a hand".to_owned(),
+        });
+        let causes = causes.into_iter().chain(reported);
         let stops = causes.map(|cause| Ending::ProtectiveStop { time: 0.1, cause });
         let early = [
             StrokeEnd::ContactLost { way: 0.1 },

@@ -54,11 +54,8 @@ pub(super) fn time_motion(
         Phase::Drive | Phase::FreeMotion | Phase::Lifted | Phase::Lift => config.free_speed,
     };
     // Where the tool follows a line, its steps are short.
-    let path = &if speed.is_finite() && tool_line.is_empty() {
-        divide_steps(path)
-    } else {
-        path.to_vec()
-    };
+    let divided = (speed.is_finite() && tool_line.is_empty()).then(|| divide_steps(path));
+    let path = divided.as_deref().unwrap_or(path);
     let mut joints = JointPath::new(path)?;
     if speed.is_finite() {
         let line = segment_lengths(cell, path)?;

@@ -19,7 +19,7 @@ const SHARP: Sight = Sight {
     detection: 1.0,
 };
 
-fn look<'a>(
+fn update<'a>(
     task: &'a Task,
     goal: &'a GoalState,
     observation: &'a Observation,
@@ -137,7 +137,7 @@ fn a_sharp_look_before_wiping_tells_all() {
         detections: places(30, 0.05),
         hidden: Region::default(),
     };
-    let after = belief.observe(&look(&task, &goal, &seen));
+    let after = belief.observe(&update(&task, &goal, &seen));
     for member in after.members() {
         assert_eq!(member.tally().remaining, 30);
         assert_eq!(member.len(), 30);
@@ -149,7 +149,7 @@ fn a_sharp_look_before_wiping_tells_all() {
         detections: vec![],
         hidden: hidden.clone(),
     };
-    let after = belief.observe(&look(&task, &goal, &behind));
+    let after = belief.observe(&update(&task, &goal, &behind));
     assert!(
         after
             .members()
@@ -172,7 +172,7 @@ fn a_look_after_wiping_tells_what_is_left_and_what_is_gone() {
         detections: places(20, 0.1),
         hidden: Region::default(),
     };
-    felt.observe(&look(&task, &goal, &seen));
+    felt.observe(&update(&task, &goal, &seen));
     assert_eq!(felt.performance.mean, 0.75);
     assert_eq!([felt.performance.low, felt.performance.high], [0.75; 2]);
     assert!(felt.by_touch.mean > 0.5 && felt.observation.is_some());
@@ -188,7 +188,7 @@ fn a_look_after_wiping_tells_what_is_left_and_what_is_gone() {
     let nothing = Observation::default();
     let after = before.observe(&ObservationUpdate {
         sight: blind,
-        ..look(&task, &goal, &nothing)
+        ..update(&task, &goal, &nothing)
     });
     assert!(after.members() == before.members());
 }
@@ -214,7 +214,7 @@ fn false_alarms_are_told_from_dirt_by_where_dirt_may_be() {
     };
     let after = belief.observe(&ObservationUpdate {
         sight,
-        ..look(&task, &goal, &seen)
+        ..update(&task, &goal, &seen)
     });
     let share = |is: fn(f64) -> bool| {
         let all = after.members().iter().flat_map(|m| m.remaining());
@@ -243,7 +243,7 @@ fn a_look_weighs_the_laws_by_how_much_is_left() {
         detections: all,
         hidden: Region::default(),
     };
-    felt.observe(&look(&task, &GoalState::Absorbed, &seen));
+    felt.observe(&update(&task, &GoalState::Absorbed, &seen));
     assert!(before < 60.0 && (left(&felt) - 80.0).abs() < 1e-9);
     // Wiped once more, the dirt is believed to stay where it is.
     let again = interpreted_from(&felt.belief, &task, &config);
@@ -296,7 +296,7 @@ fn what_all_members_agree_on_was_missed_rather_than_gone() {
     };
     let after = belief.observe(&ObservationUpdate {
         sight,
-        ..look(&task, &goal, &seen)
+        ..update(&task, &goal, &seen)
     });
     let left: Vec<f64> = after
         .members()
@@ -311,7 +311,7 @@ fn what_all_members_agree_on_was_missed_rather_than_gone() {
     let nothing = Observation::default();
     let gone = belief.observe(&ObservationUpdate {
         sight,
-        ..look(&task, &goal, &nothing)
+        ..update(&task, &goal, &nothing)
     });
     let left: usize = gone.members().iter().map(|m| m.tally().remaining).sum();
     assert!(left < 400, "{left}");
@@ -343,7 +343,7 @@ fn what_is_gone_went_over_the_edge_over_which_the_tool_wiped() {
     let member = ParticleDistribution::with_fates(&places).unwrap();
     let belief = wiped(&Belief::from_members(vec![member; 20]).unwrap(), &task);
     let seen = Observation::default();
-    let after = belief.observe(&look(&task, &GoalState::Skimmed, &seen));
+    let after = belief.observe(&update(&task, &GoalState::Skimmed, &seen));
     for member in after.members() {
         assert!(
             member

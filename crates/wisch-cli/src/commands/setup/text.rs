@@ -237,6 +237,9 @@ pub fn comments(
             counted(pairs.near, "pair")
         );
     }
+    if let Some(note) = often_note(robot, proposal) {
+        let _ = write!(about_pairs, "\n{note}.");
+    }
     SrdfComments {
         head: format!(
             "SRDF of {}, proposed by wisch robot setup ({PROGRAM}) from {file}.\n\
@@ -324,7 +327,7 @@ pub fn describe(
         let advice = "choose another link with --tip, or another tool";
         lines.push((
             "note",
-            format!("a tool of 30 mm along the z axis of the tip would touch the arm: {advice}"),
+            format!("a tool of 30 mm at the tip would touch the arm: {advice}"),
         ));
     }
     let pairs = &proposal.pairs;
@@ -341,6 +344,7 @@ pub fn describe(
             ),
         },
     ));
+    lines.extend(often_note(robot, proposal).map(|note| ("note", note)));
     let postures = proposal.ready.first().map_or(0, |(_, ready)| ready.samples);
     lines.push((
         "samples",
@@ -369,6 +373,22 @@ pub fn group_lines<'a>(
             let joints = counted(*joints, "joint");
             format!("{}: {joints}, {base} to {tip}", group.name)
         })
+}
+
+/// Returns a remark on pairs that are not checked although they are apart in some postures.
+fn often_note(robot: &RobotModel, proposal: &Proposal) -> Option<String> {
+    let often = &proposal.pairs.often;
+    let names = often.iter().map(|pair| {
+        let [a, b] = pair.map(|link| link_name(robot, link));
+        format!("{a} with {b}")
+    });
+    let names: Vec<String> = names.collect();
+    (!names.is_empty()).then(|| {
+        format!(
+            "not checked, but apart in some postures: {}; if these links can touch on your robot, remove the pair from the SRDF",
+            names.join(", ")
+        )
+    })
 }
 
 /// Returns a remark on an arm whose tip points out of the hand by another axis than z, or by none.
