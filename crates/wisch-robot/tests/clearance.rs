@@ -235,9 +235,11 @@ fn fingers_may_touch_the_tool_that_they_hold() {
   <link name="arm"><collision><origin xyz="0 0 -0.3"/><geometry><sphere radius="0.05"/></geometry></collision></link>
   <link name="palm"><collision><geometry><sphere radius="0.05"/></geometry></collision></link>
   <link name="finger"><collision><origin xyz="0 0 0.1"/><geometry><sphere radius="0.02"/></geometry></collision></link>
+  <link name="fingertip"><collision><origin xyz="0 0 0.12"/><geometry><sphere radius="0.01"/></geometry></collision></link>
   <link name="tcp"/>
   <joint name="wrist" type="prismatic"><parent link="arm"/><child link="palm"/><axis xyz="0 0 1"/><limit lower="0" upper="0.3" velocity="1" effort="1"/></joint>
   <joint name="grip" type="prismatic"><parent link="palm"/><child link="finger"/><axis xyz="1 0 0"/><limit lower="0" upper="0.04" velocity="1" effort="1"/></joint>
+  <joint name="bend" type="revolute"><parent link="finger"/><child link="fingertip"/><axis xyz="0 1 0"/><limit lower="0" upper="1" velocity="1" effort="1"/><mimic joint="grip"/></joint>
   <joint name="at" type="fixed"><parent link="palm"/><child link="tcp"/><origin xyz="0 0 0.1"/></joint>
 </robot>"#,
     );

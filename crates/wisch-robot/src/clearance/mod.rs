@@ -25,7 +25,7 @@ use mesh::Placed;
 use segment::{OpenPair, Span};
 use solid::{AxisAlignedBox, Solid};
 use std::cell::Cell;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
 
 /// Collision model of the links, bodies fixed to links (tools) and obstacles.
@@ -249,8 +249,8 @@ impl CollisionModel {
     }
 
     /// Fixes a body, such as a tool, to a link. The body becomes its convex hull. It is not checked against the link,
-    /// the adjacent links with shapes, links fixed to that link, or their children: the fingers of a hand hold the
-    /// tool.
+    /// the adjacent links with shapes, links fixed to that link, or what these carry: the fingers of a hand hold the
+    /// tool, to their tips.
     ///
     /// # Errors
     /// If the name exists already, the pose is not finite, or the link belongs to another, larger robot.
@@ -272,12 +272,15 @@ impl CollisionModel {
             frame_from_link: frame_from_link * link_from_body,
         };
         let body = self.push(name, mount, std::iter::once(mesh::hull(mesh)));
-        let mut near = self.neighbours[link.0].clone();
+        let mut near: BTreeSet<BodyId> = self.neighbours[link.0].iter().copied().collect();
         // Links that are fixed to each other share a frame; the root's frame does not move and neither do obstacles.
         let fixed = (0..self.mounts.len()).filter(|&i| frame > 0 && self.mounts[i].frame == frame);
-        for part in fixed.map(BodyId) {
+        let mut carriers: Vec<BodyId> = fixed.map(BodyId).collect();
+        near.extend(&carriers);
+        while let Some(carrier) = carriers.pop() {
             // A child has a greater index than its parent.
-            near.extend((self.neighbours[part.0].iter()).filter(|&&held| held >= part));
+            let carried = self.neighbours[carrier.0].iter();
+            carriers.extend(carried.filter(|&&held| held > carrier && near.insert(held)));
         }
         for neighbour in near {
             self.permit(neighbour, body, AllowedReason::Neighbours);
