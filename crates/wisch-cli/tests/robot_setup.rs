@@ -100,6 +100,72 @@ fn a_robot_that_drives_is_set_up_and_wipes_with_its_first_group() {
     assert_eq!(object(&out)["faults"], 0);
 }
 
+/// Most URDFs of mobile robots begin at the platform, without the joints that move it.
+#[test]
+fn a_base_that_only_the_srdf_declares_drives() {
+    let folder = folder_with("chopping-board.toml");
+    let urdf = fs::read_to_string(root().join("robots/humanoid.urdf")).expect("a URDF");
+    let (links, rest) = urdf.split_once("<joint name=\"base_x\"").expect("a base");
+    let (_, rest) = rest
+        .split_once("<joint name=\"platform_torso\"")
+        .expect("a torso");
+    let mut standing = format!("{links}<joint name=\"platform_torso\"{rest}");
+    for link in ["world", "base_x_link", "base_y_link"] {
+        standing = standing.replace(&format!("<link name=\"{link}\"/>"), "<!-- a wheel -->");
+    }
+    fs::write(folder.path().join("humanoid.urdf"), standing).expect("a URDF");
+
+    let (code, out, err) = setup(folder.path(), &["humanoid.urdf", "--mobile"]);
+    assert_eq!((code, err.as_str()), (0, ""));
+    assert!(
+        out.contains("  base         platform drives in the plane of odom\n"),
+        "{out}"
+    );
+    assert!(out.contains("then wisch follow chopping-board"), "{out}");
+    let srdf = fs::read_to_string(folder.path().join("humanoid.srdf")).expect("an SRDF");
+    let declared =
+        r#"<virtual_joint name="base" type="planar" parent_frame="odom" child_link="platform"/>"#;
+    assert!(srdf.contains(declared), "{srdf}");
+
+    let (_, out, _) = wisch(
+        folder.path(),
+        &["robot", "check", "humanoid.urdf", "--json"],
+    );
+    assert_eq!(
+        (&object(&out)["errors"], &object(&out)["warnings"]),
+        (&Value::from(0), &Value::from(0)),
+        "{out}"
+    );
+    let follow = [
+        "follow",
+        "task.toml",
+        "--strategy",
+        "kde",
+        "--robot",
+        "humanoid.urdf",
+        "--out",
+        "done",
+        "--json",
+    ];
+    let (code, out, err) = wisch(folder.path(), &follow);
+    assert_eq!(code, 0, "{err}");
+    let followed = object(&out);
+    assert_eq!(followed["faults"], 0);
+    assert_eq!(
+        followed["placements"].as_array().map(Vec::len),
+        Some(1),
+        "{out}"
+    );
+
+    let whole = root().join("robots/humanoid.urdf").display().to_string();
+    let (code, _, err) = setup(folder.path(), &[&whole, "--mobile", "--out", "other.srdf"]);
+    assert_eq!(code, 2);
+    assert!(
+        err.contains("the robot has a base that drives already"),
+        "{err}"
+    );
+}
+
 #[test]
 fn the_ready_posture_fits_a_task_and_the_same_seed_gives_the_same_file() {
     let folder = folder_of("arm7");

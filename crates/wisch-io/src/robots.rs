@@ -7,8 +7,9 @@ use crate::task_file::RobotDescription;
 use include_dir::{Dir, include_dir};
 use std::path::{Path, PathBuf};
 use wisch::robot::{
-    ASSUMED_SLIDE_RATES, ASSUMED_TURN_RATES, Appearance, CapabilityMap, Diagnostic, DiagnosticKind,
-    HOME_STATE, JointKind, READY_STATE, RobotHash, RobotModel, Severity, Srdf,
+    ASSUMED_DENSITY, ASSUMED_SLIDE_RATES, ASSUMED_TURN_RATES, Appearance, CapabilityMap,
+    Diagnostic, DiagnosticKind, HOME_STATE, JointKind, LinkId, READY_STATE, RobotHash, RobotModel,
+    Severity, Srdf, urdf_on_base,
 };
 use wisch::run::RobotSetup;
 use wisch::source_location::UnknownName;
@@ -29,6 +30,8 @@ pub struct Robot {
     pub map: Option<CapabilityMap>,
     /// The files from which it was read.
     pub files: RobotFiles,
+    /// Links whose masses are assumed.
+    massless: Vec<LinkId>,
     /// Path of its URDF, and its packages; `None` for a shipped robot.
     source: Option<(PathBuf, Packages)>,
 }
@@ -39,7 +42,7 @@ type Packages = Vec<(String, PathBuf)>;
 /// The contents of a robot's files, from which it can be read again later.
 #[derive(Debug, Clone, Default)]
 pub struct RobotFiles {
-    /// The URDF.
+    /// The URDF, on the base that the SRDF declares.
     pub urdf: String,
     /// The SRDF, if it exists.
     pub srdf: Option<String>,
@@ -116,6 +119,27 @@ impl Robot {
                     ));
                 }
             }
+        }
+        if !self.massless.is_empty() {
+            let names: Vec<&str> = (self.massless.iter())
+                .map(|link| model.links()[link.index()].name.as_str())
+                .collect();
+            remarks.push(format!(
+                "robot {:?}: its URDF has no masses for {}: {ASSUMED_DENSITY} kg/m3 in the box around their shapes is assumed",
+                model.name(),
+                names.join(", ")
+            ));
+        }
+        let counterbalanced = self.srdf.iter().flat_map(|srdf| &srdf.counterbalanced);
+        let counterbalanced: Vec<&str> = counterbalanced
+            .map(|joint| model.joints()[joint.index()].name.as_str())
+            .collect();
+        if !counterbalanced.is_empty() {
+            remarks.push(format!(
+                "robot {:?}: its SRDF says that springs or weights carry {}: efforts of these joints are not checked",
+                model.name(),
+                counterbalanced.join(", ")
+            ));
         }
         if let Some(srdf) = &self.srdf
             && !(srdf.states.iter()).any(|state| state.name.starts_with(READY_STATE))
@@ -266,8 +290,10 @@ fn built_in(name: &str) -> Result<Robot, Error> {
     };
     let (urdf_name, urdf) = text("urdf")
         .ok_or_else(|| Error::UnknownRobot(UnknownName::new("robot", name, shipped_robots())))?;
+    let srdf = text("srdf");
+    let urdf = on_base(urdf, srdf.as_ref());
     let model = RobotModel::from_urdf(&urdf_name, &urdf, &mut no_meshes)?;
-    robot(model, urdf, text("srdf"), Vec::new(), None)
+    robot(model, urdf, srdf, Vec::new(), None)
 }
 
 fn no_meshes(file: &str) -> Result<Vec<u8>, String> {
@@ -275,7 +301,14 @@ fn no_meshes(file: &str) -> Result<Vec<u8>, String> {
 }
 
 fn files(urdf: &Path, srdf: Option<&Path>, packages: &[(String, PathBuf)]) -> Result<Robot, Error> {
-    let text = read_text(urdf)?;
+    let beside_urdf = urdf.with_extension("srdf");
+    let srdf = match srdf {
+        Some(path) => Some(path),
+        None => beside_urdf.is_file().then_some(beside_urdf.as_path()),
+    };
+    let srdf = srdf.map(|path| Ok::<_, Error>((path.display().to_string(), read_text(path)?)));
+    let srdf = srdf.transpose()?;
+    let text = on_base(read_text(urdf)?, srdf.as_ref());
     let name = urdf.display().to_string();
     let mut read = robot_meshes(urdf, packages);
     let mut found = Vec::new();
@@ -288,24 +321,27 @@ fn files(urdf: &Path, srdf: Option<&Path>, packages: &[(String, PathBuf)]) -> Re
         file: name,
         error: Box::new(error),
     })?;
-    let beside_urdf = urdf.with_extension("srdf");
-    let srdf = match srdf {
-        Some(path) => Some(path),
-        None => beside_urdf.is_file().then_some(beside_urdf.as_path()),
-    };
-    let srdf = srdf.map(|path| Ok::<_, Error>((path.display().to_string(), read_text(path)?)));
     let source = Some((urdf.to_owned(), packages.to_vec()));
-    robot(model, text, srdf.transpose()?, found, source)
+    robot(model, text, srdf, found, source)
+}
+
+/// Returns a URDF on the base that its SRDF declares. `srdf`: name and text.
+fn on_base(urdf: String, srdf: Option<&(String, String)>) -> String {
+    match srdf {
+        Some((_, srdf)) => urdf_on_base(&urdf, srdf),
+        None => urdf,
+    }
 }
 
 /// Makes a robot without a map. `srdf`: name and text of its SRDF.
 fn robot(
-    model: RobotModel,
+    mut model: RobotModel,
     urdf: String,
     srdf: Option<(String, String)>,
     meshes: Vec<(String, Vec<u8>)>,
     source: Option<(PathBuf, Packages)>,
 ) -> Result<Robot, Error> {
+    let massless = model.assume_masses();
     let parsed = (srdf.as_ref()).map(|(name, text)| Srdf::parse(name, text, &model));
     Ok(Robot {
         srdf: parsed.transpose()?,
@@ -317,6 +353,7 @@ fn robot(
             meshes,
             map: None,
         },
+        massless,
         source,
     })
 }
@@ -342,15 +379,16 @@ pub fn robot_meshes(
         let known = packages.iter().find(|(known, _)| known == name);
         let folder = known
             .map(|(_, folder)| folder.clone())
-            .or_else(|| find_package(name, &place))
+            .or_else(|| find_package(name, rest, &place))
             .ok_or_else(|| format!("the package {name} is unknown; add --package {name}=DIR"))?;
         assets::read(&folder.join(rest)).map_err(|error| error.to_string())
     }
 }
 
 /// Finds the folder of a ROS package: in `ROS_PACKAGE_PATH`, in `AMENT_PREFIX_PATH`, or among the folders above a URDF and
-/// beside these.
-fn find_package(name: &str, urdf: &Path) -> Option<PathBuf> {
+/// beside these. A folder above the URDF in which the file is found counts under any name, as a copy of a package may be
+/// renamed.
+fn find_package(name: &str, file: &str, urdf: &Path) -> Option<PathBuf> {
     if name.is_empty() || [".", ".."].contains(&name) {
         return None;
     }
@@ -378,4 +416,9 @@ fn find_package(name: &str, urdf: &Path) -> Option<PathBuf> {
         .into_iter()
         .find(|folder| folder.is_dir())
         .or_else(|| near.find_map(|folder| folder.filter(|folder| folder.is_dir())))
+        .or_else(|| {
+            let mut above = whole.ancestors().skip(1);
+            let holds = |folder: &&Path| !file.is_empty() && folder.join(file).is_file();
+            above.find(holds).map(Path::to_path_buf)
+        })
 }

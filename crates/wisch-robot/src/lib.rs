@@ -36,6 +36,7 @@
 //! ```
 
 mod articulation;
+mod assumed_masses;
 mod capability;
 mod chain;
 mod clearance;
@@ -54,6 +55,7 @@ mod tests;
 pub mod timing;
 
 pub use articulation::{ArticulatedJoint, Articulation, ArticulationState};
+pub use assumed_masses::ASSUMED_DENSITY;
 pub use capability::{
     CapabilityMap, MAX_MAP_BYTES, MapConfig, MapError, MapOrigin, MapRequest, MapStage, RobotHash,
 };
@@ -65,7 +67,7 @@ pub use description::{
     Appearance, Collision, Diagnostic, DiagnosticKind, DisabledPair, Group, GroupState, HOME_STATE,
     IgnoredElement, JointMimic, JointMotion, JointTransform, LinkAxis, MAX_DEPTH, MAX_LINKS,
     MAX_MESH_EXTENT, MAX_SHAPES, MAX_URDF_BYTES, READY_STATE, Severity, Shape, Srdf, SrdfComments,
-    Subject, ToolHolder, Visual, check, joint_transforms,
+    Subject, ToolHolder, VirtualJoint, Visual, check, joint_transforms, urdf_on_base,
 };
 pub use dynamics::{Dynamics, MIN_INERTIA};
 pub use error::RobotError;

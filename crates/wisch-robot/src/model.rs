@@ -173,7 +173,7 @@ pub const ASSUMED_SLIDE_RATES: [f64; 2] = [0.5, 1.0];
 pub struct SingleJointLimits {
     /// Positions [rad or m].
     pub position: Option<Range>,
-    /// Largest velocity in either direction [rad/s or m/s].
+    /// Largest velocity in either direction [rad/s or m/s]; `None` if the URDF has none, or 0.
     pub velocity: Option<f64>,
     /// Largest acceleration in either direction [rad/s² or m/s²].
     pub acceleration: Option<f64>,
@@ -309,6 +309,20 @@ impl RobotModel {
     /// Warnings and notes on the URDF; errors keep a robot from being made.
     pub fn diagnostics(&self) -> &[Diagnostic] {
         &self.diagnostics
+    }
+
+    pub(crate) fn replace_body(&mut self, link: LinkId, body: Body) {
+        self.links[link.0].body = Some(body);
+    }
+
+    /// Removes the effort limits of joints that springs or weights carry, so that their efforts are not checked.
+    ///
+    /// # Panics
+    /// If a joint belongs to another, larger robot.
+    pub fn remove_effort_limits(&mut self, joints: &[JointId]) {
+        for joint in joints {
+            self.joints[joint.0].limits.effort = None;
+        }
     }
 
     /// The root link, whose frame is the world.
@@ -508,11 +522,13 @@ fn joint(joint: &UrdfJoint, id_of: &BTreeMap<&str, LinkId>) -> Joint {
         limits: if kind == JointKind::Fixed {
             SingleJointLimits::default()
         } else {
+            // Many URDFs have 0 where a limit is unknown.
+            let rate = |limit: Option<f64>| limit.filter(|most| *most > 0.0);
             SingleJointLimits {
                 position,
-                velocity: limit.velocity,
-                acceleration: limit.acceleration,
-                effort: limit.effort,
+                velocity: rate(limit.velocity),
+                acceleration: rate(limit.acceleration),
+                effort: rate(limit.effort),
             }
         },
     }

@@ -539,6 +539,125 @@ fn deep_nesting_and_long_texts_are_survived() {
     ));
 }
 
+/// As placeholders of published URDFs have them.
+#[test]
+fn zeros_for_what_is_unknown_are_no_errors() {
+    let shape = |geometry: &str| {
+        let collision = format!("<collision><geometry>{geometry}</geometry></collision>");
+        two_links(HINGE).replacen("<collision>", &format!("{collision}<collision>"), 1)
+    };
+    for (geometry, shapes) in [
+        (r#"<sphere radius="0"/>"#, 1),
+        (r#"<box size="0 0 0"/>"#, 1),
+        (r#"<box size="0.1 0.1 0"/>"#, 2),
+        (r#"<cylinder radius="0.1" length="0"/>"#, 2),
+    ] {
+        let model = robot(&shape(geometry));
+        assert_eq!(model.links()[1].collision.len(), shapes, "{geometry}");
+    }
+    let negative = RobotModel::from_urdf("n", &shape(r#"<sphere radius="-1"/>"#), &mut no_meshes);
+    assert!(
+        negative
+            .unwrap_err()
+            .to_string()
+            .contains("a length of at least 0 m")
+    );
+    let still =
+        two_links(HINGE).replace(r#"velocity="1" effort="1""#, r#"velocity="0" effort="0""#);
+    let limits = robot(&still).variable(0).limits;
+    assert_eq!((limits.velocity, limits.effort), (None, None));
+    let found = found(&still);
+    let assumed = found
+        .iter()
+        .find(|found| found.value.contains("velocity limit is 0"));
+    assert!(
+        assumed.unwrap().advice.contains("1 rad/s is assumed"),
+        "{found:?}"
+    );
+}
+
+#[test]
+fn counterbalanced_joints_are_named_and_lose_their_effort_limits() {
+    let mut model = robot(ARM6);
+    let names: Vec<String> = model
+        .joints()
+        .iter()
+        .map(|joint| joint.name.clone())
+        .collect();
+    let text = format!(
+        r#"<robot name="arm6"><counterbalance joint="{}"/></robot>"#,
+        names[1]
+    );
+    let srdf = Srdf::parse("a.srdf", &text, &model).unwrap();
+    let written = srdf.to_xml(&model, &SrdfComments::default());
+    assert_eq!(
+        Srdf::parse("a.srdf", &written, &model)
+            .unwrap()
+            .counterbalanced,
+        srdf.counterbalanced
+    );
+    assert!(model.joints()[1].limits.effort.is_some());
+    model.remove_effort_limits(&srdf.counterbalanced);
+    let limits: Vec<bool> = model
+        .joints()
+        .iter()
+        .map(|joint| joint.limits.effort.is_some())
+        .collect();
+    assert!(limits[0] && !limits[1] && limits[2]);
+    let unknown = Srdf::parse("a.srdf", &text.replace(&names[1], "joint"), &model).unwrap_err();
+    assert!(unknown.to_string().starts_with("a.srdf:1:"), "{unknown}");
+}
+
+/// As MoveIt has it: the base that drives is declared in the SRDF, and the URDF begins at the robot.
+#[test]
+fn a_planar_virtual_joint_is_a_base_that_drives() {
+    let urdf = r#"<robot name="r"><link name="arm"/><link name="base_link"/>
+        <joint name="lift" type="prismatic"><parent link="base_link"/><child link="arm"/><axis xyz="0 0 1"/>
+            <limit lower="0" upper="1" velocity="1" effort="1"/></joint>
+        </robot> <!-- the </robot> ends above -->"#;
+    let srdf = |kind: &str, child: &str, frame: &str| {
+        format!(
+            r#"<robot name="r"><virtual_joint name="world" type="{kind}" parent_frame="{frame}" child_link="{child}"/></robot>"#
+        )
+    };
+    let read = |srdf: &str| {
+        let whole = urdf_on_base(urdf, srdf);
+        assert_eq!(whole.lines().count(), urdf.lines().count());
+        let model = robot(&whole);
+        let found = Srdf::check("r.srdf", srdf, &model);
+        let names: Vec<String> = (0..model.dof())
+            .map(|i| model.variable(i).name.clone())
+            .collect();
+        (
+            names,
+            found.iter().map(|found| found.severity).collect::<Vec<_>>(),
+        )
+    };
+    let (names, found) = read(&srdf("planar", "base_link", "odom"));
+    assert_eq!(names, ["world/x", "world/y", "world/theta", "lift"]);
+    assert_eq!(found, []);
+    let fixed = |srdf: &str, expected: &[Severity]| {
+        let (names, found) = read(srdf);
+        assert_eq!(
+            (names.as_slice(), found.as_slice()),
+            (&["lift".to_owned()][..], expected),
+            "{srdf}"
+        );
+    };
+    fixed(&srdf("fixed", "base_link", "odom"), &[]);
+    fixed(&srdf("floating", "base_link", "odom"), &[Severity::Note]);
+    fixed(&srdf("planar", "arm", "odom"), &[Severity::Warning]);
+    fixed(&srdf("planar", "base_link", "arm"), &[Severity::Warning]);
+    // The SRDF that is written declares the same base.
+    let text = srdf("planar", "base_link", "a &lt; b");
+    let model = robot(&urdf_on_base(urdf, &text));
+    assert_eq!(model.links()[0].name, "a < b");
+    let parsed = Srdf::parse("r.srdf", &text, &model).unwrap();
+    let again = parsed.to_xml(&model, &SrdfComments::default());
+    let again = Srdf::parse("r.srdf", &again, &model).unwrap();
+    assert_eq!(again.virtual_joints, parsed.virtual_joints);
+}
+
 #[test]
 fn a_planar_joint_is_two_slides_and_a_turn_in_its_plane() {
     let text = |axis: &str| {

@@ -1,6 +1,6 @@
 //! Arguments of `robot`.
 
-use super::package;
+use super::{package, setting};
 use clap::{Args, Subcommand, ValueHint};
 use std::path::PathBuf;
 use wisch::robot::MapConfig;
@@ -34,6 +34,7 @@ Examples:
   wisch robot setup my_robot.urdf
   wisch robot setup arm.urdf --tip tool0 --package arm_description=../arm_description
   wisch robot setup arm.urdf --task board.toml --force
+  wisch robot setup pr2.urdf --mobile
 
 wisch finds the arms by their chains of joints and the names of their links. It samples postures for the
 pairs of links that need no collision check, and for a ready posture: clear of the robot itself, away from
@@ -54,9 +55,15 @@ pub struct RobotSetupArgs {
     /// Link that holds the tool; repeatable, one for each arm [default: found by its name and its joints]
     #[arg(long = "tip", value_name = "LINK")]
     pub tips: Vec<String>,
+    /// Declare that the robot stands on a base that drives, where the URDF has no joints for that
+    #[arg(long)]
+    pub mobile: bool,
     /// Task whose tool, surface and scene the ready posture fits, where the task puts the robot
     #[arg(long, value_name = "TASK", value_hint = ValueHint::FilePath)]
     pub task: Option<PathBuf>,
+    /// Override a value of the task, such as robot.position_m=[0,-0.6,0]; repeatable
+    #[arg(long = "set", value_name = "KEY=VALUE", value_parser = setting, requires = "task")]
+    pub settings: Vec<(String, String)>,
     /// Seed of the random postures
     #[arg(long, value_name = "N", default_value_t = 0)]
     pub seed: u64,

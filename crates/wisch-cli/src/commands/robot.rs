@@ -13,7 +13,7 @@ use wisch::follow::{MountSource, PlanningGroup};
 use wisch::represent::Mount;
 use wisch::robot::{
     Appearance, Diagnostic, DiagnosticKind, GroupState, HOME_STATE, LinkAxis, READY_STATE,
-    RobotModel, Severity, Srdf, Subject, check,
+    RobotModel, Severity, Srdf, Subject, check, urdf_on_base,
 };
 use wisch::source_location::Place;
 use wisch_io::{read_text, robot_meshes};
@@ -64,7 +64,13 @@ struct FindingRecord<'a> {
 
 /// Reads the URDF and its SRDF, and reports on them.
 pub fn check_robot(args: &RobotCheckArgs, global: &GlobalArgs) -> Result<Outcome, Failure> {
+    let srdf_text = match srdf_of(args) {
+        Some(path) => Some((path.display().to_string(), read_text(&path)?)),
+        None => None,
+    };
     let text = read_text(&args.file)?;
+    let text =
+        (srdf_text.as_ref()).map_or_else(|| text.clone(), |(_, srdf)| urdf_on_base(&text, srdf));
     let name = args.file.display().to_string();
     let mut meshes = robot_meshes(&args.file, &args.packages);
     let mut findings = check(&name, &text, &mut meshes).map_err(|error| {
@@ -81,10 +87,8 @@ pub fn check_robot(args: &RobotCheckArgs, global: &GlobalArgs) -> Result<Outcome
         findings.extend_from_slice(looks.map_err(Failure::new)?.diagnostics());
         findings.sort_by_key(|found| (found.at.line, found.at.column));
     }
-    let srdf = match (&robot, srdf_of(args)) {
-        (Some(robot), Some(path)) => {
-            let text = read_text(&path)?;
-            let name = path.display().to_string();
+    let srdf = match (&robot, srdf_text) {
+        (Some(robot), Some((name, text))) => {
             findings.extend(Srdf::check(&name, &text, robot));
             findings.extend(no_ready(&name, &text, robot));
             Some(name)

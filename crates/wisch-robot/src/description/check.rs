@@ -400,7 +400,9 @@ fn inertias(urdf: &Urdf, report: &mut Diagnostics) {
                 "above 0 kg",
                 match holds_others {
                     true => "fine for an auxiliary link, as its children have their own",
-                    false => "add <inertial> with mass and inertia: dynamics need them",
+                    false => {
+                        "add <inertial> with mass and inertia; without it 500 kg/m3 in the box around its shapes is assumed"
+                    }
                 },
             );
             report.add(

@@ -70,23 +70,26 @@ pub enum Shape {
 
 /// Segments of a round shape that is converted to a mesh: a rim of 0.1 m radius is off by 0.5 mm.
 const SEGMENTS: u32 = 32;
-/// Least size of a shape that is converted to a mesh [m], for shapes without thickness.
+/// Least size of a shape [m], for shapes without thickness.
 const LEAST_SIZE: f64 = 1e-6;
+
+fn at_least(size: f64) -> f64 {
+    size.max(LEAST_SIZE)
+}
 
 impl Collision {
     /// Returns the shape as a mesh in the link frame, inscribed in round shapes; `None` for sizes that no mesh can
     /// have.
     pub fn mesh_in_link(&self) -> Option<Mesh> {
-        let least = |size: f64| size.max(LEAST_SIZE);
         let mesh = match &self.shape {
-            Shape::Box { size } => Mesh::cuboid(size.map(least)),
+            Shape::Box { size } => Mesh::cuboid(size.map(at_least)),
             &Shape::Cylinder { radius, length } => {
-                Mesh::cylinder(least(radius), least(length), SEGMENTS)
+                Mesh::cylinder(at_least(radius), at_least(length), SEGMENTS)
             }
             &Shape::Capsule { radius, length } => {
-                Mesh::capsule(least(radius), least(length), SEGMENTS)
+                Mesh::capsule(at_least(radius), at_least(length), SEGMENTS)
             }
-            &Shape::Sphere { radius } => Mesh::sphere(least(radius), SEGMENTS),
+            &Shape::Sphere { radius } => Mesh::sphere(at_least(radius), SEGMENTS),
             Shape::Mesh(mesh) => Ok(mesh.clone()),
         };
         Some(mesh.ok()?.transform(&self.link_from_shape))
@@ -150,11 +153,34 @@ pub(super) fn load(
     meshes: &mut dyn FnMut(&str) -> Result<Vec<u8>, String>,
     report: &mut Diagnostics,
 ) -> Option<Collision> {
+    if shape.geometry.is_point() {
+        let w = words(
+            "a collision shape without extent",
+            "lengths above 0 m",
+            "it is ignored: remove it, or give its size",
+        );
+        let (kind, subject) = (
+            DiagnosticKind::CollisionMissing,
+            Subject::Link(link.to_owned()),
+        );
+        report.add(Severity::Note, kind, subject, shape.at, w);
+        return None;
+    }
     let solid = match &shape.geometry {
-        UrdfGeometry::Box(size) => Shape::Box { size: *size },
-        &UrdfGeometry::Cylinder { radius, length } => Shape::Cylinder { radius, length },
-        &UrdfGeometry::Capsule { radius, length } => Shape::Capsule { radius, length },
-        &UrdfGeometry::Sphere(radius) => Shape::Sphere { radius },
+        UrdfGeometry::Box(size) => Shape::Box {
+            size: size.map(at_least),
+        },
+        &UrdfGeometry::Cylinder { radius, length } => Shape::Cylinder {
+            radius: at_least(radius),
+            length: at_least(length),
+        },
+        &UrdfGeometry::Capsule { radius, length } => Shape::Capsule {
+            radius: at_least(radius),
+            length: at_least(length),
+        },
+        &UrdfGeometry::Sphere(radius) => Shape::Sphere {
+            radius: at_least(radius),
+        },
         UrdfGeometry::Mesh { file, scale } => {
             let subject = || Subject::Link(link.to_owned());
             let mesh = match read_mesh(file, *scale, meshes) {

@@ -43,6 +43,20 @@ pub(crate) enum UrdfGeometry {
     Mesh { file: String, scale: Vector3 },
 }
 
+impl UrdfGeometry {
+    /// Whether it is a primitive whose lengths are all 0, as a placeholder has them.
+    pub fn is_point(&self) -> bool {
+        match self {
+            Self::Box(size) => size.max() <= 0.0,
+            Self::Cylinder { radius, length } | Self::Capsule { radius, length } => {
+                radius.max(*length) <= 0.0
+            }
+            Self::Sphere(radius) => *radius <= 0.0,
+            Self::Mesh { .. } => false,
+        }
+    }
+}
+
 pub(crate) struct UrdfJoint {
     pub name: String,
     pub kind: String,

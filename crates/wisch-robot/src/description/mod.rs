@@ -12,6 +12,7 @@ mod srdf_writer;
 mod transforms;
 mod units;
 pub(super) mod urdf;
+mod virtual_joint;
 
 pub use appearance::{Appearance, Visual};
 pub use check::{MAX_DEPTH, check};
@@ -24,3 +25,4 @@ pub use srdf::{
 pub use srdf_writer::SrdfComments;
 pub use transforms::{JointMimic, JointMotion, JointTransform, joint_transforms};
 pub use urdf::{MAX_LINKS, MAX_SHAPES, MAX_URDF_BYTES};
+pub use virtual_joint::{VirtualJoint, urdf_on_base};

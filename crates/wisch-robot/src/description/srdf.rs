@@ -3,9 +3,11 @@
 use super::diagnostics::{Diagnostics, Words, words};
 use super::link_axis::LinkAxis;
 use super::urdf::{Reader, elements};
+use super::virtual_joint::{VirtualJoint, virtual_joints};
 use crate::source_location::{Place, UnknownName};
 use crate::{
-    Diagnostic, DiagnosticKind, Joint, JointKind, LinkId, RobotError, RobotModel, Severity, Subject,
+    Diagnostic, DiagnosticKind, Joint, JointId, JointKind, LinkId, RobotError, RobotModel,
+    Severity, Subject,
 };
 use roxmltree::Node;
 use std::collections::BTreeSet;
@@ -52,10 +54,16 @@ pub struct Srdf {
     pub states: Vec<GroupState>,
     /// Pairs of links that are not checked against each other.
     pub disabled: Vec<DisabledPair>,
+    /// How the root link is joined to the world. A planar one is a base that drives, if the URDF was read with
+    /// [`urdf_on_base`](crate::urdf_on_base).
+    pub virtual_joints: Vec<VirtualJoint>,
     /// How links hold tools: elements `<tool_holder>`, an extension of the format that other programs ignore.
     pub tool_holders: Vec<ToolHolder>,
-    /// Groups that are ignored: those of links, of other groups, or of joints that form no chain. Virtual and passive
-    /// joints and end effectors are ignored silently.
+    /// Joints that springs or weights carry, so that the effort limits of the URDF do not say what they hold: elements
+    /// `<counterbalance>`, an extension of the format.
+    pub counterbalanced: Vec<JointId>,
+    /// Groups that are ignored: those of links, of other groups, or of joints that form no chain. Passive joints and end
+    /// effectors are ignored silently.
     pub ignored: Vec<IgnoredElement>,
     /// Diagnostics of elements that are ignored without harm to the groups that wipe: pairs with a link that the robot
     /// does not have (a warning), and postures of joints that are fixed, absent or in no group (a note).
@@ -143,7 +151,9 @@ impl Srdf {
             groups,
             states,
             disabled,
+            virtual_joints: Vec::new(),
             tool_holders: Vec::new(),
+            counterbalanced: Vec::new(),
             ignored: Vec::new(),
             passed_over: Vec::new(),
             other_robot: None,
@@ -255,6 +265,11 @@ impl Srdf {
             }
         }
         srdf.groups.append(&mut of_joints);
+        for (node, joint) in virtual_joints(&document) {
+            srdf.passed_over
+                .extend(not_driven(&reader, node, &joint, robot));
+            srdf.virtual_joints.push(joint);
+        }
         let mut states = BTreeSet::new();
         for node in elements(root, "group_state") {
             if let Some(why) = srdf.why_no_posture(node, robot) {
@@ -279,12 +294,7 @@ impl Srdf {
                 Err(fault) => faults.push(fault),
             }
         }
-        for node in elements(root, "tool_holder") {
-            match reader.tool_holder(node, robot) {
-                Ok(holder) => srdf.tool_holders.push(holder),
-                Err(fault) => faults.push(fault),
-            }
-        }
+        faults.extend(srdf.read_extensions(&reader, root, robot));
         let mut stale = BTreeSet::new();
         for node in elements(root, "disable_collisions") {
             let link = |attribute| reader.link_of(node, attribute, robot);
@@ -317,6 +327,29 @@ impl Srdf {
             }
         }
         Ok((srdf, faults))
+    }
+
+    /// Reads the elements that extend the format, and returns their faults.
+    fn read_extensions(
+        &mut self,
+        reader: &Reader,
+        root: Node,
+        robot: &RobotModel,
+    ) -> Vec<RobotError> {
+        let mut faults = Vec::new();
+        for node in elements(root, "tool_holder") {
+            match reader.tool_holder(node, robot) {
+                Ok(holder) => self.tool_holders.push(holder),
+                Err(fault) => faults.push(fault),
+            }
+        }
+        for node in elements(root, "counterbalance") {
+            match reader.counterbalanced(node, robot) {
+                Ok(joint) => self.counterbalanced.push(joint),
+                Err(fault) => faults.push(fault),
+            }
+        }
+        faults
     }
 
     /// Returns how a link holds tools; `None` if the SRDF does not say.
@@ -416,6 +449,30 @@ impl Srdf {
     }
 }
 
+/// Returns why a virtual joint moves nothing although its kind says so; `None` if it is fixed, or part of the robot.
+fn not_driven(
+    reader: &Reader,
+    node: Node,
+    joint: &VirtualJoint,
+    robot: &RobotModel,
+) -> Option<Diagnostic> {
+    let (name, kind) = (&joint.name, &joint.kind);
+    if kind == "fixed" || robot.joint(&format!("{name}/x")).is_ok() {
+        return None;
+    }
+    let severity = if joint.is_planar() {
+        Severity::Warning
+    } else {
+        Severity::Note
+    };
+    let w = words(
+        format!("virtual joint {name:?} of type {kind:?} moves nothing here"),
+        "a planar joint from a new frame to the root link of the URDF, if the base drives",
+        "the robot stands where the task puts it",
+    );
+    Some(finding(severity, reader.place(node), w))
+}
+
 /// Returns a diagnostic of an SRDF that is not an error.
 fn finding(severity: Severity, at: Place, words: Words) -> Diagnostic {
     Diagnostic {
@@ -507,6 +564,14 @@ impl Reader<'_> {
             at: self.place(node),
             unknown: Box::new(UnknownName::new(kind, name, known)),
         }
+    }
+
+    fn counterbalanced(&self, node: Node, robot: &RobotModel) -> Result<JointId, RobotError> {
+        let name = self.name(node, "joint")?;
+        robot.joint(&name).map_err(|_| {
+            let known = robot.joints().iter().map(|joint| joint.name.as_str());
+            self.unknown_at(node, "joint", &name, known)
+        })
     }
 
     fn state(

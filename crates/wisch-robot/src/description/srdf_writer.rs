@@ -1,6 +1,7 @@
 //! SRDF as text: what [`Srdf::parse`] reads back as the same groups, postures and pairs.
 
 use super::srdf::Srdf;
+use super::virtual_joint::VirtualJoint;
 use crate::{LinkId, RobotModel};
 use std::fmt::Write;
 
@@ -13,6 +14,8 @@ pub struct SrdfComments {
     pub groups: Vec<String>,
     /// Comments before the postures, in their order.
     pub states: Vec<String>,
+    /// Comment before the joints that springs or weights carry.
+    pub counterbalanced: String,
     /// Comment before the pairs.
     pub pairs: String,
 }
@@ -47,6 +50,22 @@ impl Srdf {
             &mut text,
             format_args!("<robot name=\"{}\">", escape(robot.name())),
         );
+        for joint in &self.virtual_joints {
+            let VirtualJoint {
+                name,
+                kind,
+                parent_frame,
+                child_link,
+            } = joint;
+            let [name, kind, parent, child] =
+                [name, kind, parent_frame, child_link].map(|text| escape(text));
+            push_line(
+                &mut text,
+                format_args!(
+                    "  <virtual_joint name=\"{name}\" type=\"{kind}\" parent_frame=\"{parent}\" child_link=\"{child}\"/>"
+                ),
+            );
+        }
         let of = |comments: &[String], i: usize| comments.get(i).cloned().unwrap_or_default();
         let name = |link: LinkId| escape(&robot.links()[link.index()].name);
         for (i, group) in self.groups.iter().enumerate() {
@@ -69,6 +88,16 @@ impl Srdf {
             push_line(
                 &mut text,
                 format_args!("  <tool_holder link=\"{link}\" axis=\"{axis}\"{lean}/>"),
+            );
+        }
+        if !self.counterbalanced.is_empty() {
+            push_comment(&mut text, "  ", &comments.counterbalanced);
+        }
+        for joint in &self.counterbalanced {
+            let joint = escape(&robot.joints()[joint.index()].name);
+            push_line(
+                &mut text,
+                format_args!("  <counterbalance joint=\"{joint}\"/>"),
             );
         }
         for (i, state) in self.states.iter().enumerate() {
@@ -146,7 +175,7 @@ fn push_line(text: &mut String, line: std::fmt::Arguments<'_>) {
 }
 
 /// Returns a text as the value of an attribute in double quotes.
-fn escape(value: &str) -> String {
+pub(super) fn escape(value: &str) -> String {
     let mut escaped = String::with_capacity(value.len());
     for c in value.chars() {
         match c {

@@ -261,13 +261,13 @@ impl<'a> Reader<'a> {
             .ok_or_else(|| self.attribute_fault(node, attribute, expected(1)))
     }
 
-    /// Reads a size above 0.
+    /// Reads a size of at least 0.
     fn size(&self, node: Node, attribute: &'static str) -> Result<f64, RobotError> {
         let value = self.require(node, attribute)?;
-        if value > 0.0 {
+        if value >= 0.0 {
             Ok(value)
         } else {
-            Err(self.attribute_fault(node, attribute, "a length above 0 m"))
+            Err(self.attribute_fault(node, attribute, "a length of at least 0 m"))
         }
     }
 
@@ -330,9 +330,9 @@ impl<'a> Reader<'a> {
             "box" => {
                 let [x, y, z] = self
                     .numbers(geometry, "size")?
-                    .filter(|size| size.iter().all(|side| *side > 0.0))
+                    .filter(|size| size.iter().all(|side| *side >= 0.0))
                     .ok_or_else(|| {
-                        self.attribute_fault(geometry, "size", "three lengths above 0 m")
+                        self.attribute_fault(geometry, "size", "three lengths of at least 0 m")
                     })?;
                 UrdfGeometry::Box(Vector3::new(x, y, z))
             }

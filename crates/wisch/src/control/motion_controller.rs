@@ -136,7 +136,7 @@ impl MotionController {
             .collect();
         let limits = |k: &usize| &robot.variable(articulation.variables()[*k]).limits;
         let effort_limits: Vec<f64> = (compliant.iter())
-            .map(|k| (limits(k).effort.filter(|most| *most > 0.0)).unwrap_or(f64::INFINITY))
+            .map(|k| limits(k).effort.unwrap_or(f64::INFINITY))
             .collect();
         let ranges = compliant.iter().map(|k| limits(k).position).collect();
         let count = articulation.dof();

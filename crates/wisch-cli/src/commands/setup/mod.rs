@@ -7,11 +7,11 @@ use crate::args::{GlobalArgs, RobotSetupArgs};
 use crate::failure::Failure;
 use crate::progress::Progress;
 use crate::terminal::{Outcome, print};
-use proposal::{Proposal, propose};
+use proposal::{Proposal, is_mobile, propose};
 use std::path::{Path, PathBuf};
 use text::{FailedRecord, SetupRecord, comments, describe, group_lines, next_steps, tip_note};
 use wisch::robot::setup::{ArmChain, SetupConfig, SetupError, SetupStage, find_arms};
-use wisch::robot::{LinkId, RobotModel};
+use wisch::robot::{LinkId, RobotModel, VirtualJoint};
 use wisch_io::{Error, LoadOptions, OutputFile, load_task, read_text, robot_meshes};
 
 /// Extension of the file.
@@ -21,14 +21,20 @@ const EXTENSION: &str = "srdf";
 pub fn set_up(args: &RobotSetupArgs, global: &GlobalArgs) -> Result<Outcome, Failure> {
     let progress = Progress::start(global);
     progress.say("reading the robot");
-    let robot = read_robot(args)?;
+    let (robot, base) = read_robot(args)?;
     let tips = args.tips.iter().map(|tip| robot.link(tip));
     let tips: Vec<LinkId> = tips.collect::<Result<_, _>>().map_err(|error| {
         Failure::new(format!("--tip: {error}"))
             .with_help("name the link that holds the tool, such as tool0 or a flange")
     })?;
     let task = match &args.task {
-        Some(path) => Some(load_task(path, &LoadOptions::default())?),
+        Some(path) => Some(load_task(
+            path,
+            &LoadOptions {
+                settings: args.settings.clone(),
+                ..LoadOptions::default()
+            },
+        )?),
         None => None,
     };
     // The file comes before the long computation, so that a missing permission is reported at once.
@@ -47,7 +53,7 @@ pub fn set_up(args: &RobotSetupArgs, global: &GlobalArgs) -> Result<Outcome, Fai
         };
         progress.say(format!("{what}: {done} of {total}"));
     };
-    let proposal = match propose(&robot, &tips, task.as_ref(), &config, report) {
+    let mut proposal = match propose(&robot, &tips, task.as_ref(), &config, report) {
         Ok(proposal) => proposal,
         Err(error @ (SetupError::NoArm { .. } | SetupError::NoReadyPosture { .. })) => {
             drop((progress, file));
@@ -56,6 +62,7 @@ pub fn set_up(args: &RobotSetupArgs, global: &GlobalArgs) -> Result<Outcome, Fai
         }
         Err(error) => return Err(Failure::new(error).within(&args.file)),
     };
+    proposal.srdf.virtual_joints.extend(base);
     progress.say("writing the SRDF");
     let comments = comments(&proposal, &robot, args, &config);
     let text = proposal.srdf.to_xml(&robot, &comments);
@@ -66,15 +73,36 @@ pub fn set_up(args: &RobotSetupArgs, global: &GlobalArgs) -> Result<Outcome, Fai
     Ok(Outcome::Done)
 }
 
-fn read_robot(args: &RobotSetupArgs) -> Result<RobotModel, Failure> {
+/// Reads the robot; with `--mobile`, on a planar base, which is returned too.
+fn read_robot(args: &RobotSetupArgs) -> Result<(RobotModel, Option<VirtualJoint>), Failure> {
     let text = read_text(&args.file)?;
     let name = args.file.display().to_string();
     let mut meshes = robot_meshes(&args.file, &args.packages);
-    let robot = RobotModel::from_urdf(&name, &text, &mut meshes).map_err(|error| Error::Urdf {
-        file: name,
-        error: Box::new(error),
+    let mut read = |text: &str| {
+        RobotModel::from_urdf(&name, text, &mut meshes).map_err(|error| Error::Urdf {
+            file: name.clone(),
+            error: Box::new(error),
+        })
+    };
+    let robot = read(&text)?;
+    if !args.mobile {
+        return Ok((robot, None));
+    }
+    if is_mobile(&robot, &find_arms(&robot, &[]).unwrap_or_default()) {
+        return Err(
+            Failure::new(format!("{name}: the robot has a base that drives already"))
+                .with_help("leave --mobile out"),
+        );
+    }
+    let base = VirtualJoint::planar(&robot.links()[robot.root().index()].name);
+    let carried = base.carry(&text).ok_or_else(|| {
+        let (joint, frame) = (&base.name, &base.parent_frame);
+        Failure::new(format!(
+            "{name}: --mobile adds the joint {joint:?} and the link {frame:?}, but one of them is there already"
+        ))
+        .with_help("rename it in the URDF")
     })?;
-    Ok(robot)
+    Ok((read(&carried)?, Some(base)))
 }
 
 /// Returns the file of `--out`, else the file beside the URDF, where wisch finds the SRDF automatically.

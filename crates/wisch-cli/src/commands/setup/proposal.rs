@@ -7,8 +7,8 @@ use wisch::robot::setup::{
     WipingRegion, find_arms, find_ready, find_table, hand_extent, held_posture, sample_pairs,
 };
 use wisch::robot::{
-    CollisionModel, Group, GroupState, JointKind, LinkAxis, LinkId, READY_STATE, RobotError,
-    RobotModel, Srdf, ToolHolder,
+    CollisionModel, Group, GroupState, JointId, JointKind, LinkAxis, LinkId, READY_STATE,
+    RobotError, RobotModel, Srdf, ToolHolder,
 };
 use wisch_io::LoadedTask;
 
@@ -19,6 +19,8 @@ const STAND_INS: [Option<[f64; 3]>; 3] = [Some([0.10, 0.10, 0.12]), Some([0.03, 
 const REST_GROUP: &str = "rest";
 /// Size of the table under a fixed arm \[m\].
 const TABLE: [f64; 3] = [6.0, 6.0, 0.5];
+/// Acceleration of gravity \[m/s²\].
+const GRAVITY: f64 = 9.81;
 /// Cosine of the largest angle between the normal of a level surface and the vertical [1].
 const LEVEL: f64 = 0.9;
 
@@ -99,6 +101,9 @@ pub fn propose(
     }
     let ready = ready?;
     srdf.states.splice(0..0, states(robot, &arms, &ready)?);
+    srdf.counterbalanced = ready
+        .last()
+        .map_or_else(Vec::new, |(_, last)| too_heavy(robot, &last.q));
     Ok(Proposal {
         has_room_for_tool: tried < STAND_INS.len(),
         srdf,
@@ -238,6 +243,21 @@ fn states(
         })
     });
     states.collect()
+}
+
+/// Returns the joints that need more effort to hold a posture than their limits permit. A robot that exists holds it, so
+/// springs or weights carry such a joint, or its URDF is wrong. None if the URDF has too few masses to say.
+fn too_heavy(robot: &RobotModel, q: &[f64]) -> Vec<JointId> {
+    let down = Vector3::new(0.0, 0.0, -GRAVITY);
+    let Ok(efforts) = (robot.dynamics()).and_then(|dynamics| dynamics.gravity(q, down)) else {
+        return Vec::new();
+    };
+    let joints = robot.variables().iter().zip(&efforts);
+    let heavy = joints.filter(|(joint, effort)| {
+        let limit = robot.joints()[joint.index()].limits.effort;
+        limit.is_some_and(|limit| limit > 0.0 && effort.abs() > limit)
+    });
+    heavy.map(|(joint, _)| *joint).collect()
 }
 
 /// Returns where the arm may wait, the best place first.

@@ -35,6 +35,10 @@ pub struct SetupRecord<'a> {
     robot: &'a str,
     groups: Vec<GroupRecord<'a>>,
     ready: Vec<ReadyRecord<'a>>,
+    /// Link that `--mobile` puts on a base that drives, or null.
+    mobile_base: Option<&'a str>,
+    /// Joints whose effort limits are too low to hold the ready posture.
+    counterbalanced: Vec<&'a str>,
     /// Whether a tool at the tips is free of collision in the ready posture.
     has_room_for_tool: bool,
     pairs: PairsRecord,
@@ -136,6 +140,9 @@ impl<'a> SetupRecord<'a> {
             robot: robot.name(),
             groups: groups.collect(),
             ready: ready.collect(),
+            mobile_base: (proposal.srdf.virtual_joints.first())
+                .map(|base| base.child_link.as_str()),
+            counterbalanced: counterbalanced(robot, proposal).collect(),
             has_room_for_tool: proposal.has_room_for_tool,
             pairs: PairsRecord {
                 total: pairs.total,
@@ -248,6 +255,7 @@ pub fn comments(
         ),
         groups,
         states: states.chain([rest.to_owned()]).collect(),
+        counterbalanced: counterbalance_note(robot, proposal).unwrap_or_default(),
         pairs: about_pairs,
     }
 }
@@ -294,6 +302,15 @@ pub fn describe(
     out: &Path,
 ) -> String {
     let mut lines: Vec<(&str, String)> = Vec::new();
+    for base in &proposal.srdf.virtual_joints {
+        let (root, frame) = (&base.child_link, &base.parent_frame);
+        lines.push(("base", format!("{root} drives in the plane of {frame}")));
+    }
+    lines.extend(
+        wheels_note(robot)
+            .filter(|_| !args.mobile && !is_mobile(robot, &proposal.arms))
+            .map(|note| ("note", note)),
+    );
     for arm in &proposal.arms {
         lines.extend(group_lines(robot, arm).map(|line| ("group", line)));
         lines.extend(tip_note(robot, arm).map(|note| ("note", note)));
@@ -345,6 +362,7 @@ pub fn describe(
         },
     ));
     lines.extend(often_note(robot, proposal).map(|note| ("note", note)));
+    lines.extend(counterbalance_note(robot, proposal).map(|note| ("note", note)));
     let postures = proposal.ready.first().map_or(0, |(_, ready)| ready.samples);
     lines.push((
         "samples",
@@ -361,6 +379,20 @@ pub fn describe(
     text
 }
 
+/// Returns a remark on a robot with wheels.
+fn wheels_note(robot: &RobotModel) -> Option<String> {
+    let is_wheel = |name: &str| {
+        ["wheel", "caster"]
+            .iter()
+            .any(|word| name.to_lowercase().contains(word))
+    };
+    let wheel = robot.links().iter().find(|link| is_wheel(&link.name))?;
+    let name = &wheel.name;
+    Some(format!(
+        "the robot has a {name}, but no base that drives: --mobile declares one"
+    ))
+}
+
 /// Describes the groups of an arm.
 pub fn group_lines<'a>(
     robot: &'a RobotModel,
@@ -373,6 +405,25 @@ pub fn group_lines<'a>(
             let joints = counted(*joints, "joint");
             format!("{}: {joints}, {base} to {tip}", group.name)
         })
+}
+
+fn counterbalanced<'a>(
+    robot: &'a RobotModel,
+    proposal: &'a Proposal,
+) -> impl Iterator<Item = &'a str> {
+    let joints = proposal.srdf.counterbalanced.iter();
+    joints.map(|joint| robot.joints()[joint.index()].name.as_str())
+}
+
+/// Returns a remark on joints that cannot hold the ready posture within their effort limits.
+fn counterbalance_note(robot: &RobotModel, proposal: &Proposal) -> Option<String> {
+    let names: Vec<&str> = counterbalanced(robot, proposal).collect();
+    (!names.is_empty()).then(|| {
+        format!(
+            "the effort limits of {} are too low to hold the ready posture: springs or weights are assumed, and these efforts are not checked; if there are none, correct the URDF and remove <counterbalance> from the SRDF",
+            names.join(", ")
+        )
+    })
 }
 
 /// Returns a remark on pairs that are not checked although they are apart in some postures.
@@ -434,6 +485,10 @@ pub fn next_steps(
             beside.display()
         );
     }
+    let settings = args.settings.iter();
+    let settings: String = settings
+        .map(|(key, value)| format!(" --set '{key}={value}'"))
+        .collect();
     let [driven, fixed] = FIRST_TASKS;
     let (held, _) = held_posture(robot);
     let is_on_table = matches!(find_table(robot, &proposal.arms, &held), Ok(Some(_)));
@@ -447,5 +502,5 @@ pub fn next_steps(
             );
         }
     };
-    format!("next: {check}, then wisch follow {task} --robot {file}{packages}\n")
+    format!("next: {check}, then wisch follow {task} --robot {file}{packages}{settings}\n")
 }

@@ -114,12 +114,12 @@ fn rate_limits(j: &UrdfJoint, limit: &UrdfLimit) -> [RateLimit; 3] {
 /// Checks that a joint has a limit of velocity, effort or acceleration above 0.
 fn check_rate_limit(j: &UrdfJoint, rate: &RateLimit, report: &mut Diagnostics) {
     let RateLimit { what, unit, .. } = rate;
+    let otherwise = match rate.assumed {
+        Some(assumed) => format!("{assumed} {unit} is assumed"),
+        None => "there is none".to_owned(),
+    };
     match rate.value {
         None => {
-            let otherwise = match rate.assumed {
-                Some(assumed) => format!("{assumed} {unit} is assumed"),
-                None => "there is none".to_owned(),
-            };
             let w = words(
                 format!("it has no finite {what} limit"),
                 format!("{what} above 0 {unit}"),
@@ -131,7 +131,7 @@ fn check_rate_limit(j: &UrdfJoint, rate: &RateLimit, report: &mut Diagnostics) {
             let w = words(
                 format!("its {what} limit is {value} {unit}"),
                 format!("above 0 {unit}"),
-                "give the limit of the drive; with this one the joint cannot move",
+                format!("give the limit of the drive; without it {otherwise}"),
             );
             add_of_joint(report, Severity::Warning, DiagnosticKind::Limit, j, w);
         }

@@ -420,7 +420,7 @@ fn check_efforts(
             }
         }
         for (i, joint) in robot.joints().iter().enumerate() {
-            let Some(limit) = joint.limits.effort.filter(|limit| *limit > 0.0) else {
+            let Some(limit) = joint.limits.effort else {
                 continue;
             };
             let effort = match joint.drive.terms[..] {

@@ -90,6 +90,7 @@ pub struct Workcell {
 impl Workcell {
     /// Returns the robot in the scene of a task, with the task's tool in its hand.
     ///
+    /// Joints that the SRDF names as counterbalanced have no effort limit here.
     /// Joints that carry the group and are no planar base, such as a lift, stay where the ready posture has them.
     ///
     /// While it wipes, comes down or lifts off, the tool may touch the target surface and the object that
@@ -100,11 +101,14 @@ impl Workcell {
     /// # Errors
     /// A group or link that does not exist, a planar base off its floor, or geometry that no collision check takes.
     pub fn new(
-        robot: RobotModel,
+        mut robot: RobotModel,
         srdf: Option<&Srdf>,
         task: &Task,
         config: &WorkcellConfig,
     ) -> Result<Self, FollowError> {
+        if let Some(srdf) = srdf {
+            robot.remove_effort_limits(&srdf.counterbalanced);
+        }
         let mut group = PlanningGroup::choose(&robot, srdf, config.group.as_deref())?;
         let ready_with_tool = format!("{READY_STATE}_{}", task.tool.name);
         set_named_state(&mut group.ready, srdf, &ready_with_tool);
@@ -159,7 +163,7 @@ impl Workcell {
         })
     }
 
-    /// The robot as described, without the tool; its n variables give the order of every array of positions.
+    /// The robot as described, without the tool and without the effort limits of counterbalanced joints; its n variables give the order of every array of positions.
     pub const fn robot(&self) -> &RobotModel {
         &self.robot
     }
