@@ -1,4 +1,4 @@
-"""Opens a bag of wisch with two libraries that have nothing to do with it, and holds them against each other.
+"""Opens a bag of wisch with two independent libraries, and compares what they read.
 
     cargo run --release --workspace --example demo_bag -- /tmp/demo.mcap
     python peers/bag.py /tmp/demo.mcap
@@ -6,8 +6,7 @@
 With --write FILE it writes a small bag as another robot's recorder would (Zstandard, other topics, a stamp
 that is not the time of recording); crates/wisch-telemetry/tests/data/foreign.mcap is that file.
 
-Also takes a bag that a killed program left (NAME.mcap.active): then it is read from its beginning, without
-the index that such a bag lacks.
+It also reads the bag of a program that was killed (NAME.mcap.active) from the beginning, because such a bag has no index.
 """
 
 import math

@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
-"""Heavy questions on a cluster: two executors beside one, each of one slot, on this machine, the same files.
+"""Measures large queries on a cluster with two executors and with one, each of one slot, on this machine and the same files.
 
     cargo run --release --features synthetic --bin synthetic_fleet -- --episodes 1000000 --out /tmp/fleet   # in crates/wisch-fleet
     cargo build --release --features cluster
     peers/cluster.py /tmp/fleet --program target/release/wisch-fleet
 
-Two schedulers run, one with one executor and one with two. Times are of the question alone, asked again in a process that has begun;
-beside them those of the program without a cluster, which uses all cores. Runs alternate; medians.
+Two schedulers run, one with one executor and one with two. Times are those of the query alone, in a process that has started already.
+A further column has the program without a cluster, which uses all cores. Runs alternate; the table shows medians.
 """
 
 import argparse

@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
-"""SQL over a fleet's Parquet files: wisch-fleet beside DuckDB, the same files, the same views, the same answers.
+"""Compares wisch-fleet with DuckDB: SQL over the same Parquet files and views, with the same answers.
 
     cargo run --release --features synthetic --bin synthetic_fleet -- --episodes 1000000 --out /tmp/fleet   # in crates/wisch-fleet
     peers/fleet.py /tmp/fleet --program target/release/wisch-fleet
 
-Times are of the question alone, asked again and again in a process that has begun and knows the files' names; beside it, how long the whole
-program takes from its start to the answer. Runs of the two alternate; medians.
+Times are those of the query alone, repeated in a process that has listed the files already. A further column has the time of the whole
+program from its start to the answer. Runs of the two programs alternate; the table shows medians.
 """
 
 import argparse

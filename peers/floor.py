@@ -1,4 +1,4 @@
-"""A floor of targets that arm_coverage publishes, wiped with its Panda by wisch, beside what arm_coverage makes of it.
+"""Compares wisch with arm_coverage on a floor of targets that arm_coverage publishes, with its Panda.
 
     git clone https://github.com/uwgraphics/arm_coverage
     python peers/floor.py PANDA.urdf arm_coverage/surfaces/panda_20240825_154124_floor.csv

@@ -3,7 +3,7 @@
     pip install -r peers/requirements.txt
     python peers/ik.py [COUNT]
 
-wisch's example `ik` draws COUNT poses (300 unless told) that the shipped robots reach and writes them;
+wisch's example `ik` draws COUNT poses (default 300) that the shipped robots reach and writes them;
 all start in the middle of the joint limits. A pose is solved if position and rotation are within 1e-6 m and
 1e-6 rad and all limits hold, as Pinocchio's forward kinematics sees it.
 

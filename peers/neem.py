@@ -1,4 +1,4 @@
-"""Opens a NEEM of wisch, and its ontology, with libraries that have nothing to do with it, and checks both.
+"""Opens a NEEM of wisch, and its ontology, with independent libraries, and checks both.
 
     cargo run --release --workspace --example synthetic_neem -- /tmp/neem 20
     python peers/neem.py /tmp/neem
@@ -8,8 +8,8 @@ or, with episodes in a memory,
     wisch memory export --neem /tmp/neem
     python peers/neem.py /tmp/neem
 
-Documents are read with pymongo's bson, the ontology with rdflib; closures are computed anew from the OWL
-files. Then faults are planted, one by one, and each must be found.
+Documents are read with pymongo's bson, the ontology with rdflib; closures are computed from the OWL
+files. Then faults are planted one by one, and each must be found.
 """
 
 import copy

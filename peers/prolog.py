@@ -1,10 +1,10 @@
-"""Both Prolog engines on the same memory: how long queries take, and whether they give as many answers.
+"""Compares both Prolog engines on the same memory: duration and number of answers of each query.
 
     cargo build --release --workspace --bins --examples
     target/release/examples/synthetic --episodes 10000 --out /tmp/memory
     python3 peers/prolog.py /tmp/memory
 
-Needs swipl (SWI-Prolog). Answers themselves are held against each other by `cargo test --workspace ask::`.
+Needs swipl (SWI-Prolog). `cargo test --workspace ask::` compares the answers themselves.
 """
 
 import re

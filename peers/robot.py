@@ -1,4 +1,4 @@
-"""Records what Pinocchio computes for the shipped robots; wisch's tests are held against it.
+"""Records what Pinocchio computes for the shipped robots, as the reference of wisch's tests.
 
     pip install -r peers/requirements.txt
     python peers/robot.py

@@ -1,11 +1,10 @@
-"""One table of what wisch and its peers take for the same computations, in one run.
+"""Prints one table of the times of wisch and its peers for the same computations, from one run.
 
     pip install -r peers/requirements.txt
     python peers/table.py
 
-Times are medians (the fastest of 20 runs for planes, one run for densities, tours and timings), beside whatever else
-the machine does: compare ratios, not times. What each pair has in common and what not is said in the script of its
-name.
+Times are medians (the fastest of 20 runs for planes, one run for densities, tours and timings), beside the other work of
+the machine, so compare ratios, not times. The script of each pair says what the two programs share, and where they differ.
 """
 
 import logging

@@ -1,4 +1,4 @@
-"""Builds the library's examples once and tells where they are."""
+"""Builds the examples of the library once, and returns their paths."""
 
 import functools
 import pathlib
