@@ -15,8 +15,8 @@ pub const SCENE_SCHEMA: u32 = 1;
 const SCENE_NOTE: &str = "scene";
 /// Frames that every episode has beside the robot's links.
 const OWN_FRAMES: [&str; 6] = ["tool", "tcp", "robot", "base", "surface", "world"];
-/// Columns of the tool's logged pose: position [m], then quaternion.
-const LOGGED_POSE: [&str; 7] = [
+/// Columns of a log's telemetry: pose of the tool (position [m], then quaternion x, y, z, w), then force on it [N].
+pub const LOG_COLUMNS: [&str; 10] = [
     "measured/x",
     "measured/y",
     "measured/z",
@@ -24,7 +24,12 @@ const LOGGED_POSE: [&str; 7] = [
     "measured/qy",
     "measured/qz",
     "measured/qw",
+    "external/fx",
+    "external/fy",
+    "external/fz",
 ];
+/// Number of [`LOG_COLUMNS`] that hold the pose.
+const POSE_COLUMNS: usize = 7;
 /// Name of the surface where its pose is unknown.
 const NO_SURFACE: &str = "";
 /// Longest time between a requested pose and the sample that represents it [s].
@@ -326,7 +331,10 @@ impl<'a> Frames<'a> {
     /// If the telemetry lacks poses of the tool, or its scene cannot be read.
     pub fn from_log(telemetry: &'a Telemetry, tool: &str) -> Result<Self, FrameError> {
         let columns = telemetry.columns();
-        if let Some(missing) = LOGGED_POSE.iter().find(|name| !columns.contains(name)) {
+        if let Some(missing) = LOG_COLUMNS[..POSE_COLUMNS]
+            .iter()
+            .find(|name| !columns.contains(name))
+        {
             return Err(FrameError::Scene {
                 path: telemetry.path().to_path_buf(),
                 what: format!(
@@ -393,26 +401,6 @@ impl<'a> Frames<'a> {
         LONGEST_GAP.max(2.0 * period)
     }
 
-    /// Returns the poses of all links in the world at the sample nearest to a time [s since the round began], in the
-    /// robot's order.
-    ///
-    /// # Errors
-    /// If the time is outside the telemetry, or the file is damaged.
-    pub fn links(&self, time: f64) -> Result<Vec<Pose>, FrameError> {
-        let row = self.row_at(time)?;
-        let Some(robot) = &self.robot else {
-            return Ok(Vec::new());
-        };
-        let positions = robot.positions(self.telemetry, row)?;
-        let kinematics = robot.model.forward_kinematics(&positions)?;
-        let world_from_root = Pose::from(self.scene.world_from_root);
-        let links = robot.model.links().iter().map(|link| {
-            let link = robot.model.link(&link.name)?;
-            Ok(world_from_root * kinematics.world_from_link(link))
-        });
-        links.collect()
-    }
-
     /// Returns the poses of a frame in the world at several times of an interval \[s\], each from the nearest sample.
     ///
     /// # Errors
@@ -452,7 +440,7 @@ impl<'a> Frames<'a> {
             // Links have frames only where there is a robot.
             (Carrier::Logged | Carrier::Link(_), _) => {
                 let [x, y, z, qx, qy, qz, qw] =
-                    <[f64; 7]>::try_from(self.telemetry.row(&LOGGED_POSE, row)?)
+                    <[f64; 7]>::try_from(self.telemetry.row(&LOG_COLUMNS[..POSE_COLUMNS], row)?)
                         .unwrap_or([f64::NAN; 7]);
                 Pose::from(StoredPose {
                     position: [x, y, z],

@@ -1,5 +1,4 @@
-//! Pictures and pages of robotic wiping: predicted effects of plans, robot motions, interpreted rounds, and answers of the
-//! memory.
+//! Pictures and pages of robotic wiping: predicted effects of plans, robot motions, and interpreted rounds.
 //!
 //! | drawn | from | by |
 //! |---|---|---|
@@ -9,7 +8,7 @@
 //! | a robot in motion: joints, base placements | [`ShownMotion`] of what follows a plan, or any [`MotionInput`] | part of [`ReportInput`], or [`joint_plots`], [`placements_plan`] |
 //! | a log of wiping as one page | [`LogPageInput`] | [`log_page`] |
 //! | rounds: force, path, probability of an effect, remaining dirt | [`RoundsInput`] | part of [`ReportInput`] |
-//! | answers of the memory, in space and over time | [`AnswersInput`] | [`answers_page`] |
+//! | an episode without a recording, for the same page | its telemetry and events | [`RecordingWriter::record_log`] |
 //! | a tool's footprint | [`wisch::represent::Tool`] | [`footprint_drawing`] |
 //! | the calibration of estimates | [`CalibrationCurve`]s | [`calibration_drawing`] |
 //! | tasks by several strategies, compared with the paper's figures | [`Table1Input`] | [`table1_page`] |
@@ -42,7 +41,6 @@ mod draw;
 mod footprint;
 mod input;
 mod log_page;
-mod memory;
 mod motion;
 mod page;
 mod pictures;
@@ -60,7 +58,6 @@ pub use draw::{PictureError, rasterize};
 pub use footprint::footprint_drawing;
 pub use input::ReportInput;
 pub use log_page::{LogPageInput, log_page};
-pub use memory::{AnswersInput, answers_page};
 pub use motion::{
     BasePose, CandidateBase, MotionInput, ParticleFrame, ShownContact, ShownMotion, ShownPhase,
     joint_plots, placements_plan,
@@ -68,7 +65,8 @@ pub use motion::{
 pub use pictures::pictures;
 pub use prediction::frames::{EffectFrames, Frame};
 pub use recording::{
-    RECORDING_SCHEMA, RecordingHead, RecordingWriter, RoundTruth, RunOutcome, UnexecutedPlan,
+    LoggedEpisode, LoggedOccurrence, LoggedRobot, LoggedRound, LoggedTask, RECORDING_SCHEMA,
+    RecordingHead, RecordingWriter, RoundTruth, RunOutcome, UnexecutedPlan,
 };
 pub use rounds::{RoundView, RoundsInput};
 pub use table1::{

@@ -28,7 +28,6 @@ mod refusal;
 mod runs;
 mod scenarios;
 mod serve;
-mod shown;
 mod stream;
 mod vocabulary;
 mod watch;

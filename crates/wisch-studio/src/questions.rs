@@ -2,7 +2,6 @@
 
 use crate::library::Library;
 use crate::refusal::Refusal;
-use crate::shown;
 use axum::http::StatusCode;
 use serde::Deserialize;
 use serde_json::{Map, Value, json};
@@ -14,10 +13,9 @@ use std::time::{Duration, Instant, SystemTime};
 use tokio::sync::oneshot;
 use wisch_memory::Catalogue;
 use wisch_memory::ask::{
-    Answers, AskError, AskLimits, Assertions, EngineCommand, QuerySession, TelemetryPredicates,
-    Term, locate_fault,
+    AskError, AskLimits, Assertions, EngineCommand, QuerySession, TelemetryPredicates, locate_fault,
 };
-use wisch_memory::view::{Surroundings, gather};
+use wisch_memory::view::{answers_json, gather};
 
 /// Limits of a query, the same as those of `wisch ask`.
 pub const LIMITS: AskLimits = AskLimits {
@@ -233,52 +231,11 @@ fn answer(open: &mut Open, library: &Library, question: &Question) -> Result<Val
         answers.rows.truncate(limit);
         answers.is_cut = true;
     }
-    let (views, rows) = (&answers.views, &answers.rows);
-    let mut surroundings = |_: &_| Surroundings::default();
-    let view = gather(
-        views,
-        rows,
-        library.memory(),
-        &open.catalogue,
-        &mut surroundings,
-    );
-    let mut remarks = answers.remarks.clone();
-    let view = match view {
-        Ok(view) => {
-            remarks.extend(view.remarks.iter().cloned());
-            shown::view(&view, &open.catalogue)
-        }
-        Err(error) => {
-            remarks.push(format!("the scene cannot show the answers: {error}"));
-            Value::Null
-        }
-    };
-    Ok(json!({
-        "columns": answers.names,
-        "rows": answers.rows.iter().map(|row| row.iter().map(Term::to_json).collect()).collect::<Vec<Vec<Value>>>(),
-        "about": about(&answers, &open.catalogue),
-        "holds": answers.holds(),
-        "more": answers.is_cut,
-        "printed": answers.printed,
-        "remarks": remarks,
-        "view": view,
-    }))
-}
-
-/// For each answer, the intervals of episodes that it names, which the page can show.
-fn about(answers: &Answers, catalogue: &Catalogue) -> Vec<Vec<Value>> {
-    let named = |term: &Term| {
-        let id = catalogue.find(term.as_atom()?.strip_prefix("semco:")?)?;
-        let class = catalogue.class(id);
-        Some(json!({
-            "episode": catalogue.episode_of(id).id,
-            "class": class.strip_prefix("semco:").unwrap_or(class),
-            "interval": catalogue.interval(id),
-        }))
-    };
-    let rows = answers.rows.iter();
-    rows.map(|row| row.iter().filter_map(named).collect())
-        .collect()
+    let catalogue = &open.catalogue;
+    let view = gather(&answers.views, &answers.rows, library.memory(), catalogue);
+    let view = view.map_err(|error| error.to_string());
+    let view = view.as_ref().map_err(String::as_str);
+    Ok(answers_json(&answers, view, catalogue))
 }
 
 fn fault_json(error: &AskError, query: &str) -> Value {

@@ -16,25 +16,12 @@ use wisch::follow::Phase;
 use wisch_io::{INTERPRETATION_FILE, PARTICLES_ESTIMATED_FILE, REPORT_FILE, particles_to_csv};
 use wisch_memory::catalogue::entries;
 use wisch_memory::{
-    Catalogue, EpisodeHeader, EpisodeRecord, EpisodeWriter, Mark, Memory, MemoryError,
+    Catalogue, EpisodeHeader, EpisodeRecord, EpisodeWriter, LOG_COLUMNS, Mark, Memory, MemoryError,
     RoundObservations, RoundScene, Value, remember_log,
 };
 use wisch_record::{RecordError, attach_task, begin_episode};
 use wisch_telemetry::Log;
 
-/// Columns of a log's telemetry.
-const COLUMNS: [&str; 10] = [
-    "measured/x",
-    "measured/y",
-    "measured/z",
-    "measured/qx",
-    "measured/qy",
-    "measured/qz",
-    "measured/qw",
-    "external/fx",
-    "external/fy",
-    "external/fz",
-];
 const NANOSECONDS_PER_SECOND: f64 = 1e9;
 /// Attachment with the options of the command line that change the interpretation of the log.
 const READING_FILE: &str = "reading.txt";
@@ -329,7 +316,7 @@ fn write_telemetry(
     prepared: &Prepared,
     seen: &RoundObservations,
 ) -> Result<(), MemoryError> {
-    let columns = COLUMNS.map(str::to_owned);
+    let columns = LOG_COLUMNS.map(str::to_owned);
     let (tool, surface) = (&prepared.task.tool.name, &prepared.task.surface.name);
     let scene = RoundScene::from_log(tool, surface, &seen.world_from_surface);
     let mut telemetry = writer.telemetry_with_columns(1, scene.head(Vec::new()), &columns)?;

@@ -1,16 +1,19 @@
-//! `wisch ask --view`: draws the plots of a query into one page.
+//! `wisch ask --view`: writes the answers of a query, with the recordings that they show, into one page.
 
 use super::prepare::Prepared;
 use crate::args::TaskArgs;
 use crate::failure::Failure;
 use serde::Deserialize;
 use std::path::Path;
-use wisch::represent::{ScenePart, Task};
 use wisch_io::OutputFile;
 use wisch_memory::ask::Answers;
-use wisch_memory::view::{Surroundings, gather};
+use wisch_memory::view::{View, answers_json, gather};
 use wisch_memory::{Catalogue, Episode, Memory};
-use wisch_report::{AnswersInput, answers_page};
+use wisch_record::episode_recording;
+use wisch_web::answers_page;
+
+/// Maximum size of all recordings of a page together [bytes], compressed.
+const MAX_RECORDINGS: usize = 32 << 20;
 
 /// The options of the command line that change the task, as an episode keeps them.
 #[derive(Debug, Default, Deserialize)]
@@ -34,30 +37,48 @@ pub(super) fn draw(
     memory: &Memory,
     catalogue: &Catalogue,
 ) -> Result<Vec<String>, Failure> {
-    let view = gather(
-        &answers.views,
-        &answers.rows,
-        memory,
-        catalogue,
-        &mut surroundings,
-    );
-    let view = view.map_err(|error| {
+    let view = gather(&answers.views, &answers.rows, memory, catalogue);
+    let mut view = view.map_err(|error| {
         Failure::new(error).with_help("wisch ask --list describes the predicates that draw")
     })?;
-    let input = AnswersInput {
-        query,
-        answers,
-        view: &view,
-    };
-    let page = answers_page(&input);
+    let recordings = recordings(&mut view, memory);
+    let answers = answers_json(answers, Ok(&view), catalogue).to_string();
+    let page = answers_page(query, &answers, &recordings);
     let written = file.finish(page.as_bytes());
     written.map_err(|error| Failure::from(error).with_help(OTHER_FILE))?;
     Ok(view.remarks)
 }
 
-/// Returns the scene around the robot from the episode's task. If the task or one of its files is missing, the picture
-/// shows no scene.
-fn surroundings(episode: &Episode) -> Surroundings {
+/// Returns name and recording of each shown episode. An episode that cannot be read, or for which the page has no space,
+/// becomes a remark.
+fn recordings(view: &mut View, memory: &Memory) -> Vec<(String, Vec<u8>)> {
+    let mut recordings = Vec::new();
+    let mut space = MAX_RECORDINGS;
+    for shown in &view.episodes {
+        let recording = memory.episode(&shown.id).map_err(Into::into);
+        let recording = recording.and_then(|episode| {
+            let task = task_of(&episode);
+            episode_recording(&episode, shown, task.as_ref().map(|task| &task.loaded))
+        });
+        match recording {
+            Ok(packed) if packed.len() <= space => {
+                space -= packed.len();
+                recordings.push((shown.id.clone(), packed));
+            }
+            Ok(packed) => view.remarks.push(format!(
+                "episode {} is not drawn: its recording of {} KiB exceeds the page's rest of {} KiB; ask for fewer episodes",
+                shown.id,
+                packed.len() >> 10,
+                space >> 10
+            )),
+            Err(error) => (view.remarks).push(format!("episode {} is not drawn: {error}", shown.id)),
+        }
+    }
+    recordings
+}
+
+/// Returns the task of an episode; `None` if it or one of its files is missing.
+fn task_of(episode: &Episode) -> Option<Prepared> {
     let options = episode.attachment("options.json").ok();
     let options = options.and_then(|bytes| serde_json::from_slice::<Options>(&bytes).ok());
     let args = TaskArgs {
@@ -69,17 +90,5 @@ fn surroundings(episode: &Episode) -> Surroundings {
         settings: options.unwrap_or_default().settings,
         knowledge: None,
     };
-    Prepared::read(&args).map_or_else(|_| Surroundings::default(), |read| around(read.loaded.task))
-}
-
-fn around(task: Task) -> Surroundings {
-    let stands = |part: &ScenePart| matches!(part, ScenePart::Obstacle | ScenePart::Carrier);
-    let objects = task.scene.into_iter().filter(|object| stands(&object.part));
-    Surroundings {
-        tool: Some(task.tool.mesh),
-        outline: Some(task.surface.outline),
-        objects: objects
-            .map(|object| (object.world_from_object, object.mesh))
-            .collect(),
-    }
+    Prepared::load(&args).ok()
 }

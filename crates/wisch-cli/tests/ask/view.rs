@@ -16,10 +16,18 @@ fn what_a_query_shows_is_drawn_into_one_page() {
         "answers are printed all the same: {out}"
     );
     let page = fs::read_to_string(folder.path().join("seen.html")).unwrap();
-    assert!(page.contains("<h3>How long</h3>") && page.contains(">1.5</text>"));
-    assert!(page.contains(ID), "its episode is shown over time");
-    assert!(page.contains("class=\"event-collision\""));
-    assert!(!page.contains("http"), "nothing is asked of the network");
+    assert!(
+        page.contains("\"amounts\":[[\"semco:HumanCollision_"),
+        "the diagram"
+    );
+    assert!(page.contains("\"title\":\"How long\"") && page.contains(",1.5]]"));
+    assert!(page.contains("<pre id=\"query\" hidden>owl_individual_of(C, semco:'Collision')"));
+    let recording = format!("<script type=\"application/gzip\" data-episode=\"{ID}\">");
+    assert!(page.contains(&recording), "its episode is shown over time");
+    let asks = ["src=\"http", "href=\"http", "url(http", "@import"];
+    for network in asks {
+        assert!(!page.contains(network), "nothing is asked of the network");
+    }
 }
 
 #[test]

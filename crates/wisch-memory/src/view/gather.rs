@@ -9,11 +9,11 @@ use crate::ask::{Term, tool_of};
 use crate::catalogue::{Catalogue, CatalogueNode, EpisodeRow, IndividualId, entries};
 use crate::frames::{FrameError, Frames, Sampling};
 use crate::ontology::Ontology;
-use crate::store::{Episode, Memory};
+use crate::store::Memory;
 use crate::telemetry::Telemetry;
 use std::collections::HashMap;
 use std::rc::Rc;
-use wisch::geometry::{Mesh, Point2, Polygon, Pose};
+use wisch::geometry::Point2;
 use wisch::robot::RobotModel;
 
 /// Largest number of poses in a view.
@@ -27,17 +27,6 @@ const MAX_EPISODES: usize = 12;
 /// Number of poses over an interval, if a query states no period.
 const POSES_OF_INTERVAL: usize = 5;
 
-/// Geometry around a robot, which the memory does not compute itself.
-#[derive(Debug, Clone, Default)]
-pub struct Surroundings {
-    /// Mesh of the tool, in its own frame.
-    pub tool: Option<Mesh>,
-    /// Outline of the surface, in its own frame.
-    pub outline: Option<Polygon>,
-    /// Other objects: pose in the world, and mesh.
-    pub objects: Vec<(Pose, Mesh)>,
-}
-
 /// Collects the data for a query's commands. `rows` are the query's answers, whose events are shown over time.
 ///
 /// What the memory lacks, for example a thing that an episode did not use, becomes a remark.
@@ -49,12 +38,10 @@ pub fn gather(
     rows: &[Vec<Term>],
     memory: &Memory,
     catalogue: &Catalogue,
-    surroundings: &mut dyn FnMut(&Episode) -> Surroundings,
 ) -> Result<View, ViewError> {
     let mut gathering = Gathering {
         memory,
         catalogue,
-        surroundings,
         view: View::default(),
         opened: Vec::new(),
         known: HashMap::new(),
@@ -105,7 +92,6 @@ struct Opened {
 struct Gathering<'a> {
     memory: &'a Memory,
     catalogue: &'a Catalogue,
-    surroundings: &'a mut dyn FnMut(&Episode) -> Surroundings,
     view: View,
     /// Opened rounds, as many as the view has rounds.
     opened: Vec<Opened>,
@@ -318,23 +304,11 @@ impl Gathering<'_> {
             None => None,
         };
         let tool = tool_of(self.catalogue, row);
-        let frames = frames_of(robot.as_deref(), &telemetry, &tool)?;
-        let scene = frames.scene();
-        let tool_path = match telemetry.interval() {
-            Some(interval) => line(&frames, "tool", interval)?,
-            None => Vec::new(),
-        };
-        let around = (self.surroundings)(&episode);
+        // Telemetry without usable poses is reported once, for the episode.
+        frames_of(robot.as_deref(), &telemetry, &tool)?;
         let shown = ShownRound {
             episode: self.episode(row),
             number,
-            world_from_surface: scene.world_from_surface.into(),
-            tool_path,
-            names: [&scene.robot, &scene.tool, &scene.surface].map(Clone::clone),
-            // A surface of unknown pose is not drawn.
-            outline: around.outline.filter(|_| !scene.surface.is_empty()),
-            tool_mesh: around.tool,
-            objects: around.objects,
         };
         let opened = Opened {
             media: self.media(row),
@@ -417,7 +391,8 @@ impl Gathering<'_> {
         for at in poses {
             let body = ShownBody {
                 thing: name.to_owned(),
-                figure: figure(&frames, local(name), &at)?,
+                figure: figure(&frames, local(name)),
+                world_from_frame: at.world_from_frame,
                 round,
                 time: opened.began + at.time,
                 emphasis: wish.emphasis,

@@ -5,6 +5,7 @@
 mod colour;
 mod command;
 mod gather;
+mod json;
 mod plot;
 mod posed;
 #[cfg(test)]
@@ -12,14 +13,14 @@ mod tests;
 
 pub use colour::Colour;
 pub use command::{Emphasis, ViewCommand, ViewRequest, ViewSubject, ViewTime};
-pub use gather::{MAX_POSES, Surroundings, gather};
+pub use gather::{MAX_POSES, gather};
+pub use json::answers_json;
 pub use plot::{Diagram, Plot, PlotData};
 
 use crate::ask::Term;
 use crate::frames::FrameError;
 use crate::store::MemoryError;
-use wisch::geometry::{Mesh, Point2, Point3, Polygon, Pose};
-use wisch::robot::Shape;
+use wisch::geometry::{Point2, Point3, Pose};
 
 /// Why a thing cannot be shown in a view.
 #[derive(Debug, thiserror::Error)]
@@ -174,33 +175,23 @@ pub struct Occurrence {
 }
 
 /// A round of which a view shows parts.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct ShownRound {
     /// Index of its episode in [`View::episodes`].
     pub episode: usize,
     /// Its number, from 1.
     pub number: usize,
-    /// Believed pose of the surface.
-    pub world_from_surface: Pose,
-    /// Path of the tool centre point through the round, in the world \[m\].
-    pub tool_path: Vec<Point3>,
-    /// Names of robot, tool and surface.
-    pub names: [String; 3],
-    /// The surface's outline, in its own frame, if the task is known.
-    pub outline: Option<Polygon>,
-    /// Mesh of the tool in its own frame, if the task is known.
-    pub tool_mesh: Option<Mesh>,
-    /// Other objects: pose in the world, and mesh.
-    pub objects: Vec<(Pose, Mesh)>,
 }
 
-/// A thing with its shape and pose at one time.
+/// A thing with its pose at one time.
 #[derive(Debug, Clone)]
 pub struct ShownBody {
     /// Its name.
     pub thing: String,
-    /// Its shape.
+    /// Kind of the thing.
     pub figure: Figure,
+    /// Pose of its frame in the world.
+    pub world_from_frame: Pose,
     /// Index of its round in [`View::rounds`].
     pub round: usize,
     /// Time [s since 1970].
@@ -211,33 +202,17 @@ pub struct ShownBody {
     pub colour: Option<Colour>,
 }
 
-/// The shape of a thing in a view.
-#[derive(Debug, Clone)]
+/// The kind of a thing in a view.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Figure {
     /// A whole robot, with its tool.
-    Robot {
-        /// Its solids.
-        parts: Vec<ShownPart>,
-        /// Pose of the tool.
-        world_from_tool: Pose,
-    },
+    Robot,
     /// The tool.
-    Tool(Pose),
+    Tool,
     /// The surface.
-    Surface(Pose),
+    Surface,
     /// A frame without a known shape.
-    Frame(Pose),
-}
-
-/// A solid of a robot, with its link and pose.
-#[derive(Debug, Clone, PartialEq)]
-pub struct ShownPart {
-    /// Name of its link.
-    pub link: String,
-    /// Pose of the solid.
-    pub world_from_shape: Pose,
-    /// Shape of the solid.
-    pub shape: Shape,
+    Frame,
 }
 
 /// The trajectory of a thing over an interval.

@@ -1,9 +1,8 @@
 //! Poses of things for a view.
 
-use super::{Figure, ShownPart, ViewError};
+use super::{Figure, ViewError};
 use crate::frames::{Frames, PoseAt, Sampling};
 use wisch::geometry::Point3;
-use wisch::robot::RobotModel;
 
 /// Largest number of points in a line.
 const MAX_POINTS: usize = 1500;
@@ -30,35 +29,16 @@ pub(super) fn line(
     Ok(poses.iter().map(place).collect())
 }
 
-pub(super) fn figure(frames: &Frames, name: &str, at: &PoseAt) -> Result<Figure, ViewError> {
+/// Returns the kind of the thing with a name.
+pub(super) fn figure(frames: &Frames, name: &str) -> Figure {
     let scene = frames.scene();
-    if let Some(robot) = frames.robot()
-        && (name == scene.robot || name == "robot")
-    {
-        return Ok(Figure::Robot {
-            parts: parts(frames, robot, at.time)?,
-            world_from_tool: frames.pose("tool", at.time)?.world_from_frame,
-        });
-    }
-    Ok(if name == scene.tool || name == "tool" {
-        Figure::Tool(at.world_from_frame)
+    if frames.robot().is_some() && (name == scene.robot || name == "robot") {
+        Figure::Robot
+    } else if name == scene.tool || name == "tool" {
+        Figure::Tool
     } else if name == scene.surface || name == "surface" {
-        Figure::Surface(at.world_from_frame)
+        Figure::Surface
     } else {
-        Figure::Frame(at.world_from_frame)
-    })
-}
-
-/// Returns the robot's solids at a time.
-fn parts(frames: &Frames, robot: &RobotModel, time: f64) -> Result<Vec<ShownPart>, ViewError> {
-    let poses = frames.links(time)?;
-    let links = robot.links().iter().zip(poses);
-    let parts = links.flat_map(|(link, world_from_link)| {
-        link.collision.iter().map(move |solid| ShownPart {
-            link: link.name.clone(),
-            world_from_shape: world_from_link * solid.link_from_shape,
-            shape: solid.shape.clone(),
-        })
-    });
-    Ok(parts.collect())
+        Figure::Frame
+    }
 }

@@ -5,6 +5,7 @@ use super::samples::round_to;
 use super::{RoundTruth, words};
 use crate::scene::seven;
 use serde::Serialize;
+use std::borrow::Cow;
 use wisch::interpret::{Diagnosis, Estimate, Event, EventKind, Interpretation, Touch};
 use wisch::represent::{GoalState, ParticleDistribution, Performance, Surface};
 use wisch::run::Round;
@@ -33,12 +34,12 @@ struct EstimateRecord {
 }
 
 #[derive(Serialize)]
-struct EventRecord {
-    kind: &'static str,
-    start: f64,
-    end: f64,
-    words: String,
-    by_hand: bool,
+pub(super) struct EventRecord {
+    pub(super) kind: Cow<'static, str>,
+    pub(super) start: f64,
+    pub(super) end: f64,
+    pub(super) words: String,
+    pub(super) by_hand: bool,
 }
 
 #[derive(Serialize)]
@@ -91,7 +92,7 @@ impl EstimateRecord {
 impl EventRecord {
     fn new(event: &Event) -> Self {
         Self {
-            kind: crate::rounds::words::kind_name(event.kind),
+            kind: crate::rounds::words::kind_name(event.kind).into(),
             start: round_to(event.start, 1e3),
             end: round_to(event.end, 1e3),
             words: crate::rounds::words::describe_evidence(event),

@@ -6,7 +6,9 @@
 mod considered;
 mod head;
 mod judged;
+mod logged;
 mod particles;
+mod phases;
 mod robot;
 mod round;
 mod samples;
@@ -15,6 +17,7 @@ mod story;
 mod tests;
 mod words;
 
+pub use logged::{LoggedEpisode, LoggedOccurrence, LoggedRobot, LoggedRound, LoggedTask};
 pub use story::RunOutcome;
 
 use crate::prediction::frames::EffectFrames;
@@ -157,6 +160,27 @@ impl<W: Write> RecordingWriter<W> {
         write(&mut self.output, &piece)
     }
 
+    /// Writes the first piece of an episode that was kept without a recording.
+    ///
+    /// # Errors
+    /// If the output cannot be written.
+    pub fn begin_log(&mut self, episode: &LoggedEpisode<'_>) -> io::Result<()> {
+        let piece = Head::of_episode(episode, None, &mut self.meshes);
+        self.written = self.meshes.len();
+        write(&mut self.output, &piece)
+    }
+
+    /// Records a round of such an episode; its samples follow as [`RunEvent::Sample`]s, and [`flush`](Self::flush) ends it.
+    ///
+    /// # Errors
+    /// If the output cannot be written.
+    pub fn record_log(&mut self, round: &LoggedRound<'_>) -> io::Result<()> {
+        let piece = RoundPiece::logged(round, &mut self.meshes, self.written);
+        self.written = self.meshes.len();
+        self.batch = Batch::new(round.number, &round.world_from_surface());
+        write(&mut self.output, &piece)
+    }
+
     /// Records an event of the run.
     ///
     /// # Errors
@@ -201,10 +225,10 @@ impl<W: Write> RecordingWriter<W> {
             RunEvent::Executing(planned) => self.executing(planned),
             RunEvent::Sample(sample) => {
                 let due = self.batch.watch(sample);
-                if due { self.flush_batch() } else { Ok(()) }
+                if due { self.flush() } else { Ok(()) }
             }
             RunEvent::Interpreting { round } => {
-                self.flush_batch()?;
+                self.flush()?;
                 self.stage(
                     round,
                     "interpreting",
@@ -221,7 +245,7 @@ impl<W: Write> RecordingWriter<W> {
                 write(&mut self.output, &piece)
             }
             RunEvent::Decided(round) => {
-                self.flush_batch()?;
+                self.flush()?;
                 write(&mut self.output, &Judged::new(round, self.target))
             }
             RunEvent::Ended(_) => Ok(()),
@@ -283,7 +307,11 @@ impl<W: Write> RecordingWriter<W> {
         )
     }
 
-    fn flush_batch(&mut self) -> io::Result<()> {
+    /// Writes the samples that wait for a full piece.
+    ///
+    /// # Errors
+    /// If the output cannot be written.
+    pub fn flush(&mut self) -> io::Result<()> {
         match self.batch.take() {
             Some(piece) => write(&mut self.output, &piece),
             None => Ok(()),

@@ -2,7 +2,6 @@
 
 use crate::scene::{Meshes, Solid, seven, vector};
 use serde::Serialize;
-use wisch::follow::Workcell;
 use wisch::robot::{Appearance, Joint, JointKind, Link, LinkId, RobotModel, Shape, Visual};
 
 /// Maximum number of triangles of a mesh.
@@ -43,12 +42,12 @@ struct LinkRecord<'a> {
 
 impl<'a> RobotRecord<'a> {
     pub(super) fn new(
-        cell: &'a Workcell,
+        robot: &'a RobotModel,
+        tip: LinkId,
         appearance: Option<&Appearance>,
         meshes: &mut Meshes,
     ) -> Self {
-        let robot = cell.robot();
-        let arm = arm(robot, cell.tip());
+        let arm = arm(robot, tip);
         let appearance = appearance.filter(|looks| !looks.is_empty());
         let looks = |link: &Link| appearance?.visuals(robot.link(&link.name).ok()?);
         let shown = robot.links().iter().filter_map(looks).flatten();

@@ -1,13 +1,15 @@
 //! The piece of a planned round, or of a plan that is not executed.
 
 use super::considered::ConsideredRecord;
+use super::logged::{self, Log, LoggedRound};
 use super::particles::{Moment, ParticleStep, line, steps};
+use super::phases::{PhaseRecord, phases};
 use super::samples::{NOMINAL_SPEED, round_to, seconds_at};
 use super::{UnexecutedPlan, words};
 use crate::prediction::frames::EffectFrames;
 use crate::scene::{MeshRecord, Meshes, Solid, seven};
 use serde::Serialize;
-use wisch::follow::{Followed, Phase};
+use wisch::follow::Followed;
 use wisch::plan::{Plan, Strategy};
 use wisch::represent::{GoalState, ScenePart, Task};
 use wisch::run::PlannedRound;
@@ -22,15 +24,17 @@ pub(super) struct RoundPiece {
     surface: SurfaceRecord,
     scene: Vec<ObjectRecord>,
     meshes: Vec<MeshRecord>,
-    goal: GoalRecord,
+    goal: Option<GoalRecord>,
     strokes: Vec<Vec<i64>>,
     phases: Vec<PhaseRecord>,
-    predicted: f64,
+    predicted: Option<f64>,
     growth: Vec<[f64; 2]>,
     particles: Vec<ParticleStep>,
     why: Vec<String>,
     #[serde(skip_serializing_if = "Vec::is_empty")]
     considered: Vec<ConsideredRecord>,
+    #[serde(flatten)]
+    log: Option<Log>,
 }
 
 #[derive(Serialize)]
@@ -54,15 +58,6 @@ enum GoalRecord {
     Skimmed,
     Polished,
     Emitted,
-}
-
-#[derive(Serialize)]
-struct PhaseRecord {
-    name: &'static str,
-    start: f64,
-    end: f64,
-    contact: bool,
-    stroke: Option<usize>,
 }
 
 impl RoundPiece {
@@ -124,6 +119,40 @@ impl RoundPiece {
         .piece(meshes, written)
     }
 
+    /// Makes the piece of a round of which only a log is known.
+    pub(super) fn logged(round: &LoggedRound<'_>, meshes: &mut Meshes, written: usize) -> Self {
+        let surface = round.task.map(|task| &task.surface);
+        let rings = surface.map_or_else(Vec::new, |surface| {
+            surface.outline.rings().map(line).collect()
+        });
+        let scene = round
+            .task
+            .map_or_else(Vec::new, |task| objects(task, meshes));
+        let (phases, log) = logged::lanes(&round.occurrences);
+        Self {
+            piece: "round",
+            round: round.number,
+            kind: "logged",
+            duration: round_to(round.duration, 1e3),
+            root: round.world_from_root.as_ref().map(seven),
+            surface: SurfaceRecord {
+                pose: seven(&round.world_from_surface()),
+                rings,
+            },
+            scene,
+            meshes: meshes.since(written),
+            goal: None,
+            strokes: Vec::new(),
+            phases,
+            predicted: None,
+            growth: Vec::new(),
+            particles: Vec::new(),
+            why: Vec::new(),
+            considered: Vec::new(),
+            log: Some(log),
+        }
+    }
+
     /// Adds the candidates, and marks the one with the strategy of the plan.
     pub(super) fn with_candidates(
         mut self,
@@ -161,17 +190,7 @@ impl Shown<'_> {
             ..
         } = self;
         let outline = &task.surface.outline;
-        let scene: Vec<ObjectRecord> = (task.scene.iter())
-            .filter_map(|object| {
-                let part = match object.part {
-                    ScenePart::Obstacle => "obstacle",
-                    ScenePart::Carrier => "carrier",
-                    ScenePart::Robot | ScenePart::Tool => return None,
-                };
-                let solid = meshes.solid(&object.world_from_object, &object.mesh);
-                Some(ObjectRecord { part, solid })
-            })
-            .collect();
+        let scene = objects(task, meshes);
         let mut since = 0.0;
         let moments: Vec<(f64, usize)> = (frames.frames().iter().enumerate())
             .map(|(i, frame)| {
@@ -209,19 +228,34 @@ impl Shown<'_> {
                 rings: outline.rings().map(line).collect(),
             },
             scene,
-            goal: GoalRecord::new(&wiped.graph.goal),
+            goal: Some(GoalRecord::new(&wiped.graph.goal)),
             strokes: (wiped.strokes.iter())
                 .map(|stroke| line(stroke.poses.iter().map(|pose| &pose.position)))
                 .collect(),
             phases: followed.map_or_else(Vec::new, phases),
-            predicted: round_to(self.predicted, 1e4),
+            predicted: Some(round_to(self.predicted, 1e4)),
             growth: growth.collect(),
             particles: steps(&moments.iter().map(of_frame).collect::<Vec<_>>()),
             why: self.why,
             considered: Vec::new(),
+            log: None,
             meshes: meshes.since(written),
         }
     }
+}
+
+/// Returns the scene of a task around robot and tool.
+fn objects(task: &Task, meshes: &mut Meshes) -> Vec<ObjectRecord> {
+    let objects = task.scene.iter().filter_map(|object| {
+        let part = match object.part {
+            ScenePart::Obstacle => "obstacle",
+            ScenePart::Carrier => "carrier",
+            ScenePart::Robot | ScenePart::Tool => return None,
+        };
+        let solid = meshes.solid(&object.world_from_object, &object.mesh);
+        Some(ObjectRecord { part, solid })
+    });
+    objects.collect()
 }
 
 impl GoalRecord {
@@ -237,25 +271,4 @@ impl GoalRecord {
             GoalState::Emitted { .. } => Self::Emitted,
         }
     }
-}
-
-/// Merges consecutive motions of the same phase.
-fn phases(followed: &Followed) -> Vec<PhaseRecord> {
-    let mut phases: Vec<PhaseRecord> = Vec::new();
-    for motion in &followed.motions {
-        let (phase, end): (Phase, f64) = (motion.phase, round_to(motion.end(), 1e3));
-        match phases.last_mut() {
-            Some(last) if last.name == phase.as_str() && last.stroke == phase.stroke() => {
-                last.end = end;
-            }
-            _ => phases.push(PhaseRecord {
-                name: phase.as_str(),
-                start: round_to(motion.start, 1e3),
-                end,
-                contact: phase.is_contact(),
-                stroke: phase.stroke(),
-            }),
-        }
-    }
-    phases
 }

@@ -52,7 +52,7 @@ impl Batch {
         Self::new(planned.number, &planned.task.surface.world_from_surface)
     }
 
-    fn new(round: usize, world_from_surface: &Pose) -> Self {
+    pub(super) fn new(round: usize, world_from_surface: &Pose) -> Self {
         Self {
             round,
             surface_from_world: world_from_surface.inverse(),

@@ -1,4 +1,4 @@
-//! Solids in the format of the pages' scripts. Poses are x, y, z [m] and a quaternion x, y, z, w; vertices and
+//! Solids in the format of a recording. Poses are x, y, z [m] and a quaternion x, y, z, w; vertices and
 //! points are in tenths of a millimetre.
 
 mod mesh;
@@ -12,12 +12,10 @@ use wisch::robot::Shape;
 const PER_METRE: f64 = 1e4;
 
 /// The meshes of a page, each stored once.
-#[derive(Debug, Serialize)]
-#[serde(transparent)]
+#[derive(Debug)]
 pub(crate) struct Meshes {
     records: Vec<MeshRecord>,
     /// Maximum number of triangles of a mesh.
-    #[serde(skip)]
     most: usize,
 }
 
@@ -171,11 +169,4 @@ pub(crate) fn tenths(points: impl IntoIterator<Item = Point3>) -> Vec<i64> {
 /// Converts a length [m] to tenths of a millimetre.
 pub(crate) fn tenth(length: f64) -> i64 {
     (length * PER_METRE).round() as i64
-}
-
-/// Formats a record for a page's script element. In JSON, "<" occurs only within texts; it is escaped, so that no text can end
-/// the element.
-pub(crate) fn json(record: &impl Serialize) -> String {
-    let data = serde_json::to_string(record).unwrap_or_default();
-    data.replace('<', "\\u003c")
 }

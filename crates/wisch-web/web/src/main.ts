@@ -1,7 +1,9 @@
-// Entry point of the page: a report shows its embedded recording, the studio fetches recordings from its server.
+// Entry point of the page: a report shows its embedded recording, answers show theirs, the studio fetches recordings from its
+// server.
 import "./style/page.css";
 import "./style/view.css";
 import "./style/story.css";
+import { startAnswers } from "./answers.ts";
 import { el, say } from "./dom.ts";
 import { setTheme, startTheme, onTheme, theme } from "./theme.ts";
 import { Recording } from "./store.ts";
@@ -11,7 +13,7 @@ import { mountView } from "./view.ts";
 import type { View } from "./view.ts";
 
 /** Returns a button that switches between the light and the dark theme. */
-export function themeButton(): HTMLButtonElement {
+function themeButton(): HTMLButtonElement {
   const button = el("button", { class: "w-button w-theme", type: "button", click: () => setTheme(theme() === "dark" ? "light" : "dark") });
   const show = () => say(button, theme() === "dark" ? "Light" : "Dark");
   onTheme(show);
@@ -60,5 +62,7 @@ function startReport(app: HTMLElement): void {
 
 startTheme();
 const app = document.getElementById("app");
-if (app && document.documentElement.dataset.page === "report") startReport(app);
-else if (app) startStudio(app);
+const { page } = document.documentElement.dataset;
+if (app && page === "report") startReport(app);
+else if (app && page === "answers") startAnswers(app, themeButton());
+else if (app) startStudio(app, themeButton());

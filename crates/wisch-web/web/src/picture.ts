@@ -34,7 +34,7 @@ export function surfacePicture(round: Round, layers: Dots[], label: string): SVG
     [bottom, top] = [Math.min(bottom, y), Math.max(top, y)];
   };
   for (const ring of rings) for (let i = 0; i < ring.length; i += 2) reach(ring[i]!, ring[i + 1]!);
-  if (goal.kind === "collected") {
+  if (goal?.kind === "collected") {
     const [[x, y], r] = [goal.place, goal.radius];
     reach(x - r, y - r);
     reach(x + r, y + r);
@@ -57,7 +57,7 @@ export function surfacePicture(round: Round, layers: Dots[], label: string): SVG
   const d = rings.map((ring) => `M${Array.from({ length: ring.length / 2 }, (_, i) => `${(1000 * ring[2 * i]!).toFixed(1)} ${(-1000 * ring[2 * i + 1]!).toFixed(1)}`).join("L")}Z`).join("");
   return svg("svg", { viewBox: box.join(" "), class: "w-picture", role: "img", "aria-label": label },
     svg("path", { d, class: "w-ground", "fill-rule": "evenodd", "stroke-width": 0.005 * 1000 * Math.max(right - left, top - bottom) }),
-    goal.kind === "collected" && svg("circle", {
+    goal?.kind === "collected" && svg("circle", {
       cx: 1000 * goal.place[0], cy: -1000 * goal.place[1], r: 1000 * goal.radius, class: "w-goal", "stroke-width": 0.004 * 1000 * Math.max(right - left, top - bottom),
     }),
     ...layers.map((layer) => drawDots(layer, unit)));

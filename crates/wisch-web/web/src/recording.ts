@@ -58,6 +58,7 @@ export interface Head {
   program: string;
   /** When the run began, RFC 3339; null where that is not to be said, so that the same run gives the same bytes. */
   begun: string | null;
+  /** null where it is unknown. */
   task: {
     action: string;
     medium: string;
@@ -69,7 +70,7 @@ export interface Head {
     target: number;
     /** The task and its target, as a sentence. */
     asked: string;
-  };
+  } | null;
   robot: RobotRecord | null;
   /** Fixed to a link of the robot; its pose is in that link's frame. */
   tool: { link: number; solid: Solid } | { link: null; solid: Solid };
@@ -105,13 +106,13 @@ export interface Considered {
   error: string | null;
 }
 
-/** A round before its execution, or a plan without execution. */
+/** A round before its execution, a plan without execution, or a round of an episode that was kept without a recording. */
 export interface RoundPiece {
   piece: "round";
   /** Counted from 1. */
   round: number;
-  /** A plan that nobody executes has no samples but those of the plan. */
-  kind: "executed" | "planned";
+  /** A plan that nobody executes has no samples but those of the plan. A logged round has no plan. */
+  kind: "executed" | "planned" | "logged";
   /** Expected duration. */
   duration: number;
   /** Of the robot's root in the world. */
@@ -121,12 +122,12 @@ export interface RoundPiece {
   scene: ({ part: "obstacle" | "carrier" } & Solid)[];
   /** Meshes that are new; they continue those of the pieces before. */
   meshes: MeshRecord[];
-  goal: { kind: "collected"; place: [number, number]; radius: number } | { kind: "absorbed" | "skimmed" | "polished" | "emitted" };
+  goal: { kind: "collected"; place: [number, number]; radius: number } | { kind: "absorbed" | "skimmed" | "polished" | "emitted" } | null;
   /** The strokes as the robot is going to wipe them, corners in turn. */
   strokes: Places[];
   phases: { name: string; start: number; end: number; contact: boolean; stroke: number | null }[];
   /** Performance that the plan promises, in [0, 1], and how it is predicted to grow: time, performance. */
-  predicted: number;
+  predicted: number | null;
   growth: [number, number][];
   /** Particles as they are predicted to move; the first step has them as believed when the round begins. */
   particles: ParticleStep[];
@@ -134,6 +135,9 @@ export interface RoundPiece {
   why: string[];
   /** Among which plans it was chosen, where several were weighed. */
   considered?: Considered[];
+  /** Of a logged round: its events, and its measured intervals of contact. */
+  events?: EventRecord[];
+  contacts?: [number, number][];
 }
 
 /** Consecutive measured samples. */

@@ -1,7 +1,7 @@
 // One round: plan, measurements and results.
 import { Column, PlotColumn, lastAtMost, number } from "./columns.ts";
 import { ParticleTrack } from "./particles.ts";
-import type { JudgedPiece, ObservedPiece, Pose, RoundPiece, SamplesPiece, TruthPiece } from "./recording.ts";
+import type { EventRecord, JudgedPiece, ObservedPiece, Pose, RoundPiece, SamplesPiece, TruthPiece } from "./recording.ts";
 
 /** The tool is in contact if its normal force exceeds both TOUCH_N [N] and this share of the round's peak force [1]. */
 export const TOUCH_N = 0.3;
@@ -29,6 +29,16 @@ export class Round {
     this.number = plan.round;
     this.q = Array.from({ length: variables }, () => new Column(false, 64));
     this.particles = new ParticleTrack(plan.particles);
+  }
+
+  /** Detected events. */
+  get events(): readonly EventRecord[] {
+    return this.judged?.events ?? this.plan.events ?? [];
+  }
+
+  /** Measured intervals of contact, as they are known after the round. */
+  get contacts(): readonly [number, number][] | null {
+    return this.judged?.contacts ?? this.plan.contacts ?? null;
   }
 
   get count(): number {

@@ -22,8 +22,10 @@ const SOLIDS = new Map<unknown, Check>([
 const solid: Check = (value) => has({ pose, kind: text })(value) && SOLIDS.get((value as { kind: unknown }).kind)?.(value) === true;
 const mesh = has({ vertices: list(finite), triangles: list(finite) });
 
+const event = has({ kind: text, start: finite, end: finite, words: text });
+
 const head = has({
-  task: has({ target: finite }), tool: has({ solid }), meshes: list(mesh),
+  task: maybe(has({ target: finite })), tool: has({ solid }), meshes: list(mesh),
   robot: maybe(has({
     variables: list(text), links: list(has({ shapes: list(solid) })),
     joints: list(has({ parent: finite, pose, axis: exactly(3), offset: finite, terms: list(interval) })),
@@ -37,14 +39,14 @@ const considered = has({
 
 const round = has({
   round: finite, duration: finite, root: maybe(pose), surface: has({ pose, rings: list(list(finite)) }), scene: list(solid), meshes: list(mesh),
-  goal: (value) => has({ kind: text })(value) && ((value as { kind: string }).kind !== "collected" || has({ place: exactly(2), radius: finite })(value)),
-  strokes: list(list(finite)), phases: list(has({ name: text, start: finite, end: finite })), predicted: finite, growth: list(interval),
-  particles: list((step) => Array.isArray(step) && step.length === 3 && finite(step[0]) && some(step[1]) && some(step[2])), why: list(text), considered: maybe(list(considered)),
+  goal: maybe((value) => has({ kind: text })(value) && ((value as { kind: string }).kind !== "collected" || has({ place: exactly(2), radius: finite })(value))),
+  strokes: list(list(finite)), phases: list(has({ name: text, start: finite, end: finite })), predicted: maybe(finite), growth: list(interval),
+  particles: list((step) => Array.isArray(step) && step.length === 3 && finite(step[0]) && some(step[1]) && some(step[2])), why: list(text), considered: maybe(list(considered)), events: maybe(list(event)), contacts: maybe(list(interval)),
 });
 
 const judged = has({
   round: finite, duration: finite, estimate, felt: estimate, verdict: text, words: list(text), found: maybe(pose),
-  events: list(has({ kind: text, start: finite, end: finite, words: text })), contacts: list(interval), particles: some,
+  events: list(event), contacts: list(interval), particles: some,
 });
 
 const CHECKS: Partial<Record<Piece["piece"], Check>> = {

@@ -244,8 +244,8 @@ export class Recording {
   get happenings(): Happening[] {
     if (this.cachedHappenings?.version === this.version) return this.cachedHappenings.list;
     const list: Happening[] = [];
-    for (const { start, judged, truth } of this.rounds) {
-      for (const event of judged?.events ?? []) list.push(happeningOf(event, start));
+    for (const { start, events, truth } of this.rounds) {
+      for (const event of events) list.push(happeningOf(event, start));
       for (const [from, to] of truth?.pushes ?? []) {
         list.push({ start: start + from, end: start + to, source: "push", kind: "true push", words: "A push in the simulated world.", byHand: true });
       }

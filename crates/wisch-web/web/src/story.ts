@@ -5,7 +5,7 @@ import { metres } from "./particles.ts";
 import { surfacePicture } from "./picture.ts";
 import type { Dots } from "./picture.ts";
 import type { Recording } from "./store.ts";
-import { goalState } from "./words.ts";
+import { LOGGED, goalState } from "./words.ts";
 
 const NAMES: Record<string, string> = {
   believed: "believed before", estimated: "estimated after", actual: "true after", seen: "observed",
@@ -47,17 +47,18 @@ export class Story {
     const { head, ended, rounds, stages, live } = this.recording;
     const judged = rounds.findLast((round) => round.judged) ?? null;
     say(this.title, head?.title || "Recording");
-    const planned = rounds.length > 0 && rounds.every(({ plan }) => plan.kind === "planned");
-    const state = ended ? goalState(ended.met, ended.verdict) : live ? "live" : planned ? "planned" : "broken";
+    const isAll = (kind: string) => rounds.length > 0 && rounds.every(({ plan }) => plan.kind === kind);
+    const [planned, logged] = [isAll("planned"), isAll("logged")];
+    const state = ended ? goalState(ended.met, ended.verdict) : live ? "live" : planned ? "planned" : logged ? "logged" : "broken";
     this.badge.dataset.state = state;
-    say(this.badge, { met: ended?.verdict ?? "goal met", unmet: ended?.verdict ?? "stopped", unknown: ended?.verdict ?? "", live: "running", planned: "planned only", broken: "ended early" }[state]);
+    say(this.badge, { met: ended?.verdict ?? "goal met", unmet: ended?.verdict ?? "stopped", unknown: ended?.verdict ?? "", live: "running", planned: "planned only", logged: "from the log", broken: "ended early" }[state]);
     const story = ended?.story;
     const happened = story?.happened ?? (live ? stages.at(-1)?.words ?? "The run is starting." : judged
-      ? `The run ended early after round ${judged.number}: ${judged.judged!.verdict}.` : planned ? `Planned, not executed. Predicted performance: ${percent(rounds.at(-1)!.plan.predicted)}.` : rounds.length ? "The recording ends before the first round has a result." : "The recording has no rounds.");
+      ? `The run ended early after round ${judged.number}: ${judged.judged!.verdict}.` : planned ? `Planned, not executed. Predicted performance: ${percent(rounds.at(-1)!.plan.predicted ?? 0)}.` : logged ? LOGGED : rounds.length ? "The recording ends before the first round has a result." : "The recording has no rounds.");
     this.texts.replaceChildren(
-      ...this.makePart("Task", story?.asked ?? head?.task.asked ?? ""),
+      ...this.makePart("Task", story?.asked ?? head?.task?.asked ?? ""),
       ...this.makePart(live ? "Now" : "Result", happened),
-      ...this.makePart("Confidence", story?.sure ?? (judged || planned ? "" : "No round has a result yet."), this.drawBars()),
+      ...this.makePart("Confidence", story?.sure ?? (judged || planned || logged ? "" : "No round has a result yet."), this.drawBars()),
       ...this.makePart("More certainty", story?.surer ?? ""),
     );
     this.drawPictures();
@@ -78,7 +79,7 @@ export class Story {
       this.pictures.replaceChildren();
       return;
     }
-    const goal = first.plan.goal.kind === "collected" ? ["goal"] : [];
+    const goal = first.plan.goal?.kind === "collected" ? ["goal"] : [];
     const last = rounds.findLast((round) => round.judged ?? round.truth) ?? null;
     const before: Dots[] = [{ mark: "believed", places: first.particles.places(0) }];
     if (observedBefore) before.push({ mark: "seen", places: metres(observedBefore.detections) });
@@ -111,7 +112,7 @@ export class Story {
     const { rounds, head } = this.recording;
     const judged = rounds.filter((round) => round.judged).slice(-8);
     if (!judged.length) return null;
-    const target = head?.task.target ?? null;
+    const target = head?.task?.target ?? null;
     const rows = judged.map(({ number, judged, truth }) => {
       const { estimate, felt } = judged!;
       const truly = truth?.performance ?? null;

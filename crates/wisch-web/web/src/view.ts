@@ -7,8 +7,9 @@ import { colour } from "./theme.ts";
 import { askedColour } from "./scene/asked.ts";
 import type { ShownParticles } from "./scene/asked.ts";
 import { ScenePanel } from "./scene/panel.ts";
-import { safeColour } from "./scene/path.ts";
-import type { Trajectory } from "./scene/path.ts";
+import { hexOr, safeColour } from "./scene/path.ts";
+import type { ShownFrame, Trajectory } from "./scene/path.ts";
+import type { Ghost } from "./scene/stage.ts";
 import { isSoftwareRendered } from "./software.ts";
 import { Timeline } from "./timeline.ts";
 import type { Interval } from "./timeline/highlights.ts";
@@ -16,7 +17,7 @@ import { makeTransport } from "./transport.ts";
 import { Words } from "./words.ts";
 import type { Recording } from "./store.ts";
 
-export type { Interval, ShownParticles, Trajectory };
+export type { Ghost, Interval, ShownFrame, ShownParticles, Trajectory };
 
 /** Interval between updates of the texts without a graphics card, where they are slow [ms]. */
 const TEXT_MS = 150;
@@ -36,10 +37,12 @@ export interface View {
   highlight(intervals: Interval[]): void;
   showTrajectories(list: Trajectory[]): void;
   /** Shows the robot at these times as translucent ghosts. */
-  showRobotAt(times: number[]): void;
+  showRobotAt(list: Ghost[]): void;
+  /** Shows the axes of frames. */
+  showFrames(list: ShownFrame[]): void;
   /** Shows particles in addition to those of the recording. */
   showParticles(list: ShownParticles[]): void;
-  /** Removes the data of the four methods above. */
+  /** Removes the data of the five methods above. */
   clearShown(): void;
   /** Number of drawn frames of the scene. */
   readonly frames: number;
@@ -88,10 +91,11 @@ export function mountView(root: HTMLElement, recording: Recording, { compact = f
   if (recording.live) clock.follow();
   show();
 
-  const named = { trajectories: [] as Trajectory[], ghosts: [] as number[], particles: [] as ShownParticles[] };
+  const named = { trajectories: [] as Trajectory[], ghosts: [] as Ghost[], frames: [] as ShownFrame[], particles: [] as ShownParticles[] };
   const name = () => panel.name([
     ...named.trajectories.map(({ name, color }, i) => ({ name, colour: safeColour(color, i) })),
-    ...named.ghosts.map((time) => ({ name: `robot at ${clockText(time)}`, colour: colour("ghost") })),
+    ...named.ghosts.map(({ time, color }) => ({ name: `${recording.head?.robot ? "robot" : "tool"} at ${clockText(time)}`, colour: hexOr(color, colour("ghost")) })),
+    ...named.frames.map(({ name, color }) => ({ name, colour: hexOr(color, colour("axis-z")) })),
     ...named.particles.map(({ name, color, state }) => ({ name, colour: askedColour(color), form: state })),
   ]);
   const showTrajectories = (list: Trajectory[]) => {
@@ -99,9 +103,14 @@ export function mountView(root: HTMLElement, recording: Recording, { compact = f
     panel.stage?.showTrajectories(list);
     name();
   };
-  const showRobotAt = (times: number[]) => {
-    named.ghosts = times;
-    panel.stage?.showGhosts(times);
+  const showRobotAt = (list: Ghost[]) => {
+    named.ghosts = list;
+    panel.stage?.showGhosts(list);
+    name();
+  };
+  const showFrames = (list: ShownFrame[]) => {
+    named.frames = list;
+    panel.stage?.showFrames(list);
     name();
   };
   const showParticles = (list: ShownParticles[]) => {
@@ -114,11 +123,12 @@ export function mountView(root: HTMLElement, recording: Recording, { compact = f
     panel.stage?.highlight(intervals);
   };
   return {
-    element, clock, showTrajectories, showRobotAt, showParticles, highlight,
+    element, clock, showTrajectories, showRobotAt, showFrames, showParticles, highlight,
     seek: (time) => clock.seek(time),
     clearShown: () => {
       showTrajectories([]);
       showRobotAt([]);
+      showFrames([]);
       showParticles([]);
       highlight([]);
     },

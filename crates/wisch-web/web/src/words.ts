@@ -41,6 +41,9 @@ function makeCandidateTable(considered: readonly Considered[]): HTMLElement {
         ...(one.error === null || one.error === undefined ? cells(one).map((text) => el("td", {}, text)) : [el("td", { class: "w-none-found", colspan: names.length - 1 }, `no plan: ${one.error}`)]))))));
 }
 
+/** What replaces plan and result of an episode that was kept without a recording. */
+export const LOGGED = "The episode was kept without a recording: the page shows its telemetry and its events.";
+
 /** Maximum number of listed events. */
 const MOST_EVENTS = 300;
 
@@ -124,9 +127,9 @@ export class Words {
   private showRound(round: Round | null): void {
     const why = round?.plan.why ?? [];
     const candidates = round?.plan.considered ?? [];
-    this.why.replaceChildren(why.length ? makeList(why) : el("p", { class: "w-quiet" }, round ? "The recording states no reasons for this plan." : "No plan yet."), ...(candidates.length ? [makeCandidateTable(candidates)] : []));
+    this.why.replaceChildren(why.length ? makeList(why) : el("p", { class: "w-quiet" }, round ? (round.plan.kind === "logged" ? LOGGED : "The recording states no reasons for this plan.") : "No plan yet."), ...(candidates.length ? [makeCandidateTable(candidates)] : []));
     if (!round?.judged) {
-      const text = !round ? "No round yet." : round.plan.kind === "planned" ? "This plan was not executed." : this.recording.live ? "The round is not finished." : "The round has no result because the run ended early.";
+      const text = !round ? "No round yet." : round.plan.kind === "planned" ? "This plan was not executed." : round.plan.kind === "logged" ? LOGGED : this.recording.live ? "The round is not finished." : "The round has no result because the run ended early.";
       this.after.replaceChildren(el("p", { class: "w-quiet" }, text));
       return;
     }
@@ -134,7 +137,7 @@ export class Words {
     this.after.replaceChildren(
       el("p", {}, el("strong", {}, judged.verdict), judged.ending ? ` \u00b7 ${judged.ending}` : ""),
       el("dl", { class: "w-facts" },
-        ...makeRow("Predicted", percent(round.plan.predicted)),
+        ...makeRow("Predicted", formatKnown(round.plan.predicted, percent)),
         ...makeRow("Estimated", estimateText(judged.estimate)),
         ...makeRow("From touch only", estimateText(judged.felt)),
         ...(typeof truth?.performance === "number" ? makeRow("True", percent(truth.performance)) : []),
@@ -171,8 +174,10 @@ export class Words {
     const { task, robot } = head;
     const facts: [string, string][] = [
       ...(ended?.facts ?? []),
-      ["Task", `${task.action} ${task.medium} with ${task.tool} on ${task.surface}`],
-      ["Strategy", task.strategy], ["Target", percent(task.target)], ["Seed", String(task.seed)],
+      ...(task ? [
+        ["Task", `${task.action} ${task.medium} with ${task.tool} on ${task.surface}`],
+        ["Strategy", task.strategy], ["Target", percent(task.target)], ["Seed", String(task.seed)],
+      ] as [string, string][] : []),
       ...(robot ? [["Robot", `${robot.name}, ${robot.variables.length} variables`] as [string, string]] : []),
       ["Program", head.program],
       ...(head.begun ? [["Started", head.begun] as [string, string]] : []),

@@ -266,7 +266,7 @@ const cases = {
     await give(1000);
     await page.waitForTimeout(700);
     assert.deepEqual(await page.evaluate(() => [window.run.live, window.a.clock.following, window.a.clock.time === window.run.duration]), [false, false, true]);
-    await page.evaluate(() => { window.a.showRobotAt([1, 5]); window.a.seek(3); });
+    await page.evaluate(() => { window.a.showRobotAt([{ time: 1 }, { time: 5, color: "#00ff00" }]); window.a.seek(3); });
     await page.waitForTimeout(300);
     await picture("compare");
     await page.evaluate(() => { window.b.destroy(); window.a.clearShown(); window.a.destroy(); });

@@ -55,7 +55,7 @@ async function open(hash) {
     },
   });
   const root = new Fake();
-  startStudio(root);
+  startStudio(root, new Fake());
   const rest = () => new Promise((done) => setTimeout(done, 20));
   await rest();
   const find = (wanted) => [...root.all()].find(wanted);

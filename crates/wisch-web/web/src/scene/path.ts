@@ -1,16 +1,23 @@
 // The path of the tool in a round up to the shown time, coloured by contact, and queried paths.
-import { Color, Group, Vector3 } from "three";
+import { BufferGeometry, Color, Float32BufferAttribute, Group, Points, PointsMaterial, Vector3 } from "three";
 import { Column, lastAtMost } from "../columns.ts";
 import { colour } from "../theme.ts";
+import { dotTexture } from "./dirt.ts";
 import { ABOVE } from "./surface.ts";
 import { GrowingSegments, LineMaterial, chain, segments } from "./lines.ts";
-import { matrix } from "./solids.ts";
+import { matrix, shiftDepth } from "./solids.ts";
+import type { Pose } from "../recording.ts";
 import type { Round } from "../round.ts";
 
 /** Initial minimum distance between drawn samples [m]. */
 const STEP_M = 0.0015;
 /** Maximum number of segments; a longer path gets longer segments. */
 const MOST_SEGMENTS = 4000;
+
+/** Length of the axes of a frame [m]. */
+const AXIS_M = 0.1;
+/** Size of the dots at samples and origins [pixels]. */
+const DOT_PX = 11;
 
 const LIFTED = 0;
 const CONTACT = 1;
@@ -110,6 +117,17 @@ export interface Trajectory {
   name: string;
   color?: string;
   points: [number, number, number][];
+  /** Points at the times that a query asked for. */
+  samples?: [number, number, number][];
+}
+
+/** A frame whose axes are shown. */
+export interface ShownFrame {
+  name: string;
+  color?: string;
+  /** On the common clock [s]. */
+  time: number;
+  pose: Pose;
 }
 
 /** Colours of trajectories without a colour. */
@@ -120,18 +138,56 @@ export class Trajectories {
 
   show(list: Trajectory[]): void {
     this.clear();
-    list.forEach(({ points, color }, i) => {
+    list.forEach(({ points, samples, color }, i) => {
       const material = new LineMaterial({ linewidth: 3.5 });
       material.color.set(safeColour(color, i));
       this.group.add(segments(chain(points, false), material));
+      if (samples?.length) this.group.add(dots(samples, safeColour(color, i)));
     });
   }
 
   clear(): void {
-    for (const child of [...this.group.children]) {
-      (child as ReturnType<typeof segments>).geometry.dispose();
-      this.group.remove(child);
+    disposeAll(this.group);
+  }
+}
+
+/** Axes of queried frames, each with a dot at its origin in the colour of the query. */
+export class Axes {
+  readonly group = new Group();
+
+  show(list: ShownFrame[]): void {
+    disposeAll(this.group);
+    for (const { pose, color } of list) {
+      const worldFromFrame = matrix(pose);
+      const origin = new Vector3().setFromMatrixPosition(worldFromFrame).toArray();
+      for (const [k, name] of (["axis-x", "axis-y", "axis-z"] as const).entries()) {
+        const material = new LineMaterial({ linewidth: 3.5 });
+        material.color.set(colour(name));
+        const end = new Vector3().setComponent(k, AXIS_M).applyMatrix4(worldFromFrame).toArray();
+        this.group.add(segments([...origin, ...end], material));
+      }
+      this.group.add(dots([origin], hexOr(color, colour("axis-z"))));
     }
+  }
+}
+
+/** Returns points of equal size on the screen. */
+function dots(places: readonly [number, number, number][], color: string): Points {
+  const geometry = new BufferGeometry().setAttribute("position", new Float32BufferAttribute(places.flat(), 3));
+  const look = new PointsMaterial({ size: DOT_PX, sizeAttenuation: false, map: dotTexture(), alphaTest: 0.3, transparent: true });
+  look.color.set(color);
+  const points = new Points(geometry, shiftDepth(look, 0.98));
+  points.frustumCulled = false;
+  points.renderOrder = 7;
+  return points;
+}
+
+function disposeAll(group: Group): void {
+  for (const child of [...group.children]) {
+    const { geometry, material } = child as Points<BufferGeometry, PointsMaterial>;
+    geometry.dispose();
+    material.dispose();
+    group.remove(child);
   }
 }
 

@@ -16,8 +16,8 @@ import { Force } from "./force.ts";
 import { LineMaterial, segments } from "./lines.ts";
 import { Marks } from "./marks.ts";
 import { Painter } from "./painter.ts";
-import { Path, Trajectories } from "./path.ts";
-import type { Trajectory } from "./path.ts";
+import { Axes, Path, Trajectories, hexOr } from "./path.ts";
+import type { ShownFrame, Trajectory } from "./path.ts";
 import { Robot, ghostMaterial } from "./robot.ts";
 import type { RobotMaterials } from "./robot.ts";
 import { Still } from "./surface.ts";
@@ -29,6 +29,12 @@ export type Layers = Record<Mark | "path" | "strokes" | "force" | "events" | "fo
 export const LAYERS: Layers = {
   believed: true, estimated: true, actual: true, seen: false, path: true, strokes: false, force: true, events: true, found: true, actualSurface: true,
 };
+
+/** The robot at a time of the common clock [s], drawn translucent. */
+export interface Ghost {
+  time: number;
+  color?: string;
+}
 
 /** Maximum distance of a click from the path [pixels]. */
 const NEAR_PX = 9;
@@ -50,8 +56,7 @@ export class Stage {
   private grid: GridHelper | null = null;
   private robot: Robot | null = null;
   private readonly ghosts = new Group();
-  private ghostTimes: number[] = [];
-  private readonly ghostLook = ghostMaterial();
+  private ghostList: Ghost[] = [];
   private still: Still | null = null;
   private path: Path | null = null;
   private readonly entered = new Map<Round, { still: Still; path: Path }>();
@@ -59,6 +64,7 @@ export class Stage {
   private readonly highlights = new Group();
   private readonly highlightLook = new LineMaterial({ linewidth: 8, transparent: true, opacity: 0.75 });
   private readonly trajectories = new Trajectories();
+  private readonly axes = new Axes();
   private readonly dirt = new Dirt();
   private readonly asked = new Asked();
   private readonly force = new Force();
@@ -87,7 +93,7 @@ export class Stage {
       return material;
     };
     this.materials = { body: [matte(0.6), under(0.6)], arm: [matte(0.5), under(0.5)], hand, tool: new MeshLambertMaterial(), coloured };
-    this.scene.add(this.dirt.group, this.asked.group, this.force.group, this.marks.points, this.trajectories.group, this.highlights, this.ghosts);
+    this.scene.add(this.dirt.group, this.asked.group, this.force.group, this.marks.points, this.trajectories.group, this.axes.group, this.highlights, this.ghosts);
     this.camera = new Camera(canvas, () => this.ask());
     canvas.addEventListener("webglcontextrestored", () => this.ask());
     this.paint();
@@ -160,15 +166,21 @@ export class Stage {
     this.ask();
   }
 
-  showGhosts(times: number[]): void {
-    this.ghostTimes = times;
+  showFrames(list: ShownFrame[]): void {
+    this.axes.show(list);
+    this.ask();
+  }
+
+  showGhosts(list: Ghost[]): void {
+    this.ghostList = list;
     this.ghosts.clear();
     const { head, meshes } = this.recording;
     if (head && this.robot) {
-      const look = this.ghostLook;
-      for (const time of times) {
+      for (const { time, color } of list) {
         const instant = this.recording.at(time);
         if (!instant) continue;
+        const look = ghostMaterial();
+        look.color.set(hexOr(color, colour("ghost")));
         const ghost = new Robot(head, meshes, { body: [look, look], arm: [look, look], hand: look, tool: look, coloured: () => look }, this.robot);
         ghost.show(instant.round.plan.root, instant.q, instant.tool);
         this.ghosts.add(ghost.group);
@@ -181,8 +193,9 @@ export class Stage {
     const set = (material: Material, name: string) => (material as MeshStandardMaterial).color.set(colour(name));
     const { body, arm, hand, tool } = this.materials;
     set(body[0], "body-1"); set(body[1], "body-2"); set(arm[0], "arm-1"); set(arm[1], "arm-2");
-    set(hand, "arm-1"); set(tool, "tool"); set(this.ghostLook, "ghost");
+    set(hand, "arm-1"); set(tool, "tool");
     this.painter.paint();
+    this.showGhosts(this.ghostList);
     this.highlightLook.color.set(colour("highlight"));
     if (this.grid) (this.grid.material as Material & { color: Color }).color.set(colour("rule"));
     this.dirt.paint();
@@ -226,6 +239,7 @@ export class Stage {
     if (!this.robot && head) {
       this.robot = new Robot(head, meshes, this.materials);
       this.scene.add(this.robot.group);
+      this.showGhosts(this.ghostList);
     }
     if (this.still?.round !== round) this.enter(instant);
     this.robot?.show(round.plan.root, instant.q, instant.tool);
@@ -348,9 +362,5 @@ export class Stage {
       material.color.set(colour(name));
       this.scene.add(segments([0, 0, 0.002, ...axis.map((v) => 0.25 * v)], material));
     }
-  }
-
-  get ghostsAt(): number[] {
-    return this.ghostTimes;
   }
 }

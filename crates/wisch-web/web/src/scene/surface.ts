@@ -151,7 +151,7 @@ export class Still {
 
   private addGoal(): void {
     const { goal, surface } = this.round.plan;
-    if (goal.kind !== "collected") return;
+    if (goal?.kind !== "collected") return;
     const [x, y] = goal.place;
     const group = placeAt(new Group(), surface.pose);
     const flat = (geometry: BufferGeometry, opacity: number, name: string) => {

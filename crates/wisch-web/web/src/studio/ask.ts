@@ -1,24 +1,12 @@
 // The query panel: a query and its answers.
-import { el, fixed, say } from "../dom.ts";
+import { el, say } from "../dom.ts";
+import { drawAnswers, hasView } from "./answers.ts";
 import { Completer } from "./complete.ts";
-import { drawPlot } from "./plots.ts";
 import { Refused, ask, vocabulary } from "./server.ts";
-import { episodesOf, local } from "./shown.ts";
-import type { Answers, Cell, Fault } from "./server.ts";
+import type { AnswerActions } from "./answers.ts";
+import type { Fault } from "./server.ts";
 
-/** Maximum number of listed answers. */
-const MOST_ROWS = 200;
-/** Maximum number of episodes listed below the answers. */
-const MOST_NAMED = 8;
-/** A number in this range counts as a time since 1970 [s]: the years 2001 to 2286. */
-const TIME_FROM = 1e9;
-const TIME_TO = 1e10;
-
-export interface AskActions {
-  /** Shows one answer or all (`row` null), in an episode or in the one with most answers (`episode` null). */
-  show(answers: Answers, row: number | null, episode: string | null): void;
-  /** Removes the shown answers. */
-  clear(): void;
+export interface AskActions extends AnswerActions {
   /** Called with a query when it is asked. */
   asked(query: string | null): void;
 }
@@ -93,8 +81,8 @@ export class Ask {
     this.actions.asked(query);
     try {
       const answers = await ask(query, asking.signal);
-      this.showAnswers(answers);
-      if (episodesOf(answers, null).length && this.hasView(answers)) this.actions.show(answers, null, null);
+      this.result.replaceChildren(...drawAnswers(answers, this.actions));
+      if (hasView(answers)) this.actions.show(answers, null, null);
       else this.actions.clear();
     } catch (error) {
       // By now, another query may have started.
@@ -107,10 +95,6 @@ export class Ask {
         say(this.button, "Ask");
       }
     }
-  }
-
-  private hasView({ view, about }: Answers): boolean {
-    return !!view && (view.tracks.length > 0 || view.bodies.length > 0 || view.particles.length > 0 || about.some((mentions) => mentions.some(({ interval }) => interval)));
   }
 
   private complain({ message, offset, length, line, column }: Fault): void {
@@ -127,59 +111,4 @@ export class Ask {
     this.fault.replaceChildren(...parts);
     this.fault.hidden = false;
   }
-
-  private showAnswers(answers: Answers): void {
-    const { rows, columns, holds, more, seconds, printed, remarks, view, about } = answers;
-    const count = holds ? `${rows.length}${more ? " or more" : ""} ${rows.length === 1 ? "answer" : "answers"}` : "No answer: false";
-    const parts: Node[] = [el("p", { class: "s-count" }, el("b", {}, count), ` in ${fixed(seconds, 2)} s`)];
-    const episodes = episodesOf(answers, null);
-    if (episodes.length && this.hasView(answers)) {
-      parts.push(el("div", { class: "s-row" },
-        el("button", { class: "w-button", type: "button", click: () => this.actions.show(answers, null, null) }, "Show all"),
-        el("button", { class: "w-button", type: "button", click: () => this.actions.clear() }, "Clear")));
-      if (episodes.length > 1) {
-        parts.push(el("div", { class: "s-in" }, el("span", { class: "w-quiet" }, "in "), ...episodes.slice(0, MOST_NAMED).map((id) =>
-          el("button", { class: "s-chip", type: "button", click: () => this.actions.show(answers, null, id) }, id))));
-      }
-    }
-    for (const remark of remarks) parts.push(el("p", { class: "w-quiet s-remark" }, remark));
-    if (printed) parts.push(el("pre", { class: "s-printed" }, printed));
-    for (const one of view?.plots ?? []) parts.push(drawPlot(one));
-    if (rows.length && columns.length) parts.push(this.makeTable(answers));
-    else if (rows.length && about.every((mentions) => !mentions.length)) parts.push(el("p", {}, "True."));
-    if (rows.length > MOST_ROWS) parts.push(el("p", { class: "w-quiet" }, `The table lists the first ${MOST_ROWS} of ${rows.length} answers.`));
-    this.result.replaceChildren(...parts);
-  }
-
-  private makeTable(answers: Answers): HTMLElement {
-    const { rows, columns, about } = answers;
-    const head = el("tr", {}, el("th", { scope: "col" }, el("span", { class: "s-hidden" }, "show")), ...columns.map((name) => el("th", { scope: "col" }, name)));
-    const body = rows.slice(0, MOST_ROWS).map((row, i) => {
-      const can = about[i]?.length;
-      return el("tr", {},
-        el("td", {}, can ? el("button", { class: "w-button s-show", type: "button", "data-row": i, "aria-label": `Show answer ${i + 1}`, click: () => this.actions.show(answers, i, null) }, "Show") : ""),
-        ...row.map((value) => makeCell(value)));
-    });
-    return el("div", { class: "s-table", tabindex: 0, role: "group", "aria-label": "Answers" }, el("table", {}, el("thead", {}, head), el("tbody", {}, ...body)));
-  }
 }
-
-function makeCell(value: Cell): HTMLElement {
-  if (typeof value === "number") {
-    const isTime = value >= TIME_FROM && value < TIME_TO;
-    const text = isTime ? formatTimeOfDay(value) : Number.isInteger(value) ? String(value) : String(Number(value.toPrecision(5)));
-    return el("td", { class: "s-number", title: String(value) }, text);
-  }
-  if (value === null) return el("td", { class: "w-quiet" }, "_");
-  const text = formatCell(value);
-  return el("td", { title: typeof value === "string" ? value : text }, text);
-}
-
-const formatCell = (value: Cell): string =>
-  value === null ? "_" : Array.isArray(value) ? `[${value.map(formatCell).join(", ")}]` : typeof value === "number" ? String(Number(value.toPrecision(6))) : shorten(value);
-
-/** Shortens a name: an individual keeps its class and number, without the name of its episode. */
-const shorten = (name: string): string => local(name).replace(/_(\d{8}-\d{6}-[0-9a-f]{4})-(\d+)$/, " $2");
-
-/** Formats a time since 1970 as the time of day in UTC, as in the names of episodes. */
-const formatTimeOfDay = (time: number): string => new Date(1000 * time).toISOString().slice(11, 23);

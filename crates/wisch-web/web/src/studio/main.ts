@@ -1,7 +1,6 @@
 // The page of the studio: the list of runs, the shown recordings and the query. The address holds the shown state.
 import "./studio.css";
-import { el, say } from "../dom.ts";
-import { onTheme, setTheme, theme } from "../theme.ts";
+import { el } from "../dom.ts";
 import { isSame, read, replace, write } from "./address.ts";
 import { Ask } from "./ask.ts";
 import { Refused, onChanged, overview } from "./server.ts";
@@ -30,7 +29,7 @@ class Studio {
   /** Number of started loads; the result of an outdated load is dropped. */
   private opened = 0;
 
-  constructor(private readonly root: HTMLElement) {
+  constructor(root: HTMLElement, corner: HTMLElement) {
     this.side = new Side({
       find: () => void this.refresh(),
       start: () => this.dialog.open(),
@@ -55,12 +54,8 @@ class Studio {
       click: () => (this.isNarrow && this.aside.dataset.open === name ? this.open(null) : this.open(name)),
     }, words);
     this.tabs = { runs: tab("runs", "Runs", "Runs and episodes"), ask: tab("ask", "Ask", "Ask the memory ( / )") };
-    const light = el("button", { class: "w-button", type: "button", click: () => setTheme(theme() === "dark" ? "light" : "dark") });
-    const showTheme = () => say(light, theme() === "dark" ? "Light" : "Dark");
-    onTheme(showTheme);
-    showTheme();
     this.aside = el("aside", { class: "s-side" },
-      el("header", { class: "s-top" }, el("h2", { class: "s-name" }, "wisch studio"), this.tabs.runs, this.tabs.ask, light),
+      el("header", { class: "s-top" }, el("h2", { class: "s-name" }, "wisch studio"), this.tabs.runs, this.tabs.ask, corner),
       this.offline, this.side.element, this.ask.element);
     root.classList.add("s-studio");
     root.append(this.aside, this.stage.element, this.dialog.element);
@@ -236,6 +231,7 @@ class Studio {
   }
 }
 
-export function startStudio(root: HTMLElement): void {
-  void new Studio(root).begin();
+/** Shows the studio. `corner`: an element beside its tabs. */
+export function startStudio(root: HTMLElement, corner: HTMLElement): void {
+  void new Studio(root, corner).begin();
 }

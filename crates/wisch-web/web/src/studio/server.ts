@@ -1,4 +1,5 @@
 // The interface of the studio's server. Addresses are relative, so that requests keep the token in the page's address.
+import type { Pose } from "../recording.ts";
 
 export interface Listed {
   id: string;
@@ -96,6 +97,8 @@ export interface ShownBody {
   episode: string;
   round: number;
   time: number;
+  /** Pose of its frame in the world. */
+  pose: Pose;
   strong: boolean;
   colour: string | null;
 }
@@ -133,7 +136,8 @@ export interface Answers {
   about: Mention[][];
   holds: boolean;
   more: boolean;
-  seconds: number;
+  /** Duration of the query, where it was measured. */
+  seconds?: number;
   printed: string;
   remarks: string[];
   view: Seen | null;

@@ -1,6 +1,7 @@
 // The data that an answer shows, with times on the common clock of a recording.
 import { clockText } from "../dom.ts";
-import type { Interval, ShownParticles, Trajectory, View } from "../view.ts";
+import { colour as named } from "../theme.ts";
+import type { Ghost, Interval, ShownFrame, ShownParticles, Trajectory, View } from "../view.ts";
 import type { Recording } from "../store.ts";
 import type { Answers, Mention } from "./server.ts";
 
@@ -11,7 +12,9 @@ const SAME_S = 1e-3;
 
 export interface Shown {
   trajectories: Trajectory[];
-  times: number[];
+  /** The robot, or the tool where no robot is known, at times. */
+  ghosts: Ghost[];
+  frames: ShownFrame[];
   intervals: Interval[];
   particles: ShownParticles[];
   /** Times of the shown particles, used if nothing else has a time [s]. */
@@ -34,7 +37,7 @@ export function episodesOf({ about, view }: Answers, row: number | null): string
 export function shownOf(answers: Answers, row: number | null, id: string, recording: Recording): Shown {
   const view = answers.view;
   const begins = view?.episodes.find((episode) => episode.id === id);
-  const shown: Shown = { trajectories: [], times: [], intervals: [], particles: [], since: [] };
+  const shown: Shown = { trajectories: [], ghosts: [], frames: [], intervals: [], particles: [], since: [] };
   if (!view || !begins) return shown;
   const at = (time: number) => clockTime(recording, begins.rounds ?? [begins.interval[0]], time);
   const mentions = mentionsOf(row === null ? answers.about.flat() : answers.about[row] ?? [], id, begins.interval);
@@ -43,14 +46,16 @@ export function shownOf(answers: Answers, row: number | null, id: string, record
   }
   const belongs = (interval: [number, number]) =>
     row === null || !mentions.length || mentions.some((mention) => mention.interval && overlaps(mention.interval, interval));
-  for (const { episode, thing, interval, path, samples, colour } of view.tracks) {
+  for (const { episode, thing, interval, path, samples, strong, colour } of view.tracks) {
     if (episode !== id || !belongs(interval)) continue;
     const name = `${local(thing)} ${clockText(at(interval[0]))} to ${clockText(at(interval[1]))}`;
-    const points = path.length > 1 ? path : samples.map(([, x, y, z]) => [x, y, z] as [number, number, number]);
-    shown.trajectories.push({ name, points, ...(colour ? { color: colour } : {}) });
+    const places = samples.map(([, x, y, z]) => [x, y, z] as [number, number, number]);
+    shown.trajectories.push({ name, points: path.length > 1 ? path : places, samples: places, ...tint(strong, colour) });
   }
-  for (const { episode, kind, time } of view.bodies) {
-    if (episode === id && (kind === "robot" || kind === "tool") && belongs([time, time])) shown.times.push(at(time));
+  for (const { episode, thing, kind, time, pose, strong, colour } of view.bodies) {
+    if (episode !== id || !belongs([time, time])) continue;
+    if (kind === "robot" || kind === "tool") shown.ghosts.push({ time: at(time), ...tint(strong, colour) });
+    else shown.frames.push({ name: `${local(thing)} at ${clockText(at(time))}`, time: at(time), pose, ...tint(strong, colour) });
   }
   for (const { episode, round: number, state, positions, colour } of view.particles) {
     const round = recording.rounds.find((one) => one.number === number);
@@ -62,12 +67,16 @@ export function shownOf(answers: Answers, row: number | null, id: string, record
     shown.particles.push({ name, state, pose, places: positions, ...(colour ? { color: colour } : {}) });
     shown.since.push(before ? round.start : round.end);
   }
-  shown.times = [...new Set(shown.times)].sort((a, b) => a - b);
+  // A robot and its tool at the same time are one ghost; the later command determines its colour.
+  shown.ghosts = [...new Map(shown.ghosts.map((ghost) => [ghost.time, ghost])).values()].sort((a, b) => a.time - b.time);
   if (!shown.intervals.length) {
     for (const [from, to] of begins.looked) shown.intervals.push({ start: at(from), end: at(to), label: "shown" });
   }
   return shown;
 }
+
+/** Returns the colour that a query gives, or that of highlighted data; empty for the usual colour. */
+const tint = (strong: boolean, colour: string | null): { color?: string } => (colour ? { color: colour } : strong ? { color: named("highlight") } : {});
 
 /** Returns the mentions of parts of an episode, without duplicates. */
 function mentionsOf(all: Mention[], id: string, [begin, end]: [number, number]): Mention[] {
@@ -91,15 +100,19 @@ export function clockTime(recording: Recording, begins: number[], time: number):
 }
 
 /** Shows the data in a view, and seeks to its start. */
-export function apply(view: View, { trajectories, times, intervals, particles, since }: Shown): void {
+export function apply(view: View, { trajectories, ghosts, frames, intervals, particles, since }: Shown): void {
   view.clearShown();
   view.showTrajectories(trajectories);
-  view.showRobotAt(times);
+  view.showRobotAt(ghosts);
+  view.showFrames(frames);
   view.showParticles(particles);
   view.highlight(intervals);
-  const named = [...intervals.map(({ start }) => start), ...times];
-  const starts = named.length ? named : since;
+  const timed = [...intervals.map(({ start }) => start), ...[...ghosts, ...frames].map(({ time }) => time)];
+  const starts = timed.length ? timed : since;
   if (starts.length) view.seek(Math.min(...starts));
 }
 
 export const local = (name: string): string => name.replace(/^[a-z]+:/, "");
+
+/** Shortens a name: an individual keeps its class and number, without the name of its episode. */
+export const shorten = (name: string): string => local(name).replace(/_(\d{8}-\d{6}-[0-9a-f]{4})-(\d+)$/, " $2");

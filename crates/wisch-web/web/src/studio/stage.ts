@@ -22,8 +22,8 @@ export interface Source {
 export interface StageActions {
   /** Called with the time at which the clock rests [s]. */
   rests(time: number): void;
-  /** Called when the user wants to compare the shown recording. */
-  compare(): void;
+  /** Called when the user wants to compare the shown recording; null where nothing can be compared. */
+  compare: (() => void) | null;
   /** Whether a recording is in the memory, as an episode of this name. */
   isKept(id: string): boolean;
 }
@@ -155,7 +155,7 @@ class Head {
     this.storyButton = el("button", { class: "w-button", type: "button", "aria-pressed": "false", click: () => this.toggle(this.story.hidden) }, "Summary");
     this.element = el("header", { class: "s-head" }, this.title, this.result, this.connection, this.kept,
       el("span", { class: "s-actions" }, this.stopButton, this.storyButton,
-        whole && el("button", { class: "w-button", type: "button", click: () => actions.compare() }, "Compare")));
+        whole && actions.compare && el("button", { class: "w-button", type: "button", click: () => actions.compare?.() }, "Compare")));
     this.show();
   }
 

@@ -46,7 +46,7 @@ export function drawRounds(pen: Pen, frame: Frame, lane: Lane, recording: Record
 }
 
 export const roundTitle = (round: Round): string => {
-  const ended = round.judged ? round.judged.verdict : round.plan.kind === "planned" ? "planned only" : round.over ? "no result" : "running";
+  const ended = round.judged ? round.judged.verdict : round.plan.kind === "planned" ? "planned only" : round.plan.kind === "logged" ? "from the log" : round.over ? "no result" : "running";
   return `${round.number} \u00b7 ${ended}`;
 };
 
@@ -79,8 +79,8 @@ export function drawContact(pen: Pen, frame: Frame, lane: Lane, recording: Recor
   for (const round of recording.rounds) {
     if (!clipInterval(frame, round.start, round.end)) continue;
     pen.fillStyle = colour("contact");
-    if (round.judged) {
-      for (const [from, to] of round.judged.contacts) {
+    if (round.contacts) {
+      for (const [from, to] of round.contacts) {
         const place = clipInterval(frame, round.start + from, round.start + to);
         if (place) pen.fillRect(place[0], lane.top, place[1] - place[0], lane.height);
       }

@@ -92,7 +92,7 @@ function drawEnvelope(pen: Pen, frame: Frame, round: Round, column: PlotColumn, 
 /** Draws predicted, estimated and true performance, and the target. */
 export function drawPerformance(pen: Pen, frame: Frame, lane: Lane, recording: Recording): void {
   const y = drawScale(pen, frame, lane, 0, 1, 2, (value) => String(Math.round(100 * value)));
-  const target = recording.head?.task.target;
+  const target = recording.head?.task?.target;
   const right = frame.width - frame.right;
   drawClipped(pen, frame, lane, () => {
     if (target !== undefined) {

@@ -1,17 +1,56 @@
-//! Data of a query's view, as JSON for the page.
+//! Answers of a query with the data that it shows, as JSON for the page of `wisch-web`.
 
-use serde_json::{Value, json};
-use wisch_memory::Catalogue;
-use wisch_memory::view::{
+use super::{
     Colour, DirtState, Emphasis, Figure, Plot, PlotData, ShownBody, ShownDirt, ShownEpisode, Track,
     View,
 };
+use crate::ask::{Answers, Term};
+use crate::catalogue::Catalogue;
+use serde_json::{Value, json};
 
 /// Number of decimals of lengths [m] and times [s].
 const PLACES: i32 = 4;
 
-/// Returns all data; times in seconds since 1970, lengths in metres in the world.
-pub fn view(view: &View, catalogue: &Catalogue) -> Value {
+/// Returns answers as the page of `wisch-web` expects them; times in seconds since 1970, lengths in metres in the world.
+///
+/// `view`: the data that the query shows, or the reason why the scene cannot show it.
+pub fn answers_json(answers: &Answers, view: Result<&View, &str>, catalogue: &Catalogue) -> Value {
+    let rows = answers.rows.iter();
+    let rows = rows.map(|row| row.iter().map(Term::to_json).collect::<Vec<_>>());
+    let mut remarks = answers.remarks.clone();
+    match view {
+        Ok(view) => remarks.extend(view.remarks.iter().cloned()),
+        Err(reason) => remarks.push(format!("the scene cannot show the answers: {reason}")),
+    }
+    json!({
+        "columns": answers.names,
+        "rows": rows.collect::<Vec<_>>(),
+        "about": about(answers, catalogue),
+        "holds": answers.holds(),
+        "more": answers.is_cut,
+        "printed": answers.printed,
+        "remarks": remarks,
+        "view": view.ok().map(|view| view_json(view, catalogue)),
+    })
+}
+
+/// Returns, for each answer, the intervals of episodes that it names, which the page can show.
+fn about(answers: &Answers, catalogue: &Catalogue) -> Vec<Vec<Value>> {
+    let named = |term: &Term| {
+        let id = catalogue.find(term.as_atom()?.strip_prefix("semco:")?)?;
+        let class = catalogue.class(id);
+        Some(json!({
+            "episode": catalogue.episode_of(id).id,
+            "class": class.strip_prefix("semco:").unwrap_or(class),
+            "interval": catalogue.interval(id),
+        }))
+    };
+    let rows = answers.rows.iter();
+    rows.map(|row| row.iter().filter_map(named).collect())
+        .collect()
+}
+
+fn view_json(view: &View, catalogue: &Catalogue) -> Value {
     let round = |place: usize| {
         let round = &view.rounds[place];
         (view.episodes[round.episode].id.as_str(), round.number)
@@ -62,15 +101,14 @@ fn track(track: &Track, (episode, round): (&str, usize)) -> Value {
 }
 
 fn body(body: &ShownBody, (episode, round): (&str, usize)) -> Value {
-    let (kind, pose) = match &body.figure {
-        Figure::Robot {
-            world_from_tool, ..
-        } => ("robot", world_from_tool),
-        Figure::Tool(pose) => ("tool", pose),
-        Figure::Surface(pose) => ("surface", pose),
-        Figure::Frame(pose) => ("frame", pose),
+    let kind = match body.figure {
+        Figure::Robot => "robot",
+        Figure::Tool => "tool",
+        Figure::Surface => "surface",
+        Figure::Frame => "frame",
     };
-    let (at, q) = (pose.translation.vector, pose.rotation.coords);
+    let at = body.world_from_frame;
+    let (at, q) = (at.translation.vector, at.rotation.coords);
     json!({
         "thing": body.thing,
         "kind": kind,
