@@ -11,10 +11,10 @@ use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, channel};
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::Duration;
 use wisch::run::RunEvent;
-use wisch_io::ExecutedBy;
+use wisch_io::{ExecutedBy, RoundTimes};
 use wisch_memory::Memory;
 use wisch_memory::ask::{Answers, AskError, EngineCommand, QuerySession, Term};
-use wisch_record::{EpisodeSink, EpisodeTarget, FinishedRound, RecordError, RoundStages, RunSink};
+use wisch_record::{EpisodeSink, EpisodeTarget, FinishedRound, RecordError, RunSink};
 
 /// Interval of the checks for Ctrl-C.
 const LOOK: Duration = Duration::from_millis(50);
@@ -252,7 +252,7 @@ impl PyMemory {
             }
             finished.push(FinishedRound {
                 round: (*round.round).clone(),
-                stages: RoundStages::default(),
+                times: RoundTimes::default(),
                 executed_by: ExecutedBy::Executor,
                 truth: None,
             });

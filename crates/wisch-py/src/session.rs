@@ -28,7 +28,7 @@ use wisch::run::{
     RunError, RunEvent, SampleSink, Session, Stage,
 };
 use wisch_io::{EventWriter, ExecutedBy, LoadedTask, Robot, RobotFiles};
-use wisch_record::{RecordError, RunRecord, RunResults};
+use wisch_record::{RecordError, RunRecord};
 
 /// Program name in results and episodes.
 pub const PROGRAM: &str = concat!("wisch-py ", env!("CARGO_PKG_VERSION"));
@@ -289,7 +289,7 @@ impl PySession {
             episode.set_executor(name);
         }
         let session = wiping.borrow_dependent();
-        let mut results = match RunResults::from_session(session, record.stages_mut()) {
+        let mut results = match record.results(session) {
             // A session that has not begun has no results.
             Err(RecordError::Nothing) => return Ok(()),
             results => results.map_err(of_record)?,

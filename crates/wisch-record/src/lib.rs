@@ -42,4 +42,4 @@ pub use page::PageSink;
 pub use record::{KeptRun, RecordOptions, RunRecord};
 pub use results::{FinishedRound, RoundGroundTruth, RunResults};
 pub use sink::{AfterFailure, RunSink, SinkError, SinkSet};
-pub use stages::{RoundStages, StageSink};
+pub use stages::StageSink;

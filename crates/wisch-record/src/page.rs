@@ -12,7 +12,9 @@ use wisch::robot::Appearance;
 use wisch::run::RunEvent;
 use wisch_io::{LoadedTask, Robot};
 use wisch_memory::live_path;
-use wisch_report::{RecordingHead, RecordingWriter, RoundTruth, RunOutcome, UnexecutedPlan};
+use wisch_report::{
+    EffectFrames, RecordingHead, RecordingWriter, RoundTruth, RunOutcome, UnexecutedPlan,
+};
 
 /// A sink that writes the recording for a run's page into memory, and optionally into a file that live pages read.
 #[derive(Debug)]
@@ -136,6 +138,11 @@ impl PageSink {
         };
         writer.begin(&head).map_err(internal)?;
         Ok(Self { writer, remarks })
+    }
+
+    /// Takes the predicted effect of the first round over time; `None` for a plan without strokes.
+    pub fn take_first_frames(&mut self) -> Option<EffectFrames> {
+        self.writer.take_first_frames()
     }
 
     /// Remarks about the robot's visual geometry, one sentence each.

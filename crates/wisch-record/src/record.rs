@@ -183,6 +183,15 @@ impl RunRecord {
         &mut self.stages
     }
 
+    /// Collects the results of a session, without its rounds.
+    ///
+    /// # Errors
+    /// [`RecordError::Nothing`] if no round was planned.
+    pub fn results(&mut self, session: &Session<'_>) -> Result<RunResults, RecordError> {
+        let frames = self.page.take_first_frames();
+        RunResults::from_session(session, &mut self.stages, frames)
+    }
+
     /// Whether a failure stops the run or prevents resuming it later.
     pub const fn has_failed(&self) -> bool {
         self.failure.is_some() || self.no_bag.is_some()
@@ -297,7 +306,7 @@ impl RunRecord {
         executed_by: ExecutedBy,
         truths: Vec<RoundGroundTruth>,
     ) -> Result<KeptRun, RecordError> {
-        let mut results = RunResults::from_session(&session, &mut self.stages)?;
+        let mut results = self.results(&session)?;
         let first_observation = session.first_observation().cloned();
         results.add_rounds(session.into_rounds(), &mut self.stages, executed_by, truths);
         self.finish_with(loaded, robot, results, first_observation)

@@ -2,13 +2,13 @@
 
 use crate::error::RecordError;
 use crate::following::FollowedPlan;
-use crate::stages::{RoundStages, StageSink};
+use crate::stages::StageSink;
 use wisch::geometry::Pose;
 use wisch::plan::{Plan, Prediction};
 use wisch::recover::Verdict;
 use wisch::represent::{ParticleDistribution, Task};
 use wisch::run::{CandidateEvaluation, Round, Session};
-use wisch_io::{ExecutedBy, RoundSummary};
+use wisch_io::{ExecutedBy, RoundSummary, RoundTimes};
 use wisch_report::EffectFrames;
 
 /// The simulated world's ground truth of a round.
@@ -31,8 +31,8 @@ pub struct RoundGroundTruth {
 pub struct FinishedRound {
     /// The round.
     pub round: Round,
-    /// Durations of its stages, and its predicted effect.
-    pub stages: RoundStages,
+    /// Durations of its stages.
+    pub times: RoundTimes,
     /// The executor.
     pub executed_by: ExecutedBy,
     /// Ground truth of a simulated world; `None` for a real robot.
@@ -48,7 +48,7 @@ impl FinishedRound {
     /// Returns the summary of the round for `--json`.
     pub fn summary(&self) -> RoundSummary {
         let truth = self.true_performance();
-        RoundSummary::new(&self.round, &self.stages.times, self.executed_by, truth)
+        RoundSummary::new(&self.round, &self.times, self.executed_by, truth)
     }
 }
 
@@ -78,20 +78,25 @@ pub struct RunResults {
 impl RunResults {
     /// Collects the results of a session, without its rounds.
     ///
+    /// # Parameters
+    /// - `frames`: the predicted effect of the first round over time; `None` for a plan without strokes.
+    ///
     /// # Errors
     /// [`RecordError::Nothing`] if no round was planned.
-    pub fn from_session(
+    pub(crate) fn from_session(
         session: &Session<'_>,
         stages: &mut StageSink,
+        frames: Option<EffectFrames>,
     ) -> Result<Self, RecordError> {
         let (planned, _) = session.first_motion().ok_or(RecordError::Nothing)?;
-        let first = stages.round(1);
-        let frames = first.effect(&planned.task, &planned.executable_plan());
+        let times = stages.round(1);
+        let frames =
+            frames.unwrap_or_else(|| EffectFrames::new(&planned.task, &planned.executable_plan()));
         Ok(Self {
             task: planned.task.clone(),
             plan: planned.plan.clone(),
-            planning_time_s: Some(first.times.planning_s),
-            following: FollowedPlan::from_session(session, first.times.following_s),
+            planning_time_s: Some(times.planning_s),
+            following: FollowedPlan::from_session(session, times.following_s),
             predicted: Some((planned.prediction.clone(), frames)),
             considered: None,
             rounds: Vec::new(),
@@ -115,10 +120,10 @@ impl RunResults {
         let truths = truths.chain(std::iter::repeat_with(|| None));
         let finished = rounds.into_iter().zip(truths);
         self.rounds.extend(finished.map(|(round, truth)| {
-            let stages = std::mem::take(stages.round(round.motion.number));
+            let times = std::mem::take(stages.round(round.motion.number));
             FinishedRound {
                 round,
-                stages,
+                times,
                 executed_by,
                 truth,
             }

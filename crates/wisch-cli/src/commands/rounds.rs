@@ -200,7 +200,7 @@ fn results(
     record: &mut RunRecord,
 ) -> Result<RunResults, Failure> {
     let prepared = job.prepared;
-    let mut results = RunResults::from_session(&session, record.stages_mut())?;
+    let mut results = record.results(&session)?;
     let executed_by = match &args.executor {
         Some(_) => ExecutedBy::Executor,
         None => ExecutedBy::SimulatedWorld,
@@ -247,7 +247,7 @@ impl Sinks<'_> {
             {
                 let number = round.motion.number;
                 if let Some(seconds) = taken_over.get(finished) {
-                    self.record.stages_mut().round(number).times.executing_s = *seconds;
+                    self.record.stages_mut().round(number).executing_s = *seconds;
                 } else if let Some(truth) = executor.truth().last()
                     && self.keep_checkpoint(session, round, truth)
                     && let Some(count) = kept_count
@@ -306,7 +306,7 @@ impl Sinks<'_> {
             return false;
         }
         let stages = self.record.stages_mut().round(round.motion.number);
-        let seconds = stages.times.executing_s;
+        let seconds = stages.executing_s;
         let first_observation = session.first_observation();
         let kept = self
             .watch

@@ -361,7 +361,7 @@ fn simulate_effect(
     };
     (session.run_until(until, &mut NoExecutor, &mut look)).map_err(|error| job.failed(error))?;
     let mut results = match (session.plan(), session.first_motion()) {
-        (_, Some(_)) => RunResults::from_session(&session, record.stages_mut())?,
+        (_, Some(_)) => record.results(&session)?,
         (Some(plan), None) => predict_without_robot(job, extent, plan, record.stages_mut()),
         (None, None) => return Err(internal("no plan was made")),
     };
@@ -396,7 +396,7 @@ fn predict_without_robot(
     RunResults {
         task: task.clone(),
         plan: plan.clone(),
-        planning_time_s: Some(stages.round(1).times.planning_s),
+        planning_time_s: Some(stages.round(1).planning_s),
         following: None,
         predicted,
         considered: None,

@@ -116,6 +116,8 @@ pub struct RecordingWriter<W> {
     written: usize,
     /// The round's predicted effect, until the round is executed.
     frames: Option<EffectFrames>,
+    /// The predicted effect of the first round, once it is executed.
+    first: Option<EffectFrames>,
     /// The candidates among which the round's plan was chosen.
     considered: Vec<ConsideredRecord>,
     /// Sentence about the check of the round's motion.
@@ -132,10 +134,19 @@ impl<W: Write> RecordingWriter<W> {
             meshes: Meshes::new(robot::MAX_TRIANGLES),
             written: 0,
             frames: None,
+            first: None,
             considered: Vec::new(),
             audited: None,
             batch: Batch::default(),
             target: 0.0,
+        }
+    }
+
+    /// Takes the predicted effect of the first round over time; `None` for a plan without strokes.
+    pub fn take_first_frames(&mut self) -> Option<EffectFrames> {
+        match self.batch.round() {
+            0 => self.frames.take(),
+            _ => self.first.take(),
         }
     }
 
@@ -299,6 +310,9 @@ impl<W: Write> RecordingWriter<W> {
         .with_candidates(std::mem::take(&mut self.considered), planned.plan.strategy);
         self.written = self.meshes.len();
         self.batch = Batch::of(planned);
+        if planned.number == 1 {
+            self.first = frames;
+        }
         write(&mut self.output, &piece)?;
         self.stage(
             planned.number,

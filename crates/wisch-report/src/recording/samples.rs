@@ -60,6 +60,11 @@ impl Batch {
         }
     }
 
+    /// Number of the round; 0 before the first.
+    pub(super) const fn round(&self) -> usize {
+        self.round
+    }
+
     /// Adds a sample; returns whether a piece is full.
     pub(super) fn watch(&mut self, sample: &TelemetrySample<'_>) -> bool {
         // Sums of periods have rounding errors.
