@@ -198,6 +198,14 @@ pub enum ReadFault {
         /// The reorder window \[s\].
         limit: f64,
     },
+    /// A message of a sample is invalid.
+    #[error("topic {topic}: {problem}")]
+    Sample {
+        /// Name of the topic.
+        topic: String,
+        /// Description of the fault.
+        problem: String,
+    },
     /// A camera observation is invalid.
     #[error("topic {topic}: {problem}")]
     Observation {

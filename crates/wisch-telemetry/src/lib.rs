@@ -17,7 +17,7 @@
 //! - `correction`: bias, scale and payload of a force sensor,
 //! - `log`: frames, signs and units.
 //!
-//! A table enters at `track`.
+//! A table enters at `track`. [`read_samples`] needs none of these: it reads what [`BagWriter`] wrote.
 
 mod bag;
 mod correction;
@@ -32,7 +32,7 @@ mod table;
 mod tool_frame;
 mod track;
 
-pub use bag::{BagHead, BagRobot, BagScene, BagWriter, ObservationTime, active_path};
+pub use bag::{BagHead, BagRobot, BagScene, BagWriter, ObservationTime, active_path, read_samples};
 pub use error::{ReadError, ReadFault, RecordingKind, WriteError};
 pub use log::{AxesSource, Log, Skipped, read};
 pub use options::{

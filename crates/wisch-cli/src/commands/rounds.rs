@@ -25,6 +25,7 @@ use wisch_record::{
     bag_name,
 };
 use wisch_sim::{CheckpointRound, Checkpoints, GroundTruth, WorkSurface, World};
+use wisch_telemetry::read_samples;
 
 /// File in a run's state folder with the names of its episodes.
 const EPISODES_FILE: &str = "episodes";
@@ -153,9 +154,13 @@ fn rounds_of_killed_run(
     if !folder.leftovers().is_taken_over {
         return Ok(Vec::new());
     }
-    let rounds = (1..).zip(checkpoints.read());
-    let whole = rounds.take_while(|(number, _)| folder.file_path(&bag_name(*number)).is_file());
-    let kept: Vec<CheckpointRound> = whole.map(|(_, kept)| kept).collect();
+    let samples = |number| {
+        let mut samples = Vec::new();
+        let bag = folder.file_path(&bag_name(number));
+        read_samples(&bag, |sample| samples.push(sample)).ok()?;
+        Some(samples)
+    };
+    let kept: Vec<CheckpointRound> = checkpoints.read(samples).collect();
     let bags: Vec<String> = (1..=kept.len()).map(bag_name).collect();
     folder.keep_only(&bags)?;
     Ok(kept)

@@ -57,7 +57,7 @@ impl<'a> Watch<'a> {
                 self.samples = 0;
                 self.begin = Instant::now();
                 if self.round > self.taken_over {
-                    self.checkpoints.begin(planned.number);
+                    self.checkpoints.begin();
                 }
             }
             RunEvent::Sample(sample) if self.round > self.taken_over => {
@@ -68,7 +68,7 @@ impl<'a> Watch<'a> {
                     ));
                 }
                 self.samples += 1;
-                self.checkpoints.sample(sample);
+                self.checkpoints.sample(sample.time);
                 if self.is_realtime {
                     let ahead = Duration::try_from_secs_f64(sample.time).unwrap_or_default();
                     std::thread::sleep(ahead.saturating_sub(self.begin.elapsed()));

@@ -1,26 +1,26 @@
 //! Checkpoints: the executed rounds of a run on disk, so that a killed run can resume.
 //!
-//! A resumed run recomputes planning and interpretation, with the same result. A checkpoint holds what takes long to
-//! compute: the outcome of the execution, and its telemetry.
+//! A resumed run recomputes planning and interpretation, with the same result. What takes long to compute is the execution:
+//! a checkpoint holds its outcome and the exact times of its samples, and the round's bag holds the samples.
 
 mod record;
 
 use crate::GroundTruth;
-use nalgebra::{Quaternion, Translation3, UnitQuaternion};
 use record::{CHECKPOINT_SCHEMA, CheckpointRecord};
-use std::fs::{self, File};
-use std::io::{self, BufWriter, Write};
+use std::fs;
+use std::io;
 use std::path::{Path, PathBuf};
-use wisch::geometry::{Pose, Vector3};
 use wisch::represent::Observation;
-use wisch::run::{RecordedRound, RecordedSample, Round, TelemetrySample, Wrench};
+use wisch::run::{RecordedRound, RecordedSample, Round};
 
-/// Numbers in a sample beside those of the joints: time, two poses and two wrenches.
-const NUMBERS: usize = 1 + 2 * POSE + 2 * WRENCH;
-const POSE: usize = 7;
-const WRENCH: usize = 6;
+/// Version of the records whose samples lie beside them in a file, each sample with its time first.
+const SCHEMA_WITH_SAMPLES: u32 = 5;
+/// Numbers in a sample of such a file beside those of the joints: time, two poses and two wrenches.
+const NUMBERS: usize = 1 + 2 * 7 + 2 * 6;
 /// Bytes of a number.
 const BYTES: usize = size_of::<f64>();
+/// Largest difference between a time and the same time in a bag, which is in nanoseconds [s].
+const ROUNDED_S: f64 = 1e-9;
 
 /// A round of an earlier run, and the time that executing it took.
 #[derive(Debug, Clone, PartialEq)]
@@ -35,21 +35,13 @@ pub struct CheckpointRound {
     pub executing_s: f64,
 }
 
-/// Writer and reader of checkpoints: writes telemetry as it arrives, and each round's outcome at its end.
+/// Writer and reader of checkpoints: keeps the times of the samples, and writes each round's outcome at its end.
 #[derive(Debug)]
 pub struct Checkpoints {
     folder: PathBuf,
     identity: u64,
-    writing: Option<Writing>,
-}
-
-/// The file of the round that is being executed.
-#[derive(Debug)]
-struct Writing {
-    file: io::Result<BufWriter<File>>,
-    samples: usize,
-    /// Number of positions, velocities and efforts in a sample.
-    counts: [usize; 3],
+    /// Times of the samples of the round that is being executed [s].
+    times: Vec<f64>,
 }
 
 impl Checkpoints {
@@ -58,38 +50,24 @@ impl Checkpoints {
         Self {
             folder: folder.to_owned(),
             identity,
-            writing: None,
+            times: Vec::new(),
         }
     }
 
-    /// Begins the record of a round. `number`: from 1.
-    pub fn begin(&mut self, number: usize) {
-        self.writing = Some(Writing {
-            file: File::create(samples_path(&self.folder, number)).map(BufWriter::new),
-            samples: 0,
-            counts: [0; 3],
-        });
+    /// Begins the record of a round.
+    pub fn begin(&mut self) {
+        self.times.clear();
     }
 
-    /// Writes a sample. [`Self::keep`] reports a failure to write.
-    pub fn sample(&mut self, sample: &TelemetrySample<'_>) {
-        let Some(writing) = &mut self.writing else {
-            return;
-        };
-        let Ok(file) = &mut writing.file else {
-            return;
-        };
-        writing.samples += 1;
-        writing.counts = [sample.positions, sample.velocities, sample.efforts].map(<[f64]>::len);
-        if let Err(error) = write(file, sample) {
-            writing.file = Err(error);
-        }
+    /// Adds a sample. `time`: since the round began \[s\].
+    pub fn sample(&mut self, time: f64) {
+        self.times.push(time);
     }
 
     /// Writes the record of a finished round.
     ///
     /// # Errors
-    /// If no round has begun, or a file cannot be written.
+    /// If a file cannot be written.
     pub fn keep(
         &mut self,
         round: &Round,
@@ -97,17 +75,14 @@ impl Checkpoints {
         truth: &GroundTruth,
         executing_s: f64,
     ) -> io::Result<()> {
-        let writing = self.writing.take();
-        let writing = writing
-            .ok_or_else(|| io::Error::other("a checkpoint was kept before its round began"))?;
-        writing.file?.flush()?;
         let looks = [first_observation, round.interpretation.observation.as_ref()];
+        let times = std::mem::take(&mut self.times);
         let record = CheckpointRecord::new(
             &round.execution,
             truth,
             looks,
             self.identity,
-            (writing.samples, writing.counts),
+            times,
             executing_s,
         );
         let text = serde_json::to_string(&record).map_err(io::Error::other)?;
@@ -119,27 +94,48 @@ impl Checkpoints {
     }
 
     /// Reads the rounds that a killed run with this identity left, in order, up to the first that is missing.
-    pub fn read(&self) -> impl Iterator<Item = CheckpointRound> {
-        (1..).map_while(|number| read_round(&self.folder, number, self.identity))
+    ///
+    /// `samples`: returns the samples in the bag of a round, counted from 1; `None` if its bag cannot be read.
+    pub fn read(
+        &self,
+        samples: impl Fn(usize) -> Option<Vec<RecordedSample>>,
+    ) -> impl Iterator<Item = CheckpointRound> {
+        (1..).map_while(move |number| self.read_round(number, &samples))
     }
-}
 
-fn read_round(state: &Path, number: usize, identity: u64) -> Option<CheckpointRound> {
-    let text = fs::read(record_path(state, number)).ok()?;
-    let record: CheckpointRecord = serde_json::from_slice(&text).ok()?;
-    if record.schema != CHECKPOINT_SCHEMA || record.identity != identity {
-        return None;
-    }
-    let bytes = fs::read(samples_path(state, number)).ok()?;
-    let joints: usize = record.counts.iter().sum();
-    let length = (NUMBERS + joints) * BYTES;
-    let samples = bytes.chunks_exact(length);
-    let samples: Vec<RecordedSample> = samples.map(|bytes| read(bytes, record.counts)).collect();
-    (samples.len() == record.samples).then(|| {
+    fn read_round(
+        &self,
+        number: usize,
+        samples: impl Fn(usize) -> Option<Vec<RecordedSample>>,
+    ) -> Option<CheckpointRound> {
+        let text = fs::read(record_path(&self.folder, number)).ok()?;
+        let record: CheckpointRecord = serde_json::from_slice(&text).ok()?;
+        if record.identity != self.identity {
+            return None;
+        }
+        let times = match record.schema {
+            CHECKPOINT_SCHEMA => record.times_s.clone(),
+            SCHEMA_WITH_SAMPLES => {
+                let path = self.folder.join(format!("round-{number}.samples"));
+                times_of_samples(&fs::read(path).ok()?, record.counts)
+            }
+            _ => return None,
+        };
+        let mut samples = samples(number)?;
+        if times.len() != samples.len() {
+            return None;
+        }
+        for (sample, time) in samples.iter_mut().zip(times) {
+            // Another bag than that of this round.
+            if (sample.time - time).abs() > ROUNDED_S {
+                return None;
+            }
+            sample.time = time;
+        }
         let executing_s = record.executing_s;
         let [first_observation, observation] = record.observations();
         let (execution, truth) = record.into_execution();
-        CheckpointRound {
+        Some(CheckpointRound {
             executing_s,
             first_observation,
             recorded: RecordedRound {
@@ -148,100 +144,41 @@ fn read_round(state: &Path, number: usize, identity: u64) -> Option<CheckpointRo
                 observation,
             },
             truth,
-        }
-    })
+        })
+    }
 }
 
-fn write(file: &mut impl Write, sample: &TelemetrySample<'_>) -> io::Result<()> {
-    let mut put = |numbers: &[f64]| {
-        let mut numbers = numbers.iter();
-        numbers.try_for_each(|number| file.write_all(&number.to_le_bytes()))
-    };
-    put(&[sample.time])?;
-    for pose in [&sample.world_from_commanded, &sample.world_from_tool] {
-        put(pose.translation.vector.as_slice())?;
-        put(pose.rotation.coords.as_slice())?;
-    }
-    for wrench in [&sample.controller, &sample.external] {
-        put(wrench.force.as_slice())?;
-        put(wrench.moment.as_slice())?;
-    }
-    put(sample.positions)?;
-    put(sample.velocities)?;
-    put(sample.efforts)
-}
-
-/// Decodes a sample, bit for bit.
-fn read(bytes: &[u8], counts: [usize; 3]) -> RecordedSample {
-    let numbers = bytes.chunks_exact(BYTES).map(|bytes| {
-        let mut eight = [0; BYTES];
-        eight.copy_from_slice(bytes);
-        f64::from_le_bytes(eight)
+/// Returns the times in a file of samples \[s\], as version 0.2.0 wrote it. `counts`: number of positions, velocities and
+/// efforts in each sample.
+fn times_of_samples(bytes: &[u8], counts: [usize; 3]) -> Vec<f64> {
+    let joints: usize = counts.iter().sum();
+    let samples = bytes.chunks_exact((NUMBERS + joints) * BYTES);
+    let times = samples.map(|sample| {
+        let mut time = [0; BYTES];
+        time.copy_from_slice(&sample[..BYTES]);
+        f64::from_le_bytes(time)
     });
-    let numbers: Vec<f64> = numbers.collect();
-    let vector = |at: usize| Vector3::new(numbers[at], numbers[at + 1], numbers[at + 2]);
-    let pose = |at: usize| {
-        let [x, y, z, w] = [3, 4, 5, 6].map(|i| numbers[at + i]);
-        // Without normalisation, which would change the bits.
-        let rotation = UnitQuaternion::new_unchecked(Quaternion::new(w, x, y, z));
-        Pose::from_parts(Translation3::from(vector(at)), rotation)
-    };
-    let wrench = |at: usize| Wrench {
-        force: vector(at),
-        moment: vector(at + 3),
-    };
-    let [commanded, tool] = [1, 1 + POSE];
-    let [controller, external] = [1 + 2 * POSE, 1 + 2 * POSE + WRENCH];
-    RecordedSample {
-        time: numbers[0],
-        joints: numbers[NUMBERS..].to_vec(),
-        counts,
-        world_from_commanded: pose(commanded),
-        world_from_tool: pose(tool),
-        controller: wrench(controller),
-        external: wrench(external),
-    }
+    times.collect()
 }
 
 fn record_path(state: &Path, number: usize) -> PathBuf {
     state.join(format!("round-{number}.json"))
 }
 
-fn samples_path(state: &Path, number: usize) -> PathBuf {
-    state.join(format!("round-{number}.samples"))
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-    use wisch::follow::Phase;
 
     #[test]
-    fn what_was_measured_comes_back_to_the_last_bit() {
-        let pose = |first: f64| {
-            let rotation = UnitQuaternion::new_unchecked(Quaternion::new(0.4, 0.1, 0.2, 0.3));
-            Pose::from_parts(Translation3::new(first, -2.0, 0.1), rotation)
-        };
-        let wrench = |first: f64| Wrench {
-            force: Vector3::new(first, -0.0, 9.9),
-            moment: Vector3::new(0.1, 0.2, first),
-        };
-        let sample = TelemetrySample {
-            time: 0.001,
-            positions: &[1.0, 2.0],
-            velocities: &[0.1, -0.1],
-            efforts: &[1e-300],
-            world_from_commanded: pose(1.0),
-            world_from_tool: pose(1.5),
-            controller: wrench(1e-300),
-            external: wrench(3.0),
-            motion: 3,
-            phase: Phase::Wipe(2),
-        };
-        let mut bytes = Vec::new();
-        write(&mut bytes, &sample).unwrap();
-        let back = read(&bytes, [2, 2, 1]);
-        assert_eq!(back, RecordedSample::from(&sample));
-        assert_eq!(back.to_sample(3, Phase::Wipe(2)), Some(sample));
+    fn times_of_earlier_versions_are_read() {
+        let samples = [0.001, 0.1 + 0.2].map(|time| {
+            let mut numbers = [0.0_f64; NUMBERS + 4];
+            numbers[0] = time;
+            numbers
+        });
+        let bytes: Vec<u8> = (samples.iter().flatten())
+            .flat_map(|number| number.to_le_bytes())
+            .collect();
+        assert_eq!(times_of_samples(&bytes, [2, 2, 0]), [0.001, 0.1 + 0.2]);
     }
 }

@@ -8,7 +8,7 @@ use wisch::robot::Range;
 use wisch::run::{Ending, Execution, StopCause, StopKind, StrokeEnd};
 
 /// Version of the schema of checkpoint records.
-pub const CHECKPOINT_SCHEMA: u32 = 5;
+pub const CHECKPOINT_SCHEMA: u32 = 6;
 
 /// The record of an executed round in a checkpoint.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -17,8 +17,11 @@ pub struct CheckpointRecord {
     pub schema: u32,
     /// Hash of all inputs of the run.
     pub identity: u64,
-    /// Number of samples, and of positions, velocities and efforts in each sample.
-    pub samples: usize,
+    /// Times of the samples, to the last bit; empty in schema 5 [s].
+    #[serde(default)]
+    pub times_s: Vec<f64>,
+    /// In schema 5: number of positions, velocities and efforts in each sample.
+    #[serde(default, skip_serializing)]
     pub counts: [usize; 3],
     /// Wall-clock time that the simulation took [s].
     pub executing_s: f64,
@@ -127,15 +130,15 @@ impl CheckpointRecord {
         truth: &GroundTruth,
         looks: [Option<&Observation>; 2],
         identity: u64,
-        (samples, counts): (usize, [usize; 3]),
+        times_s: Vec<f64>,
         executing_s: f64,
     ) -> Self {
         let force = &truth.contact_force;
         Self {
             schema: CHECKPOINT_SCHEMA,
             identity,
-            samples,
-            counts,
+            times_s,
+            counts: [0; 3],
             executing_s,
             duration_s: execution.duration,
             ending: EndingRecord::from(&execution.ending),
@@ -437,8 +440,8 @@ mod tests {
                 hidden: Region::new(vec![Polygon::rectangle(Vector2::new(0.1, 0.2))]),
             };
             let looks = [None, Some(&seen)];
-            let samples = (3, [2, 2, 0]);
-            let record = CheckpointRecord::new(&execution, &truth, looks, u64::MAX, samples, 1.5);
+            let times = vec![0.0, 0.001, 0.1 + 0.2];
+            let record = CheckpointRecord::new(&execution, &truth, looks, u64::MAX, times, 1.5);
             let text = serde_json::to_string(&record).expect("text");
             let read: CheckpointRecord = serde_json::from_str(&text).expect("a record");
             assert_eq!(read, record);

@@ -45,7 +45,7 @@ pub(crate) struct JointState<'a> {
 }
 
 /// `geometry_msgs/Vector3`; a point has the same layout.
-#[derive(Debug, Clone, Copy, Serialize)]
+#[derive(Debug, Clone, Copy, Serialize, Deserialize)]
 pub(crate) struct Vector3 {
     pub x: f64,
     pub y: f64,
@@ -63,7 +63,7 @@ impl From<Vector> for Vector3 {
 }
 
 /// `geometry_msgs/Quaternion`.
-#[derive(Debug, Clone, Copy, Serialize)]
+#[derive(Debug, Clone, Copy, Serialize, Deserialize)]
 pub(crate) struct Quaternion {
     pub x: f64,
     pub y: f64,
@@ -72,7 +72,7 @@ pub(crate) struct Quaternion {
 }
 
 /// `geometry_msgs/Pose`; a transform has the same layout.
-#[derive(Debug, Clone, Copy, Serialize)]
+#[derive(Debug, Clone, Copy, Serialize, Deserialize)]
 pub(crate) struct Pose {
     pub position: Vector3,
     pub orientation: Quaternion,
@@ -101,7 +101,7 @@ pub(crate) struct PoseStamped<'a> {
 }
 
 /// `geometry_msgs/Wrench`.
-#[derive(Debug, Serialize)]
+#[derive(Debug, Clone, Copy, Serialize, Deserialize)]
 pub(crate) struct Wrench {
     pub force: Vector3,
     pub torque: Vector3,
@@ -112,6 +112,33 @@ impl From<&control::Wrench> for Wrench {
         Self {
             force: wrench.force.into(),
             torque: wrench.moment.into(),
+        }
+    }
+}
+
+impl From<Vector3> for Vector {
+    fn from(v: Vector3) -> Self {
+        Self::new(v.x, v.y, v.z)
+    }
+}
+
+impl From<Pose> for geometry::Pose {
+    /// Takes the quaternion as it is: normalisation would change its bits.
+    fn from(pose: Pose) -> Self {
+        let q = pose.orientation;
+        let rotation = nalgebra::Quaternion::new(q.w, q.x, q.y, q.z);
+        Self::from_parts(
+            Vector::from(pose.position).into(),
+            nalgebra::UnitQuaternion::new_unchecked(rotation),
+        )
+    }
+}
+
+impl From<Wrench> for control::Wrench {
+    fn from(wrench: Wrench) -> Self {
+        Self {
+            force: wrench.force.into(),
+            moment: wrench.torque.into(),
         }
     }
 }
@@ -273,6 +300,34 @@ pub(crate) const FIELD_FLOAT64: u8 = 8;
 pub(crate) struct OwnedHeader {
     pub stamp: Time,
     pub frame_id: String,
+}
+
+/// `sensor_msgs/JointState`, as it is read.
+#[derive(Debug, Deserialize)]
+pub(crate) struct RecordedJointState {
+    #[serde(rename = "header")]
+    _header: OwnedHeader,
+    #[serde(rename = "name")]
+    _name: Vec<String>,
+    pub position: Vec<f64>,
+    pub velocity: Vec<f64>,
+    pub effort: Vec<f64>,
+}
+
+/// `geometry_msgs/PoseStamped`, as it is read.
+#[derive(Debug, Deserialize)]
+pub(crate) struct RecordedPose {
+    #[serde(rename = "header")]
+    _header: OwnedHeader,
+    pub pose: Pose,
+}
+
+/// `geometry_msgs/WrenchStamped`, as it is read.
+#[derive(Debug, Deserialize)]
+pub(crate) struct RecordedWrench {
+    #[serde(rename = "header")]
+    _header: OwnedHeader,
+    pub wrench: Wrench,
 }
 
 /// `sensor_msgs/PointCloud2`.
