@@ -1,4 +1,4 @@
-//! The episode of a run: telemetry is written during execution, the rest at the end.
+//! The episode of a run: the telemetry of a round is taken from its bag, the rest is written at the end.
 
 use crate::bag::Seen;
 use crate::clock::{clock_change_remark, future_episode_remark, unix_time};
@@ -23,6 +23,7 @@ use wisch_memory::{
     RECORDING_FILE, RobotText, RoundLog, RoundObservations, RoundScene, TelemetryWriter, Value,
     episode_id, remember,
 };
+use wisch_telemetry::read_samples;
 
 /// Tolerance of an executor's duration above this machine's clock, as a share [1] and a constant [s].
 const EXECUTOR_SLACK: [f64; 2] = [0.05, 2.0];
@@ -40,7 +41,8 @@ pub struct EpisodeTarget {
     pub names: Option<PathBuf>,
 }
 
-/// A sink that keeps a run as an episode. It writes telemetry during execution; [`Self::commit`] writes the rest.
+/// A sink that keeps a run as an episode. It writes telemetry during execution, or in a [`RunRecord`](crate::RunRecord)
+/// with bags at the end of each round, from the bag; [`Self::commit`] writes the rest.
 ///
 /// If telemetry cannot be written, for example on a full disk, the run continues and the episode states what is missing.
 pub struct EpisodeSink {
@@ -62,11 +64,15 @@ pub struct EpisodeSink {
     earlier: Vec<String>,
     writer: EpisodeWriter,
     telemetry: Option<TelemetryWriter>,
+    /// Whether the telemetry of a round is taken from its bag.
+    has_bags: bool,
+    /// Whether the current round waits for its bag.
+    waits: bool,
     /// By number of the round.
     logs: BTreeMap<usize, RoundLog>,
     round: usize,
     /// Rounds whose telemetry could not be written, with the errors.
-    lost: Vec<(usize, MemoryError)>,
+    lost: Vec<(usize, String)>,
 }
 
 /// An episode that is stored in the memory.
@@ -129,6 +135,8 @@ impl EpisodeSink {
             memory,
             writer,
             telemetry: None,
+            has_bags: false,
+            waits: false,
             logs: BTreeMap::new(),
             round: 0,
             lost: Vec::new(),
@@ -142,6 +150,50 @@ impl EpisodeSink {
             is_live: false,
             ..self
         }
+    }
+
+    /// Takes the telemetry of rounds from their bags, by [`copy_bag`](Self::copy_bag).
+    pub(crate) fn take_from_bags(&mut self) {
+        self.has_bags = true;
+    }
+
+    /// Writes telemetry during execution from the next round on, because bags cannot be written. The telemetry of the
+    /// current round is lost.
+    pub(crate) fn leave_bags(&mut self, error: &RecordError) {
+        self.has_bags = false;
+        if std::mem::take(&mut self.waits) {
+            self.lost.push((self.round, error.to_string()));
+        }
+    }
+
+    /// Takes the telemetry of a round from its bag.
+    pub(crate) fn copy_bag(&mut self, motion: &PlannedRound, bag: &Path) {
+        if !std::mem::take(&mut self.waits) {
+            return;
+        }
+        if let Err(error) = self.try_copy(motion, bag) {
+            self.lose(error);
+        }
+    }
+
+    fn try_copy(&mut self, motion: &PlannedRound, bag: &Path) -> Result<(), String> {
+        let mut telemetry = self.begin_telemetry(motion).map_err(|e| e.to_string())?;
+        let mut written = Ok(());
+        let read = read_samples(bag, |recorded| {
+            let index = motion.followed.index_at(recorded.time);
+            let during = motion.followed.motions.get(index);
+            let sample = during.and_then(|during| recorded.to_sample(index, during.phase));
+            if let (Ok(()), Some(sample)) = (&written, sample) {
+                written = telemetry.write(&sample);
+            }
+        });
+        let finished = match (read, written) {
+            (Err(error), _) => Err(error.to_string()),
+            (_, Err(error)) => Err(error.to_string()),
+            _ => return telemetry.finish().map_err(|error| error.to_string()),
+        };
+        telemetry.abandon();
+        finished
     }
 
     /// Sets the name of the executor's program, if it becomes known after the beginning.
@@ -288,13 +340,28 @@ impl EpisodeSink {
     }
 
     fn execute(&mut self, motion: &PlannedRound) -> Result<(), MemoryError> {
+        self.round = motion.number;
+        self.executing = Some(Instant::now());
+        self.waits = self.has_bags;
+        if !self.has_bags {
+            self.telemetry = Some(self.begin_telemetry(motion)?);
+        }
+        Ok(())
+    }
+
+    fn begin_telemetry(&self, motion: &PlannedRound) -> Result<TelemetryWriter, MemoryError> {
         let robot = motion.cell.robot();
         let joints = (0..robot.dof()).map(|i| robot.variable(i).name.clone());
         let head = RoundScene::from_motion(motion).head(joints.collect());
-        self.round = motion.number;
-        self.executing = Some(Instant::now());
-        self.telemetry = Some(self.writer.telemetry(motion.number, head)?);
-        Ok(())
+        self.writer.telemetry(motion.number, head)
+    }
+
+    /// Notes that the telemetry of the current round is missing.
+    fn lose(&mut self, error: String) {
+        if let Some(telemetry) = self.telemetry.take() {
+            telemetry.abandon();
+        }
+        self.lost.push((self.round, error));
     }
 
     /// Returns the duration of each round in the time of its samples [s], and adds a remark if the clock disagrees, as it
@@ -343,7 +410,7 @@ impl EpisodeSink {
             values.insert("semco:clockRemark".into(), Value::Text(remarks));
         }
         for (round, error) in &self.lost {
-            record.set_telemetry_lost(*round, &error.to_string());
+            record.set_telemetry_lost(*round, error);
         }
     }
 
@@ -368,10 +435,7 @@ impl RunSink for EpisodeSink {
     /// Receives one event. It never fails: the episode states which telemetry is missing.
     fn on_event(&mut self, event: &RunEvent<'_>) -> Result<(), SinkError> {
         if let Err(error) = self.write(event) {
-            if let Some(telemetry) = self.telemetry.take() {
-                telemetry.abandon();
-            }
-            self.lost.push((self.round, error));
+            self.lose(error.to_string());
         }
         Ok(())
     }

@@ -5,7 +5,7 @@
 //! | sink | output | after a failure |
 //! |---|---|---|
 //! | [`BagSink`] | a bag of each round (MCAP), written during execution | the run stops cleanly, or continues if it has an episode |
-//! | [`EpisodeSink`] | an episode in a memory | the run continues; the episode states the missing telemetry |
+//! | [`EpisodeSink`] | an episode in a memory, with telemetry from the bags if there are bags | the run continues; the episode states the missing telemetry |
 //! | [`PageSink`] | the recording for the page | the run stops cleanly |
 //! | [`EventSink`] | events as JSON lines | the run stops cleanly |
 //! | [`StageSink`] | the duration of each stage | it cannot fail |

@@ -136,6 +136,10 @@ impl RunRecord {
         let urdf = robot.map(|robot| robot.files.urdf.as_str());
         let bags = bags
             .map(|place| BagSink::new(place, urdf, &loaded.task).with_resumed_rounds(taken_over));
+        let mut episode = episode;
+        if let (Some(episode), true) = (&mut episode, bags.is_some()) {
+            episode.take_from_bags();
+        }
         Ok(Self {
             program,
             stages: StageSink::default(),
@@ -199,7 +203,8 @@ impl RunRecord {
 
     /// Passes an event to every sink. Returns `Break` if the session must stop cleanly; return that to the session.
     ///
-    /// With an episode, the run continues after bags cannot be written, because the episode does not need them.
+    /// With an episode, the run continues after bags cannot be written. From the next round on, the episode's telemetry is
+    /// then written during execution.
     pub fn on_event(&mut self, event: &RunEvent<'_>) -> ControlFlow<()> {
         // This sink only measures time and cannot fail.
         let _ = self.stages.on_event(event);
@@ -220,6 +225,11 @@ impl RunRecord {
         if let Some(Err(error)) = bag {
             self.abandon_bags(error.into());
         }
+        if let (RunEvent::Decided(round), Some(episode), Some(bags)) =
+            (event, &mut self.episode, &self.bags)
+        {
+            episode.copy_bag(&round.motion, &bags.path(round.motion.number));
+        }
         self.is_ending |= more.is_break();
         if self.is_ending {
             ControlFlow::Break(())
@@ -236,7 +246,8 @@ impl RunRecord {
     /// Stops writing bags after an error. With an episode the run continues; without an episode it stops cleanly.
     pub fn abandon_bags(&mut self, error: RecordError) {
         self.bags = None;
-        if self.episode.is_some() {
+        if let Some(episode) = &mut self.episode {
+            episode.leave_bags(&error);
             self.no_bag.get_or_insert(error);
         } else {
             self.fail(error);

@@ -45,10 +45,8 @@ pub struct Setpoint {
 impl MotionOrder<'_> {
     /// Returns the index and the phase of the motion at a time \[s\]; `None` for an empty motion.
     pub fn motion_at(&self, time: f64) -> Option<(usize, Phase)> {
-        let motions = &self.followed.motions;
-        let next = motions.partition_point(|motion| motion.start <= time);
-        let index = next.saturating_sub(1);
-        Some((index, motions.get(index)?.phase))
+        let index = self.followed.index_at(time);
+        Some((index, self.followed.motions.get(index)?.phase))
     }
 
     /// Returns the desired state at a time \[s\]; `None` for an empty motion.
