@@ -1,11 +1,10 @@
 //! Frames on demand: telemetry stores joints, from which the poses of links, tool and surface are computed.
 
 use crate::telemetry::{Telemetry, TelemetryError, TelemetryHead};
-use nalgebra::{Quaternion, Translation3, UnitQuaternion};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::path::PathBuf;
-use wisch::geometry::Pose;
+use wisch::geometry::{Pose, restore_pose};
 use wisch::robot::{LinkId, RobotError, RobotModel};
 use wisch::run::PlannedRound;
 
@@ -81,12 +80,8 @@ impl From<&Pose> for StoredPose {
 
 impl From<StoredPose> for Pose {
     fn from(stored: StoredPose) -> Self {
-        let [x, y, z] = stored.position;
-        let quaternion = Quaternion::from(stored.quaternion);
-        Self::from_parts(
-            Translation3::new(x, y, z),
-            UnitQuaternion::from_quaternion(quaternion),
-        )
+        let ([x, y, z], [i, j, k, w]) = (stored.position, stored.quaternion);
+        restore_pose(&[x, y, z, i, j, k, w])
     }
 }
 
@@ -439,13 +434,8 @@ impl<'a> Frames<'a> {
             }
             // Links have frames only where there is a robot.
             (Carrier::Logged | Carrier::Link(_), _) => {
-                let [x, y, z, qx, qy, qz, qw] =
-                    <[f64; 7]>::try_from(self.telemetry.row(&LOG_COLUMNS[..POSE_COLUMNS], row)?)
-                        .unwrap_or([f64::NAN; 7]);
-                Pose::from(StoredPose {
-                    position: [x, y, z],
-                    quaternion: [qx, qy, qz, qw],
-                })
+                let numbers = self.telemetry.row(&LOG_COLUMNS[..POSE_COLUMNS], row)?;
+                restore_pose(&<[f64; 7]>::try_from(numbers).unwrap_or([f64::NAN; 7]))
             }
         };
         Ok(PoseAt {

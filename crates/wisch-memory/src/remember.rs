@@ -148,13 +148,7 @@ fn action_values(
 
 /// Returns the goal in PDDL.
 fn goal_of(task: &Task, goal: &GoalState) -> String {
-    let predicate = match goal {
-        GoalState::Absorbed => "absorbed",
-        GoalState::Collected { .. } => "collected",
-        GoalState::Skimmed => "skimmed",
-        GoalState::Polished { .. } => "polished",
-        GoalState::Emitted { .. } => "emitted",
-    };
+    let predicate = goal.as_str();
     format!("({predicate} {} {})", task.medium, task.surface.name)
 }
 

@@ -1,11 +1,11 @@
 //! Conversion between NumPy arrays and the library's types.
 
 use crate::error::refused;
-use nalgebra::{Quaternion, Translation3, UnitQuaternion};
+use nalgebra::Quaternion;
 use numpy::ndarray::{Array1, Array2};
 use numpy::{AllowTypeChange, IntoPyArray, PyArray1, PyArray2, PyArrayLike1, PyArrayLike2};
 use pyo3::prelude::*;
-use wisch::geometry::{Mesh, Point2, Pose, Region};
+use wisch::geometry::{Mesh, Point2, Pose, Region, flatten_pose, restore_pose};
 use wisch::represent::{Fate, ParticleDistribution};
 
 /// An array of numbers.
@@ -27,31 +27,21 @@ pub fn matrix(py: Python<'_>, numbers: Vec<f64>, columns: usize) -> Matrix<'_> {
         .into_pyarray(py)
 }
 
-/// Returns x, y, z, then the quaternion's x, y, z, w.
-pub fn numbers(pose: &Pose) -> [f64; 7] {
-    let p = pose.translation.vector;
-    let q = pose.rotation.coords;
-    [p.x, p.y, p.z, q.x, q.y, q.z, q.w]
-}
-
 /// Returns a pose as an array (7).
 pub fn pose_array<'py>(py: Python<'py>, pose: &Pose) -> Vector<'py> {
-    vector(py, numbers(pose).to_vec())
+    vector(py, flatten_pose(pose).to_vec())
 }
 
 /// Parses a pose from an array (7), and normalises its quaternion.
 pub fn pose(name: &str, given: &Bound<'_, PyAny>) -> PyResult<Pose> {
-    let [x, y, z, i, j, k, w] = to_array::<7>(name, given)?;
-    let quaternion = Quaternion::new(w, i, j, k);
-    let norm = quaternion.norm();
+    let numbers = to_array::<7>(name, given)?;
+    let [_, _, _, i, j, k, w] = numbers;
+    let norm = Quaternion::new(w, i, j, k).norm();
     if (norm - 1.0).abs() > 1e-3 {
         let limit = "1 within 0.001";
         return Err(refused(name, format!("a quaternion of norm {norm}"), limit));
     }
-    Ok(Pose::from_parts(
-        Translation3::new(x, y, z),
-        UnitQuaternion::from_quaternion(quaternion),
-    ))
+    Ok(restore_pose(&numbers))
 }
 
 /// Parses numbers from an array or a list.

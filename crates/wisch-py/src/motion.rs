@@ -1,6 +1,6 @@
 //! Motions for executors.
 
-use crate::arrays::{self, Matrix, Vector, numbers, pose_array, vector};
+use crate::arrays::{self, Matrix, Vector, pose_array, vector};
 use crate::error::refused;
 use numpy::{PyArray1, PyArray2};
 use pyo3::prelude::*;
@@ -8,6 +8,7 @@ use pyo3::sync::PyOnceLock;
 use pyo3::types::PyDict;
 use std::sync::Arc;
 use wisch::follow::{Followed, Workcell};
+use wisch::geometry::flatten_pose;
 use wisch::represent::Task;
 use wisch::run::{MotionOrder, PlannedRound, Setpoint};
 
@@ -96,7 +97,7 @@ impl PyMotion {
         let joined = |of: fn(&Setpoint) -> &[f64]| -> Vec<f64> {
             points.iter().flat_map(of).copied().collect()
         };
-        let poses = points.iter().flat_map(|p| numbers(&p.world_from_tool));
+        let poses = points.iter().flat_map(|p| flatten_pose(&p.world_from_tool));
         Columns {
             time_s: vector(py, points.iter().map(|p| p.time).collect()).unbind(),
             positions: arrays::matrix(py, joined(|p| &p.positions), dof).unbind(),

@@ -1,14 +1,13 @@
 //! Telemetry as columns: an array per quantity, which owns its memory.
 
-use crate::arrays::{self, list, numbers, rows, vector};
+use crate::arrays::{self, list, rows, vector};
 use crate::error::{plain, refused};
-use nalgebra::{Quaternion, Translation3, UnitQuaternion};
 use numpy::{PyArray1, PyArray2, PyArrayMethods};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use std::path::PathBuf;
 use wisch::follow::{Followed, Phase};
-use wisch::geometry::{Pose, Vector3};
+use wisch::geometry::{Pose, Vector3, flatten_pose, restore_pose};
 use wisch::interpret::TouchSample;
 use wisch::run::{TelemetrySample, Wrench};
 use wisch_telemetry::{
@@ -42,9 +41,9 @@ impl Columns {
         let stroke = sample.phase.stroke().map(i64::try_from);
         self.stroke.push(stroke.and_then(Result::ok).unwrap_or(-1));
         self.world_from_tool
-            .extend(numbers(&sample.world_from_tool));
+            .extend(flatten_pose(&sample.world_from_tool));
         self.world_from_commanded
-            .extend(numbers(&sample.world_from_commanded));
+            .extend(flatten_pose(&sample.world_from_commanded));
         self.force.extend(sample.external.force.iter());
         self.moment.extend(sample.external.moment.iter());
         self.controller_force.extend(sample.controller.force.iter());
@@ -122,10 +121,7 @@ impl PyTelemetry {
         };
         let at = |numbers: &[f64], k: usize| -> Vec<f64> { numbers[of(numbers, k)].to_vec() };
         for (k, &time) in times.iter().enumerate() {
-            let next = followed
-                .motions
-                .partition_point(|motion| motion.start <= time);
-            let motion = next.saturating_sub(1);
+            let motion = followed.index_at(time);
             let phase = followed.motions.get(motion).map(|motion| motion.phase);
             let sample = TelemetrySample {
                 time,
@@ -189,11 +185,7 @@ impl PyTelemetry {
 }
 
 fn pose_of(numbers: &[f64]) -> Pose {
-    let &[x, y, z, i, j, k, w] = numbers else {
-        return Pose::identity();
-    };
-    let turn = UnitQuaternion::from_quaternion(Quaternion::new(w, i, j, k));
-    Pose::from_parts(Translation3::new(x, y, z), turn)
+    numbers.try_into().map_or(Pose::identity(), restore_pose)
 }
 
 fn wrench_of(force: &[f64], moment: &[f64]) -> Wrench {

@@ -6,14 +6,14 @@ use crate::folder::title;
 use crate::packed::pack;
 use std::io::Read;
 use wisch::follow::Phase;
-use wisch::geometry::{Pose, Vector3};
+use wisch::geometry::{Vector3, restore_pose};
 use wisch::interpret::TouchSample;
 use wisch::robot::RobotModel;
 use wisch::run::{RunEvent, TelemetrySample};
 use wisch_io::LoadedTask;
 use wisch_memory::view::ShownEpisode;
 use wisch_memory::{
-    Episode, Frames, LOG_COLUMNS, MemoryError, RECORDING_FILE, RoundScene, StoredPose, Telemetry,
+    Episode, Frames, LOG_COLUMNS, MemoryError, RECORDING_FILE, RoundScene, Telemetry,
     TelemetryError,
 };
 use wisch_report::{
@@ -167,13 +167,10 @@ fn record_samples(
         }
         for (k, time) in times.into_iter().enumerate() {
             let row: Vec<f64> = values.iter().map(|column| column[k]).collect();
-            let [x, y, z, qx, qy, qz, qw, fx, fy, fz] = row[..LOG_COLUMNS.len()] else {
+            let [x, y, z, i, j, k, w, fx, fy, fz] = row[..LOG_COLUMNS.len()] else {
                 continue;
             };
-            let pose = Pose::from(StoredPose {
-                position: [x, y, z],
-                quaternion: [qx, qy, qz, qw],
-            });
+            let pose = restore_pose(&[x, y, z, i, j, k, w]);
             let touch = TouchSample::new(time, pose, Vector3::new(fx, fy, fz));
             let sample = TelemetrySample {
                 positions: &row[LOG_COLUMNS.len()..],
@@ -192,6 +189,7 @@ mod tests {
     use flate2::read::GzDecoder;
     use serde_json::Value;
     use std::collections::BTreeMap;
+    use wisch::geometry::Pose;
     use wisch_memory::{EPISODE_SCHEMA, EpisodeRecord, Individual, Mark, Memory, Origin};
 
     const ID: &str = "20261122-010000-abcd";

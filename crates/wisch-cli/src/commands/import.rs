@@ -13,6 +13,7 @@ use std::fs::{self, File};
 use std::io::{self, Read};
 use std::path::Path;
 use wisch::follow::Phase;
+use wisch::geometry::flatten_pose;
 use wisch_io::{INTERPRETATION_FILE, PARTICLES_ESTIMATED_FILE, REPORT_FILE, particles_to_csv};
 use wisch_memory::catalogue::entries;
 use wisch_memory::{
@@ -326,10 +327,8 @@ fn write_telemetry(
         phase: Phase::FreeMotion,
     };
     for sample in &log.samples {
-        let p = sample.world_from_tool.translation.vector;
-        let q = sample.world_from_tool.rotation.coords;
-        let f = sample.force;
-        let row = [p.x, p.y, p.z, q.x, q.y, q.z, q.w, f.x, f.y, f.z];
+        let pose = flatten_pose(&sample.world_from_tool).into_iter();
+        let row = pose.chain(<[f64; 3]>::from(sample.force));
         telemetry.push(sample.time, mark, row)?;
     }
     Ok(telemetry.finish()?)

@@ -3,7 +3,7 @@
 use super::printable::printable;
 use nalgebra::UnitQuaternion;
 use serde::Deserialize;
-use wisch::geometry::{Point2, Polygon, Pose, Region, Vector3};
+use wisch::geometry::{Point2, Polygon, Pose, Region, Vector3, restore_pose};
 use wisch::represent::{MAX_DETECTIONS, Observation};
 use wisch::run::{
     Ending, Execution, MotionOrder, RobotState, SampleSink, StopCause, StopKind, TelemetrySample,
@@ -401,7 +401,7 @@ impl<'a> Intake<'a> {
             ));
         }
         let world_from_tool = match &sample.world_from_tool {
-            Some(measured) => pose(measured),
+            Some(measured) => restore_pose(measured),
             None => self.compute_tool_pose(&sample.positions)?,
         };
         let world_from_axes = match sample.wrench_axes {
@@ -431,7 +431,7 @@ impl<'a> Intake<'a> {
             velocities: &sample.velocities,
             efforts: &sample.efforts,
             world_from_commanded: (sample.world_from_commanded.as_ref())
-                .map_or(world_from_tool, pose),
+                .map_or(world_from_tool, restore_pose),
             world_from_tool,
             controller: wrench(sample.controller_force_n, sample.controller_moment_nm),
             external: Wrench {
@@ -538,11 +538,4 @@ fn wrench(force: [f64; 3], moment: [f64; 3]) -> Wrench {
         force: Vector3::from(force),
         moment: Vector3::from(moment),
     }
-}
-
-fn pose(&[x, y, z, i, j, k, w]: &[f64; 7]) -> Pose {
-    Pose::from_parts(
-        nalgebra::Translation3::new(x, y, z),
-        UnitQuaternion::from_quaternion(nalgebra::Quaternion::new(w, i, j, k)),
-    )
 }

@@ -3,7 +3,7 @@
 use super::VERSIONS;
 use super::intake::{DoneRecord, ObservationRecord, SampleRecord, StateRecord};
 use serde::{Deserialize, Serialize};
-use wisch::geometry::Pose;
+use wisch::geometry::flatten_pose;
 use wisch::run::{MotionOrder, Setpoint};
 
 /// Range of the silence that a child permits itself during a motion [s].
@@ -179,7 +179,7 @@ impl MotionHead {
                 .map(|i| robot.variable(i).name.clone())
                 .collect(),
             tool: order.task.tool.name.clone(),
-            world_from_surface: numbers(&order.task.surface.world_from_surface),
+            world_from_surface: flatten_pose(&order.task.surface.world_from_surface),
             press_force_n: interaction.contact_force(),
             stiffness_n_per_m: interaction.stiffness_n_per_m,
             damping_ratio: interaction.damping_ratio,
@@ -190,8 +190,8 @@ impl MotionHead {
             points,
             mount: (version >= 2).then(|| MountMessage {
                 tip: robot.links()[order.cell.tip().index()].name.clone(),
-                tip_from_tool: numbers(order.cell.tip_from_tool()),
-                world_from_root: numbers(order.cell.world_from_root()),
+                tip_from_tool: flatten_pose(order.cell.tip_from_tool()),
+                world_from_root: flatten_pose(order.cell.world_from_root()),
             }),
         }
     }
@@ -203,16 +203,9 @@ impl TrajectoryPoint {
         Self {
             accelerations: (version >= 2).then_some(at.accelerations),
             time_s: at.time,
-            world_from_tool: numbers(&at.world_from_tool),
+            world_from_tool: flatten_pose(&at.world_from_tool),
             positions: at.positions,
             velocities: at.velocities,
         }
     }
-}
-
-/// x, y, z, then the quaternion's x, y, z, w.
-fn numbers(pose: &Pose) -> [f64; 7] {
-    let p = pose.translation.vector;
-    let q = pose.rotation.coords;
-    [p.x, p.y, p.z, q.x, q.y, q.z, q.w]
 }

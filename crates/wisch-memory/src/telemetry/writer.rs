@@ -17,7 +17,7 @@ use std::io::BufWriter;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use wisch::follow::Phase;
-use wisch::geometry::Pose;
+use wisch::geometry::flatten_pose;
 use wisch::run::{TelemetrySample, Wrench};
 
 /// Length of a row group [ns]: reading a second decodes ten seconds.
@@ -183,7 +183,7 @@ impl TelemetryWriter {
             motion: sample.motion,
             phase: sample.phase,
         };
-        let poses = poses.into_iter().flat_map(parts_of_pose);
+        let poses = poses.into_iter().flat_map(flatten_pose);
         let wrenches = wrenches.into_iter().flat_map(parts_of_wrench);
         self.push(sample.time, mark, joints.chain(poses).chain(wrenches))
     }
@@ -325,12 +325,6 @@ fn properties<'a>(
         .set_created_by(concat!("wisch ", env!("CARGO_PKG_VERSION")).to_owned())
         .set_key_value_metadata(Some(notes));
     with_encodings(builder, columns).build()
-}
-
-fn parts_of_pose(pose: &Pose) -> [f64; 7] {
-    let p = pose.translation.vector;
-    let q = pose.rotation.coords;
-    [p.x, p.y, p.z, q.x, q.y, q.z, q.w]
 }
 
 fn parts_of_wrench(wrench: &Wrench) -> [f64; 6] {

@@ -7,6 +7,7 @@ use super::{
 use crate::ask::{Answers, Term};
 use crate::catalogue::Catalogue;
 use serde_json::{Value, json};
+use wisch::geometry::flatten_pose;
 
 /// Number of decimals of lengths [m] and times [s].
 const PLACES: i32 = 4;
@@ -107,15 +108,13 @@ fn body(body: &ShownBody, (episode, round): (&str, usize)) -> Value {
         Figure::Surface => "surface",
         Figure::Frame => "frame",
     };
-    let at = body.world_from_frame;
-    let (at, q) = (at.translation.vector, at.rotation.coords);
     json!({
         "thing": body.thing,
         "kind": kind,
         "episode": episode,
         "round": round,
         "time": body.time,
-        "pose": [at.x, at.y, at.z, q.x, q.y, q.z, q.w],
+        "pose": flatten_pose(&body.world_from_frame),
         "strong": body.emphasis == Emphasis::Strong,
         "colour": body.colour.map(hex),
     })

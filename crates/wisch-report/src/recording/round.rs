@@ -50,14 +50,14 @@ struct ObjectRecord {
     solid: Solid,
 }
 
+/// A goal, with its area if the dirt is collected.
 #[derive(Serialize)]
-#[serde(tag = "kind", rename_all = "lowercase")]
-enum GoalRecord {
-    Collected { place: [f64; 2], radius: f64 },
-    Absorbed,
-    Skimmed,
-    Polished,
-    Emitted,
+struct GoalRecord {
+    kind: &'static str,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    place: Option<[f64; 2]>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    radius: Option<f64>,
 }
 
 impl RoundPiece {
@@ -260,15 +260,14 @@ fn objects(task: &Task, meshes: &mut Meshes) -> Vec<ObjectRecord> {
 
 impl GoalRecord {
     fn new(goal: &GoalState) -> Self {
-        match goal {
-            GoalState::Collected { center, radius } => Self::Collected {
-                place: [center.x, center.y].map(|x| round_to(x, 1e4)),
-                radius: round_to(*radius, 1e4),
-            },
-            GoalState::Absorbed => Self::Absorbed,
-            GoalState::Skimmed => Self::Skimmed,
-            GoalState::Polished { .. } => Self::Polished,
-            GoalState::Emitted { .. } => Self::Emitted,
+        let area = match goal {
+            GoalState::Collected { center, radius } => Some((center, radius)),
+            _ => None,
+        };
+        Self {
+            kind: goal.as_str(),
+            place: area.map(|(center, _)| [center.x, center.y].map(|x| round_to(x, 1e4))),
+            radius: area.map(|(_, radius)| round_to(*radius, 1e4)),
         }
     }
 }

@@ -4,7 +4,7 @@ use super::UnexecutedPlan;
 use serde::Serialize;
 use std::collections::BTreeMap;
 use wisch::follow::{Followed, Phase, ToolPose, Workcell};
-use wisch::geometry::{Point3, Pose, Vector3};
+use wisch::geometry::{Point3, Pose, Vector3, flatten_pose};
 use wisch::run::{PlannedRound, TelemetrySample};
 
 /// Samples per second of a recording.
@@ -198,10 +198,7 @@ pub(super) fn seconds_at(
 
 /// Rounds a pose to a tenth of a millimetre and of a milliradian.
 fn round_pose(pose: &Pose) -> [f64; 7] {
-    let (at, turn) = (pose.translation.vector, pose.rotation.coords);
-    let [x, y, z] = [at.x, at.y, at.z].map(|x| round_to(x, 1e4));
-    let [i, j, k, w] = [turn.x, turn.y, turn.z, turn.w].map(|x| round_to(x, 1e4));
-    [x, y, z, i, j, k, w]
+    flatten_pose(pose).map(|number| round_to(number, 1e4))
 }
 
 /// Rounds a number to multiples of `1 / per_unit`; adding zero avoids "-0.0".

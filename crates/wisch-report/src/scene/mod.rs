@@ -5,7 +5,7 @@ mod mesh;
 
 use mesh::{Thinned, resample};
 use serde::Serialize;
-use wisch::geometry::{Mesh, Point3, Pose, Vector3};
+use wisch::geometry::{Mesh, Point3, Pose, Vector3, flatten_pose};
 use wisch::robot::Shape;
 
 /// Units of vertices and points per metre.
@@ -140,12 +140,9 @@ impl Solid {
     }
 }
 
-/// Returns a pose as seven numbers.
+/// Returns a pose as seven rounded numbers.
 pub(crate) fn seven(pose: &Pose) -> [f64; 7] {
-    let turn = pose.rotation.coords;
-    let [x, y, z] = vector(&pose.translation.vector);
-    let [i, j, k, w] = [turn.x, turn.y, turn.z, turn.w].map(round);
-    [x, y, z, i, j, k, w]
+    flatten_pose(pose).map(round)
 }
 
 /// Returns a vector as three numbers.

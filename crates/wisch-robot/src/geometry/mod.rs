@@ -18,7 +18,7 @@ pub use mesh::{MAX_COORDINATE, MAX_TRIANGLES, Mesh, MeshError, MeshFormat};
 pub use point_grid::PointGrid;
 pub use polygon::encloses;
 pub use polygon::{Bounds2, Edge, Polygon, Region};
-pub use pose::{PlanarPose, Pose, wrap_angle};
+pub use pose::{PlanarPose, Pose, flatten_pose, restore_pose, wrap_angle};
 pub use triangulation::prism_below;
 pub use units::LikelyUnit;
 

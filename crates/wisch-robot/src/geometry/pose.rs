@@ -1,10 +1,34 @@
 //! Poses in space and in the plane of a surface.
 
 use super::{Point2, Vector2};
+use nalgebra::{Quaternion, Translation3, UnitQuaternion};
 use std::f64::consts::{PI, TAU};
 
 /// A rigid transform in space; variable names state its frames: `world_from_surface * point_in_surface`.
 pub type Pose = nalgebra::Isometry3<f64>;
+
+/// Returns a pose as seven numbers: x, y, z \[m\], then the unit quaternion x, y, z, w. Files, the executor protocol and
+/// pages have this form.
+///
+/// ```
+/// use wisch_robot::geometry::{Pose, flatten_pose, restore_pose};
+/// let world_from_tool = Pose::translation(0.1, 0.2, 0.3);
+/// let numbers = flatten_pose(&world_from_tool);
+/// assert_eq!(numbers, [0.1, 0.2, 0.3, 0.0, 0.0, 0.0, 1.0]);
+/// assert_eq!(restore_pose(&numbers), world_from_tool);
+/// ```
+pub fn flatten_pose(pose: &Pose) -> [f64; 7] {
+    let (p, q) = (pose.translation.vector, pose.rotation.coords);
+    [p.x, p.y, p.z, q.x, q.y, q.z, q.w]
+}
+
+/// Returns the pose of seven numbers, in the order of [`flatten_pose`]. The quaternion is normalised.
+pub fn restore_pose(&[x, y, z, i, j, k, w]: &[f64; 7]) -> Pose {
+    Pose::from_parts(
+        Translation3::new(x, y, z),
+        UnitQuaternion::from_quaternion(Quaternion::new(w, i, j, k)),
+    )
+}
 
 /// Pose of a tool in the plane of the surface: position of its tool centre point, and yaw.
 ///

@@ -48,6 +48,17 @@ impl GoalState {
         }
     }
 
+    /// Its name in files: the predicate of PDDL goals, such as "absorbed".
+    pub const fn as_str(&self) -> &'static str {
+        match self {
+            Self::Absorbed => "absorbed",
+            Self::Collected { .. } => "collected",
+            Self::Skimmed => "skimmed",
+            Self::Polished { .. } => "polished",
+            Self::Emitted { .. } => "emitted",
+        }
+    }
+
     /// Returns the number of whole passes that a place with `passes` passes still needs; 0 if it is done.
     pub fn missing_passes(&self, passes: f64) -> u32 {
         let wanted = match *self {
