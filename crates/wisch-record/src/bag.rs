@@ -54,9 +54,9 @@ impl BagSink {
         Self { taken_over, ..self }
     }
 
-    /// Path of the bag of a round, once it is finished. `round`: number from 1.
-    pub(crate) fn path(&self, round: usize) -> PathBuf {
-        self.folder.join(bag_name(round))
+    /// Path of the bag of the current round, once it is finished.
+    pub(crate) fn path(&self) -> PathBuf {
+        self.folder.join(bag_name(self.round))
     }
 
     /// Finishes the bag of an executed round, also if its interpretation failed.
@@ -128,7 +128,7 @@ impl BagSink {
             .map(|(key, value)| (key.to_owned(), value))
             .into(),
         };
-        let path = self.path(planned.number);
+        let path = self.path();
         let mut bag = BagWriter::create(&path, head)?;
         if let Some(urdf) = &self.urdf {
             bag.write_robot(&BagRobot {

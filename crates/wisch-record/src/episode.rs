@@ -1,6 +1,7 @@
 //! The episode of a run: the telemetry of a round is taken from its bag, the rest is written at the end.
 
 use crate::bag::Seen;
+use crate::bag_copy::BagCopy;
 use crate::clock::{clock_change_remark, future_episode_remark, unix_time};
 use crate::error::{RecordError, internal};
 use crate::results::FinishedRound;
@@ -23,7 +24,6 @@ use wisch_memory::{
     RECORDING_FILE, RobotText, RoundLog, RoundObservations, RoundScene, TelemetryWriter, Value,
     episode_id, remember,
 };
-use wisch_telemetry::read_samples;
 
 /// Tolerance of an executor's duration above this machine's clock, as a share [1] and a constant [s].
 const EXECUTOR_SLACK: [f64; 2] = [0.05, 2.0];
@@ -64,10 +64,9 @@ pub struct EpisodeSink {
     earlier: Vec<String>,
     writer: EpisodeWriter,
     telemetry: Option<TelemetryWriter>,
-    /// Whether the telemetry of a round is taken from its bag.
+    /// Whether the telemetry of a round is taken from its bag, and that of the current round.
     has_bags: bool,
-    /// Whether the current round waits for its bag.
-    waits: bool,
+    copy: Option<BagCopy>,
     /// By number of the round.
     logs: BTreeMap<usize, RoundLog>,
     round: usize,
@@ -136,7 +135,7 @@ impl EpisodeSink {
             writer,
             telemetry: None,
             has_bags: false,
-            waits: false,
+            copy: None,
             logs: BTreeMap::new(),
             round: 0,
             lost: Vec::new(),
@@ -157,43 +156,28 @@ impl EpisodeSink {
         self.has_bags = true;
     }
 
-    /// Writes telemetry during execution from the next round on, because bags cannot be written. The telemetry of the
-    /// current round is lost.
-    pub(crate) fn leave_bags(&mut self, error: &RecordError) {
-        self.has_bags = false;
-        if std::mem::take(&mut self.waits) {
-            self.lost.push((self.round, error.to_string()));
-        }
-    }
-
-    /// Takes the telemetry of a round from its bag.
-    pub(crate) fn copy_bag(&mut self, motion: &PlannedRound, bag: &Path) {
-        if !std::mem::take(&mut self.waits) {
-            return;
-        }
-        if let Err(error) = self.try_copy(motion, bag) {
+    /// Takes the telemetry of the current round from its finished bag.
+    pub(crate) fn copy_bag(&mut self, bag: &Path) {
+        if let Some(Err(error)) = self.copy.take().map(|copy| copy.finish(bag)) {
             self.lose(error);
         }
     }
 
-    fn try_copy(&mut self, motion: &PlannedRound, bag: &Path) -> Result<(), String> {
-        let mut telemetry = self.begin_telemetry(motion).map_err(|e| e.to_string())?;
-        let mut written = Ok(());
-        let read = read_samples(bag, |recorded| {
-            let index = motion.followed.index_at(recorded.time);
-            let during = motion.followed.motions.get(index);
-            let sample = during.and_then(|during| recorded.to_sample(index, during.phase));
-            if let (Ok(()), Some(sample)) = (&written, sample) {
-                written = telemetry.write(&sample);
+    /// Writes telemetry during execution from now on, because bags cannot be written. `bag`: the unfinished bag of the
+    /// current round.
+    pub(crate) fn leave_bags(&mut self, bag: &Path) {
+        self.has_bags = false;
+        let recovered = self.copy.take().map(|copy| copy.recover(bag));
+        match recovered {
+            Some(Ok(telemetry)) if self.executing.is_some() => self.telemetry = Some(telemetry),
+            Some(Ok(telemetry)) => {
+                if let Err(error) = telemetry.finish() {
+                    self.lose(error.to_string());
+                }
             }
-        });
-        let finished = match (read, written) {
-            (Err(error), _) => Err(error.to_string()),
-            (_, Err(error)) => Err(error.to_string()),
-            _ => return telemetry.finish().map_err(|error| error.to_string()),
-        };
-        telemetry.abandon();
-        finished
+            Some(Err(error)) => self.lose(error),
+            None => {}
+        }
     }
 
     /// Sets the name of the executor's program, if it becomes known after the beginning.
@@ -239,6 +223,9 @@ impl EpisodeSink {
         // The episode leaves out a round that broke off before its interpretation.
         if let Some(telemetry) = self.telemetry.take() {
             telemetry.abandon();
+        }
+        if let Some(copy) = self.copy.take() {
+            copy.abandon();
         }
         let durations = self.durations(finished);
         let start = self.start(durations.iter().sum());
@@ -324,6 +311,9 @@ impl EpisodeSink {
             RunEvent::Executing(motion) => self.execute(motion),
             RunEvent::Sample(sample) => {
                 self.logs.entry(self.round).or_default().push(sample);
+                if let Some(copy) = &mut self.copy {
+                    copy.watch(sample);
+                }
                 let writing = self.telemetry.as_mut();
                 Ok(writing.map_or(Ok(()), |telemetry| telemetry.write(sample))?)
             }
@@ -342,18 +332,16 @@ impl EpisodeSink {
     fn execute(&mut self, motion: &PlannedRound) -> Result<(), MemoryError> {
         self.round = motion.number;
         self.executing = Some(Instant::now());
-        self.waits = self.has_bags;
-        if !self.has_bags {
-            self.telemetry = Some(self.begin_telemetry(motion)?);
-        }
-        Ok(())
-    }
-
-    fn begin_telemetry(&self, motion: &PlannedRound) -> Result<TelemetryWriter, MemoryError> {
         let robot = motion.cell.robot();
         let joints = (0..robot.dof()).map(|i| robot.variable(i).name.clone());
         let head = RoundScene::from_motion(motion).head(joints.collect());
-        self.writer.telemetry(motion.number, head)
+        let telemetry = self.writer.telemetry(motion.number, head)?;
+        if self.has_bags {
+            self.copy = Some(BagCopy::new(telemetry, motion));
+        } else {
+            self.telemetry = Some(telemetry);
+        }
+        Ok(())
     }
 
     /// Notes that the telemetry of the current round is missing.

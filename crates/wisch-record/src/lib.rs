@@ -14,6 +14,7 @@
 //! [`RunRecord`] combines them. A clean stop begins no further motion; the executed part is interpreted and kept.
 
 mod bag;
+mod bag_copy;
 mod clock;
 mod episode;
 mod error;

@@ -15,6 +15,7 @@ use wisch::follow::WorkcellConfig;
 use wisch::represent::Observation;
 use wisch::run::{RunEvent, Session};
 use wisch_io::{ExecutedBy, Leftover, LoadedTask, OutputFolder, Replaceable, Robot};
+use wisch_telemetry::active_path;
 
 /// Settings of a run's record: the parts to keep, and their locations.
 #[derive(Debug, Clone, Default)]
@@ -203,8 +204,8 @@ impl RunRecord {
 
     /// Passes an event to every sink. Returns `Break` if the session must stop cleanly; return that to the session.
     ///
-    /// With an episode, the run continues after bags cannot be written. From the next round on, the episode's telemetry is
-    /// then written during execution.
+    /// With an episode, the run continues after bags cannot be written. The episode's telemetry is then written during
+    /// execution.
     pub fn on_event(&mut self, event: &RunEvent<'_>) -> ControlFlow<()> {
         // This sink only measures time and cannot fail.
         let _ = self.stages.on_event(event);
@@ -225,10 +226,10 @@ impl RunRecord {
         if let Some(Err(error)) = bag {
             self.abandon_bags(error.into());
         }
-        if let (RunEvent::Decided(round), Some(episode), Some(bags)) =
+        if let (RunEvent::Decided(_), Some(episode), Some(bags)) =
             (event, &mut self.episode, &self.bags)
         {
-            episode.copy_bag(&round.motion, &bags.path(round.motion.number));
+            episode.copy_bag(&bags.path());
         }
         self.is_ending |= more.is_break();
         if self.is_ending {
@@ -245,9 +246,12 @@ impl RunRecord {
 
     /// Stops writing bags after an error. With an episode the run continues; without an episode it stops cleanly.
     pub fn abandon_bags(&mut self, error: RecordError) {
-        self.bags = None;
+        // The writer of the bag ends here, so that the bag holds what could be written.
+        let bag = self.bags.take().map(|bags| active_path(&bags.path()));
         if let Some(episode) = &mut self.episode {
-            episode.leave_bags(&error);
+            if let Some(bag) = bag {
+                episode.leave_bags(&bag);
+            }
             self.no_bag.get_or_insert(error);
         } else {
             self.fail(error);
