@@ -309,21 +309,30 @@ fn on_a_full_disk_the_results_are_kept_and_of_the_episode_what_can_be() {
             assert!(out.contains("round 1 has no telemetry: "), "{out}");
         }
     }
-    // The other way round: the episode does not depend on where the results go.
-    let script = "mount -t tmpfs -o size=256k tmpfs disk
-        $0 run task.toml --rounds 1 --out disk/out; echo code $?
-        $0 memory verify";
-    let output = Command::new("unshare")
-        .current_dir(folder.path())
-        .args(["-rm", "sh", "-c", script])
-        .arg(crate::program::path())
-        .output()
-        .unwrap();
-    let [out, err] = [&output.stdout, &output.stderr].map(|b| String::from_utf8_lossy(b));
-    assert!(out.contains("code 2\n1 episode: no faults"), "{out}{err}");
-    let says = "note: the episode was kept in episodes/";
-    assert!(err.contains(says) && err.contains("round-1.mcap"), "{err}");
-    let memory = Memory::open(&folder.path().join("episodes")).unwrap();
-    let id = &memory.episodes().unwrap()[0];
-    assert!(memory.episode(id).unwrap().telemetry(1).is_ok());
+    // The other way round: the episode does not depend on where the results go, whether the bag is cut off at its beginning
+    // or after some seconds.
+    for size in ["256k", "4m"] {
+        let script = format!(
+            "mount -t tmpfs -o size={size} tmpfs disk
+             $0 run task.toml --rounds 1 --out disk/out --memory kept-{size}; echo code $?
+             $0 memory verify --memory kept-{size}"
+        );
+        let output = Command::new("unshare")
+            .current_dir(folder.path())
+            .args(["-rm", "sh", "-c", &script])
+            .arg(crate::program::path())
+            .output()
+            .unwrap();
+        let [out, err] = [&output.stdout, &output.stderr].map(|b| String::from_utf8_lossy(b));
+        assert!(out.contains("code 2\n1 episode: no faults"), "{out}{err}");
+        let says = format!("note: the episode was kept in kept-{size}/");
+        assert!(err.contains(&says) && err.contains("round-1.mcap"), "{err}");
+        let memory = Memory::open(&folder.path().join(format!("kept-{size}"))).unwrap();
+        let id = &memory.episodes().unwrap()[0];
+        let telemetry = memory.episode(id).unwrap().telemetry(1).unwrap();
+        let [first, last] = telemetry.interval().unwrap();
+        assert!(first == 0.0 && last > 15.0, "{first} to {last} s");
+        let periods = (last * 1000.0).round() as usize;
+        assert_eq!(telemetry.rows(), periods + 1, "a sample every millisecond");
+    }
 }
