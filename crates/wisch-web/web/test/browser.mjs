@@ -6,7 +6,7 @@ import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { pathToFileURL } from "node:url";
 import { open } from "./chromium.mjs";
-import { reportPage } from "./page.mjs";
+import { answersPage, reportPage } from "./page.mjs";
 import { hour, lines, sample } from "./sample.mjs";
 
 const folder = mkdtempSync(join(tmpdir(), "wisch-web-"));
@@ -16,10 +16,13 @@ const browser = await open();
 const figures = [];
 const note = (name, value, unit, wanted) => figures.push([name, `${value} ${unit}`, `wanted ${wanted}`]);
 
-/** Opens a page with a recording; collects its console errors and its requests. */
-async function show(name, recording, { width = 1440, height = 900, hash = "", ...options } = {}) {
+/** Opens the report of a recording. */
+const show = (name, recording, options) => openPage(name, reportPage(recording), options);
+
+/** Opens a page; collects its console errors and its requests. */
+async function openPage(name, html, { width = 1440, height = 900, hash = "", ...options } = {}) {
   const file = join(folder, `${name}.html`);
-  writeFileSync(file, reportPage(recording));
+  writeFileSync(file, html);
   const page = await browser.newPage({ viewport: { width, height }, ...options });
   const complaints = [];
   page.on("console", (message) => { if (message.type() === "error") complaints.push(message.text()); });
@@ -27,7 +30,7 @@ async function show(name, recording, { width = 1440, height = 900, hash = "", ..
   page.on("request", (request) => { if (!/^(file|data|blob):/.test(request.url())) complaints.push(`asks for ${request.url()}`); });
   await page.addInitScript(() => {
     const look = () => {
-      if (window.wisch?.view.frames > 0) window.firstFrame = performance.now();
+      if (window.wisch?.view?.frames > 0) window.firstFrame = performance.now();
       else requestAnimationFrame(look);
     };
     requestAnimationFrame(look);
@@ -240,7 +243,7 @@ const cases = {
       assert.deepEqual(complaints, [], name);
       await picture(`odd-${name}`);
       const complaint = await page.locator(".w-complaint").innerText();
-      if (name === "unknown") assert.match(complaint, /1 line .*1 piece is of a kind/s);
+      if (name === "unknown") assert.match(complaint, /1 line .*1 piece of unknown kind/s);
       await page.close();
     }
   },
@@ -318,6 +321,34 @@ const cases = {
     await page.waitForTimeout(1000);
     assert.equal(await green(), 0);
     assert.equal(await page.locator(".w-named li").count(), 0);
+    assert.deepEqual(complaints, []);
+    await page.close();
+  },
+
+  async "answers are shown in the recordings of their episodes"() {
+    const id = "20261122-010000-abcd";
+    const body = { thing: "semco:robot", kind: "robot", episode: id, round: 1, time: 1002, pose: [0, 0, 0, 0, 0, 0, 1], strong: false, colour: null };
+    const mention = { episode: id, class: "Stroke", interval: [1001, 1003] };
+    const answers = {
+      columns: ["S"], rows: [["semco:Stroke_1"], ["semco:Stroke_2"]], about: [[mention], [{ ...mention, episode: "20261123-010000-abcd" }]], holds: true, more: false,
+      printed: "", remarks: ["</script>"],
+      view: {
+        episodes: [{ id, task: "board", interval: [1000, 1020], rounds: [1000, 1017], looked: [] }], tracks: [], particles: [], left_out: 2,
+        bodies: [body, { ...body, thing: "semco:board", kind: "surface" }],
+        plots: [{ diagram: "barchart", id: "p", title: "How long", x_label: "", y_label: "time [s]", amounts: [["semco:Stroke_1", 1.5]] }],
+      },
+    };
+    const { page, complaints, picture } = await openPage("answers", answersPage("show(</pre>).", answers, { [id]: whole }));
+    await page.waitForSelector(".w-named li");
+    assert.equal(await page.locator(".s-printed").first().innerText(), "show(</pre>).");
+    assert.match(await page.locator(".s-answers").innerText(), /2 answers.*2 more queried objects are not drawn.*<\/script>.*How long/s);
+    assert.deepEqual(await page.locator(".w-named li").allInnerTexts(), ["robot at 2.0 s", "board at 2.0 s"]);
+    await page.waitForTimeout(500);
+    await picture("answers");
+    await page.locator(".s-show").nth(1).click();
+    assert.match(await page.locator(".s-said").innerText(), /holds no recording of episode 20261123-010000-abcd/);
+    await page.locator(".s-show").nth(0).click();
+    await page.waitForSelector(".w-named li");
     assert.deepEqual(complaints, []);
     await page.close();
   },
