@@ -14,7 +14,7 @@ pub const SCENE_SCHEMA: u32 = 1;
 const SCENE_NOTE: &str = "scene";
 /// Frames that every episode has beside the robot's links.
 const OWN_FRAMES: [&str; 6] = ["tool", "tcp", "robot", "base", "surface", "world"];
-/// Columns of a log's telemetry: pose of the tool (position [m], then quaternion x, y, z, w), then force on it [N].
+/// Columns of a log's telemetry: pose of the tool (position \[m\], then quaternion x, y, z, w), then force on it \[N\].
 pub const LOG_COLUMNS: [&str; 10] = [
     "measured/x",
     "measured/y",
