@@ -13,7 +13,7 @@ fuzz_target!(|text: &str| {
             Action::Absorb,
             "sponge",
             "breadcrumbs",
-            file.seed(),
+            file.run.plan.seed,
             &knowledge,
             &mut nothing.clone(),
             &mut nothing.clone(),

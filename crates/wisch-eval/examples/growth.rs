@@ -23,7 +23,7 @@ use wisch::represent::{
 };
 use wisch::run::{Session, Stage, ignore_events};
 use wisch_io::{LoadOptions, LoadedTask, load_task};
-use wisch_sim::{SimulationSettings, WorkSurface, World};
+use wisch_sim::{WorkSurface, World};
 
 type AnyError = Box<dyn Error + Send + Sync>;
 
@@ -215,12 +215,8 @@ fn stages(
     let mut times: [Vec<f64>; 5] = Default::default();
     for _ in 0..REPETITIONS {
         let site = WorkSurface::from_task(&loaded.task);
-        let mut world = World::new(
-            &site,
-            SimulationSettings::from_task(&loaded)?,
-            loaded.task.seed,
-        )?;
-        let session = Session::new(&loaded.task, loaded.run_config());
+        let mut world = World::new(&site, loaded.simulation.clone(), loaded.task.seed)?;
+        let session = Session::new(&loaded.task, loaded.run.clone());
         let belief = match members {
             Some(members) => loaded.dirt_prior().belief(&loaded.task, members),
             None => loaded.belief(),

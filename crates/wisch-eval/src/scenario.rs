@@ -94,7 +94,7 @@ fn evaluated(
     let robot = robot_of(&loaded)?;
     let SimulatedWorld { mut world, dirt } = SimulatedWorld::of(&loaded)?;
     let task = &loaded.task;
-    let mut config = loaded.run_config();
+    let mut config = loaded.run.clone();
     config.max_rounds = rounds.unwrap_or(config.max_rounds);
     let target = config.target;
     let session = Session::new(task, config).with_belief(loaded.belief());

@@ -1,7 +1,7 @@
 //! The simulated world of a task, and its robot.
 
 use wisch_io::{LoadedTask, Robot};
-use wisch_sim::{Dirt, SimulationSettings, WorkSurface, World};
+use wisch_sim::{Dirt, WorkSurface, World};
 
 /// A simulated world before wiping.
 pub(crate) struct SimulatedWorld {
@@ -13,7 +13,7 @@ pub(crate) struct SimulatedWorld {
 impl SimulatedWorld {
     /// Draws the world of a task with the task's seed.
     pub(crate) fn of(loaded: &LoadedTask) -> Result<Self, String> {
-        let settings = SimulationSettings::from_task(loaded).map_err(words)?;
+        let settings = loaded.simulation.clone();
         let (site, seed) = (WorkSurface::from_task(&loaded.task), loaded.task.seed);
         Ok(Self {
             dirt: Dirt::draw(&site, &settings, seed).map_err(words)?,

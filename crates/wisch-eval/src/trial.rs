@@ -14,7 +14,7 @@ use wisch::recover::Verdict;
 use wisch::represent::{GoalState, Observation, Sight, Task};
 use wisch::run::{AfterStop, Round, RunConfig, RunEvent, Session};
 use wisch_io::{LoadOptions, LoadedTask, load_task};
-use wisch_sim::{GroundTruth, SimulationSettings, WorkSurface, World};
+use wisch_sim::{GroundTruth, WorkSurface, World};
 
 /// Nominal probabilities of the scored intervals \[1\].
 pub const LEVELS: [f64; 4] = [0.5, 0.8, 0.9, 0.95];
@@ -134,12 +134,11 @@ impl WorldCase {
         let begin = Instant::now();
         let loaded = self.load(senses, set)?;
         let robot = robot_of(&loaded)?;
-        let calm = SimulationSettings::from_task(&loaded).map_err(words)?;
-        let settings = self.settings(&calm, &loaded.task);
+        let settings = self.settings(&loaded.simulation, &loaded.task);
         let config = RunConfig {
             // The person who pushes lets go, and the robot resumes without an operator.
             after_stop: AfterStop::Retreat,
-            ..loaded.run_config()
+            ..loaded.run.clone()
         };
         let (target, sight) = (config.target, config.sight);
         let site = WorkSurface::from_task(&loaded.task);

@@ -162,7 +162,7 @@ impl WipingScore {
             WipingExtent::Executed => executed(&loaded, options)?,
         };
         if let Some(limit) = options.limit {
-            let mut config = loaded.config.clone();
+            let mut config = loaded.run.plan.clone();
             config.max_distance = Some(config.max_distance.map_or(limit, |most| most.min(limit)));
             let plan = plan(&loaded.task, &config).map_err(words)?;
             score.limited = Some(predict(&loaded.task, &plan, |_| ()).performance.ratio());
@@ -304,7 +304,7 @@ fn session(loaded: &LoadedTask, is_certain: bool) -> Session<'static> {
     let config = RunConfig {
         // The effect of bad plans is part of the evaluation, so the minimum score does not apply.
         min_score: f64::NEG_INFINITY,
-        ..loaded.run_config()
+        ..loaded.run.clone()
     };
     let session = Session::new(&loaded.task, config);
     if is_certain {

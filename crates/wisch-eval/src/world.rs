@@ -8,8 +8,7 @@ use serde::{Deserialize, Serialize};
 use std::f64::consts::{PI, TAU};
 use wisch::geometry::{Pose, Vector2, Vector3};
 use wisch::represent::{LogNormal, Task};
-use wisch_io::{Moment, Push};
-use wisch_sim::{SimulationSettings, TrueDirt};
+use wisch_sim::{Moment, Push, SimulationSettings, TrueDirt};
 
 /// Stream of random numbers, independent of the task's.
 const STREAM: u64 = 0x776f_726c_6400_0000;

@@ -45,7 +45,4 @@ pub use records::{
     WipedRecord, planned_path_csv, tcp_path_csv,
 };
 pub use robots::{MAP_EXTENSION, Robot, RobotFiles, robot_meshes, shipped_robots};
-pub use task_file::{
-    CameraRecord, DirtRecord, DirtSource, ExecutionRecord, FrictionChange, Intent, Moment,
-    Perception, Push, ReadFile, RobotDescription, RobotRecord, TaskError, TaskFile, TrueDirt,
-};
+pub use task_file::{Intent, ReadFile, RobotDescription, RobotRecord, TaskError, TaskFile};

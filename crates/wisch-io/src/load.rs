@@ -8,20 +8,17 @@ use crate::robots::Robot;
 use crate::task_file::{Intent, TaskFile, unit_remarks};
 use std::cell::RefCell;
 use std::path::{Path, PathBuf};
-use wisch::follow::FollowConfig;
 use wisch::geometry::Mesh;
-use wisch::geometry::Point2;
 use wisch::goal::{GoalLiteral, resolve_goal};
 use wisch::interpret::{Belief, DirtPrior, member_count};
-use wisch::plan::{
-    CoverageStrategy, Plan, PlanConfig, PlanError, SearchConfig, Strategy, YawRule, plan,
-};
+use wisch::plan::{CoverageStrategy, Plan, PlanConfig, PlanError, Strategy, plan};
 use wisch::represent::{
     Action, DirtArea, KnowledgeBase, Observation, OccupiedArea, SensorModel, Sight, SteepSurface,
     Task, dirt_friction, slide_down,
 };
 use wisch::run::{RunConfig, Session};
 use wisch::source_location::UnknownName;
+use wisch_sim::SimulationSettings;
 
 /// Default strategy: the paper's simplest, which leaves no free cell out.
 const DEFAULT_STRATEGY: Strategy = Strategy::Coverage(CoverageStrategy::Grid);
@@ -69,14 +66,14 @@ pub struct LoadedTask {
     pub assumptions: Vec<String>,
     /// The task.
     pub task: Task,
-    /// Planner settings.
-    pub config: PlanConfig,
+    /// Settings of all stages, and the conditions under which a session ends.
+    pub run: RunConfig,
     /// The derivation of the action, if the file states a goal.
     pub derived: Option<Derivation>,
     /// The knowledge base.
     pub knowledge: KnowledgeBase,
-    /// True dirt locations of a simulated world, in the frame of the true surface \[m\], if `[execution]` names a file of them.
-    pub true_dirt_locations: Option<Vec<Point2>>,
+    /// Ground truth of the simulated world, which neither planner nor interpreter reads.
+    pub simulation: SimulationSettings,
     /// The slope of the surface, if it is too steep for the medium, so that the task's particles have already slid down.
     pub steep: Option<SteepSurface>,
     /// Digest of all read files and of the options.
@@ -84,45 +81,10 @@ pub struct LoadedTask {
 }
 
 impl LoadedTask {
-    /// Returns the settings of the stages for this task, and the maximum number of rounds.
-    pub fn run_config(&self) -> RunConfig {
-        let robot = self.file.robot();
-        RunConfig {
-            plan: self.config.clone(),
-            variants: self.file.plan_variants(),
-            workcell: robot
-                .map_or_else(Default::default, |robot| robot.workcell_config(&self.task)),
-            target: self.file.target_performance(),
-            min_score: self.file.min_score(),
-            max_rounds: self.file.max_rounds(),
-            end_strokes_early: self.file.end_strokes_early(),
-            pace: self.file.pace(),
-            after_stop: self.file.after_stop(),
-            start_tolerance: self.file.start_rad(),
-            sight: self
-                .file
-                .perception()
-                .sight
-                .map(|sensor| self.sight(sensor)),
-            follow: self.follow_config(),
-        }
-    }
-
-    /// Returns the settings for following the plans of the task.
-    pub fn follow_config(&self) -> FollowConfig {
-        FollowConfig {
-            contact_speed: self.file.contact_speed_m_per_s(),
-            free_speed: (self.file.free_speed_m_per_s()).unwrap_or(f64::INFINITY),
-            // A rule that the user has chosen is not changed.
-            free_yaw: self.file.yaw_rule() == YawRule::Best,
-            ..FollowConfig::default()
-        }
-    }
-
     /// Makes a new session without a robot. It plans for all positions that the dirt may have; compare
     /// [`Self::plan_for_known_dirt`].
     pub fn session(&self) -> Session<'static> {
-        Session::new(&self.task, self.run_config()).with_belief(self.belief())
+        Session::new(&self.task, self.run.clone()).with_belief(self.belief())
     }
 
     /// Plans for the task's particles as if their positions were known exactly. [`Self::session`] plans for all positions of
@@ -131,7 +93,7 @@ impl LoadedTask {
     /// # Errors
     /// Those of [`wisch::plan::plan`].
     pub fn plan_for_known_dirt(&self) -> Result<Plan, PlanError> {
-        plan(&self.task, &self.config)
+        plan(&self.task, &self.run.plan)
     }
 
     /// Returns the belief about the dirt before any measurement.
@@ -146,7 +108,7 @@ impl LoadedTask {
             // Points of the surface are known exactly, and sliding dirt ends below its start, wherever that was.
             return DirtPrior::Known;
         }
-        match self.file.particle_source() {
+        match &self.file.particles {
             ParticleSource::Uniform { count } => DirtPrior::Anywhere { count: *count },
             ParticleSource::Clusters { count, clusters } => DirtPrior::Heaps {
                 count: *count,
@@ -154,7 +116,7 @@ impl LoadedTask {
             },
             ParticleSource::Csv { .. } | ParticleSource::Surface { .. } => DirtPrior::Known,
             ParticleSource::Image(_) => {
-                let sensor = self.file.perception().sight.unwrap_or_default();
+                let sensor = self.file.camera.unwrap_or_default();
                 DirtPrior::Seen(self.sight(sensor))
             }
         }
@@ -180,7 +142,7 @@ impl LoadedTask {
         let is_list = path
             .extension()
             .is_some_and(|e| e.eq_ignore_ascii_case("csv"));
-        let seen = match self.file.particle_source() {
+        let seen = match &self.file.particles {
             _ if is_list => read_observed_list(&shown, &bytes, area),
             ParticleSource::Image(mask) => {
                 let before = read_beside(&self.path)(&mask.file).map_err(refused)?;
@@ -196,12 +158,7 @@ impl LoadedTask {
 
     /// Returns the model of this camera for the task's medium.
     pub fn sight(&self, sensor: SensorModel) -> Sight {
-        let medium = self.knowledge.medium(&self.task.medium);
-        let sizes = medium.ok().and_then(|medium| medium.grain_size);
-        Sight {
-            sensor,
-            detection: sensor.mean_detection(sizes),
-        }
+        sight(sensor, &self.task, &self.knowledge)
     }
 
     /// Reads the robot of the file, if it has one.
@@ -209,7 +166,7 @@ impl LoadedTask {
     /// # Errors
     /// If the name is unknown, or a file cannot be read or is invalid.
     pub fn robot(&self) -> Result<Option<Robot>, Error> {
-        let named = self.file.robot();
+        let named = self.file.robot.as_ref();
         named
             .map(|robot| Robot::read(&robot.description, &self.path, None, &[]))
             .transpose()
@@ -244,7 +201,7 @@ struct Chosen {
 /// # let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../scenarios/chopping-board.toml").as_ref();
 /// let loaded = load_task(path, &LoadOptions { seed: Some(3), ..LoadOptions::default() })?;
 /// assert_eq!(loaded.task.surface.name, "chopping_board");
-/// let plan = wisch::plan::plan(&loaded.task, &loaded.config).unwrap();
+/// let plan = wisch::plan::plan(&loaded.task, &loaded.run.plan).unwrap();
 /// assert!(plan.contact_distance() > 0.5); // metres
 /// # Ok::<(), wisch_io::Error>(())
 /// ```
@@ -280,7 +237,7 @@ pub fn parse_task(
     let mut knowledge = source.base()?;
     let mut assumptions = file.extend(&mut knowledge)?;
     let chosen = choose(&file, &shown, options.action, &knowledge, &source)?;
-    let seed = options.seed.unwrap_or(file.seed());
+    let seed = options.seed.unwrap_or(file.run.plan.seed);
     let mut inputs = InputDigest::default();
     inputs.add("program", env!("CARGO_PKG_VERSION"));
     inputs.add("task", &text);
@@ -306,29 +263,28 @@ pub fn parse_task(
     let steep = let_slide(&mut task, &knowledge);
     assumptions.extend(steep.map(|steep| steep.to_string()));
     assumptions.extend(unit_remarks(&task));
-    let true_dirt_locations =
-        file.true_dirt_locations(&task, &mut |path| taken_in(path, files(path)))?;
+    let simulation = file.simulation(&task, &knowledge, &mut |path| taken_in(path, files(path)))?;
     let mut inputs = inputs.into_inner();
     inputs.add("action", chosen.action.as_str());
     inputs.add("seed", seed.to_le_bytes());
-    let config = PlanConfig {
-        strategy: match (options.strategy, file.strategy()) {
-            (Some(strategy), _) => strategy,
-            (None, Some(name)) => strategy_named(name, &shown)?,
-            (None, None) if task.action.treats() => Strategy::Lanes,
-            (None, None) => DEFAULT_STRATEGY,
-        },
-        seed,
-        bandwidth: file.bandwidth_m(),
-        yaw: file.yaw_rule(),
-        lift_height: file.lift_height_m(),
-        max_distance: file.max_distance_m(),
-        search: SearchConfig {
-            evaluations: file.evaluations(),
-            margin_m: file.margin_m(),
-        },
+    let strategy = match (options.strategy, &file.strategy) {
+        (Some(strategy), _) => strategy,
+        (None, Some(name)) => strategy_named(name, &shown)?,
+        (None, None) if task.action.treats() => Strategy::Lanes,
+        (None, None) => DEFAULT_STRATEGY,
     };
-    inputs.add("strategy", config.strategy.as_str());
+    inputs.add("strategy", strategy.as_str());
+    let robot = file.robot.as_ref();
+    let run = RunConfig {
+        plan: PlanConfig {
+            strategy,
+            seed,
+            ..file.run.plan.clone()
+        },
+        workcell: robot.map_or_else(Default::default, |robot| robot.workcell_config(&task)),
+        sight: file.camera.map(|sensor| sight(sensor, &task, &knowledge)),
+        ..file.run.clone()
+    };
     Ok(LoadedTask {
         path: path.to_owned(),
         text,
@@ -336,13 +292,22 @@ pub fn parse_task(
         assumptions,
         file,
         task,
-        config,
+        run,
         inputs,
-        true_dirt_locations,
+        simulation,
         steep,
         derived: chosen.derived,
         knowledge,
     })
+}
+
+fn sight(sensor: SensorModel, task: &Task, knowledge: &KnowledgeBase) -> Sight {
+    let medium = knowledge.medium(&task.medium);
+    let sizes = medium.ok().and_then(|medium| medium.grain_size);
+    Sight {
+        sensor,
+        detection: sensor.mean_detection(sizes),
+    }
 }
 
 /// Moves the particles that cannot rest on the surface's slope down to where they come to rest.
@@ -376,7 +341,7 @@ fn choose(
     knowledge: &KnowledgeBase,
     source: &KnowledgeSource,
 ) -> Result<Chosen, Error> {
-    match file.intent() {
+    match &file.intent {
         Intent::Action {
             action: stated,
             tool,

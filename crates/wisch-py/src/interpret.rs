@@ -68,7 +68,7 @@ impl PyInterpretation {
         Ok(Self::new(
             task,
             goal,
-            &loaded.config,
+            &loaded.run.plan,
             estimate.map_err(plain)?,
         ))
     }

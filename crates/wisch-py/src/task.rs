@@ -265,12 +265,12 @@ impl PyTask {
 
     #[getter]
     fn strategy(&self) -> &'static str {
-        self.loaded.config.strategy.as_str()
+        self.loaded.run.plan.strategy.as_str()
     }
 
     #[getter]
     fn target_performance(&self) -> f64 {
-        self.loaded.file.target_performance()
+        self.loaded.run.target
     }
 
     #[getter]
@@ -354,7 +354,7 @@ impl PyTask {
 
     #[getter]
     fn contact_speed_m_per_s(&self) -> f64 {
-        self.loaded.file.contact_speed_m_per_s()
+        self.loaded.run.follow.contact_speed
     }
 
     /// Force of the surface on a tool with the nominal press force, in the axes of the world (3) [N].
@@ -414,7 +414,7 @@ impl PyTask {
     ) -> PyResult<PySession> {
         let given = plan.map_or(Ok(Given::Nothing), |plan| self.parse_plan(plan))?;
         let robot = robot.map(PyRobot::parse).transpose()?;
-        let mut config = self.loaded.run_config();
+        let mut config = self.loaded.run.clone();
         if let Some(pose) = world_from_robot {
             let pose = arrays::pose("world_from_robot", pose)?;
             config.workcell.world_from_robot = Some(pose);
@@ -525,7 +525,7 @@ impl PyTask {
     /// the surface.
     fn plan_of_strokes(&self, strokes: &Bound<'_, PyAny>) -> PyResult<PyPlan> {
         let strokes = strokes_of(strokes)?;
-        let (task, lift) = (&self.loaded.task, self.loaded.config.lift_height);
+        let (task, lift) = (&self.loaded.task, self.loaded.run.plan.lift_height);
         let plan = plan_from_strokes(task, &strokes, lift).map_err(plain)?;
         Ok(PyPlan::new(task, plan))
     }

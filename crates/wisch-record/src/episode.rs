@@ -259,8 +259,8 @@ impl EpisodeSink {
         let header = EpisodeHeader {
             id: self.writer.id().to_owned(),
             start,
-            target: loaded.file.target_performance(),
-            seed: loaded.config.seed,
+            target: loaded.run.target,
+            seed: loaded.run.plan.seed,
             program: program.to_owned(),
         };
         // This process has no log of the rounds of a killed run.
@@ -438,8 +438,8 @@ pub fn attach_task(writer: &EpisodeWriter, loaded: &LoadedTask) -> Result<(), Re
     let options = Options {
         task_file: loaded.path.display().to_string(),
         settings: &loaded.settings,
-        strategy: loaded.config.strategy.to_string(),
-        seed: loaded.config.seed,
+        strategy: loaded.run.plan.strategy.to_string(),
+        seed: loaded.run.plan.seed,
     };
     Ok(writer.attach("options.json", json(&options)?)?)
 }

@@ -31,7 +31,7 @@ pub fn write_results(
     loaded: &LoadedTask,
     results: &RunResults,
 ) -> Result<(), RecordError> {
-    let record = PlanRecord::new(&results.task, &results.plan, loaded.config.seed);
+    let record = PlanRecord::new(&results.task, &results.plan, loaded.run.plan.seed);
     folder.write(PLAN_FILE, json(&record)?)?;
     folder.write(
         PARTICLES_BEFORE_FILE,
@@ -56,7 +56,7 @@ pub fn write_results(
             write_motion(folder, loaded, *number, (followed, cell, faults))?;
         }
     } else if results.rounds.is_empty() {
-        let config = loaded.follow_config();
+        let config = loaded.run.follow.clone();
         let path = planned_path_csv(&results.task, &results.plan, &config);
         folder.write(TCP_PATH_FILE, path)?;
     }
@@ -119,7 +119,7 @@ fn write_figures(
     let rounds = results.rounds.first().map(|first| RoundsInput {
         task: &loaded.task,
         goal: &first.round.motion.plan.graph.goal,
-        target: loaded.file.target_performance(),
+        target: loaded.run.target,
         rounds: &views,
     });
     let input = ReportInput {
@@ -130,7 +130,7 @@ fn write_figures(
         rounds: rounds.as_ref(),
         prediction,
         frames,
-        bandwidth: loaded.config.bandwidth,
+        bandwidth: loaded.run.plan.bandwidth,
     };
     for (name, svg) in report::pictures(&input) {
         folder.write(&format!("{name}.svg"), &svg)?;
@@ -210,10 +210,7 @@ fn facts(
     let performance = &prediction.performance;
     let mut facts: Vec<(String, String)> = [
         ("Predicted performance", percent(performance.ratio())),
-        (
-            "Target performance",
-            percent(loaded.file.target_performance()),
-        ),
+        ("Target performance", percent(loaded.run.target)),
         ("Particles", tally.initial.to_string()),
         ("On the surface", tally.remaining.to_string()),
         ("Absorbed", tally.absorbed.to_string()),
@@ -235,8 +232,8 @@ fn facts(
             "Collision sphere",
             format!("r_s = {:.4} m", plan.collision_radius),
         ),
-        ("Strategy", loaded.config.strategy.to_string()),
-        ("Seed", loaded.config.seed.to_string()),
+        ("Strategy", loaded.run.plan.strategy.to_string()),
+        ("Seed", loaded.run.plan.seed.to_string()),
     ]
     .map(|(label, value)| (label.to_owned(), value))
     .to_vec();

@@ -131,8 +131,8 @@ impl PageSink {
             title: &title(loaded),
             program,
             task: &loaded.task,
-            strategy: loaded.config.strategy,
-            target: loaded.file.target_performance(),
+            strategy: loaded.run.plan.strategy,
+            target: loaded.run.target,
             cell: cell.as_ref(),
             appearance: appearance.as_ref(),
         };
@@ -211,7 +211,7 @@ impl PageSink {
         results: &RunResults,
         episode: Option<&str>,
     ) -> io::Result<()> {
-        let target = loaded.file.target_performance();
+        let target = loaded.run.target;
         let predicted = (results.predicted.as_ref()).map_or(0.0, |(p, _)| p.performance.ratio());
         let last = results.rounds.last();
         self.writer.end(

@@ -120,7 +120,7 @@ impl RunRecord {
             .map(|out| OutputFolder::begin(&out, Leftover::Remove, Replaceable::All))
             .transpose()?;
         let episode = episode.map(EpisodeSink::begin).transpose()?;
-        let workcell = workcell.unwrap_or_else(|| loaded.run_config().workcell);
+        let workcell = workcell.unwrap_or_else(|| loaded.run.workcell.clone());
         let performer = robot.map(|robot| (robot, &workcell));
         let live = episode.as_ref().filter(|_| is_live);
         let page = match live {

@@ -40,13 +40,13 @@ fn wiping(name: &str, grains: usize, robot: ShippedRobot) -> Wiping {
         ..LoadOptions::default()
     };
     let loaded = load_task(&scenario(name), &options).unwrap();
-    let reality = SimulationSettings::from_task(&loaded).unwrap();
+    let reality = loaded.simulation;
     let LoadedTask {
-        file, task, config, ..
+        file, task, run, ..
     } = loaded;
-    let plan = plan(&task, &config).unwrap();
+    let plan = plan(&task, &run.plan).unwrap();
     let config = WorkcellConfig {
-        world_from_robot: file.robot().and_then(|robot| robot.world_from_robot),
+        world_from_robot: file.robot.as_ref().and_then(|robot| robot.world_from_robot),
         ..WorkcellConfig::default()
     };
     let cell = Workcell::new(robot.model, Some(&robot.srdf), &task, &config).unwrap();

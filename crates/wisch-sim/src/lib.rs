@@ -7,26 +7,47 @@
 //!
 //! [`World`] executes the motions of a [`Session`](wisch::run::Session). Its ground truth is available to evaluations
 //! and reports only, through [`World::truth`].
+//!
+//! Without the feature `physics`, which is on by default, the crate has only the [`SimulationSettings`].
 
+#[cfg(feature = "physics")]
 mod camera;
+#[cfg(feature = "physics")]
 mod checkpoint;
+#[cfg(feature = "physics")]
 mod dirt;
+mod disturbance;
+#[cfg(feature = "physics")]
 mod error;
+#[cfg(feature = "physics")]
 mod grains;
 mod mismatch;
+#[cfg(feature = "physics")]
 mod period;
+#[cfg(feature = "physics")]
 mod plant;
 mod settings;
+#[cfg(feature = "physics")]
 mod treated;
+#[cfg(feature = "physics")]
 mod truth;
+#[cfg(feature = "physics")]
 mod world;
 
+#[cfg(feature = "physics")]
 pub use checkpoint::{CheckpointRound, Checkpoints};
-pub use dirt::{Dirt, Grain, GrainCount, WorkSurface};
+#[cfg(feature = "physics")]
+pub use dirt::{Dirt, Grain, WorkSurface};
+pub use disturbance::{FrictionChange, Moment, Push};
+#[cfg(feature = "physics")]
 pub use error::SimulationError;
 pub use mismatch::Mismatch;
+#[cfg(feature = "physics")]
 pub use period::execute;
-pub use settings::{Camera, RealTool, Schedule, Sensing, SimulationSettings, Waviness};
+pub use settings::{
+    Camera, GrainCount, RealTool, Schedule, Sensing, SimulationSettings, TrueDirt, Waviness,
+};
+#[cfg(feature = "physics")]
 pub use truth::{GroundTruth, Spread};
-pub use wisch_io::TrueDirt;
+#[cfg(feature = "physics")]
 pub use world::World;

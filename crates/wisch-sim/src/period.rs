@@ -4,7 +4,7 @@ use crate::camera::hide_behind;
 use crate::grains::GrainBodies;
 use crate::plant::{GRAVITY, HeldTool, Plant, TOOL_MASS, firm_load};
 use crate::treated::TreatedSurface;
-use crate::{Dirt, GroundTruth, SimulationError, SimulationSettings, Spread};
+use crate::{Dirt, GroundTruth, Push, SimulationError, SimulationSettings, Spread};
 use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
 use std::collections::VecDeque;
@@ -16,7 +16,6 @@ use wisch::random::normal;
 use wisch::represent::Task;
 use wisch::robot::{Articulation, ArticulationState, Range};
 use wisch::run::{Ending, Execution, MotionOrder, SampleSink, StopCause, TelemetrySample, Wrench};
-use wisch_io::Push;
 
 /// Largest joint velocity that counts as physical [rad/s or m/s]; beyond it the simulation has diverged.
 const MAX_VELOCITY: f64 = 100.0;

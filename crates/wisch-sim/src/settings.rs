@@ -1,11 +1,12 @@
 //! Ground truth of the simulated world. Neither planner nor interpreter reads it.
 
-use crate::GrainCount;
+use crate::{FrictionChange, Push};
 use std::f64::consts::TAU;
 use wisch::follow::Followed;
 use wisch::geometry::{Point2, Pose, Vector2, Vector3};
-use wisch::represent::{GrainSize, KnowledgeError, LogNormal, MediumKind, SensorModel};
-use wisch_io::{DirtSource, FrictionChange, LoadedTask, Push, TrueDirt};
+use wisch::represent::{
+    Cluster, GrainSize, KnowledgeBase, KnowledgeError, LogNormal, MediumKind, SensorModel, Task,
+};
 
 /// Diameters of the drops of a liquid on a surface that they wet [m].
 const DROPS: GrainSize = GrainSize {
@@ -100,7 +101,7 @@ pub struct Sensing {
 
 impl Sensing {
     /// Whether encoders measure the joints without error.
-    pub(crate) fn has_ideal_encoders(&self) -> bool {
+    pub fn has_ideal_encoders(&self) -> bool {
         self.encoder_noise == 0.0 && self.backlash == 0.0
     }
 }
@@ -125,8 +126,9 @@ impl Default for Waviness {
 }
 
 impl Waviness {
-    /// Returns the height of the surface over its plane at `place` [m], and its slope along x and y [1].
-    pub(crate) fn at(&self, place: Point2) -> (f64, Vector2) {
+    /// Returns the height of the surface over its plane at `place` \[m\], and its slope along x and y \[1\]. `place`: in
+    /// the frame of the real surface \[m\].
+    pub fn sample(&self, place: Point2) -> (f64, Vector2) {
         let number = TAU / self.length;
         let sines = place.coords.map(|x| libm::sin(number * x));
         let cosines = place.coords.map(|x| libm::cos(number * x));
@@ -145,6 +147,45 @@ pub struct Camera {
     pub arm_hides: bool,
 }
 
+/// Spatial distribution of the true dirt in a simulated world, in the frame of the true surface.
+#[derive(Debug, Clone, PartialEq)]
+pub enum TrueDirt {
+    /// At these points \[m\]; the stated number of grains is ignored.
+    Listed(Vec<Point2>),
+    /// Uniformly over the free surface.
+    Uniform,
+    /// In heaps; `None` draws 1 to 6 heaps, each with a standard deviation of 1 to 10 cm, anywhere on the surface.
+    Clusters(Option<Vec<Cluster>>),
+    /// In a band across the surface; a field that is `None` is drawn.
+    Stripe {
+        /// A point of the band's middle line \[m\].
+        center: Option<Point2>,
+        /// Direction of the band, about the surface's z from its x \[rad\].
+        direction: Option<f64>,
+        /// Width of the band \[m\].
+        width: Option<f64>,
+    },
+    /// Along the outline, at most this far inside it \[m\].
+    Edge(f64),
+}
+
+/// Number of grains in a world.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum GrainCount {
+    /// Exactly this number.
+    Exactly(usize),
+    /// This number times a random log-normal factor with a spread of 20 %.
+    About(usize),
+}
+
+/// Enlarges diameters to those that the engine resolves.
+fn simulated_sizes(diameters: GrainSize) -> GrainSize {
+    GrainSize {
+        min_m: diameters.min_m.max(LEAST_GRAIN),
+        max_m: diameters.max_m.max(LEAST_GRAIN),
+    }
+}
+
 impl SimulationSettings {
     /// Returns the number of particles if it exceeds [`Self::max_bodies`], so that no dirt is simulated.
     pub fn count_over_limit(&self) -> Option<usize> {
@@ -155,87 +196,70 @@ impl SimulationSettings {
         (count > self.max_bodies).then_some(count)
     }
 
-    /// Reads the world of a task file: its table `[execution]`, over the knowledge base's entries for surface and
-    /// medium.
+    /// Standard deviation of the force that a good joint-torque sensor measures at the tool, per axis \[N\].
+    pub const FORCE_NOISE: f64 = 0.15;
+    /// Number of bodies with which the simulation still runs several times faster than real time.
+    pub const MAX_BODIES: usize = 400;
+
+    /// Returns the world that a robot believes in, except for the dirt, which lies uniformly over the surface.
     ///
-    /// Only this function reads the task's belief about the dirt: for the approximate number of grains, and, if the
-    /// file asks for `as_believed`, for their positions.
+    /// - `task`: of its belief about the dirt, only the approximate number of grains is used; an action that treats the
+    ///   surface acts on the points of the task.
+    /// - `knowledge`: the entries of the surface and the medium.
+    /// - `camera`: the believed camera; `None` for a world without one.
     ///
     /// # Errors
     /// If the knowledge base does not know the task's surface or medium.
-    pub fn from_task(loaded: &LoadedTask) -> Result<Self, KnowledgeError> {
-        let (task, knowledge) = (&loaded.task, &loaded.knowledge);
-        let record = loaded.file.execution();
+    pub fn as_believed(
+        task: &Task,
+        knowledge: &KnowledgeBase,
+        camera: Option<SensorModel>,
+    ) -> Result<Self, KnowledgeError> {
         let medium = knowledge.medium(&task.medium)?;
-        let likelihood = task.interaction.likelihood;
-        let grain_size = record.grain_size.or(medium.grain_size).unwrap_or(DROPS);
-        let believed = || task.particles.remaining().collect();
+        // Points of a treated surface need no bodies.
+        let (dirt, max_bodies) = if task.action.treats() {
+            let points = task.particles.remaining().collect();
+            (TrueDirt::Listed(points), usize::MAX)
+        } else {
+            (TrueDirt::Uniform, Self::MAX_BODIES)
+        };
         Ok(Self {
-            believed_from_real: record.believed_from_real,
-            friction: match record.friction {
-                Some(friction) => friction,
-                None => knowledge.surface(&task.surface.name)?.friction,
-            },
-            friction_changes: record.friction_changes.clone(),
-            pushes: record.pushes.clone(),
-            force_noise: record.force_noise,
-            force_bias: record.force_bias,
-            likelihood: LogNormal {
-                mu: record.mu.unwrap_or(likelihood.mu),
-                sigma: record.sigma.unwrap_or(likelihood.sigma),
-            },
-            grain_size: GrainSize {
-                min_m: grain_size.min_m.max(LEAST_GRAIN),
-                max_m: grain_size.max_m.max(LEAST_GRAIN),
-            },
+            believed_from_real: Pose::identity(),
+            friction: knowledge.surface(&task.surface.name)?.friction,
+            friction_changes: Vec::new(),
+            pushes: Vec::new(),
+            force_noise: Self::FORCE_NOISE,
+            force_bias: Vector3::zeros(),
+            likelihood: task.interaction.likelihood,
+            grain_size: simulated_sizes(medium.grain_size.unwrap_or(DROPS)),
             kind: if medium.grain_size.is_none() {
                 MediumKind::Liquid
             } else {
                 medium.kind
             },
-            // Points of a treated surface need no bodies.
-            max_bodies: if task.action.treats() {
-                usize::MAX
-            } else {
-                record.max_bodies
-            },
-            dirt: match &record.dirt.source {
-                // A treated surface has the points of the task.
-                _ if task.action.treats() => TrueDirt::Listed(believed()),
-                DirtSource::AsBelieved => TrueDirt::Listed(believed()),
-                DirtSource::Stated(dirt) => dirt.clone(),
-                DirtSource::Csv { .. } | DirtSource::Image { .. } => {
-                    TrueDirt::Listed(loaded.true_dirt_locations.clone().unwrap_or_default())
-                }
-            },
-            count: record
-                .dirt
-                .count
-                .map_or(GrainCount::About(task.particles.len()), GrainCount::Exactly),
-            grain_mass: record.grain_mass,
-            grains_resist: record.grains_resist,
-            tool: RealTool {
-                stiffness: record.tool_stiffness,
-                footprint: record.footprint,
-                grasp_offset: record.grasp_offset,
-                grasp_turn: record.grasp_turn,
-            },
-            sensing: Sensing {
-                encoder_noise: record.encoder_noise,
-                backlash: record.backlash,
-                force_delay: record.force_delay,
-                force_drift: record.force_drift,
-            },
-            joint_friction: record.joint_friction,
-            waviness: Waviness {
-                height: record.waviness,
-                length: record.waviness_length,
-            },
-            camera: loaded.file.perception().sight.map(|believed| Camera {
-                sensor: record.camera.complete(believed),
-                arm_hides: record.camera.arm_hides,
+            max_bodies,
+            dirt,
+            count: GrainCount::About(task.particles.len()),
+            grain_mass: None,
+            grains_resist: true,
+            tool: RealTool::default(),
+            sensing: Sensing::default(),
+            joint_friction: 0.0,
+            waviness: Waviness::default(),
+            camera: camera.map(|sensor| Camera {
+                sensor,
+                arm_hides: false,
             }),
         })
+    }
+
+    /// Returns these settings with grains of other diameters \[m\]; smaller grains than the engine resolves are enlarged.
+    #[must_use]
+    pub fn with_grain_size(self, diameters: GrainSize) -> Self {
+        Self {
+            grain_size: simulated_sizes(diameters),
+            ..self
+        }
     }
 
     /// Returns the pushes and changes of friction of a round, with their times in the motion `followed`.

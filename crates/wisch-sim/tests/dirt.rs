@@ -22,7 +22,7 @@ fn board(seed: u64, settings: &[(&str, &str)]) -> LoadedTask {
 }
 
 fn settings(dirt: &str) -> SimulationSettings {
-    SimulationSettings::from_task(&board(1, &[("execution.dirt", dirt)])).unwrap()
+    board(1, &[("execution.dirt", dirt)]).simulation
 }
 
 /// Where the grains lie under these settings, on the board.
@@ -44,7 +44,7 @@ fn real_dirt_is_not_where_it_is_believed_unless_asked_for() {
         assert!(apart.iter().all(|place| !believed.contains(place)));
         assert_eq!(settings("{ source = \"uniform\" }").dirt, TrueDirt::Uniform);
         let loaded = board(seed, &[("execution.dirt", "{ source = \"as_believed\" }")]);
-        let as_believed = SimulationSettings::from_task(&loaded).unwrap();
+        let as_believed = loaded.simulation.clone();
         assert_eq!(drawn(&as_believed, seed).unwrap(), believed);
     }
 }
@@ -63,7 +63,7 @@ fn every_shipped_scenario_draws_its_dirt_apart() {
         if loaded.task.action.treats() {
             continue;
         }
-        let settings = SimulationSettings::from_task(&loaded).unwrap();
+        let settings = loaded.simulation.clone();
         assert_eq!(settings.dirt, TrueDirt::Uniform, "{}", path.display());
         let about = GrainCount::About(loaded.task.particles.len());
         assert_eq!(settings.count, about, "{}", path.display());
@@ -152,7 +152,7 @@ fn listed_dirt_is_read_beside_the_task() {
         };
         load_task(Path::new(&task), &options)
     };
-    let settings = SimulationSettings::from_task(&load("real.csv").unwrap()).unwrap();
+    let settings = load("real.csv").unwrap().simulation;
     let expected = vec![Point2::new(0.1, 0.05), Point2::new(-0.1, 0.0)];
     assert_eq!(drawn(&settings, 1).unwrap(), expected);
     let missing = load("unreal.csv").unwrap_err().to_string();
@@ -177,7 +177,7 @@ fn laws_and_sizes_are_the_worlds_own() {
         ("execution.sigma", "0.5"),
         ("execution.grain_size_m", "[0.003, 0.004]"),
     ];
-    let settings = SimulationSettings::from_task(&board(1, &own)).unwrap();
+    let settings = board(1, &own).simulation;
     let site = WorkSurface::from_task(&board(1, &[]).task);
     let dirt = Dirt::draw(&site, &settings, 1).unwrap();
     let logs: Vec<f64> = dirt.grains().iter().map(|g| g.threshold.ln()).collect();

@@ -4,8 +4,8 @@ use std::ops::ControlFlow;
 use wisch::interpret::EventKind;
 use wisch::recover::Verdict;
 use wisch::run::{Ending, Round, RunConfig, Session, StrokeEnd};
-use wisch_io::{LoadOptions, LoadedTask, Moment, load_task};
-use wisch_sim::{GroundTruth, SimulationSettings, WorkSurface, World};
+use wisch_io::{LoadOptions, LoadedTask, load_task};
+use wisch_sim::{GroundTruth, Moment, SimulationSettings, WorkSurface, World};
 use wisch_testkit::{arm7, by_density, humanoid, run_config, scenario};
 
 /// How far the estimate may be off the truth where it is narrower than that [1]; of 29 rounds on the board the worst was off by 0.092, of those since by 0.119.
@@ -20,7 +20,7 @@ const FELT: f64 = 0.05;
 type Executed = (Round, GroundTruth, f64);
 
 fn settings(loaded: &LoadedTask) -> SimulationSettings {
-    SimulationSettings::from_task(loaded).unwrap()
+    loaded.simulation.clone()
 }
 
 /// The first rounds of a scenario with the humanoid, seed 1, with its dirt as told.
@@ -163,10 +163,7 @@ fn the_wiper_cleans_the_solar_panel_as_far_as_it_believes() {
     assert_eq!(rounds.len(), 1);
     let (round, truth, performance) = &rounds[0];
     assert_eq!(collisions(round), [] as [[f64; 2]; 0]);
-    assert!(
-        *performance >= loaded.file.target_performance(),
-        "{performance}"
-    );
+    assert!(*performance >= loaded.run.target, "{performance}");
     assert!(truth.contact_force.count() > 1000);
 }
 
@@ -189,7 +186,7 @@ fn a_round_ends_amid_a_stroke_that_somebody_leads_away_and_the_rest_is_planned_a
     let mut world =
         World::new(&WorkSurface::from_task(&loaded.task), settings(&loaded), 1).unwrap();
     let robot = arm7();
-    let session = Session::new(&loaded.task, loaded.run_config()).with_belief(loaded.belief());
+    let session = Session::new(&loaded.task, loaded.run.clone()).with_belief(loaded.belief());
     let mut session = session.with_robot(robot.robot_setup());
     let all = session.run(&mut world, &mut |_| ControlFlow::Continue(()));
     all.unwrap();

@@ -6,7 +6,7 @@ use wisch::recover::Verdict;
 use wisch::represent::Treatment;
 use wisch::run::{Round, RunConfig, Session};
 use wisch_io::{LoadOptions, LoadedTask, load_task};
-use wisch_sim::{GroundTruth, SimulationSettings, WorkSurface, World};
+use wisch_sim::{GroundTruth, WorkSurface, World};
 use wisch_testkit::{humanoid, run_config, scenario};
 
 /// The first round of a scenario, what was true of it, and the true performance [1].
@@ -20,7 +20,7 @@ fn first_round(name: &str, settings: &[(&str, &str)]) -> (LoadedTask, Round, Gro
         ..LoadOptions::default()
     };
     let loaded = load_task(&scenario(name), &options).unwrap();
-    let settings = SimulationSettings::from_task(&loaded).unwrap();
+    let settings = loaded.simulation.clone();
     let mut world = World::new(&WorkSurface::from_task(&loaded.task), settings, 1).unwrap();
     let robot = humanoid();
     let config = RunConfig {

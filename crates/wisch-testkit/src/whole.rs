@@ -16,19 +16,16 @@ pub fn by_density(seed: u64) -> LoadOptions {
 
 /// Returns the configuration that `wisch run` uses.
 pub fn run_config(loaded: &LoadedTask) -> RunConfig {
-    let file = &loaded.file;
-    let robot = file.robot();
+    let (run, robot) = (&loaded.run, loaded.file.robot.as_ref());
     RunConfig {
-        plan: loaded.config.clone(),
-        variants: file.plan_variants(),
+        plan: run.plan.clone(),
+        variants: run.variants,
         workcell: WorkcellConfig {
-            group: robot.and_then(|robot| robot.group.clone()),
-            second_group: robot.and_then(|robot| robot.second_group.clone()),
             world_from_robot: robot.and_then(|robot| robot.world_from_robot),
-            ..WorkcellConfig::default()
+            ..run.workcell.clone()
         },
-        target: file.target_performance(),
-        max_rounds: file.max_rounds(),
+        target: run.target,
+        max_rounds: run.max_rounds,
         after_stop: AfterStop::Retreat,
         ..RunConfig::default()
     }

@@ -43,7 +43,7 @@ pub(crate) fn main() -> Result<(), Box<dyn Error>> {
     println!("{:.0} % are at the goal", 100.0 * estimate.performance.mean);
 
     let next = next_task(task, &goal, &estimate, task.seed + 1)?;
-    let way = plan(&next, &loaded.config)?.contact_distance();
+    let way = plan(&next, &loaded.run.plan)?.contact_distance();
     println!("the next round wipes {way:.2} m");
     Ok(())
 }

@@ -35,10 +35,17 @@ fn loaded(name: &str, action: Option<Action>, seed: u64) -> LoadedTask {
 #[test]
 fn the_grids_path_is_within_5_percent_of_the_papers() {
     for (name, particles, paper) in SCENARIOS {
-        let LoadedTask { task, config, .. } = loaded(name, Some(Action::Absorb), 1);
+        let LoadedTask { task, run, .. } = loaded(name, Some(Action::Absorb), 1);
         assert_eq!(task.particles.len(), particles);
         let strategy = CoverageStrategy::Grid.into();
-        let plan = plan(&task, &PlanConfig { strategy, ..config }).expect("there is room");
+        let plan = plan(
+            &task,
+            &PlanConfig {
+                strategy,
+                ..run.plan
+            },
+        )
+        .expect("there is room");
         let distance = plan.contact_distance();
         assert!(
             (distance / paper - 1.0).abs() < 0.05,
@@ -112,11 +119,11 @@ fn every_cell_of_table_1_is_as_published() {
             let trials: Vec<LoadedTask> = trials.collect();
             let of = |strategy: CoverageStrategy| {
                 let mut mean = [0.0; 2];
-                for LoadedTask { task, config, .. } in &trials {
+                for LoadedTask { task, run, .. } in &trials {
                     assert!(task.action != Action::Collect || task.collect_goal.is_some());
                     let config = PlanConfig {
                         strategy: strategy.into(),
-                        ..config.clone()
+                        ..run.plan.clone()
                     };
                     let plan = plan(task, &config).expect("there is room");
                     let performance = predict(task, &plan, |_| ()).performance.ratio();
@@ -169,8 +176,8 @@ fn as_planned(name: &str) -> (TaskFile, Task, Plan, f64) {
     let config = PlanConfig {
         strategy: CoverageStrategy::Kde.into(),
         seed: 1,
-        bandwidth: file.bandwidth_m(),
-        lift_height: file.lift_height_m(),
+        bandwidth: file.run.plan.bandwidth,
+        lift_height: file.run.plan.lift_height,
         ..PlanConfig::default()
     };
     let plan = plan(&task, &config).expect("there is room");
@@ -187,7 +194,7 @@ fn chippings_and_sand_are_swept_with_the_very_same_motion() {
         ("glass_chippings", "sand")
     );
     assert_eq!(plan.strokes, same.strokes);
-    assert!(performance >= file.target_performance(), "{performance}");
+    assert!(performance >= file.run.target, "{performance}");
     // What differs is how likely the bristles take a grain along.
     let likelihood = |task: &Task| task.interaction.likelihood.probability(1.0);
     assert!(likelihood(&chippings) > 2.0 * likelihood(&sand));
@@ -197,9 +204,9 @@ fn chippings_and_sand_are_swept_with_the_very_same_motion() {
 #[test]
 fn wiper_and_brush_clean_the_same_panel() {
     let (file, wiper, _, performance) = as_planned("solar-panel-wiper");
-    assert!(performance >= file.target_performance(), "{performance}");
+    assert!(performance >= file.run.target, "{performance}");
     let (file, brush, _, performance) = as_planned("solar-panel-brush");
-    assert!(performance >= file.target_performance(), "{performance}");
+    assert!(performance >= file.run.target, "{performance}");
     assert_eq!(
         (wiper.tool.name.as_str(), brush.tool.name.as_str()),
         ("window_wiper", "brush")

@@ -108,7 +108,7 @@ fn stopped_at(
 ) -> (Vec<&'static str>, Option<Verdict>, Vec<Round>) {
     let config = RunConfig {
         target: 1.0,
-        ..loaded.run_config()
+        ..loaded.run.clone()
     };
     let mut session = Session::new(&loaded.task, config).with_robot(robot.robot_setup());
     let (mut seen, mut verdict) = (Vec::new(), None);
@@ -174,7 +174,7 @@ fn a_toy_that_sees_the_dirt_at_the_goal_meets_it() {
     };
     let config = RunConfig {
         sight: Some(loaded.sight(sharp)),
-        ..loaded.run_config()
+        ..loaded.run.clone()
     };
     let session = Session::new(&loaded.task, config).with_belief(loaded.belief());
     let mut session = session.with_robot(robot.robot_setup());
@@ -208,7 +208,7 @@ fn a_toy_that_sees_the_dirt_at_the_goal_meets_it() {
     // A session that may not look asks for nothing.
     let touch_only = RunConfig {
         sight: None,
-        ..loaded.run_config()
+        ..loaded.run.clone()
     };
     let blind = Session::new(&loaded.task, touch_only);
     let mut blind = blind.with_robot(robot.robot_setup());
@@ -237,10 +237,7 @@ fn a_toy_that_only_feels_claims_what_it_may_and_says_what_it_cannot_know() {
     assert_eq!(toy.executed, rounds.len());
     let end = rounds.last().expect("a round");
     assert_eq!(last, Some(end.verdict));
-    let is_claimed = is_claimable(
-        &end.interpretation.distribution,
-        loaded.file.target_performance(),
-    );
+    let is_claimed = is_claimable(&end.interpretation.distribution, loaded.run.target);
     assert_eq!(end.verdict == Verdict::GoalMet, is_claimed);
     for round in rounds {
         assert_eq!(round.execution.ending, Ending::Complete);
@@ -298,7 +295,7 @@ fn a_motion_with_a_fault_is_never_executed() {
     let loaded = loaded();
     let robot = robot(&loaded);
     // A hundredth of a millimetre is less than the timed joints keep between the poses that were solved.
-    let mut config = loaded.run_config();
+    let mut config = loaded.run.clone();
     config.follow = FollowConfig {
         line_tolerance: 1e-5,
         turn_tolerance: 1e-4,
@@ -330,7 +327,7 @@ fn steps_by_hand_and_one_go_are_the_same() {
     let config = RunConfig {
         target: 1.0,
         max_rounds: 2,
-        ..loaded.run_config()
+        ..loaded.run.clone()
     };
     let session = || Session::new(&loaded.task, config.clone()).with_robot(robot.robot_setup());
 
@@ -409,12 +406,12 @@ fn an_executor_has_to_leave_all_joints_somewhere() {
 #[test]
 fn the_best_of_all_plans_has_the_highest_score_with_the_robot() {
     let mut loaded = loaded();
-    loaded.config.strategy = Strategy::Best;
-    loaded.config.search.evaluations = 2_000;
+    loaded.run.plan.strategy = Strategy::Best;
+    loaded.run.plan.search.evaluations = 2_000;
     // The arm turns the tool as planned, where it does not have to turn it on the spot.
-    loaded.config.yaw = YawRule::Blended;
+    loaded.run.plan.yaw = YawRule::Blended;
     let robot = robot(&loaded);
-    let session = || Session::new(&loaded.task, loaded.run_config());
+    let session = || Session::new(&loaded.task, loaded.run.clone());
     let alone = session().evaluate_candidates().expect("plans");
     let mut session = session().with_robot(robot.robot_setup());
     let considered = session.evaluate_candidates().expect("plans");
@@ -463,7 +460,7 @@ fn the_best_of_all_plans_has_the_highest_score_with_the_robot() {
 
     // A robot that reaches nothing has no plan, and says why of each.
     loaded.task.surface.world_from_surface.translation.vector.x += 10.0;
-    let far = Session::new(&loaded.task, loaded.run_config()).with_robot(robot.robot_setup());
+    let far = Session::new(&loaded.task, loaded.run.clone()).with_robot(robot.robot_setup());
     for one in far.evaluate_candidates().expect("plans") {
         let abandoned = one.motion.map(|motion| motion.abandoned);
         assert!(
@@ -476,12 +473,12 @@ fn the_best_of_all_plans_has_the_highest_score_with_the_robot() {
 #[test]
 fn strokes_are_searched_for_where_the_robot_reaches() {
     let mut loaded = loaded();
-    loaded.config.strategy = Strategy::Adaptive;
-    loaded.config.search.evaluations = 4_000;
+    loaded.run.plan.strategy = Strategy::Adaptive;
+    loaded.run.plan.search.evaluations = 4_000;
     // So far away that the arm reaches only the nearer part of the board.
     loaded.task.surface.world_from_surface.translation.vector.y += 0.32;
     let robot = robot(&loaded);
-    let session = || Session::new(&loaded.task, loaded.run_config());
+    let session = || Session::new(&loaded.task, loaded.run.clone());
     let followed = |session: Session<'_>| {
         let mut session = session.with_robot(robot.robot_setup());
         let until = Stage::Followed;
@@ -567,7 +564,7 @@ fn after_a_protective_stop_the_robot_waits_unless_the_task_says_otherwise() {
         max_rounds: 2,
         sight: None,
         after_stop,
-        ..loaded.run_config()
+        ..loaded.run.clone()
     };
     let session = |after_stop| Session::new(&loaded.task, config(after_stop));
 
@@ -635,7 +632,7 @@ fn only_pushes_and_overloads_continue_by_themselves() {
                 max_rounds: 2,
                 sight: None,
                 after_stop,
-                ..loaded.run_config()
+                ..loaded.run.clone()
             };
             let mut session = Session::new(&loaded.task, config).with_robot(robot.robot_setup());
             let mut guarded = Guarded {

@@ -1,12 +1,13 @@
 //! `--budget`: the number of plans that a search tries, also computed from a time.
 
-use super::prepare::Prepared;
+use super::prepare::{self, stage_failure};
 use crate::args::{Budget, TaskArgs};
 use crate::failure::Failure;
 use crate::terminal::remark;
 use std::time::Instant;
 use wisch::plan::Strategy;
 use wisch::run::{NoExecutor, RunError, Session, Stage, ignore_events};
+use wisch_io::LoadedTask;
 
 /// Numbers of plans in the two trial searches that measure this machine's speed.
 const TRIED: [usize; 2] = [1, 20_000];
@@ -22,8 +23,8 @@ pub(super) fn in_evaluations(args: &TaskArgs) -> Result<TaskArgs, Failure> {
         budget: None,
         ..args.clone()
     };
-    let prepared = Prepared::load(&args)?;
-    let strategy = prepared.strategy();
+    let prepared = prepare::load(&args)?;
+    let strategy = prepared.run.plan.strategy;
     if !matches!(strategy, Strategy::Adaptive | Strategy::Best) {
         let problem = format!("--budget has no effect: the strategy {strategy} does not search");
         let failure = Failure::new(problem).within(&args.task);
@@ -33,7 +34,7 @@ pub(super) fn in_evaluations(args: &TaskArgs) -> Result<TaskArgs, Failure> {
         Budget::Evaluations(evaluations) => evaluations,
         Budget::Time(time) => {
             let seconds = time.as_secs_f64();
-            let pace = Pace::measured(&prepared).map_err(|error| prepared.failure(&args, error))?;
+            let pace = Pace::measured(&prepared).map_err(|error| stage_failure(&args, error))?;
             let evaluations = pace.affordable(seconds);
             remark(&format!(
                 "in {seconds} s this machine tries about {evaluations} plans after {:.1} s for the initial plans; \
@@ -58,11 +59,11 @@ struct Pace {
 
 impl Pace {
     /// Measures two searches without a robot. Time is linear in plans: `begun + each * plans`.
-    fn measured(prepared: &Prepared) -> Result<Self, RunError> {
+    fn measured(prepared: &LoadedTask) -> Result<Self, RunError> {
         let belief = prepared.belief();
         let mut took = [0.0; 2];
         for (evaluations, took) in TRIED.into_iter().zip(&mut took) {
-            let mut config = prepared.run_config();
+            let mut config = prepared.run.clone();
             config.plan.strategy = Strategy::Adaptive;
             config.plan.search.evaluations = evaluations;
             let mut session = Session::new(&prepared.task, config).with_belief(belief.clone());

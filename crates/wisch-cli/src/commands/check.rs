@@ -2,7 +2,7 @@
 
 use super::budget::in_evaluations;
 use super::follow::{Chosen, describe_stand, follow_plan, workcell};
-use super::prepare::Prepared;
+use super::prepare::{self, stage_failure};
 use super::words::{counted, internal, percent};
 use crate::args::{CheckArgs, GlobalArgs};
 use crate::failure::Failure;
@@ -14,6 +14,7 @@ use wisch::geometry::{Bounds2, Mesh, Point2, Vector3};
 use wisch::plan::{FreeSpace, NodeRole, Plan, Prediction, predict};
 use wisch::represent::{Action, GoalState, Task, dirt_friction};
 use wisch::run::{NoExecutor, Session, Stage, check_score, ignore_events};
+use wisch_io::LoadedTask;
 
 /// Number of sample points for free space along the longer side of the surface.
 const RASTER: usize = 120;
@@ -27,13 +28,13 @@ pub fn check(args: &CheckArgs, global: &GlobalArgs) -> Result<Outcome, Failure> 
     let progress = Progress::start(global);
     progress.say("reading the task");
     let task_args = &in_evaluations(&args.task)?;
-    let prepared = Prepared::read(task_args)?;
-    let failure = |error| prepared.failure(task_args, error);
+    let prepared = prepare::read(task_args)?;
+    let failure = |error| stage_failure(task_args, error);
     let free_area = FreeArea::of(&prepared.task, &progress).map_err(failure)?;
-    progress.say(format!("planning ({})", prepared.strategy()));
-    let mut session = Session::new(&prepared.task, prepared.run_config());
+    progress.say(format!("planning ({})", prepared.run.plan.strategy));
+    let mut session = Session::new(&prepared.task, prepared.run.clone());
     (session.run_until(Stage::Planned, &mut NoExecutor, &mut ignore_events))
-        .map_err(|error| prepared.failure(task_args, error))?;
+        .map_err(|error| stage_failure(task_args, error))?;
     let plan = (session.plan()).ok_or_else(|| internal("no plan was made"))?;
     let objects = counted(prepared.task.scene.len(), "object");
     progress.say(format!("placing the robot among {objects}"));
@@ -50,7 +51,7 @@ pub fn check(args: &CheckArgs, global: &GlobalArgs) -> Result<Outcome, Failure> 
     };
     progress.say("predicting");
     let prediction = predict(&prepared.task, plan, |_| ());
-    let least = prepared.file.min_score();
+    let least = prepared.run.min_score;
     let refusal = check_score(&prediction, prepared.task.action, least).err();
     let reaches_nothing = robot.as_ref().is_some_and(|robot| robot.reaches_nothing);
     drop(progress);
@@ -193,7 +194,7 @@ fn raster(task: &Task) -> Vec<Point2> {
         .collect()
 }
 
-fn explanation(prepared: &Prepared, found: &Found<'_>, heading: &str) -> String {
+fn explanation(prepared: &LoadedTask, found: &Found<'_>, heading: &str) -> String {
     let task = &prepared.task;
     let Found {
         free_area,
@@ -232,7 +233,7 @@ fn explanation(prepared: &Prepared, found: &Found<'_>, heading: &str) -> String 
         "plan",
         format!(
             "{}: {}, {}, {:.2} m in contact; {} of the particles are out of reach",
-            prepared.strategy(),
+            prepared.run.plan.strategy,
             counted(plan.graph.nodes.len(), "node"),
             counted(plan.strokes.len(), "stroke"),
             plan.contact_distance(),
@@ -253,7 +254,7 @@ fn explanation(prepared: &Prepared, found: &Found<'_>, heading: &str) -> String 
             percent(performance.ratio()),
             share(performance.lost),
             prediction.score(),
-            prepared.file.min_score()
+            prepared.run.min_score
         ),
     ));
     match robot {
@@ -264,7 +265,7 @@ fn explanation(prepared: &Prepared, found: &Found<'_>, heading: &str) -> String 
                 .to_owned(),
         )),
     }
-    let target = prepared.file.target_performance();
+    let target = prepared.run.target;
     lines.push((
         "target",
         match target - performance.ratio() {
@@ -283,7 +284,7 @@ fn explanation(prepared: &Prepared, found: &Found<'_>, heading: &str) -> String 
     text
 }
 
-fn action(prepared: &Prepared) -> String {
+fn action(prepared: &LoadedTask) -> String {
     let task = &prepared.task;
     let (surface, tool, medium) = (&task.surface.name, &task.tool.name, &task.medium);
     format!(
@@ -293,7 +294,7 @@ fn action(prepared: &Prepared) -> String {
             Action::Emit => format!("coat {surface} with {medium} from {tool}"),
             action => format!("{action} {medium} from {surface} with {tool}"),
         },
-        prepared.config.seed
+        prepared.run.plan.seed
     )
 }
 
@@ -320,7 +321,7 @@ fn surface(task: &Task) -> String {
 }
 
 /// Describes the effect of the surface's slope on the dirt, or returns `None` if the slope is below the tool's friction.
-fn slope(prepared: &Prepared) -> Option<String> {
+fn slope(prepared: &LoadedTask) -> Option<String> {
     if let Some(steep) = &prepared.steep {
         return Some(steep.to_string());
     }

@@ -1,13 +1,13 @@
 //! The robot that follows plans: its description, its workcell and its first posture.
 
-use super::prepare::Prepared;
+use super::prepare::stage_failure;
 use crate::args::{RobotArgs, TaskArgs};
 use crate::failure::Failure;
 use crate::terminal::remark;
 use wisch::follow::{FollowError, Followed, Workcell, WorkcellConfig, follow};
 use wisch::plan::Plan;
 use wisch::robot::CapabilityMap;
-use wisch_io::{Robot, RobotDescription, RobotRecord};
+use wisch_io::{LoadedTask, Robot, RobotDescription, RobotRecord};
 
 /// Value of `--robot` for no robot.
 const NO_ROBOT: &str = "none";
@@ -23,8 +23,8 @@ impl<'a> Chosen<'a> {
     ///
     /// # Errors
     /// If there is no robot but `--group` or `--map` is given.
-    pub fn new(args: &'a RobotArgs, prepared: &Prepared) -> Result<Option<Self>, Failure> {
-        let in_file = prepared.file.robot();
+    pub fn new(args: &'a RobotArgs, prepared: &LoadedTask) -> Result<Option<Self>, Failure> {
+        let in_file = prepared.file.robot.as_ref();
         let record = match (args.robot.as_deref(), in_file) {
             (Some(NO_ROBOT), _) | (None, None) => return no_robot(args).map(|()| None),
             (Some(text), _) => RobotRecord {
@@ -43,13 +43,8 @@ impl<'a> Chosen<'a> {
 
 impl Chosen<'_> {
     /// Makes a failure from an error of following, with advice.
-    pub fn cannot_follow(
-        &self,
-        error: &FollowError,
-        task_args: &TaskArgs,
-        prepared: &Prepared,
-    ) -> Failure {
-        cannot_follow(error, &self.record, task_args, prepared)
+    pub fn cannot_follow(&self, error: &FollowError, task_args: &TaskArgs) -> Failure {
+        cannot_follow(error, &self.record, task_args)
     }
 }
 
@@ -86,7 +81,7 @@ pub fn read_robot(chosen: &Chosen<'_>, task_args: &TaskArgs) -> Result<Robot, Fa
 }
 
 /// The planning groups that wipe, and the pose of the robot.
-pub fn workcell_config(chosen: &Chosen<'_>, prepared: &Prepared) -> WorkcellConfig {
+pub fn workcell_config(chosen: &Chosen<'_>, prepared: &LoadedTask) -> WorkcellConfig {
     chosen.record.workcell_config(&prepared.task)
 }
 
@@ -94,12 +89,12 @@ pub fn workcell_config(chosen: &Chosen<'_>, prepared: &Prepared) -> WorkcellConf
 pub fn workcell(
     chosen: &Chosen<'_>,
     task_args: &TaskArgs,
-    prepared: &Prepared,
+    prepared: &LoadedTask,
 ) -> Result<(Workcell, Option<CapabilityMap>), Failure> {
     let robot = read_robot(chosen, task_args)?;
     let config = workcell_config(chosen, prepared);
     let cell = Workcell::new(robot.model, robot.srdf.as_ref(), &prepared.task, &config)
-        .map_err(|error| cannot_follow(&error, &chosen.record, task_args, prepared))?;
+        .map_err(|error| cannot_follow(&error, &chosen.record, task_args))?;
     Ok((cell, robot.map))
 }
 
@@ -108,13 +103,13 @@ pub fn follow_plan(
     (cell, map): &(Workcell, Option<CapabilityMap>),
     chosen: &Chosen<'_>,
     task_args: &TaskArgs,
-    prepared: &Prepared,
+    prepared: &LoadedTask,
     plan: &Plan,
     progress: &mut dyn FnMut(usize),
 ) -> Result<Followed, Failure> {
-    let config = prepared.run_config().follow;
+    let config = prepared.run.follow.clone();
     follow(&prepared.task, plan, cell, map.as_ref(), &config, progress)
-        .map_err(|error| cannot_follow(&error, &chosen.record, task_args, prepared))
+        .map_err(|error| cannot_follow(&error, &chosen.record, task_args))
 }
 
 /// Describes in one line the robot, the link that holds the tool, and the robot's position.
@@ -136,13 +131,8 @@ pub fn describe_stand(cell: &Workcell) -> String {
     format!("{}; it {place}", robot.name())
 }
 
-fn cannot_follow(
-    error: &FollowError,
-    record: &RobotRecord,
-    task_args: &TaskArgs,
-    prepared: &Prepared,
-) -> Failure {
-    let failure = prepared.failure(task_args, error);
+fn cannot_follow(error: &FollowError, record: &RobotRecord, task_args: &TaskArgs) -> Failure {
+    let failure = stage_failure(task_args, error);
     match (error, &record.description) {
         (FollowError::UnknownGroup(_), _) => {
             failure.with_help("choose a group of the robot's SRDF with --group, or group in [robot]; the default is the first group")

@@ -3,7 +3,7 @@
 use super::PROGRAM;
 use super::interpret::{Interpreted, interpret_log, task_args, verdict_in_words};
 use super::memory::is_date;
-use super::prepare::Prepared;
+use super::prepare;
 use super::words::{counted, json, percent};
 use crate::args::{GlobalArgs, ImportArgs};
 use crate::failure::Failure;
@@ -14,7 +14,9 @@ use std::io::{self, Read};
 use std::path::Path;
 use wisch::follow::Phase;
 use wisch::geometry::flatten_pose;
-use wisch_io::{INTERPRETATION_FILE, PARTICLES_ESTIMATED_FILE, REPORT_FILE, particles_to_csv};
+use wisch_io::{
+    INTERPRETATION_FILE, LoadedTask, PARTICLES_ESTIMATED_FILE, REPORT_FILE, particles_to_csv,
+};
 use wisch_memory::catalogue::entries;
 use wisch_memory::{
     Catalogue, EpisodeHeader, EpisodeRecord, EpisodeWriter, LOG_COLUMNS, Mark, Memory, MemoryError,
@@ -37,7 +39,7 @@ pub fn import(args: &ImportArgs, global: &GlobalArgs) -> Result<Outcome, Failure
         .map_err(|error| Failure::new(format!("{}: {error}", source.log.display())))?;
     let memory = Memory::create(&args.memory.memory).map_err(cannot_keep)?;
     progress.say("reading the task");
-    let mut prepared = Prepared::read(&task_args)?;
+    let mut prepared = prepare::read(&task_args)?;
     let reading = reading(args, &prepared);
     if let Some(id) = episode_of(&memory, &digest)? {
         drop(progress);
@@ -94,7 +96,7 @@ fn keep(
     args: &ImportArgs,
     memory: &Memory,
     digest: LogDigest,
-    (prepared, reading): (&Prepared, &str),
+    (prepared, reading): (&LoadedTask, &str),
     interpreted: &Interpreted,
 ) -> Result<EpisodeRecord, Failure> {
     let log = &interpreted.log;
@@ -113,8 +115,8 @@ fn keep(
     let header = EpisodeHeader {
         id: writer.id().to_owned(),
         start,
-        target: prepared.file.target_performance(),
-        seed: prepared.config.seed,
+        target: prepared.run.target,
+        seed: prepared.run.plan.seed,
         program: PROGRAM.to_owned(),
     };
     let log_file = &args.source.log;
@@ -146,14 +148,14 @@ fn keep(
 /// Attaches the task, the options of the log, and the results of the interpretation.
 fn attach(
     writer: &EpisodeWriter,
-    (prepared, reading): (&Prepared, &str),
+    (prepared, reading): (&LoadedTask, &str),
     interpreted: &Interpreted,
 ) -> Result<(), Failure> {
     let attach = |name: &str, contents: &[u8]| {
         let attached = writer.attach(name, contents);
         attached.map_err(cannot_keep)
     };
-    attach_task(writer, &prepared.loaded)?;
+    attach_task(writer, prepared)?;
     attach(READING_FILE, reading.as_bytes())?;
     let estimated = interpreted.estimated(prepared)?;
     let name = format!("round-1/{PARTICLES_ESTIMATED_FILE}");
@@ -168,7 +170,7 @@ fn cannot_keep(error: MemoryError) -> Failure {
 }
 
 /// Formats all options that change the interpretation of a log; its file name is not among them.
-fn reading(args: &ImportArgs, prepared: &Prepared) -> String {
+fn reading(args: &ImportArgs, prepared: &LoadedTask) -> String {
     let source = &args.source;
     let options = (
         (&source.plan, source.action, source.seed),
@@ -314,7 +316,7 @@ fn digest_of(log: &Path) -> io::Result<LogDigest> {
 fn write_telemetry(
     writer: &EpisodeWriter,
     log: &Log,
-    prepared: &Prepared,
+    prepared: &LoadedTask,
     seen: &RoundObservations,
 ) -> Result<(), MemoryError> {
     let columns = LOG_COLUMNS.map(str::to_owned);

@@ -2,7 +2,7 @@
 
 use super::log_report::page;
 use super::out_folder::folder_name;
-use super::prepare::Prepared;
+use super::prepare::{self, stage_failure};
 use super::run::given_plan;
 use super::words::{counted, internal, json, percent};
 use crate::args::{GlobalArgs, InterpretArgs, LogArgs, LoggedArgs, TaskArgs};
@@ -17,11 +17,11 @@ use wisch::interpret::{
 };
 use wisch::represent::{GoalState, ParticleDistribution};
 use wisch::robot::joint_transforms;
-use wisch_io::Leftover;
 use wisch_io::{
     INTERPRETATION_FILE, OutputFolder, PARTICLES_ESTIMATED_FILE, REPORT_FILE, Replaceable,
 };
 use wisch_io::{InterpretationRecord, LogRecord, particles_to_csv};
+use wisch_io::{Leftover, LoadedTask};
 use wisch_telemetry::{
     AxesChoice, AxesSource, Log, LogOptions, Payload, ReadFault, RecordingKind, TopicChoice, read,
 };
@@ -31,7 +31,7 @@ pub fn interpret(args: &InterpretArgs, global: &GlobalArgs) -> Result<Outcome, F
     let progress = Progress::start(global);
     progress.say("reading the task");
     let task_args = task_args(&args.source);
-    let mut prepared = Prepared::read(&task_args)?;
+    let mut prepared = prepare::read(&task_args)?;
     let out = (args.out.clone()).unwrap_or_else(|| default_out(&prepared));
     check_log_is_kept(&args.source.log, &out)?;
     // The folder comes before the long computation, so that a missing permission is reported at once.
@@ -76,7 +76,7 @@ pub(super) struct Interpreted {
 
 impl Interpreted {
     /// Writes the page of the log as HTML.
-    pub fn page(&self, prepared: &Prepared) -> String {
+    pub fn page(&self, prepared: &LoadedTask) -> String {
         let lines = summary_lines(&self.record).into_iter();
         let facts: Vec<(String, String)> = lines
             .filter(|(name, _)| !name.is_empty())
@@ -87,7 +87,7 @@ impl Interpreted {
     }
 
     /// Draws one particle distribution from the estimated belief.
-    pub fn estimated(&self, prepared: &Prepared) -> Result<ParticleDistribution, Failure> {
+    pub fn estimated(&self, prepared: &LoadedTask) -> Result<ParticleDistribution, Failure> {
         let belief = &self.interpretation.belief;
         belief.sample(prepared.task.seed).map_err(internal)
     }
@@ -97,7 +97,7 @@ impl Interpreted {
 pub(super) fn interpret_log(
     source: &LoggedArgs,
     task_args: &TaskArgs,
-    prepared: &mut Prepared,
+    prepared: &mut LoadedTask,
     seen: Option<&Path>,
     progress: &Progress,
 ) -> Result<Interpreted, Failure> {
@@ -110,7 +110,7 @@ pub(super) fn interpret_log(
     ));
     let mut interpretation = interpret_samples(source, prepared, &log, &goal)?;
     if let Some(seen) = seen {
-        let sensor = prepared.file.perception().sight.unwrap_or_default();
+        let sensor = prepared.file.camera.unwrap_or_default();
         interpretation.observe(&ObservationUpdate {
             observation: &prepared.observation(seen)?,
             sight: prepared.sight(sensor),
@@ -123,7 +123,7 @@ pub(super) fn interpret_log(
     let record = InterpretationRecord::new(
         &prepared.task,
         &interpretation,
-        prepared.file.target_performance(),
+        prepared.run.target,
         log_record(&source.log, &log, remarks),
     );
     Ok(Interpreted {
@@ -157,7 +157,7 @@ fn log_record(file: &Path, log: &Log, remarks: Vec<String>) -> LogRecord {
 }
 
 /// Describes what users should know about a log: frames used, samples left out, gaps and doubts.
-fn remarks(log: &Log, prepared: &Prepared, interpretation: &Interpretation) -> Vec<String> {
+fn remarks(log: &Log, prepared: &LoadedTask, interpretation: &Interpretation) -> Vec<String> {
     let mut remarks = log.frames_used.clone();
     remarks.extend(log.remarks.iter().cloned());
     let skipped = log.skipped.iter().map(|skipped| {
@@ -227,22 +227,19 @@ pub(super) fn task_args(args: &LoggedArgs) -> TaskArgs {
 fn goal(
     args: &LoggedArgs,
     task_args: &TaskArgs,
-    prepared: &mut Prepared,
+    prepared: &mut LoadedTask,
 ) -> Result<GoalState, Failure> {
     if let Some(path) = &args.plan {
         return Ok(given_plan(path, prepared)?.graph.goal);
     }
     prepared.task.goal().ok_or_else(|| {
-        prepared
-            .failure(
-                task_args,
-                "the task has no collection area, so the goal is unknown",
-            )
+        let problem = "the task has no collection area, so the goal is unknown";
+        stage_failure(task_args, problem)
             .with_help("give the executed plan with --plan, or set collect.goal_m in the task")
     })
 }
 
-fn default_out(prepared: &Prepared) -> PathBuf {
+fn default_out(prepared: &LoadedTask) -> PathBuf {
     let name = folder_name(&prepared.task.name);
     Path::new("out").join(format!("{name}-interpreted"))
 }
@@ -264,7 +261,7 @@ fn check_log_is_kept(log: &Path, out: &Path) -> Result<(), Failure> {
 }
 
 /// Reads the log with the options of the arguments and the task.
-fn read_log(args: &LoggedArgs, prepared: &Prepared) -> Result<Log, Failure> {
+fn read_log(args: &LoggedArgs, prepared: &LoadedTask) -> Result<Log, Failure> {
     let options = log_options(&args.reading, prepared)?;
     read(&args.log, &options).map_err(|error| {
         let advice = advice(&error.fault, &args.log);
@@ -276,7 +273,7 @@ fn read_log(args: &LoggedArgs, prepared: &Prepared) -> Result<Log, Failure> {
     })
 }
 
-fn log_options(args: &LogArgs, prepared: &Prepared) -> Result<LogOptions, Failure> {
+fn log_options(args: &LogArgs, prepared: &LoadedTask) -> Result<LogOptions, Failure> {
     let topic = |name: &Option<String>| match name {
         Some(name) => TopicChoice::Named(name.clone()),
         None => TopicChoice::Sole,
@@ -406,7 +403,7 @@ fn advice(fault: &ReadFault, log: &Path) -> Option<String> {
 
 fn interpret_samples(
     args: &LoggedArgs,
-    prepared: &Prepared,
+    prepared: &LoadedTask,
     log: &Log,
     goal: &GoalState,
 ) -> Result<Interpretation, Failure> {

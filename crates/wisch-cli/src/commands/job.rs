@@ -1,7 +1,7 @@
 //! The inputs that all commands with a session share.
 
 use super::follow::{Chosen, workcell_config};
-use super::prepare::Prepared;
+use super::prepare::stage_failure;
 use crate::args::{LoopArgs, TaskArgs};
 use crate::failure::Failure;
 use crate::progress::Progress;
@@ -9,7 +9,7 @@ use wisch::follow::WorkcellConfig;
 use wisch::plan::Plan;
 use wisch::represent::ParticleError;
 use wisch::run::{Pace, PlannedRound, Round, RunConfig, RunError, Session};
-use wisch_io::{OutputFolder, Robot};
+use wisch_io::{LoadedTask, OutputFolder, Robot};
 use wisch_record::RoundGroundTruth;
 use wisch_sim::GroundTruth;
 
@@ -19,7 +19,7 @@ const GREEDY_ROUNDS: usize = 10;
 /// The inputs of a command that runs a session.
 pub(super) struct Job<'a> {
     pub task_args: &'a TaskArgs,
-    pub prepared: &'a Prepared,
+    pub prepared: &'a LoadedTask,
     pub robot: Option<(&'a Chosen<'a>, &'a Robot)>,
     pub folder: &'a OutputFolder,
     pub progress: &'a Progress,
@@ -29,9 +29,9 @@ impl Job<'_> {
     /// Returns the settings of the stages and the maximum number of rounds.
     pub fn config(&self, args: Option<&LoopArgs>) -> RunConfig {
         let (pace, usual_rounds) = if args.is_some_and(|args| args.greedy) {
-            (Pace::Greedy, GREEDY_ROUNDS * self.prepared.max_rounds())
+            (Pace::Greedy, GREEDY_ROUNDS * self.prepared.run.max_rounds)
         } else {
-            (self.prepared.file.pace(), self.prepared.max_rounds())
+            (self.prepared.run.pace, self.prepared.run.max_rounds)
         };
         let rounds = args.and_then(|args| args.rounds);
         RunConfig {
@@ -40,7 +40,7 @@ impl Job<'_> {
             }),
             max_rounds: rounds.map_or(usual_rounds, usize::from),
             pace,
-            ..self.prepared.run_config()
+            ..self.prepared.run.clone()
         }
     }
 
@@ -59,21 +59,21 @@ impl Job<'_> {
     pub fn failed(&self, error: RunError) -> Failure {
         match (error, &self.robot) {
             (RunError::Follow(error), Some((chosen, _))) => {
-                chosen.cannot_follow(&error, self.task_args, self.prepared)
+                chosen.cannot_follow(&error, self.task_args)
             }
-            (error, _) => self.prepared.failure(self.task_args, error),
+            (error, _) => stage_failure(self.task_args, error),
         }
     }
 }
 
 /// Returns the simulated world's ground truth of the finished rounds.
 pub(super) fn known_truths(
-    prepared: &Prepared,
+    prepared: &LoadedTask,
     rounds: &[Round],
     truths: &[GroundTruth],
 ) -> Result<Vec<RoundGroundTruth>, ParticleError> {
     let believed = prepared.task.surface.world_from_surface;
-    let world_from_surface = Some(believed * prepared.reality.believed_from_real);
+    let world_from_surface = Some(believed * prepared.simulation.believed_from_real);
     let known = rounds.iter().zip(truths).map(|(round, truth)| {
         let PlannedRound {
             number,
@@ -82,7 +82,7 @@ pub(super) fn known_truths(
             followed,
             ..
         } = &round.motion;
-        let schedule = prepared.reality.schedule(*number, followed);
+        let schedule = prepared.simulation.schedule(*number, followed);
         Ok(RoundGroundTruth {
             particles: truth.particles()?,
             performance: truth.performance(&plan.graph.goal, &task.surface)?,

@@ -1,13 +1,13 @@
 //! The page of an interpreted log, for `wisch interpret`, `wisch memory import` and `wisch report LOG`.
 
-use super::prepare::Prepared;
 use wisch::interpret::Interpretation;
 use wisch::represent::GoalState;
+use wisch_io::LoadedTask;
 use wisch_report::{LogPageInput, RoundView, RoundsInput, log_page};
 
 /// Writes the page of an interpreted log as HTML. `facts`: pairs of name and value for its table.
 pub(super) fn page(
-    prepared: &Prepared,
+    prepared: &LoadedTask,
     goal: &GoalState,
     interpretation: &Interpretation,
     facts: &[(String, String)],
@@ -26,7 +26,7 @@ pub(super) fn page(
     let rounds = RoundsInput {
         task,
         goal,
-        target: prepared.file.target_performance(),
+        target: prepared.run.target,
         rounds: &views,
     };
     let title = format!("{}: log of {} {}", task.name, task.action, task.medium);

@@ -1,11 +1,11 @@
 //! `wisch ask --view`: writes the answers of a query, with the recordings that they show, into one page.
 
-use super::prepare::Prepared;
+use super::prepare;
 use crate::args::TaskArgs;
 use crate::failure::Failure;
 use serde::Deserialize;
 use std::path::Path;
-use wisch_io::OutputFile;
+use wisch_io::{LoadedTask, OutputFile};
 use wisch_memory::ask::Answers;
 use wisch_memory::view::{View, answers_json, gather};
 use wisch_memory::{Catalogue, Episode, Memory};
@@ -58,7 +58,7 @@ fn recordings(view: &mut View, memory: &Memory) -> Vec<(String, Vec<u8>)> {
         let recording = memory.episode(&shown.id).map_err(Into::into);
         let recording = recording.and_then(|episode| {
             let task = task_of(&episode);
-            episode_recording(&episode, shown, task.as_ref().map(|task| &task.loaded))
+            episode_recording(&episode, shown, task.as_ref())
         });
         match recording {
             Ok(packed) if packed.len() <= space => {
@@ -78,7 +78,7 @@ fn recordings(view: &mut View, memory: &Memory) -> Vec<(String, Vec<u8>)> {
 }
 
 /// Returns the task of an episode; `None` if it or one of its files is missing.
-fn task_of(episode: &Episode) -> Option<Prepared> {
+fn task_of(episode: &Episode) -> Option<LoadedTask> {
     let options = episode.attachment("options.json").ok();
     let options = options.and_then(|bytes| serde_json::from_slice::<Options>(&bytes).ok());
     let args = TaskArgs {
@@ -90,5 +90,5 @@ fn task_of(episode: &Episode) -> Option<Prepared> {
         settings: options.unwrap_or_default().settings,
         knowledge: None,
     };
-    Prepared::load(&args).ok()
+    prepare::load(&args).ok()
 }

@@ -1,14 +1,14 @@
 //! The default folder of results.
 
-use super::prepare::Prepared;
 use crate::args::ResultArgs;
 use std::path::{Path, PathBuf};
+use wisch_io::LoadedTask;
 
 /// Longest name of a folder that is derived from a task's [characters]; file systems take 255 bytes.
 const MAX_NAME_LEN: usize = 60;
 
 /// Returns the folder of `--out`, or by default `out/TASK` with the suffix `done`, which names the command's last stage.
-pub(super) fn out_folder(results: &ResultArgs, prepared: &Prepared, done: &str) -> PathBuf {
+pub(super) fn out_folder(results: &ResultArgs, prepared: &LoadedTask, done: &str) -> PathBuf {
     results.out.clone().unwrap_or_else(|| {
         let name = folder_name(&prepared.task.name);
         Path::new("out").join(format!("{name}{done}"))

@@ -1,7 +1,7 @@
 //! `wisch report`: writes an episode, a folder of results or a log as one HTML page.
 
 use super::interpret::{interpret_log, task_args};
-use super::prepare::Prepared;
+use super::prepare;
 use crate::args::{GlobalArgs, LoggedArgs, ReportArgs};
 use crate::failure::Failure;
 use crate::progress::Progress;
@@ -108,7 +108,7 @@ fn page_of_log(source: &LoggedArgs, global: &GlobalArgs) -> Result<String, Failu
     let progress = Progress::start(global);
     progress.say("reading the task");
     let task_args = task_args(source);
-    let mut prepared = Prepared::read(&task_args)?;
+    let mut prepared = prepare::read(&task_args)?;
     let interpreted = interpret_log(source, &task_args, &mut prepared, None, &progress)?;
     Ok(interpreted.page(&prepared))
 }

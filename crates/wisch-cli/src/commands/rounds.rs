@@ -3,7 +3,7 @@
 use super::PROGRAM;
 use super::interrupt::say_how_to_resume;
 use super::job::{Job, known_truths};
-use super::prepare::Prepared;
+use super::prepare::stage_failure;
 use super::watch::Watch;
 use super::words::{counted, internal, json};
 use crate::args::LoopArgs;
@@ -19,7 +19,7 @@ use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::time::Duration;
 use wisch::plan::Plan;
 use wisch::run::{Executor, NoExecutor, Recording, Round, RunError, RunEvent, Session, Stage};
-use wisch_io::{ExecutedBy, PlanRecord, ProcessExecutor, Robot};
+use wisch_io::{ExecutedBy, LoadedTask, PlanRecord, ProcessExecutor, Robot};
 use wisch_record::{
     EpisodeTarget, EventSink, KeptEpisode, RecordError, RecordOptions, RunRecord, RunResults,
     bag_name,
@@ -55,7 +55,7 @@ pub fn execute(
     let taken_over: Vec<f64> = killed.iter().map(|round| round.executing_s).collect();
     let workcell = super::follow::workcell_config(chosen, job.prepared);
     let options = record_options(job, args, taken_over.len(), workcell);
-    let mut record = RunRecord::begin(&job.prepared.loaded, Some(robot), options)?;
+    let mut record = RunRecord::begin(job.prepared, Some(robot), options)?;
     record.remarks().iter().for_each(|text| remark(text));
     if let (true, Some(episode)) = (killed.is_empty(), record.episode_mut()) {
         episode.keep_interrupted_episodes();
@@ -103,12 +103,7 @@ pub fn execute(
     if is_given {
         results.planning_time_s = None;
     }
-    let kept = record.keep(
-        &job.prepared.loaded,
-        Some(robot),
-        results,
-        first_observation,
-    )?;
+    let kept = record.keep(job.prepared, Some(robot), results, first_observation)?;
     let episode = kept.episode.map_err(Failure::from);
     if let Some(error) = kept.no_bag {
         remark_episode_folder(&episode);
@@ -181,7 +176,7 @@ fn start_executing(
         .first()
         .and_then(|round| round.first_observation.clone());
     let (recorded, truth) = kept.into_iter().map(|r| (r.recorded, r.truth)).unzip();
-    let (task, reality) = (&prepared.task, prepared.reality.clone());
+    let (task, reality) = (&prepared.task, prepared.simulation.clone());
     if let Some(count) = reality.count_over_limit() {
         let limit = reality.max_bodies;
         let text = format!(
@@ -190,7 +185,7 @@ fn start_executing(
         job.progress.aside(|| remark(&text));
     }
     let world = World::new(&WorkSurface::from_task(task), reality, task.seed)
-        .map_err(|error| prepared.failure(job.task_args, error))?
+        .map_err(|error| stage_failure(job.task_args, error))?
         .with_history(truth);
     let recording = Recording::new(first_observation, recorded, world);
     Ok(Executing::World(Box::new(recording)))
@@ -212,8 +207,8 @@ fn results(
     };
     let rounds = session.into_rounds();
     let truths = known_truths(prepared, &rounds, truth)
-        .map_err(|error| prepared.failure(job.task_args, error))?;
-    let later = prepared.reality.pushes.iter().map(|push| push.round);
+        .map_err(|error| stage_failure(job.task_args, error))?;
+    let later = prepared.simulation.pushes.iter().map(|push| push.round);
     let later = later.filter(|_| args.executor.is_none());
     for round in later.filter(|round| *round > rounds.len()) {
         let count = counted(rounds.len(), "round");
@@ -336,7 +331,7 @@ pub fn remark_episode_folder(kept: &Kept) {
 
 /// Returns a digest of all inputs that change a run. The maximum number of rounds is not part of it.
 fn identity(
-    prepared: &Prepared,
+    prepared: &LoadedTask,
     robot: &Robot,
     args: &LoopArgs,
     given: Option<&Plan>,
@@ -345,7 +340,7 @@ fn identity(
     robot.files.add_to(&mut inputs);
     inputs.add("pace", if args.greedy { "greedy" } else { "whole" });
     if let Some(plan) = given {
-        let record = PlanRecord::new(&prepared.task, plan, prepared.config.seed);
+        let record = PlanRecord::new(&prepared.task, plan, prepared.run.plan.seed);
         inputs.add("plan", json(&record)?);
     }
     Ok(inputs.value())

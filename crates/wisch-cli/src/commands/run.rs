@@ -6,7 +6,7 @@ use super::follow::{Chosen, read_robot};
 use super::interrupt::stop_on_signal;
 use super::job::Job;
 use super::out_folder::out_folder;
-use super::prepare::Prepared;
+use super::prepare::{self, stage_failure};
 use super::rounds::{Executed, Kept, execute, remark_episode_folder};
 use super::summary::{in_words, summary};
 use super::watch::show;
@@ -24,8 +24,8 @@ use wisch::interpret::Belief;
 use wisch::plan::{Plan, Strategy, check_strokes, describe_over_border, predict};
 use wisch::recover::Verdict;
 use wisch::run::{Ending, NoExecutor, RunEvent, Stage};
-use wisch_io::OutputFolder;
 use wisch_io::{KilledRuns, Leftover, Replaceable};
+use wisch_io::{LoadedTask, OutputFolder};
 use wisch_io::{PlanRecord, read_text};
 use wisch_record::{KeptEpisode, RecordOptions, RunRecord, RunResults, StageSink, write_results};
 use wisch_report::EffectFrames;
@@ -131,7 +131,7 @@ fn work(
         task_args = task_args.touch_only();
     }
     let task_args = &task_args;
-    let mut prepared = Prepared::read(task_args)?;
+    let mut prepared = prepare::read(task_args)?;
     let any_robot = RobotArgs::default();
     let chosen = choose_robot(extent, &any_robot, task_args, &prepared)?;
     let given = plan_file
@@ -171,7 +171,7 @@ fn work(
         _ => simulate_effect(&job, extent, given)?,
     };
     progress.say("writing the results");
-    let written = write_results(&folder, &prepared.loaded, &results_of).map_err(Failure::from);
+    let written = write_results(&folder, &prepared, &results_of).map_err(Failure::from);
     let written = written.and_then(|()| Ok(folder.finish()?));
     drop(progress);
     if written.is_err() || broken.is_some() {
@@ -203,7 +203,7 @@ fn work(
     if waits_for_the_operator(&results_of) && !is_interrupted {
         remark(WAITS);
     }
-    let is_met = results_of.is_goal_met(prepared.file.target_performance());
+    let is_met = results_of.is_goal_met(prepared.run.target);
     Ok(if is_met {
         Outcome::Done
     } else {
@@ -216,21 +216,18 @@ fn choose_robot<'a>(
     extent: Extent<'a>,
     any: &'a RobotArgs,
     task_args: &TaskArgs,
-    prepared: &Prepared,
+    prepared: &LoadedTask,
 ) -> Result<Option<Chosen<'a>>, Failure> {
     let is_weighed = matches!(extent, Extent::Plan { explain: true, .. })
-        || prepared.config.strategy == Strategy::Best;
+        || prepared.run.plan.strategy == Strategy::Best;
     let chosen = match extent {
         Extent::Plan { .. } if is_weighed => Chosen::new(any, prepared)?,
         Extent::Plan { .. } | Extent::Predict => None,
         Extent::Run(args, _) | Extent::Follow(args) => Chosen::new(args, prepared)?,
     };
     if matches!(extent, Extent::Follow(_)) && chosen.is_none() {
-        return Err(prepared
-            .failure(
-                task_args,
-                "wisch follow needs a robot, but the task has none",
-            )
+        let problem = "wisch follow needs a robot, but the task has none";
+        return Err(stage_failure(task_args, problem)
             .with_help("add a [robot] table to the task, or choose a robot with --robot"));
     }
     let particles = prepared.task.particles.len();
@@ -238,7 +235,7 @@ fn choose_robot<'a>(
         let problem = format!(
             "{particles} particles exceed the limit of {MOST_IN_A_RUN} for a run, whose belief holds many copies of them"
         );
-        let failure = prepared.failure(task_args, problem);
+        let failure = stage_failure(task_args, problem);
         return Err(failure.with_help(
             "reduce particles.count, or use plan, predict or follow, which have no such limit",
         ));
@@ -346,7 +343,7 @@ fn simulate_effect(
         (Extent::Plan { .. }, _) | (_, None) => Stage::Planned,
         (_, Some(_)) => Stage::Audited,
     };
-    let loaded = &job.prepared.loaded;
+    let loaded = &job.prepared;
     let options = RecordOptions {
         program: PROGRAM.to_owned(),
         workcell: Some(job.config(None).workcell),
@@ -407,7 +404,7 @@ fn predict_without_robot(
 }
 
 /// Reads a plan file, checks its strokes, and adopts its strategy.
-pub(super) fn given_plan(path: &Path, prepared: &mut Prepared) -> Result<Plan, Failure> {
+pub(super) fn given_plan(path: &Path, prepared: &mut LoadedTask) -> Result<Plan, Failure> {
     let text = read_text(path)?;
     let in_file = |error| Failure::new(format!("{}: {error}", path.display()));
     let record = PlanRecord::parse(&text).map_err(in_file)?;
@@ -416,6 +413,6 @@ pub(super) fn given_plan(path: &Path, prepared: &mut Prepared) -> Result<Plan, F
     for sentence in describe_over_border(&over_border.map_err(internal)?) {
         remark(&format!("{}: {sentence}", path.display()));
     }
-    prepared.config.strategy = plan.strategy;
+    prepared.run.plan.strategy = plan.strategy;
     Ok(plan)
 }

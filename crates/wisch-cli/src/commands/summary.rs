@@ -1,13 +1,12 @@
 //! The summary of a command: a record for `--json`, and a text for people.
 
 use super::explain::{candidates, table};
-use super::prepare::Prepared;
 use super::round_views::rounds_in_words;
 use super::words::{counted, percent};
 use std::path::Path;
 use wisch::recover::Verdict;
 use wisch::represent::{ParticleDistribution, Treatment};
-use wisch_io::{FOLLOWING_FILE, PLAN_FILE, REPORT_FILE, path_in_results};
+use wisch_io::{FOLLOWING_FILE, LoadedTask, PLAN_FILE, REPORT_FILE, path_in_results};
 use wisch_io::{
     FollowingSummary, LoopSummary, PredictionSummary, SUMMARY_SCHEMA, Summary, TreatmentSummary,
 };
@@ -17,7 +16,7 @@ use wisch_record::{FinishedRound, FollowedPlan, RunResults};
 const SUMMARISED: usize = 64;
 
 /// Makes the record.
-pub(super) fn summary(prepared: &Prepared, results: &RunResults, out: &Path) -> Summary {
+pub(super) fn summary(prepared: &LoadedTask, results: &RunResults, out: &Path) -> Summary {
     let task = &prepared.task;
     let plan = &results.plan;
     let prediction = results.predicted.as_ref().map(|(prediction, _)| prediction);
@@ -29,7 +28,7 @@ pub(super) fn summary(prepared: &Prepared, results: &RunResults, out: &Path) -> 
         ],
         None => [plan.contact_distance(), plan.total_distance()],
     };
-    let target_performance = prepared.file.target_performance();
+    let target_performance = prepared.run.target;
     Summary {
         schema: SUMMARY_SCHEMA,
         task: task.name.clone(),
@@ -38,7 +37,7 @@ pub(super) fn summary(prepared: &Prepared, results: &RunResults, out: &Path) -> 
         tool: task.tool.name.clone(),
         medium: task.medium.clone(),
         strategy: plan.strategy.to_string(),
-        seed: prepared.config.seed,
+        seed: prepared.run.plan.seed,
         particles: task.particles.len(),
         nodes: plan.graph.nodes.len(),
         edges: plan.graph.edges.len(),
@@ -66,13 +65,13 @@ pub(super) fn summary(prepared: &Prepared, results: &RunResults, out: &Path) -> 
 }
 
 /// Averages the passes over the points of a treated surface: as estimated after the last round, else as predicted.
-fn treatment(prepared: &Prepared, results: &RunResults) -> Option<TreatmentSummary> {
+fn treatment(prepared: &LoadedTask, results: &RunResults) -> Option<TreatmentSummary> {
     let task = &prepared.task;
     task.treatment?;
     let places: Vec<ParticleDistribution> = match results.rounds.last() {
         Some(last) => {
             let belief = &last.round.interpretation.belief;
-            belief.draw_members(SUMMARISED, prepared.config.seed)
+            belief.draw_members(SUMMARISED, prepared.run.plan.seed)
         }
         None => vec![results.predicted.as_ref()?.0.particles.clone()],
     };

@@ -2,23 +2,27 @@
 
 use super::clusters::heaps;
 use super::deserialize::{At, record};
-use super::execution::{execution, perception};
-use super::mount::mount;
+use super::execution::camera;
 use super::outline::Outline;
 use super::tables::{
     EdgeName, FrameName, ObjectTable, ParticlesTable, PolishTable, RobotTable, SurfaceTable,
     TaskTable,
 };
-use super::tree::{Node, Source, Value};
-use super::values::{AngleRad, Name, PositionM, QuaternionPart, point};
+use super::tree::{Source, description, integer};
+use super::values::{AngleRad, Name, PositionM, QuaternionPart, mask, point};
 use super::{
     Frame, Intent, ObjectRecord, RobotDescription, RobotRecord, SCHEMA, Shape, SurfaceRecord,
     TaskError, TaskFile,
 };
-use crate::particles::{MaskSource, ParticleSource};
+use crate::particles::ParticleSource;
 use nalgebra::{Quaternion, Translation3, UnitQuaternion};
+use toml::Spanned;
+use toml::de::DeValue;
+use wisch::follow::FollowConfig;
 use wisch::geometry::{Pose, Vector2, Vector3};
+use wisch::plan::{PlanConfig, SearchConfig, YawRule};
 use wisch::represent::{Surface, Treatment};
+use wisch::run::RunConfig;
 use wisch::source_location::{Place, UnknownName};
 
 /// Tolerance of a quaternion's norm around 1.
@@ -30,70 +34,91 @@ pub(super) fn read(source: &Source<'_>) -> Result<TaskFile, TaskError> {
     schema(&tree, source)?;
     let file: At<TaskTable> = record(source, &tree)?;
     let task = &file.value;
-    let (intent, intent_at) = intent(&file, source)?;
-    let named = |name: Option<&At<Name>>| name.map_or(intent_at.clone(), |name| name.place(source));
+    let (intent, intent_at) = intent(&file)?;
+    let named = |name: Option<&At<Name>>| name.map_or(&intent_at, |name| &name.place).clone();
     let tool = task.tool.as_ref().map(|tool| &tool.value);
     let medium = task.medium.as_ref().map(|medium| &medium.value);
-    let scene = scene(&task.scene, source)?;
+    let scene = scene(&task.scene)?;
+    let mount = tool.and_then(|tool| tool.mount.as_ref());
+    let mount = mount.map(super::mount::mount).transpose()?;
+    let surface = surface(&task.surface, &scene)?;
+    let robot = task.robot.as_ref().map(robot).transpose()?;
+    let camera = camera(&task.perception)?;
+    task.execution.check()?;
+    let polish = task.polish.as_ref().map(polish).transpose()?;
+    let particles = particle_source(&task.particles.value)?;
+    let definitions = super::definitions::read(&file)?;
     Ok(TaskFile {
         name: task.name.0.clone(),
-        seed: task.seed.0,
+        intent,
         strategy: task.strategy.as_ref().map(|name| name.0.clone()),
-        target_performance: task.target_performance.0,
+        run: run_config(task),
+        robot,
+        camera,
+        particles,
         tool_at: named(tool.and_then(|tool| tool.name.as_ref())),
         tool_start: tool.and_then(|tool| tool.start_m).map(point),
-        mount: (tool.and_then(|tool| tool.mount.as_ref()))
-            .map(|table| mount(table, source))
-            .transpose()?,
+        mount,
         medium_at: named(medium.and_then(|medium| medium.name.as_ref())),
-        surface: surface(&task.surface, &scene, source)?,
-        robot: task
-            .robot
-            .as_ref()
-            .map(|table| robot(table, source))
-            .transpose()?,
-        perception: perception(&task.perception, source)?,
-        execution: execution(&task.execution, source)?,
-        max_rounds: task.execution.max_rounds.0 as usize,
-        end_strokes_early: task.execution.end_strokes_early,
-        pace: task.execution.pace.into(),
-        after_stop: task.execution.after_stop.into(),
-        start_rad: task.execution.start_rad.0,
+        surface,
         collect_goal: (task.collect.as_ref())
             .and_then(|collect| collect.goal_m)
             .map(point),
-        polish: (task.polish.as_ref())
-            .map(|table| polish(table, source))
-            .transpose()?,
+        polish,
         emit: task.emit.as_ref().map(|emit| Treatment::Emit {
             thickness: emit.thickness_m.0,
             volume_per_metre: emit.volume_m3_per_m.0,
         }),
-        particles_at: task.particles.place(source),
-        particles: particle_source(&task.particles.value, source)?,
         scene,
-        bandwidth: task.plan.bandwidth_m.map(|h| h.0),
-        yaw: task.plan.heading.into(),
-        lift_height: task.plan.lift_height_m.0,
-        evaluations: task.plan.evaluations.0 as usize,
-        margin: task.plan.margin_m.0,
-        max_distance: task.plan.max_distance_m.map(|most| most.0),
-        contact_speed: task.plan.contact_speed_m_per_s.0,
-        free_speed: task.plan.free_speed_m_per_s.map(|speed| speed.0),
-        variants: task.plan.variants.0 as usize,
-        min_score: task.plan.min_score.0,
-        definitions: super::definitions::read(&file, source)?,
-        intent,
+        particles_at: file.value.particles.place,
+        definitions,
+        execution: file.value.execution,
     })
 }
 
-fn polish(table: &PolishTable, source: &Source<'_>) -> Result<Treatment, TaskError> {
+/// Returns the settings of the stages that the file states; the rest has its default.
+fn run_config(task: &TaskTable) -> RunConfig {
+    let (plan, execution) = (&task.plan, &task.execution);
+    let yaw = plan.heading.into();
+    RunConfig {
+        plan: PlanConfig {
+            seed: task.seed.0,
+            bandwidth: plan.bandwidth_m.map(|h| h.0),
+            yaw,
+            lift_height: plan.lift_height_m.0,
+            max_distance: plan.max_distance_m.map(|most| most.0),
+            search: SearchConfig {
+                evaluations: plan.evaluations.0 as usize,
+                margin_m: plan.margin_m.0,
+            },
+            ..PlanConfig::default()
+        },
+        variants: plan.variants.0 as usize,
+        follow: FollowConfig {
+            contact_speed: plan.contact_speed_m_per_s.0,
+            free_speed: (plan.free_speed_m_per_s).map_or(f64::INFINITY, |speed| speed.0),
+            // A rule that the user has chosen is not changed.
+            free_yaw: yaw == YawRule::Best,
+            ..FollowConfig::default()
+        },
+        target: task.target_performance.0,
+        min_score: plan.min_score.0,
+        max_rounds: execution.max_rounds.0 as usize,
+        pace: execution.pace.into(),
+        end_strokes_early: execution.end_strokes_early,
+        after_stop: execution.after_stop.into(),
+        start_tolerance: execution.start_rad.0,
+        ..RunConfig::default()
+    }
+}
+
+fn polish(table: &PolishTable) -> Result<Treatment, TaskError> {
     let passes = table.passes.0 as u32;
     let max_passes = match &table.max_passes {
         Some(most) if (most.value.0 as u32) < passes => {
             let most_passes = most.value.0;
             let problem = format!("{most_passes} is below polish.passes = {passes}");
-            return Err(most.inconsistent(source, problem));
+            return Err(most.inconsistent(problem));
         }
         Some(most) => most.value.0 as u32,
         None => passes + 1,
@@ -105,32 +130,25 @@ fn polish(table: &PolishTable, source: &Source<'_>) -> Result<Treatment, TaskErr
     })
 }
 
-fn schema(tree: &Value, source: &Source<'_>) -> Result<(), TaskError> {
-    let Node::Table(entries) = &tree.node else {
+fn schema(tree: &Spanned<DeValue<'_>>, source: &Source<'_>) -> Result<(), TaskError> {
+    let Some(found) = tree.get_ref().get("schema") else {
         return Ok(());
     };
-    let Some(entry) = entries.iter().find(|entry| entry.key == "schema") else {
-        return Ok(());
-    };
-    match entry.value.node {
-        Node::Integer(found) if found == i128::from(SCHEMA) => Ok(()),
-        ref other => Err(TaskError::Schema {
-            at: source.place(entry.value.offset),
-            found: other.description(),
+    match found.get_ref() {
+        DeValue::Integer(number) if integer(number) == Some(i128::from(SCHEMA)) => Ok(()),
+        other => Err(TaskError::Schema {
+            at: source.place(found.span().start),
+            found: description(other),
         }),
     }
 }
 
-fn intent(file: &At<TaskTable>, source: &Source<'_>) -> Result<(Intent, Place), TaskError> {
+fn intent(file: &At<TaskTable>) -> Result<(Intent, Place), TaskError> {
     let task = &file.value;
-    let offset = |at: &At<_>| at.offset;
-    file.exactly_one(
-        source,
-        &[
-            ("action", task.action.as_ref().map(offset)),
-            ("goal", task.goal.as_ref().map(|goal| goal.offset)),
-        ],
-    )?;
+    file.exactly_one(&[
+        ("action", task.action.as_ref().map(|action| &action.place)),
+        ("goal", task.goal.as_ref().map(|goal| &goal.place)),
+    ])?;
     let text = |name: &Name| name.0.clone();
     let tool = task.tool.as_ref().map(|tool| &tool.value);
     let tool_name = tool.and_then(|tool| tool.name.as_ref());
@@ -144,10 +162,10 @@ fn intent(file: &At<TaskTable>, source: &Source<'_>) -> Result<(Intent, Place), 
             available_tools: available
                 .map_or_else(Vec::new, |names| names.iter().map(text).collect()),
         };
-        return Ok((intent, goal.place(source)));
+        return Ok((intent, goal.place.clone()));
     }
-    let action = (task.action.as_ref()).ok_or_else(|| file.missing(source, "action"))?;
-    let at = action.place(source);
+    let action = (task.action.as_ref()).ok_or_else(|| file.missing("action"))?;
+    let at = action.place.clone();
     let missing = |table: &str| TaskError::Missing {
         at: at.clone(),
         table: table.to_owned(),
@@ -163,34 +181,26 @@ fn intent(file: &At<TaskTable>, source: &Source<'_>) -> Result<(Intent, Place), 
     Ok((intent, at))
 }
 
-fn surface(
-    table: &At<SurfaceTable>,
-    scene: &[ObjectRecord],
-    source: &Source<'_>,
-) -> Result<SurfaceRecord, TaskError> {
+fn surface(table: &At<SurfaceTable>, scene: &[ObjectRecord]) -> Result<SurfaceRecord, TaskError> {
     let surface = &table.value;
-    table.exactly_one(
-        source,
-        &[
-            ("size_m", surface.size_m.as_ref().map(|size| size.offset)),
-            (
-                "outline_m",
-                surface.outline_m.as_ref().map(|outline| outline.offset),
-            ),
-        ],
-    )?;
+    table.exactly_one(&[
+        ("size_m", surface.size_m.as_ref().map(|size| &size.place)),
+        (
+            "outline_m",
+            surface.outline_m.as_ref().map(|outline| &outline.place),
+        ),
+    ])?;
     let outline = match (&surface.size_m, &surface.outline_m) {
         (Some(size), _) => Outline::rectangle(Vector2::from(size.value.map(|side| side.0))),
-        (None, Some(outline)) => Outline::read(outline, source)?,
-        (None, None) => return Err(table.missing(source, "size_m")),
+        (None, Some(outline)) => Outline::read(outline)?,
+        (None, None) => return Err(table.missing("size_m")),
     }
-    .with_holes(&surface.holes_m, source)?;
+    .with_holes(&surface.holes_m)?;
     let mut skim_edges = Vec::new();
     for item in &surface.skim_edges {
         let typed = match item.value {
             EdgeName::OfRectangle(_) if surface.size_m.is_none() => {
                 return Err(item.inconsistent(
-                    source,
                     "names of edges need size_m; for outline_m, use the numbers of edges",
                 ));
             }
@@ -201,7 +211,7 @@ fn surface(
                     Ok(point) if point <= last => point,
                     _ => {
                         return Err(TaskError::OutOfRange {
-                            at: item.place(source),
+                            at: item.place.clone(),
                             key: item.path.clone(),
                             value: point.to_string(),
                             limits: format!("at least 0 and at most {last}"),
@@ -212,7 +222,7 @@ fn surface(
         };
         let edge = outline.edge(typed);
         if skim_edges.contains(&edge) {
-            return Err(item.inconsistent(source, "the edge is given twice"));
+            return Err(item.inconsistent("the edge is given twice"));
         }
         skim_edges.push(edge);
     }
@@ -220,7 +230,7 @@ fn surface(
         Some(name) => {
             let index = scene.iter().position(|object| object.name == name.value);
             Some(index.ok_or_else(|| TaskError::UnknownReference {
-                at: name.place(source),
+                at: name.place.clone(),
                 unknown: Box::new(UnknownName::new(
                     "scene object",
                     &name.value,
@@ -231,7 +241,7 @@ fn surface(
         None => None,
     };
     Ok(SurfaceRecord {
-        at: surface.name.place(source),
+        at: surface.name.place.clone(),
         surface: Surface {
             name: surface.name.value.0.clone(),
             outline: outline.polygon,
@@ -240,7 +250,6 @@ fn surface(
                 surface.position_m,
                 surface.rpy_rad,
                 surface.quaternion_xyzw.as_ref(),
-                source,
             )?,
             skim_edges,
         },
@@ -248,27 +257,20 @@ fn surface(
     })
 }
 
-fn robot(table: &At<RobotTable>, source: &Source<'_>) -> Result<RobotRecord, TaskError> {
+fn robot(table: &At<RobotTable>) -> Result<RobotRecord, TaskError> {
     let robot = &table.value;
-    table.exactly_one(
-        source,
-        &[
-            ("name", robot.name.as_ref().map(|name| name.offset)),
-            ("urdf", robot.urdf.as_ref().map(|urdf| urdf.offset)),
-        ],
-    )?;
+    table.exactly_one(&[
+        ("name", robot.name.as_ref().map(|name| &name.place)),
+        ("urdf", robot.urdf.as_ref().map(|urdf| &urdf.place)),
+    ])?;
     let text = |name: &Option<Name>| name.as_ref().map(|name| name.0.clone());
     let srdf = text(&robot.srdf);
     let description = match (&robot.name, &robot.urdf) {
         (Some(_), _) if srdf.is_some() => {
-            return Err(
-                table.inconsistent(source, "srdf needs urdf; a shipped robot has its own SRDF")
-            );
+            return Err(table.inconsistent("srdf needs urdf; a shipped robot has its own SRDF"));
         }
         (Some(_), _) if robot.packages.is_some() => {
-            return Err(
-                table.inconsistent(source, "packages needs urdf; a shipped robot has no meshes")
-            );
+            return Err(table.inconsistent("packages needs urdf; a shipped robot has no meshes"));
         }
         (Some(name), _) => RobotDescription::Named(name.value.0.clone()),
         (None, Some(urdf)) => RobotDescription::Files {
@@ -278,7 +280,7 @@ fn robot(table: &At<RobotTable>, source: &Source<'_>) -> Result<RobotRecord, Tas
                 .map(|(name, folder)| (name.clone(), folder.0.clone()))
                 .collect(),
         },
-        (None, None) => return Err(table.missing(source, "name")),
+        (None, None) => return Err(table.missing("name")),
     };
     let quaternion = robot.quaternion_xyzw.as_ref();
     let is_turned = robot.rpy_rad.is_some() || quaternion.is_some();
@@ -287,15 +289,9 @@ fn robot(table: &At<RobotTable>, source: &Source<'_>) -> Result<RobotRecord, Tas
         group: text(&robot.group),
         second_group: text(&robot.second_group),
         world_from_robot: match robot.position_m {
-            Some(position) => Some(pose(
-                table,
-                Some(position),
-                robot.rpy_rad,
-                quaternion,
-                source,
-            )?),
+            Some(position) => Some(pose(table, Some(position), robot.rpy_rad, quaternion)?),
             None if is_turned => {
-                return Err(table.inconsistent(source, "a rotation needs position_m, too"));
+                return Err(table.inconsistent("a rotation needs position_m, too"));
             }
             None => None,
         },
@@ -308,7 +304,6 @@ fn pose<T>(
     position: Option<[PositionM; 3]>,
     rpy: Option<[AngleRad; 3]>,
     quaternion: Option<&At<[QuaternionPart; 4]>>,
-    source: &Source<'_>,
 ) -> Result<Pose, TaskError> {
     let position = position.map_or_else(Vector3::zeros, |p| Vector3::from(p.map(|x| x.0)));
     let rotation = match (rpy, quaternion) {
@@ -321,39 +316,34 @@ fn pose<T>(
             let quaternion = Quaternion::new(w, x, y, z);
             let norm = quaternion.norm();
             if (norm - 1.0).abs() > QUATERNION_NORM_TOLERANCE {
-                return Err(given.inconsistent(
-                    source,
-                    format!(
-                        "its norm is {norm}, but must be within {QUATERNION_NORM_TOLERANCE} of 1"
-                    ),
-                ));
+                return Err(given.inconsistent(format!(
+                    "its norm is {norm}, but must be within {QUATERNION_NORM_TOLERANCE} of 1"
+                )));
             }
             UnitQuaternion::from_quaternion(quaternion)
         }
         (Some(_), Some(_)) => {
-            return Err(
-                table.inconsistent(source, "rpy_rad and quaternion_xyzw exclude each other")
-            );
+            return Err(table.inconsistent("rpy_rad and quaternion_xyzw exclude each other"));
         }
     };
     Ok(Pose::from_parts(Translation3::from(position), rotation))
 }
 
-fn scene(tables: &[At<ObjectTable>], source: &Source<'_>) -> Result<Vec<ObjectRecord>, TaskError> {
+fn scene(tables: &[At<ObjectTable>]) -> Result<Vec<ObjectRecord>, TaskError> {
     let mut objects: Vec<ObjectRecord> = Vec::new();
     let mut places = std::collections::BTreeMap::new();
     for table in tables {
         let object = &table.value;
         let name = object.name.value.0.clone();
-        let at = object.name.place(source);
+        let at = object.name.place.clone();
         if let Some(first) = places.insert(name.clone(), at.clone()) {
             let problem = format!("{name:?} is already defined at {first}");
-            return Err(object.name.inconsistent(source, problem));
+            return Err(object.name.inconsistent(problem));
         }
         objects.push(ObjectRecord {
             at,
             name,
-            shape: shape(table, source)?,
+            shape: shape(table)?,
             frame: match object.frame {
                 FrameName::World => Frame::World,
                 FrameName::Surface => Frame::Surface,
@@ -363,7 +353,6 @@ fn scene(tables: &[At<ObjectTable>], source: &Source<'_>) -> Result<Vec<ObjectRe
                 object.position_m,
                 object.rpy_rad,
                 object.quaternion_xyzw.as_ref(),
-                source,
             )?,
             part: object.role.into(),
         });
@@ -371,21 +360,18 @@ fn scene(tables: &[At<ObjectTable>], source: &Source<'_>) -> Result<Vec<ObjectRe
     Ok(objects)
 }
 
-fn shape(table: &At<ObjectTable>, source: &Source<'_>) -> Result<Shape, TaskError> {
+fn shape(table: &At<ObjectTable>) -> Result<Shape, TaskError> {
     let object = &table.value;
-    table.exactly_one(
-        source,
-        &[
-            ("box_m", object.box_m.as_ref().map(|shape| shape.offset)),
-            (
-                "cylinder",
-                object.cylinder.as_ref().map(|shape| shape.offset),
-            ),
-            ("sphere", object.sphere.as_ref().map(|shape| shape.offset)),
-            ("capsule", object.capsule.as_ref().map(|shape| shape.offset)),
-            ("mesh", object.mesh.as_ref().map(|shape| shape.offset)),
-        ],
-    )?;
+    table.exactly_one(&[
+        ("box_m", object.box_m.as_ref().map(|shape| &shape.place)),
+        (
+            "cylinder",
+            object.cylinder.as_ref().map(|shape| &shape.place),
+        ),
+        ("sphere", object.sphere.as_ref().map(|shape| &shape.place)),
+        ("capsule", object.capsule.as_ref().map(|shape| &shape.place)),
+        ("mesh", object.mesh.as_ref().map(|shape| &shape.place)),
+    ])?;
     if let Some(size) = &object.box_m {
         return Ok(Shape::Box(Vector3::from(size.value.map(|side| side.0))));
     }
@@ -406,18 +392,15 @@ fn shape(table: &At<ObjectTable>, source: &Source<'_>) -> Result<Shape, TaskErro
             height: value.height_m.0,
         });
     }
-    let mesh = (object.mesh.as_ref()).ok_or_else(|| table.missing(source, "mesh"))?;
+    let mesh = (object.mesh.as_ref()).ok_or_else(|| table.missing("mesh"))?;
     Ok(Shape::Mesh {
-        at: mesh.value.file.place(source),
+        at: mesh.value.file.place.clone(),
         file: mesh.value.file.value.0.clone(),
         scale: mesh.value.scale.0,
     })
 }
 
-fn particle_source(
-    table: &ParticlesTable,
-    source: &Source<'_>,
-) -> Result<ParticleSource, TaskError> {
+fn particle_source(table: &ParticlesTable) -> Result<ParticleSource, TaskError> {
     Ok(match table {
         ParticlesTable::Surface { count } => ParticleSource::Surface {
             count: count.0 as usize,
@@ -427,7 +410,7 @@ fn particle_source(
         },
         ParticlesTable::Clusters { count, clusters } => ParticleSource::Clusters {
             count: count.0 as usize,
-            clusters: heaps(clusters, source)?,
+            clusters: heaps(clusters)?,
         },
         ParticlesTable::Csv { file } => ParticleSource::Csv {
             file: file.0.clone(),
@@ -438,12 +421,6 @@ fn particle_source(
             color,
             tolerance,
             count,
-        } => ParticleSource::Image(MaskSource {
-            file: file.0.clone(),
-            corners_px: corners_px.map(|corner| corner.map(|x| x.0).into()),
-            color: color.map(|channel| channel.0 as u8),
-            tolerance: tolerance.0,
-            count: count.0 as usize,
-        }),
+        } => ParticleSource::Image(mask(file, corners_px, color, *tolerance, *count)),
     })
 }

@@ -2,7 +2,6 @@
 
 use super::TaskError;
 use super::deserialize::At;
-use super::tree::Source;
 use super::values::{PositionM, SigmaM, Weight, point};
 use schemars::JsonSchema;
 use serde::Deserialize;
@@ -12,7 +11,7 @@ use wisch::represent::Cluster;
 const MAX_CLUSTERS: usize = 10_000;
 
 /// A heap: a normal distribution of particles.
-#[derive(Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 #[schemars(rename = "Cluster")]
 pub(super) struct ClusterTable {
@@ -30,16 +29,12 @@ fn weight() -> Weight {
 }
 
 /// Reads the heaps and checks their number.
-pub(super) fn heaps(
-    clusters: &At<Vec<ClusterTable>>,
-    source: &Source<'_>,
-) -> Result<Vec<Cluster>, TaskError> {
+pub(super) fn heaps(clusters: &At<Vec<ClusterTable>>) -> Result<Vec<Cluster>, TaskError> {
     let found = clusters.value.len();
     if !(1..=MAX_CLUSTERS).contains(&found) {
-        return Err(clusters.inconsistent(
-            source,
-            format!("{found} clusters are outside the limits of 1 to {MAX_CLUSTERS}"),
-        ));
+        return Err(clusters.inconsistent(format!(
+            "{found} clusters are outside the limits of 1 to {MAX_CLUSTERS}"
+        )));
     }
     Ok(clusters.value.iter().map(Cluster::from).collect())
 }

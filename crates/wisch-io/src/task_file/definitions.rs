@@ -2,7 +2,6 @@
 
 use super::deserialize::At;
 use super::tables::{InteractionTable, MediumKindName, MediumTable, TaskTable, ToolTable};
-use super::tree::Source;
 use super::values::Name;
 use super::{Intent, TaskError, TaskFile};
 use crate::knowledge::is_entry_name;
@@ -61,60 +60,56 @@ struct GivenValues {
     kept_share: Option<f64>,
 }
 
-pub(super) fn read(file: &At<TaskTable>, source: &Source<'_>) -> Result<Definitions, TaskError> {
+pub(super) fn read(file: &At<TaskTable>) -> Result<Definitions, TaskError> {
     let task = &file.value;
     let surface = match task.surface.value.friction {
         Some(friction) => Some(SurfaceEntry {
-            name: new_name(&task.surface.value.name, source)?,
+            name: new_name(&task.surface.value.name)?,
             friction: friction.0,
         }),
         None => None,
     };
     Ok(Definitions {
         tool: match &task.tool {
-            Some(table) => tool(table, source)?,
+            Some(table) => tool(table)?,
             None => None,
         },
         medium: match &task.medium {
-            Some(table) => medium(table, source)?,
+            Some(table) => medium(table)?,
             None => None,
         },
         surface,
         interaction: match &task.interaction {
-            Some(table) => Some(overrides(table, task, source)?),
+            Some(table) => Some(overrides(table, task)?),
             None => None,
         },
     })
 }
 
-fn new_name(name: &At<Name>, source: &Source<'_>) -> Result<String, TaskError> {
+fn new_name(name: &At<Name>) -> Result<String, TaskError> {
     let text = &name.value.0;
     if is_entry_name(text) {
         Ok(text.clone())
     } else {
-        Err(name.inconsistent(
-            source,
-            format!(
+        Err(name.inconsistent(format!(
                 "{text:?} is not a valid new name: expected a small letter, then small letters, digits, _ and -"
             ),
         ))
     }
 }
 
-fn tool(table: &At<ToolTable>, source: &Source<'_>) -> Result<Option<ToolEntry>, TaskError> {
+fn tool(table: &At<ToolTable>) -> Result<Option<ToolEntry>, TaskError> {
     let given = &table.value;
     let mesh = match (&given.footprint_m, &given.mesh) {
         (None, None) => {
             return match &given.compression_depth_m {
-                Some(depth) => Err(depth.inconsistent(
-                    source,
-                    "this key needs footprint_m or mesh, which define a tool of this task; for a tool of the knowledge base, set interaction.compression_depth_m",
+                Some(depth) => Err(depth.inconsistent("this key needs footprint_m or mesh, which define a tool of this task; for a tool of the knowledge base, set interaction.compression_depth_m",
                 )),
                 None => Ok(None),
             };
         }
         (Some(_), Some(mesh)) => {
-            return Err(mesh.inconsistent(source, "footprint_m and mesh exclude each other"));
+            return Err(mesh.inconsistent("footprint_m and mesh exclude each other"));
         }
         (Some(footprint), None) => {
             let [depth, width] = footprint.value.map(|side| side.0);
@@ -122,10 +117,10 @@ fn tool(table: &At<ToolTable>, source: &Source<'_>) -> Result<Option<ToolEntry>,
         }
         (None, Some(file)) => ToolMesh::BesideTask(file.value.0.clone()),
     };
-    let name = (given.name.as_ref()).ok_or_else(|| table.missing(source, "name"))?;
+    let name = (given.name.as_ref()).ok_or_else(|| table.missing("name"))?;
     let depth = given.compression_depth_m.as_ref();
     Ok(Some(ToolEntry {
-        name: new_name(name, source)?,
+        name: new_name(name)?,
         mesh,
         compression_depth_m: depth.map_or(COMPRESSION_DEPTH, |depth| depth.value.0),
         area_of_effect: None,
@@ -137,58 +132,52 @@ fn tool(table: &At<ToolTable>, source: &Source<'_>) -> Result<Option<ToolEntry>,
     }))
 }
 
-fn medium(table: &At<MediumTable>, source: &Source<'_>) -> Result<Option<MediumEntry>, TaskError> {
+fn medium(table: &At<MediumTable>) -> Result<Option<MediumEntry>, TaskError> {
     let given = &table.value;
     let sizes = given.grain_size_m.as_ref();
     let Some(kind) = &given.kind else {
         return match sizes {
-            Some(sizes) => Err(sizes.inconsistent(
-                source,
-                "this key needs kind, which defines a medium of this task",
-            )),
+            Some(sizes) => {
+                Err(sizes.inconsistent("this key needs kind, which defines a medium of this task"))
+            }
             None => Ok(None),
         };
     };
-    let name = (given.name.as_ref()).ok_or_else(|| table.missing(source, "name"))?;
+    let name = (given.name.as_ref()).ok_or_else(|| table.missing("name"))?;
     let grain_size = match (kind.value, sizes) {
         (MediumKindName::Liquid, Some(sizes)) => {
-            return Err(sizes.inconsistent(source, "a liquid has no grains"));
+            return Err(sizes.inconsistent("a liquid has no grains"));
         }
         (MediumKindName::Liquid, None) => None,
         (_, None) => Some(GRAIN_SIZE),
         (_, Some(sizes)) => {
             let [min_m, max_m] = sizes.value.map(|size| size.0);
             if min_m > max_m {
-                return Err(sizes.inconsistent(
-                    source,
-                    format!("the minimum {min_m} exceeds the maximum {max_m}"),
-                ));
+                return Err(
+                    sizes.inconsistent(format!("the minimum {min_m} exceeds the maximum {max_m}"))
+                );
             }
             Some(GrainSize { min_m, max_m })
         }
     };
     Ok(Some(MediumEntry {
-        name: new_name(name, source)?,
+        name: new_name(name)?,
         kind: kind.value.into(),
         grain_size,
     }))
 }
 
-fn overrides(
-    table: &At<InteractionTable>,
-    task: &TaskTable,
-    source: &Source<'_>,
-) -> Result<Overrides, TaskError> {
+fn overrides(table: &At<InteractionTable>, task: &TaskTable) -> Result<Overrides, TaskError> {
     let tool = task.tool.as_ref().and_then(|tool| tool.value.name.as_ref());
     let medium = task.medium.as_ref();
     let medium = medium.and_then(|medium| medium.value.name.as_ref());
     let (Some(tool), Some(medium)) = (tool, medium) else {
-        return Err(table.inconsistent(source, "this table needs tool.name and medium.name"));
+        return Err(table.inconsistent("this table needs tool.name and medium.name"));
     };
     let given = &table.value;
     let actions = match &given.actions {
         Some(actions) if actions.value.is_empty() => {
-            return Err(actions.inconsistent(source, "at least one action is needed"));
+            return Err(actions.inconsistent("at least one action is needed"));
         }
         Some(actions) => Some(
             actions
@@ -216,7 +205,7 @@ fn overrides(
         kept_share: given.kept_share.map(|share| share.0),
     };
     Ok(Overrides {
-        at: table.place(source),
+        at: table.place.clone(),
         pair: (tool.value.0.clone(), medium.value.0.clone()),
         values,
     })
@@ -232,7 +221,7 @@ impl TaskFile {
         let defined = &self.definitions;
         defined.insert_entries(knowledge);
         let bare;
-        let overrides = match (&defined.interaction, self.intent()) {
+        let overrides = match (&defined.interaction, &self.intent) {
             (Some(overrides), _) => overrides,
             (None, Intent::Action { tool, medium, .. }) if defined.has_tool_or_medium() => {
                 bare = Overrides {
@@ -245,7 +234,7 @@ impl TaskFile {
             _ => return Ok(Vec::new()),
         };
         let (tool, medium) = &overrides.pair;
-        let surface = self.surface();
+        let surface = &self.surface.surface.name;
         let unknown = |error: KnowledgeError| self.unknown(error, &overrides.at);
         let (mut interaction, is_assumed) = match knowledge.interaction(tool, medium, surface) {
             Ok(known) => (known.clone(), false),

@@ -1,7 +1,7 @@
 //! A serde deserializer over the tree of a task file, whose errors state location and key.
 
 use super::TaskError;
-use super::tree::{Entry, Node, Source, Value};
+use super::tree::{Source, description, float, integer};
 use schemars::{JsonSchema, Schema, SchemaGenerator};
 use serde::de::value::{StrDeserializer, U64Deserializer};
 use serde::de::{
@@ -11,6 +11,8 @@ use serde::de::{
 use serde::{Deserialize, forward_to_deserialize_any};
 use std::borrow::Cow;
 use std::fmt;
+use toml::Spanned;
+use toml::de::{DeString, DeTable, DeValue};
 use wisch::source_location::{Place, UnknownName};
 
 /// Name of the newtype with which [`At`] requests the location of its value.
@@ -19,7 +21,7 @@ const AT: &str = "At";
 /// Reads a record; its type defines the keys, which are required, and their limits.
 pub(super) fn record<'de, T: Deserialize<'de>>(
     source: &'de Source<'de>,
-    tree: &'de Value,
+    tree: &'de Spanned<DeValue<'de>>,
 ) -> Result<T, TaskError> {
     let root = Field {
         source,
@@ -38,57 +40,45 @@ pub(super) fn record<'de, T: Deserialize<'de>>(
 }
 
 /// A value with its location, for checks that involve other values.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, PartialEq)]
 pub(super) struct At<T> {
-    pub(super) offset: usize,
+    pub(super) place: Place,
     /// The full key, such as `scene[1].position_m`; empty at the top level.
     pub(super) path: String,
     pub(super) value: T,
 }
 
 impl<T> At<T> {
-    pub(super) fn place(&self, source: &Source<'_>) -> Place {
-        source.place(self.offset)
-    }
-
-    pub(super) fn inconsistent(
-        &self,
-        source: &Source<'_>,
-        problem: impl Into<String>,
-    ) -> TaskError {
+    pub(super) fn inconsistent(&self, problem: impl Into<String>) -> TaskError {
         TaskError::Inconsistent {
-            at: self.place(source),
+            at: self.place.clone(),
             key: self.path.clone(),
             problem: problem.into(),
         }
     }
 
     /// Makes the error of a missing key of this table.
-    pub(super) fn missing(&self, source: &Source<'_>, key: &'static str) -> TaskError {
+    pub(super) fn missing(&self, key: &'static str) -> TaskError {
         TaskError::Missing {
-            at: self.place(source),
+            at: self.place.clone(),
             table: self.path.clone(),
             key,
         }
     }
 
-    /// Checks that exactly one of these keys of this table is given. `keys`: names and offsets.
-    pub(super) fn exactly_one(
-        &self,
-        source: &Source<'_>,
-        keys: &[(&str, Option<usize>)],
-    ) -> Result<(), TaskError> {
+    /// Checks that exactly one of these keys of this table is given. `keys`: names and locations.
+    pub(super) fn exactly_one(&self, keys: &[(&str, Option<&Place>)]) -> Result<(), TaskError> {
         let names: Vec<&str> = keys.iter().map(|(name, _)| *name).collect();
-        let found: Vec<(&str, usize)> = (keys.iter())
-            .filter_map(|(name, offset)| Some((*name, (*offset)?)))
+        let found: Vec<(&str, &Place)> = (keys.iter())
+            .filter_map(|(name, place)| Some((*name, (*place)?)))
             .collect();
-        let (offset, found) = match &found[..] {
+        let (at, found) = match &found[..] {
             [_] => return Ok(()),
-            [] => (self.offset, "none is given".to_owned()),
+            [] => (&self.place, "none is given".to_owned()),
             [(one, _), (other, second), ..] => (*second, format!("{one} and {other} are given")),
         };
         Err(TaskError::Inconsistent {
-            at: source.place(offset),
+            at: at.clone(),
             key: self.path.clone(),
             problem: format!(
                 "exactly one of {} is required, but {found}",
@@ -107,11 +97,15 @@ impl<'de, T: Deserialize<'de>> Deserialize<'de> for At<T> {
                 f.write_str("a value with its place")
             }
             fn visit_seq<A: SeqAccess<'de>>(self, mut parts: A) -> Result<At<T>, A::Error> {
-                let lacks = |index| de::Error::invalid_length(index, &"offset, path and value");
+                let lacks = |index| de::Error::invalid_length(index, &"place, path and value");
                 Ok(At {
-                    offset: parts.next_element::<u64>()?.ok_or_else(|| lacks(0))? as usize,
-                    path: parts.next_element()?.ok_or_else(|| lacks(1))?,
-                    value: parts.next_element()?.ok_or_else(|| lacks(2))?,
+                    place: Place {
+                        file: parts.next_element()?.ok_or_else(|| lacks(0))?,
+                        line: parts.next_element::<u64>()?.ok_or_else(|| lacks(1))? as usize,
+                        column: parts.next_element::<u64>()?.ok_or_else(|| lacks(2))? as usize,
+                    },
+                    path: parts.next_element()?.ok_or_else(|| lacks(3))?,
+                    value: parts.next_element()?.ok_or_else(|| lacks(4))?,
                 })
             }
         }
@@ -187,28 +181,36 @@ impl de::Error for Fault {
 struct Field<'de> {
     source: &'de Source<'de>,
     path: String,
-    value: &'de Value,
+    value: &'de Spanned<DeValue<'de>>,
 }
 
 impl<'de> Field<'de> {
+    fn node(&self) -> &'de DeValue<'de> {
+        self.value.get_ref()
+    }
+
+    fn place(&self) -> Place {
+        self.source.place(self.value.span().start)
+    }
+
     /// Makes the located error of this value. `kind`: the kind of things that a name in it denotes.
     fn placed(&self, fault: Fault, kind: &'static str) -> Fault {
         let Fault::Unplaced(problem) = fault else {
             return fault;
         };
-        let at = self.source.place(self.value.offset);
+        let at = self.place();
         let key = self.path.clone();
         Fault::Placed(Box::new(match problem {
             Problem::Expected(expected) => TaskError::WrongType {
                 at,
                 key,
                 expected,
-                found: self.value.node.description(),
+                found: description(self.node()),
             },
             Problem::Limits(limits) => TaskError::OutOfRange {
                 at,
                 key,
-                value: self.value.node.description(),
+                value: description(self.node()),
                 limits,
             },
             Problem::MissingKey(missing) => TaskError::Missing {
@@ -234,25 +236,28 @@ impl<'de> Field<'de> {
     }
 
     fn visit<V: Visitor<'de>>(self, visitor: V, kind: &'static str) -> Result<V::Value, Fault> {
-        let result = match &self.value.node {
-            Node::String(text) => visitor.visit_str(text),
-            Node::Integer(number) => match u64::try_from(*number) {
-                Ok(number) => visitor.visit_u64(number),
-                Err(_) => visitor.visit_i128(*number),
+        let unusable = || de::Error::invalid_type(Unexpected::Unit, &visitor);
+        let result = match self.node() {
+            DeValue::String(text) => visitor.visit_str(text),
+            DeValue::Integer(number) => match integer(number) {
+                Some(number) => match u64::try_from(number) {
+                    Ok(number) => visitor.visit_u64(number),
+                    Err(_) => visitor.visit_i128(number),
+                },
+                None => Err(unusable()),
             },
-            Node::Float(number) => visitor.visit_f64(*number),
-            Node::Array(items) => visitor.visit_seq(Items {
+            DeValue::Float(number) => match float(number) {
+                Some(number) => visitor.visit_f64(number),
+                None => Err(unusable()),
+            },
+            DeValue::Array(items) => visitor.visit_seq(Items {
                 array: &self,
                 items: items.iter().enumerate(),
             }),
-            Node::Table(entries) => visitor.visit_map(Entries {
-                table: &self,
-                entries: entries.iter(),
-                left_out: "",
-                current: None,
-            }),
-            Node::Boolean(is_on) => visitor.visit_bool(*is_on),
-            Node::Other(_) => Err(de::Error::invalid_type(Unexpected::Unit, &visitor)),
+            DeValue::Table(entries) => visitor.visit_map(Entries::new(&self, entries, "")),
+            DeValue::Boolean(is_on) => visitor.visit_bool(*is_on),
+            // Dates, which no key of a task accepts.
+            DeValue::Datetime(_) => Err(unusable()),
         };
         result.map_err(|fault| self.placed(fault, kind))
     }
@@ -276,6 +281,7 @@ impl<'de> Deserializer<'de> for Field<'de> {
     ) -> Result<V::Value, Fault> {
         if name == AT {
             visitor.visit_seq(Parts {
+                place: self.place(),
                 field: self,
                 next: 0,
             })
@@ -285,15 +291,15 @@ impl<'de> Deserializer<'de> for Field<'de> {
     }
 
     fn deserialize_seq<V: Visitor<'de>>(self, visitor: V) -> Result<V::Value, Fault> {
-        match self.value.node {
-            Node::Array(_) => self.visit(visitor, ""),
+        match self.node() {
+            DeValue::Array(_) => self.visit(visitor, ""),
             _ => self.expected("an array"),
         }
     }
 
     fn deserialize_tuple<V: Visitor<'de>>(self, len: usize, visitor: V) -> Result<V::Value, Fault> {
-        match &self.value.node {
-            Node::Array(items) if items.len() == len => self.visit(visitor, ""),
+        match self.node() {
+            DeValue::Array(items) if items.len() == len => self.visit(visitor, ""),
             _ => self.expected(format!("an array of length {len}")),
         }
     }
@@ -304,8 +310,8 @@ impl<'de> Deserializer<'de> for Field<'de> {
         _fields: &'static [&'static str],
         visitor: V,
     ) -> Result<V::Value, Fault> {
-        match self.value.node {
-            Node::Table(_) => self.visit(visitor, ""),
+        match self.node() {
+            DeValue::Table(_) => self.visit(visitor, ""),
             _ => self.expected("a table"),
         }
     }
@@ -317,21 +323,21 @@ impl<'de> Deserializer<'de> for Field<'de> {
         variants: &'static [&'static str],
         visitor: V,
     ) -> Result<V::Value, Fault> {
-        match &self.value.node {
-            Node::String(text) => {
-                let variant: StrDeserializer<'_, Fault> = text.as_str().into_deserializer();
+        match self.node() {
+            DeValue::String(text) => {
+                let variant: StrDeserializer<'_, Fault> = text.as_ref().into_deserializer();
                 (visitor.visit_enum(variant)).map_err(|fault| self.placed(fault, name))
             }
-            Node::Table(entries) => {
-                let Some(tag) = entries.iter().find(|entry| entry.key == name) else {
+            DeValue::Table(entries) => {
+                let Some(tag) = entries.get(name) else {
                     return Err(self.placed(Fault::Unplaced(Problem::MissingKey(name)), name));
                 };
-                let tag = self.entry(tag);
-                let Node::String(variant) = &tag.value.node else {
+                let tag = self.entry(name, tag);
+                let DeValue::String(variant) = tag.node() else {
                     return tag.expected("a string");
                 };
-                if !variants.contains(&variant.as_str()) {
-                    let unknown = Problem::UnknownName(variant.clone(), variants);
+                if !variants.contains(&variant.as_ref()) {
+                    let unknown = Problem::UnknownName(variant.to_string(), variants);
                     return Err(tag.placed(Fault::Unplaced(unknown), name));
                 }
                 let tagged = Tagged {
@@ -342,7 +348,9 @@ impl<'de> Deserializer<'de> for Field<'de> {
                 };
                 (visitor.visit_enum(tagged)).map_err(|fault| self.placed(fault, name))
             }
-            Node::Integer(number) if let Ok(number) = u64::try_from(*number) => {
+            DeValue::Integer(number)
+                if let Some(Ok(number)) = integer(number).map(u64::try_from) =>
+            {
                 (visitor.visit_u64(number)).map_err(|fault| self.placed(fault, name))
             }
             _ => self.expected("a string"),
@@ -356,21 +364,22 @@ impl<'de> Deserializer<'de> for Field<'de> {
 }
 
 impl<'de> Field<'de> {
-    fn entry(&self, entry: &'de Entry) -> Field<'de> {
+    fn entry(&self, key: &str, value: &'de Spanned<DeValue<'de>>) -> Field<'de> {
         Field {
             source: self.source,
             path: match self.path.as_str() {
-                "" => entry.key.clone(),
-                path => format!("{path}.{}", entry.key),
+                "" => key.to_owned(),
+                path => format!("{path}.{key}"),
             },
-            value: &entry.value,
+            value,
         }
     }
 }
 
-/// Offset, path and value, for [`At`].
+/// Place, path and value, for [`At`].
 struct Parts<'de> {
     field: Field<'de>,
+    place: Place,
     next: usize,
 }
 
@@ -381,25 +390,24 @@ impl<'de> SeqAccess<'de> for Parts<'de> {
         &mut self,
         seed: T,
     ) -> Result<Option<T::Value>, Fault> {
+        let number =
+            |number: usize| -> U64Deserializer<Fault> { (number as u64).into_deserializer() };
         self.next += 1;
         match self.next {
-            1 => {
-                let offset: U64Deserializer<Fault> =
-                    (self.field.value.offset as u64).into_deserializer();
-                seed.deserialize(offset).map(Some)
-            }
-            2 => seed
-                .deserialize(self.field.path.clone().into_deserializer())
-                .map(Some),
-            3 => seed.deserialize(self.field.clone()).map(Some),
-            _ => Ok(None),
+            1 => seed.deserialize(self.place.file.clone().into_deserializer()),
+            2 => seed.deserialize(number(self.place.line)),
+            3 => seed.deserialize(number(self.place.column)),
+            4 => seed.deserialize(self.field.path.clone().into_deserializer()),
+            5 => seed.deserialize(self.field.clone()),
+            _ => return Ok(None),
         }
+        .map(Some)
     }
 }
 
 struct Items<'a, 'de> {
     array: &'a Field<'de>,
-    items: std::iter::Enumerate<std::slice::Iter<'de, Value>>,
+    items: std::iter::Enumerate<std::slice::Iter<'de, Spanned<DeValue<'de>>>>,
 }
 
 impl<'de> SeqAccess<'de> for Items<'_, 'de> {
@@ -421,12 +429,28 @@ impl<'de> SeqAccess<'de> for Items<'_, 'de> {
     }
 }
 
+/// A key with its value.
+type Entry<'de> = (&'de Spanned<DeString<'de>>, &'de Spanned<DeValue<'de>>);
+
 struct Entries<'a, 'de> {
     table: &'a Field<'de>,
-    entries: std::slice::Iter<'de, Entry>,
-    /// The tag key, which names the table's variant.
-    left_out: &'static str,
-    current: Option<&'de Entry>,
+    entries: std::vec::IntoIter<Entry<'de>>,
+    current: Option<Entry<'de>>,
+}
+
+impl<'a, 'de> Entries<'a, 'de> {
+    /// `left_out`: the tag key, which names the table's variant.
+    fn new(table: &'a Field<'de>, entries: &'de DeTable<'de>, left_out: &str) -> Self {
+        let is_in = |(key, _): &Entry<'de>| key.get_ref() != left_out;
+        let mut entries: Vec<_> = entries.iter().filter(is_in).collect();
+        // In the order of the text, so that the first of several errors is reported.
+        entries.sort_by_key(|(key, _)| key.span().start);
+        Self {
+            table,
+            entries: entries.into_iter(),
+            current: None,
+        }
+    }
 }
 
 impl<'de> MapAccess<'de> for Entries<'_, 'de> {
@@ -436,18 +460,17 @@ impl<'de> MapAccess<'de> for Entries<'_, 'de> {
         &mut self,
         seed: K,
     ) -> Result<Option<K::Value>, Fault> {
-        let left_out = self.left_out;
-        self.current = self.entries.find(|entry| entry.key != left_out);
-        let Some(entry) = self.current else {
+        self.current = self.entries.next();
+        let Some((key, _)) = self.current else {
             return Ok(None);
         };
-        let key: StrDeserializer<'_, Fault> = entry.key.as_str().into_deserializer();
-        seed.deserialize(key).map(Some).map_err(|fault| {
+        let name: StrDeserializer<'_, Fault> = key.get_ref().as_ref().into_deserializer();
+        seed.deserialize(name).map(Some).map_err(|fault| {
             // The error is in the key, not in its value.
             match self.table.placed(fault, "key") {
                 Fault::Placed(mut error) => {
                     if let TaskError::UnknownKey { at, .. } = &mut *error {
-                        *at = self.table.source.place(entry.offset);
+                        *at = self.table.source.place(key.span().start);
                     }
                     Fault::Placed(error)
                 }
@@ -458,7 +481,7 @@ impl<'de> MapAccess<'de> for Entries<'_, 'de> {
 
     fn next_value_seed<V: DeserializeSeed<'de>>(&mut self, seed: V) -> Result<V::Value, Fault> {
         match self.current {
-            Some(entry) => seed.deserialize(self.table.entry(entry)),
+            Some((key, value)) => seed.deserialize(self.table.entry(key.get_ref(), value)),
             None => Err(de::Error::custom("a value without its key")),
         }
     }
@@ -468,7 +491,7 @@ impl<'de> MapAccess<'de> for Entries<'_, 'de> {
 struct Tagged<'a, 'de> {
     table: &'a Field<'de>,
     variant: &'de str,
-    entries: &'de [Entry],
+    entries: &'de DeTable<'de>,
     tag: &'static str,
 }
 
@@ -505,11 +528,6 @@ impl<'de> VariantAccess<'de> for Tagged<'_, 'de> {
         _fields: &'static [&'static str],
         visitor: V,
     ) -> Result<V::Value, Fault> {
-        visitor.visit_map(Entries {
-            table: self.table,
-            entries: self.entries.iter(),
-            left_out: self.tag,
-            current: None,
-        })
+        visitor.visit_map(Entries::new(self.table, self.entries, self.tag))
     }
 }

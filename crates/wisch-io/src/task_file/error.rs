@@ -162,6 +162,15 @@ pub enum TaskError {
     },
 }
 
+impl TaskError {
+    pub(super) fn particles(at: &Place, error: ParticleSourceError) -> Self {
+        Self::Particles {
+            at: at.clone(),
+            error,
+        }
+    }
+}
+
 /// Returns advice how the task file can define a missing entry itself.
 fn or_define(error: &KnowledgeError) -> &'static str {
     let KnowledgeError::Unknown(unknown) = error else {

@@ -1,222 +1,270 @@
-//! The tables `[perception]` and `[execution]`: the robot's senses, and the ground truth of the simulation.
+//! Reads the tables `[perception]` and `[execution]`: the robot's camera, and the simulated world.
 
 use super::clusters::heaps;
 use super::deserialize::At;
-use super::execution_tables::{CameraTable, DirtTable, ExecutionTable};
+use super::execution_tables::{
+    CameraTable, DirtTable, ExecutionTable, FrictionChangeTable, PushTable,
+};
+use super::resolve::ReadFile;
 use super::tables::{PerceptionTable, SenseName};
-use super::tree::Source;
-use super::values::{Share, StrokeNumber, TimeS, point};
-use super::{FrictionChange, Moment, Push, TaskError};
-use crate::particles::MaskSource;
+use super::values::{Share, StrokeNumber, TimeS, mask, point};
+use super::{TaskError, TaskFile};
+use crate::particles::{csv_particles, mask_particles};
 use nalgebra::{Translation3, UnitQuaternion};
-use wisch::geometry::{Point2, Pose, Vector2, Vector3};
-use wisch::represent::{Cluster, GrainSize, SensorModel};
-use wisch::source_location::Place;
+use wisch::geometry::{Mesh, Pose, Vector3};
+use wisch::represent::{
+    DirtArea, GrainSize, KnowledgeBase, OccupiedArea, ParticleDistribution, SensorModel, Task,
+};
+use wisch_sim::{
+    Camera, FrictionChange, GrainCount, Moment, Push, RealTool, Sensing, SimulationSettings,
+    TrueDirt, Waviness,
+};
 
 /// Default of `within_m`: maximum distance from the outline of dirt along it [m].
 const WITHIN: f64 = 0.04;
 
-/// The robot's senses: always touch, and sight with a camera.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct Perception {
-    /// Believed model of the camera; `None` for touch only.
-    pub sight: Option<SensorModel>,
-}
-
-/// The table `[execution]`: ground truth of the simulation, which planner and interpreter do not know.
-#[derive(Debug, Clone, PartialEq)]
-pub struct ExecutionRecord {
-    /// True pose of the surface in the frame of the believed surface.
-    pub believed_from_real: Pose,
-    /// Coulomb coefficient between tool and surface at the start \[1\]; `None` takes the knowledge base's.
-    pub friction: Option<f64>,
-    /// Changes of the friction, as typed.
-    pub friction_changes: Vec<FrictionChange>,
-    /// Pushes, as typed.
-    pub pushes: Vec<Push>,
-    /// Standard deviation of the measured force, per axis \[N\].
-    pub force_noise: f64,
-    /// Constant bias of the measured force, world axes \[N\].
-    pub force_bias: Vector3,
-    /// Mean of ln f′, the threshold above which a grain moves; `None` takes the knowledge base's.
-    pub mu: Option<f64>,
-    /// Standard deviation of ln f′; `None` takes the knowledge base's.
-    pub sigma: Option<f64>,
-    /// True dirt locations.
-    pub dirt: DirtRecord,
-    /// Diameters of the true grains; `None` takes the medium's.
-    pub grain_size: Option<GrainSize>,
-    /// Mass of the dirt that each grain represents \[kg\]; `None` takes the grain's own mass.
-    pub grain_mass: Option<f64>,
-    /// Whether pushed dirt exerts a force on the tool.
-    pub grains_resist: bool,
-    /// Ratio of the true to the believed stiffness of the tool \[1\].
-    pub tool_stiffness: f64,
-    /// Ratio of the true to the believed length and width of the footprint \[1\].
-    pub footprint: f64,
-    /// True offset of the tool in the hand, in the frame of the believed tool \[m\].
-    pub grasp_offset: Vector2,
-    /// True rotation of the tool in the hand about its z \[rad\].
-    pub grasp_turn: f64,
-    /// Standard deviation of the measured joint positions [rad or m].
-    pub encoder_noise: f64,
-    /// Backlash between joints and their encoders [rad or m].
-    pub backlash: f64,
-    /// Delay of the measured force \[s\].
-    pub force_delay: f64,
-    /// Drift of the bias of the measured force within a round, world axes [N/s].
-    pub force_drift: Vector3,
-    /// Coulomb friction in each joint of the wiping arm [Nm or N].
-    pub joint_friction: f64,
-    /// Height of the waves of the true surface, from trough to crest \[m\].
-    pub waviness: f64,
-    /// Length of these waves \[m\].
-    pub waviness_length: f64,
-    /// The true camera.
-    pub camera: CameraRecord,
-    /// Maximum number of particles that are simulated as rigid bodies.
-    pub max_bodies: usize,
-}
-
-/// True locations and number of the grains of a simulated world.
-#[derive(Debug, Clone, PartialEq)]
-pub struct DirtRecord {
-    /// Source of the locations.
-    pub source: DirtSource,
-    /// Number of grains; `None` draws a number near the believed one.
-    pub count: Option<usize>,
-}
-
-/// Spatial distribution of the true dirt in a simulated world, in the frame of the true surface.
-#[derive(Debug, Clone, PartialEq)]
-pub enum TrueDirt {
-    /// At these points \[m\]; the stated number of grains is ignored.
-    Listed(Vec<Point2>),
-    /// Uniformly over the free surface.
-    Uniform,
-    /// In heaps; `None` draws 1 to 6 heaps, each with a standard deviation of 1 to 10 cm, anywhere on the surface.
-    Clusters(Option<Vec<Cluster>>),
-    /// In a band across the surface; a field that is `None` is drawn.
-    Stripe {
-        /// A point of the band's middle line \[m\].
-        center: Option<Point2>,
-        /// Direction of the band, about the surface's z from its x \[rad\].
-        direction: Option<f64>,
-        /// Width of the band \[m\].
-        width: Option<f64>,
-    },
-    /// Along the outline, at most this far inside it \[m\].
-    Edge(f64),
-}
-
-/// Source of the true dirt in a task file, `execution.dirt`.
-#[derive(Debug, Clone, PartialEq)]
-pub enum DirtSource {
-    /// The believed locations.
-    AsBelieved,
-    /// A distribution that the file states.
-    Stated(TrueDirt),
-    /// A list in a file.
-    Csv {
-        /// Location of its name in the task file.
-        at: Place,
-        /// Its path, relative to the task file.
-        file: String,
-    },
-    /// Detected in a mask or photo.
-    Image {
-        /// Location of its name in the task file.
-        at: Place,
-        /// The image with its parameters.
-        mask: MaskSource,
-    },
-}
-
-impl Default for DirtRecord {
-    /// Uniform, with a number near the believed one.
-    fn default() -> Self {
-        Self {
-            source: DirtSource::Stated(TrueDirt::Uniform),
-            count: None,
-        }
-    }
-}
-
-/// The true camera; `None` values are as the robot believes.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct CameraRecord {
-    /// Probability that a large grain is detected \[1\].
-    pub detection: Option<f64>,
-    /// Grain diameter at which the detection probability is halved \[m\].
-    pub half_size_m: Option<f64>,
-    /// False detections per area [1/m²].
-    pub false_alarms_per_m2: Option<f64>,
-    /// Standard deviation of a detected position, along x and along y \[m\].
-    pub position_error_m: Option<f64>,
-    /// Whether the robot's links and the tool hide dirt from the camera.
-    pub arm_hides: bool,
-}
-
-impl CameraRecord {
-    /// Returns the true camera: these values, with missing ones from the believed camera.
-    pub fn complete(&self, believed: SensorModel) -> SensorModel {
-        SensorModel {
-            detection: self.detection.unwrap_or(believed.detection),
-            half_size_m: self.half_size_m.unwrap_or(believed.half_size_m),
-            false_alarms_per_m2: (self.false_alarms_per_m2).unwrap_or(believed.false_alarms_per_m2),
-            position_error_m: self.position_error_m.unwrap_or(believed.position_error_m),
-        }
-    }
-}
-
-impl From<&CameraTable> for CameraRecord {
-    fn from(table: &CameraTable) -> Self {
-        Self {
-            detection: table.detection.map(|x| x.0),
-            half_size_m: table.half_size_m.map(|x| x.0),
-            false_alarms_per_m2: table.false_alarms_per_m2.map(|x| x.0),
-            position_error_m: table.position_error_m.map(|x| x.0),
-            arm_hides: table.arm_hides,
-        }
-    }
-}
-
-pub(super) fn perception(
-    table: &PerceptionTable,
-    source: &Source<'_>,
-) -> Result<Perception, TaskError> {
+/// Returns the believed model of the robot's camera; `None` for touch only.
+pub(super) fn camera(table: &PerceptionTable) -> Result<Option<SensorModel>, TaskError> {
     let Some(senses) = &table.senses else {
-        return Ok(Perception::default());
+        return Ok(None);
     };
     let count = |sense| senses.value.iter().filter(|s| **s == sense).count();
     let problem = match (count(SenseName::Touch), count(SenseName::Sight)) {
-        (1, 0) => return Ok(Perception::default()),
+        (1, 0) => return Ok(None),
         (1, 1) => {
-            let given = CameraRecord {
-                detection: table.detection.map(|x| x.0),
-                half_size_m: table.half_size_m.map(|x| x.0),
-                false_alarms_per_m2: table.false_alarms_per_m2.map(|x| x.0),
-                position_error_m: table.position_error_m.map(|x| x.0),
-                arm_hides: false,
-            };
-            return Ok(Perception {
-                sight: Some(given.complete(SensorModel::default())),
-            });
+            let usual = SensorModel::default();
+            return Ok(Some(SensorModel {
+                detection: table.detection.map_or(usual.detection, |x| x.0),
+                half_size_m: table.half_size_m.map_or(usual.half_size_m, |x| x.0),
+                false_alarms_per_m2: (table.false_alarms_per_m2)
+                    .map_or(usual.false_alarms_per_m2, |x| x.0),
+                position_error_m: (table.position_error_m).map_or(usual.position_error_m, |x| x.0),
+            }));
         }
         (0, _) => "\"touch\" is missing; it is always one of the senses",
         _ => "a sense is given twice",
     };
-    Err(senses.inconsistent(source, problem))
+    Err(senses.inconsistent(problem))
 }
 
-fn dirt(table: &At<DirtTable>, source: &Source<'_>) -> Result<DirtRecord, TaskError> {
-    let (found, count) = match &table.value {
-        DirtTable::AsBelieved {} => (DirtSource::AsBelieved, &None),
-        DirtTable::Uniform { count } => (DirtSource::Stated(TrueDirt::Uniform), count),
+impl ExecutionTable {
+    /// Checks what the type of a single key does not: the number of heaps, the order of the diameters, and that each
+    /// disturbance has one start.
+    pub(super) fn check(&self) -> Result<(), TaskError> {
+        if let Some(dirt) = &self.dirt
+            && let DirtTable::Clusters {
+                clusters: Some(clusters),
+                ..
+            } = &dirt.value
+        {
+            heaps(clusters)?;
+        }
+        if let Some(size) = &self.grain_size_m {
+            let [min_m, max_m] = size.value.map(|diameter| diameter.0);
+            if min_m > max_m {
+                let problem =
+                    format!("the smallest diameter, {min_m} m, exceeds the largest, {max_m} m");
+                return Err(size.inconsistent(problem));
+            }
+        }
+        for change in &self.friction_change {
+            moment(change, change.value.starts())?;
+        }
+        for push in &self.push {
+            moment(push, push.value.starts())?;
+        }
+        Ok(())
+    }
+}
+
+impl FrictionChangeTable {
+    fn starts(&self) -> Starts {
+        (self.start_s, self.start_share, self.start_stroke)
+    }
+}
+
+impl PushTable {
+    fn starts(&self) -> Starts {
+        (self.start_s, self.start_share, self.start_stroke)
+    }
+}
+
+/// The three keys that state when a disturbance starts.
+type Starts = (Option<TimeS>, Option<Share>, Option<StrokeNumber>);
+
+/// Reads the start of a disturbance, which a table states by exactly one key.
+fn moment<T>(table: &At<T>, starts: Starts) -> Result<Moment, TaskError> {
+    Ok(match starts {
+        (Some(time), None, None) => Moment::Seconds(time.0),
+        (None, Some(share), None) => Moment::Share(share.0),
+        (None, None, Some(stroke)) => Moment::Stroke(stroke.0 as usize),
+        (time, share, stroke) => {
+            let place = |is_there: bool| is_there.then_some(&table.place);
+            let keys = [
+                ("start_s", place(time.is_some())),
+                ("start_share", place(share.is_some())),
+                ("start_stroke", place(stroke.is_some())),
+            ];
+            return Err(match table.exactly_one(&keys) {
+                Err(error) => error,
+                Ok(()) => table.missing("start_s"),
+            });
+        }
+    })
+}
+
+impl TaskFile {
+    /// Returns the simulated world of the table `[execution]`, over the entries of the knowledge base. It reads the true dirt
+    /// locations if the table names a file of them.
+    ///
+    /// - `task`: the result of [`Self::resolve`].
+    /// - `assets`: reads a file of the task, by its path relative to the task file.
+    ///
+    /// # Errors
+    /// If the knowledge base does not know the task's surface or medium, or if a file is missing or invalid. The error states
+    /// the location in the task file.
+    pub fn simulation(
+        &self,
+        task: &Task,
+        knowledge: &KnowledgeBase,
+        assets: &mut ReadFile<'_>,
+    ) -> Result<SimulationSettings, TaskError> {
+        let table = &self.execution;
+        let usual = SimulationSettings::as_believed(task, knowledge, self.camera)
+            .map_err(|error| self.unknown(error, &self.medium_at))?;
+        let usual = match &table.grain_size_m {
+            Some(size) => {
+                let [min_m, max_m] = size.value.map(|diameter| diameter.0);
+                usual.with_grain_size(GrainSize { min_m, max_m })
+            }
+            None => usual,
+        };
+        let vector = |axes: [f64; 3]| Vector3::from(axes);
+        let [about_x, about_y] = (table.surface_tilt_rad).map_or([0.0; 2], |x| x.map(|x| x.0));
+        let shift = (table.surface_shift_m).map_or([0.0; 3], |x| x.map(|x| x.0));
+        let mut settings = SimulationSettings {
+            believed_from_real: Pose::from_parts(
+                Translation3::from(vector(shift)),
+                UnitQuaternion::from_scaled_axis(Vector3::new(about_x, about_y, 0.0)),
+            ),
+            friction: table.friction.map_or(usual.friction, |x| x.0),
+            friction_changes: (table.friction_change.iter())
+                .map(friction_change)
+                .collect::<Result<_, _>>()?,
+            pushes: table.push.iter().map(push).collect::<Result<_, _>>()?,
+            force_noise: table.force_noise_n.0,
+            force_bias: vector(table.force_bias_n.map_or([0.0; 3], |x| x.map(|x| x.0))),
+            grain_mass: table.grain_mass_kg.map(|mass| mass.0),
+            grains_resist: table.grains_resist,
+            tool: table.tool(),
+            sensing: table.sensing(),
+            joint_friction: table.joint_friction_nm.0,
+            waviness: Waviness {
+                height: table.waviness_m.0,
+                length: table.waviness_length_m.0,
+            },
+            camera: usual
+                .camera
+                .map(|camera| table.camera.camera(camera.sensor)),
+            ..usual
+        };
+        let likelihood = &mut settings.likelihood;
+        likelihood.mu = table.mu.map_or(likelihood.mu, |mu| mu.0);
+        likelihood.sigma = table.sigma.map_or(likelihood.sigma, |sigma| sigma.0);
+        if !task.action.treats() {
+            settings.max_bodies = table.max_bodies.0 as usize;
+        }
+        if let Some(table) = &table.dirt {
+            let (dirt, count) = true_dirt(table, task, assets)?;
+            if !task.action.treats() {
+                settings.dirt = dirt;
+            }
+            settings.count = count.map_or(settings.count, GrainCount::Exactly);
+        }
+        Ok(settings)
+    }
+}
+
+fn friction_change(table: &At<FrictionChangeTable>) -> Result<FrictionChange, TaskError> {
+    let given = &table.value;
+    Ok(FrictionChange {
+        round: given.round.0 as usize,
+        start: moment(table, given.starts())?,
+        friction: given.friction.0,
+    })
+}
+
+fn push(table: &At<PushTable>) -> Result<Push, TaskError> {
+    let given = &table.value;
+    Ok(Push {
+        round: given.round.0 as usize,
+        start: moment(table, given.starts())?,
+        duration: given.duration_s.0,
+        force: Vector3::from(given.force_n.map(|axis| axis.0)),
+        hand_speed: given.hand_speed_m_per_s.0,
+    })
+}
+
+impl ExecutionTable {
+    fn tool(&self) -> RealTool {
+        RealTool {
+            stiffness: self.tool_stiffness.0,
+            footprint: self.footprint.0,
+            grasp_offset: (self.grasp_offset_m.map_or([0.0; 2], |x| x.map(|x| x.0))).into(),
+            grasp_turn: self.grasp_turn_rad.0,
+        }
+    }
+
+    fn sensing(&self) -> Sensing {
+        Sensing {
+            encoder_noise: self.encoder_noise_rad.0,
+            backlash: self.backlash_rad.0,
+            force_delay: self.force_delay_s.0,
+            force_drift: (self
+                .force_drift_n_per_s
+                .map_or([0.0; 3], |x| x.map(|x| x.0)))
+            .into(),
+        }
+    }
+}
+
+impl CameraTable {
+    /// Returns the true camera: these values, with missing ones from the believed camera.
+    fn camera(&self, believed: SensorModel) -> Camera {
+        Camera {
+            sensor: SensorModel {
+                detection: self.detection.map_or(believed.detection, |x| x.0),
+                half_size_m: self.half_size_m.map_or(believed.half_size_m, |x| x.0),
+                false_alarms_per_m2: (self.false_alarms_per_m2)
+                    .map_or(believed.false_alarms_per_m2, |x| x.0),
+                position_error_m: (self.position_error_m)
+                    .map_or(believed.position_error_m, |x| x.0),
+            },
+            arm_hides: self.arm_hides,
+        }
+    }
+}
+
+/// Returns the true dirt, and the number of its grains if the table states it. Of the believed dirt, it reads only what the
+/// source `as_believed` asks for.
+fn true_dirt(
+    table: &At<DirtTable>,
+    task: &Task,
+    assets: &mut ReadFile<'_>,
+) -> Result<(TrueDirt, Option<usize>), TaskError> {
+    let meshes: Vec<Mesh> = task.obstacles_in_surface().collect();
+    let area = DirtArea {
+        outline: &task.surface.outline,
+        occupied: &OccupiedArea::from_scene(&meshes),
+    };
+    let listed =
+        |particles: ParticleDistribution| TrueDirt::Listed(particles.remaining().collect());
+    let (dirt, count) = match &table.value {
+        DirtTable::AsBelieved {} => (listed(task.particles.clone()), &None),
+        DirtTable::Uniform { count } => (TrueDirt::Uniform, count),
         DirtTable::Clusters { count, clusters } => {
-            let given = clusters.as_ref().map(|given| heaps(given, source));
-            let heaps = TrueDirt::Clusters(given.transpose()?);
-            (DirtSource::Stated(heaps), count)
+            let given = clusters.as_ref().map(heaps).transpose()?;
+            (TrueDirt::Clusters(given), count)
         }
         DirtTable::Stripe {
             count,
@@ -229,16 +277,17 @@ fn dirt(table: &At<DirtTable>, source: &Source<'_>) -> Result<DirtRecord, TaskEr
                 direction: direction_rad.map(|angle| angle.0),
                 width: width_m.map(|width| width.0),
             };
-            (DirtSource::Stated(stripe), count)
+            (stripe, count)
         }
         DirtTable::Edge { count, within_m } => {
             let within = within_m.map_or(WITHIN, |within| within.0);
-            (DirtSource::Stated(TrueDirt::Edge(within)), count)
+            (TrueDirt::Edge(within), count)
         }
         DirtTable::Csv { file } => {
-            let at = file.place(source);
-            let file = file.value.0.clone();
-            (DirtSource::Csv { at, file }, &None)
+            let (at, path) = (&file.place, &file.value.0);
+            let particles = csv_particles(path, &super::resolve::read(assets, at, path)?, area);
+            let dirt = particles.map_err(|error| TaskError::particles(at, error))?;
+            (listed(dirt), &None)
         }
         DirtTable::Image {
             file,
@@ -247,142 +296,14 @@ fn dirt(table: &At<DirtTable>, source: &Source<'_>) -> Result<DirtRecord, TaskEr
             tolerance,
             count,
         } => {
-            let image = DirtSource::Image {
-                at: file.place(source),
-                mask: MaskSource {
-                    file: file.value.0.clone(),
-                    corners_px: corners_px.map(|corner| corner.map(|x| x.0).into()),
-                    color: color.map(|channel| channel.0 as u8),
-                    tolerance: tolerance.0,
-                    count: count.0 as usize,
-                },
-            };
-            (image, &None)
+            let (at, path) = (&file.place, &file.value);
+            let mask = mask(path, corners_px, color, *tolerance, *count);
+            let bytes = super::resolve::read(assets, at, &mask.file)?;
+            // A different seed than for believed particles of the same image.
+            let particles = mask_particles(&mask, &bytes, area, !task.seed);
+            let dirt = particles.map_err(|error| TaskError::particles(at, error))?;
+            (listed(dirt), &None)
         }
     };
-    Ok(DirtRecord {
-        source: found,
-        count: count.map(|count| count.0 as usize),
-    })
-}
-
-pub(super) fn execution(
-    table: &ExecutionTable,
-    source: &Source<'_>,
-) -> Result<ExecutionRecord, TaskError> {
-    let mut record = ExecutionRecord::undisturbed(table);
-    if let Some(dirt) = &table.dirt {
-        record.dirt = self::dirt(dirt, source)?;
-    }
-    if let Some(size) = &table.grain_size_m {
-        let [min_m, max_m] = size.value.map(|diameter| diameter.0);
-        if min_m > max_m {
-            let problem =
-                format!("the smallest diameter, {min_m} m, exceeds the largest, {max_m} m");
-            return Err(size.inconsistent(source, problem));
-        }
-        record.grain_size = Some(GrainSize { min_m, max_m });
-    }
-    for change in &table.friction_change {
-        let given = &change.value;
-        record.friction_changes.push(FrictionChange {
-            round: given.round.0 as usize,
-            start: moment(
-                change,
-                (given.start_s, given.start_share, given.start_stroke),
-                source,
-            )?,
-            friction: given.friction.0,
-        });
-    }
-    for push in &table.push {
-        let given = &push.value;
-        record.pushes.push(Push {
-            round: given.round.0 as usize,
-            start: moment(
-                push,
-                (given.start_s, given.start_share, given.start_stroke),
-                source,
-            )?,
-            duration: given.duration_s.0,
-            force: Vector3::from(given.force_n.map(|axis| axis.0)),
-            hand_speed: given.hand_speed_m_per_s.0,
-        });
-    }
-    Ok(record)
-}
-
-/// Reads the start of a disturbance, which a table states by exactly one key.
-fn moment<T>(
-    table: &At<T>,
-    starts: (Option<TimeS>, Option<Share>, Option<StrokeNumber>),
-    source: &Source<'_>,
-) -> Result<Moment, TaskError> {
-    Ok(match starts {
-        (Some(time), None, None) => Moment::Seconds(time.0),
-        (None, Some(share), None) => Moment::Share(share.0),
-        (None, None, Some(stroke)) => Moment::Stroke(stroke.0 as usize),
-        (time, share, stroke) => {
-            let offset = |is_there: bool| is_there.then_some(table.offset);
-            let keys = [
-                ("start_s", offset(time.is_some())),
-                ("start_share", offset(share.is_some())),
-                ("start_stroke", offset(stroke.is_some())),
-            ];
-            return Err(match table.exactly_one(source, &keys) {
-                Err(error) => error,
-                Ok(()) => table.missing(source, "start_s"),
-            });
-        }
-    })
-}
-
-impl ExecutionRecord {
-    /// Reads a table without its pushes and friction changes.
-    fn undisturbed(table: &ExecutionTable) -> Self {
-        let tilt = table.surface_tilt_rad;
-        let [about_x, about_y] = tilt.map_or([0.0; 2], |tilt| tilt.map(|angle| angle.0));
-        let shift = table.surface_shift_m;
-        let shift = shift.map_or([0.0; 3], |shift| shift.map(|axis| axis.0));
-        let bias = table.force_bias_n;
-        let bias = bias.map_or([0.0; 3], |bias| bias.map(|axis| axis.0));
-        Self {
-            believed_from_real: Pose::from_parts(
-                Translation3::from(Vector3::from(shift)),
-                UnitQuaternion::from_scaled_axis(Vector3::new(about_x, about_y, 0.0)),
-            ),
-            friction: table.friction.map(|friction| friction.0),
-            friction_changes: Vec::new(),
-            pushes: Vec::new(),
-            force_noise: table.force_noise_n.0,
-            force_bias: Vector3::from(bias),
-            mu: table.mu.map(|mu| mu.0),
-            sigma: table.sigma.map(|sigma| sigma.0),
-            dirt: DirtRecord::default(),
-            grain_size: None,
-            grain_mass: table.grain_mass_kg.map(|mass| mass.0),
-            grains_resist: table.grains_resist,
-            tool_stiffness: table.tool_stiffness.0,
-            footprint: table.footprint.0,
-            grasp_offset: (table.grasp_offset_m)
-                .map_or_else(Vector2::zeros, |offset| offset.map(|axis| axis.0).into()),
-            grasp_turn: table.grasp_turn_rad.0,
-            encoder_noise: table.encoder_noise_rad.0,
-            backlash: table.backlash_rad.0,
-            force_delay: table.force_delay_s.0,
-            force_drift: (table.force_drift_n_per_s)
-                .map_or_else(Vector3::zeros, |drift| drift.map(|axis| axis.0).into()),
-            joint_friction: table.joint_friction_nm.0,
-            waviness: table.waviness_m.0,
-            waviness_length: table.waviness_length_m.0,
-            camera: CameraRecord::from(&table.camera),
-            max_bodies: table.max_bodies.0 as usize,
-        }
-    }
-}
-
-impl Default for ExecutionRecord {
-    fn default() -> Self {
-        Self::undisturbed(&ExecutionTable::default())
-    }
+    Ok((dirt, count.map(|count| count.0 as usize)))
 }

@@ -1,4 +1,5 @@
-//! The keys of the table `[execution]`.
+//! The keys of the table `[execution]`: most set a [`SimulationSettings`], whose defaults they take; the last five set the
+//! session.
 
 use super::clusters::ClusterTable;
 use super::deserialize::At;
@@ -11,10 +12,11 @@ use super::values::{
 };
 use schemars::JsonSchema;
 use serde::Deserialize;
-use wisch::run::{AfterStop, Pace};
+use wisch::run::{AfterStop, Pace, RunConfig};
+use wisch_sim::{RealTool, Sensing, SimulationSettings, Waviness};
 
 /// Ground truth of the simulation, hidden from planner and interpreter.
-#[derive(Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 #[schemars(rename = "Execution")]
 pub(super) struct ExecutionTable {
@@ -85,7 +87,7 @@ pub(super) struct ExecutionTable {
 }
 
 /// Reaction to a stop by a person or a safety system.
-#[derive(Deserialize, JsonSchema, Clone, Copy)]
+#[derive(Debug, Clone, Copy, Deserialize, JsonSchema)]
 #[serde(rename = "after_stop", rename_all = "snake_case")]
 #[schemars(rename = "AfterStop", inline)]
 pub(super) enum AfterStopName {
@@ -103,7 +105,7 @@ impl From<AfterStopName> for AfterStop {
 }
 
 /// Extent of a round.
-#[derive(Deserialize, JsonSchema, Clone, Copy)]
+#[derive(Debug, Clone, Copy, Deserialize, JsonSchema)]
 #[serde(rename = "pace", rename_all = "snake_case")]
 #[schemars(rename = "Pace", inline)]
 pub(super) enum PaceName {
@@ -122,14 +124,15 @@ impl From<PaceName> for Pace {
 
 impl Default for ExecutionTable {
     fn default() -> Self {
+        let run = RunConfig::default();
+        let (tool, sensing, waves) = (RealTool::default(), Sensing::default(), Waviness::default());
         Self {
             surface_tilt_rad: None,
             surface_shift_m: None,
             friction: None,
             friction_change: Vec::new(),
             push: Vec::new(),
-            // A good joint-torque sensor at the tool.
-            force_noise_n: NoiseN(0.15),
+            force_noise_n: NoiseN(SimulationSettings::FORCE_NOISE),
             force_bias_n: None,
             mu: None,
             sigma: None,
@@ -137,32 +140,30 @@ impl Default for ExecutionTable {
             grain_size_m: None,
             grain_mass_kg: None,
             grains_resist: true,
-            tool_stiffness: Factor(1.0),
-            footprint: SizeFactor(1.0),
+            tool_stiffness: Factor(tool.stiffness),
+            footprint: SizeFactor(tool.footprint),
             grasp_offset_m: None,
-            grasp_turn_rad: GraspRad(0.0),
-            encoder_noise_rad: EncoderNoise(0.0),
-            backlash_rad: Backlash(0.0),
-            force_delay_s: DelayS(0.0),
+            grasp_turn_rad: GraspRad(tool.grasp_turn),
+            encoder_noise_rad: EncoderNoise(sensing.encoder_noise),
+            backlash_rad: Backlash(sensing.backlash),
+            force_delay_s: DelayS(sensing.force_delay),
             force_drift_n_per_s: None,
             joint_friction_nm: JointFriction(0.0),
-            waviness_m: WavinessM(0.0),
-            // About the width of a tool.
-            waviness_length_m: WaveLengthM(0.2),
+            waviness_m: WavinessM(waves.height),
+            waviness_length_m: WaveLengthM(waves.length),
             camera: CameraTable::default(),
-            // With this number the simulation still runs several times faster than real time.
-            max_bodies: Bodies(400),
-            max_rounds: Rounds(4),
-            end_strokes_early: false,
+            max_bodies: Bodies(SimulationSettings::MAX_BODIES as u64),
+            max_rounds: Rounds(run.max_rounds as u64),
+            end_strokes_early: run.end_strokes_early,
             pace: PaceName::Whole,
             after_stop: AfterStopName::Wait,
-            start_rad: StartRad(0.05),
+            start_rad: StartRad(run.start_tolerance),
         }
     }
 }
 
 /// True dirt locations, by source. Without a count, the number of grains is the believed number times a random factor.
-#[derive(Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Deserialize, JsonSchema)]
 #[serde(rename = "source", rename_all = "snake_case", deny_unknown_fields)]
 #[schemars(rename = "Dirt", tag = "source")]
 pub(super) enum DirtTable {
@@ -219,7 +220,7 @@ pub(super) enum DirtTable {
 }
 
 /// The true camera, where it differs from the robot's belief.
-#[derive(Deserialize, JsonSchema, Default)]
+#[derive(Debug, Clone, Default, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 #[schemars(rename = "Camera")]
 pub(super) struct CameraTable {
@@ -236,7 +237,7 @@ pub(super) struct CameraTable {
 }
 
 /// A change of the friction between tool and surface.
-#[derive(Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 #[schemars(
     rename = "FrictionChange",
@@ -259,7 +260,7 @@ pub(super) struct FrictionChangeTable {
 }
 
 /// A push of the tool by a person's hand.
-#[derive(Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 #[schemars(
     rename = "Push",

@@ -4,7 +4,6 @@ mod checked;
 mod clusters;
 mod definitions;
 mod deserialize;
-mod disturbance;
 mod error;
 mod execution;
 mod execution_tables;
@@ -17,19 +16,19 @@ mod tests;
 mod tree;
 mod values;
 
-pub use disturbance::{FrictionChange, Moment, Push};
 pub use error::TaskError;
-pub use execution::{CameraRecord, DirtRecord, DirtSource, ExecutionRecord, Perception, TrueDirt};
 pub use resolve::ReadFile;
 pub(crate) use resolve::unit_remarks;
 
 use crate::particles::ParticleSource;
 use definitions::Definitions;
+use execution_tables::ExecutionTable;
 use wisch::follow::WorkcellConfig;
 use wisch::geometry::{Point2, Pose, Vector3};
-use wisch::plan::YawRule;
-use wisch::represent::{Action, KnowledgeError, Mount, ScenePart, Surface, Task, Treatment};
-use wisch::run::{AfterStop, Pace};
+use wisch::represent::{
+    Action, KnowledgeError, Mount, ScenePart, SensorModel, Surface, Task, Treatment,
+};
+use wisch::run::RunConfig;
 use wisch::source_location::Place;
 
 /// The schema number that this version supports.
@@ -103,42 +102,33 @@ impl RobotRecord {
 /// A checked task file: every key is known, every number within its limits, and all values are consistent.
 ///
 /// [`TaskFile::resolve`] looks up its knowledge entries and reads its files.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone)]
 pub struct TaskFile {
-    name: String,
-    seed: u64,
-    intent: Intent,
-    strategy: Option<String>,
-    target_performance: f64,
+    /// Name of the task, key `name`.
+    pub name: String,
+    /// The action or the goal that the file states.
+    pub intent: Intent,
+    /// Name of the strategy, as typed; `None` uses the program's default.
+    pub strategy: Option<String>,
+    /// Settings of the stages, without what [`LoadedTask::run`](crate::LoadedTask::run) adds: strategy, robot and camera.
+    pub run: RunConfig,
+    /// The robot, if the file names one.
+    pub robot: Option<RobotRecord>,
+    /// Believed model of the robot's camera; `None` for touch only.
+    pub camera: Option<SensorModel>,
+    /// Source of the believed particles, table `[particles]`.
+    pub particles: ParticleSource,
+    particles_at: Place,
     tool_at: Place,
     tool_start: Option<Point2>,
     mount: Option<Mount>,
     medium_at: Place,
     surface: SurfaceRecord,
-    robot: Option<RobotRecord>,
-    perception: Perception,
-    execution: ExecutionRecord,
-    max_rounds: usize,
-    end_strokes_early: bool,
-    pace: Pace,
-    after_stop: AfterStop,
-    start_rad: f64,
     collect_goal: Option<Point2>,
     polish: Option<Treatment>,
     emit: Option<Treatment>,
     scene: Vec<ObjectRecord>,
-    particles: ParticleSource,
-    particles_at: Place,
-    bandwidth: Option<f64>,
-    yaw: YawRule,
-    lift_height: f64,
-    evaluations: usize,
-    margin: f64,
-    max_distance: Option<f64>,
-    contact_speed: f64,
-    free_speed: Option<f64>,
-    variants: usize,
-    min_score: f64,
+    execution: ExecutionTable,
     definitions: Definitions,
 }
 
@@ -217,7 +207,7 @@ impl TaskFile {
     /// use wisch_io::TaskFile;
     /// let setting = ("seed".to_owned(), "7".to_owned());
     /// let task = TaskFile::parse("template.toml", TaskFile::TEMPLATE, &[setting])?;
-    /// assert_eq!(task.seed(), 7);
+    /// assert_eq!(task.run.plan.seed, 7);
     ///
     /// let error = TaskFile::parse("task.toml", "schema = 1\ncolour = 3\n", &[]).unwrap_err();
     /// assert!(error.to_string().starts_with("task.toml:2:1: unknown key \"colour\""));
@@ -238,130 +228,5 @@ impl TaskFile {
     pub fn json_schema() -> String {
         let schema = schemars::schema_for!(tables::TaskTable);
         format!("{:#}\n", schema.as_value())
-    }
-
-    /// The action or the goal that the file states.
-    pub fn intent(&self) -> &Intent {
-        &self.intent
-    }
-
-    /// The robot, if the file names one.
-    pub fn robot(&self) -> Option<&RobotRecord> {
-        self.robot.as_ref()
-    }
-
-    /// Name of the task, key `name`.
-    pub fn name(&self) -> &str {
-        &self.name
-    }
-
-    /// Seed of all random numbers of the task; default 0.
-    pub fn seed(&self) -> u64 {
-        self.seed
-    }
-
-    /// Name of the strategy, as typed; `None` uses the program's default.
-    pub fn strategy(&self) -> Option<&str> {
-        self.strategy.as_deref()
-    }
-
-    /// Name of the target surface in the knowledge base.
-    pub fn surface(&self) -> &str {
-        &self.surface.surface.name
-    }
-
-    /// Bandwidth h of the density estimate \[m\]; `None` takes it from the particles.
-    pub fn bandwidth_m(&self) -> Option<f64> {
-        self.bandwidth
-    }
-
-    /// Rule for the tool's yaw along the strokes of a coverage strategy.
-    pub fn yaw_rule(&self) -> YawRule {
-        self.yaw
-    }
-
-    /// Number of plans that the strategies adaptive and best try.
-    pub fn evaluations(&self) -> usize {
-        self.evaluations
-    }
-
-    /// Path error of the tool that the plans of these strategies tolerate \[m\].
-    pub fn margin_m(&self) -> f64 {
-        self.margin
-    }
-
-    /// Maximum path length in contact per round \[m\]; `None` for no limit.
-    pub fn max_distance_m(&self) -> Option<f64> {
-        self.max_distance
-    }
-
-    /// Maximum speed of the tool in contact [m/s].
-    pub fn contact_speed_m_per_s(&self) -> f64 {
-        self.contact_speed
-    }
-
-    /// Maximum speed of the tool between strokes [m/s]; `None` for the speed that the joints permit.
-    pub fn free_speed_m_per_s(&self) -> Option<f64> {
-        self.free_speed
-    }
-
-    /// Lift height between strokes \[m\].
-    pub fn lift_height_m(&self) -> f64 {
-        self.lift_height
-    }
-
-    /// The senses that the robot has, table `[perception]`.
-    pub fn perception(&self) -> &Perception {
-        &self.perception
-    }
-
-    /// Ground truth of the simulated world, table `[execution]`.
-    pub fn execution(&self) -> &ExecutionRecord {
-        &self.execution
-    }
-
-    /// Source of the believed particles, table `[particles]`.
-    pub fn particle_source(&self) -> &ParticleSource {
-        &self.particles
-    }
-
-    /// Whether a round may end within a stroke, `execution.end_strokes_early`.
-    pub fn end_strokes_early(&self) -> bool {
-        self.end_strokes_early
-    }
-
-    /// Amount of work in one round, `execution.pace`.
-    pub fn pace(&self) -> Pace {
-        self.pace
-    }
-
-    /// Reaction to a stop by a person or a safety system, `execution.after_stop`.
-    pub fn after_stop(&self) -> AfterStop {
-        self.after_stop
-    }
-
-    /// Maximum deviation of a joint from the start of a motion, `execution.start_rad` [rad or m].
-    pub fn start_rad(&self) -> f64 {
-        self.start_rad
-    }
-
-    /// Largest number of rounds, `execution.max_rounds` \[1\].
-    pub fn max_rounds(&self) -> usize {
-        self.max_rounds
-    }
-
-    /// Number of candidate plans of a coverage strategy.
-    pub fn plan_variants(&self) -> usize {
-        self.variants
-    }
-
-    /// Minimum score of a plan that may be executed \[1\].
-    pub fn min_score(&self) -> f64 {
-        self.min_score
-    }
-
-    /// Performance at which the goal counts as met, in [0, 1].
-    pub fn target_performance(&self) -> f64 {
-        self.target_performance
     }
 }

@@ -3,7 +3,6 @@
 use super::TaskError;
 use super::deserialize::At;
 use super::tables::{MountName, MountTable};
-use super::tree::Source;
 use nalgebra::{Translation3, UnitQuaternion};
 use wisch::geometry::Pose;
 use wisch::represent::{Grip, Mount};
@@ -15,31 +14,22 @@ const HAND_LEAN: f64 = 0.8;
 ///
 /// # Errors
 /// Keys that belong to different mounts.
-pub(super) fn mount(table: &At<MountTable>, source: &Source<'_>) -> Result<Mount, TaskError> {
+pub(super) fn mount(table: &At<MountTable>) -> Result<Mount, TaskError> {
     let given = &table.value;
     let on = given.on.as_ref();
-    table.exactly_one(
-        source,
-        &[
-            ("on", on.map(|on| on.offset)),
-            ("point_m", given.point_m.as_ref().map(|point| point.offset)),
-        ],
-    )?;
+    table.exactly_one(&[
+        ("on", on.map(|on| &on.place)),
+        ("point_m", given.point_m.as_ref().map(|point| &point.place)),
+    ])?;
     let is_on = |name: MountName| on.is_some_and(|on| on.value == name);
     let (is_flange, is_hand) = (is_on(MountName::Flange), is_on(MountName::Hand));
-    require(is_flange, &given.yaw_rad, source, "on = \"flange\"")?;
-    require(is_flange, &given.distance_m, source, "on = \"flange\"")?;
-    require(is_flange, &given.axis, source, "on = \"flange\"")?;
-    require(is_hand, &given.lean_rad, source, "on = \"hand\"")?;
-    require(
-        given.point_m.is_some(),
-        &given.hand_rpy_rad,
-        source,
-        "point_m",
-    )?;
+    require(is_flange, &given.yaw_rad, "on = \"flange\"")?;
+    require(is_flange, &given.distance_m, "on = \"flange\"")?;
+    require(is_flange, &given.axis, "on = \"flange\"")?;
+    require(is_hand, &given.lean_rad, "on = \"hand\"")?;
+    require(given.point_m.is_some(), &given.hand_rpy_rad, "point_m")?;
     if let Some(point) = &given.point_m {
-        let turn =
-            (given.hand_rpy_rad.as_ref()).ok_or_else(|| table.missing(source, "hand_rpy_rad"))?;
+        let turn = (given.hand_rpy_rad.as_ref()).ok_or_else(|| table.missing("hand_rpy_rad"))?;
         let [x, y, z] = point.value.map(|part| part.0);
         let [roll, pitch, yaw] = turn.value.map(|angle| angle.0);
         return Ok(Mount::Grip(Grip {
@@ -64,14 +54,9 @@ pub(super) fn mount(table: &At<MountTable>, source: &Source<'_>) -> Result<Mount
 }
 
 /// Checks that a key is given only together with its kind of mount.
-fn require<T>(
-    is_kind: bool,
-    key: &Option<At<T>>,
-    source: &Source<'_>,
-    kind: &str,
-) -> Result<(), TaskError> {
+fn require<T>(is_kind: bool, key: &Option<At<T>>, kind: &str) -> Result<(), TaskError> {
     match key {
-        Some(key) if !is_kind => Err(key.inconsistent(source, format!("this key needs {kind}"))),
+        Some(key) if !is_kind => Err(key.inconsistent(format!("this key needs {kind}"))),
         _ => Ok(()),
     }
 }

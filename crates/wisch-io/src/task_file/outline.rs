@@ -3,7 +3,6 @@
 use super::TaskError;
 use super::deserialize::At;
 use super::tables::RingPoints;
-use super::tree::Source;
 use super::values::point;
 use wisch::geometry::{Edge, Point2, Polygon, Vector2};
 
@@ -28,8 +27,8 @@ impl Outline {
         }
     }
 
-    pub(super) fn read(outer: &At<RingPoints>, source: &Source<'_>) -> Result<Self, TaskError> {
-        let ring = ring(outer, source)?;
+    pub(super) fn read(outer: &At<RingPoints>) -> Result<Self, TaskError> {
+        let ring = ring(outer)?;
         let reversed = Polygon::new(ring.clone(), Vec::new()).outer() != ring;
         Ok(Self {
             polygon: Polygon::new(ring, Vec::new()),
@@ -37,21 +36,16 @@ impl Outline {
         })
     }
 
-    pub(super) fn with_holes(
-        self,
-        holes: &[At<RingPoints>],
-        source: &Source<'_>,
-    ) -> Result<Self, TaskError> {
+    pub(super) fn with_holes(self, holes: &[At<RingPoints>]) -> Result<Self, TaskError> {
         let mut rings: Vec<Vec<Point2>> = Vec::new();
         let mut points = self.polygon.outer().len();
         for field in holes {
-            let hole = ring(field, source)?;
+            let hole = ring(field)?;
             points += hole.len();
             if points > MAX_POINTS {
-                return Err(field.inconsistent(
-                    source,
-                    format!("the outline with its holes exceeds the limit of {MAX_POINTS} points"),
-                ));
+                return Err(field.inconsistent(format!(
+                    "the outline with its holes exceeds the limit of {MAX_POINTS} points"
+                )));
             }
             let others =
                 std::iter::once(self.polygon.outer()).chain(rings.iter().map(Vec::as_slice));
@@ -61,13 +55,11 @@ impl Outline {
                     i => format!("hole {}", i - 1),
                 };
                 if edges(&hole).any(|a| edges(other).any(|b| meet(a, b))) {
-                    return Err(
-                        field.inconsistent(source, format!("the hole crosses or touches {name}"))
-                    );
+                    return Err(field.inconsistent(format!("the hole crosses or touches {name}")));
                 }
             }
             if !self.polygon.contains(hole[0]) {
-                return Err(field.inconsistent(source, "the hole is outside the outline"));
+                return Err(field.inconsistent("the hole is outside the outline"));
             }
             let inside =
                 |ring: &[Point2], point| Polygon::new(ring.to_vec(), Vec::new()).contains(point);
@@ -75,9 +67,7 @@ impl Outline {
                 .iter()
                 .position(|other| inside(other, hole[0]) || inside(&hole, other[0]));
             if let Some(other) = nested {
-                return Err(
-                    field.inconsistent(source, format!("the hole and hole {other} overlap"))
-                );
+                return Err(field.inconsistent(format!("the hole and hole {other} overlap")));
             }
             rings.push(hole);
         }
@@ -99,28 +89,22 @@ impl Outline {
 }
 
 /// Checks a ring: at least three points, no self-intersection, and a minimum area.
-fn ring(field: &At<RingPoints>, source: &Source<'_>) -> Result<Vec<Point2>, TaskError> {
+fn ring(field: &At<RingPoints>) -> Result<Vec<Point2>, TaskError> {
     let points: Vec<Point2> = field.value.iter().map(|xy| point(*xy)).collect();
     if !(3..=MAX_POINTS).contains(&points.len()) {
-        return Err(field.inconsistent(
-            source,
-            format!(
-                "{} points are outside the limits of a ring: 3 to {MAX_POINTS}",
-                points.len()
-            ),
-        ));
+        return Err(field.inconsistent(format!(
+            "{} points are outside the limits of a ring: 3 to {MAX_POINTS}",
+            points.len()
+        )));
     }
     let edges: Vec<Edge> = edges(&points).collect();
     let count = edges.len();
     for i in 0..count {
         if edges[i].start == edges[i].end {
             let next = (i + 1) % count;
-            return Err(field.inconsistent(
-                source,
-                format!(
-                    "points {i} and {next} are equal (do not repeat the first point at the end)"
-                ),
-            ));
+            return Err(field.inconsistent(format!(
+                "points {i} and {next} are equal (do not repeat the first point at the end)"
+            )));
         }
         for j in i + 1..count {
             let crosses = if j == i + 1 || (i == 0 && j == count - 1) {
@@ -131,7 +115,7 @@ fn ring(field: &At<RingPoints>, source: &Source<'_>) -> Result<Vec<Point2>, Task
                 meet(edges[i], edges[j])
             };
             if crosses {
-                return Err(field.inconsistent(source, format!(
+                return Err(field.inconsistent(format!(
                     "the ring crosses itself: edge {i} meets edge {j} (edge i runs from point i to the next)"
                 )));
             }
@@ -139,10 +123,9 @@ fn ring(field: &At<RingPoints>, source: &Source<'_>) -> Result<Vec<Point2>, Task
     }
     let area = Polygon::new(points.clone(), Vec::new()).area();
     if area < MIN_AREA {
-        return Err(field.inconsistent(
-            source,
-            format!("its area of {area} m2 is below the limit of {MIN_AREA} m2"),
-        ));
+        return Err(field.inconsistent(format!(
+            "its area of {area} m2 is below the limit of {MIN_AREA} m2"
+        )));
     }
     Ok(points)
 }

@@ -1,6 +1,6 @@
 //! Resolves a task file: looks up knowledge, reads files and places particles.
 
-use super::{DirtSource, Frame, ObjectRecord, Shape, TaskError, TaskFile};
+use super::{Frame, ObjectRecord, Shape, TaskError, TaskFile};
 use crate::particles::{ParticleSource, csv_particles, mask_particles};
 use wisch::geometry::{
     Bounds2, LikelyUnit, Mesh, MeshError, MeshFormat, Point2, Point3, Polygon, RIGID_DEPTH, Region,
@@ -135,7 +135,7 @@ impl TaskFile {
             let table = table.to_owned();
             return Err(TaskError::Missing { at, table, key });
         }
-        if self.perception.sight.is_some() {
+        if self.camera.is_some() {
             return Err(TaskError::Inconsistent {
                 at,
                 key: "perception.senses".to_owned(),
@@ -145,39 +145,6 @@ impl TaskFile {
             });
         }
         Ok(given)
-    }
-
-    /// Reads the true dirt locations of a simulated world from files, in the frame of the true surface \[m\]; `None` if they
-    /// are drawn at random. `task`: the result of [`Self::resolve`].
-    ///
-    /// # Errors
-    /// If a file is missing or invalid; the error states its location in the task file.
-    pub fn true_dirt_locations(
-        &self,
-        task: &Task,
-        assets: &mut ReadFile<'_>,
-    ) -> Result<Option<Vec<Point2>>, TaskError> {
-        let meshes: Vec<Mesh> = task.obstacles_in_surface().collect();
-        let area = DirtArea {
-            outline: &task.surface.outline,
-            occupied: &OccupiedArea::from_scene(&meshes),
-        };
-        let (at, listed) = match &self.execution.dirt.source {
-            DirtSource::Csv { at, file } => {
-                (at, csv_particles(file, &read(assets, at, file)?, area))
-            }
-            DirtSource::Image { at, mask } => {
-                let bytes = read(assets, at, &mask.file)?;
-                // A different seed than for believed particles of the same image.
-                (at, mask_particles(mask, &bytes, area, !task.seed))
-            }
-            DirtSource::AsBelieved | DirtSource::Stated(_) => return Ok(None),
-        };
-        let listed = listed.map_err(|error| TaskError::Particles {
-            at: at.clone(),
-            error,
-        })?;
-        Ok(Some(listed.remaining().collect()))
     }
 
     /// Returns the objects of the scene with their roles.
@@ -225,14 +192,15 @@ impl TaskFile {
                 mask_particles(mask, &bytes, area, seed)
             }
         };
-        particles.map_err(|error| TaskError::Particles {
-            at: at.clone(),
-            error,
-        })
+        particles.map_err(|error| TaskError::particles(at, error))
     }
 }
 
-fn read(assets: &mut ReadFile<'_>, at: &Place, file: &str) -> Result<Vec<u8>, TaskError> {
+pub(super) fn read(
+    assets: &mut ReadFile<'_>,
+    at: &Place,
+    file: &str,
+) -> Result<Vec<u8>, TaskError> {
     assets(file).map_err(|problem| TaskError::File {
         at: at.clone(),
         file: file.to_owned(),

@@ -20,7 +20,7 @@ use std::fmt;
 use wisch::plan::YawRule;
 use wisch::represent::{Action, MediumKind, ScenePart};
 use wisch::robot::LinkAxis;
-use wisch::run::MIN_SCORE;
+use wisch::run::RunConfig;
 
 /// A task: action, tool, medium, surface and goal. Lengths in metres, angles in radians.
 #[derive(Deserialize, JsonSchema)]
@@ -582,16 +582,17 @@ pub(super) struct PlanTable {
 
 impl Default for PlanTable {
     fn default() -> Self {
+        let run = RunConfig::default();
         Self {
             bandwidth_m: None,
             heading: HeadingName::Best,
-            lift_height_m: LiftHeightM(0.05),
-            variants: Variants(1),
-            min_score: Score(MIN_SCORE),
-            evaluations: Evaluations(60_000),
-            margin_m: MarginM(0.003),
+            lift_height_m: LiftHeightM(run.plan.lift_height),
+            variants: Variants(run.variants as u64),
+            min_score: Score(run.min_score),
+            evaluations: Evaluations(run.plan.search.evaluations as u64),
+            margin_m: MarginM(run.plan.search.margin_m),
             max_distance_m: None,
-            contact_speed_m_per_s: ContactSpeed(0.25),
+            contact_speed_m_per_s: ContactSpeed(run.follow.contact_speed),
             free_speed_m_per_s: None,
         }
     }
@@ -647,11 +648,11 @@ pub(super) enum SenseName {
 }
 
 fn seed() -> Seed {
-    Seed(0)
+    Seed(RunConfig::default().plan.seed)
 }
 
 fn target_performance() -> Share {
-    Share(0.95)
+    Share(RunConfig::default().target)
 }
 
 fn scale() -> Scale {

@@ -68,7 +68,7 @@ fn resolved_as(
         action,
         tool,
         medium,
-        file.seed(),
+        file.run.plan.seed,
         &shipped.base().expect("shipped knowledge is sound"),
         &mut assets,
         &mut |path| shipped.asset(path),
@@ -80,7 +80,7 @@ fn resolved(file: &TaskFile) -> Result<Task, TaskError> {
         action,
         tool,
         medium,
-    } = file.intent()
+    } = &file.intent
     else {
         panic!("the task names no action");
     };
@@ -91,7 +91,7 @@ fn resolved(file: &TaskFile) -> Result<Task, TaskError> {
 fn the_template_is_a_task() {
     let file = TaskFile::parse("template.toml", TaskFile::TEMPLATE, &[])
         .unwrap_or_else(|error| panic!("{error}"));
-    assert_eq!((file.name(), file.seed()), ("template", 1));
+    assert_eq!((file.name.as_str(), file.run.plan.seed), ("template", 1));
     let task = resolved(&file).unwrap_or_else(|error| panic!("{error}"));
     assert_eq!(task.particles.len(), 80);
 }
@@ -126,12 +126,12 @@ fn collect_keys(schema: &serde_json::Value, keys: &mut Vec<String>) {
 #[test]
 fn what_is_left_out_takes_its_default() {
     let file = parsed(SMALL).unwrap();
-    assert_eq!(file.seed(), 0);
-    assert_eq!(file.strategy(), None);
-    assert_eq!(file.bandwidth_m(), None);
-    assert_eq!(file.lift_height_m(), 0.05);
-    assert_eq!(file.target_performance(), 0.95);
-    assert_eq!(file.surface(), "table");
+    assert_eq!(file.run.plan.seed, 0);
+    assert_eq!(file.strategy, None);
+    assert_eq!(file.run.plan.bandwidth, None);
+    assert_eq!(file.run.plan.lift_height, 0.05);
+    assert_eq!(file.run.target, 0.95);
+    assert_eq!(file.surface.surface.name, "table");
     let task = resolved(&file).unwrap();
     assert_eq!(task.tool_start, Point2::new(0.0, -0.2));
     assert_eq!(task.collect_goal, None);
@@ -262,7 +262,7 @@ fn a_goal_leaves_action_and_tool_open() {
         tool_in_hand: Some("brush".to_owned()),
         available_tools: vec!["sponge".to_owned()],
     };
-    assert_eq!(parsed(&text).unwrap().intent(), &intent);
+    assert_eq!(parsed(&text).unwrap().intent, intent);
     // A setting of the goal replaces the action, and the tool that was named is in hand.
     let file = set(SMALL, &[("goal", "(skimmed breadcrumbs table)")]).unwrap();
     let intent = Intent::Goal {
@@ -270,7 +270,7 @@ fn a_goal_leaves_action_and_tool_open() {
         tool_in_hand: Some("sponge".to_owned()),
         available_tools: Vec::new(),
     };
-    assert_eq!(file.intent(), &intent);
+    assert_eq!(file.intent, intent);
 }
 
 #[test]
@@ -285,13 +285,13 @@ fn settings_override_the_text_and_are_checked_like_it() {
         ("seed", "18446744073709551615"),
     ];
     let file = set(SMALL, &settings).unwrap();
-    assert_eq!(file.seed(), u64::MAX);
+    assert_eq!(file.run.plan.seed, u64::MAX);
     let medium = "dust".to_owned();
     let tool = "sponge".to_owned();
     let action = Action::Collect;
     assert_eq!(
-        file.intent(),
-        &Intent::Action {
+        file.intent,
+        Intent::Action {
             action,
             tool,
             medium

@@ -1,8 +1,9 @@
-//! The tree of a task file and its settings, in which every value has its location.
+//! The TOML tree of a task file and its settings, in which every value has its location.
 
 use super::TaskError;
+use std::ops::Range;
 use toml::Spanned;
-use toml::de::{DeTable, DeValue};
+use toml::de::{DeFloat, DeInteger, DeTable, DeValue};
 use wisch::source_location::Place;
 
 /// Groups of mutually exclusive keys. A setting of one key removes the others from the file.
@@ -54,112 +55,79 @@ impl<'a> Source<'a> {
     }
 
     /// Parses the text and applies the settings.
-    pub(super) fn tree(&self) -> Result<Value, TaskError> {
+    pub(super) fn tree(&self) -> Result<Spanned<DeValue<'a>>, TaskError> {
         let table = DeTable::parse(self.text).map_err(|error| TaskError::Syntax {
             at: self.place(error.span().map_or(0, |span| span.start)),
             message: error.message().to_owned(),
         })?;
-        let mut root = Value {
-            offset: 0,
-            node: table_node(table.get_ref(), 0),
-        };
+        let mut root = Spanned::new(0..0, DeValue::Table(table.into_inner()));
         let mut start = self.text.len() + 1;
         for (key, text) in self.settings {
-            let value = match DeValue::parse(text) {
-                Ok(value) => converted(&value, start),
-                Err(_) => Value {
-                    offset: start,
-                    node: Node::String(text.clone()),
-                },
-            };
-            set(&mut root, key, start, value)?;
+            let value = DeValue::parse(text)
+                .unwrap_or_else(|_| Spanned::new(0..0, DeValue::String(text.into())));
+            set(&mut root, key, start, shifted(value, start))?;
             start += text.len() + 1;
         }
         Ok(root)
     }
 }
 
-/// A value with its start offset.
-#[derive(Debug)]
-pub(super) struct Value {
-    pub(super) offset: usize,
-    pub(super) node: Node,
-}
-
-/// The content of a value.
-#[derive(Debug)]
-pub(super) enum Node {
-    String(String),
-    Integer(i128),
-    Float(f64),
-    Array(Vec<Value>),
-    Table(Vec<Entry>),
-    Boolean(bool),
-    /// Dates, which no key of a task accepts.
-    Other(&'static str),
-}
-
-/// A key with its start offset and value.
-#[derive(Debug)]
-pub(super) struct Entry {
-    pub(super) key: String,
-    pub(super) offset: usize,
-    pub(super) value: Value,
-}
-
-impl Node {
-    /// Describes the value for messages.
-    pub(super) fn description(&self) -> String {
-        match self {
-            Self::String(text) => format!("the string {text:?}"),
-            Self::Integer(number) => number.to_string(),
-            Self::Float(number) => number.to_string(),
-            Self::Array(items) => format!("an array of length {}", items.len()),
-            Self::Table(_) => "a table".to_owned(),
-            Self::Boolean(_) => "a boolean".to_owned(),
-            Self::Other(what) => format!("a {what}"),
-        }
-    }
-}
-
-fn table_node(table: &DeTable<'_>, start: usize) -> Node {
-    let mut entries: Vec<Entry> = table
-        .iter()
-        .map(|(key, value)| Entry {
-            key: key.get_ref().to_string(),
-            offset: start + key.span().start,
-            value: converted(value, start),
-        })
-        .collect();
-    // In the order of the text, so that the first of several errors is reported.
-    entries.sort_by_key(|entry| entry.offset);
-    Node::Table(entries)
-}
-
-fn converted(value: &Spanned<DeValue<'_>>, start: usize) -> Value {
-    let node = match value.get_ref() {
-        DeValue::String(text) => Node::String(text.to_string()),
-        DeValue::Integer(number) => i128::from_str_radix(number.as_str(), number.radix())
-            .map_or(Node::Other("number that is too large"), Node::Integer),
-        DeValue::Float(number) => number
-            .as_str()
-            .parse()
-            .map_or(Node::Other("malformed number"), Node::Float),
+/// Adds `start` to the offsets of a value and of all values in it.
+fn shifted(value: Spanned<DeValue<'_>>, start: usize) -> Spanned<DeValue<'_>> {
+    let moved = |span: Range<usize>| span.start + start..span.end + start;
+    let span = moved(value.span());
+    let value = match value.into_inner() {
         DeValue::Array(items) => {
-            Node::Array(items.iter().map(|item| converted(item, start)).collect())
+            DeValue::Array(items.into_iter().map(|item| shifted(item, start)).collect())
         }
-        DeValue::Table(table) => table_node(table, start),
-        DeValue::Boolean(is_on) => Node::Boolean(*is_on),
-        other => Node::Other(other.type_str()),
+        DeValue::Table(entries) => DeValue::Table(
+            (entries.into_iter())
+                .map(|(key, value)| {
+                    let span = moved(key.span());
+                    (Spanned::new(span, key.into_inner()), shifted(value, start))
+                })
+                .collect(),
+        ),
+        other => other,
     };
-    Value {
-        offset: start + value.span().start,
-        node,
+    Spanned::new(span, value)
+}
+
+/// Returns the value of an integer; `None` if it is too large.
+pub(super) fn integer(number: &DeInteger<'_>) -> Option<i128> {
+    i128::from_str_radix(number.as_str(), number.radix()).ok()
+}
+
+/// Returns the value of a number with a fraction or an exponent; `None` if it is malformed.
+pub(super) fn float(number: &DeFloat<'_>) -> Option<f64> {
+    number.as_str().parse().ok()
+}
+
+/// Describes a value for messages.
+pub(super) fn description(value: &DeValue<'_>) -> String {
+    match value {
+        DeValue::String(text) => format!("the string {text:?}"),
+        DeValue::Integer(number) => integer(number)
+            .map_or("a number that is too large".to_owned(), |number| {
+                number.to_string()
+            }),
+        DeValue::Float(number) => {
+            float(number).map_or("a malformed number".to_owned(), |number| number.to_string())
+        }
+        DeValue::Array(items) => format!("an array of length {}", items.len()),
+        DeValue::Table(_) => "a table".to_owned(),
+        DeValue::Boolean(_) => "a boolean".to_owned(),
+        other => format!("a {}", other.type_str()),
     }
 }
 
 /// Sets `value` at a dotted key; a number in the key is an index from 0 into an array.
-fn set(root: &mut Value, path: &str, offset: usize, value: Value) -> Result<(), TaskError> {
+fn set<'a>(
+    root: &mut Spanned<DeValue<'a>>,
+    path: &'a str,
+    offset: usize,
+    value: Spanned<DeValue<'a>>,
+) -> Result<(), TaskError> {
     let fault = |problem: String| TaskError::Setting {
         key: path.to_owned(),
         problem,
@@ -169,33 +137,24 @@ fn set(root: &mut Value, path: &str, offset: usize, value: Value) -> Result<(), 
     let mut value = Some(value);
     while let Some(segment) = segments.next() {
         let is_last = segments.peek().is_none();
-        here = match &mut here.node {
-            Node::Table(entries) => {
+        here = match here.get_mut() {
+            DeValue::Table(entries) => {
                 if segment.is_empty() {
                     return Err(fault("the key has an empty part".to_owned()));
                 }
                 if is_last {
                     let excluded = ALTERNATIVES.iter().find(|group| group.contains(&segment));
-                    entries.retain(|entry| {
-                        entry.key == segment
-                            || !excluded.is_some_and(|group| group.contains(&entry.key.as_str()))
-                    });
+                    for other in excluded.into_iter().flat_map(|group| group.iter()) {
+                        if *other != segment {
+                            entries.remove(*other);
+                        }
+                    }
                 }
-                let index = entries.iter().position(|entry| entry.key == segment);
-                let index = index.unwrap_or_else(|| {
-                    entries.push(Entry {
-                        key: segment.to_owned(),
-                        offset,
-                        value: Value {
-                            offset,
-                            node: Node::Table(Vec::new()),
-                        },
-                    });
-                    entries.len() - 1
-                });
-                &mut entries[index].value
+                let key = Spanned::new(offset..offset, segment.into());
+                let empty = || Spanned::new(offset..offset, DeValue::Table(DeTable::new()));
+                entries.entry(key).or_insert_with(empty)
             }
-            Node::Array(items) => {
+            DeValue::Array(items) => {
                 let count = items.len();
                 let item = segment.parse().ok().and_then(|i: usize| items.get_mut(i));
                 item.ok_or_else(|| {
@@ -205,7 +164,7 @@ fn set(root: &mut Value, path: &str, offset: usize, value: Value) -> Result<(), 
                 })?
             }
             other => {
-                let found = other.description();
+                let found = description(other);
                 return Err(fault(format!("{segment:?} is not a key of {found}")));
             }
         };

@@ -1,5 +1,6 @@
 //! The values that keys of a task file take: each range stands here once, for the reader and the schema.
 
+use crate::particles::MaskSource;
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::de::{Unexpected, Visitor};
 use serde::{Deserialize, Deserializer, Serialize};
@@ -287,4 +288,21 @@ impl JsonSchema for Name {
 /// Converts coordinates to a point of the surface [m].
 pub(super) fn point([x, y]: [PositionM; 2]) -> Point2 {
     Point2::new(x.0, y.0)
+}
+
+/// Returns an image of dirt with its parameters, by the keys of a table.
+pub(super) fn mask(
+    file: &Name,
+    corners_px: &[[Pixel; 2]; 4],
+    color: &[Channel; 3],
+    tolerance: ColorDistance,
+    count: ParticleCount,
+) -> MaskSource {
+    MaskSource {
+        file: file.0.clone(),
+        corners_px: corners_px.map(|corner| corner.map(|x| x.0).into()),
+        color: color.map(|channel| channel.0 as u8),
+        tolerance: tolerance.0,
+        count: count.0 as usize,
+    }
 }

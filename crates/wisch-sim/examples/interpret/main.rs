@@ -16,8 +16,8 @@ use wisch::interpret::{
 use wisch::plan::{CoverageStrategy, plan};
 use wisch::represent::{Action, GoalState, Task};
 use wisch::run::MotionOrder;
-use wisch_io::{LoadOptions, LoadedTask, Moment, Push, load_task};
-use wisch_sim::{Dirt, SimulationSettings, WorkSurface, execute};
+use wisch_io::{LoadOptions, LoadedTask, load_task};
+use wisch_sim::{Dirt, Moment, Push, SimulationSettings, WorkSurface, execute};
 use wisch_testkit::{AnyError, humanoid, scenario};
 
 /// Force [N] and duration [s] of the pushes.
@@ -145,13 +145,13 @@ fn main() -> Result<(), AnyError> {
         ..LoadOptions::default()
     };
     let loaded = load_task(&scenario(&name), &options)?;
-    let real = SimulationSettings::from_task(&loaded)?;
+    let real = loaded.simulation.clone();
     let LoadedTask {
-        file, task, config, ..
+        file, task, run, ..
     } = loaded;
-    let plan = plan(&task, &config)?;
+    let plan = plan(&task, &run.plan)?;
     let cell_config = WorkcellConfig {
-        world_from_robot: file.robot().and_then(|robot| robot.world_from_robot),
+        world_from_robot: file.robot.as_ref().and_then(|robot| robot.world_from_robot),
         ..WorkcellConfig::default()
     };
     let cell = Workcell::new(robot.model.clone(), Some(&robot.srdf), &task, &cell_config)?;

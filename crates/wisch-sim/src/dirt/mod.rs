@@ -2,7 +2,7 @@
 
 mod places;
 
-pub use places::{GrainCount, WorkSurface};
+pub use places::WorkSurface;
 
 use crate::{SimulationError, SimulationSettings};
 use rand::{RngExt, SeedableRng};

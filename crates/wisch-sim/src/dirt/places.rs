@@ -1,6 +1,6 @@
 //! Positions of the dirt of a world, drawn independently of what any robot believes.
 
-use crate::SimulationSettings;
+use crate::{GrainCount, SimulationSettings, TrueDirt};
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use std::f64::consts::TAU;
@@ -9,7 +9,6 @@ use wisch::random::normal;
 use wisch::represent::{
     Cluster, DirtArea, OccupiedArea, SourceError, Task, cluster_particles, uniform_particles,
 };
-use wisch_io::TrueDirt;
 
 /// Separates the random numbers of positions from those of a task with the same seed.
 const PLACE_SEED: u64 = 0x706c_6163_6573_0000;
@@ -76,15 +75,6 @@ impl WorkSurface {
             count: 1,
         })
     }
-}
-
-/// Number of grains in a world.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum GrainCount {
-    /// Exactly this number.
-    Exactly(usize),
-    /// This number times a random log-normal factor with a spread of 20 %.
-    About(usize),
 }
 
 /// Draws a number uniformly between two limits.

@@ -280,7 +280,7 @@ impl Plant {
         };
         let at = self.world_from_real.inverse() * self.world_from_plate();
         let place = Point2::new(at.translation.x, at.translation.y);
-        let (height, slope) = waviness.at(place);
+        let (height, slope) = waviness.sample(place);
         self.wave = (height, slope, place);
         // Tangent plane: tilted by the slope about the point under the tool.
         let lift = Translation3::new(place.x, place.y, height);
@@ -299,7 +299,7 @@ impl Plant {
             return [0.0; 2];
         };
         let (height, slope, center) = self.wave;
-        let (here, _) = waviness.at(place);
+        let (here, _) = waviness.sample(place);
         // Deviation from the tangent plane: h(p) − h(c) − ∇h(c) · (p − c).
         [here, here - height - slope.dot(&(place - center))]
     }

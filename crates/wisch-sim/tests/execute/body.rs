@@ -6,8 +6,7 @@ use super::{median, touched};
 use wisch::follow::Phase;
 use wisch::geometry::{Vector2, Vector3};
 use wisch::represent::{Action, Fate};
-use wisch_io::{Moment, Push};
-use wisch_sim::{Dirt, Waviness};
+use wisch_sim::{Dirt, Moment, Push, Waviness};
 use wisch_testkit::block;
 
 fn dirty(action: Action) -> Wiping {

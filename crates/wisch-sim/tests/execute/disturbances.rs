@@ -5,7 +5,7 @@ use nalgebra::UnitQuaternion;
 use wisch::geometry::Vector3;
 use wisch::represent::{Action, ScenePart};
 use wisch::run::{Ending, StopCause};
-use wisch_io::{FrictionChange, Moment, Push};
+use wisch_sim::{FrictionChange, Moment, Push};
 use wisch_testkit::block;
 
 /// What a person who pushes with 40 N may meet at most [N].

@@ -19,12 +19,12 @@ fn wiping() -> Wiping {
         ..LoadOptions::default()
     };
     let LoadedTask {
-        file, task, config, ..
+        file, task, run, ..
     } = load_task(&scenario("chopping-board"), &options).unwrap();
-    let plan = first_stroke(plan(&task, &config).unwrap());
+    let plan = first_stroke(plan(&task, &run.plan).unwrap());
     let humanoid = humanoid();
     let config = WorkcellConfig {
-        world_from_robot: file.robot().and_then(|robot| robot.world_from_robot),
+        world_from_robot: file.robot.as_ref().and_then(|robot| robot.world_from_robot),
         ..WorkcellConfig::default()
     };
     let cell = Workcell::new(humanoid.model, Some(&humanoid.srdf), &task, &config).unwrap();

@@ -5,8 +5,8 @@ use wisch::control::ControlConfig;
 use wisch::follow::{FollowConfig, Phase, Workcell, follow};
 use wisch::geometry::{Point3, Vector3};
 use wisch::plan::{CoverageStrategy, plan};
-use wisch_io::{LoadOptions, LoadedTask, Moment, Push, load_task};
-use wisch_sim::Dirt;
+use wisch_io::{LoadOptions, LoadedTask, load_task};
+use wisch_sim::{Dirt, Moment, Push};
 use wisch_testkit::{first_stroke, humanoid, scenario};
 
 /// Most that is felt of an arm which goes along [N]; a push is told from 2 N on.
@@ -20,11 +20,11 @@ fn sweeping() -> Wiping {
         ..LoadOptions::default()
     };
     let LoadedTask {
-        file, task, config, ..
+        file, task, run, ..
     } = load_task(&scenario("broom-chippings"), &options).unwrap();
-    let plan = first_stroke(plan(&task, &config).unwrap());
+    let plan = first_stroke(plan(&task, &run.plan).unwrap());
     let humanoid = humanoid();
-    let config = file.robot().unwrap().workcell_config(&task);
+    let config = file.robot.as_ref().unwrap().workcell_config(&task);
     let cell = Workcell::new(humanoid.model, Some(&humanoid.srdf), &task, &config).unwrap();
     let (map, config) = (humanoid.map.as_ref(), FollowConfig::default());
     let followed = follow(&task, &plan, &cell, map, &config, &mut |_| ()).unwrap();

@@ -127,11 +127,11 @@ fn main() -> Result<(), AnyError> {
 fn trial(loaded: &LoadedTask, robot: &ShippedRobot) -> Result<Trial, AnyError> {
     let begin = Instant::now();
     let LoadedTask { file, task, .. } = loaded;
-    let mut session = Session::new(task, loaded.run_config()).with_robot(robot.robot_setup());
+    let mut session = Session::new(task, loaded.run.clone()).with_robot(robot.robot_setup());
     session.run_until(Stage::Planned, &mut NoExecutor, &mut ignore_events)?;
     let plan = session.plan().ok_or("no plan")?.clone();
     let config = WorkcellConfig {
-        world_from_robot: file.robot().and_then(|robot| robot.world_from_robot),
+        world_from_robot: file.robot.as_ref().and_then(|robot| robot.world_from_robot),
         ..WorkcellConfig::default()
     };
     let cell = Workcell::new(robot.model.clone(), Some(&robot.srdf), task, &config)?;

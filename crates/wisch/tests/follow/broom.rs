@@ -19,7 +19,7 @@ fn sweeping(file: &TaskFile, task: &Task, second: Option<&str>) -> Result<Workce
     let humanoid = humanoid();
     let config = WorkcellConfig {
         second_group: second.map(Into::into),
-        world_from_robot: file.robot().and_then(|robot| robot.world_from_robot),
+        world_from_robot: file.robot.as_ref().and_then(|robot| robot.world_from_robot),
         ..WorkcellConfig::default()
     };
     Workcell::new(humanoid.model, Some(&humanoid.srdf), task, &config)
@@ -28,7 +28,7 @@ fn sweeping(file: &TaskFile, task: &Task, second: Option<&str>) -> Result<Workce
 /// The first stroke of the scenario, swept with both hands.
 fn swept() -> (TaskFile, Task, Workcell, Followed) {
     let (file, task) = shipped("broom-chippings", Action::Collect);
-    let record = file.robot().unwrap();
+    let record = file.robot.as_ref().unwrap();
     let cell = sweeping(&file, &task, record.second_group.as_deref()).unwrap();
     let mut plan = planned(&file, &task);
     plan.strokes.truncate(1);
@@ -173,7 +173,7 @@ fn the_search_for_a_free_motion_of_two_hands_ends() {
     let (sender, ended) = channel();
     std::thread::spawn(move || {
         let (file, task) = shipped("broom-chippings", Action::Collect);
-        let record = file.robot().unwrap();
+        let record = file.robot.as_ref().unwrap();
         let cell = sweeping(&file, &task, record.second_group.as_deref()).unwrap();
         let plan = planned(&file, &task);
         let humanoid = humanoid();

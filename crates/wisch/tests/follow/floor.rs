@@ -35,8 +35,8 @@ fn floor(settings: &[(&str, &str)]) -> Floor {
     };
     let file = root().join("crates/wisch/tests/data/floor.toml");
     let loaded = load_task(&file, &options).unwrap();
-    let plan = plan(&loaded.task, &loaded.config).unwrap();
-    let robot = loaded.file.robot();
+    let plan = plan(&loaded.task, &loaded.run.plan).unwrap();
+    let robot = loaded.file.robot.as_ref();
     let config = WorkcellConfig {
         world_from_robot: robot.and_then(|robot| robot.world_from_robot),
         ..WorkcellConfig::default()

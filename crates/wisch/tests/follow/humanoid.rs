@@ -24,8 +24,8 @@ pub fn planned(file: &TaskFile, task: &Task) -> Plan {
     let config = PlanConfig {
         strategy: CoverageStrategy::Kde.into(),
         seed: 1,
-        bandwidth: file.bandwidth_m(),
-        lift_height: file.lift_height_m(),
+        bandwidth: file.run.plan.bandwidth,
+        lift_height: file.run.plan.lift_height,
         ..PlanConfig::default()
     };
     plan(task, &config).unwrap()
@@ -37,7 +37,7 @@ fn at_the_board() -> (Task, Plan, Workcell, Option<CapabilityMap>) {
     let plan = planned(&file, &task);
     let humanoid = humanoid();
     let config = WorkcellConfig {
-        world_from_robot: file.robot().and_then(|robot| robot.world_from_robot),
+        world_from_robot: file.robot.as_ref().and_then(|robot| robot.world_from_robot),
         ..WorkcellConfig::default()
     };
     let cell = Workcell::new(humanoid.model, Some(&humanoid.srdf), &task, &config).unwrap();
@@ -120,10 +120,10 @@ fn no_joint_exceeds_its_limits_and_neither_does_one_that_follows_others() {
     )
     .unwrap();
     let (task, file) = (loaded.task, loaded.file);
-    let plan = plan(&task, &loaded.config).unwrap();
+    let plan = plan(&task, &loaded.run.plan).unwrap();
     let humanoid = humanoid();
     let config = WorkcellConfig {
-        world_from_robot: file.robot().and_then(|robot| robot.world_from_robot),
+        world_from_robot: file.robot.as_ref().and_then(|robot| robot.world_from_robot),
         ..WorkcellConfig::default()
     };
     let cell = Workcell::new(humanoid.model, Some(&humanoid.srdf), &task, &config).unwrap();

@@ -3,7 +3,7 @@
 mod record;
 mod rounds;
 
-use super::prepare::Prepared;
+use super::prepare;
 use super::words::{counted, internal};
 use crate::args::{GlobalArgs, LearnArgs, TaskArgs};
 use crate::failure::Failure;
@@ -19,7 +19,9 @@ use wisch::learn::{
     GUESSES, LawObservations, LearnConfig, LearnedLaw, ObservedRound, learn as fitted,
 };
 use wisch::represent::{Interaction, KnowledgeBase, Task};
-use wisch_io::{InteractionRevision, KnowledgeSource, OutputFile, RevisedFile, shipped_scenarios};
+use wisch_io::{
+    InteractionRevision, KnowledgeSource, LoadedTask, OutputFile, RevisedFile, shipped_scenarios,
+};
 
 /// First line of a file that `wisch learn` has written and may overwrite.
 const HEADER: &str = "# Interactions as `wisch learn` has them";
@@ -97,7 +99,7 @@ pub fn learn(args: &LearnArgs, global: &GlobalArgs) -> Result<Outcome, Failure> 
 
 /// The executed tasks, by name.
 struct Tasks {
-    known: BTreeMap<String, Prepared>,
+    known: BTreeMap<String, LoadedTask>,
     /// Whether `--task` gave them; otherwise they are the shipped scenarios that bags and episodes name.
     are_given: bool,
     knowledge: Option<PathBuf>,
@@ -123,8 +125,8 @@ impl Tasks {
         Ok(tasks)
     }
 
-    fn prepare_query(&self, path: &Path) -> Result<Prepared, Failure> {
-        Prepared::read(&TaskArgs {
+    fn prepare_query(&self, path: &Path) -> Result<LoadedTask, Failure> {
+        prepare::read(&TaskArgs {
             task: path.to_owned(),
             strategy: None,
             budget: None,
@@ -136,7 +138,12 @@ impl Tasks {
     }
 
     /// Returns the task of a bag or episode. `named`: the task's name there, if it is stated.
-    fn of(&mut self, kind: &str, place: &Path, named: Option<&str>) -> Result<&Prepared, Failure> {
+    fn of(
+        &mut self,
+        kind: &str,
+        place: &Path,
+        named: Option<&str>,
+    ) -> Result<&LoadedTask, Failure> {
         let fault = |problem: String| Failure::new(problem).within(place);
         let help = "give the file of every executed task with --task FILE";
         let name = match named {
@@ -215,7 +222,7 @@ fn evidence(
 /// If the task treats the surface, if the knowledge base has no such interaction, or if the task has used the tool with
 /// another force, compression depth or gap.
 fn known_interaction(
-    prepared: &Prepared,
+    prepared: &LoadedTask,
     knowledge: &KnowledgeBase,
     place: &Path,
 ) -> Result<Interaction, Failure> {
@@ -258,11 +265,11 @@ fn known_interaction(
 
 /// Interprets the rounds of a run and pairs their camera observations with the measured exposure of each particle.
 fn seen_rounds(
-    prepared: &Prepared,
+    prepared: &LoadedTask,
     rounds: Vec<RecordedRound>,
     progress: &Progress,
 ) -> Result<Vec<ObservedRound>, Failure> {
-    let sensor = prepared.file.perception().sight.unwrap_or_default();
+    let sensor = prepared.file.camera.unwrap_or_default();
     let sight = prepared.sight(sensor);
     let effect = prepared.task.action.effect();
     let mut felt: Vec<(Task, Interpreter)> = Vec::new();

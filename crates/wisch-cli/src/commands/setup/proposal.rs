@@ -333,16 +333,10 @@ fn cuboid(name: &str, size: Vector3) -> Result<Mesh, SetupError> {
 
 /// Returns the robot with the task's tool in the task's scene, where the task puts it.
 fn scene_of_task(robot: &RobotModel, srdf: &Srdf, task: &LoadedTask) -> Result<Scene, SetupError> {
-    let placed = task
-        .file
-        .robot()
-        .map_or_else(WorkcellConfig::default, |robot| {
-            robot.workcell_config(&task.task)
-        });
     let config = WorkcellConfig {
         group: None,
         second_group: None,
-        ..placed
+        ..task.run.workcell.clone()
     };
     let cell = Workcell::new(robot.clone(), Some(srdf), &task.task, &config);
     let cell = cell.map_err(|error| match error {

@@ -367,7 +367,7 @@ fn what_the_knowledge_or_a_file_lacks_is_refused_with_its_place() {
             action,
             tool,
             medium,
-        } = file.intent()
+        } = &file.intent
         else {
             panic!("an action is named");
         };
