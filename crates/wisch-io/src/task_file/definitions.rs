@@ -5,11 +5,10 @@ use super::tables::{InteractionTable, MediumKindName, MediumTable, TaskTable, To
 use super::values::Name;
 use super::{Intent, TaskError, TaskFile};
 use crate::knowledge::is_entry_name;
-use std::collections::BTreeSet;
 use wisch::geometry::Vector3;
 use wisch::represent::{
-    Action, AngleRange, GrainSize, Interaction, KnowledgeBase, KnowledgeError, MediumEntry,
-    SurfaceEntry, SurfaceScope, ToolEntry, ToolMesh,
+    AngleRange, GrainSize, Interaction, KnowledgeBase, KnowledgeError, MediumEntry, SurfaceEntry,
+    SurfaceScope, ToolEntry, ToolMesh,
 };
 use wisch::source_location::Place;
 
@@ -24,7 +23,7 @@ const GRAIN_SIZE: GrainSize = GrainSize {
 };
 
 /// The entries that a task file defines.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone)]
 pub(super) struct Definitions {
     tool: Option<ToolEntry>,
     medium: Option<MediumEntry>,
@@ -33,31 +32,12 @@ pub(super) struct Definitions {
 }
 
 /// Overrides of the knowledge base's interaction.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone)]
 struct Overrides {
     at: Place,
     /// Names of the tool and the medium, which the file must state.
     pair: (String, String),
-    values: GivenValues,
-}
-
-/// The values of an interaction that a task file gives.
-#[derive(Debug, Clone, PartialEq, Default)]
-struct GivenValues {
-    actions: Option<BTreeSet<Action>>,
-    press_force_n: Option<f64>,
-    stiffness_n_per_m: Option<f64>,
-    damping_ratio: Option<f64>,
-    nullspace_posture_weight: Option<f64>,
-    compression_depth_m: Option<f64>,
-    gap_m: Option<f64>,
-    mu: Option<f64>,
-    sigma: Option<f64>,
-    mu_spread: Option<f64>,
-    ln_sigma_spread: Option<f64>,
-    redraw_length_m: Option<f64>,
-    ln_redraw_length_spread: Option<f64>,
-    kept_share: Option<f64>,
+    given: InteractionTable,
 }
 
 pub(super) fn read(file: &At<TaskTable>) -> Result<Definitions, TaskError> {
@@ -174,40 +154,15 @@ fn overrides(table: &At<InteractionTable>, task: &TaskTable) -> Result<Overrides
     let (Some(tool), Some(medium)) = (tool, medium) else {
         return Err(table.inconsistent("this table needs tool.name and medium.name"));
     };
-    let given = &table.value;
-    let actions = match &given.actions {
-        Some(actions) if actions.value.is_empty() => {
-            return Err(actions.inconsistent("at least one action is needed"));
-        }
-        Some(actions) => Some(
-            actions
-                .value
-                .iter()
-                .map(|action| (*action).into())
-                .collect(),
-        ),
-        None => None,
-    };
-    let values = GivenValues {
-        actions,
-        press_force_n: given.press_force_n.map(|force| force.0),
-        stiffness_n_per_m: given.stiffness_n_per_m.map(|stiffness| stiffness.0),
-        damping_ratio: given.damping_ratio.map(|ratio| ratio.0),
-        nullspace_posture_weight: given.nullspace_posture_weight.map(|weight| weight.0),
-        compression_depth_m: given.compression_depth_m.map(|depth| depth.0),
-        gap_m: given.gap_m.map(|gap| gap.0),
-        mu: given.mu.map(|mu| mu.0),
-        sigma: given.sigma.map(|sigma| sigma.0),
-        mu_spread: given.mu_spread.map(|spread| spread.0),
-        ln_sigma_spread: given.ln_sigma_spread.map(|spread| spread.0),
-        redraw_length_m: given.redraw_length_m.map(|length| length.0),
-        ln_redraw_length_spread: given.ln_redraw_length_spread.map(|spread| spread.0),
-        kept_share: given.kept_share.map(|share| share.0),
-    };
+    if let Some(actions) = &table.value.actions
+        && actions.value.is_empty()
+    {
+        return Err(actions.inconsistent("at least one action is needed"));
+    }
     Ok(Overrides {
         at: table.place.clone(),
         pair: (tool.value.0.clone(), medium.value.0.clone()),
-        values,
+        given: table.value.clone(),
     })
 }
 
@@ -227,7 +182,7 @@ impl TaskFile {
                 bare = Overrides {
                     at: self.tool_at.clone(),
                     pair: (tool.clone(), medium.clone()),
-                    values: GivenValues::default(),
+                    given: InteractionTable::default(),
                 };
                 &bare
             }
@@ -246,7 +201,7 @@ impl TaskFile {
         };
         // An entry for all surfaces stays unchanged for other surfaces.
         interaction.surface = SurfaceScope::Named(surface.to_owned());
-        let kept = overrides.values.apply(&mut interaction);
+        let kept = overrides.given.apply(&mut interaction);
         knowledge.insert_interaction(interaction).map_err(unknown)?;
         if !is_assumed || kept.is_empty() {
             return Ok(Vec::new());
@@ -286,19 +241,22 @@ impl Definitions {
     }
 }
 
-impl GivenValues {
+impl InteractionTable {
     /// Sets the given values in an interaction, and returns `key = value` of each force, stiffness, damping, weight, depth
     /// and likelihood parameter that is not given.
     fn apply(&self, to: &mut Interaction) -> Vec<String> {
         if let Some(actions) = &self.actions {
-            to.actions.clone_from(actions);
+            to.actions = actions.value.iter().map(|&action| action.into()).collect();
         }
         let redraw = &mut to.redraw;
-        redraw.length_m = self.redraw_length_m.or(redraw.length_m);
+        redraw.length_m = self.redraw_length_m.map(|x| x.0).or(redraw.length_m);
         for (given, value) in [
-            (self.ln_redraw_length_spread, &mut redraw.ln_length_spread),
-            (self.kept_share, &mut redraw.kept_share),
-            (self.gap_m, &mut to.gap_m),
+            (
+                self.ln_redraw_length_spread.map(|x| x.0),
+                &mut redraw.ln_length_spread,
+            ),
+            (self.kept_share.map(|x| x.0), &mut redraw.kept_share),
+            (self.gap_m.map(|x| x.0), &mut to.gap_m),
         ] {
             *value = given.unwrap_or(*value);
         }
@@ -307,30 +265,42 @@ impl GivenValues {
             Some(given) => *value = given,
             None => kept.push(format!("{key} = {value}")),
         };
-        set("press_force_n", &mut to.press_force_n, self.press_force_n);
+        set(
+            "press_force_n",
+            &mut to.press_force_n,
+            self.press_force_n.map(|x| x.0),
+        );
         set(
             "stiffness_n_per_m",
             &mut to.stiffness_n_per_m,
-            self.stiffness_n_per_m,
+            self.stiffness_n_per_m.map(|x| x.0),
         );
-        set("damping_ratio", &mut to.damping_ratio, self.damping_ratio);
+        set(
+            "damping_ratio",
+            &mut to.damping_ratio,
+            self.damping_ratio.map(|x| x.0),
+        );
         set(
             "nullspace_posture_weight",
             &mut to.nullspace_posture_weight,
-            self.nullspace_posture_weight,
+            self.nullspace_posture_weight.map(|x| x.0),
         );
         set(
             "compression_depth_m",
             &mut to.compression_depth_m,
-            self.compression_depth_m,
+            self.compression_depth_m.map(|x| x.0),
         );
-        set("mu", &mut to.likelihood.mu, self.mu);
-        set("sigma", &mut to.likelihood.sigma, self.sigma);
-        set("mu_spread", &mut to.likelihood_spread.mu, self.mu_spread);
+        set("mu", &mut to.likelihood.mu, self.mu.map(|x| x.0));
+        set("sigma", &mut to.likelihood.sigma, self.sigma.map(|x| x.0));
+        set(
+            "mu_spread",
+            &mut to.likelihood_spread.mu,
+            self.mu_spread.map(|x| x.0),
+        );
         set(
             "ln_sigma_spread",
             &mut to.likelihood_spread.ln_sigma,
-            self.ln_sigma_spread,
+            self.ln_sigma_spread.map(|x| x.0),
         );
         kept
     }

@@ -82,7 +82,7 @@ pub(super) struct TaskTable {
 }
 
 /// Action on the dirt or the surface.
-#[derive(Deserialize, JsonSchema, Clone, Copy)]
+#[derive(Debug, Clone, Copy, Deserialize, JsonSchema)]
 #[serde(rename = "action", rename_all = "lowercase")]
 #[schemars(rename = "Action", inline)]
 pub(super) enum ActionName {
@@ -235,7 +235,7 @@ impl From<MediumKindName> for MediumKind {
 }
 
 /// Use of the tool on the medium and surface.
-#[derive(Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Default, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 #[schemars(rename = "Interaction")]
 pub(super) struct InteractionTable {
