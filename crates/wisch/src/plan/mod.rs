@@ -6,6 +6,7 @@ mod candidates;
 mod clearance;
 mod config;
 mod coverage;
+mod edge_margin;
 mod error;
 mod given_strokes;
 mod graph;

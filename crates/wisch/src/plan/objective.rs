@@ -1,29 +1,13 @@
 //! The objective by which plans for the same dirt are compared: their predicted effect.
 
-use super::predict::LOSS;
+use super::edge_margin::EdgeMargin;
+use super::score::DirtTerms;
 use super::{Plan, Stroke};
-use crate::geometry::{Edge, Point2, Polygon, Pose, Vector2};
-use crate::represent::{
-    Effect, EffectModel, Fate, GoalState, HEAP_DEPTH, ParticleDistribution, ParticleField,
-    Performance, Surface, Task, heap_depth, heap_slide,
-};
+use crate::represent::{Effect, EffectModel, GoalState, ParticleField, Task};
 
-/// Particles at the goal that one particle right at an edge cancels; within the margin, in proportion to its
-/// nearness. Chosen on `failure-human-push`, seeds 101 to 130: with 1, or if all particles within the margin
-/// count in full, more dirt is left on the surface and fewer runs end well.
-pub(super) const RISK: f64 = 0.5;
-
-/// Depth of a heap of all particles ahead of where it is pushed to, over the radius of the tool's collision
-/// sphere [1]. It lies between what the belief draws (up to 0.12) and [`HEAP_DEPTH`]. An assumption; with the
-/// latter, single strokes leave more dirt away from the goal (87.5 % instead of 90 % on the board, seed 3).
-const RIM_DEPTH: f64 = 0.2;
-/// Positions of the particles of a heap within its depth [1].
-const HEAP_PLACES: [f64; 4] = [0.125, 0.375, 0.625, 0.875];
-
-/// Objective of doing nothing [particles]: the particles where they belong, less [`LOSS`] for each lost
-/// particle.
+/// Objective of doing nothing [particles], see [`objective`].
 pub(super) fn objective_at_rest(task: &Task, goal: &GoalState) -> i64 {
-    weigh(&Performance::evaluate(&task.particles, goal, &task.surface))
+    DirtTerms::evaluate(&task.particles, goal, &task.surface, None).whole()
 }
 
 /// Whether a plan is predicted to be better than doing nothing.
@@ -32,7 +16,7 @@ pub fn has_predicted_gain(task: &Task, plan: &Plan) -> bool {
 }
 
 /// Objective of a plan [particles]: the number of particles predicted to end where they belong, less two costs.
-/// Each particle that falls over a wrong edge costs [`LOSS`]. Each that is pushed so near an edge that part of the
+/// Each particle that falls over a wrong edge costs three. Each that is pushed so near an edge that part of the
 /// heap would fall costs a share. Pushed dirt heaps up before the tool: of a heap brought just to the rim of the
 /// goal, part lies beyond it.
 pub(super) fn objective(task: &Task, plan: &Plan) -> i64 {
@@ -57,9 +41,8 @@ pub(super) fn objective(task: &Task, plan: &Plan) -> i64 {
             margin.pass_of(&field, touched.iter().copied());
         }
     }
-    let performance = Performance::evaluate(&field.distribution(), &plan.graph.goal, &task.surface);
-    let risk = RISK * margin.nearness() + margin.beyond(&plan.graph.goal, &task.surface.outline);
-    weigh(&performance) - risk.round() as i64
+    let (after, goal) = (field.distribution(), &plan.graph.goal);
+    DirtTerms::evaluate(&after, goal, &task.surface, Some(&margin)).whole()
 }
 
 /// Returns the plan with the highest objective; of equal plans the one with the shortest path in contact.
@@ -83,115 +66,14 @@ pub(super) fn best_by_objective(
     best.map(|(_, _, plan)| plan)
 }
 
-/// Number of particles where they belong, less [`LOSS`] for each lost particle.
-const fn weigh(performance: &Performance) -> i64 {
-    performance.achieved as i64 - LOSS * performance.lost as i64
-}
-
-/// The strip along the edges over which no dirt may fall, as wide as a heap is deep.
-#[derive(Debug, Clone)]
-pub(super) struct EdgeMargin {
-    edges: Vec<Edge>,
-    /// Depth of a heap of all particles [m].
-    heap: f64,
-    before: ParticleDistribution,
-    /// Particles that the last motion pushed, and their positions before it.
-    pushed: Vec<(usize, Point2)>,
-    /// Largest nearness of each particle to an edge so far, over the width of the margin [1].
-    nearness: Vec<f64>,
-    world_from_surface: Pose,
-    /// Depth of the heap ahead of each particle, in the direction of its last push and down a slope [m].
-    ahead: Vec<Vector2>,
-}
-
-impl EdgeMargin {
-    /// Returns the margin for dirt at these places. `radius`: that of the collision sphere [m].
-    pub(super) fn new(
-        particles: &ParticleDistribution,
-        surface: &Surface,
-        goal: &GoalState,
-        radius: f64,
-    ) -> Self {
-        let is_allowed = |edge: usize| *goal == GoalState::Skimmed && surface.is_skim_edge(edge);
-        let edges = surface.outline.edges().enumerate();
-        Self {
-            edges: edges
-                .filter(|&(index, _)| !is_allowed(index))
-                .map(|(_, edge)| edge)
-                .collect(),
-            heap: HEAP_DEPTH * radius,
-            world_from_surface: surface.world_from_surface,
-            nearness: vec![0.0; particles.len()],
-            ahead: vec![Vector2::zeros(); particles.len()],
-            before: particles.clone(),
-            pushed: Vec::new(),
-        }
-    }
-
-    /// Updates the margin with the positions after a motion. `moved`: indices of all particles that moved;
-    /// repetitions do no harm.
-    pub(super) fn pass_of(
-        &mut self,
-        after: &ParticleField,
-        moved: impl IntoIterator<Item = usize>,
-    ) {
-        self.pushed.clear();
-        for i in moved {
-            let (place, fate) = after.place(i);
-            let from = self.before.position(i);
-            if fate == Fate::OnSurface && place != from {
-                self.pushed.push((i, from));
-            }
-            self.before.put(i, place, fate);
-        }
-        let share = self.pushed.len() as f64 / self.before.len().max(1) as f64;
-        // The margin is as wide as the heap of the particles that this motion pushed is deep.
-        let width = heap_depth(self.heap, share);
-        for &(i, from) in &self.pushed {
-            let (place, _) = after.place(i);
-            let distances = self.edges.iter().map(|edge| edge.distance(place));
-            let distance = distances.fold(width, f64::min);
-            // Nearness 1 − d / width: 0 at the border of the margin, 1 at the edge.
-            self.nearness[i] = self.nearness[i].max(1.0 - distance / width);
-            let along = (place - from).normalize();
-            let reach = along + heap_slide(&self.world_from_surface, along);
-            self.ahead[i] = reach * (width * RIM_DEPTH / HEAP_DEPTH);
-        }
-    }
-
-    /// Sum of the particles' largest nearness to an edge, each over the width of the margin [1].
-    pub(super) fn nearness(&self) -> f64 {
-        self.nearness.iter().sum()
-    }
-
-    /// Number of particles within the goal of a collect whose heap reaches beyond the goal, each counted by
-    /// that share of its heap.
-    pub(super) fn beyond(&self, goal: &GoalState, outline: &Polygon) -> f64 {
-        let GoalState::Collected { center, radius } = goal else {
-            return 0.0;
-        };
-        let is_met = |place: Point2| (place - center).norm() <= *radius;
-        // Particles beyond an edge are counted by their nearness instead.
-        let is_beyond = |place: &Point2| !is_met(*place) && outline.contains(*place);
-        let share_beyond = |(place, ahead): (Point2, &Vector2)| {
-            let places = HEAP_PLACES.map(|share| place + ahead * share);
-            places.iter().filter(|place| is_beyond(place)).count() as f64 / places.len() as f64
-        };
-        let places = (self.before.iter().zip(&self.ahead))
-            .filter(|((place, fate), _)| *fate == Fate::OnSurface && is_met(*place));
-        places
-            .map(|((place, _), ahead)| share_beyond((place, ahead)))
-            .sum()
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::super::{CoverageStrategy, Node, NodeRole, SemanticDirectedGraph, Stroke, predict};
     use super::*;
-    use crate::geometry::{Mesh, PlanarPose, Pose, Region, Vector3};
+    use crate::geometry::{Mesh, PlanarPose, Point2, Polygon, Pose, Region, Vector2, Vector3};
     use crate::represent::{
-        Action, AngleRange, Interaction, LogNormal, LogNormalSpread, Redraw, SurfaceScope, Tool,
+        Action, AngleRange, Interaction, LogNormal, LogNormalSpread, ParticleDistribution, Redraw,
+        Surface, SurfaceScope, Tool,
     };
     use std::f64::consts::FRAC_PI_2;
 

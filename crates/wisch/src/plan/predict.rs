@@ -1,11 +1,9 @@
 //! Prediction: the effect of a plan's strokes by the effect model; paper §3.4, Fig. 7.
 
 use super::Plan;
+use super::score::DirtTerms;
 use crate::geometry::PlanarPose;
 use crate::represent::{EffectModel, ParticleDistribution, ParticleField, Performance, Task};
-
-/// Number of remaining particles that weigh as much as one lost particle: remaining dirt can be wiped again.
-pub(super) const LOSS: i64 = 3;
 
 /// The predicted result of a plan.
 #[derive(Debug, Clone, PartialEq)]
@@ -20,12 +18,7 @@ impl Prediction {
     /// The share of the dirt that the plan brings where it belongs, less three times the share that it loses
     /// \[1\]; from 1 down to −3.
     pub fn score(&self) -> f64 {
-        let Performance {
-            initial,
-            achieved,
-            lost,
-        } = self.performance;
-        (achieved as f64 - LOSS as f64 * lost as f64) / initial.max(1) as f64
+        DirtTerms::from(&self.performance).total() / self.performance.initial.max(1) as f64
     }
 }
 

@@ -5,7 +5,7 @@ use super::draft::Draft;
 use super::value::{State, Valuation, Value, World};
 use crate::geometry::PlanarPose;
 use crate::plan::PlanScore;
-use crate::plan::objective::EdgeMargin;
+use crate::plan::edge_margin::EdgeMargin;
 use crate::represent::{Effect, EffectModel, GoalState, Task, ToolMotion};
 use std::rc::Rc;
 

@@ -2,13 +2,11 @@
 
 use super::draft::Draft;
 use crate::geometry::{Bounds2, Edge, PlanarPose, Point2, Region};
-use crate::plan::objective::{EdgeMargin, RISK};
-use crate::plan::predict::LOSS;
+use crate::plan::edge_margin::EdgeMargin;
+use crate::plan::score::DirtTerms;
 use crate::plan::{FreeSpace, PlanScore};
 use crate::random::normal_pair;
-use crate::represent::{
-    GoalState, ParticleDistribution, ParticleField, Performance, Task, ToolMotion,
-};
+use crate::represent::{GoalState, ParticleDistribution, ParticleField, Task, ToolMotion};
 use rand::RngExt;
 use rand_chacha::{ChaCha8Rng, rand_core::SeedableRng};
 
@@ -34,14 +32,6 @@ pub(super) struct Value {
     pub(super) total: f64,
     /// Positions of dirt that is not where it belongs [m].
     pub(super) left: Vec<Point2>,
-}
-
-/// Gains and losses of a plan in one world, in particles.
-struct Terms {
-    in_place: f64,
-    lost: f64,
-    at_risk: f64,
-    away: f64,
 }
 
 /// Weight of the tool at its exact size, beside a tool that is smaller by the margin [1].
@@ -210,9 +200,7 @@ impl<'a> Valuation<'a> {
     /// Returns the share of the dirt brought where it belongs in a world, less lost dirt and dirt at risk [1].
     /// Adds the positions of the remaining dirt to `left`.
     fn gain(&self, world: &World, state: &State, goal: &GoalState, left: &mut Vec<Point2>) -> f64 {
-        let terms = self.terms(world, state, goal, left);
-        let gain = terms.in_place - terms.lost - terms.at_risk - terms.away;
-        gain / world.dirt.len().max(1) as f64
+        self.terms(world, state, goal, left).total() / world.dirt.len().max(1) as f64
     }
 
     /// Returns the gains and losses of a draft in one world, in particles. Adds the positions of the remaining
@@ -223,7 +211,7 @@ impl<'a> Valuation<'a> {
         state: &State,
         goal: &GoalState,
         left: &mut Vec<Point2>,
-    ) -> Terms {
+    ) -> DirtTerms {
         let surface = &self.task.surface;
         let after = state.field.distribution();
         let wanted = match *goal {
@@ -235,7 +223,6 @@ impl<'a> Valuation<'a> {
             }
             goal => goal,
         };
-        let performance = Performance::evaluate(&after, &wanted, surface);
         let mut away = 0.0;
         for (place, fate) in after.iter() {
             if fate.is_on_surface() && !wanted.is_met_by(place, fate, surface) {
@@ -243,13 +230,9 @@ impl<'a> Valuation<'a> {
                 left.push(place);
             }
         }
-        Terms {
-            in_place: performance.achieved as f64,
-            lost: LOSS as f64 * performance.lost as f64,
-            at_risk: state.margin.as_ref().map_or(0.0, |margin| {
-                RISK * margin.nearness() + margin.beyond(&wanted, &surface.outline)
-            }),
+        DirtTerms {
             away: AWAY * away / self.diagonal,
+            ..DirtTerms::evaluate(&after, &wanted, surface, state.margin.as_ref())
         }
     }
 
@@ -263,11 +246,7 @@ impl<'a> Valuation<'a> {
         };
         for (world, state) in self.worlds.iter().zip(after) {
             let terms = self.terms(world, state, &draft.goal, &mut Vec::new());
-            let weight = world.weight / world.dirt.len().max(1) as f64;
-            score.in_place += weight * terms.in_place;
-            score.lost += weight * terms.lost;
-            score.at_risk += weight * terms.at_risk;
-            score.away += weight * terms.away;
+            score.add(world.weight / world.dirt.len().max(1) as f64, &terms);
         }
         score
     }
