@@ -1,6 +1,7 @@
 //! The robot's motion in a run, with its summary and facts.
 
 use crate::words::percent;
+use std::sync::Arc;
 use wisch::follow::{AbandonedNode, Audit, Followed, Workcell};
 use wisch::plan::Plan;
 use wisch::run::{PlannedRound, Round, Session};
@@ -12,7 +13,7 @@ pub struct FollowedPlan {
     /// The robot's name.
     pub robot: String,
     /// Robot, tool and scene.
-    pub cell: Workcell,
+    pub cell: Arc<Workcell>,
     /// The motion.
     pub followed: Followed,
     /// Result of the independent check of the motion.

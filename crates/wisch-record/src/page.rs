@@ -171,7 +171,7 @@ impl PageSink {
                 plan: &results.executable_plan(),
                 prediction,
                 frames,
-                followed: following.map(|f| (&f.cell, &f.followed, &f.audit)),
+                followed: following.map(|f| (&*f.cell, &f.followed, &f.audit)),
             })?;
         }
         for finished in &results.rounds {

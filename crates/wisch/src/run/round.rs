@@ -6,6 +6,7 @@ use crate::interpret::{Belief, Interpretation};
 use crate::plan::{Plan, Prediction, predict};
 use crate::recover::Verdict;
 use crate::represent::Task;
+use std::sync::Arc;
 
 /// The plan and motion of a round before its execution.
 #[derive(Debug, Clone)]
@@ -18,8 +19,8 @@ pub struct PlannedRound {
     pub believed: Belief,
     /// The plan.
     pub plan: Plan,
-    /// Robot, tool and scene.
-    pub cell: Workcell,
+    /// Robot, tool and scene, which all plans of a round share.
+    pub cell: Arc<Workcell>,
     /// The joint motion.
     pub followed: Followed,
     /// The predicted effect of the motion.

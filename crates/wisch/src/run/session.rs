@@ -8,7 +8,7 @@ use super::{
     AfterStop, Ending, Execution, Executor, MotionOrder, Observer, OwnStrategy, PlannedRound,
     RobotSetup, Round, RunConfig, RunError, RunEvent, check_score,
 };
-use crate::follow::{Audit, Workcell, WorkcellConfig, audit, follow, retreat};
+use crate::follow::{Audit, FollowError, Workcell, WorkcellConfig, audit, follow, retreat};
 use crate::interpret::{
     Belief, InterpretConfig, Interpretation, Interpreter, ObservationUpdate, TouchSample,
 };
@@ -19,6 +19,7 @@ use crate::recover::{
 use crate::represent::{GoalState, Observation, Task};
 use planning::NextPlan;
 use std::ops::ControlFlow;
+use std::sync::{Arc, OnceLock};
 
 /// The stage that a session has completed.
 ///
@@ -70,6 +71,8 @@ pub struct Session<'a> {
     task: Task,
     belief: Belief,
     workcell: WorkcellConfig,
+    /// Robot, tool and scene, from the first plan that is followed until one of them moves.
+    cell: OnceLock<Result<Arc<Workcell>, FollowError>>,
     given: Option<Plan>,
     own: Option<OwnStrategy<'a>>,
     goal: Option<GoalState>,
@@ -111,6 +114,7 @@ impl<'a> Session<'a> {
             belief: Belief::from_particles(task.particles.clone()),
             task: task.clone(),
             workcell: config.workcell.clone(),
+            cell: OnceLock::new(),
             given: None,
             own: None,
             goal: None,
@@ -129,8 +133,11 @@ impl<'a> Session<'a> {
     /// Adds a robot that follows the plans.
     #[must_use]
     pub fn with_robot(self, performer: RobotSetup<'a>) -> Self {
-        let performer = Some(performer);
-        Self { performer, ..self }
+        Self {
+            performer: Some(performer),
+            cell: OnceLock::new(),
+            ..self
+        }
     }
 
     /// Sets the belief about the dirt; without it, the session takes the task's particles for certain.
@@ -333,7 +340,7 @@ impl<'a> Session<'a> {
             self.observe_first(executor, observer)?;
         }
         if let Some(state) = executor.state()? {
-            self.stands = Some(state.positions);
+            self.set_positions(Some(state.positions));
         }
         if self.retreats && self.stands.is_none() {
             return Err(RunError::UnknownState { round });
@@ -410,6 +417,28 @@ impl<'a> Session<'a> {
         }
     }
 
+    /// Returns robot, tool and scene. All plans of a round share them, and later rounds until the surface or the robot moves.
+    fn place_robot(&self, setup: RobotSetup<'_>) -> Result<Arc<Workcell>, FollowError> {
+        let build = || {
+            let robot = setup.robot.clone();
+            let cell = Workcell::new(robot, setup.srdf, &self.task, &self.workcell)?;
+            Ok(Arc::new(match &self.stands {
+                Some(stands) => cell.with_turns_of(stands),
+                None => cell,
+            }))
+        };
+        self.cell.get_or_init(build).clone()
+    }
+
+    /// Sets the last known joint positions, which the start of a robot on a base depends on.
+    fn set_positions(&mut self, positions: Option<Vec<f64>>) {
+        self.stands = positions;
+        let is_on_base = |cell: &Arc<Workcell>| cell.base().is_some();
+        if matches!(self.cell.get(), Some(Ok(cell)) if is_on_base(cell)) {
+            self.cell = OnceLock::new();
+        }
+    }
+
     /// Computes the joint motion of a plan and its predicted effect.
     fn compute_motion(
         &self,
@@ -418,15 +447,7 @@ impl<'a> Session<'a> {
     ) -> Result<PlannedRound, RunError> {
         let performer = self.performer.ok_or(RunError::NoRobot)?;
         let (task, round) = (&self.task, self.number());
-        let mut cell = Workcell::new(
-            performer.robot.clone(),
-            performer.srdf,
-            task,
-            &self.workcell,
-        )?;
-        if let Some(stands) = &self.stands {
-            cell = cell.with_turns_of(stands);
-        }
+        let cell = self.place_robot(performer)?;
         let nodes = plan.strokes.iter().map(|stroke| stroke.nodes.len()).sum();
         let mut followed = follow(
             task,
@@ -525,7 +546,7 @@ impl<'a> Session<'a> {
         }
         if let Some(state) = executor.state()? {
             check_rest(&state, &planned)?;
-            self.stands = Some(state.positions);
+            self.set_positions(Some(state.positions));
         }
         if let Some(stands) = &self.stands {
             check_start(stands, &planned, self.config.start_tolerance)?;
@@ -667,10 +688,14 @@ impl<'a> Session<'a> {
             Ending::Complete | Ending::Early { .. } => false,
         };
         let stands = execution.positions.clone();
-        self.stands = Some(stands).filter(|stands| !stands.is_empty());
+        self.set_positions(Some(stands).filter(|stands| !stands.is_empty()));
         self.retreats = execution.ending != Ending::Complete;
         self.belief = interpretation.belief.clone();
         self.workcell.world_from_robot = Some(root_pose(&planned, &execution, &self.config));
+        // The scene moves with the surface.
+        if next.surface.world_from_surface != self.task.surface.world_from_surface {
+            self.cell = OnceLock::new();
+        }
         self.task = next;
         let round = Round {
             motion: planned,
