@@ -62,6 +62,6 @@ growth plot="out/growth.svg":
 fuzz target="task" seconds="60":
     cargo +nightly fuzz run {{target}} -- -max_total_time={{seconds}}
 
-# Hold two builds of wisch against each other, byte for byte, over all scenarios and the seeds 1 to 3.
-compare before after="target/release/wisch" *options:
-    peers/compare_builds.py {{before}} {{after}} {{options}}
+# Build a revision and the working tree, run the shipped scenarios with the seeds 1 to 3, and name every file that differs.
+compare rev *options:
+    peers/compare_builds.py {{rev}} {{options}}

@@ -1,17 +1,42 @@
 #!/usr/bin/env python3
 """Runs two builds of wisch over scenarios and seeds and names every file that differs.
 
-    peers/compare_builds.py OLD/wisch target/release/wisch [--seeds 1,2,3] [--scenarios DIR] [--keep DIR] [--limit S]
+    peers/compare_builds.py REVISION [--new target/release/wisch] [--seeds 1,2,3] [--scenarios DIR] [--keep DIR] [--limit S]
 
-Needs Python alone. A folder of results that is already in --keep is not made again. Exits with 1 if anything differs.
+The old build is a revision of this repository, which is built below target/compare, or a program. The new one is the
+working tree, or a program. A folder of results that is already in --keep is not made again. Exits with 1 if anything
+differs.
 """
 
 import argparse
 import filecmp
 import pathlib
+import shutil
 import subprocess
 import sys
 import tempfile
+
+
+def built(source, target):
+    """The program that Cargo builds from the sources in a folder."""
+    command = ["cargo", "build", "--release", "--locked", "--target-dir", target]
+    subprocess.run(command, cwd=source, check=True)
+    return target / "release" / "wisch"
+
+
+def built_revision(revision):
+    """The program of a revision; its sources and what Cargo makes of them lie below target/compare."""
+    show = ["git", "rev-parse", "--verify", f"{revision}^{{commit}}"]
+    commit = subprocess.run(show, check=True, capture_output=True, text=True).stdout.strip()
+    folder = (pathlib.Path("target") / "compare").resolve()
+    program = folder / commit / "wisch"
+    if not program.exists():
+        source = folder / commit / "source"
+        source.mkdir(parents=True, exist_ok=True)
+        files = subprocess.run(["git", "archive", commit], check=True, capture_output=True).stdout
+        subprocess.run(["tar", "-x", "-C", source], check=True, input=files)
+        shutil.copy2(built(source, folder / "build"), program)
+    return program
 
 
 def run(program, scenario, seed, out, limit):
@@ -28,19 +53,22 @@ def run(program, scenario, seed, out, limit):
 
 
 def files(folder):
-    """Name to path of all files; by their last part, so that a file may have moved to another room."""
+    """Name to path of all files; by their last part, so that a file may have moved to another folder."""
     return {path.name: path for path in folder.rglob("*") if path.is_file()}
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("old", type=pathlib.Path)
-    parser.add_argument("new", type=pathlib.Path)
+    parser.add_argument("old", help="a revision, or a program")
+    parser.add_argument("--new", type=pathlib.Path, help="a program; without it, the working tree is built")
     parser.add_argument("--seeds", default="1,2,3")
     parser.add_argument("--scenarios", type=pathlib.Path, default=pathlib.Path("scenarios"))
     parser.add_argument("--keep", type=pathlib.Path)
     parser.add_argument("--limit", type=float, default=600.0, help="seconds that a run may take")
     args = parser.parse_args()
+    is_program = pathlib.Path(args.old).is_file()
+    old_program = pathlib.Path(args.old) if is_program else built_revision(args.old)
+    new_program = args.new or built(pathlib.Path("."), pathlib.Path("target"))
     keep = args.keep or pathlib.Path(tempfile.mkdtemp())
     differing = 0
     for scenario in sorted(args.scenarios.glob("*.toml")):
@@ -48,7 +76,7 @@ def main():
             folders = [keep / side / f"{scenario.stem}-{seed}" for side in ("old", "new")]
             for folder in folders:
                 folder.parent.mkdir(parents=True, exist_ok=True)
-            pairs = zip((args.old, args.new), folders)
+            pairs = zip((old_program, new_program), folders)
             codes = [run(p.resolve(), scenario, seed, f, args.limit) for p, f in pairs]
             if all(code.startswith("none") for code in codes):
                 print(f"{scenario.stem} seed {seed}: not compared, neither ended within {args.limit} s", flush=True)
