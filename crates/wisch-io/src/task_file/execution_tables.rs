@@ -8,7 +8,7 @@ use super::values::{
     EncoderNoise, Factor, FalseAlarms, Friction, GrainM, GrainMassKg, GraspM, GraspRad, HalfSizeM,
     HandSpeed, JointFriction, LogForce, LogSpread, Name, NoiseN, ParticleCount, Pixel,
     PositionErrorM, PositionM, PushForceN, Rounds, Share, ShiftM, SizeFactor, SizeM, StartRad,
-    StrokeNumber, TiltRad, TimeS, WaveLengthM, WavinessM,
+    StrokeNumber, TiltRad, TimeS, WaveLengthM, WavinessM, names,
 };
 use schemars::JsonSchema;
 use serde::Deserialize;
@@ -86,39 +86,17 @@ pub(super) struct ExecutionTable {
     pub(super) start_rad: StartRad,
 }
 
-/// Reaction to a stop by a person or a safety system.
-#[derive(Debug, Clone, Copy, Deserialize, JsonSchema)]
-#[serde(rename = "after_stop", rename_all = "snake_case")]
-#[schemars(rename = "AfterStop", inline)]
-pub(super) enum AfterStopName {
-    Wait,
-    Retreat,
-}
-
-impl From<AfterStopName> for AfterStop {
-    fn from(name: AfterStopName) -> Self {
-        match name {
-            AfterStopName::Wait => Self::Wait,
-            AfterStopName::Retreat => Self::Retreat,
-        }
+names! {
+    /// Reaction to a stop by a person or a safety system.
+    AfterStopName("after_stop", "snake_case") for AfterStop {
+        Wait,
+        Retreat,
     }
-}
 
-/// Extent of a round.
-#[derive(Debug, Clone, Copy, Deserialize, JsonSchema)]
-#[serde(rename = "pace", rename_all = "snake_case")]
-#[schemars(rename = "Pace", inline)]
-pub(super) enum PaceName {
-    Whole,
-    Greedy,
-}
-
-impl From<PaceName> for Pace {
-    fn from(name: PaceName) -> Self {
-        match name {
-            PaceName::Whole => Self::Whole,
-            PaceName::Greedy => Self::Greedy,
-        }
+    /// Extent of a round.
+    PaceName("pace", "snake_case") for Pace {
+        Whole,
+        Greedy,
     }
 }
 

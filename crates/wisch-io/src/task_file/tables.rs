@@ -9,7 +9,7 @@ use super::values::{
     LawSpread, LeanRad, LiftHeightM, LogForce, LogSpread, MarginM, Name, ParticleCount, Passes,
     Pixel, PositionErrorM, PositionM, PostureWeight, PressForceN, PrestonPerPa, QuaternionPart,
     RedrawLengthM, Scale, SchemaVersion, Score, Seed, Share, SizeM, Stiffness, ThicknessM,
-    Variants, VolumePerMetre,
+    Variants, VolumePerMetre, names,
 };
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::de::{EnumAccess, Error as _, VariantAccess, Visitor};
@@ -81,32 +81,19 @@ pub(super) struct TaskTable {
     pub(super) plan: PlanTable,
 }
 
-/// Action on the dirt or the surface.
-#[derive(Debug, Clone, Copy, Deserialize, JsonSchema)]
-#[serde(rename = "action", rename_all = "lowercase")]
-#[schemars(rename = "Action", inline)]
-pub(super) enum ActionName {
-    /// Absorb the dirt with the tool.
-    Absorb,
-    /// Push the dirt into a goal area.
-    Collect,
-    /// Push the dirt over a skim edge.
-    Skim,
-    /// Pass the tool over the whole surface a given number of times.
-    Polish,
-    /// Dispense the medium onto the surface with a given thickness.
-    Emit,
-}
-
-impl From<ActionName> for Action {
-    fn from(action: ActionName) -> Self {
-        match action {
-            ActionName::Absorb => Self::Absorb,
-            ActionName::Collect => Self::Collect,
-            ActionName::Skim => Self::Skim,
-            ActionName::Polish => Self::Polish,
-            ActionName::Emit => Self::Emit,
-        }
+names! {
+    /// Action on the dirt or the surface.
+    ActionName("action", "lowercase") for Action {
+        /// Absorb the dirt with the tool.
+        Absorb,
+        /// Push the dirt into a goal area.
+        Collect,
+        /// Push the dirt over a skim edge.
+        Skim,
+        /// Pass the tool over the whole surface a given number of times.
+        Polish,
+        /// Dispense the medium onto the surface with a given thickness.
+        Emit,
     }
 }
 
@@ -158,35 +145,21 @@ pub(super) struct MountTable {
     pub(super) hand_rpy_rad: Option<At<[AngleRad; 3]>>,
 }
 
-/// Axis of a link.
-#[derive(Deserialize, JsonSchema, Clone, Copy, PartialEq, Eq)]
-#[serde(rename = "axis")]
-#[schemars(rename = "AxisName", inline)]
-pub(super) enum AxisName {
-    #[serde(rename = "x")]
-    X,
-    #[serde(rename = "-x")]
-    NegativeX,
-    #[serde(rename = "y")]
-    Y,
-    #[serde(rename = "-y")]
-    NegativeY,
-    #[serde(rename = "z")]
-    Z,
-    #[serde(rename = "-z")]
-    NegativeZ,
-}
-
-impl From<AxisName> for LinkAxis {
-    fn from(name: AxisName) -> Self {
-        match name {
-            AxisName::X => Self::X,
-            AxisName::NegativeX => Self::NegativeX,
-            AxisName::Y => Self::Y,
-            AxisName::NegativeY => Self::NegativeY,
-            AxisName::Z => Self::Z,
-            AxisName::NegativeZ => Self::NegativeZ,
-        }
+names! {
+    /// Axis of a link.
+    AxisName("axis", "lowercase") for LinkAxis {
+        #[serde(rename = "x")]
+        X,
+        #[serde(rename = "-x")]
+        NegativeX,
+        #[serde(rename = "y")]
+        Y,
+        #[serde(rename = "-y")]
+        NegativeY,
+        #[serde(rename = "z")]
+        Z,
+        #[serde(rename = "-z")]
+        NegativeZ,
     }
 }
 
@@ -214,23 +187,12 @@ pub(super) struct MediumTable {
     pub(super) grain_size_m: Option<At<[GrainM; 2]>>,
 }
 
-/// Kind of a medium: solid pieces, powder or liquid.
-#[derive(Deserialize, JsonSchema, Clone, Copy, PartialEq, Eq)]
-#[serde(rename = "kind", rename_all = "lowercase")]
-#[schemars(rename = "MediumKind", inline)]
-pub(super) enum MediumKindName {
-    Solid,
-    Liquid,
-    Powder,
-}
-
-impl From<MediumKindName> for MediumKind {
-    fn from(kind: MediumKindName) -> Self {
-        match kind {
-            MediumKindName::Solid => Self::Solid,
-            MediumKindName::Liquid => Self::Liquid,
-            MediumKindName::Powder => Self::Powder,
-        }
+names! {
+    /// Kind of a medium: solid pieces, powder or liquid.
+    MediumKindName("kind", "lowercase") for MediumKind {
+        Solid,
+        Liquid,
+        Powder,
     }
 }
 
@@ -489,23 +451,13 @@ pub(super) enum FrameName {
     Surface,
 }
 
-#[derive(Deserialize, JsonSchema, Clone, Copy, Default)]
-#[serde(rename = "role", rename_all = "lowercase")]
-#[schemars(rename = "Role", inline)]
-pub(super) enum RoleName {
-    #[default]
-    Obstacle,
-    Robot,
-    Tool,
-}
-
-impl From<RoleName> for ScenePart {
-    fn from(role: RoleName) -> Self {
-        match role {
-            RoleName::Obstacle => Self::Obstacle,
-            RoleName::Robot => Self::Robot,
-            RoleName::Tool => Self::Tool,
-        }
+names! {
+    #[derive(Default)]
+    RoleName("role", "lowercase") for ScenePart {
+        #[default]
+        Obstacle,
+        Robot,
+        Tool,
     }
 }
 
@@ -598,25 +550,13 @@ impl Default for PlanTable {
     }
 }
 
-/// Rule for the tool's yaw along strokes.
-#[derive(Deserialize, JsonSchema, Clone, Copy)]
-#[serde(rename = "heading", rename_all = "snake_case")]
-#[schemars(rename = "Heading", inline)]
-pub(super) enum HeadingName {
-    Blended,
-    AlongEdges,
-    Constant,
-    Best,
-}
-
-impl From<HeadingName> for YawRule {
-    fn from(name: HeadingName) -> Self {
-        match name {
-            HeadingName::Blended => Self::Blended,
-            HeadingName::AlongEdges => Self::AlongEdges,
-            HeadingName::Constant => Self::Constant,
-            HeadingName::Best => Self::Best,
-        }
+names! {
+    /// Rule for the tool's yaw along strokes.
+    HeadingName("heading", "snake_case") for YawRule {
+        Blended,
+        AlongEdges,
+        Constant,
+        Best,
     }
 }
 

@@ -245,6 +245,31 @@ impl Visitor<'_> for IntegerWithin {
     }
 }
 
+/// Defines the names that the values of a domain type have in a task file, for the reader and the schema. `$key`: the kind of
+/// such a name, and the key of a table that names its variant.
+macro_rules! names {
+    ($($(#[$about:meta])* $name:ident($key:literal, $case:literal) for $domain:ty {
+        $($(#[$what:meta])* $variant:ident,)*
+    })*) => {$(
+        $(#[$about])*
+        #[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Deserialize, schemars::JsonSchema)]
+        #[serde(rename = $key, rename_all = $case)]
+        #[schemars(inline)]
+        pub(super) enum $name {
+            $($(#[$what])* $variant,)*
+        }
+
+        impl From<$name> for $domain {
+            fn from(name: $name) -> Self {
+                match name {
+                    $($name::$variant => Self::$variant,)*
+                }
+            }
+        }
+    )*};
+}
+pub(super) use names;
+
 /// A string that is not empty and has no control characters.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 pub(super) struct Name(pub(super) String);
