@@ -1,6 +1,7 @@
 //! The loop with executors and observers of the test's own: where it ends, and what it never does.
 
 use std::ops::ControlFlow;
+use std::sync::Arc;
 use wisch::follow::{FollowConfig, MotionFault, Phase};
 use wisch::geometry::Point2;
 use wisch::interpret::TouchSample;
@@ -9,8 +10,8 @@ use wisch::recover::{Verdict, is_claimable};
 use wisch::represent::{Observation, SensorModel, Task};
 use wisch::run::{
     AfterStop, CandidateEvaluation, Ending, Execution, Executor, ExecutorError, MotionOrder,
-    NoExecutor, RobotState, Round, RunConfig, RunError, RunEvent, SampleSink, Session, Stage,
-    StopCause, StopKind, ignore_events,
+    NoExecutor, PlannedRound, RobotState, Round, RunConfig, RunError, RunEvent, SampleSink,
+    Session, Stage, StopCause, StopKind, ignore_events,
 };
 use wisch_io::{LoadOptions, LoadedTask, Robot, load_task};
 
@@ -587,9 +588,15 @@ fn after_a_protective_stop_the_robot_waits_unless_the_task_says_otherwise() {
             ControlFlow::Continue(())
         };
         retreating.run(&mut guarded, &mut look).expect("it ends");
-        let [_, second] = retreating.rounds() else {
+        let [first, second] = retreating.rounds() else {
             panic!("{stops_at}: {} rounds", retreating.rounds().len());
         };
+        // An arm on a table that stays needs its scene but once.
+        let [(before, cell), (after, same)] = [first, second].map(|round| {
+            let PlannedRound { task, cell, .. } = &round.motion;
+            (task.surface.world_from_surface, cell)
+        });
+        assert_eq!(Arc::ptr_eq(cell, same), before == after, "{stops_at}");
         // It begins where the robot was stopped, and lifts the tool before all else.
         assert_eq!(guarded.begins[1], stopped[0], "{stops_at}");
         assert!(second.audit.is_sound(), "{stops_at}");
