@@ -188,7 +188,7 @@ fn remarks(log: &Log, prepared: &LoadedTask, interpretation: &Interpretation) ->
 }
 
 /// Limits up to which a log's surface pose counts as the task's [m] and [rad].
-const ELSEWHERE_M: f64 = 0.05;
+pub(super) const ELSEWHERE_M: f64 = 0.05;
 const ELSEWHERE_RAD: f64 = 0.18;
 
 fn gaps_in_words(gaps: &[[f64; 2]]) -> Option<String> {

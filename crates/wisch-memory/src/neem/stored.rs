@@ -6,7 +6,7 @@ use super::writer::{FrameSample, NeemWriter, WrenchSample};
 use crate::frames::Frames;
 use crate::record::EpisodeRecord;
 use crate::store::Episode;
-use crate::telemetry::Telemetry;
+use crate::telemetry::{POSE, Telemetry};
 use nalgebra::{Quaternion, Translation3, UnitQuaternion};
 use std::collections::BTreeSet;
 use wisch::geometry::Pose;
@@ -20,7 +20,6 @@ const WORLD: &str = "world";
 
 const FORCE: [&str; 3] = ["fx", "fy", "fz"];
 const TORQUE: [&str; 3] = ["mx", "my", "mz"];
-const POSE: [&str; 7] = ["x", "y", "z", "qx", "qy", "qz", "qw"];
 
 /// The source of the poses in a NEEM.
 #[derive(Debug, Clone, Copy)]

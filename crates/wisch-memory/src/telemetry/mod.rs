@@ -42,7 +42,7 @@ const FIXED: [(&str, Kind); 4] = [
 const TIME: usize = 0;
 
 /// Parts of a pose.
-const POSE: [&str; 7] = ["x", "y", "z", "qx", "qy", "qz", "qw"];
+pub(crate) const POSE: [&str; 7] = ["x", "y", "z", "qx", "qy", "qz", "qw"];
 /// Parts of a wrench.
 const WRENCH: [&str; 6] = ["fx", "fy", "fz", "mx", "my", "mz"];
 

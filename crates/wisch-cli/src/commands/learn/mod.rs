@@ -3,6 +3,7 @@
 mod record;
 mod rounds;
 
+use super::interpret::ELSEWHERE_M;
 use super::prepare;
 use super::words::{counted, internal};
 use crate::args::{GlobalArgs, LearnArgs, TaskArgs};
@@ -342,9 +343,6 @@ fn seen_rounds(
     }
     Ok(seen)
 }
-
-/// Limit up to which a log's surface position counts as the task's [m].
-const ELSEWHERE_M: f64 = 0.05;
 
 /// Refuses to overwrite a file that `wisch learn` has not written, such as a file of the knowledge base.
 fn check_overwritable(out: &Path) -> Result<(), Failure> {
