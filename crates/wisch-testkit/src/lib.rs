@@ -6,6 +6,7 @@ mod any_task;
 mod board;
 mod parts;
 mod problems;
+mod relief;
 mod shipped;
 mod whole;
 
@@ -13,5 +14,6 @@ pub use any_task::any_task;
 pub use board::{arm7, block, board, cell, faults, first_stroke, planned};
 pub use parts::{interaction, sponge, surface};
 pub use problems::{FollowedProblem, Problem, SolvedProblem, lost_nodes};
+pub use relief::{Relief, ReliefWipe};
 pub use shipped::{AnyError, ShippedRobot, TABLE_1, humanoid, robots, root, scenario};
 pub use whole::{by_density, run_config};

@@ -2,7 +2,7 @@
 
 use super::config::InterpretConfig;
 use super::contact::{
-    ClassifiedPath, Curvature, ForceReading, MeasuredPiece, PathPiece, PressDirection,
+    ClassifiedPath, ContactShape, ForceReading, MeasuredPiece, PathPiece, PressDirection, is_inland,
 };
 use super::events::{Event, EventKind};
 use crate::geometry::Point3;
@@ -22,6 +22,16 @@ const LEAST_CONTACT: f64 = 0.3;
 /// Largest share of the contact time that may lie beside the surface [1].
 const MOST_BESIDE: f64 = 0.5;
 
+/// Travel over which steady sliding is recognised [m], least force over the nominal one at each of its pieces [1], and range
+/// of the mean force over the nominal one [1].
+const STEADY_TRAVEL: f64 = 0.02;
+const LEAST_PRESSED: f64 = 0.5;
+const STEADY: std::ops::RangeInclusive<f64> = 0.85..=1.15;
+/// Least share of its pieces that are off the plane where a tool slides off it [1].
+const MOSTLY: f64 = 0.5;
+/// Least share of all steady sliding [1], and least travel [m], off the plane that shows a surface that is no plane.
+const LEAST_STEADY_OFF: f64 = 0.1;
+const LEAST_STEADY_TRAVEL: f64 = 0.04;
 /// Largest share of a log that hand guiding may take [1].
 const MOST_LED: f64 = 0.3;
 /// Height over the believed surface within which a tool without measured force may have touched [m].
@@ -63,6 +73,27 @@ pub enum Doubt {
         axis: f64,
         /// Whether it bulges towards the tool.
         is_convex: bool,
+    },
+    /// The contacts lie on an arc along one direction rather than on a plane; they do not show the rest of the surface.
+    CurvedAlong {
+        /// Radius \[m\].
+        radius: f64,
+        /// Angle of the direction from the surface's x, from 0 to π \[rad\].
+        direction: f64,
+        /// Whether it bulges towards the tool.
+        is_convex: bool,
+    },
+    /// The contacts lie on a surface that is curved in two directions rather than on a plane.
+    DoublyCurved {
+        /// Principal radii, the smaller first; positive where the surface bulges towards the tool \[m\].
+        radii: [f64; 2],
+        /// Angle of the direction with the first radius from the surface's x, from 0 to π \[rad\].
+        direction: f64,
+    },
+    /// The contacts lie on no plane, and no shape explains them.
+    NotPlanar {
+        /// Distance from the best plane that a tenth of the contacts exceeds \[m\].
+        off: f64,
     },
     /// The tool pressed with a force other than the declared one.
     PressForceDiffers {
@@ -144,6 +175,9 @@ impl Doubt {
             | Self::NeverNearSurface { .. }
             | Self::NoFreeMotion
             | Self::Curved { .. }
+            | Self::CurvedAlong { .. }
+            | Self::DoublyCurved { .. }
+            | Self::NotPlanar { .. }
             | Self::HandGuided { .. }
             | Self::ContactFarFromSurface { .. }
             | Self::ContactBesideSurface { .. }
@@ -155,6 +189,17 @@ impl Doubt {
             | Self::LittleContact { .. }
             | Self::LittleSliding { .. } => false,
         }
+    }
+
+    /// Whether the log shows the shape or the height of another surface than the believed plane.
+    pub(super) fn is_other_surface(&self) -> bool {
+        matches!(
+            self,
+            Self::ContactFarFromSurface { .. }
+                | Self::Curved { .. }
+                | Self::CurvedAlong { .. }
+                | Self::DoublyCurved { .. }
+        )
     }
 
     /// Whether the log begins or ends while the tool presses, so that the tool may have wiped more than the log shows.
@@ -184,6 +229,22 @@ impl fmt::Display for Doubt {
                 axis,
                 is_convex,
             } => write_curved(f, radius, axis, is_convex),
+            Self::CurvedAlong {
+                radius,
+                direction,
+                is_convex,
+            } => write!(
+                f,
+                "the contacts lie on a {} arc of radius {radius:.2} m along the direction at {:.0}° to the surface's x axis, not on a plane; strokes in another direction would show the shape",
+                bulge(is_convex),
+                direction.to_degrees()
+            ),
+            Self::DoublyCurved { radii, direction } => write_doubly_curved(f, radii, direction),
+            Self::NotPlanar { off } => write!(
+                f,
+                "the contacts lie on no plane: a tenth of them is more than {:.1} mm off the best one, and no cylinder or other smooth shape explains them",
+                1e3 * off
+            ),
             Self::PressForceDiffers {
                 force,
                 declared,
@@ -234,12 +295,31 @@ fn write_curved(
     axis: f64,
     is_convex: bool,
 ) -> fmt::Result {
-    let shape = if is_convex { "convex" } else { "concave" };
+    let shape = bulge(is_convex);
     write!(
         f,
         "the contacts lie on a {shape} cylinder of radius {radius:.2} m, whose axis is at {:.0}° to the surface's x axis, not on a plane",
         axis.to_degrees()
     )
+}
+
+/// Writes [`Doubt::DoublyCurved`].
+fn write_doubly_curved(f: &mut fmt::Formatter<'_>, radii: [f64; 2], direction: f64) -> fmt::Result {
+    let [first, second] = radii.map(|radius| (radius.abs(), bulge(radius > 0.0)));
+    write!(
+        f,
+        "the contacts lie on a surface curved in two directions, not on a plane: {} with a radius of {:.2} m at {:.0}° to the surface's x axis, {} with {:.2} m across it",
+        first.1,
+        first.0,
+        direction.to_degrees(),
+        second.1,
+        second.0
+    )
+}
+
+/// Word for the side to which a surface bulges, seen from the tool.
+const fn bulge(is_convex: bool) -> &'static str {
+    if is_convex { "convex" } else { "concave" }
 }
 
 /// Writes [`Doubt::PressForceDiffers`].
@@ -343,7 +423,12 @@ impl LogEvidence<'_> {
         let Some((_, plane)) = &self.classified.plane else {
             // A tool that presses at one height for long is on a surface and not guided by hand.
             let far_off = find_distant_contact(path, self.config);
-            let reason = far_off.or(led).or_else(|| self.find_scatter());
+            let shape = || {
+                let scatter = self.find_scatter()?;
+                let curved = self.find_curvature().filter(Doubt::is_other_surface);
+                Some(curved.unwrap_or(scatter))
+            };
+            let reason = far_off.or(led).or_else(shape);
             doubts.extend(reason.or_else(|| self.explain_missing_contact()));
             return doubts;
         };
@@ -428,18 +513,80 @@ impl LogEvidence<'_> {
         Some(Doubt::NoContactForce { closest, force })
     }
 
-    /// Returns a doubt if the contacts lie on a cylinder.
+    /// Returns a doubt if the contacts lie on a surface that is no plane.
     fn find_curvature(&self) -> Option<Doubt> {
-        let Curvature {
-            radius,
-            axis,
-            is_convex,
-        } = Curvature::of(self.pieces, self.surface, self.config)?;
-        Some(Doubt::Curved {
-            radius,
-            axis,
-            is_convex,
-        })
+        let shape = ContactShape::of(self.pieces, self.surface, self.config);
+        let doubt = shape.map(|shape| match shape {
+            ContactShape::Cylinder {
+                radius,
+                axis,
+                is_convex,
+            } => Doubt::Curved {
+                radius,
+                axis,
+                is_convex,
+            },
+            ContactShape::Arc {
+                radius,
+                direction,
+                is_convex,
+            } => Doubt::CurvedAlong {
+                radius,
+                direction,
+                is_convex,
+            },
+            ContactShape::Doubly { radii, direction } => Doubt::DoublyCurved { radii, direction },
+            ContactShape::Other { off } => Doubt::NotPlanar { off },
+        });
+        doubt.or_else(|| self.find_steady_contact_off_plane())
+    }
+
+    /// Returns a doubt if the tool slid off the plane with the force with which it slides on it: a hand that pushes gives
+    /// no such force for long.
+    fn find_steady_contact_off_plane(&self) -> Option<Doubt> {
+        self.classified.plane.as_ref()?;
+        let path = &self.classified.path;
+        let nominal = self.config.nominal_force();
+        let is_pressed = |i: &usize| {
+            self.pieces[*i].force.z >= LEAST_PRESSED * nominal
+                && is_inland(path[*i].position.xy(), self.surface, self.config)
+        };
+        let [mut on, mut off] = [0.0; 2];
+        let mut distances: Vec<f64> = Vec::new();
+        let mut first = 0;
+        while first < path.len() {
+            let pressed = (first..path.len()).take_while(is_pressed);
+            let mut travel = 0.0;
+            let mut last = first;
+            for i in pressed {
+                travel += (path[i].position - path[last].position).xy().norm();
+                last = i;
+                if travel >= STEADY_TRAVEL {
+                    break;
+                }
+            }
+            let window = first..=last;
+            first = last + 1;
+            if travel < STEADY_TRAVEL {
+                continue;
+            }
+            let count = window.clone().count() as f64;
+            let mean = window.clone().map(|i| self.pieces[i].force.z).sum::<f64>() / count;
+            let is_off = |i: &usize| !path[*i].is_on_plane();
+            if (window.clone().filter(is_off).count() as f64) < MOSTLY * count {
+                on += travel;
+            } else if STEADY.contains(&(mean / nominal)) {
+                off += travel;
+                distances.extend(window.map(|i| path[i].height.abs()));
+            }
+        }
+        let least = (LEAST_STEADY_OFF * (on + off)).max(LEAST_STEADY_TRAVEL);
+        if distances.is_empty() || off < least {
+            return None;
+        }
+        distances.sort_unstable_by(f64::total_cmp);
+        let off = distances[(distances.len() - 1) * 9 / 10];
+        Some(Doubt::NotPlanar { off })
     }
 
     /// Returns the assumptions made where the forces are not as declared.

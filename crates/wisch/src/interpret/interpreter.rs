@@ -266,13 +266,7 @@ impl Interpreter {
         } else {
             Vec::new()
         };
-        let is_other_surface = |doubt: &Doubt| {
-            matches!(
-                doubt,
-                Doubt::ContactFarFromSurface { .. } | Doubt::Curved { .. }
-            )
-        };
-        if doubts.iter().any(is_other_surface) {
+        if doubts.iter().any(Doubt::is_other_surface) {
             // A force off the plane is that of another surface and not that of a hand.
             events.retain(|event| !event.kind.is_by_hand());
         }

@@ -11,7 +11,7 @@ mod pressure_distribution;
 mod stiffness;
 
 pub(super) use classification::{ClassifiedPath, ContactClassifier, middle};
-pub(super) use curvature::Curvature;
+pub(super) use curvature::{ContactShape, is_inland};
 pub(super) use downsampling::{Downsampler, MeasuredPiece};
 pub(super) use force_reading::{ForceReading, PressDirection};
 pub(super) use motions::{ContactMotion, MAX_LENGTH, NormalizedForce, contact_motions};

@@ -1,0 +1,281 @@
+//! Logs of a perfect wipe over surfaces that are no planes, and over planes: shape, pose, noise and strokes drawn at random.
+//!
+//! `WISCH_LOGS=4000 cargo test --workspace --test main interpret::relief` reads as many logs.
+
+use super::interpreted_with;
+use super::log::{BOARD, DEPTH, PRESS, STEEP, task};
+use rand::RngExt;
+use rand_chacha::{ChaCha8Rng, rand_core::SeedableRng};
+use std::f64::consts::{PI, TAU};
+use wisch::geometry::{Point2, Pose, Vector3};
+use wisch::interpret::{Doubt, InterpretConfig, Interpretation};
+use wisch_testkit::{Relief, ReliefWipe};
+
+/// Number of logs unless `WISCH_LOGS` sets it, and the seed of the first.
+const COUNT: u64 = 40;
+const FIRST_SEED: u64 = 1000;
+/// Most by which an interval may miss the truth, and most of the contact that may be lost, where nothing is said [1].
+const MOST_MISSED: f64 = 0.1;
+const MOST_LOST: f64 = 0.15;
+/// Relative error of a radius [1], and error of the axis [rad].
+const RADIUS_TOLERANCE: f64 = 0.2;
+const AXIS_TOLERANCE: f64 = 0.2;
+
+/// Strokes back and forth in parallel rows over the board.
+fn strokes(rows: usize, is_along_x: bool) -> Vec<[Point2; 2]> {
+    let [length, width] = if is_along_x {
+        BOARD
+    } else {
+        [BOARD[1], BOARD[0]]
+    };
+    let (half, apart) = (0.5 * length - 0.04, (width - 0.11) / 2.0);
+    (0..rows)
+        .map(|row| {
+            let across = apart * (row as f64 - 0.5 * (rows as f64 - 1.0));
+            let way = if row % 2 == 0 { half } else { -half };
+            let at = |along: f64| {
+                if is_along_x {
+                    Point2::new(along, across)
+                } else {
+                    Point2::new(across, along)
+                }
+            };
+            [at(-way), at(way)]
+        })
+        .collect()
+}
+
+/// Three strokes of a tool that leans with the surface.
+fn wipe(relief: Relief) -> ReliefWipe {
+    ReliefWipe {
+        relief,
+        strokes: strokes(3, true),
+        leans: true,
+        press: [PRESS, DEPTH],
+        friction: 0.0,
+        noise: [0.1, 1e-5],
+        rate: 250.0,
+        believed_from_real: Pose::identity(),
+        seed: 1,
+    }
+}
+
+fn read(wipe: &ReliefWipe) -> Interpretation {
+    let task = task(80, STEEP);
+    let samples = wipe.samples(&task.surface.world_from_surface);
+    interpreted_with(&samples, &task, &InterpretConfig::from_task(&task))
+}
+
+/// A wipe drawn at random.
+fn draw(random: &mut ChaCha8Rng) -> ReliefWipe {
+    let mut between = |low: f64, high: f64| low + (high - low) * random.random::<f64>();
+    let sign = if between(0.0, 1.0) < 0.5 { 1.0 } else { -1.0 };
+    let curvature = sign / between(0.4_f64.ln(), 20.0_f64.ln()).exp();
+    let axis = between(0.0, PI);
+    let relief = match between(0.0, 8.0) as usize {
+        0 => Relief::Flat,
+        1..=3 => Relief::Cylinder { curvature, axis },
+        4 => Relief::Sphere { curvature },
+        5 => Relief::Saddle { curvature, axis },
+        6 => Relief::Crease {
+            distance: between(-0.12, 0.12),
+            direction: TAU * between(0.0, 1.0),
+            fall: sign * between(0.005, 0.15),
+        },
+        _ => Relief::Cone {
+            curvature,
+            axis,
+            tip: between(0.35, 2.0),
+        },
+    };
+    let about = between(0.0, TAU);
+    let lean = between(0.0, 2.0_f64.to_radians());
+    ReliefWipe {
+        strokes: strokes(1 + between(0.0, 3.0) as usize, between(0.0, 1.0) < 0.5),
+        leans: between(0.0, 1.0) < 0.5,
+        friction: between(0.0, 0.5),
+        noise: [between(0.0, 1.5), between(0.0, 5e-4)],
+        rate: between(50.0_f64.ln(), 1000.0_f64.ln()).exp(),
+        believed_from_real: Pose::new(
+            Vector3::z() * between(-0.01, 0.01),
+            Vector3::new(about.cos(), about.sin(), 0.0) * lean,
+        ),
+        seed: random.random(),
+        ..wipe(relief)
+    }
+}
+
+/// Curvature doubts of a reading.
+fn shapes(found: &Interpretation) -> Vec<Doubt> {
+    let is_shape = |doubt: &&Doubt| {
+        matches!(
+            doubt,
+            Doubt::Curved { .. }
+                | Doubt::CurvedAlong { .. }
+                | Doubt::DoublyCurved { .. }
+                | Doubt::NotPlanar { .. }
+        )
+    };
+    found.doubts.iter().filter(is_shape).copied().collect()
+}
+
+/// Returns what is wrong with the reading of a log, given that of the same wipe over a plane.
+fn fault(wipe: &ReliefWipe, found: &Interpretation, flat: &Interpretation) -> Option<String> {
+    let (truth, estimate) = (flat.performance.mean, found.performance);
+    let missed = (estimate.low - truth).max(truth - estimate.high);
+    if found.doubts.is_empty() {
+        let lost = flat.contact_share - found.contact_share;
+        return (missed > MOST_MISSED || lost > MOST_LOST)
+            .then(|| format!("missed by {missed:.2}, {lost:.2} of the contact lost"));
+    }
+    let shapes = shapes(found);
+    if shapes.is_empty() {
+        return None;
+    }
+    if estimate.high - estimate.low < 0.5 {
+        return Some(format!("sure in spite of its doubts: {estimate:?}"));
+    }
+    match (wipe.relief, shapes[0]) {
+        (Relief::Flat, _) => Some("a plane is doubted".into()),
+        (
+            Relief::Cylinder { curvature, axis },
+            Doubt::Curved {
+                radius,
+                axis: found,
+                is_convex,
+            },
+        ) => {
+            let turned = (found - axis + 0.5 * PI).rem_euclid(PI) - 0.5 * PI;
+            let is_right = (radius * curvature.abs() - 1.0).abs() < RADIUS_TOLERANCE
+                && turned.abs() < AXIS_TOLERANCE
+                && is_convex == (curvature > 0.0);
+            (!is_right).then(|| "another cylinder".into())
+        }
+        (Relief::Cylinder { .. }, Doubt::DoublyCurved { .. }) => Some("no cylinder".into()),
+        _ => None,
+    }
+}
+
+#[test]
+fn no_curved_surface_is_read_as_a_plane_without_a_word() {
+    let count = std::env::var("WISCH_LOGS").map_or(COUNT, |count| count.parse().unwrap());
+    let (mut faults, mut named) = (Vec::new(), 0);
+    for seed in FIRST_SEED..FIRST_SEED + count {
+        let wipe = draw(&mut ChaCha8Rng::seed_from_u64(seed));
+        let found = read(&wipe);
+        let flat = read(&ReliefWipe {
+            relief: Relief::Flat,
+            ..wipe.clone()
+        });
+        named += u64::from(!shapes(&found).is_empty());
+        if let Some(fault) = fault(&wipe, &found, &flat) {
+            faults.push((seed, fault, found.doubts, wipe));
+        }
+    }
+    println!("{count} logs: {named} named, {} faults", faults.len());
+    assert!(faults.is_empty(), "{faults:#?}");
+    assert!(4 * named > count, "{named}");
+}
+
+/// Radii from a sagitta of 2 mm on, over strokes of 0.32 m.
+#[test]
+fn a_cylinder_is_named_with_radius_and_axis() {
+    for radius in [
+        6.0, 5.0, 4.0, 3.0, 2.5, 2.0, 1.0, 0.5, 0.3, -0.3, -2.5, -6.0,
+    ] {
+        for leans in [false, true] {
+            let wipe = ReliefWipe {
+                leans,
+                ..wipe(Relief::Cylinder {
+                    curvature: 1.0 / radius,
+                    axis: 0.5 * PI,
+                })
+            };
+            let found = read(&wipe);
+            assert_eq!(fault(&wipe, &found, &found), None, "{radius}");
+            let shapes = shapes(&found);
+            assert!(
+                matches!(shapes[..], [Doubt::Curved { .. }]),
+                "{radius}: {:?}",
+                found.doubts
+            );
+            let by_hand = found.events.iter().filter(|event| event.kind.is_by_hand());
+            assert_eq!(by_hand.count(), 0, "{radius}");
+            assert!(!found.is_conclusive());
+        }
+    }
+    for radius in [20.0, 1e9] {
+        let flat = read(&wipe(Relief::Cylinder {
+            curvature: 1.0 / radius,
+            axis: 0.5 * PI,
+        }));
+        assert_eq!(flat.doubts, [], "{radius}");
+        assert!(flat.is_conclusive());
+    }
+}
+
+#[test]
+fn two_curvatures_an_arc_and_a_crease_are_named() {
+    let of = |relief, strokes| {
+        let found = read(&ReliefWipe {
+            strokes,
+            ..wipe(relief)
+        });
+        let [shape] = shapes(&found)[..] else {
+            panic!("{relief:?}: {:?}", found.doubts);
+        };
+        shape
+    };
+    let three = || strokes(3, true);
+    let is_near = |found: f64, radius: f64| (found / radius - 1.0).abs() < RADIUS_TOLERANCE;
+    let sphere = of(Relief::Sphere { curvature: -1.0 }, three());
+    let Doubt::DoublyCurved { radii, .. } = sphere else {
+        panic!("{sphere:?}");
+    };
+    assert!(
+        radii.iter().all(|radius| is_near(*radius, -1.0)),
+        "{radii:?}"
+    );
+    let saddle = Relief::Saddle {
+        curvature: 1.0,
+        axis: 0.7,
+    };
+    let Doubt::DoublyCurved { radii, .. } = of(saddle, three()) else {
+        panic!();
+    };
+    let [convex, hollow] = [radii[0].max(radii[1]), radii[0].min(radii[1])];
+    assert!(is_near(convex, 1.0) && is_near(hollow, -1.0), "{radii:?}");
+    // One stroke shows the curvature along itself: 1/R cos² of the angle from the section.
+    let Doubt::CurvedAlong {
+        radius,
+        direction,
+        is_convex,
+    } = of(
+        Relief::Cylinder {
+            curvature: 1.0,
+            axis: 1.0,
+        },
+        strokes(1, true),
+    )
+    else {
+        panic!();
+    };
+    assert!(
+        is_near(radius, 1.0 / 1.0_f64.sin().powi(2)) && is_convex,
+        "{radius}"
+    );
+    assert!(
+        direction.min(PI - direction) < AXIS_TOLERANCE,
+        "{direction}"
+    );
+    let crease = Relief::Crease {
+        distance: 0.05,
+        direction: 0.0,
+        fall: 0.1,
+    };
+    let crease = of(crease, three());
+    assert!(
+        matches!(crease, Doubt::NotPlanar { off } if off > 2e-3),
+        "{crease:?}"
+    );
+}
