@@ -141,6 +141,7 @@ fn stroke(count: usize) -> f64 {
         outline: Polygon::rectangle(Vector2::new(1.0, 1.0)),
         world_from_surface: Pose::identity(),
         skim_edges: Vec::new(),
+        shape: Default::default(),
     };
     let motion = ToolMotion {
         from: PlanarPose::new(Point2::new(-0.2, 0.0), 0.0),

@@ -81,6 +81,7 @@ impl PyEffectField {
             outline: polygon("outline", outline)?,
             world_from_surface: Pose::identity(),
             skim_edges: Vec::new(),
+            shape: Default::default(),
         };
         let footprint = Region::new(vec![polygon("footprint", footprint)?]);
         Self::new(&rows("particles", particles)?, surface, &footprint, effect)

@@ -76,6 +76,7 @@ impl Executor for World {
         order: &MotionOrder<'_>,
         sink: &mut SampleSink<'_>,
     ) -> Result<Execution, ExecutorError> {
+        refuse_curved(&order.task.surface).map_err(ExecutorError::new)?;
         let believed = order.task.surface.world_from_surface;
         let settings = SimulationSettings {
             believed_from_real: believed.inverse() * self.world_from_real,
@@ -90,6 +91,7 @@ impl Executor for World {
     }
 
     fn observe(&mut self, task: &Task) -> Result<Option<Observation>, ExecutorError> {
+        refuse_curved(&task.surface).map_err(ExecutorError::new)?;
         // Too much dirt is not simulated at all. A camera in this world would wrongly report a clean surface.
         if self.dirt.grains().is_empty() {
             return Ok(None);
@@ -107,6 +109,16 @@ impl Executor for World {
         let (settings, real) = (&self.settings, &self.world_from_real);
         Ok(observe(settings, task, real, dirt, hidden, index))
     }
+}
+
+/// Refuses a surface that this world would take for a plane.
+fn refuse_curved(surface: &Surface) -> Result<(), SimulationError> {
+    if surface.shape.is_plane() {
+        return Ok(());
+    }
+    Err(SimulationError::CurvedSurface {
+        surface: surface.name.clone(),
+    })
 }
 
 impl GroundTruth {

@@ -56,6 +56,7 @@ pub fn any_task(seed: u64) -> Result<Task, AnyError> {
             name: "surface".into(),
             world_from_surface: Pose::identity(),
             skim_edges: (first..first + count).map(|edge| edge % edges).collect(),
+            shape: Default::default(),
             outline,
         },
         scene,

@@ -15,6 +15,7 @@ pub fn surface(size: [f64; 2]) -> Surface {
         outline: Polygon::rectangle(Vector2::from(size)),
         world_from_surface: Pose::identity(),
         skim_edges: vec![0],
+        shape: Default::default(),
     }
 }
 

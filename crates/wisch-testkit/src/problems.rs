@@ -87,6 +87,7 @@ impl Problem {
                     outline: Polygon::rectangle(size),
                     world_from_surface,
                     skim_edges: vec![random.random_range(0..4)],
+                    shape: Default::default(),
                 },
                 scene,
                 // The problems are chosen for this mount.

@@ -240,6 +240,7 @@ fn floor(targets: &[Point2], [pad, thickness]: [f64; 2], height: f64) -> Result<
             name: "floor".into(),
             world_from_surface: Pose::translation(0.0, 0.0, height),
             skim_edges: Vec::new(),
+            shape: Default::default(),
             outline: Polygon::rectangle(Vector2::new(2.0 * reach, 2.0 * reach)),
         },
         scene: vec![SceneObject {

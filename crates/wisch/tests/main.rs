@@ -1,6 +1,7 @@
 //! The tests of the method, one module for each of its parts.
 
 mod adaptive;
+mod curved;
 mod effect;
 mod follow;
 mod given_strokes;

@@ -252,6 +252,7 @@ fn surface(table: &At<SurfaceTable>, scene: &[ObjectRecord]) -> Result<SurfaceRe
                 surface.quaternion_xyzw.as_ref(),
             )?,
             skim_edges,
+            shape: Default::default(),
         },
         carried_by,
     })

@@ -379,6 +379,57 @@ impl Mesh {
         (max - min).max()
     }
 
+    /// Returns the mesh with its triangles divided until no edge is longer than `longest` \[m\], or until there are 400,000
+    /// triangles. Neighbours share the new vertices, so a watertight mesh stays so.
+    ///
+    /// ```
+    /// use wisch_robot::geometry::{Mesh, Vector3};
+    /// let cube = Mesh::cuboid(Vector3::new(0.1, 0.1, 0.1))?;
+    /// let fine = cube.split_edges(0.03);
+    /// let longest = fine.corners().flat_map(|[a, b, c]| [(b - a).norm(), (c - b).norm(), (a - c).norm()]);
+    /// assert!(longest.fold(0.0, f64::max) <= 0.03 && fine.is_watertight());
+    /// # Ok::<(), wisch_robot::geometry::MeshError>(())
+    /// ```
+    #[must_use]
+    pub fn split_edges(&self, longest: f64) -> Self {
+        const MOST_TRIANGLES: usize = 400_000;
+        let mut vertices = self.vertices.clone();
+        let mut triangles = self.triangles.clone();
+        let mut middles = std::collections::BTreeMap::new();
+        loop {
+            let mut divided = Vec::with_capacity(2 * triangles.len());
+            for &[a, b, c] in &triangles {
+                let length = |i: u32, j: u32| (vertices[i as usize] - vertices[j as usize]).norm();
+                // Of equal edges that with the smallest numbers, for both neighbours.
+                let shorter = |one: &[u32; 3], other: &[u32; 3]| {
+                    let key = |[from, to, _]: &[u32; 3]| (*from.min(to), *from.max(to));
+                    let [l, m] = [one, other].map(|side| length(side[0], side[1]));
+                    l.total_cmp(&m).then(key(other).cmp(&key(one)))
+                };
+                let sides = [[a, b, c], [b, c, a], [c, a, b]];
+                let [from, to, tip] = sides.into_iter().max_by(shorter).unwrap_or([a, b, c]);
+                if length(from, to) <= longest {
+                    divided.push([a, b, c]);
+                    continue;
+                }
+                let middle = *(middles.entry((from.min(to), from.max(to)))).or_insert_with(|| {
+                    let [from, to] = [from, to].map(|i| vertices[i as usize]);
+                    vertices.push(nalgebra::center(&from, &to));
+                    vertices.len() as u32 - 1
+                });
+                divided.extend([[from, middle, tip], [middle, to, tip]]);
+            }
+            let is_done = divided.len() == triangles.len() || divided.len() > MOST_TRIANGLES;
+            triangles = divided;
+            if is_done {
+                return Self {
+                    vertices,
+                    triangles,
+                };
+            }
+        }
+    }
+
     /// Returns the part of the surface at or above the plane z = `z` \[m\], as triangles; empty if all of it is below.
     /// The cut stays open.
     pub fn clip_above(&self, z: f64) -> Vec<[Point3; 3]> {

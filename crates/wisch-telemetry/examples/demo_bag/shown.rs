@@ -32,6 +32,7 @@ pub fn write(bag: &mut BagWriter, wiping: &Wiping) -> Result<(), Box<dyn std::er
         outline: Polygon::new(outline.outer().to_vec(), vec![hole.to_vec()]),
         world_from_surface: wiping.world_from_surface,
         skim_edges: vec![],
+        shape: Default::default(),
     };
     let below = |depth: f64| wiping.world_from_surface * Pose::translation(0.0, 0.0, -depth);
     let object = |name: &str, part, size: [f64; 3], depth| {

@@ -2,8 +2,8 @@
 //! weight, and a posture task in the null space.
 
 use super::{ControlConfig, Wrench};
-use crate::geometry::{Pose, Vector3};
-use crate::represent::Interaction;
+use crate::geometry::{Point3, Pose, Vector3};
+use crate::represent::{Interaction, Surface};
 use crate::robot::{ArticulationState, Range};
 use nalgebra::{Cholesky, DMatrix, DVector, Dyn, Matrix3, Matrix6, Matrix6xX, Vector6};
 
@@ -67,6 +67,8 @@ pub struct ImpedanceController {
     /// Range of each compliant variable.
     ranges: Vec<Option<Range>>,
     stiffness: Matrix6<f64>,
+    /// The surface and the stiffness in the axes of its normal [N/m], if these turn with the tool.
+    turning: Option<(Surface, Matrix3<f64>)>,
     damping_ratio: f64,
     force_limit: f64,
     moment_limit: f64,
@@ -85,16 +87,17 @@ pub struct ImpedanceController {
 
 impl ImpedanceController {
     /// Returns a controller that moves the variables `compliant` of an articulation within their ranges. Its
-    /// stiffness along the surface is that of the configuration, along the normal that of the knowledge base.
+    /// stiffness along the surface is that of the configuration, along the normal that of the knowledge base. On a
+    /// cylinder these axes turn with the desired pose of the tool.
     pub fn new(
         compliant: Vec<usize>,
         ranges: Vec<Option<Range>>,
         interaction: &Interaction,
-        world_from_surface: &Pose,
+        surface: &Surface,
         config: &ControlConfig,
     ) -> Self {
         let count = compliant.len();
-        let turned = world_from_surface.rotation.to_rotation_matrix();
+        let turned = surface.world_from_surface.rotation.to_rotation_matrix();
         let lateral = config.lateral_stiffness;
         let along_axes = Matrix3::from_diagonal(&Vector3::new(
             lateral,
@@ -106,6 +109,7 @@ impl ImpedanceController {
         stiffness.fixed_view_mut::<3, 3>(0, 0).copy_from(&linear);
         Self {
             stiffness,
+            turning: (!surface.shape.is_plane()).then(|| (surface.clone(), along_axes)),
             damping_ratio: interaction.damping_ratio,
             force_limit: interaction.press_force_n,
             moment_limit: config.moment_limit,
@@ -143,6 +147,7 @@ impl ImpedanceController {
         desired: &DesiredToolState,
         posture: &DesiredPosture<'_>,
     ) -> Option<Wrench> {
+        self.turn_stiffness(&desired.world_from_tool);
         self.factorize(state, measured)?;
         let wrench = self.spring_and_damper(measured, desired);
         let mass = self.mass.as_ref()?;
@@ -179,6 +184,18 @@ impl ImpedanceController {
         }
         self.stop_at_ends(measured);
         Some(wrench)
+    }
+
+    /// Turns the axes of the stiffness with the normal of a curved surface under the desired pose of the tool.
+    fn turn_stiffness(&mut self, world_from_tool: &Pose) {
+        let Some((surface, along_axes)) = &self.turning else {
+            return;
+        };
+        let tool: Point3 = world_from_tool.translation.vector.into();
+        let place = surface.chart(tool).place;
+        let turned = (surface.world_from_place(place, 0.0).rotation).to_rotation_matrix();
+        let linear = turned * along_axes * turned.inverse();
+        (self.stiffness.fixed_view_mut::<3, 3>(0, 0)).copy_from(&linear);
     }
 
     /// Keeps the joints within their ranges, also if a person pushes the arm.

@@ -24,9 +24,17 @@ pub fn press_into_surface(
     config: &ControlConfig,
 ) -> Pose {
     let tool: Point3 = world_from_tool.translation.vector.into();
-    let surface = &task.surface.world_from_surface;
-    let height = (surface.inverse() * tool).z;
-    let normal = surface * Vector3::z();
+    let surface = &task.surface;
+    let (height, normal) = if surface.shape.is_plane() {
+        let world_from_surface = &surface.world_from_surface;
+        (
+            (world_from_surface.inverse() * tool).z,
+            world_from_surface * Vector3::z(),
+        )
+    } else {
+        let at = surface.chart(tool);
+        (at.height, surface.normal(at.place))
+    };
     let interaction = &task.interaction;
     // The spring presses with the margin times the contact force at depth = margin · F / k.
     let depth = config.press_margin * interaction.contact_force() / interaction.stiffness_n_per_m;
@@ -150,7 +158,7 @@ impl MotionController {
                 compliant,
                 ranges,
                 &task.interaction,
-                &task.surface.world_from_surface,
+                &task.surface,
                 config,
             ),
             carrier,

@@ -5,8 +5,10 @@ use super::impedance::{
     end_stop_effort, rotation_vector_between, saturate,
 };
 use super::{ControlConfig, MomentumObserver};
-use crate::geometry::{Pose, Vector3};
-use crate::represent::{Action, Interaction, LogNormal, LogNormalSpread, Redraw, SurfaceScope};
+use crate::geometry::{Polygon, Pose, Vector2, Vector3};
+use crate::represent::{
+    Action, Interaction, LogNormal, LogNormalSpread, Redraw, Surface, SurfaceScope,
+};
 use crate::robot::{Articulation, ArticulationState, Range, RobotModel};
 use nalgebra::{DMatrix, DVector, Matrix6xX, UnitQuaternion, Vector6};
 use proptest::prelude::*;
@@ -66,7 +68,11 @@ impl Machine {
                 (0..robot.dof()).collect(),
                 ranges.collect(),
                 &interaction(damping_ratio),
-                &Pose::identity(),
+                &Surface::new(
+                    "level",
+                    Polygon::rectangle(Vector2::new(1.0, 1.0)),
+                    Pose::identity(),
+                ),
                 &ControlConfig::default(),
             ),
             carrier: moving.carrier(tip).0.unwrap(),

@@ -95,6 +95,11 @@ pub enum Doubt {
         /// Distance from the best plane that a tenth of the contacts exceeds \[m\].
         off: f64,
     },
+    /// The contacts do not lie on the curved surface that was believed.
+    OffShape {
+        /// Distance from the believed shape, at its best pose, that a tenth of the contacts exceeds \[m\].
+        off: f64,
+    },
     /// The tool pressed with a force other than the declared one.
     PressForceDiffers {
         /// Force with which the tool pressed for most of the time \[N\].
@@ -178,6 +183,7 @@ impl Doubt {
             | Self::CurvedAlong { .. }
             | Self::DoublyCurved { .. }
             | Self::NotPlanar { .. }
+            | Self::OffShape { .. }
             | Self::HandGuided { .. }
             | Self::ContactFarFromSurface { .. }
             | Self::ContactBesideSurface { .. }
@@ -199,6 +205,7 @@ impl Doubt {
                 | Self::Curved { .. }
                 | Self::CurvedAlong { .. }
                 | Self::DoublyCurved { .. }
+                | Self::OffShape { .. }
         )
     }
 
@@ -243,6 +250,11 @@ impl fmt::Display for Doubt {
             Self::NotPlanar { off } => write!(
                 f,
                 "the contacts lie on no plane: a tenth of them is more than {:.1} mm off the best one, and no cylinder or other smooth shape explains them",
+                1e3 * off
+            ),
+            Self::OffShape { off } => write!(
+                f,
+                "the contacts do not lie on the believed curved surface: a tenth of them is more than {:.1} mm off it, wherever it lies; check its radius and axis",
                 1e3 * off
             ),
             Self::PressForceDiffers {
@@ -516,7 +528,12 @@ impl LogEvidence<'_> {
     /// Returns a doubt if the contacts lie on a surface that is no plane.
     fn find_curvature(&self) -> Option<Doubt> {
         let shape = ContactShape::of(self.pieces, self.surface, self.config);
-        let doubt = shape.map(|shape| match shape {
+        if !self.surface.shape.is_plane() {
+            let off = shape.map(|(_, off)| off);
+            let doubt = off.map(|off| Doubt::OffShape { off });
+            return doubt.or_else(|| self.find_steady_contact_off_plane());
+        }
+        let doubt = shape.map(|(shape, off)| match shape {
             ContactShape::Cylinder {
                 radius,
                 axis,
@@ -536,7 +553,7 @@ impl LogEvidence<'_> {
                 is_convex,
             },
             ContactShape::Doubly { radii, direction } => Doubt::DoublyCurved { radii, direction },
-            ContactShape::Other { off } => Doubt::NotPlanar { off },
+            ContactShape::Other => Doubt::NotPlanar { off },
         });
         doubt.or_else(|| self.find_steady_contact_off_plane())
     }
@@ -586,7 +603,11 @@ impl LogEvidence<'_> {
         }
         distances.sort_unstable_by(f64::total_cmp);
         let off = distances[(distances.len() - 1) * 9 / 10];
-        Some(Doubt::NotPlanar { off })
+        Some(if self.surface.shape.is_plane() {
+            Doubt::NotPlanar { off }
+        } else {
+            Doubt::OffShape { off }
+        })
     }
 
     /// Returns the assumptions made where the forces are not as declared.

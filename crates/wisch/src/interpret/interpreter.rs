@@ -32,6 +32,7 @@ const SETTLING: f64 = 0.5;
 /// #         outline: Polygon::rectangle(Vector2::new(0.4, 0.28)),
 /// #         world_from_surface: Pose::identity(),
 /// #         skim_edges: vec![],
+/// #         shape: Default::default(),
 /// #     },
 /// #     scene: vec![],
 /// #     tool: Tool {
@@ -101,7 +102,7 @@ impl Interpreter {
         Ok(Self {
             surface: task.surface.clone(),
             footprint: task.tool.footprint.clone(),
-            downsampler: Downsampler::new(&task.surface.world_from_surface, config.max_pieces),
+            downsampler: Downsampler::new(&task.surface, config.max_pieces),
             config: config.clone(),
         })
     }
@@ -339,6 +340,19 @@ impl Interpreter {
         corners.fold(0.0, f64::max)
     }
 
+    /// Returns a small motion of the surface in its own frame that is given in the chart, about the middle of the surface.
+    fn unroll(&self, believed_from_real: &Pose) -> Pose {
+        let shape = &self.surface.shape;
+        if shape.is_plane() {
+            return *believed_from_real;
+        }
+        let middle = middle(&self.surface);
+        let surface_from_middle = shape.place(middle, 0.0);
+        let chart_from_middle = Pose::translation(middle.x, middle.y, 0.0);
+        let moved = chart_from_middle.inverse() * believed_from_real * chart_from_middle;
+        surface_from_middle * moved * surface_from_middle.inverse()
+    }
+
     fn diagnosis(&self, classified: &ClassifiedPath, believed_from_real: &Pose) -> Diagnosis {
         let is_here = |plane: &FittedPlane| {
             plane.tilt < self.config.relocalize_tilt
@@ -349,7 +363,8 @@ impl Interpreter {
             None => Diagnosis::NoContact,
             Some((_, plane)) if is_here(plane) => Diagnosis::Localized,
             Some(_) => Diagnosis::Relocalize {
-                world_from_surface: self.surface.world_from_surface * believed_from_real,
+                world_from_surface: self.surface.world_from_surface
+                    * self.unroll(believed_from_real),
             },
         }
     }

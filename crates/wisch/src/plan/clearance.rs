@@ -4,6 +4,7 @@
 //! chopping board) and cannot touch a tool that stands on it.
 
 use super::PlanError;
+use super::bend::check_scene;
 use crate::geometry::{Mesh, Point2, Region, Vector2};
 use crate::represent::{OccupiedArea, SURFACE_SKIN, Surface};
 use parry3d_f64::math::Vector;
@@ -31,12 +32,22 @@ impl FreeSpace {
     /// `scene`: meshes in the surface frame, without robot, tool and target surface.
     ///
     /// # Errors
-    /// [`PlanError::Scene`] if the collision library refuses the geometry.
+    /// [`PlanError::Scene`] if the collision library refuses the geometry, and [`PlanError::ObstacleOnBend`] for an object
+    /// near a curved surface.
     pub fn new<'a>(
         surface: &Surface,
         scene: impl IntoIterator<Item = &'a Mesh> + Clone,
         radius: f64,
     ) -> Result<Self, PlanError> {
+        if !surface.shape.is_plane() {
+            check_scene(surface, scene, radius)?;
+            return Ok(Self {
+                surface: surface.clone(),
+                radius,
+                geometry: None,
+                occupied: OccupiedArea::default(),
+            });
+        }
         let mut corners: Vec<Vector> = Vec::new();
         for mesh in scene.clone() {
             for triangle in mesh.clip_above(SURFACE_SKIN) {

@@ -1,7 +1,7 @@
 //! Reasons why a task cannot be planned.
 
 use super::{MAX_NODES, StrokeFault, TourError};
-use crate::represent::Action;
+use crate::represent::{Action, ShapeFault};
 
 /// The reason why the planner returned no plan.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -86,6 +86,54 @@ pub enum PlanError {
     NoTreatment {
         /// The task's action.
         action: Action,
+    },
+    /// The chart of the surface does not fit its shape.
+    #[error("surface \"{surface}\": {fault}")]
+    Shape {
+        /// Name of the surface.
+        surface: String,
+        /// What does not fit.
+        fault: ShapeFault,
+    },
+    /// The tool does not lie on the bend of the surface.
+    #[error(
+        "tool \"{tool}\" on surface \"{surface}\": on a radius of {radius:.3} m, the least pressure under the tool is {share:.2} of the mean one, below the limit of {limit}; take a smaller tool, or one that is compressed by more than {depth:.4} m"
+    )]
+    TooBent {
+        /// Name of the tool.
+        tool: String,
+        /// Name of the surface.
+        surface: String,
+        /// Radius of the surface \[m\], negative where it is hollow.
+        radius: f64,
+        /// Least pressure over the mean one \[1\]; below 0, a part of the tool does not touch.
+        share: f64,
+        /// Its limit \[1\].
+        limit: f64,
+        /// Compression of the tool at nominal force \[m\].
+        depth: f64,
+    },
+    /// An object of the scene is near a curved surface.
+    #[error(
+        "surface \"{surface}\": an object of the scene is {distance:.3} m from it, but the tool needs {radius:.3} m; the planner does not go around objects on curved surfaces yet"
+    )]
+    ObstacleOnBend {
+        /// Name of the surface.
+        surface: String,
+        /// Distance of the object from the surface \[m\].
+        distance: f64,
+        /// Radius of the collision sphere, r_s \[m\].
+        radius: f64,
+    },
+    /// Loose dirt slides on a curved surface.
+    #[error(
+        "surface \"{surface}\": its slope reaches {slope:.0}°, on which dirt slides; sliding on curved surfaces is not represented yet"
+    )]
+    SteepBend {
+        /// Name of the surface.
+        surface: String,
+        /// Largest slope \[°\].
+        slope: f64,
     },
     /// The scene's geometry cannot be used.
     #[error("scene: {0}")]

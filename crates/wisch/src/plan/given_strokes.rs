@@ -1,6 +1,7 @@
 //! Strokes that the user gives, as arrays or in a file: checks that the tool can make them, and the plan they
 //! form.
 
+use super::bend::check_bend;
 use super::{FreeSpace, Node, NodeRole, Plan, PlanError, SemanticDirectedGraph, Strategy, Stroke};
 use crate::geometry::{Bounds2, Mesh, PlanarPose, Point2};
 use crate::represent::{Action, GoalState, Ground, OccupiedArea, SURFACE_SKIN, Task};
@@ -132,6 +133,7 @@ pub fn describe_over_border(strokes: &[StrokeOverBorder]) -> Vec<String> {
 /// # Errors
 /// [`PlanError::Stroke`] for the first stroke that the tool cannot make, or geometry that the libraries refuse.
 pub fn check_strokes(task: &Task, strokes: &[Stroke]) -> Result<Vec<StrokeOverBorder>, PlanError> {
+    check_bend(task)?;
     let meshes: Vec<Mesh> = task.obstacles_in_surface().collect();
     let space = FreeSpace::new(&task.surface, &meshes, task.tool.collision_radius())?;
     let check = Check {

@@ -2,6 +2,7 @@
 //! and the predicted effect; paper §3.2 to §3.4.
 
 mod adaptive;
+mod bend;
 mod candidates;
 mod clearance;
 mod config;

@@ -87,6 +87,7 @@ mod tests {
                 outline: Polygon::rectangle(Vector2::new(0.4, 0.28)),
                 world_from_surface: Pose::identity(),
                 skim_edges: vec![0],
+                shape: Default::default(),
             },
             scene: vec![],
             tool: Tool {

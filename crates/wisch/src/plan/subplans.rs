@@ -1,5 +1,6 @@
 //! Subplans: the best single stroke to execute before the next observation; paper §4.3.
 
+use super::bend::check_bend;
 use super::objective::{objective, objective_at_rest};
 use super::yaw::YawPattern;
 use super::{FreeSpace, Plan, PlanError, SemanticDirectedGraph, Stroke, predict};
@@ -36,6 +37,7 @@ pub(super) fn compose_subplans(task: &Task, plan: &Plan, space: &FreeSpace) -> P
 
 /// The free space of a task.
 pub(super) fn free_space_of(task: &Task) -> Result<FreeSpace, PlanError> {
+    check_bend(task)?;
     let scene: Vec<_> = task.obstacles_in_surface().collect();
     FreeSpace::new(&task.surface, &scene, task.tool.collision_radius())
 }

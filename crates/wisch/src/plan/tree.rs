@@ -208,6 +208,7 @@ mod tests {
             outline: Polygon::rectangle(Vector2::new(100.0, 100.0)),
             world_from_surface: Pose::identity(),
             skim_edges: vec![],
+            shape: Default::default(),
         };
         FreeSpace::new(&surface, walls, 0.1).unwrap()
     }

@@ -122,6 +122,7 @@ mod tests {
             outline: Polygon::rectangle(Vector2::new(0.4, 0.4)),
             world_from_surface: Pose::identity(),
             skim_edges: vec![],
+            shape: Default::default(),
         };
         let goal = GoalState::Collected {
             center: Point2::origin(),

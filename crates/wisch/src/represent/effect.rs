@@ -53,6 +53,7 @@ pub struct MotionEffect {
 ///     outline: Polygon::rectangle(Vector2::new(0.4, 0.28)),
 ///     world_from_surface: Pose::identity(),
 ///     skim_edges: vec![],
+///     shape: Default::default(),
 /// };
 /// let crumbs = ParticleDistribution::new(&[Point2::new(0.05, 0.0), Point2::new(0.05, 0.1)])?;
 /// let mut field = ParticleField::new(&crumbs);
@@ -131,6 +132,7 @@ impl EffectModel {
     /// #     outline: Polygon::rectangle(Vector2::new(0.4, 0.28)),
     /// #     world_from_surface: Pose::identity(),
     /// #     skim_edges: vec![],
+    /// #     shape: Default::default(),
     /// # };
     /// let crumbs = ParticleDistribution::new(&[Point2::new(0.05, 0.0); 100])?;
     /// let mut field = ParticleField::new(&crumbs);
@@ -192,6 +194,7 @@ impl EffectModel {
     /// #     outline: Polygon::rectangle(Vector2::new(0.4, 0.28)),
     /// #     world_from_surface: Pose::identity(),
     /// #     skim_edges: vec![],
+    /// #     shape: Default::default(),
     /// # };
     /// let crumbs = ParticleDistribution::new(&[Point2::new(0.05, 0.0), Point2::new(0.05, 0.02)])?;
     /// let mut field = ParticleField::new(&crumbs);

@@ -10,6 +10,7 @@ mod observation;
 mod occupied_area;
 mod particles;
 mod scene;
+mod shape;
 mod sliding;
 mod sources;
 mod surface;
@@ -32,10 +33,11 @@ pub use observation::{MAX_DETECTIONS, Observation, SensorModel, Sight};
 pub use occupied_area::{OccupiedArea, SURFACE_SKIN};
 pub use particles::{Fate, MAX_PARTICLES, ParticleDistribution, ParticleError, ParticleTally};
 pub use scene::{SceneObject, ScenePart};
+pub use shape::{ChartPoint, MAX_ROLL, RADIUS_RANGE, SurfaceShape};
 pub use sliding::{SteepSurface, dirt_friction, slide_down};
 pub use sources::{
     Cluster, DirtArea, SourceError, cluster_particles, particle_generator, uniform_particles,
 };
-pub use surface::{Ground, MoveSegment, Surface};
+pub use surface::{Ground, MoveSegment, ShapeFault, Surface};
 pub use task::{Task, Tool};
 pub use treatment::{Treatment, surface_cells};

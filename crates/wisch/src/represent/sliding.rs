@@ -151,6 +151,7 @@ mod tests {
             outline: Polygon::rectangle(Vector2::new(0.6, 0.4)),
             world_from_surface: Pose::new(Vector3::new(0.5, 0.0, 0.4), -Vector3::y() * slope),
             skim_edges: vec![],
+            shape: Default::default(),
         }
     }
 

@@ -1,22 +1,26 @@
-//! The target surface: a planar polygon with a pose and the edges over which a skim may push.
+//! The target surface: a polygon in a chart, with the chart's shape and pose, and the edges over which a skim may push.
 
-use crate::geometry::{Edge, Mesh, MeshError, Point2, Polygon, Pose, prism_below};
+use super::{ChartPoint, MAX_ROLL, RADIUS_RANGE, SurfaceShape};
+use crate::geometry::{Edge, Mesh, MeshError, Point2, Point3, Polygon, Pose, Vector3, prism_below};
 
-/// A planar target surface. The z axis of its frame points out of the surface.
+/// A target surface: an outline in a chart, and where the chart lies in space. The z axis of its frame points out of the
+/// surface at the chart's origin.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Surface {
     /// Name in the knowledge base and in PDDL goals.
     pub name: String,
-    /// Outline in the surface frame \[m\].
+    /// Outline in the chart \[m\]; of a plane, in the surface frame.
     pub outline: Polygon,
     /// Pose of the surface in the world.
     pub world_from_surface: Pose,
     /// Indices of the outline's edges over which a skim may push particles.
     pub skim_edges: Vec<usize>,
+    /// The shape onto which the chart is rolled.
+    pub shape: SurfaceShape,
 }
 
 impl Surface {
-    /// Returns a surface over no edge of which dirt may be skimmed.
+    /// Returns a plane over no edge of which dirt may be skimmed.
     ///
     /// # Parameters
     /// - `outline`: its outline in the surface frame \[m\].
@@ -27,8 +31,72 @@ impl Surface {
             outline,
             world_from_surface,
             skim_edges: Vec::new(),
+            shape: SurfaceShape::Plane,
         }
     }
+
+    /// Returns the pose in the world of a frame over a place of the chart, see [`SurfaceShape::place`].
+    pub fn world_from_place(&self, place: Point2, height: f64) -> Pose {
+        self.world_from_surface * self.shape.place(place, height)
+    }
+
+    /// Returns the place in the chart and the height over the surface of a point in the world \[m\].
+    pub fn chart(&self, point_in_world: Point3) -> ChartPoint {
+        self.shape
+            .chart(self.world_from_surface.inverse() * point_in_world)
+    }
+
+    /// Returns the outward normal over a place of the chart, in the world.
+    pub fn normal(&self, place: Point2) -> Vector3 {
+        self.world_from_surface * (self.shape.orientation(place) * Vector3::z())
+    }
+
+    /// Returns the pose of the tool in the axes of the chart, over its place in the chart: x, y and z are its place and
+    /// its height \[m\], and the rotation is relative to the surface there.
+    pub fn chart_from_tool(&self, world_from_tool: &Pose) -> Pose {
+        let surface_from_tool = self.world_from_surface.inverse() * world_from_tool;
+        if self.shape.is_plane() {
+            return surface_from_tool;
+        }
+        let ChartPoint { place, height } = self
+            .shape
+            .chart(surface_from_tool.translation.vector.into());
+        let turn = self.shape.orientation(place).inverse() * surface_from_tool.rotation;
+        Pose::from_parts(nalgebra::Translation3::new(place.x, place.y, height), turn)
+    }
+
+    /// Returns why the chart does not fit its shape, if it does not.
+    pub fn shape_fault(&self) -> Option<ShapeFault> {
+        let SurfaceShape::Cylinder { radius, axis } = self.shape else {
+            return None;
+        };
+        let [least, most] = RADIUS_RANGE;
+        if !(least..=most).contains(&radius.abs()) || !axis.is_finite() {
+            return Some(ShapeFault::Radius { radius });
+        }
+        let roll = |place: &Point2| self.shape.turn_between(Point2::origin(), *place);
+        let angle = self.outline.outer().iter().map(roll).fold(0.0, f64::max);
+        (angle > MAX_ROLL).then_some(ShapeFault::Roll { radius, angle })
+    }
+}
+
+/// Why a chart does not fit its shape.
+#[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
+pub enum ShapeFault {
+    /// The radius is out of its range, or the axis not finite.
+    #[error("radius {radius} m of the cylinder is outside {} to {} m in size", RADIUS_RANGE[0], RADIUS_RANGE[1])]
+    Radius {
+        /// Radius \[m\].
+        radius: f64,
+    },
+    /// The chart would nearly close around the cylinder.
+    #[error("the outline reaches {:.0}° about the axis of the cylinder of radius {radius} m; the limit is {:.0}° to either side of the origin", angle.to_degrees(), MAX_ROLL.to_degrees())]
+    Roll {
+        /// Radius \[m\].
+        radius: f64,
+        /// Largest angle of the outline from the origin \[rad\].
+        angle: f64,
+    },
 }
 
 /// What lies at a point of the surface's plane.
@@ -138,12 +206,31 @@ impl Surface {
     }
 
     /// Returns the body under the surface down to a depth [m], in the surface frame: the outline with its holes, as a
-    /// closed mesh.
+    /// closed mesh. Of a cylinder, facets replace the surface.
     ///
     /// # Errors
     /// An outline without area.
     pub(crate) fn solid_below(&self, depth: f64) -> Result<Mesh, MeshError> {
-        prism_below(&self.outline, depth)
+        let prism = prism_below(&self.outline, depth)?;
+        let SurfaceShape::Cylinder { radius, .. } = self.shape else {
+            return Ok(prism);
+        };
+        // A facet of length l lies off an arc of radius R by l²/8R.
+        let fine = prism.split_edges((8.0 * radius.abs() * FACET_ERROR).sqrt());
+        // Under a bulge, nothing lies beyond the axis.
+        let deepest = if radius > 0.0 {
+            -0.9 * radius
+        } else {
+            f64::NEG_INFINITY
+        };
+        let rolled = |p: &Point3| -> Point3 {
+            let place = self.shape.place(p.xy(), p.z.max(deepest));
+            place.translation.vector.into()
+        };
+        Mesh::new(
+            fine.vertices().iter().map(rolled).collect(),
+            fine.triangles().to_vec(),
+        )
     }
 
     /// Whether a skim may push particles over edge `index`.
@@ -152,6 +239,8 @@ impl Surface {
     }
 }
 
+/// Largest distance of a facet from the surface that it replaces [m].
+const FACET_ERROR: f64 = 1e-4;
 /// Share of the move `from → to` (0..1) at which it crosses the edge outwards; `None` if it does not.
 fn crossing(from: Point2, to: Point2, edge: &Edge) -> Option<f64> {
     let along = edge.end - edge.start;
@@ -193,6 +282,7 @@ mod tests {
             outline: Polygon::new(outer, vec![hole]),
             world_from_surface: Pose::identity(),
             skim_edges: vec![0],
+            shape: Default::default(),
         };
         let carries = |from, to| surface.carries_between(point(from), point(to));
         assert!(carries([-0.2, 0.1], [-0.2, -0.1]));
@@ -221,6 +311,7 @@ mod tests {
             outline: Polygon::rectangle(Vector2::new(0.4, 0.2)),
             world_from_surface: Pose::identity(),
             skim_edges: vec![0],
+            shape: Default::default(),
         };
         let from = Point2::new(0.15, 0.05);
         assert_eq!(surface.exit_edge(from, Point2::new(0.19, 0.09)), None);

@@ -3,7 +3,7 @@
 use super::TelemetrySample;
 use crate::follow::Phase;
 use crate::geometry::{Point2, Pose};
-use crate::represent::Task;
+use crate::represent::{Surface, SurfaceShape, Task};
 
 /// Share of the press force below which the tool is out of contact [1].
 const CONTACT_SHARE: f64 = 0.2;
@@ -32,7 +32,7 @@ pub enum StrokeEnd {
 /// A detector that checks the samples of a round one by one.
 #[derive(Debug)]
 pub(super) struct StrokeWatch {
-    surface_from_world: Pose,
+    surface: Surface,
     /// Force below which there is no contact [N]; 0 for a tool that hovers.
     least_force: f64,
     radius: f64,
@@ -45,7 +45,7 @@ impl StrokeWatch {
     pub(super) fn new(task: &Task) -> Self {
         let hovers = task.interaction.gap_m > 0.0;
         Self {
-            surface_from_world: task.surface.world_from_surface.inverse(),
+            surface: task.surface.clone(),
             least_force: if hovers {
                 0.0
             } else {
@@ -64,9 +64,9 @@ impl StrokeWatch {
             self.reset();
             return None;
         };
-        let in_surface = |pose: &Pose| (self.surface_from_world * pose).translation.vector.xy();
-        let at = Point2::from(in_surface(&sample.world_from_tool));
-        let wanted = Point2::from(in_surface(&sample.world_from_commanded));
+        let in_chart = |pose: &Pose| self.surface.chart_from_tool(pose).translation.vector.xy();
+        let at = Point2::from(in_chart(&sample.world_from_tool));
+        let wanted = Point2::from(in_chart(&sample.world_from_commanded));
         let way = match self.last.replace((stroke, at)) {
             Some((last, before)) if last == stroke => (at - before).norm(),
             _ => {
@@ -75,7 +75,14 @@ impl StrokeWatch {
                 0.0
             }
         };
-        let pressed = (self.surface_from_world.rotation * sample.external.force).z;
+        let world_from_surface = &self.surface.world_from_surface;
+        let in_surface = world_from_surface.rotation.inverse() * sample.external.force;
+        let pressed = match self.surface.shape {
+            SurfaceShape::Plane => in_surface.z,
+            shape @ SurfaceShape::Cylinder { .. } => {
+                (shape.orientation(at).inverse() * in_surface).z
+            }
+        };
         self.without_contact = if pressed < self.least_force {
             self.without_contact + way
         } else {
@@ -103,11 +110,15 @@ impl StrokeWatch {
 mod tests {
     use super::*;
     use crate::control::Wrench;
-    use crate::geometry::Vector3;
+    use crate::geometry::{Polygon, Vector2, Vector3};
 
     fn watch() -> StrokeWatch {
         StrokeWatch {
-            surface_from_world: Pose::identity(),
+            surface: Surface::new(
+                "board",
+                Polygon::rectangle(Vector2::new(1.0, 1.0)),
+                Pose::identity(),
+            ),
             least_force: 2.0,
             radius: 0.05,
             last: None,

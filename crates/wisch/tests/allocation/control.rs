@@ -9,8 +9,9 @@ use wisch::control::{
     MomentumObserver, Wrench,
 };
 use wisch::geometry::{Point3, Pose, Vector3};
+use wisch::represent::{Surface, SurfaceShape};
 use wisch::robot::{Articulation, RobotModel};
-use wisch_testkit::interaction;
+use wisch_testkit::{interaction, surface};
 
 const GRAVITY: Vector3 = Vector3::new(0.0, 0.0, -9.81);
 
@@ -29,11 +30,19 @@ pub fn a_period_of_control_allocates_nothing() {
     let carrier = carrier.unwrap();
     let config = ControlConfig::default();
     let ranges = all.iter().map(|&i| robot.variable(i).limits.position);
+    // On a cylinder the axes of the stiffness turn too.
+    let bent = Surface {
+        shape: SurfaceShape::Cylinder {
+            radius: 1.0,
+            axis: 0.0,
+        },
+        ..surface([1.0, 1.0])
+    };
     let mut controller = ImpedanceController::new(
         all.clone(),
         ranges.collect(),
         &interaction(),
-        &Pose::identity(),
+        &bent,
         &config,
     );
     let mut observer = MomentumObserver::new(&all, count, config.observer_gain);

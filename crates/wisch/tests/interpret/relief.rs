@@ -8,7 +8,8 @@ use rand::RngExt;
 use rand_chacha::{ChaCha8Rng, rand_core::SeedableRng};
 use std::f64::consts::{PI, TAU};
 use wisch::geometry::{Point2, Pose, Vector3};
-use wisch::interpret::{Doubt, InterpretConfig, Interpretation};
+use wisch::interpret::{Diagnosis, Doubt, InterpretConfig, Interpretation};
+use wisch::represent::SurfaceShape;
 use wisch_testkit::{Relief, ReliefWipe};
 
 /// Number of logs unless `WISCH_LOGS` sets it, and the seed of the first.
@@ -278,4 +279,110 @@ fn two_curvatures_an_arc_and_a_crease_are_named() {
         matches!(crease, Doubt::NotPlanar { off } if off > 2e-3),
         "{crease:?}"
     );
+}
+
+/// Reads a log over a surface that is believed to be rolled onto a cylinder with its axis along y.
+fn read_rolled(wipe: &ReliefWipe, radius: f64) -> Interpretation {
+    let mut task = task(80, STEEP);
+    task.surface.shape = SurfaceShape::Cylinder {
+        radius,
+        axis: 0.5 * PI,
+    };
+    let samples = wipe.samples(&task.surface.world_from_surface);
+    interpreted_with(&samples, &task, &InterpretConfig::from_task(&task))
+}
+
+#[test]
+fn on_a_known_cylinder_contact_is_read_as_on_a_plane() {
+    let flat = read(&wipe(Relief::Flat));
+    let by_hand = |found: &Interpretation| {
+        (found.events.iter())
+            .filter(|event| event.kind.is_by_hand())
+            .count()
+    };
+    for radius in [20.0, 8.0, 6.0, 4.0, 2.5, 2.0, 1.0, 0.5, -0.5, -2.5] {
+        for leans in [false, true] {
+            let wipe = ReliefWipe {
+                leans,
+                friction: 0.3,
+                ..wipe(Relief::Cylinder {
+                    curvature: 1.0 / radius,
+                    axis: 0.5 * PI,
+                })
+            };
+            let found = read_rolled(&wipe, radius);
+            assert_eq!(found.doubts, [], "{radius} {leans}");
+            assert_eq!(found.diagnosis, Diagnosis::Localized, "{radius} {leans}");
+            assert_eq!(by_hand(&found), 0, "{radius} {leans}");
+            let off = found.contact_share - flat.contact_share;
+            assert!(off.abs() < 0.01, "{radius} {leans}: {off}");
+        }
+    }
+}
+
+/// A rigid motion of the cylinder is found; of the motions that touch does not tell, the least.
+#[test]
+fn a_known_cylinder_elsewhere_is_found_along_its_normals() {
+    let shape = SurfaceShape::Cylinder {
+        radius: 1.0,
+        axis: 0.5 * PI,
+    };
+    let moved = Pose::new(
+        Vector3::new(0.0, 0.0, 0.0035),
+        Vector3::new(0.9, 0.7, 0.0) * 1.2_f64.to_radians(),
+    );
+    let found = read_rolled(
+        &ReliefWipe {
+            believed_from_real: moved,
+            ..wipe(Relief::Cylinder {
+                curvature: 1.0,
+                axis: 0.5 * PI,
+            })
+        },
+        1.0,
+    );
+    let Diagnosis::Relocalize { world_from_surface } = found.diagnosis else {
+        panic!("{:?}", found.diagnosis);
+    };
+    let believed = task(80, STEEP).surface.world_from_surface;
+    let mut squares = Vec::new();
+    for [x, y] in [
+        [-0.15, -0.08],
+        [-0.15, 0.08],
+        [0.0, 0.0],
+        [0.15, -0.08],
+        [0.15, 0.08],
+    ] {
+        // Where the real surface lies over the surface as found.
+        let real = believed * moved * shape.place(Point2::new(x, y), 0.0);
+        let at = shape.chart(
+            (world_from_surface.inverse() * real)
+                .translation
+                .vector
+                .into(),
+        );
+        squares.push(at.height * at.height);
+    }
+    let off = (squares.iter().sum::<f64>() / squares.len() as f64).sqrt();
+    assert!(off < 3e-4, "{off}");
+}
+
+#[test]
+fn a_cylinder_of_another_radius_than_believed_is_doubted() {
+    for (believed, real) in [(1.0, 0.5), (1.0, 2.0), (-1.0, 1.0), (0.5, 1e9)] {
+        let found = read_rolled(
+            &wipe(Relief::Cylinder {
+                curvature: 1.0 / real,
+                axis: 0.5 * PI,
+            }),
+            believed,
+        );
+        let is_off = |doubt: &Doubt| matches!(doubt, Doubt::OffShape { off } if *off > 1e-3);
+        assert!(
+            found.doubts.iter().any(is_off),
+            "{believed} {real}: {:?}",
+            found.doubts
+        );
+        assert!(!found.is_conclusive());
+    }
 }

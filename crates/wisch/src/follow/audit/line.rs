@@ -3,10 +3,12 @@
 use super::kinematics::{Frame, root_from_link};
 use crate::follow::{GripDeviation, LineDeviation, ToolPose, Workcell};
 use crate::geometry::Vector3;
-use crate::represent::Task;
+use crate::represent::{SurfaceShape, Task};
 
 /// Largest rotation of a segment; corners farther apart are joined by several [rad].
 const MAX_TURN: f64 = 0.5;
+/// Largest distance of a segment from the arc that it replaces [m].
+const MAX_SAGITTA: f64 = 5e-5;
 /// Length of the line ahead that is searched for the nearest point: longer than a rounded corner skips [m]. A
 /// rotation of a radian counts as a metre.
 const AHEAD: f64 = 0.12;
@@ -45,6 +47,18 @@ pub(super) struct Line<'a> {
     share: f64,
 }
 
+/// Number of chords that stay within the allowed distance of the arc between two places, which a curved surface makes of a
+/// straight line.
+fn arcs(task: &Task, from: &[f64; 5], to: &[f64; 5]) -> f64 {
+    let SurfaceShape::Cylinder { radius, axis } = task.surface.shape else {
+        return 0.0;
+    };
+    let across = (to[1] - from[1]) * axis.cos() - (to[0] - from[0]) * axis.sin();
+    // A chord of length l has the sagitta l²/8R.
+    let longest = (8.0 * radius.abs() * MAX_SAGITTA).sqrt();
+    across.abs() / longest.min(MAX_TURN * radius.abs())
+}
+
 fn coordinates(pose: &ToolPose) -> [f64; 5] {
     let at = pose.surface_from_tool;
     [
@@ -59,11 +73,33 @@ fn coordinates(pose: &ToolPose) -> [f64; 5] {
 /// Returns the tool's frame in the world for coordinates relative to the surface.
 fn placed(task: &Task, [x, y, height, heading, tilt]: [f64; 5]) -> Frame {
     let mut tool = Frame::rotate_about(&Vector3::z(), heading);
-    tool.origin = Vector3::new(x, y, height);
+    match task.surface.shape {
+        SurfaceShape::Plane => tool.origin = Vector3::new(x, y, height),
+        SurfaceShape::Cylinder { radius, axis } => {
+            tool = roll(radius, axis, Vector3::new(x, y, height)).then(&tool);
+        }
+    }
     if let Some(freedom) = task.tool.tilt {
         tool = tool.then(&Frame::rotate_about(&freedom.axis_in_tool, tilt));
     }
     Frame::from_pose(&task.surface.world_from_surface).then(&tool)
+}
+
+/// Returns the frame over a place of a chart that is rolled onto a cylinder: in the chart, the plane is turned about the
+/// axis of the cylinder, which lies its radius below the plane, and moved along it.
+fn roll(radius: f64, axis: f64, at: Vector3) -> Frame {
+    let along = Vector3::new(axis.cos(), axis.sin(), 0.0);
+    let across = Vector3::z().cross(&along);
+    let to_axis = Frame {
+        origin: -Vector3::z() * radius,
+        ..Frame::identity()
+    };
+    let turn = Frame::rotate_about(&along, -at.dot(&across) / radius);
+    let from_axis = Frame {
+        origin: Vector3::z() * (radius + at.z) + along * at.dot(&along),
+        ..Frame::identity()
+    };
+    to_axis.then(&turn).then(&from_axis)
 }
 
 impl<'a> Line<'a> {
@@ -73,7 +109,8 @@ impl<'a> Line<'a> {
         for pair in corners.windows(2) {
             let (from, to) = (coordinates(&pair[0]), coordinates(&pair[1]));
             let widest = (to[3] - from[3]).abs().max((to[4] - from[4]).abs());
-            let count = (widest / MAX_TURN).ceil().max(1.0);
+            let arcs = arcs(task, &from, &to);
+            let count = (widest / MAX_TURN).max(arcs).ceil().max(1.0);
             let change: [f64; 5] = std::array::from_fn(|i| (to[i] - from[i]) / count);
             for k in 0..count as usize {
                 let from = std::array::from_fn(|i| from[i] + k as f64 * change[i]);

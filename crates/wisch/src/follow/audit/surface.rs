@@ -4,13 +4,15 @@
 use super::kinematics::{Frame, moved_by};
 use crate::follow::{FollowConfig, Motion, Phase, TrajectorySample, Workcell};
 use crate::geometry::{Bounds2, Edge, Mesh, Point2, Point3, Vector3, encloses};
-use crate::represent::Task;
+use crate::represent::{SurfaceShape, Task};
 use nalgebra::UnitQuaternion;
 
 /// Depth of a body in the surface that is allowed for rounding [m].
 const DEPTH_TOLERANCE: f64 = 1e-4;
 /// Depth of the space behind the surface that the tool must avoid [m].
 const BEHIND: f64 = 1.0;
+/// Largest distance of an edge of a body from a curved surface's chart that its ends do not show [m].
+const MAX_SAGITTA: f64 = 1e-4;
 /// Allowed distance of the tool centre point over a hole while the tool is pressed [m]: twice its allowed
 /// deviation from the line.
 const HOLE_TOLERANCE: f64 = 2e-3;
@@ -78,11 +80,30 @@ impl Body {
         }
     }
 
-    /// Returns the vertices in the frame of the surface [m].
-    fn vertices_in_surface(&self, surface_from_link: &Frame) -> Vec<Vector3> {
-        let vertices = self.mesh.vertices().iter();
-        vertices.map(|p| surface_from_link.point(p)).collect()
+    /// Returns the body with edges that stay straight over a surface.
+    fn over(self, shape: SurfaceShape) -> Self {
+        let SurfaceShape::Cylinder { radius, .. } = shape else {
+            return self;
+        };
+        // Over a cylinder of radius R an edge of length l has the sagitta l²/8R.
+        let mesh = (self.mesh).split_edges((8.0 * radius.abs() * MAX_SAGITTA).sqrt());
+        Self { mesh, ..self }
     }
+}
+
+/// Returns a point in the frame of the surface as place in the chart and height [m].
+fn unroll(shape: SurfaceShape, point: Vector3) -> Vector3 {
+    let SurfaceShape::Cylinder { radius, axis } = shape else {
+        return point;
+    };
+    let along = Vector3::new(axis.cos(), axis.sin(), 0.0);
+    let across = Vector3::z().cross(&along);
+    // From the axis of the cylinder, which lies its radius below the chart.
+    let from_axis = point + Vector3::z() * radius - along * point.dot(&along);
+    let outwards = from_axis * radius.signum();
+    let angle = outwards.dot(&across).atan2(outwards.z);
+    let height = (from_axis.norm() - radius.abs()) * radius.signum();
+    along * point.dot(&along) + across * (radius * angle) + Vector3::z() * height
 }
 
 impl<'a> SurfaceCheck<'a> {
@@ -97,6 +118,7 @@ impl<'a> SurfaceCheck<'a> {
                 cell.tip().index(),
                 mesh.transform(cell.tip_from_tool()),
             )
+            .over(task.surface.shape)
         };
         let depth = task.interaction.compression_depth_m;
         let mut check = Self {
@@ -104,7 +126,10 @@ impl<'a> SurfaceCheck<'a> {
             links: Vec::new(),
             relaxed: tool(&relax_tool(&task.tool.mesh, depth)),
             pressed: tool(&task.tool.mesh),
-            pressed_depth: leaning_depth(task) + depth + line_allowance(&task.tool.mesh, config),
+            pressed_depth: leaning_depth(task)
+                + depth
+                + line_allowance(&task.tool.mesh, config)
+                + hollow_depth(task),
             waits_behind: false,
             surface_from_root,
             task,
@@ -126,7 +151,7 @@ impl<'a> SurfaceCheck<'a> {
                 .filter_map(|shape| shape.mesh_in_link());
             check
                 .links
-                .extend(meshes.map(|mesh| Body::new(&link.name, i, mesh)));
+                .extend(meshes.map(|mesh| Body::new(&link.name, i, mesh).over(task.surface.shape)));
         }
         let frames = check.frames(cell.ready_posture());
         let tool = &check.relaxed;
@@ -142,8 +167,10 @@ impl<'a> SurfaceCheck<'a> {
         let mut stands = vec![false; robot.links().len()];
         let world_from_surface = Frame::from_pose(&self.task.surface.world_from_surface);
         let mut corners = self.task.surface.outline.outer().iter();
-        let is_floor = corners
-            .all(|p| world_from_surface.point(&Point3::new(p.x, p.y, 0.0)).z <= DEPTH_TOLERANCE);
+        let is_floor = self.task.surface.shape == SurfaceShape::Plane
+            && corners.all(|p| {
+                world_from_surface.point(&Point3::new(p.x, p.y, 0.0)).z <= DEPTH_TOLERANCE
+            });
         let Some(base) = self.cell.base().filter(|_| is_floor) else {
             return stands;
         };
@@ -214,6 +241,15 @@ impl<'a> SurfaceCheck<'a> {
         through.chain(over_hole).collect()
     }
 
+    /// Returns the vertices of a body as places in the chart and heights [m].
+    fn unrolled(&self, body: &Body, surface_from_link: &Frame) -> Vec<Vector3> {
+        let vertices = body.mesh.vertices().iter();
+        let shape = self.task.surface.shape;
+        vertices
+            .map(|p| unroll(shape, surface_from_link.point(p)))
+            .collect()
+    }
+
     /// Returns where a body is deeper in the surface than allowed, or has passed through it since the last
     /// sample.
     fn penetration(
@@ -224,11 +260,13 @@ impl<'a> SurfaceCheck<'a> {
         may_be_deep: f64,
     ) -> Option<Penetration> {
         let side = |frame: &Frame| {
-            let middle = frame.point(&body.middle);
-            let is_beside = middle.x + body.reach < self.bounds.min.x
-                || middle.x - body.reach > self.bounds.max.x
-                || middle.y + body.reach < self.bounds.min.y
-                || middle.y - body.reach > self.bounds.max.y;
+            let middle = unroll(self.task.surface.shape, frame.point(&body.middle));
+            let is_plane = self.task.surface.shape == SurfaceShape::Plane;
+            let is_beside = is_plane
+                && (middle.x + body.reach < self.bounds.min.x
+                    || middle.x - body.reach > self.bounds.max.x
+                    || middle.y + body.reach < self.bounds.min.y
+                    || middle.y - body.reach > self.bounds.max.y);
             let height = middle.z + may_be_deep;
             (height.abs() > body.reach || is_beside).then_some(height > 0.0)
         };
@@ -236,13 +274,13 @@ impl<'a> SurfaceCheck<'a> {
         if side_now.is_some() && (earlier.is_none() || side_now == side_before) {
             return None;
         }
-        let corners = body.vertices_in_surface(now);
+        let corners = self.unrolled(body, now);
         if let Some(found) = self.section(&body.mesh, &corners, may_be_deep) {
             return Some(found);
         }
         // Vertices on the other side have passed through the surface if they crossed its plane within the
         // outline.
-        let earlier = body.vertices_in_surface(earlier?);
+        let earlier = self.unrolled(body, earlier?);
         let mut passed = corners.iter().zip(&earlier).filter_map(|(now, earlier)| {
             let [before, after] = [earlier.z + may_be_deep, now.z + may_be_deep];
             if (before < 0.0) == (after < 0.0) {
@@ -315,11 +353,11 @@ impl<'a> SurfaceCheck<'a> {
 
     /// Returns where the tool is behind the surface, deeper than allowed.
     fn behind(&self, tool: &Body, frame: &Frame, may_be_deep: f64) -> Option<Penetration> {
-        let middle = frame.point(&tool.middle).z;
+        let middle = unroll(self.task.surface.shape, frame.point(&tool.middle)).z;
         if middle - tool.reach > -may_be_deep || middle + tool.reach < -BEHIND {
             return None;
         }
-        let mut corners = tool.vertices_in_surface(frame).into_iter();
+        let mut corners = self.unrolled(tool, frame).into_iter();
         corners.find_map(|at| {
             let place = Point2::new(at.x, at.y);
             let is_behind = (-BEHIND..-may_be_deep).contains(&at.z);
@@ -338,7 +376,8 @@ impl<'a> SurfaceCheck<'a> {
         }
         let tool =
             frames[self.cell.tip().index()].then(&Frame::from_pose(self.cell.tip_from_tool()));
-        let place = Point2::new(tool.origin.x, tool.origin.y);
+        let at = unroll(self.task.surface.shape, tool.origin);
+        let place = Point2::new(at.x, at.y);
         let mut holes = outline.holes().iter();
         let is_over = holes.any(|hole| {
             let edges = || {
@@ -381,6 +420,19 @@ fn leaning_depth(task: &Task) -> f64 {
         heights.fold(0.0, f64::min)
     };
     -leans.iter().map(lowest).fold(0.0, f64::min)
+}
+
+/// Returns the largest depth of a tool's flat underside in a hollow, which its middle touches [m].
+fn hollow_depth(task: &Task) -> f64 {
+    let SurfaceShape::Cylinder { radius, .. } = task.surface.shape else {
+        return 0.0;
+    };
+    let corners = task.tool.footprint.edges();
+    let reach = corners
+        .map(|edge| edge.start.coords.norm())
+        .fold(0.0, f64::max);
+    // A chord of half length l lies l²/2R off its arc.
+    (-reach * reach / (2.0 * radius)).max(0.0)
 }
 
 /// Returns the largest displacement of a point of the tool within the tolerances of its line [m].

@@ -7,7 +7,7 @@ use crate::follow::workcell::second_arm::{GRIP_TOLERANCE, LEAN_TOLERANCE};
 use crate::follow::{AllowedContact, FollowConfig, Obstruction, ToolPose, Workcell};
 use crate::geometry::{PlanarPose, Point2, Pose, Vector3};
 use crate::plan::Plan;
-use crate::represent::{Action, Task};
+use crate::represent::{Action, SurfaceShape, Task};
 use crate::robot::{
     Contact, IkConfig, IkOutcome, Joint, JointKind, JointPositions, Margins, RobotError,
     RotationGoal,
@@ -25,6 +25,8 @@ const RESTARTS: usize = 6;
 const HELD_STEP: f64 = 0.1;
 /// Remaining share of a vector below which it counts as linearly dependent [1].
 const DEPENDENT: f64 = 1e-6;
+/// Largest turn of the surface's normal over a step along the line [rad].
+const MAX_BEND: f64 = 0.05;
 /// Largest number of halvings of a step to stay on the line.
 const MAX_HALVINGS: u32 = 6;
 
@@ -281,9 +283,7 @@ impl<'a> Arm<'a> {
     pub fn tool_on_surface(&self, q: &JointPositions) -> Option<Point2> {
         let kinematics = self.cell.ik().chain().forward_kinematics(q).ok()?;
         let base_from_tool = kinematics.base_from_tip() * self.cell.tip_from_tool();
-        let surface_from_base =
-            self.task.surface.world_from_surface.inverse() * self.base_from_world.inverse();
-        let tool = (surface_from_base * base_from_tool).translation.vector;
+        let tool = self.chart_from_tool(&base_from_tool).translation.vector;
         Some(Point2::new(tool.x, tool.y))
     }
 
@@ -292,9 +292,18 @@ impl<'a> Arm<'a> {
         let leading = &q[..self.leading()];
         let kinematics = (self.cell.ik().chain()).forward_kinematics(leading).ok()?;
         let base_from_tool = kinematics.base_from_tip() * self.cell.tip_from_tool();
-        let surface_from_base =
-            self.task.surface.world_from_surface.inverse() * self.base_from_world.inverse();
-        Some((surface_from_base * base_from_tool).translation.z)
+        Some(self.chart_from_tool(&base_from_tool).translation.z)
+    }
+
+    /// Returns the pose of the tool in the axes of the surface's chart, see [`Surface::chart_from_tool`].
+    fn chart_from_tool(&self, base_from_tool: &Pose) -> Pose {
+        let surface = &self.task.surface;
+        if surface.shape.is_plane() {
+            let surface_from_base =
+                surface.world_from_surface.inverse() * self.base_from_world.inverse();
+            return surface_from_base * base_from_tool;
+        }
+        surface.chart_from_tool(&(self.base_from_world.inverse() * base_from_tool))
     }
 
     /// Returns configurations that lift the tool along the surface's normal with its orientation kept; `from`
@@ -312,7 +321,13 @@ impl<'a> Arm<'a> {
         let base_from_tool = kinematics.base_from_tip() * self.cell.tip_from_tool();
         let base_from_surface =
             self.base_from_world.rotation * self.task.surface.world_from_surface.rotation;
-        let up = base_from_surface * Vector3::z();
+        let place = self
+            .chart_from_tool(&base_from_tool)
+            .translation
+            .vector
+            .xy();
+        let shape = &self.task.surface.shape;
+        let up = base_from_surface * (shape.orientation(place.into()) * Vector3::z());
         let count = (way / self.config.step).ceil().max(1.0) as usize;
         let mut path = Vec::with_capacity(count);
         let mut at = *from;
@@ -341,9 +356,7 @@ impl<'a> Arm<'a> {
             return 0.0;
         };
         let base_from_tool = kinematics.base_from_tip() * self.cell.tip_from_tool();
-        let surface_from_base =
-            self.task.surface.world_from_surface.inverse() * self.base_from_world.inverse();
-        let x = (surface_from_base * base_from_tool).rotation * Vector3::x();
+        let x = self.chart_from_tool(&base_from_tool).rotation * Vector3::x();
         libm::atan2(x.y, x.x)
     }
 
@@ -564,7 +577,7 @@ impl<'a> Arm<'a> {
         near: Option<&JointPositions>,
         allowed: AllowedContact,
     ) -> Result<Vec<JointPositions>, BrokenLine> {
-        let count = steps(from, to, self.config);
+        let count = steps(from, to, &self.task.surface.shape, self.config);
         let mut path = Vec::with_capacity(count);
         let mut at = *start;
         for i in 1..=count {
@@ -704,9 +717,11 @@ pub(in crate::follow) fn widest_step(from: &JointPositions, to: &JointPositions)
 }
 
 /// Number of steps into which the line between two poses of the tool is cut.
-fn steps(from: &ToolPose, to: &ToolPose, config: &FollowConfig) -> usize {
+fn steps(from: &ToolPose, to: &ToolPose, shape: &SurfaceShape, config: &FollowConfig) -> usize {
     let turn = (to.surface_from_tool.heading - from.surface_from_tool.heading).abs();
     let lean = (to.tilt - from.tilt).abs();
     let steps = (from.distance(to) / config.step).max(turn.max(lean) / config.turn);
-    (steps.ceil() as usize).max(1)
+    let [begin, end] = [from, to].map(|pose| pose.surface_from_tool.position);
+    let bend = shape.turn_between(begin, end);
+    (steps.max(bend / MAX_BEND).ceil() as usize).max(1)
 }

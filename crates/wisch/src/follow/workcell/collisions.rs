@@ -262,7 +262,7 @@ fn is_surface_on_floor(surface: &Surface) -> bool {
     let mut corners = surface.outline.outer().iter();
     corners.all(|p| {
         let corner = surface.world_from_surface * Point3::new(p.x, p.y, 0.0);
-        corner.z <= FLOOR_TOLERANCE
+        surface.shape.is_plane() && corner.z <= FLOOR_TOLERANCE
     })
 }
 

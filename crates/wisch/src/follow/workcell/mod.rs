@@ -12,7 +12,7 @@ pub use second_arm::{GRIP_TOLERANCE, LEAN_TOLERANCE, SecondArm};
 use crate::follow::{FollowError, FollowerLimit, JointLimit, JointLimits, ToolPose};
 use crate::geometry::{PlanarPose, Point2, Pose, Vector3};
 use crate::plan::Plan;
-use crate::represent::{SecondGrip, Task, Tool};
+use crate::represent::{SecondGrip, SurfaceShape, Task, Tool};
 use crate::robot::{
     CollisionModel, IkConfig, IkSolver, Joint, JointKind, LinkId, READY_STATE, Range, RobotModel,
     Srdf,
@@ -284,10 +284,13 @@ impl Workcell {
     /// Returns the pose of the tool in the world for its pose relative to the surface.
     pub fn world_from_tool(task: &Task, pose: &ToolPose) -> Pose {
         let PlanarPose { position, heading } = pose.surface_from_tool;
-        let upright = Pose::from_parts(
-            Translation3::new(position.x, position.y, pose.height),
-            UnitQuaternion::from_axis_angle(&Vector3::z_axis(), heading),
-        );
+        let yaw = UnitQuaternion::from_axis_angle(&Vector3::z_axis(), heading);
+        let upright = match task.surface.shape {
+            SurfaceShape::Plane => {
+                Pose::from_parts(Translation3::new(position.x, position.y, pose.height), yaw)
+            }
+            shape @ SurfaceShape::Cylinder { .. } => shape.place(position, pose.height) * yaw,
+        };
         let lean = task.tool.tilt.map_or_else(UnitQuaternion::identity, |t| {
             UnitQuaternion::from_axis_angle(&t.axis_in_tool, pose.tilt)
         });

@@ -4,7 +4,7 @@
 use crate::follow::FollowError;
 use crate::geometry::{Point2, Point3, Pose, Vector3};
 use crate::plan::Plan;
-use crate::represent::Task;
+use crate::represent::{SurfaceShape, Task};
 use crate::robot::{CollisionModel, JointKind, Kinematics, LinkId, RobotModel};
 use nalgebra::{Translation3, UnitQuaternion};
 use std::f64::consts::TAU;
@@ -67,8 +67,8 @@ pub(super) fn is_tool_behind(task: &Task, kinematics: &Kinematics<'_>, tool: &Pl
     let surface_from_root = task.surface.world_from_surface.inverse() * tool.world_from_root;
     let surface_from_tool = surface_from_root * root_from_tool;
     let is_behind = |vertex: &Point3| {
-        let at = surface_from_tool * vertex;
-        (-BEHIND..0.0).contains(&at.z) && task.surface.outline.contains(at.xy())
+        let at = task.surface.shape.chart(surface_from_tool * vertex);
+        (-BEHIND..0.0).contains(&at.height) && task.surface.outline.contains(at.place)
     };
     task.tool.mesh.vertices().iter().any(is_behind)
 }
@@ -132,10 +132,17 @@ pub(super) fn hand_below(
             (0..HAND_YAWS).any(|i| {
                 let yaw = i as f64 / HAND_YAWS as f64 * TAU;
                 let turn = UnitQuaternion::from_axis_angle(&Vector3::z_axis(), yaw);
-                let surface_from_tool =
-                    Pose::from_parts(Translation3::new(node.x, node.y, 0.0), turn);
-                let outline = &task.surface.outline;
-                (below.iter()).all(|(p, _)| !outline.contains((surface_from_tool * p).xy()))
+                let surface_from_tool = match task.surface.shape {
+                    SurfaceShape::Plane => {
+                        Pose::from_parts(Translation3::new(node.x, node.y, 0.0), turn)
+                    }
+                    shape @ SurfaceShape::Cylinder { .. } => shape.place(node, 0.0) * turn,
+                };
+                // On a bulge, what is below the tool's contact plane may still be above the surface.
+                (below.iter()).all(|(p, _)| {
+                    let at = task.surface.shape.chart(surface_from_tool * p);
+                    at.height >= 0.0 || !task.surface.outline.contains(at.place)
+                })
             })
         };
         let mut nodes = plan.graph.nodes.iter();

@@ -81,10 +81,7 @@ pub(in crate::interpret) enum ContactShape {
         direction: f64,
     },
     /// Neither a plane nor a quadric.
-    Other {
-        /// Distance from the best plane that a tenth of the contacts exceeds [m].
-        off: f64,
-    },
+    Other,
 }
 
 /// A place at which the tool pressed, with the height of its underside at nominal force.
@@ -95,12 +92,15 @@ struct PressedPlace {
 }
 
 impl ContactShape {
-    /// Fits the shape to the contacts among the pieces, whose forces are as read; `None` where a plane fits as well.
+    /// Fits the shape to the contacts among the pieces, whose forces are as read; `None` where a plane fits as well. Also
+    /// returns the distance from the best plane that a tenth of the contacts exceeds [m].
+    ///
+    /// In the chart of a curved surface, a plane is the surface itself.
     pub(in crate::interpret) fn of(
         pieces: &[MeasuredPiece],
         surface: &Surface,
         config: &InterpretConfig,
-    ) -> Option<Self> {
+    ) -> Option<(Self, f64)> {
         let first = contacts(pieces, surface, config, |_| Vector3::z());
         let quadric = Quadric::fit(&first)?;
         // Friction has no part along the real normal.
@@ -123,11 +123,9 @@ impl ContactShape {
             return None;
         }
         let explained = (EXPLAINED.max(EXPLAINED_NOISE * noise)).max(EXPLAINED_SHARE * flat);
-        let other = Self::Other {
-            off: plane.residual(&contacts, 0.9),
-        };
         let shape = (bent <= explained).then(|| quadric.classify(&contacts));
-        Some(shape.flatten().unwrap_or(other))
+        let shape = shape.flatten().unwrap_or(Self::Other);
+        Some((shape, plane.residual(&contacts, 0.9)))
     }
 }
 

@@ -3,6 +3,7 @@
 use super::path::TouchSample;
 use crate::geometry::{Point3, Pose, Vector3, wrap_angle};
 use crate::interpret::error::InterpretError;
+use crate::represent::Surface;
 use nalgebra::UnitQuaternion;
 
 /// Longest duration of a piece [s]; events are resolved to a fraction of 50 ms.
@@ -21,7 +22,8 @@ const MAX_FORCE: f64 = 1e6;
 /// Largest valid time [s]: seconds since 1970 fit and still resolve a microsecond.
 const MAX_TIME: f64 = 1e10;
 
-/// Consecutive samples merged into a piece, as measured, in the frame of the believed surface.
+/// Consecutive samples merged into a piece, as measured, in the chart of the believed surface: places are those of the
+/// chart, heights those along its normal, and directions in the axes that its frame has at the place.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(in crate::interpret) struct MeasuredPiece {
     /// Time of the first and of the last sample [s].
@@ -36,6 +38,8 @@ pub(in crate::interpret) struct MeasuredPiece {
     pub(in crate::interpret) heading: f64,
     /// Orientation of the tool at the last sample.
     pub(in crate::interpret) surface_from_tool: UnitQuaternion<f64>,
+    /// Turn of these axes from those at the chart's origin; `None` for a plane.
+    pub(in crate::interpret) turn: Option<UnitQuaternion<f64>>,
     /// Mean force of the environment on the tool [N].
     pub(in crate::interpret) force: Vector3,
     /// Largest absolute force [N].
@@ -45,6 +49,7 @@ pub(in crate::interpret) struct MeasuredPiece {
 /// Takes samples and keeps pieces.
 #[derive(Debug, Clone)]
 pub(in crate::interpret) struct Downsampler {
+    surface: Surface,
     surface_from_world: Pose,
     /// Pieces so far; the last one still grows.
     pieces: Vec<MeasuredPiece>,
@@ -57,9 +62,10 @@ pub(in crate::interpret) struct Downsampler {
 }
 
 impl Downsampler {
-    pub(in crate::interpret) fn new(world_from_surface: &Pose, max_pieces: usize) -> Self {
+    pub(in crate::interpret) fn new(surface: &Surface, max_pieces: usize) -> Self {
         Self {
-            surface_from_world: world_from_surface.inverse(),
+            surface_from_world: surface.world_from_surface.inverse(),
+            surface: surface.clone(),
             pieces: Vec::new(),
             began: (Point3::origin(), 0.0),
             coarseness: 1.0,
@@ -78,7 +84,14 @@ impl Downsampler {
         sample: &TouchSample,
     ) -> Result<(), InterpretError> {
         self.check(sample)?;
-        let surface_from_tool = self.surface_from_world * sample.world_from_tool;
+        let (surface_from_tool, turn) = if self.surface.shape.is_plane() {
+            (self.surface_from_world * sample.world_from_tool, None)
+        } else {
+            let tool = self.surface.chart_from_tool(&sample.world_from_tool);
+            let place = tool.translation.vector.xy().into();
+            (tool, Some(self.surface.shape.orientation(place)))
+        };
+        let force = self.surface_from_world.rotation * sample.force;
         let axis_in_surface = surface_from_tool.rotation * Vector3::x();
         let one = MeasuredPiece {
             time: [sample.time; 2],
@@ -87,7 +100,8 @@ impl Downsampler {
             mean_height: surface_from_tool.translation.z,
             heading: libm::atan2(axis_in_surface.y, axis_in_surface.x),
             surface_from_tool: surface_from_tool.rotation,
-            force: self.surface_from_world.rotation * sample.force,
+            turn,
+            force: turn.map_or(force, |turn| turn.inverse() * force),
             peak_force: sample.force.norm(),
         };
         match self.pieces.last_mut() {
@@ -179,6 +193,7 @@ fn join(one: &MeasuredPiece, next: &MeasuredPiece) -> MeasuredPiece {
         mean_height: one.mean_height + (next.mean_height - one.mean_height) * share,
         heading: next.heading,
         surface_from_tool: next.surface_from_tool,
+        turn: next.turn,
         force: one.force + (next.force - one.force) * share,
         peak_force: one.peak_force.max(next.peak_force),
     }

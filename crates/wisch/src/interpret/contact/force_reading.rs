@@ -77,7 +77,7 @@ impl SensorAxes {
     /// Returns the measured force in these axes [N].
     fn of(self, piece: &MeasuredPiece, force: Vector3) -> Vector3 {
         match self {
-            Self::Surface => force,
+            Self::Surface => piece.turn.map_or(force, |turn| turn * force),
             Self::Tool => piece.surface_from_tool.inverse() * force,
         }
     }
@@ -85,8 +85,26 @@ impl SensorAxes {
     /// Returns a force from these axes in those of the believed surface [N].
     fn to_surface(self, piece: &MeasuredPiece, force: Vector3) -> Vector3 {
         match self {
-            Self::Surface => force,
+            Self::Surface => piece.turn.map_or(force, |turn| turn.inverse() * force),
             Self::Tool => piece.surface_from_tool * force,
+        }
+    }
+
+    /// Returns a measured force less the bias, which is in the sensor's axes, in axes in which a force along the normal is
+    /// constant [N]: those of the surface at the place, or those of the tool.
+    fn without_bias(self, piece: &MeasuredPiece, force: Vector3, bias: Vector3) -> Vector3 {
+        let force = self.of(piece, force) - bias;
+        match self {
+            Self::Surface => self.to_surface(piece, force),
+            Self::Tool => force,
+        }
+    }
+
+    /// Returns the normal of the surface in these axes.
+    fn normal(self, piece: &MeasuredPiece) -> Vector3 {
+        match self {
+            Self::Surface => Vector3::z(),
+            Self::Tool => self.of(piece, Vector3::z()),
         }
     }
 }
@@ -257,13 +275,16 @@ impl ForceReading {
 
     /// Returns a measured force corrected for bias, frame and sign, in the axes of the believed surface [N].
     fn correct_force(&self, piece: &MeasuredPiece, measured: Vector3) -> Vector3 {
-        let force = self.axes.of(piece, measured) - self.bias;
+        let force = self.axes.without_bias(piece, measured, self.bias);
         let read = if self.direction == PressDirection::Inward {
             -force
         } else {
             self.turn * force
         };
-        self.axes.to_surface(piece, read)
+        match self.axes {
+            SensorAxes::Surface => read,
+            SensorAxes::Tool => self.axes.to_surface(piece, read),
+        }
     }
 
     /// Returns the pieces with corrected forces.
@@ -360,7 +381,7 @@ impl Scene<'_> {
         let (bias, _) = bias_and_noise(&pieces, &free, axes);
         let forces = on
             .iter()
-            .map(|&i| axes.of(&pieces[i], pieces[i].force) - bias);
+            .map(|&i| axes.without_bias(&pieces[i], pieces[i].force, bias));
         let forces: Vec<Vector3> = forces.collect();
         let step = forces.iter().sum::<Vector3>() / forces.len() as f64;
         let size = step.norm();
@@ -374,14 +395,14 @@ impl Scene<'_> {
             .collect();
         let resting: Vec<(f64, f64)> = (free.iter())
             .map(|&i| {
-                let force = axes.of(&pieces[i], pieces[i].force) - bias;
+                let force = axes.without_bias(&pieces[i], pieces[i].force, bias);
                 (force.dot(&along), f64::from(pieces[i].samples))
             })
             .collect();
         let pressed = median(pressing.clone());
         let is_steady = spread(pressing, pressed) <= MOST_VARIATION * pressed;
         let is_clear = pressed >= LEAST_SIGNIFICANCE * spread(resting, 0.0);
-        let normals = on.iter().map(|&i| axes.of(&pieces[i], Vector3::z()));
+        let normals = on.iter().map(|&i| axes.normal(&pieces[i]));
         let normal = normals.sum::<Vector3>().normalize();
         let is_over = |i: usize| self.surface.outline.contains(pieces[i].position.xy());
         let [mut over, mut beside] = [0.0; 2];
@@ -439,7 +460,7 @@ fn sensor_axes(pieces: &[MeasuredPiece], on: &[usize], free: &[usize]) -> Sensor
         let of = |some: &[usize]| {
             let forces = some
                 .iter()
-                .map(|&i| axes.of(&pieces[i], pieces[i].force) - bias);
+                .map(|&i| axes.without_bias(&pieces[i], pieces[i].force, bias));
             let forces: Vec<Vector3> = forces.collect();
             let mean = forces.iter().sum::<Vector3>() / forces.len() as f64;
             let squares = forces.iter().map(|force| (force - mean).norm_squared());
@@ -461,14 +482,12 @@ fn clock_offset(pieces: &[MeasuredPiece], on: &[usize], free: &[usize]) -> f64 {
     let time = |i: usize| 0.5 * (pieces[i].time[0] + pieces[i].time[1]);
     // Forces are limited to the usual contact force, as pushes and impacts do not depend on the clock.
     let (resting, _) = bias_and_noise(pieces, free, SensorAxes::Surface);
-    let sizes = on.iter().map(|&i| {
-        (
-            (pieces[i].force - resting).norm(),
-            f64::from(pieces[i].samples),
-        )
-    });
+    let sensed = |i: usize| SensorAxes::Surface.of(&pieces[i], pieces[i].force) - resting;
+    let sizes = on
+        .iter()
+        .map(|&i| (sensed(i).norm(), f64::from(pieces[i].samples)));
     let usual = median(sizes.collect());
-    let clipped = |i: usize| (pieces[i].force - resting).cap_magnitude(usual);
+    let clipped = |i: usize| sensed(i).cap_magnitude(usual);
     // Integral of the force over time, up to the middle of each piece.
     let mut integral = vec![Vector3::zeros(); pieces.len()];
     for i in 1..pieces.len() {

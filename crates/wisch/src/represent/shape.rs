@@ -1,0 +1,148 @@
+//! Where the chart of a surface lies in space: in a plane, or rolled onto a cylinder.
+//!
+//! Outline, dirt, nodes and strokes are given in the chart, in metres. A cylinder unrolls without stretch, so lengths,
+//! angles and areas of the chart are those of the surface.
+
+use crate::geometry::{Point2, Point3, Pose, Vector2, Vector3};
+use nalgebra::{Matrix2, Translation3, Unit, UnitQuaternion};
+use std::f64::consts::PI;
+
+/// Largest angle of a chart about the axis of its cylinder, to either side of its origin \[rad\]: beyond it, the surface
+/// would nearly close.
+pub const MAX_ROLL: f64 = 0.8 * PI;
+/// Range of the radius of a cylinder \[m\].
+pub const RADIUS_RANGE: [f64; 2] = [0.01, 1e9];
+
+/// The shape onto which the chart of a surface is rolled.
+///
+/// The frame of a surface touches it at the chart's origin: there, the axes of chart and frame agree.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub enum SurfaceShape {
+    /// The chart is the xy plane of the surface's frame.
+    #[default]
+    Plane,
+    /// The chart is rolled onto a circular cylinder.
+    Cylinder {
+        /// Radius \[m\], positive where the surface bulges towards the tool, negative where it is hollow.
+        radius: f64,
+        /// Angle of the cylinder's axis from the chart's x \[rad\].
+        axis: f64,
+    },
+}
+
+/// A point in space relative to a surface.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ChartPoint {
+    /// Foot of the perpendicular, in the chart \[m\].
+    pub place: Point2,
+    /// Height over the surface, along its normal \[m\].
+    pub height: f64,
+}
+
+impl SurfaceShape {
+    /// Whether the surface is a plane.
+    pub const fn is_plane(&self) -> bool {
+        matches!(self, Self::Plane)
+    }
+
+    /// Returns the pose of a frame whose origin is at a height \[m\] over a place of the chart \[m\], with z along the
+    /// normal and x and y along those of the chart; in the frame of the surface.
+    ///
+    /// ```
+    /// use std::f64::consts::FRAC_PI_2;
+    /// use wisch::geometry::{Point2, Vector3};
+    /// use wisch::represent::SurfaceShape;
+    /// // A quarter turn about a pipe of 0.5 m that lies along y.
+    /// let pipe = SurfaceShape::Cylinder { radius: 0.5, axis: FRAC_PI_2 };
+    /// let pose = pipe.place(Point2::new(-0.5 * FRAC_PI_2, 0.3), 0.1);
+    /// assert!((pose.translation.vector - Vector3::new(-0.6, 0.3, -0.5)).norm() < 1e-12);
+    /// assert!((pose.rotation * Vector3::z() + Vector3::x()).norm() < 1e-12);
+    /// ```
+    pub fn place(&self, place: Point2, height: f64) -> Pose {
+        match *self {
+            Self::Plane => Pose::translation(place.x, place.y, height),
+            Self::Cylinder { radius, axis } => {
+                let [along, across] = directions(axis);
+                let angle = across.dot(&place.coords) / radius;
+                let (sine, cosine) = (libm::sin(angle), libm::cos(angle));
+                let half = libm::sin(0.5 * angle);
+                // (R + h) sin φ across the axis; (R + h) cos φ − R = h cos φ − 2 R sin²(φ/2) along z.
+                let in_plane =
+                    along * along.dot(&place.coords) + across * ((radius + height) * sine);
+                let z = height * cosine - 2.0 * radius * half * half;
+                // z turns towards `across`, which is a negative turn about the axis.
+                let axis = Unit::new_unchecked(Vector3::new(along.x, along.y, 0.0));
+                Pose::from_parts(
+                    Translation3::new(in_plane.x, in_plane.y, z),
+                    UnitQuaternion::from_axis_angle(&axis, -angle),
+                )
+            }
+        }
+    }
+
+    /// Returns the place and the height of a point in the frame of the surface: the inverse of [`Self::place`].
+    ///
+    /// A point on the axis of a cylinder has the foot φ = 0.
+    pub fn chart(&self, point: Point3) -> ChartPoint {
+        match *self {
+            Self::Plane => ChartPoint {
+                place: point.xy(),
+                height: point.z,
+            },
+            Self::Cylinder { radius, axis } => {
+                let [along, across] = directions(axis);
+                let (v, u) = (
+                    along.dot(&point.coords.xy()),
+                    across.dot(&point.coords.xy()),
+                );
+                let side = radius.signum();
+                let angle = libm::atan2(side * u, side * (point.z + radius));
+                let distance = libm::hypot(u, point.z + radius);
+                // ±(ρ − |R|), without cancellation: ρ² − R² = u² + z² + 2 z R.
+                let height =
+                    side * (u * u + point.z * (point.z + 2.0 * radius)) / (distance + radius.abs());
+                ChartPoint {
+                    place: Point2::from(along * v + across * (radius * angle)),
+                    height,
+                }
+            }
+        }
+    }
+
+    /// Returns the orientation of the frame of [`Self::place`] in the frame of the surface.
+    pub fn orientation(&self, place: Point2) -> UnitQuaternion<f64> {
+        match self {
+            Self::Plane => UnitQuaternion::identity(),
+            Self::Cylinder { .. } => self.place(place, 0.0).rotation,
+        }
+    }
+
+    /// Returns the second fundamental form in the axes of the chart \[1/m\], positive where the surface bulges towards the
+    /// tool; the same everywhere.
+    pub fn bend(&self) -> Matrix2<f64> {
+        match *self {
+            Self::Plane => Matrix2::zeros(),
+            Self::Cylinder { radius, axis } => {
+                let [_, across] = directions(axis);
+                across * across.transpose() / radius
+            }
+        }
+    }
+
+    /// Returns the angle by which the normal turns between two places of the chart \[rad\].
+    pub fn turn_between(&self, from: Point2, to: Point2) -> f64 {
+        match *self {
+            Self::Plane => 0.0,
+            Self::Cylinder { radius, axis } => {
+                let [_, across] = directions(axis);
+                (across.dot(&(to - from)) / radius).abs()
+            }
+        }
+    }
+}
+
+/// Directions along the axis of a cylinder and across it, in the chart.
+fn directions(axis: f64) -> [Vector2; 2] {
+    let along = Vector2::new(libm::cos(axis), libm::sin(axis));
+    [along, Vector2::new(-along.y, along.x)]
+}

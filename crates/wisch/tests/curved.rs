@@ -1,0 +1,328 @@
+//! The method on a surface that is rolled onto a cylinder.
+
+use proptest::prelude::*;
+use rand::RngExt;
+use rand_chacha::{ChaCha8Rng, rand_core::SeedableRng};
+use std::f64::consts::{FRAC_PI_2, PI};
+use wisch::control::{ControlConfig, press_into_surface};
+use wisch::follow::{FollowConfig, MotionFault, Phase, ToolPose, Workcell, audit, follow};
+use wisch::geometry::{PlanarPose, Point2, Point3, Polygon, Pose, Vector2, Vector3};
+use wisch::interpret::TouchSample;
+use wisch::plan::{Plan, PlanConfig, PlanError, Strategy, plan, predict};
+use wisch::represent::{Action, Surface, SurfaceShape, Task};
+use wisch::run::{Execution, Executor, ExecutorError, MotionOrder, SampleSink, ignore_events};
+use wisch_io::{LoadOptions, load_task};
+use wisch_testkit::{block, board, cell, faults, planned};
+
+const fn cylinder(radius: f64, axis: f64) -> SurfaceShape {
+    SurfaceShape::Cylinder { radius, axis }
+}
+
+/// A board without a scene under a soft pad of 10 mm.
+fn task(action: Action, shape: SurfaceShape) -> Task {
+    let mut task = board(action, [0.5, 0.0, 0.2]);
+    task.scene.clear();
+    task.interaction.compression_depth_m = 0.01;
+    task.surface.shape = shape;
+    task
+}
+
+proptest! {
+    #[test]
+    fn a_chart_places_what_it_charts(
+        (size, is_convex, axis) in (0.05..20.0_f64, any::<bool>(), -PI..PI),
+        (roll, along, share) in (-2.5..2.5_f64, -1.0..1.0_f64, -0.4..0.4_f64),
+    ) {
+        let radius = if is_convex { size } else { -size };
+        let shape = cylinder(radius, axis);
+        let across = Vector2::new(-axis.sin(), axis.cos());
+        let place = Point2::from(Vector2::new(axis.cos(), axis.sin()) * along + across * (radius * roll));
+        let height = share * size.min(1.0);
+        let pose = shape.place(place, height);
+        let found = shape.chart(pose.translation.vector.into());
+        prop_assert!((found.place - place).norm() < 1e-9 && (found.height - height).abs() < 1e-9);
+        // The outward normal is radial: from the axis, or towards it in a hollow.
+        let middle = Vector3::new(axis.cos(), axis.sin(), 0.0) * along - Vector3::z() * radius;
+        let outward = (pose.translation.vector - middle) / (radius + height);
+        prop_assert!((pose.rotation * Vector3::z() - outward).norm() < 1e-9);
+        // x and y of the frame are those of the chart: moved by a little, the foot moves along them.
+        let step = 1e-6;
+        let beside = shape.place(place + Vector2::x() * step, 0.0).translation.vector;
+        let foot = shape.place(place, 0.0);
+        prop_assert!(((beside - foot.translation.vector) / step - foot.rotation * Vector3::x()).norm() < 1e-4);
+        prop_assert!((shape.turn_between(Point2::origin(), place) - roll.abs()).abs() < 1e-9);
+    }
+}
+
+#[test]
+fn a_bend_is_one_over_the_radius_across_the_axis() {
+    let bend = cylinder(-0.5, FRAC_PI_2).bend();
+    assert!((bend - nalgebra::Matrix2::new(-2.0, 0.0, 0.0, 0.0)).norm() < 1e-12);
+    // Twice as large a radius as any sagitta could show: a plane.
+    let flat = cylinder(1e9, 0.3);
+    for place in [[0.3, -0.2], [-1.0, 0.7]].map(Point2::from) {
+        let off = flat.place(place, 0.05).translation.vector - Vector3::new(place.x, place.y, 0.05);
+        assert!(off.norm() < 1e-9 && flat.orientation(place).angle() < 1e-8);
+        let back = flat.chart(Point3::new(place.x, place.y, 0.05));
+        assert!((back.place - place).norm() < 1e-9 && (back.height - 0.05).abs() < 1e-9);
+    }
+}
+
+fn strokes_of(task: &Task, strategy: Strategy) -> Plan {
+    let config = PlanConfig {
+        strategy,
+        ..PlanConfig::default()
+    };
+    plan(task, &config).unwrap()
+}
+
+/// A cylinder unrolls without stretch, so the plan is that of the plane, to the last bit.
+#[test]
+fn a_plan_and_its_effect_are_those_of_the_unrolled_board() {
+    for action in [Action::Absorb, Action::Collect] {
+        let flat = task(action, SurfaceShape::Plane);
+        for strategy in [
+            Strategy::Adaptive,
+            wisch::plan::CoverageStrategy::Grid.into(),
+        ] {
+            let wanted = strokes_of(&flat, strategy);
+            for (radius, axis) in [(0.3, 0.4), (0.5, FRAC_PI_2), (2.0, 0.0), (-0.3, 1.0)] {
+                let rolled = task(action, cylinder(radius, axis));
+                let found = strokes_of(&rolled, strategy);
+                assert_eq!(found.strokes, wanted.strokes, "{radius}");
+                let [a, b] = [(&rolled, &found), (&flat, &wanted)]
+                    .map(|(task, plan)| predict(task, plan, |_| ()).particles);
+                assert_eq!(a, b, "{radius}");
+            }
+        }
+    }
+}
+
+/// Swept in space, the pad touches the places that the plan touches in the chart.
+#[test]
+fn a_plan_touches_in_space_what_it_touches_in_the_chart() {
+    let rolled = task(Action::Absorb, cylinder(0.5, 0.7));
+    let plan = planned(&rolled);
+    let mut random = ChaCha8Rng::seed_from_u64(5);
+    let places: Vec<Point2> = (0..2000)
+        .map(|_| {
+            Point2::new(
+                0.24 * (random.random::<f64>() - 0.5),
+                0.18 * (random.random::<f64>() - 0.5),
+            )
+        })
+        .collect();
+    let poses: Vec<PlanarPose> = (plan.strokes.iter())
+        .flat_map(|stroke| stroke.poses.windows(2))
+        .flat_map(|pair| {
+            let (from, to) = (pair[0], pair[1]);
+            let count = ((to.position - from.position).norm() / 5e-4)
+                .ceil()
+                .max(1.0) as usize;
+            (0..=count).map(move |i| {
+                let share = i as f64 / count as f64;
+                let heading = from.heading + (to.heading - from.heading) * share;
+                PlanarPose::new(
+                    from.position + (to.position - from.position) * share,
+                    heading,
+                )
+            })
+        })
+        .collect();
+    let footprint = &rolled.tool.footprint;
+    let tools: Vec<Pose> = (poses.iter())
+        .map(|pose| {
+            let pose = ToolPose {
+                surface_from_tool: *pose,
+                height: 0.0,
+                tilt: 0.0,
+            };
+            Workcell::world_from_tool(&rolled, &pose).inverse()
+        })
+        .collect();
+    let from_chart = |pose: &PlanarPose, place: Point2| {
+        let (sine, cosine) = pose.heading.sin_cos();
+        let d = place - pose.position;
+        Point2::new(cosine * d.x + sine * d.y, cosine * d.y - sine * d.x)
+    };
+    let mut otherwise = 0;
+    for place in &places {
+        let in_chart = poses
+            .iter()
+            .any(|pose| footprint.contains(from_chart(pose, *place)));
+        let point: Point3 = rolled
+            .surface
+            .world_from_place(*place, 0.0)
+            .translation
+            .vector
+            .into();
+        let in_space = tools
+            .iter()
+            .any(|tool| footprint.contains((tool * point).xy()));
+        otherwise += usize::from(in_chart != in_space);
+    }
+    assert!(
+        otherwise * 1000 <= 3 * places.len(),
+        "{otherwise} of {}",
+        places.len()
+    );
+}
+
+#[test]
+fn what_the_model_does_not_hold_for_is_refused_with_place_value_and_limit() {
+    let refused = |task: &Task| plan(task, &PlanConfig::default()).unwrap_err();
+    let mut rigid = task(Action::Absorb, cylinder(0.5, 0.0));
+    rigid.interaction.compression_depth_m = 0.0;
+    let error = refused(&rigid);
+    assert!(matches!(error, PlanError::TooBent { .. }), "{error}");
+    let thin = Task {
+        interaction: wisch::represent::Interaction {
+            compression_depth_m: 0.001,
+            ..rigid.interaction.clone()
+        },
+        ..rigid
+    };
+    let error = refused(&thin).to_string();
+    assert!(
+        error.contains("\"board\"") && error.contains("0.500 m") && error.contains("limit of 0.3"),
+        "{error}"
+    );
+    let error = refused(&task(Action::Absorb, cylinder(0.04, FRAC_PI_2)));
+    assert!(error.to_string().contains("reaches"), "{error}");
+    let error = refused(&task(Action::Absorb, cylinder(f64::NAN, 0.0)));
+    assert!(matches!(error, PlanError::Shape { .. }), "{error}");
+    let mut near = task(Action::Absorb, cylinder(1.0, 0.0));
+    near.scene
+        .push(block("cup", [0.05, 0.05, 0.1], [0.55, 0.0, 0.25]));
+    let error = refused(&near);
+    assert!(matches!(error, PlanError::ObstacleOnBend { .. }), "{error}");
+    near.scene[0] = block("cup", [0.05, 0.05, 0.1], [0.9, 0.0, 0.25]);
+    assert!(plan(&near, &PlanConfig::default()).is_ok());
+}
+
+/// The arm keeps the tool's axis along the normal, as the audit sees it with geometry of its own.
+#[test]
+fn the_tool_follows_the_bend_and_the_audit_sees_a_lean() {
+    let config = FollowConfig::default();
+    for radius in [0.3, 0.5, -0.5] {
+        let rolled = task(Action::Absorb, cylinder(radius, FRAC_PI_2));
+        let (plan, cell) = (planned(&rolled), cell(&rolled));
+        let followed = follow(&rolled, &plan, &cell, None, &config, &mut |_| ()).unwrap();
+        assert_eq!(
+            faults(&rolled, &plan, &cell, &followed),
+            [] as [String; 0],
+            "{radius}"
+        );
+        let found = audit(&followed, &cell, &rolled, &config).unwrap();
+        assert!(found.line.rotation < 1.0_f64.to_radians(), "{radius}");
+        // The same motion on a plane, and on a cylinder on whose rim the normal leans by 5° less.
+        let rim: f64 = 0.12;
+        let other = 1.0 / (1.0 / radius - 5.0_f64.to_radians() / rim);
+        for shape in [SurfaceShape::Plane, cylinder(other, FRAC_PI_2)] {
+            let flat = task(Action::Absorb, shape);
+            let faults = audit(&followed, &cell, &flat, &config).unwrap().faults;
+            let is_off_line = |fault: &MotionFault| matches!(fault, MotionFault::OffLine { .. });
+            assert!(
+                faults.iter().any(is_off_line),
+                "{radius} {shape:?}: {faults:?}"
+            );
+        }
+    }
+}
+
+#[test]
+fn the_controller_presses_along_the_normal_of_the_place() {
+    let rolled = task(Action::Absorb, cylinder(0.5, FRAC_PI_2));
+    let place = Point2::new(0.1, 0.03);
+    let tool = rolled.surface.world_from_place(place, 0.0);
+    let pressed = press_into_surface(
+        tool,
+        Some(Phase::Wipe(0)),
+        &rolled,
+        &ControlConfig::default(),
+    );
+    let by = tool.inverse() * pressed;
+    assert!(by.translation.vector.xy().norm() < 1e-12 && by.translation.z < 0.0);
+    let above = rolled.surface.world_from_place(place, 0.2);
+    let free = press_into_surface(
+        above,
+        Some(Phase::Wipe(0)),
+        &rolled,
+        &ControlConfig::default(),
+    );
+    assert_eq!(free, above);
+}
+
+/// A robot whose tool goes exactly where it is told to, and feels the press force along the normal while it wipes.
+struct Obedient;
+
+impl Executor for Obedient {
+    fn execute(
+        &mut self,
+        order: &MotionOrder<'_>,
+        sink: &mut SampleSink<'_>,
+    ) -> Result<Execution, ExecutorError> {
+        let surface = &order.task.surface;
+        Ok(order.play(0.01, sink, |at| {
+            let place = surface
+                .chart(at.world_from_tool.translation.vector.into())
+                .place;
+            let press = order.task.interaction.press_force_n * f64::from(at.phase.is_contact());
+            TouchSample::new(at.time, at.world_from_tool, surface.normal(place) * press)
+        }))
+    }
+}
+
+#[test]
+fn a_session_wipes_a_bend_as_it_wipes_a_plane() {
+    let path = concat!(
+        env!("CARGO_MANIFEST_DIR"),
+        "/../../scenarios/arm-board.toml"
+    );
+    let mut loaded = load_task(path.as_ref(), &LoadOptions::default()).expect("a task");
+    loaded.task.scene.clear();
+    let robot = loaded.robot().expect("a robot").expect("it names one");
+    let mut performed = Vec::new();
+    for shape in [SurfaceShape::Plane, cylinder(1.0, FRAC_PI_2)] {
+        loaded.task.surface.shape = shape;
+        let mut session = loaded.session().with_robot(robot.robot_setup());
+        session
+            .run(&mut Obedient, &mut ignore_events)
+            .expect("it ends");
+        let round = &session.rounds()[0];
+        let found = &round.interpretation;
+        assert_eq!(found.doubts, [], "{shape:?}");
+        assert!(
+            found.events.iter().all(|event| !event.kind.is_by_hand()),
+            "{:?}",
+            found.events
+        );
+        performed.push((found.contact_share, found.performance.mean));
+    }
+    let [flat, bent] = performed[..] else {
+        panic!()
+    };
+    assert!(
+        (flat.0 - bent.0).abs() < 0.02 && (flat.1 - bent.1).abs() < 0.02,
+        "{performed:?}"
+    );
+}
+
+#[test]
+fn a_shape_has_limits() {
+    let surface = |shape| Surface {
+        shape,
+        ..Surface::new(
+            "pipe",
+            Polygon::rectangle(Vector2::new(0.6, 0.1)),
+            Pose::identity(),
+        )
+    };
+    assert_eq!(surface(cylinder(0.13, FRAC_PI_2)).shape_fault(), None);
+    let closed = surface(cylinder(0.11, FRAC_PI_2)).shape_fault().unwrap();
+    assert!(
+        closed.to_string().contains("156° about the axis"),
+        "{closed}"
+    );
+    assert!(surface(cylinder(0.001, 0.0)).shape_fault().is_some());
+}
