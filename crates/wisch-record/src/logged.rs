@@ -77,8 +77,8 @@ fn recording_of_log(
             program: &record.program,
             task: loaded.map(|loaded| LoggedTask {
                 task: &loaded.task,
-                strategy: loaded.config.strategy,
-                target: loaded.file.target_performance(),
+                strategy: loaded.run.plan.strategy,
+                target: loaded.run.target,
             }),
             robot: (robot.as_ref().zip(scene)).and_then(|(model, scene)| {
                 Some(LoggedRobot {

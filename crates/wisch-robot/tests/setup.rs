@@ -437,6 +437,7 @@ fn an_srdf_is_read_back_as_it_was_written() {
         head: "a -- b --- c\nd -".to_owned(),
         groups: vec!["<group>".to_owned()],
         states: vec!["of & for".to_owned()],
+        counterbalanced: String::new(),
         pairs: "pairs".to_owned(),
     };
     let text = srdf.to_xml(&robot, &comments);
