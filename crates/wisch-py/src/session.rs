@@ -616,7 +616,7 @@ impl PySession {
                     .iter()
                     .rfind(|t| t.get().is_of(round.motion.number));
                 let telemetry = of_round.map(|telemetry| telemetry.clone_ref(py));
-                let round = PyRound::new(round, telemetry, &self.task.config);
+                let round = PyRound::new(round, telemetry, &self.task.run.plan);
                 kept.push(Py::new(py, round)?);
             }
             // The last verdict is given at the end of the session.
@@ -624,7 +624,7 @@ impl PySession {
                 && last.get().round.verdict != round.verdict
             {
                 let telemetry = last.get().telemetry.as_ref().map(|t| t.clone_ref(py));
-                let renewed = PyRound::new(round, telemetry, &self.task.config);
+                let renewed = PyRound::new(round, telemetry, &self.task.run.plan);
                 *last = Py::new(py, renewed)?;
             }
             Ok(kept.iter().map(|round| round.clone_ref(py)).collect())
