@@ -6,7 +6,7 @@
 //! efforts, and a wrench at the tool that an observer estimates from them. Dirt consists of rigid bodies.
 //!
 //! [`World`] executes the motions of a [`Session`](wisch::run::Session). Its ground truth is available to evaluations
-//! and reports only, through [`World::truth`].
+//! and reports only, through [`World::truth`]. A [`LiveArm`] follows setpoints that another program gives.
 //!
 //! Without the feature `physics`, which is on by default, the crate has only the [`SimulationSettings`].
 
@@ -21,6 +21,8 @@ mod disturbance;
 mod error;
 #[cfg(feature = "physics")]
 mod grains;
+#[cfg(feature = "physics")]
+mod live;
 mod mismatch;
 #[cfg(feature = "physics")]
 mod period;
@@ -41,6 +43,8 @@ pub use dirt::{Dirt, Grain, WorkSurface};
 pub use disturbance::{FrictionChange, Moment, Push};
 #[cfg(feature = "physics")]
 pub use error::SimulationError;
+#[cfg(feature = "physics")]
+pub use live::LiveArm;
 pub use mismatch::Mismatch;
 #[cfg(feature = "physics")]
 pub use period::execute;

@@ -10,7 +10,7 @@ use rand_chacha::ChaCha8Rng;
 use std::collections::VecDeque;
 use std::ops::ControlFlow;
 use wisch::control::{ControlCommand, ControlConfig, MotionController};
-use wisch::follow::{Followed, FollowerLimit, Workcell};
+use wisch::follow::{Followed, FollowerLimit, Phase, TrajectorySample, Workcell};
 use wisch::geometry::{Point3, Pose, Vector3};
 use wisch::random::normal;
 use wisch::represent::Task;
@@ -60,7 +60,7 @@ pub fn execute(
 }
 
 /// State of one execution, allocated once.
-struct Simulation<'a> {
+pub(crate) struct Simulation<'a> {
     task: &'a Task,
     cell: &'a Workcell,
     followed: &'a Followed,
@@ -100,6 +100,8 @@ struct Simulation<'a> {
     encoder_random: ChaCha8Rng,
     /// Index of the current motion.
     motion: usize,
+    /// Setpoint of the present period, in place of the motion: state of all variables, and the share of the press.
+    setpoint: Option<(TrajectorySample, f64)>,
     sliding_since: Option<f64>,
     time: f64,
     sliding_time: f64,
@@ -108,7 +110,7 @@ struct Simulation<'a> {
 }
 
 impl<'a> Simulation<'a> {
-    fn new(
+    pub(crate) fn new(
         order: &MotionOrder<'a>,
         settings: &'a SimulationSettings,
         dirt: &Dirt,
@@ -178,6 +180,7 @@ impl<'a> Simulation<'a> {
             random,
             encoder_random,
             motion: 0,
+            setpoint: None,
             sliding_since: None,
             time: 0.0,
             sliding_time: 0.0,
@@ -198,9 +201,21 @@ impl<'a> Simulation<'a> {
         })
     }
 
+    /// Removes all pushes and changes of friction.
+    pub(crate) fn clear_disturbances(&mut self) {
+        self.pushes.clear();
+        self.friction_changes.clear();
+    }
+
+    /// Lets the next periods go toward a setpoint instead of the motion. `press_share`: how far the tool is pressed into
+    /// the surface, 0 to 1.
+    pub(crate) fn head_for(&mut self, setpoint: &TrajectorySample, press_share: f64) {
+        self.setpoint = Some((setpoint.clone(), press_share));
+    }
+
     /// Runs one control period: measures, commands, records, and steps the plant. Returns the ending if the execution
     /// ends.
-    fn run_period(
+    pub(crate) fn run_period(
         &mut self,
         time: f64,
         sample: &mut SampleSink<'_>,
@@ -306,10 +321,14 @@ impl<'a> Simulation<'a> {
             self.robot_q[i] = self.q[k];
             self.robot_qd[i] = self.qd[k];
         }
-        let measured = (&self.robot_q, &self.robot_qd);
-        (self.controller)
-            .command(self.task, self.followed, time, measured.0, measured.1)
-            .ok_or(SimulationError::NoInertia { time })
+        let (q, qd) = (&self.robot_q, &self.robot_qd);
+        let command = match &self.setpoint {
+            Some((setpoint, share)) => {
+                (self.controller).command_toward(self.task, setpoint, *share, q, qd)
+            }
+            None => (self.controller).command(self.task, self.followed, time, q, qd),
+        };
+        command.ok_or(SimulationError::NoInertia { time })
     }
 
     /// Returns why the robot must stop itself, if it must.
@@ -382,7 +401,7 @@ impl<'a> Simulation<'a> {
         command: &ControlCommand,
         sample: &mut SampleSink<'_>,
     ) -> ControlFlow<()> {
-        let Some(motion) = self.followed.motions.get(self.motion) else {
+        let Some(phase) = self.phase() else {
             return ControlFlow::Break(());
         };
         let external = self.measure_force(time, command.external);
@@ -403,7 +422,7 @@ impl<'a> Simulation<'a> {
             controller: command.controller,
             external,
             motion: self.motion,
-            phase: motion.phase,
+            phase,
         })
     }
 
@@ -450,9 +469,17 @@ impl<'a> Simulation<'a> {
         is_pushed
     }
 
+    /// The phase of the present motion. Toward setpoints, an arm that presses wipes.
+    fn phase(&self) -> Option<Phase> {
+        match &self.setpoint {
+            Some((_, share)) if *share > 0.0 => Some(Phase::Wipe(0)),
+            Some(_) => Some(Phase::FreeMotion),
+            None => (self.followed.motions.get(self.motion)).map(|motion| motion.phase),
+        }
+    }
+
     fn is_wiping(&self) -> bool {
-        let motion = self.followed.motions.get(self.motion);
-        motion.is_some_and(|motion| motion.phase.is_contact())
+        self.phase().is_some_and(Phase::is_contact)
     }
 
     /// Updates the ground truth of this period.

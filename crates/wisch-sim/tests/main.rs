@@ -3,6 +3,7 @@
 mod dirt;
 mod execute;
 mod guard;
+mod live;
 mod scenarios;
 mod sight;
 mod treated;

@@ -23,28 +23,45 @@ pub fn press_into_surface(
     task: &Task,
     config: &ControlConfig,
 ) -> Pose {
-    let tool: Point3 = world_from_tool.translation.vector.into();
-    let surface = &task.surface;
-    let (height, normal) = if surface.shape.is_plane() {
-        let world_from_surface = &surface.world_from_surface;
-        (
-            (world_from_surface.inverse() * tool).z,
-            world_from_surface * Vector3::z(),
-        )
-    } else {
-        let at = surface.chart(tool);
-        (at.height, surface.normal(at.place))
-    };
-    let interaction = &task.interaction;
-    // The spring presses with the margin times the contact force at depth = margin · F / k.
-    let depth = config.press_margin * interaction.contact_force() / interaction.stiffness_n_per_m;
+    let (height, _) = height_and_normal(&world_from_tool, task);
     let presses = matches!(phase, Some(Phase::Lower | Phase::Wipe(_) | Phase::Lift));
     let share = if presses {
         (1.0 - height / config.approach_height).clamp(0.0, 1.0)
     } else {
         0.0
     };
+    press_by_share(world_from_tool, share, task, config)
+}
+
+/// Returns the height of the tool over the believed surface, and the normal of the surface there.
+fn height_and_normal(world_from_tool: &Pose, task: &Task) -> (f64, Vector3) {
+    let tool: Point3 = world_from_tool.translation.vector.into();
+    let surface = &task.surface;
+    if surface.shape.is_plane() {
+        let world_from_surface = &surface.world_from_surface;
+        let height = (world_from_surface.inverse() * tool).z;
+        return (height, world_from_surface * Vector3::z());
+    }
+    let at = surface.chart(tool);
+    (at.height, surface.normal(at.place))
+}
+
+/// Returns a pose of the tool, shifted into the surface by a share of the depth at which the spring presses fully.
+fn press_by_share(world_from_tool: Pose, share: f64, task: &Task, config: &ControlConfig) -> Pose {
+    let (_, normal) = height_and_normal(&world_from_tool, task);
+    let interaction = &task.interaction;
+    // The spring presses with the margin times the contact force at depth = margin · F / k.
+    let depth = config.press_margin * interaction.contact_force() / interaction.stiffness_n_per_m;
     Translation3::from(-normal * (depth * share)) * world_from_tool
+}
+
+/// What decides how far the commanded tool is pressed into the surface.
+#[derive(Debug, Clone, Copy)]
+enum Press {
+    /// The phase of a motion and the height of the tool.
+    Phase(Option<Phase>),
+    /// A share of the full depth, 0 to 1.
+    Share(f64),
 }
 
 /// Returns the load of a tool of this mass \[kg\] on the link that holds it: a cuboid of this extent \[m\] at the
@@ -242,13 +259,51 @@ impl MotionController {
         positions: &[f64],
         velocities: &[f64],
     ) -> Option<ControlCommand> {
+        let motion = followed.motion_at(time);
+        if let Some(motion) = motion {
+            let since = time - motion.start;
+            motion
+                .trajectory
+                .sample_into(since, &mut self.planned_sample);
+        }
+        let press = Press::Phase(motion.map(|motion| motion.phase));
+        self.control(task, press, positions, velocities)
+    }
+
+    /// As [`Self::command`], toward a setpoint that the caller gives instead of a motion.
+    ///
+    /// - `setpoint`: all n variables of the robot.
+    /// - `press_share`: how far the tool is pressed into the surface, from 0 (not at all) to 1 (fully).
+    ///
+    /// # Panics
+    /// If an array is shorter than the robot has variables.
+    pub fn command_toward(
+        &mut self,
+        task: &Task,
+        setpoint: &TrajectorySample,
+        press_share: f64,
+        positions: &[f64],
+        velocities: &[f64],
+    ) -> Option<ControlCommand> {
+        self.planned_sample.clone_from(setpoint);
+        self.control(task, Press::Share(press_share), positions, velocities)
+    }
+
+    /// Runs one control period toward the planned sample.
+    fn control(
+        &mut self,
+        task: &Task,
+        press: Press,
+        positions: &[f64],
+        velocities: &[f64],
+    ) -> Option<ControlCommand> {
         for (k, &i) in self.articulation.variables().iter().enumerate() {
             self.q[k] = positions[i];
             self.qd[k] = velocities[i];
         }
         self.articulation
             .evaluate(&mut self.state, &self.q, &self.qd, GRAVITY);
-        let desired = self.desired(task, followed, time);
+        let desired = self.desired(task, press);
         let world_from_tool = self.state.pose(self.carrier) * self.joint_from_tool;
         let tool = world_from_tool.translation.vector.into();
         self.articulation
@@ -280,15 +335,8 @@ impl MotionController {
         })
     }
 
-    /// Returns the desired pose and twist of the tool at a time [s], the press into the surface included.
-    fn desired(&mut self, task: &Task, followed: &Followed, time: f64) -> DesiredToolState {
-        let motion = followed.motion_at(time);
-        if let Some(motion) = motion {
-            let since = time - motion.start;
-            motion
-                .trajectory
-                .sample_into(since, &mut self.planned_sample);
-        }
+    /// Returns the desired pose and twist of the tool for the planned sample, the press into the surface included.
+    fn desired(&mut self, task: &Task, press: Press) -> DesiredToolState {
         let planned = &self.planned_sample;
         for (k, &i) in self.articulation.variables().iter().enumerate() {
             self.planned_q[0][k] = planned.q[i];
@@ -305,9 +353,12 @@ impl MotionController {
         for (column, rate) in self.jacobian.column_iter().zip(&self.planned_q[1]) {
             velocity += column * *rate;
         }
-        let phase = motion.map(|motion| motion.phase);
+        let world_from_tool = match press {
+            Press::Phase(phase) => press_into_surface(world_from_tool, phase, task, &self.config),
+            Press::Share(share) => press_by_share(world_from_tool, share, task, &self.config),
+        };
         DesiredToolState {
-            world_from_tool: press_into_surface(world_from_tool, phase, task, &self.config),
+            world_from_tool,
             velocity,
         }
     }
