@@ -25,6 +25,10 @@ doc *options:
 python *options:
     crates/wisch-py/check {{options}}
 
+# Format, lints and all tests of wisch-ros2, among them a fake robot in real time.
+ros2 *options:
+    crates/wisch-ros2/check {{options}}
+
 # Format, lints and all tests of wisch-fleet, among them a real S3 server and pushes that are killed.
 fleet *options:
     crates/wisch-fleet/check {{options}}

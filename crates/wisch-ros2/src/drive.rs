@@ -1,0 +1,171 @@
+//! The executor: takes motions from wisch and lets the robot execute them.
+
+mod checks;
+mod run;
+
+use crate::commissioning::Commissioning;
+use crate::connection::Connection;
+use crate::guard::Guard;
+use crate::motion::WipingMotion;
+use crate::protocol::{Incoming, MotionEnding, MotionHead, Outgoing, Request, VERSION};
+use crate::robot_file::RobotFile;
+use run::MotionRun;
+use serde_json::{Value, json};
+use std::path::Path;
+use std::time::Duration;
+
+/// Longest time without a message during a motion [s]. The robot's own silence ends a motion earlier.
+const MAX_SILENCE_S: f64 = 2.0;
+/// Longest wait for a point of a motion.
+const POINT_TIMEOUT: Duration = Duration::from_secs(10);
+
+/// How to drive.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct DriveOptions {
+    /// Share of the planned speed, above 0 and at most 1.
+    pub speed: f64,
+    /// Whether the robot moves above the surface, without force.
+    pub is_in_air: bool,
+}
+
+/// A commissioned robot.
+pub(crate) struct Driver {
+    connection: Connection,
+    /// 1 if the sensor reports the force of the surroundings on the tool, -1 if the opposite.
+    sign: f64,
+    options: DriveOptions,
+    guard: Guard,
+}
+
+/// Serves wisch over the standard streams until the end of input.
+pub(crate) fn serve(robot_file: &Path, options: DriveOptions) {
+    let incoming = Incoming::start();
+    let outgoing = Outgoing::start();
+    match incoming.next() {
+        Request::Hello(_) => {}
+        Request::End => return,
+        other => {
+            let text = format!("expected hello, found {other:?}");
+            outgoing.say_surely(&json!({"error": text}));
+            return;
+        }
+    }
+    let file = RobotFile::read(robot_file).map_err(|error| error.to_string());
+    let mut driver = match file.and_then(|file| Driver::open(file, options)) {
+        Ok(driver) => driver,
+        Err(text) => {
+            outgoing.say_surely(&json!({"error": text}));
+            return;
+        }
+    };
+    outgoing.say_surely(&json!({"ready": {
+        "version": VERSION,
+        "reports_state": true,
+        "max_silence_s": MAX_SILENCE_S,
+        "knot_error_rad": driver.connection.file.motion.knot_error_rad,
+    }}));
+    loop {
+        let answer = match incoming.next() {
+            Request::Execute(head) => match driver.execute(*head, &incoming, &outgoing) {
+                Ok(Some(done)) => json!({"done": done}),
+                Ok(None) => return,
+                Err(text) => json!({"error": text}),
+            },
+            Request::State => match driver.state() {
+                Ok(state) => json!({"state": state}),
+                Err(text) => json!({"error": text}),
+            },
+            Request::Observe(_) => json!({"observation": null}),
+            // A stop may arrive after the motion has ended.
+            Request::Stop => continue,
+            Request::End => return,
+            Request::Hello(_) | Request::Point(_) => json!({"error": "unexpected message"}),
+            Request::Invalid(why) => json!({"error": format!("a line is no message: {why}")}),
+        };
+        outgoing.say_surely(&answer);
+        if answer.get("error").is_some() {
+            return;
+        }
+    }
+}
+
+impl Driver {
+    /// Connects to a commissioned robot, and activates its controllers.
+    ///
+    /// # Errors
+    /// If anything forbids a motion; the text names it with value and limit.
+    fn open(file: RobotFile, options: DriveOptions) -> Result<Self, String> {
+        let robot_file = file.path.clone();
+        let needs_force = file.force.topic.is_some();
+        let connection = Connection::open(file, "wisch")?;
+        let sign = if needs_force {
+            Commissioning::read(&connection.file, &connection.frames)?.sign
+        } else {
+            1.0
+        };
+        let faults = connection.faults(&connection.survey());
+        if let Some(fault) = faults.first() {
+            return Err(fault.clone());
+        }
+        let guard = Guard::start(&robot_file)?;
+        let driver = Self {
+            connection,
+            sign,
+            options,
+            guard,
+        };
+        driver.activate()?;
+        Ok(driver)
+    }
+
+    /// The measured positions and velocities.
+    ///
+    /// # Errors
+    /// If the robot may not move, or its state is stale.
+    fn state(&self) -> Result<Value, String> {
+        let readings = self.connection.readings.lock();
+        if let Some((_, reason)) = self.connection.stop_reason(&readings) {
+            return Err(reason);
+        }
+        let joints = readings.joints.as_ref();
+        let joints = joints.ok_or("the robot has sent no state")?;
+        Ok(json!({"positions": joints.positions, "velocities": joints.velocities}))
+    }
+
+    /// Executes a motion. Returns the content of `done`, or `None` if wisch has ended.
+    ///
+    /// # Errors
+    /// If the motion or the robot's state is refused. Nothing has moved then.
+    fn execute(
+        &mut self,
+        head: MotionHead,
+        incoming: &Incoming,
+        outgoing: &Outgoing,
+    ) -> Result<Option<Value>, String> {
+        let mut points = Vec::with_capacity(head.points.min(1 << 16));
+        while points.len() < head.points {
+            match incoming.next_within(POINT_TIMEOUT) {
+                Some(Request::Point(point)) => points.push(point),
+                Some(Request::End) => return Ok(None),
+                other => {
+                    let at = points.len();
+                    return Err(format!(
+                        "expected {} points, found {other:?} after {at}",
+                        head.points
+                    ));
+                }
+            }
+        }
+        let motion = WipingMotion::new(head, points)?;
+        let parts = motion.parts()?;
+        self.refuse_motion(&motion, &parts)?;
+        self.refuse_state(&motion)?;
+        if !self.guard.is_alive() {
+            return Err("the guard has ended, so nothing would stop the robot".to_owned());
+        }
+        let mut run = MotionRun::begin(self, &motion, incoming, outgoing)?;
+        let ending = run.follow(&parts);
+        let done = run.finish(&ending);
+        Ok((ending != MotionEnding::Deserted).then_some(done))
+    }
+}

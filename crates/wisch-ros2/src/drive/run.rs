@@ -1,0 +1,602 @@
+//! The execution of one motion: its goals, its samples, and the supervision of the robot.
+
+mod press;
+
+use super::Driver;
+use super::checks::REST;
+use crate::connection::Connection;
+use crate::messages::EmptyRequest;
+use crate::motion::{Part, WipingMotion};
+use crate::protocol::{Incoming, Kind, MotionEnding, Outgoing, Request};
+use crate::readings::{JointReading, ProgressReading, WrenchReading};
+use nalgebra::Vector3;
+use ros2_client::action_msgs::{GoalId, GoalStatusEnum};
+use serde_json::{Value, json};
+use std::time::{Duration, Instant};
+
+/// Longest wait for a joint state before readings are checked again.
+const TURN: Duration = Duration::from_millis(5);
+/// Shortest time between two samples to wisch [s].
+const SAMPLE_PERIOD_S: f64 = 0.004;
+/// Longest wait for an answer of an action or service.
+const ANSWER: Duration = Duration::from_secs(2);
+/// How long the robot must rest before it is tared, and the longest wait for rest.
+const SETTLE: Duration = Duration::from_millis(300);
+const SETTLE_TIMEOUT: Duration = Duration::from_secs(3);
+/// Least force along the normal that counts as contact while the tool is lowered [N].
+const TOUCH_N: f64 = 3.0;
+/// Time without progress on the trajectory that ends a motion [s].
+const STALL_S: f64 = 5.0;
+/// Largest difference between the robot's clock and this computer's since the start of a motion [s].
+const CLOCK_DRIFT_S: f64 = 0.5;
+/// Allowance when a controller's time is matched to the present goal: share, and time [s].
+const PROGRESS_ALLOWANCE: [f64; 2] = [1.3, 0.3];
+/// Time before the end of a part that still counts as of its last phase [s].
+const PHASE_EDGE_S: f64 = 1e-4;
+/// Longest time between the stamps of a state and of a controller's time, from which the time of the state is computed [s].
+const MOST_APART_S: f64 = 0.1;
+/// Longest wait for the robot to confirm a stop.
+const HOLD: Duration = Duration::from_secs(1);
+
+/// A goal that the robot executes.
+struct ActiveGoal {
+    id: GoalId,
+    sent: Instant,
+    /// Start of its part, and end, as planned [s].
+    span: [f64; 2],
+    /// Distance of the robot from the trajectory at the beginning [rad or m].
+    offset: Vec<f64>,
+    is_wipe: bool,
+}
+
+/// The execution of one motion.
+pub(super) struct MotionRun<'a> {
+    driver: &'a Driver,
+    robot: &'a Connection,
+    motion: &'a WipingMotion,
+    incoming: &'a Incoming,
+    outgoing: &'a Outgoing,
+    /// Stamp and arrival of the joint state at the beginning.
+    began: (f64, Instant),
+    /// The latest joint state, and time of the latest sample [s].
+    latest: JointReading,
+    sample_time: f64,
+    /// Force of the surroundings on the tool in the axes of the world, less the tare [N].
+    force: Vector3<f64>,
+    bias: Vector3<f64>,
+    is_tared: bool,
+    is_pressing: bool,
+    goal: Option<ActiveGoal>,
+    /// Time on the trajectory, as planned [s].
+    trajectory_time: f64,
+    /// Whether the controller reports that time for the latest state.
+    is_time_reported: bool,
+    /// Share of the commanded speed at which the controller runs.
+    scaling: f64,
+    /// The time at which the motion last progressed on the trajectory [s], and when.
+    progressed: (f64, Instant),
+    turned: Instant,
+}
+
+/// A result, or the ending of the motion.
+type Turned<T> = Result<T, MotionEnding>;
+
+fn stop<T>(kind: Kind, reason: impl Into<String>) -> Turned<T> {
+    Err(MotionEnding::Stop(kind, reason.into()))
+}
+
+impl<'a> MotionRun<'a> {
+    /// Begins a motion; nothing moves yet.
+    ///
+    /// # Errors
+    /// If the robot has sent no state.
+    pub fn begin(
+        driver: &'a Driver,
+        motion: &'a WipingMotion,
+        incoming: &'a Incoming,
+        outgoing: &'a Outgoing,
+    ) -> Result<Self, String> {
+        let robot = &driver.connection;
+        let latest = robot.readings.lock().joints.clone();
+        let latest = latest.ok_or("the robot has sent no state")?;
+        let now = Instant::now();
+        Ok(Self {
+            driver,
+            robot,
+            motion,
+            incoming,
+            outgoing,
+            began: (latest.stamp, latest.arrival),
+            latest,
+            sample_time: -1.0,
+            force: Vector3::zeros(),
+            bias: Vector3::zeros(),
+            is_tared: false,
+            is_pressing: false,
+            goal: None,
+            trajectory_time: 0.0,
+            is_time_reported: false,
+            scaling: 1.0,
+            progressed: (0.0, now),
+            turned: now,
+        })
+    }
+
+    /// Executes all parts. After any other ending than complete, the robot has been commanded to hold.
+    pub fn follow(&mut self, parts: &[Part]) -> MotionEnding {
+        for part in parts {
+            if let Err(mut ending) = self.follow_part(part) {
+                let confirmed = self.hold();
+                if let (MotionEnding::Stop(_, reason), false) = (&mut ending, confirmed) {
+                    reason.push_str("; the robot has not confirmed that it rests");
+                }
+                return ending;
+            }
+        }
+        match self.settle() {
+            Ok(()) => MotionEnding::Complete,
+            Err(ending) => {
+                self.hold();
+                ending
+            }
+        }
+    }
+
+    /// The content of `done`.
+    pub fn finish(self, ending: &MotionEnding) -> Value {
+        let time = self.sample_time.max(0.0);
+        json!({
+            "duration_s": time,
+            "ending": ending.to_json(time),
+            "positions": self.latest.positions,
+        })
+    }
+
+    /// Executes one part: tares, presses, sends the goal, and waits for its end.
+    fn follow_part(&mut self, part: &Part) -> Turned<()> {
+        let is_in_air = self.driver.options.is_in_air;
+        if part.is_tared && !is_in_air && self.robot.file.force.topic.is_some() {
+            self.tare()?;
+        }
+        if part.is_wipe && !is_in_air && self.motion.head.gap_m.is_none() {
+            self.start_pressing()?;
+        }
+        let id = self.send_goal(part)?;
+        let sent = self.robot.action.request_result(id);
+        let request = match sent {
+            Ok(request) => request,
+            Err(error) => return stop(Kind::LinkLost, format!("the action: {error}")),
+        };
+        loop {
+            self.turn()?;
+            let action = &self.robot.action;
+            match action.receive_result(request) {
+                Ok(Some((GoalStatusEnum::Succeeded, _))) => break,
+                Ok(Some((status, result))) => {
+                    self.goal = None;
+                    return stop(
+                        ended_kind(status, result.error_code),
+                        format!(
+                            "the controller ended the goal as {status:?}, error code {}: {}",
+                            result.error_code, result.error_string
+                        ),
+                    );
+                }
+                Ok(None) => {}
+                Err(error) => return stop(Kind::LinkLost, format!("the action: {error}")),
+            }
+            self.check_progress()?;
+            if self.has_touched(part) {
+                let _ = self.robot.action.cancel_goal(id);
+                self.wait("the end of a canceled goal", ANSWER, |run| {
+                    let result = run.robot.action.receive_result(request);
+                    matches!(result, Ok(Some(_))).then_some(())
+                })?;
+                self.goal = None;
+                self.settle_briefly()?;
+                break;
+            }
+        }
+        self.goal = None;
+        self.trajectory_time = self.end_of(part);
+        self.stop_pressing()
+    }
+
+    /// Sends the goal of a part and waits until the controller has accepted it.
+    fn send_goal(&mut self, part: &Part) -> Turned<GoalId> {
+        let file = &self.robot.file;
+        let first = &self.motion.knots[part.knots[0]];
+        let positions = self.latest.positions.clone();
+        let goal = self.motion.goal(
+            part,
+            &positions,
+            &self.robot.names,
+            self.driver.options.speed,
+            file.motion.path_tolerance_rad,
+        );
+        let (request, id) = match self.robot.action.send_goal(goal) {
+            Ok(sent) => sent,
+            Err(error) => return stop(Kind::LinkLost, format!("the goal is not sent: {error}")),
+        };
+        let offset = positions.iter().zip(&first.positions);
+        let now = Instant::now();
+        self.goal = Some(ActiveGoal {
+            id,
+            sent: now,
+            span: [first.time, self.end_of(part)],
+            offset: offset
+                .map(|(measured, planned)| measured - planned)
+                .collect(),
+            is_wipe: part.is_wipe,
+        });
+        self.trajectory_time = first.time;
+        self.is_time_reported = false;
+        self.progressed = (first.time, now);
+        let answer = self.wait("the answer to a goal", ANSWER, |run| {
+            let answer = run.robot.action.receive_goal_response(request);
+            answer.ok().flatten()
+        })?;
+        if answer.accepted {
+            return Ok(id);
+        }
+        self.goal = None;
+        stop(
+            Kind::ProtectiveStop,
+            "the controller rejects the goal; its log says why",
+        )
+    }
+
+    /// Time at the end of a part, as planned [s]. What follows a stroke counts as lifting, and what precedes one, such as
+    /// pressing, as lowering.
+    fn end_of(&self, part: &Part) -> f64 {
+        let end = self.motion.knots[part.knots[1]].time;
+        if part.is_wipe || end >= self.motion.duration() {
+            end
+        } else {
+            end - PHASE_EDGE_S
+        }
+    }
+
+    /// Waits for one joint state or a few milliseconds: passes the sample on, and checks everything.
+    fn turn(&mut self) -> Turned<()> {
+        if let Some(request) = self.incoming.poll() {
+            match request {
+                Request::Stop => return Err(MotionEnding::Stopped),
+                Request::End => return Err(MotionEnding::Deserted),
+                _ => return stop(Kind::LinkLost, "wisch sent an unexpected message"),
+            }
+        }
+        let (joints, wrench, reason, progress, scaling, publishers) = {
+            let readings = self.robot.readings.wait(TURN);
+            (
+                readings.joints.clone(),
+                readings.wrench.clone(),
+                self.robot.stop_reason(&readings),
+                readings.progress,
+                readings.scaling.map_or(1.0, |(_, scaling)| scaling),
+                readings.publisher_count(),
+            )
+        };
+        if let Some((kind, reason)) = reason {
+            return stop(kind, reason);
+        }
+        if publishers > 1 {
+            let topic = &self.robot.file.motion.joint_states;
+            return stop(
+                Kind::LinkLost,
+                format!("{publishers} publishers send joint states on {topic}"),
+            );
+        }
+        let Some(joints) = joints else {
+            return Ok(());
+        };
+        self.scaling = scaling;
+        self.force = match &wrench {
+            Some(wrench) => self.force_in_world(&joints, wrench)?,
+            None => Vector3::zeros(),
+        };
+        if joints.number != self.latest.number {
+            self.latest = joints;
+            self.advance(progress);
+            self.report()?;
+            self.check_lag()?;
+            self.check_depth()?;
+        }
+        let force = self.force.norm();
+        let limit = self.robot.file.limits.force_n;
+        if self.is_tared && force > limit {
+            return stop(
+                Kind::Overload,
+                format!(
+                    "the force on the tool is {force:.1} N, more than limits.force_n = {limit} N"
+                ),
+            );
+        }
+        Ok(())
+    }
+
+    /// Turns until `poll` returns a value.
+    fn wait<T>(
+        &mut self,
+        what: &str,
+        limit: Duration,
+        mut poll: impl FnMut(&mut Self) -> Option<T>,
+    ) -> Turned<T> {
+        let deadline = Instant::now() + limit;
+        loop {
+            self.turn()?;
+            if let Some(value) = poll(self) {
+                return Ok(value);
+            }
+            if Instant::now() >= deadline {
+                let seconds = limit.as_secs_f64();
+                return stop(
+                    Kind::LinkLost,
+                    format!("{what} has not arrived within {seconds} s"),
+                );
+            }
+        }
+    }
+
+    /// Updates the time on the trajectory from the controller's, or else from the speed scaling.
+    fn advance(&mut self, progress: Option<ProgressReading>) {
+        let now = Instant::now();
+        let elapsed = now.duration_since(self.turned).as_secs_f64();
+        self.turned = now;
+        let Some(goal) = &self.goal else {
+            return;
+        };
+        let [start, end] = goal.span;
+        let speed = self.driver.options.speed;
+        // A time of the previous goal is later than the present one can be.
+        let since = now.duration_since(goal.sent).as_secs_f64();
+        let most = PROGRESS_ALLOWANCE[0] * since + PROGRESS_ALLOWANCE[1];
+        let reported = progress
+            .filter(|progress| progress.arrival > goal.sent && progress.time <= most)
+            .map(|progress| (progress, self.latest.stamp - progress.stamp))
+            .filter(|(_, apart)| apart.abs() <= MOST_APART_S);
+        match reported {
+            Some((progress, apart)) => {
+                // The time of the latest state, by the stamps of both.
+                let time = start + (progress.time + apart * self.scaling) * speed;
+                self.trajectory_time = time.clamp(start, end).max(self.trajectory_time);
+                self.is_time_reported = true;
+            }
+            None if self.robot.file.motion.progress.is_none() => {
+                let time = self.trajectory_time + elapsed * self.scaling * speed;
+                self.trajectory_time = time.min(end);
+            }
+            None => self.is_time_reported = false,
+        }
+        if self.trajectory_time > self.progressed.0 + 1e-3 {
+            self.progressed = (self.trajectory_time, now);
+        }
+    }
+
+    /// Ends a motion that makes no progress.
+    fn check_progress(&self) -> Turned<()> {
+        let (time, last) = self.progressed;
+        let stalled = last.elapsed().as_secs_f64();
+        if stalled > STALL_S {
+            return stop(
+                Kind::Tolerance,
+                format!(
+                    "the motion has made no progress for {stalled:.1} s, at {time:.1} s of {:.1} s",
+                    self.motion.duration()
+                ),
+            );
+        }
+        Ok(())
+    }
+
+    /// The force of the surroundings on the tool in the axes of the world, less the tare [N].
+    fn force_in_world(
+        &self,
+        joints: &JointReading,
+        wrench: &WrenchReading,
+    ) -> Turned<Vector3<f64>> {
+        let frames = &self.robot.frames;
+        let name = self.robot.file.force.link.as_ref().unwrap_or(&wrench.frame);
+        let link = frames.link(name);
+        let root_from_link = link.and_then(|link| frames.root_from_link(&joints.positions, link));
+        let Some(root_from_link) = root_from_link else {
+            return stop(
+                Kind::LinkLost,
+                format!("the wrench has frame {name:?}, which is no link of the URDF"),
+            );
+        };
+        let world_from_link = self.motion.world_from_root.rotation * root_from_link.rotation;
+        let measured = world_from_link * Vector3::from(wrench.force);
+        Ok(measured * self.driver.sign - self.bias)
+    }
+
+    /// Passes the latest state to wisch as a sample.
+    fn report(&mut self) -> Turned<()> {
+        let (stamp, arrival) = self.began;
+        let time = self.latest.stamp - stamp;
+        let elapsed = self
+            .latest
+            .arrival
+            .saturating_duration_since(arrival)
+            .as_secs_f64();
+        if (time - elapsed).abs() > CLOCK_DRIFT_S {
+            return stop(
+                Kind::LinkLost,
+                format!(
+                    "the robot's clock says {time:.2} s since the start, this computer's {elapsed:.2} s; the limit is {CLOCK_DRIFT_S} s"
+                ),
+            );
+        }
+        if time - self.sample_time < SAMPLE_PERIOD_S || time < 0.0 {
+            return Ok(());
+        }
+        self.sample_time = time;
+        let latest = &self.latest;
+        let mut sample = json!({
+            "time_s": time,
+            "positions": latest.positions,
+            "velocities": latest.velocities,
+            "efforts": latest.efforts,
+            "force_n": [self.force.x, self.force.y, self.force.z],
+        });
+        // Without the controller's time, wisch estimates the time on the trajectory from the positions.
+        let is_known = self.goal.is_none() || self.is_time_reported;
+        if self.robot.file.motion.progress.is_some() && is_known {
+            sample["trajectory_time_s"] = json!(self.trajectory_time);
+        }
+        if self.outgoing.say(&json!({"sample": sample})) {
+            return Ok(());
+        }
+        stop(Kind::LinkLost, "wisch does not read the samples")
+    }
+
+    /// Checks how far the tool is from its setpoint; while it wipes, along the surface only.
+    fn check_lag(&self) -> Turned<()> {
+        let Some(goal) = self.goal.as_ref().filter(|_| self.is_time_reported) else {
+            return Ok(());
+        };
+        let (time, speed) = (self.trajectory_time, self.driver.options.speed);
+        let since = (time - goal.span[0]) / speed;
+        let planned = (self.motion).faded_positions(time, since, goal.span, &goal.offset, speed);
+        let setpoint = self.driver.tool_at(self.motion, &planned);
+        let measured = self.driver.tool_at(self.motion, &self.latest.positions);
+        let (Some(setpoint), Some(measured)) = (setpoint, measured) else {
+            return Ok(());
+        };
+        let mut lag = measured - setpoint;
+        if goal.is_wipe {
+            let normal = self.motion.normal();
+            lag -= normal * lag.dot(&normal);
+        }
+        let (distance, limit) = (lag.norm(), self.robot.file.limits.lag_m);
+        if distance > limit {
+            return stop(
+                Kind::Tolerance,
+                format!(
+                    "the tool is {distance:.3} m from its setpoint, more than limits.lag_m = {limit} m"
+                ),
+            );
+        }
+        Ok(())
+    }
+
+    /// Checks how far the tool is from the believed surface, along its normal, while the robot may press. Without a surface,
+    /// force mode would move on without end.
+    fn check_depth(&self) -> Turned<()> {
+        if !self.is_pressing {
+            return Ok(());
+        }
+        let tool = self.driver.tool_at(self.motion, &self.latest.positions);
+        let origin = self.motion.world_from_surface.translation.vector;
+        let height = tool.map_or(0.0, |tool| (tool - origin).dot(&self.motion.normal()));
+        let limit = self.robot.file.limits.depth_m;
+        if height.abs() > limit {
+            return stop(
+                Kind::Tolerance,
+                format!(
+                    "the pressing tool is {height:.3} m above the believed surface, more than limits.depth_m = {limit} m from it"
+                ),
+            );
+        }
+        Ok(())
+    }
+
+    /// Whether the tool that is lowered has touched the surface.
+    fn has_touched(&self, part: &Part) -> bool {
+        let Some(lowers_from) = part.lowers_from.filter(|_| self.is_tared) else {
+            return false;
+        };
+        let head = &self.motion.head;
+        let limit = (head.press_force_n / 2.0).max(TOUCH_N);
+        head.gap_m.is_none()
+            && !self.driver.options.is_in_air
+            && self.trajectory_time >= lowers_from
+            && self.force.dot(&self.motion.normal()) > limit
+    }
+
+    /// Waits until all joints have rested for a while.
+    fn settle(&mut self) -> Turned<()> {
+        self.settle_for(SETTLE)
+    }
+
+    fn settle_briefly(&mut self) -> Turned<()> {
+        self.settle_for(SETTLE / 3)
+    }
+
+    fn settle_for(&mut self, rest: Duration) -> Turned<()> {
+        let begin = Instant::now();
+        let mut since = begin;
+        loop {
+            self.turn()?;
+            let speed = self
+                .latest
+                .velocities
+                .iter()
+                .fold(0.0_f64, |most, v| most.max(v.abs()));
+            if speed > REST {
+                since = Instant::now();
+            }
+            if since.elapsed() >= rest {
+                return Ok(());
+            }
+            if begin.elapsed() > SETTLE_TIMEOUT {
+                let seconds = SETTLE_TIMEOUT.as_secs();
+                return stop(
+                    Kind::Tolerance,
+                    format!(
+                        "a joint still moves at {speed:.3} rad/s {seconds} s after the end of a goal; the limit is {REST} rad/s"
+                    ),
+                );
+            }
+        }
+    }
+
+    /// Cancels the goal and ends force mode. Returns whether the robot has confirmed that and rests.
+    fn hold(&mut self) -> bool {
+        let force = self.robot.force.as_ref().filter(|_| self.is_pressing);
+        let cancel = self
+            .goal
+            .as_ref()
+            .map(|goal| self.robot.action.cancel_goal(goal.id));
+        let release = force.map(|force| force.stop.send(EmptyRequest::default()));
+        self.is_pressing = false;
+        let mut is_canceled = cancel.is_none();
+        let mut is_released = release.is_none();
+        let deadline = Instant::now() + HOLD;
+        loop {
+            if let Some(Ok(request)) = cancel {
+                is_canceled |= matches!(
+                    self.robot.action.receive_cancel_response(request),
+                    Ok(Some(_))
+                );
+            }
+            if let (Some(force), Some(Ok(request))) = (force, &release) {
+                is_released |= force.stop.answer(*request).is_some();
+            }
+            let joints = self.robot.readings.wait(TURN).joints.clone();
+            let rests = joints.is_some_and(|joints| {
+                let is_slow = joints.velocities.iter().all(|v| v.abs() <= REST);
+                let is_new = joints.number != self.latest.number;
+                self.latest = joints;
+                is_slow && is_new
+            });
+            if is_canceled && is_released && rests {
+                self.goal = None;
+                return true;
+            }
+            if Instant::now() >= deadline {
+                return false;
+            }
+        }
+    }
+}
+
+/// Kind of the stop if a controller ends a goal that nobody here has canceled.
+const fn ended_kind(status: GoalStatusEnum, error_code: i32) -> Kind {
+    match (status, error_code) {
+        (GoalStatusEnum::Canceled, _) => Kind::Operator,
+        // Path and goal tolerance.
+        (_, -4 | -5) => Kind::Tolerance,
+        _ => Kind::ProtectiveStop,
+    }
+}

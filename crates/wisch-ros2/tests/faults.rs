@@ -1,0 +1,266 @@
+//! Faults at random times of a motion: the last command is a stop, soon, and the ending names the fault.
+
+use crate::fake::{FakeRobot, STATE_AGE_MS, execute_round};
+use std::time::Duration;
+use wisch::run::{Ending, StopCause, StopKind};
+
+/// Allowance for a stop after its cause is known [s].
+const STOP_S: f64 = 0.1;
+/// Allowance for a computer that other programs load [s].
+const LOAD_S: f64 = 0.15;
+
+fn repetitions() -> u64 {
+    let text = std::env::var("WISCH_ROS2_FAULTS").ok();
+    text.and_then(|text| text.parse().ok()).unwrap_or(1)
+}
+
+/// A random time in a motion, from 0.2 to 6 s after its first goal.
+fn random_time(seed: u64) -> Duration {
+    let mixed = (seed + 1).wrapping_mul(0x9e37_79b9_7f4a_7c15) >> 40;
+    Duration::from_millis(200 + mixed % 5800)
+}
+
+/// What a fault is expected to lead to.
+struct Expected {
+    kind: StopKind,
+    /// Part of the reason.
+    reason: &'static str,
+    /// Time after which the executor knows of the fault [s].
+    known_after: f64,
+}
+
+/// Injects a fault on standard input of the fake robot, and checks ending and commands.
+fn check(command: &str, expected: &Expected) {
+    for seed in 0..repetitions() {
+        let mut fake = FakeRobot::commissioned(|file| file);
+        let mut executor = fake.executor().unwrap();
+        let before = fake.events().len();
+        let time = random_time(seed + command.len() as u64);
+        let ending = std::thread::scope(|scope| {
+            let fake = &mut fake;
+            let injected = scope.spawn(move || {
+                fake.wait_for("goal with", before);
+                std::thread::sleep(time);
+                fake.command(command);
+            });
+            let ending = execute_round(&mut executor);
+            injected.join().unwrap();
+            ending
+        });
+        check_ending(&ending.unwrap(), expected);
+        check_commands(&fake, expected);
+    }
+}
+
+fn check_ending(ending: &Ending, expected: &Expected) {
+    let Ending::ProtectiveStop {
+        cause: StopCause::Reported { kind, reason },
+        ..
+    } = ending
+    else {
+        panic!("{ending:?}");
+    };
+    assert_eq!(*kind, expected.kind, "{reason}");
+    assert!(reason.contains(expected.reason), "{reason}");
+}
+
+/// Checks that a cancel follows the fault soon, that force mode ends, and that no goal follows.
+fn check_commands(fake: &FakeRobot, expected: &Expected) {
+    std::thread::sleep(Duration::from_millis(300));
+    let events = fake.events();
+    let fault = events
+        .iter()
+        .rposition(|event| event.text.starts_with("command"));
+    let fault = fault.unwrap();
+    let after = &events[fault..];
+    let is_goal = |text: &str| text.starts_with("goal with") || text.starts_with("force mode on");
+    let last_start = events
+        .iter()
+        .rposition(|event| is_goal(&event.text))
+        .unwrap();
+    let is_stop = |text: &str| text == "cancel" || text.starts_with("force mode off");
+    let stop = events
+        .iter()
+        .skip(last_start)
+        .find(|event| is_stop(&event.text));
+    // Between two goals there may be nothing to stop.
+    let Some(stop) = stop.filter(|stop| stop.time >= events[fault].time) else {
+        let goals = after.iter().filter(|event| is_goal(&event.text)).count();
+        assert_eq!(goals, 0, "{after:?}");
+        return;
+    };
+    let delay = stop.time - events[fault].time;
+    let limit = expected.known_after + STOP_S + LOAD_S;
+    assert!(delay <= limit, "{delay} s: {after:?}");
+    assert!(last_start < events.len() - 1, "{after:?}");
+}
+
+const SILENCE_S: f64 = STATE_AGE_MS / 1000.0;
+
+#[test]
+fn silence_of_the_joint_states_stops_the_robot() {
+    let expected = Expected {
+        kind: StopKind::LinkLost,
+        reason: "/joint_states has been silent",
+        known_after: SILENCE_S,
+    };
+    check("silence joints", &expected);
+}
+
+#[test]
+fn silence_of_the_wrench_stops_the_robot() {
+    let expected = Expected {
+        kind: StopKind::LinkLost,
+        reason: "/ft_data has been silent",
+        known_after: SILENCE_S,
+    };
+    check("silence wrench", &expected);
+}
+
+#[test]
+fn a_pause_cancels_the_goal() {
+    let expected = Expected {
+        kind: StopKind::Operator,
+        reason: "the speed scaling is 0",
+        known_after: 0.01,
+    };
+    check("scaling 0", &expected);
+}
+
+#[test]
+fn a_protective_stop_and_an_emergency_stop_have_their_kinds() {
+    let protective = Expected {
+        kind: StopKind::ProtectiveStop,
+        reason: "PROTECTIVE_STOP",
+        known_after: 0.0,
+    };
+    check("safety 3", &protective);
+    let emergency = Expected {
+        kind: StopKind::EmergencyStop,
+        reason: "ROBOT_EMERGENCY_STOP",
+        known_after: 0.0,
+    };
+    check("safety 7", &emergency);
+}
+
+#[test]
+fn a_program_that_ends_stops_the_motion() {
+    let expected = Expected {
+        kind: StopKind::Operator,
+        reason: "the program on the robot does not run",
+        known_after: 0.0,
+    };
+    check("program false", &expected);
+}
+
+#[test]
+fn stamps_that_jump_stop_the_motion() {
+    let expected = Expected {
+        kind: StopKind::LinkLost,
+        reason: "clock",
+        known_after: 0.0,
+    };
+    check("clock 10", &expected);
+}
+
+#[test]
+fn a_push_beyond_the_force_limit_is_an_overload() {
+    // After the first tare; before it, the sensor's zero is not known.
+    let mut fake = FakeRobot::commissioned(|file| file);
+    let mut executor = fake.executor().unwrap();
+    let before = fake.events().len();
+    let ending = std::thread::scope(|scope| {
+        let fake = &mut fake;
+        scope.spawn(move || {
+            fake.wait_for("tare", before);
+            fake.wait_for("force mode on", before);
+            fake.command("push 60 0 0 1");
+        });
+        execute_round(&mut executor)
+    });
+    let expected = Expected {
+        kind: StopKind::Overload,
+        reason: "more than limits.force_n = 30 N",
+        known_after: 0.01,
+    };
+    check_ending(&ending.unwrap(), &expected);
+    check_commands(&fake, &expected);
+}
+
+#[test]
+fn an_executor_that_is_killed_leaves_no_goal_behind() {
+    for seed in 0..repetitions() {
+        let fake = FakeRobot::commissioned(|file| file);
+        let mut executor = fake.executor().unwrap();
+        let before = fake.events().len();
+        let time = random_time(seed);
+        let killed = std::thread::scope(|scope| {
+            let fake = &fake;
+            let killed = scope.spawn(move || {
+                fake.wait_for("goal with", before);
+                std::thread::sleep(time);
+                kill_executor(fake)
+            });
+            let _ = execute_round(&mut executor);
+            killed.join().unwrap()
+        });
+        std::thread::sleep(Duration::from_millis(600));
+        let events = fake.events();
+        let cancel = events.iter().rfind(|event| event.text == "cancel").unwrap();
+        let last_goal = events
+            .iter()
+            .rposition(|event| event.text.starts_with("goal with"));
+        assert!(cancel.time > killed, "{events:#?}");
+        assert!(
+            cancel.time - killed < STOP_S + LOAD_S,
+            "{}",
+            cancel.time - killed
+        );
+        assert!(
+            events[last_goal.unwrap()..]
+                .iter()
+                .any(|event| event.text == "cancel")
+        );
+    }
+}
+
+/// Kills the executor's process; returns the time [s].
+fn kill_executor(fake: &FakeRobot) -> f64 {
+    let file = fake.robot_file.display().to_string();
+    let is_executor = |pid: &String| {
+        let line = std::fs::read(format!("/proc/{pid}/cmdline")).unwrap_or_default();
+        let words: Vec<&[u8]> = line.split(|byte| *byte == 0).collect();
+        words.get(1) == Some(&&b"execute"[..]) && words.contains(&file.as_bytes())
+    };
+    let entries = std::fs::read_dir("/proc").unwrap();
+    let names = entries.map(|entry| entry.unwrap().file_name().to_string_lossy().into_owned());
+    let pid = names.into_iter().find(is_executor).unwrap();
+    let status = std::process::Command::new("kill")
+        .args(["-9", &pid])
+        .status();
+    assert!(status.unwrap().success());
+    let since = std::time::SystemTime::now().duration_since(std::time::UNIX_EPOCH);
+    since.unwrap().as_secs_f64()
+}
+
+#[test]
+fn a_robot_that_dies_is_a_lost_link() {
+    let mut fake = FakeRobot::commissioned(|file| file);
+    let mut executor = fake.executor().unwrap();
+    let before = fake.events().len();
+    let ending = std::thread::scope(|scope| {
+        let fake = &mut fake;
+        scope.spawn(move || {
+            fake.wait_for("goal with", before);
+            std::thread::sleep(Duration::from_millis(700));
+            fake.kill();
+        });
+        execute_round(&mut executor)
+    });
+    let expected = Expected {
+        kind: StopKind::LinkLost,
+        reason: "has not confirmed that it rests",
+        known_after: SILENCE_S,
+    };
+    check_ending(&ending.unwrap(), &expected);
+}
