@@ -22,7 +22,10 @@ pub use memory::{
     DEFAULT_MEMORY, EpisodeArgs, ExportArgs, ImportArgs, KeepArgs, MemoryArgs, MemoryCommand,
     MemoryListArgs, MemoryVerifyArgs,
 };
-pub use robot::{RobotCheckArgs, RobotCommand, RobotMapArgs, RobotSetupArgs};
+pub use robot::{
+    RobotCheckArgs, RobotCommand, RobotDoctorArgs, RobotFakeArgs, RobotMapArgs, RobotPushTestArgs,
+    RobotSetupArgs,
+};
 
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{Args, CommandFactory, FromArgMatches, Parser, Subcommand, ValueEnum, ValueHint};
@@ -120,6 +123,7 @@ Examples:
   wisch run board.toml --robot my_arm.urdf --rounds 2
   wisch run board.toml --set 'execution.surface_tilt_rad=[0.05, 0]' --seed 7
   wisch run board.toml --robot none         without a robot: plan and predict
+  wisch run board.toml --on ur5e.toml --speed 0.25      on a ROS 2 robot; asks before each round
   wisch run board.toml --json | jq '.rounds[] | {predicted, estimated, true_performance}'
 
 Writes report.html, plan.json and rounds.json; telemetry/: a bag per round (round-1.mcap, for Foxglove,
@@ -354,6 +358,13 @@ pub struct WipeArgs {
     pub rounds: LoopArgs,
 }
 
+impl LoopArgs {
+    /// Whether another program executes the motions, in place of the built-in simulator.
+    pub const fn has_executor(&self) -> bool {
+        self.executor.is_some() || self.on.is_some()
+    }
+}
+
 /// Options of the closed loop.
 #[derive(Debug, Args)]
 #[command(next_help_heading = "Rounds")]
@@ -377,6 +388,18 @@ pub struct LoopArgs {
     /// Command that starts an executor in place of the built-in simulator (see docs/executor-protocol.md)
     #[arg(long, value_name = "COMMAND", conflicts_with = "resume")]
     pub executor: Option<String>,
+    /// Robot file of a ROS 2 robot that executes the motions (see docs/ros2.md). Needs the companion program wisch-ros2
+    #[arg(long, value_name = "ROBOT.toml", value_hint = ValueHint::FilePath, conflicts_with_all = ["resume", "executor"])]
+    pub on: Option<PathBuf>,
+    /// With --on: share of the planned speed, above 0 and at most 1
+    #[arg(long, value_name = "SHARE", requires = "on", default_value_t = 1.0, value_parser = share)]
+    pub speed: f64,
+    /// With --on: wipe this far above the surface [m], without force, in one round; keeps no episode
+    #[arg(long, value_name = "METRES", requires = "on", conflicts_with_all = ["rounds", "greedy"], value_parser = height)]
+    pub air: Option<f64>,
+    /// With --on: do not ask before each round whether the robot may move
+    #[arg(long, requires = "on")]
+    pub yes_every_round: bool,
     /// Stop waiting for the executor after this many seconds without a message or progress, or without an exit
     /// after its last message or a stop
     #[arg(long, value_name = "SECONDS", requires = "executor", default_value_t = 60.0, value_parser = seconds)]
@@ -597,6 +620,26 @@ fn seconds(text: &str) -> Result<f64, String> {
         return Ok(number);
     }
     Err(format!("{number} s is outside 0.001 to 86400 s"))
+}
+
+fn share(text: &str) -> Result<f64, String> {
+    let number: f64 =
+        (text.parse()).map_err(|_| "not a number; write a share, such as 0.25".to_owned())?;
+    if number > 0.0 && number <= 1.0 {
+        return Ok(number);
+    }
+    Err(format!(
+        "{number} is outside its limits: above 0 and at most 1"
+    ))
+}
+
+fn height(text: &str) -> Result<f64, String> {
+    let number: f64 =
+        (text.parse()).map_err(|_| "not a number; write metres, such as 0.05".to_owned())?;
+    if (0.005..=0.5).contains(&number) {
+        return Ok(number);
+    }
+    Err(format!("{number} m is outside 0.005 to 0.5 m"))
 }
 
 fn package(text: &str) -> Result<(String, PathBuf), String> {

@@ -141,6 +141,15 @@ pub fn remark(text: &str) {
     }
 }
 
+/// Asks a question on standard error. Returns whether the answer on standard input is y or yes.
+pub fn ask(question: &str) -> bool {
+    let _ = write!(io::stderr().lock(), "{}: ", escape_controls(question));
+    let _ = io::stderr().flush();
+    let mut answer = String::new();
+    let read = io::stdin().read_line(&mut answer);
+    read.is_ok() && ["y", "yes"].contains(&answer.trim().to_lowercase().as_str())
+}
+
 /// Prints to standard error and ignores failures.
 fn complain(text: &str) {
     let _ = writeln!(io::stderr().lock(), "{text}");

@@ -22,6 +22,8 @@ mod program;
 mod recording;
 mod robot;
 mod robot_setup;
+#[cfg(unix)]
+mod ros2;
 mod rounds;
 #[cfg(target_os = "linux")]
 mod signals;

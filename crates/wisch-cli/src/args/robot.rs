@@ -44,6 +44,69 @@ state what was chosen and why.
 Exit codes: 0 the SRDF is written, 1 no arm or no collision-free posture was found and nothing is
 written, 2 an error.")]
     Setup(RobotSetupArgs),
+    /// Show what a ROS 2 robot reports, and what would be refused; commands nothing
+    #[command(after_help = "\
+Examples:
+  wisch robot doctor ur5e.toml
+
+The robot file states topics, services and limits; docs/ros2.md describes it. Needs the companion program
+wisch-ros2, as do push-test and fake.
+
+Exit codes: 0 nothing forbids a motion, 1 something does, 2 the robot is not found.")]
+    Doctor(RobotDoctorArgs),
+    /// Test sign and axes of a ROS 2 robot's force by hand; writes ROBOT.commissioned.toml, which run --on demands
+    #[command(after_help = "\
+Examples:
+  wisch robot push-test ur5e.toml
+
+The robot does not move. You push the tool in two directions.
+
+Exit codes: 0 the file is written, 2 an error, and nothing is written.")]
+    PushTest(RobotPushTestArgs),
+    /// Stand in for a ROS 2 robot: a simulated world behind its topics, services and action
+    #[command(after_help = "\
+Examples:
+  wisch robot fake arm-board --as arm7.toml
+
+It runs in real time until the command quit on its standard input. Other commands there cause faults:
+wisch-ros2 fake --help lists them.")]
+    Fake(RobotFakeArgs),
+}
+
+/// Arguments of `robot doctor`.
+#[derive(Debug, Args)]
+pub struct RobotDoctorArgs {
+    /// The robot file
+    #[arg(value_name = "ROBOT.toml", value_hint = ValueHint::FilePath)]
+    pub robot: PathBuf,
+}
+
+/// Arguments of `robot push-test`.
+#[derive(Debug, Args)]
+pub struct RobotPushTestArgs {
+    /// The robot file
+    #[arg(value_name = "ROBOT.toml", value_hint = ValueHint::FilePath)]
+    pub robot: PathBuf,
+    /// Do not wait for the Enter key
+    #[arg(long)]
+    pub yes: bool,
+}
+
+/// Arguments of `robot fake`.
+#[derive(Debug, Args)]
+pub struct RobotFakeArgs {
+    /// Task file, or name of a shipped scenario
+    #[arg(value_name = "TASK", value_hint = ValueHint::FilePath)]
+    pub task: PathBuf,
+    /// The robot file
+    #[arg(long = "as", value_name = "ROBOT.toml", value_hint = ValueHint::FilePath)]
+    pub robot: PathBuf,
+    /// Value that replaces one of the task file; repeatable
+    #[arg(long = "set", value_name = "KEY=VALUE")]
+    pub settings: Vec<String>,
+    /// Seed in place of the task's
+    #[arg(long, value_name = "N")]
+    pub seed: Option<u64>,
 }
 
 /// Arguments of `robot setup`.

@@ -33,7 +33,8 @@ impl Job<'_> {
         } else {
             (self.prepared.run.pace, self.prepared.run.max_rounds)
         };
-        let rounds = args.and_then(|args| args.rounds);
+        // Above the surface there is nothing to learn from a second round.
+        let rounds = args.and_then(|args| args.rounds.or(args.air.map(|_| 1)));
         RunConfig {
             workcell: (self.robot.as_ref()).map_or_else(WorkcellConfig::default, |(chosen, _)| {
                 workcell_config(chosen, self.prepared)

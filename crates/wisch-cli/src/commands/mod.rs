@@ -25,6 +25,7 @@ mod out_folder;
 mod prepare;
 mod report;
 mod robot;
+mod ros2;
 mod round_views;
 mod rounds;
 mod run;
@@ -77,5 +78,8 @@ pub fn run(cli: &Cli) -> Result<Outcome, Failure> {
         Command::Robot(RobotCommand::Check(args)) => robot::check_robot(args, &cli.global),
         Command::Robot(RobotCommand::Map(args)) => map::map(args, &cli.global),
         Command::Robot(RobotCommand::Setup(args)) => setup::set_up(args, &cli.global),
+        Command::Robot(RobotCommand::Doctor(args)) => ros2::doctor(args, &cli.global),
+        Command::Robot(RobotCommand::PushTest(args)) => ros2::push_test(args, &cli.global),
+        Command::Robot(RobotCommand::Fake(args)) => ros2::fake(args, &cli.global),
     }
 }

@@ -4,9 +4,10 @@ use super::PROGRAM;
 use super::interrupt::say_how_to_resume;
 use super::job::{Job, known_truths};
 use super::prepare::stage_failure;
+use super::ros2::OperatedRobot;
 use super::watch::Watch;
 use super::words::{counted, internal, json};
-use crate::args::LoopArgs;
+use crate::args::{GlobalArgs, LoopArgs};
 use crate::failure::Failure;
 use crate::progress::Progress;
 use crate::terminal::remark;
@@ -47,6 +48,7 @@ pub fn execute(
     args: &LoopArgs,
     given: Option<Plan>,
     stop: Option<&Arc<AtomicBool>>,
+    global: &GlobalArgs,
 ) -> Result<Executed, Failure> {
     let (chosen, robot) = job.robot.ok_or_else(|| internal("there is no robot"))?;
     let identity = identity(job.prepared, robot, args, given.as_ref())?;
@@ -73,7 +75,7 @@ pub fn execute(
     if let Some(path) = &args.events {
         record.add(Box::new(event_sink(path)?));
     }
-    let mut executor = start_executing(job, args, killed, stop)?;
+    let mut executor = start_executing(job, args, killed, stop, global)?;
     let mut sinks = Sinks {
         watch: Watch::new(job, checkpoints, taken_over.len(), args.realtime),
         record,
@@ -124,9 +126,10 @@ fn record_options(
     workcell: wisch::follow::WorkcellConfig,
 ) -> RecordOptions {
     let bags = job.folder.file_path(&bag_name(1));
-    let episode = (!args.memory.no_memory).then(|| EpisodeTarget {
+    let on_robot = args.on.is_some().then(|| "wisch-ros2".to_owned());
+    let episode = (!args.memory.no_memory && args.air.is_none()).then(|| EpisodeTarget {
         memory: args.memory.memory.clone(),
-        executor: args.executor.as_deref().map(program_of),
+        executor: args.executor.as_deref().map(program_of).or(on_robot),
         names: Some(job.folder.checkpoint_folder().join(EPISODES_FILE)),
     });
     RecordOptions {
@@ -161,15 +164,22 @@ fn rounds_of_killed_run(
     Ok(kept)
 }
 
-/// Starts the executor: the program of `--executor`, or a simulated world in its state after a killed run's rounds.
+/// Starts the executor: the program of `--executor`, the robot of `--on`, or a simulated world in its state after a killed
+/// run's rounds.
 fn start_executing(
     job: &Job<'_>,
     args: &LoopArgs,
     kept: Vec<CheckpointRound>,
     stop: Option<&Arc<AtomicBool>>,
+    global: &GlobalArgs,
 ) -> Result<Executing, Failure> {
+    if args.on.is_some() {
+        let robot = OperatedRobot::start(args, global, stop)?;
+        return Ok(Executing::Process(Box::new(robot)));
+    }
     if let Some(command) = &args.executor {
-        return Ok(Executing::Process(start(command, args.timeout, stop)?));
+        let process = start(command, args.timeout, stop)?;
+        return Ok(Executing::Process(Box::new(process)));
     }
     let prepared = job.prepared;
     let first_observation = kept
@@ -201,15 +211,16 @@ fn results(
 ) -> Result<RunResults, Failure> {
     let prepared = job.prepared;
     let mut results = record.results(&session)?;
-    let executed_by = match &args.executor {
-        Some(_) => ExecutedBy::Executor,
-        None => ExecutedBy::SimulatedWorld,
+    let executed_by = if args.has_executor() {
+        ExecutedBy::Executor
+    } else {
+        ExecutedBy::SimulatedWorld
     };
     let rounds = session.into_rounds();
     let truths = known_truths(prepared, &rounds, truth)
         .map_err(|error| stage_failure(job.task_args, error))?;
     let later = prepared.simulation.pushes.iter().map(|push| push.round);
-    let later = later.filter(|_| args.executor.is_none());
+    let later = later.filter(|_| !args.has_executor());
     for round in later.filter(|round| *round > rounds.len()) {
         let count = counted(rounds.len(), "round");
         let text = format!(
@@ -349,8 +360,9 @@ fn identity(
 /// The executor of the motions.
 enum Executing {
     World(Box<Recording<World>>),
-    Process(ProcessExecutor),
-    /// A program of `--executor` that has ended.
+    /// A program of `--executor`, or the robot of `--on`.
+    Process(Box<dyn Executor>),
+    /// A process that has ended.
     Ended(NoExecutor),
 }
 
@@ -358,12 +370,12 @@ impl Executing {
     fn as_dyn(&mut self) -> &mut dyn Executor {
         match self {
             Self::World(world) => world.as_mut(),
-            Self::Process(process) => process,
+            Self::Process(process) => process.as_mut(),
             Self::Ended(nothing) => nothing,
         }
     }
 
-    /// The simulated world's ground truth of each round; empty for a program of `--executor`.
+    /// The simulated world's ground truth of each round; empty for another process.
     fn truth(&self) -> &[GroundTruth] {
         match self {
             Self::World(world) => world.inner().truth(),
@@ -371,7 +383,7 @@ impl Executing {
         }
     }
 
-    /// Ends the program of `--executor`; a simulated world keeps its ground truth.
+    /// Ends the process; a simulated world keeps its ground truth.
     fn end(&mut self) {
         if matches!(self, Self::Process(_)) {
             *self = Self::Ended(NoExecutor);

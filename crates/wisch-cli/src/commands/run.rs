@@ -7,6 +7,7 @@ use super::interrupt::stop_on_signal;
 use super::job::Job;
 use super::out_folder::out_folder;
 use super::prepare::{self, stage_failure};
+use super::ros2::raise;
 use super::rounds::{Executed, Kept, execute, remark_episode_folder};
 use super::summary::{in_words, summary};
 use super::watch::show;
@@ -57,6 +58,22 @@ impl Extent<'_> {
         matches!(self, Self::Run(..))
     }
 
+    /// Options of the rounds of a run.
+    const fn rounds(&self) -> Option<&LoopArgs> {
+        match self {
+            Self::Run(_, rounds) => Some(rounds),
+            _ => None,
+        }
+    }
+
+    /// Name of what executes the motions, if it is not the simulated world.
+    fn executor(&self) -> &'static str {
+        match self.rounds() {
+            Some(rounds) if rounds.on.is_some() => "the robot of --on",
+            _ => "the program of --executor",
+        }
+    }
+
     /// Suffix of the default folder of results.
     const fn suffix(&self, has_robot: bool) -> &'static str {
         match self {
@@ -69,7 +86,7 @@ impl Extent<'_> {
 
     /// Whether events go to standard output, so that no summary may be printed there.
     fn has_events_on_stdout(&self) -> bool {
-        matches!(self, Self::Run(_, rounds) if rounds.events.as_deref() == Some(Path::new("-")))
+        (self.rounds()).is_some_and(|rounds| rounds.events.as_deref() == Some(Path::new("-")))
     }
 }
 
@@ -132,6 +149,9 @@ fn work(
     }
     let task_args = &task_args;
     let mut prepared = prepare::read(task_args)?;
+    if let Some(height) = extent.rounds().and_then(|rounds| rounds.air) {
+        raise(&mut prepared.task.surface, height);
+    }
     let any_robot = RobotArgs::default();
     let chosen = choose_robot(extent, &any_robot, task_args, &prepared)?;
     let given = plan_file
@@ -139,12 +159,9 @@ fn work(
         .transpose()?;
     let out = out_folder(results, &prepared, extent.suffix(chosen.is_some()));
     // Handle signals before any file is written, so that a signal leaves no files behind.
-    let stop = match extent {
-        Extent::Run(_, rounds) if rounds.executor.is_some() || rounds.live => {
-            Some(stop_on_signal()?)
-        }
-        _ => None,
-    };
+    let ends_cleanly = |rounds: &LoopArgs| rounds.has_executor() || rounds.live;
+    let stop = (extent.rounds().is_some_and(ends_cleanly)).then(stop_on_signal);
+    let stop = stop.transpose()?;
     // The folder comes before the long computation, so that a missing permission is reported at once.
     let is_replacing_all = results.force || (extent.is_run() && chosen.is_some());
     let folder = begin_folder(&out, extent, is_replacing_all, (&progress, global))?;
@@ -167,7 +184,7 @@ fn work(
         kept: episode,
         broken,
     } = match (extent, &robot) {
-        (Extent::Run(_, rounds), Some(_)) => execute(&job, rounds, given, stop.as_ref())?,
+        (Extent::Run(_, rounds), Some(_)) => execute(&job, rounds, given, stop.as_ref(), global)?,
         _ => simulate_effect(&job, extent, given)?,
     };
     progress.say("writing the results");
@@ -192,8 +209,8 @@ fn work(
         let line = serde_json::to_string(&summary).map_err(internal)?;
         print(&(line + "\n"))?;
     } else if !global.quiet && !extent.has_events_on_stdout() {
-        print(&in_words(&summary, &results_of.rounds, &out))?;
-        print(&episode_in_words(&episode))?;
+        let texts = in_words(&summary, (&results_of.rounds, &out), extent.executor());
+        print(&(texts + &episode_in_words(&episode)))?;
     }
     // The results are complete at this point, even if the episode could not be kept.
     if let Some(kept) = episode? {
@@ -229,6 +246,10 @@ fn choose_robot<'a>(
         let problem = "wisch follow needs a robot, but the task has none";
         return Err(stage_failure(task_args, problem)
             .with_help("add a [robot] table to the task, or choose a robot with --robot"));
+    }
+    if chosen.is_none() && extent.rounds().is_some_and(|rounds| rounds.on.is_some()) {
+        let failure = stage_failure(task_args, "--on needs a robot, but the task has none");
+        return Err(failure.with_help("name the robot of the robot file with --robot URDF"));
     }
     let particles = prepared.task.particles.len();
     if extent.is_run() && chosen.is_some() && particles > MOST_IN_A_RUN {

@@ -88,8 +88,12 @@ fn treatment(prepared: &LoadedTask, results: &RunResults) -> Option<TreatmentSum
     })
 }
 
-/// The summary for people.
-pub(super) fn in_words(summary: &Summary, rounds: &[FinishedRound], out: &Path) -> String {
+/// The summary for people. `executor`: name of what executed the motions, if it was not the simulated world.
+pub(super) fn in_words(
+    summary: &Summary,
+    (rounds, out): (&[FinishedRound], &Path),
+    executor: &str,
+) -> String {
     let mut lines = vec![];
     if let Some(prediction) = &summary.prediction {
         let verdict = match rounds.last().map(|last| last.round.verdict) {
@@ -158,7 +162,7 @@ pub(super) fn in_words(summary: &Summary, rounds: &[FinishedRound], out: &Path) 
     if let Some(execution) = &summary.execution {
         match execution.realtime_factor {
             Some(factor) => lines.push(("simulation", format!("{factor:.1} times real time"))),
-            None => lines.push(("executed by", "the program of --executor".to_owned())),
+            None => lines.push(("executed by", executor.to_owned())),
         }
     }
     let result = match summary.prediction {
