@@ -355,3 +355,6 @@ impl CancelRequest {
         stamp: Stamp { sec: 0, nanosec: 0 },
     };
 }
+
+#[cfg(test)]
+mod tests;
