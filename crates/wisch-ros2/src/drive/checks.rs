@@ -9,8 +9,8 @@ use wisch::geometry::Point3;
 
 /// Largest joint velocity of a robot at rest [rad/s or m/s].
 pub(super) const REST: f64 = 0.02;
-/// Speeds between samples may exceed a limit of the planner by this factor, by rounding.
-const SPEED_ROUNDING: f64 = 1.01;
+/// Speeds may exceed a limit of the planner by this factor: the knots deviate a little from its trajectory.
+const SPEED_ROUNDING: f64 = 1.05;
 /// Rest after a switch of controllers, and the largest movement of a joint in that time [rad or m].
 const SETTLE: Duration = Duration::from_millis(500);
 const SETTLE_MOVEMENT: f64 = 2e-3;
@@ -126,7 +126,7 @@ impl Driver {
         let [speed, time] = [planned[0] * self.options.speed, planned[1]];
         if speed > SPEED_ROUNDING * limits.tool_speed_m_s {
             return Err(format!(
-                "the tool moves at {speed:.2} m/s at {time:.1} s, faster than limits.tool_speed_m_s = {} m/s; \
+                "the tool moves at {speed:.3} m/s at {time:.1} s, faster than limits.tool_speed_m_s = {} m/s; \
                  set plan.free_speed_m_per_s in the task, or a lower --speed",
                 limits.tool_speed_m_s
             ));
