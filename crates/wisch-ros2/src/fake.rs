@@ -114,12 +114,12 @@ pub(crate) fn stand_in(
     let loaded = load_task(task, &options).map_err(|error| error.to_string())?;
     let frames = crate::frames::Frames::read(&file.path, &file.urdf, file.base_frame.as_deref())?;
     let robot = Robot::load(&frames.source).map_err(|error| error.to_string())?;
-    let record = loaded.file.robot();
+    let record = loaded.file.robot.as_ref();
     let record = record.ok_or("the task has no [robot], so the robot's position is not known")?;
     let config = record.workcell_config(&loaded.task);
     let cell = Workcell::new(robot.model, robot.srdf.as_ref(), &loaded.task, &config);
     let cell = cell.map_err(|error| error.to_string())?;
-    let world = SimulationSettings::from_task(&loaded).map_err(|error| error.to_string())?;
+    let world = loaded.simulation.clone();
     let seed = loaded.task.seed;
     let dirt = Dirt::draw(&WorkSurface::from_task(&loaded.task), &world, seed);
     let dirt = dirt.map_err(|error| error.to_string())?;
