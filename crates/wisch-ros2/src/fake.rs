@@ -22,7 +22,7 @@ use wisch::control::ControlConfig;
 use wisch::follow::{Followed, Workcell};
 use wisch::run::MotionOrder;
 use wisch_io::{LoadOptions, Robot, load_task};
-use wisch_sim::{Dirt, LiveArm, SimulationSettings, WorkSurface};
+use wisch_sim::{Dirt, LiveArm, WorkSurface};
 
 pub(crate) use commands::COMMANDS;
 

@@ -2,7 +2,7 @@
 
 use crate::fake::{CHOPPING_BOARD, FakeRobot, Scenario, execute_round, task};
 use wisch::run::{Ending, Executor, Session};
-use wisch_sim::{SimulationSettings, WorkSurface, World};
+use wisch_sim::{WorkSurface, World};
 
 /// Verdict and estimated performance of a run.
 fn result(session: &Session<'_>) -> (String, f64) {
@@ -23,7 +23,7 @@ fn run(scenario: &Scenario, executor: &mut dyn Executor) -> (String, f64) {
 #[test]
 fn a_run_on_the_fake_robot_has_the_verdict_and_estimate_of_the_built_in_run() {
     let loaded = task(&CHOPPING_BOARD);
-    let settings = SimulationSettings::from_task(&loaded).unwrap();
+    let settings = loaded.simulation.clone();
     let surface = WorkSurface::from_task(&loaded.task);
     let mut world = World::new(&surface, settings, loaded.task.seed).unwrap();
     let (verdict, estimate) = run(&CHOPPING_BOARD, &mut world);
