@@ -5,7 +5,7 @@ use wisch::control::ControlConfig;
 use wisch::follow::{Followed, TrajectorySample, Workcell};
 use wisch::run::MotionOrder;
 use wisch_io::{LoadOptions, load_task};
-use wisch_sim::{Dirt, LiveArm, SimulationSettings};
+use wisch_sim::{Dirt, LiveArm};
 
 /// Joint whose setpoint moves, and its velocity [rad/s].
 const JOINT: usize = 0;
@@ -15,9 +15,10 @@ const VELOCITY: f64 = 0.2;
 fn follow_setpoints() -> (Vec<f64>, Vec<f64>) {
     let loaded = load_task("arm-board".as_ref(), &LoadOptions::default()).unwrap();
     let robot = loaded.robot().unwrap().unwrap();
-    let config = loaded.file.robot().unwrap().workcell_config(&loaded.task);
+    let record = loaded.file.robot.as_ref().unwrap();
+    let config = record.workcell_config(&loaded.task);
     let cell = Workcell::new(robot.model, robot.srdf.as_ref(), &loaded.task, &config).unwrap();
-    let settings = SimulationSettings::from_task(&loaded).unwrap();
+    let settings = loaded.simulation.clone();
     let control = ControlConfig::default();
     let at_rest = Followed {
         motions: Vec::new(),
