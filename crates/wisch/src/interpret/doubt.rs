@@ -27,6 +27,8 @@ const MOST_BESIDE: f64 = 0.5;
 const STEADY_TRAVEL: f64 = 0.02;
 const LEAST_PRESSED: f64 = 0.5;
 const STEADY: std::ops::RangeInclusive<f64> = 0.85..=1.15;
+/// Steepest rise of a surface against the plane [1].
+const STEEPEST: f64 = 0.25;
 /// Least share of its pieces that are off the plane where a tool slides off it [1].
 const MOSTLY: f64 = 0.5;
 /// Least share of all steady sliding [1], and least travel [m], off the plane that shows a surface that is no plane.
@@ -589,10 +591,17 @@ impl LogEvidence<'_> {
             }
             let count = window.clone().count() as f64;
             let mean = window.clone().map(|i| self.pieces[i].force.z).sum::<f64>() / count;
+            // A hand lifts the tool steeply or far, with the force that the controller keeps.
+            let rise = (path[last].height - path[*window.start()].height).abs();
+            let highest = window
+                .clone()
+                .map(|i| path[i].height.abs())
+                .fold(0.0, f64::max);
+            let is_lifted = rise > STEEPEST * travel || highest > MOST_SPREAD;
             let is_off = |i: &usize| !path[*i].is_on_plane();
             if (window.clone().filter(is_off).count() as f64) < MOSTLY * count {
                 on += travel;
-            } else if STEADY.contains(&(mean / nominal)) {
+            } else if STEADY.contains(&(mean / nominal)) && !is_lifted {
                 off += travel;
                 distances.extend(window.map(|i| path[i].height.abs()));
             }

@@ -386,3 +386,20 @@ fn a_cylinder_of_another_radius_than_believed_is_doubted() {
         assert!(!found.is_conclusive());
     }
 }
+
+/// A person lifts the tool while the controller keeps its force: that is a push and no surface.
+#[test]
+fn a_tool_that_is_lifted_at_the_same_force_shows_no_other_surface() {
+    let contacts = super::log::Script::default().contacts();
+    let [start, end] = contacts[1];
+    let found = super::interpreted(&super::log::Script {
+        hands: vec![super::log::Hand {
+            start: start + 0.3,
+            end: end - 0.3,
+            off: Vector3::z() * 0.08,
+            force: Vector3::z() * PRESS,
+        }],
+        ..super::log::Script::default()
+    });
+    assert_eq!(shapes(&found), [], "{:?}", found.doubts);
+}
