@@ -66,7 +66,9 @@ impl From<RecordError> for Failure {
                 "choose another folder with --memory DIR, or leave out --live"
             }
             RecordError::Sink(_) => "choose another file with --events",
-            RecordError::Unreadable { .. } | RecordError::TooLong { .. } => {
+            RecordError::CurvedSurface(_)
+            | RecordError::Unreadable { .. }
+            | RecordError::TooLong { .. } => {
                 return Self::new(error);
             }
             RecordError::Nothing | RecordError::Internal(_) => {

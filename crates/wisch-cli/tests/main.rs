@@ -2,6 +2,7 @@
 
 mod ask;
 mod cli;
+mod curved;
 mod eval;
 mod executor;
 mod export;

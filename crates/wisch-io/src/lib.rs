@@ -41,8 +41,8 @@ pub use records::{
     InterpretationRecord, LogRecord, LoopSummary, MotionRecord, NodeRecord, PLAN_FORMAT,
     PLAN_SCHEMA, PlacementRecord, PlanRecord, PlanRecordError, PlanarPoseRecord, PlaneRecord,
     PoseRecord, PredictionSummary, RobotTrajectory, RoleRecord, RoundSummary, RoundTimes,
-    RunEventRecord, SUMMARY_SCHEMA, StrokeRecord, Summary, TreatmentSummary, WaypointRecord,
-    WipedRecord, planned_path_csv, tcp_path_csv,
+    RunEventRecord, SUMMARY_SCHEMA, ShapeRecord, StrokeRecord, Summary, TreatmentSummary,
+    WaypointRecord, WipedRecord, planned_path_csv, tcp_path_csv,
 };
 pub use robots::{MAP_EXTENSION, Robot, RobotFiles, robot_meshes, shipped_robots};
 pub use task_file::{Intent, ReadFile, RobotDescription, RobotRecord, TaskError, TaskFile};

@@ -178,6 +178,7 @@ fn options_of(
         settings,
         knowledge,
         seed,
+        accepts_curved: false,
         action: (action.map(str::parse).transpose()).map_err(|error| named("action", &error))?,
         strategy: (strategy.map(str::parse).transpose())
             .map_err(|error| named("strategy", &error))?,

@@ -101,7 +101,8 @@ impl RunRecord {
     /// - `robot`: the robot of the session; `None` for a session without a robot.
     ///
     /// # Errors
-    /// If a folder cannot be written, or holds files that are neither results nor episodes.
+    /// If a folder cannot be written, or holds files that are neither results nor episodes; or if a run on a curved surface
+    /// is to be kept.
     pub fn begin(
         loaded: &LoadedTask,
         robot: Option<&Robot>,
@@ -116,6 +117,12 @@ impl RunRecord {
             is_live,
             workcell,
         } = options;
+        // A plan alone may be recorded; everything else would show a plane.
+        let keeps = out.is_some() || bags.is_some() || episode.is_some() || is_live;
+        let surface = &loaded.task.surface;
+        if keeps && !surface.shape.is_plane() {
+            return Err(RecordError::CurvedSurface(surface.name.clone()));
+        }
         let folder = out
             .map(|out| OutputFolder::begin(&out, Leftover::Remove, Replaceable::All))
             .transpose()?;

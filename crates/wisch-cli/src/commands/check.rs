@@ -12,7 +12,7 @@ use std::collections::BTreeSet;
 use wisch::follow::{Followed, Workcell};
 use wisch::geometry::{Bounds2, Mesh, Point2, Vector3};
 use wisch::plan::{FreeSpace, NodeRole, Plan, Prediction, predict};
-use wisch::represent::{Action, GoalState, Task, dirt_friction};
+use wisch::represent::{Action, GoalState, SurfaceShape, Task, dirt_friction};
 use wisch::run::{NoExecutor, Session, Stage, check_score, ignore_events};
 use wisch_io::LoadedTask;
 
@@ -28,7 +28,7 @@ pub fn check(args: &CheckArgs, global: &GlobalArgs) -> Result<Outcome, Failure> 
     let progress = Progress::start(global);
     progress.say("reading the task");
     let task_args = &in_evaluations(&args.task)?;
-    let prepared = prepare::read(task_args)?;
+    let prepared = prepare::read_any_shape(task_args)?;
     let failure = |error| stage_failure(task_args, error);
     let free_area = FreeArea::of(&prepared.task, &progress).map_err(failure)?;
     progress.say(format!("planning ({})", prepared.run.plan.strategy));
@@ -305,13 +305,20 @@ fn surface(task: &Task) -> String {
             format!("{:.3} x {:.3} m, ", b.size().x, b.size().y)
         });
     let at = task.surface.world_from_surface.translation.vector;
+    let shape = match task.surface.shape {
+        SurfaceShape::Plane => String::new(),
+        SurfaceShape::Cylinder { radius, axis } => format!(
+            ", rolled onto a cylinder of radius {radius} m whose axis is at {:.0}° to x",
+            axis.to_degrees()
+        ),
+    };
     let edges = match task.surface.skim_edges.len() {
         0 => "no skim edge".to_owned(),
         1 => format!("skim edge {}", task.surface.skim_edges[0]),
         _ => format!("skim edges {:?}", task.surface.skim_edges),
     };
     format!(
-        "{}, {size}{:.3} m2, at ({:.3}, {:.3}, {:.3}) m in the world; {edges}",
+        "{}, {size}{:.3} m2{shape}, at ({:.3}, {:.3}, {:.3}) m in the world; {edges}",
         task.surface.name,
         outline.area(),
         at.x,

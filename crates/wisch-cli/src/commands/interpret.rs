@@ -15,7 +15,7 @@ use wisch::geometry::{Pose, Vector3};
 use wisch::interpret::{
     EventKind, InterpretConfig, Interpretation, ObservationUpdate, interpret as conclude,
 };
-use wisch::represent::{GoalState, ParticleDistribution};
+use wisch::represent::{GoalState, ParticleDistribution, SurfaceShape};
 use wisch::robot::joint_transforms;
 use wisch_io::{
     INTERPRETATION_FILE, OutputFolder, PARTICLES_ESTIMATED_FILE, REPORT_FILE, Replaceable,
@@ -31,7 +31,7 @@ pub fn interpret(args: &InterpretArgs, global: &GlobalArgs) -> Result<Outcome, F
     let progress = Progress::start(global);
     progress.say("reading the task");
     let task_args = task_args(&args.source);
-    let mut prepared = prepare::read(&task_args)?;
+    let mut prepared = prepare::read_any_shape(&task_args)?;
     let out = (args.out.clone()).unwrap_or_else(|| default_out(&prepared));
     check_log_is_kept(&args.source.log, &out)?;
     // The folder comes before the long computation, so that a missing permission is reported at once.
@@ -180,6 +180,11 @@ fn remarks(log: &Log, prepared: &LoadedTask, interpretation: &Interpretation) ->
                 angle.to_degrees()
             ));
         }
+    }
+    if let SurfaceShape::Cylinder { radius, .. } = prepared.task.surface.shape {
+        remarks.push(format!(
+            "the surface is a cylinder of radius {radius} m: places and maps show it unrolled"
+        ));
     }
     // Decisive doubts are shown beside the performance.
     let assumed = (interpretation.doubts.iter()).filter(|doubt| !doubt.is_decisive());

@@ -17,7 +17,7 @@ pub use interpretation::{
 };
 pub use plan::{
     GoalRecord, NodeRecord, PLAN_FORMAT, PLAN_SCHEMA, PlanRecord, PlanRecordError,
-    PlanarPoseRecord, PoseRecord, RoleRecord, StrokeRecord, WaypointRecord,
+    PlanarPoseRecord, PoseRecord, RoleRecord, ShapeRecord, StrokeRecord, WaypointRecord,
 };
 pub use rounds::{ExecutedBy, LoopSummary, RoundSummary, RoundTimes};
 pub use summary::{

@@ -9,7 +9,7 @@ use wisch::geometry::{PlanarPose, Point2, Pose};
 use wisch::plan::{
     Node, NodeRole, Plan, PlanError, SemanticDirectedGraph, Stroke, TcpWaypoint, check_strokes,
 };
-use wisch::represent::{GoalState, Task, UnknownName};
+use wisch::represent::{GoalState, SurfaceShape, Task, UnknownName};
 
 /// Value of the key `format` in `plan.json`.
 pub const PLAN_FORMAT: &str = "wisch-plan";
@@ -40,6 +40,9 @@ pub struct PlanRecord {
     pub seed: u64,
     /// Pose of the surface in the world.
     pub world_from_surface: PoseRecord,
+    /// Shape of the surface; left out for a plane. Positions are in the chart, which is rolled onto it.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub surface_shape: Option<ShapeRecord>,
     /// Start position of the tool, in the surface frame.
     pub tool_start_in_surface_m: [f64; 2],
     /// Radius r_s of the collision sphere.
@@ -62,6 +65,29 @@ pub struct PlanRecord {
     pub strokes: Vec<StrokeRecord>,
     /// The corners of the tool centre point's whole path, lifted moves included.
     pub tcp_path: Vec<WaypointRecord>,
+}
+
+/// A cylinder onto which the chart of a surface is rolled, so that it touches the xy plane of the surface frame at the origin.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct ShapeRecord {
+    /// Radius \[m\], positive where it bulges towards the tool, negative where it is hollow.
+    pub cylinder_radius_m: f64,
+    /// Angle of its axis from x \[rad\].
+    pub axis_rad: f64,
+}
+
+impl ShapeRecord {
+    /// Makes the record of a shape; `None` for a plane.
+    fn new(shape: &SurfaceShape) -> Option<Self> {
+        match *shape {
+            SurfaceShape::Plane => None,
+            SurfaceShape::Cylinder { radius, axis } => Some(Self {
+                cylinder_radius_m: radius,
+                axis_rad: axis,
+            }),
+        }
+    }
 }
 
 /// A pose in space: position \[m\] and orientation.
@@ -305,6 +331,7 @@ impl PlanRecord {
             strategy: plan.strategy.to_string(),
             seed,
             world_from_surface: (&task.surface.world_from_surface).into(),
+            surface_shape: ShapeRecord::new(&task.surface.shape),
             tool_start_in_surface_m: plan.tool_start.into(),
             collision_radius_m: plan.collision_radius,
             lift_height_m: plan.lift_height,

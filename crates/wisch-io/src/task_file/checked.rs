@@ -5,8 +5,8 @@ use super::deserialize::{At, record};
 use super::execution::camera;
 use super::outline::Outline;
 use super::tables::{
-    EdgeName, FrameName, ObjectTable, ParticlesTable, PolishTable, RobotTable, SurfaceTable,
-    TaskTable,
+    EdgeName, FrameName, ObjectTable, ParticlesTable, PolishTable, RobotTable, ShapeName,
+    SurfaceTable, TaskTable,
 };
 use super::tree::{Source, description, integer};
 use super::values::{AngleRad, Name, PositionM, QuaternionPart, mask, point};
@@ -21,7 +21,7 @@ use toml::de::DeValue;
 use wisch::follow::FollowConfig;
 use wisch::geometry::{Pose, Vector2, Vector3};
 use wisch::plan::{PlanConfig, SearchConfig, YawRule};
-use wisch::represent::{Surface, Treatment};
+use wisch::represent::{Surface, SurfaceShape, Treatment};
 use wisch::run::RunConfig;
 use wisch::source_location::{Place, UnknownName};
 
@@ -240,7 +240,7 @@ fn surface(table: &At<SurfaceTable>, scene: &[ObjectRecord]) -> Result<SurfaceRe
         }
         None => None,
     };
-    Ok(SurfaceRecord {
+    let mut record = SurfaceRecord {
         at: surface.name.place.clone(),
         surface: Surface {
             name: surface.name.value.0.clone(),
@@ -252,10 +252,31 @@ fn surface(table: &At<SurfaceTable>, scene: &[ObjectRecord]) -> Result<SurfaceRe
                 surface.quaternion_xyzw.as_ref(),
             )?,
             skim_edges,
-            shape: Default::default(),
+            shape: SurfaceShape::Plane,
         },
         carried_by,
-    })
+    };
+    record.surface.shape = surface_shape(table)?;
+    if let Some(fault) = record.surface.shape_fault() {
+        return Err(table.inconsistent(fault.to_string()));
+    }
+    Ok(record)
+}
+
+/// Reads the shape of a surface.
+fn surface_shape(table: &At<SurfaceTable>) -> Result<SurfaceShape, TaskError> {
+    let surface = &table.value;
+    let only_of_cylinders = "is that of a cylinder; set surface.shape = \"cylinder\"";
+    match (surface.shape, &surface.radius_m, &surface.axis_rad) {
+        (ShapeName::Plane, None, None) => Ok(SurfaceShape::Plane),
+        (ShapeName::Plane, Some(radius), _) => Err(radius.inconsistent(only_of_cylinders)),
+        (ShapeName::Plane, None, Some(axis)) => Err(axis.inconsistent(only_of_cylinders)),
+        (ShapeName::Cylinder, None, _) => Err(table.missing("radius_m")),
+        (ShapeName::Cylinder, Some(radius), axis) => Ok(SurfaceShape::Cylinder {
+            radius: radius.value.0,
+            axis: axis.as_ref().map_or(0.0, |axis| axis.value.0),
+        }),
+    }
 }
 
 fn robot(table: &At<RobotTable>) -> Result<RobotRecord, TaskError> {

@@ -8,7 +8,7 @@ use super::values::{
     Evaluations, FalseAlarms, FlangeM, FootprintM, FreeSpeed, Friction, GrainM, GripM, HalfSizeM,
     LawSpread, LeanRad, LiftHeightM, LogForce, LogSpread, MarginM, Name, ParticleCount, Passes,
     Pixel, PositionErrorM, PositionM, PostureWeight, PressForceN, PrestonPerPa, QuaternionPart,
-    RedrawLengthM, Scale, SchemaVersion, Score, Seed, Share, SizeM, Stiffness, ThicknessM,
+    RadiusM, RedrawLengthM, Scale, SchemaVersion, Score, Seed, Share, SizeM, Stiffness, ThicknessM,
     Variants, VolumePerMetre, names,
 };
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
@@ -251,6 +251,13 @@ pub(super) struct SurfaceTable {
     /// Holes as polygons inside the outline, surface frame [m].
     #[serde(default)]
     pub(super) holes_m: Vec<At<RingPoints>>,
+    /// Shape onto which the outline is rolled; default: plane. Only some commands know cylinders yet.
+    #[serde(default)]
+    pub(super) shape: ShapeName,
+    /// Radius of a cylinder [m], positive where it bulges towards the tool, negative where it is hollow.
+    pub(super) radius_m: Option<At<RadiusM>>,
+    /// Angle of the axis of a cylinder from x [rad]; default: 0.
+    pub(super) axis_rad: Option<At<AngleRad>>,
     /// Origin of the surface in the world [m].
     pub(super) position_m: Option<[PositionM; 3]>,
     /// Roll, pitch, yaw about the world's x, y, z in turn [rad]; excludes `quaternion_xyzw`.
@@ -263,6 +270,16 @@ pub(super) struct SurfaceTable {
     /// outline from point i (counted from 0) to the next.
     #[serde(default)]
     pub(super) skim_edges: Vec<At<EdgeName>>,
+}
+
+/// Shape of a surface: flat, or rolled onto a cylinder that touches the xy plane of its frame at the origin.
+#[derive(Deserialize, JsonSchema, Clone, Copy, Default, PartialEq, Eq)]
+#[serde(rename = "shape", rename_all = "lowercase")]
+#[schemars(rename = "SurfaceShape", inline)]
+pub(super) enum ShapeName {
+    #[default]
+    Plane,
+    Cylinder,
 }
 
 /// Points of a closed ring; the last point joins the first.

@@ -44,6 +44,8 @@ ranges! { f64, NumberWithin;
     PositionM = (-100.0, 100.0);
     /// Sizes of surfaces and objects [m].
     SizeM = (1e-3, 100.0);
+    /// Radii of cylinders [m], negative for hollows; the smallest size is checked with the outline.
+    RadiusM = (-1e4, 1e4);
     /// A full turn either way [rad].
     AngleRad = (-TAU, TAU);
     /// A component of a unit quaternion, with a margin for rounding.

@@ -6,21 +6,16 @@
 //! as long as it is positive everywhere.
 
 use super::PlanError;
-use crate::geometry::{Mesh, Point2, Region, Vector2, Vector3};
-use crate::represent::{Surface, SurfaceShape, Task, dirt_friction};
-use parry3d_f64::math::Vector;
-use parry3d_f64::query::PointQuery;
-use parry3d_f64::shape::TriMesh;
+use crate::geometry::{Mesh, Point2, Point3, Region, Vector2, Vector3};
+use crate::represent::{SURFACE_SKIN, Surface, SurfaceShape, Task, dirt_friction};
 
 /// Least pressure over the mean one at which a plan counts every point under the tool as touched [1]: about the median
 /// threshold e^μ = 0.35 of the shipped laws.
 const LEAST_PRESSURE: f64 = 0.3;
 /// Number of yaws at which the tool is tried.
 const YAWS: usize = 90;
-/// Distance between the places of a surface from which objects are searched [m].
+/// Half the distance between the points of an object that are checked [m]; also their slack.
 const SEARCH_STEP: f64 = 0.01;
-/// Most such places along one side of the outline's bounds.
-const MOST_STEPS: f64 = 200.0;
 
 /// Checks that the method's model holds on the surface of a task; always on a plane.
 ///
@@ -106,7 +101,8 @@ fn steepest(surface: &Surface) -> f64 {
     corners.map(angle).fold(0.0, f64::max)
 }
 
-/// Checks that no object of a scene is within a radius of a curved surface.
+/// Checks that no object of a scene is within a radius of a curved surface, on its outer side: as on a plane, what lies
+/// below the surface supports it.
 ///
 /// `scene`: meshes in the surface frame.
 pub(super) fn check_scene<'a>(
@@ -114,16 +110,23 @@ pub(super) fn check_scene<'a>(
     scene: impl IntoIterator<Item = &'a Mesh>,
     radius: f64,
 ) -> Result<(), PlanError> {
-    let places = search_places(surface);
+    let outline = &surface.outline;
+    let distance = |point: &Point3| {
+        let at = surface.shape.chart(*point);
+        if at.height <= SURFACE_SKIN {
+            return f64::INFINITY;
+        }
+        let edges = outline.edges().map(|edge| edge.distance(at.place));
+        let beside = if outline.contains(at.place) {
+            0.0
+        } else {
+            edges.fold(f64::INFINITY, f64::min)
+        };
+        at.height.hypot(beside)
+    };
     for mesh in scene {
-        let corners = mesh.vertices().iter().map(|p| Vector::new(p.x, p.y, p.z));
-        let mesh = TriMesh::new(corners.collect(), mesh.triangles().to_vec())
-            .map_err(|error| PlanError::Scene(error.to_string()))?;
-        let near = places.iter().map(|place| {
-            let at = surface.shape.place(*place, 0.0).translation.vector;
-            mesh.distance_to_local_point(Vector::new(at.x, at.y, at.z), true)
-        });
-        let distance = near.fold(f64::INFINITY, f64::min);
+        let fine = mesh.split_edges(2.0 * SEARCH_STEP);
+        let distance = (fine.vertices().iter().map(distance)).fold(f64::INFINITY, f64::min);
         if distance < radius + SEARCH_STEP {
             return Err(PlanError::ObstacleOnBend {
                 surface: surface.name.clone(),
@@ -133,28 +136,6 @@ pub(super) fn check_scene<'a>(
         }
     }
     Ok(())
-}
-
-/// Returns places all over the surface, and its corners.
-fn search_places(surface: &Surface) -> Vec<Point2> {
-    let corners = surface.outline.outer();
-    let mut places = corners.to_vec();
-    let Some(bounds) = crate::geometry::Bounds2::from_points(corners.iter().copied()) else {
-        return places;
-    };
-    let counts = bounds
-        .size()
-        .map(|side| (side / SEARCH_STEP).ceil().clamp(1.0, MOST_STEPS));
-    for i in 0..=counts.x as usize {
-        for j in 0..=counts.y as usize {
-            let shares = Vector2::new(i as f64 / counts.x, j as f64 / counts.y);
-            let place = bounds.min + bounds.size().component_mul(&shares);
-            if surface.outline.contains(place) {
-                places.push(place);
-            }
-        }
-    }
-    places
 }
 
 #[cfg(test)]

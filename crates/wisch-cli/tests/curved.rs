@@ -1,0 +1,116 @@
+//! Surfaces that are rolled onto a cylinder: commands that know them, and commands that refuse them.
+
+use crate::program::command;
+use std::fs;
+use std::path::Path;
+use std::process::Output;
+
+/// Runs a command on the template's task, on a cylinder of a radius \[m\] unless it is a plane.
+fn wisch(folder: &Path, words: &[&str], radius: Option<&str>) -> Output {
+    let mut command = command(folder);
+    command.arg(words[0]).arg("task.toml").args(&words[1..]);
+    match radius {
+        Some(radius) => command
+            .args(["--set", "surface.shape=cylinder", "--set"])
+            .arg(format!("surface.radius_m={radius}")),
+        None => command.args(["--set", "surface.shape=plane"]),
+    };
+    command.output().unwrap()
+}
+
+fn text(bytes: &[u8]) -> String {
+    String::from_utf8_lossy(bytes).into_owned()
+}
+
+fn folder() -> tempfile::TempDir {
+    let folder = tempfile::tempdir().unwrap();
+    let made = command(folder.path()).args(["new", "task.toml"]).output();
+    assert!(made.unwrap().status.success());
+    // A cup stands on the template's board.
+    let path = folder.path().join("task.toml");
+    let text = fs::read_to_string(&path).unwrap();
+    let (text, _) = text.split_once("\n[[scene]]").unwrap();
+    let lines = text.lines().filter(|line| !line.starts_with("carried_by"));
+    fs::write(&path, lines.collect::<Vec<_>>().join("\n")).unwrap();
+    folder
+}
+
+#[test]
+fn a_plan_on_a_cylinder_is_that_of_the_plane_and_names_the_shape() {
+    let folder = folder();
+    let plan = |out: &str, radius: Option<&str>| {
+        let words = ["plan", "--strategy", "grid", "--out", out];
+        let done = wisch(folder.path(), &words, radius);
+        assert!(done.status.success(), "{}", text(&done.stderr));
+        fs::read_to_string(folder.path().join(out).join("plan.json")).unwrap()
+    };
+    let (flat, bent) = (plan("flat", None), plan("bent", Some("2.0")));
+    assert!(!flat.contains("surface_shape"));
+    let start = bent.find("  \"surface_shape\"").expect("the shape");
+    let end = start + bent[start..].find("},").unwrap() + 3;
+    assert!(
+        bent[start..end].contains("\"cylinder_radius_m\": 2.0"),
+        "{bent}"
+    );
+    assert_eq!([&bent[..start], &bent[end..]].concat(), flat);
+}
+
+#[test]
+fn a_check_names_the_cylinder() {
+    let folder = folder();
+    let done = wisch(folder.path(), &["check"], Some("-2.0"));
+    let found = text(&done.stdout);
+    assert!(
+        found.contains("cylinder of radius -2 m whose axis is at 0° to x"),
+        "{found}"
+    );
+}
+
+#[test]
+fn what_takes_every_surface_for_a_plane_refuses_a_cylinder() {
+    let folder = folder();
+    for words in [
+        &["run"][..],
+        &["predict"],
+        &["follow"],
+        &["run", "--robot", "none"],
+    ] {
+        let done = wisch(folder.path(), words, Some("2.0"));
+        let errors = text(&done.stderr);
+        assert_eq!(done.status.code(), Some(2), "{words:?}");
+        assert!(
+            errors.contains("surface.shape") && errors.contains("not to this command yet"),
+            "{errors}"
+        );
+    }
+    assert_eq!(
+        fs::read_dir(folder.path().join("out")).map_or(0, Iterator::count),
+        0
+    );
+}
+
+#[test]
+fn keys_of_a_cylinder_are_checked() {
+    let folder = folder();
+    let fails = |set: &[&str]| {
+        let mut command = command(folder.path());
+        command.args(["check", "task.toml"]);
+        set.iter().for_each(|key| {
+            command.args(["--set", key]);
+        });
+        let done = command.output().unwrap();
+        assert_eq!(done.status.code(), Some(2), "{set:?}");
+        text(&done.stderr)
+    };
+    let errors = fails(&["surface.shape=cylinder"]);
+    assert!(
+        errors.contains("radius_m") && errors.contains("missing"),
+        "{errors}"
+    );
+    let errors = fails(&["surface.radius_m=1.0"]);
+    assert!(errors.contains("that of a cylinder"), "{errors}");
+    let errors = fails(&["surface.shape=cylinder", "surface.radius_m=0.05"]);
+    assert!(errors.contains("about the axis"), "{errors}");
+    let errors = fails(&["surface.shape=sphere"]);
+    assert!(errors.contains("cylinder"), "{errors}");
+}
