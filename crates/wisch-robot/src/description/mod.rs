@@ -13,6 +13,7 @@ mod transforms;
 mod units;
 pub(super) mod urdf;
 mod virtual_joint;
+mod xml;
 
 pub use appearance::{Appearance, Visual};
 pub use check::{MAX_DEPTH, check};

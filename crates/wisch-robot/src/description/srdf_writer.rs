@@ -2,6 +2,7 @@
 
 use super::srdf::Srdf;
 use super::virtual_joint::VirtualJoint;
+use super::xml::escape;
 use crate::{LinkId, RobotModel};
 use std::fmt::Write;
 
@@ -172,22 +173,4 @@ fn push_comment(text: &mut String, indent: &str, comment: &str) {
 fn push_line(text: &mut String, line: std::fmt::Arguments<'_>) {
     // Writing to a string cannot fail.
     let _ = writeln!(text, "{line}");
-}
-
-/// Returns a text as the value of an attribute in double quotes.
-pub(super) fn escape(value: &str) -> String {
-    let mut escaped = String::with_capacity(value.len());
-    for c in value.chars() {
-        match c {
-            '&' => escaped += "&amp;",
-            '<' => escaped += "&lt;",
-            '>' => escaped += "&gt;",
-            '"' => escaped += "&quot;",
-            '\n' | '\r' | '\t' => {
-                let _ = write!(escaped, "&#{};", u32::from(c));
-            }
-            _ => escaped.push(c),
-        }
-    }
-    escaped
 }

@@ -1,7 +1,7 @@
 //! The virtual joint of an SRDF, which joins the root of a robot to the world. A planar one is a base that drives.
 
-use super::srdf_writer::escape;
 use super::urdf::{Reader, elements};
+use super::xml::escape;
 use roxmltree::{Document, Node};
 
 /// Kind of a virtual joint that is a base that drives.
@@ -36,7 +36,7 @@ impl VirtualJoint {
         self.kind == PLANAR
     }
 
-    /// Returns the URDF with this planar joint between the parent frame, as the new root, and the former root link.
+    /// Returns the URDF with this planar joint between the parent frame, as the new root, and its child link.
     /// The lines of the text keep their numbers. `None` if the joint is not planar, if its child is not the root link,
     /// or if the text is no URDF or has a link or joint of its name already.
     ///
