@@ -103,7 +103,7 @@ def try_robot(program, urdf, folders, task, options, timeout):
         ran, error = wisch(program, ["run", task, "--robot", urdf.name, *given], folder, timeout)
         if error or not ran:
             return [*cells, f"run: {error}", "", "", ""], False
-        left_out = f"{ran['abandoned_nodes']} of {ran['nodes']}"
+        left_out = str(ran["abandoned_nodes"])
         why = f": {ran['first_obstruction']}" if ran["first_obstruction"] else ""
         true = ran.get("final_true")
         wiped = "nothing was wiped" if true is None else f"{100 * true:.1f} %"
