@@ -13,7 +13,7 @@
 The arguments are folders that contain the packages: the folder site-packages for those of pip, or a folder into which their wheels are
 unpacked. Each robot of ROBOTS that is found gets the commands that a new user types: `wisch robot setup` with the task, `wisch robot
 check` and `wisch run`. A fixed arm stands where the arm of the task stands. A robot on wheels is set up with --mobile, and wisch chooses
-where it stands. Nothing else is adapted to a robot. The table shows which nodes of the plan the robot does not reach, how it holds the
+where it stands. Two arms stand farther from the board. Nothing else is adapted to a robot. The table shows which nodes of the plan the robot does not reach, how it holds the
 tool, and what was really wiped in simulation.
 """
 
@@ -27,7 +27,10 @@ import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 
-# Name, end of the URDF's path, task, further arguments of setup.
+# An elbow that bends by 120 degrees only needs more room than the arm of the task, which stands at -0.45 m.
+FARTHER = ["--set", "robot.position_m=[0, -0.6, 0.75]"]
+
+# Name, end of the URDF's path, task, further arguments: --mobile of setup, --set of setup and run.
 ROBOTS = [
     ("UR3", "ur_description/urdf/ur3_robot.urdf", "arm-board", []),
     ("UR5", "ur_description/urdf/ur5_robot.urdf", "arm-board", []),
@@ -37,8 +40,8 @@ ROBOTS = [
     ("Z1", "z1_description/urdf/z1.urdf", "arm-board", []),
     ("Kinova Gen2", "kinova_description/robots/kinova.urdf", "arm-board", []),
     ("Jaco 7", "jaco_description/urdf/j2s7s300.urdf", "arm-board", []),
-    ("iiwa14", "iiwa_description/urdf/iiwa14_primitive_collision.urdf", "arm-board", []),
-    ("iiwa14 R820", "kuka_lbr_iiwa/urdf/lbr_iiwa_14_r820.urdf", "arm-board", []),
+    ("iiwa14", "iiwa_description/urdf/iiwa14_primitive_collision.urdf", "arm-board", FARTHER),
+    ("iiwa14 R820", "kuka_lbr_iiwa/urdf/lbr_iiwa_14_r820.urdf", "arm-board", FARTHER),
     ("UR5e", "ur5e.urdf", "arm-board", []),
     ("UR10e", "ur10e.urdf", "arm-board", []),
     ("FR3", "fr3.urdf", "arm-board", []),
@@ -62,7 +65,7 @@ def find(folders, end):
 
 
 def packages(urdf, folders):
-    """Arguments that name the packages of a URDF: folders of their names, above or below the given folders, with its files."""
+    """Arguments that name the packages of a URDF: folders of their names with its files, or a folder above it."""
     parts = urdf.read_text(errors="replace").split("package://")[1:]
     files = [part.split('"')[0].lstrip("/") for part in parts]
     given = []
@@ -71,8 +74,13 @@ def packages(urdf, folders):
         above = (parent.parent for parent in urdf.parents if parent.name == name)
         below = (path.parent for folder in folders for path in sorted(folder.rglob(name)))
         place = next((place for place in (*above, *below) if any((place / file).is_file() for file in own)), None)
-        if place:
-            given += ["--package", f"{name}={(place / name).resolve()}"]
+        folder = place / name if place else None
+        if not folder:
+            # A copy of the package under another name.
+            rests = [file.split("/", 1)[1] for file in own]
+            folder = next((parent for parent in urdf.parents if any((parent / rest).is_file() for rest in rests)), None)
+        if folder:
+            given += ["--package", f"{name}={folder.resolve()}"]
     return given
 
 
@@ -100,7 +108,8 @@ def try_robot(program, urdf, folders, task, options, timeout):
         check, _ = wisch(program, ["robot", "check", urdf.name, *given], folder, timeout)
         arm = next(iter(setup["groups"]))
         cells = [f"{arm['name']} to {arm['tip']}", f"{check.get('errors')}, {check.get('warnings')}"]
-        ran, error = wisch(program, ["run", task, "--robot", urdf.name, *given], folder, timeout)
+        settings = [option for option in options if option != "--mobile"]
+        ran, error = wisch(program, ["run", task, "--robot", urdf.name, *settings, *given], folder, timeout)
         if error or not ran:
             return [*cells, f"run: {error}", "", "", ""], False
         left_out = str(ran["abandoned_nodes"])

@@ -7,9 +7,9 @@ use crate::task_file::RobotDescription;
 use include_dir::{Dir, include_dir};
 use std::path::{Path, PathBuf};
 use wisch::robot::{
-    ASSUMED_DENSITY, ASSUMED_SLIDE_RATES, ASSUMED_TURN_RATES, Appearance, CapabilityMap,
-    Diagnostic, DiagnosticKind, HOME_STATE, JointKind, LinkId, READY_STATE, RobotHash, RobotModel,
-    Severity, Srdf, urdf_on_base,
+    ASSUMED_BASE_LIMITS, ASSUMED_DENSITY, ASSUMED_SLIDE_RATES, ASSUMED_TURN_RATES, Appearance,
+    CapabilityMap, Diagnostic, DiagnosticKind, HOME_STATE, JointKind, LinkId, READY_STATE,
+    RobotHash, RobotModel, Severity, Srdf, VirtualJoint, urdf_on_base,
 };
 use wisch::run::RobotSetup;
 use wisch::source_location::UnknownName;
@@ -128,6 +128,16 @@ impl Robot {
                 "robot {:?}: its URDF has no masses for {}: {ASSUMED_DENSITY} kg/m3 in the box around their shapes is assumed",
                 model.name(),
                 names.join(", ")
+            ));
+        }
+        let bases = self.srdf.iter().flat_map(|srdf| &srdf.virtual_joints);
+        let drives = |base: &&VirtualJoint| model.joint(&format!("{}/x", base.name)).is_ok();
+        for base in bases.filter(drives) {
+            let [velocity, acceleration, _] = ASSUMED_BASE_LIMITS;
+            remarks.push(format!(
+                "robot {:?}: its base drives, by the virtual joint {:?} of the SRDF: {velocity} m/s and rad/s, {acceleration} m/s2 and rad/s2 are assumed",
+                model.name(),
+                base.name
             ));
         }
         let counterbalanced = self.srdf.iter().flat_map(|srdf| &srdf.counterbalanced);

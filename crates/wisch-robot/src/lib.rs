@@ -64,10 +64,11 @@ pub use clearance::{
     AllowedReason, BodyId, Clearance, CollisionModel, Contact, Margins, SEGMENT_RESOLUTION,
 };
 pub use description::{
-    Appearance, Collision, Diagnostic, DiagnosticKind, DisabledPair, Group, GroupState, HOME_STATE,
-    IgnoredElement, JointMimic, JointMotion, JointTransform, LinkAxis, MAX_DEPTH, MAX_LINKS,
-    MAX_MESH_EXTENT, MAX_SHAPES, MAX_URDF_BYTES, READY_STATE, Severity, Shape, Srdf, SrdfComments,
-    Subject, ToolHolder, VirtualJoint, Visual, check, joint_transforms, urdf_on_base,
+    ASSUMED_BASE_LIMITS, Appearance, Collision, Diagnostic, DiagnosticKind, DisabledPair, Group,
+    GroupState, HOME_STATE, IgnoredElement, JointMimic, JointMotion, JointTransform, LinkAxis,
+    MAX_DEPTH, MAX_LINKS, MAX_MESH_EXTENT, MAX_SHAPES, MAX_URDF_BYTES, READY_STATE, Severity,
+    Shape, Srdf, SrdfComments, Subject, ToolHolder, VirtualJoint, Visual, check, joint_transforms,
+    urdf_on_base,
 };
 pub use dynamics::{Dynamics, MIN_INERTIA};
 pub use error::RobotError;

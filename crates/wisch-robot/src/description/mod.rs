@@ -26,4 +26,4 @@ pub use srdf::{
 pub use srdf_writer::SrdfComments;
 pub use transforms::{JointMimic, JointMotion, JointTransform, joint_transforms};
 pub use urdf::{MAX_LINKS, MAX_SHAPES, MAX_URDF_BYTES};
-pub use virtual_joint::{VirtualJoint, urdf_on_base};
+pub use virtual_joint::{ASSUMED_BASE_LIMITS, VirtualJoint, urdf_on_base};

@@ -6,6 +6,9 @@ use roxmltree::{Document, Node};
 
 /// Kind of a virtual joint that is a base that drives.
 const PLANAR: &str = "planar";
+/// Limits of a base that a virtual joint declares, as an SRDF has none: velocity [m/s and rad/s], acceleration \[m/s² and
+/// rad/s²\], effort [N and Nm].
+pub const ASSUMED_BASE_LIMITS: [f64; 3] = [0.5, 1.0, 10_000.0];
 
 /// A virtual joint of an SRDF: how the root of the robot is joined to the world.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -36,7 +39,8 @@ impl VirtualJoint {
         self.kind == PLANAR
     }
 
-    /// Returns the URDF with this planar joint between the parent frame, as the new root, and its child link.
+    /// Returns the URDF with this planar joint between the parent frame, as the new root, and its child link. The joint has
+    /// the [`ASSUMED_BASE_LIMITS`].
     /// The lines of the text keep their numbers. `None` if the joint is not planar, if its child is not the root link,
     /// or if the text is no URDF or has a link or joint of its name already.
     ///
@@ -68,8 +72,9 @@ impl VirtualJoint {
         let end = root.range().start + urdf[root.range()].rfind("</")?;
         let [name, parent, child] =
             [&self.name, &self.parent_frame, &self.child_link].map(|name| escape(name));
+        let [velocity, acceleration, effort] = ASSUMED_BASE_LIMITS;
         let base = format!(
-            "<link name=\"{parent}\"/><joint name=\"{name}\" type=\"{PLANAR}\"><parent link=\"{parent}\"/><child link=\"{child}\"/><axis xyz=\"0 0 1\"/></joint>"
+            "<link name=\"{parent}\"/><joint name=\"{name}\" type=\"{PLANAR}\"><parent link=\"{parent}\"/><child link=\"{child}\"/><axis xyz=\"0 0 1\"/><limit velocity=\"{velocity}\" acceleration=\"{acceleration}\" effort=\"{effort}\"/></joint>"
         );
         Some([&urdf[..end], &base, &urdf[end..]].concat())
     }
