@@ -37,7 +37,8 @@ pub(super) fn check_bend(task: &Task) -> Result<(), PlanError> {
             tool: task.tool.name.clone(),
             surface: surface.name.clone(),
             radius,
-            share,
+            // A tool does not pull: where the formula is negative, it does not touch.
+            share: share.max(0.0),
             limit: LEAST_PRESSURE,
             depth,
         });
