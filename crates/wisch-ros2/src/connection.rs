@@ -23,6 +23,9 @@ const CLOCK_RATIO: [f64; 2] = [0.8, 1.25];
 /// The safety mode in which a robot of Universal Robots may move.
 const NORMAL: u8 = 1;
 
+/// Longest silence of the speed scaling: without it, a pause would not be noticed.
+const SCALING_AGE: Duration = Duration::from_millis(500);
+
 /// Client of `control_msgs/FollowJointTrajectory`.
 pub(crate) type TrajectoryAction =
     ActionClient<TrajectoryGoal, TrajectoryResult, TrajectoryFeedback>;
@@ -263,8 +266,18 @@ impl Connection {
         if let Some(reason) = stale {
             return Some((Kind::LinkLost, reason));
         }
+        if (readings.joints.as_ref()).is_some_and(|joints| joints.velocities.is_empty()) {
+            let topic = &file.motion.joint_states;
+            let reason = format!("{topic} has no velocities, so rest cannot be known");
+            return Some((Kind::LinkLost, reason));
+        }
         if let Some(topic) = &file.motion.scaling {
             match readings.scaling {
+                Some((arrival, _)) if arrival.elapsed() > SCALING_AGE => {
+                    let silent = arrival.elapsed().as_secs_f64();
+                    let reason = format!("{topic} has been silent for {silent:.1} s");
+                    return Some((Kind::LinkLost, reason));
+                }
                 Some((_, scaling)) if scaling > 0.0 => {}
                 Some(_) => {
                     let reason = "the speed scaling is 0: the robot is paused";

@@ -9,8 +9,10 @@ use crate::guard::Guard;
 use crate::motion::WipingMotion;
 use crate::protocol::{Incoming, MotionEnding, MotionHead, Outgoing, Request, VERSION};
 use crate::robot_file::RobotFile;
+use nalgebra::Vector3;
 use run::MotionRun;
 use serde_json::{Value, json};
+use std::cell::Cell;
 use std::path::Path;
 use std::time::Duration;
 
@@ -35,6 +37,8 @@ pub(crate) struct Driver {
     sign: f64,
     options: DriveOptions,
     guard: Guard,
+    /// Force of the latest tare in the axes of the world [N]; `None` before the first.
+    tare: Cell<Option<Vector3<f64>>>,
 }
 
 /// Serves wisch over the standard streams until the end of input.
@@ -113,6 +117,7 @@ impl Driver {
             sign,
             options,
             guard,
+            tare: Cell::new(None),
         };
         driver.activate()?;
         Ok(driver)
@@ -163,9 +168,11 @@ impl Driver {
         if !self.guard.is_alive() {
             return Err("the guard has ended, so nothing would stop the robot".to_owned());
         }
+        self.guard.set_armed(true);
         let mut run = MotionRun::begin(self, &motion, incoming, outgoing)?;
-        let ending = run.follow(&parts);
+        let (ending, rests) = run.follow(&parts);
         let done = run.finish(&ending);
+        self.guard.set_armed(!rests);
         Ok((ending != MotionEnding::Deserted).then_some(done))
     }
 }

@@ -123,15 +123,7 @@ pub(crate) fn stand_in(
     let seed = loaded.task.seed;
     let dirt = Dirt::draw(&WorkSurface::from_task(&loaded.task), &world, seed);
     let dirt = dirt.map_err(|error| error.to_string())?;
-    let at_rest = Followed {
-        motions: Vec::new(),
-        strokes: Vec::new(),
-        placements: Vec::new(),
-        rated: Vec::new(),
-        node_reachability: Vec::new(),
-        abandoned: Vec::new(),
-        tip_from_tool: *cell.tip_from_tool(),
-    };
+    let at_rest = Followed::at_rest(*cell.tip_from_tool());
     let order = MotionOrder {
         round: 1,
         seed,
@@ -390,6 +382,8 @@ impl StandIn<'_> {
             Command::Clock(offset) => self.clock_offset = offset,
             Command::Sign(sign) => self.sign = sign,
             Command::Reject(is_rejecting) => self.arm.is_rejecting = is_rejecting,
+            Command::Delay(seconds) => self.servers.delay = Duration::from_secs_f64(seconds),
+            Command::Refuse(refuses) => self.servers.refuses_release = refuses,
             Command::Quit => {}
         }
     }

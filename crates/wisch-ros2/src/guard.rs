@@ -17,14 +17,18 @@ use std::time::{Duration, Instant};
 const END: &str = "end";
 /// Line with which the guard says that it is connected.
 const READY: &str = "ready";
-/// Period and number of repetitions of the stop.
+/// Period of the stop, the least time for which it is repeated, as a goal may still be on its way, and the longest time that
+/// the guard waits for an answer.
 const REPEAT: Duration = Duration::from_millis(50);
-const REPETITIONS: usize = 3;
+const LEAST_STOP: Duration = Duration::from_secs(1);
+const LONGEST_STOP: Duration = Duration::from_secs(10);
 
-/// A running guard. It ends without a stop when this is dropped.
+/// A running guard. When this is dropped, it ends without a stop, unless it is armed or the program panics.
 pub(crate) struct Guard {
     child: Child,
     pipe: ChildStdin,
+    /// Whether the robot may still move.
+    is_armed: bool,
 }
 
 impl Guard {
@@ -51,7 +55,16 @@ impl Guard {
             let _ = child.wait();
             return Err("the guard is not connected; its error is above".to_owned());
         }
-        Ok(Self { child, pipe })
+        Ok(Self {
+            child,
+            pipe,
+            is_armed: false,
+        })
+    }
+
+    /// Sets whether the robot may still move, so that the guard has to stop it when this program ends.
+    pub const fn set_armed(&mut self, is_armed: bool) {
+        self.is_armed = is_armed;
     }
 
     /// Whether the guard still runs.
@@ -62,6 +75,10 @@ impl Guard {
 
 impl Drop for Guard {
     fn drop(&mut self) {
+        if self.is_armed || std::thread::panicking() {
+            // The pipe closes, and the guard stops the robot.
+            return;
+        }
         let _ = writeln!(self.pipe, "{END}");
         let _ = self.pipe.flush();
         let _ = self.child.wait();
@@ -103,13 +120,29 @@ pub(crate) fn watch(file: &RobotFile) -> Result<(), LinkError> {
         }
         line.clear();
     }
-    for _ in 0..REPETITIONS {
-        let _ = cancel.send(CancelRequest::ALL);
-        if let Some(release) = &release {
-            let _ = release.send(EmptyRequest::default());
-        }
+    let begin = Instant::now();
+    let (mut is_canceled, mut is_released) = (false, release.is_none());
+    loop {
+        let canceling = cancel.send(CancelRequest::ALL);
+        let releasing = release
+            .as_ref()
+            .map(|release| release.send(EmptyRequest::default()));
         std::thread::sleep(REPEAT);
+        is_canceled |= canceling.is_ok_and(|id| cancel.answer(id).is_some());
+        if let (Some(release), Some(Ok(id))) = (&release, releasing) {
+            is_released |= release.answer(id).is_some_and(|answer| answer.success);
+        }
+        let is_done = is_canceled && is_released && begin.elapsed() >= LEAST_STOP;
+        if is_done || begin.elapsed() >= LONGEST_STOP {
+            break;
+        }
     }
-    eprintln!("wisch-ros2: the executor ended without a stop, so the guard has canceled its goal");
+    eprintln!(
+        "wisch-ros2: the executor ended without a confirmed stop, so the guard {}",
+        match (is_canceled, is_released) {
+            (true, true) => "has canceled its goal",
+            _ => "canceled its goal, but the robot has not answered",
+        }
+    );
     Ok(())
 }

@@ -10,7 +10,7 @@ use std::time::Duration;
 pub(crate) const VERSION: u32 = 2;
 /// Longest line that is read [bytes].
 const MAX_LINE: u64 = 1 << 20;
-/// Messages that wait for wisch to read them: 20 s of samples at 100 Hz.
+/// Messages that wait for wisch to read them: 8 s of samples at 250 Hz.
 const OUTGOING: usize = 2000;
 /// Longest text of a stop's reason [characters].
 const MAX_REASON: usize = 400;

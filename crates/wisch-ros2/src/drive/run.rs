@@ -10,7 +10,8 @@ use crate::motion::{Part, WipingMotion};
 use crate::protocol::{Incoming, Kind, MotionEnding, Outgoing, Request};
 use crate::readings::{JointReading, ProgressReading, WrenchReading};
 use nalgebra::Vector3;
-use ros2_client::action_msgs::{GoalId, GoalStatusEnum};
+use ros2_client::RmwRequestId;
+use ros2_client::action_msgs::{CancelGoalResponseEnum, GoalId, GoalStatusEnum};
 use serde_json::{Value, json};
 use std::time::{Duration, Instant};
 
@@ -37,11 +38,16 @@ const PHASE_EDGE_S: f64 = 1e-4;
 const MOST_APART_S: f64 = 0.1;
 /// Longest wait for the robot to confirm a stop.
 const HOLD: Duration = Duration::from_secs(1);
+/// Period at which a stop is repeated until the robot confirms it.
+const REPEAT: Duration = Duration::from_millis(100);
 
 /// A goal that the robot executes.
 struct ActiveGoal {
     id: GoalId,
     sent: Instant,
+    /// The request to accept it.
+    request: RmwRequestId,
+    is_accepted: bool,
     /// Start of its part, and end, as planned [s].
     span: [f64; 2],
     /// Distance of the robot from the trajectory at the beginning [rad or m].
@@ -110,8 +116,8 @@ impl<'a> MotionRun<'a> {
             latest,
             sample_time: -1.0,
             force: Vector3::zeros(),
-            bias: Vector3::zeros(),
-            is_tared: false,
+            bias: driver.tare.get().unwrap_or_default(),
+            is_tared: driver.tare.get().is_some(),
             is_pressing: false,
             goal: None,
             trajectory_time: 0.0,
@@ -122,24 +128,23 @@ impl<'a> MotionRun<'a> {
         })
     }
 
-    /// Executes all parts. After any other ending than complete, the robot has been commanded to hold.
-    pub fn follow(&mut self, parts: &[Part]) -> MotionEnding {
-        for part in parts {
-            if let Err(mut ending) = self.follow_part(part) {
-                let confirmed = self.hold();
-                if let (MotionEnding::Stop(_, reason), false) = (&mut ending, confirmed) {
-                    reason.push_str("; the robot has not confirmed that it rests");
-                }
-                return ending;
-            }
+    /// Executes all parts. After any other ending than complete, the robot has been commanded to hold. Returns whether the
+    /// robot has confirmed that it rests, too; if it has not, the link counts as lost, so that wisch does not go on.
+    pub fn follow(&mut self, parts: &[Part]) -> (MotionEnding, bool) {
+        let followed = parts.iter().try_for_each(|part| self.follow_part(part));
+        let Err(ending) = followed.and_then(|()| self.settle()) else {
+            return (MotionEnding::Complete, true);
+        };
+        if self.hold() {
+            return (ending, true);
         }
-        match self.settle() {
-            Ok(()) => MotionEnding::Complete,
-            Err(ending) => {
-                self.hold();
-                ending
-            }
-        }
+        let reason = match ending {
+            MotionEnding::Deserted => return (MotionEnding::Deserted, false),
+            MotionEnding::Stop(_, reason) => reason,
+            MotionEnding::Stopped | MotionEnding::Complete => "stopped on request".to_owned(),
+        };
+        let reason = format!("{reason}; the robot has not confirmed that it rests");
+        (MotionEnding::Stop(Kind::LinkLost, reason), false)
     }
 
     /// The content of `done`.
@@ -204,9 +209,12 @@ impl<'a> MotionRun<'a> {
 
     /// Sends the goal of a part and waits until the controller has accepted it.
     fn send_goal(&mut self, part: &Part) -> Turned<GoalId> {
+        // A stop that came during the checks is not overtaken by a goal.
+        self.turn()?;
         let file = &self.robot.file;
         let first = &self.motion.knots[part.knots[0]];
         let positions = self.latest.positions.clone();
+        self.check_offset(&first.positions)?;
         let goal = self.motion.goal(
             part,
             &positions,
@@ -223,6 +231,8 @@ impl<'a> MotionRun<'a> {
         self.goal = Some(ActiveGoal {
             id,
             sent: now,
+            request,
+            is_accepted: false,
             span: [first.time, self.end_of(part)],
             offset: offset
                 .map(|(measured, planned)| measured - planned)
@@ -237,6 +247,9 @@ impl<'a> MotionRun<'a> {
             answer.ok().flatten()
         })?;
         if answer.accepted {
+            if let Some(goal) = &mut self.goal {
+                goal.is_accepted = true;
+            }
             return Ok(id);
         }
         self.goal = None;
@@ -244,6 +257,29 @@ impl<'a> MotionRun<'a> {
             Kind::ProtectiveStop,
             "the controller rejects the goal; its log says why",
         )
+    }
+
+    /// Checks how far the tool is from the begin of a goal: a goal fades this distance within half a second.
+    fn check_offset(&self, planned: &[f64]) -> Turned<()> {
+        let planned = self.driver.tool_at(self.motion, planned);
+        let measured = self.driver.tool_at(self.motion, &self.latest.positions);
+        let (Some(planned), Some(measured)) = (planned, measured) else {
+            return Ok(());
+        };
+        let limits = &self.robot.file.limits;
+        let (distance, limit) = (
+            (measured - planned).norm(),
+            limits.lag_m.max(limits.depth_m),
+        );
+        if distance > limit {
+            return stop(
+                Kind::Tolerance,
+                format!(
+                    "the tool is {distance:.3} m from the begin of the next goal, more than the greater of limits.lag_m and limits.depth_m, {limit} m"
+                ),
+            );
+        }
+        Ok(())
     }
 
     /// Time at the end of a part, as planned [s]. What follows a stroke counts as lifting, and what precedes one, such as
@@ -359,7 +395,7 @@ impl<'a> MotionRun<'a> {
             Some((progress, apart)) => {
                 // The time of the latest state, by the stamps of both.
                 let time = start + (progress.time + apart * self.scaling) * speed;
-                self.trajectory_time = time.clamp(start, end).max(self.trajectory_time);
+                self.trajectory_time = time.clamp(start, end.max(start)).max(self.trajectory_time);
                 self.is_time_reported = true;
             }
             None if self.robot.file.motion.progress.is_none() => {
@@ -551,43 +587,65 @@ impl<'a> MotionRun<'a> {
         }
     }
 
-    /// Cancels the goal and ends force mode. Returns whether the robot has confirmed that and rests.
+    /// Cancels the goal and ends force mode, again and again. Returns whether the robot has confirmed that and rests.
     fn hold(&mut self) -> bool {
-        let force = self.robot.force.as_ref().filter(|_| self.is_pressing);
-        let cancel = self
-            .goal
-            .as_ref()
-            .map(|goal| self.robot.action.cancel_goal(goal.id));
-        let release = force.map(|force| force.stop.send(EmptyRequest::default()));
-        self.is_pressing = false;
-        let mut is_canceled = cancel.is_none();
-        let mut is_released = release.is_none();
-        let deadline = Instant::now() + HOLD;
-        loop {
-            if let Some(Ok(request)) = cancel {
-                is_canceled |= matches!(
-                    self.robot.action.receive_cancel_response(request),
-                    Ok(Some(_))
-                );
+        let mut is_canceled = self.goal.is_none();
+        let mut is_released = !self.is_pressing || self.robot.force.is_none();
+        let (mut canceling, mut releasing) = (None, None);
+        let begin = Instant::now();
+        let mut sent: Option<Instant> = None;
+        while begin.elapsed() < HOLD {
+            if sent.is_none_or(|sent| sent.elapsed() >= REPEAT) {
+                sent = Some(Instant::now());
+                if let Some(goal) = self.goal.as_ref().filter(|_| !is_canceled) {
+                    canceling = self.robot.action.cancel_goal(goal.id).ok();
+                }
+                if let Some(force) = self.robot.force.as_ref().filter(|_| !is_released) {
+                    releasing = force.stop.send(EmptyRequest::default()).ok();
+                }
             }
-            if let (Some(force), Some(Ok(request))) = (force, &release) {
-                is_released |= force.stop.answer(*request).is_some();
+            is_canceled |= self.is_goal_gone(canceling);
+            if let (Some(force), Some(request)) = (&self.robot.force, releasing) {
+                let answer = force.stop.answer(request);
+                is_released |= answer.is_some_and(|answer| answer.success);
             }
             let joints = self.robot.readings.wait(TURN).joints.clone();
             let rests = joints.is_some_and(|joints| {
                 let is_slow = joints.velocities.iter().all(|v| v.abs() <= REST);
                 let is_new = joints.number != self.latest.number;
                 self.latest = joints;
-                is_slow && is_new
+                is_slow && is_new && !self.latest.velocities.is_empty()
             });
             if is_canceled && is_released && rests {
                 self.goal = None;
+                self.is_pressing = false;
                 return true;
             }
-            if Instant::now() >= deadline {
-                return false;
+        }
+        false
+    }
+
+    /// Whether the robot no longer executes the goal, and will not begin it. A cancel may arrive before its goal: then it
+    /// answers that it does not know the goal.
+    fn is_goal_gone(&mut self, canceling: Option<RmwRequestId>) -> bool {
+        let action = &self.robot.action;
+        let Some(goal) = &mut self.goal else {
+            return true;
+        };
+        if !goal.is_accepted {
+            match action.receive_goal_response(goal.request) {
+                Ok(Some(answer)) if answer.accepted => goal.is_accepted = true,
+                Ok(Some(_)) => return true,
+                _ => {}
             }
         }
+        let answer = canceling.and_then(|request| action.receive_cancel_response(request).ok()?);
+        answer.is_some_and(|answer| match answer.return_code {
+            CancelGoalResponseEnum::None => true,
+            CancelGoalResponseEnum::Rejected => false,
+            // It has ended, or has not arrived yet.
+            _ => goal.is_accepted,
+        })
     }
 }
 

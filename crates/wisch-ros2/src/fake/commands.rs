@@ -17,6 +17,8 @@ Commands, one a line on standard input:
   clock SECONDS          shift the stamps
   sign 1|-1              sign of the measured wrench
   reject true|false      reject goals
+  delay SECONDS          begin goals late, as if they were long on their way
+  refuse true|false      refuse to end force mode
   quit                   end
 
 It prints one line for each request, with the time of this computer's clock.";
@@ -36,6 +38,8 @@ pub(super) enum Command {
     Clock(f64),
     Sign(f64),
     Reject(bool),
+    Delay(f64),
+    Refuse(bool),
     Quit,
 }
 
@@ -104,6 +108,8 @@ fn parse(line: &str) -> Result<Option<Command>, String> {
         ["sign", "1"] => Command::Sign(1.0),
         ["sign", "-1"] => Command::Sign(-1.0),
         ["reject", rejects] => Command::Reject(flag(rejects)?),
+        ["delay", seconds] => Command::Delay(number(seconds)?.clamp(0.0, 3600.0)),
+        ["refuse", refuses] => Command::Refuse(flag(refuses)?),
         ["quit"] => Command::Quit,
         _ => return Err("unknown command; see wisch robot fake --help".to_owned()),
     }))

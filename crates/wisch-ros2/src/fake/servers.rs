@@ -10,7 +10,8 @@ use crate::messages::{
 };
 use crate::robot_file::{ForceKind, RobotFile};
 use ros2_client::action::{
-    ActionServerQosPolicies, CancelGoalResponse, GetResultResponse, SendGoalResponse,
+    ActionServerQosPolicies, CancelGoalResponse, GetResultResponse, SendGoalRequest,
+    SendGoalResponse,
 };
 use ros2_client::action_msgs::{CancelGoalResponseEnum, GoalId, GoalStatusEnum};
 use ros2_client::builtin_interfaces::Time;
@@ -19,6 +20,9 @@ use ros2_client::{
     ActionServer, ActionTypeName, Message, Name, RmwRequestId, Server, ServiceMapping,
     ServiceTypeName,
 };
+
+use std::collections::VecDeque;
+use std::time::{Duration, Instant};
 
 type Trigger = Server<EmptyRequest, TriggerResponse>;
 
@@ -32,6 +36,12 @@ pub(super) struct Servers {
     /// Names of the controllers, and whether they are active.
     controllers: Vec<(String, bool)>,
     goal: Option<GoalId>,
+    /// Goals on their way, with the time at which they arrive.
+    arriving: VecDeque<(Instant, RmwRequestId, SendGoalRequest<TrajectoryGoal>)>,
+    /// Time that a goal is on its way.
+    pub delay: Duration,
+    /// Whether force mode is not ended on request.
+    pub refuses_release: bool,
     /// Ended goals with their results.
     ended: Vec<(GoalId, GoalStatusEnum, TrajectoryResult)>,
     /// Requests of results of goals that have not ended.
@@ -105,6 +115,9 @@ impl Servers {
                 .map(|name| (name.clone(), false))
                 .collect(),
             goal: None,
+            arriving: VecDeque::new(),
+            delay: Duration::ZERO,
+            refuses_release: false,
             ended: Vec::new(),
             waiting: Vec::new(),
         })
@@ -172,6 +185,15 @@ impl Servers {
             let _ = start.send_response(id, ForceModeResponse { success: true });
         }
         while let Ok(Some((id, _))) = stop.receive_request() {
+            if self.refuses_release {
+                log("force mode stays on");
+                let refused = TriggerResponse {
+                    success: false,
+                    message: "refused".to_owned(),
+                };
+                let _ = stop.send_response(id, refused);
+                continue;
+            }
             log("force mode off");
             arm.press_with(0.0);
             let _ = stop.send_response(id, done());
@@ -180,6 +202,13 @@ impl Servers {
 
     fn serve_goals(&mut self, arm: &mut FakeArm) {
         while let Ok(Some((id, request))) = self.action.receive_goal() {
+            self.arriving
+                .push_back((Instant::now() + self.delay, id, request));
+        }
+        while let Some((_, id, request)) = self
+            .arriving
+            .pop_front_if(|(due, ..)| *due <= Instant::now())
+        {
             let begun = arm.begin(&request.goal);
             let points = request.goal.trajectory.points.len();
             match &begun {
@@ -203,7 +232,7 @@ impl Servers {
                 return_code: if is_busy {
                     CancelGoalResponseEnum::None
                 } else {
-                    CancelGoalResponseEnum::Rejected
+                    CancelGoalResponseEnum::UnknownGoal
                 },
                 goals_canceling: Vec::new(),
             };
