@@ -4,6 +4,7 @@ use serde_json::Value;
 use std::fs;
 use std::path::Path;
 use std::process::{Command, Output};
+use wisch_memory::Memory;
 
 /// One round on a small board.
 fn wisch(folder: &Path, more: &[&str]) -> Output {
@@ -48,6 +49,46 @@ pub fn has_python() -> bool {
         eprintln!("SKIPPED: there is no python3 to run executors with");
     }
     is_there
+}
+
+/// As at half speed of the pendant: phases follow the time on the trajectory, not the clock.
+#[test]
+fn an_episode_of_a_slow_robot_has_the_phases_that_it_executed() {
+    if !has_python() {
+        return;
+    }
+    let folder = tempfile::tempdir().expect("a folder");
+    let robot = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/echo_robot.py");
+    let robot = fs::read_to_string(robot).expect("the robot");
+    let slow = robot.replace(
+        "\"time_s\": time,",
+        "\"time_s\": 2 * time, \"trajectory_time_s\": time,",
+    );
+    let slow = slow.replace("\"duration_s\": motion", "\"duration_s\": 2 * motion");
+    fs::write(folder.path().join("robot.py"), &robot).expect("a file");
+    fs::write(folder.path().join("slow.py"), slow).expect("a file");
+    let motions = |robot: &str| {
+        let memory = format!("{robot}-memory");
+        let executor = format!("python3 {robot}.py");
+        let task = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenarios/arm-board.toml");
+        let output = Command::new(assert_cmd::cargo::cargo_bin!("wisch"))
+            .current_dir(folder.path())
+            .arg("run")
+            .arg(task)
+            .args(["--rounds", "1", "--executor", &executor])
+            .args(["--memory", &memory, "--out", robot])
+            .output()
+            .expect("it runs");
+        let err = String::from_utf8_lossy(&output.stderr);
+        assert!(output.status.code() < Some(2), "{err}");
+        let memory = Memory::open(&folder.path().join(memory)).expect("a memory");
+        let id = memory.episodes().expect("episodes")[0].clone();
+        let telemetry = memory.episode(&id).expect("the episode").telemetry(1);
+        let telemetry = telemetry.expect("telemetry");
+        let rows = 0..telemetry.rows();
+        ["motion", "phase"].map(|column| telemetry.values(column, rows.clone()).expect(column))
+    };
+    assert_eq!(motions("slow"), motions("robot"));
 }
 
 #[test]

@@ -3,7 +3,7 @@
 use std::collections::VecDeque;
 use std::path::Path;
 use wisch::follow::Phase;
-use wisch::run::{PlannedRound, RecordedSample, TelemetrySample};
+use wisch::run::{RecordedSample, TelemetrySample};
 use wisch_memory::{TelemetryError, TelemetryWriter};
 use wisch_telemetry::read_samples;
 
@@ -15,8 +15,9 @@ const ROUNDED_S: f64 = 1e-9;
 /// The telemetry of the current round, while its samples go into the bag.
 pub(crate) struct BagCopy {
     telemetry: TelemetryWriter,
-    /// Start [s] and phase of each motion.
-    schedule: Vec<(f64, Phase)>,
+    /// First sample's time [s], index and phase of each motion, as executed: a robot may run slower than planned. A bag does
+    /// not hold them.
+    motions: Vec<(f64, usize, Phase)>,
     /// The latest samples, which a bag that fails may lack.
     recent: VecDeque<RecordedSample>,
     /// Whether earlier samples are no longer among them.
@@ -24,11 +25,10 @@ pub(crate) struct BagCopy {
 }
 
 impl BagCopy {
-    pub fn new(telemetry: TelemetryWriter, planned: &PlannedRound) -> Self {
-        let motions = planned.followed.motions.iter();
+    pub const fn new(telemetry: TelemetryWriter) -> Self {
         Self {
             telemetry,
-            schedule: motions.map(|motion| (motion.start, motion.phase)).collect(),
+            motions: Vec::new(),
             recent: VecDeque::new(),
             has_dropped: false,
         }
@@ -40,6 +40,12 @@ impl BagCopy {
         while self.recent.front().is_some_and(is_old) {
             self.recent.pop_front();
             self.has_dropped = true;
+        }
+        let (motion, phase) = (sample.motion, sample.phase);
+        let is_same =
+            |&(_, known, during): &(f64, usize, Phase)| (known, during) == (motion, phase);
+        if !self.motions.last().is_some_and(is_same) {
+            self.motions.push((sample.time, motion, phase));
         }
         self.recent.push_back(sample.into());
     }
@@ -99,10 +105,10 @@ impl BagCopy {
     }
 
     fn write(&mut self, recorded: &RecordedSample) -> Result<(), TelemetryError> {
-        let next = (self.schedule).partition_point(|(start, _)| *start <= recorded.time);
-        let index = next.saturating_sub(1);
-        let during = self.schedule.get(index);
-        let sample = during.and_then(|(_, phase)| recorded.to_sample(index, *phase));
+        let time = recorded.time + ROUNDED_S;
+        let next = self.motions.partition_point(|(start, ..)| *start <= time);
+        let during = self.motions.get(next.saturating_sub(1));
+        let sample = during.and_then(|&(_, motion, phase)| recorded.to_sample(motion, phase));
         sample.map_or(Ok(()), |sample| self.telemetry.write(&sample))
     }
 }

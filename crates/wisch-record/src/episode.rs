@@ -337,7 +337,7 @@ impl EpisodeSink {
         let head = RoundScene::from_motion(motion).head(joints.collect());
         let telemetry = self.writer.telemetry(motion.number, head)?;
         if self.has_bags {
-            self.copy = Some(BagCopy::new(telemetry, motion));
+            self.copy = Some(BagCopy::new(telemetry));
         } else {
             self.telemetry = Some(telemetry);
         }
