@@ -56,6 +56,22 @@ fn a_plan_on_a_cylinder_is_that_of_the_plane_and_names_the_shape() {
 }
 
 #[test]
+fn a_plan_for_a_cylinder_is_refused_on_a_plane() {
+    let folder = folder();
+    let words = ["plan", "--strategy", "grid", "--out", "bent"];
+    let done = wisch(folder.path(), &words, Some("2.0"));
+    assert!(done.status.success(), "{}", text(&done.stderr));
+    let done = wisch(
+        folder.path(),
+        &["predict", "--plan", "bent/plan.json"],
+        None,
+    );
+    assert_eq!(done.status.code(), Some(2));
+    let err = text(&done.stderr);
+    assert!(err.contains("surface shape"), "{err}");
+}
+
+#[test]
 fn a_check_names_the_cylinder() {
     let folder = folder();
     let done = wisch(folder.path(), &["check"], Some("-2.0"));

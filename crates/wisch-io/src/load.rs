@@ -13,8 +13,8 @@ use wisch::goal::{GoalLiteral, resolve_goal};
 use wisch::interpret::{Belief, DirtPrior, member_count};
 use wisch::plan::{CoverageStrategy, Plan, PlanConfig, PlanError, Strategy, plan};
 use wisch::represent::{
-    Action, DirtArea, KnowledgeBase, Observation, OccupiedArea, SensorModel, Sight, SteepSurface,
-    Task, dirt_friction, slide_down,
+    Action, DirtArea, KnowledgeBase, Observation, SensorModel, Sight, SteepSurface, Task,
+    dirt_friction, slide_down,
 };
 use wisch::run::{RunConfig, Session};
 use wisch::source_location::UnknownName;
@@ -49,7 +49,7 @@ pub struct LoadOptions {
     pub strategy: Option<Strategy>,
     /// Seed of all random numbers; `None` takes the file's.
     pub seed: Option<u64>,
-    /// Whether a curved surface is accepted. Records, pages and the simulator take every surface for a plane, so that only
+    /// Whether a curved surface is accepted. Records, pages, executors and the simulator take every surface for a plane, so that only
     /// callers that use none of these may accept it.
     pub accepts_curved: bool,
 }
@@ -137,10 +137,9 @@ impl LoadedTask {
             problem,
         };
         let bytes = std::fs::read(path).map_err(|error| refused(error.to_string()))?;
-        let meshes: Vec<Mesh> = self.task.obstacles_in_surface().collect();
         let area = DirtArea {
             outline: &self.task.surface.outline,
-            occupied: &OccupiedArea::from_scene(&meshes),
+            occupied: &self.task.occupied_area(),
         };
         let is_list = path
             .extension()
@@ -319,7 +318,8 @@ fn sight(sensor: SensorModel, task: &Task, knowledge: &KnowledgeBase) -> Sight {
 /// Moves the particles that cannot rest on the surface's slope down to where they come to rest.
 fn let_slide(task: &mut Task, knowledge: &KnowledgeBase) -> Option<SteepSurface> {
     let kind = knowledge.medium(&task.medium).ok()?.kind;
-    if task.action.treats() {
+    // The planner refuses a curved surface on which dirt slides.
+    if task.action.treats() || !task.surface.shape.is_plane() {
         return None;
     }
     let of_surface = knowledge.surface(&task.surface.name).ok()?.friction;

@@ -28,9 +28,7 @@ pub enum SimulationError {
     #[error("the surface's outline has no area; expected an area that the tool can touch")]
     NoSurface,
     /// The surface is curved.
-    #[error(
-        "surface {surface:?} is curved: the simulation does not represent curved surfaces yet; execute the motion with another executor"
-    )]
+    #[error("surface {surface:?} is curved: the simulation does not represent curved surfaces yet")]
     CurvedSurface {
         /// Name of the surface.
         surface: String,

@@ -4,6 +4,7 @@ use crate::camera::hide_behind;
 use crate::grains::GrainBodies;
 use crate::plant::{GRAVITY, HeldTool, Plant, TOOL_MASS, firm_load};
 use crate::treated::TreatedSurface;
+use crate::world::refuse_curved;
 use crate::{Dirt, GroundTruth, Push, SimulationError, SimulationSettings, Spread};
 use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
@@ -41,7 +42,7 @@ const MAX_OVERSHOOT: f64 = 0.1;
 /// empty `dirt` is executed without dirt. The same arguments give the same result, bit for bit.
 ///
 /// # Errors
-/// If no joint moves the tool, if surface or tool have no area, or if the simulation diverges.
+/// If the surface is curved, if no joint moves the tool, if surface or tool have no area, or if the simulation diverges.
 pub fn execute(
     order: &MotionOrder<'_>,
     settings: &SimulationSettings,
@@ -123,6 +124,7 @@ impl<'a> Simulation<'a> {
             cell,
             followed,
         } = *order;
+        refuse_curved(&task.surface)?;
         let robot = cell.robot();
         let controller = MotionController::new(task, cell, followed, TOOL_MASS, config)?;
         let controller = controller.ok_or_else(|| SimulationError::NothingMoves {

@@ -76,7 +76,6 @@ impl Executor for World {
         order: &MotionOrder<'_>,
         sink: &mut SampleSink<'_>,
     ) -> Result<Execution, ExecutorError> {
-        refuse_curved(&order.task.surface).map_err(ExecutorError::new)?;
         let believed = order.task.surface.world_from_surface;
         let settings = SimulationSettings {
             believed_from_real: believed.inverse() * self.world_from_real,
@@ -111,8 +110,8 @@ impl Executor for World {
     }
 }
 
-/// Refuses a surface that this world would take for a plane.
-fn refuse_curved(surface: &Surface) -> Result<(), SimulationError> {
+/// Refuses a surface that the simulation would take for a plane.
+pub(crate) fn refuse_curved(surface: &Surface) -> Result<(), SimulationError> {
     if surface.shape.is_plane() {
         return Ok(());
     }

@@ -20,6 +20,8 @@ const MAX_RECORDINGS: usize = 32 << 20;
 struct Options {
     #[serde(default)]
     settings: Vec<(String, String)>,
+    strategy: Option<String>,
+    seed: Option<u64>,
 }
 
 /// Begins the page before the query runs, so that a missing permission is reported at once.
@@ -81,14 +83,16 @@ fn recordings(view: &mut View, memory: &Memory) -> Vec<(String, Vec<u8>)> {
 fn task_of(episode: &Episode) -> Option<LoadedTask> {
     let options = episode.attachment("options.json").ok();
     let options = options.and_then(|bytes| serde_json::from_slice::<Options>(&bytes).ok());
+    let options = options.unwrap_or_default();
     let args = TaskArgs {
         task: episode.folder().join("task.toml"),
-        strategy: None,
+        strategy: options.strategy.and_then(|name| name.parse().ok()),
         budget: None,
         action: None,
-        seed: None,
-        settings: options.unwrap_or_default().settings,
+        seed: options.seed,
+        settings: options.settings,
         knowledge: None,
     };
-    prepare::load(&args).ok()
+    // The page draws planes.
+    prepare::load_for(&args, false).ok()
 }

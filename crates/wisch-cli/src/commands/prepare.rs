@@ -26,7 +26,8 @@ fn noted(loaded: LoadedTask) -> LoadedTask {
     loaded
 }
 
-fn load_for(args: &TaskArgs, accepts_curved: bool) -> Result<LoadedTask, Failure> {
+/// Reads the task file, without notes. `accepts_curved`: whether the command knows curved surfaces.
+pub(super) fn load_for(args: &TaskArgs, accepts_curved: bool) -> Result<LoadedTask, Failure> {
     let options = LoadOptions {
         settings: args.settings.clone(),
         knowledge: args.knowledge.clone(),

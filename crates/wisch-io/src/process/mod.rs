@@ -298,6 +298,13 @@ impl Executor for ProcessExecutor {
         if self.is_interrupted() {
             return Err(self.fault("interrupted before the motion began"));
         }
+        let surface = &order.task.surface;
+        if !surface.shape.is_plane() {
+            let name = &surface.name;
+            return Err(self.fault(format!(
+                "surface {name:?} is curved, which the executor protocol does not say yet"
+            )));
+        }
         let intake = Intake::new(order, sink);
         self.was_stopped = false;
         self.order(order)?;

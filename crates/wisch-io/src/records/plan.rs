@@ -78,6 +78,16 @@ pub struct ShapeRecord {
 }
 
 impl ShapeRecord {
+    fn describe(shape: Option<Self>) -> String {
+        shape.map_or_else(
+            || "plane".to_owned(),
+            |shape| {
+                let (radius, axis) = (shape.cylinder_radius_m, shape.axis_rad);
+                format!("cylinder of radius {radius} m with its axis at {axis} rad")
+            },
+        )
+    }
+
     /// Makes the record of a shape; `None` for a plane.
     fn new(shape: &SurfaceShape) -> Option<Self> {
         match *shape {
@@ -445,6 +455,14 @@ impl PlanRecord {
                     expected: expected.to_owned(),
                 });
             }
+        }
+        let shape = ShapeRecord::new(&task.surface.shape);
+        if self.surface_shape != shape {
+            return Err(PlanRecordError::OtherTask {
+                what: "surface shape",
+                found: ShapeRecord::describe(self.surface_shape),
+                expected: ShapeRecord::describe(shape),
+            });
         }
         Ok(())
     }

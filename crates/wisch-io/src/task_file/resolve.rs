@@ -7,9 +7,9 @@ use wisch::geometry::{
     Vector2, Vector3, footprint,
 };
 use wisch::represent::{
-    Action, DirtArea, Interaction, KnowledgeBase, Mount, OccupiedArea, ParticleDistribution,
-    SceneObject, ScenePart, Task, Tool, ToolEntry, ToolMesh, Treatment, cluster_particles,
-    surface_cells, uniform_particles,
+    Action, DirtArea, Interaction, KnowledgeBase, Mount, ParticleDistribution, SceneObject,
+    ScenePart, Task, Tool, ToolEntry, ToolMesh, Treatment, cluster_particles, surface_cells,
+    uniform_particles,
 };
 use wisch::source_location::Place;
 
@@ -114,10 +114,9 @@ impl TaskFile {
             treatment,
             seed,
         };
-        let meshes: Vec<Mesh> = task.obstacles_in_surface().collect();
         let area = DirtArea {
             outline: &task.surface.outline,
-            occupied: &OccupiedArea::from_scene(&meshes),
+            occupied: &task.occupied_area(),
         };
         task.particles = self.particles(area, seed, assets)?;
         Ok(task)

@@ -1,8 +1,8 @@
 //! A task with all names resolved, all values checked and in SI units.
 
 use super::{
-    Action, AngleRange, GoalState, Interaction, Mount, ParticleDistribution, SceneObject,
-    ScenePart, SecondGrip, Surface, TiltFreedom, Treatment,
+    Action, AngleRange, GoalState, Interaction, Mount, OccupiedArea, ParticleDistribution,
+    SceneObject, ScenePart, SecondGrip, Surface, TiltFreedom, Treatment,
 };
 use crate::geometry::{Mesh, MeshError, Point2, Polygon, Pose, Region, Vector2, Vector3};
 
@@ -210,6 +210,16 @@ impl Task {
             Vector3::new(at.x, at.y, 0.0),
             Vector3::z() * towards.y.atan2(towards.x),
         ))
+    }
+
+    /// Returns the area that the obstacles occupy on the surface. No obstacle stands on a curved surface, as the planner
+    /// refuses such scenes.
+    pub fn occupied_area(&self) -> OccupiedArea {
+        if !self.surface.shape.is_plane() {
+            return OccupiedArea::from_scene(&[]);
+        }
+        let obstacles: Vec<Mesh> = self.obstacles_in_surface().collect();
+        OccupiedArea::from_scene(&obstacles)
     }
 
     /// Returns the obstacles' meshes in the surface frame.

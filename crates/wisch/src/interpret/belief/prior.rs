@@ -52,8 +52,7 @@ impl DirtPrior {
         if *self == Self::Known || members == 0 {
             return Belief::from_particles(task.particles.clone());
         }
-        let obstacles: Vec<_> = task.obstacles_in_surface().collect();
-        let occupied = OccupiedArea::from_scene(&obstacles);
+        let occupied = task.occupied_area();
         let area = Area::new(&task.surface, &occupied);
         let one = |member: usize| {
             let mut random = ChaCha8Rng::seed_from_u64(task.seed);

@@ -18,8 +18,9 @@ use nalgebra::{Matrix2, Matrix3, Matrix6, SMatrix, SymmetricEigen, Vector6};
 const PRESSING: f64 = 0.85;
 /// Least distance between two contacts that both count [m].
 const TRAVEL: f64 = 2e-3;
-/// Contacts farther apart belong to different slides [m], and least number of contacts of a slide that count.
-const APART: f64 = 0.02;
+/// Contacts farther apart belong to different slides [m, and multiples of their median distance], and least number of contacts
+/// of a slide that count.
+const APART: [f64; 2] = [0.02, 2.5];
 const SLIDE: usize = 5;
 /// Least number of contacts that show a curvature.
 const FEWEST: usize = 30;
@@ -152,7 +153,13 @@ fn contacts(
         }
     }
     // Dabs here and there show no shape.
-    let slides = contacts.chunk_by(|one, next| (next.place - one.place).norm() <= APART);
+    let mut steps: Vec<f64> = (contacts.windows(2))
+        .map(|pair| (pair[1].place - pair[0].place).norm())
+        .collect();
+    steps.sort_unstable_by(f64::total_cmp);
+    let median = steps.get(steps.len() / 2).copied().unwrap_or(0.0);
+    let apart = APART[0].max(APART[1] * median);
+    let slides = contacts.chunk_by(|one, next| (next.place - one.place).norm() <= apart);
     slides
         .filter(|slide| slide.len() >= SLIDE)
         .flatten()
