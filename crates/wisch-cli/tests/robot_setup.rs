@@ -27,6 +27,23 @@ fn object(out: &str) -> Value {
     serde_json::from_str(out).expect("exactly one JSON object")
 }
 
+/// Follows the task of a folder with a robot; returns the summary.
+fn follow(folder: &Path, robot: &str) -> Value {
+    let options = [
+        "--strategy",
+        "kde",
+        "--robot",
+        robot,
+        "--out",
+        "done",
+        "--json",
+    ];
+    let args = [&["follow", "task.toml"][..], &options].concat();
+    let (code, out, err) = wisch(folder, &args);
+    assert_eq!(code, 0, "{err}");
+    object(&out)
+}
+
 #[test]
 fn an_arm_without_an_srdf_is_set_up_and_wipes() {
     let folder = folder_with("arm-board.toml");
@@ -45,18 +62,7 @@ fn an_arm_without_an_srdf_is_set_up_and_wipes() {
     assert_eq!((code, err.as_str()), (0, ""));
     assert!(out.contains("no findings"), "{out}");
 
-    let follow = [
-        "follow",
-        "task.toml",
-        "--robot",
-        "arm7.urdf",
-        "--out",
-        "done",
-        "--json",
-    ];
-    let (code, out, err) = wisch(folder.path(), &follow);
-    assert_eq!(code, 0, "{err}");
-    let summary = object(&out);
+    let summary = follow(folder.path(), "arm7.urdf");
     assert_eq!(summary["abandoned_nodes"], 0);
     assert_eq!(summary["faults"], 0);
 }
@@ -84,20 +90,8 @@ fn a_robot_that_drives_is_set_up_and_wipes_with_its_first_group() {
     assert_eq!(code, 0, "{out}");
     assert!(!out.contains("humanoid.srdf:"), "{out}");
 
-    let follow = [
-        "follow",
-        "task.toml",
-        "--strategy",
-        "kde",
-        "--robot",
-        "humanoid.urdf",
-        "--out",
-        "done",
-        "--json",
-    ];
-    let (code, out, err) = wisch(folder.path(), &follow);
-    assert_eq!(code, 0, "{err}");
-    assert_eq!(object(&out)["faults"], 0);
+    let followed = follow(folder.path(), "humanoid.urdf");
+    assert_eq!(followed["faults"], 0);
 }
 
 /// Most URDFs of mobile robots begin at the platform, without the joints that move it.
@@ -136,20 +130,7 @@ fn a_base_that_only_the_srdf_declares_drives() {
         (&Value::from(0), &Value::from(0)),
         "{out}"
     );
-    let follow = [
-        "follow",
-        "task.toml",
-        "--strategy",
-        "kde",
-        "--robot",
-        "humanoid.urdf",
-        "--out",
-        "done",
-        "--json",
-    ];
-    let (code, out, err) = wisch(folder.path(), &follow);
-    assert_eq!(code, 0, "{err}");
-    let followed = object(&out);
+    let followed = follow(folder.path(), "humanoid.urdf");
     assert_eq!(followed["faults"], 0);
     assert_eq!(
         followed["placements"].as_array().map(Vec::len),

@@ -253,7 +253,7 @@ fn the_controller_presses_along_the_normal_of_the_place() {
     assert_eq!(free, above);
 }
 
-/// A robot whose tool goes exactly where it is told to, and feels the press force along the normal while it wipes.
+/// A robot whose tool follows its path exactly, and measures the press force along the normal while it wipes.
 struct Obedient;
 
 impl Executor for Obedient {

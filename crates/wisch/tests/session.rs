@@ -15,7 +15,7 @@ use wisch::run::{
 };
 use wisch_io::{LoadOptions, LoadedTask, Robot, load_task};
 
-/// A robot whose tool goes exactly where it is told to, and feels a share of the press force while it wipes.
+/// A robot whose tool follows its path exactly, and measures a share of the press force while it wipes.
 struct Toy {
     share: f64,
     executed: usize,

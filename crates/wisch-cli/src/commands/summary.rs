@@ -227,12 +227,16 @@ fn robot_in_words(following: &FollowingSummary, in_rounds: &str) -> Vec<(&'stati
         0 => String::new(),
         count => format!(", {}", counted(count, "placement")),
     };
+    let in_rounds_if_any = match following.abandoned_nodes {
+        0 => "",
+        _ => in_rounds,
+    };
+    let abandoned = counted(following.abandoned_nodes, "node");
     let mut lines = vec![(
         "robot",
         format!(
-            "{}: {} abandoned{places}",
-            following.robot,
-            counted(following.abandoned_nodes, "node")
+            "{}: {abandoned} abandoned{in_rounds_if_any}{places}",
+            following.robot
         ),
     )];
     lines.push(("tool held", following.mount.clone()));

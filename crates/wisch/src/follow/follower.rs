@@ -654,13 +654,10 @@ impl Follower<'_> {
         rated: Vec<RatedBasePose>,
     ) -> Result<Followed, FollowError> {
         let mut followed = Followed {
-            motions: Vec::new(),
-            strokes: Vec::new(),
-            placements: Vec::new(),
             node_reachability: self.node_reachability(&visits)?,
             rated,
             abandoned,
-            tip_from_tool: *self.cell.tip_from_tool(),
+            ..Followed::at_rest(*self.cell.tip_from_tool())
         };
         for (way, placement, visit) in visits {
             if self.cell.base().is_some() {

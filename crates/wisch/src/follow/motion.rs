@@ -285,6 +285,19 @@ pub struct Followed {
 }
 
 impl Followed {
+    /// Returns no motions: the robot stays where it is, with the tool at this pose in the frame of the link that holds it.
+    pub const fn at_rest(tip_from_tool: Pose) -> Self {
+        Self {
+            motions: Vec::new(),
+            strokes: Vec::new(),
+            placements: Vec::new(),
+            rated: Vec::new(),
+            node_reachability: Vec::new(),
+            abandoned: Vec::new(),
+            tip_from_tool,
+        }
+    }
+
     /// Time from the start to the end of all motions \[s\].
     pub fn duration(&self) -> f64 {
         self.motions.last().map_or(0.0, Motion::end)

@@ -201,12 +201,7 @@ fn moved_within(
             trajectory,
             tool_line: Vec::new(),
         }],
-        strokes: Vec::new(),
-        placements: Vec::new(),
-        rated: Vec::new(),
-        node_reachability: Vec::new(),
-        abandoned: Vec::new(),
-        tip_from_tool: *cell.tip_from_tool(),
+        ..Followed::at_rest(*cell.tip_from_tool())
     }
 }
 

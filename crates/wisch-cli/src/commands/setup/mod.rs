@@ -79,10 +79,13 @@ fn read_robot(args: &RobotSetupArgs) -> Result<(RobotModel, Option<VirtualJoint>
     let name = args.file.display().to_string();
     let mut meshes = robot_meshes(&args.file, &args.packages);
     let mut read = |text: &str| {
-        RobotModel::from_urdf(&name, text, &mut meshes).map_err(|error| Error::Urdf {
+        let read = RobotModel::from_urdf(&name, text, &mut meshes);
+        let mut robot = read.map_err(|error| Error::Urdf {
             file: name.clone(),
             error: Box::new(error),
-        })
+        })?;
+        robot.assume_masses();
+        Ok::<_, Failure>(robot)
     };
     let robot = read(&text)?;
     if !args.mobile {
