@@ -123,7 +123,7 @@ pub(crate) fn stand_in(
     let seed = loaded.task.seed;
     let dirt = Dirt::draw(&WorkSurface::from_task(&loaded.task), &world, seed);
     let dirt = dirt.map_err(|error| error.to_string())?;
-    let at_rest = Followed::at_rest(*cell.tip_from_tool());
+    let at_rest = Followed::new(*cell.tip_from_tool());
     let order = MotionOrder {
         round: 1,
         seed,

@@ -20,7 +20,7 @@ fn follow_setpoints() -> (Vec<f64>, Vec<f64>) {
     let cell = Workcell::new(robot.model, robot.srdf.as_ref(), &loaded.task, &config).unwrap();
     let settings = loaded.simulation.clone();
     let control = ControlConfig::default();
-    let at_rest = Followed::at_rest(*cell.tip_from_tool());
+    let at_rest = Followed::new(*cell.tip_from_tool());
     let order = MotionOrder {
         round: 1,
         seed: 1,

@@ -657,7 +657,7 @@ impl Follower<'_> {
             node_reachability: self.node_reachability(&visits)?,
             rated,
             abandoned,
-            ..Followed::at_rest(*self.cell.tip_from_tool())
+            ..Followed::new(*self.cell.tip_from_tool())
         };
         for (way, placement, visit) in visits {
             if self.cell.base().is_some() {

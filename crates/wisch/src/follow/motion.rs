@@ -286,7 +286,7 @@ pub struct Followed {
 
 impl Followed {
     /// Returns no motions: the robot stays where it is, with the tool at this pose in the frame of the link that holds it.
-    pub const fn at_rest(tip_from_tool: Pose) -> Self {
+    pub const fn new(tip_from_tool: Pose) -> Self {
         Self {
             motions: Vec::new(),
             strokes: Vec::new(),

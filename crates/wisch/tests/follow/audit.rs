@@ -201,7 +201,7 @@ fn moved_within(
             trajectory,
             tool_line: Vec::new(),
         }],
-        ..Followed::at_rest(*cell.tip_from_tool())
+        ..Followed::new(*cell.tip_from_tool())
     }
 }
 
