@@ -66,9 +66,7 @@ impl From<RecordError> for Failure {
                 "choose another folder with --memory DIR, or leave out --live"
             }
             RecordError::Sink(_) => "choose another file with --events",
-            RecordError::CurvedSurface(_)
-            | RecordError::Unreadable { .. }
-            | RecordError::TooLong { .. } => {
+            RecordError::Unreadable { .. } | RecordError::TooLong { .. } => {
                 return Self::new(error);
             }
             RecordError::Nothing | RecordError::Internal(_) => {

@@ -1,4 +1,4 @@
-//! Surfaces that are rolled onto a cylinder: commands that know them, and commands that refuse them.
+//! Surfaces that are rolled onto a cylinder.
 
 use crate::program::command;
 use std::fs;
@@ -82,27 +82,33 @@ fn a_check_names_the_cylinder() {
     );
 }
 
+/// Page, figures, bag and episode of a run on a cylinder show or state its shape.
 #[test]
-fn what_takes_every_surface_for_a_plane_refuses_a_cylinder() {
+fn a_run_on_a_cylinder_keeps_its_shape() {
     let folder = folder();
-    for words in [
-        &["run"][..],
-        &["predict"],
-        &["follow"],
-        &["run", "--robot", "none"],
-    ] {
-        let done = wisch(folder.path(), words, Some("2.0"));
-        let errors = text(&done.stderr);
-        assert_eq!(done.status.code(), Some(2), "{words:?}");
-        assert!(
-            errors.contains("surface.shape") && errors.contains("not to this command yet"),
-            "{errors}"
-        );
-    }
-    assert_eq!(
-        fs::read_dir(folder.path().join("out")).map_or(0, Iterator::count),
-        0
-    );
+    let words = ["run", "--rounds", "1", "--seed", "1", "--out", "out"];
+    let done = wisch(folder.path(), &words, Some("2.0"));
+    assert!(matches!(done.status.code(), Some(0 | 1)), "{}", text(&done.stderr));
+    let read = |name: &str| fs::read(folder.path().join("out").join(name)).unwrap();
+    let page = text(&read("report.html"));
+    assert!(page.contains(r#""shape":{"kind":"cylinder","radius":2.0,"axis":0.0}"#));
+    assert!(text(&read("figures/graph.svg")).contains("maps of the unrolled surface"));
+    assert!(text(&read("plan.json")).contains("\"cylinder_radius_m\": 2.0"));
+    // Its bag and its episode are read again, on the same surface.
+    let words = ["interpret", "out/telemetry/round-1.mcap", "--task"];
+    let again = command(folder.path())
+        .args(words)
+        .args(["task.toml", "--set", "surface.shape=cylinder", "--set", "surface.radius_m=2.0"])
+        .output()
+        .unwrap();
+    assert!(matches!(again.status.code(), Some(0 | 1)), "{}", text(&again.stderr));
+    let found = text(&again.stdout);
+    assert!(!found.contains("curved"), "{found}");
+    let asked = command(folder.path())
+        .args(["ask", "episode(E)", "--view", "view.html"])
+        .output()
+        .unwrap();
+    assert!(asked.status.success(), "{}", text(&asked.stderr));
 }
 
 #[test]

@@ -49,9 +49,6 @@ pub struct LoadOptions {
     pub strategy: Option<Strategy>,
     /// Seed of all random numbers; `None` takes the file's.
     pub seed: Option<u64>,
-    /// Whether a curved surface is accepted. Records, pages, executors and the simulator take every surface for a plane, so that only
-    /// callers that use none of these may accept it.
-    pub accepts_curved: bool,
 }
 
 /// A task with its file, planner settings, knowledge and assumptions.
@@ -235,9 +232,6 @@ pub fn parse_task(
 ) -> Result<LoadedTask, Error> {
     let shown = path.display().to_string();
     let file = TaskFile::parse(&shown, &text, &options.settings)?;
-    if !options.accepts_curved {
-        file.refuse_curved()?;
-    }
     let source = KnowledgeSource::new(options.knowledge.as_deref());
     let mut knowledge = source.base()?;
     let mut assumptions = file.extend(&mut knowledge)?;

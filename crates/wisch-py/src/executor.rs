@@ -10,7 +10,7 @@ use pyo3::types::{PyDict, PyMapping};
 use scoped_tls_hkt::scoped_thread_local;
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::Duration;
-use wisch::represent::{Observation, Task};
+use wisch::represent::{Observation, Surface, Task};
 use wisch::run::{Ending, Execution, Executor, ExecutorError, MotionOrder, RobotState, SampleSink};
 use wisch::source_location::UnknownName;
 use wisch_io::{
@@ -98,6 +98,9 @@ impl Executor for PyExecutor<'_> {
     ) -> Result<Execution, ExecutorError> {
         static MOTIONS: AtomicU64 = AtomicU64::new(1);
         let py = self.object.py();
+        if let Err(error) = check_shape(&self.object, &order.task.surface) {
+            return self.raise(error);
+        }
         let number = MOTIONS.fetch_add(1, Ordering::Relaxed);
         let motion = match Py::new(py, PyMotion::from_order(order)) {
             Ok(motion) => motion,
@@ -161,6 +164,18 @@ impl Executor for PyExecutor<'_> {
     fn observe(&mut self, _: &Task) -> Result<Option<Observation>, ExecutorError> {
         self.call_observe().or_else(|error| self.raise(error))
     }
+}
+
+/// Refuses a curved surface for an executor that does not state that it knows them: it would press along one normal.
+fn check_shape(object: &Bound<'_, PyAny>, surface: &Surface) -> PyResult<()> {
+    let knows = || object.getattr("accepts_curved").and_then(|stated| stated.is_truthy());
+    if surface.shape.is_plane() || knows().unwrap_or(false) {
+        return Ok(());
+    }
+    let name = &surface.name;
+    Err(plain(format!(
+        "surface {name:?} is curved, so that its normal differs from place to place; an executor that reads motion.surface_shape states accepts_curved = True"
+    )))
 }
 
 /// Returns an executor's state: positions, or a dict with velocities too; `None` if it is unknown.

@@ -9,7 +9,7 @@ use pyo3::types::PyDict;
 use std::sync::Arc;
 use wisch::follow::{Followed, Workcell};
 use wisch::geometry::flatten_pose;
-use wisch::represent::Task;
+use wisch::represent::{SurfaceShape, Task};
 use wisch::run::{MotionOrder, PlannedRound, Setpoint};
 
 /// Sampling period of a motion [s], as in the executor protocol.
@@ -142,6 +142,11 @@ impl PyMotion {
     #[getter]
     fn world_from_surface<'py>(&self, py: Python<'py>) -> Vector<'py> {
         pose_array(py, &self.order.task.surface.world_from_surface)
+    }
+
+    #[getter]
+    fn surface_shape<'py>(&self, py: Python<'py>) -> PyResult<Option<Bound<'py, PyDict>>> {
+        shape_dict(py, &self.order.task.surface.shape)
     }
 
     #[getter]
@@ -290,4 +295,19 @@ impl PyMotion {
             self.order.followed.duration()
         )
     }
+}
+
+/// Returns the shape of a curved surface; `None` for a plane.
+pub(crate) fn shape_dict<'py>(
+    py: Python<'py>,
+    shape: &SurfaceShape,
+) -> PyResult<Option<Bound<'py, PyDict>>> {
+    let SurfaceShape::Cylinder { radius, axis } = *shape else {
+        return Ok(None);
+    };
+    let stated = PyDict::new(py);
+    stated.set_item("kind", "cylinder")?;
+    stated.set_item("radius_m", radius)?;
+    stated.set_item("axis_rad", axis)?;
+    Ok(Some(stated))
 }

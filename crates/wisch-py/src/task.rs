@@ -3,6 +3,7 @@
 use crate::arrays::{self, Matrix, Vector, pose_array, rows};
 use crate::error::{of_file, of_record, plain, refused};
 use crate::interpret::PyInterpretation;
+use crate::motion::shape_dict;
 use crate::plan::PyPlan;
 use crate::robot::PyRobot;
 use crate::session::{Given, PROGRAM, PySession};
@@ -178,7 +179,6 @@ fn options_of(
         settings,
         knowledge,
         seed,
-        accepts_curved: false,
         action: (action.map(str::parse).transpose()).map_err(|error| named("action", &error))?,
         strategy: (strategy.map(str::parse).transpose())
             .map_err(|error| named("strategy", &error))?,
@@ -314,6 +314,11 @@ impl PyTask {
     #[getter]
     fn world_from_surface<'py>(&self, py: Python<'py>) -> Vector<'py> {
         pose_array(py, &self.loaded.task.surface.world_from_surface)
+    }
+
+    #[getter]
+    fn surface_shape<'py>(&self, py: Python<'py>) -> PyResult<Option<Bound<'py, PyDict>>> {
+        shape_dict(py, &self.loaded.task.surface.shape)
     }
 
     #[getter]

@@ -3,7 +3,7 @@
 use crate::sink::{RunSink, SinkError};
 use std::path::PathBuf;
 use wisch::geometry::{Point3, Pose};
-use wisch::represent::{Observation, Task};
+use wisch::represent::{Observation, Surface, Task};
 use wisch::run::{PlannedRound, RunEvent};
 use wisch_telemetry::{BagHead, BagRobot, BagScene, BagWriter, ObservationTime, WriteError};
 
@@ -146,7 +146,7 @@ impl BagSink {
         bag.write_strokes(&planned.followed.strokes)?;
         bag.write_particles(0.0, &in_world(task))?;
         if let Some(seen) = &self.seen {
-            let before = seen.transform_to_surface(&task.surface.world_from_surface);
+            let before = seen.transform_to_surface(&task.surface);
             bag.write_observation(ObservationTime::Before, &before)?;
         }
         self.bag = Some(bag);
@@ -169,13 +169,13 @@ pub(crate) struct Seen {
 }
 
 impl Seen {
-    /// Returns the observation in the frame of another surface pose.
-    pub fn transform_to_surface(&self, world_from_surface: &Pose) -> Observation {
-        if self.world_from_surface == *world_from_surface {
+    /// Returns the observation in the chart of the same surface at another pose.
+    pub fn transform_to_surface(&self, surface: &Surface) -> Observation {
+        if self.world_from_surface == surface.world_from_surface {
             return self.observation.clone();
         }
-        let now_from_then = world_from_surface.inverse() * self.world_from_surface;
-        self.observation.transform(&now_from_then)
+        let now_from_then = surface.world_from_surface.inverse() * self.world_from_surface;
+        self.observation.transform(&now_from_then, &surface.shape)
     }
 }
 
@@ -183,6 +183,10 @@ impl Seen {
 fn in_world(task: &Task) -> Vec<Point3> {
     let remaining = task.particles.remaining();
     remaining
-        .map(|p| task.surface.world_from_surface * Point3::new(p.x, p.y, 0.0))
+        .map(|p| {
+            (task.surface.world_from_place(p, 0.0).translation)
+                .vector
+                .into()
+        })
         .collect()
 }

@@ -466,12 +466,12 @@ fn attach_round(writer: &EpisodeWriter, finished: &FinishedRound) -> Result<(), 
 /// `before`: the last observation.
 fn observations(finished: &FinishedRound, before: Option<&Seen>) -> RoundObservations {
     let round = &finished.round;
-    let world_from_surface = round.motion.task.surface.world_from_surface;
+    let surface = &round.motion.task.surface;
     RoundObservations {
         round: Some(round.motion.number),
-        world_from_surface,
+        world_from_surface: surface.world_from_surface,
         observations: [
-            before.map(|seen| seen.transform_to_surface(&world_from_surface)),
+            before.map(|seen| seen.transform_to_surface(surface)),
             round.interpretation.observation.clone(),
         ],
     }

@@ -9,11 +9,6 @@ use wisch_telemetry::WriteError;
 /// An error of recording a run.
 #[derive(Debug, thiserror::Error)]
 pub enum RecordError {
-    /// The surface is curved.
-    #[error(
-        "surface {0:?} is curved: bags, episodes and pages do not represent curved surfaces yet"
-    )]
-    CurvedSurface(String),
     /// The episode cannot be written.
     #[error(transparent)]
     Memory(#[from] MemoryError),

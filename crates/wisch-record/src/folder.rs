@@ -122,8 +122,12 @@ fn write_figures(
         target: loaded.run.target,
         rounds: &views,
     });
+    let mut title = title(loaded);
+    if !loaded.task.surface.shape.is_plane() {
+        title += " (maps of the unrolled surface)";
+    }
     let input = ReportInput {
-        title: &title(loaded),
+        title: &title,
         task: &results.task,
         plan: &wiped,
         motion: motion.as_ref(),

@@ -101,8 +101,7 @@ impl RunRecord {
     /// - `robot`: the robot of the session; `None` for a session without a robot.
     ///
     /// # Errors
-    /// If a folder cannot be written, or holds files that are neither results nor episodes; or if a run on a curved surface
-    /// is to be kept.
+    /// If a folder cannot be written, or holds files that are neither results nor episodes.
     pub fn begin(
         loaded: &LoadedTask,
         robot: Option<&Robot>,
@@ -117,12 +116,6 @@ impl RunRecord {
             is_live,
             workcell,
         } = options;
-        // A plan alone may be recorded; everything else would show a plane.
-        let keeps = out.is_some() || bags.is_some() || episode.is_some() || is_live;
-        let surface = &loaded.task.surface;
-        if keeps && !surface.shape.is_plane() {
-            return Err(RecordError::CurvedSurface(surface.name.clone()));
-        }
         let folder = out
             .map(|out| OutputFolder::begin(&out, Leftover::Remove, Replaceable::All))
             .transpose()?;

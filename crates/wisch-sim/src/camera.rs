@@ -4,11 +4,11 @@ use crate::{Dirt, SimulationSettings};
 use nalgebra::{Point, SVector};
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
-use std::f64::consts::TAU;
+use std::f64::consts::{PI, TAU};
 use wisch::follow::Workcell;
 use wisch::geometry::{Bounds2, Mesh, Point2, Point3, Polygon, Pose, Region, Vector2};
 use wisch::random::normal_pair;
-use wisch::represent::{Fate, Observation, Task};
+use wisch::represent::{Fate, Observation, Surface, SurfaceShape, Task};
 use wisch::robot::{RobotError, Shape};
 
 /// Separates the random numbers of observations from those of a task with the same seed.
@@ -17,6 +17,11 @@ const OBSERVATION_SEED: u64 = 0x6c6f_6f6b_7300_0000;
 const RIM: usize = 16;
 /// Number of draws after which a false alarm falls beside the surface.
 const DRAWS: usize = 10_000;
+
+/// Largest angle between the normal of a place and the camera's axis at which the place is seen [rad].
+const WIDEST_VIEW: f64 = PI / 3.0;
+/// Largest length of the edges of what hides a curved surface [m]: on the surface, straight edges are bent.
+const HULL_STEP: f64 = 0.02;
 
 /// Identifies an observation by world, round and number, so that it can be drawn again.
 #[derive(Debug, Clone, Copy)]
@@ -31,13 +36,13 @@ pub struct ObservationIndex {
 
 /// Returns what the camera detects, in the believed surface frame; `None` without a camera.
 ///
-/// `dirt` is the ground truth, and `hidden` the convex hulls that hide it, in the frame of the real surface [m].
-/// `world_from_real` is the pose of the real surface. Each visible grain is detected with a probability by its
-/// diameter, at a position with normal error; false alarms are Poisson distributed over the outline.
+/// `dirt` is the ground truth, and `hidden` the convex hulls that hide it, in the xy plane of the real surface's frame
+/// [m]. Each visible grain is detected with a probability by its diameter, at a position with normal error; false alarms
+/// are Poisson distributed over the outline. What leans away from the camera by more than 60° counts as hidden.
 pub fn observe(
     settings: &SimulationSettings,
     task: &Task,
-    world_from_real: &Pose,
+    real: &Surface,
     dirt: &Dirt,
     hidden: &[Vec<Point2>],
     index: ObservationIndex,
@@ -45,24 +50,27 @@ pub fn observe(
     let sensor = settings.camera?.sensor;
     let mut random = ChaCha8Rng::seed_from_u64(index.seed ^ OBSERVATION_SEED);
     random.set_stream((index.rounds << 32) | index.number);
-    let believed_from_real = task.surface.world_from_surface.inverse() * world_from_real;
-    let believed = |place: &Point2| (believed_from_real * Point3::new(place.x, place.y, 0.0)).xy();
-    let hulls = |to: &dyn Fn(&Point2) -> Point2| {
-        let polygon = |hull: &Vec<Point2>| Polygon::new(hull.iter().map(to).collect(), vec![]);
-        Region::new(hidden.iter().map(polygon).collect())
-    };
-    let hidden_in_real = hulls(&|place| *place);
+    let surface = &task.surface;
+    let believed_from_real = surface.world_from_surface.inverse() * real.world_from_surface;
+    // What is at a point of space is taken to be on the believed surface below it.
+    let believed = |point: Point3| surface.shape.place_below((believed_from_real * point).xy());
+    let polygon = |hull: &Vec<Point2>| Polygon::new(hull.clone(), vec![]);
+    let hidden_in_real = Region::new(hidden.iter().map(polygon).collect());
     let mut seen = Observation {
         detections: Vec::new(),
-        hidden: hulls(&believed),
+        hidden: project_hidden(surface, &believed_from_real, hidden),
     };
     for grain in dirt.grains() {
         // Drawn for every grain, visible or not, so that the fate of one grain changes no other detection.
         let (chance, error) = (random.random::<f64>(), normal_pair(&mut random));
-        let lies = grain.fate == Fate::OnSurface && !hidden_in_real.contains(grain.position);
+        let in_real =
+            |place: Point2| -> Point3 { real.shape.place(place, 0.0).translation.vector.into() };
+        let is_hidden = is_turned_away(&real.shape, grain.position)
+            || hidden_in_real.contains(in_real(grain.position).xy());
+        let lies = grain.fate == Fate::OnSurface && !is_hidden;
         if lies && chance < sensor.detection_of(2.0 * grain.radius) {
             let place = grain.position + error * sensor.position_error_m;
-            seen.detections.push(believed(&place));
+            seen.detections.extend(believed(in_real(place)));
         }
     }
     let outline = &task.surface.outline;
@@ -80,6 +88,68 @@ pub fn observe(
     Some(seen)
 }
 
+/// Whether a place leans too far away from the camera to be seen.
+fn is_turned_away(shape: &SurfaceShape, place: Point2) -> bool {
+    shape.turn_between(Point2::origin(), place) > WIDEST_VIEW
+}
+
+/// Returns what the believed surface shows nothing of, in its chart: `hidden`, hulls in the xy plane of the real surface's
+/// frame [m], and what leans too far away.
+fn project_hidden(surface: &Surface, believed_from_real: &Pose, hidden: &[Vec<Point2>]) -> Region {
+    let believed = |place: &Point2| (believed_from_real * Point3::new(place.x, place.y, 0.0)).xy();
+    let hulls = hidden
+        .iter()
+        .map(|hull| hull.iter().map(believed).collect());
+    let SurfaceShape::Cylinder { radius, axis } = surface.shape else {
+        let polygons = hulls.map(|ring| Polygon::new(ring, vec![]));
+        return Region::new(polygons.collect());
+    };
+    let along = Vector2::new(libm::cos(axis), libm::sin(axis));
+    let across = Vector2::new(-along.y, along.x);
+    // A hull reaches at most to where the surface leans away.
+    let widest = radius.abs() * libm::sin(WIDEST_VIEW);
+    let on_surface = |point: Point2| {
+        let (v, u) = (along.dot(&point.coords), across.dot(&point.coords));
+        let seen = Point2::from(along * v + across * u.clamp(-widest, widest));
+        surface.shape.place_below(seen).unwrap_or(seen)
+    };
+    let mut polygons: Vec<Polygon> = hulls
+        .map(|ring: Vec<Point2>| {
+            let fine = subdivide(&ring, HULL_STEP);
+            Polygon::new(fine.into_iter().map(on_surface).collect(), vec![])
+        })
+        .collect();
+    let border = radius.abs() * WIDEST_VIEW;
+    let places = surface.outline.outer();
+    let reach = places.iter().map(|p| p.coords.norm()).fold(0.0, f64::max);
+    if reach > border {
+        for [near, far] in [[border, reach], [-reach, -border]] {
+            let corner = |v: f64, u: f64| Point2::from(along * v + across * u);
+            let strip = vec![
+                corner(-reach, near),
+                corner(reach, near),
+                corner(reach, far),
+                corner(-reach, far),
+            ];
+            polygons.push(Polygon::new(strip, vec![]));
+        }
+    }
+    Region::new(polygons)
+}
+
+/// Returns a ring with points added so that no edge is longer than `step` [m].
+fn subdivide(ring: &[Point2], step: f64) -> Vec<Point2> {
+    let next = ring.iter().cycle().skip(1);
+    let edges = ring.iter().zip(next);
+    edges
+        .flat_map(|(from, to)| {
+            let along = to - from;
+            let parts = (along.norm() / step).ceil().max(1.0) as usize;
+            (0..parts).map(move |i| from + along * (i as f64 / parts as f64))
+        })
+        .collect()
+}
+
 /// Draws from the Poisson distribution: the number of unit exponential gaps that fit into `mean`.
 fn poisson(mean: f64, random: &mut ChaCha8Rng) -> usize {
     let gaps = std::iter::repeat_with(|| -libm::log(1.0 - random.random::<f64>()));
@@ -91,7 +161,7 @@ fn poisson(mean: f64, random: &mut ChaCha8Rng) -> usize {
 }
 
 /// Returns what the robot and its tool hide from a camera straight above the real surface: the convex hull of each
-/// solid that rises above it, in the frame of that surface [m].
+/// solid that rises above it, in the xy plane of that surface's frame [m].
 ///
 /// `positions` are the robot's variables [rad or m], `tool` the vertices of the tool's parts in its own frame [m].
 ///
@@ -102,15 +172,18 @@ pub fn hide_behind(
     positions: &[f64],
     tool: &[Vec<Point3>],
     tip_from_tool: &Pose,
-    world_from_real: &Pose,
+    real: &Surface,
 ) -> Result<Vec<Vec<Point2>>, RobotError> {
     let robot = cell.robot();
     let kinematics = robot.forward_kinematics(positions)?;
-    let real_from_root = world_from_real.inverse() * cell.world_from_root();
+    let real_from_root = real.world_from_surface.inverse() * cell.world_from_root();
+    let places = real.outline.outer().iter();
+    let heights = places.map(|place| real.shape.place(*place, 0.0).translation.z);
+    let lowest = heights.fold(0.0, f64::min);
     let mut hulls = Vec::new();
     let mut add = |real_from_solid: &Pose, corners: &[Point3]| {
         let corners: Vec<Point3> = corners.iter().map(|p| real_from_solid * p).collect();
-        if corners.iter().any(|corner| corner.z > 0.0) {
+        if corners.iter().any(|corner| corner.z > lowest) {
             hulls.push(hull(corners.iter().map(Point::xy).collect()));
         }
     };

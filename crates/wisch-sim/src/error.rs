@@ -27,12 +27,6 @@ pub enum SimulationError {
     /// The surface has no area.
     #[error("the surface's outline has no area; expected an area that the tool can touch")]
     NoSurface,
-    /// The surface is curved.
-    #[error("surface {surface:?} is curved: the simulation does not represent curved surfaces yet")]
-    CurvedSurface {
-        /// Name of the surface.
-        surface: String,
-    },
     /// The mass matrix is singular: some joint moves too little mass for a torque to be defined.
     #[error(
         "at {time:.3} s the mass matrix of the robot is not positive definite: some joint moves a link without mass or inertia; `wisch robot check` names it"

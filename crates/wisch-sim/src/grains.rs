@@ -15,8 +15,8 @@ use super::plant::{GRAVITY, HeldTool, Plant, groups_of_grains, vector};
 use crate::SimulationSettings;
 use rapier3d_f64::dynamics::{CoefficientCombineRule, RigidBodyBuilder, RigidBodyHandle};
 use rapier3d_f64::geometry::ColliderBuilder;
-use wisch::geometry::{Point2, Point3, Pose, Vector2, Vector3};
-use wisch::represent::{Effect, Fate, Task, dirt_friction};
+use wisch::geometry::{Point2, Point3, Vector2, Vector3};
+use wisch::represent::{ChartPoint, Effect, Fate, Task, dirt_friction};
 
 /// Density of grains [kg/m³].
 const DENSITY: f64 = 600.0;
@@ -56,9 +56,6 @@ enum Grip {
 /// The bodies of all grains.
 pub(super) struct GrainBodies {
     bodies: Vec<Option<GrainBody>>,
-    real_from_world: Pose,
-    /// Outward normal of the real surface in the world.
-    normal: Vector3,
     /// Drag on the tool for every grain that it pushes [N]: friction of the dirt that the grain stands for.
     drag: f64,
     /// Whether grains that the tool pushes is_resisting it.
@@ -78,18 +75,16 @@ impl GrainBodies {
         tool: &HeldTool,
         settings: &SimulationSettings,
     ) -> Self {
-        let world_from_real = task.surface.world_from_surface * settings.believed_from_real;
         // A grain stays on a slope up to the angle at which the task's dirt slides.
         let friction = dirt_friction(settings.kind, 0.0);
         let put = |grain: &super::Grain| {
             if grain.fate != Fate::OnSurface {
                 return None;
             }
-            let place = Point3::new(grain.position.x, grain.position.y, grain.radius);
-            let at = world_from_real * place;
+            let at = plant.real().world_from_place(grain.position, grain.radius);
             let body = plant.world.insert_body(
                 RigidBodyBuilder::dynamic()
-                    .translation(vector(&at.coords))
+                    .translation(vector(&at.translation.vector))
                     .lock_rotations(),
             );
             let collider = ColliderBuilder::ball(grain.radius)
@@ -108,8 +103,6 @@ impl GrainBodies {
         let radii = dirt.grains.iter().map(|grain| grain.radius);
         Self {
             bodies,
-            real_from_world: world_from_real.inverse(),
-            normal: world_from_real * Vector3::z(),
             drag: friction * settings.grain_mass.unwrap_or(0.0) * GRAVITY.norm(),
             is_resisting: settings.grains_resist,
             effect: task.action.effect(),
@@ -126,7 +119,6 @@ impl GrainBodies {
         let to_plate = plate.inverse();
         let compression = plant.compression();
         let near = self.reach + self.max_diameter;
-        let normal = self.normal;
         plant.release();
         for (grain, slot) in dirt.grains.iter_mut().zip(&mut self.bodies) {
             let Some(held) = slot else {
@@ -144,15 +136,18 @@ impl GrainBodies {
                 held.grip = Grip::Beside;
                 continue;
             }
-            let [lifted, higher] = plant.wave(on_surface(&self.real_from_world, &at));
+            let place = plant.real().chart(at).place;
+            let height = plant.local_height(place);
             let is_reached = if tool.gap > 0.0 {
                 // Suction decreases with the distance from the mouth to the grain's foot.
-                let clearance = grain.radius - in_plate.z - lifted;
+                let clearance = grain.radius - in_plate.z - height.wave;
                 tool.gap / clearance.max(tool.gap) >= grain.threshold
             } else {
-                in_plate.z + lifted + grain.radius > 0.0
-                    && in_plate.z + lifted < grain.radius + tool.depth
-                    && compression.pressure(under, higher, tool) >= grain.threshold
+                // The underside yields to the bend, so that a grain is as high over it as over the surface.
+                let middle = in_plate.z + height.wave - height.bend;
+                middle + grain.radius > 0.0
+                    && middle < grain.radius + tool.depth
+                    && compression.pressure(under, height.over_plate(), tool) >= grain.threshold
             };
             if !is_reached {
                 held.grip = Grip::Below;
@@ -160,7 +155,7 @@ impl GrainBodies {
             }
             if self.effect == Effect::Absorb {
                 grain.fate = Fate::Absorbed;
-                grain.position = on_surface(&self.real_from_world, &at);
+                grain.position = place;
                 plant.world.remove_body(held.body);
                 *slot = None;
                 continue;
@@ -177,6 +172,7 @@ impl GrainBodies {
                 Grip::Beside | Grip::Below => at,
             };
             let velocity = plant.plate_velocity(&goal);
+            let normal = plant.real().normal(place);
             let Some(body) = plant.world.bodies.get_mut(held.body) else {
                 continue;
             };
@@ -229,13 +225,13 @@ impl GrainBodies {
                 body.reset_forces(false);
             }
             let at = body.translation();
-            let in_real = self.real_from_world * Point3::new(at.x, at.y, at.z);
-            let now = Point2::new(in_real.x, in_real.y);
+            let at = Point3::new(at.x, at.y, at.z);
+            let ChartPoint { place: now, height } = plant.real().chart(at);
             if !(now.x.is_finite() && now.y.is_finite()) {
                 continue;
             }
             let has_left =
-                in_real.z < grain.radius - FALL_DEPTH || !task.surface.outline.contains(now);
+                height < grain.radius - FALL_DEPTH || !task.surface.outline.contains(now);
             let edge = task.surface.exit_edge(grain.position, now);
             if let (true, Some(edge)) = (has_left, edge) {
                 grain.fate = Fate::OffSurface {
@@ -262,9 +258,4 @@ fn nearest_side(tool: &HeldTool, under: Point2) -> (f64, Vector2) {
         }
     }
     nearest
-}
-
-fn on_surface(real_from_world: &Pose, at: &Point3) -> Point2 {
-    let in_real = real_from_world * at;
-    Point2::new(in_real.x, in_real.y)
 }

@@ -4,7 +4,6 @@ use crate::camera::hide_behind;
 use crate::grains::GrainBodies;
 use crate::plant::{GRAVITY, HeldTool, Plant, TOOL_MASS, firm_load};
 use crate::treated::TreatedSurface;
-use crate::world::refuse_curved;
 use crate::{Dirt, GroundTruth, Push, SimulationError, SimulationSettings, Spread};
 use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
@@ -42,7 +41,7 @@ const MAX_OVERSHOOT: f64 = 0.1;
 /// empty `dirt` is executed without dirt. The same arguments give the same result, bit for bit.
 ///
 /// # Errors
-/// If the surface is curved, if no joint moves the tool, if surface or tool have no area, or if the simulation diverges.
+/// If no joint moves the tool, if surface or tool have no area, or if the simulation diverges.
 pub fn execute(
     order: &MotionOrder<'_>,
     settings: &SimulationSettings,
@@ -124,7 +123,6 @@ impl<'a> Simulation<'a> {
             cell,
             followed,
         } = *order;
-        refuse_curved(&task.surface)?;
         let robot = cell.robot();
         let controller = MotionController::new(task, cell, followed, TOOL_MASS, config)?;
         let controller = controller.ok_or_else(|| SimulationError::NothingMoves {
@@ -142,7 +140,7 @@ impl<'a> Simulation<'a> {
         let firm = Articulation::new(robot, cell.world_from_root(), &start, &moving, &loads)?;
         let compliant = controller.compliant_indices();
         let mut plant = Plant::new(cell, task, &tool, settings, &firm, compliant, &q, config)?;
-        let treated = TreatedSurface::from_task(task, &tool, settings);
+        let treated = TreatedSurface::from_task(task, &tool);
         let none = Dirt::default();
         // Points of a treated surface need no bodies.
         let loose = if treated.is_some() { &none } else { dirt };
@@ -258,7 +256,7 @@ impl<'a> Simulation<'a> {
         );
         let real_tool = world_from_real_tool.translation.vector.into();
         let is_pushed = self.disturb(time, &real_tool);
-        self.plant.undulate();
+        self.plant.lay_surface();
         self.grains.act(&mut self.plant, &mut self.dirt, &self.tool);
         if let Some(treated) = &self.treated {
             let period = self.config.period;
@@ -507,12 +505,11 @@ impl<'a> Simulation<'a> {
             self.lost_time += self.config.period;
         }
         truth.contact_force.add(force);
-        let world_from_real =
-            self.task.surface.world_from_surface * self.settings.believed_from_real;
-        let in_real = world_from_real.inverse() * Point3::from(world_from_tool.translation.vector);
-        truth.max_plane_distance = truth.max_plane_distance.max(in_real.z.abs());
+        let real = self.plant.real();
+        let at = real.chart(Point3::from(world_from_tool.translation.vector));
+        truth.max_plane_distance = truth.max_plane_distance.max(at.height.abs());
         let error = desired.world_from_tool.translation.vector - world_from_tool.translation.vector;
-        let normal = self.plant.normal();
+        let normal = real.normal(at.place);
         let lateral = error - normal * normal.dot(&error);
         truth.max_lateral_error = truth.max_lateral_error.max(lateral.norm());
     }
@@ -524,13 +521,12 @@ impl<'a> Simulation<'a> {
             for (&i, actual) in variables.iter().zip(&self.actual_q) {
                 positions[i] = *actual;
             }
-            let surface = &self.task.surface.world_from_surface;
             self.truth.hidden = hide_behind(
                 self.cell,
                 &positions,
                 &self.tool.parts,
                 &self.tool.tip_from_tool,
-                &(surface * self.settings.believed_from_real),
+                self.plant.real(),
             )?;
         }
         self.truth.lost_share = self.lost_time / self.sliding_time.max(self.config.period);

@@ -5,13 +5,11 @@
 
 use super::Dirt;
 use super::plant::{HeldTool, Plant};
-use crate::SimulationSettings;
-use wisch::geometry::{Point2, Point3, Pose};
+use wisch::geometry::{Point2, Point3};
 use wisch::represent::{Fate, Task, Treatment};
 
 /// How the real tool treats the points of the real surface.
 pub(super) struct TreatedSurface {
-    world_from_real: Pose,
     /// Sliding distance over a point that counts as one pass [m].
     pass_length: f64,
     /// Largest distance of the underside from the centre of its plate [m].
@@ -22,7 +20,7 @@ pub(super) struct TreatedSurface {
 
 impl TreatedSurface {
     /// Returns the treatment of a task; `None` for a task that moves dirt.
-    pub fn from_task(task: &Task, tool: &HeldTool, settings: &SimulationSettings) -> Option<Self> {
+    pub fn from_task(task: &Task, tool: &HeldTool) -> Option<Self> {
         let treatment = task.treatment.filter(|_| task.action.treats())?;
         let area = tool.footprint.area();
         let preston = match treatment {
@@ -31,7 +29,6 @@ impl TreatedSurface {
         };
         let corners = tool.edges().map(|edge| edge.start.coords.norm());
         Some(Self {
-            world_from_real: task.surface.world_from_surface * settings.believed_from_real,
             pass_length: area / tool.size.y,
             reach: corners.fold(0.0, f64::max),
             wear: preston * tool.press_force * tool.pressure.recip() / area,
@@ -43,23 +40,28 @@ impl TreatedSurface {
         let plate = plant.world_from_plate();
         let to_plate = plate.inverse();
         let compression = plant.compression();
-        let normal = plant.normal();
-        let middle = self.world_from_real.inverse() * Point3::from(plate.translation.vector);
+        let real = plant.real();
+        let middle = real.chart(Point3::from(plate.translation.vector)).place;
         for place in &mut dirt.grains {
-            if (place.position - middle.xy()).norm_squared() > self.reach * self.reach {
+            if (place.position - middle).norm_squared() > self.reach * self.reach {
                 continue;
             }
-            let at = self.world_from_real * Point3::new(place.position.x, place.position.y, 0.0);
+            let at = Point3::from(
+                real.world_from_place(place.position, 0.0)
+                    .translation
+                    .vector,
+            );
             let in_plate = to_plate * at;
             let under = Point2::new(in_plate.x, in_plate.y);
             if !tool.footprint.contains(under) {
                 continue;
             }
-            let [_, higher] = plant.wave(place.position);
+            let higher = plant.local_height(place.position).over_plate();
             let pressure = compression.pressure(under, higher, tool);
             if pressure < place.threshold {
                 continue;
             }
+            let normal = real.normal(place.position);
             let velocity = plant.plate_velocity(&at);
             // Only the velocity in the surface slides: v − n (n · v).
             let slid = (velocity - normal * normal.dot(&velocity)).norm() * period;

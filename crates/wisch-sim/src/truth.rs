@@ -57,7 +57,7 @@ pub struct GroundTruth {
     pub dirt: Dirt,
     /// Normal force of the surface on the tool while it slides and nobody pushes \[N\].
     pub contact_force: Spread,
-    /// Largest distance of the tool centre point from the plane of the real surface, at the same times \[m\].
+    /// Largest distance of the tool centre point from the real surface, along its normal, at the same times \[m\].
     pub max_plane_distance: f64,
     /// Largest norm of the controller's force f_c over the whole execution \[N\].
     pub max_controller_force: f64,
@@ -71,7 +71,8 @@ pub struct GroundTruth {
     pub pushes: Vec<[f64; 2]>,
     /// Begin and end of every contact of robot or tool with something other than the surface \[s\], by time.
     pub obstructions: Vec<[f64; 2]>,
-    /// What robot and tool hide from the camera after the execution: convex hulls in the frame of the real surface \[m\].
+    /// What robot and tool hide from the camera after the execution: convex hulls in the xy plane of
+    /// the real surface's frame \[m\].
     /// Empty without a camera, or with one that the arm does not hide anything from.
     pub hidden: Vec<Vec<Point2>>,
 }

@@ -90,7 +90,6 @@ impl Executor for World {
     }
 
     fn observe(&mut self, task: &Task) -> Result<Option<Observation>, ExecutorError> {
-        refuse_curved(&task.surface).map_err(ExecutorError::new)?;
         // Too much dirt is not simulated at all. A camera in this world would wrongly report a clean surface.
         if self.dirt.grains().is_empty() {
             return Ok(None);
@@ -105,19 +104,13 @@ impl Executor for World {
             Some(truth) => (&truth.dirt, &truth.hidden),
             None => (&self.dirt, &[]),
         };
-        let (settings, real) = (&self.settings, &self.world_from_real);
-        Ok(observe(settings, task, real, dirt, hidden, index))
+        let real = Surface {
+            world_from_surface: self.world_from_real,
+            ..task.surface.clone()
+        };
+        let settings = &self.settings;
+        Ok(observe(settings, task, &real, dirt, hidden, index))
     }
-}
-
-/// Refuses a surface that the simulation would take for a plane.
-pub(crate) fn refuse_curved(surface: &Surface) -> Result<(), SimulationError> {
-    if surface.shape.is_plane() {
-        return Ok(());
-    }
-    Err(SimulationError::CurvedSurface {
-        surface: surface.name.clone(),
-    })
 }
 
 impl GroundTruth {

@@ -1,6 +1,7 @@
 //! Execution in the simulated world: what a wipe does by itself, under disturbances, and to real dirt.
 
 mod body;
+mod curved;
 mod disturbances;
 mod grains;
 mod humanoid;

@@ -28,7 +28,7 @@ pub fn check(args: &CheckArgs, global: &GlobalArgs) -> Result<Outcome, Failure> 
     let progress = Progress::start(global);
     progress.say("reading the task");
     let task_args = &in_evaluations(&args.task)?;
-    let prepared = prepare::read_any_shape(task_args)?;
+    let prepared = prepare::read(task_args)?;
     let failure = |error| stage_failure(task_args, error);
     let free_area = FreeArea::of(&prepared.task, &progress).map_err(failure)?;
     progress.say(format!("planning ({})", prepared.run.plan.strategy));

@@ -31,7 +31,7 @@ pub fn interpret(args: &InterpretArgs, global: &GlobalArgs) -> Result<Outcome, F
     let progress = Progress::start(global);
     progress.say("reading the task");
     let task_args = task_args(&args.source);
-    let mut prepared = prepare::read_any_shape(&task_args)?;
+    let mut prepared = prepare::read(&task_args)?;
     let out = (args.out.clone()).unwrap_or_else(|| default_out(&prepared));
     check_log_is_kept(&args.source.log, &out)?;
     // The folder comes before the long computation, so that a missing permission is reported at once.

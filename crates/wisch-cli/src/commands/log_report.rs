@@ -29,7 +29,10 @@ pub(super) fn page(
         target: prepared.run.target,
         rounds: &views,
     };
-    let title = format!("{}: log of {} {}", task.name, task.action, task.medium);
+    let mut title = format!("{}: log of {} {}", task.name, task.action, task.medium);
+    if !task.surface.shape.is_plane() {
+        title += " (maps of the unrolled surface)";
+    }
     log_page(&LogPageInput {
         title: &title,
         rounds: &rounds,

@@ -93,6 +93,5 @@ fn task_of(episode: &Episode) -> Option<LoadedTask> {
         settings: options.settings,
         knowledge: None,
     };
-    // The page draws planes.
-    prepare::load_for(&args, false).ok()
+    prepare::load(&args).ok()
 }

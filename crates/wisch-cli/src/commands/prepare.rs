@@ -8,33 +8,19 @@ use wisch_io::{LoadOptions, LoadedTask, load_task};
 /// Reads the task file and all files that it names, with the overrides of the command line, and prints its assumptions as
 /// notes.
 pub(super) fn read(args: &TaskArgs) -> Result<LoadedTask, Failure> {
-    load_for(args, false).map(noted)
-}
-
-/// Reads the task file like [`read`], for a command that knows curved surfaces.
-pub(super) fn read_any_shape(args: &TaskArgs) -> Result<LoadedTask, Failure> {
-    load(args).map(noted)
-}
-
-/// Reads the task file like [`read_any_shape`], without notes.
-pub(super) fn load(args: &TaskArgs) -> Result<LoadedTask, Failure> {
-    load_for(args, true)
-}
-
-fn noted(loaded: LoadedTask) -> LoadedTask {
+    let loaded = load(args)?;
     loaded.assumptions.iter().for_each(|text| remark(text));
-    loaded
+    Ok(loaded)
 }
 
-/// Reads the task file, without notes. `accepts_curved`: whether the command knows curved surfaces.
-pub(super) fn load_for(args: &TaskArgs, accepts_curved: bool) -> Result<LoadedTask, Failure> {
+/// Reads the task file like [`read`], without notes.
+pub(super) fn load(args: &TaskArgs) -> Result<LoadedTask, Failure> {
     let options = LoadOptions {
         settings: args.settings.clone(),
         knowledge: args.knowledge.clone(),
         action: args.action,
         strategy: args.strategy,
         seed: args.seed,
-        accepts_curved,
     };
     Ok(load_task(&args.task, &options)?)
 }

@@ -148,10 +148,7 @@ fn work(
         task_args = task_args.touch_only();
     }
     let task_args = &task_args;
-    let mut prepared = match extent {
-        Extent::Plan { .. } => prepare::read_any_shape(task_args)?,
-        Extent::Predict | Extent::Run(..) | Extent::Follow(_) => prepare::read(task_args)?,
-    };
+    let mut prepared = prepare::read(task_args)?;
     if let Some(height) = extent.rounds().and_then(|rounds| rounds.air) {
         raise(&mut prepared.task.surface, height);
     }

@@ -168,20 +168,6 @@ enum Shape {
 }
 
 impl TaskFile {
-    /// Refuses a curved surface, for what takes every surface for a plane.
-    pub(crate) fn refuse_curved(&self) -> Result<(), TaskError> {
-        let SurfaceRecord { surface, at, .. } = &self.surface;
-        if surface.shape.is_plane() {
-            return Ok(());
-        }
-        Err(TaskError::Inconsistent {
-            at: at.clone(),
-            key: "surface.shape".to_owned(),
-            problem: "curved surfaces are known to wisch check, plan and interpret only, and not to this command yet"
-                .to_owned(),
-        })
-    }
-
     /// Makes the error of a missing knowledge entry, with the location where the file names it. `otherwise`: the location
     /// for kinds of entries without their own.
     fn unknown(&self, error: KnowledgeError, otherwise: &Place) -> TaskError {

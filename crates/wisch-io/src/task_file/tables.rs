@@ -251,7 +251,7 @@ pub(super) struct SurfaceTable {
     /// Holes as polygons inside the outline, surface frame [m].
     #[serde(default)]
     pub(super) holes_m: Vec<At<RingPoints>>,
-    /// Shape onto which the outline is rolled; default: plane. Only some commands know cylinders yet.
+    /// Shape onto which the outline is rolled; default: plane.
     #[serde(default)]
     pub(super) shape: ShapeName,
     /// Radius of a cylinder [m], positive where it bulges towards the tool, negative where it is hollow.

@@ -108,6 +108,9 @@ class Task:
     def world_from_surface(self) -> Floats:
         """Believed pose of the surface, (7)."""
     @property
+    def surface_shape(self) -> dict[str, Any] | None:
+        """Shape onto which the outline is rolled: ``kind`` "cylinder", ``radius_m`` and ``axis_rad``; None for a plane."""
+    @property
     def particles(self) -> Floats:
         """Believed positions of the dirt, (N, 2) in the frame of the surface [m]."""
     @property
@@ -317,6 +320,9 @@ class Motion:
     @property
     def world_from_surface(self) -> Floats:
         """Believed pose, (7)."""
+    @property
+    def surface_shape(self) -> dict[str, Any] | None:
+        """Shape onto which the outline is rolled: ``kind`` "cylinder", ``radius_m`` and ``axis_rad``; None for a plane."""
     @property
     def world_from_root(self) -> Floats:
         """Pose of the robot's root link, (7)."""

@@ -148,7 +148,14 @@ fn place_points(points: &[Point2], world_from_base: &PlanarPose) -> Vec<Point2> 
 
 fn surface(input: &MotionInput) -> Vec<Vec<Point2>> {
     let surface = &input.task.surface;
-    let place = |p: &Point2| (surface.world_from_surface * Point3::new(p.x, p.y, 0.0)).xy();
+    let place = |p: &Point2| {
+        surface
+            .world_from_place(*p, 0.0)
+            .translation
+            .vector
+            .xy()
+            .into()
+    };
     let rings = surface.outline.rings();
     rings.map(|ring| ring.iter().map(place).collect()).collect()
 }

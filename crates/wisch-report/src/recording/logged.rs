@@ -4,9 +4,9 @@ use super::judged::EventRecord;
 use super::phases::PhaseRecord;
 use super::samples::round_to;
 use serde::Serialize;
-use wisch::geometry::Pose;
+use wisch::geometry::{Polygon, Pose};
 use wisch::plan::Strategy;
-use wisch::represent::Task;
+use wisch::represent::{Surface, Task};
 use wisch::robot::{LinkId, RobotModel};
 
 /// An episode that was kept without a recording, for example an imported log.
@@ -82,12 +82,17 @@ pub(super) struct Log {
 }
 
 impl LoggedRound<'_> {
-    /// Returns the pose at which the surface is shown.
-    pub(super) fn world_from_surface(&self) -> Pose {
-        let believed = || Some(self.task?.surface.world_from_surface);
-        self.world_from_surface
-            .or_else(believed)
-            .unwrap_or_default()
+    /// Returns the surface that is shown; without outline if the task is unknown.
+    pub(super) fn surface(&self) -> Surface {
+        let nowhere = || {
+            let outline = Polygon::new(Vec::new(), Vec::new());
+            Surface::new("", outline, Pose::identity())
+        };
+        let mut surface = (self.task).map_or_else(nowhere, |task| task.surface.clone());
+        if let Some(world_from_surface) = self.world_from_surface {
+            surface.world_from_surface = world_from_surface;
+        }
+        surface
     }
 }
 

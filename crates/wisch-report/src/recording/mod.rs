@@ -188,7 +188,7 @@ impl<W: Write> RecordingWriter<W> {
     pub fn record_log(&mut self, round: &LoggedRound<'_>) -> io::Result<()> {
         let piece = RoundPiece::logged(round, &mut self.meshes, self.written);
         self.written = self.meshes.len();
-        self.batch = Batch::new(round.number, &round.world_from_surface());
+        self.batch = Batch::new(round.number, round.surface());
         write(&mut self.output, &piece)
     }
 

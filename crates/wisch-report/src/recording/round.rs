@@ -11,7 +11,7 @@ use crate::scene::{MeshRecord, Meshes, Solid, seven};
 use serde::Serialize;
 use wisch::follow::Followed;
 use wisch::plan::{Plan, Strategy};
-use wisch::represent::{GoalState, ScenePart, Task};
+use wisch::represent::{GoalState, ScenePart, Surface, SurfaceShape, Task};
 use wisch::run::PlannedRound;
 
 #[derive(Serialize)]
@@ -41,6 +41,30 @@ pub(super) struct RoundPiece {
 struct SurfaceRecord {
     pose: [f64; 7],
     rings: Vec<Vec<i64>>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    shape: Option<BendRecord>,
+}
+
+/// The shape of a curved surface.
+#[derive(Serialize)]
+#[serde(tag = "kind", rename_all = "lowercase")]
+enum BendRecord {
+    Cylinder { radius: f64, axis: f64 },
+}
+
+impl SurfaceRecord {
+    fn new(surface: &Surface) -> Self {
+        Self {
+            pose: seven(&surface.world_from_surface),
+            rings: surface.outline.rings().map(line).collect(),
+            shape: match surface.shape {
+                SurfaceShape::Plane => None,
+                SurfaceShape::Cylinder { radius, axis } => {
+                    Some(BendRecord::Cylinder { radius, axis })
+                }
+            },
+        }
+    }
 }
 
 #[derive(Serialize)]
@@ -121,10 +145,6 @@ impl RoundPiece {
 
     /// Makes the piece of a round of which only a log is known.
     pub(super) fn logged(round: &LoggedRound<'_>, meshes: &mut Meshes, written: usize) -> Self {
-        let surface = round.task.map(|task| &task.surface);
-        let rings = surface.map_or_else(Vec::new, |surface| {
-            surface.outline.rings().map(line).collect()
-        });
         let scene = round
             .task
             .map_or_else(Vec::new, |task| objects(task, meshes));
@@ -135,10 +155,7 @@ impl RoundPiece {
             kind: "logged",
             duration: round_to(round.duration, 1e3),
             root: round.world_from_root.as_ref().map(seven),
-            surface: SurfaceRecord {
-                pose: seven(&round.world_from_surface()),
-                rings,
-            },
+            surface: SurfaceRecord::new(&round.surface()),
             scene,
             meshes: meshes.since(written),
             goal: None,
@@ -189,7 +206,6 @@ impl Shown<'_> {
             frames,
             ..
         } = self;
-        let outline = &task.surface.outline;
         let scene = objects(task, meshes);
         let mut since = 0.0;
         let moments: Vec<(f64, usize)> = (frames.frames().iter().enumerate())
@@ -223,10 +239,7 @@ impl Shown<'_> {
             kind: self.kind,
             duration: round_to(duration, 1e3),
             root: self.root,
-            surface: SurfaceRecord {
-                pose: seven(&task.surface.world_from_surface),
-                rings: outline.rings().map(line).collect(),
-            },
+            surface: SurfaceRecord::new(&task.surface),
             scene,
             goal: Some(GoalRecord::new(&wiped.graph.goal)),
             strokes: (wiped.strokes.iter())

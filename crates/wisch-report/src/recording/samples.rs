@@ -5,6 +5,7 @@ use serde::Serialize;
 use std::collections::BTreeMap;
 use wisch::follow::{Followed, Phase, ToolPose, Workcell};
 use wisch::geometry::{Point3, Pose, Vector3, flatten_pose};
+use wisch::represent::{ChartPoint, Surface};
 use wisch::run::{PlannedRound, TelemetrySample};
 
 /// Samples per second of a recording.
@@ -33,7 +34,7 @@ pub(super) struct Samples {
 #[derive(Debug, Default)]
 pub(super) struct Batch {
     round: usize,
-    surface_from_world: Pose,
+    surface: Option<Surface>,
     times: Vec<f64>,
     positions: Vec<Vec<f64>>,
     tool: Vec<f64>,
@@ -49,13 +50,13 @@ pub(super) struct Batch {
 
 impl Batch {
     pub(super) fn of(planned: &PlannedRound) -> Self {
-        Self::new(planned.number, &planned.task.surface.world_from_surface)
+        Self::new(planned.number, planned.task.surface.clone())
     }
 
-    pub(super) fn new(round: usize, world_from_surface: &Pose) -> Self {
+    pub(super) fn new(round: usize, surface: Surface) -> Self {
         Self {
             round,
-            surface_from_world: world_from_surface.inverse(),
+            surface: Some(surface),
             ..Self::default()
         }
     }
@@ -69,7 +70,7 @@ impl Batch {
     pub(super) fn watch(&mut self, sample: &TelemetrySample<'_>) -> bool {
         // Sums of periods have rounding errors.
         const SLACK: f64 = 1e-6;
-        let normal = (self.surface_from_world * sample.external.force).z;
+        let (_, normal) = self.measure(&sample.world_from_tool, &sample.external.force);
         if normal.abs() > self.peak.abs() {
             self.peak = normal;
         }
@@ -93,6 +94,18 @@ impl Batch {
         self.times.len() >= BATCH
     }
 
+    /// Returns the tool's height over the surface \[m\], and a force's part along the normal under the tool \[N\].
+    fn measure(&self, world_from_tool: &Pose, force: &Vector3) -> (f64, f64) {
+        let tool = Point3::from(world_from_tool.translation.vector);
+        let Some(surface) = &self.surface else {
+            return (tool.z, force.z);
+        };
+        let ChartPoint { place, height } = surface.chart(tool);
+        let turn = surface.shape.orientation(place).inverse();
+        let in_surface = turn * (surface.world_from_surface.inverse() * force);
+        (height, in_surface.z)
+    }
+
     fn push(&mut self, time: f64, q: &[f64], world_from_tool: &Pose, force: Vector3, normal: f64) {
         self.last_time = Some(time);
         self.times.push(round_to(time, 1e3));
@@ -102,9 +115,8 @@ impl Batch {
         self.force
             .extend([force.x, force.y, force.z].map(|f| round_to(f, 1e2)));
         self.normal.push(round_to(normal, 1e2));
-        let tool = Point3::from(world_from_tool.translation.vector);
-        self.height
-            .push(round_to((self.surface_from_world * tool).z, 1e4));
+        let (height, _) = self.measure(world_from_tool, &force);
+        self.height.push(round_to(height, 1e4));
     }
 
     /// Takes the collected samples as a piece.
@@ -136,7 +148,7 @@ impl Batch {
 
 /// Samples a motion that is not executed, at the rate of executed motions.
 pub(super) fn planned(planned: &UnexecutedPlan<'_>) -> Vec<Samples> {
-    let mut batch = Batch::new(1, &planned.task.surface.world_from_surface);
+    let mut batch = Batch::new(1, planned.task.surface.clone());
     let mut pieces = Vec::new();
     match planned.followed {
         Some((cell, followed, _)) => {

@@ -49,7 +49,7 @@ pub(crate) fn format_estimate(estimate: Estimate) -> String {
 pub(crate) fn describe_diagnosis(found: &Interpretation) -> String {
     let plane = found.plane.map_or_else(String::new, |plane| {
         format!(
-            ": the fitted plane is tilted by {} and {} mm {} it",
+            ": the fitted surface is tilted by {} and {} mm {} it",
             format_degrees(plane.tilt),
             metres(1e3 * plane.offset.abs(), 1),
             if plane.offset < 0.0 { "below" } else { "above" }

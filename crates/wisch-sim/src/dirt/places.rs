@@ -4,7 +4,7 @@ use crate::{GrainCount, SimulationSettings, TrueDirt};
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use std::f64::consts::TAU;
-use wisch::geometry::{Bounds2, Mesh, Point2, Polygon, Pose, Vector2};
+use wisch::geometry::{Bounds2, Point2, Polygon, Pose, Vector2};
 use wisch::random::normal;
 use wisch::represent::{
     Cluster, DirtArea, OccupiedArea, SourceError, Task, cluster_particles, uniform_particles,
@@ -40,11 +40,10 @@ pub struct WorkSurface {
 impl WorkSurface {
     /// Returns the surface of a task with the objects on it, without the believed dirt.
     pub fn from_task(task: &Task) -> Self {
-        let meshes: Vec<Mesh> = task.obstacles_in_surface().collect();
         Self {
             world_from_surface: task.surface.world_from_surface,
             outline: task.surface.outline.clone(),
-            occupied: OccupiedArea::from_scene(&meshes),
+            occupied: task.occupied_area(),
         }
     }
 

@@ -1,21 +1,23 @@
 //! The plant: the robot as a multibody, its compliant tool, the real surface and the scene.
 //!
 //! This module builds and steps the plant. Module `drives` holds the robot's bodies and what moves them, `compliance`
-//! the tool and its plate, and `shapes` the collision shapes.
+//! the tool and its plate, `ground` the surface under the tool, and `shapes` the collision shapes.
 
 mod compliance;
 mod drives;
+mod ground;
 mod held_tool;
 mod shapes;
 
 pub(super) use compliance::{TOOL_MASS, firm_load};
+pub(super) use ground::find_real_surface;
 pub(super) use held_tool::HeldTool;
 
 use self::compliance::{compliance, foam_springs, plate_thickness};
 use self::drives::{Coupling, Drives, Link, add_bodies};
+use self::ground::{BentContact, GroundUnderTool, facets};
 use self::shapes::{add_scene, add_shapes, prism};
 use crate::{SimulationError, SimulationSettings, Waviness};
-use nalgebra::{Translation3, UnitQuaternion};
 use rapier3d_f64::dynamics::{
     MultibodyJointHandle, RigidBodyHandle, SphericalJointBuilder, SpringCoefficients,
 };
@@ -26,8 +28,8 @@ use rapier3d_f64::math as engine;
 use rapier3d_f64::pipeline::PhysicsWorld;
 use wisch::control::ControlConfig;
 use wisch::follow::Workcell;
-use wisch::geometry::{Point2, Point3, Pose, Vector2, Vector3};
-use wisch::represent::Task;
+use wisch::geometry::{Point3, Pose, Vector3};
+use wisch::represent::{Surface, Task};
 use wisch::robot::Articulation;
 
 /// Acceleration of free fall [m/s²].
@@ -72,11 +74,10 @@ pub(super) struct Plant {
     surface_collider: ColliderHandle,
     /// Objects around the surface, and what carries the surface.
     scene: Vec<ColliderHandle>,
-    normal: Vector3,
-    world_from_real: Pose,
+    real: Surface,
     waviness: Option<Waviness>,
-    /// The surface under the tool: height over its plane [m], slope [1], and the point below the tool [m].
-    wave: (f64, Vector2, Point2),
+    bent: Option<BentContact>,
+    ground: GroundUnderTool,
     /// For each variable, stiffness and damping of the drive that holds it; `None` for compliant variables.
     servos: Vec<Option<[f64; 2]>>,
     couplings: Vec<Coupling>,
@@ -166,9 +167,9 @@ impl Plant {
                 .collision_groups(groups(PLATE, SURFACE)),
             Some(plate),
         );
-        let world_from_real = task.surface.world_from_surface * settings.believed_from_real;
+        let real = find_real_surface(task, settings);
         let slab = prism(
-            task.surface.outline.outer().iter().copied(),
+            real.outline.outer().iter().copied(),
             -SURFACE_THICKNESS,
             0.0,
         );
@@ -176,15 +177,19 @@ impl Plant {
         let mut lay = |shape, meets| {
             world.insert_collider(
                 ColliderBuilder::new(shape)
-                    .position(to_engine(&world_from_real))
+                    .position(to_engine(&real.world_from_surface))
                     .friction(settings.friction)
                     .collision_groups(groups(SURFACE, meets)),
                 None,
             )
         };
-        // With waves, the tool touches a surface of its own, which takes the height and slope under the tool.
+        // With waves or a bend, the tool touches a surface of its own, which takes the height and slope under the tool.
         let is_wavy = settings.waviness.height > 0.0;
-        let surface_collider = if is_wavy {
+        let bent = BentContact::new(&real, tool);
+        let surface_collider = if bent.is_some() {
+            lay(facets(&real, SURFACE_THICKNESS)?, GRAIN);
+            lay(slab, PLATE)
+        } else if is_wavy {
             lay(slab.clone(), GRAIN);
             lay(slab, PLATE)
         } else {
@@ -202,10 +207,10 @@ impl Plant {
             plate_collider,
             surface_collider,
             scene,
-            normal: world_from_real * Vector3::z(),
-            world_from_real,
+            real,
             waviness: is_wavy.then_some(settings.waviness),
-            wave: (0.0, Vector2::zeros(), Point2::origin()),
+            bent,
+            ground: GroundUnderTool::default(),
             servos: vec![None; articulation.dof()],
             couplings: Vec::new(),
             articulation: articulation.clone(),
@@ -273,37 +278,6 @@ impl Plant {
         body.reset_torques(false);
     }
 
-    /// Moves the surface under the tool to the height and slope of its waves there.
-    pub fn undulate(&mut self) {
-        let Some(waviness) = self.waviness else {
-            return;
-        };
-        let at = self.world_from_real.inverse() * self.world_from_plate();
-        let place = Point2::new(at.translation.x, at.translation.y);
-        let (height, slope) = waviness.sample(place);
-        self.wave = (height, slope, place);
-        // Tangent plane: tilted by the slope about the point under the tool.
-        let lift = Translation3::new(place.x, place.y, height);
-        let tilt = UnitQuaternion::from_scaled_axis(Vector3::new(slope.y, -slope.x, 0.0));
-        let back = Translation3::new(-place.x, -place.y, 0.0);
-        let pose = self.world_from_real * Pose::from_parts(lift, tilt) * back;
-        if let Some(collider) = self.world.colliders.get_mut(self.surface_collider) {
-            collider.set_position(to_engine(&pose));
-        }
-    }
-
-    /// Returns the height of the surface over its plane at `place` [m], and its height there over the tangent plane
-    /// that carries the tool [m]. `place` is in the frame of the real surface [m].
-    pub fn wave(&self, place: Point2) -> [f64; 2] {
-        let Some(waviness) = self.waviness else {
-            return [0.0; 2];
-        };
-        let (height, slope, center) = self.wave;
-        let (here, _) = waviness.sample(place);
-        // Deviation from the tangent plane: h(p) − h(c) − ∇h(c) · (p − c).
-        [here, here - height - slope.dot(&(place - center))]
-    }
-
     /// Advances the world by one period.
     pub fn step(&mut self) {
         self.world.step();
@@ -336,8 +310,8 @@ impl Plant {
         Vector3::new(v.x, v.y, v.z)
     }
 
-    /// Outward normal of the real surface in the world.
-    pub const fn normal(&self) -> Vector3 {
-        self.normal
+    /// The real surface.
+    pub const fn real(&self) -> &Surface {
+        &self.real
     }
 }

@@ -62,6 +62,11 @@ impl Wiping {
         let mut task = board(action, [0.5, 0.0, 0.2]);
         // The bounds of the tests are chosen for this mount.
         task.tool.mount = Some(Mount::Hand { lean: 0.8 });
+        Self::of_first_stroke(task)
+    }
+
+    /// The first stroke of a task's plan, without dirt.
+    pub fn of_first_stroke(task: Task) -> Self {
         let plan = first_stroke(planned(&task));
         let cell = cell(&task);
         // The stroke as planned: tests put things in its way, and waves under it.

@@ -5,7 +5,7 @@ use crate::ros2::messages::{Color, Marker, MarkerKind, Time, Vector3};
 use std::f64::consts::TAU;
 use wisch::geometry::{Mesh, Point2, Point3, Polygon, Pose};
 use wisch::plan::Stroke;
-use wisch::represent::{GoalState, SceneObject, ScenePart, Surface};
+use wisch::represent::{GoalState, SceneObject, ScenePart, Surface, SurfaceShape};
 use wisch::run::TelemetrySample;
 
 /// Heights above the surface of its face and of the drawings on it, which keep any two from sharing a plane [m].
@@ -14,6 +14,8 @@ const LINE_HEIGHT: f64 = 0.001;
 const STROKE_HEIGHT: f64 = 0.002;
 /// Width of lines [m].
 const LINE_WIDTH: f64 = 0.003;
+/// Largest turn of the normal along a line that is drawn straight [rad].
+const LARGEST_TURN: f64 = 0.05;
 /// Number of corners of a drawn circle.
 const CIRCLE_CORNERS: u32 = 48;
 /// Length of the arrow of a force [m/N].
@@ -110,25 +112,60 @@ fn at(point: Point3) -> Vector3 {
     point.coords.into()
 }
 
-fn raise_by(height: f64) -> impl Fn(&Point2) -> Point3 {
-    move |point| Point3::new(point.x, point.y, height)
+fn lift(shape: &SurfaceShape, place: Point2, height: f64) -> Point3 {
+    shape.place(place, height).translation.vector.into()
+}
+
+/// Lifts a line of the chart to a height over the surface [m]; on a curved surface in short steps.
+fn lift_line(shape: &SurfaceShape, corners: &[Point2], height: f64) -> Vec<Point3> {
+    let mut points = Vec::with_capacity(corners.len());
+    for pair in corners.windows(2) {
+        let &[from, to] = pair else { continue };
+        let steps = (shape.turn_between(from, to) / LARGEST_TURN)
+            .ceil()
+            .max(1.0) as usize;
+        let on_line = (0..steps).map(|i| from + (to - from) * (i as f64 / steps as f64));
+        points.extend(on_line.map(|place| lift(shape, place, height)));
+    }
+    points.extend(corners.last().map(|&place| lift(shape, place, height)));
+    points
+}
+
+/// Lifts a triangle of the chart onto the surface; on a curved surface in small parts.
+fn lift_triangle(shape: &SurfaceShape, corners: [Point2; 3], lifted: &mut Vec<Point3>) {
+    let [a, b, c] = corners;
+    let turn = |from, to| shape.turn_between(from, to);
+    if turn(a, b).max(turn(b, c)).max(turn(c, a)) <= LARGEST_TURN {
+        lifted.extend(corners.map(|place| lift(shape, place, FACE_HEIGHT)));
+        return;
+    }
+    let between = |from: Point2, to: Point2| from + (to - from) / 2.0;
+    let [ab, bc, ca] = [between(a, b), between(b, c), between(c, a)];
+    for part in [[a, ab, ca], [ab, b, bc], [ca, bc, c], [ab, bc, ca]] {
+        lift_triangle(shape, part, lifted);
+    }
 }
 
 /// Draws the surface, the objects around it, and the goal area.
 pub(super) fn scene(shown: &BagScene<'_>) -> Vec<Drawn> {
-    let outline = &shown.surface.outline;
-    let mut all = vec![surface_face(outline)];
+    let Surface { outline, shape, .. } = shown.surface;
+    let mut all = vec![surface_face(outline, shape)];
     all.extend((0..).zip(outline.rings()).map(|(id, ring)| {
-        let corners = ring.iter().chain(ring.first());
-        let drawn = on_surface("outline", OUTLINE).through(corners.map(raise_by(LINE_HEIGHT)));
-        Drawn { id, ..drawn }
+        let corners: Vec<Point2> = ring.iter().chain(ring.first()).copied().collect();
+        let line = lift_line(shape, &corners, LINE_HEIGHT);
+        Drawn {
+            id,
+            ..on_surface("outline", OUTLINE).through(line)
+        }
     }));
     if let GoalState::Collected { center, radius } = shown.goal {
         let corner = |i: u32| {
             let (y, x) = (TAU * f64::from(i) / f64::from(CIRCLE_CORNERS)).sin_cos();
-            Point3::new(center.x + radius * x, center.y + radius * y, LINE_HEIGHT)
+            Point2::new(center.x + radius * x, center.y + radius * y)
         };
-        all.push(on_surface("goal", GOAL).through((0..=CIRCLE_CORNERS).map(corner)));
+        let circle: Vec<Point2> = (0..=CIRCLE_CORNERS).map(corner).collect();
+        let line = lift_line(shape, &circle, LINE_HEIGHT);
+        all.push(on_surface("goal", GOAL).through(line));
     }
     all.extend(shown.objects.iter().filter_map(|object| {
         let color = match object.part {
@@ -144,8 +181,8 @@ pub(super) fn scene(shown: &BagScene<'_>) -> Vec<Drawn> {
     all
 }
 
-/// Draws the strokes in their order, the first in the darkest colour.
-pub(super) fn strokes(strokes: &[Stroke]) -> Vec<Drawn> {
+/// Draws the strokes on a surface of this shape in their order, the first in the darkest colour.
+pub(super) fn strokes(strokes: &[Stroke], shape: &SurfaceShape) -> Vec<Drawn> {
     let last = (strokes.len().max(2) - 1) as f32;
     let stroke = |(id, stroke): (i32, &Stroke)| {
         let share = id as f32 / last;
@@ -157,8 +194,8 @@ pub(super) fn strokes(strokes: &[Stroke]) -> Vec<Drawn> {
             mixed(from.b, to.b),
             1.0,
         );
-        let line = on_surface("strokes", color)
-            .through((stroke.poses.iter()).map(|pose| raise_by(STROKE_HEIGHT)(&pose.position)));
+        let corners: Vec<Point2> = stroke.poses.iter().map(|pose| pose.position).collect();
+        let line = on_surface("strokes", color).through(lift_line(shape, &corners, STROKE_HEIGHT));
         // A contact without motion is a point.
         let kind = if line.points.len() < 2 {
             MarkerKind::Points
@@ -203,14 +240,13 @@ fn solid(frame: &'static str, ns: &str, color: Color, mesh: &Mesh) -> Drawn {
     Drawn::new(frame, ns, MarkerKind::TriangleList, color).through(corners)
 }
 
-fn surface_face(outline: &Polygon) -> Drawn {
+fn surface_face(outline: &Polygon, shape: &SurfaceShape) -> Drawn {
     let face = Drawn::new(FRAME_SURFACE, "surface", MarkerKind::TriangleList, FACE);
-    face.through(
-        triangles(outline)
-            .iter()
-            .flatten()
-            .map(raise_by(FACE_HEIGHT)),
-    )
+    let mut corners = Vec::new();
+    for triangle in triangles(outline) {
+        lift_triangle(shape, triangle, &mut corners);
+    }
+    face.through(corners)
 }
 
 /// Triangulates a polygon with holes, counter-clockwise: cuts it at the height of every corner into trapezoids.

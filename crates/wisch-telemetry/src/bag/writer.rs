@@ -23,7 +23,7 @@ use std::path::{Path, PathBuf};
 use wisch::follow::Phase;
 use wisch::geometry::{Point3, Pose};
 use wisch::plan::Stroke;
-use wisch::represent::Observation;
+use wisch::represent::{Observation, SurfaceShape};
 use wisch::run::TelemetrySample;
 
 /// Longest time that a killed program loses [ns]: a chunk is written when it covers this time,
@@ -97,7 +97,7 @@ impl BagHead {
 /// | `/plan/strokes` | `visualization_msgs/MarkerArray`: a line for each, in the frame of the surface | once, if given |
 /// | `/tool` | `visualization_msgs/Marker`: triangles in the frame of the tool | once, if given |
 /// | `/force` | `visualization_msgs/Marker`: an arrow from the tool centre point, 1 cm/N, in the world | at most 25 Hz while it is 1 N or more |
-/// | `/wisch/dirt_before`, `/wisch/dirt_after` | `sensor_msgs/PointCloud2`, in the frame of the believed surface | once each, with a camera |
+/// | `/wisch/dirt_before`, `/wisch/dirt_after` | `sensor_msgs/PointCloud2`, in the frame of the believed surface; of a curved surface in its chart, unrolled | once each, with a camera |
 /// | `/wisch/hidden_before`, `/wisch/hidden_after` | `geometry_msgs/PolygonStamped`, in that frame | one for each part of the surface that the camera could not see |
 ///
 /// ```
@@ -151,6 +151,8 @@ pub struct BagWriter {
     last_transforms: Option<u64>,
     last_particles: Option<u64>,
     links: LinkFrames,
+    /// Shape of the surface in the scene.
+    shape: SurfaceShape,
     last_shown: Option<u64>,
     /// Whether the last message of `/force` draws an arrow.
     force_drawn: bool,
@@ -215,6 +217,7 @@ impl BagWriter {
             last_transforms: None,
             last_particles: None,
             links: LinkFrames::default(),
+            shape: SurfaceShape::default(),
             last_shown: None,
             force_drawn: false,
             phase: None,
@@ -327,6 +330,7 @@ impl BagWriter {
     /// # Errors
     /// If the file cannot be written.
     pub fn write_scene(&mut self, scene: &BagScene<'_>) -> Result<(), WriteError> {
+        self.shape = scene.surface.shape;
         self.put_markers(Topic::Scene, &scene::scene(scene))?;
         let time = self.now();
         self.put(Topic::Tool, time, &scene::tool(scene.tool).marker(time))
@@ -337,7 +341,7 @@ impl BagWriter {
     /// # Errors
     /// If the file cannot be written.
     pub fn write_strokes(&mut self, strokes: &[Stroke]) -> Result<(), WriteError> {
-        self.put_markers(Topic::Strokes, &scene::strokes(strokes))
+        self.put_markers(Topic::Strokes, &scene::strokes(strokes, &self.shape))
     }
 
     /// Adds a camera observation of the dirt, in the frame of the believed surface: before the round, or after its last

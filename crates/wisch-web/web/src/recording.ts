@@ -107,6 +107,15 @@ export interface Considered {
 }
 
 /** A round before its execution, a plan without execution, or a round of an episode that was kept without a recording. */
+/** A cylinder onto which the chart of a surface is rolled: it touches the chart at the origin. */
+export interface SurfaceShape {
+  kind: "cylinder";
+  /** Positive where the surface bulges towards the tool [m]. */
+  radius: number;
+  /** Angle of its axis from the chart's x [rad]. */
+  axis: number;
+}
+
 export interface RoundPiece {
   piece: "round";
   /** Counted from 1. */
@@ -117,8 +126,8 @@ export interface RoundPiece {
   duration: number;
   /** Of the robot's root in the world. */
   root: Pose | null;
-  /** Where it is believed to be; its outline's rings, holes after the outer one. */
-  surface: { pose: Pose; rings: Places[] };
+  /** Where it is believed to be; its outline's rings in its chart, holes after the outer one; its shape if it is curved. */
+  surface: { pose: Pose; rings: Places[]; shape?: SurfaceShape | null };
   scene: ({ part: "obstacle" | "carrier" } & Solid)[];
   /** Meshes that are new; they continue those of the pieces before. */
   meshes: MeshRecord[];

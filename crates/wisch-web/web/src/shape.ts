@@ -22,6 +22,9 @@ const SOLIDS = new Map<unknown, Check>([
 const solid: Check = (value) => has({ pose, kind: text })(value) && SOLIDS.get((value as { kind: unknown }).kind)?.(value) === true;
 const mesh = has({ vertices: list(finite), triangles: list(finite) });
 
+/** A radius of 0 would be no surface. */
+const bent: Check = (value) => has({ radius: finite, axis: finite })(value) && (value as { kind: unknown; radius: number }).kind === "cylinder" && (value as { radius: number }).radius !== 0;
+
 const event = has({ kind: text, start: finite, end: finite, words: text });
 
 const head = has({
@@ -38,7 +41,7 @@ const considered = has({
 });
 
 const round = has({
-  round: finite, duration: finite, root: maybe(pose), surface: has({ pose, rings: list(list(finite)) }), scene: list(solid), meshes: list(mesh),
+  round: finite, duration: finite, root: maybe(pose), surface: has({ pose, rings: list(list(finite)), shape: maybe(bent) }), scene: list(solid), meshes: list(mesh),
   goal: maybe((value) => has({ kind: text })(value) && ((value as { kind: string }).kind !== "collected" || has({ place: exactly(2), radius: finite })(value))),
   strokes: list(list(finite)), phases: list(has({ name: text, start: finite, end: finite })), predicted: maybe(finite), growth: list(interval),
   particles: list((step) => Array.isArray(step) && step.length === 3 && finite(step[0]) && some(step[1]) && some(step[2])), why: list(text), considered: maybe(list(considered)), events: maybe(list(event)), contacts: maybe(list(interval)),

@@ -87,9 +87,10 @@ export class Story {
     if (last?.judged) after.push({ mark: "estimated", places: metres(last.judged.particles) });
     if (last?.truth?.particles) after.push({ mark: "actual", places: metres(last.truth.particles) });
     if (last?.observed) after.push({ mark: "seen", places: metres(last.observed.detections) });
+    const bent = first.plan.surface.shape;
     const figure = (title: string, round: typeof first, layers: Dots[]) =>
-      el("figure", {}, surfacePicture(round, layers, `${title}: the surface from above with ${layers.map(({ places, mark }) => `${places.length / 2} particles ${NAMES[mark]}`).join(", ")}`),
-        el("figcaption", {}, title));
+      el("figure", {}, surfacePicture(round, layers, `${title}: the ${bent ? "unrolled surface" : "surface from above"} with ${layers.map(({ places, mark }) => `${places.length / 2} particles ${NAMES[mark]}`).join(", ")}`),
+        el("figcaption", {}, bent ? `${title}, surface unrolled` : title));
     if (!last) {
       const end = first.particles.places(Math.max(0, first.particles.times.length - 1));
       if (first.plan.kind === "planned") {

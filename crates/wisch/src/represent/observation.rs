@@ -1,12 +1,12 @@
 //! Camera observations of dirt, with the sensor model.
 
-use super::GrainSize;
+use super::{GrainSize, SurfaceShape};
 use crate::geometry::{Point2, Point3, Polygon, Pose, Region};
 
 /// Most detections that an executor may return for one observation.
 pub const MAX_DETECTIONS: usize = 100_000;
 
-/// Detections of dirt on a surface at one moment, in the frame of the believed surface.
+/// Detections of dirt on a surface at one moment, in the chart of the believed surface.
 ///
 /// Nothing is known about [`Self::hidden`]. Anywhere else, a particle without a detection was missed or is not there.
 ///
@@ -31,17 +31,20 @@ impl Observation {
     }
 
     /// Returns the observation in the frame of a surface at another pose, projected onto it along its normal.
-    /// `now_from_then` is the pose of the observed surface in the frame of the other one.
+    /// `now_from_then` is the pose of the observed surface in the frame of the other one; `shape` is that of both.
     ///
     /// ```
     /// use wisch::geometry::{Point2, Pose};
-    /// use wisch::represent::Observation;
+    /// use wisch::represent::{Observation, SurfaceShape};
     /// let seen = Observation { detections: vec![Point2::new(0.1, 0.0)], ..Observation::default() };
-    /// let moved = seen.transform(&Pose::translation(0.0, 0.2, 0.0));
+    /// let moved = seen.transform(&Pose::translation(0.0, 0.2, 0.0), &SurfaceShape::Plane);
     /// assert_eq!(moved.detections, [Point2::new(0.1, 0.2)]);
     /// ```
-    pub fn transform(&self, now_from_then: &Pose) -> Self {
-        let moved = |p: &Point2| (now_from_then * Point3::new(p.x, p.y, 0.0)).xy();
+    pub fn transform(&self, now_from_then: &Pose, shape: &SurfaceShape) -> Self {
+        let moved = |p: &Point2| {
+            let then = Point3::from(shape.place(*p, 0.0).translation.vector);
+            shape.chart(now_from_then * then).place
+        };
         let ring = |ring: &[Point2]| -> Vec<Point2> { ring.iter().map(moved).collect() };
         let hidden = self.hidden.polygons().iter().map(|part| {
             let holes = part.holes().iter().map(|hole| ring(hole));

@@ -109,6 +109,33 @@ impl SurfaceShape {
         }
     }
 
+    /// Returns the place of the surface that is seen along the z of its frame through a point of the frame's xy plane \[m\];
+    /// `None` where there is none. Of a cylinder it lies on the side of the chart's origin.
+    ///
+    /// ```
+    /// use std::f64::consts::FRAC_PI_2;
+    /// use wisch::geometry::Point2;
+    /// use wisch::represent::SurfaceShape;
+    /// let pipe = SurfaceShape::Cylinder { radius: 0.5, axis: FRAC_PI_2 };
+    /// let seen = pipe.place_below(Point2::new(0.25, 0.1)).ok_or("none")?;
+    /// assert!((seen - Point2::new(0.5 * 0.5_f64.asin(), 0.1)).norm() < 1e-12);
+    /// assert_eq!(pipe.place_below(Point2::new(0.6, 0.0)), None);
+    /// # Ok::<(), &str>(())
+    /// ```
+    pub fn place_below(&self, point: Point2) -> Option<Point2> {
+        match *self {
+            Self::Plane => Some(point),
+            Self::Cylinder { radius, axis } => {
+                let [along, across] = directions(axis);
+                let sine = across.dot(&point.coords) / radius;
+                (sine.abs() <= 1.0).then(|| {
+                    let v = along.dot(&point.coords);
+                    Point2::from(along * v + across * (radius * libm::asin(sine)))
+                })
+            }
+        }
+    }
+
     /// Returns the orientation of the frame of [`Self::place`] in the frame of the surface.
     pub fn orientation(&self, place: Point2) -> UnitQuaternion<f64> {
         match self {

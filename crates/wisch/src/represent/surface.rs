@@ -210,7 +210,7 @@ impl Surface {
     ///
     /// # Errors
     /// An outline without area.
-    pub(crate) fn solid_below(&self, depth: f64) -> Result<Mesh, MeshError> {
+    pub fn solid_below(&self, depth: f64) -> Result<Mesh, MeshError> {
         let prism = prism_below(&self.outline, depth)?;
         let SurfaceShape::Cylinder { radius, .. } = self.shape else {
             return Ok(prism);

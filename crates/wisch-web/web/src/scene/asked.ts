@@ -3,6 +3,7 @@
 import { BufferGeometry, CanvasTexture, Float32BufferAttribute, Group, Points, PointsMaterial } from "three";
 import { colour } from "../theme.ts";
 import { hexOr } from "./path.ts";
+import { type Bend, lift } from "./bend.ts";
 import { matrix, shiftDepth } from "./solids.ts";
 import { ABOVE } from "./surface.ts";
 import type { Pose } from "../recording.ts";
@@ -12,6 +13,8 @@ export interface ShownParticles {
   color?: string;
   /** Pose of the surface on which the particles lie. */
   pose: Pose;
+  /** Its shape; a plane has none. */
+  shape?: Bend;
   /** Positions in the surface frame [m]. */
   places: [number, number][];
   /** Believed before a round, or estimated after it. */
@@ -62,9 +65,9 @@ export class Asked {
       points.material.dispose();
     }
     this.group.clear();
-    list.forEach(({ color, pose, places, state }, i) => {
+    list.forEach(({ color, pose, shape, places, state }, i) => {
       const geometry = new BufferGeometry();
-      geometry.setAttribute("position", new Float32BufferAttribute(places.flatMap(([x, y]) => [x, y, 2 * ABOVE]), 3));
+      geometry.setAttribute("position", new Float32BufferAttribute(places.flatMap(([x, y]) => lift(shape, x, y, 2 * ABOVE)), 3));
       const look = new PointsMaterial({ size: SIZE_PX, sizeAttenuation: false, map: this.textures[state], alphaTest: 0.3, transparent: true });
       look.color.set(askedColour(color));
       const points = new Points(geometry, shiftDepth(look, 0.98));

@@ -2,6 +2,7 @@
 import { BufferAttribute, BufferGeometry, CanvasTexture, Group, Points, PointsMaterial } from "three";
 import { colour } from "../theme.ts";
 import { ABOVE } from "./surface.ts";
+import { type Bend, lift } from "./bend.ts";
 import { matrix, shiftDepth } from "./solids.ts";
 import type { Instant, Recording } from "../store.ts";
 import type { Outcome } from "../store.ts";
@@ -56,6 +57,7 @@ export class Dirt {
   readonly group = new Group();
   private readonly points: Record<Mark, Points<BufferGeometry, PointsMaterial>>;
   private readonly shown = new Map<Mark, Float32Array | null>();
+  private shape: Bend = null;
   private outcome: { key: string; outcome: Outcome | null } = { key: "", outcome: null };
 
   constructor() {
@@ -78,7 +80,8 @@ export class Dirt {
     const key = `${recording.version} ${recording.rounds.filter((other) => other.end <= t + 1e-6).length}`;
     if (key !== this.outcome.key) this.outcome = { key, outcome: recording.outcomeAt(t) };
     const { outcome } = this.outcome;
-    const pose = round.plan.surface.pose;
+    const { pose, shape } = round.plan.surface;
+    this.shape = shape;
     this.set("believed", layers.believed ? round.particles.at(time) : null, pose, 1);
     const outcomePose = outcome?.pose ?? pose;
     // The previous outcome fades once the robot wipes and so changes it.
@@ -111,7 +114,7 @@ export class Dirt {
       attribute = new BufferAttribute(new Float32Array(3 * Math.max(64, 2 * count)), 3);
       points.geometry.setAttribute("position", attribute);
     }
-    for (let i = 0; i < count; i++) attribute.setXYZ(i, places[2 * i]!, places[2 * i + 1]!, ABOVE);
+    for (let i = 0; i < count; i++) attribute.setXYZ(i, ...lift(this.shape, places[2 * i]!, places[2 * i + 1]!, ABOVE));
     attribute.needsUpdate = true;
     points.geometry.setDrawRange(0, count);
   }

@@ -1,7 +1,7 @@
 // The force of the environment on the tool, and its component along the surface normal, as arrows.
 import { Color, ConeGeometry, CylinderGeometry, Group, Mesh, MeshBasicMaterial, Vector3 } from "three";
 import { colour } from "../theme.ts";
-import { matrix } from "./solids.ts";
+import { normalUnder } from "./bend.ts";
 import type { Instant } from "../store.ts";
 
 /** Length of the arrow for the largest force of a round [m]. */
@@ -60,7 +60,7 @@ export class Force {
     const scale = LONGEST_M / Math.max(10, round.normal.largest, size);
     const thick = THICK * eye.distanceTo(place);
     this.whole.show(place, new Vector3(...force).multiplyScalar(scale), thick);
-    const up = new Vector3().setFromMatrixColumn(matrix(round.plan.surface.pose), 2);
+    const up = normalUnder(round.plan.surface, place);
     this.pressed.show(place, up.multiplyScalar(Math.abs(normal ?? 0) > LEAST_N ? (normal ?? 0) * scale : 0), thick);
   }
 }

@@ -3,6 +3,7 @@ import { BufferGeometry, Color, Float32BufferAttribute, Group, Points, PointsMat
 import { Column, lastAtMost } from "../columns.ts";
 import { colour } from "../theme.ts";
 import { dotTexture } from "./dirt.ts";
+import { normalUnder } from "./bend.ts";
 import { ABOVE } from "./surface.ts";
 import { GrowingSegments, LineMaterial, chain, segments } from "./lines.ts";
 import { matrix, shiftDepth } from "./solids.ts";
@@ -30,11 +31,8 @@ export class Path {
   private step = STEP_M;
   private last: Vector3 | null = null;
   private kind = LIFTED;
-  private readonly normal: Vector3;
 
-  constructor(readonly round: Round) {
-    this.normal = new Vector3().setFromMatrixColumn(matrix(round.plan.surface.pose), 2).multiplyScalar(1.5 * ABOVE);
-  }
+  constructor(readonly round: Round) {}
 
   get object() {
     return this.lines.line;
@@ -81,7 +79,8 @@ export class Path {
 
   private place(i: number): Vector3 {
     const { data } = this.round.tool;
-    return new Vector3(data[7 * i]!, data[7 * i + 1]!, data[7 * i + 2]!).add(this.normal);
+    const tool = new Vector3(data[7 * i]!, data[7 * i + 1]!, data[7 * i + 2]!);
+    return tool.addScaledVector(normalUnder(this.round.plan.surface, tool), 1.5 * ABOVE);
   }
 
   /** Restarts with segments twice as long. */

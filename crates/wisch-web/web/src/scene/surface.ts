@@ -6,6 +6,7 @@ import {
 import type { BufferGeometry } from "three";
 import { colour } from "../theme.ts";
 import { metres } from "../particles.ts";
+import { liftGeometry, liftLine } from "./bend.ts";
 import { LineMaterial, chain, segments } from "./lines.ts";
 import { geometryOf, matrix, shiftDepth } from "./solids.ts";
 import type { Round } from "../round.ts";
@@ -53,7 +54,7 @@ export class Still {
     this.addGoal();
     plan.strokes.forEach((stroke) => {
       const material = this.keep(new LineMaterial({ linewidth: 6, transparent: true, opacity: 0.35 }), "stroke");
-      const line = segments(chain(corners(stroke, 2 * ABOVE), false).flat(), material);
+      const line = segments(chain(liftLine(plan.surface.shape, corners(stroke, 2 * ABOVE), false), false), material);
       this.strokes.push(line);
       this.strokeGroup.add(line);
     });
@@ -114,31 +115,32 @@ export class Still {
     return this.round.plan.surface.rings.map((ring) => corners(ring)).filter((ring) => ring.length >= 3);
   }
 
-  private face(): ShapeGeometry | null {
+  private face(): BufferGeometry | null {
     const [outer, ...holes] = this.rings.map((ring) => ring.map(([x, y]) => new Vector2(x, y)));
     if (!outer) return null;
     const shape = new Shape(outer);
     shape.holes = holes.map((hole) => new Shape(hole));
-    return this.own(new ShapeGeometry(shape));
+    return this.own(liftGeometry(this.round.plan.surface.shape, new ShapeGeometry(shape)));
   }
 
   private addSurface(): void {
-    const { pose } = this.round.plan.surface;
+    const { pose, shape } = this.round.plan.surface;
     const face = this.face();
     if (!face) return;
     const material = new MeshLambertMaterial({ side: DoubleSide, polygonOffset: true, polygonOffsetFactor: -1, polygonOffsetUnits: -1 });
     this.surface = placeAt(new Mesh(face, this.keep(material, "surface-3d")), pose);
     this.surface.receiveShadow = true;
     this.group.add(this.surface);
-    const ends = this.rings.flatMap((ring) => chain(ring, true));
+    const ends = this.rings.flatMap((ring) => chain(liftLine(shape, ring, true), true));
     this.group.add(placeAt(segments(ends, this.keep(new LineMaterial({ linewidth: 2 }), "outline")), pose));
   }
 
   /** Draws the surface at another pose: as a dashed outline, or with `tint` > 0 as a filled outline of that opacity. */
   private outlineAt(pose: Pose, name: string, tint: number): Group {
+    const { shape } = this.round.plan.surface;
     const group = placeAt(new Group(), pose);
     const line = new LineMaterial({ linewidth: tint ? 3 : 2, dashed: !tint, dashSize: 0.015, gapSize: 0.01 });
-    const outline = segments(this.rings.flatMap((ring) => chain(ring.map(([x, y, z]) => [x, y, z + ABOVE]), true)), this.keep(line, name));
+    const outline = segments(this.rings.flatMap((ring) => chain(liftLine(shape, ring.map(([x, y, z]) => [x, y, z + ABOVE]), true), true)), this.keep(line, name));
     if (!tint) outline.computeLineDistances();
     group.add(outline);
     const face = tint ? this.face() : null;
@@ -156,8 +158,8 @@ export class Still {
     const group = placeAt(new Group(), surface.pose);
     const flat = (geometry: BufferGeometry, opacity: number, name: string) => {
       const material = new MeshLambertMaterial({ transparent: true, opacity, depthWrite: false, polygonOffset: true, polygonOffsetFactor: -3, polygonOffsetUnits: -3 });
-      const mesh = new Mesh(this.own(geometry), this.keep(material, name));
-      mesh.position.set(x, y, ABOVE);
+      geometry.translate(x, y, ABOVE);
+      const mesh = new Mesh(this.own(liftGeometry(surface.shape, geometry)), this.keep(material, name));
       group.add(mesh);
     };
     flat(new CircleGeometry(goal.radius, 48), 0.22, "goal");

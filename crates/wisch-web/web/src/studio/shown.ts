@@ -64,7 +64,7 @@ export function shownOf(answers: Answers, row: number | null, id: string, record
     const before = state === "before";
     const name = `${before ? "dirt before" : "estimated dirt after"} round ${number}, as queried`;
     const pose = (before ? null : round.judged?.found) ?? round.plan.surface.pose;
-    shown.particles.push({ name, state, pose, places: positions, ...(colour ? { color: colour } : {}) });
+    shown.particles.push({ name, state, pose, shape: round.plan.surface.shape, places: positions, ...(colour ? { color: colour } : {}) });
     shown.since.push(before ? round.start : round.end);
   }
   // A robot and its tool at the same time are one ghost; the later command determines its colour.

@@ -1,0 +1,135 @@
+//! A soft pad on a curved surface.
+
+use super::wiping::{Log, Wiping, as_believed, faults};
+use std::f64::consts::FRAC_PI_2;
+use wisch::geometry::{Point2, Point3, Vector3};
+use wisch::represent::{Action, Fate, Mount, SensorModel, SurfaceShape};
+use wisch::run::Executor;
+use wisch_sim::{Camera, Dirt, SimulationSettings, WorkSurface, World};
+use wisch_testkit::board;
+
+/// Radius, and angle of the axis from the chart's x: bulges and hollows, across the stroke, along it and askew.
+const BENDS: [(f64, f64); 6] = [
+    (0.5, FRAC_PI_2),
+    (0.5, 0.0),
+    (0.3, 0.7),
+    (2.0, FRAC_PI_2),
+    (-0.5, FRAC_PI_2),
+    (-0.5, 0.3),
+];
+
+/// The first stroke with a pad of 10 mm over a board of this shape.
+fn rolled(action: Action, shape: SurfaceShape) -> Wiping {
+    let mut task = board(action, [0.5, 0.0, 0.2]);
+    task.tool.mount = Some(Mount::Hand { lean: 0.8 });
+    task.scene.clear();
+    task.interaction.compression_depth_m = 0.01;
+    task.surface.shape = shape;
+    Wiping::of_first_stroke(task)
+}
+
+const fn cylinder((radius, axis): (f64, f64)) -> SurfaceShape {
+    SurfaceShape::Cylinder { radius, axis }
+}
+
+/// Angle between the tool's axis and the normal under it at most [rad], while the tool slides.
+fn greatest_lean(log: &Log, wiping: &Wiping) -> f64 {
+    let surface = &wiping.task.surface;
+    let lean = log.sliding().map(|row| {
+        let under = surface.chart(Point3::from(row.world_from_tool.translation.vector));
+        let axis = row.world_from_tool.rotation * Vector3::z();
+        axis.angle(&surface.normal(under.place))
+    });
+    lean.fold(0.0, f64::max)
+}
+
+/// The bounds are those of a wipe over a plane.
+#[test]
+fn a_wipe_over_a_cylinder_presses_as_over_a_plane() {
+    for bend in BENDS {
+        let wiping = rolled(Action::Absorb, cylinder(bend));
+        let log = wiping.execute();
+        let found: Vec<String> = faults(&log)
+            .into_iter()
+            // A pad of 10 mm lets the tool sink in further than the boards' pad does.
+            .filter(|fault| !fault.contains("from the plane"))
+            .collect();
+        assert_eq!(found, [] as [String; 0], "{bend:?}");
+        assert!(log.truth.contact_force.count() > 200);
+        let lean = greatest_lean(&log, &wiping).to_degrees();
+        assert!(lean < 2.0, "{bend:?}: {lean}°");
+    }
+}
+
+/// Dirt beside the pad lies still, whatever the surface leans; what the middle of the pad goes over is taken up.
+#[test]
+fn grains_lie_on_the_bend_until_the_pad_takes_them() {
+    for bend in BENDS {
+        let mut wiping = rolled(Action::Absorb, cylinder(bend));
+        wiping.dirt = Dirt::scatter(&wiping.task.particles, &wiping.settings, 1);
+        let log = wiping.execute();
+        let path: Vec<Point2> = (log.rows.iter())
+            .filter(|row| row.phase.is_contact())
+            .map(|row| {
+                let tool = Point3::from(row.world_from_tool.translation.vector);
+                wiping.task.surface.chart(tool).place
+            })
+            .collect();
+        let mut taken = 0;
+        let grains = wiping.dirt.grains().iter();
+        for (before, after) in grains.zip(log.truth.dirt.grains()) {
+            let away = path.iter().map(|at| (at - before.position).norm());
+            let away = away.fold(f64::INFINITY, f64::min);
+            if away < 0.02 && before.threshold < 0.8 {
+                assert_eq!(
+                    after.fate,
+                    Fate::Absorbed,
+                    "{bend:?}: {away} m beside the path"
+                );
+                taken += 1;
+            } else if away > 0.09 {
+                let moved = (after.position - before.position).norm();
+                assert_eq!(after.fate, Fate::OnSurface, "{bend:?}");
+                assert!(moved < 1e-3, "{bend:?}: crept by {moved} m");
+            }
+        }
+        assert!(taken > 1, "{bend:?}");
+    }
+}
+
+/// A camera sees dirt where it lies in the chart, and nothing of sides that lean away.
+#[test]
+fn a_camera_shows_the_chart_of_a_bend() {
+    let sensor = SensorModel {
+        detection: 1.0,
+        half_size_m: 0.0,
+        false_alarms_per_m2: 0.0,
+        position_error_m: 0.0,
+    };
+    let mut task = board(Action::Absorb, [0.5, 0.0, 0.2]);
+    task.surface.shape = cylinder((0.05, FRAC_PI_2));
+    let settings = SimulationSettings {
+        camera: Some(Camera {
+            sensor,
+            arm_hides: false,
+        }),
+        ..as_believed()
+    };
+    let mut world = World::new(&WorkSurface::from_task(&task), settings, 1).unwrap();
+    let seen = world.observe(&task).unwrap().unwrap();
+    let (mut shown, mut hidden) = (0, 0);
+    for grain in world.dirt().grains() {
+        let place = grain.position;
+        let is_shown = seen.detections.iter().any(|at| (at - place).norm() < 1e-9);
+        // 60 degrees of 5 cm.
+        let is_on_top = place.x.abs() < 0.05 * 60_f64.to_radians();
+        assert_eq!(
+            (is_shown, seen.is_hidden(place)),
+            (is_on_top, !is_on_top),
+            "{place}"
+        );
+        shown += usize::from(is_shown);
+        hidden += usize::from(!is_shown);
+    }
+    assert!(shown > 5 && hidden > 5, "{shown} {hidden}");
+}
