@@ -124,7 +124,7 @@ fn write_figures(
     });
     let mut title = title(loaded);
     if !loaded.task.surface.shape.is_plane() {
-        title += " (maps of the unrolled surface)";
+        title.insert_str(0, "unrolled surface, ");
     }
     let input = ReportInput {
         title: &title,

@@ -6,7 +6,7 @@ use crate::stages::StageSink;
 use wisch::geometry::Pose;
 use wisch::plan::{Plan, Prediction};
 use wisch::recover::Verdict;
-use wisch::represent::{ParticleDistribution, Task};
+use wisch::represent::{ParticleDistribution, SurfaceShape, Task};
 use wisch::run::{CandidateEvaluation, Round, Session};
 use wisch_io::{ExecutedBy, RoundSummary, RoundTimes};
 use wisch_report::EffectFrames;
@@ -24,6 +24,8 @@ pub struct RoundGroundTruth {
     pub missed: Vec<String>,
     /// True pose of the surface in the world.
     pub world_from_surface: Option<Pose>,
+    /// True shape of the surface, if it differs from the believed one.
+    pub surface_shape: Option<SurfaceShape>,
 }
 
 /// A finished round with its record.

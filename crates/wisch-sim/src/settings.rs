@@ -5,7 +5,8 @@ use std::f64::consts::TAU;
 use wisch::follow::Followed;
 use wisch::geometry::{Point2, Pose, Vector2, Vector3};
 use wisch::represent::{
-    Cluster, GrainSize, KnowledgeBase, KnowledgeError, LogNormal, MediumKind, SensorModel, Task,
+    Cluster, GrainSize, KnowledgeBase, KnowledgeError, LogNormal, MediumKind, SensorModel,
+    SurfaceShape, Task,
 };
 
 /// Diameters of the drops of a liquid on a surface that they wet [m].
@@ -22,6 +23,8 @@ const LEAST_GRAIN: f64 = 0.0008;
 pub struct SimulationSettings {
     /// Pose of the real surface in the frame of the believed one.
     pub believed_from_real: Pose,
+    /// Shape of the real surface; `None` for the believed one.
+    pub shape: Option<SurfaceShape>,
     /// Coulomb coefficient between tool and surface at the start \[1\].
     pub friction: f64,
     /// Changes of the friction, in any order.
@@ -225,6 +228,7 @@ impl SimulationSettings {
         };
         Ok(Self {
             believed_from_real: Pose::identity(),
+            shape: None,
             friction: knowledge.surface(&task.surface.name)?.friction,
             friction_changes: Vec::new(),
             pushes: Vec::new(),

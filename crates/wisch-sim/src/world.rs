@@ -106,6 +106,7 @@ impl Executor for World {
         };
         let real = Surface {
             world_from_surface: self.world_from_real,
+            shape: self.settings.shape.unwrap_or(task.surface.shape),
             ..task.surface.clone()
         };
         let settings = &self.settings;

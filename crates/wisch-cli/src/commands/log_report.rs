@@ -31,7 +31,7 @@ pub(super) fn page(
     };
     let mut title = format!("{}: log of {} {}", task.name, task.action, task.medium);
     if !task.surface.shape.is_plane() {
-        title += " (maps of the unrolled surface)";
+        title.insert_str(0, "unrolled surface, ");
     }
     log_page(&LogPageInput {
         title: &title,

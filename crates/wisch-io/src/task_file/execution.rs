@@ -13,7 +13,8 @@ use crate::particles::{csv_particles, mask_particles};
 use nalgebra::{Translation3, UnitQuaternion};
 use wisch::geometry::{Mesh, Pose, Vector3};
 use wisch::represent::{
-    DirtArea, GrainSize, KnowledgeBase, OccupiedArea, ParticleDistribution, SensorModel, Task,
+    DirtArea, GrainSize, KnowledgeBase, OccupiedArea, ParticleDistribution, SensorModel, Surface,
+    SurfaceShape, Task,
 };
 use wisch_sim::{
     Camera, FrictionChange, GrainCount, Moment, Push, RealTool, Sensing, SimulationSettings,
@@ -147,6 +148,7 @@ impl TaskFile {
                 Translation3::from(vector(shift)),
                 UnitQuaternion::from_scaled_axis(Vector3::new(about_x, about_y, 0.0)),
             ),
+            shape: table.shape(&task.surface)?,
             friction: table.friction.map_or(usual.friction, |x| x.0),
             friction_changes: (table.friction_change.iter())
                 .map(friction_change)
@@ -206,6 +208,32 @@ fn push(table: &At<PushTable>) -> Result<Push, TaskError> {
 }
 
 impl ExecutionTable {
+    /// Returns the true shape of a surface; `None` for the believed one.
+    fn shape(&self, surface: &Surface) -> Result<Option<SurfaceShape>, TaskError> {
+        let Some(radius) = &self.surface_radius_m else {
+            return match &self.surface_axis_rad {
+                Some(axis) => Err(axis.inconsistent("is that of a cylinder; set surface_radius_m")),
+                None => Ok(None),
+            };
+        };
+        let believed = match surface.shape {
+            SurfaceShape::Plane => 0.0,
+            SurfaceShape::Cylinder { axis, .. } => axis,
+        };
+        let shape = SurfaceShape::Cylinder {
+            radius: radius.value.0,
+            axis: (self.surface_axis_rad.as_ref()).map_or(believed, |axis| axis.value.0),
+        };
+        let real = Surface {
+            shape,
+            ..surface.clone()
+        };
+        match real.shape_fault() {
+            Some(fault) => Err(radius.inconsistent(fault.to_string())),
+            None => Ok(Some(shape)),
+        }
+    }
+
     fn tool(&self) -> RealTool {
         RealTool {
             stiffness: self.tool_stiffness.0,

@@ -1,6 +1,7 @@
 //! The pieces of a finished round: its result, and the simulated world's ground truth.
 
 use super::particles::flat_remaining;
+use super::round::BendRecord;
 use super::samples::round_to;
 use super::{RoundTruth, words};
 use crate::scene::seven;
@@ -50,6 +51,8 @@ pub(super) struct Truth {
     particles: Option<Vec<i64>>,
     pushes: Vec<[f64; 2]>,
     surface: Option<[f64; 7]>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    shape: Option<BendRecord>,
 }
 
 impl Judged {
@@ -112,6 +115,7 @@ impl Truth {
                 .map(|times| times.map(|time| round_to(time, 1e3)))
                 .collect(),
             surface: truth.world_from_surface.as_ref().map(seven),
+            shape: truth.surface_shape.as_ref().map(BendRecord::new),
         }
     }
 }

@@ -33,7 +33,7 @@ use story::Ended;
 use wisch::follow::{Audit, Workcell};
 use wisch::geometry::Pose;
 use wisch::plan::{Plan, Prediction, Strategy};
-use wisch::represent::{ParticleDistribution, Task};
+use wisch::represent::{ParticleDistribution, SurfaceShape, Task};
 use wisch::robot::Appearance;
 use wisch::run::{PlannedRound, RunEvent};
 
@@ -87,6 +87,8 @@ pub struct RoundTruth<'a> {
     pub pushes: &'a [[f64; 2]],
     /// True pose of the surface in the world.
     pub world_from_surface: Option<Pose>,
+    /// Its true shape, if it differs from the believed one.
+    pub surface_shape: Option<SurfaceShape>,
 }
 
 /// A writer of a run's recording; it writes each piece as soon as it is known.

@@ -48,8 +48,18 @@ struct SurfaceRecord {
 /// The shape of a curved surface.
 #[derive(Serialize)]
 #[serde(tag = "kind", rename_all = "lowercase")]
-enum BendRecord {
+pub(super) enum BendRecord {
+    Plane,
     Cylinder { radius: f64, axis: f64 },
+}
+
+impl BendRecord {
+    pub(super) const fn new(shape: &SurfaceShape) -> Self {
+        match *shape {
+            SurfaceShape::Plane => Self::Plane,
+            SurfaceShape::Cylinder { radius, axis } => Self::Cylinder { radius, axis },
+        }
+    }
 }
 
 impl SurfaceRecord {
@@ -57,12 +67,7 @@ impl SurfaceRecord {
         Self {
             pose: seven(&surface.world_from_surface),
             rings: surface.outline.rings().map(line).collect(),
-            shape: match surface.shape {
-                SurfaceShape::Plane => None,
-                SurfaceShape::Cylinder { radius, axis } => {
-                    Some(BendRecord::Cylinder { radius, axis })
-                }
-            },
+            shape: (!surface.shape.is_plane()).then(|| BendRecord::new(&surface.shape)),
         }
     }
 }

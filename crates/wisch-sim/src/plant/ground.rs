@@ -18,10 +18,11 @@ const LEAST_EXCESS: f64 = 1e-12;
 /// Share of the springs that are taken to touch at least when the slab follows the plate [1].
 const LEAST_TOUCHING: f64 = 1e-2;
 
-/// Returns the real surface of a task: the believed one, elsewhere.
+/// Returns the real surface of a task: the believed outline, elsewhere, and perhaps with another bend.
 pub(crate) fn find_real_surface(task: &Task, settings: &SimulationSettings) -> Surface {
     Surface {
         world_from_surface: task.surface.world_from_surface * settings.believed_from_real,
+        shape: settings.shape.unwrap_or(task.surface.shape),
         ..task.surface.clone()
     }
 }

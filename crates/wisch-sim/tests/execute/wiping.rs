@@ -216,6 +216,7 @@ impl Log {
 pub fn as_believed() -> SimulationSettings {
     SimulationSettings {
         believed_from_real: Pose::identity(),
+        shape: None,
         friction: 0.4,
         friction_changes: Vec::new(),
         pushes: Vec::new(),

@@ -225,6 +225,8 @@ export interface TruthPiece {
   pushes: [number, number][];
   /** True pose of the surface, if known. */
   surface: Pose | null;
+  /** Its true shape, if it differs from the believed one. */
+  shape?: SurfaceShape | null;
 }
 
 /** The last piece. */

@@ -56,7 +56,7 @@ const CHECKS: Partial<Record<Piece["piece"], Check>> = {
   head, round, judged,
   stage: has({ stage: text, words: text }),
   observed: has({ round: finite, detections: some }),
-  truth: has({ round: finite, performance: maybe(finite), particles: maybe(some), pushes: list(interval), surface: maybe(pose) }),
+  truth: has({ round: finite, performance: maybe(finite), particles: maybe(some), pushes: list(interval), surface: maybe(pose), shape: maybe(bent) }),
   ended: has({ verdict: maybe(text), story: has({ asked: text, happened: text, sure: text, surer: text }), facts: list(list(text)) }),
 };
 

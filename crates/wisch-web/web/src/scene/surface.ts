@@ -6,7 +6,7 @@ import {
 import type { BufferGeometry } from "three";
 import { colour } from "../theme.ts";
 import { metres } from "../particles.ts";
-import { liftGeometry, liftLine } from "./bend.ts";
+import { type Bend, liftGeometry, liftLine } from "./bend.ts";
 import { LineMaterial, chain, segments } from "./lines.ts";
 import { geometryOf, matrix, shiftDepth } from "./solids.ts";
 import type { Round } from "../round.ts";
@@ -68,14 +68,14 @@ export class Still {
     if (found !== this.foundAt) {
       this.foundAt = found;
       if (this.found) this.group.remove(this.found);
-      this.found = found ? this.outlineAt(found, "found", 0.28) : null;
+      this.found = found ? this.outlineAt(found, this.round.plan.surface.shape, "found", 0.28) : null;
       if (this.found) this.group.add(this.found);
     }
     const actual = truth?.surface ?? null;
     if (actual !== this.actualAt) {
       this.actualAt = actual;
       if (this.actual) this.group.remove(this.actual);
-      this.actual = actual ? this.outlineAt(actual, "actual", 0) : null;
+      this.actual = actual ? this.outlineAt(actual, truth?.shape ?? this.round.plan.surface.shape, "actual", 0) : null;
       if (this.actual) this.group.add(this.actual);
     }
     if (this.found) this.found.visible = layers.found;
@@ -136,8 +136,7 @@ export class Still {
   }
 
   /** Draws the surface at another pose: as a dashed outline, or with `tint` > 0 as a filled outline of that opacity. */
-  private outlineAt(pose: Pose, name: string, tint: number): Group {
-    const { shape } = this.round.plan.surface;
+  private outlineAt(pose: Pose, shape: Bend, name: string, tint: number): Group {
     const group = placeAt(new Group(), pose);
     const line = new LineMaterial({ linewidth: tint ? 3 : 2, dashed: !tint, dashSize: 0.015, gapSize: 0.01 });
     const outline = segments(this.rings.flatMap((ring) => chain(liftLine(shape, ring.map(([x, y, z]) => [x, y, z + ABOVE]), true), true)), this.keep(line, name));
