@@ -236,10 +236,8 @@ impl Link {
                 DiscoveredWriter {
                     guid: writer.writer_proxy.remote_writer_guid,
                     type_name: data.type_name,
-                    is_reliable: matches!(
-                        data.reliability,
-                        Some(rustdds::policy::Reliability::Reliable { .. })
-                    ),
+                    // Writers are reliable by default, and Cyclone DDS does not send defaults.
+                    is_reliable: data.reliability != Some(rustdds::policy::Reliability::BestEffort),
                     is_latched: matches!(
                         data.durability,
                         Some(rustdds::policy::Durability::TransientLocal)
