@@ -168,11 +168,14 @@ impl Driver {
         if !self.guard.is_alive() {
             return Err("the guard has ended, so nothing would stop the robot".to_owned());
         }
-        self.guard.set_armed(true);
+        self.guard.set_armed(true)?;
         let mut run = MotionRun::begin(self, &motion, incoming, outgoing)?;
         let (ending, rests) = run.follow(&parts);
         let done = run.finish(&ending);
-        self.guard.set_armed(!rests);
+        // A guard that stays armed hears nothing from now on, and stops the robot.
+        if rests {
+            let _ = self.guard.set_armed(false);
+        }
         Ok((ending != MotionEnding::Deserted).then_some(done))
     }
 }

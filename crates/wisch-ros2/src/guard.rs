@@ -1,22 +1,36 @@
-//! The guard: a second process that stops the robot when the first one has ended without saying so.
+//! The guard: a second process that stops the robot when the first one has ended or hangs.
 //!
 //! A trajectory controller executes its goal to the end, whether or not the client still runs. The guard holds the other end
-//! of a pipe. When the pipe closes, it cancels all goals of the action and ends force mode.
+//! of a pipe. While the robot may move, the first process sends a line over it several times a second. When the pipe closes, or
+//! no line arrives for a while, the guard cancels all goals of the action and ends force mode.
 
 use crate::link::{Link, LinkError};
 use crate::messages::{CancelRequest, EmptyRequest, TriggerResponse};
 use crate::robot_file::{ForceKind, RobotFile};
 use crate::service::Service;
 use ros2_client::action::CancelGoalResponse;
+use std::cell::Cell;
 use std::io::{BufRead, BufReader, Write};
 use std::path::Path;
-use std::process::{Child, ChildStdin, Command, Stdio};
+use std::process::{Child, Command, Stdio};
+use std::sync::mpsc::{
+    Receiver, RecvTimeoutError, SyncSender, TrySendError, channel, sync_channel,
+};
+use std::thread::JoinHandle;
 use std::time::{Duration, Instant};
 
-/// Line with which the first process ends the guard.
+/// Lines of the first process: the robot may move; still running; the robot rests; the guard is to end.
+const ARMED: &str = "armed";
+const BEAT: &str = "beat";
+const RESTS: &str = "rests";
 const END: &str = "end";
 /// Line with which the guard says that it is connected.
 const READY: &str = "ready";
+/// Period of the lines while the robot may move, and the longest silence then.
+const BEAT_PERIOD: Duration = Duration::from_millis(50);
+pub(crate) const LONGEST_SILENCE: Duration = Duration::from_millis(500);
+/// Lines that wait for the guard to read them.
+const LINES: usize = 8;
 /// Period of the stop, the least time for which it is repeated, as a goal may still be on its way, and the longest time that
 /// the guard waits for an answer.
 const REPEAT: Duration = Duration::from_millis(50);
@@ -26,9 +40,13 @@ const LONGEST_STOP: Duration = Duration::from_secs(10);
 /// A running guard. When this is dropped, it ends without a stop, unless it is armed or the program panics.
 pub(crate) struct Guard {
     child: Child,
-    pipe: ChildStdin,
+    /// Lines for the thread that writes to the guard's pipe, so that a guard that hangs does not block this program.
+    lines: Option<SyncSender<&'static str>>,
+    writer: Option<JoinHandle<()>>,
     /// Whether the robot may still move.
     is_armed: bool,
+    /// Time of the latest beat.
+    beaten: Cell<Instant>,
 }
 
 impl Guard {
@@ -46,7 +64,7 @@ impl Guard {
         #[cfg(unix)]
         std::os::unix::process::CommandExt::process_group(&mut command, 0);
         let mut child = command.spawn().map_err(failed)?;
-        let (Some(pipe), Some(output)) = (child.stdin.take(), child.stdout.take()) else {
+        let (Some(mut pipe), Some(output)) = (child.stdin.take(), child.stdout.take()) else {
             return Err("the guard has no pipes".to_owned());
         };
         let mut line = String::new();
@@ -55,16 +73,57 @@ impl Guard {
             let _ = child.wait();
             return Err("the guard is not connected; its error is above".to_owned());
         }
+        let (send, receive) = sync_channel::<&'static str>(LINES);
+        let writer = std::thread::spawn(move || {
+            for line in receive {
+                if writeln!(pipe, "{line}")
+                    .and_then(|()| pipe.flush())
+                    .is_err()
+                {
+                    return;
+                }
+            }
+        });
         Ok(Self {
             child,
-            pipe,
+            lines: Some(send),
+            writer: Some(writer),
             is_armed: false,
+            beaten: Cell::new(Instant::now()),
         })
     }
 
-    /// Sets whether the robot may still move, so that the guard has to stop it when this program ends.
-    pub const fn set_armed(&mut self, is_armed: bool) {
+    /// Sets whether the robot may move. While it may, [`Self::beat`] must be called at least every half second.
+    ///
+    /// # Errors
+    /// If the guard has ended or does not read.
+    pub fn set_armed(&mut self, is_armed: bool) -> Result<(), String> {
         self.is_armed = is_armed;
+        self.beaten.set(Instant::now());
+        self.send(if is_armed { ARMED } else { RESTS })
+    }
+
+    /// Tells the guard that this program still supervises the robot.
+    ///
+    /// # Errors
+    /// If the guard has ended or does not read.
+    pub fn beat(&self) -> Result<(), String> {
+        if self.beaten.get().elapsed() < BEAT_PERIOD {
+            return Ok(());
+        }
+        self.beaten.set(Instant::now());
+        self.send(BEAT)
+    }
+
+    fn send(&self, line: &'static str) -> Result<(), String> {
+        let sent = self.lines.as_ref().map(|lines| lines.try_send(line));
+        match sent {
+            Some(Ok(())) => Ok(()),
+            Some(Err(TrySendError::Full(_))) => Err(
+                "the guard does not read its messages, so nothing would stop the robot".to_owned(),
+            ),
+            _ => Err("the guard has ended, so nothing would stop the robot".to_owned()),
+        }
     }
 
     /// Whether the guard still runs.
@@ -75,13 +134,16 @@ impl Guard {
 
 impl Drop for Guard {
     fn drop(&mut self) {
-        if self.is_armed || std::thread::panicking() {
-            // The pipe closes, and the guard stops the robot.
-            return;
+        let stays = self.is_armed || std::thread::panicking();
+        if !stays {
+            let _ = self.send(END);
         }
-        let _ = writeln!(self.pipe, "{END}");
-        let _ = self.pipe.flush();
-        let _ = self.child.wait();
+        // The pipe closes. An armed guard then stops the robot.
+        self.lines = None;
+        if let Some(writer) = self.writer.take().filter(|_| !stays) {
+            let _ = writer.join();
+            let _ = self.child.wait();
+        }
     }
 }
 
@@ -113,13 +175,9 @@ pub(crate) fn watch(file: &RobotFile) -> Result<(), LinkError> {
     };
     println!("{READY}");
     let _ = std::io::stdout().flush();
-    let mut line = String::new();
-    while let Ok(1..) = std::io::stdin().lock().read_line(&mut line) {
-        if line.trim() == END {
-            return Ok(());
-        }
-        line.clear();
-    }
+    let Some(why) = wait_for_silence(&read_lines()) else {
+        return Ok(());
+    };
     let begin = Instant::now();
     let (mut is_canceled, mut is_released) = (false, release.is_none());
     loop {
@@ -138,11 +196,65 @@ pub(crate) fn watch(file: &RobotFile) -> Result<(), LinkError> {
         }
     }
     eprintln!(
-        "wisch-ros2: the executor ended without a confirmed stop, so the guard {}",
+        "wisch-ros2: the executor {why} without a confirmed stop, so the guard {}",
         match (is_canceled, is_released) {
             (true, true) => "has canceled its goal",
             _ => "canceled its goal, but the robot has not answered",
         }
     );
     Ok(())
+}
+
+/// Starts to read standard input, line by line, on a thread.
+fn read_lines() -> Receiver<String> {
+    let (send, receive) = channel();
+    std::thread::spawn(move || {
+        for line in std::io::stdin().lock().lines().map_while(Result::ok) {
+            if send.send(line).is_err() {
+                return;
+            }
+        }
+    });
+    receive
+}
+
+/// Waits until the first process has ended, or hangs while the robot may move. Returns which of them, or `None` if it has
+/// asked the guard to end.
+fn wait_for_silence(lines: &Receiver<String>) -> Option<&'static str> {
+    let mut is_armed = false;
+    loop {
+        let line = if is_armed {
+            lines.recv_timeout(LONGEST_SILENCE)
+        } else {
+            lines.recv().map_err(|_| RecvTimeoutError::Disconnected)
+        };
+        match line.as_deref().map(str::trim) {
+            Ok(ARMED) => is_armed = true,
+            Ok(RESTS) => is_armed = false,
+            Ok(END) => return None,
+            Ok(_) => {}
+            Err(RecvTimeoutError::Disconnected) => return Some("ended"),
+            Err(RecvTimeoutError::Timeout) => return Some("hangs"),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn silence_counts_only_while_the_robot_may_move() {
+        let (send, lines) = channel();
+        let say = |line: &str| send.send(line.to_owned()).unwrap();
+        say(ARMED);
+        say(BEAT);
+        assert_eq!(wait_for_silence(&lines), Some("hangs"));
+        for line in [ARMED, RESTS, END] {
+            say(line);
+        }
+        assert_eq!(wait_for_silence(&lines), None);
+        drop(send);
+        assert_eq!(wait_for_silence(&lines), Some("ended"));
+    }
 }

@@ -5,6 +5,7 @@ mod press;
 use super::Driver;
 use super::checks::REST;
 use crate::connection::Connection;
+use crate::guard::LONGEST_SILENCE;
 use crate::messages::EmptyRequest;
 use crate::motion::{Part, WipingMotion};
 use crate::protocol::{Incoming, Kind, MotionEnding, Outgoing, Request};
@@ -82,6 +83,8 @@ pub(super) struct MotionRun<'a> {
     /// The time at which the motion last progressed on the trajectory [s], and when.
     progressed: (f64, Instant),
     turned: Instant,
+    /// Time of the latest supervision.
+    supervised: Instant,
 }
 
 /// A result, or the ending of the motion.
@@ -125,6 +128,7 @@ impl<'a> MotionRun<'a> {
             scaling: 1.0,
             progressed: (0.0, now),
             turned: now,
+            supervised: now,
         })
     }
 
@@ -313,6 +317,7 @@ impl<'a> MotionRun<'a> {
                 readings.publisher_count(),
             )
         };
+        self.supervise()?;
         if let Some((kind, reason)) = reason {
             return stop(kind, reason);
         }
@@ -349,6 +354,23 @@ impl<'a> MotionRun<'a> {
             );
         }
         Ok(())
+    }
+
+    /// Tells the guard that this program runs, and ends a motion that was without supervision.
+    fn supervise(&mut self) -> Turned<()> {
+        let gap = self.supervised.elapsed();
+        self.supervised = Instant::now();
+        if gap > LONGEST_SILENCE {
+            let (gap, limit) = (gap.as_secs_f64(), LONGEST_SILENCE.as_secs_f64());
+            return stop(
+                Kind::LinkLost,
+                format!("wisch-ros2 did not run for {gap:.1} s; the limit is {limit} s"),
+            );
+        }
+        self.driver
+            .guard
+            .beat()
+            .or_else(|text| stop(Kind::LinkLost, text))
     }
 
     /// Turns until `poll` returns a value.
@@ -595,6 +617,7 @@ impl<'a> MotionRun<'a> {
         let begin = Instant::now();
         let mut sent: Option<Instant> = None;
         while begin.elapsed() < HOLD {
+            let _ = self.driver.guard.beat();
             if sent.is_none_or(|sent| sent.elapsed() >= REPEAT) {
                 sent = Some(Instant::now());
                 if let Some(goal) = self.goal.as_ref().filter(|_| !is_canceled) {
