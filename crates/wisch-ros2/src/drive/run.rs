@@ -37,6 +37,8 @@ const PROGRESS_ALLOWANCE: [f64; 2] = [1.3, 0.3];
 const PHASE_EDGE_S: f64 = 1e-4;
 /// Longest time between the stamps of a state and of a controller's time, from which the time of the state is computed [s].
 const MOST_APART_S: f64 = 0.1;
+/// Largest distance of a joint from the begin of a later goal of a motion [rad or m]: it fades within half a second.
+const MOST_OFFSET: f64 = 0.1;
 /// Longest wait for the robot to confirm a stop.
 const HOLD: Duration = Duration::from_secs(1);
 /// Period at which a stop is repeated until the robot confirms it.
@@ -213,8 +215,8 @@ impl<'a> MotionRun<'a> {
 
     /// Sends the goal of a part and waits until the controller has accepted it.
     fn send_goal(&mut self, part: &Part) -> Turned<GoalId> {
-        // A stop that came during the checks is not overtaken by a goal.
-        self.turn()?;
+        // Every goal begins at rest. A stop that came during the checks is not overtaken by a goal.
+        self.settle_for(Duration::ZERO)?;
         let file = &self.robot.file;
         let first = &self.motion.knots[part.knots[0]];
         let positions = self.latest.positions.clone();
@@ -263,8 +265,21 @@ impl<'a> MotionRun<'a> {
         )
     }
 
-    /// Checks how far the tool is from the begin of a goal: a goal fades this distance within half a second.
+    /// Checks how far joints and tool are from the begin of a goal: a goal fades this distance within half a second.
     fn check_offset(&self, planned: &[f64]) -> Turned<()> {
+        let limit = MOST_OFFSET.max(self.robot.file.limits.start_rad);
+        let joints = planned.iter().zip(&self.latest.positions);
+        for (name, (planned, measured)) in self.robot.names.iter().zip(joints) {
+            let distance = (measured - planned).abs();
+            if distance > limit {
+                return stop(
+                    Kind::Tolerance,
+                    format!(
+                        "joint {name:?} is {distance:.3} rad from the begin of the next goal, more than {limit} rad"
+                    ),
+                );
+            }
+        }
         let planned = self.driver.tool_at(self.motion, planned);
         let measured = self.driver.tool_at(self.motion, &self.latest.positions);
         let (Some(planned), Some(measured)) = (planned, measured) else {
@@ -594,7 +609,7 @@ impl<'a> MotionRun<'a> {
             if speed > REST {
                 since = Instant::now();
             }
-            if since.elapsed() >= rest {
+            if speed <= REST && since.elapsed() >= rest {
                 return Ok(());
             }
             if begin.elapsed() > SETTLE_TIMEOUT {
@@ -602,7 +617,7 @@ impl<'a> MotionRun<'a> {
                 return stop(
                     Kind::Tolerance,
                     format!(
-                        "a joint still moves at {speed:.3} rad/s {seconds} s after the end of a goal; the limit is {REST} rad/s"
+                        "a joint still moves at {speed:.3} rad/s after {seconds} s without a goal; the limit is {REST} rad/s"
                     ),
                 );
             }
