@@ -397,7 +397,7 @@ pub struct LoopArgs {
     /// With --on: wipe this far above the surface [m], without force, in one round; keeps no episode
     #[arg(long, value_name = "METRES", requires = "on", conflicts_with_all = ["rounds", "greedy"], value_parser = height)]
     pub air: Option<f64>,
-    /// With --on: do not ask before each round whether the robot may move
+    /// With --on: do not ask before each round whether the robot may move; nothing moves after a stop then
     #[arg(long, requires = "on")]
     pub yes_every_round: bool,
     /// Stop waiting for the executor after this many seconds without a message or progress, or without an exit

@@ -39,6 +39,9 @@ enum RobotLinkCommand {
         /// Move above the surface: no force, no taring
         #[arg(long)]
         air: bool,
+        /// Permit motions after a stop: an operator is asked before each motion that arrives
+        #[arg(long)]
+        operated: bool,
     },
     /// Show what the robot reports, and what forbids a motion; commands nothing
     Doctor {
@@ -100,10 +103,16 @@ pub fn run(cli: ProgramLine) -> ExitCode {
 fn dispatch(command: RobotLinkCommand) -> Result<ExitCode, String> {
     let read = |path: &PathBuf| RobotFile::read(path).map_err(|error| error.to_string());
     match command {
-        RobotLinkCommand::Execute { robot, speed, air } => {
+        RobotLinkCommand::Execute {
+            robot,
+            speed,
+            air,
+            operated,
+        } => {
             let options = DriveOptions {
                 speed,
                 is_in_air: air,
+                is_operated: operated,
             };
             serve(&robot, options);
         }

@@ -28,6 +28,8 @@ pub(crate) struct DriveOptions {
     pub speed: f64,
     /// Whether the robot moves above the surface, without force.
     pub is_in_air: bool,
+    /// Whether an operator permits each motion before it arrives. Otherwise no motion follows a stop.
+    pub is_operated: bool,
 }
 
 /// A commissioned robot.
@@ -39,6 +41,8 @@ pub(crate) struct Driver {
     guard: Guard,
     /// Force of the latest tare in the axes of the world [N]; `None` before the first.
     tare: Cell<Option<Vector3<f64>>>,
+    /// Why the robot has stopped, if it has.
+    stopped: Option<String>,
 }
 
 /// Serves wisch over the standard streams until the end of input.
@@ -118,6 +122,7 @@ impl Driver {
             options,
             guard,
             tare: Cell::new(None),
+            stopped: None,
         };
         driver.activate()?;
         Ok(driver)
@@ -161,6 +166,12 @@ impl Driver {
                 }
             }
         }
+        if let Some(reason) = self.stopped.as_ref().filter(|_| !self.options.is_operated) {
+            return Err(format!(
+                "the robot has stopped ({reason}), and nothing moves after a stop unless an operator permits it; \
+                 start the run again, without --yes-every-round to be asked before each round"
+            ));
+        }
         let motion = WipingMotion::new(head, points)?;
         let parts = motion.parts()?;
         self.refuse_motion(&motion, &parts)?;
@@ -172,6 +183,9 @@ impl Driver {
         let mut run = MotionRun::begin(self, &motion, incoming, outgoing)?;
         let (ending, rests) = run.follow(&parts);
         let done = run.finish(&ending);
+        if let MotionEnding::Stop(_, reason) = &ending {
+            self.stopped = Some(reason.clone());
+        }
         // A guard that stays armed hears nothing from now on, and stops the robot.
         if rests {
             let _ = self.guard.set_armed(false);

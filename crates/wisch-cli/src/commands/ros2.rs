@@ -95,6 +95,7 @@ impl OperatedRobot {
         let mut words = vec!["execute".to_owned(), file];
         words.extend(["--speed".to_owned(), args.speed.to_string()]);
         words.extend(args.air.is_some().then(|| "--air".to_owned()));
+        words.extend(asks.then(|| "--operated".to_owned()));
         let silence = Duration::from_secs_f64(args.timeout);
         let stop = stop.cloned().unwrap_or_default();
         let process = ProcessExecutor::start_stoppable(&program, &words, silence, stop);
