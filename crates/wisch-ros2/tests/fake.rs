@@ -75,8 +75,8 @@ pub struct FakeRobot {
     child: Child,
     commands: ChildStdin,
     events: Arc<Mutex<Vec<Event>>>,
-    _folder: tempfile::TempDir,
-    _turn: Turn,
+    folder: Option<tempfile::TempDir>,
+    turn: Option<Turn>,
 }
 
 /// The text of a robot file for the fake `arm7`.
@@ -106,15 +106,41 @@ impl FakeRobot {
         let number = DOMAIN.fetch_add(1, Ordering::SeqCst);
         let domain = 100 + (std::process::id() as u16 % 11) * 9 + number % 9;
         std::fs::write(&robot, change(robot_file(domain))).unwrap();
+        let fake = Self::spawn(scenario, robot, Some(folder), Some(turn));
+        fake.wait_for("ready", 0);
+        fake
+    }
+
+    /// Starts another robot that sends its joint states on the topic of this one, and has services and an action of its own.
+    /// It is silent at first.
+    pub fn start_second(&self) -> Self {
+        let file = std::fs::read_to_string(&self.robot_file).unwrap();
+        let file = file
+            .replace("ur_force_mode", "none")
+            .replace("\"/", "\"/second/")
+            .replace("[motion]", "[motion]\njoint_states = \"/joint_states\"");
+        let path = self.robot_file.with_file_name("second.toml");
+        let manager = "[motion]\ncontroller_manager = \"/second/controller_manager\"";
+        std::fs::write(&path, file.replace("[motion]", manager)).unwrap();
+        let mut second = Self::spawn(&ARM_BOARD, path, None, None);
+        second.command("silence joints");
+        second.wait_for("ready", 0);
+        second
+    }
+
+    fn spawn(
+        scenario: &Scenario,
+        robot: PathBuf,
+        folder: Option<tempfile::TempDir>,
+        turn: Option<Turn>,
+    ) -> Self {
+        let settings = scenario.settings.iter();
+        let settings =
+            settings.flat_map(|(key, value)| ["--set".to_owned(), format!("{key}={value}")]);
         let mut child = Command::new(PROGRAM)
             .args(["fake", scenario.name, "--as"])
             .arg(&robot)
-            .args(
-                scenario
-                    .settings
-                    .iter()
-                    .flat_map(|(key, value)| ["--set".to_owned(), format!("{key}={value}")]),
-            )
+            .args(settings)
             .stdin(Stdio::piped())
             .stdout(Stdio::piped())
             .spawn()
@@ -133,14 +159,21 @@ impl FakeRobot {
             }
         });
         let commands = child.stdin.take().unwrap();
-        let fake = Self {
+        Self {
             robot_file: robot,
             child,
             commands,
             events,
-            _folder: folder,
-            _turn: turn,
-        };
+            folder,
+            turn,
+        }
+    }
+
+    /// Ends this robot of the scenario arm-board, and starts another with its commissioned robot file, in the ready posture.
+    pub fn restart(mut self) -> Self {
+        self.kill();
+        let (folder, turn) = (self.folder.take(), self.turn.take());
+        let fake = Self::spawn(&ARM_BOARD, self.robot_file.clone(), folder, turn);
         fake.wait_for("ready", 0);
         fake
     }
@@ -230,9 +263,12 @@ impl Drop for FakeRobot {
 pub fn start_executor(robot_file: &Path, options: &[&str]) -> Result<Recorded, ExecutorError> {
     let mut words = vec!["execute".to_owned(), robot_file.display().to_string()];
     words.extend(options.iter().map(|option| (*option).to_owned()));
-    let process = ProcessExecutor::start(PROGRAM, &words)?;
+    let stop = Arc::new(AtomicBool::new(false));
+    let minute = Duration::from_secs(60);
+    let process = ProcessExecutor::start_stoppable(PROGRAM, &words, minute, Arc::clone(&stop))?;
     Ok(Recorded {
         process,
+        stop,
         endings: Vec::new(),
         error: None,
     })
@@ -241,6 +277,8 @@ pub fn start_executor(robot_file: &Path, options: &[&str]) -> Result<Recorded, E
 /// An executor whose endings are kept.
 pub struct Recorded {
     process: ProcessExecutor,
+    /// Stops the motion when it is set.
+    pub stop: Arc<AtomicBool>,
     pub endings: Vec<Ending>,
     pub error: Option<String>,
 }

@@ -5,5 +5,6 @@
 
 mod fake;
 mod faults;
+mod limits;
 mod loop_closed;
 mod refusals;

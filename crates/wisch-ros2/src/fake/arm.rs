@@ -29,8 +29,9 @@ pub(super) struct FakeArm {
     full_force: f64,
     /// Present and wanted share of the press.
     press: [f64; 2],
-    /// Joints that `move` displaces, with what is left [rad].
+    /// Joints that `move` displaces, with what is left, and how far they are from the trajectory by that [rad].
     displaced: Vec<f64>,
+    aside: Vec<f64>,
     pub safety_mode: u8,
     pub program_runs: bool,
     pub is_rejecting: bool,
@@ -41,6 +42,7 @@ impl FakeArm {
     pub fn new(names: Vec<String>, positions: &[f64], full_force: f64) -> Self {
         Self {
             displaced: vec![0.0; names.len()],
+            aside: vec![0.0; names.len()],
             names,
             setpoint: TrajectorySample::from_positions(positions),
             measured: positions.to_vec(),
@@ -102,7 +104,7 @@ impl FakeArm {
             self.trajectory_time = trajectory.time;
             let states = sample(&trajectory.knots, trajectory.time);
             for (i, state) in states.into_iter().enumerate() {
-                self.setpoint.q[i] = state[0];
+                self.setpoint.q[i] = state[0] + self.aside[i];
                 self.setpoint.qd[i] = state[1] * scaling;
                 self.setpoint.qdd[i] = state[2] * scaling * scaling;
             }
@@ -110,6 +112,7 @@ impl FakeArm {
         for (i, left) in self.displaced.iter_mut().enumerate() {
             let step = left.clamp(-MOVE_SPEED * period, MOVE_SPEED * period);
             self.setpoint.q[i] += step;
+            self.aside[i] += step;
             *left -= step;
         }
         let [share, wanted] = self.press;
@@ -174,6 +177,8 @@ impl FakeArm {
         if knots.len() < 2 {
             return Err("there are no points".to_owned());
         }
+        // The trajectory begins at the measured positions.
+        self.aside.fill(0.0);
         self.trajectory = Some(Followed { knots, time: 0.0 });
         self.trajectory_time = 0.0;
         Ok(())
