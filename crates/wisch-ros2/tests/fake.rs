@@ -51,6 +51,47 @@ pub const CHOPPING_BOARD: Scenario = Scenario {
     ],
 };
 
+/// Five scenarios for the arm: crumbs are collected twice, dust is wiped off, sand is absorbed, and a plate is polished.
+pub const FIVE: [Scenario; 5] = [
+    ARM_BOARD,
+    CHOPPING_BOARD,
+    Scenario {
+        name: "dusting",
+        settings: &[
+            ("perception.senses", "[\"touch\"]"),
+            ("robot.name", "\"arm7\""),
+            ("robot.position_m", "[0, -0.45, 0.70]"),
+            ("robot.rpy_rad", "[0, 0, 1.5707963267948966]"),
+            ("surface.size_m", "[0.36, 0.24]"),
+            ("tool.start_m", "[0, -0.2]"),
+            ("particles.count", "60"),
+        ],
+    },
+    Scenario {
+        name: "vacuum-panel",
+        settings: &[
+            ("perception.senses", "[\"touch\"]"),
+            ("robot.name", "\"arm7\""),
+            ("robot.position_m", "[0, -0.45, 0.78]"),
+            ("robot.rpy_rad", "[0, 0, 1.5707963267948966]"),
+            ("surface.size_m", "[0.36, 0.24]"),
+            ("tool.start_m", "[0, -0.2]"),
+            ("particles.count", "60"),
+        ],
+    },
+    Scenario {
+        name: "polish-plate",
+        settings: &[
+            ("perception.senses", "[\"touch\"]"),
+            ("robot.name", "\"arm7\""),
+            ("robot.position_m", "[0, -0.45, 0.78]"),
+            ("robot.rpy_rad", "[0, 0, 1.5707963267948966]"),
+            ("surface.size_m", "[0.3, 0.2]"),
+            ("particles.count", "600"),
+        ],
+    },
+];
+
 /// The right to run a fake robot: one at a time, from any thread.
 struct Turn;
 

@@ -1,38 +1,86 @@
 //! The fake robot closes the loop: its runs come to the results of the built-in simulation.
 
-use crate::fake::{CHOPPING_BOARD, FakeRobot, Scenario, execute_round, task};
-use wisch::run::{Ending, Executor, Session};
+use crate::fake::{CHOPPING_BOARD, FIVE, FakeRobot, Scenario, execute_round, task};
+use wisch::run::{Ending, Executor};
 use wisch_sim::{WorkSurface, World};
 
-/// Verdict and estimated performance of a run.
-fn result(session: &Session<'_>) -> (String, f64) {
-    let last = session.rounds().last().unwrap();
-    let estimate = last.interpretation.performance.mean;
-    (last.verdict.as_str().to_owned(), estimate)
+/// What a run comes to.
+struct RunResult {
+    rounds: usize,
+    verdict: String,
+    /// Estimated performance [1].
+    estimate: f64,
 }
 
-fn run(scenario: &Scenario, executor: &mut dyn Executor) -> (String, f64) {
+fn run(scenario: &Scenario, executor: &mut dyn Executor) -> Result<RunResult, String> {
     let loaded = task(scenario);
     let robot = loaded.robot().unwrap().unwrap();
     let mut session = loaded.session().with_robot(robot.robot_setup());
     let ran = session.run(executor, &mut |_| std::ops::ControlFlow::Continue(()));
-    ran.unwrap();
-    result(&session)
+    ran.map_err(|error| error.to_string())?;
+    let last = session.rounds().last().unwrap();
+    Ok(RunResult {
+        rounds: session.rounds().len(),
+        verdict: last.verdict.as_str().to_owned(),
+        estimate: last.interpretation.performance.mean,
+    })
+}
+
+/// Runs a scenario in the built-in simulation and on the fake robot.
+fn run_both(scenario: &Scenario) -> ([RunResult; 2], FakeRobot) {
+    let loaded = task(scenario);
+    let settings = loaded.simulation.clone();
+    let surface = WorkSurface::from_task(&loaded.task);
+    let mut world = World::new(&surface, settings, loaded.task.seed).unwrap();
+    let built_in = run(scenario, &mut world).unwrap();
+    let fake = FakeRobot::commissioned_for(scenario, |file| file);
+    let mut executor = fake.executor().unwrap();
+    let live = run(scenario, &mut executor).unwrap_or_else(|error| RunResult {
+        rounds: executor.endings.len(),
+        verdict: executor.error.clone().unwrap_or(error),
+        estimate: f64::NAN,
+    });
+    ([built_in, live], fake)
+}
+
+/// Prints a table of both. It takes a quarter of an hour.
+#[test]
+#[ignore = "takes a quarter of an hour; an evaluation"]
+fn five_scenarios_have_the_verdicts_and_estimates_of_the_built_in_runs() {
+    println!("| scenario | built-in simulation | `robot fake` | difference |");
+    println!("|---|---|---|---|");
+    let mut deviations = Vec::new();
+    for scenario in &FIVE {
+        let ([built_in, live], _fake) = run_both(scenario);
+        let cell = |result: &RunResult| {
+            let RunResult {
+                rounds,
+                verdict,
+                estimate,
+            } = result;
+            format!("{rounds} rounds, {verdict}, {:.1} %", 100.0 * estimate)
+        };
+        let points = 100.0 * (live.estimate - built_in.estimate);
+        let (name, cells) = (scenario.name, [cell(&built_in), cell(&live)]);
+        println!("| {name} | {} | {} | {points:.1} |", cells[0], cells[1]);
+        if built_in.verdict != live.verdict || points.is_nan() || points.abs() >= 1.0 {
+            deviations.push(name);
+        }
+    }
+    assert_eq!(deviations, [""; 0]);
 }
 
 #[test]
 fn a_run_on_the_fake_robot_has_the_verdict_and_estimate_of_the_built_in_run() {
-    let loaded = task(&CHOPPING_BOARD);
-    let settings = loaded.simulation.clone();
-    let surface = WorkSurface::from_task(&loaded.task);
-    let mut world = World::new(&surface, settings, loaded.task.seed).unwrap();
-    let (verdict, estimate) = run(&CHOPPING_BOARD, &mut world);
-
-    let fake = FakeRobot::commissioned_for(&CHOPPING_BOARD, |file| file);
-    let (live_verdict, live_estimate) = run(&CHOPPING_BOARD, &mut fake.executor().unwrap());
-    assert_eq!(live_verdict, verdict);
-    let difference = (live_estimate - estimate).abs();
-    assert!(difference < 0.01, "{live_estimate} and {estimate}");
+    let ([built_in, live], fake) = run_both(&CHOPPING_BOARD);
+    assert_eq!(live.verdict, built_in.verdict);
+    let difference = (live.estimate - built_in.estimate).abs();
+    assert!(
+        difference < 0.01,
+        "{} and {}",
+        live.estimate,
+        built_in.estimate
+    );
     // Force is on in strokes only, and off at the end.
     let forces: Vec<bool> = (fake.events().iter())
         .filter(|event| event.text.starts_with("force mode"))
