@@ -2,7 +2,7 @@
 
 use crate::drive::{DriveOptions, serve};
 use crate::robot_file::{RobotFile, TEMPLATE};
-use crate::{doctor, fake, guard, push_test};
+use crate::{doctor, fake, guard, ping, push_test};
 use clap::{Parser, Subcommand};
 use std::path::PathBuf;
 use std::process::ExitCode;
@@ -76,6 +76,19 @@ enum RobotLinkCommand {
     },
     /// Print a commented robot file
     Template,
+    /// Measure round trips over DDS to a program that sends each message back; peers/ros2/link.py is one
+    #[command(hide = true)]
+    Ping {
+        /// The robot file, for its table [link]
+        #[arg(value_name = "ROBOT.toml")]
+        robot: PathBuf,
+        /// Messages a second [Hz]
+        #[arg(long, default_value_t = 1000.0, value_parser = positive)]
+        rate: f64,
+        /// Duration [s]
+        #[arg(long, default_value_t = 8.0, value_parser = positive)]
+        seconds: f64,
+    },
     /// Cancel the robot's goal when standard input ends; another process of this program starts it
     #[command(hide = true)]
     Guard { robot: PathBuf },
@@ -87,6 +100,14 @@ fn speed(text: &str) -> Result<f64, String> {
     speed
         .filter(is_share)
         .ok_or_else(|| "expected a number above 0 and at most 1".to_owned())
+}
+
+fn positive(text: &str) -> Result<f64, String> {
+    let number = text.parse().ok();
+    let is_in_range = |number: &f64| *number > 0.0 && *number <= 1e4;
+    number
+        .filter(is_in_range)
+        .ok_or_else(|| "expected a number above 0 and at most 10000".to_owned())
 }
 
 /// Runs a command, and returns its exit code.
@@ -129,6 +150,11 @@ fn dispatch(command: RobotLinkCommand) -> Result<ExitCode, String> {
             seed,
         } => fake::stand_in(&task, &read(&robot)?, &settings, seed)?,
         RobotLinkCommand::Template => print!("{TEMPLATE}"),
+        RobotLinkCommand::Ping {
+            robot,
+            rate,
+            seconds,
+        } => ping::measure(&read(&robot)?, rate, seconds)?,
         RobotLinkCommand::Guard { robot } => {
             guard::watch(&read(&robot)?).map_err(|error| error.to_string())?;
         }

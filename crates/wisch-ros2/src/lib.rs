@@ -15,6 +15,7 @@ mod guard;
 mod link;
 mod messages;
 mod motion;
+mod ping;
 mod protocol;
 mod push_test;
 mod readings;
