@@ -34,12 +34,15 @@ use std::path::PathBuf;
 use wisch::plan::Strategy;
 use wisch::represent::Action;
 
-/// Plan robotic wiping, predict what it does to the dirt, and follow the plan with a robot.
+/// Plan robotic wiping by its effect on the dirt, execute it, and estimate what was wiped.
 ///
-/// A task file states what to wipe, where and with which tool. wisch places tool waypoints on the
-/// surface, joins them to strokes, and simulates how the strokes move the dirt particles. A robot then
-/// follows the strokes: wisch places its base, plans collision-free joint motion along the tool's path,
-/// and times it within the joint limits.
+/// A task file states what to wipe, where and with which tool. wisch plans strokes, and predicts how
+/// they move the dirt particles. A robot, real or simulated, then follows the strokes: wisch places its
+/// base, plans collision-free joint motion along the tool's path, and times it within the joint limits.
+/// From the measured tool poses and forces wisch estimates what was wiped, and wipes again until the
+/// goal is met.
+///
+/// wisch has no safety function: the robot's controller is responsible for emergency stops.
 #[derive(Debug, Parser)]
 #[command(
     name = "wisch",
@@ -53,7 +56,7 @@ Examples:
   wisch check board.toml        check it and print a summary of the task
   wisch run board.toml          wipe until the goal is met, and write out/<task>/report.html
 
-Exit codes: 0 the goal is met, 1 the goal is not met, 2 an error."
+Exit codes: 0 the goal is met, 1 it is not met or not shown to be met, 2 an error."
 )]
 pub struct Cli {
     /// The command.
@@ -126,12 +129,12 @@ Examples:
   wisch run board.toml --on ur5e.toml --speed 0.25      on a ROS 2 robot; asks before each round
   wisch run board.toml --json | jq '.rounds[] | {predicted, estimated, true_performance}'
 
-Writes report.html, plan.json and rounds.json; telemetry/: a bag per round (round-1.mcap, for Foxglove,
-Rerun and ROS 2); trajectories/: joint trajectories and the tool's path; particles/: the estimate and
+Writes report.html, plan.json and rounds.json; telemetry/: a bag per round (round-1.mcap, for Foxglove, \
+Rerun and ROS 2); trajectories/: joint trajectories and the tool's path; particles/: the estimate and \
 the simulator's ground truth; figures/.
 
-Exit codes: 0 the estimated performance (without a robot: the predicted performance) reaches the task's
-target, 1 it does not, 2 an error.")]
+Exit codes: 0 the estimated performance (without a robot: the predicted performance) reaches the task's \
+target, 1 it does not or this is unknown, 2 an error.")]
     Run(WipeArgs),
     /// Follow a plan with a robot: plan collision-free joint trajectories and write them for ROS 2
     #[command(after_help = "\
@@ -140,7 +143,7 @@ Examples:
   wisch follow board.toml --plan out/board/plan.json --robot my_arm.urdf --group manipulator
   wisch follow board.toml --json | jq '.execution_time_s, .abandoned_nodes'
 
-Writes into trajectories/: trajectory.json (moveit_msgs/RobotTrajectory: a JointTrajectory, and a
+Writes into trajectories/: trajectory.json (moveit_msgs/RobotTrajectory: a JointTrajectory, and a \
 MultiDOFJointTrajectory for a mobile base; the file is valid YAML, too), tcp-path.csv and following.json.
 
 Exit codes: 0 the predicted performance reaches the task's target, 1 it does not, 2 an error.")]
@@ -152,7 +155,7 @@ Examples:
   wisch studio --memory kitchen/episodes --port 8080
   wisch run chopping-board --live       start a run from a second terminal; the page shows it live
 
-Prints the page's address, which contains a random token. Only this machine can open it unless --host is given.
+Prints the page's address, which contains a random token. Only this machine can open it unless --host is given. \
 Ctrl-C ends the studio and the runs that were started on its page.")]
     Studio(StudioArgs),
     /// Write an episode, a folder of results or a log as one self-contained HTML page
@@ -162,8 +165,8 @@ Examples:
   wisch report 20261122-005612-3f2a --out wiping.html
   wisch report wipe.mcap --task board.toml
 
-The page of a run shows robot, dirt, forces and estimates on one timeline, as `wisch studio` does. The page of a log,
-also of one that `wisch interpret` or `wisch memory import` has read, shows the tool's path, the force, the fitted plane
+The page of a run shows robot, dirt, forces and estimates on one timeline, as `wisch studio` does. The page of a log, \
+also of one that `wisch interpret` or `wisch memory import` has read, shows the tool's path, the force, the fitted plane \
 and the estimated dirt. Both pages open from disk, without a server.")]
     Report(Box<ReportArgs>),
     /// Query the episodic memory in Prolog
@@ -204,13 +207,13 @@ Examples:
   wisch interpret log.csv --task board.toml --csv-columns t=time,x=px --wrench-sign by-tool
   wisch interpret log.parquet --task board.toml --force-bias 0.3 -1.2 4 --payload-mass 1.1
 
-A log is a ROS 2 bag (MCAP), a folder with the parts of a bag, or a table: text with a header line,
-Parquet or NumPy's npz, recognised by its first bytes. Builds with the feature arrow also read Arrow
-(Feather 2, or a stream). A bag that is still being written, or whose writer was killed
-(NAME.mcap.active), is read up to its last complete message. Writes interpretation.json and
+A log is a ROS 2 bag (MCAP), a folder with the parts of a bag, or a table: text with a header line, \
+Parquet or NumPy's npz, recognised by its first bytes. Builds with the feature arrow also read Arrow \
+(Feather 2, or a stream). A bag that is still being written, or whose writer was killed \
+(NAME.mcap.active), is read up to its last complete message. Writes interpretation.json and \
 particles/particles-estimated.csv.
 
-Exit codes: 0 the estimated performance reaches the task's target, 1 it does not, 2 an error.")]
+Exit codes: 0 the estimated performance reaches the task's target, 1 it does not or this is unknown, 2 an error.")]
     Interpret(Box<InterpretArgs>),
     /// Learn how tools move dirt from rounds with camera observations before and after wiping
     #[command(after_help = "\
@@ -222,9 +225,9 @@ Examples:
   wisch learn --memory episodes --task board.toml           all episodes with camera observations
   wisch learn --episode 20261122-005612-3f2a --task board.toml
 
-Bags and episodes hold camera observations from before and after each round if the task's senses
-(perception.senses) include sight. The bags of a run and its episode hold the same data: give only one of
-them. Writes learned.toml: the interactions of the knowledge base with mu, sigma, their standard errors, and
+Bags and episodes hold camera observations from before and after each round if the task's senses \
+(perception.senses) include sight. The bags of a run and its episode hold the same data: give only one of \
+them. Writes learned.toml: the interactions of the knowledge base with mu, sigma, their standard errors, and \
 the travel distance after which the model draws a particle's threshold again.
 
 Exit codes: 0 at least one interaction was learned, 2 an error.")]
@@ -293,7 +296,7 @@ Examples:
 /// A task file and overrides of its values.
 #[derive(Debug, Clone, Args)]
 pub struct TaskArgs {
-    /// The task file
+    /// Task file, or name of a shipped scenario
     #[arg(value_name = "TASK", value_hint = ValueHint::FilePath)]
     pub task: PathBuf,
     /// Strategy that plans the strokes: a coverage strategy (grid, rrt, kde), a search (adaptive), or best, which
@@ -687,5 +690,15 @@ mod tests {
         );
         assert!(setting("seed").is_err());
         assert!(setting("=3").is_err());
+    }
+
+    #[test]
+    fn an_option_of_an_earlier_version_still_works() {
+        let line = "wisch interpret log.csv --task board.toml --seen after.csv";
+        let matches = Cli::command().try_get_matches_from(line.split(' '));
+        let matches = matches.expect("arguments of version 0.2.0");
+        let interpret = matches.subcommand_matches("interpret").expect("its name");
+        let file = interpret.get_one::<PathBuf>("observation");
+        assert_eq!(file, Some(&PathBuf::from("after.csv")));
     }
 }

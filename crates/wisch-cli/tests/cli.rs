@@ -127,13 +127,13 @@ fn the_plans_of_all_strategies_are_listed_with_why_one_is_taken() {
         .collect();
     let all = ["grid", "rrt", "kde", "adaptive"].map(Some);
     assert_eq!(names, all);
-    let worth = |one: &Value| one["worth"].as_f64().expect("a number");
+    let score = |one: &Value| one["score"].as_f64().expect("a number");
     let most = candidates
         .iter()
-        .map(worth)
+        .map(score)
         .fold(f64::NEG_INFINITY, f64::max);
     for one in candidates {
-        assert_eq!(one["chosen"], worth(one) == most, "{one}");
+        assert_eq!(one["chosen"], score(one) == most, "{one}");
         assert!(one["execution_time_s"].as_f64() > Some(5.0), "{one}");
         assert!(one["covered_share"].as_f64() <= Some(1.0), "{one}");
         assert!(one["error"].is_null(), "{one}");

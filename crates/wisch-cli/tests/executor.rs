@@ -36,7 +36,7 @@ const ROUND: [&str; 9] = [
     "executing",
     "sample",
     "interpreting",
-    "judged",
+    "decided",
     "ended",
 ];
 

@@ -85,8 +85,8 @@ pub struct ClaimCounts {
     pub claimed_and_met: usize,
     /// Worlds in which the goal was claimed more than 10 percentage points below the target.
     pub false_claims: usize,
-    /// Worlds that ended with the verdict "unknowable by touch".
-    pub unknowable: usize,
+    /// Worlds that ended with the verdict "undecided by touch".
+    pub undecided_by_touch: usize,
 }
 
 impl ClaimCounts {
@@ -102,7 +102,9 @@ impl ClaimCounts {
             counts.claimed_and_met += usize::from(is_met && last.is_claimed);
             let is_false = last.is_claimed && last.outcome < world.target - FALSE_CLAIM_MARGIN;
             counts.false_claims += usize::from(is_false);
-            counts.unknowable += usize::from(last.verdict == "unknowable by touch");
+            // Version 0.2.0 wrote "unknowable by touch".
+            let is_undecided = ["undecided by touch", "unknowable by touch"];
+            counts.undecided_by_touch += usize::from(is_undecided.contains(&last.verdict.as_str()));
         }
         counts
     }

@@ -638,7 +638,7 @@ impl PySession {
         telemetry.iter().map(|one| one.clone_ref(py)).collect()
     }
 
-    /// Completed stage: planned, followed, audited, executed, interpreted, `judged` or ended; `None` before the first.
+    /// Completed stage: planned, followed, audited, executed, interpreted, decided or ended; `None` before the first.
     #[getter]
     fn stage(&self) -> Option<&'static str> {
         (*lock(&self.stage)).map(|stage| match stage {
@@ -647,7 +647,7 @@ impl PySession {
             Stage::Audited => "audited",
             Stage::Executed => "executed",
             Stage::Interpreted => "interpreted",
-            Stage::Decided => "judged",
+            Stage::Decided => "decided",
             Stage::Ended => "ended",
         })
     }

@@ -39,7 +39,7 @@ def test_events_come_in_order_and_can_stop_the_session(task, robot, exact):
     task.session(robot, rounds=1).run(exact, on_event=events.append)
     kinds = [event["event"] for event in events]
     order = [kind for kind, before in zip(kinds, [None, *kinds]) if kind != before]
-    assert order == ["planning", "planned", "following", "audited", "executing", "sample", "interpreting", "judged", "ended"]
+    assert order == ["planning", "planned", "following", "audited", "executing", "sample", "interpreting", "decided", "ended"]
     assert events[-1]["verdict"] is not None
 
     session = task.session(robot)
@@ -118,7 +118,7 @@ def test_stages_run_one_by_one(task, robot, exact):
     assert session.audit()
     assert session.stage == "audited"
     [first] = session.run_round(exact)
-    assert (first.number, first.plan.to_json(), session.stage) == (1, plan.to_json(), "judged")
+    assert (first.number, first.plan.to_json(), session.stage) == (1, plan.to_json(), "decided")
     assert "<table>" in session._repr_html_() and first._repr_svg_().startswith("<svg")
 
 

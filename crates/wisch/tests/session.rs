@@ -82,7 +82,7 @@ fn kind(event: &RunEvent<'_>) -> &'static str {
         RunEvent::Sample(_) => "sample",
         RunEvent::Interpreting { .. } => "interpreting",
         RunEvent::Observed { .. } => "observed",
-        RunEvent::Decided(_) => "judged",
+        RunEvent::Decided(_) => "decided",
         RunEvent::Ended(_) => "ended",
     }
 }
@@ -97,7 +97,7 @@ const ROUND: [&str; 9] = [
     "executing",
     "sample",
     "interpreting",
-    "judged",
+    "decided",
 ];
 
 /// Runs a session that is stopped at the first event of a kind; which kinds of events there were, and the verdict.
@@ -272,10 +272,10 @@ fn an_observer_stops_the_session_at_every_event() {
         assert_eq!(seen.last(), Some(&"ended"), "{stop}");
         let of_round = &seen[..seen.len() - 1];
         if is_executed {
-            // What was felt is interpreted, and nothing else begun.
+            // The samples are interpreted, and no other stage begins.
             assert_eq!(of_round, ROUND, "{stop}");
         } else {
-            // The stage at hand may be completed.
+            // The current stage may be completed.
             let rest = &ROUND[..of_round.len()];
             assert!(
                 of_round == rest && of_round.len() > index,
@@ -813,13 +813,13 @@ fn a_camera_that_fails_after_a_motion_loses_no_round() {
     let loaded = loaded();
     let robot = robot(&loaded);
     let mut session = loaded.session().with_robot(robot.robot_setup());
-    let mut judged = 0;
+    let mut decided = 0;
     let error = session.run(&mut Blinded(Toy::new(0.95), false), &mut |event| {
-        judged += usize::from(matches!(event, RunEvent::Decided(_)));
+        decided += usize::from(matches!(event, RunEvent::Decided(_)));
         ControlFlow::Continue(())
     });
     let error = error.expect_err("it fails").to_string();
     assert_eq!(error, "camera 1: no picture");
-    assert_eq!((session.rounds().len(), judged), (1, 1));
+    assert_eq!((session.rounds().len(), decided), (1, 1));
     assert!(session.rounds()[0].interpretation.plane.is_some());
 }

@@ -20,8 +20,8 @@ Examples:
   wisch eval calibration --set execution.grains_resist=false    worlds whose dirt exerts no force on the tool
   wisch eval calibration --first-seed 10000 --worlds 1000 --shard 1/4 --out out/published --resume
 
-Writes worlds-*.jsonl (a line per world), and from all worlds in the folder calibration.json,
-calibration.md and reliability.svg. Use seeds 1 to 999 for tests and demonstrations, 1000 to 4999 for
+Writes worlds-*.jsonl (a line per world), and from all worlds in the folder calibration.json, \
+calibration.md and reliability.svg. Use seeds 1 to 999 for tests and demonstrations, 1000 to 4999 for \
 tuning constants, and 10000 and above for published figures. See docs/evaluation.md.
 
 Exit codes: 0 all worlds were evaluated, 1 some worlds failed, 2 an error.")]
@@ -45,9 +45,9 @@ Examples:
   wisch eval table1 --execute --cells board,table/absorb   run the whole loop in the simulated world
   wisch eval table1 --first-seed 1000 --seeds 20 --shard 2/4 --out out/tuned --resume
 
-Writes table1.html (with pictures of the first seed), table1.md, table1.csv and table1.json with the paper's
-figures beside those of wisch, runs.csv (a row per run), and runs-*.jsonl, which --resume and other shards
-read. All results but computation_s are the same on any machine and for any number of threads and shards.
+Writes table1.html (with pictures of the first seed), table1.md, table1.csv and table1.json with the paper's \
+figures beside those of wisch, runs.csv (a row per run), and runs-*.jsonl, which --resume and other shards \
+read. All results but computation_s are the same on any machine and for any number of threads and shards. \
 The ranges of seeds are those of `wisch eval calibration`.
 
 Exit codes: 0 all runs were evaluated, 1 some runs failed, 2 an error.")]
@@ -60,9 +60,9 @@ Examples:
   wisch eval sweep table --execute --set 'perception.senses=[\"touch\"],[\"touch\", \"sight\"]'
   wisch eval sweep table --set plan.max_distance_m=1:4:0.5 --shard 1/2 --out out/ways --resume
 
-Write values as in a task file, separated by commas; BEGINNING:END:STEP is a range. Writes sweep.md (median and
-quartiles of each combination), sweep.json, runs.csv (a row per run) and runs-*.jsonl, which --resume and
-other shards read. All results but computation_s are the same on any machine and for any number of threads
+Write values as in a task file, separated by commas; BEGINNING:END:STEP is a range. Writes sweep.md (median and \
+quartiles of each combination), sweep.json, runs.csv (a row per run) and runs-*.jsonl, which --resume and \
+other shards read. All results but computation_s are the same on any machine and for any number of threads \
 and shards.
 
 Exit codes: 0 all runs were evaluated, 1 some runs failed, 2 an error.")]

@@ -20,8 +20,8 @@ pub struct InterpretArgs {
     #[arg(long)]
     pub force: bool,
     /// Observation of the dirt after the log: a list of dirt locations (.csv), or a photo by the task's camera
-    #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]
-    pub seen: Option<PathBuf>,
+    #[arg(long, alias = "seen", value_name = "FILE", value_hint = ValueHint::FilePath)]
+    pub observation: Option<PathBuf>,
     /// Print one JSON object instead of the summary
     #[arg(long)]
     pub json: bool,

@@ -50,7 +50,7 @@ Examples:
   wisch memory import wipe.mcap --task board.toml
   wisch memory import log.csv --task board.toml --csv-columns t=time,x=px --start-s 1795308972
 
-The options of the log are those of `wisch interpret`. Tables and simulated bags often count time from 0:
+The options of the log are those of `wisch interpret`. Tables and simulated bags often count time from 0: \
 then give the date with --start-s.")]
     Import(Box<ImportArgs>),
     /// Verify the checksum and contents of every file of every episode
@@ -65,8 +65,8 @@ Examples:
   wisch memory export --neem neem
   wisch memory export --neem neem 20261122-005612-3f2a --tf-rate-hz 50
 
-The folder has one subfolder for each collection, each a dump that mongorestore and KnowRob read: triples,
-annotations, inferred and tf, and two collections that only wisch writes: wrench, and observation with the
+The folder has one subfolder for each collection, each a dump that mongorestore and KnowRob read: triples, \
+annotations, inferred and tf, and two collections that only wisch writes: wrench, and observation with the \
 camera's dirt locations. It also holds meta.json and semco.owl.")]
     Export(ExportArgs),
     /// Copy the episodes to a fleet: a store that many robots share
@@ -75,8 +75,8 @@ Examples:
   wisch memory push s3://robots/fleet --robot kitchen-7
   wisch memory push /mnt/fleet --memory episodes
 
-Needs the companion program wisch-fleet. It skips episodes that the fleet already has, and resumes an interrupted push.
-Credentials come from the environment (AWS_ACCESS_KEY_ID, AWS_SECRET_ACCESS_KEY, AWS_ENDPOINT, …) or from
+Needs the companion program wisch-fleet. It skips episodes that the fleet already has, and resumes an interrupted push. \
+Credentials come from the environment (AWS_ACCESS_KEY_ID, AWS_SECRET_ACCESS_KEY, AWS_ENDPOINT, …) or from \
 ~/.aws/credentials.")]
     Push(MemoryPushArgs),
     /// Copy episodes of a fleet into this memory, byte for byte

@@ -24,8 +24,8 @@ Examples:
   wisch robot map humanoid
   wisch robot map my_robot.urdf --group manipulator --out my_robot.reach
 
-wisch uses the map for base placement. It finds a map beside the URDF with the same name and the ending
-.reach; for a map in another folder, give --map. A map holds for one robot: rebuild it after changing the
+wisch uses the map for base placement. It finds a map beside the URDF with the same name and the ending \
+.reach; for a map in another folder, give --map. A map holds for one robot: rebuild it after changing the \
 robot.")]
     Map(RobotMapArgs),
     /// Write the SRDF of a robot that has only a URDF: groups, a ready posture, and pairs that may touch
@@ -36,12 +36,12 @@ Examples:
   wisch robot setup arm.urdf --task board.toml --force
   wisch robot setup pr2.urdf --mobile
 
-wisch finds the arms by their chains of joints and the names of their links. It samples postures for the
-pairs of links that need no collision check, and for a ready posture: clear of the robot itself, away from
-limits, agile, with the tool pointing down before the robot or at the task's surface. Comments in the file
+wisch finds the arms by their chains of joints and the names of their links. It samples postures for the \
+pairs of links that need no collision check, and for a ready posture: clear of the robot itself, away from \
+limits, with high manipulability, and with the tool pointing down in front of the robot or at the task's surface. Comments in the file \
 state what was chosen and why.
 
-Exit codes: 0 the SRDF is written, 1 no arm or no collision-free posture was found and nothing is
+Exit codes: 0 the SRDF is written, 1 no arm or no collision-free posture was found and nothing is \
 written, 2 an error.")]
     Setup(RobotSetupArgs),
     /// Show what a ROS 2 robot reports, and what would be refused; commands nothing
@@ -49,7 +49,7 @@ written, 2 an error.")]
 Examples:
   wisch robot doctor ur5e.toml
 
-The robot file states topics, services and limits; docs/ros2.md describes it. Needs the companion program
+The robot file states topics, services and limits; docs/ros2.md describes it. Needs the companion program \
 wisch-ros2, as do push-test and fake.
 
 Exit codes: 0 nothing forbids a motion, 1 something does, 2 the robot is not found.")]
@@ -68,7 +68,7 @@ Exit codes: 0 the file is written, 2 an error, and nothing is written.")]
 Examples:
   wisch robot fake arm-board --as arm7.toml
 
-It runs in real time until the command quit on its standard input. Other commands there cause faults:
+It runs in real time until the command quit on its standard input. Other commands there cause faults: \
 wisch-ros2 fake --help lists them.")]
     Fake(RobotFakeArgs),
 }
@@ -101,10 +101,10 @@ pub struct RobotFakeArgs {
     /// The robot file
     #[arg(long = "as", value_name = "ROBOT.toml", value_hint = ValueHint::FilePath)]
     pub robot: PathBuf,
-    /// Value that replaces one of the task file; repeatable
+    /// Override a value of the task file; repeatable
     #[arg(long = "set", value_name = "KEY=VALUE")]
     pub settings: Vec<String>,
-    /// Seed in place of the task's
+    /// Random seed [default: the task's]
     #[arg(long, value_name = "N")]
     pub seed: Option<u64>,
 }

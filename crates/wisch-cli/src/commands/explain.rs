@@ -28,7 +28,7 @@ pub(super) fn candidates(
         CandidateSummary {
             strategy: one.strategy.to_string(),
             chosen: one.strategy == chosen.strategy,
-            worth: found.map(|found| found.score.total),
+            score: found.map(|found| found.score.total),
             predicted_performance: performance.map(|performance| performance.ratio()),
             lost_share: performance.map(|p| p.lost as f64 / p.initial.max(1) as f64),
             covered_share: plan.map(|plan| covered(plan, task)),
@@ -72,7 +72,7 @@ pub(super) fn table(candidates: &[CandidateSummary]) -> String {
         let metres = |way: Option<f64>| way.map_or_else(|| "–".to_owned(), |m| format!("{m:.2} m"));
         text += &format!(
             " {:>6} {:>9} {:>7} {:>7} {:>11} {:>7} {:>7}",
-            one.worth
+            one.score
                 .map_or_else(|| "–".to_owned(), |w| format!("{w:.3}")),
             share(one.predicted_performance),
             share(one.lost_share),
@@ -92,7 +92,7 @@ pub(super) fn table(candidates: &[CandidateSummary]) -> String {
 /// Formats the reason why the marked candidate was chosen.
 fn reason(candidates: &[CandidateSummary]) -> String {
     let mut by_score: Vec<(&str, f64)> = (candidates.iter())
-        .filter_map(|one| Some((one.strategy.as_str(), one.worth?)))
+        .filter_map(|one| Some((one.strategy.as_str(), one.score?)))
         .collect();
     by_score.sort_by(|a, b| b.1.total_cmp(&a.1));
     let Some(chosen) = candidates.iter().find(|one| one.chosen) else {

@@ -1,7 +1,7 @@
 //! `wisch memory import`: interprets a robot's log and stores it as an episode.
 
 use super::PROGRAM;
-use super::interpret::{Interpreted, interpret_log, task_args, verdict_in_words};
+use super::interpret::{Interpreted, interpret_log, task_args};
 use super::memory::is_date;
 use super::prepare;
 use super::words::{counted, json, percent};
@@ -65,11 +65,11 @@ pub fn import(args: &ImportArgs, global: &GlobalArgs) -> Result<Outcome, Failure
         ));
     }
     say(&record, args, global, |place| {
-        let verdict = verdict_in_words(verdict_of(&record));
+        let verdict = verdict_of(&record);
         let mean = interpreted.interpretation.performance.mean;
         let estimate = match is_estimated(&record) {
             true => format!("estimated performance {} ({verdict})", percent(mean)),
-            false => format!("performance: {verdict}"),
+            false => verdict.to_owned(),
         };
         format!(
             "{}: {} in {:.1} s, {estimate}\n  episode  {place}\n",

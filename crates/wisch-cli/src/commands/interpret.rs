@@ -42,8 +42,14 @@ pub fn interpret(args: &InterpretArgs, global: &GlobalArgs) -> Result<Outcome, F
     };
     let folder = OutputFolder::begin(&out, Leftover::Remove, replaceable)?;
 
-    let seen = args.seen.as_deref();
-    let interpreted = interpret_log(&args.source, &task_args, &mut prepared, seen, &progress)?;
+    let observation = args.observation.as_deref();
+    let interpreted = interpret_log(
+        &args.source,
+        &task_args,
+        &mut prepared,
+        observation,
+        &progress,
+    )?;
     let record = &interpreted.record;
     let particles = interpreted.estimated(&prepared)?;
     folder.write(INTERPRETATION_FILE, json(record)?)?;
@@ -93,12 +99,12 @@ impl Interpreted {
     }
 }
 
-/// Reads a log and interprets it. `seen`: file with an observation of the dirt after the log, if there is one.
+/// Reads a log and interprets it. `observation`: file with an observation of the dirt after the log, if there is one.
 pub(super) fn interpret_log(
     source: &LoggedArgs,
     task_args: &TaskArgs,
     prepared: &mut LoadedTask,
-    seen: Option<&Path>,
+    observation: Option<&Path>,
     progress: &Progress,
 ) -> Result<Interpreted, Failure> {
     let goal = goal(source, task_args, prepared)?;
@@ -109,10 +115,10 @@ pub(super) fn interpret_log(
         counted(log.samples.len(), "sample")
     ));
     let mut interpretation = interpret_samples(source, prepared, &log, &goal)?;
-    if let Some(seen) = seen {
+    if let Some(file) = observation {
         let sensor = prepared.file.camera.unwrap_or_default();
         interpretation.observe(&ObservationUpdate {
-            observation: &prepared.observation(seen)?,
+            observation: &prepared.observation(file)?,
             sight: prepared.sight(sensor),
             surface: &prepared.task.surface,
             goal: &goal,
@@ -497,16 +503,8 @@ pub(super) fn summary_lines(record: &InterpretationRecord) -> Vec<(&'static str,
     lines
 }
 
-/// The verdict of records on an undecided goal.
-pub(super) const UNDECIDED: &str = "cannot be told";
-
-/// Returns a record's verdict as summaries show it.
-pub(super) fn verdict_in_words(verdict: &str) -> &str {
-    match verdict {
-        UNDECIDED => "unknown",
-        verdict => verdict,
-    }
-}
+/// The verdict of records if it is unknown whether the goal is met.
+pub(super) const UNKNOWN: &str = "unknown";
 
 fn performance_in_words(record: &InterpretationRecord) -> String {
     let [low, high, target] = [
@@ -515,20 +513,20 @@ fn performance_in_words(record: &InterpretationRecord) -> String {
         record.target_performance,
     ]
     .map(percent);
-    if !record.can_be_told {
+    if !record.is_conclusive {
         return format!(
             "unknown: {} (between {low} and {high}, target {target})",
             record.reason
         );
     }
     let advice = match record.verdict {
-        UNDECIDED => "; add a camera observation with --seen",
+        UNKNOWN => "; add a camera observation with --observation",
         _ => "",
     };
     format!(
         "{} estimated, {low} to {high} with 90 % probability (target {target}: {}; {}{advice})",
         percent(record.estimated),
-        verdict_in_words(record.verdict),
+        record.verdict,
         record.reason,
     )
 }

@@ -1,6 +1,6 @@
 //! `wisch memory`: lists, shows, verifies and removes the episodes of a memory.
 
-use super::interpret::{UNDECIDED, verdict_in_words};
+use super::interpret::UNKNOWN;
 use super::words::{counted, internal, percent};
 use crate::args::{EpisodeArgs, GlobalArgs, MemoryArgs, MemoryListArgs, MemoryVerifyArgs};
 use crate::failure::Failure;
@@ -25,7 +25,7 @@ struct Listed<'a> {
     #[serde(skip_serializing_if = "Option::is_none")]
     performance: Option<f64>,
     succeeded: bool,
-    /// `met`, `not met` or `cannot be told`.
+    /// `met`, `not met` or `unknown`.
     goal: &'static str,
     human_collisions: usize,
 }
@@ -78,7 +78,7 @@ impl<'a> Listed<'a> {
         let goal = action.map_or("not met", |action| {
             let states = entries(catalogue.relations("soma:hasExecutionState"), action);
             match states.first() {
-                None => UNDECIDED,
+                None => UNKNOWN,
                 Some((_, CatalogueNode::Shared(place)))
                     if catalogue.shared_individuals()[*place as usize]
                         == "soma:ExecutionState_Succeeded" =>
@@ -131,7 +131,7 @@ fn table(listed: &[Listed<'_>]) -> String {
     for one in listed {
         let performance = one.performance.map_or_else(|| "–".to_owned(), percent);
         let duration = format!("{:.1} s", one.duration_s);
-        let (goal, began) = (verdict_in_words(one.goal), date_if_known(one.start_s));
+        let (goal, began) = (one.goal, date_if_known(one.start_s));
         text += &format!(
             "{:<id$}  {:<task$}  {began:<26}  {duration:>8}  {:>6}  {performance:>11}  {goal:<14}  {:>10}\n",
             one.id, one.task, one.rounds, one.human_collisions

@@ -5,7 +5,7 @@ use std::io::{self, Write};
 use wisch::run::RunEvent;
 
 /// Schema number of the records of events.
-pub const EVENT_SCHEMA: u32 = 1;
+pub const EVENT_SCHEMA: u32 = 2;
 
 /// Every how many samples one is recorded: 20 per second at 1 kHz.
 const EVERY: usize = 50;
@@ -81,7 +81,7 @@ pub enum RunEventRecord {
         hidden_m2: f64,
     },
     /// A round is finished.
-    Judged {
+    Decided {
         /// Number of the round, from 1.
         round: usize,
         /// Estimated performance.
@@ -183,7 +183,7 @@ impl<W: Write> EventWriter<W> {
             },
             RunEvent::Decided(round) => {
                 let estimate = &round.interpretation.performance;
-                RunEventRecord::Judged {
+                RunEventRecord::Decided {
                     round: round.motion.number,
                     estimated: estimate.mean,
                     estimated_low: estimate.low,

@@ -32,15 +32,15 @@ pub struct InterpretationRecord {
     /// Whether the goal may be claimed: the mean reaches the target, and that less than ten points below it are reached is
     /// improbable (0.2 % at most).
     pub goal_met: bool,
-    /// "met", "not met", or "cannot be told": the log allows no estimate, or touch only cannot decide whether the target is
+    /// "met", "not met", or "unknown": the log allows no estimate, or touch only cannot decide whether the target is
     /// reached. If the log allows no estimate, the interval covers all possible values.
     pub verdict: &'static str,
     /// Whether the log, or an observation after it, allows an estimate.
-    pub can_be_told: bool,
+    pub is_conclusive: bool,
     /// The deciding rule with its numbers, or the reason why no estimate is possible.
     pub reason: String,
     /// Number of detections of an observation after the log; null without an observation.
-    pub seen: Option<usize>,
+    pub detections: Option<usize>,
     /// Number of replays.
     pub replays: usize,
     /// Time in contact over the time that the tool was on or near the surface.
@@ -174,12 +174,12 @@ impl InterpretationRecord {
             target_performance,
             goal_met: verdict == "met",
             verdict,
-            can_be_told: interpretation.is_conclusive(),
+            is_conclusive: interpretation.is_conclusive(),
             reason,
-            seen: interpretation
+            detections: interpretation
                 .observation
                 .as_ref()
-                .map(|seen| seen.detections.len()),
+                .map(|observation| observation.detections.len()),
             replays: interpretation.belief.members().len(),
             contact_share: interpretation.contact_share,
             collisions: interpretation.events.iter().filter(is_collision).count(),
@@ -245,9 +245,9 @@ fn verdict(interpretation: &Interpretation, target: f64) -> (&'static str, Strin
             let decisive = (interpretation.doubts.iter())
                 .filter(|doubt| doubt.is_decisive() || doubt.is_cut());
             let causes: Vec<String> = decisive.map(ToString::to_string).collect();
-            ("cannot be told", causes.join("; "))
+            ("unknown", causes.join("; "))
         }
-        Verdict::UnknowableByTouch => ("cannot be told", claim),
+        Verdict::UnknowableByTouch => ("unknown", claim),
         _ => ("not met", claim),
     }
 }

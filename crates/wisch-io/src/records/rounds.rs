@@ -52,9 +52,9 @@ pub struct RoundSummary {
     /// Upper end of its 90 % interval.
     pub estimated_high: f64,
     /// Estimated performance from touch only, before an observation.
-    pub felt: f64,
+    pub estimated_by_touch: f64,
     /// Number of detections of the observation after the round; null without an observation.
-    pub seen: Option<usize>,
+    pub detections: Option<usize>,
     /// True performance; null without simulated dirt.
     pub true_performance: Option<f64>,
     /// Time in contact over the time that the tool was to wipe.
@@ -69,7 +69,7 @@ pub struct RoundSummary {
     pub plane_offset_m: Option<f64>,
     /// localized, relocalize or no contact.
     pub diagnosis: &'static str,
-    /// goal met, wipe again, no progress or no contact.
+    /// goal met, wipe again, or another name of a [`Verdict`](wisch::recover::Verdict).
     pub verdict: &'static str,
     /// complete, stopped, or the cause of a protective stop.
     pub ending: String,
@@ -125,11 +125,11 @@ impl RoundSummary {
             estimated: interpretation.performance.mean,
             estimated_low: interpretation.performance.low,
             estimated_high: interpretation.performance.high,
-            felt: interpretation.by_touch.mean,
-            seen: interpretation
+            estimated_by_touch: interpretation.by_touch.mean,
+            detections: interpretation
                 .observation
                 .as_ref()
-                .map(|seen| seen.detections.len()),
+                .map(|observation| observation.detections.len()),
             true_performance,
             contact_share: interpretation.contact_share,
             collisions: collision_times_s.len(),

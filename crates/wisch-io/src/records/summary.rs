@@ -79,7 +79,7 @@ pub struct CandidateSummary {
     pub chosen: bool,
     /// Score: expected share of the dirt that reaches the goal, minus costs of lost dirt, path length and time, in shares of
     /// the dirt.
-    pub worth: Option<f64>,
+    pub score: Option<f64>,
     /// Predicted share of the particles that reach the goal.
     pub predicted_performance: Option<f64>,
     /// Predicted share lost over an edge that is not a skim edge.

@@ -416,7 +416,7 @@ class Session:
     def telemetry(self) -> list[Telemetry]:
         """Telemetry of every motion, including one that failed."""
     @property
-    def stage(self) -> Literal["planned", "followed", "audited", "executed", "interpreted", "judged", "ended"] | None: ...
+    def stage(self) -> Literal["planned", "followed", "audited", "executed", "interpreted", "decided", "ended"] | None: ...
     @property
     def verdict(self) -> str | None:
         """Why the session has ended; None before its end, or if it was stopped."""

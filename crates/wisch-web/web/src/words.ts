@@ -12,8 +12,8 @@ const makeList = (list: readonly string[]) => el("ul", { class: "w-sentences" },
 
 export const estimateText = ({ mean, low, high }: Estimate): string => `${percent(mean)} (90\u202f%: ${percent(low)} to ${percent(high)})`;
 
-/** Verdicts that are neither success nor failure. */
-const UNKNOWN = ["cannot be told", "unknowable by touch"];
+/** Verdicts that are neither success nor failure; recordings of version 0.2.0 have the last two. */
+const UNKNOWN = ["performance unknown", "undecided by touch", "cannot be told", "unknowable by touch"];
 
 /** State of the goal, for its colour. A null verdict is that of a stopped run. */
 export const goalState = (met: boolean, verdict: string | null): "met" | "unmet" | "unknown" =>

@@ -111,6 +111,8 @@ test("an undecidable episode is neither met nor missed", () => {
   const state = (met, verdict, performance) => badge({ met, verdict, performance }).attributes.get("data-state");
   assert.equal(state(true, "goal met", 0.97), "met");
   assert.equal(state(false, "no progress", 0.4), "unmet");
+  assert.equal(state(false, "performance unknown", 0.4), "unknown");
+  assert.equal(state(false, "undecided by touch", 0.9), "unknown");
   assert.equal(state(false, "cannot be told", 0.4), "unknown");
   assert.equal(state(false, "cannot be told", null), "unknown");
   assert.equal(state(false, "unknowable by touch", 0.9), "unknown");

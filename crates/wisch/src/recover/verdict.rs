@@ -56,8 +56,8 @@ impl Verdict {
             Self::NoWay => "no way to wipe again",
             Self::NothingToGain => "nothing to gain",
             Self::UnsafeMotion => "unsafe motion",
-            Self::Undecidable => "cannot be told",
-            Self::UnknowableByTouch => "unknowable by touch",
+            Self::Undecidable => "performance unknown",
+            Self::UnknowableByTouch => "undecided by touch",
         }
     }
 }
@@ -247,17 +247,17 @@ impl TerminationPolicy {
         } else {
             Verdict::NoProgress
         };
-        self.or_unknowable(interpretation, ended)
+        self.or_undecided(interpretation, ended)
     }
 
     /// Returns the verdict where no plan has a predicted gain.
     pub fn conclude_without_gain(&self, interpretation: &Interpretation) -> Verdict {
-        self.or_unknowable(interpretation, Verdict::NothingToGain)
+        self.or_undecided(interpretation, Verdict::NothingToGain)
     }
 
     /// Returns `ended`, or [`Verdict::UnknowableByTouch`] where touch cannot decide whether the goal is met; a
     /// camera could.
-    fn or_unknowable(&self, interpretation: &Interpretation, ended: Verdict) -> Verdict {
+    fn or_undecided(&self, interpretation: &Interpretation, ended: Verdict) -> Verdict {
         let is_seen = interpretation.observation.is_some();
         if !interpretation.is_conclusive() {
             Verdict::Undecidable
@@ -368,7 +368,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_felt_while_somebody_pushes_shows_nothing_and_what_is_seen_does() {
+    fn touch_during_a_push_shows_nothing_and_an_observation_does() {
         use Verdict::{Again, GoalMet, Undecidable};
         let done = [0.95; 8];
         assert_eq!(of_one(pushed(&done)), Again);

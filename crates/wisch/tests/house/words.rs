@@ -63,11 +63,7 @@ const PATTERNS: [(&str, &str); 50] = [
 ];
 
 /// Passages in which a phrase of [`PATTERNS`] is right, with the reason.
-const EXCEPTIONS: [(&str, &str); 3] = [
-    (
-        "cannot be told",
-        "a verdict in files, and what the predicate `tell/3` refuses",
-    ),
+const EXCEPTIONS: [(&str, &str); 2] = [
     ("tests house", "the folder of these checks"),
     ("worth knowing", "an idiom about a note, not about a plan"),
 ];

@@ -101,8 +101,12 @@ fn in_words(record: &CalibrationRecord) -> String {
     let claims = &calibration.claims;
     let _ = writeln!(
         text,
-        "\nGoals: {} claimed, {} met, {} claimed and met, {} claimed falsely by more than 10 points; {} unknowable by touch.",
-        claims.claimed, claims.met, claims.claimed_and_met, claims.false_claims, claims.unknowable
+        "\nGoals: {} claimed, {} met, {} claimed and met, {} claimed falsely by more than 10 points; {} undecided by touch.",
+        claims.claimed,
+        claims.met,
+        claims.claimed_and_met,
+        claims.false_claims,
+        claims.undecided_by_touch
     );
     let pushes = &calibration.pushes;
     let _ = writeln!(
