@@ -248,7 +248,7 @@ fn a_map_is_built_found_and_used() {
         assert_eq!(summary_of["abandoned_nodes"], 0);
     }
 
-    // Beside its URDF a map is found by itself: a damaged one is told.
+    // Beside its URDF a map is found by itself: a damaged map is reported.
     fs::write(&map, &bytes[..bytes.len() / 2]).expect("half a map");
     let (code, _, err) = wisch(folder.path(), &[&follow[..], &["arm6.urdf"]].concat());
     assert_eq!(code, 2);

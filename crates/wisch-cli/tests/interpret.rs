@@ -269,7 +269,7 @@ fn what_is_odd_about_a_log_is_said() {
             sample.world_from_tool.rotation.coords,
             sample.force,
         );
-        // Two seconds are missing, and one number is none.
+        // Two seconds are missing, and one number is NaN.
         if (2.0..4.0).contains(&sample.time) {
             continue;
         }
@@ -303,7 +303,7 @@ fn what_is_odd_about_a_log_is_said() {
     assert_eq!(record["log"]["wrench_frame"], "tool");
     assert_eq!(record["log"]["wrench_frame_assumed"], true);
 
-    // The bag of another task, whose surface is 0.2 m lower: where it pressed is told.
+    // The bag of another task, whose surface is 0.2 m lower: the message states where the tool pressed.
     let elsewhere = "surface.position_m=[0.6, 0.1, 0.95]";
     let args = [
         "interpret",
@@ -361,7 +361,7 @@ fn where_to_collect_has_to_be_known() {
 }
 
 #[test]
-fn wrong_inputs_are_told_with_what_to_do() {
+fn wrong_inputs_are_errors_that_say_what_to_do() {
     let folder = folder(believed());
     let path = folder.path();
     let good_names = "t,x,y,z,qx,qy,qz,qw,fx,fy,fz\n";

@@ -476,7 +476,7 @@ fn episodes_teach_what_their_bags_do() {
         assert!(kept.is_some());
     }
 
-    // One that was not looked at after its round, and one of another task, are left out; asked for by name, they are errors.
+    // Episodes without an observation after their round, and episodes of another task, are left out; if they are named, they are errors.
     let [before, after] = looks(4);
     write_bag(&place.join("blind.mcap"), "board", [Some(&before), None]);
     let [blind] = &imported(place, &["blind.mcap"])[..] else {

@@ -72,7 +72,7 @@ fn a_log_that_is_imported_twice_is_one_episode() {
 }
 
 #[test]
-fn the_doubts_of_a_log_are_kept_and_what_cannot_be_told_is_no_failure() {
+fn the_doubts_of_a_log_are_kept_and_an_unknown_performance_is_no_failure() {
     // The tool wiped a hand's breadth above where the task has the surface.
     let folder = folder(Pose::translation(0.6, 0.1, 0.85));
     let folder = folder.path();

@@ -82,7 +82,7 @@ fn a_search_tries_as_many_plans_as_its_budget_says() {
     assert_eq!(planned(&["--set", "plan.evaluations=3000"], "set"), few);
     assert_ne!(planned(&["--budget", "9000"], "more"), few);
 
-    // In a time so many are tried as it says, with the same plan again for that number.
+    // With a time, the message states the number of tried plans; that number gives the same plan.
     let mut timed = command(folder.path());
     timed.args(["plan", "chopping-board", "--strategy", "adaptive"]);
     let timed = timed
@@ -149,7 +149,7 @@ count = 60
 }
 
 #[test]
-fn powder_that_slides_off_a_slope_is_told_before_anything_is_wiped() {
+fn powder_that_slides_off_a_slope_is_reported_before_anything_is_wiped() {
     let folder = tempfile::tempdir().unwrap();
     // tan(0.7) = 0.84 exceeds the 0.8 up to which grains are taken to hold.
     leaning_board(folder.path(), 0.7, "powder");

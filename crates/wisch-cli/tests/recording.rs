@@ -120,7 +120,7 @@ fn what_has_no_recording_is_no_page() {
 
 #[cfg(unix)]
 #[test]
-fn others_look_on_and_may_end_it_in_order() {
+fn a_live_run_is_shown_and_can_be_stopped_in_order() {
     use rustix::process::{Pid, Signal, kill_process};
     let folder = tempfile::tempdir().expect("a folder");
     let mut running = run(folder.path(), &["--live", "--realtime"]);
@@ -211,7 +211,7 @@ fn ended_before_a_round_is_over_nothing_is_kept() {
 }
 
 #[test]
-fn without_a_memory_nobody_looks_on() {
+fn a_live_run_needs_a_memory() {
     let folder = tempfile::tempdir().expect("a folder");
     let (code, _, err) = wisch(
         folder.path(),

@@ -138,7 +138,7 @@ fn an_unknown_package_is_one_line_and_each_mesh_a_finding() {
 }
 
 #[test]
-fn warnings_are_told_by_the_exit_code_and_in_json() {
+fn warnings_show_in_the_exit_code_and_in_json() {
     let text = ARM.replace("velocity=\"1\"", "velocity=\"0\"").replace(
         "<mesh filename=\"package://rods/rod.stl\"/>",
         "<sphere radius=\"1\"/>",

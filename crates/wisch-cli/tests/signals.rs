@@ -1,4 +1,4 @@
-//! Ctrl-C, SIGTERM and a closed pipe of events while another program executes: it is told to stop first, and what it
+//! Ctrl-C, SIGTERM and a closed pipe of events while another program executes: wisch asks it to stop first, and what it
 //! did is kept.
 //!
 //! ```sh
@@ -104,7 +104,7 @@ fn ended(run: Child, mark: &str) -> (Option<i32>, String) {
     (output.status.code(), err)
 }
 
-/// What must hold however a run ended: nothing half-written, the robot told to stop before its end, and what it executed
+/// What must hold however a run ended: nothing half-written, the robot asked to stop before its end, and what it executed
 /// kept.
 fn check(folder: &Path, what: &str) {
     let entries = fs::read_dir(folder).expect("a folder");

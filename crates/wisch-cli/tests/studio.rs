@@ -7,7 +7,7 @@ use std::path::Path;
 use std::process::{Command, Stdio};
 use std::time::{Duration, Instant};
 
-/// Plays the server: writes its number down, and ends in order when it is told to.
+/// Plays the server: writes its number down, and ends in order on request.
 const SERVER: &str = r#"#!/bin/sh
 trap 'echo ended >"$MARK.ended"; exit 0' TERM
 echo $$ >"$MARK.new" && mv "$MARK.new" "$MARK.pid"

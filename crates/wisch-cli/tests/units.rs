@@ -1,4 +1,4 @@
-//! Tools, objects and robots in other units, and values that are assumed: told, never taken in silence.
+//! Tools, objects and robots in other units, and values that are assumed: always reported.
 
 use crate::program::{folder_with, wisch};
 use std::fs;
@@ -74,7 +74,7 @@ fn an_arm_in_metres_kilograms_and_radians_raises_no_remark() {
 }
 
 #[test]
-fn what_is_odd_or_assumed_of_a_robot_is_told_by_both_checks() {
+fn both_checks_report_odd_and_assumed_values_of_a_robot() {
     let nut = "<collision><geometry><mesh filename=\"nut.stl\"/></geometry></collision>";
     let no_ready = READY.replace("\"ready\"", "\"home\"");
     let stale = READY.replace(
@@ -138,7 +138,7 @@ fn what_is_odd_or_assumed_of_a_robot_is_told_by_both_checks() {
 }
 
 #[test]
-fn degrees_and_square_millimetres_are_told() {
+fn degrees_and_square_millimetres_are_reported() {
     let text = ARM.urdf();
     for (from, to, expected) in [
         (
@@ -161,7 +161,7 @@ fn degrees_and_square_millimetres_are_told() {
 }
 
 #[test]
-fn soft_limits_are_kept_and_told() {
+fn soft_limits_are_kept_and_reported() {
     let text = ARM.urdf().replacen(
         "effort=\"100\"/></joint>",
         "effort=\"100\"/><safety_controller soft_lower_limit=\"-1\" soft_upper_limit=\"4\" k_velocity=\"1\"/></joint>",
@@ -264,7 +264,7 @@ fn tools_in_other_units_are_refused_with_the_unit_and_the_factor() {
 }
 
 #[test]
-fn an_object_that_dwarfs_the_surface_is_told() {
+fn an_object_much_larger_than_the_surface_is_reported() {
     let folder = folder_with("arm-board.toml");
     let cup = Mesh::cuboid(Vector3::new(15.0, 15.0, 8.0)).unwrap();
     fs::write(folder.path().join("cup.stl"), cup.to_binary_stl()).unwrap();

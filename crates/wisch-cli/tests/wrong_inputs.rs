@@ -66,7 +66,7 @@ fn image(name: &'static str, bytes: &[u8], corners: &str, says: &[&'static str])
     }
 }
 
-/// A command line without a task of ours.
+/// A command line without a shipped task.
 fn line(name: &'static str, args: &[&'static str], says: &[&'static str]) -> Case {
     Case {
         name,

@@ -192,7 +192,7 @@ fn timing(waypoints: usize) -> f64 {
 }
 
 /// How long the stages up to one take in the first round [s]; 0 for those after. The belief has as many members as the
-/// program's unless told.
+/// program's unless set.
 fn stages(
     count: usize,
     members: Option<usize>,

@@ -126,7 +126,7 @@ mod tests {
         assert_eq!(counts, expected, "the last is cut off, the second not told");
         let calm = PushCounts::count(10.0, &[], &[], &told);
         assert_eq!((calm.undisturbed, calm.invented, calm.pushes), (1, 2, 0));
-        // A cup is struck a moment before it is told.
+        // A cup is struck a moment before the detection.
         let struck = PushCounts::count(10.0, &[], &[[0.8, 0.9], [3.0, 3.1]], &told);
         assert_eq!((struck.obstructed, struck.invented), (1, 1));
         let both: PushCounts = [counts, calm].into_iter().sum();

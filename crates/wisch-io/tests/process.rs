@@ -84,7 +84,7 @@ fn executed(
     lines: &str,
     most: usize,
 ) -> Result<(Execution, usize), ExecutorError> {
-    // A machine that is busy may keep a child waiting; only those that sleep are given up soon.
+    // A machine that is busy may keep a child waiting; wisch soon stops waiting only for those that sleep.
     let patience = if lines.contains("time.sleep") {
         700
     } else {
@@ -289,7 +289,7 @@ fn a_child_that_does_not_greet_is_refused() {
 }
 
 #[test]
-fn a_child_is_stopped_when_enough_was_felt() {
+fn a_child_is_stopped_after_enough_samples() {
     if !has_python() {
         return;
     }
@@ -334,7 +334,7 @@ fn how_a_child_ended_is_taken_over() {
 }
 
 #[test]
-fn what_was_felt_before_a_child_went_wrong_is_kept() {
+fn samples_before_the_fault_of_a_child_are_kept() {
     if !has_python() {
         return;
     }
@@ -352,7 +352,7 @@ fn what_was_felt_before_a_child_went_wrong_is_kept() {
     let again = session.step(&mut child, &mut ignore_events);
     assert_eq!(again, Ok(Stage::Ended));
 
-    // Nothing was felt of one that went wrong at once.
+    // A child that fails at once has sent no sample.
     let mut child = start(&format!("{CHILD}say(error='no power')\n")).expect("it greets");
     let mut session = loaded.session().with_robot(robot.robot_setup());
     assert!(session.run(&mut child, &mut ignore_events).is_err());

@@ -1,4 +1,4 @@
-//! Questions to a memory whose answers can be told by looking at it, from both engines.
+//! Queries over a memory whose answers are known, in both engines.
 
 mod joined;
 mod limits;
@@ -693,7 +693,7 @@ fn an_interrupt_ends_the_query_and_not_the_memory() {
 }
 
 #[test]
-fn what_is_to_be_shown_is_told_in_its_order() {
+fn shown_things_are_reported_in_their_order() {
     for command in engines() {
         let mut asker = asker(command);
         let answers = asker

@@ -430,7 +430,7 @@ fn the_null_space_term_draws_a_motion_to_the_posture_without_leaps() {
 }
 
 #[test]
-fn wrong_input_is_told_by_name_value_and_limit() {
+fn wrong_input_is_an_error_with_name_value_and_limit() {
     let bench = Bench::new(ARM7, "link_0", "tcp");
     let config = IkConfig::default();
     let q = [0.0, 0.0, 0.0, -1.5, 0.0, 1.5, 0.0];

@@ -146,7 +146,7 @@ fn a_gripper_stays_out_of_the_chain() {
         assert_eq!(arms[0].gripper.is_some(), has_gripper, "{tip}");
         assert_eq!(arms[0].groups[0].joints, 6);
     }
-    // A single jaw that turns is told by its name.
+    // A single jaw that turns is recognised by its name.
     let jaw =
         arm6_with(&joint("continuous", "tcp", "jaw", "0 0 0.05", "")).replace("\"tcp\"", "\"end\"");
     let robot = read(&jaw);
@@ -178,7 +178,7 @@ fn a_robot_without_an_arm_is_an_error_that_names_its_longest_chain() {
         fault.to_string(),
         "robot \"two\": no arm found: the longest chain that is no leg, head or hand has 2 independent joints (it ends in \"lower\"), expected at least 4"
     );
-    // A leg of six joints is none either.
+    // A leg of six joints is no arm either.
     let leg = urdf("arm6").replace("joint_4", "left_knee_joint");
     assert!(matches!(
         find_arms(&read(&leg), &[]),

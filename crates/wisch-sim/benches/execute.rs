@@ -31,7 +31,7 @@ struct Wiping {
     config: ControlConfig,
 }
 
-/// A shipped scenario with so many grains.
+/// A shipped scenario with a given number of grains.
 fn wiping(name: &str, grains: usize, robot: ShippedRobot) -> Wiping {
     let options = LoadOptions {
         action: Some(Action::Collect),

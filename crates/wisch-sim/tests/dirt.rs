@@ -1,4 +1,4 @@
-//! Where the dirt of a world lies: as told, apart from what is believed, and by random numbers of its own.
+//! Where the dirt of a world lies: as the task sets it, independent of the belief, by separate random numbers.
 
 use std::path::Path;
 use wisch::geometry::{Point2, Vector2};
@@ -73,7 +73,7 @@ fn every_shipped_scenario_draws_its_dirt_apart() {
 }
 
 #[test]
-fn there_is_about_as_much_as_believed_and_exactly_as_much_as_told() {
+fn the_amount_of_dirt_is_about_as_believed_or_exactly_as_set() {
     let mut settings = settings("{ source = \"uniform\" }");
     let counts: Vec<f64> = (1..=200)
         .map(|seed| (drawn(&settings, seed).unwrap().len() as f64 / 80.0).ln())

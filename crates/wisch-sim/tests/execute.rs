@@ -18,7 +18,7 @@ use wisch::represent::{Action, GoalState};
 use wisch::run::Ending;
 
 #[test]
-fn an_undisturbed_wipe_presses_as_told_and_stays_in_its_plane() {
+fn an_undisturbed_wipe_presses_as_required_and_stays_in_its_plane() {
     let wiping = Wiping::of_one_stroke(Action::Absorb);
     let log = wiping.execute();
     assert_eq!(faults(&log), [] as [String; 0]);
@@ -73,7 +73,7 @@ fn what_is_measured_is_where_the_joints_put_the_tool_once_per_period() {
 }
 
 #[test]
-fn the_force_that_is_felt_is_that_of_pressing_and_of_friction() {
+fn the_measured_force_is_that_of_pressing_and_of_friction() {
     // Along the surface Coulomb's friction stands against the motion. The controller's force is cut to its
     // limit F as a whole: what overcomes friction is missing across the surface, N² + (μ N)² = F².
     let mut wiping = Wiping::of_one_stroke(Action::Absorb);
@@ -94,7 +94,7 @@ fn the_force_that_is_felt_is_that_of_pressing_and_of_friction() {
 }
 
 #[test]
-fn nothing_is_felt_where_nothing_is_touched() {
+fn no_force_is_measured_without_contact() {
     let mut wiping = Wiping::of_one_stroke(Action::Absorb);
     wiping.settings.force_bias = Vector3::zeros();
     let log = wiping.execute();

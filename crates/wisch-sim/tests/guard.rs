@@ -38,7 +38,7 @@ impl Executor for Heard {
 }
 
 #[test]
-fn the_world_does_not_look_at_what_the_robot_believes_of_the_dirt() {
+fn the_world_does_not_read_the_belief_about_the_dirt() {
     let mut wiping = Wiping::of_one_stroke(Action::Skim);
     wiping.dirt = Dirt::scatter(&wiping.task.particles, &wiping.settings, 1);
     let first = wiping.execute();

@@ -13,7 +13,7 @@ const ESTIMATE: f64 = 0.12;
 /// How far beyond the 90 % interval the truth may be [1].
 const BESIDE: f64 = 0.05;
 
-/// How late or early a push may be felt [s].
+/// How late or early a push may be detected [s].
 const FELT: f64 = 0.05;
 
 /// A round, what was true of it, and the true performance [1].
@@ -23,7 +23,7 @@ fn settings(loaded: &LoadedTask) -> SimulationSettings {
     loaded.simulation.clone()
 }
 
-/// The first rounds of a scenario with the humanoid, seed 1, with its dirt as told.
+/// The first rounds of a scenario with the humanoid, seed 1, with the dirt that its task sets.
 fn executed(name: &str, dirt: &str, most: usize) -> (LoadedTask, Vec<Executed>) {
     let options = LoadOptions {
         settings: vec![("execution.dirt.source".to_owned(), dirt.to_owned())],
@@ -98,7 +98,7 @@ fn all_faults(rounds: &[Executed]) -> Vec<String> {
         .collect()
 }
 
-/// When collisions were felt [s].
+/// When collisions were detected [s].
 fn collisions(round: &Round) -> Vec<[f64; 2]> {
     let events = round.interpretation.events.iter();
     let felt = events.filter(|event| event.kind == EventKind::Push);
@@ -107,7 +107,7 @@ fn collisions(round: &Round) -> Vec<[f64; 2]> {
 
 /// About pushes, and what is inferred of them: the dirt lies where it is believed to lie.
 #[test]
-fn pushes_are_felt_when_they_happen_and_what_they_cost_is_wiped_again() {
+fn pushes_are_detected_in_time_and_missed_places_are_wiped_again() {
     let (loaded, rounds) = executed("failure-human-push", "as_believed", 4);
     assert_eq!(all_faults(&rounds), [] as [String; 0]);
     let (first, _, before) = &rounds[0];
@@ -134,7 +134,7 @@ fn pushes_are_felt_when_they_happen_and_what_they_cost_is_wiped_again() {
             "felt at {felt} s, pushed at {real} s"
         );
     }
-    // What the hand was told to do, and when it touched the tool.
+    // What the hand should do, and when it touched the tool.
     let touched = rounds.iter().map(|(_, truth, _)| truth.pushes.len());
     assert!(touched.clone().next() >= Some(2) && touched.skip(1).all(|touches| touches == 0));
     let (last, _, after) = &rounds[rounds.len() - 1];

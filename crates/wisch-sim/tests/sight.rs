@@ -76,7 +76,7 @@ fn a_perfect_camera_sees_every_grain_where_it_is() {
 }
 
 #[test]
-fn misses_false_alarms_and_errors_are_as_frequent_as_told() {
+fn misses_false_alarms_and_errors_are_as_frequent_as_set() {
     let half = SensorModel {
         detection: 0.5,
         ..PERFECT
@@ -132,14 +132,14 @@ fn misses_false_alarms_and_errors_are_as_frequent_as_told() {
 }
 
 #[test]
-fn what_is_seen_is_told_in_the_frame_of_the_believed_surface() {
+fn detections_are_in_the_frame_of_the_believed_surface() {
     let mut moved = settings(PERFECT);
     moved.believed_from_real = Pose::translation(0.01, -0.02, 0.0);
     let mut world = world(moved);
     let real = places(world.dirt());
     let expected = real[0] + nalgebra::Vector2::new(0.01, -0.02);
     assert!((seen(&mut world).detections[0] - expected).norm() < 1e-12);
-    // Where the robot has learnt better, it is told in the better frame.
+    // If the robot has measured the surface, detections are in the measured frame.
     let mut task = task();
     task.surface.world_from_surface *= Pose::translation(0.01, -0.02, 0.0);
     let told = world.observe(&task).unwrap().unwrap();

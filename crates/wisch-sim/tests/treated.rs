@@ -111,7 +111,7 @@ fn a_nozzle_that_hovers_takes_sand_up_without_a_touch() {
     assert!(round.interpretation.plane.is_none());
     let estimate = round.interpretation.performance;
     assert!((estimate.low..=estimate.high).contains(&performance));
-    // Three times as high as believed, it takes up less, and nothing is felt of that.
+    // Three times as high as believed, it takes up less, and the force does not show that.
     let lower = [("execution.surface_shift_m", "[0.0, 0.0, -0.006]")];
     let (_, round, _, less) = first_round("vacuum-panel", &lower);
     assert!(less < performance - 0.2, "{less}");

@@ -6,7 +6,7 @@ use std::time::Instant;
 use wisch::geometry::Point3;
 use wisch::interpret::{PlaneConfig, fit_plane};
 
-/// Fits that are timed; the fastest is told.
+/// Fits that are timed; the fastest is printed.
 const RUNS: usize = 20;
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {

@@ -4,7 +4,7 @@
 //! cargo run --release --package wisch --example random_plans -- [count, default 200] [first seed, default 1000]
 //! ```
 //!
-//! The predicted performance of `best` is held against the best of grid, rrt and kde. All are judged by one effect model, in the
+//! The predicted performance of `best` is held against the best of grid, rrt and kde. All are evaluated by one effect model, in the
 //! world that is believed.
 
 use rayon::prelude::*;

@@ -154,7 +154,7 @@ fn the_search_finds_a_plan_with_a_higher_score_than_it_began_with() {
         assert_eq!(*strategy, Strategy::Adaptive);
         searched.as_ref().unwrap().score.total
     };
-    // One plan for each search: nothing but the beginning is judged.
+    // One plan for each search: only the first plan is evaluated.
     let scores = [1, 6_000].map(score);
     assert!(scores[0] < scores[1], "{scores:?}");
 }

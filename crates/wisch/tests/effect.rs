@@ -200,7 +200,7 @@ fn the_effect_does_not_depend_on_the_order_of_the_particles() {
     }
 }
 
-/// Blocks of neighbours are looked at or passed over as a whole, stroke after stroke.
+/// Blocks of neighbours are tested or skipped as a whole, stroke after stroke.
 #[test]
 fn what_becomes_of_a_particle_does_not_depend_on_the_others() {
     let points: Vec<Point2> = (0..400)
@@ -448,7 +448,7 @@ proptest! {
         let a = wiped(&brush(), Effect::Push, &points, &[motion]);
         let b = wiped(&brush(), Effect::Push, &there, &[ToolMotion { from: moved(motion.from), to: moved(motion.to) }]);
         for i in 0..points.len() {
-            // Nothing comes as far as the edge of this surface, whichever way it is turned.
+            // In no orientation does anything reach the edge of this surface.
             prop_assert_eq!((a.fate(i), b.fate(i)), (Fate::OnSurface, Fate::OnSurface));
             prop_assert!((frame.transform(a.position(i)) - b.position(i)).norm() < SAME);
         }

@@ -1,4 +1,4 @@
-//! Following a plan: whole, audited, and the same on any number of threads; what is out of reach is told.
+//! Following a plan: whole, audited, and the same on any number of threads; what is out of reach is reported.
 
 #[path = "follow/audit.rs"]
 mod audit_of_motions;
@@ -77,7 +77,7 @@ fn an_arm_follows_every_stroke_of_a_board_as_planned() {
 }
 
 #[test]
-fn a_board_3_m_away_is_given_up_node_by_node_with_the_reasons() {
+fn nodes_of_a_board_3_m_away_are_abandoned_with_reasons() {
     let task = board(Action::Absorb, [3.0, 0.0, 0.2]);
     let (plan, cell) = (planned(&task), cell(&task));
     let followed = followed(&task, &plan, &cell);
@@ -105,7 +105,7 @@ fn a_board_3_m_away_is_given_up_node_by_node_with_the_reasons() {
 }
 
 #[test]
-fn a_robot_that_begins_inside_an_object_is_told_of_both() {
+fn a_robot_that_begins_inside_an_object_is_an_error_that_names_both() {
     let mut task = board(Action::Absorb, [0.5, 0.0, 0.2]);
     // The arm's shoulder is 0.333 m above its foot.
     task.scene

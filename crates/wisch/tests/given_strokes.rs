@@ -127,7 +127,7 @@ fn what_the_tool_cannot_do_is_refused_with_stroke_place_and_limit() {
 }
 
 #[test]
-fn a_way_through_a_notch_is_refused_and_one_over_a_skim_edge_is_told() {
+fn a_way_through_a_notch_is_refused_and_one_over_a_skim_edge_is_reported() {
     let mut notched = bare(Action::Absorb);
     let corners = [
         [-0.12, -0.09],

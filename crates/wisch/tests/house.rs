@@ -140,7 +140,7 @@ fn the_library_reads_no_clock_file_or_network_and_serializes_no_domain_type() {
 /// new one. As this is `plan/coverage/mod.rs` alone, adding a strategy touches two files: that one (its name, and the
 /// call) and its own beside it. The program's option, task files and records take the names from there.
 #[test]
-fn a_coverage_strategy_is_told_apart_in_its_own_folder_only() {
+fn only_the_folder_of_coverage_strategies_distinguishes_them() {
     let crates = source().join("../..");
     let told = |text: &str| text.contains("CoverageStrategy::Rrt") || text.contains("Self::Rrt");
     let mut named = Vec::new();

@@ -198,7 +198,7 @@ fn a_law_that_is_seen_rarely_borrows_from_others_of_its_tool() {
     // One that is seen often decides for itself.
     let decided = learned(&pairs[0], &often).mu;
     assert!((together[0].mu.mean - decided.mean).abs() < 0.5 * decided.deviation);
-    // The same whoever computes it.
+    // The same on any number of threads.
     let pool = rayon::ThreadPoolBuilder::new()
         .num_threads(1)
         .build()

@@ -1,4 +1,4 @@
-//! Plans judged by what must hold of them: clearance, coverage, order, and predicted effect.
+//! What must hold of plans: clearance, coverage, order, and predicted effect.
 
 use proptest::prelude::*;
 use wisch::geometry::{Mesh, Point2, Pose, Vector2, Vector3};

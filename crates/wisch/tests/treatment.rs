@@ -114,7 +114,7 @@ fn polish(passes: u32, size: [f64; 2]) -> Task {
     task(Action::Polish, treatment, size)
 }
 
-/// A coat of a tenth of a millimetre, which so many passes of the sponge leave.
+/// A coat of a tenth of a millimetre, and the passes of the sponge that leave it.
 fn paint(coats: f64, size: [f64; 2]) -> Task {
     let thickness = 1e-4;
     let volume_per_metre = thickness * TOOL[1] / coats;
@@ -313,13 +313,13 @@ fn a_pass_that_is_not_pressed_is_none() {
     assert!(pressed.performance.mean > 0.8, "{:?}", pressed.performance);
     let weak = read(&task, &stroke(&task, 0.0, 1.0), Uncertainty::NONE);
     assert!(weak.performance.mean < 0.1, "{:?}", weak.performance);
-    // Without free motion, and with another force than declared, nothing can be told.
+    // Without free motion, and with another force than declared, the performance is unknown.
     let weak = read(&task, &stroke(&task, 0.0, 1.0), Uncertainty::default());
     assert!(!weak.is_conclusive());
 }
 
 #[test]
-fn a_tool_that_hovers_is_believed_by_where_it_was_and_nothing_is_felt() {
+fn the_effect_of_a_hovering_tool_follows_from_its_poses_without_force() {
     let mut task = board(Action::Absorb, [0.0, 0.0, 0.0]);
     let places: Vec<Point2> = (0..40)
         .map(|i| Point2::new(0.008 * f64::from(i) - 0.16, 0.0))
@@ -334,7 +334,7 @@ fn a_tool_that_hovers_is_believed_by_where_it_was_and_nothing_is_felt() {
     assert!(near > 0.9, "{near}");
     let (found, far) = estimated(&task, &stroke(&task, 0.05, 0.0));
     assert_eq!((found, far), (Diagnosis::Hovering, 0.0));
-    // Of one that should touch and feels nothing, nothing can be told: its force may be misread.
+    // If a tool should touch and no force is measured, the performance is unknown: the force may be misread.
     task.interaction.gap_m = 0.0;
     let found = read(&task, &stroke(&task, 0.0, 0.0), Uncertainty::default());
     assert_eq!(found.diagnosis, Diagnosis::NoContact);

@@ -112,7 +112,7 @@ fn texts_may_refer_to_each_other_in_any_order() {
 }
 
 #[test]
-fn a_broken_text_is_told_with_its_line() {
+fn a_broken_text_is_an_error_with_its_line() {
     let cases = [
         ("name = \"yard\"", "name = yard", "small.toml:15:8: "),
         ("friction = 0.6", "friction = \"low\"", "small.toml:16:12: "),
@@ -141,7 +141,7 @@ fn a_broken_text_is_told_with_its_line() {
 }
 
 #[test]
-fn a_reference_to_something_unknown_is_told_with_its_line_and_the_nearest_name() {
+fn an_unknown_reference_is_an_error_with_its_line_and_the_nearest_name() {
     let cases = [
         (
             "tool = \"squeegee\"",
@@ -170,7 +170,7 @@ fn a_reference_to_something_unknown_is_told_with_its_line_and_the_nearest_name()
 }
 
 #[test]
-fn values_outside_their_limits_are_told_with_value_and_limits() {
+fn values_outside_their_limits_are_errors_with_value_and_limits() {
     let cases = [
         (
             "depth_m = 0.002",

@@ -75,7 +75,7 @@ fn whole_queries_beginnings_and_what_is_inside_are_joined() {
 }
 
 #[test]
-fn what_is_wrong_is_said_by_the_engine_whoever_joins() {
+fn errors_are_the_engines_with_and_without_joins() {
     let wrong = [
         "has_type(A, 'Colision'), occurs(A, I)",
         "has_type(A, 'Stroke'), occurs(A, [S, _]), X is S + foo",

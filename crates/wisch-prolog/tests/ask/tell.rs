@@ -28,7 +28,7 @@ fn kept(folder: &Path) -> usize {
 }
 
 #[test]
-fn what_is_told_is_kept_when_the_query_has_ended_well() {
+fn a_statement_of_tell_is_kept_if_the_query_succeeds() {
     for command in engines() {
         let folder = tempfile::tempdir().unwrap();
         let mut asker = asker_of(folder.path(), command.clone(), AskLimits::default());
@@ -91,7 +91,7 @@ fn a_query_tells_no_more_than_it_may_answer() {
 }
 
 #[test]
-fn what_was_told_of_an_episode_goes_with_it() {
+fn statements_about_an_episode_are_deleted_with_it() {
     let folder = tempfile::tempdir().unwrap();
     let memory = Memory::create(folder.path()).unwrap();
     for record in memory::episodes().into_iter().take(2) {
@@ -139,7 +139,7 @@ fn what_was_told_of_an_episode_goes_with_it() {
 }
 
 #[test]
-fn numbers_that_are_not_finite_cannot_be_told() {
+fn tell_refuses_numbers_that_are_not_finite() {
     for command in engines() {
         let folder = tempfile::tempdir().unwrap();
         let mut asker = asker_of(folder.path(), command, AskLimits::default());

@@ -99,7 +99,7 @@ fn a_table_that_was_lowered_once_is_a_change_and_no_drift() {
 }
 
 #[test]
-fn a_table_that_creeps_is_a_drift_in_the_time_that_is_looked_at() {
+fn a_table_that_creeps_is_a_drift_in_the_queried_time() {
     let catalogue = episodes((0..16).map(|day| (-5e-4 * f64::from(day.max(8) - 8), Some(2000.0))));
     check(
         &catalogue,
@@ -152,7 +152,7 @@ fn without_the_stiffness_nobody_knows_which_it_was() {
 }
 
 #[test]
-fn times_are_told_in_local_time() {
+fn times_are_shown_in_local_time() {
     for engine in engines() {
         let mut asker = asker_of(engine, episodes([]));
         let answers = asker.ask("local_time(1795309772.5, T)").unwrap();

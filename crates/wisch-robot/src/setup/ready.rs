@@ -261,12 +261,12 @@ impl Search<'_> {
             let candidate = self.try_sample(region, only_straight, sample);
             let done = done.fetch_add(1, Ordering::Relaxed) + 1;
             progress(SetupStage::Ready, done, total);
-            // A posture that cannot be evaluated, because a number is not finite, is none.
+            // A posture that cannot be evaluated, because a number is not finite, does not count.
             candidate.unwrap_or(Candidate::OutOfReach)
         };
         let probed = total.min(PROBE_SAMPLES);
         let mut found: Vec<Candidate> = (0..probed).into_par_iter().map(of_sample).collect();
-        // Where none of many is free, the others are not worth their time.
+        // If none of many is free, the rest would only take time.
         if found
             .iter()
             .any(|candidate| matches!(candidate, Candidate::Free(_)))

@@ -1,4 +1,4 @@
-//! Executes a scenario undisturbed, pushed, and with the surface elsewhere, interprets what was felt, and
+//! Executes a scenario undisturbed, pushed, and with the surface displaced, interprets the samples, and
 //! prints it beside the truth.
 //!
 //! ```text

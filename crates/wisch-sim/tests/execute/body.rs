@@ -98,7 +98,7 @@ fn a_tool_that_is_turned_in_the_hand_wipes_elsewhere() {
 }
 
 #[test]
-fn encoders_are_as_noisy_as_told() {
+fn encoders_are_as_noisy_as_set() {
     let mut wiping = Wiping::of_one_stroke(Action::Absorb);
     wiping.settings.sensing.encoder_noise = 1e-3;
     let log = wiping.execute();
@@ -138,7 +138,7 @@ fn a_late_sensor_feels_the_surface_late() {
 }
 
 #[test]
-fn a_sensor_drifts_as_told() {
+fn a_sensor_drifts_as_set() {
     let mut wiping = Wiping::of_one_stroke(Action::Absorb);
     let still = wiping.execute();
     wiping.settings.sensing.force_drift = Vector3::new(0.0, 0.1, -0.2);
@@ -150,7 +150,7 @@ fn a_sensor_drifts_as_told() {
 }
 
 #[test]
-fn friction_in_the_joints_is_felt_as_a_force() {
+fn friction_in_the_joints_is_measured_as_a_force() {
     let mut wiping = Wiping::of_one_stroke(Action::Absorb);
     let felt = |log: &Log| {
         let free = log.rows.iter().filter(|row| row.phase == Phase::FreeMotion);
@@ -190,7 +190,7 @@ fn no_drive_gives_more_than_its_limit() {
 }
 
 #[test]
-fn waves_in_the_surface_are_felt() {
+fn waves_in_the_surface_are_measured() {
     let mut wiping = dirty(Action::Absorb);
     let flat = wiping.execute();
     wiping.settings.waviness = Waviness {

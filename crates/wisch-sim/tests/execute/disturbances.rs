@@ -59,7 +59,7 @@ fn an_arm_that_resists_is_noticed() {
 }
 
 #[test]
-fn a_hand_that_takes_weight_off_the_tool_is_felt_together_with_the_surface() {
+fn a_hand_that_takes_weight_off_the_tool_is_measured_together_with_the_surface() {
     // Lifted with less than the controller presses with, the tool stays on the surface: hand and surface
     // together stand against the controller's force, and that is all that the joints can tell.
     let log = pushed(Vector3::new(0.0, 0.0, 8.0), 1e3).execute();

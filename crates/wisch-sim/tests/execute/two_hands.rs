@@ -9,7 +9,7 @@ use wisch_io::{LoadOptions, LoadedTask, load_task};
 use wisch_sim::{Dirt, Moment, Push};
 use wisch_testkit::{first_stroke, humanoid, scenario};
 
-/// Most that is felt of an arm which goes along [N]; a push is told from 2 N on.
+/// Largest measured force of an arm that is led along [N]; a push is detected from 2 N on.
 const FREE_FORCE: f64 = 1.5;
 
 /// The first stroke of the broom.
@@ -79,7 +79,7 @@ fn the_second_hand_stays_on_the_stick_also_when_somebody_pushes_it() {
 }
 
 #[test]
-fn in_the_air_the_arm_that_is_led_is_not_felt() {
+fn in_the_air_the_second_arm_exerts_no_measured_force() {
     let wiping = sweeping();
     let log = wiping.execute();
     let free = log.rows.iter().filter(|row| row.phase == Phase::FreeMotion);

@@ -184,7 +184,7 @@ impl Log {
         })
     }
 
-    /// Greatest distance of the tool from where it was told to be [m].
+    /// Greatest distance of the tool from its commanded position [m].
     pub fn furthest(&self) -> f64 {
         let apart = self.rows.iter().map(|row| {
             let told = row.world_from_commanded.translation.vector;
@@ -266,7 +266,7 @@ pub fn faults(log: &Log) -> Vec<String> {
     faults
 }
 
-/// That the controller pulls harder than allowed, or otherwise than told.
+/// The controller pulls harder than allowed, or in another direction than commanded.
 pub fn controller_faults(log: &Log) -> Vec<String> {
     // Rounding, where a force is cut to its limit.
     let limit = FORCE + 1e-9;

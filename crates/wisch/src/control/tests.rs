@@ -180,7 +180,7 @@ fn the_spring_has_the_stiffness_of_the_task_and_ends_at_its_force() {
 }
 
 #[test]
-fn an_observer_converges_to_an_effort_that_nobody_told_it_of() {
+fn an_observer_converges_to_an_unknown_effort() {
     let config = ControlConfig::default();
     let urdf = include_str!("../../../../robots/arm7.urdf");
     let start = [0.1, 0.5, -0.2, -1.2, 0.3, 0.9, 0.2];

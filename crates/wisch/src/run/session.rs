@@ -611,7 +611,7 @@ impl<'a> Session<'a> {
             }
             (Err(error), None) => return Err(error),
         };
-        // An executor may call a motion complete although it was told to stop.
+        // An executor may call a motion complete although wisch stopped it.
         if is_broken_off && execution.ending == Ending::Complete {
             execution.ending = Ending::Stopped;
         }

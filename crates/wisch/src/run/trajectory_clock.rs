@@ -263,7 +263,7 @@ mod tests {
     }
 
     #[test]
-    fn a_robot_that_keeps_the_times_is_where_its_clock_says_whoever_pushes_it() {
+    fn a_robot_that_keeps_the_times_is_where_its_clock_says_even_if_pushed() {
         assert!(worst(|t| t, |_| 0.0, 20.0).0 < 1e-9);
         let pushed = |t: f64| if (5.0..9.0).contains(&t) { 0.3 } else { 0.0 };
         assert!(worst(|t| t, pushed, 20.0).0 < 1e-9);

@@ -124,7 +124,7 @@ fn bristles_that_nothing_presses_hang_below_the_tool_centre_point() {
 }
 
 #[test]
-fn a_second_hand_that_cannot_hold_the_tool_is_told() {
+fn a_second_hand_that_cannot_hold_the_tool_is_reported() {
     let (file, mut task) = shipped("broom-chippings", Action::Collect);
     let refused = |task: &Task, second| match sweeping(&file, task, Some(second)) {
         Ok(_) => panic!("{second} holds it"),

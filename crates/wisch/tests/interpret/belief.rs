@@ -1,4 +1,4 @@
-//! What is believed before anything is felt, and what a look changes.
+//! The belief before the first measurement, and what an observation changes.
 
 use super::interpreted_with;
 use super::log::{STEEP, Script, task};
@@ -129,7 +129,7 @@ fn what_is_known_and_what_was_seen_lies_where_it_was_said() {
 }
 
 #[test]
-fn a_sharp_look_before_wiping_tells_all() {
+fn an_exact_observation_before_wiping_determines_the_dirt() {
     let task = task(80, STEEP);
     let goal = GoalState::Absorbed;
     let belief = DirtPrior::Anywhere { count: 80 }.belief(&task, 64);
@@ -161,7 +161,7 @@ fn a_sharp_look_before_wiping_tells_all() {
 }
 
 #[test]
-fn a_look_after_wiping_tells_what_is_left_and_what_is_gone() {
+fn an_observation_after_wiping_shows_what_is_left_and_what_is_gone() {
     let task = task(80, STEEP);
     let goal = GoalState::Absorbed;
     let script = Script::default();
@@ -194,7 +194,7 @@ fn a_look_after_wiping_tells_what_is_left_and_what_is_gone() {
 }
 
 #[test]
-fn false_alarms_are_told_from_dirt_by_where_dirt_may_be() {
+fn false_alarms_are_distinguished_by_where_dirt_may_be() {
     let task = task(80, STEEP);
     let goal = GoalState::Absorbed;
     let here = ParticleDistribution::new(&places(40, 0.1)).unwrap();
@@ -225,7 +225,7 @@ fn false_alarms_are_told_from_dirt_by_where_dirt_may_be() {
 }
 
 #[test]
-fn a_look_weighs_the_laws_by_how_much_is_left() {
+fn an_observation_weighs_the_laws_by_how_much_is_left() {
     let task = task(80, STEEP);
     // What is hard to wipe is left in some members, and gone in others.
     let mut config = InterpretConfig::from_task(&task);
@@ -307,7 +307,7 @@ fn what_all_members_agree_on_was_missed_rather_than_gone() {
     let most = left.iter().copied().fold(0.0, f64::max);
     // 72 of 80 with a probability of 0.9, and a prior that is sharper than that.
     assert!((78.0..82.0).contains(&mean) && most < 90.0, "{mean} {most}");
-    // Where members have dirt and none of it is seen, there is none.
+    // Where members have dirt and the camera detects none, there is none.
     let nothing = Observation::default();
     let gone = belief.observe(&ObservationUpdate {
         sight,
@@ -330,7 +330,7 @@ fn wiped(belief: &Belief, task: &Task) -> Belief {
     felt.belief
 }
 
-/// Dirt is pushed over the edge at the bottom; what is no longer seen went the same way, whichever edge is nearest.
+/// Dirt is pushed over the edge at the bottom; dirt that is no longer detected went over the same edge, even if another edge is nearer.
 #[test]
 fn what_is_gone_went_over_the_edge_over_which_the_tool_wiped() {
     let task = task(80, STEEP);

@@ -1,4 +1,4 @@
-//! Collisions, losses of contact, stick-slip: their times, and silence where there are none.
+//! Collisions, losses of contact, stick-slip: their times, and no event where nothing happens.
 
 use super::log::{Hand, PRESS, STEEP, Script, task};
 use super::{assert_near_times, events, exact, interpreted, interpreted_with};
@@ -298,9 +298,9 @@ fn a_tool_that_comes_down_hard_has_not_been_pushed() {
     assert_eq!(events(&landing, EventKind::Overload), []);
 }
 
-/// As deep as this force presses the sponge it is the surface that bears it, whoever presses.
+/// As deep as this force presses the sponge the surface bears it, with or without a person.
 #[test]
-fn a_tool_that_is_pressed_too_hard_is_overloaded_and_nobody_is_told() {
+fn pressing_too_hard_is_an_overload_and_no_push() {
     let [start, _] = Script::default().contacts()[1];
     let stiff = Vector3::zeros();
     for (off, force) in [(-0.0075, 25.0), (-0.0125, 35.0)] {
@@ -352,7 +352,7 @@ fn who_leads_the_tool_all_the_time_does_not_push_it() {
 
 /// Standing, a tool that no longer presses has lost its contact as well as one that goes on.
 #[test]
-fn contact_that_is_lost_at_rest_is_told() {
+fn contact_that_is_lost_at_rest_is_detected() {
     let [start, _] = Script::default().contacts()[1];
     // Held still for half a second, a finger's breadth off the surface, without force.
     let times = [start + 1.0, start + 1.5];
@@ -396,7 +396,7 @@ fn a_push_that_lasts_into_free_motion_is_one() {
 }
 
 #[test]
-fn contact_of_a_pushed_tool_is_judged_by_its_place_or_by_its_force() {
+fn contact_of_a_pushed_tool_follows_from_its_place_or_its_force() {
     let task = task(400, STEEP);
     let [start, end] = Script::default().contacts()[1];
     // A hand takes the weight off the tool that it shoves, but leaves it where it was.
@@ -456,7 +456,7 @@ fn a_pushed_tool_may_drag_its_load_along_as_long_as_it_is_near_the_surface() {
 }
 
 #[test]
-fn a_log_that_is_no_wiping_is_told_with_its_reasons() {
+fn a_log_without_wiping_has_doubts_with_reasons() {
     let doubts = |script: &Script| interpreted(script).doubts;
     assert_eq!(doubts(&Script::default()), []);
     // The surface is 0.2 m higher than believed.
@@ -499,7 +499,7 @@ fn a_log_that_is_no_wiping_is_told_with_its_reasons() {
 }
 
 #[test]
-fn the_contacts_on_the_plane_are_some_of_all_and_a_tilt_is_told_where_it_can_be() {
+fn a_plane_counts_its_contacts_and_states_the_tilt_that_they_determine() {
     // Mostly pressed weakly: many contacts make the plane, few of them are confident.
     let weak = interpreted(&Script {
         press: |place| {

@@ -167,8 +167,8 @@ fn a_noisy_force_at_a_low_rate_is_averaged() {
 }
 
 #[test]
-fn near_the_surface_without_contact_nothing_can_be_told() {
-    // The tool follows its way, but nothing is felt: the sensor is not connected, or the surface lies lower.
+fn near_the_surface_without_contact_the_performance_is_unknown() {
+    // The tool follows its path, but no force is measured: the sensor is not connected, or the surface lies lower.
     let found = read(&Script::default(), |_, _| Vector3::zeros());
     assert_eq!(found.diagnosis, Diagnosis::NoContact);
     assert!(!found.is_conclusive());
@@ -229,7 +229,7 @@ fn crest(place: Point2, radius: f64) -> f64 {
 }
 
 #[test]
-fn contacts_on_a_cylinder_are_told_with_radius_and_axis() {
+fn contacts_on_a_cylinder_are_reported_with_radius_and_axis() {
     let surfaces: [(f64, Height); 4] = [
         (0.5, |place| crest(place, 0.5)),
         (1.0, |place| crest(place, 1.0)),

@@ -136,7 +136,7 @@ impl World {
         interpreter
     }
 
-    /// A round of wiping, looked at before and after.
+    /// A round of wiping, observed before and after.
     pub fn round(&self, seed: u64) -> ObservedRound {
         self.run(seed, 1).remove(0)
     }

@@ -17,7 +17,7 @@ fn world(settings: &[(&str, &str)]) -> (Task, SimulationSettings) {
 }
 
 #[test]
-fn a_world_is_as_believed_but_for_its_dirt_unless_told() {
+fn a_world_is_as_believed_except_for_its_dirt_unless_set() {
     let (task, found) = world(&[]);
     let knowledge = KnowledgeSource::BuiltIn.base().unwrap();
     let believed = SimulationSettings::as_believed(&task, &knowledge, None).unwrap();
@@ -129,7 +129,7 @@ fn touch_is_the_default_and_sight_has_a_sensor() {
     };
     let detects_less = ("perception.detection", "0.8");
     assert_eq!(camera(&[both, detects_less]), Some(worse));
-    // The real camera is the believed one but for what is told of it.
+    // The real camera is the believed one, except for the values that the task sets.
     let real = "{ half_size_m = 0.001, arm_hides = true }";
     let (_, found) = world(&[both, detects_less, ("execution.camera", real)]);
     let half_size_m = 0.001;

@@ -159,7 +159,7 @@ fn descend(
             return true;
         }
         legs.pop();
-        // No path continues from here, from whichever configuration it is reached.
+        // No path continues from here, in any configuration.
         layers[depth][i].failed = true;
     }
     false
