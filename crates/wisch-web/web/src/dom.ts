@@ -29,6 +29,10 @@ export const fixed = (value: number, digits: number): string => {
   const text = value.toFixed(digits);
   return /^-0(\.0*)?$/.test(text) ? text.slice(1) : text.replace("-", MINUS);
 };
+
+/** The name of a phase for people; files have "transfer". */
+export const phaseText = (name: string): string => (name === "transfer" ? "free motion" : name);
+
 export const percent = (share: number, digits = 0): string => `${fixed(100 * share, digits)}\u202f%`;
 
 /** Formats a time: seconds below a minute, else minutes and seconds, with hours if needed. */

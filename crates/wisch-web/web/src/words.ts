@@ -1,5 +1,5 @@
 // The panel beside the scene: current phase, reasons of the plan, results, events, numbers and log.
-import { clockText, el, fixed, percent, say } from "./dom.ts";
+import { clockText, el, fixed, percent, phaseText, say } from "./dom.ts";
 import type { Clock } from "./clock.ts";
 import type { Considered, Estimate } from "./recording.ts";
 import type { Round } from "./round.ts";
@@ -114,7 +114,7 @@ export class Words {
     const phase = round.plan.phases[instant.phase];
     const rounds = recording.rounds.length;
     const over = time >= round.length - 1e-6 && round.judged;
-    const state = over ? round.judged!.verdict : phase ? phase.name : "starting";
+    const state = over ? round.judged!.verdict : phase ? phaseText(phase.name) : "starting";
     const stroke = !over && phase?.stroke !== null && phase?.stroke !== undefined ? ` \u00b7 stroke ${phase.stroke + 1} of ${round.plan.strokes.length}` : "";
     say(this.headline, capitalise(stage && stage.stage !== "executing" ? stage.words : `${state}${stroke}`));
     say(this.below, `Round ${round.number} of ${rounds}${round.plan.kind === "planned" ? " (planned only)" : ""} \u00b7 ${clockText(time)} of ${clockText(round.length)}`);

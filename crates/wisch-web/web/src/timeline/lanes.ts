@@ -1,5 +1,5 @@
 // Lanes of the timeline: rounds, phases and strokes, contact, events.
-import { clockText } from "../dom.ts";
+import { clockText, phaseText } from "../dom.ts";
 import { colour } from "../theme.ts";
 import { drawFitted, drawLine, font, ticks } from "./frame.ts";
 import type { Frame, Lane, Pen } from "./frame.ts";
@@ -64,7 +64,7 @@ export function drawPhases(pen: Pen, frame: Frame, lane: Lane, recording: Record
       pen.fillStyle = colour(phase.contact ? "ink" : "quiet");
       // Without space for its name, a stroke still gets its number.
       const number = phase.stroke === null ? "" : String(phase.stroke + 1);
-      const text = number ? `${number} ${phase.name}` : phase.name;
+      const text = number ? `${number} ${phase.name}` : phaseText(phase.name);
       const y = lane.top + lane.height / 2 + 0.5;
       if (number && pen.measureText(text).width > to - from - 7) {
         if (pen.measureText(number).width <= to - from - 3) pen.fillText(number, (from + to - pen.measureText(number).width) / 2, y);
