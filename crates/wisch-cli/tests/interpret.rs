@@ -469,7 +469,7 @@ fn wrong_inputs_are_errors_that_say_what_to_do() {
                 "rosbags-convert --src log.db3 --dst log.converted --dst-storage mcap",
             ],
         ),
-        ("none.mcap", &[], &["none.mcap: No such file"]),
+        ("none.mcap", &[], &["none.mcap: there is no such file"]),
         (
             "log.mcap",
             &["--pose-topic", "/tcp/measurd"],

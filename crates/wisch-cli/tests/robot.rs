@@ -201,10 +201,13 @@ fn an_srdf_is_checked_with_its_urdf() {
     assert_eq!(code, 0, "{out}{err}");
     assert!(out.contains("with arm.srdf\n"), "{out}");
     for (text, expected) in [
-        ("garbage".to_owned(), "arm.srdf:1:1: robot: unknown token"),
+        (
+            "garbage".to_owned(),
+            "arm.srdf:1:1: robot: this is not XML: unknown token",
+        ),
         (
             SRDF.replace("</robot>", ""),
-            "arm.srdf:1:1: robot: the root node was opened but never closed",
+            "arm.srdf:1:1: robot: this is not XML: the root node was opened but never closed",
         ),
         (
             SRDF.replace("tip_link=\"rod\"", "tip_link=\"rdo\""),

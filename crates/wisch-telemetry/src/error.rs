@@ -79,11 +79,19 @@ pub struct ReadError {
     pub fault: ReadFault,
 }
 
+/// Describes an error of the operating system, as other crates do.
+fn system_fault(error: &std::io::Error) -> String {
+    match error.kind() {
+        std::io::ErrorKind::NotFound => "there is no such file".to_owned(),
+        _ => error.to_string(),
+    }
+}
+
 /// A fault of a log that prevents reading it.
 #[derive(Debug, thiserror::Error)]
 pub enum ReadFault {
     /// The operating system refuses an operation.
-    #[error("{0}")]
+    #[error("{}", system_fault(.0))]
     System(std::io::Error),
     /// The value of an option is out of range.
     #[error("{option}: {value} is not {limit}")]

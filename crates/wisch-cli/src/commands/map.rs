@@ -9,7 +9,7 @@ use std::path::{Path, PathBuf};
 use std::time::Instant;
 use wisch::follow::PlanningGroup;
 use wisch::geometry::Pose;
-use wisch::robot::{CapabilityMap, CollisionModel, MapConfig, MapRequest, MapStage};
+use wisch::robot::{CapabilityMap, CollisionModel, MapConfig, MapError, MapRequest, MapStage};
 use wisch_io::OutputFile;
 use wisch_io::{MAP_EXTENSION, Robot, RobotDescription};
 
@@ -81,7 +81,17 @@ pub fn map(args: &RobotMapArgs, global: &GlobalArgs) -> Result<Outcome, Failure>
         };
         progress.say(format!("{what}: {done} of {total}"));
     })
-    .map_err(Failure::new)?;
+    .map_err(|error| match error {
+        MapError::Setting {
+            field: "voxel",
+            value,
+            lower,
+            upper,
+        } => Failure::new(format!(
+            "--voxel-m {value} is outside its limits: at least {lower} and at most {upper}"
+        )),
+        error => Failure::new(error),
+    })?;
     let bytes = built.to_bytes();
     file.finish(&bytes)?;
     drop(progress);

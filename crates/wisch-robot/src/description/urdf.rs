@@ -138,7 +138,11 @@ impl<'a> Reader<'a> {
                 line: error.pos().row as usize,
                 column: error.pos().col as usize,
             };
-            let problem = error.to_string();
+            // The place is named already.
+            let text = error.to_string();
+            let text = text.strip_suffix(&format!(" at {}", error.pos()));
+            let text = text.map_or_else(|| error.to_string(), str::to_owned);
+            let problem = format!("this is not XML: {text}");
             RobotError::Syntax { at, problem }
         })
     }

@@ -306,7 +306,7 @@ fn other_formats_are_recognised_by_their_first_bytes() {
     fs::write(&path, b"").unwrap();
     assert!(refused(&path, &LogOptions::default()).starts_with(": this is not a bag"));
     let message = refused(Path::new("/no/such/place.mcap"), &LogOptions::default());
-    assert!(message.starts_with(": No such file"), "{message}");
+    assert!(message.starts_with(": there is no such file"), "{message}");
 }
 
 /// The Python libraries of MCAP wrote this bag; see peers/bag.py.

@@ -30,7 +30,7 @@ pub enum FollowError {
     },
     /// The robot is in collision before it has moved.
     #[error(
-        "the robot cannot start: in its ready posture {a:?} comes within {distance:.4} m of {b:?}, the limit is {limit} m; move the robot or the scene, or change the ready posture"
+        "the robot cannot start: in its ready posture {a:?} is too close to {b:?}: clearance {distance:.4} m, expected at least {limit} m; move the robot or the scene, or change the ready posture"
     )]
     StartBlocked {
         /// First body.

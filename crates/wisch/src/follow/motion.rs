@@ -153,7 +153,7 @@ pub enum Obstruction {
         unit: &'static str,
     },
     /// Two parts of the robot come too close to each other.
-    #[error("{a:?} comes within {distance:.4} m of {b:?}")]
+    #[error("{a:?} comes too close to {b:?}: clearance {distance:.4} m")]
     SelfCollision {
         /// First part.
         a: String,
@@ -163,7 +163,7 @@ pub enum Obstruction {
         distance: f64,
     },
     /// The robot or its tool comes too close to the scene.
-    #[error("{body:?} comes within {distance:.4} m of {object:?}")]
+    #[error("{body:?} comes too close to {object:?}: clearance {distance:.4} m")]
     SceneCollision {
         /// Name of the link or tool.
         body: String,

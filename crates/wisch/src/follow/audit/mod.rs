@@ -93,7 +93,7 @@ pub enum MotionFault {
         gap: f64,
     },
     /// Two bodies that must not touch come too close.
-    #[error("at {time:.3} s: {a:?} comes within {distance:.5} m of {b:?}")]
+    #[error("at {time:.3} s: {a:?} comes too close to {b:?}: clearance {distance:.5} m")]
     Contact {
         /// Time \[s\].
         time: f64,
