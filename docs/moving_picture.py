@@ -5,8 +5,8 @@
     python3 docs/moving_picture.py /tmp/run > docs/wiping.svg
 
 It reads recording.jsonl.gz, which crates/wisch-web/web/src/recording.ts describes. The tool moves as it was measured,
-the dirt as it was predicted: it is recorded at the end of each straight way, and in between a particle rests until the
-tool pushes it. At the end the dirt lies as estimated and, if the world is simulated, as it really does.
+the dirt as it was predicted: it is recorded at the end of each straight motion, and in between a particle rests until the
+tool pushes it. At the end the dirt lies as estimated and, if the world is simulated, as in the ground truth.
 """
 
 import gzip
@@ -18,8 +18,8 @@ from bisect import bisect
 from html import escape
 from itertools import pairwise
 
-LOOP_S, RUN, JUDGED, TRUE, END = 12, 12, 76, 88, 100  # length of the loop [s], and when its parts begin [%]
-CONTACT_SHARE = 0.7  # how much of the run's part is wiping; the ways through the air share the rest
+LOOP_S, RUN, ESTIMATED, TRUE, END = 12, 12, 76, 88, 100  # length of the loop [s], and when its parts begin [%]
+CONTACT_SHARE = 0.7  # how much of the run's part is wiping; free motion has the rest
 TOP, WIDTH, HEIGHT, RIGHT, SIDE, STRIP, MARGIN_MM = 60, 520, 394, 568, 288, 92, 45
 DIRTY, CLEAN = "#0072b2", "#009e73"
 TOOL = 'fill="#56b4e9" stroke="#0b5c8c" stroke-width="3" stroke-linejoin="round" paint-order="stroke"'
@@ -119,7 +119,7 @@ def loop_parts(phases):
     """Rows of time [s] and part of the loop [%]."""
     phases = phases[max(0, next(i for i, phase in enumerate(phases) if phase["contact"]) - 2) :]
     spent = [sum(p["end"] - p["start"] for p in phases if p["contact"] == contact) for contact in (False, True)]
-    rates = [(JUDGED - RUN) * share / s for share, s in zip((1 - CONTACT_SHARE, CONTACT_SHARE), spent)]
+    rates = [(ESTIMATED - RUN) * share / s for share, s in zip((1 - CONTACT_SHARE, CONTACT_SHARE), spent)]
     rows = [[phases[0]["start"], RUN]]
     for phase in phases:
         rows.append([phase["end"], rows[-1][1] + rates[phase["contact"]] * (phase["end"] - phase["start"])])
@@ -141,7 +141,7 @@ def board(head, plan, layers, motion, part):
         path = f'<path d="{line(pairs(stroke))}" fill="none" stroke="#0b5c8c" opacity=".6"'
         out.append(f'{path} stroke-dasharray="3 3" stroke-width=".8"/>')
         out.append(f'{path} stroke-dasharray="1" pathLength="1" stroke-width="1.8" {drawn}/>')
-    out.append(f'<g opacity="0" {shown(0, JUDGED)}>')
+    out.append(f'<g opacity="0" {shown(0, ESTIMATED)}>')
     for rows, gone in particle_tracks(plan["particles"], plan["phases"], motion):
         frames = [(part(t), f"transform:translate({x:.1f}px,{y:.1f}px);fill:{colour((x, y))}") for t, x, y in rows]
         out.append(f'<g {shown(0, END if gone is None else part(gone))}><circle r="3" {animated(frames)}/></g>')
@@ -151,7 +151,7 @@ def board(head, plan, layers, motion, part):
     frames = [(part(t), f"transform:translate({x:.1f}px,{y:.1f}px) rotate({a:.1f}deg)") for t, x, y, a in motion]
     presses = [(part(p["start"]), f"opacity:{0.65 if p['contact'] else 0.35}") for p in plan["phases"]]
     touching = footprint(head["meshes"][head["tool"]["solid"]["mesh"]])
-    out.append(f'</g><g opacity="0" {shown(RUN, JUDGED)}><g {animated(frames)}>'
+    out.append(f'</g><g opacity="0" {shown(RUN, ESTIMATED)}><g {animated(frames)}>'
                f'<path d="{touching}" {TOOL} {animated(presses, "jump")}/></g></g>')
     return f'''<svg x="24" y="{TOP}" width="{WIDTH}" height="{HEIGHT}" viewBox="{left:g} {-low - height:g} {width:g}
 {height:g}"><g transform="scale(1 -1)">{"".join(out)}</g></svg>'''
@@ -164,32 +164,32 @@ def draw(pieces):
     loop, force = loop_parts(plan["phases"]), [row for piece in samples for row in zip(piece["t"], piece["normal"])]
     part, percent = lambda time: at(loop, time)[1], lambda share: f"{100 * share:.0f} %" if share is not None else "?"
     wipes, estimate = [phase for phase in plan["phases"] if phase["contact"]], judged["estimate"]
-    felt = statistics.median(f for t, f in force if any(p["start"] <= t <= p["end"] for p in wipes))
+    median = statistics.median(f for t, f in force if any(p["start"] <= t <= p["end"] for p in wipes))
     interval, then = f"{100 * estimate['low']:.0f} to {percent(estimate['high'])}", TRUE if truth else END
     steps = [(0, RUN, "Predicted", percent(plan["predicted"]), f"after the {len(wipes)} strokes of the plan"),
-             (RUN, JUDGED, "Executed", f"{felt:.1f} N", "median of the force felt while wiping"),
-             (JUDGED, then, "Estimated", percent(estimate["mean"]), "90 % interval: " + interval)]
-    steps += [(TRUE, END, "True", percent(truth["performance"]), "known to the simulated world alone")] if truth else []
+             (RUN, ESTIMATED, "Executed", f"{median:.1f} N", "median force while wiping"),
+             (ESTIMATED, then, "Estimated", percent(estimate["mean"]), "90 % interval: " + interval)]
+    steps += [(TRUE, END, "True", percent(truth["performance"]), "ground truth of the simulated world")] if truth else []
     layers = [(begin, end, piece["particles"] or []) for (begin, end, *_), piece in zip(steps[2:], (judged, truth))]
     drawn, words = board(head, plan, layers, tool_motion(plan["surface"], samples), part), ""
     for y, (begin, end, name, value, detail) in zip(range(TOP, 400, 64), steps):
         words += f"""<path d="M-12 {y}h312v58h-312z" fill="#e6f1f8" opacity="0" {shown(begin, end)}/>
 <g {shown(begin, other=0.4)}><text y="{y + 24}" class="name">{name}</text><text x="{SIDE}" y="{y + 28}"
 class="value end">{value}</text><text y="{y + 45}" class="quiet">{detail}</text></g>"""
-    curve = line(((part(t) - RUN) / (JUDGED - RUN) * SIDE, STRIP - 6 * max(f, 0)) for t, f in force if part(t) > RUN)
-    cover = animated([(RUN, "transform:translate(0)"), (JUDGED, f"transform:translate({SIDE}px)")])
+    curve = line(((part(t) - RUN) / (ESTIMATED - RUN) * SIDE, STRIP - 6 * max(f, 0)) for t, f in force if part(t) > RUN)
+    cover = animated([(RUN, "transform:translate(0)"), (ESTIMATED, f"transform:translate({SIDE}px)")])
     title, rules = escape(head["title"].replace("_", " ")), [f"@keyframes {n}{{{k}}}" for k, n in keyframes.items()]
     return f"""<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 880 508" width="880" height="508" role="img">
 <title>{title}</title><style>{STYLE}{"".join(rules)}</style><rect x=".5" y=".5" width="879" height="507" rx="8"
 fill="#fff" stroke="#d5dbe1"/><text x="24" y="38" class="name">{title}</text>{drawn}<g transform="translate({RIGHT})">
-{words}<text y="344" class="quiet">Force felt</text><text x="{SIDE}" y="344" class="quiet end">line: 10 N</text>
+{words}<text y="344" class="quiet">Measured force</text><text x="{SIDE}" y="344" class="quiet end">line: 10 N</text>
 <svg y="352" width="{SIDE}" height="{STRIP}"><path d="M0 {STRIP - .5}h{SIDE}m0 -60h-{SIDE}" stroke="#d5dbe1"/>
 <path d="{curve}" fill="none" stroke="#d55e00" stroke-width="1.5"/><g transform="translate({SIDE})" {cover}>
 <rect width="{SIDE}" height="{STRIP}" fill="#fff" opacity=".9"/></g></svg></g><g transform="translate(24 484)">
 <circle cx="6" cy="-5" r="4" fill="{DIRTY}"/><text x="18">dirt</text><circle cx="66" cy="-5" r="4" fill="{CLEAN}"/>
 <text x="78">dirt at the goal</text><ellipse cx="206" cy="-5" rx="9" ry="9" {GOAL}/><text x="222">goal</text>
 <path d="M274-13h24v16h-24z" {TOOL} opacity=".65"/><text x="308">tool</text><text x="832" class="quiet end">
-While it wipes, the dirt is as predicted. Ways in the air are shown faster.</text></g></svg>
+The dirt moves as predicted. Free motion is shown faster.</text></g></svg>
 """
 
 
