@@ -153,7 +153,7 @@ fn a_child_that_goes_wrong_ends_in_an_error_that_says_how() {
         ),
         (
             "say(hullo=1)",
-            "its line \"{\"hullo\": 1}\" is no message of the protocol: unknown variant `hullo`",
+            "its line \"{\"hullo\": 1}\" is not a message of the protocol: unknown variant `hullo`",
         ),
         (
             "say(ready={'version': 1})",

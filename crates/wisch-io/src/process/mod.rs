@@ -217,7 +217,7 @@ fn line_fault(line: &str, error: &serde_json::Error) -> String {
     // The line number that follows counts from this line.
     let words = words.split(" at line ").next().unwrap_or_default();
     if error.is_data() {
-        return format!("its line {shown} is no message of the protocol: {words}");
+        return format!("its line {shown} is not a message of the protocol: {words}");
     }
     format!(
         "its line {shown} is not JSON from column {} on ({words}); expected one message per line, such as \

@@ -23,7 +23,7 @@ pub enum LinkAxis {
 }
 
 impl LinkAxis {
-    /// All axes.
+    /// All axes of a link, in the order of the variants.
     pub const ALL: [Self; 6] = [
         Self::X,
         Self::NegativeX,

@@ -2,7 +2,7 @@
 
 use super::SetupError;
 
-/// Settings of the searches.
+/// Settings of the searches for pairs of links and for the ready posture.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SetupConfig {
     /// Seed of all random numbers.

@@ -117,7 +117,7 @@ impl Domain {
         Ok(domain)
     }
 
-    /// Name of the domain.
+    /// Name of the domain, as its PDDL text states it.
     pub fn name(&self) -> &str {
         &self.name
     }

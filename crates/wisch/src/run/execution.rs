@@ -85,7 +85,7 @@ pub enum StopCause {
     },
 }
 
-/// Kind of a robot's stop.
+/// Kind of a robot's stop, which decides whether the run continues by itself.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum StopKind {
     /// Somebody or something pushed the robot.
@@ -107,7 +107,7 @@ pub enum StopKind {
 }
 
 impl StopKind {
-    /// All kinds.
+    /// All kinds of stops, in the order of the variants.
     pub const ALL: [Self; 8] = [
         Self::Push,
         Self::Overload,
@@ -163,7 +163,7 @@ impl fmt::Display for StopKind {
 }
 
 impl StopCause {
-    /// Kind of the stop.
+    /// Kind of the stop that this cause implies.
     pub const fn kind(&self) -> StopKind {
         match self {
             Self::Astray { .. } => StopKind::Tolerance,

@@ -208,14 +208,14 @@ pub fn comments(
         let gripper = arm.gripper.map(|link| link_name(robot, link));
         (arm.groups.iter()).map(move |proposed| match gripper {
             None => proposed.reason.clone(),
-            Some(part) => format!("{} The gripper {part} is no part of it.", proposed.reason),
+            Some(part) => format!("{} The gripper {part} is not part of it.", proposed.reason),
         })
     });
     let mut groups: Vec<String> = groups.collect();
     if let Some(first) = groups.first_mut() {
         *first += "\nwisch takes the first group, unless a task or the command line names another.";
     }
-    let rest = "Joints that others follow, which would be outside their limits in the middle.";
+    let rest = "Joints that other joints follow: in the middle of their limits, the following joints would be outside theirs.";
     let states = proposal.arms.iter().flat_map(|arm| {
         arm.groups.iter().map(|proposed| {
             let group = &proposed.group;
@@ -250,7 +250,7 @@ pub fn comments(
     SrdfComments {
         head: format!(
             "SRDF of {}, proposed by wisch robot setup ({PROGRAM}) from {file}.\n\
-             Look through it before a robot moves by it.",
+             Read it before you move a robot with it.",
             robot.name()
         ),
         groups,
@@ -498,7 +498,7 @@ pub fn next_steps(
         None if is_on_table => fixed.to_owned(),
         None => {
             return format!(
-                "next: {check}, then put it before the surface of a task with position_m in its [robot] table\n"
+                "next: {check}, then put it in front of the surface of a task with position_m in its [robot] table\n"
             );
         }
     };

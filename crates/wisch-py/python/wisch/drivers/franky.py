@@ -67,7 +67,7 @@ class Franky(Arm):
             self._robot.set_load(tool_mass_kg, [float(x) for x in tool_centre_m], [0.0] * 9)
 
     def recover(self) -> bool:
-        """Clear the robot's error; return whether that succeeded. Only an operator who has looked may call this."""
+        """Clear the robot's error; return whether that succeeded. Only an operator who has inspected the robot may call this."""
         return self._robot.recover_from_errors()
 
     def _read(self) -> Reading:
