@@ -45,7 +45,7 @@ EXPECTED_TYPES = {
 # Topics of which each sample has one message.
 EVERY_SAMPLE = [topic for topic in EXPECTED_TYPES if topic.split("/")[1] in ("joint_states", "tcp", "wrench")]
 TF_PERIOD_NS = 20_000_000
-# Topics that are told once, at the start, of a bag that shows the scene.
+# Topics that a bag with the scene has once, at its start.
 ONCE = ["/robot_description", "/tf_static", "/scene", "/plan/strokes", "/tool"]
 SHOW_PERIOD_NS = 40_000_000
 # visualization_msgs/Marker: how many points there may be, by type.
@@ -130,7 +130,7 @@ def check(messages):
     names = {tuple(message.name) for _, message in messages["/joint_states"]}
     assert len(names) == 1
     phases = [message.data for _, message in messages["/phase"]]
-    assert all(a != b for a, b in zip(phases, phases[1:])), "a phase is told twice"
+    assert all(a != b for a, b in zip(phases, phases[1:])), "a phase is reported twice"
     for _, marker in messages["/particles"]:
         assert marker.type == 8 and marker.header.frame_id == "world"
     pressed = max(abs(m.wrench.force.z) for _, m in messages["/wrench/external"])
@@ -148,11 +148,11 @@ def check_shown(messages, links):
     moving = links[0][1]
     assert all(frames == moving for _, frames in links), "the moving links change"
     assert all(b - a >= SHOW_PERIOD_NS for (a, _), (b, _) in zip(links, links[1:]))
-    told = [*standing, *moving]
-    assert len({child for _, child in told}) == len(told), "a frame has two parents"
+    named_pairs = [*standing, *moving]
+    assert len({child for _, child in named_pairs}) == len(named_pairs), "a frame has two parents"
     named = {link.get("name") for link in robot.iter("link")} - {"world", "tool", "surface"}
-    assert named <= {name for pair in told for name in pair}, named
-    extra = {pair for pair in told if pair not in described}
+    assert named <= {name for pair in named_pairs for name in pair}, named
+    extra = {pair for pair in named_pairs if pair not in described}
     assert all("world" in pair or any(name.startswith("robot/") for name in pair) for pair in extra), extra
     markers = [marker for topic in ("/scene", "/plan/strokes") for marker in messages[topic][0][1].markers]
     names = [(marker.ns, marker.id) for marker in markers]
@@ -173,7 +173,7 @@ def check_shown(messages, links):
             at = getattr(poses[time], axis)
             to = at + FORCE_M_PER_N * getattr(wrenches[time], axis)
             assert getattr(start, axis) == at and math.isclose(getattr(end, axis), to, abs_tol=1e-12)
-    print(f"  {len(told)} frames of links, of which {len(moving)} move, and {drawn} markers")
+    print(f"  {len(named_pairs)} frames of links, of which {len(moving)} move, and {drawn} markers")
 
 
 def write_foreign(path):

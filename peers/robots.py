@@ -58,7 +58,7 @@ ROBOTS = [
 
 
 def find(folders, end):
-    """The file below the folders whose path ends so; None if there is none."""
+    """Returns the file below the folders whose path ends with a name; None if there is none."""
     name = pathlib.PurePath(end).name
     found = (path for folder in folders for path in sorted(folder.rglob(name)))
     return next((path for path in found if path.as_posix().endswith(end)), None)

@@ -109,7 +109,7 @@ def print_best():
 
 
 def compared():
-    """Nodes, then length and time [s] of LKH's tour, of ours, and of OR-tools' within the time of ours."""
+    """Nodes, then length and time [s] of LKH's tour, of wisch's, and of OR-tools' within the time of wisch's."""
     for count in UNIFORM_COUNTS:
         points = read_points(data_file(count))
         best, lkh_seconds = lkh(points, runs=1)

@@ -1,10 +1,9 @@
 #!/usr/bin/env python3
-"""One motion in two physics engines: in the program's own world (Rapier) and in this one (MuJoCo), from the same places of the
-same number of crumbs: `python worlds/mujoco/cross_check.py`.
+"""Executes one motion in two physics engines, Rapier and MuJoCo, with the same crumbs: `python worlds/mujoco/cross_check.py`.
 
-The program `wisch` (what WISCH names, one that was built in this checkout, or one on the path) plans, executes, and leaves a
-bag; the wheel plans the same motion, which MuJoCo executes. Prints joint torques, contact force, tool path, and where the crumbs
-end, side by side. Exit code 0 where the two motions are the same, else 2.
+The program `wisch` plans, executes in Rapier, and writes a bag. It is the program that WISCH names, one that was built in this
+checkout, or one on the path. The wheel plans the same motion, which MuJoCo executes. The output compares joint torques, contact
+force, tool path, and the final positions of the crumbs. Exit code 0 if the two motions are the same, else 2.
 """
 
 import argparse
@@ -26,7 +25,7 @@ TOPICS = {"/tcp/measured", "/tcp/commanded", "/wrench/external", "/joint_states"
 
 
 def program():
-    """The program."""
+    """Returns the path of the program `wisch`."""
     built = Path(__file__).resolve().parents[2] / "target" / "release" / "wisch"
     found = os.environ.get("WISCH") or (str(built) if built.exists() else shutil.which("wisch"))
     if found is None:
@@ -35,7 +34,7 @@ def program():
 
 
 def in_rapier(scenario, settings, folder):
-    """The round as the program executes it: columns as those of the wheel's telemetry, and the crumbs at the end."""
+    """Returns the telemetry of the round in Rapier, with the columns of the wheel, and the final crumbs."""
     command = [program(), "run", scenario, "--rounds", "1", "--out", str(folder), "--quiet", "--no-memory"]
     for key, value in settings.items():
         command += ["--set", f"{key}={toml(value)}"]
@@ -50,14 +49,14 @@ def in_rapier(scenario, settings, folder):
 
 
 def toml(value):
-    """A value as TOML."""
+    """Returns a value as TOML text."""
     if isinstance(value, dict):
         return "{" + ", ".join(f"{key} = {toml(v)}" for key, v in value.items()) + "}"
     return json.dumps(value)
 
 
 def bag(path):
-    """A bag's columns."""
+    """Returns the columns of a bag."""
     try:
         from mcap.reader import make_reader
         from mcap_ros2.decoder import DecoderFactory
@@ -83,25 +82,25 @@ def bag(path):
 
 
 def in_mujoco(task, settings):
-    """The same round in MuJoCo."""
+    """Returns the same round, executed in MuJoCo."""
     from wisch_mujoco import World
 
     world = World(task, set=settings)
     (round_,) = task.session(robot=task.robot(), rounds=1).run(world)
-    told = round_.telemetry
+    telemetry = round_.telemetry
     columns = {
-        "time_s": np.asarray(told.time_s),
-        "world_from_tool": np.asarray(told.world_from_tool)[:, :3],
-        "world_from_commanded": np.asarray(told.world_from_commanded)[:, :3],
-        "force_n": np.asarray(told.force_n),
-        "efforts": np.asarray(told.efforts),
+        "time_s": np.asarray(telemetry.time_s),
+        "world_from_tool": np.asarray(telemetry.world_from_tool)[:, :3],
+        "world_from_commanded": np.asarray(telemetry.world_from_commanded)[:, :3],
+        "force_n": np.asarray(telemetry.force_n),
+        "efforts": np.asarray(telemetry.efforts),
         "joints": list(round_.motion.joints),
     }
     return columns, world, round_
 
 
 def quantiles(values, scale=1.0):
-    """Median and the range of 90 %."""
+    """Returns the median and the range of 90 % of the values, as text."""
     low, middle, high = scale * np.percentile(values, [5, 50, 95])
     return f"{middle:.2f} ({low:.2f} to {high:.2f})"
 
@@ -118,7 +117,7 @@ def main():
         "strategy": "best",
         "action": arguments.action,
         "seed": arguments.seed,
-        # By touch alone, from the places that are believed: what is planned depends on neither world.
+        # By touch alone, with the dirt at its believed locations: the plan depends on neither world.
         "perception.senses": ["touch"],
         "execution.dirt": {"source": "as_believed"},
         "execution.force_noise_n": 0.0,
@@ -187,7 +186,7 @@ def main():
 
 
 def surface_normal(pose):
-    """The z axis of a pose (7)."""
+    """Returns the z axis of a pose (7)."""
     x, y, z, w = pose[3:]
     return np.array([2 * (x * z + w * y), 2 * (y * z - w * x), 1 - 2 * (x * x + y * y)])
 

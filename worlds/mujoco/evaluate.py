@@ -1,10 +1,11 @@
 #!/usr/bin/env python3
-"""Holds what the method believes against what is so, in MuJoCo worlds: `python worlds/mujoco/evaluate.py --worlds 100
---first-seed 10100 --action collect`.
+"""Compares estimates with ground truth in MuJoCo worlds: `python worlds/mujoco/evaluate.py --worlds 100 --first-seed 10100
+--action collect`.
 
-A seed decides all of a world. Nine seeds in a row have each combination once of dirt (spread evenly, in heaps, in a band; drawn
-apart from what is believed) and disturbance (none; the surface elsewhere, other friction, a biased and noisy force; the same and
-a person who pushes). Prints a table and writes a line of JSON per world; exit code 0 where the targets are reached, else 1.
+A seed determines a world. Nine consecutive seeds have each combination of dirt and disturbance once. The dirt is spread evenly,
+in heaps or in a band, and is drawn independently of the belief. The disturbances are: none; a displaced surface, another friction
+and a biased and noisy force; the same and a person who pushes. Prints a table, and writes a line of JSON for each world. Exit code
+0 if the targets are reached, else 1.
 """
 
 import argparse
@@ -23,9 +24,9 @@ DIRT = ("uniform", "clusters", "stripe")
 DISTURBANCES = ("undisturbed", "surface elsewhere", "pushed")
 TARGETS = {"holds": 0.83, "false": 0, "reached": 0.85}
 REACHED = 0.9
-"""A world counts as wiped from so much true performance on."""
+"""True performance from which on a world counts as wiped [1]."""
 FALSE_BY = 0.1
-"""A claim is false where the truth is further below the target than this."""
+"""A claim is false if the true performance is further below the target than this [1]."""
 ROBOTS = {
     "arm7": {"robot.name": "arm7", "robot.position_m": [0.0, -0.45, 0.75], "tool.mount.on": "hand"},
     "humanoid": {},
@@ -33,7 +34,7 @@ ROBOTS = {
 
 
 def world_of(seed):
-    """What a seed's world is: `execution` keys of a task file, and its two names."""
+    """Returns the world of a seed: `execution` keys of a task file, and the names of its dirt and disturbance."""
     random = np.random.default_rng([seed, 0x776F726C])
     source, disturbance = DIRT[seed % 3], DISTURBANCES[seed // 3 % 3]
     keys = {"execution.dirt": {"source": source}}
@@ -59,7 +60,7 @@ def world_of(seed):
 
 
 def wipe(seed, action, scenario, robot):
-    """One world, wiped: a line of the results."""
+    """Wipes one world; returns its line of the results."""
     import wisch
 
     from wisch_mujoco import World
@@ -91,7 +92,7 @@ def wipe(seed, action, scenario, robot):
                 "ending": round_.ending,
                 "force_n": float(np.median(world.truth[round_.number - 1].contact_force or [0.0])),
                 "pushed": world.truth[round_.number - 1].pushed,
-                "told": [event["kind"] for event in round_.interpretation.events],
+                "events": [event["kind"] for event in round_.interpretation.events],
             }
             for round_ in rounds
         ],
@@ -100,7 +101,7 @@ def wipe(seed, action, scenario, robot):
 
 
 def holds(round_):
-    """Whether the interval holds what is so."""
+    """Whether the interval contains the true performance."""
     low, high = round_["interval"]
     return low - 1e-9 <= round_["true"] <= high + 1e-9
 
@@ -114,7 +115,7 @@ def is_false(world):
 
 
 def line(name, worlds):
-    """A row of the table."""
+    """Returns a row of the table."""
     rounds = [round_ for world in worlds for round_ in world["rounds"]]
     errors = [abs(round_["estimated"] - round_["true"]) for round_ in rounds]
     widths = [round_["interval"][1] - round_["interval"][0] for round_ in rounds]
@@ -134,7 +135,7 @@ HEAD = (
 
 
 def table(worlds):
-    """The table of all worlds, in groups."""
+    """Returns the table of all worlds, in groups."""
     rows = [HEAD, line("all", worlds)]
     for key, names in (("dirt", DIRT), ("disturbance", DISTURBANCES)):
         for name in names:
@@ -152,7 +153,7 @@ def main():
     parser.add_argument("--scenario", default="chopping-board", help="a shipped scenario or a task file")
     parser.add_argument("--robot", choices=tuple(ROBOTS), default="arm7")
     parser.add_argument("--jobs", type=int, default=1, help="worlds at a time")
-    parser.add_argument("--resume", action="store_true", help="go on with the results that are there")
+    parser.add_argument("--resume", action="store_true", help="continue from the results in the folder")
     parser.add_argument("--out", type=Path, default=Path("out/mujoco"), help="folder of the results")
     arguments = parser.parse_args()
 
@@ -160,7 +161,7 @@ def main():
     name = f"{arguments.action}-{arguments.robot}-{arguments.first_seed}"
     path = arguments.out / f"{name}.jsonl"
     if path.exists() and not arguments.resume:
-        parser.error(f"{path} is there: --resume goes on, --out names another folder")
+        parser.error(f"{path} exists already: --resume continues it, --out names another folder")
     worlds = [json.loads(text) for text in path.read_text().splitlines()] if path.exists() else []
     done = {world["seed"] for world in worlds}
     seeds = [s for s in range(arguments.first_seed, arguments.first_seed + arguments.worlds) if s not in done]

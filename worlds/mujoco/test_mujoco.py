@@ -79,8 +79,8 @@ def test_the_robot_weighs_what_the_library_says(task, motion):
             jacobian = np.zeros((3, model.model.nv))
             mujoco.mj_jacBodyCom(model.model, data, jacobian, None, body)
             tool += 9.81 * model.model.body_mass[body] * jacobian[2]
-        felt = (data.qfrc_bias - data.qfrc_gravcomp)[model.dof]
-        assert felt == pytest.approx(np.asarray(robot.gravity(q)) + tool[model.dof], abs=1e-3)
+        efforts = (data.qfrc_bias - data.qfrc_gravcomp)[model.dof]
+        assert efforts == pytest.approx(np.asarray(robot.gravity(q)) + tool[model.dof], abs=1e-3)
     foam = sum(model.model.body_mass[model.model.geom_bodyid[geom]] for geom in model.block_geoms)
     assert foam == pytest.approx(scene.FOAM_MASS, rel=1e-3)
 
@@ -91,10 +91,10 @@ def test_the_tool_presses_as_asked_and_follows_its_line(task, motion):
     begin = next(p["start_s"] for p in motion.phases if p["phase"] == "wipe")
     forces, errors = [], []
     for k in range(int(end / 1e-3)):
-        told = simulation._period(k * 1e-3)
+        sample = simulation._period(k * 1e-3)
         if k * 1e-3 > begin:
             forces.append(simulation.contact_force())
-            error = told["world_from_commanded"][:3] - told["world_from_tool"][:3]
+            error = sample["world_from_commanded"][:3] - sample["world_from_tool"][:3]
             errors.append(np.linalg.norm(error[:2]))
     assert 6.0 < np.median(forces) < 12.0
     assert np.median(errors) < 0.005
@@ -122,7 +122,7 @@ def test_a_sponge_takes_the_crumbs_up():
     rounds = task.session(robot=task.robot(), rounds=1).run(world)
     assert world.performance() > 0.9
     assert abs(rounds[0].performance - world.performance()) < 0.1
-    # Each round keeps the crumbs as they lay after it.
+    # Each round keeps the crumbs at its end.
     assert world.performance(round=1) == world.performance()
 
 

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Compares ways to wipe in robosuite's Wipe task: `python worlds/robosuite/compare.py --seeds 10000:10050 --robot Panda`.
 
-Prints a table and writes a CSV with a row per episode. Exit code 0 where every episode of wisch is complete, else 1.
+Prints a table, and writes a CSV with a row for each episode. Exit code 0 if every episode of wisch is complete, else 1.
 """
 
 import argparse
@@ -25,7 +25,7 @@ COLUMNS = ["robot", "way", "seed", "ending", "markers", "wiped", "time_s", "forc
 
 
 def episode(robot, way, seed):
-    """One episode: a row of the CSV."""
+    """Runs one episode; returns its row of the CSV."""
     world = WipeEnvironment(robot, seed)
     follower = Follower(world)
     total = len(world.visible_markers())
@@ -48,7 +48,7 @@ def episode(robot, way, seed):
 
 
 def summary(way, rows, forces):
-    """A line of the table."""
+    """Returns a line of the table."""
     times = [row["time_s"] for row in rows]
     complete = [row["time_s"] for row in rows if row["ending"] == "complete"]
     stopped = sum(row["ending"] in ("joint limit", "collision") for row in rows)
@@ -61,7 +61,7 @@ def summary(way, rows, forces):
 
 
 def seeds_of(text):
-    """10000:10050 is 10000 to 10049; a single number itself."""
+    """Reads a range of seeds: 10000:10050 is 10000 to 10049, and a single number is itself."""
     first, _, last = text.partition(":")
     return range(int(first), int(last) if last else int(first) + 1)
 
@@ -76,7 +76,7 @@ def main():
     arguments = parser.parse_args()
     ways = [way.strip() for way in arguments.ways.split(",")]
     if unknown := [way for way in ways if way not in WAYS]:
-        parser.error(f"unknown way {unknown[0]!r}; there are: " + ", ".join(WAYS))
+        parser.error(f"unknown way {unknown[0]!r}; known: " + ", ".join(WAYS))
 
     jobs = [(arguments.robot, way, seed) for seed in arguments.seeds for way in ways]
     results = {way: ([], []) for way in ways}

@@ -1,6 +1,6 @@
 """Follows a path of planar tool poses on the table through robosuite's OSC controller.
 
-The same for whoever made the path: our plans, zigzags and tours go through here at one speed and one force.
+Plans of wisch, zigzags and tours are all followed at the same speed and with the same force.
 """
 
 from dataclasses import dataclass
@@ -10,54 +10,54 @@ import numpy as np
 SUBSTEPS = 10
 """Steps of the reference in one period of the controller."""
 SHARES = (1.0, 0.75, 0.375, 0.09375, 0.0)
-"""Of the acceleration along the table, tried one after the other until the controller can take it."""
+"""Shares of the acceleration along the table, tried in turn until the controller accepts the command."""
 TAKEN = 0.05
-"""Error of position that the controller takes in a direction; what is above it is cut off [m]."""
+"""Largest position error that the controller accepts in a direction; it cuts off more [m]."""
 
 
 @dataclass(frozen=True)
 class FollowerConfig:
-    """Constants, chosen on seeds 1000 and up."""
+    """Constants of the follower, chosen on seeds from 1000 on."""
 
     speed: float = 0.1
-    """Of the tool along its path in contact [m/s]: faster, the task's table carries the tool and markers stay."""
+    """Speed of the tool along its path in contact [m/s]: at higher speeds the table lifts the tool, and markers are left."""
     free_speed: float = 0.22
-    """Of the tool above the table [m/s]."""
+    """Speed of the tool above the table [m/s]."""
     acceleration: float = 1.0
-    """At corners [m/s²]."""
+    """Acceleration at corners [m/s²]."""
     lookahead: float = 0.008
-    """How far ahead on its path the reference heads; so far inside of a corner it goes by [m]."""
+    """Distance on the path at which the reference looks ahead; it cuts corners by as much [m]."""
     turn_speed: float = 2.0
-    """Of the yaw [rad/s]."""
+    """Speed of the yaw [rad/s]."""
     force: float = 25.0
     """Normal force while wiping [N]."""
     force_gain: float = 0.2
-    """Share of the force's error that is made up for in one period [1]."""
+    """Share of the force error that is corrected in one period [1]."""
     tilt_gain: float = 0.15
-    """The same of the tilt's error [1]."""
+    """Share of the tilt error that is corrected in one period [1]."""
     turn_margin: float = 0.4
-    """How far the last joint is kept from its ends [rad]."""
+    """Distance of the last joint from its limits [rad]."""
     turn_stiffness: float = 400.0
-    """Of the tool's rotation [1/s²]."""
+    """Gain on the tool's rotation [1/s²]."""
     lean: float = 0.003
-    """How far the tool leans forward at full speed [rad]: its leading side is pressed on first."""
+    """Angle by which the tool leans forward at full speed [rad], so that its leading side presses first."""
     landing_speed: float = 0.035
-    """At which the tool meets the table [m/s]."""
+    """Speed at which the tool meets the table [m/s]."""
     braking: float = 0.6
-    """Of the tool as it comes down [m/s²]."""
+    """Acceleration of the tool as it comes down [m/s²]."""
     singular: float = 0.3
-    """Error of position that no command has unless the arm is near a singular posture [m]: for others it is 0.29 at most."""
+    """Position error above which the arm counts as near a singular posture [m]: in other postures it is at most 0.29."""
     heaviest: tuple = (3000.0, 1000.0, 300.0, 100.0, 30.0)
-    """Above such a mass felt at the tool a direction is given up there, the first that the controller can take [kg]."""
+    """Limits of the effective mass at the tool, tried in turn: near a singular posture, directions above it are dropped [kg]."""
 
 
 def wrapped(angle):
-    """An angle of a tool that looks the same after half a turn, within ±π/2 [rad]."""
+    """Returns an angle of a tool with symmetry under half a turn, within ±π/2 [rad]."""
     return (angle + np.pi / 2) % np.pi - np.pi / 2
 
 
 def rotation_error(rotation, yaw):
-    """Axis times angle, in the world, that brings the tool flat on the table with its broad side at `yaw` [rad]."""
+    """Returns axis times angle, in the world, that turns the tool flat onto the table with its broad side at `yaw` [rad]."""
     x_axis = np.array([np.cos(yaw), np.sin(yaw), 0.0])
     if x_axis @ rotation[:, 0] < 0.0:
         x_axis = -x_axis
@@ -69,7 +69,7 @@ def rotation_error(rotation, yaw):
 
 
 class Reference:
-    """A point that runs along a polyline of poses (n, 3) as fast as speed and acceleration allow, cutting corners a little."""
+    """A point that moves along a polyline of poses (n, 3) as fast as speed and acceleration allow, and cuts corners a little."""
 
     def __init__(self, path, velocity, config):
         path = np.asarray(path, dtype=float)
@@ -99,11 +99,11 @@ class Reference:
         return begin + share * (end - begin)
 
     def advance(self, period, most):
-        """One period of the controller goes by, at no more than a speed [m/s]."""
+        """Advances by one period of the controller, at most at a given speed [m/s]."""
         config, step = self.config, period / SUBSTEPS
         before = self.velocity.copy()
         for _ in range(SUBSTEPS):
-            # The carrot runs ahead on the path, and waits where the point is late.
+            # The target point runs ahead on the path, and waits if the point is late.
             while self.station < self.stations[-1]:
                 carrot = self._pose_at(self.station)
                 if np.linalg.norm(carrot[:2] - self.position) >= config.lookahead:
@@ -126,7 +126,7 @@ class Reference:
 
 
 class Follower:
-    """Drives the tool of one environment."""
+    """Drives the tool of one environment along paths."""
 
     def __init__(self, world, config=FollowerConfig()):
         self.world, self.config = world, config
@@ -139,33 +139,34 @@ class Follower:
         self.pressed = []
         """Normal forces at every step of the physics while the tool wipes [N]."""
         self.track = []
-        """Where the tool was after each period of wiping: x, y, broad side's angle [m, rad]."""
+        """Pose of the tool after each period of wiping: x, y, angle of the broad side [m, rad]."""
         self.landed = False
         self.is_singular = False
-        """Whether the arm is near a singular posture, until the controller can take a whole command again."""
+        """Whether the arm is near a singular posture; reset when the controller accepts a whole command again."""
         self.yaw = self.pose()[2]
 
     def pose(self):
-        """Where the tool is: x, y, angle of its broad side."""
+        """Returns the pose of the tool: x, y, angle of its broad side."""
         position, rotation = self.world.position(), self.world.rotation()
         return np.array([position[0], position[1], np.arctan2(rotation[1, 0], rotation[0, 0])])
 
     def follow(self, path, until=lambda: False):
-        """Wipes along a path (n, 3) from where the tool is; ends with the episode, the path, or when `until` says so."""
+        """Wipes along a path (n, 3) from the current pose; ends with the episode, with the path, or when `until` returns true."""
         path = self._with_turns(path)
         if not self.landed:
-            # It comes down where its path begins, not on the way there.
+            # The tool comes down at the begin of its path, not on the way there.
             self._run(path[:1], until, lambda: self.landed)
         self._run(path, until, lambda: False)
 
     def _with_turns(self, path):
-        """A path (n, 3) whose angles are those that the wrist can take, half turns of the tool being the same: of the ways round,
-        the one that turns the tool least."""
+        """Returns a path (n, 3) with angles that the wrist reaches. Half turns of the tool are equivalent; of the possible angles,
+        the path has those that turn the tool least."""
         ways = [self._turned(path, self.yaw + turn) for turn in (0.0, np.pi, -np.pi)]
         return min(ways, key=lambda way: np.abs(np.diff(way[:, 2], prepend=self.yaw)).sum())
 
     def _turned(self, path, yaw):
-        """A path whose angles are near the one before, the first near `yaw`, unless the last joint would come to its end."""
+        """Returns a path whose first angle is near `yaw`, and the others near the angle before, unless the last joint would reach
+        its limit."""
         path = np.array(path, dtype=float)
         angle, low, high, sign = self.world.last_joint()
         here = self.world.bearing(self.pose()[:2])
@@ -199,14 +200,14 @@ class Follower:
         self.velocity, self.yaw = reference.velocity, reference.yaw
 
     def _lean(self, reference):
-        """Axis times angle by which the tool leans towards the side that leads."""
+        """Returns axis times angle by which the tool leans towards its leading side."""
         broad, narrow, _ = self.world.rotation().T
         across, along = narrow[:2] @ reference.velocity, broad[:2] @ reference.velocity
         lean = self.config.lean / self.config.speed
         return -lean * across * broad if abs(across) >= abs(along) else lean * along * narrow
 
     def _command(self, reference, least_clearance):
-        """One period towards a reference; a tool that has not landed keeps a clearance of the table."""
+        """Commands one period towards a reference; a tool that has not landed keeps a clearance from the table."""
         world, config = self.world, self.config
         position, moving, turning = world.position(), world.velocity(), world.turning()
         acceleration, wrench = np.zeros(6), np.zeros(6)
@@ -223,7 +224,7 @@ class Follower:
             wrench[2] = -self.pressing
             acceleration[2] = -self.damping * moving[2]
         else:
-            # As fast as there is way left to slow down on.
+            # As fast as the remaining path allows for slowing down.
             above = position[2] - self.height - max(0.004, least_clearance)
             fall = min(config.free_speed, np.sqrt(2.0 * config.braking * max(0.0, above)))
             if least_clearance <= 0.0:
@@ -240,10 +241,10 @@ class Follower:
             self.track.append(self.pose())
 
     def _errors(self, acceleration, wrench):
-        """The errors of position and rotation (6) that have the controller accelerate the tool (6) and press with a wrench (6).
+        """Returns the errors of position and rotation (6) that make the controller accelerate the tool (6) and press with a wrench (6).
 
-        Of what it would cut off, the acceleration along the table is given up first, evenly. Where far too much is left the arm is
-        near a singular posture, and the directions are given up that are too heavy in it.
+        If the controller would cut off the command, the acceleration along the table is reduced first. If the command is still far
+        too large, the arm is near a singular posture, and the directions with too much effective mass are dropped.
         """
         for heaviest in (np.inf, *self.config.heaviest):
             for share in SHARES:

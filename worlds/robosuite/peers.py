@@ -1,10 +1,10 @@
-"""Ways to wipe that others would take, for comparison: zigzags, and an oracle's tour."""
+"""Other ways to wipe, for comparison: zigzags, and the tour of an oracle."""
 
 import numpy as np
 
 
 def zigzag(middle, sizes, spacing, along):
-    """Lanes `spacing` apart over a rectangle, back and forth along axis `along` (0 is x, 1 is y): (n, 2)."""
+    """Returns lanes `spacing` apart over a rectangle, back and forth along axis `along` (0 is x, 1 is y): (n, 2)."""
     across = 1 - along
     lanes = max(1, int(np.ceil(sizes[across] / spacing - 1e-9)) + 1) if sizes[across] > 1e-9 else 1
     offsets = np.linspace(-sizes[across] / 2, sizes[across] / 2, lanes) if lanes > 1 else np.zeros(1)
@@ -18,7 +18,7 @@ def zigzag(middle, sizes, spacing, along):
 
 
 def zigzag_area(world, follower, spacing=0.03):
-    """Over all of the area that dirt may lie in, without looking."""
+    """Wipes the whole area in which markers may lie, without observation."""
     middle, sizes = world.dirt_area()
     yaw = np.pi / 2
     path = zigzag(middle, sizes, spacing, along=1)
@@ -26,7 +26,7 @@ def zigzag_area(world, follower, spacing=0.03):
 
 
 def zigzag_box(world, follower, spacing=0.09):
-    """Over the box of the markers that were seen, in lanes with the tool's broad side across the motion."""
+    """Wipes the bounding box of the observed markers, in lanes with the tool's broad side across the motion."""
     markers = world.visible_markers()
     low, high = markers.min(axis=0), markers.max(axis=0)
     along = int(np.argmax(high - low))
@@ -40,7 +40,7 @@ def zigzag_box(world, follower, spacing=0.09):
 
 
 def oracle_tour(world, follower):
-    """Always to the nearest marker that is not wiped yet, which the oracle is told all the time; the yaw stays as it is."""
+    """Moves to the nearest marker that is left, which the oracle knows at all times; the yaw is constant."""
     yaw = np.pi / 2
     while not world.done:
         markers = world.visible_markers()
@@ -52,6 +52,6 @@ def oracle_tour(world, follower):
 
 
 def is_there(world, place):
-    """Whether the marker at a place is still seen."""
+    """Whether the marker at a location is left."""
     markers = world.visible_markers()
     return len(markers) > 0 and np.linalg.norm(markers - place, axis=1).min() < 1e-6

@@ -1,4 +1,4 @@
-"""Plans of wisch for what is seen of the Wipe task: task, tool and surface from the environment, strokes from `wisch plan`."""
+"""Plans of wisch for the Wipe task: task, tool and surface from the environment, strokes from `wisch plan`."""
 
 import json
 import os
@@ -11,7 +11,7 @@ from pathlib import Path
 import numpy as np
 
 LEADING = 0.03
-"""A tool that leans forward wipes with so much of its length [m]."""
+"""Length with which a tool that leans forward wipes [m]."""
 
 TASK = """\
 schema = 1
@@ -52,7 +52,7 @@ file = "markers.csv"
 
 
 def program():
-    """The program `wisch`: what WISCH names, one that was built in this checkout, or one on the path."""
+    """Returns the program `wisch`: the one that WISCH names, one that was built in this checkout, or one on the path."""
     named = os.environ.get("WISCH")
     built = Path(__file__).resolve().parents[2] / "target" / "release" / "wisch"
     found = named or (str(built) if built.exists() else shutil.which("wisch"))
@@ -62,7 +62,7 @@ def program():
 
 
 def task_of(world, markers, start, margin, speed, seed=1, strategy="best"):
-    """A task file's text and its particles' CSV, in the frame of the table's middle, from the environment."""
+    """Returns the text of a task file and the CSV of its particles, in the frame of the table's centre."""
     middle, sizes = world.table()
     tool = world.tool()
     text = TASK.format(
@@ -81,7 +81,7 @@ def task_of(world, markers, start, margin, speed, seed=1, strategy="best"):
 
 
 def strokes(world, markers, start, margin, speed):
-    """The strokes of wisch's best plan to absorb the markers: a list of (n, 3), x, y and the broad side's angle in the world."""
+    """Returns the strokes of wisch's best plan to absorb the markers: a list of (n, 3), x, y and the broad side's angle."""
     text, particles = task_of(world, markers, start, margin, speed)
     with tempfile.TemporaryDirectory() as folder:
         folder = Path(folder)
@@ -102,8 +102,8 @@ def strokes(world, markers, start, margin, speed):
 
 
 def wipe(world, follower, margin=0.004, looks=6):
-    """Plans for the markers that are seen, follows the plan stroke by stroke without lifting the tool, and looks again after
-    the last stroke for as long as something is left."""
+    """Plans for the observed markers, and follows the plan stroke by stroke without lifting the tool. After the last stroke it
+    observes and plans again, as long as markers are left."""
     for _ in range(looks):
         markers = world.visible_markers()
         if world.done or len(markers) == 0:

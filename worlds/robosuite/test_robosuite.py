@@ -64,7 +64,7 @@ def test_what_couples_position_and_rotation_is_made_up_for():
 
 
 def mobility_of(masses, seed):
-    """A mobility of these masses in directions drawn at random, turning compared with moving."""
+    """Returns a mobility with these masses in random directions."""
     directions, _ = np.linalg.qr(np.random.default_rng(seed).standard_normal((6, 6)))
     scale = np.array([1.0, 1.0, 1.0, LEVER, LEVER, LEVER])
     return (directions / masses) @ directions.T / np.outer(scale, scale)
@@ -94,7 +94,7 @@ def test_near_a_singular_posture_the_wrench_has_a_bound_and_the_other_directions
 
 
 class Heavy:
-    """A stand-in whose command grows with the mass that it may feel."""
+    """A stand-in whose command grows with the allowed effective mass."""
 
     def __init__(self, by_mass):
         self.by_mass, self.asked = by_mass, []
@@ -150,7 +150,7 @@ def test_a_reference_keeps_its_speed_and_arrives():
 
 
 def last_joint_along(world, path, yaw):
-    """Where the last joint of an arm that reaches down comes to be, for each pose of a path."""
+    """Returns the angle of the last joint of an arm that points down, for each pose of a path."""
     angle, low, high, sign = world.last_joint()
     here = world.bearing(world.position()[:2])
     swings = np.array([wrapped(world.bearing(pose[:2]) - here) for pose in path])
@@ -171,7 +171,7 @@ def test_a_stroke_that_would_end_beyond_the_wrist_begins_half_a_turn_away(panda)
     path = follower._with_turns([[0.168, 0.04, 3.238], [0.259, -0.003, 3.342], [0.182, 0.227, 3.088]])
     angles, low, high = last_joint_along(panda, path, follower.yaw)
     assert (angles > low + 0.3).all() and (angles < high - 0.3).all()
-    assert np.abs(np.diff(path[:, 2])).max() < 0.5, "no half turn amid the stroke"
+    assert np.abs(np.diff(path[:, 2])).max() < 0.5, "no half turn during the stroke"
 
 
 def test_lanes_of_a_zigzag_are_no_further_apart_than_asked():

@@ -1,4 +1,4 @@
-"""robosuite's Wipe task, untouched: made headless, looked at, and stepped through its own controller.
+"""robosuite's Wipe task, unmodified: created without a display, observed, and stepped through its own controller.
 
 Lengths in metres, forces in newtons, angles in radians; positions in the frame of the world unless said otherwise.
 """
@@ -10,7 +10,7 @@ import xml.etree.ElementTree as ElementTree
 from dataclasses import dataclass
 
 os.environ.setdefault("MUJOCO_GL", "disable")
-logging.disable(logging.WARNING)  # robosuite tells of optional packages at import
+logging.disable(logging.WARNING)  # robosuite reports missing optional packages at import
 
 import numpy as np
 
@@ -23,22 +23,22 @@ except ImportError as error:
 ROBOTS = ("Panda", "UR5e", "IIWA", "Sawyer")
 
 BASE_TOUCHES = {"Sawyer": ("robot0_right_arm_base_link", "robot0_right_l0")}
-"""Arms whose first link and base touch by a rounding error (-1.7e-16 m), which robosuite 1.5.2 takes for a collision that ends
-every episode at its first step: those two bodies are told not to collide."""
+"""Arms whose first link and base touch by a rounding error (-1.7e-16 m), which robosuite 1.5.2 counts as a collision that ends
+every episode at its first step. These two bodies are excluded from collisions."""
 
 
 @dataclass(frozen=True)
 class Tool:
-    """What touches: the rectangle between the wiping gripper's four corners."""
+    """The contact area: the rectangle between the four corners of the wiping gripper."""
 
     length: float
-    """Along its narrow side, across which it wipes broadly."""
+    """Length of the narrow side, along the motion [m]."""
     width: float
-    """Along its broad side."""
+    """Length of the broad side, across the motion [m]."""
 
 
 def _kept_apart(xml, one, other):
-    """A model in which two bodies do not collide."""
+    """Returns a model in which two bodies do not collide."""
     root = ElementTree.fromstring(xml)
     contact = root.find("contact")
     if contact is None:
@@ -48,14 +48,14 @@ def _kept_apart(xml, one, other):
 
 
 LEVER = 0.1
-"""By which turning is compared with moving [m]."""
+"""Length that converts rotations to displacements [m]."""
 
 
 def _damped_solve(mobility, acceleration, heaviest):
-    """The wrench (6) that gives a tool of some mobility (6, 6) an acceleration (6).
+    """Returns the wrench (6) that gives a tool with a mobility (6, 6) an acceleration (6).
 
-    Exact in all directions in which the arm feels no heavier than `heaviest` [kg]. In the others, which it is about to lose in a
-    singular posture, the wrench goes to zero with the mobility.
+    It is exact in all directions in which the effective mass is at most `heaviest` [kg]. In the other directions, which the arm is
+    about to lose in a singular posture, the wrench goes to zero with the mobility.
     """
     scale = np.array([1.0, 1.0, 1.0, LEVER, LEVER, LEVER])
     values, directions = np.linalg.eigh(mobility * np.outer(scale, scale))
@@ -64,11 +64,11 @@ def _damped_solve(mobility, acceleration, heaviest):
 
 
 class WipeEnvironment:
-    """One episode after another of the Wipe task with one arm.
+    """Episodes of the Wipe task with one arm.
 
-    The task is made as robosuite makes it by default: its controller (OSC_POSE, deltas), its 20 Hz, its table, its 100 markers,
-    its ends of an episode. What is added is a sensor: the force at the wrist at every step of the physics, by the
-    task's own way to add observables.
+    The task has robosuite's defaults: controller (OSC_POSE, deltas), 20 Hz, table, 100 markers, and conditions for the end of an
+    episode. One sensor is added through robosuite's interface for observables: the force at the wrist at every step of the
+    physics.
     """
 
     def __init__(self, robot, seed, horizon=2000, renders=False):
@@ -106,10 +106,10 @@ class WipeEnvironment:
         self.env.add_observable(Observable(name="wrist_force", sensor=wrist_force, sampling_rate=rate))
         self.forces.clear()
 
-    # What a camera would see.
+    # What a camera would observe.
 
     def visible_markers(self):
-        """Places of the markers that are not wiped, as a photo would give them: (n, 2)."""
+        """Returns the locations of the markers that are left, as from a photo: (n, 2)."""
         data, model = self.env.sim.data, self.env.sim.model
         wiped = {marker.name for marker in self.env.wiped_markers}
         places = [
@@ -120,54 +120,54 @@ class WipeEnvironment:
         return np.array(places, dtype=float).reshape(-1, 2)
 
     def table(self):
-        """The table's rectangle: its middle (3) and its sizes along x and y (2)."""
+        """Returns the rectangle of the table: its centre (3) and its sizes along x and y (2)."""
         return np.array(self.env.table_offset, dtype=float), np.array(self.env.table_full_size[:2], dtype=float)
 
     def dirt_area(self):
-        """The rectangle that markers may lie in: its middle (2) and its sizes along x and y (2)."""
+        """Returns the rectangle in which markers may lie: its centre (2) and its sizes along x and y (2)."""
         middle, sizes = self.table()
         return middle[:2], sizes * self.env.coverage_factor - self.env.line_width
 
     def tool(self):
-        """The wiping gripper's footprint, from its contact geometry."""
+        """Returns the footprint of the wiping gripper, from its contact geometry."""
         one, two, _, four = self.corners()
         return Tool(length=float(np.linalg.norm(four - two)), width=float(np.linalg.norm(one - two)))
 
-    # What the robot feels.
+    # What the robot measures.
 
     def corners(self):
-        """Where the tool's four corners are: (4, 3)."""
+        """Returns the positions of the tool's four corners: (4, 3)."""
         return np.array(self.env.sim.data.geom_xpos[self._corners])
 
     def position(self):
-        """The tool centre point (3)."""
+        """Returns the tool centre point (3)."""
         return np.array(self.controller.ref_pos)
 
     def velocity(self):
-        """Its velocity (3)."""
+        """Returns the velocity of the tool centre point (3)."""
         return np.array(self.controller.ref_pos_vel)
 
     def rotation(self):
-        """Axes of the tool in the world (3, 3): x along its broad side, z out of its face."""
+        """Returns the axes of the tool in the world (3, 3): x along its broad side, z out of its face."""
         one, two, _, four = self.corners()
         broad = (one - two) / np.linalg.norm(one - two)
         narrow = (four - two) / np.linalg.norm(four - two)
         return np.column_stack([broad, narrow, np.cross(broad, narrow)])
 
     def force(self):
-        """The last measured normal force, positive when pressed."""
+        """Returns the last measured normal force, positive when the tool presses."""
         return self.forces[-1] if self.forces else 0.0
 
     def turning(self):
-        """The tool's angular velocity (3)."""
+        """Returns the angular velocity of the tool (3)."""
         return np.array(self.controller.ref_ori_vel)
 
     def errors_for(self, acceleration, wrench, heaviest=np.inf):
-        """The errors of position and rotation (6) for which the controller gives an acceleration of the tool (6) while it presses on
-        its surroundings with a wrench (6).
+        """Returns the errors of position and rotation (6) for which the controller accelerates the tool (6) while the tool presses
+        on its surroundings with a wrench (6).
 
-        The controller weighs position and rotation apart from each other; what couples them in the arm is made up for here, but
-        for directions in which the arm feels heavier than `heaviest` [kg].
+        The controller treats position and rotation separately. This method compensates their coupling in the arm, except in
+        directions in which the effective mass exceeds `heaviest` [kg].
         """
         controller = self.controller
         mass, jacobian = np.array(controller.mass_matrix), np.array(controller.J_full)
@@ -178,39 +178,39 @@ class WipeEnvironment:
         return (error + np.array(controller.kd) * twist) / np.array(controller.kp)
 
     def last_joint(self):
-        """The arm's last joint: its angle, the least and greatest that it may have [rad], and by how much it turns when the tool
-        turns by a radian about the table's normal: one way or the other."""
+        """Returns for the last joint of the arm: its angle, its limits [rad], and its signed rotation per radian of the tool about
+        the table's normal."""
         simulation, joint = self.env.sim, self.robot.robot_model.joints[-1]
         low, high = simulation.model.jnt_range[simulation.model.joint_name2id(joint)]
         return simulation.data.get_joint_qpos(joint), low, high, np.sign(self.controller.J_full[5, -1])
 
     def bearing(self, place):
-        """In which direction a place (2) lies, seen from the arm's first joint [rad]."""
+        """Returns the direction of a location (2) from the arm's first joint [rad]."""
         first = self.env.sim.model.joint_name2id(self.robot.robot_model.joints[0])
         way = np.asarray(place) - self.env.sim.data.xanchor[first][:2]
         return np.arctan2(way[1], way[0])
 
-    # The run of time.
+    # Time.
 
     @property
     def time(self):
-        """Simulated seconds since the reset."""
+        """Returns the simulated seconds since the reset."""
         return self.env.cur_time
 
     @property
     def period(self):
-        """Simulated seconds between commands."""
+        """Returns the simulated seconds between commands."""
         return self.env.control_timestep
 
     def step(self, errors):
-        """Commands a pose by its errors (6), each cut to what the controller takes; one period goes by."""
+        """Commands a pose by its errors (6), each limited to what the controller accepts, and simulates one period."""
         limits = np.array(self.controller.output_max)
         _, _, done, _ = self.env.step(np.clip(errors / limits, -1.0, 1.0))
         self.done = self.done or bool(done)
         return self.done
 
     def ending(self):
-        """How the episode stands: "complete", "joint limit", "collision", "time" or "unfinished"."""
+        """Returns the state of the episode: "complete", "joint limit", "collision", "time" or "unfinished"."""
         if self.env._check_success():
             return "complete"
         if self.robot.check_q_limits():

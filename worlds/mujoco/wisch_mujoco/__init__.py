@@ -1,4 +1,4 @@
-"""A MuJoCo world for wisch: a robot by its URDF, a tool that is a bed of springs, and crumbs that are pushed by touching them."""
+"""A MuJoCo world for wisch: a robot from its URDF, a tool that is a bed of springs, and crumbs that contact pushes."""
 
 try:
     import mujoco  # noqa: F401

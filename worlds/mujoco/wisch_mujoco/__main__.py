@@ -1,6 +1,6 @@
 """A MuJoCo world as the executor of a program: `wisch run TASK --executor "python3 -m wisch_mujoco TASK"`.
 
-`--set KEY=VALUE`, `--seed` and `--action` are to be those that `wisch run` is given, as the world is drawn from the same task.
+Give the same `--set KEY=VALUE`, `--seed` and `--action` as to `wisch run`, because the world is drawn from the same task.
 """
 
 import argparse
@@ -12,7 +12,7 @@ from . import World
 
 
 def value(text):
-    """A value of `--set` as Python has it: TOML and Python write numbers, texts and lists alike."""
+    """Returns a value of `--set` as a Python value: TOML and Python write numbers, texts and lists alike."""
     try:
         return ast.literal_eval({"true": "True", "false": "False"}.get(text, text))
     except (ValueError, SyntaxError):

@@ -1,4 +1,4 @@
-"""Crumbs: where they lie at the start, and what became of each."""
+"""Crumbs: their positions at the start, and the fate of each."""
 
 from dataclasses import dataclass
 
@@ -7,9 +7,9 @@ import numpy as np
 from .settings import Unsupported
 
 DENSITY = 400.0
-"""Of dry bread [kg/m³]."""
+"""Density of dry bread [kg/m³]."""
 LEAST_MASS = 2e-5
-"""Of a crumb [kg]: one that is lighter by far than what presses on it is no body that a solver resolves at 1 kHz."""
+"""Least mass of a crumb [kg]: at 1 kHz, a solver does not resolve a body much lighter than what presses on it."""
 
 LYING, TAKEN_UP = 0, 1
 
@@ -19,40 +19,40 @@ class Crumbs:
     """All crumbs of a world, in the frame of the real surface."""
 
     places: np.ndarray
-    """Their middles (n, 3) [m]."""
+    """Centres of the crumbs (n, 3) [m]."""
     quaternions: np.ndarray
-    """(n, 4), w first."""
+    """Orientations as quaternions (n, 4), w first."""
     radii: np.ndarray
-    """(n) [m]."""
+    """Radii (n) [m]."""
     thresholds: np.ndarray
-    """Share of the nominal pressure from which on foam takes each up (n) [1]."""
+    """Share of the nominal pressure at which the foam takes up each crumb (n) [1]."""
     fates: np.ndarray
-    """LYING or TAKEN_UP (n)."""
+    """Fate of each crumb: LYING or TAKEN_UP (n)."""
 
     def __len__(self):
         return len(self.radii)
 
     @property
     def masses(self):
-        """(n) [kg]."""
+        """Returns the masses (n) [kg]."""
         return np.maximum(LEAST_MASS, DENSITY * 4.0 / 3.0 * np.pi * self.radii**3)
 
     def on_surface(self, outline):
-        """Which lie on the surface: a mask (n)."""
+        """Returns the mask (n) of the crumbs on the surface."""
         return (self.fates == LYING) & inside(outline, self.places[:, :2]) & (self.places[:, 2] > -0.5 * self.radii)
 
     def meeting(self, action, goal, radius, outline):
-        """Which meet the goal: a mask (n). `goal` (2) and `radius` [m] are those of a collect."""
+        """Returns the mask (n) of the crumbs that meet the goal. `goal` (2) and `radius` [m] are those of a collect."""
         if action == "absorb":
             return self.fates == TAKEN_UP
         if action == "collect":
             near = np.linalg.norm(self.places[:, :2] - goal, axis=1) <= radius
             return self.on_surface(outline) & near
-        raise ValueError(f"{action}: what meets its goal is not known here")
+        raise ValueError(f"{action}: this world does not know its goal")
 
 
 def inside(outline, points):
-    """Which points (n, 2) lie in a polygon (k, 2): a mask (n), by the crossings of a ray."""
+    """Returns the mask (n) of the points (n, 2) in a polygon (k, 2), by the crossings of a ray."""
     x, y = points[:, 0], points[:, 1]
     odd = np.zeros(len(points), dtype=bool)
     for (x1, y1), (x2, y2) in zip(outline, np.roll(outline, -1, axis=0)):
@@ -64,12 +64,12 @@ def inside(outline, points):
 
 
 def draw(settings, outline, believed):
-    """Crumbs of a world: places by the table `execution.dirt`, with random numbers that nothing else has; there are about as many
-    as are `believed` (n, 2), which only the source "as_believed" lays where they are believed to be."""
+    """Draws the crumbs of a world by the table `execution.dirt`, with separate random numbers. Their number is about that of the
+    `believed` particles (n, 2); only the source "as_believed" puts them at the believed locations."""
     random = np.random.default_rng([settings.seed, 0x6372756D])
     if settings.dirt["source"] not in PLACES:
         known = ", ".join(PLACES)
-        raise Unsupported(f"execution.dirt: source {settings.dirt['source']!r} is not one of this world's: {known}")
+        raise Unsupported(f"execution.dirt: source {settings.dirt['source']!r} is unknown in this world; known: {known}")
     listed = settings.dirt["source"] == "as_believed"
     about = len(believed)
     count = about if listed else settings.count or max(1, round(about * np.exp(0.2 * random.standard_normal())))

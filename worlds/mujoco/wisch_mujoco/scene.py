@@ -1,8 +1,8 @@
 """The world as a model of MuJoCo: robot, tool, surface, scene and crumbs.
 
-The tool is a bed of blocks, each on a spring of its own along the tool's axis. A block rests on the surface by a small foot,
-and meets crumbs with its whole body: what lies before the tool is pushed by the blocks' sides, what lies under it is pressed
-down by their undersides.
+The tool is a bed of blocks, each on a separate spring along the tool's axis. A block stands on the surface with a small foot,
+and touches crumbs with its whole body: the sides of the blocks push crumbs ahead of the tool, and their undersides press
+down crumbs under it.
 """
 
 import warnings
@@ -13,65 +13,65 @@ import numpy as np
 
 from . import poses
 
-# Who meets whom: `contype` against `conaffinity`.
+# Which bodies collide: `contype` against `conaffinity`.
 STANDS, CRUMB, FOOT, BLOCK, WIPED = 1, 2, 4, 8, 16
 
 FIRM_MASS = 0.1
-"""Of what is firm of the tool [kg]."""
+"""Mass of the rigid part of the tool [kg]."""
 FOAM_MASS = 0.05
-"""Of all blocks together [kg]."""
+"""Mass of all blocks together [kg]."""
 CELL = 0.016
-"""Blocks are about so long and wide [m]."""
+"""Approximate length and width of a block [m]."""
 BLOCK_HEIGHT = 0.012
-"""Of a block [m]."""
+"""Height of a block [m]."""
 FOOT_RADIUS = 0.04
-"""Of the foot on which a block rests [m]: so round that foam which hangs over the border slides back onto the surface."""
+"""Radius of the foot of a block [m]: foam that hangs over the border then slides back onto the surface."""
 HARD_SOLREF, HARD_SOLIMP = [0.004, 2.0], [0.9995, 0.9999, 0.0003, 0.5, 2.0]
-"""Of a crumb's contacts: so hard that foam which presses with half a newton on 20 mg gives way by a tenth of a millimetre,
-and damped so much that a crumb which is pinched does not shoot away."""
+"""Contact parameters of a crumb: under half a newton on 20 mg, the contact gives way by a tenth of a millimetre; damping keeps
+a pinched crumb from shooting away."""
 FOAM_DAMPING = 0.7
-"""Of a block on its spring, as a damping ratio [1]."""
+"""Damping ratio of a block on its spring [1]."""
 CRUMB_FRICTION = 0.35
-"""Of a crumb on the surface [1]."""
+"""Friction of a crumb on the surface [1]."""
 FOAM_FRICTION = 0.6
-"""Of a crumb on the foam [1]."""
+"""Friction of a crumb on the foam [1]."""
 ROLLING = 0.0004
-"""Of an angular crumb: how far ahead of its middle it rests [m]."""
+"""Rolling friction of an angular crumb: distance of its support from its centre [m]."""
 
 
 FOLLOWERS = {"torso_4": (("torso_2", -1.0), ("torso_3", -1.0))}
-"""Joints that follow others, and how: the humanoid's rods keep its chest upright."""
+"""Joints that follow other joints, with their factors: the humanoid's rods keep its chest upright."""
 
 
 @dataclass
 class Scene:
-    """A model with the indices that a simulation needs."""
+    """A MuJoCo model with the indices that a simulation needs."""
 
     model: mujoco.MjModel
     qpos: np.ndarray
     """Addresses of the robot's joints in qpos, in the robot's order (n)."""
     dof: np.ndarray
-    """And in qvel (n)."""
+    """Addresses of the robot's joints in qvel (n)."""
     followers: dict
-    """Addresses in qpos and in qvel of joints that follow others, by name."""
+    """Addresses in qpos and in qvel of joints that follow other joints, by name."""
     tool: int
-    """Body of the tool."""
+    """Index of the tool's body."""
     blocks: np.ndarray
     """Addresses of the blocks' slides in qpos (b)."""
     block_geoms: dict
-    """Which block a geom is."""
+    """Index of the block for each geom."""
     crumbs: np.ndarray
     """Addresses of the crumbs' free joints in qpos (c)."""
     crumb_dofs: np.ndarray
-    """And in qvel (c)."""
+    """Addresses of the crumbs' free joints in qvel (c)."""
     crumb_geoms: dict
-    """Which crumb a geom is."""
+    """Index of the crumb for each geom."""
     nominal: float
     """Compression of a block at the nominal pressure [m]."""
 
 
 def build(task, motion, settings, crumbs, world_from_real, period=1e-3):
-    """The model for one motion; crumbs lie where they lie, in the frame of the real surface."""
+    """Builds the model for one motion, with the crumbs at their current positions in the frame of the true surface."""
     spec = mujoco.MjSpec()
     spec.modelname = "wisch"
     option = spec.option
@@ -79,7 +79,7 @@ def build(task, motion, settings, crumbs, world_from_real, period=1e-3):
     option.integrator = mujoco.mjtIntegrator.mjINT_IMPLICITFAST
     option.cone = mujoco.mjtCone.mjCONE_ELLIPTIC
     option.impratio = 3.0
-    # Crumbs that nobody touches cost nothing.
+    # Crumbs without contact sleep, and cost no time.
     option.enableflags |= mujoco.mjtEnableBit.mjENBL_SLEEP
     option.gravity = [0.0, 0.0, -9.81]
     spec.visual.global_.offwidth, spec.visual.global_.offheight = 1280, 960
@@ -122,7 +122,7 @@ def _add_robot(spec, urdf, motion):
     robot = mujoco.MjSpec.from_string(urdf)
     robot.compiler.fusestatic = False
     robot.compiler.balanceinertia = True
-    # Links without mass, as a mobile base has between its joints, are given next to none.
+    # Links without mass, as between the joints of a mobile base, get a tiny mass.
     robot.compiler.boundmass, robot.compiler.boundinertia = 1e-4, 1e-6
     for geom in robot.geoms:
         geom.contype, geom.conaffinity = 0, 0
@@ -139,7 +139,7 @@ def _add_scene(spec, task, settings, world_from_real):
     for index, thing in enumerate(task.scene):
         if thing["role"] in ("robot", "tool"):
             continue
-        # What carries the surface is where the surface really is.
+        # The object that carries the surface moves with the true surface.
         pose = thing["world_from_object"]
         if thing["role"] == "carrier":
             pose = poses.times(moved, pose)
@@ -182,7 +182,7 @@ def _add_scene(spec, task, settings, world_from_real):
 
 
 def _add_tool(spec, task, motion, settings):
-    """The tool in the hand; its nominal compression [m], and how many blocks it has along and across."""
+    """Adds the tool to the hand; returns its nominal compression [m], and the number of blocks along and across."""
     grasp = poses.turned([0.0, 0.0, 1.0], settings.grasp_turn)
     grasp[:2] = settings.grasp_offset
     tip_from_tool = poses.times(motion.tip_from_tool, grasp)
@@ -214,7 +214,7 @@ def _add_tool(spec, task, motion, settings):
     for i in range(columns):
         for j in range(rows):
             x, y = low + sizes * [i + 0.5, j + 0.5]
-            # At rest the foam hangs below the tool centre point by as much as it gives way under the nominal force.
+            # At rest, the foam hangs below the tool centre point by its compression under the nominal force.
             block = tool.add_body(
                 name=f"block_{i}_{j}",
                 pos=[x, y, -depth],
@@ -269,7 +269,7 @@ def _add_crumbs(spec, crumbs, world_from_real):
         body = spec.worldbody.add_body(
             name=f"crumb_{k}",
             pos=middles[k],
-            # Of one that was taken up nothing weighs; MuJoCo looks at this only where a body says anything of it.
+            # A crumb that was taken up has no weight; MuJoCo applies this only to bodies that set it.
             gravcomp=1e-9 if lies else 1.0,
             quat=crumbs.quaternions[k],
         )

@@ -1,4 +1,4 @@
-"""How the world really is: read from the table `[execution]` of a task file, which no planner and no interpreter is told."""
+"""The ground truth of the world, from the table `[execution]` of a task file, which neither planner nor interpreter reads."""
 
 import tomllib
 from dataclasses import dataclass, field
@@ -6,13 +6,13 @@ from dataclasses import dataclass, field
 import numpy as np
 
 FRICTION = {"chopping_board": 0.45, "table": 0.35, "floor": 0.5, "windshield": 0.25, "solar_panel": 0.25}
-"""Between a surface and a tool where the task says nothing: the knowledge base's [1]."""
+"""Default friction between surface and tool, as in the knowledge base [1]."""
 GRAINS = {"breadcrumbs": (0.0005, 0.002), "glass_chippings": (0.002, 0.006)}
-"""Diameters where the task says nothing: the knowledge base's [m]."""
+"""Default grain diameters, as in the knowledge base [m]."""
 
 
 class Unsupported(ValueError):
-    """The task asks for what this world does not have."""
+    """The task needs something that this world lacks."""
 
 
 @dataclass(frozen=True)
@@ -20,17 +20,17 @@ class Push:
     """A person who pushes the tool."""
 
     force: np.ndarray
-    """On a tool at rest, in the axes of the world [N]."""
+    """Force on a tool at rest, in the axes of the world [N]."""
     duration: float
     start_s: float | None = None
     start_share: float | None = None
     start_stroke: int | None = None
     round: int = 1
     hand_speed: float = 0.1
-    """At which the hand no longer pushes [m/s]."""
+    """Speed of the tool at which the hand's force vanishes [m/s]."""
 
     def start(self, motion):
-        """When it begins in a motion [s]; None where the motion has no such time."""
+        """Returns when the push begins in a motion [s]; None if the motion ends earlier."""
         if self.start_s is not None:
             return self.start_s if self.start_s < motion.duration_s else None
         if self.start_share is not None:
@@ -41,18 +41,18 @@ class Push:
 
 @dataclass(frozen=True)
 class Settings:
-    """The world as it is."""
+    """The ground truth of a world."""
 
     friction: float = 0.45
     tilt: tuple = (0.0, 0.0)
-    """Of the real surface against the believed one, about its x and y [rad]."""
+    """Tilt of the true surface against the believed one, about its x and y [rad]."""
     shift: tuple = (0.0, 0.0, 0.0)
-    """Of the real surface in the frame of the believed one [m]."""
+    """Shift of the true surface in the frame of the believed one [m]."""
     force_noise: float = 0.15
     force_bias: tuple = (0.0, 0.0, 0.0)
     encoder_noise: float = 0.0
     grasp_offset: tuple = (0.0, 0.0)
-    """Where the tool really sits in the hand, in its own frame [m]."""
+    """True offset of the tool in the hand, in the tool frame [m]."""
     grasp_turn: float = 0.0
     tool_stiffness: float = 1.0
     footprint: float = 1.0
@@ -61,7 +61,7 @@ class Settings:
     count: int | None = None
     mu: float = -1.05
     sigma: float = 0.25
-    """ln of the share of the nominal pressure at which a tool that absorbs takes a crumb up, and its spread."""
+    """Mean and spread of ln of the share of the nominal pressure at which an absorbing tool takes up a crumb."""
     pushes: tuple = ()
     detection: float = 0.98
     half_size: float = 0.0003
@@ -72,10 +72,9 @@ class Settings:
 
     @classmethod
     def of(cls, task, seed=None, set=None):
-        """Those of a task of the wheel; `set` are the values that were laid over its file as it was loaded, which its text
-        does not have.
+        """Reads the settings of a task. `set`: values that overrode the file when it was loaded; its text lacks them.
 
-        Raises Unsupported: of what this world has none.
+        Raises Unsupported: the task needs something that this world lacks.
         """
         table = tomllib.loads(task.toml)
         for key, value in (set or {}).items():

@@ -1,8 +1,8 @@
-"""Motions that come over the executor protocol, and what drives the robot along them.
+"""Motions that arrive over the executor protocol, and the controller for them.
 
-The protocol hands on points of the joints and of the tool, not the plan that the wheel's controller (8) is made from. Here the same law,
-a Cartesian spring that is pressed into the surface and saturated at the force of the task, stands on the robot's
-dynamics as the wheel has them.
+The protocol sends points of the joints and of the tool, but not the plan, from which the wheel makes its controller (equation 8
+of the paper). This module has the same law with the wheel's dynamics: a Cartesian spring that is pressed into the surface, and
+saturates at the task's force.
 """
 
 import mujoco
@@ -12,23 +12,23 @@ import wisch
 from . import poses
 
 LATERAL_STIFFNESS = 2000.0
-"""Along the surface [N/m]."""
+"""Stiffness along the surface [N/m]."""
 TURNING_STIFFNESS = 60.0
-"""Against turning [Nm/rad]."""
+"""Rotational stiffness [Nm/rad]."""
 MOMENT_LIMIT = 8.0
-"""[Nm]."""
+"""Largest moment [Nm]."""
 PRESS_MARGIN = 1.1
-"""The spring's force on the surface over the one that it is saturated at [1]."""
+"""Ratio of the spring's force on the surface to its saturation [1]."""
 APPROACH_HEIGHT = 0.012
-"""Over the surface, from where on the spring is commanded into it [m]."""
+"""Height above the surface below which the spring is commanded into it [m]."""
 POSTURE_STIFFNESS = 20.0
-"""Of the joints towards their planned positions, where the tool does not mind [Nm/rad]."""
+"""Null-space stiffness of the joints towards their planned positions [Nm/rad]."""
 OBSERVER_GAIN = 150.0
 """Bandwidth of the observer of external torques [1/s]."""
 
 
 class Frames:
-    """What a motion over the wire does not say, and no round changes: how the tool is held, and where the robot's root is."""
+    """What a motion of the protocol does not state and no round changes: the tool in the hand, and the robot's root."""
 
     def __init__(self, task):
         self.robot = task.robot()
@@ -41,7 +41,7 @@ class Frames:
 
 
 class WireMotion:
-    """A motion of the protocol with the frames that it does not say."""
+    """A motion of the protocol, with the frames that it does not state."""
 
     def __init__(self, motion, frames):
         self._motion, self._frames = motion, frames
@@ -51,16 +51,16 @@ class WireMotion:
         return getattr(self._frames if of_frames else self._motion, name)
 
     def setpoints(self, _period):
-        """Its own points."""
+        """Returns the points of the motion."""
         return {"positions": self._motion.positions}
 
     def controller(self, period_s, tool_mass_kg):
-        """What drives the robot along it."""
+        """Returns the controller for the motion."""
         return Controller(self, self._frames, period_s, tool_mass_kg)
 
 
 class Controller:
-    """Has what `Simulation` asks of `wisch.ImpedanceController`."""
+    """A controller with the interface of `wisch.ImpedanceController` that `Simulation` uses."""
 
     def __init__(self, motion, frames, period, tool_mass):
         self.motion, self.robot, self.period = motion, frames.robot, period
@@ -79,7 +79,7 @@ class Controller:
         self.begun = self.sum = self.residual = np.zeros(len(self.compliant))
 
     def _between(self, column, time):
-        """A column of the points at a time, and its rate."""
+        """Interpolates a column of the points at a time; returns value and rate."""
         times = self.motion.time_s
         k = int(np.clip(np.searchsorted(times, time, side="right") - 1, 0, len(times) - 2))
         step = times[k + 1] - times[k]
@@ -88,7 +88,7 @@ class Controller:
         return column[k] + share * change, change / step
 
     def command(self, time, q, qd):
-        """Efforts of the compliant joints (k) at a time [s], from all positions and velocities (n)."""
+        """Returns the efforts of the compliant joints (k) at a time [s], from all positions and velocities (n)."""
         motion, frames, own = self.motion, self.frames, self.compliant
         planned_q, _ = self._between(motion.positions, time)
         planned_qd, planned_qdd = self._between(motion.velocities, time)
@@ -124,13 +124,13 @@ class Controller:
         return self.last
 
     def _damping(self, stiffness, mobility):
-        """Damping of a spring on what it moves: the task's ratio along each axis of the world."""
+        """Returns the damping of a spring on the mass that it moves: the task's ratio along each axis of the world."""
         masses = 1.0 / np.maximum(np.diag(mobility), 1e-3)
         root = np.sqrt(np.maximum(np.diag(stiffness), 1.0) * masses)
         return np.diag(2.0 * self.motion.damping_ratio * root)
 
     def _pressed_in(self, place, time):
-        """A place on the believed surface, pushed into it where the tool is to press."""
+        """Returns a point of the path, shifted into the believed surface where the tool presses."""
         up = self.surface[:, 2]
         height = up @ (place[:3] - self.motion.world_from_surface[:3])
         phase = next((p["phase"] for p in reversed(self.motion.phases) if p["start_s"] <= time), "transfer")
@@ -138,7 +138,7 @@ class Controller:
         return np.concatenate([place[:3] - share * self.depth * up, place[3:]])
 
     def _observe(self, mass, bias, qd, jacobian, inverse, mobility):
-        """What the surroundings do to the tool, from the robot's momentum."""
+        """Estimates the external force on the tool from the robot's momentum."""
         momentum = mass @ qd
         if self.mass is None:
             self.begun = momentum
@@ -151,7 +151,7 @@ class Controller:
 
 
 def turned_by(pose, other):
-    """Axis times angle, in the world, from one pose's turn to another's [rad]."""
+    """Returns axis times angle, in the world, from the rotation of one pose to that of another [rad]."""
     inverse, quaternion, vector = np.zeros(4), np.zeros(4), np.zeros(3)
     mujoco.mju_negQuat(inverse, poses.wxyz(pose))
     mujoco.mju_mulQuat(quaternion, poses.wxyz(other), inverse)

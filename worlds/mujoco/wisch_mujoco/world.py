@@ -1,4 +1,4 @@
-"""The world over the rounds of a session: an executor in Python."""
+"""The world of a session, as an executor in Python."""
 
 from copy import deepcopy
 from dataclasses import dataclass, field
@@ -12,35 +12,35 @@ from .settings import Settings
 from .wire import Frames, WireMotion
 
 PERIOD = 1e-3
-"""Of control, physics and telemetry [s]."""
+"""Period of control, physics and telemetry [s]."""
 HOLD_STIFFNESS, HOLD_DAMPING = 4000.0, 200.0
-"""Of the drives that hold what is not compliant, over its inertia [1/s², 1/s]."""
+"""Gains of the drives that hold rigid joints, divided by the inertia [1/s², 1/s]."""
 FARAWAY = -5.0
-"""Where crumbs are kept that were taken up: below the floor [m]."""
+"""Height at which crumbs are kept that were taken up: below the floor [m]."""
 MAX_ASTRAY = 0.5
-"""Further off than this from where it is told to be, the robot stops [m]."""
+"""Distance from the commanded position at which the robot stops [m]."""
 SETTLING = 0.3
-"""After a stroke begins, this long passes before the tool's force counts [s]."""
+"""Time after the begin of a stroke from which the tool's force counts [s]."""
 
 
 @dataclass
 class Truth:
-    """What really happened in a round; no robot has it."""
+    """The ground truth of a round, which no robot has."""
 
     crumbs: dirt.Crumbs
     contact_force: list = field(default_factory=list)
-    """Of the surface on the tool while it slides, along the surface's normal [N]."""
+    """Force of the surface on the sliding tool, along the surface's normal [N]."""
     pushed: list = field(default_factory=list)
-    """When somebody pushed: from, to [s]."""
+    """Begin and end of each push [s]."""
     missed: list = field(default_factory=list)
-    """Pushes for which the motion had no time, in words."""
+    """Descriptions of pushes that would have begun after the motion."""
 
 
 class World:
-    """A MuJoCo world for a task of the wheel; hand it to `Session.run`.
+    """A MuJoCo world for a task of the wheel; pass it to `Session.run`.
 
-    It has dirt, a surface and people of its own, and outlasts the rounds of a session. `set` are the values that were laid over
-    the task's file as it was loaded; or `settings` say all.
+    Its dirt, surface and people are those of the ground truth, and stay over the rounds of a session. `set`: values that overrode
+    the task's file when it was loaded; alternatively, `settings` state everything.
     """
 
     def __init__(self, task, seed=None, settings=None, set=None):
@@ -59,10 +59,10 @@ class World:
         self.watch = None
         """Called as `watch(simulation, time)` after each step, for pictures and logs."""
 
-    # What an executor has.
+    # The interface of an executor.
 
     def execute(self, motion, sink):
-        """Executes a motion on the dirt that the one before left."""
+        """Executes a motion on the dirt that the motion before left."""
         if not isinstance(motion, wisch.Motion):
             self.frames = self.frames or Frames(self.task)
             motion = WireMotion(motion, self.frames)
@@ -74,14 +74,14 @@ class World:
         return done
 
     def observe(self):
-        """What the camera sees: places of crumbs in the frame of the believed surface; None without one."""
+        """Returns the camera's detections in the frame of the believed surface; None without a camera."""
         settings, crumbs = self.settings, self.crumbs
         if not settings.sees:
             return None
         self.looks += 1
         random = np.random.default_rng([settings.seed, 0x6C6F6F6B, self.looks])
         there = crumbs.on_surface(self.outline)
-        # Half of those are seen that are as small as `half_size`.
+        # A crumb as small as `half_size` is detected with half the probability.
         size = 2.0 * crumbs.radii
         seen = there & (random.random(len(crumbs)) < settings.detection * size**4 / (size**4 + settings.half_size**4))
         in_world = poses.into(self.world_from_real, crumbs.places[seen])
@@ -92,17 +92,17 @@ class World:
         places = np.vstack([places, false])
         return {"detections": places[dirt.inside(self.outline, places)]}
 
-    # What is true.
+    # The ground truth.
 
     def performance(self, goal=None, round=None):
-        """Share of the crumbs that meet the task's goal [1], now or after a round (from 1); `goal` (2) is a collect's,
-        `Plan.collect_goal`."""
+        """Returns the share of the crumbs that meet the task's goal [1], now or after a round (from 1). `goal` (2): goal of a
+        collect, `Plan.collect_goal`."""
         crumbs = self.crumbs if round is None else self.truth[round - 1].crumbs
         return float(np.mean(crumbs.meeting(self.task.action, goal, self.task.collision_radius_m, self.outline)))
 
 
 class Simulation:
-    """One motion."""
+    """The simulation of one motion."""
 
     def __init__(self, world, motion):
         settings = world.settings
@@ -127,7 +127,7 @@ class Simulation:
             if push.round == motion.round:
                 start = push.start(motion)
                 if start is None:
-                    self.truth.missed.append(f"a push of {push.duration} s has no time in round {motion.round}")
+                    self.truth.missed.append(f"a push of {push.duration} s would begin after the end of round {motion.round}")
                 else:
                     self.pushes.append((start, push))
         self.taking = world.task.action == "absorb"
@@ -137,7 +137,7 @@ class Simulation:
         mujoco.mj_forward(self.model, self.data)
         self.held_inertia = [self._inertia([(self.scene.dof[i], 1.0)]) for i in held]
         self.rods = []
-        """Of each joint that follows others: (address in qpos, in qvel, factor) whose sum is to stay 0, and its inertia."""
+        """For each joint that follows other joints: terms (address in qpos, in qvel, factor) whose sum stays 0, and the inertia."""
         for name, (address, dof) in self.scene.followers.items():
             rods = [(address, dof, 1.0)]
             for joint, factor in scene.FOLLOWERS[name]:
@@ -152,7 +152,7 @@ class Simulation:
             self.data.qpos[address] = sum(factor * positions[self.motion.joints.index(joint)] for joint, factor in terms)
 
     def run(self, sink):
-        """To the end of the motion, or until the sink says stop: what the wheel calls done."""
+        """Simulates to the end of the motion, or until the sink stops it; returns the ending."""
         ending, rows = "complete", []
         steps = int(np.ceil(self.motion.duration_s / PERIOD))
         for step in range(steps + 1):
@@ -165,7 +165,7 @@ class Simulation:
                     ending = "stopped"
                     break
             if self.astray > MAX_ASTRAY:
-                ending = {"protective_stop": {"time_s": time, "reason": f"the tool is {self.astray:.2f} m off its way"}}
+                ending = {"protective_stop": {"time_s": time, "reason": f"the tool is {self.astray:.2f} m off its path"}}
                 break
         if rows:
             sink.many({key: np.array([row[key] for row in rows]) for key in rows[0]})
@@ -173,7 +173,7 @@ class Simulation:
         return {"ending": ending, "duration_s": time, "positions": self.q}
 
     def _period(self, time):
-        """One period: measure, command, let time pass; what was measured."""
+        """Simulates one period: measures, commands, and steps; returns the measured sample."""
         model, data, settings, controller = self.model, self.data, self.settings, self.controller
         q, qd = data.qpos[self.scene.qpos], data.qvel[self.scene.dof]
         if settings.encoder_noise:
@@ -216,7 +216,7 @@ class Simulation:
         }
 
     def _hold(self, q, qd, qdd):
-        """Base and arms that do not wipe are held by drives of their own, and joints that follow others by stiff rods to them."""
+        """Holds base and idle arms by separate drives, and joints that follow other joints by stiff rods."""
         data = self.data
         for rods, inertia in self.rods:
             error = -sum(factor * data.qpos[address] for address, _, factor in rods)
@@ -231,7 +231,7 @@ class Simulation:
             data.qfrc_applied[dof] = data.qfrc_bias[dof] + inertia * change
 
     def _inertia(self, terms):
-        """What moves along a combination of joints, all others being free: terms are (address in qvel, factor)."""
+        """Returns the inertia along a combination of joints while all other joints are free: terms are (address in qvel, factor)."""
         along, moved = np.zeros((1, self.model.nv)), np.zeros((1, self.model.nv))
         for dof, factor in terms:
             along[0, dof] = factor
@@ -259,7 +259,7 @@ class Simulation:
                     self.truth.pushed.append([time, time])
 
     def _take_up(self):
-        """Foam that is pressed on enough takes up what it touches."""
+        """Lets foam under sufficient pressure take up the crumbs that it touches."""
         data, scene_ = self.data, self.scene
         for contact in data.contact[: data.ncon]:
             for own, other in ((contact.geom1, contact.geom2), (contact.geom2, contact.geom1)):
@@ -281,7 +281,7 @@ class Simulation:
         self.data.qvel[dof : dof + 6] = 0.0
 
     def _note(self, time):
-        """What really happened in this period."""
+        """Records the ground truth of this period."""
         while self.phase + 1 < len(self.phases) and self.phases[self.phase + 1]["start_s"] <= time:
             self.phase += 1
         wipes = self.phases[self.phase]["phase"] == "wipe"
@@ -294,13 +294,13 @@ class Simulation:
             self.truth.contact_force.append(self.contact_force())
 
     def contact_force(self):
-        """Force of the surface on the tool, by how much its springs give way [N]."""
+        """Returns the force of the surface on the tool, from the compression of its springs [N]."""
         pressed = np.maximum(0.0, self.data.qpos[self.scene.blocks])
         share = pressed / self.scene.nominal
         return float(self.motion.press_force_n * share.sum() / len(share))
 
     def _settle(self):
-        """The crumbs as they lie at the end."""
+        """Returns the crumbs at the end of the motion."""
         real_from_world = poses.inverse(self.world.world_from_real)
         for crumb, address in enumerate(self.scene.crumbs):
             place = self.data.qpos[address : address + 3]
