@@ -3,8 +3,8 @@
     python docs/viewers/rerun_bag.py out/chopping-board/telemetry/round-1.mcap
     python docs/viewers/rerun_bag.py round-1.mcap --save round-1.rrd
 
-Rerun reads most of a bag by itself: the URDF of /robot_description, frames, joints, poses, point clouds. Markers and
-wrenches it shows as text only; those are converted here. Times are seconds since the start of the round.
+Rerun itself reads most of a bag: the URDF of /robot_description, frames, joints, poses, point clouds. It shows markers and
+wrenches as text only; this script converts them. Times are seconds since the start of the round.
 """
 
 import argparse
@@ -31,7 +31,7 @@ DELETE = 2
 
 
 def messages(path, topics):
-    """The topics' messages in the order of the file; of a bag that a killed program left, up to where it ends."""
+    """Returns the messages of topics in the order of the file; of the bag of a killed program, up to its end."""
     with open(path, "rb") as stream:
         reader = NonSeekingReader(stream, decoder_factories=[DecoderFactory()])
         try:
@@ -46,7 +46,7 @@ def xyz(vector):
 
 
 def rotation(q):
-    """The rotation matrix of a quaternion."""
+    """Returns the rotation matrix of a quaternion."""
     x, y, z, w = q.x, q.y, q.z, q.w
     return np.array([
         [1 - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w)],
@@ -56,13 +56,13 @@ def rotation(q):
 
 
 def points_in_frame(marker):
-    """A marker's points in the frame of its header [m]."""
+    """Returns a marker's points in the frame of its header [m]."""
     points = np.array([xyz(point) for point in marker.points]).reshape(-1, 3)
     return points @ rotation(marker.pose.orientation).T + xyz(marker.pose.position)
 
 
 def archetype(marker):
-    """What Rerun draws for a marker."""
+    """Returns the shape that Rerun draws for a marker."""
     color = marker.color
     rgba = [round(255 * share) for share in (color.r, color.g, color.b, color.a)]
     points = points_in_frame(marker)
@@ -103,7 +103,7 @@ def log_markers(path, recording):
 
 
 def log_curves(path, recording):
-    """The force and the tool's height above the surface, every sample."""
+    """Returns the force and the tool's height above the surface, for each sample."""
     times, values = {}, {}
     world_from_surface = None
     for topic, time, message in messages(path, [*WRENCHES, *POSES, "/tf"]):
@@ -130,7 +130,7 @@ def log_curves(path, recording):
 
 
 def shapes_of_robot(path):
-    """Where Rerun puts the shapes of the robot that are to be seen: those for collisions only where it has no others."""
+    """Returns the entities of the robot's shapes, and whether they are shown: collision shapes only without visual ones."""
     for _, _, message in messages(path, ["/robot_description"]):
         robot = ElementTree.fromstring(message.data)
         kind = "visual" if robot.find("link/visual") is not None else "collision"

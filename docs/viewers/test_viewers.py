@@ -1,8 +1,8 @@
-"""Whether a bag shows in Rerun and Foxglove what it should.
+"""Tests what Rerun and Foxglove show of a bag.
 
     python -m pytest docs/viewers
 
-takes a bag that the example demo_bag writes; WISCH_BAG=round-1.mcap takes another.
+The bag is that of the example demo_bag, or the one that WISCH_BAG names.
 """
 
 import json
@@ -34,14 +34,14 @@ def bag(tmp_path_factory):
 
 
 @pytest.fixture(scope="session")
-def told(bag):
-    """The messages by topic, with their times, but those that come every sample: of these the first 100."""
-    told = {}
+def topics(bag):
+    """The messages of each topic with their times; of topics with a message for each sample, the first 100."""
+    topics = {}
     for topic, time, message in rerun_bag.messages(bag, None):
-        entries = told.setdefault(topic, [])
+        entries = topics.setdefault(topic, [])
         if len(entries) < 100 or topic in ("/tf", "/force", "/particles"):
             entries.append((time, message))
-    return told
+    return topics
 
 
 @pytest.fixture(scope="session")
@@ -65,7 +65,7 @@ def recording(saved):
 
 
 def rows(recording, entity, column, index=rerun_bag.TIMELINE):
-    """Times [s] and values of a column where it says something."""
+    """Returns times [s] and values of a column, without empty cells."""
     table = recording.reader(index, contents=entity).to_arrow_table()
     name = f"{entity}:{column}"
     assert name in table.column_names, f"{name} is not among {table.column_names}"
@@ -78,7 +78,7 @@ def rows(recording, entity, column, index=rerun_bag.TIMELINE):
 
 
 def in_frame(marker):
-    """A marker's points in the frame of its header, turned by the quaternion itself and not by a matrix."""
+    """Returns a marker's points in the frame of its header, rotated by the quaternion itself and not by a matrix."""
     q = marker.pose.orientation
     axis = np.array([q.x, q.y, q.z])
     points = np.array([[p.x, p.y, p.z] for p in marker.points])
@@ -96,8 +96,8 @@ def test_a_marker_that_is_turned_is_drawn_turned():
     assert np.allclose(rerun_bag.points_in_frame(marker), in_frame(marker))
 
 
-def test_scene_stands_there_from_the_beginning(recording, told):
-    markers = told["/scene"][0][1].markers
+def test_scene_stands_there_from_the_beginning(recording, topics):
+    markers = topics["/scene"][0][1].markers
     meshes = [m for m in markers if m.type == rerun_bag.TRIANGLE_LIST]
     assert meshes and {m.ns for m in markers} >= {"surface", "outline"}
     for marker in markers:
@@ -110,8 +110,8 @@ def test_scene_stands_there_from_the_beginning(recording, told):
         assert rows(recording, entity, "CoordinateFrame:frame")[1] == [[marker.header.frame_id]]
 
 
-def test_strokes_are_lines_and_touches_points(recording, told):
-    strokes = told["/plan/strokes"][0][1].markers
+def test_strokes_are_lines_and_touches_points(recording, topics):
+    strokes = topics["/plan/strokes"][0][1].markers
     assert strokes
     for marker in strokes:
         line = marker.type == rerun_bag.LINE_STRIP
@@ -120,15 +120,15 @@ def test_strokes_are_lines_and_touches_points(recording, told):
         assert rows(recording, f"/plan/strokes/{marker.ns}/{marker.id}", column)[0] == [0.0]
 
 
-def test_tool_moves_with_its_frame_and_particles_are_there(recording, told):
+def test_tool_moves_with_its_frame_and_particles_are_there(recording, topics):
     assert rows(recording, "/tool", "Mesh3D:vertex_positions")[0] == [0.0]
     assert rows(recording, "/tool", "CoordinateFrame:frame")[1] == [["tool"]]
     times, values = rows(recording, "/particles", "Points3D:positions")
-    assert [len(v) for v in values] == [len(m.points) for _, m in told["/particles"] if m.points]
+    assert [len(v) for v in values] == [len(m.points) for _, m in topics["/particles"] if m.points]
 
 
-def test_force_is_an_arrow_over_time(recording, told, duration_s):
-    drawn = [(time / NS_PER_S, m) for time, m in told["/force"] if m.action != rerun_bag.DELETE]
+def test_force_is_an_arrow_over_time(recording, topics, duration_s):
+    drawn = [(time / NS_PER_S, m) for time, m in topics["/force"] if m.action != rerun_bag.DELETE]
     times, vectors = rows(recording, "/force", "Arrows3D:vectors")
     assert np.allclose(times, [time for time, _ in drawn]) and len(times) > 10
     assert np.all(np.diff(times) > 0.039) and times[-1] < duration_s
@@ -136,18 +136,18 @@ def test_force_is_an_arrow_over_time(recording, told, duration_s):
     assert 0.01 < longest < 1.0, longest
 
 
-def test_links_of_the_robot_move(recording, told, bag, tmp_path, duration_s):
+def test_links_of_the_robot_move(recording, topics, bag, tmp_path, duration_s):
     urdf = tmp_path / "robot.urdf"
-    urdf.write_text(told["/robot_description"][0][1].data)
+    urdf.write_text(topics["/robot_description"][0][1].data)
     tree = UrdfTree.from_file_path(urdf)
     moved = {child for joint in tree.joints() if (child := joint.child_link) and joint.joint_type != "fixed"}
     fixed = {joint.child_link for joint in tree.joints() if joint.joint_type == "fixed"}
     by_frame = {}
-    for time, message in told["/tf"]:
+    for time, message in topics["/tf"]:
         for transform in message.transforms:
             by_frame.setdefault(transform.child_frame_id, []).append(time / NS_PER_S)
     assert set(by_frame) == moved | {"tool", "surface"}
-    standing = {t.child_frame_id for t in told["/tf_static"][0][1].transforms}
+    standing = {t.child_frame_id for t in topics["/tf_static"][0][1].transforms}
     assert fixed <= standing and not standing & set(by_frame)
     for frame in moved:
         assert abs(len(by_frame[frame]) / duration_s - 25.0) < 1.0, frame
@@ -159,8 +159,8 @@ def test_links_of_the_robot_move(recording, told, bag, tmp_path, duration_s):
             for (frame,) in table.column("Transform3D:child_frame").to_pylist():
                 placed[frame] = placed.get(frame, 0) + 1
     assert placed == {frame: len(times) for frame, times in by_frame.items()}
-    # Rerun has read the description: shapes are there where the blueprint shows them, in frames that are told.
-    told_frames = standing | set(by_frame) | {"world"}
+    # Rerun has read the description: shapes are there where the blueprint shows them, in frames that the bag names.
+    known_frames = standing | set(by_frame) | {"world"}
     shown = [entity for entity, visible in rerun_bag.shapes_of_robot(bag).items() if visible]
     chunks = [chunk for chunk in recording.stream().to_chunks() if chunk.entity_path.startswith(f"{shown[0]}/")]
     frames = set()
@@ -168,10 +168,10 @@ def test_links_of_the_robot_move(recording, told, bag, tmp_path, duration_s):
         table = chunk.to_record_batch()
         if "CoordinateFrame:frame" in table.schema.names:
             frames |= {frame for (frame,) in table.column("CoordinateFrame:frame").to_pylist()}
-    assert frames and frames <= told_frames, frames - told_frames
+    assert frames and frames <= known_frames, frames - known_frames
 
 
-def test_the_blueprint_shows_the_robot_by_its_visual_shapes_or_else_by_those_for_collisions(saved, told):
+def test_the_blueprint_shows_the_robot_by_its_visual_shapes_or_else_by_those_for_collisions(saved, topics):
     (blueprint,) = saved.blueprints()
     visible = {}
     for chunk in saved.stream(store=blueprint).to_chunks():
@@ -179,7 +179,7 @@ def test_the_blueprint_shows_the_robot_by_its_visual_shapes_or_else_by_those_for
         if "EntityBehavior:visible" in table.schema.names:
             kind = "visual" if "visual_geometries" in chunk.entity_path else "collision"
             visible[kind] = table.column("EntityBehavior:visible").to_pylist() == [[True]]
-    has_visual = "<visual>" in told["/robot_description"][0][1].data
+    has_visual = "<visual>" in topics["/robot_description"][0][1].data
     assert visible == {"visual": has_visual, "collision": not has_visual}
 
 
@@ -195,21 +195,21 @@ def paths_of(layout):
         yield from (path["value"] for path in config.get("paths", []))
 
 
-def test_the_layout_asks_for_what_is_in_the_bag(told):
+def test_the_layout_asks_for_what_is_in_the_bag(topics):
     layout = json.loads((HERE / "foxglove-layout.json").read_text())
     scene = layout["configById"]["3D!scene"]
     shown = {topic for topic, settings in scene["topics"].items() if settings["visible"]}
     shown |= {layer["topic"] for layer in scene["layers"].values() if "topic" in layer}
     assert shown == {*rerun_bag.MARKER_TOPICS, "/robot_description"}
-    assert shown <= set(told), shown - set(told)
+    assert shown <= set(topics), shown - set(topics)
     for path in paths_of(layout):
         topic, *fields = path.split(".")
-        assert topic in told, topic
-        value = told[topic][0][1]
+        assert topic in topics, topic
+        value = topics[topic][0][1]
         for field in fields:
             value = getattr(value, field)
         assert isinstance(value, (float, str)), path
-    frames = {t.child_frame_id for _, m in told["/tf"] for t in m.transforms} | {"world"}
+    frames = {t.child_frame_id for _, m in topics["/tf"] for t in m.transforms} | {"world"}
     wanted = {scene["followTf"], scene["fixedFrame"], scene["layers"]["grid"]["frameId"]}
     wanted |= {name.removeprefix("frame:") for name in scene["transforms"]}
     assert wanted <= frames, wanted - frames
