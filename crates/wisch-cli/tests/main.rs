@@ -3,6 +3,7 @@
 mod ask;
 mod cli;
 mod curved;
+mod earlier_versions;
 mod eval;
 mod executor;
 mod export;
