@@ -107,7 +107,7 @@ predicate(tilted_surface, 2, 'tilted_surface(Round, Tilt): surfaces estimated wi
 predicate(contact_force_drift, 4, 'contact_force_drift(Surface, Slope, First, Last): contact force [N] that decreases slowly over episodes').
 predicate(localization_drift, 4, 'localization_drift(Surface, Slope, First, Last): localisation error [m] that grows slowly over episodes, since its last sudden change').
 predicate(localization_change, 4, 'localization_change(Surface, T, Before, After): sudden change of the localisation error [m]').
-predicate(drift_cause, 3, 'drift_cause(Surface, Change, Cause): change [m] of the localisation error since the first episode, and its cause from force against depth: worn_tool, stiffer_tool, lowered_surface, raised_surface, tool_and_surface or cannot_be_told').
+predicate(drift_cause, 3, 'drift_cause(Surface, Change, Cause): change [m] of the localisation error since the first episode, and its cause from force against depth: worn_tool, stiffer_tool, lowered_surface, raised_surface, tool_and_surface or unknown').
 predicate(tool_wear, 4, 'tool_wear(Tool, Slope, First, Last): stiffness [N/m] of a tool that softens over episodes').
 predicate(tool_performance, 4, 'tool_performance(Tool, Medium, Mean, N): mean performance of a tool with a medium, over N episodes').
 predicate(strategy_performance, 3, 'strategy_performance(Strategy, Mean, N): mean performance of a strategy, over N episodes').

@@ -368,7 +368,11 @@ fn in_csv(answers: &Answers) -> String {
 fn listing(predicates: &[Predicate]) -> String {
     let lines = predicates.iter().map(|predicate| {
         let meaning = &predicate.meaning;
-        match meaning.split_once(": ") {
+        // A colon within arguments does not end the head.
+        let end = meaning
+            .find("): ")
+            .map_or_else(|| meaning.find(": "), |end| Some(end + 1));
+        match end.map(|end| (&meaning[..end], &meaning[end + 2..])) {
             Some((call, says)) => format!("  {call}\n      {says}\n"),
             None => format!("  {meaning}\n"),
         }
@@ -380,6 +384,23 @@ fn listing(predicates: &[Predicate]) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_listed_call_keeps_a_colon_in_its_arguments() {
+        let predicate = |meaning: &str| Predicate {
+            name: String::new(),
+            arity: 0,
+            meaning: meaning.to_owned(),
+        };
+        let text = listing(&[
+            predicate("data_vis(Id, [data: [X, Y]]): draws: a chart"),
+            predicate("show: shows the scene"),
+        ]);
+        assert!(
+            text.starts_with("  data_vis(Id, [data: [X, Y]])\n      draws: a chart\n  show\n      shows the scene\n"),
+            "{text}"
+        );
+    }
 
     #[test]
     fn a_query_that_is_no_prolog_is_refused_with_the_place() {

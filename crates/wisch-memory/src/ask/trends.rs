@@ -207,7 +207,7 @@ pub fn causes(catalogue: &Catalogue, within: [f64; 2]) -> Vec<Term> {
             (stiffness > 0.0).then(|| -force.abs() / stiffness)
         });
         let cause = match sunk.collect::<Option<Vec<f64>>>() {
-            None => "cannot_be_told",
+            None => "unknown",
             Some(sunk) => {
                 let by_tool = change(&sunk) / moved;
                 if by_tool >= IS_CAUSE && moved < 0.0 {

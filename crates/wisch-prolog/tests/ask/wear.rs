@@ -147,7 +147,7 @@ fn without_the_stiffness_nobody_knows_which_it_was() {
     let catalogue = episodes((0..10).map(|day| (-1e-3 * f64::from(day), None)));
     check(
         &catalogue,
-        &[("drift_cause(S, _, C)", &["semco:table cannot_be_told"])],
+        &[("drift_cause(S, _, C)", &["semco:table unknown"])],
     );
 }
 
