@@ -11,7 +11,7 @@ pub enum Moment {
     Seconds(f64),
     /// When this share of its duration has passed, in [0, 1].
     Share(f64),
-    /// Amid the stroke of this number, counted from 1: when half of its time has passed.
+    /// During the stroke of this number, counted from 1: when half of its time has passed.
     Stroke(usize),
 }
 

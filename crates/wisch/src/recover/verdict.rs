@@ -135,7 +135,7 @@ impl fmt::Display for Claim {
     }
 }
 
-/// Judges a log by itself, without earlier rounds. Returns [`Verdict::GoalMet`], [`Verdict::Undecidable`],
+/// Assesses a log without earlier rounds. Returns [`Verdict::GoalMet`], [`Verdict::Undecidable`],
 /// [`Verdict::UnknowableByTouch`], or [`Verdict::Again`] where the goal is not met.
 pub fn assess_log(interpretation: &Interpretation, target: f64) -> Verdict {
     let is_seen = interpretation.observation.is_some();
@@ -203,7 +203,7 @@ impl TerminationPolicy {
         }
     }
 
-    /// Judges the round that has just been interpreted, and remembers it for later rounds.
+    /// Decides about the round that has just been interpreted, and remembers it for later rounds.
     ///
     /// Touch is unreliable while a person pushes. Only a round without disturbance, or a camera, shows that the
     /// goal is met. A disturbance is no reason against another try, and neither is a localisation error of the

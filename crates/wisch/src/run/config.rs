@@ -59,8 +59,8 @@ pub struct RunConfig {
     pub max_rounds: usize,
     /// Amount of work in one round.
     pub pace: Pace,
-    /// Whether a round ends amid a stroke that no longer has an effect, because contact is lost or the tool is
-    /// led away; the remaining dirt is planned anew.
+    /// Whether a round ends during a stroke that no longer has an effect, because contact is lost or the tool is
+    /// led away; the next round plans for the remaining dirt.
     pub end_strokes_early: bool,
     /// What happens after a person or a safety system stops the robot.
     pub after_stop: AfterStop,

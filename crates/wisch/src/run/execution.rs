@@ -11,7 +11,7 @@ pub enum Ending {
     Complete,
     /// The receiver of the samples stopped it.
     Stopped,
-    /// It ended amid a stroke that no longer had an effect; see
+    /// It ended during a stroke that no longer had an effect; see
     /// [`RunConfig::end_strokes_early`](super::RunConfig).
     Early {
         /// Time of the end \[s\].

@@ -12,7 +12,7 @@ const WITHOUT_CONTACT: f64 = 2.0;
 /// Time off its path after which the tool counts as led away [s].
 const LED_FOR: f64 = 0.3;
 
-/// Why a round ended amid a stroke.
+/// Why a round ended during a stroke.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
 pub enum StrokeEnd {
     /// The tool moved on without pressing on the surface.

@@ -162,7 +162,7 @@ fn roll_out(
     model.resume_after(steps[..from].iter().filter(|step| step.lifts).count() as u32);
     let spacing = SPACING.max(steps.len().div_ceil(MOST_STATES));
     for (at, step) in steps.iter().enumerate().skip(from) {
-        // Amid a stroke, a pushing tool may carry dirt, which a state does not contain.
+        // During a stroke, a pushing tool may carry dirt, which a state does not contain.
         let is_whole = state.margin.is_none() || at == 0 || steps[at - 1].lifts;
         if at > from && at % spacing == 0 && is_whole {
             states.push((at, Rc::new(state.clone())));
