@@ -66,6 +66,18 @@ impl Answers {
 }
 
 /// Interface for queries to a memory. The engine runs, and keeps its facts, until this is dropped.
+///
+/// ```no_run
+/// use wisch_memory::Memory;
+/// use wisch_memory::ask::{EngineCommand, QuerySession};
+///
+/// let engine = EngineCommand::find().ok_or("there is no Prolog engine")?;
+/// let mut session = QuerySession::open(Memory::open("episodes".as_ref())?, engine)?;
+/// for row in &session.ask("low_performance_round(Round, Performance)")?.rows {
+///     println!("{}: {}", row[0], row[1]);
+/// }
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 pub struct QuerySession {
     command: EngineCommand,
     limits: AskLimits,

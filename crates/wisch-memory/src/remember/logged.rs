@@ -13,6 +13,32 @@ const ROUND: usize = 3;
 /// Returns the record of another robot's log: one round, of which only poses and forces are known.
 ///
 /// `name` is the name of the log, `duration` its duration \[s\].
+///
+/// ```
+/// use wisch::interpret::{Belief, InterpretConfig, TouchSample, interpret};
+/// use wisch_memory::{EpisodeHeader, remember_log};
+/// # use wisch::prelude::*;
+/// # let outline = Polygon::rectangle(Vector2::new(0.4, 0.3));
+/// # let surface = Surface::new("tray", outline, Pose::translation(0.5, 0.0, 0.8));
+/// # let sponge = Tool::pad("sponge", Vector3::new(0.07, 0.11, 0.05))?;
+/// # let crumbs = ParticleDistribution::new(&[Point2::new(-0.1, 0.05), Point2::new(0.12, 0.1)])?;
+/// # let task = Task::new(Action::Absorb, surface, sponge, "crumbs", crumbs);
+/// // A second in contact along the middle of the tray.
+/// let touches: Vec<TouchSample> = (0..100)
+///     .map(|i| {
+///         let tool = task.surface.world_from_surface * Pose::translation(2e-3 * f64::from(i) - 0.1, 0.05, 0.0);
+///         TouchSample::new(0.01 * f64::from(i), tool, task.surface_reaction())
+///     })
+///     .collect();
+/// let goal = task.goal().ok_or("the goal is open")?;
+/// let believed = Belief::from_particles(task.particles.clone());
+/// let config = InterpretConfig::from_task(&task);
+/// let estimate = interpret(&touches, &task, &believed, &goal, &config)?;
+/// let header = EpisodeHeader::new(1_795_309_772.5, 0.95, task.seed, "my program 1.0");
+/// let record = remember_log(&header, "log.csv", 1.0, &task, &goal, &estimate);
+/// assert_eq!(record.rounds.len(), 1);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 pub fn remember_log(
     header: &EpisodeHeader,
     name: &str,

@@ -10,6 +10,13 @@ use std::fmt;
 const MOVEMENT_PERIOD: f64 = 0.01;
 
 /// The purpose of a motion, which decides what may move and what the tool may touch.
+///
+/// ```
+/// use wisch::follow::Phase;
+/// // The third stroke, and what files call "transfer".
+/// assert!(Phase::Wipe(2).is_contact());
+/// assert_eq!(Phase::FreeMotion.as_str(), "transfer");
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Phase {
     /// The base drives to another pose, the arm holds still.

@@ -30,6 +30,19 @@ pub type Portfolio = Vec<(Strategy, Result<Candidate, PlanError>)>;
 
 /// Plans the wiping motion of a task for its particles, with [`Planner`].
 ///
+/// ```
+/// # use wisch::prelude::*;
+/// # let outline = Polygon::rectangle(Vector2::new(0.4, 0.3));
+/// # let surface = Surface::new("tray", outline, Pose::translation(0.5, 0.0, 0.8));
+/// # let sponge = Tool::pad("sponge", Vector3::new(0.07, 0.11, 0.05))?;
+/// # let crumbs = ParticleDistribution::new(&[Point2::new(-0.1, 0.05), Point2::new(0.12, 0.1)])?;
+/// # let task = Task::new(Action::Absorb, surface, sponge, "crumbs", crumbs);
+/// // A task with two crumbs on a tray.
+/// let plan = wisch::plan::plan(&task, &PlanConfig::default())?;
+/// assert!(plan.contact_distance() > 0.5);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
 /// # Errors
 /// No free place on the surface, a goal node that is not free, a skim without an edge to push over, or geometry
 /// and costs that the libraries refuse.

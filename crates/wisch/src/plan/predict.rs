@@ -37,6 +37,20 @@ pub struct PredictionProgress<'a> {
 
 /// Simulates the strokes of a plan with the effect model. `watch` is called after every motion; pass `|_| ()`
 /// to ignore it.
+///
+/// ```
+/// # use wisch::prelude::*;
+/// # let outline = Polygon::rectangle(Vector2::new(0.4, 0.3));
+/// # let surface = Surface::new("tray", outline, Pose::translation(0.5, 0.0, 0.8));
+/// # let sponge = Tool::pad("sponge", Vector3::new(0.07, 0.11, 0.05))?;
+/// # let crumbs = ParticleDistribution::new(&[Point2::new(-0.1, 0.05), Point2::new(0.12, 0.1)])?;
+/// # let task = Task::new(Action::Absorb, surface, sponge, "crumbs", crumbs);
+/// // A task with two crumbs on a tray.
+/// let plan = wisch::plan::plan(&task, &PlanConfig::default())?;
+/// let prediction = wisch::plan::predict(&task, &plan, |_| ());
+/// assert_eq!(prediction.performance.achieved, 2);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 pub fn predict(task: &Task, plan: &Plan, mut watch: impl FnMut(&PredictionProgress)) -> Prediction {
     let mut field = ParticleField::new(&task.particles);
     let mut model = EffectModel::new(&task.tool.footprint, plan.graph.goal.action().effect());

@@ -18,6 +18,31 @@ const RECOVERY_EDGES: usize = 2000;
 /// Returns the task of the next round: the surface at its estimated pose, and the dirt at its estimated places,
 /// one draw from the ensemble.
 ///
+/// ```
+/// use wisch::interpret::{Belief, InterpretConfig, TouchSample, interpret};
+/// use wisch::recover::next_task;
+/// # use wisch::prelude::*;
+/// # let outline = Polygon::rectangle(Vector2::new(0.4, 0.3));
+/// # let surface = Surface::new("tray", outline, Pose::translation(0.5, 0.0, 0.8));
+/// # let sponge = Tool::pad("sponge", Vector3::new(0.07, 0.11, 0.05))?;
+/// # let crumbs = ParticleDistribution::new(&[Point2::new(-0.1, 0.05), Point2::new(0.12, 0.1)])?;
+/// # let task = Task::new(Action::Absorb, surface, sponge, "crumbs", crumbs);
+/// // A second in contact along the middle of the tray.
+/// let touches: Vec<TouchSample> = (0..100)
+///     .map(|i| {
+///         let tool = task.surface.world_from_surface * Pose::translation(2e-3 * f64::from(i) - 0.1, 0.05, 0.0);
+///         TouchSample::new(0.01 * f64::from(i), tool, task.surface_reaction())
+///     })
+///     .collect();
+/// let goal = task.goal().ok_or("the goal is open")?;
+/// let believed = Belief::from_particles(task.particles.clone());
+/// let config = InterpretConfig::from_task(&task);
+/// let estimate = interpret(&touches, &task, &believed, &goal, &config)?;
+/// let next = next_task(&task, &goal, &estimate, task.seed + 1)?;
+/// assert_eq!(next.action, task.action);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
 /// # Errors
 /// The belief holds a position that is not finite.
 pub fn next_task(

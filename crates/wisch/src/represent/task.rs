@@ -124,9 +124,9 @@ pub struct Task {
 }
 
 impl Task {
-    /// Returns a task for which nothing is known but what it is given: the tool presses as [`Interaction::assume`] says, the
-    /// scene is empty, the planner chooses where to collect, and the tool starts at the middle of the surface. Every field can
-    /// be set afterwards.
+    /// Returns a task with defaults for all other fields: the tool presses as [`Interaction::assume`] says, the scene is empty,
+    /// the planner chooses where to collect, and the tool starts at the middle of the surface. Every field can be set
+    /// afterwards.
     ///
     /// # Parameters
     /// - `particles`: where the dirt is believed to lie, in the surface frame \[m\].

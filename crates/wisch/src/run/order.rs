@@ -8,6 +8,19 @@ use crate::interpret::TouchSample;
 use crate::represent::Task;
 
 /// A motion to execute, with all data that a robot's driver needs.
+///
+/// ```
+/// use wisch::interpret::TouchSample;
+/// use wisch::run::{Execution, MotionOrder, SampleSink};
+///
+/// /// Reports a motion as executed exactly, every 10 ms.
+/// fn echo(order: &MotionOrder<'_>, sink: &mut SampleSink<'_>) -> Execution {
+///     order.play(0.01, sink, |at| {
+///         let force = order.task.surface_reaction() * f64::from(at.phase.is_contact());
+///         TouchSample::new(at.time, at.world_from_tool, force)
+///     })
+/// }
+/// ```
 #[derive(Debug, Clone, Copy)]
 pub struct MotionOrder<'a> {
     /// The round, from 1.
