@@ -1,4 +1,4 @@
-# What is done often. `just` lists it; without just, the lines below are what to type.
+# Frequent commands. `just` lists them; without just, type the lines below.
 
 # List the recipes.
 default:
@@ -17,7 +17,7 @@ lint:
     cargo fmt --all --check
     cargo clippy --workspace --all-targets --locked -- -D warnings
 
-# The documentation, as strictly as continuous integration takes it.
+# The documentation, with warnings as errors, as in continuous integration.
 doc *options:
     RUSTDOCFLAGS="-D warnings" cargo doc --workspace --no-deps --locked {{options}}
 
@@ -37,7 +37,7 @@ fleet *options:
 package *options:
     .ci/package {{options}}
 
-# Everything that must hold of a commit.
+# All checks of a commit.
 ci:
     .ci/run
 
@@ -50,11 +50,11 @@ web:
     cd crates/wisch-web/web && npm ci && npm run check && npm test && npm run test:browser
     crates/wisch-studio/check/run
 
-# Open our bags as Rerun and Foxglove do (needs what docs/viewers/requirements.txt lists).
+# Open bags of wisch as Rerun and Foxglove do (needs what docs/viewers/requirements.txt lists).
 viewers *options:
     python3 -m pytest docs/viewers {{options}}
 
-# One table of what wisch and its peers take for the same computations (needs what peers/requirements.txt lists).
+# One table with the times of wisch and its peers for the same computations (needs what peers/requirements.txt lists).
 bench-peers:
     python3 peers/table.py
 
@@ -62,7 +62,7 @@ bench-peers:
 growth plot="out/growth.svg":
     cargo run --release --locked --package wisch-eval --example growth -- {{plot}}
 
-# Feed a reader of files with what nobody would write (needs a nightly Rust and cargo-fuzz).
+# Feed a reader of files with broken input (needs a nightly Rust and cargo-fuzz).
 fuzz target="task" seconds="60":
     cargo +nightly fuzz run {{target}} -- -max_total_time={{seconds}}
 

@@ -1,4 +1,4 @@
-//! Bags of whatever robot (MCAP), read as `wisch interpret` reads them, and what is concluded from those that are short.
+//! Bags of any robot (MCAP), read as `wisch interpret` reads them; short ones are also interpreted.
 #![no_main]
 
 use libfuzzer_sys::fuzz_target;

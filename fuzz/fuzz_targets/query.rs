@@ -1,5 +1,5 @@
-//! Queries to an empty memory. The engine is the first in `PATH`: `wisch-prolog`, else `swipl`. Whatever is asked, the
-//! answer is one, or says what is wrong with the query.
+//! Queries to an empty memory. The engine is the first in `PATH`: `wisch-prolog`, else `swipl`. Any query
+//! gets answers, or an error that names its fault.
 #![no_main]
 
 use libfuzzer_sys::fuzz_target;

@@ -1,4 +1,4 @@
-//! URDF files, and what is computed with a robot that comes of one.
+//! URDF files, and computations with their robots.
 #![no_main]
 
 use libfuzzer_sys::fuzz_target;

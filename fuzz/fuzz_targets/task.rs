@@ -1,4 +1,4 @@
-//! Task files, as typed and as meant: what parses is also resolved, with no file at hand.
+//! Task files: a file that parses is also resolved, without other files.
 #![no_main]
 
 use libfuzzer_sys::fuzz_target;
