@@ -75,7 +75,7 @@ impl Rules {
             seed,
             episode,
             field: ParticleField::new(&particles),
-            model: EffectModel::new(&self.task.tool.footprint, self.task.action.effect()),
+            model: (self.task).effect_model(&self.task.tool.footprint, self.task.action.effect()),
             tool: PlanarPose::new(self.task.tool_start, 0.0),
             strokes: 0,
             performance,

@@ -3,7 +3,7 @@
 use super::edge_margin::EdgeMargin;
 use super::score::DirtTerms;
 use super::{Plan, Stroke};
-use crate::represent::{Effect, EffectModel, GoalState, ParticleField, Task};
+use crate::represent::{Effect, GoalState, ParticleField, Task};
 
 /// Objective of doing nothing [particles], see [`objective`].
 pub(super) fn objective_at_rest(task: &Task, goal: &GoalState) -> i64 {
@@ -28,7 +28,7 @@ pub(super) fn objective(task: &Task, plan: &Plan) -> i64 {
     );
     let effect = plan.graph.goal.action().effect();
     let mut field = ParticleField::new(&task.particles);
-    let mut model = EffectModel::new(&task.tool.footprint, effect);
+    let mut model = task.effect_model(&task.tool.footprint, effect);
     let mut touched = Vec::new();
     for motion in plan.strokes.iter().flat_map(Stroke::motions) {
         touched.clear();

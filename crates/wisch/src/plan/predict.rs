@@ -3,7 +3,7 @@
 use super::Plan;
 use super::score::DirtTerms;
 use crate::geometry::PlanarPose;
-use crate::represent::{EffectModel, ParticleDistribution, ParticleField, Performance, Task};
+use crate::represent::{ParticleDistribution, ParticleField, Performance, Task};
 
 /// The predicted result of a plan.
 #[derive(Debug, Clone, PartialEq)]
@@ -53,7 +53,7 @@ pub struct PredictionProgress<'a> {
 /// ```
 pub fn predict(task: &Task, plan: &Plan, mut watch: impl FnMut(&PredictionProgress)) -> Prediction {
     let mut field = ParticleField::new(&task.particles);
-    let mut model = EffectModel::new(&task.tool.footprint, plan.graph.goal.action().effect());
+    let mut model = task.effect_model(&task.tool.footprint, plan.graph.goal.action().effect());
     let mut distance = 0.0;
     for (stroke, motions) in plan.strokes.iter().map(super::Stroke::motions).enumerate() {
         for motion in motions {

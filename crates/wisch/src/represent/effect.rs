@@ -10,13 +10,17 @@
 //! Particles do not touch each other, so each is computed alone. A translation has a closed form
 //! ([`swept_translation`](super::swept_translation)); a motion that also turns is followed from one contact event to
 //! the next ([`swept_rotation`](super::swept_rotation)). Neither has a step size.
+//!
+//! On a surface that bends, a compliant tool acts only where it presses hard enough
+//! ([`EffectModel::with_contact`]).
 
+use super::acting_part::ActingPart;
 use super::field::{OrientedBox, ParticleField, Slot};
 use super::heap::Heap;
 use super::motion::{CLEARANCE, ToolMotion};
 use super::swept_rotation::SweptRotation;
 use super::swept_translation::SweptTranslation;
-use super::{Effect, Fate, Surface};
+use super::{Effect, ElasticFoundation, Fate, Surface};
 use crate::geometry::{Edge, PlanarPose, Point2, Region, Vector2};
 use rayon::prelude::*;
 
@@ -70,6 +74,7 @@ pub struct MotionEffect {
 #[derive(Debug, Clone)]
 pub struct EffectModel {
     kind: Effect,
+    footprint: Region,
     edges: Vec<Edge>,
     /// Largest distance of the footprint from the tool centre point [m].
     reach: f64,
@@ -81,6 +86,8 @@ pub struct EffectModel {
     near: Vec<Slot>,
     outcomes: Vec<Option<Outcome>>,
     heap: Option<Heap>,
+    /// The part that acts where the surface bends; `None` if the whole footprint acts everywhere.
+    acting: Option<ActingPart>,
 }
 
 /// Outcome of a motion for a particle that it touches.
@@ -113,7 +120,45 @@ impl EffectModel {
             near: Vec::new(),
             outcomes: Vec::new(),
             heap: None,
+            acting: None,
+            footprint: footprint.clone(),
         }
+    }
+
+    /// Returns the model of a tool that acts only where it presses hard enough on a surface that bends. On a plane it
+    /// acts with its whole footprint.
+    ///
+    /// While the tool turns, only the part acts that presses hard enough at every yaw, so that the result depends
+    /// neither on how a motion is split nor on where.
+    ///
+    /// # Parameters
+    /// - `foundation`: the foundation of the whole tool; the footprint of the model may be a part of it.
+    /// - `least`: least pressure over the nominal one at which the tool acts \[1\], see
+    ///   [`effective_pressure`](super::effective_pressure).
+    ///
+    /// ```
+    /// # use wisch::geometry::*;
+    /// # use wisch::represent::*;
+    /// let plate = Region::new(vec![Polygon::rectangle(Vector2::new(0.06, 0.1))]);
+    /// let outline = Polygon::rectangle(Vector2::new(0.4, 0.28));
+    /// let mut pipe = Surface::new("pipe", outline, Pose::identity());
+    /// pipe.shape = SurfaceShape::Cylinder { radius: 0.5, axis: 0.0 };
+    /// let crumbs = ParticleDistribution::new(&[Point2::new(0.05, 0.0), Point2::new(0.05, 0.03)])?;
+    /// let mut field = ParticleField::new(&crumbs);
+    /// let stroke = ToolMotion {
+    ///     from: PlanarPose::new(Point2::new(0.0, 0.0), 0.0),
+    ///     to: PlanarPose::new(Point2::new(0.1, 0.0), 0.0),
+    /// };
+    /// // A rigid plate touches a strip of 3.9 cm along the pipe, so that the second crumb stays.
+    /// let rigid = ElasticFoundation::new(&plate, 0.0).expect("it has an area");
+    /// let mut model = EffectModel::new(&plate, Effect::Absorb).with_contact(rigid, 0.0);
+    /// assert_eq!(model.apply(&mut field, &pipe, &stroke).absorbed, 1);
+    /// # Ok::<(), ParticleError>(())
+    /// ```
+    #[must_use]
+    pub fn with_contact(self, foundation: ElasticFoundation, least: f64) -> Self {
+        let acting = Some(ActingPart::new(foundation, least));
+        Self { acting, ..self }
     }
 
     /// Returns the model with a heap: carried particles take space ahead of the tool, `depth_of_all` \[m\] deep if it
@@ -258,8 +303,11 @@ impl EffectModel {
         if self.kind == Effect::Push && length == 0.0 {
             return MotionEffect::default();
         }
+        let heading = motion.from.heading;
+        let mut acting = (self.acting.as_mut())
+            .and_then(|part| part.is_partial(surface, heading).then_some(part));
         let edges = &self.edges;
-        (self.translation).fill(edges, motion.from.heading, (along, length));
+        (self.translation).fill(edges, heading, (along, length), acting.is_some());
         let Some((low, high)) = self.translation.extent() else {
             return MotionEffect::default();
         };
@@ -278,7 +326,15 @@ impl EffectModel {
         for &block in &self.blocks {
             let slots = field.slots(block);
             let particles = field.coordinates(slots.clone());
-            let met = (self.translation).find_met(particles, motion.from.position, self.kind);
+            let from = motion.from.position;
+            let met = match &mut acting {
+                None => (self.translation).find_met(particles, from, self.kind),
+                Some(part) => {
+                    (self.translation).find_met_by_part(particles, &motion.from, self.kind, |at| {
+                        part.pressure(surface, at, heading)
+                    })
+                }
+            };
             if met >= CHECKED_FROM {
                 stays.get_or_insert_with(|| is_inside(surface, edges, &motion.to));
             }
@@ -335,7 +391,9 @@ impl EffectModel {
                 .extend(slots.filter(|&slot| near.contains(field.position(slot))));
         }
 
-        let rotation = SweptRotation::new(&self.edges, motion);
+        let at_every_yaw =
+            (self.acting.as_mut()).and_then(|part| part.at_every_yaw(surface, &self.footprint));
+        let rotation = SweptRotation::new(at_every_yaw.unwrap_or(&self.edges), motion);
         let corridor = Edge {
             start: motion.from.position,
             end: motion.to.position,

@@ -1,5 +1,7 @@
 //! Task, surface, tool, medium and dirt particles, with the single model of the effect of wiping.
 
+mod acting_part;
+mod contact;
 mod effect;
 mod field;
 mod heap;
@@ -19,6 +21,9 @@ mod swept_translation;
 mod task;
 mod treatment;
 
+pub use contact::{
+    ElasticFoundation, LocalPressure, MAX_PRESSURE, RIGID_COMPRESSION, effective_pressure,
+};
 pub use effect::{EffectModel, MotionEffect};
 pub use field::ParticleField;
 pub use heap::{HEAP_DEPTH, heap_depth, heap_slide};

@@ -1,9 +1,10 @@
 //! Chords of a translating footprint along the motion, and the particles that they meet.
 
-use super::Effect;
+use super::contact::PositiveRange;
 use super::field::BLOCK;
 use super::motion::CLEARANCE;
-use crate::geometry::{Edge, Point2, Vector2};
+use super::{Effect, LocalPressure};
+use crate::geometry::{Edge, PlanarPose, Point2, Vector2};
 
 const MAX_BINS: usize = 256;
 /// Number of particles whose chords are computed at once; divides [`BLOCK`].
@@ -20,6 +21,7 @@ pub(super) struct SweptTranslation {
     bin_start: Vec<u32>,
     bin_edges: Vec<u32>,
     crossings: Vec<f64>,
+    clipped: Vec<f64>,
     /// Whether every line meets the footprint in at most one chord.
     is_convex: bool,
     along: Vector2,
@@ -50,6 +52,7 @@ impl SweptTranslation {
             bin_start: vec![0; bins + 1],
             bin_edges: Vec::new(),
             crossings: Vec::new(),
+            clipped: Vec::new(),
             is_convex,
             along: Vector2::x(),
             length: 0.0,
@@ -62,7 +65,14 @@ impl SweptTranslation {
     }
 
     /// Transforms the footprint (tool frame, at `heading`) into the frame of a stroke of a length [m] along `along`.
-    pub(super) fn fill(&mut self, edges: &[Edge], heading: f64, (along, length): (Vector2, f64)) {
+    /// `is_partial`: whether only a part of the footprint acts.
+    pub(super) fn fill(
+        &mut self,
+        edges: &[Edge],
+        heading: f64,
+        (along, length): (Vector2, f64),
+        is_partial: bool,
+    ) {
         (self.along, self.length) = (along, length);
         let (sin, cos) = heading.sin_cos();
         let into_stroke = |p: Point2| {
@@ -85,7 +95,7 @@ impl SweptTranslation {
                 self.edges.push(edge);
             }
         }
-        if !self.is_convex {
+        if !self.is_convex || is_partial {
             self.sort_into_bins();
         }
     }
@@ -134,18 +144,46 @@ impl SweptTranslation {
         from: Point2,
         kind: Effect,
     ) -> usize {
+        self.place(x, y, from);
+        let count = x.len();
+        if self.is_convex {
+            self.find_met_by_convex(count, kind)
+        } else {
+            self.find_met_by_any(count, kind, |_, _| ())
+        }
+    }
+
+    /// The same for a tool of which only the part acts whose pressure reaches a limit. `part`: the pressure (tool frame)
+    /// and the limit at the place of a particle; `None` where the whole footprint acts.
+    pub(super) fn find_met_by_part(
+        &mut self,
+        (x, y): (&[f64], &[f64]),
+        from: &PlanarPose,
+        kind: Effect,
+        mut part: impl FnMut(Point2) -> Option<(LocalPressure, f64)>,
+    ) -> usize {
+        self.place(x, y, from.position);
+        let (sin, cos) = from.heading.sin_cos();
+        let in_tool = |d: Vector2| Vector2::new(cos * d.x + sin * d.y, cos * d.y - sin * d.x);
+        let along = in_tool(self.along);
+        let side = Vector2::new(-along.y, along.x);
+        self.find_met_by_any(x.len(), kind, |sweep, number| {
+            let place = Point2::new(x[number], y[number]);
+            if let Some((pressure, least)) = part(place) {
+                let line = pressure.on_line(side * sweep.lateral[number], along);
+                sweep.clip(&line.exceeds(least));
+            }
+        })
+    }
+
+    /// Computes the coordinates of a block's particles in the stroke frame.
+    fn place(&mut self, x: &[f64], y: &[f64], from: Point2) {
         let (along, side) = (self.along, Vector2::new(-self.along.y, self.along.x));
         let frame = self.ahead.iter_mut().zip(&mut self.lateral);
         for ((x, y), (ahead, lateral)) in x.iter().zip(y).zip(frame) {
             let relative = Vector2::new(x - from.x, y - from.y);
             *ahead = relative.dot(&along);
             *lateral = relative.dot(&side);
-        }
-        let count = x.len();
-        if self.is_convex {
-            self.find_met_by_convex(count, kind)
-        } else {
-            self.find_met_by_any(count, kind)
         }
     }
 
@@ -218,14 +256,24 @@ impl SweptTranslation {
         chords
     }
 
-    fn find_met_by_any(&mut self, count: usize, kind: Effect) -> usize {
+    /// `restrict` removes from the crossings of a particle's line what does not act on it.
+    fn find_met_by_any(
+        &mut self,
+        count: usize,
+        kind: Effect,
+        mut restrict: impl FnMut(&mut Self, usize),
+    ) -> usize {
         let mut met = 0;
         for number in 0..count {
             let (ahead, length) = (self.ahead[number], self.length);
             if ahead < self.low.x || ahead > self.high.x + length {
                 continue;
             }
-            let chords = self.at(self.lateral[number]);
+            self.cross(self.lateral[number]);
+            restrict(self, number);
+            let chords = Chords {
+                crossings: &self.crossings,
+            };
             let outcome = match kind {
                 Effect::Absorb => chords.covers(ahead, length).then_some(ahead),
                 Effect::Push => chords.carried(ahead, length).map(|to| to - ahead),
@@ -240,11 +288,31 @@ impl SweptTranslation {
         met
     }
 
-    /// Returns the chords of the line at `lateral` [m] to the left of the tool centre point's line.
-    fn at(&mut self, lateral: f64) -> Chords<'_> {
+    /// Reduces the chords to the range in which the tool acts.
+    fn clip(&mut self, range: &PositiveRange) {
+        self.clipped.clear();
+        let mut keep = |low: f64, high: f64| {
+            if low < high {
+                self.clipped.extend([low, high]);
+            }
+        };
+        for chord in self.crossings.chunks_exact(2) {
+            let (low, high) = (chord[0], chord[1]);
+            if range.is_between {
+                keep(low.max(range.low), high.min(range.high));
+            } else {
+                keep(low, high.min(range.low));
+                keep(low.max(range.high), high);
+            }
+        }
+        std::mem::swap(&mut self.crossings, &mut self.clipped);
+    }
+
+    /// Computes the chords of the line at `lateral` [m] to the left of the tool centre point's line.
+    fn cross(&mut self, lateral: f64) {
         self.crossings.clear();
         if lateral < self.low.y || lateral > self.high.y {
-            return Chords { crossings: &[] };
+            return;
         }
         let cross = |edge: &Edge| {
             ((edge.start.y > lateral) != (edge.end.y > lateral)).then(|| {
@@ -262,9 +330,6 @@ impl SweptTranslation {
             }
         }
         self.crossings.sort_unstable_by(f64::total_cmp);
-        Chords {
-            crossings: &self.crossings,
-        }
     }
 
     fn bin(&self, lateral: f64) -> usize {

@@ -1,8 +1,9 @@
 //! A task with all names resolved, all values checked and in SI units.
 
 use super::{
-    Action, AngleRange, GoalState, Interaction, Mount, OccupiedArea, ParticleDistribution,
-    SceneObject, ScenePart, SecondGrip, Surface, TiltFreedom, Treatment,
+    Action, AngleRange, Effect, EffectModel, ElasticFoundation, GoalState, Interaction, Mount,
+    OccupiedArea, ParticleDistribution, SceneObject, ScenePart, SecondGrip, Surface, TiltFreedom,
+    Treatment, effective_pressure,
 };
 use crate::geometry::{Mesh, MeshError, Point2, Polygon, Pose, Region, Vector2, Vector3};
 
@@ -187,6 +188,21 @@ impl Task {
     pub fn depth_per_pass(&self) -> Option<f64> {
         let force = self.interaction.contact_force();
         self.treatment?.depth_per_pass(self.tool.width(), force)
+    }
+
+    /// Returns the effect model by which plans are predicted: on a surface that bends, the tool acts only where it presses
+    /// hard enough at nominal force.
+    ///
+    /// # Parameters
+    /// - `footprint`: the footprint that counts, at most that of the task's tool (tool frame \[m\]).
+    pub fn effect_model(&self, footprint: &Region, effect: Effect) -> EffectModel {
+        let model = EffectModel::new(footprint, effect);
+        match ElasticFoundation::from_interaction(&self.tool.footprint, &self.interaction) {
+            Some(foundation) if !self.surface.shape.is_plane() => {
+                model.with_contact(foundation, effective_pressure(&self.interaction.likelihood))
+            }
+            _ => model,
+        }
     }
 
     /// Force of the surface on a tool that presses as the task demands, in the axes of the world \[N\].

@@ -14,7 +14,7 @@ use super::{
     FreeSpace, Node, NodeRole, Plan, PlanConfig, PlanScore, SemanticDirectedGraph, Strategy, Stroke,
 };
 use crate::geometry::{PlanarPose, Point2};
-use crate::represent::{EffectModel, GoalState, ParticleDistribution, Task, ToolMotion};
+use crate::represent::{GoalState, ParticleDistribution, Task, ToolMotion};
 use draft::{Draft, Mutator};
 use rand::RngExt;
 use rand_chacha::{ChaCha8Rng, rand_core::SeedableRng};
@@ -123,7 +123,7 @@ fn drop_idle_strokes(mut draft: Draft, valuation: &Valuation<'_>) -> Draft {
     let task = valuation.task();
     let mut meets = vec![false; draft.strokes.len()];
     for world in valuation.worlds() {
-        let mut model = EffectModel::new(&task.tool.footprint, draft.goal.action().effect());
+        let mut model = task.effect_model(&task.tool.footprint, draft.goal.action().effect());
         let mut field = world.field.clone();
         for (poses, meets) in draft.strokes.iter().zip(&mut meets) {
             for pair in poses.windows(2) {

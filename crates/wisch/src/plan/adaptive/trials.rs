@@ -73,7 +73,7 @@ impl<'a> Trials<'a> {
     pub(super) fn new(valuation: &'a Valuation<'a>, goal: &GoalState) -> Self {
         let effect = goal.action().effect();
         let models = valuation.worlds().iter().map(|world| {
-            let model = EffectModel::new(&world.footprint, effect);
+            let model = valuation.task().effect_model(&world.footprint, effect);
             match world.heap {
                 Some(seed) if effect == Effect::Push => {
                     model.with_heap(HEAP * valuation.radius(), seed)

@@ -1,0 +1,174 @@
+//! The part of a footprint that acts on a surface that bends: where the tool presses hard enough.
+
+use super::{ElasticFoundation, LocalPressure, Surface};
+use crate::geometry::{Edge, Point2, Polygon, Region, Vector2};
+use nalgebra::Matrix2;
+use std::f64::consts::PI;
+
+/// Number of yaws at which the tool is tried.
+const YAWS: usize = 90;
+/// Number of sides of the polygon that replaces a disc.
+const SIDES: usize = 32;
+
+/// The part of a tool's footprint that acts.
+#[derive(Debug, Clone)]
+pub(super) struct ActingPart {
+    foundation: ElasticFoundation,
+    /// Least pressure over the nominal one at which the tool acts [1].
+    least: f64,
+    /// What is known of the bend that was met last.
+    known: Option<KnownBend>,
+}
+
+/// The contact of a tool with one bend.
+#[derive(Debug, Clone)]
+struct KnownBend {
+    bend: Matrix2<f64>,
+    /// Radius about the tool centre point within which the tool acts at every yaw [m]; infinite if all of it does.
+    radius: f64,
+    /// Boundary of the part within the radius.
+    edges: Option<Vec<Edge>>,
+    /// The pressure at the last yaw, unless all of the tool acts there.
+    upright: Option<(f64, Option<LocalPressure>)>,
+}
+
+impl ActingPart {
+    /// Returns the part of a tool that acts from the pressure `least` over the nominal one on [1].
+    pub(super) fn new(foundation: ElasticFoundation, least: f64) -> Self {
+        Self {
+            foundation,
+            least,
+            known: None,
+        }
+    }
+
+    /// Whether only a part of the tool acts at a yaw [rad].
+    pub(super) fn is_partial(&mut self, surface: &Surface, heading: f64) -> bool {
+        !surface.shape.is_plane() && self.pressure(surface, Point2::origin(), heading).is_some()
+    }
+
+    /// Returns the pressure of the tool at a yaw [rad] where the surface bends as it does at a place of its chart, and the
+    /// least pressure at which the tool acts; `None` if all of it acts.
+    pub(super) fn pressure(
+        &mut self,
+        surface: &Surface,
+        _place: Point2,
+        heading: f64,
+    ) -> Option<(LocalPressure, f64)> {
+        let least = self.least;
+        let (foundation, known) = self.meet(surface.shape.bend());
+        if known.radius == f64::INFINITY {
+            return None;
+        }
+        let pressure = match known.upright {
+            Some((yaw, pressure)) if yaw == heading => pressure,
+            _ => {
+                let pressure = foundation.press_upright(&known.bend, heading);
+                let is_partial = foundation.range(&pressure)[0] < least;
+                let pressure = is_partial.then_some(pressure);
+                known.upright = Some((heading, pressure));
+                pressure
+            }
+        };
+        pressure.map(|pressure| (pressure, least))
+    }
+
+    /// Returns the boundary of the part of a footprint that acts at every yaw; `None` if all of it does. Of a footprint in
+    /// several pieces, whole pieces count.
+    pub(super) fn at_every_yaw(
+        &mut self,
+        surface: &Surface,
+        footprint: &Region,
+    ) -> Option<&[Edge]> {
+        if surface.shape.is_plane() {
+            return None;
+        }
+        let (_, known) = self.meet(surface.shape.bend());
+        let radius = known.radius;
+        if radius == f64::INFINITY {
+            return None;
+        }
+        let edges = known.edges.get_or_insert_with(|| {
+            let within =
+                |piece: &&Polygon| piece.edges().all(|edge| edge.start.coords.norm() <= radius);
+            match footprint.polygons() {
+                [piece] if piece.is_convex() => clip_to_disc(piece, radius),
+                pieces => pieces
+                    .iter()
+                    .filter(within)
+                    .flat_map(Polygon::edges)
+                    .collect(),
+            }
+        });
+        Some(edges)
+    }
+
+    /// Returns what is known of a bend.
+    fn meet(&mut self, bend: Matrix2<f64>) -> (&ElasticFoundation, &mut KnownBend) {
+        let foundation = &self.foundation;
+        let known = self.known.take().filter(|known| known.bend == bend);
+        let known = known.unwrap_or_else(|| KnownBend {
+            bend,
+            radius: radius_at_every_yaw(foundation, &bend, self.least),
+            edges: None,
+            upright: None,
+        });
+        (foundation, self.known.insert(known))
+    }
+}
+
+/// Returns the radius about the tool centre point within which the pressure reaches `least` at every yaw [m]; infinite if
+/// it does so under the whole tool, and 0 if it does so nowhere.
+fn radius_at_every_yaw(foundation: &ElasticFoundation, bend: &Matrix2<f64>, least: f64) -> f64 {
+    let yaws = (0..YAWS).map(|i| i as f64 * PI / YAWS as f64);
+    let (mut under_all, mut middle) = (f64::INFINITY, f64::INFINITY);
+    for yaw in yaws {
+        let pressure = foundation.press_upright(bend, yaw);
+        under_all = under_all.min(foundation.range(&pressure)[0]);
+        middle = middle.min(pressure.middle);
+    }
+    if under_all >= least {
+        return f64::INFINITY;
+    }
+    let (half, spread) = (
+        0.5 * bend.trace(),
+        libm::hypot(bend[(0, 1)], 0.5 * (bend[(0, 0)] - bend[(1, 1)])),
+    );
+    // f′ is least in the direction of the largest curvature: m − κ r²/2δ ≥ least.
+    let curvature = half + spread;
+    if curvature > 0.0 && middle > least {
+        libm::sqrt(2.0 * (middle - least) * foundation.compression() / curvature)
+    } else {
+        0.0
+    }
+}
+
+/// Returns the boundary of the part of a convex polygon within a regular polygon that is inscribed in a disc about the
+/// origin (Sutherland and Hodgman, 1974).
+fn clip_to_disc(piece: &Polygon, radius: f64) -> Vec<Edge> {
+    let distance = radius * libm::cos(PI / SIDES as f64);
+    let mut corners = piece.outer().to_vec();
+    for side in 0..SIDES {
+        let angle = 2.0 * PI * side as f64 / SIDES as f64;
+        let outward = Vector2::new(libm::cos(angle), libm::sin(angle));
+        let inside = |corner: &Point2| distance - outward.dot(&corner.coords);
+        let mut kept = Vec::with_capacity(corners.len() + 1);
+        for (i, corner) in corners.iter().enumerate() {
+            let next = &corners[(i + 1) % corners.len()];
+            let (here, there) = (inside(corner), inside(next));
+            if here >= 0.0 {
+                kept.push(*corner);
+            }
+            if (here >= 0.0) != (there >= 0.0) {
+                kept.push(corner + (next - corner) * (here / (here - there)));
+            }
+        }
+        corners = kept;
+    }
+    let next = corners.iter().cycle().skip(1);
+    let edges = corners
+        .iter()
+        .zip(next)
+        .map(|(&start, &end)| Edge { start, end });
+    edges.filter(|edge| edge.start != edge.end).collect()
+}
