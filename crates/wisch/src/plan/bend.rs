@@ -1,26 +1,136 @@
-//! What a plan on a curved surface needs: a tool that lies on the bend, dirt that does not slide, and nothing in the way.
-//!
-//! The tool is a bed of springs under a held force. Where the surface bends by κ across an axis, and u is the distance of a
-//! point of the tool from the line through its middle along the axis, the pressure over the mean one is
-//! f′(u) = 1 + κ (E\[u²\] − u²) / 2δ, with the mean of u² over the footprint and the compression δ at nominal force. This holds
-//! as long as it is positive everywhere.
+//! What a plan on a curved surface needs: a tool that the model holds for, dirt that does not slide, and nothing in the
+//! way. A tool that touches with a part of its footprint is planned with that part ([`BendContact`]).
 
 use super::PlanError;
-use crate::geometry::{Mesh, Point2, Point3, Region, Vector2, Vector3};
-use crate::represent::{SURFACE_SKIN, Surface, SurfaceShape, Task, dirt_friction};
+use crate::geometry::{Mesh, Point2, Point3, Vector3};
+use crate::represent::{
+    ElasticFoundation, LocalPressure, SURFACE_SKIN, Surface, SurfaceShape, Task, dirt_friction,
+    effective_pressure,
+};
+use std::f64::consts::PI;
+use std::fmt;
 
-/// Least pressure over the mean one at which a plan counts every point under the tool as touched [1]: about the median
-/// threshold e^μ = 0.35 of the shipped laws.
-const LEAST_PRESSURE: f64 = 0.3;
 /// Number of yaws at which the tool is tried.
 const YAWS: usize = 90;
 /// Half the distance between the points of an object that are checked [m]; also their slack.
 const SEARCH_STEP: f64 = 0.01;
 
+/// Contact of a tool with a surface that bends, upright and at nominal force.
+///
+/// The tool is an elastic foundation with the compression δ of the task, at least
+/// [`RIGID_COMPRESSION`](crate::represent::RIGID_COMPRESSION).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct BendContact {
+    /// Least and largest share of the footprint that touches, over all yaws \[1\].
+    pub touched_share: [f64; 2],
+    /// Least and largest pressure over the nominal one, over footprint and yaws \[1\]; 0 where the tool does not touch.
+    /// Foam bottoms out beyond [`MAX_PRESSURE`](crate::represent::MAX_PRESSURE).
+    pub pressure: [f64; 2],
+    /// Length across the bend of the longest rectangular tool that would touch everywhere \[m\].
+    pub fitting_length: f64,
+    /// The compression δ that is assumed \[m\].
+    pub compression: f64,
+}
+
+impl BendContact {
+    /// Returns the contact of a task's tool; `None` on a plane, and for a tool that hovers.
+    ///
+    /// ```
+    /// use wisch::plan::BendContact;
+    /// use wisch::prelude::*;
+    ///
+    /// let mut pipe = Surface::new("pipe", Polygon::rectangle(Vector2::new(0.4, 0.3)), Pose::identity());
+    /// pipe.shape = SurfaceShape::Cylinder { radius: 0.5, axis: 0.0 };
+    /// let plate = Tool::pad("plate", Vector3::new(0.06, 0.1, 0.02))?;
+    /// let dirt = ParticleDistribution::new(&[Point2::origin()])?;
+    /// let mut task = Task::new(Action::Absorb, pipe, plate, "crumbs", dirt);
+    /// task.interaction.compression_depth_m = 0.0;
+    /// let contact = BendContact::from_task(&task).expect("the pipe bends");
+    /// assert!(contact.touched_share[0] < 0.4);
+    /// // √(12 δ R)
+    /// assert!((contact.fitting_length - 0.0245).abs() < 1e-4);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn from_task(task: &Task) -> Option<Self> {
+        let SurfaceShape::Cylinder { radius, .. } = task.surface.shape else {
+            return None;
+        };
+        let tool = ElasticFoundation::from_interaction(&task.tool.footprint, &task.interaction)?;
+        let bend = task.surface.shape.bend();
+        let nothing = [f64::INFINITY, f64::NEG_INFINITY];
+        let (mut touched_share, mut pressure) = (nothing, nothing);
+        for yaw in yaws() {
+            let here = tool.press_upright(&bend, yaw);
+            let share = tool.touched_share(&here);
+            let [least, most] = tool.range(&here).map(|value| value.max(0.0));
+            touched_share = [touched_share[0].min(share), touched_share[1].max(share)];
+            pressure = [pressure[0].min(least), pressure[1].max(most)];
+        }
+        // κL² = 12 δ on a bulge, 24 δ in a hollow.
+        let factor = if radius > 0.0 { 12.0 } else { 24.0 };
+        Some(Self {
+            touched_share,
+            pressure,
+            fitting_length: libm::sqrt(factor * tool.compression() * radius.abs()),
+            compression: tool.compression(),
+        })
+    }
+}
+
+impl fmt::Display for BendContact {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let [least, most] = self.touched_share.map(|share| 100.0 * share);
+        let [weakest, strongest] = self.pressure;
+        let compression = 1e3 * self.compression;
+        if least >= 100.0 {
+            write!(f, "the whole tool touches the bend at every yaw")?;
+        } else if most - least < 0.5 {
+            write!(f, "{least:.0} % of the tool touches the bend")?;
+        } else {
+            write!(
+                f,
+                "{least:.0} to {most:.0} % of the tool touches the bend, depending on its yaw"
+            )?;
+        }
+        write!(
+            f,
+            "; pressure {weakest:.2} to {strongest:.2} of the nominal one, if {compression:.1} mm of compression are right"
+        )?;
+        if least < 100.0 {
+            write!(
+                f,
+                "; a tool at most {:.3} m long across the bend would touch everywhere",
+                self.fitting_length
+            )?;
+        }
+        Ok(())
+    }
+}
+
+/// The yaws at which the tool is tried [rad]; a half turn changes no contact.
+fn yaws() -> impl Iterator<Item = f64> {
+    (0..YAWS).map(|i| i as f64 * PI / YAWS as f64)
+}
+
+/// The pressure of a task's tool at a yaw [rad], its foundation, and the least pressure at which it acts; `None` on a plane, for
+/// a tool that hovers, and where all of the tool acts.
+pub(super) fn partial_contact(
+    task: &Task,
+    yaw: f64,
+) -> Option<(ElasticFoundation, LocalPressure, f64)> {
+    if task.surface.shape.is_plane() {
+        return None;
+    }
+    let tool = ElasticFoundation::from_interaction(&task.tool.footprint, &task.interaction)?;
+    let least = effective_pressure(&task.interaction.likelihood);
+    let pressure = tool.press_upright(&task.surface.shape.bend(), yaw);
+    (tool.range(&pressure)[0] < least).then_some((tool, pressure, least))
+}
+
 /// Checks that the method's model holds on the surface of a task; always on a plane.
 ///
 /// # Errors
-/// A chart that does not fit its shape, a tool that does not lie on the bend, or a slope on which dirt slides.
+/// A chart that does not fit its shape, a bend that is too sharp for the tool, or a slope on which dirt slides.
 pub(super) fn check_bend(task: &Task) -> Result<(), PlanError> {
     let surface = &task.surface;
     let SurfaceShape::Cylinder { radius, .. } = surface.shape else {
@@ -30,17 +140,13 @@ pub(super) fn check_bend(task: &Task) -> Result<(), PlanError> {
         let surface = surface.name.clone();
         return Err(PlanError::Shape { surface, fault });
     }
-    let depth = task.interaction.compression_depth_m;
-    let share = least_pressure(&task.tool.footprint, 1.0 / radius, depth);
-    if !task.interaction.hovers() && share < LEAST_PRESSURE {
+    let reach = touched_reach(task, radius);
+    if reach > radius.abs() {
         return Err(PlanError::TooBent {
             tool: task.tool.name.clone(),
             surface: surface.name.clone(),
             radius,
-            // A tool does not pull: where the formula is negative, it does not touch.
-            share: share.max(0.0),
-            limit: LEAST_PRESSURE,
-            depth,
+            reach,
         });
     }
     let slope = steepest(surface);
@@ -55,44 +161,21 @@ pub(super) fn check_bend(task: &Task) -> Result<(), PlanError> {
     Ok(())
 }
 
-/// Returns the least pressure under a tool over the mean one [1], at its worst yaw on a bend of this curvature [1/m].
-fn least_pressure(footprint: &Region, curvature: f64, depth: f64) -> f64 {
-    let corners: Vec<Vector2> = footprint.edges().map(|edge| edge.start.coords).collect();
-    let yaws = (0..YAWS).map(|i| i as f64 * std::f64::consts::PI / YAWS as f64);
-    let least = yaws.map(|yaw| {
-        let across = Vector2::new(libm::cos(yaw), libm::sin(yaw));
-        let mean = mean_square(footprint, &across);
-        // A bulge is least pressed at the corners, a hollow in the middle.
-        let far = corners.iter().map(|corner| across.dot(corner).powi(2));
-        let square = if curvature > 0.0 {
-            far.fold(0.0, f64::max)
-        } else {
-            0.0
-        };
-        curvature * (mean - square)
-    });
-    let least = least.fold(f64::INFINITY, f64::min);
-    if depth > 0.0 {
-        1.0 + least / (2.0 * depth)
-    } else if least < 0.0 {
-        f64::NEG_INFINITY
-    } else {
-        1.0
-    }
-}
-
-/// Mean of u² over a footprint [m²], with u along a direction.
-fn mean_square(footprint: &Region, across: &Vector2) -> f64 {
-    let (mut area, mut moment) = (0.0, 0.0);
-    for edge in footprint.edges() {
-        // Triangles to the origin: area (a × b)/2, mean of u² (u_a² + u_a u_b + u_b²)/6.
-        let [a, b] = [edge.start.coords, edge.end.coords];
-        let (u, v) = (across.dot(&a), across.dot(&b));
-        let twice = a.perp(&b);
-        area += twice / 2.0;
-        moment += twice / 12.0 * (u * u + u * v + v * v);
-    }
-    if area > 0.0 { moment / area } else { 0.0 }
+/// Returns how far from its centre a tool touches across the bend, at any yaw [m]: at most its own reach, and in a hollow
+/// exactly that, as it touches with its ends first.
+fn touched_reach(task: &Task, radius: f64) -> f64 {
+    let footprint = &task.tool.footprint;
+    let corners = footprint.edges().map(|edge| edge.start.coords.norm());
+    let reach = corners.fold(0.0, f64::max);
+    let tool = ElasticFoundation::from_interaction(footprint, &task.interaction);
+    let Some(tool) = tool.filter(|_| radius > 0.0) else {
+        return reach;
+    };
+    let bend = task.surface.shape.bend();
+    // f′(u) = m − u²/2δR vanishes at u² = 2 m δ R.
+    let most = yaws().map(|yaw| tool.press_upright(&bend, yaw).middle);
+    let most = most.fold(0.0, f64::max);
+    libm::sqrt(2.0 * most * tool.compression() * radius).min(reach)
 }
 
 /// Largest angle between the surface's normal and the vertical [rad].
@@ -142,18 +225,28 @@ pub(super) fn check_scene<'a>(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::geometry::Polygon;
 
     #[test]
-    fn the_least_pressure_is_that_of_a_strip_across_the_bend() {
-        // A strip of length L across: 1 − κ L²/12δ at its ends on a bulge, 1 − κ L²/24δ in the middle of a hollow.
-        let strip = Region::new(vec![Polygon::rectangle(Vector2::new(0.1, 1e-6))]);
-        let by_length = 2.0 * 0.1 * 0.1 / 0.01;
-        let bulge = least_pressure(&strip, 2.0, 0.01);
-        let hollow = least_pressure(&strip, -2.0, 0.01);
-        assert!((bulge - (1.0 - by_length / 12.0)).abs() < 1e-4, "{bulge}");
-        assert!((hollow - (1.0 - by_length / 24.0)).abs() < 1e-4, "{hollow}");
-        assert_eq!(least_pressure(&strip, 0.0, 0.0), 1.0);
-        assert!(least_pressure(&strip, 2.0, 0.0) < 0.0);
+    fn a_contact_is_told_with_its_share_and_the_tool_that_would_fit() {
+        let contact = BendContact {
+            touched_share: [0.391, 0.55],
+            pressure: [0.0, 3.85],
+            fitting_length: 0.02449,
+            compression: 1e-4,
+        };
+        assert_eq!(
+            contact.to_string(),
+            "39 to 55 % of the tool touches the bend, depending on its yaw; pressure 0.00 to 3.85 of the nominal one, if 0.1 mm of compression are right; a tool at most 0.024 m long across the bend would touch everywhere"
+        );
+        let whole = BendContact {
+            touched_share: [1.0; 2],
+            pressure: [0.83, 1.08],
+            fitting_length: 0.245,
+            compression: 0.01,
+        };
+        assert_eq!(
+            whole.to_string(),
+            "the whole tool touches the bend at every yaw; pressure 0.83 to 1.08 of the nominal one, if 10.0 mm of compression are right"
+        );
     }
 }

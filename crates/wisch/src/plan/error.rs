@@ -95,9 +95,9 @@ pub enum PlanError {
         /// What does not fit.
         fault: ShapeFault,
     },
-    /// The tool does not lie on the bend of the surface.
+    /// The bend of the surface is too sharp for the tool.
     #[error(
-        "tool \"{tool}\" on surface \"{surface}\": on a radius of {radius:.3} m, the least pressure under the tool is {share:.2} of the mean one, below the limit of {limit}; take a smaller tool, or one that is compressed by more than {depth:.4} m"
+        "tool \"{tool}\" on surface \"{surface}\": the tool touches up to {reach:.3} m from its centre, but the radius is {radius:.3} m; the model of contact holds up to one radius, so take a smaller tool"
     )]
     TooBent {
         /// Name of the tool.
@@ -106,12 +106,8 @@ pub enum PlanError {
         surface: String,
         /// Radius of the surface \[m\], negative where it is hollow.
         radius: f64,
-        /// Least pressure over the mean one \[1\]; below 0, a part of the tool does not touch.
-        share: f64,
-        /// Its limit \[1\].
-        limit: f64,
-        /// Compression of the tool at nominal force \[m\].
-        depth: f64,
+        /// How far from its centre the tool touches \[m\].
+        reach: f64,
     },
     /// An object of the scene is near a curved surface.
     #[error(

@@ -5,13 +5,14 @@
 //! border, the tool moves over the border while the surface still carries it. Before a hole it stops with its
 //! centre on the border, so that nothing is pressed over a hole.
 
+use super::bend::partial_contact;
 use super::objective::objective;
 use super::{
     FreeSpace, MAX_NODES, Node, NodeRole, Plan, PlanConfig, PlanError, SemanticDirectedGraph,
     Strategy, Stroke,
 };
 use crate::geometry::{PlanarPose, Point2, Vector2};
-use crate::represent::{Action, Fate, GoalState, Ground, Task, Treatment};
+use crate::represent::{Action, Fate, GoalState, Ground, SurfaceShape, Task, Treatment};
 use std::f64::consts::FRAC_PI_2;
 
 /// Distance of the tool centre point beyond the border at most, over the tool's length along the lane [1]. A
@@ -26,11 +27,14 @@ const MOST_EXCEEDED: f64 = 0.25;
 const ROUNDING: f64 = 1e-9;
 /// Distance from the border of a hole at which a lane ends [m].
 const HOLE_MARGIN: f64 = 1e-5;
+/// Sine of the angle below which two directions of lanes are the same [1].
+const SAME_DIRECTION: f64 = 1e-9;
 /// Number of halvings in the search for the end of a lane: exact to a micrometre.
 const HALVINGS: usize = 20;
 
-/// Plans lanes over all places that still need treatment, along x or y of the surface. The direction with the
-/// better predicted effect is taken, of equal ones the shorter.
+/// Plans lanes over all places that still need treatment, along x or y of the surface; where only a part of the tool
+/// acts on a bend, also along the bend and across it. The direction with the best predicted effect is taken, of equal
+/// ones the shortest.
 pub(super) fn lanes(
     task: &Task,
     space: &FreeSpace,
@@ -41,8 +45,9 @@ pub(super) fn lanes(
             action: task.action,
         });
     };
-    let directions = [0.0, FRAC_PI_2]
-        .map(|heading| Lanes::new(task, space, goal, heading, config.search.margin_m));
+    let directions: Vec<Lanes<'_>> = (headings(task).into_iter())
+        .map(|heading| Lanes::new(task, space, goal, heading, config.search.margin_m))
+        .collect();
     if let Some(count) = (directions.iter().map(Lanes::max_nodes)).find(|&most| most > MAX_NODES) {
         return Err(PlanError::TooManyNodes {
             surface: task.surface.name.clone(),
@@ -51,11 +56,15 @@ pub(super) fn lanes(
             advice: "take a wider tool, fewer passes or a smaller surface",
         });
     }
-    let plans = directions.map(|lanes| assemble_plan(task, space, goal, config, lanes.strokes()));
-    let [along_x, along_y] = plans;
-    let [x, y] = [&along_x, &along_y].map(|plan| (objective(task, plan), plan.contact_distance()));
-    let is_along_y = y.0 > x.0 || y.0 == x.0 && y.1 < x.1;
-    let best = if is_along_y { along_y } else { along_x };
+    let plans = directions.into_iter().map(|lanes| {
+        let plan = assemble_plan(task, space, goal, config, lanes.strokes());
+        (objective(task, &plan), plan.contact_distance(), plan)
+    });
+    let best = plans.reduce(|best, next| {
+        let is_better = next.0 > best.0 || next.0 == best.0 && next.1 < best.1;
+        if is_better { next } else { best }
+    });
+    let (_, _, best) = best.expect("there are two directions");
     if best.strokes.is_empty() && !task.particles.is_empty() {
         return Err(PlanError::NoFreeNode {
             surface: task.surface.name.clone(),
@@ -63,6 +72,23 @@ pub(super) fn lanes(
         });
     }
     Ok(best)
+}
+
+/// The headings along which lanes may run [rad].
+fn headings(task: &Task) -> Vec<f64> {
+    let mut headings = vec![0.0, FRAC_PI_2];
+    if let SurfaceShape::Cylinder { axis, .. } = task.surface.shape {
+        for heading in [axis, axis + FRAC_PI_2] {
+            let is_new =
+                (headings.iter()).all(|one| libm::sin(heading - one).abs() > SAME_DIRECTION);
+            let is_partial = (headings.iter().chain([&heading]))
+                .any(|&heading| partial_contact(task, heading).is_some());
+            if is_new && is_partial {
+                headings.push(heading);
+            }
+        }
+    }
+    headings
 }
 
 /// A place that still needs passes, in the frame of the lanes.
@@ -92,8 +118,14 @@ struct Lanes<'a> {
 
 impl<'a> Lanes<'a> {
     fn new(task: &Task, space: &'a FreeSpace, goal: GoalState, heading: f64, margin: f64) -> Self {
-        let size =
+        let mut size =
             (task.tool.footprint.bounds()).map_or(task.tool.area_of_effect, |bounds| bounds.size());
+        // In a hollow, where the middle of the tool does not act, its sides do: the lanes stay as wide as the tool.
+        let acting = partial_contact(task, heading)
+            .map(|(tool, pressure, least)| tool.acting_width(&pressure, least));
+        if let Some(width) = acting.filter(|&width| width > 0.0) {
+            size.y = size.y.min(width);
+        }
         let is_lenient = task.action == Action::Polish;
         // The strip that the tool covers even with a lateral error of `margin`: w − 2 m, at least w / 2.
         let strip = if is_lenient {

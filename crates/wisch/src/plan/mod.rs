@@ -24,6 +24,7 @@ mod tour;
 mod tree;
 mod yaw;
 
+pub use bend::BendContact;
 pub use clearance::FreeSpace;
 pub use config::{PlanConfig, SearchConfig};
 pub use coverage::{
