@@ -7,11 +7,11 @@ use std::f64::consts::{FRAC_PI_2, PI};
 use wisch::control::{ControlConfig, press_into_surface};
 use wisch::follow::{FollowConfig, MotionFault, Phase, ToolPose, Workcell, audit, follow};
 use wisch::geometry::{PlanarPose, Point2, Point3, Polygon, Pose, Vector2, Vector3};
-use wisch::interpret::TouchSample;
+use wisch::interpret::{Belief, InterpretConfig, TouchSample, Uncertainty, interpret};
 use wisch::plan::{BendContact, Plan, PlanConfig, PlanError, Strategy, plan, predict};
 use wisch::represent::{
-    Action, Effect, ElasticFoundation, Fate, ParticleDistribution, ParticleField, Surface,
-    SurfaceShape, Task, Tool, ToolMotion, Treatment, effective_pressure,
+    Action, Effect, ElasticFoundation, Fate, GoalState, ParticleDistribution, ParticleField,
+    Surface, SurfaceShape, Task, Tool, ToolMotion, Treatment, effective_pressure,
 };
 use wisch::run::{Execution, Executor, ExecutorError, MotionOrder, SampleSink, ignore_events};
 use wisch_io::{LoadOptions, load_task};
@@ -509,6 +509,71 @@ fn a_session_wipes_a_bend_as_it_wipes_a_plane() {
         (flat.0 - bent.0).abs() < 0.02 && (flat.1 - bent.1).abs() < 0.02,
         "{performed:?}"
     );
+}
+
+/// A hard pad touches a bulge of 0.3 m with the middle 5.8 cm of its 11 cm, and sinks in by 0.9 mm.
+#[test]
+fn what_the_edge_of_a_pad_does_not_touch_is_not_credited() {
+    let mut rolled = task(Action::Absorb, cylinder(0.3, 0.0));
+    rolled.interaction.compression_depth_m = 5e-4;
+    let places: Vec<Point2> = (0..9)
+        .flat_map(|i| {
+            (0..21)
+                .map(move |j| Point2::new(0.01 * f64::from(i) - 0.04, 0.005 * f64::from(j) - 0.05))
+        })
+        .collect();
+    rolled.particles = ParticleDistribution::new(&places).unwrap();
+    let tool =
+        ElasticFoundation::from_interaction(&rolled.tool.footprint, &rolled.interaction).unwrap();
+    let pressure = tool.press_upright(&rolled.surface.shape.bend(), 0.0);
+    let sinking = 5e-4 * (pressure.middle - 1.0);
+    assert!((sinking - 9e-4).abs() < 1e-4, "{sinking}");
+    let press = rolled.interaction.press_force_n;
+    let samples: Vec<TouchSample> = (0..6000)
+        .map(|i| {
+            let time = 1e-3 * f64::from(i);
+            let x = (0.04 * (time - 3.0)).clamp(-0.08, 0.08);
+            let lift = (0.05 * ((time - 3.0).abs() - 2.0)).max(0.0);
+            let place = Point2::new(x, 0.0);
+            let pose = rolled.surface.world_from_place(place, lift - sinking);
+            let force = rolled.surface.normal(place) * if lift > 0.0 { 0.0 } else { press };
+            TouchSample::new(time, pose, force)
+        })
+        .collect();
+    let read = |task: &Task| {
+        let believed = Belief::from_particles(task.particles.clone());
+        let config = InterpretConfig {
+            uncertainty: Uncertainty::NONE,
+            ..InterpretConfig::from_task(task)
+        };
+        let found = interpret(&samples, task, &believed, &GoalState::Absorbed, &config).unwrap();
+        // Share of the members in which each particle is absorbed.
+        let members = found.belief.members();
+        let absorbed = |i: usize| {
+            members
+                .iter()
+                .filter(|dirt| dirt.fate(i) == Fate::Absorbed)
+                .count()
+        };
+        let shares: Vec<f64> = (0..places.len())
+            .map(|i| absorbed(i) as f64 / members.len() as f64)
+            .collect();
+        (found.plane.expect("a plane").offset, shares)
+    };
+    let (offset, shares) = read(&rolled);
+    assert!(offset.abs() < 1e-4, "{offset}");
+    for (place, share) in places.iter().zip(&shares) {
+        if place.y.abs() < 0.024 {
+            assert!(*share > 0.9, "{place} {share}");
+        } else if place.y.abs() > 0.0295 {
+            assert_eq!(*share, 0.0, "{place}");
+        }
+    }
+    // A soft pad lies on the bend, and what it passes over is credited.
+    rolled.interaction.compression_depth_m = 0.01;
+    let soft = rolled.clone();
+    let (_, shares) = read(&soft);
+    assert!(shares.iter().all(|&share| share > 0.6), "{shares:?}");
 }
 
 #[test]

@@ -4,7 +4,7 @@ use super::belief::{Belief, ContactEvidence, Exposure, Replay};
 use super::config::InterpretConfig;
 use super::contact::{
     ClassifiedPath, ContactClassifier, Downsampler, FittedPlane, ForceReading, MeasuredStiffness,
-    PlaneFit, StiffnessBelief, TouchSample, middle,
+    PlaneFit, StiffnessBelief, ToolOnBend, TouchSample, middle,
 };
 use super::doubt::{Doubt, LogEvidence};
 use super::error::InterpretError;
@@ -226,9 +226,15 @@ impl Interpreter {
     fn analyse(&self) -> LogAnalysis {
         let measured = self.downsampler.pieces();
         let reading = ForceReading::of(measured, &self.surface, &self.config);
-        let pieces = &reading.apply(measured, &self.config);
+        let mut pieces = reading.apply(measured, &self.config);
         let reference = reading.reference_force(self.config.nominal_force());
         let config = self.config.with_reference_force(reference);
+        let compression = config.nominal_compression();
+        let tool = ToolOnBend::new(&self.surface, &self.footprint, compression, &config);
+        if let Some(tool) = tool {
+            tool.level(&mut pieces, &config);
+        }
+        let pieces = &pieces;
         let classifier = ContactClassifier {
             surface: &self.surface,
             reach: self.reach(),

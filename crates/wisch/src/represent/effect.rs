@@ -20,7 +20,7 @@ use super::heap::Heap;
 use super::motion::{CLEARANCE, ToolMotion};
 use super::swept_rotation::SweptRotation;
 use super::swept_translation::SweptTranslation;
-use super::{Effect, ElasticFoundation, Fate, Surface};
+use super::{Effect, ElasticFoundation, Fate, LocalPressure, Surface};
 use crate::geometry::{Edge, PlanarPose, Point2, Region, Vector2};
 use rayon::prelude::*;
 
@@ -88,6 +88,8 @@ pub struct EffectModel {
     heap: Option<Heap>,
     /// The part that acts where the surface bends; `None` if the whole footprint acts everywhere.
     acting: Option<ActingPart>,
+    /// The pressure of a tool that touches with a part of its footprint.
+    pressure: Option<LocalPressure>,
 }
 
 /// Outcome of a motion for a particle that it touches.
@@ -121,6 +123,7 @@ impl EffectModel {
             outcomes: Vec::new(),
             heap: None,
             acting: None,
+            pressure: None,
             footprint: footprint.clone(),
         }
     }
@@ -197,6 +200,12 @@ impl EffectModel {
             heap: Some(Heap::new(depth_of_all, seed)),
             ..self
         }
+    }
+
+    /// Sets the pressure under the tool in the motions that follow: only the part that it presses acts. `None` if the
+    /// whole footprint acts. While the tool turns, the whole footprint acts.
+    pub(crate) fn set_pressure(&mut self, pressure: Option<LocalPressure>) {
+        self.pressure = pressure;
     }
 
     /// Ends the contact. What the tool has carried since the last motion began comes to rest: spread over its heap, or
@@ -306,8 +315,10 @@ impl EffectModel {
         let heading = motion.from.heading;
         let mut acting = (self.acting.as_mut())
             .and_then(|part| part.is_partial(surface, heading).then_some(part));
+        let given = self.pressure.map(|pressure| (pressure, 0.0));
+        let is_partial = acting.is_some() || given.is_some();
         let edges = &self.edges;
-        (self.translation).fill(edges, heading, (along, length), acting.is_some());
+        (self.translation).fill(edges, heading, (along, length), is_partial);
         let Some((low, high)) = self.translation.extent() else {
             return MotionEffect::default();
         };
@@ -327,13 +338,14 @@ impl EffectModel {
             let slots = field.slots(block);
             let particles = field.coordinates(slots.clone());
             let from = motion.from.position;
-            let met = match &mut acting {
-                None => (self.translation).find_met(particles, from, self.kind),
-                Some(part) => {
-                    (self.translation).find_met_by_part(particles, &motion.from, self.kind, |at| {
-                        part.pressure(surface, at, heading)
-                    })
-                }
+            let met = if is_partial {
+                let part = |at| {
+                    let acting = acting.as_mut();
+                    given.or_else(|| acting?.pressure(surface, at, heading))
+                };
+                (self.translation).find_met_by_part(particles, &motion.from, self.kind, part)
+            } else {
+                (self.translation).find_met(particles, from, self.kind)
             };
             if met >= CHECKED_FROM {
                 stays.get_or_insert_with(|| is_inside(surface, edges, &motion.to));

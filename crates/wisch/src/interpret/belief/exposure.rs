@@ -5,7 +5,7 @@ use super::parameter_sampling::{MemberParameters, scatter};
 use super::push_hypotheses::ContactEvidence;
 use super::replay::Replay;
 use crate::interpret::config::InterpretConfig;
-use crate::interpret::contact::PressureDistribution;
+use crate::interpret::contact::{PressureDistribution, ToolOnBend};
 use crate::interpret::uncertainty::Uncertainty;
 use crate::represent::{EffectModel, ParticleDistribution, ParticleField};
 
@@ -103,11 +103,14 @@ impl Replay<'_> {
             let footprint = self.footprint.scale(parameters.footprint_scale);
             let mut model = EffectModel::new(&footprint, self.effect);
             let bounds = footprint.bounds();
+            let on_bend = ToolOnBend::new(self.surface, &footprint, compression, &config);
             let mut clock = TravelClock::default();
             for contact in evidence.motions(guess as u64, compression).iter() {
                 let contact = parameters.apply(contact, self.force_ratio);
                 let travel = clock.advance(&contact);
-                let pressure = PressureDistribution::of(&contact, bounds, compression);
+                let on_bend = on_bend.as_ref();
+                let pressure = PressureDistribution::of(&contact, bounds, compression, on_bend);
+                model.set_pressure((pressure.as_ref()).and_then(PressureDistribution::of_part));
                 let mean = contact.force.value();
                 let most = (pressure.as_ref()).map_or(mean, PressureDistribution::most);
                 if most <= 0.0 {

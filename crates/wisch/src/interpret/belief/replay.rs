@@ -10,7 +10,7 @@ use super::parameter_sampling::{MemberParameters, force_factor, scatter, slip};
 use super::push_hypotheses::ContactEvidence;
 use crate::geometry::Region;
 use crate::interpret::config::InterpretConfig;
-use crate::interpret::contact::{ContactMotion, PressureDistribution, StiffnessBelief};
+use crate::interpret::contact::{ContactMotion, PressureDistribution, StiffnessBelief, ToolOnBend};
 use crate::represent::{
     Effect, EffectModel, GoalState, ParticleDistribution, ParticleField, Performance, Surface,
 };
@@ -133,6 +133,7 @@ impl Replay<'_> {
         }
         let mut field = ParticleField::new(particles);
         let bounds = footprint.bounds();
+        let on_bend = ToolOnBend::new(self.surface, &footprint, compression, self.config);
         let likelihood = &parameters.likelihood;
         for contact in motions {
             let contact = parameters.apply(contact, force_factor);
@@ -140,7 +141,9 @@ impl Replay<'_> {
                 model.lift_off(&mut field, self.surface);
             }
             activation.advance(&contact);
-            let pressure = PressureDistribution::of(&contact, bounds, compression);
+            let on_bend = on_bend.as_ref();
+            let pressure = PressureDistribution::of(&contact, bounds, compression, on_bend);
+            model.set_pressure((pressure.as_ref()).and_then(PressureDistribution::of_part));
             let most =
                 (pressure.as_ref()).map_or(contact.force.value(), PressureDistribution::most);
             let largest = likelihood.probability(most);

@@ -9,6 +9,7 @@ mod path;
 mod plane;
 mod pressure_distribution;
 mod stiffness;
+mod tool_on_bend;
 
 pub(super) use classification::{ClassifiedPath, ContactClassifier, middle};
 pub(super) use curvature::{ContactShape, is_inland};
@@ -20,3 +21,4 @@ pub use plane::{PlaneFit, fit_plane};
 pub(super) use pressure_distribution::PressureDistribution;
 pub use stiffness::ToolStiffness;
 pub(super) use stiffness::{MeasuredStiffness, StiffnessBelief};
+pub(super) use tool_on_bend::ToolOnBend;

@@ -1,11 +1,12 @@
-//! Pressure under a compliant tool that is inclined to the plane.
+//! Pressure under a compliant tool that is inclined to the plane, or lies on a bend.
 //!
-//! The tool is a bed of springs. A spring is compressed further where the plane rises towards the hand; where it would
-//! be stretched, it has left the plane. The force is the mean over the tool.
+//! The tool is a bed of springs. A spring is compressed further where the surface rises towards the hand; where it would
+//! be stretched, it has left the surface. The force is the mean over the tool.
 
 use super::motions::{ContactMotion, NormalizedForce};
+use super::tool_on_bend::ToolOnBend;
 use crate::geometry::{Bounds2, PlanarPose, Point2, Vector2};
-use crate::represent::ToolMotion;
+use crate::represent::{LocalPressure, MAX_PRESSURE, ToolMotion};
 
 /// Difference of f′ under the tool below which the pressure counts as even [1]; a fraction of the measurement noise.
 const EVEN: f64 = 1e-3;
@@ -18,61 +19,141 @@ const LEAST_RATIO: f64 = 1e-3;
 #[derive(Debug)]
 pub(in crate::interpret) struct PressureDistribution {
     motion: ToolMotion,
-    /// f′ in the middle of the tool; below 0 if the middle has left the plane [1].
-    middle: f64,
-    /// Gradient of f′ along the tool's x and y [1/m].
-    rise: Vector2,
+    under: UnderTool,
     bounds: Bounds2,
+}
+
+/// f′ under the tool.
+#[derive(Debug)]
+enum UnderTool {
+    /// On a plane.
+    Linear {
+        /// f′ in the middle of the tool; below 0 if the middle has left the plane [1].
+        middle: f64,
+        /// Gradient of f′ along the tool's x and y [1/m].
+        rise: Vector2,
+    },
+    /// On a bend, with the least and the largest value [1].
+    Bent(LocalPressure, [f64; 2]),
 }
 
 impl PressureDistribution {
     /// Returns the distribution under a tool with these `bounds` (tool frame); `compression` is that at nominal force
-    /// [m]. `None` where the pressure is even.
+    /// [m]. `on_bend`: the tool on a surface that bends; `None` on a plane. Returns `None` where the pressure is even.
     pub(in crate::interpret) fn of(
         contact: &ContactMotion,
         bounds: Option<Bounds2>,
         compression: f64,
+        on_bend: Option<&ToolOnBend>,
     ) -> Option<Self> {
+        if let Some(tool) = on_bend {
+            return Self::of_bend(contact, bounds?, tool);
+        }
         let bounds = bounds.filter(|_| compression > 0.0)?;
         let rise = contact.slope / compression;
         let half = rise.abs().component_mul(&bounds.size()) / 2.0;
         (half.sum() > EVEN).then(|| Self {
             motion: contact.motion,
-            middle: match contact.force {
-                NormalizedForce::NoContact => -half.sum(),
-                NormalizedForce::Mean(share) => middle(share, half),
-                NormalizedForce::Middle(share) => share,
+            under: UnderTool::Linear {
+                middle: match contact.force {
+                    NormalizedForce::NoContact => -half.sum(),
+                    NormalizedForce::Mean(share) => middle(share, half),
+                    NormalizedForce::Middle(share) => share,
+                },
+                rise,
             },
-            rise,
             bounds,
         })
     }
 
+    fn of_bend(contact: &ContactMotion, bounds: Bounds2, tool: &ToolOnBend) -> Option<Self> {
+        let force = match contact.force {
+            NormalizedForce::NoContact => return None,
+            NormalizedForce::Mean(share) | NormalizedForce::Middle(share) => share,
+        };
+        let yaw = contact.motion.from.heading;
+        let mut pressure = tool.press(force, yaw, contact.slope);
+        if let NormalizedForce::Middle(share) = contact.force {
+            // The distance is that of a tool on a plane (`ToolOnBend::level`): an upright tool would have this force.
+            pressure.middle = share + tool.sinking(share, yaw) / tool.compression();
+        }
+        let range = tool.range(&pressure);
+        (range[1] - range[0] > EVEN).then_some(Self {
+            motion: contact.motion,
+            under: UnderTool::Bent(pressure, range),
+            bounds,
+        })
+    }
+
+    /// Returns the pressure of a tool that touches a bend with a part of its footprint.
+    pub(in crate::interpret) fn of_part(&self) -> Option<LocalPressure> {
+        match self.under {
+            UnderTool::Bent(pressure, [least, _]) if least < 0.0 => Some(pressure),
+            _ => None,
+        }
+    }
+
     /// Largest f′ under the tool [1].
     pub(in crate::interpret) fn most(&self) -> f64 {
-        let half = self.rise.abs().dot(&self.bounds.size()) / 2.0;
-        (self.middle + half).max(0.0)
+        match self.under {
+            UnderTool::Linear { middle, rise } => {
+                let half = rise.abs().dot(&self.bounds.size()) / 2.0;
+                (middle + half).max(0.0)
+            }
+            UnderTool::Bent(_, [_, most]) => most.clamp(0.0, MAX_PRESSURE),
+        }
     }
 
     /// Returns the largest f′ at a particle that the motion passes over [1].
     ///
-    /// f′ changes linearly over the motion, so it is largest where the particle comes under the tool or where it is
-    /// last.
+    /// On a plane, f′ changes linearly over the motion, so it is largest where the particle comes under the tool or where
+    /// it is last. On a bend it is a parabola on the particle's way under the tool.
     pub(in crate::interpret) fn share(&self, position: Point2) -> f64 {
-        self.share_under(&self.motion.from, position)
-            .max(self.share_under(&self.motion.to, position))
-            .max(0.0)
+        let ends = [&self.motion.from, &self.motion.to];
+        match self.under {
+            UnderTool::Linear { middle, rise } => {
+                let [from, to] =
+                    ends.map(|tool| middle + rise.dot(&self.place_under(tool, position)));
+                from.max(to).max(0.0)
+            }
+            UnderTool::Bent(pressure, _) => {
+                let way = ends.map(|tool| tool.inverse_transform(position));
+                let [from, to] = clip(&self.bounds, way).unwrap_or_else(|| {
+                    ends.map(|tool| self.bounds.center() + self.place_under(tool, position))
+                });
+                pressure.largest_between(from, to)
+            }
+        }
     }
 
-    fn share_under(&self, tool: &PlanarPose, position: Point2) -> f64 {
+    /// Returns the place of the bounds that is nearest to a particle, from their centre [m].
+    fn place_under(&self, tool: &PlanarPose, position: Point2) -> Vector2 {
         let half = self.bounds.size() / 2.0;
         let place = tool.inverse_transform(position) - self.bounds.center();
-        let place = Vector2::new(
+        Vector2::new(
             place.x.clamp(-half.x, half.x),
             place.y.clamp(-half.y, half.y),
-        );
-        self.middle + self.rise.dot(&place)
+        )
     }
+}
+
+/// Returns the part of a straight way within bounds; `None` if it does not meet them.
+fn clip(bounds: &Bounds2, [from, to]: [Point2; 2]) -> Option<[Point2; 2]> {
+    let along = to - from;
+    let (mut low, mut high) = (0.0_f64, 1.0_f64);
+    for axis in 0..2 {
+        let [least, most] = [bounds.min, bounds.max].map(|corner| corner[axis] - from[axis]);
+        if along[axis] == 0.0 {
+            if least > 0.0 || most < 0.0 {
+                return None;
+            }
+            continue;
+        }
+        let [a, b] = [least, most].map(|side| side / along[axis]);
+        low = low.max(a.min(b));
+        high = high.min(a.max(b));
+    }
+    (low <= high).then(|| [low, high].map(|share| from + along * share))
 }
 
 /// Returns f′ in the middle of a rectangle, given its clipped mean; f′ changes by `half` from the middle to each side.
@@ -133,6 +214,54 @@ mod tests {
         assert!(
             (wedge - (2.0 * 0.02 * 0.6_f64).sqrt()).abs() < 1e-3,
             "{wedge}"
+        );
+    }
+
+    /// Two computations of the same thing: one has a closed form on a plane, the other integrates over the edges.
+    #[test]
+    fn an_inclined_tool_on_a_plane_is_that_of_an_elastic_foundation() {
+        let side = Vector2::new(0.06, 0.1);
+        let pad = crate::geometry::Region::new(vec![crate::geometry::Polygon::rectangle(side)]);
+        let (compression, slope) = (0.004, Vector2::new(0.08, -0.03));
+        let bed = crate::represent::ElasticFoundation::new(&pad, compression).unwrap();
+        for force in [0.1, 0.5, 0.9] {
+            let contact = ContactMotion {
+                motion: ToolMotion {
+                    from: PlanarPose::new(Point2::origin(), 0.0),
+                    to: PlanarPose::new(Point2::origin(), 0.0),
+                },
+                force: NormalizedForce::Mean(force),
+                slope,
+                continues: false,
+            };
+            let flat = PressureDistribution::of(&contact, pad.bounds(), compression, None).unwrap();
+            let bent = bed.press(force, slope, &nalgebra::Matrix2::zeros());
+            for place in [[0.0, 0.0], [0.03, -0.05], [-0.03, 0.05], [0.02, 0.01]] {
+                let place = Point2::from(place);
+                assert!(
+                    (flat.share(place) - bent.evaluate(place)).abs() < 1e-5,
+                    "{force} {place}"
+                );
+            }
+        }
+    }
+
+    #[test]
+    fn a_way_is_clipped_to_the_bounds() {
+        let corner = Point2::new(1.0, 1.0);
+        let bounds = Bounds2 {
+            min: -corner,
+            max: corner,
+        };
+        let clipped = |from: [f64; 2], to: [f64; 2]| clip(&bounds, [from.into(), to.into()]);
+        let across = clipped([-3.0, 0.5], [2.0, 0.5]).unwrap();
+        assert!((across[0] - Point2::new(-1.0, 0.5)).norm() < 1e-12);
+        assert!((across[1] - Point2::new(1.0, 0.5)).norm() < 1e-12);
+        assert_eq!(clipped([-3.0, 1.5], [2.0, 1.5]), None);
+        assert_eq!(clipped([2.0, 0.0], [3.0, 0.0]), None);
+        assert_eq!(
+            clipped([0.2, 0.0], [0.2, 0.0]),
+            Some([Point2::new(0.2, 0.0); 2])
         );
     }
 }
