@@ -47,11 +47,11 @@ fn a_plan_on_a_cylinder_is_that_of_the_plane_and_names_the_shape() {
     let (flat, bent) = (plan("flat", None), plan("bent", Some("2.0")));
     assert!(!flat.contains("surface_shape"));
     let start = bent.find("  \"surface_shape\"").expect("the shape");
-    let end = start + bent[start..].find("},").unwrap() + 3;
-    assert!(
-        bent[start..end].contains("\"cylinder_radius_m\": 2.0"),
-        "{bent}"
-    );
+    let contact = start + bent[start..].find("\"bend_contact\"").unwrap();
+    let end = contact + bent[contact..].find("},").unwrap() + 3;
+    for key in ["\"cylinder_radius_m\": 2.0", "\"touched_share_least\": 1.0"] {
+        assert!(bent[start..end].contains(key), "{bent}");
+    }
     assert_eq!([&bent[..start], &bent[end..]].concat(), flat);
 }
 
@@ -80,6 +80,42 @@ fn a_check_names_the_cylinder() {
         found.contains("cylinder of radius -2 m whose axis is at 0° to x"),
         "{found}"
     );
+}
+
+/// A hard tool touches a part of a bend. What it cannot touch counts as wiped nowhere.
+#[test]
+fn check_and_plan_state_which_share_of_a_rigid_tool_touches() {
+    let folder = folder();
+    let rigid = [
+        "--strategy",
+        "grid",
+        "--set",
+        "interaction.compression_depth_m=0",
+    ];
+    let done = wisch(
+        folder.path(),
+        &[&["check"][..], &rigid].concat(),
+        Some("0.5"),
+    );
+    let found = text(&done.stdout);
+    for part in [
+        "% of the tool touches the bend, depending on its yaw",
+        "if 0.1 mm of compression are right",
+        "a tool at most 0.024 m long across the bend would touch everywhere",
+    ] {
+        assert!(found.contains(part), "{found}{}", text(&done.stderr));
+    }
+    let words = [&["plan", "--json", "--out", "rigid"][..], &rigid].concat();
+    let done = wisch(folder.path(), &words, Some("0.5"));
+    let summary: serde_json::Value = serde_json::from_slice(&done.stdout).expect("a summary");
+    let share = |key: &str| summary["bend_contact"][key].as_f64().expect("a number");
+    assert!(share("touched_share_least") < 0.5 && share("touched_share_most") < 0.7);
+    let done = wisch(
+        folder.path(),
+        &["plan", "--strategy", "grid", "--out", "soft"],
+        Some("2.0"),
+    );
+    assert!(text(&done.stdout).contains("the whole tool touches the bend at every yaw"));
 }
 
 /// Page, figures, bag and episode of a run on a cylinder show or state its shape.

@@ -36,8 +36,8 @@ pub use process::{
     SampleRecord, StopKindRecord, WrenchAxes, kill_executors,
 };
 pub use records::{
-    AbandonedRecord, AttemptRecord, CandidateSummary, EVENT_SCHEMA, EventRecord, EventWriter,
-    ExecutedBy, FollowedRecord, FollowingSummary, GoalRecord, INTERPRETATION_FORMAT,
+    AbandonedRecord, AttemptRecord, BendContactRecord, CandidateSummary, EVENT_SCHEMA, EventRecord,
+    EventWriter, ExecutedBy, FollowedRecord, FollowingSummary, GoalRecord, INTERPRETATION_FORMAT,
     InterpretationRecord, LogRecord, LoopSummary, MotionRecord, NodeRecord, PLAN_FORMAT,
     PLAN_SCHEMA, PlacementRecord, PlanRecord, PlanRecordError, PlanarPoseRecord, PlaneRecord,
     PoseRecord, PredictionSummary, RobotTrajectory, RoleRecord, RoundSummary, RoundTimes,

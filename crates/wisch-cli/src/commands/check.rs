@@ -11,7 +11,7 @@ use crate::terminal::{Outcome, print};
 use std::collections::BTreeSet;
 use wisch::follow::{Followed, Workcell};
 use wisch::geometry::{Bounds2, Mesh, Point2, Vector3};
-use wisch::plan::{FreeSpace, NodeRole, Plan, Prediction, predict};
+use wisch::plan::{BendContact, FreeSpace, NodeRole, Plan, Prediction, predict};
 use wisch::represent::{Action, GoalState, SurfaceShape, Task, dirt_friction};
 use wisch::run::{NoExecutor, Session, Stage, check_score, ignore_events};
 use wisch_io::LoadedTask;
@@ -212,6 +212,7 @@ fn explanation(prepared: &LoadedTask, found: &Found<'_>, heading: &str) -> Strin
     lines.push(("surface", surface(task)));
     lines.extend(slope(prepared).map(|text| ("slope", text)));
     lines.push(("tool", tool(task)));
+    lines.extend(BendContact::from_task(task).map(|contact| ("contact", contact.to_string())));
     let count = task.particles.len();
     lines.push(match task.action.treats() {
         true => ("points", format!("{count} on the surface")),

@@ -6,10 +6,11 @@ use super::words::{counted, percent};
 use std::path::Path;
 use wisch::recover::Verdict;
 use wisch::represent::{ParticleDistribution, Treatment};
-use wisch_io::{FOLLOWING_FILE, LoadedTask, PLAN_FILE, REPORT_FILE, path_in_results};
 use wisch_io::{
-    FollowingSummary, LoopSummary, PredictionSummary, SUMMARY_SCHEMA, Summary, TreatmentSummary,
+    BendContactRecord, FollowingSummary, LoopSummary, PredictionSummary, SUMMARY_SCHEMA, Summary,
+    TreatmentSummary,
 };
+use wisch_io::{FOLLOWING_FILE, LoadedTask, PLAN_FILE, REPORT_FILE, path_in_results};
 use wisch_record::{FinishedRound, FollowedPlan, RunResults};
 
 /// Members of a belief over which a treatment is averaged.
@@ -43,6 +44,7 @@ pub(super) fn summary(prepared: &LoadedTask, results: &RunResults, out: &Path) -
         edges: plan.graph.edges.len(),
         strokes: plan.strokes.len(),
         unreachable_share: plan.unreachable_share,
+        bend_contact: BendContactRecord::new(task),
         distance_in_contact_m: in_contact,
         distance_total_m: in_all,
         planning_time_s: results.planning_time_s,
@@ -86,6 +88,13 @@ fn treatment(prepared: &LoadedTask, results: &RunResults) -> Option<TreatmentSum
         passes_deviation,
         mean_depth_m: per_pass.map(|per_pass| per_pass * mean_passes),
     })
+}
+
+/// What the tool reaches, and how it touches a surface that bends.
+fn reach_in_words(summary: &Summary) -> impl Iterator<Item = (&'static str, String)> {
+    let contact = summary.bend_contact.map(|record| record.contact());
+    let contact = contact.map(|contact| ("contact", contact.to_string()));
+    std::iter::once(("out of reach", percent(summary.unreachable_share))).chain(contact)
 }
 
 /// The summary for people. `executor`: name of what executed the motions, if it was not the simulated world.
@@ -132,7 +141,7 @@ pub(super) fn in_words(
     } else {
         lines.push(("particles", summary.particles.to_string()));
     }
-    lines.push(("out of reach", percent(summary.unreachable_share)));
+    lines.extend(reach_in_words(summary));
     lines.push((
         "graph",
         format!(

@@ -16,8 +16,9 @@ pub use interpretation::{
     EventRecord, INTERPRETATION_FORMAT, InterpretationRecord, LogRecord, PlaneRecord,
 };
 pub use plan::{
-    GoalRecord, NodeRecord, PLAN_FORMAT, PLAN_SCHEMA, PlanRecord, PlanRecordError,
-    PlanarPoseRecord, PoseRecord, RoleRecord, ShapeRecord, StrokeRecord, WaypointRecord,
+    BendContactRecord, GoalRecord, NodeRecord, PLAN_FORMAT, PLAN_SCHEMA, PlanRecord,
+    PlanRecordError, PlanarPoseRecord, PoseRecord, RoleRecord, ShapeRecord, StrokeRecord,
+    WaypointRecord,
 };
 pub use rounds::{ExecutedBy, LoopSummary, RoundSummary, RoundTimes};
 pub use summary::{

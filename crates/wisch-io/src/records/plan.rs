@@ -7,7 +7,8 @@ use serde::{Deserialize, Serialize};
 use std::ops::RangeInclusive;
 use wisch::geometry::{PlanarPose, Point2, Pose};
 use wisch::plan::{
-    Node, NodeRole, Plan, PlanError, SemanticDirectedGraph, Stroke, TcpWaypoint, check_strokes,
+    BendContact, Node, NodeRole, Plan, PlanError, SemanticDirectedGraph, Stroke, TcpWaypoint,
+    check_strokes,
 };
 use wisch::represent::{GoalState, SurfaceShape, Task, UnknownName};
 
@@ -43,6 +44,9 @@ pub struct PlanRecord {
     /// Shape of the surface; left out for a plane. Positions are in the chart, which is rolled onto it.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub surface_shape: Option<ShapeRecord>,
+    /// Contact of the tool with the bend; left out for a plane, and for a tool that hovers.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub bend_contact: Option<BendContactRecord>,
     /// Start position of the tool, in the surface frame.
     pub tool_start_in_surface_m: [f64; 2],
     /// Radius r_s of the collision sphere.
@@ -96,6 +100,48 @@ impl ShapeRecord {
                 cylinder_radius_m: radius,
                 axis_rad: axis,
             }),
+        }
+    }
+}
+
+/// Contact of an upright tool with a surface that bends, at nominal force.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct BendContactRecord {
+    /// Least share of the footprint that touches, over all yaws.
+    pub touched_share_least: f64,
+    /// Largest share of the footprint that touches, over all yaws.
+    pub touched_share_most: f64,
+    /// Least pressure over the nominal one; 0 where the tool does not touch.
+    pub pressure_least: f64,
+    /// Largest pressure over the nominal one.
+    pub pressure_most: f64,
+    /// Length across the bend of the longest rectangular tool that would touch everywhere.
+    pub fitting_length_m: f64,
+    /// Compression at nominal force that is assumed.
+    pub compression_m: f64,
+}
+
+impl BendContactRecord {
+    /// Makes the record for the tool of a task; `None` on a plane, and for a tool that hovers.
+    pub fn new(task: &Task) -> Option<Self> {
+        BendContact::from_task(task).map(|contact| Self {
+            touched_share_least: contact.touched_share[0],
+            touched_share_most: contact.touched_share[1],
+            pressure_least: contact.pressure[0],
+            pressure_most: contact.pressure[1],
+            fitting_length_m: contact.fitting_length,
+            compression_m: contact.compression,
+        })
+    }
+
+    /// Returns the contact of the record.
+    pub fn contact(&self) -> BendContact {
+        BendContact {
+            touched_share: [self.touched_share_least, self.touched_share_most],
+            pressure: [self.pressure_least, self.pressure_most],
+            fitting_length: self.fitting_length_m,
+            compression: self.compression_m,
         }
     }
 }
@@ -342,6 +388,7 @@ impl PlanRecord {
             seed,
             world_from_surface: (&task.surface.world_from_surface).into(),
             surface_shape: ShapeRecord::new(&task.surface.shape),
+            bend_contact: BendContactRecord::new(task),
             tool_start_in_surface_m: plan.tool_start.into(),
             collision_radius_m: plan.collision_radius,
             lift_height_m: plan.lift_height,

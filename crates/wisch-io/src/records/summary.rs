@@ -34,6 +34,9 @@ pub struct Summary {
     pub strokes: usize,
     /// Share of the particles that no allowed tool pose covers.
     pub unreachable_share: f64,
+    /// Contact of the tool with the bend of the surface; its key is missing on a plane, and for a tool that hovers.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub bend_contact: Option<super::BendContactRecord>,
     /// Path length in contact: of all executed rounds, else of the plan.
     pub distance_in_contact_m: f64,
     /// Total path length, of the same.
