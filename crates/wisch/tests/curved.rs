@@ -372,11 +372,23 @@ fn lanes_of_a_rigid_tool_turn_its_long_side_along_the_axis_or_lie_closer() {
     );
     let [bent, flat] = [soft, flat].map(|task| strokes_of(&task, Strategy::Lanes).strokes);
     assert_eq!(bent, flat);
-    // In a hollow, a rigid tool rides on its ends.
+    // In a hollow, a rigid tool rides on its ends. Lanes as close as each of them is wide cover the surface.
     let hollow = polish(pad, 0.0, cylinder(-0.5, 0.3));
     let plan = strokes_of(&hollow, Strategy::Lanes);
     let found = performance(&hollow, &plan);
-    assert!(found < 1.0, "{found}");
+    assert!(found > 0.95, "{found}");
+    // The ends of the short side begin 1.9 cm from the middle: they never reach the middle of a hollow 3 cm wide.
+    let mut narrow = hollow;
+    narrow.surface.shape = cylinder(-0.5, 0.0);
+    narrow.surface.outline = Polygon::rectangle(Vector2::new(0.3, 0.03));
+    let places: Vec<Point2> = (0..30)
+        .map(|i| Point2::new(0.0, 0.001 * f64::from(i) - 0.0145))
+        .collect();
+    narrow.particles = ParticleDistribution::new(&places).unwrap();
+    let share = strokes_of(&narrow, Strategy::Lanes).unreachable_share;
+    assert!(share > 0.1 && share < 0.5, "{share}");
+    narrow.surface.shape = cylinder(0.5, 0.0);
+    assert_eq!(strokes_of(&narrow, Strategy::Lanes).unreachable_share, 0.0);
 }
 
 #[test]

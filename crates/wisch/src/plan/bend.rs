@@ -2,7 +2,7 @@
 //! way. A tool that touches with a part of its footprint is planned with that part ([`BendContact`]).
 
 use super::PlanError;
-use crate::geometry::{Mesh, Point2, Point3, Vector3};
+use crate::geometry::{Mesh, Point2, Point3, Vector2, Vector3};
 use crate::represent::{
     ElasticFoundation, LocalPressure, SURFACE_SKIN, Surface, SurfaceShape, Task, dirt_friction,
     effective_pressure,
@@ -125,6 +125,27 @@ pub(super) fn partial_contact(
     let least = effective_pressure(&task.interaction.likelihood);
     let pressure = tool.press_upright(&task.surface.shape.bend(), yaw);
     (tool.range(&pressure)[0] < least).then_some((tool, pressure, least))
+}
+
+/// Returns the vector across a hollow of the distance from the tool's centre within which the tool acts at no yaw [m]; 0
+/// elsewhere.
+pub(super) fn gap_in_hollow(task: &Task) -> Vector2 {
+    let SurfaceShape::Cylinder { radius, axis } = task.surface.shape else {
+        return Vector2::zeros();
+    };
+    let tool = ElasticFoundation::from_interaction(&task.tool.footprint, &task.interaction);
+    let Some(tool) = tool.filter(|_| radius < 0.0) else {
+        return Vector2::zeros();
+    };
+    let least = effective_pressure(&task.interaction.likelihood);
+    let bend = task.surface.shape.bend();
+    // f′(u) = m + u²/2δ|R| reaches the limit at u² = 2 (limit − m) δ |R|.
+    let gaps = yaws().map(|yaw| {
+        let missing = (least - tool.press_upright(&bend, yaw).middle).max(0.0);
+        libm::sqrt(2.0 * missing * tool.compression() * -radius)
+    });
+    let across = Vector2::new(-libm::sin(axis), libm::cos(axis));
+    across * gaps.fold(f64::INFINITY, f64::min)
 }
 
 /// Checks that the method's model holds on the surface of a task; always on a plane.

@@ -146,27 +146,39 @@ impl FreeSpace {
     ///
     /// `footprint`: the tool's footprint, in the tool frame.
     pub fn unreachable_share(&self, places: &[Point2], footprint: &Region) -> f64 {
+        self.unreachable_share_beyond(places, footprint, &Vector2::zeros())
+    }
+
+    /// The same for a tool that acts on nothing nearer to its centre than `gap`, in its direction and against it [m].
+    pub(super) fn unreachable_share_beyond(
+        &self,
+        places: &[Point2],
+        footprint: &Region,
+        gap: &Vector2,
+    ) -> f64 {
         let rings = rings(footprint);
         let missed = (places.par_iter())
-            .filter(|&&place| !self.is_covered(place, &rings))
+            .filter(|&&place| !self.is_covered(place, &rings, gap))
             .count();
         missed as f64 / places.len().max(1) as f64
     }
 
     /// Whether a tool at some free position covers `place`. `rings`: the distances from its centre that the
-    /// footprint covers [m].
+    /// footprint covers [m]. `gap`: see [`Self::unreachable_share_beyond`].
     ///
     /// Squares around the place are divided until the centre of one of them is such a position, or until none
     /// of their points can be. Both distances change by no more than the distance that a point moves.
-    fn is_covered(&self, place: Point2, rings: &[[f64; 2]]) -> bool {
+    fn is_covered(&self, place: Point2, rings: &[[f64; 2]], gap: &Vector2) -> bool {
         let reach = rings.iter().map(|ring| ring[1]).fold(0.0, f64::max);
         let mut squares = vec![(place, reach)];
         while let Some((middle, half)) = squares.pop() {
             let distance = (middle - place).norm();
             let spread = half * std::f64::consts::SQRT_2;
             let covers = |slack: f64| {
-                (rings.iter())
-                    .any(|[least, most]| distance + slack >= *least && distance - slack <= *most)
+                (middle - place).dot(gap).abs() + slack * gap.norm() >= gap.norm_squared()
+                    && (rings.iter()).any(|[least, most]| {
+                        distance + slack >= *least && distance - slack <= *most
+                    })
             };
             let outline = &self.surface.outline;
             let is_beside = !outline.contains(middle)

@@ -120,7 +120,7 @@ impl<'a> Lanes<'a> {
     fn new(task: &Task, space: &'a FreeSpace, goal: GoalState, heading: f64, margin: f64) -> Self {
         let mut size =
             (task.tool.footprint.bounds()).map_or(task.tool.area_of_effect, |bounds| bounds.size());
-        // In a hollow, where the middle of the tool does not act, its sides do: the lanes stay as wide as the tool.
+        // In a hollow, the tool acts with its ends: each is a strip as wide as a lane, beside the lane.
         let acting = partial_contact(task, heading)
             .map(|(tool, pressure, least)| tool.acting_width(&pressure, least));
         if let Some(width) = acting.filter(|&width| width > 0.0) {

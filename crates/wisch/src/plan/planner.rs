@@ -1,6 +1,7 @@
 //! The planner: one request, and the plan of any strategy that answers it.
 
 use super::adaptive::{Valuation, score, search};
+use super::bend::gap_in_hollow;
 use super::candidates::{MOST_COMPARED, candidate_plans, reduce_for_comparison, varied_plans};
 use super::objective::best_by_objective;
 use super::policies::{plan_by_coverage, sample_particles};
@@ -312,7 +313,11 @@ fn finish(plan: Plan, task: &Task, space: &FreeSpace, config: &PlanConfig) -> Pl
         _ => plan,
     };
     Plan {
-        unreachable_share: space.unreachable_share(&places, &task.tool.footprint),
+        unreachable_share: space.unreachable_share_beyond(
+            &places,
+            &task.tool.footprint,
+            &gap_in_hollow(task),
+        ),
         ..plan
     }
 }

@@ -181,8 +181,9 @@ impl ElasticFoundation {
         self.integrate(&PrincipalAxes::of(pressure), pressure.middle)[1]
     }
 
-    /// Returns the width of the strip that the tool treats as it moves along its x axis \[m\]: the lines along x about the
-    /// tool centre point that cross the part of its bounds whose pressure reaches `least`. 0 if its middle line does not.
+    /// Returns the width of the strip that the tool treats as it moves along its x axis \[m\]: the lines along x that cross
+    /// the part of its bounds whose pressure reaches `least`. The strip lies about the tool centre point, or at either
+    /// end of the tool if it does not act in the middle; then the width is that of the narrower one.
     pub fn acting_width(&self, pressure: &LocalPressure, least: f64) -> f64 {
         let corners = self.edges.iter().map(|edge| edge.start);
         let Some(bounds) = Bounds2::from_points(corners) else {
@@ -197,12 +198,18 @@ impl ElasticFoundation {
                 range.low > bounds.min.x || range.high < bounds.max.x
             }
         };
-        let half = [bounds.min.y, bounds.max.y].map(|end| {
+        let is_in_middle = acts(0.0);
+        let sides = [bounds.min.y, bounds.max.y].map(|end| {
             let at = |i: usize| end * i as f64 / LINES as f64;
-            let acting = (0..=LINES).take_while(|&i| acts(at(i))).last();
-            acting.map_or(0.0, |last| at(last).abs())
+            let count = if is_in_middle {
+                (1..=LINES).take_while(|&i| acts(at(i))).count()
+            } else {
+                (1..=LINES).rev().take_while(|&i| acts(at(i))).count()
+            };
+            at(count).abs()
         });
-        2.0 * half[0].min(half[1])
+        let width = sides[0].min(sides[1]);
+        if is_in_middle { 2.0 * width } else { width }
     }
 
     /// Compression at nominal force on a plane \[m\].
