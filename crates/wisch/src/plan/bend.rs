@@ -38,6 +38,7 @@ impl BendContact {
     /// ```
     /// use wisch::plan::BendContact;
     /// use wisch::prelude::*;
+    /// use wisch::represent::SurfaceShape;
     ///
     /// let mut pipe = Surface::new("pipe", Polygon::rectangle(Vector2::new(0.4, 0.3)), Pose::identity());
     /// pipe.shape = SurfaceShape::Cylinder { radius: 0.5, axis: 0.0 };
