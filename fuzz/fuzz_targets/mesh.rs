@@ -8,10 +8,11 @@ fuzz_target!(|bytes: &[u8]| {
     let Some((&choice, rest)) = bytes.split_first() else {
         return;
     };
-    let format = match choice % 3 {
+    let format = match choice % 4 {
         0 => MeshFormat::Stl,
         1 => MeshFormat::Obj,
-        _ => MeshFormat::Collada,
+        2 => MeshFormat::Collada,
+        _ => MeshFormat::Ply,
     };
     if let Ok(mesh) = Mesh::parse(rest, format, "fuzz") {
         let _ = footprint(&mesh, 0.005);

@@ -538,7 +538,7 @@ pub struct PredictArgs {
 /// Arguments of `footprint`.
 #[derive(Debug, Args)]
 pub struct FootprintArgs {
-    /// Tool of the knowledge base, or mesh file (.stl, .obj or .dae)
+    /// Tool of the knowledge base, or mesh file (.stl, .obj, .dae or .ply)
     #[arg(value_name = "TOOL")]
     pub tool: String,
     /// Compression depth under nominal force [m]; required for a mesh file [default: the tool's]

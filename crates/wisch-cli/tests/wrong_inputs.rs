@@ -336,7 +336,7 @@ fn meaning_cases() -> Vec<Case> {
             "a mesh of no format",
             CUP,
             "mesh = { file = \"tap.step\" }",
-            &["tap.step", "must end in .stl, .obj or .dae"],
+            &["tap.step", "must end in .stl, .obj, .dae or .ply"],
         ),
         task(
             "a goal that is no PDDL",

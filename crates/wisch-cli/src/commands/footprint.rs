@@ -71,7 +71,7 @@ fn of_knowledge(args: &FootprintArgs) -> Result<Touch, Failure> {
     let bytes = source.asset(file).map_err(Failure::new)?;
     let format = MeshFormat::from_file_name(file).ok_or_else(|| {
         Failure::new(format!(
-            "tool {:?}: {file:?} is not a mesh file; its name must end in .stl, .obj or .dae",
+            "tool {:?}: {file:?} is not a mesh file; its name must end in .stl, .obj, .dae or .ply",
             entry.name
         ))
     })?;
@@ -86,11 +86,11 @@ fn tool_entry<'a>(name: &str, knowledge: &'a KnowledgeBase) -> Result<&'a ToolEn
         let failure = Failure::new(error);
         if Path::new(name).exists() {
             failure.with_help(format!(
-                "{name:?} is a file, but the name of a mesh file must end in .stl, .obj or .dae"
+                "{name:?} is a file, but the name of a mesh file must end in .stl, .obj, .dae or .ply"
             ))
         } else {
             failure
-                .with_help("name a tool of the knowledge base, or a mesh file (.stl, .obj or .dae)")
+                .with_help("name a tool of the knowledge base, or a mesh file (.stl, .obj, .dae or .ply)")
         }
     })
 }

@@ -212,7 +212,7 @@ fn parsed_mesh(assets: &mut ReadFile<'_>, at: &Place, file: &str) -> Result<Mesh
         return Err(TaskError::File {
             at: at.clone(),
             file: file.to_owned(),
-            problem: "the name of a mesh file must end in .stl, .obj or .dae".to_owned(),
+            problem: "the name of a mesh file must end in .stl, .obj, .dae or .ply".to_owned(),
         });
     };
     let bytes = read(assets, at, file)?;

@@ -112,7 +112,7 @@ pub(super) struct ToolTable {
     pub(super) available: Option<Vec<Name>>,
     /// Sides of a rectangular pad along and across the motion [m]: defines a tool of this task; excludes `mesh`.
     pub(super) footprint_m: Option<At<[FootprintM; 2]>>,
-    /// STL, OBJ or DAE in the tool frame, path relative to this file: defines a tool of this task; excludes
+    /// STL, OBJ, DAE or PLY in the tool frame, path relative to this file: defines a tool of this task; excludes
     /// `footprint_m`.
     pub(super) mesh: Option<At<Name>>,
     /// Compression depth of a tool of this task under nominal force [m]; 0 is rigid; default 0.005.
@@ -452,7 +452,7 @@ pub(super) struct SphereTable {
 #[serde(deny_unknown_fields)]
 #[schemars(inline)]
 pub(super) struct MeshTable {
-    /// STL, OBJ or DAE; path relative to this file.
+    /// STL, OBJ, DAE or PLY; path relative to this file.
     pub(super) file: At<Name>,
     /// Factor that converts its lengths to metres.
     #[serde(default = "scale")]

@@ -188,7 +188,7 @@ pub(super) fn load(
                 Err(problem) => {
                     let w = words(
                         format!("mesh {file:?}: {problem}"),
-                        "a readable STL, OBJ or COLLADA mesh",
+                        "a readable STL, OBJ, COLLADA or PLY mesh",
                         "correct the path or the file",
                     );
                     report.add(
@@ -252,7 +252,7 @@ fn read_mesh(
     meshes: &mut dyn FnMut(&str) -> Result<Vec<u8>, String>,
 ) -> Result<Mesh, String> {
     let format = MeshFormat::from_file_name(file)
-        .ok_or_else(|| "its name does not end in .stl, .obj or .dae".to_owned())?;
+        .ok_or_else(|| "its name does not end in .stl, .obj, .dae or .ply".to_owned())?;
     let bytes = meshes(file)?;
     let mesh = Mesh::parse(&bytes, format, file).map_err(|error| error.to_string())?;
     if scale == Vector3::repeat(1.0) {

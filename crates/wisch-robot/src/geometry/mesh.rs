@@ -2,6 +2,7 @@
 
 mod collada;
 mod obj_faces;
+mod ply;
 mod read;
 
 pub(crate) use collada::{MAX_ATTRIBUTES, most_attributes};
@@ -53,6 +54,12 @@ pub enum MeshError {
     /// The mesh is empty.
     #[error("it has no triangle")]
     Empty,
+    /// The file has vertices, but no face.
+    #[error("it has {points} points and no face: a point cloud has to be meshed first")]
+    PointCloud {
+        /// Number of points.
+        points: usize,
+    },
     /// A triangle names a vertex that does not exist.
     #[error(
         "triangle {triangle} names vertex {index}, but there are {vertices} vertices (counted from 0)"
@@ -148,17 +155,7 @@ impl Mesh {
             let count = triangles.len();
             return Err(MeshError::TooManyTriangles { count });
         }
-        for (vertex, point) in vertices.iter().enumerate() {
-            for (axis, value) in [('x', point.x), ('y', point.y), ('z', point.z)] {
-                if value.is_nan() || value.abs() > MAX_COORDINATE {
-                    return Err(MeshError::CoordinateOutOfRange {
-                        vertex,
-                        axis,
-                        value,
-                    });
-                }
-            }
-        }
+        check_coordinates(&vertices)?;
         for (triangle, corners) in triangles.iter().enumerate() {
             if let Some(&index) = corners.iter().find(|&&i| i as usize >= vertices.len()) {
                 let vertices = vertices.len();
@@ -552,6 +549,21 @@ pub(super) fn crossing(a: Point3, b: Point3, z: f64) -> Point3 {
 /// Returns a key that is equal for equal coordinates (adding zero turns −0 into 0).
 fn place(point: Point3) -> [u64; 3] {
     [point.x, point.y, point.z].map(|c| (c + 0.0).to_bits())
+}
+
+fn check_coordinates(vertices: &[Point3]) -> Result<(), MeshError> {
+    for (vertex, point) in vertices.iter().enumerate() {
+        for (axis, value) in [('x', point.x), ('y', point.y), ('z', point.z)] {
+            if value.is_nan() || value.abs() > MAX_COORDINATE {
+                return Err(MeshError::CoordinateOutOfRange {
+                    vertex,
+                    axis,
+                    value,
+                });
+            }
+        }
+    }
+    Ok(())
 }
 
 fn check_size(what: &'static str, value: f64) -> Result<(), MeshError> {

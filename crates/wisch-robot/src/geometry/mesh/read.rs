@@ -1,11 +1,11 @@
-//! Mesh files from bytes in memory: STL, OBJ, COLLADA.
+//! Mesh files from bytes in memory: STL, OBJ, COLLADA, PLY.
 //!
 //! STL and OBJ are parsed by the `mesh-loader` crate, after checks that limit its allocations. COLLADA is read here
 //! (`collada.rs`): mesh-loader 0.1.13 does not return from a `<Name_array>`, panics or aborts on inconsistent counts,
 //! ignores node transforms under 1 cm and misplaces nested nodes. Concave faces of an OBJ are triangulated before
-//! mesh-loader reads them (`obj_faces.rs`), as it cuts every face into a fan.
+//! mesh-loader reads them (`obj_faces.rs`), as it cuts every face into a fan. PLY is read in `ply.rs`.
 
-use super::{MAX_TRIANGLES, Mesh, MeshError, Point3, collada, obj_faces};
+use super::{MAX_TRIANGLES, Mesh, MeshError, Point3, collada, obj_faces, ply};
 use std::io;
 use std::path::Path;
 
@@ -25,10 +25,12 @@ pub enum MeshFormat {
     Obj,
     /// COLLADA 1.4 and 1.5.
     Collada,
+    /// PLY, text or binary; only vertices and faces are read.
+    Ply,
 }
 
 impl MeshFormat {
-    /// Returns the format for the extension of a file name, in any case: stl, obj or dae.
+    /// Returns the format for the extension of a file name, in any case: stl, obj, dae or ply.
     ///
     /// ```
     /// use wisch_robot::geometry::MeshFormat;
@@ -41,6 +43,7 @@ impl MeshFormat {
             "stl" => Some(Self::Stl),
             "obj" => Some(Self::Obj),
             "dae" => Some(Self::Collada),
+            "ply" => Some(Self::Ply),
             _ => None,
         }
     }
@@ -50,7 +53,7 @@ impl Mesh {
     /// Reads a mesh from the bytes of a file; `name` is used in error messages only. Several meshes in one file are
     /// merged, and so are coincident vertices.
     ///
-    /// STL and OBJ have no unit and are read in metres. COLLADA's unit and node transforms are applied. As in ROS, its
+    /// STL, OBJ and PLY have no unit and are read in metres. COLLADA's unit and node transforms are applied. As in ROS, its
     /// `up_axis` is not: coordinates stay in their original axes.
     ///
     /// # Errors
@@ -60,6 +63,7 @@ impl Mesh {
             MeshFormat::Stl => parse_stl(bytes),
             MeshFormat::Obj => parse_obj(bytes),
             MeshFormat::Collada => collada::parse(bytes),
+            MeshFormat::Ply => ply::parse(bytes),
         };
         mesh.map(|mesh| mesh.weld())
             .map_err(|fault| MeshError::InMesh {

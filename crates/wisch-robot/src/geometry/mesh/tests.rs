@@ -456,6 +456,8 @@ fn mutated() -> impl Strategy<Value = (Vec<u8>, MeshFormat)> {
         (obj(&mesh).into_bytes(), MeshFormat::Obj),
         (b"v 1 2 3 1 0 0\nv 1 2 4 .5\nvt 0 0\nvn 0 0 1\ng a b\nusemtl c\nf 1/1/1 -1//1 2/1\nf 1 2 1 2 1\n".to_vec(), MeshFormat::Obj),
         (collada(&mesh, 1.0, PLAIN_NODE).into_bytes(), MeshFormat::Collada),
+        (b"ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\nelement face 1\nproperty list uchar int vertex_index\nend_header\n0 0 0 1 0 0 0 1 0\n3 0 1 2\n".to_vec(), MeshFormat::Ply),
+        ([&b"ply\nformat binary_big_endian 1.0\nelement vertex 1\nproperty uchar x\nproperty uchar y\nproperty char z\nelement face 1\nproperty list uchar uchar vertex_index\nend_header\n"[..], &[1, 2, 3, 3, 0, 0, 0]].concat(), MeshFormat::Ply),
     ];
     let edit = (
         any::<prop::sample::Index>(),
@@ -487,7 +489,7 @@ fn mutated() -> impl Strategy<Value = (Vec<u8>, MeshFormat)> {
 proptest! {
     #[test]
     fn no_bytes_make_the_reader_panic(bytes in prop::collection::vec(any::<u8>(), 0..400)) {
-        for format in [MeshFormat::Stl, MeshFormat::Obj, MeshFormat::Collada] {
+        for format in [MeshFormat::Stl, MeshFormat::Obj, MeshFormat::Collada, MeshFormat::Ply] {
             let _ = parse(&bytes, format);
             let _ = parse([b"solid a\nfacet normal ", &bytes[..]].concat(), format);
             let _ = parse([b"v 0 0 0\nf 1 ", &bytes[..]].concat(), format);
