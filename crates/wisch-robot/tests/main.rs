@@ -6,6 +6,7 @@ mod clearance;
 mod ik;
 mod robot;
 mod setup;
+mod sheets;
 mod srdf;
 mod timing;
 mod tool_meshes;

@@ -1,4 +1,4 @@
-//! Frames, poses, polygons, meshes, and the footprint of a tool's mesh on a surface.
+//! Frames, poses, polygons, meshes, charts of curved surfaces, and the footprint of a tool's mesh on a surface.
 
 mod disjoint_sets;
 mod footprint;
@@ -6,6 +6,7 @@ mod mesh;
 mod point_grid;
 mod polygon;
 mod pose;
+mod sheet;
 mod triangulation;
 mod units;
 
@@ -19,6 +20,10 @@ pub use point_grid::PointGrid;
 pub use polygon::encloses;
 pub use polygon::{Bounds2, Edge, Polygon, Region};
 pub use pose::{PlanarPose, Pose, flatten_pose, restore_pose, wrap_angle};
+pub use sheet::{
+    MAX_CHARTS, MAX_SHEET_TRIANGLES, MeshRepairs, MeshSurvey, PartChoice, SIDE_LEAN, Sheet,
+    SheetConfig, SheetError, SheetFoot, SheetPoint, SheetStretch, SheetVertex, TOOL_RADIUS_RANGE,
+};
 pub use triangulation::prism_below;
 pub use units::LikelyUnit;
 

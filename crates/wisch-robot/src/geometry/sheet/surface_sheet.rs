@@ -1,0 +1,607 @@
+//! A surface of a mesh in one chart.
+
+use super::cells::CellGraph;
+use super::error::SheetError;
+use super::flatten::{FlatTriangle, flat_triangles, flatten};
+use super::locate::{ChartGrid, FootFinder, Located};
+use super::part::{MeshSurvey, PartChoice, take_part};
+use super::quadric::{LocalFit, fit_vertices};
+use super::remesh::{has_edges_beyond, remesh, split_long_edges};
+use super::stretch::{SheetStretch, chart_from_triangle, measure, triangle_stretches};
+use super::topology::Triangles;
+use crate::geometry::{Mesh, Point2, Point3, Polygon, Vector2, Vector3};
+use nalgebra::Matrix2;
+use rayon::prelude::*;
+use std::f64::consts::PI;
+
+/// Range of the radius of a tool \[m\].
+pub const TOOL_RADIUS_RANGE: [f64; 2] = [0.002, 2.0];
+/// Largest number of triangles of a chart.
+pub const MAX_SHEET_TRIANGLES: usize = 200_000;
+/// Largest number of charts of a mesh.
+pub const MAX_CHARTS: usize = 64;
+/// Longest edge of a chart's triangles, relative to the radius of the tool [1].
+const EDGE_SHARE: f64 = 0.25;
+/// Largest number of equal cells that are tried.
+const MAX_EQUAL_CELLS: usize = 12;
+/// Longest edge of the samples of a mesh of very many triangles, relative to that of the chart [1].
+const SAMPLE_SHARE: f64 = 1.0 / 3.0;
+/// Share of the area that may be stretched beyond the limit [1].
+const STRETCHED_SHARE: f64 = 0.01;
+/// Integral of the absolute Gaussian curvature that a part with a stretch of 3 % may have \[rad²\]. A cap of a sphere to the
+/// angle θ has 2π(1 − cos θ) ≈ πθ², and a stretch of at least θ²/12: 0.6 leaves 1.6 %.
+const CURVATURE_PER_PART: f64 = 0.6;
+
+/// How a sheet is made of a mesh.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SheetConfig {
+    /// Radius r_s of the tool's collision sphere \[m\]: shapes much smaller than the tool are smoothed.
+    pub tool_radius: f64,
+    /// Which part and side of the mesh is meant.
+    pub choice: PartChoice,
+    /// Largest stretch of 99 % of the area \[1\].
+    pub stretch_limit: f64,
+}
+
+impl Default for SheetConfig {
+    fn default() -> Self {
+        Self {
+            tool_radius: 0.06,
+            choice: PartChoice::default(),
+            stretch_limit: 0.03,
+        }
+    }
+}
+
+/// A surface of a mesh, unrolled into a chart as rigidly as possible.
+///
+/// The chart's origin is the centroid of the area, and its x axis follows that of the mesh as far as possible. Between the
+/// vertices, the surface is flat, and its normals and bends are interpolated.
+///
+/// ```
+/// use wisch_robot::geometry::{Mesh, Point2, Point3, Sheet, SheetConfig};
+/// // A gutter of 0.5 m radius.
+/// let mut vertices = Vec::new();
+/// let mut triangles = Vec::new();
+/// for i in 0..=20u32 {
+///     let angle = 0.03 * (f64::from(i) - 10.0);
+///     for y in [-0.2, 0.2] {
+///         vertices.push(Point3::new(0.5 * angle.sin(), y, 0.5 * angle.cos() - 0.5));
+///     }
+///     if i > 0 {
+///         let a = 2 * i - 2;
+///         triangles.extend([[a, a + 2, a + 3], [a, a + 3, a + 1]]);
+///     }
+/// }
+/// let sheet = Sheet::from_mesh(&Mesh::new(vertices, triangles)?, &SheetConfig::default())?;
+/// assert!(sheet.stretch().most < 1e-3);
+/// let middle = sheet.lift(Point2::origin()).unwrap();
+/// assert!((middle.bend[(0, 0)] - 2.0).abs() < 0.1 && middle.bend[(1, 1)].abs() < 0.1);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone)]
+pub struct Sheet {
+    surface: Triangles,
+    normals: Vec<Vector3>,
+    /// Second fundamental forms in the axes of the chart \[1/m\].
+    bends: Vec<Matrix2<f64>>,
+    places: Vec<Point2>,
+    outline: Polygon,
+    stretches: Vec<f64>,
+    stretch: SheetStretch,
+    survey: MeshSurvey,
+    smoothed_by: f64,
+    areas: Vec<f64>,
+    overlap: Option<Point3>,
+    stretch_limit: f64,
+    grid: ChartGrid,
+    finder: FootFinder,
+}
+
+/// A point of a sheet, with the surface around it; in the frame of the mesh.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SheetPoint {
+    /// The point \[m\].
+    pub point: Point3,
+    /// Unit normal, towards the tool.
+    pub normal: Vector3,
+    /// Unit vector along the chart's x, across the normal.
+    pub x_axis: Vector3,
+    /// Second fundamental form in the axes of the chart \[1/m\], positive where the surface bulges towards the tool.
+    pub bend: Matrix2<f64>,
+    /// Stretch of the triangle that holds the point \[1\].
+    pub stretch: f64,
+}
+
+/// A point in space relative to a sheet.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SheetFoot {
+    /// Foot of the perpendicular, in the chart \[m\]; on the border for points beyond it.
+    pub place: Point2,
+    /// Height over the surface, along its normal \[m\].
+    pub height: f64,
+    /// Unit normal at the foot, in the frame of the mesh.
+    pub normal: Vector3,
+    /// Distance of the point from the perpendicular \[m\]: zero unless it is beyond the border.
+    pub beyond: f64,
+}
+
+/// A vertex of a sheet.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SheetVertex {
+    /// Place in the chart \[m\].
+    pub place: Point2,
+    /// Point in the frame of the mesh \[m\].
+    pub point: Point3,
+    /// Unit normal in the frame of the mesh.
+    pub normal: Vector3,
+    /// Second fundamental form in the axes of the chart \[1/m\].
+    pub bend: Matrix2<f64>,
+    /// Area that belongs to the vertex \[m²\].
+    pub area: f64,
+}
+
+impl Sheet {
+    /// Makes a sheet of a mesh, if one chart suffices.
+    ///
+    /// # Errors
+    /// As [`Sheet::draft`], and for a chart that [`Sheet::check`] refuses.
+    pub fn from_mesh(mesh: &Mesh, config: &SheetConfig) -> Result<Self, SheetError> {
+        let sheet = Self::draft(mesh, config)?;
+        sheet.check()?;
+        Ok(sheet)
+    }
+
+    /// Makes a sheet of a mesh, even if its stretch exceeds the limit.
+    ///
+    /// # Errors
+    /// If a setting is out of range, the mesh has no area, the part is closed and no direction to the tool is given, no
+    /// triangle faces it, the part has no consistent side, or needs more than [`MAX_SHEET_TRIANGLES`].
+    pub fn draft(mesh: &Mesh, config: &SheetConfig) -> Result<Self, SheetError> {
+        Self::with_fits(Prepared::new(mesh, config)?, config).ok_or(too_large(config))
+    }
+
+    /// Makes sheets of a mesh that needs several charts, and at most `most`: cells of about equal size, or those that halving
+    /// the refused charts leads to, if these are fewer.
+    ///
+    /// # Errors
+    /// As [`Sheet::draft`], and as [`Sheet::check`] if `most` charts do not suffice.
+    pub fn split(mesh: &Mesh, config: &SheetConfig, most: usize) -> Result<Vec<Self>, SheetError> {
+        let prepared = Prepared::new(mesh, config)?;
+        let most = most.clamp(1, MAX_CHARTS);
+        let halves = prepared.halve(config, most);
+        let fewer = halves.as_ref().map_or(most, |sheets| sheets.len() - 1);
+        let graph = CellGraph::new(&prepared.surface);
+        for count in 2..=fewer.min(MAX_EQUAL_CELLS) {
+            let cells: Vec<Prepared> = (graph.divide(count).iter())
+                .map(|cell| prepared.select(cell))
+                .collect();
+            let sheets: Result<Vec<Self>, SheetError> = (cells.into_par_iter())
+                .map(|cell| Self::checked(cell, config))
+                .collect::<Vec<_>>()
+                .into_iter()
+                .collect();
+            if sheets.is_ok() {
+                return sheets;
+            }
+        }
+        halves
+    }
+
+    /// Makes a sheet of a prepared surface, if one chart suffices.
+    fn checked(prepared: Prepared, config: &SheetConfig) -> Result<Self, SheetError> {
+        let sheet = Self::with_fits(prepared, config).ok_or(too_large(config))?;
+        sheet.check()?;
+        Ok(sheet)
+    }
+
+    fn with_fits(prepared: Prepared, config: &SheetConfig) -> Option<Self> {
+        let Prepared {
+            surface,
+            fits,
+            survey,
+            smoothed_by,
+        } = prepared;
+        let flat = flat_triangles(&surface);
+        let places = flatten(&surface, &flat, chart_axes(surface.mean_normal()));
+        let stretches = triangle_stretches(&surface, &flat, &places);
+        let limit = config.stretch_limit;
+        let stretch = measure(
+            &surface,
+            &flat,
+            &places,
+            &stretches,
+            limit,
+            config.tool_radius,
+        );
+        let grid = ChartGrid::new(&places, &surface.triangles);
+        let overlap = find_overlap(&surface, &places, &grid);
+        let mut areas = vec![0.0; surface.vertices.len()];
+        for (triangle, flat) in surface.triangles.iter().zip(&flat) {
+            triangle
+                .iter()
+                .for_each(|&i| areas[i as usize] += flat.area / 3.0);
+        }
+        let x_axes = chart_x_axes(&surface, &flat, &places);
+        let bends = (fits.iter().zip(&x_axes))
+            .map(|(fit, x_axis)| {
+                let axes = axes_across(fit.normal, *x_axis);
+                Matrix2::from_fn(|i, j| axes[i].dot(&(fit.bend * axes[j])))
+            })
+            .collect();
+        Some(Self {
+            finder: FootFinder::new(&surface)?,
+            outline: outline(&surface, &places),
+            normals: fits.iter().map(|fit| fit.normal).collect(),
+            bends,
+            areas,
+            places,
+            stretches,
+            stretch,
+            survey,
+            smoothed_by,
+            overlap,
+            stretch_limit: limit,
+            grid,
+            surface,
+        })
+    }
+
+    /// Checks whether one chart suffices: at most 1 % of the area is stretched by more than the limit, no triangle lies upside
+    /// down, and the chart does not cover itself.
+    ///
+    /// # Errors
+    /// If it does not.
+    pub fn check(&self) -> Result<(), SheetError> {
+        let stretch = &self.stretch;
+        if let Some(at) = stretch.folded_at {
+            let triangles = stretch.folded;
+            return Err(SheetError::Folded { triangles, at });
+        }
+        if let Some(at) = self.overlap {
+            return Err(SheetError::Overlapping { at });
+        }
+        if stretch.share_beyond > STRETCHED_SHARE {
+            return Err(SheetError::Stretched {
+                at: stretch.at,
+                stretch: stretch.most,
+                limit: self.stretch_limit,
+                share: stretch.share_beyond,
+            });
+        }
+        Ok(())
+    }
+
+    /// Returns the point of the surface at a place of the chart \[m\]; `None` outside the outline.
+    pub fn lift(&self, place: Point2) -> Option<SheetPoint> {
+        let located = self
+            .grid
+            .holding(place, &self.places, &self.surface.triangles)
+            .next()?;
+        Some(self.point_at(located))
+    }
+
+    /// Returns foot and height of a point in the frame of the mesh \[m\]: the inverse of [`Self::lift`].
+    pub fn chart(&self, point: Point3) -> SheetFoot {
+        let located = self.finder.find(point, &self.surface, &self.normals);
+        let foot = self.point_at(located);
+        let corners = self.surface.triangles[located.triangle];
+        let place = (corners.iter().zip(located.weights)).fold(Vector2::zeros(), |sum, (&i, w)| {
+            sum + self.places[i as usize].coords * w
+        });
+        let offset = point - foot.point;
+        let height = offset.dot(&foot.normal);
+        SheetFoot {
+            place: Point2::from(place),
+            height,
+            normal: foot.normal,
+            beyond: (offset - foot.normal * height).norm(),
+        }
+    }
+
+    fn point_at(&self, located: Located) -> SheetPoint {
+        let corners = self.surface.triangles[located.triangle];
+        let weighted = || corners.iter().map(|&i| i as usize).zip(located.weights);
+        let sum = |vector: &dyn Fn(usize) -> Vector3| {
+            weighted().fold(Vector3::zeros(), |sum, (i, w)| sum + vector(i) * w)
+        };
+        let point = Point3::from(sum(&|i| self.surface.vertices[i].coords));
+        let facet = self.surface.doubled_normal(corners).try_normalize(0.0);
+        let normal = (sum(&|i| self.normals[i]).try_normalize(0.0))
+            .or(facet)
+            .unwrap_or_else(Vector3::z);
+        let bend = weighted().fold(Matrix2::zeros(), |bend, (i, w)| bend + self.bends[i] * w);
+        let x_axis = x_axis_of(&self.surface, &self.places, corners);
+        let [x_axis, _] = axes_across(normal, x_axis);
+        SheetPoint {
+            point,
+            normal,
+            x_axis,
+            bend,
+            stretch: self.stretches[located.triangle],
+        }
+    }
+
+    /// Outline of the chart with its holes \[m\].
+    pub fn outline(&self) -> &Polygon {
+        &self.outline
+    }
+
+    /// How much the chart stretches lengths.
+    pub fn stretch(&self) -> &SheetStretch {
+        &self.stretch
+    }
+
+    /// What the mesh is made of.
+    pub fn survey(&self) -> &MeshSurvey {
+        &self.survey
+    }
+
+    /// Largest distance by which smoothing moved a vertex \[m\].
+    pub fn smoothed_by(&self) -> f64 {
+        self.smoothed_by
+    }
+
+    /// Area of the surface \[m²\].
+    pub fn area(&self) -> f64 {
+        self.areas.iter().sum()
+    }
+
+    /// Number of triangles of the chart.
+    pub fn triangle_count(&self) -> usize {
+        self.surface.triangles.len()
+    }
+
+    /// Iterates over the vertices.
+    pub fn vertices(&self) -> impl Iterator<Item = SheetVertex> + '_ {
+        (0..self.places.len()).map(|i| SheetVertex {
+            place: self.places[i],
+            point: self.surface.vertices[i],
+            normal: self.normals[i],
+            bend: self.bends[i],
+            area: self.areas[i],
+        })
+    }
+
+    /// Iterates over the triangles: vertex indices and stretch \[1\].
+    pub fn triangles(&self) -> impl Iterator<Item = ([u32; 3], f64)> + '_ {
+        (self.surface.triangles.iter().copied()).zip(self.stretches.iter().copied())
+    }
+
+    /// Estimates how many charts of a stretch of 3 % the surface needs, from its Gaussian curvature; a lower bound in
+    /// practice.
+    pub fn estimate_charts(&self) -> usize {
+        let curvature: f64 = (self.bends.iter().zip(&self.areas))
+            .map(|(bend, area)| bend.determinant().abs() * area)
+            .sum();
+        (curvature / CURVATURE_PER_PART).ceil().max(1.0) as usize
+    }
+}
+
+/// A surface at the scale of a tool, before it is unrolled.
+#[derive(Clone)]
+struct Prepared {
+    surface: Triangles,
+    fits: Vec<LocalFit>,
+    survey: MeshSurvey,
+    smoothed_by: f64,
+}
+
+impl Prepared {
+    fn new(mesh: &Mesh, config: &SheetConfig) -> Result<Self, SheetError> {
+        check_settings(config)?;
+        let part = take_part(mesh, &config.choice)?;
+        let longest = EDGE_SHARE * config.tool_radius;
+        // Triangles of edges up to `longest` have at most this area.
+        let largest = 0.25 * 3f64.sqrt() * longest * longest;
+        if part.surface.area() / largest > MAX_SHEET_TRIANGLES as f64 {
+            return Err(too_large(config));
+        }
+        let mut samples = split_long_edges(&part.surface, longest);
+        if samples.triangles.len() > MAX_SHEET_TRIANGLES {
+            samples = remesh(&part.surface, SAMPLE_SHARE * longest);
+        }
+        let mut surface = remesh(&samples, longest);
+        if surface.triangles.len() > MAX_SHEET_TRIANGLES {
+            return Err(too_large(config));
+        }
+        if surface.triangles.is_empty() {
+            return Err(SheetError::NoArea {
+                triangles: part.surface.triangles.len(),
+            });
+        }
+        // Of a mesh of very many triangles, only the coarser surface has edges that are short everywhere.
+        let samples = if has_edges_beyond(&samples, longest) {
+            surface.clone()
+        } else {
+            samples
+        };
+        let fits = fit_vertices(&surface, &samples, config.tool_radius, longest);
+        let mut smoothed_by: f64 = 0.0;
+        for (vertex, fit) in surface.vertices.iter_mut().zip(&fits) {
+            smoothed_by = smoothed_by.max((*vertex - fit.point).norm());
+            *vertex = fit.point;
+        }
+        Ok(Self {
+            surface,
+            fits,
+            survey: part.survey,
+            smoothed_by,
+        })
+    }
+
+    /// Makes sheets of the surface, of which each that is refused is cut in two; at most `most`.
+    fn halve(&self, config: &SheetConfig, most: usize) -> Result<Vec<Sheet>, SheetError> {
+        let (mut sheets, mut open, mut count) = (Vec::new(), vec![self.clone()], 1);
+        while !open.is_empty() {
+            let drafts: Vec<Result<Sheet, SheetError>> = (open.par_iter())
+                .map(|part| Sheet::checked(part.clone(), config))
+                .collect();
+            let mut refused = Vec::new();
+            for (part, draft) in open.iter().zip(drafts) {
+                match draft {
+                    Ok(sheet) => sheets.push(sheet),
+                    Err(error) if count >= most => return Err(error),
+                    Err(_) => {
+                        count += 1;
+                        let cells = CellGraph::new(&part.surface).divide(2);
+                        refused.extend(cells.iter().map(|cell| part.select(cell)));
+                    }
+                }
+            }
+            open = refused;
+        }
+        Ok(sheets)
+    }
+
+    /// Returns a part of the surface.
+    fn select(&self, triangles: &[u32]) -> Self {
+        let used = self.surface.used_vertices(triangles);
+        let (surface, origins) = self.surface.select(triangles).with_single_fans();
+        let fit = |&origin: &u32| self.fits[used[origin as usize] as usize];
+        Self {
+            surface,
+            fits: origins.iter().map(fit).collect(),
+            survey: self.survey.clone(),
+            smoothed_by: self.smoothed_by,
+        }
+    }
+}
+
+fn too_large(config: &SheetConfig) -> SheetError {
+    SheetError::TooLarge {
+        tool_radius: config.tool_radius,
+        limit: MAX_SHEET_TRIANGLES,
+    }
+}
+
+fn check_settings(config: &SheetConfig) -> Result<(), SheetError> {
+    let check = |name, value: f64, limits: [f64; 2]| {
+        if (limits[0]..=limits[1]).contains(&value) {
+            Ok(())
+        } else {
+            Err(SheetError::Setting {
+                name,
+                value,
+                limits,
+            })
+        }
+    };
+    check("tool radius [m]", config.tool_radius, TOOL_RADIUS_RANGE)?;
+    check("limit of the stretch", config.stretch_limit, [0.001, 1.0])?;
+    if let Some(lean) = config.choice.largest_lean {
+        check("largest lean [rad]", lean, [0.01, PI])?;
+    }
+    let infinite = |v: &f64| !v.is_finite();
+    for vector in [
+        config.choice.towards,
+        config.choice.seed_point.map(|p| p.coords),
+    ] {
+        if let Some(&value) = vector.iter().flat_map(|v| v.iter()).find(|v| infinite(v)) {
+            let limits = [-1e4, 1e4];
+            return Err(SheetError::Setting {
+                name: "coordinate of the seed point or direction",
+                value,
+                limits,
+            });
+        }
+    }
+    if let Some(value) = config
+        .choice
+        .towards
+        .map(|towards| towards.norm())
+        .filter(|&n| n < 1e-9)
+    {
+        return Err(SheetError::Setting {
+            name: "length of the direction to the tool",
+            value,
+            limits: [1e-9, 1e9],
+        });
+    }
+    Ok(())
+}
+
+/// Returns the axes of the projection: x follows the mesh's x, or its y where x is nearly along the normal.
+fn chart_axes(normal: Vector3) -> [Vector3; 2] {
+    let normal = if normal == Vector3::zeros() {
+        Vector3::z()
+    } else {
+        normal
+    };
+    let along = if normal.x.abs() < 0.9 {
+        Vector3::x()
+    } else {
+        Vector3::y()
+    };
+    axes_across(normal, along)
+}
+
+/// Returns unit vectors across a unit normal, the first nearest to `along`.
+fn axes_across(normal: Vector3, along: Vector3) -> [Vector3; 2] {
+    let x = (along - normal * normal.dot(&along)).try_normalize(1e-12);
+    let x = x.unwrap_or_else(|| {
+        let axis = Vector3::ith(normal.iamin(), 1.0);
+        (axis - normal * normal.dot(&axis)).normalize()
+    });
+    [x, normal.cross(&x)]
+}
+
+/// Returns the direction of the chart's x on a triangle; zero for a triangle without area in the chart.
+fn x_axis_of(surface: &Triangles, places: &[Point2], triangle: [u32; 3]) -> Vector3 {
+    let [a, b, c] = triangle.map(|i| places[i as usize]);
+    let [pa, pb, pc] = surface.corners(triangle);
+    let chart = Matrix2::from_columns(&[b - a, c - a]);
+    let Some(inverse) = chart.try_inverse() else {
+        return Vector3::zeros();
+    };
+    (pb - pa) * inverse[(0, 0)] + (pc - pa) * inverse[(1, 0)]
+}
+
+/// Returns the direction of the chart's x at each vertex: the mean of its triangles.
+fn chart_x_axes(surface: &Triangles, flat: &[FlatTriangle], places: &[Point2]) -> Vec<Vector3> {
+    let mut axes = vec![Vector3::zeros(); surface.vertices.len()];
+    for (&triangle, flat) in surface.triangles.iter().zip(flat) {
+        if chart_from_triangle(flat, places, triangle).is_none() {
+            continue;
+        }
+        let axis = x_axis_of(surface, places, triangle) * flat.area;
+        triangle.iter().for_each(|&i| axes[i as usize] += axis);
+    }
+    axes
+}
+
+/// Returns the outline of the chart: the border of the largest area around it, and the other borders as holes.
+fn outline(surface: &Triangles, places: &[Point2]) -> Polygon {
+    let mut rings: Vec<Vec<Point2>> = (surface.borders().iter())
+        .map(|border| border.iter().map(|&i| places[i as usize]).collect())
+        .collect();
+    rings.sort_by(|one, other| ring_area(other).total_cmp(&ring_area(one)));
+    if rings.is_empty() {
+        return Polygon::new(Vec::new(), Vec::new());
+    }
+    let outer = rings.remove(0);
+    Polygon::new(outer, rings)
+}
+
+fn ring_area(ring: &[Point2]) -> f64 {
+    let next = ring.iter().cycle().skip(1);
+    let doubled: f64 = (ring.iter().zip(next))
+        .map(|(a, b)| a.coords.perp(&b.coords))
+        .sum();
+    0.5 * doubled.abs()
+}
+
+/// Returns a point whose place in the chart another triangle covers, too.
+fn find_overlap(surface: &Triangles, places: &[Point2], grid: &ChartGrid) -> Option<Point3> {
+    (surface.triangles.iter().enumerate()).find_map(|(t, triangle)| {
+        let [a, b, c] = triangle.map(|i| places[i as usize].coords);
+        let middle = Point2::from((a + b + c) / 3.0);
+        let mut others = grid.holding(middle, places, &surface.triangles);
+        let is_covered = others.any(|found| {
+            // Not only by the rounding of a common edge.
+            found.triangle != t && found.weights.iter().all(|&w| w > 1e-6)
+        });
+        let [a, b, c] = surface.corners(*triangle);
+        is_covered.then(|| Point3::from((a.coords + b.coords + c.coords) / 3.0))
+    })
+}

@@ -1,0 +1,5 @@
+//! Charts of meshes: closed forms, refusals, and repairs.
+
+mod charts;
+mod repairs;
+mod shapes;
