@@ -10,6 +10,7 @@
 //! | rounds: force, path, probability of an effect, remaining dirt | [`RoundsInput`] | part of [`ReportInput`] |
 //! | an episode without a recording, for the same page | its telemetry and events | [`RecordingWriter::record_log`] |
 //! | a tool's footprint | [`wisch::represent::Tool`] | [`footprint_drawing`] |
+//! | an unrolled surface | [`SheetInput`] | [`sheet_drawing`] |
 //! | the calibration of estimates | [`CalibrationCurve`]s | [`calibration_drawing`] |
 //! | tasks by several strategies, compared with the paper's figures | [`Table1Input`] | [`table1_page`] |
 //! | any of the SVG as PNG, with the feature `png` | its text | `rasterize` |
@@ -48,6 +49,7 @@ mod prediction;
 mod recording;
 mod rounds;
 mod scene;
+mod sheet;
 mod table1;
 #[cfg(test)]
 mod tests;
@@ -69,6 +71,7 @@ pub use recording::{
     RecordingHead, RecordingWriter, RoundTruth, RunOutcome, UnexecutedPlan,
 };
 pub use rounds::{RoundView, RoundsInput};
+pub use sheet::{SheetInput, sheet_drawing};
 pub use table1::{
     ActionRows, ComparedFigure, StrategyColumn, SurfaceColumns, Table1Input, WipedSurface,
     table1_page,

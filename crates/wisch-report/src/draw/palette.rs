@@ -120,6 +120,7 @@ const RULES: &str = "\
 .event-contact{fill:{felt-4}}.event-loss{fill:{quiet}}.event-collision{fill:{limit}}.event-stick{fill:{plane}}.event-push{fill:{goal};stroke:{goal-line};stroke-width:.8}\
 .halo{paint-order:stroke;stroke:{paper};stroke-width:3;stroke-linejoin:round}\
 .contact-time{fill:{felt-4};stroke:none}\
+.beyond-limit{fill:{contact};stroke:none}\
 .cell{stroke:none}.under-particles .cell{fill-opacity:.6}\
 .dot-rim{fill:none;stroke:{paper};stroke-linecap:round}\
 .bar-predicted{fill:{paper};stroke:{quiet};stroke-width:1.4;stroke-dasharray:4 2}\
