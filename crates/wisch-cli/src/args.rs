@@ -8,6 +8,7 @@ mod learn;
 mod log;
 mod memory;
 mod robot;
+mod surface;
 
 pub use ask::{AskArgs, EngineChoice};
 pub use budget::Budget;
@@ -26,6 +27,7 @@ pub use robot::{
     RobotCheckArgs, RobotCommand, RobotDoctorArgs, RobotFakeArgs, RobotMapArgs, RobotPushTestArgs,
     RobotSetupArgs,
 };
+pub use surface::{SurfaceCheckArgs, SurfaceCommand};
 
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{Args, CommandFactory, FromArgMatches, Parser, Subcommand, ValueEnum, ValueHint};
@@ -285,6 +287,9 @@ Examples:
     /// Set a robot up, check its description, or map the poses that it can reach
     #[command(subcommand, arg_required_else_help = true)]
     Robot(RobotCommand),
+    /// Check whether a mesh is usable as a curved surface
+    #[command(subcommand, arg_required_else_help = true)]
+    Surface(SurfaceCommand),
     /// Evaluate planning, wiping and estimation in many simulated worlds
     #[command(subcommand, arg_required_else_help = true)]
     Eval(EvalCommand),

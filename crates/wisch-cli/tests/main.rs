@@ -31,6 +31,7 @@ mod rounds;
 mod signals;
 #[cfg(unix)]
 mod studio;
+mod surfaces;
 mod units;
 mod wipings;
 mod wrong_inputs;

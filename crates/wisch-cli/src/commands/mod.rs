@@ -34,10 +34,11 @@ mod setup;
 mod shell;
 mod studio;
 mod summary;
+mod surface;
 mod watch;
 mod words;
 
-use crate::args::{Cli, Command, EvalCommand, MemoryCommand, RobotCommand};
+use crate::args::{Cli, Command, EvalCommand, MemoryCommand, RobotCommand, SurfaceCommand};
 use crate::failure::Failure;
 use crate::terminal::Outcome;
 
@@ -75,6 +76,7 @@ pub fn run(cli: &Cli) -> Result<Outcome, Failure> {
         Command::Memory(MemoryCommand::Export(args)) => export::export(args, &cli.global),
         Command::Memory(MemoryCommand::Push(args)) => fleet::push(args, &cli.global),
         Command::Memory(MemoryCommand::Pull(args)) => fleet::pull(args, &cli.global),
+        Command::Surface(SurfaceCommand::Check(args)) => surface::check_surface(args, &cli.global),
         Command::Robot(RobotCommand::Check(args)) => robot::check_robot(args, &cli.global),
         Command::Robot(RobotCommand::Map(args)) => map::map(args, &cli.global),
         Command::Robot(RobotCommand::Setup(args)) => setup::set_up(args, &cli.global),

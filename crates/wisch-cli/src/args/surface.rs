@@ -1,0 +1,123 @@
+//! Arguments of `surface`.
+
+use clap::{Args, Subcommand, ValueHint};
+use std::path::PathBuf;
+use wisch::geometry::{MAX_CHARTS, Vector3};
+
+/// The subcommands of `surface`.
+#[derive(Debug, Subcommand)]
+pub enum SurfaceCommand {
+    /// Check whether a mesh is usable as a curved surface: its parts, its chart, and where a tool touches it
+    #[command(after_help = "\
+Examples:
+  wisch surface check door.ply
+  wisch surface check door.stl --scale 0.001 --tool-size 0.05,0.08 --picture door.svg
+  wisch surface check part.stl --towards 0,0,1            one side of a closed body
+  wisch surface check cart.ply --seed-point 0.8,-0.2,0.1  the part of the mesh near a point
+  wisch surface check wok.ply --charts 8                  a surface that needs several charts
+  wisch surface check door.ply --json | jq .chart.stretch
+
+wisch merges vertices, orients the triangles, smooths the surface to the scale of the tool, and unrolls it
+into a chart as rigidly as possible. The chart is usable if at most 1 % of its area is stretched by more
+than the limit, no triangle lies upside down, and the chart does not cover itself. Task files do not take
+meshes as surfaces yet.
+
+Exit codes: 0 the mesh is usable, 1 it is not usable as it is, 2 an error.")]
+    Check(SurfaceCheckArgs),
+}
+
+/// Arguments of `surface check`.
+#[derive(Debug, Args)]
+pub struct SurfaceCheckArgs {
+    /// Mesh file (.stl, .obj, .dae or .ply)
+    #[arg(value_name = "FILE", value_hint = ValueHint::FilePath)]
+    pub file: PathBuf,
+    /// Metres per unit of the file, such as 0.001 for millimetres
+    #[arg(long, value_name = "FACTOR", default_value_t = 1.0, value_parser = factor)]
+    pub scale: f64,
+    /// Sides of the tool's footprint [m]
+    #[arg(long, value_name = "X,Y", default_value = "0.06,0.10", value_parser = sides)]
+    pub tool_size: [f64; 2],
+    /// Radius of the tool [m]: smaller shapes are smoothed [default: half the diagonal of its footprint]
+    #[arg(long, value_name = "METRES", value_parser = metres)]
+    pub tool_radius: Option<f64>,
+    /// Compression depth of the tool under nominal force [m]
+    #[arg(long, value_name = "METRES", default_value_t = 0.01, value_parser = metres)]
+    pub compression_depth_m: f64,
+    /// Take the part of the mesh that is nearest to this point [m] [default: the largest part]
+    #[arg(long, value_name = "X,Y,Z", allow_hyphen_values = true, value_parser = vector)]
+    pub seed_point: Option<Vector3>,
+    /// Direction from the surface to the tool; required for a closed mesh [default: the sides of the file's triangles]
+    #[arg(long, value_name = "X,Y,Z", allow_hyphen_values = true, value_parser = vector)]
+    pub towards: Option<Vector3>,
+    /// Leave out triangles whose normals are farther from --towards than this angle [rad] [default: 1.2 for a closed
+    /// mesh, else all are taken]
+    #[arg(long, value_name = "RADIANS", requires = "towards")]
+    pub largest_lean: Option<f64>,
+    /// Largest stretch of lengths on 99 % of the area [1]
+    #[arg(long, value_name = "SHARE", default_value_t = 0.03)]
+    pub stretch_limit: f64,
+    /// Largest number of charts into which the surface may be cut
+    #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u16).range(1..=MAX_CHARTS as i64))]
+    pub charts: u16,
+    /// Draw the surface, unrolled into one chart, into this .svg file
+    #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]
+    pub picture: Option<PathBuf>,
+    /// Print one JSON object instead of the report
+    #[arg(long)]
+    pub json: bool,
+}
+
+fn number(text: &str) -> Result<f64, String> {
+    let number: f64 = (text.trim().parse()).map_err(|_| format!("{text:?} is not a number"))?;
+    if number.is_finite() {
+        Ok(number)
+    } else {
+        Err(format!("{text:?} is not finite"))
+    }
+}
+
+fn numbers<const N: usize>(text: &str, example: &str) -> Result<[f64; N], String> {
+    let parts = text
+        .split(',')
+        .map(number)
+        .collect::<Result<Vec<f64>, _>>()?;
+    let count = parts.len();
+    parts
+        .try_into()
+        .map_err(|_| format!("{count} numbers, expected {N}; write them as {example}"))
+}
+
+fn vector(text: &str) -> Result<Vector3, String> {
+    numbers(text, "0,0,1").map(|[x, y, z]| Vector3::new(x, y, z))
+}
+
+fn sides(text: &str) -> Result<[f64; 2], String> {
+    let sides = numbers(text, "0.06,0.10")?;
+    sides
+        .map(in_range)
+        .into_iter()
+        .collect::<Result<Vec<f64>, _>>()?;
+    Ok(sides)
+}
+
+fn metres(text: &str) -> Result<f64, String> {
+    number(text).and_then(in_range)
+}
+
+fn in_range(length: f64) -> Result<f64, String> {
+    if (1e-4..=5.0).contains(&length) {
+        Ok(length)
+    } else {
+        Err(format!("{length} m is outside 0.0001 to 5 m"))
+    }
+}
+
+fn factor(text: &str) -> Result<f64, String> {
+    let factor = number(text)?;
+    if (1e-6..=1e3).contains(&factor) {
+        Ok(factor)
+    } else {
+        Err(format!("{factor} is outside 0.000001 to 1000"))
+    }
+}

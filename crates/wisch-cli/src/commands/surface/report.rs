@@ -1,0 +1,219 @@
+//! The report of `wisch surface check` in words.
+
+use super::checked::CheckedMesh;
+use super::measures::{Measures, PlacedValue};
+use crate::commands::words::{counted, percent};
+use wisch::geometry::{MeshSurvey, Sheet};
+
+/// Bends that lower the surface by less than this over the radius of the tool count as none [m].
+const NOTICED_SAG: f64 = 5e-5;
+
+/// Describes the mesh, its chart, and what is wrong.
+pub(super) fn report(checked: &CheckedMesh) -> String {
+    let size = checked.extent;
+    let mut text = format!(
+        "{}: {}, {:.3} x {:.3} x {:.3} m\n",
+        checked.name,
+        counted(checked.triangles, "triangle"),
+        size.x,
+        size.y,
+        size.z
+    );
+    let mut line = |name: &str, value: &str| text += &format!("  {name:<11} {value}\n");
+    if let Some((sheet, measures)) = &checked.sheet {
+        line("part", &describe_part(sheet.survey(), sheet.area()));
+        if let Some(repairs) = describe_repairs(sheet.survey()) {
+            line("repairs", &repairs);
+        }
+        line("borders", &describe_borders(sheet.survey()));
+        line("chart", &describe_chart(sheet));
+        line("stretch", &describe_stretch(sheet));
+        line("bend", &describe_bend(checked, measures));
+        line("normals", &describe_normals(measures));
+        line(
+            "smoothing",
+            &format!("up to {:.2} mm", 1e3 * sheet.smoothed_by()),
+        );
+        line("tool", &describe_contact(checked, measures));
+    }
+    for note in &checked.notes {
+        line("note", note);
+    }
+    if let (Some(path), Some(_)) = (&checked.args.picture, &checked.sheet) {
+        line("picture", &path.display().to_string());
+    }
+    match &checked.problem {
+        None if checked.charts.len() > 1 => {
+            let count = checked.charts.len();
+            line("usable", &format!("yes, in {count} charts"));
+            for (number, chart) in (1..).zip(&checked.charts) {
+                let area = chart.area();
+                let text = format!("{area:.4} m2, {}", describe_chart(chart));
+                line(&format!("chart {number}"), &text);
+                line("", &format!("stretch {}", describe_stretch(chart)));
+            }
+        }
+        None => line("usable", "yes, in one chart"),
+        Some(problem) => {
+            line("usable", "not as it is");
+            line("problem", &problem.to_string());
+            if let Some(advice) = checked.advice() {
+                line("advice", &advice);
+            }
+        }
+    }
+    text
+}
+
+fn describe_part(survey: &MeshSurvey, area: f64) -> String {
+    let parts = survey.part_areas.len();
+    let all: f64 = survey.part_areas.iter().sum();
+    let taken = survey.part_areas[survey.taken_part];
+    let mut text = match parts {
+        1 => "the whole mesh".to_owned(),
+        _ => format!(
+            "number {} by size of {}, {} of the area; --seed-point takes another",
+            survey.taken_part + 1,
+            counted(parts, "part"),
+            percent(taken / all)
+        ),
+    };
+    if survey.side_triangles < survey.part_triangles {
+        text += &format!(
+            "; the side towards the tool has {} of {} triangles",
+            survey.side_triangles, survey.part_triangles
+        );
+    }
+    if survey.is_turned {
+        text += "; its triangles were turned towards the tool";
+    }
+    format!("{text}; {area:.4} m2")
+}
+
+fn describe_repairs(survey: &MeshSurvey) -> Option<String> {
+    let repairs = &survey.repairs;
+    let mut parts = Vec::new();
+    if repairs.welded > 0 {
+        parts.push(format!(
+            "merged {}",
+            counted(repairs.welded, "near vertex").replace("vertexs", "vertices")
+        ));
+    }
+    if repairs.dropped > 0 {
+        parts.push(format!(
+            "dropped {} without area or repeated",
+            counted(repairs.dropped, "triangle")
+        ));
+    }
+    if repairs.split > 0 {
+        parts.push(format!(
+            "split {} at vertices within them",
+            counted(repairs.split, "edge")
+        ));
+    }
+    if survey.flipped > 0 {
+        parts.push(format!(
+            "turned {} of {} triangles to the side of the other ones",
+            survey.flipped, survey.part_triangles
+        ));
+    }
+    if survey.shared_edges > 0 {
+        parts.push(format!(
+            "cut {} that more than two triangles share",
+            counted(survey.shared_edges, "edge")
+        ));
+    }
+    (!parts.is_empty()).then(|| parts.join("; "))
+}
+
+fn describe_borders(survey: &MeshSurvey) -> String {
+    let lengths = &survey.border_lengths;
+    let outer = lengths.first().copied().unwrap_or(0.0);
+    match lengths.len() {
+        0 | 1 => format!("{outer:.3} m, no hole"),
+        count => {
+            let holes = lengths[1..]
+                .iter()
+                .take(3)
+                .map(|length| format!("{length:.3}"));
+            let rest = if count > 4 { ", ..." } else { "" };
+            format!(
+                "{outer:.3} m; {} of {}{rest} m around",
+                counted(count - 1, "hole"),
+                holes.collect::<Vec<_>>().join(", ")
+            )
+        }
+    }
+}
+
+fn describe_chart(sheet: &Sheet) -> String {
+    let bounds = wisch::geometry::Bounds2::from_points(sheet.outline().outer().iter().copied());
+    let size = bounds.map_or_else(Default::default, |bounds| bounds.size());
+    format!(
+        "{:.3} x {:.3} m, {}",
+        size.x,
+        size.y,
+        counted(sheet.triangle_count(), "triangle")
+    )
+}
+
+fn describe_stretch(sheet: &Sheet) -> String {
+    let stretch = sheet.stretch();
+    format!(
+        "{} at most, at {}; {} on 99 % of the area, {} in the median, {} over a disc of the tool's radius",
+        percent(stretch.most),
+        place(&stretch.at.coords.into()),
+        percent(stretch.p99),
+        percent(stretch.median),
+        percent(stretch.at_tool_scale)
+    )
+}
+
+fn describe_bend(checked: &CheckedMesh, measures: &Measures) -> String {
+    let reach = checked.tool_radius;
+    let radius = |bend: &PlacedValue, name: &str, sign: f64| {
+        if 0.5 * sign * bend.value * reach * reach > NOTICED_SAG {
+            let radius = 1.0 / bend.value.abs();
+            format!("{name} to a radius of {radius:.3} m at {}", place(&bend.at))
+        } else {
+            format!("no {name}")
+        }
+    };
+    format!(
+        "{}; {}",
+        radius(&measures.bulge, "bulges", 1.0),
+        radius(&measures.hollow, "hollows", -1.0)
+    )
+}
+
+fn describe_normals(measures: &Measures) -> String {
+    let n = measures.mean_normal;
+    format!(
+        "{:.3} rad from their mean ({:.2}, {:.2}, {:.2}) on average, {:.3} rad at most, at {}",
+        measures.mean_lean,
+        n.x,
+        n.y,
+        n.z,
+        measures.largest_lean.value,
+        place(&measures.largest_lean.at)
+    )
+}
+
+fn describe_contact(checked: &CheckedMesh, measures: &Measures) -> String {
+    let [x, y] = checked.args.tool_size;
+    let needed = &measures.needed_compression;
+    format!(
+        "{x:.3} x {y:.3} m with {:.1} mm of compression touches with its whole footprint on {} of the area, turned as is best; \
+         {:.1} mm are needed at {}",
+        1e3 * checked.args.compression_depth_m,
+        percent(measures.touched_share),
+        1e3 * needed.value,
+        place(&needed.at)
+    )
+}
+
+/// Formats a place [m].
+fn place(at: &[f64; 3]) -> String {
+    let [x, y, z] = at;
+    format!("({x:.3}, {y:.3}, {z:.3}) m")
+}

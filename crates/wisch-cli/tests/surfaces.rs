@@ -1,0 +1,226 @@
+//! `wisch surface check`: meshes that are usable, and meshes that are not.
+
+use crate::program::wisch;
+use std::fmt::Write;
+use std::fs;
+use std::path::Path;
+
+/// Writes a grid of 40 × 30 squares over 1.0 × 0.6 m as PLY, mapped into space; some faces are flipped.
+fn write_grid(path: &Path, map: impl Fn(f64, f64) -> [f64; 3], flipped: usize) {
+    let (columns, rows) = (40, 30);
+    let mut text = format!(
+        "ply\nformat ascii 1.0\nelement vertex {}\nproperty double x\nproperty double y\nproperty double z\n\
+         element face {}\nproperty list uchar int vertex_indices\nend_header\n",
+        (columns + 1) * (rows + 1),
+        columns * rows
+    );
+    for j in 0..=rows {
+        for i in 0..=columns {
+            let [x, y, z] = map(
+                f64::from(i) / f64::from(columns) - 0.5,
+                0.6 * f64::from(j) / f64::from(rows) - 0.3,
+            );
+            writeln!(text, "{x} {y} {z}").unwrap();
+        }
+    }
+    for face in 0..columns * rows {
+        let a = face / columns * (columns + 1) + face % columns;
+        let mut corners = [a, a + 1, a + columns + 2, a + columns + 1];
+        if (face as usize) < flipped {
+            corners.reverse();
+        }
+        let [a, b, c, d] = corners;
+        writeln!(text, "4 {a} {b} {c} {d}").unwrap();
+    }
+    fs::write(path, text).unwrap();
+}
+
+fn door(x: f64, y: f64) -> [f64; 3] {
+    [x, y, -x * x / 8.0 - y * y / 2.4]
+}
+
+#[test]
+fn a_door_is_usable_and_drawn() {
+    let folder = tempfile::tempdir().unwrap();
+    write_grid(&folder.path().join("door.ply"), door, 0);
+    let (code, out, err) = wisch(
+        folder.path(),
+        &["surface", "check", "door.ply", "--picture", "door.svg"],
+    );
+    assert_eq!((code, err.as_str()), (0, ""));
+    for line in [
+        "door.ply: 2400 triangles, 1.000 x 0.600 x ",
+        "part        the whole mesh; 0.60",
+        "borders     3.2",
+        "usable      yes, in one chart",
+        "picture     door.svg",
+    ] {
+        assert!(out.contains(line), "{line}\n{out}");
+    }
+    let picture = fs::read_to_string(folder.path().join("door.svg")).unwrap();
+    assert!(picture.starts_with("<svg") && picture.contains("Stretch of lengths"));
+    let (code, out, _) = wisch(folder.path(), &["surface", "check", "door.ply", "--json"]);
+    assert_eq!(code, 0);
+    let record: serde_json::Value = serde_json::from_str(&out).unwrap();
+    assert_eq!(record["format"], "wisch-surface-check");
+    assert_eq!(record["usable"], true);
+    assert!(record["problem"].is_null());
+    // The barrel of 1.2 m radius, seen from above.
+    let bulge = record["chart"]["largest_bulge"]["value"].as_f64().unwrap();
+    assert!((bulge - 1.0 / 1.2).abs() < 0.02, "{bulge}");
+    assert_eq!(record["chart"]["touched_share"], 1.0);
+}
+
+#[test]
+fn the_same_mesh_gives_the_same_bytes_on_any_number_of_threads() {
+    let folder = tempfile::tempdir().unwrap();
+    write_grid(&folder.path().join("door.ply"), door, 0);
+    let report = |threads| {
+        let args = [
+            "surface",
+            "check",
+            "door.ply",
+            "--json",
+            "--threads",
+            threads,
+        ];
+        wisch(folder.path(), &args)
+    };
+    assert_eq!(report("1"), report("16"));
+}
+
+#[test]
+fn flipped_triangles_and_a_hard_tool_are_reported() {
+    let folder = tempfile::tempdir().unwrap();
+    let bent = |x: f64, y: f64| [x, y, -y * y];
+    write_grid(&folder.path().join("bent.ply"), bent, 17);
+    let args = [
+        "surface",
+        "check",
+        "bent.ply",
+        "--compression-depth-m",
+        "0.0001",
+        "--tool-size",
+        "0.1,0.1",
+    ];
+    let (code, out, _) = wisch(folder.path(), &args);
+    assert_eq!(code, 0, "{out}");
+    assert!(
+        out.contains("turned 34 of 2400 triangles to the side of the other ones"),
+        "{out}"
+    );
+    assert!(out.contains("on 0.0 % of the area"), "{out}");
+    // From the other side it is hollow.
+    let args = ["surface", "check", "bent.ply", "--towards", "0,0,-1"];
+    let (_, out, _) = wisch(folder.path(), &args);
+    assert!(
+        out.contains("its triangles were turned towards the tool"),
+        "{out}"
+    );
+    assert!(
+        out.contains("no bulges; hollows to a radius of 0.5"),
+        "{out}"
+    );
+}
+
+#[test]
+fn a_mesh_that_needs_several_charts_says_so_and_is_cut() {
+    let folder = tempfile::tempdir().unwrap();
+    let bowl = |x: f64, y: f64| {
+        let (u, v) = (2.0 * x, 2.0 * y);
+        let norm = (1.0 + u * u + v * v).sqrt();
+        [0.3 * u / norm, 0.3 * v / norm, 0.3 - 0.3 / norm]
+    };
+    write_grid(&folder.path().join("bowl.ply"), bowl, 0);
+    let (code, out, err) = wisch(folder.path(), &["surface", "check", "bowl.ply"]);
+    assert_eq!((code, err.as_str()), (1, ""));
+    assert!(
+        out.contains("problem     unrolling stretches the surface by up to"),
+        "{out}"
+    );
+    assert!(
+        out.contains("advice      allow several charts, such as --charts"),
+        "{out}"
+    );
+    let (code, out, _) = wisch(
+        folder.path(),
+        &["surface", "check", "bowl.ply", "--charts", "16"],
+    );
+    assert_eq!(code, 0, "{out}");
+    assert!(
+        out.contains("usable      yes, in") && out.contains("chart 2"),
+        "{out}"
+    );
+}
+
+#[test]
+fn units_closed_bodies_and_parts_are_named() {
+    let folder = tempfile::tempdir().unwrap();
+    let millimetres = |x: f64, y: f64| door(x, y).map(|c| 1000.0 * c);
+    write_grid(&folder.path().join("mm.ply"), millimetres, 0);
+    let (code, out, _) = wisch(folder.path(), &["surface", "check", "mm.ply"]);
+    assert_eq!(code, 1, "{out}");
+    assert!(
+        out.contains("it is probably in millimetres: multiply by 0.001 with --scale 0.001"),
+        "{out}"
+    );
+    let args = ["surface", "check", "mm.ply", "--scale", "0.001"];
+    let (code, out, _) = wisch(folder.path(), &args);
+    assert!(code == 0 && out.contains("1.000 x 0.600 x"), "{out}");
+    let wedge = "v 0 0 0\nv 0.4 0 0\nv 0 0.4 0\nv 0 0 0.4\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
+    fs::write(folder.path().join("wedge.obj"), wedge).unwrap();
+    let (code, out, _) = wisch(folder.path(), &["surface", "check", "wedge.obj"]);
+    assert_eq!(code, 1);
+    assert!(
+        out.contains("problem     this mesh is closed: 4 triangles without a border"),
+        "{out}"
+    );
+    let args = ["surface", "check", "wedge.obj", "--towards", "1,1,1"];
+    let (code, out, _) = wisch(folder.path(), &args);
+    assert_eq!(code, 0, "{out}");
+    assert!(
+        out.contains("the side towards the tool has 1 of 4 triangles"),
+        "{out}"
+    );
+}
+
+#[test]
+fn wrong_input_is_an_error_with_place_and_limit() {
+    let folder = tempfile::tempdir().unwrap();
+    let cloud = "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\nproperty float z\nend_header\n0 0 0\n";
+    fs::write(folder.path().join("cup.ply"), cloud).unwrap();
+    fs::write(folder.path().join("cup.step"), "").unwrap();
+    write_grid(&folder.path().join("door.ply"), door, 0);
+    for (args, expected) in [
+        (
+            &["cup.ply"][..],
+            "it has 1 points and no face: a point cloud has to be meshed first",
+        ),
+        (&["cup.step"], "must end in .stl, .obj, .dae or .ply"),
+        (&["none.ply"], "none.ply"),
+        (
+            &["door.ply", "--tool-radius", "1e-9"],
+            "outside 0.0001 to 5 m",
+        ),
+        (&["door.ply", "--towards", "0,0"], "2 numbers, expected 3"),
+        (
+            &["door.ply", "--towards", "0,0,0"],
+            "length of the direction to the tool = 0",
+        ),
+        (
+            &["door.ply", "--stretch-limit", "nan"],
+            "limit of the stretch = NaN is outside 0.001 to 1",
+        ),
+        (
+            &["door.ply", "--scale", "1e6"],
+            "1000000 is outside 0.000001 to 1000",
+        ),
+        (&["door.ply", "--picture", "door.png"], "must end in .svg"),
+    ] {
+        let (code, out, err) = wisch(folder.path(), &[&["surface", "check"], args].concat());
+        assert_eq!((code, out.as_str()), (2, ""), "{args:?}");
+        assert!(err.contains(expected), "{args:?}: {err}");
+    }
+    let files = fs::read_dir(folder.path()).unwrap().count();
+    assert_eq!(files, 3, "nothing is written");
+}
