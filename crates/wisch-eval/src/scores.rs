@@ -6,7 +6,7 @@ use crate::trial::{BeliefScore, LEVELS, RoundScore, WorldScore};
 use crate::variants::Variant;
 use serde::Serialize;
 use std::collections::BTreeMap;
-use wisch::recover::FALSE_CLAIM_MARGIN;
+use wisch::recover::{FALSE_CLAIM_MARGIN, Verdict};
 
 /// The calibration of the method and of simpler estimators over many worlds.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -89,6 +89,11 @@ pub struct ClaimCounts {
     pub undecided_by_touch: usize,
 }
 
+/// Whether a verdict states that touch cannot decide. Version 0.2.0 wrote "unknowable by touch".
+fn is_undecided(verdict: &str) -> bool {
+    verdict == Verdict::UnknowableByTouch.as_str() || verdict == "unknowable by touch"
+}
+
 impl ClaimCounts {
     fn of<'a>(worlds: impl Iterator<Item = &'a WorldScore>) -> Self {
         let mut counts = Self::default();
@@ -102,9 +107,7 @@ impl ClaimCounts {
             counts.claimed_and_met += usize::from(is_met && last.is_claimed);
             let is_false = last.is_claimed && last.outcome < world.target - FALSE_CLAIM_MARGIN;
             counts.false_claims += usize::from(is_false);
-            // Version 0.2.0 wrote "unknowable by touch".
-            let is_undecided = ["undecided by touch", "unknowable by touch"];
-            counts.undecided_by_touch += usize::from(is_undecided.contains(&last.verdict.as_str()));
+            counts.undecided_by_touch += usize::from(is_undecided(&last.verdict));
         }
         counts
     }
@@ -228,4 +231,15 @@ fn method(rounds: &[&RoundScore]) -> MethodScores {
         "wisch",
         rounds.iter().map(|round| (&round.belief, round.outcome)),
     )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn undecided_worlds_of_an_earlier_version_count() {
+        let verdicts = ["undecided by touch", "unknowable by touch", "goal met"];
+        assert_eq!(verdicts.map(is_undecided), [true, true, false]);
+    }
 }
