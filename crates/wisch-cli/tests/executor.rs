@@ -140,12 +140,12 @@ fn events_on_standard_output_stand_alone() {
     let err = String::from_utf8_lossy(&output.stderr);
     assert_eq!((output.status.code(), &*err), (Some(1), ""));
     let out = String::from_utf8(output.stdout).expect("text");
-    let mut looking = ROUND.to_vec();
-    looking.insert(1, "observed");
-    looking.insert(8, "observed");
-    assert_eq!(kinds(&out), looking);
+    let mut expected = ROUND.to_vec();
+    expected.insert(1, "observed");
+    expected.insert(8, "observed");
+    assert_eq!(kinds(&out), expected);
     let first: Value = serde_json::from_str(out.lines().next().expect("a line")).expect("JSON");
-    assert_eq!(first["schema"], 1);
+    assert_eq!(first["schema"], 2);
 }
 
 #[test]
