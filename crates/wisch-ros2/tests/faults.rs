@@ -94,17 +94,15 @@ fn check_hold(events: &[Event], known: f64) {
         ("goal with", "goal ended"),
         ("force mode on", "force mode off"),
     ] {
-        let last = |text| {
-            events
-                .iter()
-                .rfind(|event: &&Event| event.text.starts_with(text))
-        };
-        let Some(begun) = last(begin) else {
+        let Some(last) = (events.iter()).rposition(|event| event.text.starts_with(begin)) else {
             continue;
         };
-        assert!(begun.time <= limit, "{begin}: {events:#?}");
-        let ended = last(end).map_or(f64::INFINITY, |event| event.time);
-        assert!(ended >= begun.time && ended <= limit, "{end}: {events:#?}");
+        assert!(events[last].time <= limit, "{begin}: {events:#?}");
+        // A stop is repeated until it is confirmed; the first one counts.
+        let mut later = events[last..].iter();
+        let ended = later.find(|event| event.text.starts_with(end));
+        let ended = ended.map_or(f64::INFINITY, |event| event.time);
+        assert!(ended <= limit, "{end}: {events:#?}");
     }
 }
 
