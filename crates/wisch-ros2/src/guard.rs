@@ -234,7 +234,7 @@ fn wait_for_silence(lines: &Receiver<String>) -> Option<&'static str> {
             Ok(END) => return None,
             Ok(_) => {}
             Err(RecvTimeoutError::Disconnected) => return Some("ended"),
-            Err(RecvTimeoutError::Timeout) => return Some("hangs"),
+            Err(RecvTimeoutError::Timeout) => return Some("is silent"),
         }
     }
 }
@@ -249,7 +249,7 @@ mod tests {
         let say = |line: &str| send.send(line.to_owned()).unwrap();
         say(ARMED);
         say(BEAT);
-        assert_eq!(wait_for_silence(&lines), Some("hangs"));
+        assert_eq!(wait_for_silence(&lines), Some("is silent"));
         for line in [ARMED, RESTS, END] {
             say(line);
         }
