@@ -4,6 +4,7 @@ use std::ops::ControlFlow;
 use std::process::Command;
 use std::time::{Duration, Instant};
 use wisch::recover::Verdict;
+use wisch::represent::SurfaceShape;
 use wisch::run::{
     Ending, Execution, Executor, ExecutorError, MotionOrder, NoExecutor, PlannedRound,
     RecordedSample, RunError, Stage, StopKind, ignore_events,
@@ -615,6 +616,10 @@ fn a_greeting_that_is_out_of_range_is_refused() {
             "ready: max_silence_s is 0; expected 0.02 to 60",
         ),
         (
+            r#""version": 1, "accepts_curved": True"#,
+            "ready: accepts_curved needs version 2",
+        ),
+        (
             r#""version": 1, "knot_error_rad": 0.001"#,
             "ready: knot_error_rad needs version 2",
         ),
@@ -625,6 +630,28 @@ fn a_greeting_that_is_out_of_range_is_refused() {
         let error = start(&script).expect_err("it is refused").to_string();
         assert!(error.contains(expected), "{error}");
     }
+}
+
+#[test]
+fn a_curved_surface_is_given_to_children_that_accept_it() {
+    if !has_python() {
+        return;
+    }
+    let mut planned = motion();
+    let lines = r#"
+if motion.get("surface_shape") != {"kind": "cylinder", "radius_m": -2.0, "axis_rad": 0.5}:
+    say(error="another shape: %s" % motion.get("surface_shape"))
+follow()
+done("complete", duration=motion["duration_s"])
+"#;
+    planned.task.surface.shape = SurfaceShape::Cylinder {
+        radius: -2.0,
+        axis: 0.5,
+    };
+    executed_by_version_2(&planned, "\"accepts_curved\": True", lines).expect("it ends");
+    let refused = executed_by_version_2(&planned, "\"reports_state\": False", lines);
+    let error = refused.expect_err("it is refused").to_string();
+    assert!(error.contains("states accepts_curved"), "{error}");
 }
 
 #[test]

@@ -299,10 +299,10 @@ impl Executor for ProcessExecutor {
             return Err(self.fault("interrupted before the motion began"));
         }
         let surface = &order.task.surface;
-        if !surface.shape.is_plane() {
+        if !surface.shape.is_plane() && !self.ready.accepts_curved {
             let name = &surface.name;
             return Err(self.fault(format!(
-                "surface {name:?} is curved, which the executor protocol does not say yet"
+                "surface {name:?} is curved, so that its normal differs from place to place; an executor that reads surface_shape states accepts_curved in \"ready\""
             )));
         }
         let intake = Intake::new(order, sink);

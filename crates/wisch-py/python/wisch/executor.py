@@ -78,6 +78,7 @@ class _Motion:
         self.__dict__.update(head)
         self.world_from_surface = np.array(head["world_from_surface"])
         self.gap_m = head.get("gap_m")
+        self.surface_shape = head.get("surface_shape")
         self.time_s = np.array([point["time_s"] for point in points])
         self.positions = np.array([point["positions"] for point in points])
         self.velocities = np.array([point["velocities"] for point in points])
@@ -178,6 +179,8 @@ def _execute(executor, wire: _Wire, head: dict[str, Any]) -> None:
 
 def _ready(executor) -> dict[str, Any]:
     ready = {"version": VERSION, "reports_state": hasattr(executor, "state")}
+    if getattr(executor, "accepts_curved", False):
+        ready["accepts_curved"] = True
     max_silence_s = getattr(executor, "max_silence_s", None)
     return ready if max_silence_s is None else {**ready, "max_silence_s": max_silence_s}
 
