@@ -15,6 +15,7 @@
 //! | How fast can a joint path be followed? | [`timing::time_path`] |
 //! | Which groups, states and allowed contacts has the robot? | [`Srdf`] |
 //! | What is wrong with a URDF? | [`check`](check()) |
+//! | Does the surface of a mesh unroll into a chart? | [`geometry::Sheet`] |
 //! | Which SRDF suits a URDF that has none? | [`setup`] |
 //!
 //! A robot has n variables, one for each joint that moves by itself. Arrays of positions, velocities and efforts have n
