@@ -72,7 +72,7 @@ pub enum SheetError {
     },
     /// Unrolling folds the surface.
     #[error(
-        "unrolling folds the surface: {triangles} triangles lie upside down in the chart, the first at {}",
+        "unrolling folds the surface: triangles lie upside down in the chart, the first of {triangles} at {}",
         place(at)
     )]
     Folded {
