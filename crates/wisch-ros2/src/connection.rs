@@ -2,16 +2,14 @@
 
 use crate::controllers::{ControllerManager, controller_faults};
 use crate::frames::Frames;
+use crate::goals::{GoalSender, TrajectoryAction};
 use crate::link::{Link, service_qos};
-use crate::messages::{
-    EmptyRequest, ForceModeRequest, ForceModeResponse, TrajectoryFeedback, TrajectoryGoal,
-    TrajectoryResult, TriggerResponse,
-};
+use crate::messages::{EmptyRequest, ForceModeRequest, ForceModeResponse, TriggerResponse};
 use crate::protocol::Kind;
 use crate::readings::{Readings, SharedReadings};
 use crate::robot_file::{ForceKind, RobotFile};
 use crate::service::{Service, matched};
-use ros2_client::action::{ActionClient, ActionClientQosPolicies};
+use ros2_client::action::ActionClientQosPolicies;
 use ros2_client::qos::Durability;
 use ros2_client::{ActionTypeName, Name};
 use std::time::{Duration, Instant};
@@ -25,10 +23,6 @@ const NORMAL: u8 = 1;
 
 /// Longest silence of the speed scaling: without it, a pause would not be noticed.
 const SCALING_AGE: Duration = Duration::from_millis(500);
-
-/// Client of `control_msgs/FollowJointTrajectory`.
-pub(crate) type TrajectoryAction =
-    ActionClient<TrajectoryGoal, TrajectoryResult, TrajectoryFeedback>;
 
 /// Services of force mode.
 pub(crate) struct ForceMode {
@@ -46,6 +40,7 @@ pub(crate) struct Connection {
     pub readings: SharedReadings,
     pub manager: ControllerManager,
     pub action: TrajectoryAction,
+    pub goals: GoalSender,
     pub tare: Option<Service<EmptyRequest, TriggerResponse>>,
     pub force: Option<ForceMode>,
 }
@@ -72,7 +67,7 @@ impl Connection {
         let readings = SharedReadings::subscribe(&mut link, &file, names.clone()).map_err(text)?;
         let deadline = Instant::now() + Duration::from_secs_f64(file.link.discovery_s);
         let choice = file.link.service_mapping;
-        let action = connect_action(&mut link, &file, deadline)?;
+        let (action, goals) = connect_action(&mut link, &file, deadline)?;
         let manager = ControllerManager::connect(&mut link, &file, deadline).map_err(text)?;
         let trigger = ["std_srvs", "Trigger"];
         let tare = (file.force.tare.as_ref())
@@ -96,6 +91,7 @@ impl Connection {
             readings,
             manager,
             action,
+            goals,
             tare,
             force,
             file,
@@ -315,12 +311,13 @@ fn connect_action(
     link: &mut Link,
     file: &RobotFile,
     deadline: Instant,
-) -> Result<TrajectoryAction, String> {
+) -> Result<(TrajectoryAction, GoalSender), String> {
     let action = &file.motion.action;
     let failed = |error: String| format!("action {action}: {error}");
     let goal_service = format!("{action}/_action/send_goal");
     let mapping = link.mapping(&goal_service, file.link.service_mapping, deadline);
     let mapping = mapping.map_err(|error| failed(error.to_string()))?;
+    let goals = GoalSender::open(link, action, mapping)?;
     let name = Name::parse(action).map_err(|error| failed(error.to_string()))?;
     let qos = ActionClientQosPolicies {
         goal_service: service_qos(),
@@ -339,7 +336,7 @@ fn connect_action(
         && matched(deadline, || client.cancel_client().wait_for_service(node))
         && matched(deadline, || client.result_client().wait_for_service(node));
     match is_matched {
-        true => Ok(client),
+        true => Ok((client, goals)),
         false => Err(failed(
             "found, but it does not match control_msgs/action/FollowJointTrajectory".to_owned(),
         )),

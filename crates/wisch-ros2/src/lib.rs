@@ -11,6 +11,7 @@ mod doctor;
 mod drive;
 mod fake;
 mod frames;
+mod goals;
 mod guard;
 mod link;
 mod messages;

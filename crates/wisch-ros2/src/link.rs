@@ -8,7 +8,7 @@ use ros2_client::{
     Context, Message, MessageInfo, MessageTypeName, Name, Node, NodeName, NodeOptions, Publisher,
     QosProfile, ServiceMapping,
 };
-use rustdds::{DomainParticipantBuilder, GUID};
+use rustdds::{DomainParticipant, DomainParticipantBuilder, GUID};
 use serde::de::DeserializeOwned;
 use std::collections::BTreeSet;
 use std::fmt;
@@ -160,6 +160,11 @@ impl Link {
         })
     }
 
+    /// This program's participant of DDS.
+    pub fn participant(&self) -> DomainParticipant {
+        self.context.domain_participant()
+    }
+
     pub const fn node(&self) -> &Node {
         &self.node
     }
@@ -225,7 +230,7 @@ impl Link {
 
     /// The writers of a topic with this DDS name, without those of this participant.
     pub fn writers(&self, dds_name: &str) -> Vec<DiscoveredWriter> {
-        let participant = self.context.domain_participant();
+        let participant = self.participant();
         let own = rustdds::RTPSEntity::guid(&participant).prefix;
         let writers = participant.discovered_writers().into_iter();
         writers

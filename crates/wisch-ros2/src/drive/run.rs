@@ -5,6 +5,7 @@ mod press;
 use super::Driver;
 use super::checks::REST;
 use crate::connection::Connection;
+use crate::goals::{GoalRequest, GoalSender};
 use crate::guard::LONGEST_SILENCE;
 use crate::messages::EmptyRequest;
 use crate::motion::{Part, WipingMotion};
@@ -49,7 +50,7 @@ struct ActiveGoal {
     id: GoalId,
     sent: Instant,
     /// The request to accept it.
-    request: RmwRequestId,
+    request: GoalRequest,
     is_accepted: bool,
     /// Start of its part, and end, as planned [s].
     span: [f64; 2],
@@ -228,7 +229,7 @@ impl<'a> MotionRun<'a> {
             self.driver.options.speed,
             file.motion.path_tolerance_rad,
         );
-        let (request, id) = match self.robot.action.send_goal(goal) {
+        let (request, id) = match self.robot.goals.send(&self.robot.action, goal) {
             Ok(sent) => sent,
             Err(error) => return stop(Kind::LinkLost, format!("the goal is not sent: {error}")),
         };
@@ -249,8 +250,7 @@ impl<'a> MotionRun<'a> {
         self.is_time_reported = false;
         self.progressed = (first.time, now);
         let answer = self.wait("the answer to a goal", ANSWER, |run| {
-            let answer = run.robot.action.receive_goal_response(request);
-            answer.ok().flatten()
+            GoalSender::answer(&run.robot.action, request)
         })?;
         if answer.accepted {
             if let Some(goal) = &mut self.goal {
@@ -671,10 +671,10 @@ impl<'a> MotionRun<'a> {
             return true;
         };
         if !goal.is_accepted {
-            match action.receive_goal_response(goal.request) {
-                Ok(Some(answer)) if answer.accepted => goal.is_accepted = true,
-                Ok(Some(_)) => return true,
-                _ => {}
+            match GoalSender::answer(action, goal.request) {
+                Some(answer) if answer.accepted => goal.is_accepted = true,
+                Some(_) => return true,
+                None => {}
             }
         }
         let answer = canceling.and_then(|request| action.receive_cancel_response(request).ok()?);
