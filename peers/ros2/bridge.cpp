@@ -93,16 +93,18 @@ struct Listener : DataReaderListener {
 };
 
 int main(int argc, char** argv) {
-  if (argc != 2) {
-    std::cerr << "usage: bridge DOMAIN" << std::endl;
+  if (argc != 2 && argc != 3) {
+    std::cerr << "usage: bridge DOMAIN [ADDRESS]" << std::endl;
     return 2;
   }
   DomainParticipantQos qos;
-  // Loopback only.
-  auto udp = std::make_shared<eprosima::fastdds::rtps::UDPv4TransportDescriptor>();
-  udp->interfaceWhiteList.push_back("127.0.0.1");
-  qos.transport().use_builtin_transports = false;
-  qos.transport().user_transports.push_back(udp);
+  // Without the address of an interface, Fast DDS has its defaults: all interfaces, and shared memory.
+  if (argc == 3) {
+    auto udp = std::make_shared<eprosima::fastdds::rtps::UDPv4TransportDescriptor>();
+    udp->interfaceWhiteList.push_back(argv[2]);
+    qos.transport().use_builtin_transports = false;
+    qos.transport().user_transports.push_back(udp);
+  }
   auto participant = DomainParticipantFactory::get_instance()->create_participant(atoi(argv[1]), qos);
   auto publisher = participant->create_publisher(PUBLISHER_QOS_DEFAULT);
   auto subscriber = participant->create_subscriber(SUBSCRIBER_QOS_DEFAULT);

@@ -5,8 +5,9 @@
     python peers/ros2/check.py                                  # Cyclone DDS
     make -C peers/ros2 && python peers/ros2/check.py --fastdds  # Fast DDS, needs libfastrtps-dev
     python peers/ros2/check.py --distro humble                  # the messages of Humble
+    python peers/ros2/check.py --all-interfaces                 # as a driver that nobody has configured
 
-The peer is `robot.py`, in another process, over loopback. Exit code 1 if a step fails. It takes about three minutes.
+The peer is `robot.py`, in another process of this computer. Exit code 1 if a step fails. It takes about three minutes.
 """
 
 import argparse
@@ -26,7 +27,7 @@ ROBOT = """schema = 1
 urdf = "arm7"
 [link]
 domain = {domain}
-interfaces = ["127.0.0.1"]
+{interfaces}
 ros_distro = "{distro}"
 [motion]
 action = "/joint_trajectory_controller/follow_joint_trajectory"
@@ -86,7 +87,9 @@ class Check:
     def __init__(self, arguments):
         self.folder = tempfile.TemporaryDirectory()
         self.file = pathlib.Path(self.folder.name) / "robot.toml"
-        self.file.write_text(ROBOT.format(domain=arguments.domain, distro=arguments.distro, age=arguments.age))
+        interfaces = "" if arguments.all_interfaces else 'interfaces = ["127.0.0.1"]'
+        values = {"domain": arguments.domain, "distro": arguments.distro, "age": arguments.age}
+        self.file.write_text(ROBOT.format(interfaces=interfaces, **values))
         self.programs = pathlib.Path(arguments.programs)
         self.peer = Peer(self.file, ["--fastdds", str(HERE / "bridge")] if arguments.fastdds else [])
         self.vendor = "Fast DDS" if arguments.fastdds else "Cyclone DDS"
@@ -200,6 +203,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--fastdds", action="store_true", help="Fast DDS in place of Cyclone DDS")
     parser.add_argument("--distro", default="jazzy", choices=["jazzy", "humble"])
+    parser.add_argument("--all-interfaces", action="store_true", help="the defaults of the DDS in place of loopback only")
     parser.add_argument("--domain", type=int, default=77)
     parser.add_argument("--age", type=float, default=200, help="limits of the age of states and wrenches [ms]")
     parser.add_argument("--programs", default=str(ROOT / "target" / "debug"))

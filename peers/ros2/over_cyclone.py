@@ -27,8 +27,9 @@ def quality(latched=False, depth=10):
 class Network:
     """A participant. `request` names the request that a handler is answering."""
 
-    def __init__(self, domain):
-        os.environ.setdefault("CYCLONEDDS_URI", CONFIG)
+    def __init__(self, domain, is_local=True):
+        if is_local:
+            os.environ.setdefault("CYCLONEDDS_URI", CONFIG)
         self.participant = DomainParticipant(domain)
         self.request = None
 

@@ -26,8 +26,9 @@ class Writer:
 class Network:
     """A participant. `request` names the request that a handler is answering."""
 
-    def __init__(self, domain, bridge):
-        self.process = subprocess.Popen([bridge, str(domain)], stdin=subprocess.PIPE, stdout=subprocess.PIPE)
+    def __init__(self, domain, is_local, bridge):
+        command = [bridge, str(domain), *(["127.0.0.1"] if is_local else [])]
+        self.process = subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE)
         self.writers, self.queues, self.has_begun, self.early = 0, [], False, []
         self.request = None
 

@@ -7,7 +7,8 @@
 It answers to the names of the robot file: joint states and wrench at 500 Hz, the controller's state, speed scaling, safety
 mode, the controller manager, force mode, and the action FollowJointTrajectory. Services are sent as the RMW of the vendor sends
 them: Cyclone DDS with a header in each message, Fast DDS with the identity of the request beside it. For Fast DDS, the program
-`bridge` of this folder passes bytes on; `make -C peers/ros2` builds it.
+`bridge` of this folder passes bytes on; `make -C peers/ros2` builds it. With `interfaces` in the robot file, the robot is on
+loopback only; without them, the DDS has its defaults, as a driver has that nobody has configured.
 
 The arm follows its setpoints exactly and touches nothing. Commands on standard input:
 
@@ -314,15 +315,15 @@ def main():
     file = tomllib.loads(arguments.robot.read_text())
     urdf = file["urdf"]
     path = arguments.robot.parent / urdf if "." in urdf or "/" in urdf else ROOT / "robots" / f"{urdf}.urdf"
-    domain = file.get("link", {}).get("domain", 0)
+    domain, is_local = file["link"]["domain"], "interfaces" in file["link"]
     if arguments.fastdds:
         from over_fastdds import Network
 
-        net = Network(domain, arguments.fastdds)
+        net = Network(domain, is_local, arguments.fastdds)
     else:
         from over_cyclone import Network
 
-        net = Network(domain)
+        net = Network(domain, is_local)
     commands = queue.Queue()
     threading.Thread(target=lambda: [commands.put(line) for line in sys.stdin], daemon=True).start()
     Robot(file, Arm(path), net).run(commands)
