@@ -606,3 +606,22 @@ fn a_shape_has_limits() {
     );
     assert!(surface(cylinder(0.001, 0.0)).shape_fault().is_some());
 }
+
+/// A tool that hovers does not bend with the surface: its ends hover higher over a bulge, and meet a hollow.
+#[test]
+fn a_tool_that_hovers_is_refused_where_the_bend_exceeds_its_gap() {
+    let hovering = |radius: f64, gap: f64| {
+        let mut task = task(Action::Absorb, cylinder(radius, FRAC_PI_2));
+        task.interaction.gap_m = gap;
+        plan(&task, &PlanConfig::default()).map(|_| ())
+    };
+    for radius in [0.5, -0.5] {
+        let error = hovering(radius, 0.001).unwrap_err();
+        assert!(
+            matches!(error, PlanError::HoversOffBend { sag, limit, .. } if sag > limit),
+            "{error}"
+        );
+    }
+    assert_eq!(hovering(20.0, 0.003), Ok(()));
+    assert_eq!(hovering(-20.0, 0.003), Ok(()));
+}

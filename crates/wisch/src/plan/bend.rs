@@ -100,7 +100,7 @@ impl fmt::Display for BendContact {
         if least < 100.0 {
             write!(
                 f,
-                "; a tool at most {:.3} m long across the bend would touch everywhere",
+                "; a tool square to the bend and at most {:.3} m long across it would touch everywhere",
                 self.fitting_length
             )?;
         }
@@ -171,6 +171,7 @@ pub(super) fn check_bend(task: &Task) -> Result<(), PlanError> {
             reach,
         });
     }
+    check_gap(task, radius)?;
     let slope = steepest(surface);
     // The kind of the medium and the friction of the surface are not part of a task, so the smallest friction counts.
     let friction = dirt_friction(crate::represent::MediumKind::Solid, 0.0);
@@ -181,6 +182,36 @@ pub(super) fn check_bend(task: &Task) -> Result<(), PlanError> {
         });
     }
     Ok(())
+}
+
+/// Checks that a tool that hovers acts under all of it: its ends do not meet a hollow, nor hover too far over a bulge.
+fn check_gap(task: &Task, radius: f64) -> Result<(), PlanError> {
+    if !task.interaction.hovers() {
+        return Ok(());
+    }
+    let corners = task.tool.footprint.edges();
+    let reach = corners
+        .map(|edge| edge.start.coords.norm())
+        .fold(0.0, f64::max);
+    let gap = task.interaction.gap_m;
+    // Its effect decreases with the gap: f′ = gap / (gap + sag).
+    let least = effective_pressure(&task.interaction.likelihood);
+    let limit = if radius > 0.0 {
+        gap * (1.0 / least - 1.0)
+    } else {
+        gap
+    };
+    let sag = reach * reach / (2.0 * radius.abs());
+    if sag <= limit {
+        return Ok(());
+    }
+    Err(PlanError::HoversOffBend {
+        tool: task.tool.name.clone(),
+        surface: task.surface.name.clone(),
+        radius,
+        sag,
+        limit,
+    })
 }
 
 /// Returns how far from its centre a tool touches across the bend, at any yaw [m]: at most its own reach, and in a hollow
@@ -258,7 +289,7 @@ mod tests {
         };
         assert_eq!(
             contact.to_string(),
-            "39 to 55 % of the tool touches the bend, depending on its yaw; pressure 0.00 to 3.85 of the nominal one, if 0.1 mm of compression are right; a tool at most 0.024 m long across the bend would touch everywhere"
+            "39 to 55 % of the tool touches the bend, depending on its yaw; pressure 0.00 to 3.85 of the nominal one, if 0.1 mm of compression are right; a tool square to the bend and at most 0.024 m long across it would touch everywhere"
         );
         let whole = BendContact {
             touched_share: [1.0; 2],

@@ -109,6 +109,22 @@ pub enum PlanError {
         /// How far from its centre the tool touches \[m\].
         reach: f64,
     },
+    /// A tool that hovers is too long for the bend.
+    #[error(
+        "tool \"{tool}\" hovers over surface \"{surface}\": over its length, a radius of {radius:.3} m bends by {sag:.4} m, more than the {limit:.4} m at which its ends still act and touch nothing; take a shorter tool"
+    )]
+    HoversOffBend {
+        /// Name of the tool.
+        tool: String,
+        /// Name of the surface.
+        surface: String,
+        /// Radius of the surface \[m\], negative where it is hollow.
+        radius: f64,
+        /// Distance of the surface from its tangent plane at the ends of the tool \[m\].
+        sag: f64,
+        /// Largest permitted distance \[m\].
+        limit: f64,
+    },
     /// An object of the scene is near a curved surface.
     #[error(
         "surface \"{surface}\": an object of the scene is {distance:.3} m from it, but the tool needs {radius:.3} m; the planner does not go around objects on curved surfaces yet"

@@ -24,8 +24,9 @@ pub(super) struct ActingPart {
 #[derive(Debug, Clone)]
 struct KnownBend {
     bend: Matrix2<f64>,
-    /// Radius about the tool centre point within which the tool acts at every yaw [m]; infinite if all of it does.
-    radius: f64,
+    /// Radius about the tool centre point within which the tool acts at every yaw [m]; infinite if all of it does. `None`
+    /// until it is needed.
+    radius: Option<f64>,
     /// Boundary of the part within the radius.
     edges: Option<Vec<Edge>>,
     /// The pressure at the last yaw, unless all of the tool acts there.
@@ -57,9 +58,6 @@ impl ActingPart {
     ) -> Option<(LocalPressure, f64)> {
         let least = self.least;
         let (foundation, known) = self.meet(surface.shape.bend());
-        if known.radius == f64::INFINITY {
-            return None;
-        }
         let pressure = match known.upright {
             Some((yaw, pressure)) if yaw == heading => pressure,
             _ => {
@@ -83,8 +81,12 @@ impl ActingPart {
         if surface.shape.is_plane() {
             return None;
         }
-        let (_, known) = self.meet(surface.shape.bend());
+        let least = self.least;
+        let (foundation, known) = self.meet(surface.shape.bend());
+        let bend = known.bend;
         let radius = known.radius;
+        let radius = radius.unwrap_or_else(|| radius_at_every_yaw(foundation, &bend, least));
+        known.radius = Some(radius);
         if radius == f64::INFINITY {
             return None;
         }
@@ -109,7 +111,7 @@ impl ActingPart {
         let known = self.known.take().filter(|known| known.bend == bend);
         let known = known.unwrap_or_else(|| KnownBend {
             bend,
-            radius: radius_at_every_yaw(foundation, &bend, self.least),
+            radius: None,
             edges: None,
             upright: None,
         });

@@ -204,7 +204,9 @@ impl ElasticFoundation {
             let count = if is_in_middle {
                 (1..=LINES).take_while(|&i| acts(at(i))).count()
             } else {
-                (1..=LINES).rev().take_while(|&i| acts(at(i))).count()
+                // Lines at the ends: n of them span n − 1 steps.
+                let acting = (1..=LINES).rev().take_while(|&i| acts(at(i)));
+                acting.count().saturating_sub(1)
             };
             at(count).abs()
         });

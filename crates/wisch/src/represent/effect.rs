@@ -26,6 +26,8 @@ use rayon::prelude::*;
 
 /// Number of particles near a turning tool from which they are followed on all threads.
 const PARALLEL_FROM: usize = 1024;
+/// Turn below which a motion counts as straight if only a part of the tool acts [rad].
+const SMALL_TURN: f64 = 0.1;
 /// Number of particles of a block before a tool from which the model first checks whether any can leave the surface.
 const CHECKED_FROM: usize = 8;
 
@@ -203,7 +205,8 @@ impl EffectModel {
     }
 
     /// Sets the pressure under the tool in the motions that follow: only the part that it presses acts. `None` if the
-    /// whole footprint acts. While the tool turns, the whole footprint acts.
+    /// whole footprint acts. Motions that turn by less than 6° then count as straight. While the tool turns more, the whole
+    /// footprint acts.
     pub(crate) fn set_pressure(&mut self, pressure: Option<LocalPressure>) {
         self.pressure = pressure;
     }
@@ -294,7 +297,9 @@ impl EffectModel {
         motion: &ToolMotion,
         responds: impl FnMut(usize, Point2) -> bool,
     ) -> MotionEffect {
-        if motion.turn().abs() * self.reach < CLEARANCE {
+        let turn = motion.turn().abs();
+        let is_straight = turn * self.reach < CLEARANCE;
+        if is_straight || (self.pressure.is_some() && turn < SMALL_TURN) {
             self.translate(field, surface, motion, responds)
         } else {
             self.turn(field, surface, motion, responds)

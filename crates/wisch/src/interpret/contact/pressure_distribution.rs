@@ -116,12 +116,13 @@ impl PressureDistribution {
                     ends.map(|tool| middle + rise.dot(&self.place_under(tool, position)));
                 from.max(to).max(0.0)
             }
-            UnderTool::Bent(pressure, _) => {
+            UnderTool::Bent(pressure, [_, most]) => {
                 let way = ends.map(|tool| tool.inverse_transform(position));
                 let [from, to] = clip(&self.bounds, way).unwrap_or_else(|| {
                     ends.map(|tool| self.bounds.center() + self.place_under(tool, position))
                 });
-                pressure.largest_between(from, to)
+                // Between the pieces of a footprint, nothing presses harder than under them.
+                pressure.largest_between(from, to).min(most.max(0.0))
             }
         }
     }
