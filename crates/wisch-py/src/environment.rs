@@ -210,6 +210,9 @@ impl PyWipingWorlds {
             }
         }
         let task = task.loaded.task.clone();
+        if !task.surface.shape.is_plane() {
+            return Err(plain("these worlds have flat surfaces only"));
+        }
         let goal = task
             .goal()
             .ok_or_else(|| plain("the task states no goal of the collect; set collect.goal_m"))?;

@@ -161,14 +161,19 @@ impl Executor for PyExecutor<'_> {
         robot_state(&self.object).or_else(|error| self.raise(error))
     }
 
-    fn observe(&mut self, _: &Task) -> Result<Option<Observation>, ExecutorError> {
+    fn observe(&mut self, task: &Task) -> Result<Option<Observation>, ExecutorError> {
+        check_shape(&self.object, &task.surface).or_else(|error| self.raise(error))?;
         self.call_observe().or_else(|error| self.raise(error))
     }
 }
 
 /// Refuses a curved surface for an executor that does not state that it knows them: it would press along one normal.
 fn check_shape(object: &Bound<'_, PyAny>, surface: &Surface) -> PyResult<()> {
-    let knows = || object.getattr("accepts_curved").and_then(|stated| stated.is_truthy());
+    let knows = || {
+        object
+            .getattr("accepts_curved")
+            .and_then(|stated| stated.is_truthy())
+    };
     if surface.shape.is_plane() || knows().unwrap_or(false) {
         return Ok(());
     }

@@ -106,8 +106,20 @@ fn project_hidden(surface: &Surface, believed_from_real: &Pose, hidden: &[Vec<Po
     };
     let along = Vector2::new(libm::cos(axis), libm::sin(axis));
     let across = Vector2::new(-along.y, along.x);
+    let places = surface.outline.outer();
+    let most = |along: Vector2| {
+        let reach = places.iter().map(|p| along.dot(&p.coords).abs());
+        reach.fold(0.0, f64::max)
+    };
+    let (length, reach) = (most(along), most(across));
+    // An overhanging rim of a hollow hides what lies below it.
+    let view = if radius < 0.0 {
+        WIDEST_VIEW.min(PI - reach / radius.abs())
+    } else {
+        WIDEST_VIEW
+    };
     // A hull reaches at most to where the surface leans away.
-    let widest = radius.abs() * libm::sin(WIDEST_VIEW);
+    let widest = radius.abs() * libm::sin(view);
     let on_surface = |point: Point2| {
         let (v, u) = (along.dot(&point.coords), across.dot(&point.coords));
         let seen = Point2::from(along * v + across * u.clamp(-widest, widest));
@@ -119,17 +131,15 @@ fn project_hidden(surface: &Surface, believed_from_real: &Pose, hidden: &[Vec<Po
             Polygon::new(fine.into_iter().map(on_surface).collect(), vec![])
         })
         .collect();
-    let border = radius.abs() * WIDEST_VIEW;
-    let places = surface.outline.outer();
-    let reach = places.iter().map(|p| p.coords.norm()).fold(0.0, f64::max);
+    let border = radius.abs() * view;
     if reach > border {
         for [near, far] in [[border, reach], [-reach, -border]] {
             let corner = |v: f64, u: f64| Point2::from(along * v + across * u);
             let strip = vec![
-                corner(-reach, near),
-                corner(reach, near),
-                corner(reach, far),
-                corner(-reach, far),
+                corner(-length, near),
+                corner(length, near),
+                corner(length, far),
+                corner(-length, far),
             ];
             polygons.push(Polygon::new(strip, vec![]));
         }

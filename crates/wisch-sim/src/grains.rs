@@ -147,7 +147,8 @@ impl GrainBodies {
                 let middle = in_plate.z + height.wave - height.bend;
                 middle + grain.radius > 0.0
                     && middle < grain.radius + tool.depth
-                    && compression.pressure(under, height.over_plate(), tool) >= grain.threshold
+                    && compression.pressure(under, height.measure_over_plate(), tool)
+                        >= grain.threshold
             };
             if !is_reached {
                 held.grip = Grip::Below;

@@ -56,7 +56,7 @@ impl TreatedSurface {
             if !tool.footprint.contains(under) {
                 continue;
             }
-            let higher = plant.local_height(place.position).over_plate();
+            let higher = plant.local_height(place.position).measure_over_plate();
             let pressure = compression.pressure(under, higher, tool);
             if pressure < place.threshold {
                 continue;

@@ -86,6 +86,7 @@ class Settings:
         real = table.get("execution", {})
         refused = {
             "waviness_m": "waves in the surface",
+            "surface_radius_m": "curved surface",
             "backlash_rad": "play of the joints",
             "force_delay_s": "late forces",
             "friction_change": "changes of friction",

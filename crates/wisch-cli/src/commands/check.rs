@@ -10,7 +10,7 @@ use crate::progress::Progress;
 use crate::terminal::{Outcome, print};
 use std::collections::BTreeSet;
 use wisch::follow::{Followed, Workcell};
-use wisch::geometry::{Bounds2, Mesh, Point2, Vector3};
+use wisch::geometry::{Bounds2, Mesh, Point2};
 use wisch::plan::{BendContact, FreeSpace, NodeRole, Plan, Prediction, predict};
 use wisch::represent::{Action, GoalState, SurfaceShape, Task, dirt_friction};
 use wisch::run::{NoExecutor, Session, Stage, check_score, ignore_events};
@@ -340,8 +340,9 @@ fn slope(prepared: &LoadedTask) -> Option<String> {
         .ok()?
         .friction;
     let kind = prepared.knowledge.medium(&task.medium).ok()?.kind;
-    let normal = task.surface.world_from_surface.rotation * Vector3::z();
-    let slope = normal.z.clamp(-1.0, 1.0).acos();
+    let places = task.surface.outline.outer().iter();
+    let slopes = places.map(|place| task.surface.normal(*place).z.clamp(-1.0, 1.0).acos());
+    let slope = slopes.fold(0.0, f64::max);
     if task.action.treats() || slope.tan() <= friction {
         return None;
     }

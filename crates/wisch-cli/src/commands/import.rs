@@ -14,13 +14,14 @@ use std::io::{self, Read};
 use std::path::Path;
 use wisch::follow::Phase;
 use wisch::geometry::flatten_pose;
+use wisch::represent::Task;
 use wisch_io::{
     INTERPRETATION_FILE, LoadedTask, PARTICLES_ESTIMATED_FILE, REPORT_FILE, particles_to_csv,
 };
 use wisch_memory::catalogue::entries;
 use wisch_memory::{
     Catalogue, EpisodeHeader, EpisodeRecord, EpisodeWriter, LOG_COLUMNS, Mark, Memory, MemoryError,
-    RoundObservations, RoundScene, Value, remember_log,
+    RoundObservations, RoundScene, StoredShape, Value, remember_log,
 };
 use wisch_record::{RecordError, attach_task, begin_episode};
 use wisch_telemetry::Log;
@@ -320,8 +321,9 @@ fn write_telemetry(
     seen: &RoundObservations,
 ) -> Result<(), MemoryError> {
     let columns = LOG_COLUMNS.map(str::to_owned);
-    let (tool, surface) = (&prepared.task.tool.name, &prepared.task.surface.name);
-    let scene = RoundScene::from_log(tool, surface, &seen.world_from_surface);
+    let Task { tool, surface, .. } = &prepared.task;
+    let mut scene = RoundScene::from_log(&tool.name, &surface.name, &seen.world_from_surface);
+    scene.surface_shape = StoredShape::from_shape(&surface.shape);
     let mut telemetry = writer.telemetry_with_columns(1, scene.head(Vec::new()), &columns)?;
     // A log does not state the robot's phases.
     let mark = Mark {

@@ -16,7 +16,7 @@ use printable::printable;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
-use wisch::represent::{Observation, Task};
+use wisch::represent::{Observation, Surface, Task};
 use wisch::run::{
     Execution, Executor, ExecutorError, MotionOrder, RobotState, SampleSink, Setpoint,
 };
@@ -298,13 +298,7 @@ impl Executor for ProcessExecutor {
         if self.is_interrupted() {
             return Err(self.fault("interrupted before the motion began"));
         }
-        let surface = &order.task.surface;
-        if !surface.shape.is_plane() && !self.ready.accepts_curved {
-            let name = &surface.name;
-            return Err(self.fault(format!(
-                "surface {name:?} is curved, so that its normal differs from place to place; an executor that reads surface_shape states accepts_curved in \"ready\""
-            )));
-        }
+        self.check_shape(&order.task.surface)?;
         let intake = Intake::new(order, sink);
         self.was_stopped = false;
         self.order(order)?;
@@ -329,6 +323,7 @@ impl Executor for ProcessExecutor {
     }
 
     fn observe(&mut self, task: &Task) -> Result<Option<Observation>, ExecutorError> {
+        self.check_shape(&task.surface)?;
         self.say(&ToChild::Observe {
             surface: &task.surface.name,
         })?;
@@ -344,6 +339,17 @@ impl Executor for ProcessExecutor {
 }
 
 impl ProcessExecutor {
+    /// Refuses a curved surface for a child that does not accept one.
+    fn check_shape(&mut self, surface: &Surface) -> Result<(), ExecutorError> {
+        if surface.shape.is_plane() || self.ready.accepts_curved {
+            return Ok(());
+        }
+        let name = &surface.name;
+        Err(self.fault(format!(
+            "surface {name:?} is curved, so that its normal differs from place to place; an executor that reads surface_shape states accepts_curved in \"ready\""
+        )))
+    }
+
     /// Receives the samples of a motion until its end.
     fn receive(&mut self, mut intake: Intake<'_>) -> Result<Execution, ExecutorError> {
         let silence = (self.ready.max_silence_s).map_or(self.silence, |seconds| {

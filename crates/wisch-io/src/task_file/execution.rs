@@ -11,10 +11,10 @@ use super::values::{Share, StrokeNumber, TimeS, mask, point};
 use super::{TaskError, TaskFile};
 use crate::particles::{csv_particles, mask_particles};
 use nalgebra::{Translation3, UnitQuaternion};
-use wisch::geometry::{Mesh, Pose, Vector3};
+use wisch::geometry::{Pose, Vector3};
 use wisch::represent::{
-    DirtArea, GrainSize, KnowledgeBase, OccupiedArea, ParticleDistribution, SensorModel, Surface,
-    SurfaceShape, Task,
+    DirtArea, GrainSize, KnowledgeBase, ParticleDistribution, SensorModel, Surface, SurfaceShape,
+    Task,
 };
 use wisch_sim::{
     Camera, FrictionChange, GrainCount, Moment, Push, RealTool, Sensing, SimulationSettings,
@@ -148,7 +148,7 @@ impl TaskFile {
                 Translation3::from(vector(shift)),
                 UnitQuaternion::from_scaled_axis(Vector3::new(about_x, about_y, 0.0)),
             ),
-            shape: table.shape(&task.surface)?,
+            shape: table.shape(task)?,
             friction: table.friction.map_or(usual.friction, |x| x.0),
             friction_changes: (table.friction_change.iter())
                 .map(friction_change)
@@ -209,7 +209,8 @@ fn push(table: &At<PushTable>) -> Result<Push, TaskError> {
 
 impl ExecutionTable {
     /// Returns the true shape of a surface; `None` for the believed one.
-    fn shape(&self, surface: &Surface) -> Result<Option<SurfaceShape>, TaskError> {
+    fn shape(&self, task: &Task) -> Result<Option<SurfaceShape>, TaskError> {
+        let surface = &task.surface;
         let Some(radius) = &self.surface_radius_m else {
             return match &self.surface_axis_rad {
                 Some(axis) => Err(axis.inconsistent("is that of a cylinder; set surface_radius_m")),
@@ -228,10 +229,19 @@ impl ExecutionTable {
             shape,
             ..surface.clone()
         };
-        match real.shape_fault() {
-            Some(fault) => Err(radius.inconsistent(fault.to_string())),
-            None => Ok(Some(shape)),
+        if let Some(fault) = real.shape_fault() {
+            return Err(radius.inconsistent(fault.to_string()));
         }
+        let corners = task.tool.footprint.edges();
+        let reach = corners
+            .map(|edge| edge.start.coords.norm())
+            .fold(0.0, f64::max);
+        if reach > radius.value.0.abs() {
+            return Err(radius.inconsistent(format!(
+                "is less than the {reach:.3} m to which the tool touches from its centre"
+            )));
+        }
+        Ok(Some(shape))
     }
 
     fn tool(&self) -> RealTool {
@@ -280,10 +290,9 @@ fn true_dirt(
     task: &Task,
     assets: &mut ReadFile<'_>,
 ) -> Result<(TrueDirt, Option<usize>), TaskError> {
-    let meshes: Vec<Mesh> = task.obstacles_in_surface().collect();
     let area = DirtArea {
         outline: &task.surface.outline,
-        occupied: &OccupiedArea::from_scene(&meshes),
+        occupied: &task.occupied_area(),
     };
     let listed =
         |particles: ParticleDistribution| TrueDirt::Listed(particles.remaining().collect());

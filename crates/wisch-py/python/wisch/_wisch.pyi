@@ -134,7 +134,8 @@ class Task:
         """Largest speed of the tool in contact."""
     @property
     def surface_reaction(self) -> Floats:
-        """Force of the surface on a tool with the nominal press force, (3) in the axes of the world [N]."""
+        """Force of the surface on a tool with the nominal press force, (3) in the axes of the world [N]; of a curved
+        surface, at the origin of its chart."""
     @property
     def scene(self) -> list[SceneObject]:
         """Objects around the surface: vertices (V, 3) in the object's own frame [m], triangles (T, 3), pose (7)."""

@@ -66,7 +66,8 @@ class Executor:
         return None
 
     def observe(self):
-        """Return the camera's detections of dirt: positions (k, 2) in the frame of the believed surface [m], or a dict of
+        """Return the camera's detections of dirt: positions (k, 2) in the chart of the believed surface [m], of a
+        plane in its frame, or a dict of
         ``detections`` and ``hidden``, polygons that the camera cannot see; None without a camera."""
         return None
 

@@ -1,8 +1,8 @@
 //! The pieces of a finished round: its result, and the simulated world's ground truth.
 
 use super::particles::flat_remaining;
-use super::round::BendRecord;
 use super::samples::round_to;
+use super::surface::BendRecord;
 use super::{RoundTruth, words};
 use crate::scene::seven;
 use serde::Serialize;

@@ -13,6 +13,7 @@ mod robot;
 mod round;
 mod samples;
 mod story;
+mod surface;
 #[cfg(test)]
 mod tests;
 mod words;

@@ -5,13 +5,14 @@ use super::logged::{self, Log, LoggedRound};
 use super::particles::{Moment, ParticleStep, line, steps};
 use super::phases::{PhaseRecord, phases};
 use super::samples::{NOMINAL_SPEED, round_to, seconds_at};
+use super::surface::SurfaceRecord;
 use super::{UnexecutedPlan, words};
 use crate::prediction::frames::EffectFrames;
 use crate::scene::{MeshRecord, Meshes, Solid, seven};
 use serde::Serialize;
 use wisch::follow::Followed;
 use wisch::plan::{Plan, Strategy};
-use wisch::represent::{GoalState, ScenePart, Surface, SurfaceShape, Task};
+use wisch::represent::{GoalState, ScenePart, Task};
 use wisch::run::PlannedRound;
 
 #[derive(Serialize)]
@@ -35,41 +36,6 @@ pub(super) struct RoundPiece {
     considered: Vec<ConsideredRecord>,
     #[serde(flatten)]
     log: Option<Log>,
-}
-
-#[derive(Serialize)]
-struct SurfaceRecord {
-    pose: [f64; 7],
-    rings: Vec<Vec<i64>>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    shape: Option<BendRecord>,
-}
-
-/// The shape of a curved surface.
-#[derive(Serialize)]
-#[serde(tag = "kind", rename_all = "lowercase")]
-pub(super) enum BendRecord {
-    Plane,
-    Cylinder { radius: f64, axis: f64 },
-}
-
-impl BendRecord {
-    pub(super) const fn new(shape: &SurfaceShape) -> Self {
-        match *shape {
-            SurfaceShape::Plane => Self::Plane,
-            SurfaceShape::Cylinder { radius, axis } => Self::Cylinder { radius, axis },
-        }
-    }
-}
-
-impl SurfaceRecord {
-    fn new(surface: &Surface) -> Self {
-        Self {
-            pose: seven(&surface.world_from_surface),
-            rings: surface.outline.rings().map(line).collect(),
-            shape: (!surface.shape.is_plane()).then(|| BendRecord::new(&surface.shape)),
-        }
-    }
 }
 
 #[derive(Serialize)]

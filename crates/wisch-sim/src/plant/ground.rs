@@ -73,8 +73,8 @@ pub(crate) struct LocalHeight {
 }
 
 impl LocalHeight {
-    /// Height over the plane that carries the plate [m].
-    pub fn over_plate(&self) -> f64 {
+    /// Returns the height over the plane that carries the plate [m].
+    pub fn measure_over_plate(&self) -> f64 {
         self.over_waves + self.bend
     }
 }

@@ -131,18 +131,19 @@ fn lift_line(shape: &SurfaceShape, corners: &[Point2], height: f64) -> Vec<Point
     points
 }
 
-/// Lifts a triangle of the chart onto the surface; on a curved surface in small parts.
-fn lift_triangle(shape: &SurfaceShape, corners: [Point2; 3], lifted: &mut Vec<Point3>) {
-    let [a, b, c] = corners;
-    let turn = |from, to| shape.turn_between(from, to);
-    if turn(a, b).max(turn(b, c)).max(turn(c, a)) <= LARGEST_TURN {
-        lifted.extend(corners.map(|place| lift(shape, place, FACE_HEIGHT)));
-        return;
-    }
-    let between = |from: Point2, to: Point2| from + (to - from) / 2.0;
-    let [ab, bc, ca] = [between(a, b), between(b, c), between(c, a)];
-    for part in [[a, ab, ca], [ab, b, bc], [ca, bc, c], [ab, bc, ca]] {
-        lift_triangle(shape, part, lifted);
+/// Lifts a triangle of the chart onto the surface; on a curved surface, the edge along which the normal turns most is
+/// halved until it is straight enough.
+fn lift_triangle(shape: &SurfaceShape, [a, b, c]: [Point2; 3], lifted: &mut Vec<Point3>) {
+    let turns = [(a, b), (b, c), (c, a)].map(|(from, to)| shape.turn_between(from, to));
+    let most = turns.iter().copied().fold(0.0, f64::max);
+    if most <= LARGEST_TURN {
+        lifted.extend([a, b, c].map(|place| lift(shape, place, FACE_HEIGHT)));
+    } else if most == turns[0] {
+        let middle = a + (b - a) / 2.0;
+        lift_triangle(shape, [a, middle, c], lifted);
+        lift_triangle(shape, [middle, b, c], lifted);
+    } else {
+        lift_triangle(shape, [b, c, a], lifted);
     }
 }
 
@@ -300,6 +301,28 @@ mod tests {
 
     fn points(corners: &[[f64; 2]]) -> Vec<Point2> {
         corners.iter().map(|&[x, y]| Point2::new(x, y)).collect()
+    }
+
+    #[test]
+    fn face_and_lines_of_a_cylinder_lie_on_it() {
+        let (radius, axis) = (0.3, std::f64::consts::FRAC_PI_2);
+        let shape = SurfaceShape::Cylinder { radius, axis };
+        let from_axis = |p: &Vector3| p.x.hypot(p.z + radius);
+        let outline = Polygon::rectangle(Vector2::new(1.2, 0.4));
+        let face = surface_face(&outline, &shape);
+        assert!(face.points.len() > 100 && face.points.len() < 10_000);
+        for p in &face.points {
+            assert!((from_axis(p) - radius - FACE_HEIGHT).abs() < 1e-9, "{p:?}");
+        }
+        let stroke = lift_line(&shape, &points(&[[-0.6, 0.0], [0.6, 0.1]]), STROKE_HEIGHT);
+        // 4 rad in steps of 0.05.
+        assert_eq!(stroke.len(), 81);
+        let flat = lift_line(
+            &SurfaceShape::Plane,
+            &points(&[[-0.6, 0.0], [0.6, 0.1]]),
+            STROKE_HEIGHT,
+        );
+        assert_eq!(flat.len(), 2);
     }
 
     #[test]

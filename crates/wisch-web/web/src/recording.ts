@@ -106,7 +106,6 @@ export interface Considered {
   error: string | null;
 }
 
-/** A round before its execution, a plan without execution, or a round of an episode that was kept without a recording. */
 /** A cylinder onto which the chart of a surface is rolled: it touches the chart at the origin. */
 export interface SurfaceShape {
   kind: "cylinder";
@@ -116,6 +115,7 @@ export interface SurfaceShape {
   axis: number;
 }
 
+/** A round before its execution, a plan without execution, or a round of an episode that was kept without a recording. */
 export interface RoundPiece {
   piece: "round";
   /** Counted from 1. */
@@ -226,7 +226,7 @@ export interface TruthPiece {
   /** True pose of the surface, if known. */
   surface: Pose | null;
   /** Its true shape, if it differs from the believed one. */
-  shape?: SurfaceShape | null;
+  shape?: SurfaceShape | { kind: "plane" } | null;
 }
 
 /** The last piece. */

@@ -23,7 +23,8 @@ const solid: Check = (value) => has({ pose, kind: text })(value) && SOLIDS.get((
 const mesh = has({ vertices: list(finite), triangles: list(finite) });
 
 /** A radius of 0 would be no surface. */
-const bent: Check = (value) => has({ radius: finite, axis: finite })(value) && (value as { kind: unknown; radius: number }).kind === "cylinder" && (value as { radius: number }).radius !== 0;
+const cylinder: Check = (value) => has({ radius: finite, axis: finite })(value) && (value as { kind: unknown }).kind === "cylinder" && (value as { radius: number }).radius !== 0;
+const shaped: Check = (value) => cylinder(value) || (has({ kind: text })(value) && (value as { kind: string }).kind === "plane");
 
 const event = has({ kind: text, start: finite, end: finite, words: text });
 
@@ -41,7 +42,7 @@ const considered = has({
 });
 
 const round = has({
-  round: finite, duration: finite, root: maybe(pose), surface: has({ pose, rings: list(list(finite)), shape: maybe(bent) }), scene: list(solid), meshes: list(mesh),
+  round: finite, duration: finite, root: maybe(pose), surface: has({ pose, rings: list(list(finite)), shape: maybe(cylinder) }), scene: list(solid), meshes: list(mesh),
   goal: maybe((value) => has({ kind: text })(value) && ((value as { kind: string }).kind !== "collected" || has({ place: exactly(2), radius: finite })(value))),
   strokes: list(list(finite)), phases: list(has({ name: text, start: finite, end: finite })), predicted: maybe(finite), growth: list(interval),
   particles: list((step) => Array.isArray(step) && step.length === 3 && finite(step[0]) && some(step[1]) && some(step[2])), why: list(text), considered: maybe(list(considered)), events: maybe(list(event)), contacts: maybe(list(interval)),
@@ -56,7 +57,7 @@ const CHECKS: Partial<Record<Piece["piece"], Check>> = {
   head, round, judged,
   stage: has({ stage: text, words: text }),
   observed: has({ round: finite, detections: some }),
-  truth: has({ round: finite, performance: maybe(finite), particles: maybe(some), pushes: list(interval), surface: maybe(pose), shape: maybe(bent) }),
+  truth: has({ round: finite, performance: maybe(finite), particles: maybe(some), pushes: list(interval), surface: maybe(pose), shape: maybe(shaped) }),
   ended: has({ verdict: maybe(text), story: has({ asked: text, happened: text, sure: text, surer: text }), facts: list(list(text)) }),
 };
 

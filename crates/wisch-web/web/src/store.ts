@@ -2,7 +2,7 @@
 import { metres } from "./particles.ts";
 import { Round } from "./round.ts";
 import { checkPiece } from "./shape.ts";
-import type { EndedPiece, EventRecord, Head, MeshRecord, ObservedPiece, Piece, Pose, StagePiece, TruthPiece } from "./recording.ts";
+import type { EndedPiece, EventRecord, Head, MeshRecord, ObservedPiece, Piece, Pose, StagePiece, SurfaceShape, TruthPiece } from "./recording.ts";
 
 /** The state at a time of the common clock. */
 export interface Instant {
@@ -33,6 +33,15 @@ export interface Happening {
   byHand: boolean;
 }
 
+/** Shape of a surface; none for a plane. */
+export type Bend = SurfaceShape | null | undefined;
+
+/** Returns the true shape of a surface: the believed one if no other is stated. */
+export function trueShape(truth: TruthPiece | null, believed: Bend): Bend {
+  const shape = truth?.shape ?? believed;
+  return shape?.kind === "cylinder" ? shape : null;
+}
+
 /** Dirt and surface after a round, or before the first. */
 export interface Outcome {
   /** Time of the common clock from which the outcome holds [s]. */
@@ -40,6 +49,9 @@ export interface Outcome {
   /** Estimated and true pose of the surface. */
   pose: Pose;
   actualPose: Pose;
+  /** Believed and true shape of the surface. */
+  shape: Bend;
+  actualShape: Bend;
   estimated: Float32Array | null;
   actual: Float32Array | null;
   seen: Float32Array | null;
@@ -224,8 +236,9 @@ export class Recording {
       const round = this.rounds[i]!;
       if (round.end > t + 1e-6 || !(round.judged || round.truth || round.observed)) continue;
       const pose = round.judged?.found ?? round.plan.surface.pose;
+      const { shape } = round.plan.surface;
       return {
-        since: round.end, pose, actualPose: round.truth?.surface ?? pose,
+        since: round.end, pose, actualPose: round.truth?.surface ?? pose, shape, actualShape: trueShape(round.truth, shape),
         estimated: toMetres(round.judged?.particles),
         actual: toMetres(round.truth?.particles),
         seen: toMetres(round.observed?.detections),
@@ -233,9 +246,9 @@ export class Recording {
     }
     const [first] = this.rounds;
     if (!first || !(this.truthBefore || this.observedBefore)) return null;
-    const { pose } = first.plan.surface;
+    const { pose, shape } = first.plan.surface;
     return {
-      since: 0, pose, actualPose: this.truthBefore?.surface ?? pose, estimated: null,
+      since: 0, pose, actualPose: this.truthBefore?.surface ?? pose, shape, actualShape: trueShape(this.truthBefore, shape), estimated: null,
       actual: toMetres(this.truthBefore?.particles), seen: toMetres(this.observedBefore?.detections),
     };
   }

@@ -25,9 +25,9 @@ test("normals point away from the axis, and into a hollow", () => {
 
 test("lines and faces follow the surface between their corners", () => {
   const ring = liftLine(pipe, [[-0.4, 0, 0], [0.4, 0, 0], [0.4, 0.1, 0]], true);
-  assert.ok(ring.length > 80);
+  assert.ok(ring.length > 60);
   for (const corner of ring) assert.ok(Math.abs(fromAxis(corner, pipe) - 0.5) < 1e-9);
   const face = liftGeometry(pipe, new PlaneGeometry(0.8, 0.4)).getAttribute("position");
-  assert.ok(face.count > 3000);
+  assert.ok(face.count >= 96 && face.count < 5000, `${face.count}`);
   for (let i = 0; i < face.count; i++) assert.ok(Math.abs(fromAxis([face.getX(i), face.getY(i), face.getZ(i)], pipe) - 0.5) < 1e-6);
 });

@@ -109,7 +109,7 @@ impl ActingPart {
     fn meet(&mut self, bend: Matrix2<f64>) -> (&ElasticFoundation, &mut KnownBend) {
         let foundation = &self.foundation;
         let known = self.known.take().filter(|known| known.bend == bend);
-        let known = known.unwrap_or_else(|| KnownBend {
+        let known = known.unwrap_or(KnownBend {
             bend,
             radius: None,
             edges: None,

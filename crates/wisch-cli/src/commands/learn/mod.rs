@@ -14,7 +14,7 @@ use record::{FORMAT, LearnRecord, SCHEMA, exp, in_words, law_record};
 use rounds::{RecordedRound, Recording, recordings};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
-use wisch::geometry::{Point2, Point3};
+use wisch::geometry::Point2;
 use wisch::interpret::{Exposure, InterpretConfig, Interpreter};
 use wisch::learn::{
     GUESSES, LawObservations, LearnConfig, LearnedLaw, ObservedRound, learn as fitted,
@@ -314,9 +314,9 @@ fn seen_rounds(
         for (then, felt) in &felt {
             let then_from_now =
                 then.surface.world_from_surface.inverse() * task.surface.world_from_surface;
-            let places: Vec<Point2> = (before.detections.iter())
-                .map(|p| (then_from_now * Point3::new(p.x, p.y, 0.0)).xy())
-                .collect();
+            let places = before
+                .transform(&then_from_now, &task.surface.shape)
+                .detections;
             let felt = exposures(felt, &places).map_err(|error| fault(&error))?;
             let most = felt
                 .iter()

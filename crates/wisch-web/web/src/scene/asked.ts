@@ -3,10 +3,11 @@
 import { BufferGeometry, CanvasTexture, Float32BufferAttribute, Group, Points, PointsMaterial } from "three";
 import { colour } from "../theme.ts";
 import { hexOr } from "./path.ts";
-import { type Bend, lift } from "./bend.ts";
+import { lift } from "./bend.ts";
 import { matrix, shiftDepth } from "./solids.ts";
 import { ABOVE } from "./surface.ts";
 import type { Pose } from "../recording.ts";
+import type { Bend } from "../store.ts";
 
 export interface ShownParticles {
   name: string;

@@ -2,20 +2,22 @@
 import { BufferAttribute, BufferGeometry, Vector3 } from "three";
 import { matrix } from "./solids.ts";
 import type { RoundPiece, SurfaceShape } from "../recording.ts";
+import type { Bend } from "../store.ts";
 import type { Corner } from "./surface.ts";
 
-/** Shape of a surface; none for a plane. */
-export type Bend = SurfaceShape | null | undefined;
-
-/** Longest line that is drawn straight on a curved surface [m]. */
-const STEP_M = 0.02;
-/** Largest number of halvings of a triangle's edges. */
-const MOST_HALVINGS = 6;
+/** Largest turn of the normal along a line that is drawn straight [rad]. */
+const TURN_RAD = 0.05;
 
 /** Returns the directions along the axis of a cylinder and across it, in the chart. */
 function directions({ axis }: SurfaceShape): [[number, number], [number, number]] {
   const [c, s] = [Math.cos(axis), Math.sin(axis)];
   return [[c, s], [-s, c]];
+}
+
+/** Returns the angle by which the normal turns between two places of the chart [rad]. */
+function turnBetween(shape: SurfaceShape, from: Corner, to: Corner): number {
+  const [, across] = directions(shape);
+  return Math.abs((across[0] * (to[0] - from[0]) + across[1] * (to[1] - from[1])) / shape.radius);
 }
 
 /** Returns the point at a height over a place of the chart, in the frame of the surface [m]. */
@@ -49,7 +51,7 @@ export function liftLine(shape: Bend, corners: readonly Corner[], closed: boolea
   for (let i = 0; i < corners.length; i++) {
     const [x, y, height] = corners[i]!;
     const next = i + 1 < corners.length ? corners[i + 1]! : closed ? corners[0]! : null;
-    const parts = next ? Math.max(1, Math.ceil(Math.hypot(next[0] - x, next[1] - y) / STEP_M)) : 1;
+    const parts = next ? Math.max(1, Math.ceil(turnBetween(shape, corners[i]!, next) / TURN_RAD)) : 1;
     for (let k = 0; k < parts; k++) {
       const share = k / parts;
       const to = next ?? corners[i]!;
@@ -65,19 +67,21 @@ export function liftGeometry(shape: Bend, flat: BufferGeometry): BufferGeometry 
   const corners = flat.index ? flat.toNonIndexed() : flat;
   const { array, count } = corners.getAttribute("position");
   const positions: number[] = [];
-  const divide = (triangle: Corner[], depth: number): void => {
-    const [a, b, c] = triangle as [Corner, Corner, Corner];
-    const longest = Math.max(...[[a, b], [b, c], [c, a]].map(([p, q]) => Math.hypot(q![0] - p![0], q![1] - p![1])));
-    if (longest <= STEP_M || depth >= MOST_HALVINGS) {
-      for (const [x, y, z] of triangle) positions.push(...lift(shape, x, y, z));
-      return;
+  // The edge along which the normal turns most is halved until it is straight enough.
+  const divide = (a: Corner, b: Corner, c: Corner): void => {
+    const turn = Math.max(turnBetween(shape, a, b), turnBetween(shape, b, c), turnBetween(shape, c, a));
+    if (turn <= TURN_RAD) {
+      for (const [x, y, z] of [a, b, c]) positions.push(...lift(shape, x, y, z));
+    } else if (turn > turnBetween(shape, a, b)) divide(b, c, a);
+    else {
+      const middle: Corner = [(a[0] + b[0]) / 2, (a[1] + b[1]) / 2, (a[2] + b[2]) / 2];
+      divide(a, middle, c);
+      divide(middle, b, c);
     }
-    const between = (p: Corner, q: Corner): Corner => [(p[0] + q[0]) / 2, (p[1] + q[1]) / 2, (p[2] + q[2]) / 2];
-    const [ab, bc, ca] = [between(a, b), between(b, c), between(c, a)];
-    for (const part of [[a, ab, ca], [ab, b, bc], [ca, bc, c], [ab, bc, ca]]) divide(part, depth + 1);
   };
   for (let i = 0; i + 2 < count; i += 3) {
-    divide([0, 1, 2].map((k): Corner => [array[3 * (i + k)]!, array[3 * (i + k) + 1]!, array[3 * (i + k) + 2]!]), 0);
+    const [a, b, c] = [0, 1, 2].map((k): Corner => [array[3 * (i + k)]!, array[3 * (i + k) + 1]!, array[3 * (i + k) + 2]!]);
+    divide(a!, b!, c!);
   }
   const bent = new BufferGeometry();
   bent.setAttribute("position", new BufferAttribute(Float32Array.from(positions), 3));

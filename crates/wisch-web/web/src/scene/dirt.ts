@@ -2,9 +2,9 @@
 import { BufferAttribute, BufferGeometry, CanvasTexture, Group, Points, PointsMaterial } from "three";
 import { colour } from "../theme.ts";
 import { ABOVE } from "./surface.ts";
-import { type Bend, lift } from "./bend.ts";
+import { lift } from "./bend.ts";
 import { matrix, shiftDepth } from "./solids.ts";
-import type { Instant, Recording } from "../store.ts";
+import type { Bend, Instant, Recording } from "../store.ts";
 import type { Outcome } from "../store.ts";
 
 export type Mark = "believed" | "estimated" | "actual" | "seen";
@@ -57,7 +57,6 @@ export class Dirt {
   readonly group = new Group();
   private readonly points: Record<Mark, Points<BufferGeometry, PointsMaterial>>;
   private readonly shown = new Map<Mark, Float32Array | null>();
-  private shape: Bend = null;
   private outcome: { key: string; outcome: Outcome | null } = { key: "", outcome: null };
 
   constructor() {
@@ -81,15 +80,14 @@ export class Dirt {
     if (key !== this.outcome.key) this.outcome = { key, outcome: recording.outcomeAt(t) };
     const { outcome } = this.outcome;
     const { pose, shape } = round.plan.surface;
-    this.shape = shape;
-    this.set("believed", layers.believed ? round.particles.at(time) : null, pose, 1);
+    this.set("believed", layers.believed ? round.particles.at(time) : null, pose, shape, 1);
     const outcomePose = outcome?.pose ?? pose;
     // The previous outcome fades once the robot wipes and so changes it.
     const touched = round.start + (round.plan.phases.find(({ contact }) => contact)?.start ?? 0.5);
     const opacity = t <= Math.max(outcome?.since ?? 0, touched) ? 1 : 0.45;
-    this.set("estimated", layers.estimated ? outcome?.estimated ?? null : null, outcomePose, opacity);
-    this.set("actual", layers.actual ? outcome?.actual ?? null : null, outcome?.actualPose ?? outcomePose, opacity);
-    this.set("seen", layers.seen ? outcome?.seen ?? null : null, outcomePose, opacity);
+    this.set("estimated", layers.estimated ? outcome?.estimated ?? null : null, outcomePose, outcome?.shape, opacity);
+    this.set("actual", layers.actual ? outcome?.actual ?? null : null, outcome?.actualPose ?? outcomePose, outcome?.actualShape, opacity);
+    this.set("seen", layers.seen ? outcome?.seen ?? null : null, outcomePose, outcome?.shape, opacity);
   }
 
   /** Scales the dots to the size of crumbs, within limits of visibility. */
@@ -98,7 +96,7 @@ export class Dirt {
     for (const mark of MARKS) this.points[mark].material.size = size * SIZE[mark];
   }
 
-  private set(mark: Mark, places: Float32Array | null, pose: Parameters<typeof matrix>[0], opacity: number): void {
+  private set(mark: Mark, places: Float32Array | null, pose: Parameters<typeof matrix>[0], shape: Bend, opacity: number): void {
     const points = this.points[mark];
     points.visible = places !== null && places.length > 0;
     if (!places || !points.visible) return;
@@ -114,7 +112,7 @@ export class Dirt {
       attribute = new BufferAttribute(new Float32Array(3 * Math.max(64, 2 * count)), 3);
       points.geometry.setAttribute("position", attribute);
     }
-    for (let i = 0; i < count; i++) attribute.setXYZ(i, ...lift(this.shape, places[2 * i]!, places[2 * i + 1]!, ABOVE));
+    for (let i = 0; i < count; i++) attribute.setXYZ(i, ...lift(shape, places[2 * i]!, places[2 * i + 1]!, ABOVE));
     attribute.needsUpdate = true;
     points.geometry.setDrawRange(0, count);
   }

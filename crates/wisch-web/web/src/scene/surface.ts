@@ -6,9 +6,10 @@ import {
 import type { BufferGeometry } from "three";
 import { colour } from "../theme.ts";
 import { metres } from "../particles.ts";
-import { type Bend, liftGeometry, liftLine } from "./bend.ts";
+import { liftGeometry, liftLine } from "./bend.ts";
 import { LineMaterial, chain, segments } from "./lines.ts";
 import { geometryOf, matrix, shiftDepth } from "./solids.ts";
+import { type Bend, trueShape } from "../store.ts";
 import type { Round } from "../round.ts";
 import type { MeshRecord, Pose } from "../recording.ts";
 
@@ -75,7 +76,7 @@ export class Still {
     if (actual !== this.actualAt) {
       this.actualAt = actual;
       if (this.actual) this.group.remove(this.actual);
-      this.actual = actual ? this.outlineAt(actual, truth?.shape ?? this.round.plan.surface.shape, "actual", 0) : null;
+      this.actual = actual ? this.outlineAt(actual, trueShape(truth, this.round.plan.surface.shape), "actual", 0) : null;
       if (this.actual) this.group.add(this.actual);
     }
     if (this.found) this.found.visible = layers.found;
