@@ -49,7 +49,7 @@ fn a_plan_on_a_cylinder_is_that_of_the_plane_and_names_the_shape() {
     let start = bent.find("  \"surface_shape\"").expect("the shape");
     let contact = start + bent[start..].find("\"bend_contact\"").unwrap();
     let end = contact + bent[contact..].find("},").unwrap() + 3;
-    for key in ["\"cylinder_radius_m\": 2.0", "\"touched_share_least\": 1.0"] {
+    for key in ["\"radius_m\": 2.0", "\"touched_share_least\": 1.0"] {
         assert!(bent[start..end].contains(key), "{bent}");
     }
     assert_eq!([&bent[..start], &bent[end..]].concat(), flat);
@@ -131,9 +131,9 @@ fn a_run_on_a_cylinder_keeps_its_shape() {
     );
     let read = |name: &str| fs::read(folder.path().join("out").join(name)).unwrap();
     let page = text(&read("report.html"));
-    assert!(page.contains(r#""shape":{"kind":"cylinder","radius":2.0,"axis":0.0}"#));
+    assert!(page.contains(r#""shape":{"kind":"cylinder","radius_m":2.0,"axis_rad":0.0}"#));
     assert!(text(&read("figures/graph.svg")).contains("unrolled surface"));
-    assert!(text(&read("plan.json")).contains("\"cylinder_radius_m\": 2.0"));
+    assert!(text(&read("plan.json")).contains("\"radius_m\": 2.0"));
     // Its bag is read again, on the same surface.
     let words = ["interpret", "out/telemetry/round-1.mcap", "--task"];
     let again = command(folder.path())

@@ -5,7 +5,6 @@ use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::path::PathBuf;
 use wisch::geometry::{Pose, restore_pose};
-use wisch::represent::SurfaceShape;
 use wisch::robot::{LinkId, RobotError, RobotModel};
 use wisch::run::PlannedRound;
 
@@ -59,31 +58,6 @@ pub struct RoundScene {
     pub surface: String,
     /// Believed pose of the surface.
     pub world_from_surface: StoredPose,
-    /// Its shape; `None` for a plane.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub surface_shape: Option<StoredShape>,
-}
-
-/// The shape of a curved surface in its stored form: a cylinder that touches the surface's frame at its origin.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-pub struct StoredShape {
-    /// Radius \[m\], negative where the surface is hollow.
-    pub cylinder_radius_m: f64,
-    /// Angle of its axis from x \[rad\].
-    pub axis_rad: f64,
-}
-
-impl StoredShape {
-    /// Returns the stored form of a shape; `None` for a plane.
-    pub fn from_shape(shape: &SurfaceShape) -> Option<Self> {
-        match *shape {
-            SurfaceShape::Plane => None,
-            SurfaceShape::Cylinder { radius, axis } => Some(Self {
-                cylinder_radius_m: radius,
-                axis_rad: axis,
-            }),
-        }
-    }
 }
 
 /// A pose in its stored form.
@@ -129,7 +103,6 @@ impl RoundScene {
             tool: motion.task.tool.name.clone(),
             surface: motion.task.surface.name.clone(),
             world_from_surface: (&motion.task.surface.world_from_surface).into(),
-            surface_shape: StoredShape::from_shape(&motion.task.surface.shape),
         }
     }
 
@@ -147,7 +120,6 @@ impl RoundScene {
             tool: tool.to_owned(),
             surface: surface.to_owned(),
             world_from_surface: nowhere,
-            surface_shape: None,
         }
     }
 

@@ -21,9 +21,7 @@ pub mod telemetry;
 pub mod view;
 
 pub use catalogue::{Catalogue, CatalogueNode, IndividualId};
-pub use frames::{
-    FrameError, Frames, LOG_COLUMNS, PoseAt, RoundScene, Sampling, StoredPose, StoredShape,
-};
+pub use frames::{FrameError, Frames, LOG_COLUMNS, PoseAt, RoundScene, Sampling, StoredPose};
 pub use id::{date_and_time, episode_id, local_date_and_time};
 pub use observations::{OBSERVATIONS_SCHEMA, ObservationFault, RoundObservations};
 pub use ontology::Ontology;

@@ -21,7 +21,7 @@ use wisch_io::{
 use wisch_memory::catalogue::entries;
 use wisch_memory::{
     Catalogue, EpisodeHeader, EpisodeRecord, EpisodeWriter, LOG_COLUMNS, Mark, Memory, MemoryError,
-    RoundObservations, RoundScene, StoredShape, Value, remember_log,
+    RoundObservations, RoundScene, Value, remember_log,
 };
 use wisch_record::{RecordError, attach_task, begin_episode};
 use wisch_telemetry::Log;
@@ -322,8 +322,7 @@ fn write_telemetry(
 ) -> Result<(), MemoryError> {
     let columns = LOG_COLUMNS.map(str::to_owned);
     let Task { tool, surface, .. } = &prepared.task;
-    let mut scene = RoundScene::from_log(&tool.name, &surface.name, &seen.world_from_surface);
-    scene.surface_shape = StoredShape::from_shape(&surface.shape);
+    let scene = RoundScene::from_log(&tool.name, &surface.name, &seen.world_from_surface);
     let mut telemetry = writer.telemetry_with_columns(1, scene.head(Vec::new()), &columns)?;
     // A log does not state the robot's phases.
     let mark = Mark {

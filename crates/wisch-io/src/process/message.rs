@@ -2,9 +2,9 @@
 
 use super::VERSIONS;
 use super::intake::{DoneRecord, ObservationRecord, SampleRecord, StateRecord};
+use crate::records::ShapeRecord;
 use serde::{Deserialize, Serialize};
 use wisch::geometry::flatten_pose;
-use wisch::represent::SurfaceShape;
 use wisch::run::{MotionOrder, Setpoint};
 
 /// Range of the silence that a child permits itself during a motion [s].
@@ -46,7 +46,7 @@ pub(super) struct MotionHead {
     world_from_surface: [f64; 7],
     /// Shape of a curved surface, for children that accept it.
     #[serde(skip_serializing_if = "Option::is_none")]
-    surface_shape: Option<ShapeMessage>,
+    surface_shape: Option<ShapeRecord>,
     press_force_n: f64,
     stiffness_n_per_m: f64,
     damping_ratio: f64,
@@ -69,26 +69,6 @@ struct MountMessage {
     tip: String,
     tip_from_tool: [f64; 7],
     world_from_root: [f64; 7],
-}
-
-/// The shape onto which the outline of a curved surface is rolled.
-#[derive(Debug, Serialize)]
-#[serde(tag = "kind", rename_all = "lowercase")]
-enum ShapeMessage {
-    Cylinder { radius_m: f64, axis_rad: f64 },
-}
-
-impl ShapeMessage {
-    /// Returns the message of a shape; `None` for a plane.
-    fn from_shape(shape: &SurfaceShape) -> Option<Self> {
-        match *shape {
-            SurfaceShape::Plane => None,
-            SurfaceShape::Cylinder { radius, axis } => Some(Self::Cylinder {
-                radius_m: radius,
-                axis_rad: axis,
-            }),
-        }
-    }
 }
 
 /// A phase of a motion.
@@ -210,7 +190,7 @@ impl MotionHead {
                 .collect(),
             tool: order.task.tool.name.clone(),
             world_from_surface: flatten_pose(&order.task.surface.world_from_surface),
-            surface_shape: ShapeMessage::from_shape(&order.task.surface.shape),
+            surface_shape: ShapeRecord::from_curved(&order.task.surface.shape),
             press_force_n: interaction.contact_force(),
             stiffness_n_per_m: interaction.stiffness_n_per_m,
             damping_ratio: interaction.damping_ratio,

@@ -4,6 +4,7 @@
 //! the machine, so equal tasks and seeds give equal bytes.
 
 use serde::{Deserialize, Serialize};
+use std::fmt;
 use std::ops::RangeInclusive;
 use wisch::geometry::{PlanarPose, Point2, Pose};
 use wisch::plan::{
@@ -71,35 +72,48 @@ pub struct PlanRecord {
     pub tcp_path: Vec<WaypointRecord>,
 }
 
-/// A cylinder onto which the chart of a surface is rolled, so that it touches the xy plane of the surface frame at the origin.
+/// The shape onto which the chart of a surface is rolled, so that it touches the xy plane of the surface frame at the origin.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct ShapeRecord {
-    /// Radius \[m\], positive where it bulges towards the tool, negative where it is hollow.
-    pub cylinder_radius_m: f64,
-    /// Angle of its axis from x \[rad\].
-    pub axis_rad: f64,
+#[serde(tag = "kind", rename_all = "lowercase", deny_unknown_fields)]
+pub enum ShapeRecord {
+    /// The chart is the surface.
+    Plane,
+    /// A circular cylinder.
+    Cylinder {
+        /// Radius \[m\], positive where it bulges towards the tool, negative where it is hollow.
+        radius_m: f64,
+        /// Angle of its axis from x \[rad\].
+        axis_rad: f64,
+    },
 }
 
 impl ShapeRecord {
-    fn describe(shape: Option<Self>) -> String {
-        shape.map_or_else(
-            || "plane".to_owned(),
-            |shape| {
-                let (radius, axis) = (shape.cylinder_radius_m, shape.axis_rad);
-                format!("cylinder of radius {radius} m with its axis at {axis} rad")
-            },
-        )
+    /// Returns the record of a curved surface; `None` for a plane.
+    pub fn from_curved(shape: &SurfaceShape) -> Option<Self> {
+        (!shape.is_plane()).then(|| shape.into())
     }
+}
 
-    /// Makes the record of a shape; `None` for a plane.
-    fn new(shape: &SurfaceShape) -> Option<Self> {
+impl From<&SurfaceShape> for ShapeRecord {
+    fn from(shape: &SurfaceShape) -> Self {
         match *shape {
-            SurfaceShape::Plane => None,
-            SurfaceShape::Cylinder { radius, axis } => Some(Self {
-                cylinder_radius_m: radius,
+            SurfaceShape::Plane => Self::Plane,
+            SurfaceShape::Cylinder { radius, axis } => Self::Cylinder {
+                radius_m: radius,
                 axis_rad: axis,
-            }),
+            },
+        }
+    }
+}
+
+impl fmt::Display for ShapeRecord {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Plane => f.write_str("plane"),
+            Self::Cylinder { radius_m, axis_rad } => write!(
+                f,
+                "cylinder of radius {radius_m} m with its axis at {axis_rad} rad"
+            ),
         }
     }
 }
@@ -387,7 +401,7 @@ impl PlanRecord {
             strategy: plan.strategy.to_string(),
             seed,
             world_from_surface: (&task.surface.world_from_surface).into(),
-            surface_shape: ShapeRecord::new(&task.surface.shape),
+            surface_shape: ShapeRecord::from_curved(&task.surface.shape),
             bend_contact: BendContactRecord::new(task),
             tool_start_in_surface_m: plan.tool_start.into(),
             collision_radius_m: plan.collision_radius,
@@ -503,12 +517,12 @@ impl PlanRecord {
                 });
             }
         }
-        let shape = ShapeRecord::new(&task.surface.shape);
+        let shape = ShapeRecord::from_curved(&task.surface.shape);
         if self.surface_shape != shape {
             return Err(PlanRecordError::OtherTask {
                 what: "surface shape",
-                found: ShapeRecord::describe(self.surface_shape),
-                expected: ShapeRecord::describe(shape),
+                found: self.surface_shape.unwrap_or(ShapeRecord::Plane).to_string(),
+                expected: ShapeRecord::from(&task.surface.shape).to_string(),
             });
         }
         Ok(())

@@ -13,19 +13,22 @@ pub(super) struct SurfaceRecord {
     shape: Option<BendRecord>,
 }
 
-/// The shape of a curved surface.
+/// The shape of a surface, with the keys of plans and of the executor protocol.
 #[derive(Serialize)]
 #[serde(tag = "kind", rename_all = "lowercase")]
 pub(super) enum BendRecord {
     Plane,
-    Cylinder { radius: f64, axis: f64 },
+    Cylinder { radius_m: f64, axis_rad: f64 },
 }
 
 impl BendRecord {
     pub(super) const fn new(shape: &SurfaceShape) -> Self {
         match *shape {
             SurfaceShape::Plane => Self::Plane,
-            SurfaceShape::Cylinder { radius, axis } => Self::Cylinder { radius, axis },
+            SurfaceShape::Cylinder { radius, axis } => Self::Cylinder {
+                radius_m: radius,
+                axis_rad: axis,
+            },
         }
     }
 }

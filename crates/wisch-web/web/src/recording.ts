@@ -109,10 +109,10 @@ export interface Considered {
 /** A cylinder onto which the chart of a surface is rolled: it touches the chart at the origin. */
 export interface SurfaceShape {
   kind: "cylinder";
-  /** Positive where the surface bulges towards the tool [m]. */
-  radius: number;
+  /** Positive where the surface bulges towards the tool. */
+  radius_m: number;
   /** Angle of its axis from the chart's x [rad]. */
-  axis: number;
+  axis_rad: number;
 }
 
 /** A round before its execution, a plan without execution, or a round of an episode that was kept without a recording. */

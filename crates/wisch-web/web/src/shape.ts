@@ -23,7 +23,7 @@ const solid: Check = (value) => has({ pose, kind: text })(value) && SOLIDS.get((
 const mesh = has({ vertices: list(finite), triangles: list(finite) });
 
 /** A radius of 0 would be no surface. */
-const cylinder: Check = (value) => has({ radius: finite, axis: finite })(value) && (value as { kind: unknown }).kind === "cylinder" && (value as { radius: number }).radius !== 0;
+const cylinder: Check = (value) => has({ radius_m: finite, axis_rad: finite })(value) && (value as { kind: unknown }).kind === "cylinder" && (value as { radius_m: number }).radius_m !== 0;
 const shaped: Check = (value) => cylinder(value) || (has({ kind: text })(value) && (value as { kind: string }).kind === "plane");
 
 const event = has({ kind: text, start: finite, end: finite, words: text });

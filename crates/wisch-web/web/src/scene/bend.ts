@@ -9,15 +9,15 @@ import type { Corner } from "./surface.ts";
 const TURN_RAD = 0.05;
 
 /** Returns the directions along the axis of a cylinder and across it, in the chart. */
-function directions({ axis }: SurfaceShape): [[number, number], [number, number]] {
-  const [c, s] = [Math.cos(axis), Math.sin(axis)];
+function directions({ axis_rad }: SurfaceShape): [[number, number], [number, number]] {
+  const [c, s] = [Math.cos(axis_rad), Math.sin(axis_rad)];
   return [[c, s], [-s, c]];
 }
 
 /** Returns the angle by which the normal turns between two places of the chart [rad]. */
 function turnBetween(shape: SurfaceShape, from: Corner, to: Corner): number {
   const [, across] = directions(shape);
-  return Math.abs((across[0] * (to[0] - from[0]) + across[1] * (to[1] - from[1])) / shape.radius);
+  return Math.abs((across[0] * (to[0] - from[0]) + across[1] * (to[1] - from[1])) / shape.radius_m);
 }
 
 /** Returns the point at a height over a place of the chart, in the frame of the surface [m]. */
@@ -25,9 +25,9 @@ export function lift(shape: Bend, x: number, y: number, height: number): Corner 
   if (!shape) return [x, y, height];
   const [along, across] = directions(shape);
   const v = along[0] * x + along[1] * y;
-  const angle = (across[0] * x + across[1] * y) / shape.radius;
-  const u = (shape.radius + height) * Math.sin(angle);
-  return [along[0] * v + across[0] * u, along[1] * v + across[1] * u, height * Math.cos(angle) - 2 * shape.radius * Math.sin(angle / 2) ** 2];
+  const angle = (across[0] * x + across[1] * y) / shape.radius_m;
+  const u = (shape.radius_m + height) * Math.sin(angle);
+  return [along[0] * v + across[0] * u, along[1] * v + across[1] * u, height * Math.cos(angle) - 2 * shape.radius_m * Math.sin(angle / 2) ** 2];
 }
 
 /** Returns the normal of the surface under a point of the world, in the world. */
@@ -38,8 +38,8 @@ export function normalUnder({ pose, shape }: RoundPiece["surface"], point: Vecto
     const [, across] = directions(shape);
     const at = point.clone().applyMatrix4(worldFromSurface.clone().invert());
     // From the axis of the cylinder to the point, or back in a hollow.
-    const [u, w] = [across[0] * at.x + across[1] * at.y, at.z + shape.radius];
-    normal.set(across[0] * u, across[1] * u, w).multiplyScalar(Math.sign(shape.radius)).normalize();
+    const [u, w] = [across[0] * at.x + across[1] * at.y, at.z + shape.radius_m];
+    normal.set(across[0] * u, across[1] * u, w).multiplyScalar(Math.sign(shape.radius_m)).normalize();
   }
   return normal.transformDirection(worldFromSurface);
 }
