@@ -131,20 +131,39 @@ fn lift_line(shape: &SurfaceShape, corners: &[Point2], height: f64) -> Vec<Point
     points
 }
 
-/// Lifts a triangle of the chart onto the surface; on a curved surface, the edge along which the normal turns most is
-/// halved until it is straight enough.
-fn lift_triangle(shape: &SurfaceShape, [a, b, c]: [Point2; 3], lifted: &mut Vec<Point3>) {
-    let turns = [(a, b), (b, c), (c, a)].map(|(from, to)| shape.turn_between(from, to));
-    let most = turns.iter().copied().fold(0.0, f64::max);
-    if most <= LARGEST_TURN {
-        lifted.extend([a, b, c].map(|place| lift(shape, place, FACE_HEIGHT)));
-    } else if most == turns[0] {
-        let middle = a + (b - a) / 2.0;
-        lift_triangle(shape, [a, middle, c], lifted);
-        lift_triangle(shape, [middle, b, c], lifted);
-    } else {
-        lift_triangle(shape, [b, c, a], lifted);
+/// Lifts a triangle of the chart onto the surface; on a curved surface in strips along the axis.
+fn lift_triangle(shape: &SurfaceShape, corners: [Point2; 3], lifted: &mut Vec<Point3>) {
+    let rolls = corners.map(|place| shape.roll(place) / LARGEST_TURN);
+    let low = rolls.iter().copied().fold(f64::INFINITY, f64::min).floor();
+    let high = rolls.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+    let mut strip = low;
+    while strip < high.max(low + 0.5) {
+        let from = keep_inside(&corners, |place| shape.roll(place) / LARGEST_TURN - strip);
+        let part = keep_inside(&from, |place| {
+            strip + 1.0 - shape.roll(place) / LARGEST_TURN
+        });
+        if let [first, rest @ ..] = part.as_slice() {
+            let fan = rest.windows(2).flat_map(|pair| [*first, pair[0], pair[1]]);
+            lifted.extend(fan.map(|place| lift(shape, place, FACE_HEIGHT)));
+        }
+        strip += 1.0;
     }
+}
+
+/// Returns the part of a convex polygon where a linear function is at least 0.
+fn keep_inside(polygon: &[Point2], inside: impl Fn(Point2) -> f64) -> Vec<Point2> {
+    let mut kept = Vec::with_capacity(polygon.len() + 1);
+    let next = polygon.iter().cycle().skip(1);
+    for (corner, next) in polygon.iter().zip(next) {
+        let (here, there) = (inside(*corner), inside(*next));
+        if here >= 0.0 {
+            kept.push(*corner);
+        }
+        if (here >= 0.0) != (there >= 0.0) {
+            kept.push(corner + (next - corner) * (here / (here - there)));
+        }
+    }
+    kept
 }
 
 /// Draws the surface, the objects around it, and the goal area.
@@ -310,7 +329,8 @@ mod tests {
         let from_axis = |p: &Vector3| p.x.hypot(p.z + radius);
         let outline = Polygon::rectangle(Vector2::new(1.2, 0.4));
         let face = surface_face(&outline, &shape);
-        assert!(face.points.len() > 100 && face.points.len() < 10_000);
+        // 80 strips of two triangles each, twice along the diagonal.
+        assert!((480..2000).contains(&face.points.len()));
         for p in &face.points {
             assert!((from_axis(p) - radius - FACE_HEIGHT).abs() < 1e-9, "{p:?}");
         }

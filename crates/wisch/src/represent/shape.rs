@@ -156,6 +156,17 @@ impl SurfaceShape {
         }
     }
 
+    /// Returns the angle about the axis of a cylinder from the chart's origin to a place \[rad\]; 0 on a plane.
+    pub fn roll(&self, place: Point2) -> f64 {
+        match *self {
+            Self::Plane => 0.0,
+            Self::Cylinder { radius, axis } => {
+                let [_, across] = directions(axis);
+                across.dot(&place.coords) / radius
+            }
+        }
+    }
+
     /// Returns the angle by which the normal turns between two places of the chart \[rad\].
     pub fn turn_between(&self, from: Point2, to: Point2) -> f64 {
         match *self {

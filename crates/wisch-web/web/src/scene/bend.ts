@@ -61,27 +61,42 @@ export function liftLine(shape: Bend, corners: readonly Corner[], closed: boolea
   return lifted;
 }
 
+/** Returns the part of a convex polygon where a linear function is at least 0. */
+function keepInside(polygon: readonly Corner[], inside: (at: Corner) => number): Corner[] {
+  const kept: Corner[] = [];
+  polygon.forEach((corner, i) => {
+    const next = polygon[(i + 1) % polygon.length]!;
+    const [here, there] = [inside(corner), inside(next)];
+    if (here >= 0) kept.push(corner);
+    if (here >= 0 !== there >= 0) {
+      const share = here / (here - there);
+      kept.push([corner[0] + share * (next[0] - corner[0]), corner[1] + share * (next[1] - corner[1]), corner[2] + share * (next[2] - corner[2])]);
+    }
+  });
+  return kept;
+}
+
 /** Lifts a flat geometry, whose triangles are divided until they are small; a plane keeps it. */
 export function liftGeometry(shape: Bend, flat: BufferGeometry): BufferGeometry {
   if (!shape) return flat;
   const corners = flat.index ? flat.toNonIndexed() : flat;
   const { array, count } = corners.getAttribute("position");
   const positions: number[] = [];
-  // The edge along which the normal turns most is halved until it is straight enough.
-  const divide = (a: Corner, b: Corner, c: Corner): void => {
-    const turn = Math.max(turnBetween(shape, a, b), turnBetween(shape, b, c), turnBetween(shape, c, a));
-    if (turn <= TURN_RAD) {
-      for (const [x, y, z] of [a, b, c]) positions.push(...lift(shape, x, y, z));
-    } else if (turn > turnBetween(shape, a, b)) divide(b, c, a);
-    else {
-      const middle: Corner = [(a[0] + b[0]) / 2, (a[1] + b[1]) / 2, (a[2] + b[2]) / 2];
-      divide(a, middle, c);
-      divide(middle, b, c);
+  // Strips along the axis are straight enough.
+  const [, across] = directions(shape);
+  const roll = ([x, y]: Corner): number => (across[0] * x + across[1] * y) / shape.radius_m / TURN_RAD;
+  const divide = (triangle: Corner[]): void => {
+    const rolls = triangle.map(roll);
+    const low = Math.floor(Math.min(...rolls));
+    for (let strip = low; strip < Math.max(...rolls, low + 0.5); strip++) {
+      const part = keepInside(keepInside(triangle, (at) => roll(at) - strip), (at) => strip + 1 - roll(at));
+      for (let k = 1; k + 1 < part.length; k++) {
+        for (const [x, y, z] of [part[0]!, part[k]!, part[k + 1]!]) positions.push(...lift(shape, x, y, z));
+      }
     }
   };
   for (let i = 0; i + 2 < count; i += 3) {
-    const [a, b, c] = [0, 1, 2].map((k): Corner => [array[3 * (i + k)]!, array[3 * (i + k) + 1]!, array[3 * (i + k) + 2]!]);
-    divide(a!, b!, c!);
+    divide([0, 1, 2].map((k): Corner => [array[3 * (i + k)]!, array[3 * (i + k) + 1]!, array[3 * (i + k) + 2]!]));
   }
   const bent = new BufferGeometry();
   bent.setAttribute("position", new BufferAttribute(Float32Array.from(positions), 3));
