@@ -82,7 +82,10 @@ pub struct ReadError {
 /// Describes an error of the operating system, as other crates do.
 fn system_fault(error: &std::io::Error) -> String {
     match error.kind() {
-        std::io::ErrorKind::NotFound => "there is no such file".to_owned(),
+        // An error of this crate has a text of its own.
+        std::io::ErrorKind::NotFound if error.raw_os_error().is_some() => {
+            "there is no such file".to_owned()
+        }
         _ => error.to_string(),
     }
 }

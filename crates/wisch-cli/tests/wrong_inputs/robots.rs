@@ -145,7 +145,7 @@ pub fn cases() -> Vec<Case> {
             &[
                 "task.toml: the robot cannot start",
                 "\"board\"",
-                "the limit is 0.005 m",
+                "expected at least 0.005 m",
             ],
         ),
         Case {
@@ -208,19 +208,19 @@ pub fn cases() -> Vec<Case> {
             "voxels of no size",
             "--voxel-m",
             "0",
-            &["map.voxel: 0 is outside 0.001 to 10"],
+            &["--voxel-m 0 is outside its limits: at least 0.001 and at most 10"],
         ),
         map(
             "voxels below no size",
             "--voxel-m",
             "-1",
-            &["map.voxel: -1 is outside 0.001 to 10"],
+            &["--voxel-m -1 is outside its limits: at least 0.001 and at most 10"],
         ),
         map(
             "voxels of NaN",
             "--voxel-m",
             "nan",
-            &["map.voxel: NaN is outside"],
+            &["--voxel-m NaN is outside"],
         ),
         map("voxels beyond memory", "--voxel-m", "0.001", &["voxel"]),
         map(
