@@ -20,7 +20,7 @@ use super::{Interaction, LogNormal};
 use crate::geometry::{Bounds2, Edge, Point2, Region, Vector2, encloses};
 use nalgebra::{Matrix2, Rotation2};
 
-/// Compression of a tool that counts as rigid [m]: a dense rubber lip or a hard plate still gives way by about a tenth
+/// Compression of a tool that counts as rigid \[m\]: a dense rubber lip or a hard plate still gives way by about a tenth
 /// of a millimetre.
 pub const RIGID_COMPRESSION: f64 = 1e-4;
 /// Largest pressure over the nominal one \[1\]: foam that is compressed twice as far as at nominal force begins to bottom

@@ -205,7 +205,7 @@ impl Surface {
             .map(|(_, index)| index)
     }
 
-    /// Returns the body under the surface down to a depth [m], in the surface frame: the outline with its holes, as a
+    /// Returns the body under the surface down to a depth \[m\], in the surface frame: the outline with its holes, as a
     /// closed mesh. Of a cylinder, facets replace the surface.
     ///
     /// # Errors
