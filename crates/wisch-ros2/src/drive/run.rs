@@ -142,15 +142,15 @@ impl<'a> MotionRun<'a> {
         let Err(ending) = followed.and_then(|()| self.settle()) else {
             return (MotionEnding::Complete, true);
         };
-        if self.hold() {
+        let Err(missing) = self.hold() else {
             return (ending, true);
-        }
+        };
         let reason = match ending {
             MotionEnding::Deserted => return (MotionEnding::Deserted, false),
             MotionEnding::Stop(_, reason) => reason,
             MotionEnding::Stopped | MotionEnding::Complete => "stopped on request".to_owned(),
         };
-        let reason = format!("{reason}; the robot has not confirmed that it rests");
+        let reason = format!("{reason}; the robot has not confirmed that it rests: {missing}");
         (MotionEnding::Stop(Kind::LinkLost, reason), false)
     }
 
@@ -624,8 +624,11 @@ impl<'a> MotionRun<'a> {
         }
     }
 
-    /// Cancels the goal and ends force mode, again and again. Returns whether the robot has confirmed that and rests.
-    fn hold(&mut self) -> bool {
+    /// Cancels the goal and ends force mode, again and again, until the robot has confirmed that and rests.
+    ///
+    /// # Errors
+    /// What it has not confirmed.
+    fn hold(&mut self) -> Result<(), String> {
         let mut is_canceled = self.goal.is_none();
         let mut is_released = !self.is_pressing || self.robot.force.is_none();
         let (mut canceling, mut releasing) = (None, None);
@@ -657,10 +660,18 @@ impl<'a> MotionRun<'a> {
             if is_canceled && is_released && rests {
                 self.goal = None;
                 self.is_pressing = false;
-                return true;
+                return Ok(());
             }
         }
-        false
+        let seconds = HOLD.as_secs_f64();
+        let fastest = (self.latest.velocities.iter()).fold(0.0_f64, |most, v| most.max(v.abs()));
+        Err(match (is_canceled, is_released) {
+            (false, _) => format!("no answer to the cancel of its goal within {seconds} s"),
+            (true, false) => format!("force mode was not ended within {seconds} s"),
+            (true, true) => format!(
+                "after {seconds} s a joint moves at {fastest:.3} rad/s or m/s, the limit is {REST}"
+            ),
+        })
     }
 
     /// Whether the robot no longer executes the goal, and will not begin it. A cancel may arrive before its goal: then it
