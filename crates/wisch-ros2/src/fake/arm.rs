@@ -8,6 +8,8 @@ use wisch::follow::TrajectorySample;
 const PRESS_RAMP: f64 = 0.2;
 /// Speed at which `move` displaces a joint [rad/s].
 const MOVE_SPEED: f64 = 0.5;
+/// Deceleration of each joint when its goal ends early [rad/s² or m/s²].
+const BRAKING: f64 = 5.0;
 
 /// A trajectory that the controller follows.
 struct Followed {
@@ -108,6 +110,8 @@ impl FakeArm {
                 self.setpoint.qd[i] = state[1] * scaling;
                 self.setpoint.qdd[i] = state[2] * scaling * scaling;
             }
+        } else {
+            self.brake(period);
         }
         for (i, left) in self.displaced.iter_mut().enumerate() {
             let step = left.clamp(-MOVE_SPEED * period, MOVE_SPEED * period);
@@ -133,11 +137,21 @@ impl FakeArm {
         is_over
     }
 
-    /// Ends the trajectory and stays at the setpoint.
+    /// Ends the trajectory, brakes, and stays.
     pub fn hold(&mut self) {
         self.trajectory = None;
-        self.setpoint.qd.fill(0.0);
-        self.setpoint.qdd.fill(0.0);
+    }
+
+    /// Slows the setpoint down for one period [s]. Robots brake when a goal ends early: the force of the compliant arm is
+    /// limited, so that it would swing for seconds if the setpoint stood still at once.
+    fn brake(&mut self, period: f64) {
+        let TrajectorySample { q, qd, qdd, .. } = &mut self.setpoint;
+        for ((q, qd), qdd) in q.iter_mut().zip(qd).zip(qdd) {
+            let slowed = qd.clamp(-BRAKING * period, BRAKING * period);
+            *q += *qd * period;
+            *qd -= slowed;
+            *qdd = -slowed / period;
+        }
     }
 
     /// Presses with a force [N], or not at all.
@@ -244,6 +258,31 @@ mod tests {
 
     fn arm() -> FakeArm {
         FakeArm::new(vec!["a".to_owned(), "b".to_owned()], &[0.0, 0.0], 5.0)
+    }
+
+    #[test]
+    fn a_goal_that_ends_early_is_braked_to_rest() {
+        let mut arm = arm();
+        arm.begin(&goal(&["a", "b"], [2.0, 1.0])).unwrap();
+        for _ in 0..500 {
+            arm.advance(0.001);
+        }
+        let speed = arm.setpoint.qd[0];
+        assert!(speed > 1.0, "{speed}");
+        arm.hold();
+        let (setpoint, _) = arm.advance(0.001);
+        assert!((setpoint.qdd[0] + BRAKING).abs() < 1e-9 && setpoint.qd[0] < speed);
+        let begin = setpoint.q[0];
+        for _ in 0..1000 {
+            arm.advance(0.001);
+        }
+        assert_eq!((arm.setpoint.qd[0], arm.setpoint.qdd[0]), (0.0, 0.0));
+        // v²/2a
+        let way = arm.setpoint.q[0] - begin;
+        assert!(
+            (way - speed * speed / (2.0 * BRAKING)).abs() < 0.01,
+            "{way}"
+        );
     }
 
     #[test]
