@@ -6,12 +6,13 @@ mod record;
 mod report;
 
 use self::checked::check;
-use self::measures::{needed_compression, principal_curvatures};
+use self::measures::principal_curvatures;
 use self::record::check_record;
 use self::report::report;
 use crate::args::{GlobalArgs, SurfaceCheckArgs};
 use crate::failure::Failure;
 use crate::terminal::{Outcome, print};
+use wisch::represent::find_needed_compression;
 use wisch_report::{SheetInput, sheet_drawing};
 
 /// Reads the mesh, unrolls it, and reports on it.
@@ -31,7 +32,7 @@ pub fn check_surface(args: &SurfaceCheckArgs, global: &GlobalArgs) -> Result<Out
             sheet,
             stretch_limit: args.stretch_limit,
             needed_compression: &|point| {
-                needed_compression(principal_curvatures(&point.bend), args.tool_size)
+                find_needed_compression(principal_curvatures(&point.bend), args.tool_size)
             },
             compression_depth: args.compression_depth_m,
         });

@@ -280,7 +280,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_contact_is_told_with_its_share_and_the_tool_that_would_fit() {
+    fn the_text_of_a_contact_states_the_share_and_the_length_that_would_fit() {
         let contact = BendContact {
             touched_share: [0.391, 0.55],
             pressure: [0.0, 3.85],

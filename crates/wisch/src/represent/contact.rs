@@ -53,6 +53,30 @@ pub fn effective_pressure(likelihood: &LogNormal) -> f64 {
     libm::exp(likelihood.mu).min(MAX_EFFECTIVE)
 }
 
+/// Returns the compression at nominal force \[m\] with which a rectangular pad touches with its whole footprint, in the
+/// better of the two ways to lay its sides along the principal directions.
+///
+/// The pressure is least at the corners on bulges and in the middle in hollows, so that Σ κL²/12 over bulges and
+/// Σ |κ|L²/24 over hollows are needed together.
+///
+/// # Parameters
+/// - `curvatures`: principal curvatures \[1/m\], positive where the surface bulges towards the tool.
+/// - `sides`: sides of the pad \[m\].
+///
+/// ```
+/// use wisch::represent::find_needed_compression;
+/// // The short side lies across a bulge of radius 0.5 m: 2 · 0.06² / 12.
+/// assert!((find_needed_compression([2.0, 0.0], [0.1, 0.06]) - 0.0006).abs() < 1e-12);
+/// ```
+pub fn find_needed_compression(curvatures: [f64; 2], sides: [f64; 2]) -> f64 {
+    let needed = |curvature: f64, side: f64| {
+        let share = if curvature > 0.0 { 12.0 } else { 24.0 };
+        curvature.abs() * side * side / share
+    };
+    let ([one, other], [x, y]) = (curvatures, sides);
+    (needed(one, x) + needed(other, y)).min(needed(one, y) + needed(other, x))
+}
+
 /// The elastic foundation of a tool: its footprint, and its compression at nominal force.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ElasticFoundation {

@@ -23,6 +23,7 @@ mod treatment;
 
 pub use contact::{
     ElasticFoundation, LocalPressure, MAX_PRESSURE, RIGID_COMPRESSION, effective_pressure,
+    find_needed_compression,
 };
 pub use effect::{EffectModel, MotionEffect};
 pub use field::ParticleField;

@@ -2,6 +2,7 @@
 
 use serde::Serialize;
 use wisch::geometry::{Point3, Sheet, Vector3};
+use wisch::represent::find_needed_compression;
 
 /// A value and where on the mesh it occurs.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
@@ -56,7 +57,7 @@ impl Measures {
             if smaller < hollow.value {
                 hollow = PlacedValue::new(smaller, vertex.point);
             }
-            let compression = needed_compression([larger, smaller], tool_size);
+            let compression = find_needed_compression([larger, smaller], tool_size);
             if compression > needed.value {
                 needed = PlacedValue::new(compression, vertex.point);
             }
@@ -96,56 +97,4 @@ pub(super) fn principal_curvatures(bend: &nalgebra::Matrix2<f64>) -> [f64; 2] {
     let twist = 0.5 * (bend[(0, 1)] + bend[(1, 0)]);
     let radius = (half * half + twist * twist).sqrt();
     [mean + radius, mean - radius]
-}
-
-/// Returns the compression [m] with which a rectangular pad of even stiffness touches with its whole footprint, in the
-/// better of the two ways to lay its sides along the principal directions.
-///
-/// Under the pad of mean compression δ, the surface is lower than its tangent plane by ½(κ₁x² + κ₂y²). The least
-/// compression is δ − Σ κL²/12 over bulges (at the corners) − Σ |κ|L²/24 over hollows (in the middle).
-pub(super) fn needed_compression([larger, smaller]: [f64; 2], [x, y]: [f64; 2]) -> f64 {
-    let along = |curvature: f64, side: f64| {
-        let share = if curvature > 0.0 { 12.0 } else { 24.0 };
-        curvature.abs() * side * side / share
-    };
-    (along(larger, x) + along(smaller, y)).min(along(larger, y) + along(smaller, x))
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_pad_lies_on_bulges_and_in_hollows_up_to_the_closed_forms() {
-        // 10 × 6 cm with 10 mm: bulges of 8.3 cm radius across, balls of 11.3 cm, hollows of 4.2 cm, bowls of 5.7 cm. A
-        // cylinder is met across its long side if it has no other choice, which a square pad has not.
-        let pad = [0.1, 0.06];
-        let square = [0.1, 0.1];
-        assert!((needed_compression([1.0 / 0.0833, 0.0], square) - 0.01).abs() < 1e-4);
-        assert!((needed_compression([1.0 / 0.1133, 1.0 / 0.1133], pad) - 0.01).abs() < 1e-4);
-        assert!((needed_compression([0.0, -1.0 / 0.0417], square) - 0.01).abs() < 1e-4);
-        assert!((needed_compression([-1.0 / 0.0567, -1.0 / 0.0567], pad) - 0.01).abs() < 1e-4);
-        // The short side goes across the bend.
-        assert!((needed_compression([12.0, 0.0], pad) - 0.0036).abs() < 1e-9);
-        let numeric = |[k1, k2]: [f64; 2], [x, y]: [f64; 2]| {
-            let depth = |i: i32, j: i32| {
-                let (u, v) = (x * f64::from(i) / 200.0, y * f64::from(j) / 200.0);
-                -0.5 * (k1 * u * u + k2 * v * v)
-            };
-            let range = || (-100..=100).flat_map(|i| (-100..=100).map(move |j| (i, j)));
-            let mean = range().map(|(i, j)| depth(i, j)).sum::<f64>() / 201.0 / 201.0;
-            mean - range()
-                .map(|(i, j)| depth(i, j))
-                .fold(f64::INFINITY, f64::min)
-        };
-        for bends in [[2.0, 2.0], [2.0, -2.0], [-4.0, -4.0], [11.5, -0.3]] {
-            let [one, other] = [pad, [pad[1], pad[0]]].map(|sides| numeric(bends, sides));
-            let expected = one.min(other);
-            let found = needed_compression(bends, pad);
-            assert!(
-                (found / expected - 1.0).abs() < 0.02,
-                "{bends:?}: {found} {expected}"
-            );
-        }
-    }
 }

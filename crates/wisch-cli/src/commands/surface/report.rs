@@ -127,19 +127,16 @@ fn describe_repairs(survey: &MeshSurvey) -> Option<String> {
 }
 
 fn describe_borders(survey: &MeshSurvey) -> String {
-    let lengths = &survey.border_lengths;
-    let outer = lengths.first().copied().unwrap_or(0.0);
-    match lengths.len() {
-        0 | 1 => format!("{outer:.3} m, no hole"),
-        count => {
-            let holes = lengths[1..]
-                .iter()
-                .take(3)
-                .map(|length| format!("{length:.3}"));
-            let rest = if count > 4 { ", ..." } else { "" };
+    match survey.border_lengths.as_slice() {
+        [] => "none: the surface is closed".to_owned(),
+        [outer] => format!("{outer:.3} m, no hole"),
+        [outer, holes @ ..] => {
+            let count = holes.len();
+            let holes = holes.iter().take(3).map(|length| format!("{length:.3}"));
+            let rest = if count > 3 { ", ..." } else { "" };
             format!(
                 "{outer:.3} m; {} of {}{rest} m around",
-                counted(count - 1, "hole"),
+                counted(count, "hole"),
                 holes.collect::<Vec<_>>().join(", ")
             )
         }

@@ -244,3 +244,31 @@ fn the_largest_pressure_on_a_straight_way_is_that_of_its_places() {
     let c = tool.press_upright(&bend(8.0, 0.0), FRAC_PI_2).middle;
     assert!((a - c).abs() < 1e-9 && (a - b).abs() > 0.1);
 }
+
+#[test]
+fn the_needed_compression_is_that_at_which_the_least_pressure_vanishes() {
+    let [x, y] = PAD;
+    for curvatures in [
+        [2.0, 0.0],
+        [2.0, 2.0],
+        [2.0, -2.0],
+        [-4.0, -4.0],
+        [11.5, -0.3],
+        [0.0, -3.0],
+    ] {
+        let [one, other] = curvatures;
+        let needed = find_needed_compression(curvatures, PAD);
+        // Of the two ways to lay the pad, the better one just touches everywhere.
+        let least = |along, across| {
+            let tool = ElasticFoundation::new(&pad(), needed).unwrap();
+            let pressure = tool.press(1.0, Vector2::zeros(), &bend(along, across));
+            tool.range(&pressure)[0]
+        };
+        let (this, that) = (least(one, other), least(other, one));
+        let found = this.max(that);
+        assert!(
+            found.abs() < 1e-6,
+            "{curvatures:?} on {x} x {y}: {this} {that}"
+        );
+    }
+}
