@@ -3,7 +3,9 @@ import { BufferAttribute, BufferGeometry, Vector3 } from "three";
 import { matrix } from "./solids.ts";
 import type { RoundPiece, SurfaceShape } from "../recording.ts";
 import type { Bend } from "../store.ts";
-import type { Corner } from "./surface.ts";
+
+/** x and y in the chart, and the height over it; or x, y, z in the frame of the surface [m]. */
+export type Corner = [number, number, number];
 
 /** Largest turn of the normal along a line that is drawn straight [rad]. */
 const TURN_RAD = 0.05;

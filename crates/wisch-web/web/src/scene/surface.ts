@@ -6,7 +6,7 @@ import {
 import type { BufferGeometry } from "three";
 import { colour } from "../theme.ts";
 import { metres } from "../particles.ts";
-import { liftGeometry, liftLine } from "./bend.ts";
+import { type Corner, liftGeometry, liftLine } from "./bend.ts";
 import { LineMaterial, chain, segments } from "./lines.ts";
 import { geometryOf, matrix, shiftDepth } from "./solids.ts";
 import { type Bend, trueShape } from "../store.ts";
@@ -15,8 +15,6 @@ import type { MeshRecord, Pose } from "../recording.ts";
 
 /** Height above the surface at which flat items are drawn [m]. */
 export const ABOVE = 0.0015;
-
-export type Corner = [number, number, number];
 
 /** Converts positions (x, y alternating) to corners above the surface. */
 export function corners(places: number[], above = ABOVE): Corner[] {
