@@ -81,9 +81,11 @@ fn recordings(view: &mut View, memory: &Memory) -> Vec<(String, Vec<u8>)> {
 
 /// Returns the task of an episode; `None` if it or one of its files is missing.
 fn task_of(episode: &Episode) -> Option<LoadedTask> {
-    let options = episode.attachment("options.json").ok();
-    let options = options.and_then(|bytes| serde_json::from_slice::<Options>(&bytes).ok());
-    let options = options.unwrap_or_default();
+    // Without the settings of the run, another task would be shown. Episodes of imported logs have none.
+    let options = match episode.attachment("options.json") {
+        Ok(bytes) => serde_json::from_slice(&bytes).ok()?,
+        Err(_) => Options::default(),
+    };
     let args = TaskArgs {
         task: episode.folder().join("task.toml"),
         strategy: options.strategy.and_then(|name| name.parse().ok()),
