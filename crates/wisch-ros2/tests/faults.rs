@@ -383,7 +383,7 @@ fn an_executor_that_is_suspended_leaves_no_goal_behind() {
             check_guard(fake, suspended.join().unwrap(), 0.5);
             ending
         });
-        // On a loaded computer, wisch gives the executor up before it says how the motion has ended.
+        // On a loaded computer, wisch ends the executor before the executor has stated the ending.
         match ending {
             Ok(Ending::ProtectiveStop { cause, .. }) => {
                 assert_eq!(cause.kind(), StopKind::LinkLost, "{cause}");
