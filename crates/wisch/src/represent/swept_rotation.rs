@@ -25,6 +25,8 @@ const MAX_EVENTS: usize = 64;
 const SLIDING_TURN: f64 = 0.02;
 /// Distance from the turning point of an edge within which a particle is at it [m].
 const AT_TURNING_POINT: f64 = 1e-7;
+/// Largest distance from the boundary of a particle that an earlier motion carried [m].
+const LEFT_BEHIND: f64 = 2.0 * CLEARANCE;
 /// Largest rotation between two samples of a carried particle's path [rad].
 const SAMPLED_TURN: f64 = 0.05;
 const MAX_WAY: usize = 64;
@@ -125,7 +127,8 @@ impl<'a> SweptRotation<'a> {
     /// Returns the path along which the tool carries a particle; `None` if it never touches the particle.
     pub(super) fn ride(&self, particle: Point2) -> Option<Way> {
         let mut t = 0.0;
-        let mut touch = self.lift_onto_boundary(self.in_tool(particle, 0.0));
+        let at_start = self.in_tool(particle, 0.0);
+        let mut touch = (self.lift_onto_boundary(at_start)).or_else(|| self.keep_touch(at_start));
         if touch.is_none() {
             let (entry, new) = self.entry(particle, 0.0, 1.0)?;
             (t, touch) = (entry, Some(new));
@@ -143,8 +146,7 @@ impl<'a> SweptRotation<'a> {
             let release = self.release(held, t).min(1.0);
             self.follow(&mut way, t, release, held.edge, |_| held.point_in_tool);
             t = release;
-            let turning_point = self.turning_point(held.edge, release);
-            if (turning_point - held.point_in_tool).norm() < AT_TURNING_POINT {
+            if self.is_at_turning_point(held, release) {
                 t = self.slides_until(held.edge, release);
                 self.follow(&mut way, release, t, held.edge, |t| {
                     self.turning_point(held.edge, t)
@@ -181,6 +183,11 @@ impl<'a> SweptRotation<'a> {
         let lever = Vector2::new(-edge.start.y, edge.start.x);
         let s = normal.dot(&self.travel_in_tool(t)) / self.turn + normal.dot(&lever);
         edge.start + along * s
+    }
+
+    fn is_at_turning_point(&self, touch: Touch, t: f64) -> bool {
+        let turning_point = self.turning_point(touch.edge, t);
+        (turning_point - touch.point_in_tool).norm() < AT_TURNING_POINT
     }
 
     /// Whether a particle at the turning point slides: the boundary would recede if it rode, and come over it if it
@@ -302,6 +309,35 @@ impl<'a> SweptRotation<'a> {
             })
     }
 
+    /// Returns where the boundary goes on to carry a particle that an earlier motion left at it. Without it, the particle
+    /// would rest until the boundary has passed the clearance, which takes the longer the more slowly it advances.
+    fn keep_touch(&self, point_in_tool: Point2) -> Option<Touch<'a>> {
+        let point = Edge {
+            start: point_in_tool,
+            end: point_in_tool,
+        };
+        if self.passes(&point, LEFT_BEHIND) {
+            return None;
+        }
+        self.edges.iter().find_map(|edge| {
+            let along = edge.end - edge.start;
+            let from_start = point_in_tool - edge.start;
+            let share = from_start.dot(&along) / along.norm_squared();
+            let normal = outward(edge);
+            let gap = from_start.dot(&normal);
+            if !(0.0..=1.0).contains(&share) || !(0.0..=LEFT_BEHIND).contains(&gap) {
+                return None;
+            }
+            let touch = Touch {
+                point_in_tool: point_in_tool - normal * gap,
+                edge,
+            };
+            let advances = self.velocity(touch.point_in_tool, 0.0).dot(&normal) > 0.0;
+            let slides = self.is_at_turning_point(touch, 0.0) && self.slides(edge, 0.0);
+            (advances || slides).then_some(touch)
+        })
+    }
+
     /// Returns the first time in [from, to] at which a resting particle comes under the footprint.
     fn entry(&self, particle: Point2, from: f64, to: f64) -> Option<(f64, Touch<'a>)> {
         let (a, b) = (self.in_tool(particle, from), self.in_tool(particle, to));
@@ -391,12 +427,14 @@ impl<'a> SweptRotation<'a> {
         }
     }
 
-    /// Returns when the boundary at a touched point stops advancing; infinite if it never does.
+    /// Returns when the boundary at a touched point stops advancing or slides along the particle; infinite if it never
+    /// does.
     ///
     /// Its normal velocity is |v| cos ψ(t) + c with ψ linear in t, so its zeros have a closed form.
     fn release(&self, touch: Touch, from: f64) -> f64 {
         let outward = outward(touch.edge);
-        if self.velocity(touch.point_in_tool, from).dot(&outward) <= 0.0 {
+        let slides = self.is_at_turning_point(touch, from) && self.slides(touch.edge, from);
+        if slides || self.velocity(touch.point_in_tool, from).dot(&outward) <= 0.0 {
             return from;
         }
         let speed = self.travel.norm();
