@@ -174,10 +174,17 @@ fn check_shape(object: &Bound<'_, PyAny>, surface: &Surface) -> PyResult<()> {
             .getattr("accepts_curved")
             .and_then(|stated| stated.is_truthy())
     };
-    if surface.shape.is_plane() || knows().unwrap_or(false) {
-        return Ok(());
-    }
     let name = &surface.name;
+    match surface.shape {
+        SurfaceShape::Plane => return Ok(()),
+        SurfaceShape::Cylinder { .. } if knows().unwrap_or(false) => return Ok(()),
+        SurfaceShape::Cylinder { .. } => {}
+        SurfaceShape::Mesh(_) => {
+            return Err(plain(format!(
+                "surface {name:?} is a mesh; executors wipe planes and cylinders"
+            )));
+        }
+    }
     Err(plain(format!(
         "surface {name:?} is curved, so that its normal differs from place to place; an executor that reads motion.surface_shape states accepts_curved = True"
     )))

@@ -302,12 +302,26 @@ pub(crate) fn shape_dict<'py>(
     py: Python<'py>,
     shape: &SurfaceShape,
 ) -> PyResult<Option<Bound<'py, PyDict>>> {
-    let SurfaceShape::Cylinder { radius, axis } = *shape else {
-        return Ok(None);
-    };
     let stated = PyDict::new(py);
-    stated.set_item("kind", "cylinder")?;
-    stated.set_item("radius_m", radius)?;
-    stated.set_item("axis_rad", axis)?;
+    match shape {
+        SurfaceShape::Plane => return Ok(None),
+        SurfaceShape::Cylinder { radius, axis } => {
+            stated.set_item("kind", "cylinder")?;
+            stated.set_item("radius_m", radius)?;
+            stated.set_item("axis_rad", axis)?;
+        }
+        SurfaceShape::Mesh(mesh) => {
+            let sheet = mesh.sheet();
+            stated.set_item("kind", "mesh")?;
+            let places = sheet.vertices().map(|vertex| vertex.place);
+            stated.set_item("places_m", arrays::points(py, places))?;
+            let points: Vec<[f64; 3]> = (sheet.vertices())
+                .map(|vertex| vertex.point.coords.into())
+                .collect();
+            stated.set_item("points_m", points)?;
+            let triangles: Vec<[u32; 3]> = sheet.triangles().map(|(corners, _)| corners).collect();
+            stated.set_item("triangles", triangles)?;
+        }
+    }
     Ok(Some(stated))
 }

@@ -187,7 +187,7 @@ impl PageSink {
                 particles: known.particles.as_ref(),
                 pushes: &known.pushes,
                 world_from_surface: known.world_from_surface,
-                surface_shape: known.surface_shape,
+                surface_shape: known.surface_shape.as_ref(),
             })?;
         }
         // Live pages get the episode's name later, once the episode is stored.

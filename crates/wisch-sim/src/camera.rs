@@ -6,7 +6,7 @@ use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use std::f64::consts::{PI, TAU};
 use wisch::follow::Workcell;
-use wisch::geometry::{Bounds2, Mesh, Point2, Point3, Polygon, Pose, Region, Vector2};
+use wisch::geometry::{Bounds2, Mesh, Point2, Point3, Polygon, Pose, Region, Vector2, Vector3};
 use wisch::random::normal_pair;
 use wisch::represent::{Fate, Observation, Surface, SurfaceShape, Task};
 use wisch::robot::{RobotError, Shape};
@@ -22,6 +22,8 @@ const DRAWS: usize = 10_000;
 const WIDEST_VIEW: f64 = PI / 3.0;
 /// Largest length of the edges of what hides a curved surface [m]: on the surface, straight edges are bent.
 const HULL_STEP: f64 = 0.02;
+/// Largest number of cells of a mesh's chart that are examined.
+const MOST_CELLS: f64 = 10_000.0;
 
 /// Identifies an observation by world, round and number, so that it can be drawn again.
 #[derive(Debug, Clone, Copy)]
@@ -90,7 +92,12 @@ pub fn observe(
 
 /// Whether a place leans too far away from the camera to be seen.
 fn is_turned_away(shape: &SurfaceShape, place: Point2) -> bool {
-    shape.turn_between(Point2::origin(), place) > WIDEST_VIEW
+    match shape {
+        SurfaceShape::Mesh(_) => {
+            (shape.orientation(place) * Vector3::z()).angle(&Vector3::z()) > WIDEST_VIEW
+        }
+        _ => shape.turn_between(Point2::origin(), place) > WIDEST_VIEW,
+    }
 }
 
 /// Returns what the believed surface shows nothing of, in its chart: `hidden`, hulls in the xy plane of the real surface's
@@ -100,9 +107,13 @@ fn project_hidden(surface: &Surface, believed_from_real: &Pose, hidden: &[Vec<Po
     let hulls = hidden
         .iter()
         .map(|hull| hull.iter().map(believed).collect());
-    let SurfaceShape::Cylinder { radius, axis } = surface.shape else {
-        let polygons = hulls.map(|ring| Polygon::new(ring, vec![]));
-        return Region::new(polygons.collect());
+    let (radius, axis) = match &surface.shape {
+        SurfaceShape::Plane => {
+            let polygons = hulls.map(|ring| Polygon::new(ring, vec![]));
+            return Region::new(polygons.collect());
+        }
+        SurfaceShape::Mesh(_) => return hidden_cells(surface, hulls),
+        &SurfaceShape::Cylinder { radius, axis } => (radius, axis),
     };
     let along = Vector2::new(libm::cos(axis), libm::sin(axis));
     let across = Vector2::new(-along.y, along.x);
@@ -145,6 +156,51 @@ fn project_hidden(surface: &Surface, believed_from_real: &Pose, hidden: &[Vec<Po
         }
     }
     Region::new(polygons)
+}
+
+/// Returns the square cells of a mesh's chart that a camera does not see: those behind hulls, in the xy plane of the
+/// surface's frame [m], those that lean too far away, and those below another part of the mesh.
+fn hidden_cells(surface: &Surface, hulls: impl Iterator<Item = Vec<Point2>>) -> Region {
+    let hulls = Region::new(hulls.map(|ring| Polygon::new(ring, vec![])).collect());
+    let Some(bounds) = Bounds2::from_points(surface.outline.outer().iter().copied()) else {
+        return hulls;
+    };
+    let size = bounds.size();
+    let cell = HULL_STEP.max((size.x * size.y / MOST_CELLS).sqrt());
+    let [columns, rows] = [size.x, size.y].map(|side| (side / cell).ceil() as usize);
+    let is_hidden = |place: Point2| {
+        let point = surface.shape.place(place, 0.0).translation.vector.xy();
+        is_turned_away(&surface.shape, place)
+            || hulls.contains(point.into())
+            || surface
+                .shape
+                .place_below(point.into())
+                .is_none_or(|seen| (seen - place).norm() > cell)
+    };
+    let mut strips = Vec::new();
+    for row in 0..rows {
+        let y = bounds.min.y + cell * row as f64;
+        let middle = |column: usize| {
+            Point2::new(bounds.min.x + cell * (column as f64 + 0.5), y + 0.5 * cell)
+        };
+        let hidden: Vec<bool> = (0..columns)
+            .map(|column| {
+                let place = middle(column);
+                surface.outline.contains(place) && is_hidden(place)
+            })
+            .collect();
+        let mut first = 0;
+        for group in hidden.chunk_by(|one, other| one == other) {
+            let last = first + group.len();
+            if group[0] {
+                let x = [first, last].map(|column| bounds.min.x + cell * column as f64);
+                let corners = [[x[0], y], [x[1], y], [x[1], y + cell], [x[0], y + cell]];
+                strips.push(Polygon::new(corners.map(Point2::from).to_vec(), vec![]));
+            }
+            first = last;
+        }
+    }
+    Region::new(strips)
 }
 
 /// Returns a ring with points added so that no edge is longer than `step` [m].

@@ -106,7 +106,9 @@ impl Executor for World {
         };
         let real = Surface {
             world_from_surface: self.world_from_real,
-            shape: self.settings.shape.unwrap_or(task.surface.shape),
+            shape: (self.settings.shape.as_ref())
+                .unwrap_or(&task.surface.shape)
+                .clone(),
             ..task.surface.clone()
         };
         let settings = &self.settings;

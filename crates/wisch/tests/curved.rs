@@ -59,7 +59,7 @@ proptest! {
 
 #[test]
 fn a_bend_is_one_over_the_radius_across_the_axis() {
-    let bend = cylinder(-0.5, FRAC_PI_2).bend();
+    let bend = cylinder(-0.5, FRAC_PI_2).bend(Point2::origin());
     assert!((bend - nalgebra::Matrix2::new(-2.0, 0.0, 0.0, 0.0)).norm() < 1e-12);
     // Twice as large a radius as any sagitta could show: a plane.
     let flat = cylinder(1e9, 0.3);
@@ -251,7 +251,7 @@ fn only_what_is_pressed_hard_enough_is_wiped() {
         let tool = ElasticFoundation::from_interaction(&rolled.tool.footprint, &rolled.interaction)
             .unwrap();
         let least = effective_pressure(&rolled.interaction.likelihood);
-        let pressure = tool.press_upright(&rolled.surface.shape.bend(), 0.2);
+        let pressure = tool.press_upright(&rolled.surface.shape.bend(Point2::origin()), 0.2);
         let motion = ToolMotion {
             from: PlanarPose::new(Point2::new(-0.05, -0.01), 0.2),
             to: PlanarPose::new(Point2::new(0.04, 0.02), 0.2),
@@ -325,7 +325,7 @@ fn lanes_of_a_rigid_tool_turn_its_long_side_along_the_axis_or_lie_closer() {
     let touched = |task: &Task, yaw: f64| {
         let tool =
             ElasticFoundation::from_interaction(&task.tool.footprint, &task.interaction).unwrap();
-        tool.touched_share(&tool.press_upright(&task.surface.shape.bend(), yaw))
+        tool.touched_share(&tool.press_upright(&task.surface.shape.bend(Point2::origin()), yaw))
     };
     let performance = |task: &Task, plan: &Plan| predict(task, plan, |_| ()).performance.ratio();
     let heading = |plan: &Plan| plan.strokes[0].poses[0].heading;
@@ -433,7 +433,7 @@ fn the_tool_follows_the_bend_and_the_audit_sees_a_lean() {
         let rim: f64 = 0.12;
         let other = 1.0 / (1.0 / radius - 5.0_f64.to_radians() / rim);
         for shape in [SurfaceShape::Plane, cylinder(other, FRAC_PI_2)] {
-            let flat = task(Action::Absorb, shape);
+            let flat = task(Action::Absorb, shape.clone());
             let faults = audit(&followed, &cell, &flat, &config).unwrap().faults;
             let is_off_line = |fault: &MotionFault| matches!(fault, MotionFault::OffLine { .. });
             assert!(
@@ -498,7 +498,7 @@ fn a_session_wipes_a_bend_as_it_wipes_a_plane() {
     let robot = loaded.robot().expect("a robot").expect("it names one");
     let mut performed = Vec::new();
     for shape in [SurfaceShape::Plane, cylinder(1.0, FRAC_PI_2)] {
-        loaded.task.surface.shape = shape;
+        loaded.task.surface.shape = shape.clone();
         let mut session = loaded.session().with_robot(robot.robot_setup());
         session
             .run(&mut Obedient, &mut ignore_events)
@@ -536,7 +536,7 @@ fn what_the_edge_of_a_pad_does_not_touch_is_not_credited() {
     rolled.particles = ParticleDistribution::new(&places).unwrap();
     let tool =
         ElasticFoundation::from_interaction(&rolled.tool.footprint, &rolled.interaction).unwrap();
-    let pressure = tool.press_upright(&rolled.surface.shape.bend(), 0.0);
+    let pressure = tool.press_upright(&rolled.surface.shape.bend(Point2::origin()), 0.0);
     let sinking = 5e-4 * (pressure.middle - 1.0);
     assert!((sinking - 9e-4).abs() < 1e-4, "{sinking}");
     let press = rolled.interaction.press_force_n;

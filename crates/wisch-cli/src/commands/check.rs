@@ -14,7 +14,7 @@ use wisch::geometry::{Bounds2, Mesh, Point2};
 use wisch::plan::{BendContact, FreeSpace, NodeRole, Plan, Prediction, predict};
 use wisch::represent::{Action, GoalState, SurfaceShape, Task, dirt_friction};
 use wisch::run::{NoExecutor, Session, Stage, check_score, ignore_events};
-use wisch_io::LoadedTask;
+use wisch_io::{LoadedTask, ShapeRecord};
 
 /// Number of sample points for free space along the longer side of the surface.
 const RASTER: usize = 120;
@@ -306,12 +306,13 @@ fn surface(task: &Task) -> String {
             format!("{:.3} x {:.3} m, ", b.size().x, b.size().y)
         });
     let at = task.surface.world_from_surface.translation.vector;
-    let shape = match task.surface.shape {
+    let shape = match &task.surface.shape {
         SurfaceShape::Plane => String::new(),
         SurfaceShape::Cylinder { radius, axis } => format!(
             ", rolled onto a cylinder of radius {radius} m whose axis is at {:.0}° to x",
             axis.to_degrees()
         ),
+        shape @ SurfaceShape::Mesh(_) => format!(", {}", ShapeRecord::from(shape)),
     };
     let edges = match task.surface.skim_edges.len() {
         0 => "no skim edge".to_owned(),

@@ -187,10 +187,14 @@ fn remarks(log: &Log, prepared: &LoadedTask, interpretation: &Interpretation) ->
             ));
         }
     }
-    if let SurfaceShape::Cylinder { radius, .. } = prepared.task.surface.shape {
-        remarks.push(format!(
+    match &prepared.task.surface.shape {
+        SurfaceShape::Plane => {}
+        SurfaceShape::Cylinder { radius, .. } => remarks.push(format!(
             "the surface is a cylinder of radius {radius} m: places and maps show it unrolled"
-        ));
+        )),
+        SurfaceShape::Mesh(_) => {
+            remarks.push("the surface is a mesh: places and maps show it unrolled".to_owned());
+        }
     }
     // Decisive doubts are shown beside the performance.
     let assumed = (interpretation.doubts.iter()).filter(|doubt| !doubt.is_decisive());

@@ -92,7 +92,7 @@ pub(super) fn known_truths(
                 .collect(),
             missed: schedule.missed,
             world_from_surface,
-            surface_shape: prepared.simulation.shape,
+            surface_shape: prepared.simulation.shape.clone(),
         })
     });
     known.collect()

@@ -16,7 +16,7 @@ use printable::printable;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
-use wisch::represent::{Observation, Surface, Task};
+use wisch::represent::{Observation, Surface, SurfaceShape, Task};
 use wisch::run::{
     Execution, Executor, ExecutorError, MotionOrder, RobotState, SampleSink, Setpoint,
 };
@@ -341,10 +341,17 @@ impl Executor for ProcessExecutor {
 impl ProcessExecutor {
     /// Refuses a curved surface for a child that does not accept one.
     fn check_shape(&mut self, surface: &Surface) -> Result<(), ExecutorError> {
-        if surface.shape.is_plane() || self.ready.accepts_curved {
-            return Ok(());
-        }
         let name = &surface.name;
+        match surface.shape {
+            SurfaceShape::Plane => return Ok(()),
+            SurfaceShape::Cylinder { .. } if self.ready.accepts_curved => return Ok(()),
+            SurfaceShape::Cylinder { .. } => {}
+            SurfaceShape::Mesh(_) => {
+                return Err(self.fault(format!(
+                    "surface {name:?} is a mesh, which the protocol does not describe yet; executors wipe planes and cylinders"
+                )));
+            }
+        }
         Err(self.fault(format!(
             "surface {name:?} is curved, so that its normal differs from place to place; an executor that reads surface_shape states accepts_curved in \"ready\""
         )))

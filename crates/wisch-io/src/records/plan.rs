@@ -72,6 +72,9 @@ pub struct PlanRecord {
     pub tcp_path: Vec<WaypointRecord>,
 }
 
+/// Radius from which a bend counts as none [m].
+const TOLD_RADIUS: f64 = 100.0;
+
 /// The shape onto which the chart of a surface is rolled, so that it touches the xy plane of the surface frame at the origin.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[serde(tag = "kind", rename_all = "lowercase", deny_unknown_fields)]
@@ -85,6 +88,21 @@ pub enum ShapeRecord {
         /// Angle of its axis from x \[rad\].
         axis_rad: f64,
     },
+    /// The surface of a mesh, in its chart.
+    Mesh {
+        /// Area of the surface.
+        area_m2: f64,
+        /// Number of triangles of the chart.
+        triangles: usize,
+        /// Least radius of its bulges; `None` if it has none.
+        #[serde(default)]
+        bulge_radius_m: Option<f64>,
+        /// Least radius of its hollows; `None` if it has none.
+        #[serde(default)]
+        hollow_radius_m: Option<f64>,
+        /// Largest stretch of a triangle of the chart.
+        stretch: f64,
+    },
 }
 
 impl ShapeRecord {
@@ -96,12 +114,23 @@ impl ShapeRecord {
 
 impl From<&SurfaceShape> for ShapeRecord {
     fn from(shape: &SurfaceShape) -> Self {
-        match *shape {
+        match shape {
             SurfaceShape::Plane => Self::Plane,
-            SurfaceShape::Cylinder { radius, axis } => Self::Cylinder {
+            &SurfaceShape::Cylinder { radius, axis } => Self::Cylinder {
                 radius_m: radius,
                 axis_rad: axis,
             },
+            SurfaceShape::Mesh(mesh) => {
+                let radii = shape.least_radii();
+                let told = |radius: f64| (radius < TOLD_RADIUS).then_some(radius);
+                Self::Mesh {
+                    area_m2: mesh.sheet().area(),
+                    triangles: mesh.sheet().triangle_count(),
+                    bulge_radius_m: told(radii.bulge),
+                    hollow_radius_m: told(radii.hollow),
+                    stretch: mesh.sheet().stretch().most,
+                }
+            }
         }
     }
 }
@@ -114,6 +143,25 @@ impl fmt::Display for ShapeRecord {
                 f,
                 "cylinder of radius {radius_m} m with its axis at {axis_rad} rad"
             ),
+            Self::Mesh {
+                area_m2,
+                triangles,
+                bulge_radius_m,
+                hollow_radius_m,
+                stretch,
+            } => {
+                write!(f, "mesh of {area_m2:.3} m2 in {triangles} triangles")?;
+                for (name, radius) in [("bulges", bulge_radius_m), ("hollows", hollow_radius_m)] {
+                    if let Some(radius) = radius {
+                        write!(f, ", {name} of at least {radius:.2} m radius")?;
+                    }
+                }
+                write!(
+                    f,
+                    ", unrolled with a stretch of up to {:.1} %",
+                    100.0 * stretch
+                )
+            }
         }
     }
 }

@@ -6,20 +6,20 @@ use super::execution::camera;
 use super::outline::Outline;
 use super::tables::{
     EdgeName, FrameName, ObjectTable, ParticlesTable, PolishTable, RobotTable, ShapeName,
-    SurfaceTable, TaskTable,
+    SurfaceMeshTable, SurfaceTable, TaskTable,
 };
 use super::tree::{Source, description, integer};
 use super::values::{AngleRad, Name, PositionM, QuaternionPart, mask, point};
 use super::{
-    Frame, Intent, ObjectRecord, RobotDescription, RobotRecord, SCHEMA, Shape, SurfaceRecord,
-    TaskError, TaskFile,
+    Frame, Intent, ObjectRecord, RobotDescription, RobotRecord, SCHEMA, Shape, SurfaceMesh,
+    SurfaceRecord, TaskError, TaskFile,
 };
 use crate::particles::ParticleSource;
 use nalgebra::{Quaternion, Translation3, UnitQuaternion};
 use toml::Spanned;
 use toml::de::DeValue;
 use wisch::follow::FollowConfig;
-use wisch::geometry::{Pose, Vector2, Vector3};
+use wisch::geometry::{PartChoice, Pose, Vector2, Vector3};
 use wisch::plan::{PlanConfig, SearchConfig, YawRule};
 use wisch::represent::{Surface, SurfaceShape, Treatment};
 use wisch::run::RunConfig;
@@ -189,10 +189,23 @@ fn surface(table: &At<SurfaceTable>, scene: &[ObjectRecord]) -> Result<SurfaceRe
             "outline_m",
             surface.outline_m.as_ref().map(|outline| &outline.place),
         ),
+        ("mesh", surface.mesh.as_ref().map(|mesh| &mesh.place)),
     ])?;
     let outline = match (&surface.size_m, &surface.outline_m) {
         (Some(size), _) => Outline::rectangle(Vector2::from(size.value.map(|side| side.0))),
         (None, Some(outline)) => Outline::read(outline)?,
+        (None, None) if surface.mesh.is_some() => {
+            let of_outline = "is that of an outline; the mesh has its own";
+            if let Some(hole) = surface.holes_m.first() {
+                return Err(hole.inconsistent(of_outline));
+            }
+            if let Some(edge) = surface.skim_edges.first() {
+                return Err(edge
+                    .inconsistent("needs size_m or outline_m; the border of a mesh has no names"));
+            }
+            // Replaced by the border of the mesh.
+            Outline::rectangle(Vector2::new(1.0, 1.0))
+        }
         (None, None) => return Err(table.missing("size_m")),
     }
     .with_holes(&surface.holes_m)?;
@@ -254,6 +267,7 @@ fn surface(table: &At<SurfaceTable>, scene: &[ObjectRecord]) -> Result<SurfaceRe
             skim_edges,
             shape: SurfaceShape::Plane,
         },
+        mesh: surface.mesh.as_ref().map(surface_mesh),
         carried_by,
     };
     record.surface.shape = surface_shape(table)?;
@@ -263,10 +277,28 @@ fn surface(table: &At<SurfaceTable>, scene: &[ObjectRecord]) -> Result<SurfaceRe
     Ok(record)
 }
 
+fn surface_mesh(table: &At<SurfaceMeshTable>) -> SurfaceMesh {
+    let mesh = &table.value;
+    let vector = |given: &[PositionM; 3]| Vector3::from(given.map(|x| x.0));
+    SurfaceMesh {
+        at: mesh.file.place.clone(),
+        file: mesh.file.value.0.clone(),
+        scale: mesh.scale.0,
+        choice: PartChoice {
+            seed_point: mesh.seed_point_m.as_ref().map(|point| vector(point).into()),
+            towards: mesh.towards.as_ref().map(vector),
+            largest_lean: mesh.largest_lean_rad.map(|lean| lean.0),
+        },
+    }
+}
+
 /// Reads the shape of a surface.
 fn surface_shape(table: &At<SurfaceTable>) -> Result<SurfaceShape, TaskError> {
     let surface = &table.value;
     let only_of_cylinders = "is that of a cylinder; set surface.shape = \"cylinder\"";
+    if let (Some(mesh), ShapeName::Cylinder) = (&surface.mesh, surface.shape) {
+        return Err(mesh.inconsistent("has its own shape; remove shape = \"cylinder\""));
+    }
     match (surface.shape, &surface.radius_m, &surface.axis_rad) {
         (ShapeName::Plane, None, None) => Ok(SurfaceShape::Plane),
         (ShapeName::Plane, Some(radius), _) => Err(radius.inconsistent(only_of_cylinders)),

@@ -220,13 +220,16 @@ impl ExecutionTable {
         let believed = match surface.shape {
             SurfaceShape::Plane => 0.0,
             SurfaceShape::Cylinder { axis, .. } => axis,
+            SurfaceShape::Mesh(_) => {
+                return Err(radius.inconsistent("bends planes and cylinders only, not a mesh"));
+            }
         };
         let shape = SurfaceShape::Cylinder {
             radius: radius.value.0,
             axis: (self.surface_axis_rad.as_ref()).map_or(believed, |axis| axis.value.0),
         };
         let real = Surface {
-            shape,
+            shape: shape.clone(),
             ..surface.clone()
         };
         if let Some(fault) = real.shape_fault() {

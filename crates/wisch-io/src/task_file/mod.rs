@@ -24,7 +24,7 @@ use crate::particles::ParticleSource;
 use definitions::Definitions;
 use execution_tables::ExecutionTable;
 use wisch::follow::WorkcellConfig;
-use wisch::geometry::{Point2, Pose, Vector3};
+use wisch::geometry::{PartChoice, Point2, Pose, Vector3};
 use wisch::represent::{
     Action, KnowledgeError, Mount, ScenePart, SensorModel, Surface, Task, Treatment,
 };
@@ -135,9 +135,20 @@ pub struct TaskFile {
 #[derive(Debug, Clone, PartialEq)]
 struct SurfaceRecord {
     at: Place,
+    /// The surface; of a mesh, without outline and shape, in the frame of the file.
     surface: Surface,
+    mesh: Option<SurfaceMesh>,
     /// Index of the scene object that carries the surface.
     carried_by: Option<usize>,
+}
+
+/// The mesh of a surface.
+#[derive(Debug, Clone, PartialEq)]
+struct SurfaceMesh {
+    at: Place,
+    file: String,
+    scale: f64,
+    choice: PartChoice,
 }
 
 #[derive(Debug, Clone, PartialEq)]

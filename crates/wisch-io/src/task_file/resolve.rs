@@ -1,15 +1,16 @@
 //! Resolves a task file: looks up knowledge, reads files and places particles.
 
-use super::{Frame, ObjectRecord, Shape, TaskError, TaskFile};
+use super::{Frame, ObjectRecord, Shape, SurfaceMesh, TaskError, TaskFile};
 use crate::particles::{ParticleSource, csv_particles, mask_particles};
+use std::sync::Arc;
 use wisch::geometry::{
-    Bounds2, LikelyUnit, Mesh, MeshError, MeshFormat, Point2, Point3, Polygon, RIGID_DEPTH, Region,
-    Vector2, Vector3, footprint,
+    Bounds2, LikelyUnit, Mesh, MeshError, MeshFormat, Point2, Polygon, RIGID_DEPTH, Region,
+    SheetConfig, Vector2, Vector3, footprint,
 };
 use wisch::represent::{
-    Action, DirtArea, Interaction, KnowledgeBase, Mount, ParticleDistribution, SceneObject,
-    ScenePart, Task, Tool, ToolEntry, ToolMesh, Treatment, cluster_particles, surface_cells,
-    uniform_particles,
+    Action, DirtArea, Interaction, KnowledgeBase, MeshShape, Mount, ParticleDistribution,
+    SceneObject, ScenePart, Surface, SurfaceShape, Task, Tool, ToolEntry, ToolMesh, Treatment,
+    cluster_particles, surface_cells, uniform_particles,
 };
 use wisch::source_location::Place;
 
@@ -53,7 +54,7 @@ impl TaskFile {
         assets: &mut ReadFile<'_>,
         knowledge_assets: &mut ReadFile<'_>,
     ) -> Result<Task, TaskError> {
-        let surface = self.surface.surface.clone();
+        let surface = &self.surface.surface;
         let tool_at = &self.tool_at;
         let unknown = |error| self.unknown(error, tool_at);
         knowledge.surface(&surface.name).map_err(unknown)?;
@@ -99,7 +100,8 @@ impl TaskFile {
             mount: self.mount.or(entry.grip.map(Mount::Grip)),
             ..resolved_tool(entry, mesh, interaction, tool_at)?
         };
-        let scene = self.scene(assets)?;
+        let surface = self.surface(&tool, assets)?;
+        let scene = self.scene(&surface, assets)?;
         let mut task = Task {
             name: self.name.clone(),
             action,
@@ -146,9 +148,56 @@ impl TaskFile {
         Ok(given)
     }
 
+    /// Returns the surface; of a mesh, with the chart at the scale of a tool.
+    fn surface(&self, tool: &Tool, assets: &mut ReadFile<'_>) -> Result<Surface, TaskError> {
+        let surface = self.surface.surface.clone();
+        let Some(SurfaceMesh {
+            at,
+            file,
+            scale,
+            choice,
+        }) = &self.surface.mesh
+        else {
+            return Ok(surface);
+        };
+        let mesh = scaled_mesh(parsed_mesh(assets, at, file)?, *scale);
+        let mesh = mesh.map_err(|error| TaskError::Mesh {
+            at: at.clone(),
+            error,
+        })?;
+        let usual = [OBJECT_EXTENT[0], USUAL_OBJECT];
+        scale_of_mesh(&mesh, (file, at), OBJECT_EXTENT, usual, |metres| {
+            format!("use scale = {}", rounded(scale * metres))
+        })?;
+        let config = SheetConfig {
+            tool_radius: tool.collision_radius(),
+            choice: *choice,
+            ..SheetConfig::default()
+        };
+        let (shape, mesh_from_surface) =
+            MeshShape::from_mesh(&mesh, &config).map_err(|error| TaskError::File {
+                at: at.clone(),
+                file: file.clone(),
+                problem: format!(
+                    "not usable as a surface: {error}; wisch surface check --tool-radius {:.3} shows more",
+                    config.tool_radius
+                ),
+            })?;
+        Ok(Surface {
+            outline: shape.outline(),
+            world_from_surface: surface.world_from_surface * mesh_from_surface,
+            shape: SurfaceShape::Mesh(Arc::new(shape)),
+            ..surface
+        })
+    }
+
     /// Returns the objects of the scene with their roles.
-    fn scene(&self, assets: &mut ReadFile<'_>) -> Result<Vec<SceneObject>, TaskError> {
-        let world_from_surface = self.surface.surface.world_from_surface;
+    fn scene(
+        &self,
+        surface: &Surface,
+        assets: &mut ReadFile<'_>,
+    ) -> Result<Vec<SceneObject>, TaskError> {
+        let world_from_surface = surface.world_from_surface;
         (self.scene.iter().enumerate())
             .map(|(i, object)| {
                 Ok(SceneObject {
@@ -222,6 +271,11 @@ fn parsed_mesh(assets: &mut ReadFile<'_>, at: &Place, file: &str) -> Result<Mesh
     })
 }
 
+fn scaled_mesh(mesh: Mesh, scale: f64) -> Result<Mesh, MeshError> {
+    let vertices = mesh.vertices().iter().map(|point| point * scale).collect();
+    Mesh::new(vertices, mesh.triangles().to_vec())
+}
+
 /// Whether the longest side of a mesh is within its limits [m]; if not, the error says in which unit it probably is, one in which it
 /// is as long as is usual, and by `how` what to do about a factor to metres.
 fn scale_of_mesh(
@@ -284,10 +338,7 @@ impl ObjectRecord {
             Shape::Sphere { radius } => Mesh::sphere(*radius, SEGMENTS),
             Shape::Capsule { radius, height } => Mesh::capsule(*radius, *height, SEGMENTS),
             Shape::Mesh { at, file, scale } => {
-                let mesh = parsed_mesh(assets, at, file)?;
-                let scaled = |point: &Point3| point * *scale;
-                let vertices = mesh.vertices().iter().map(scaled).collect();
-                let mesh = Mesh::new(vertices, mesh.triangles().to_vec());
+                let mesh = scaled_mesh(parsed_mesh(assets, at, file)?, *scale);
                 if let Ok(mesh) = &mesh {
                     let usual = [OBJECT_EXTENT[0], USUAL_OBJECT];
                     scale_of_mesh(mesh, (file, at), OBJECT_EXTENT, usual, |metres| {

@@ -237,7 +237,9 @@ pub(super) struct InteractionTable {
 #[serde(deny_unknown_fields)]
 #[schemars(
     rename = "Surface",
-    extend("oneOf" = [{ "required": ["size_m"] }, { "required": ["outline_m"] }])
+    extend("oneOf" = [
+        { "required": ["size_m"] }, { "required": ["outline_m"] }, { "required": ["mesh"] }
+    ])
 )]
 pub(super) struct SurfaceTable {
     /// Name in the knowledge base, or a new name with `friction`.
@@ -251,6 +253,8 @@ pub(super) struct SurfaceTable {
     /// Holes as polygons inside the outline, surface frame [m].
     #[serde(default)]
     pub(super) holes_m: Vec<At<RingPoints>>,
+    /// A curved surface from a file, whose border is the outline. The pose is that of the file's frame.
+    pub(super) mesh: Option<At<SurfaceMeshTable>>,
     /// Shape onto which the outline is rolled; default: plane.
     #[serde(default)]
     pub(super) shape: ShapeName,
@@ -270,6 +274,25 @@ pub(super) struct SurfaceTable {
     /// outline from point i (counted from 0) to the next.
     #[serde(default)]
     pub(super) skim_edges: Vec<At<EdgeName>>,
+}
+
+/// Mesh of a curved surface, and the part of it that is meant.
+#[derive(Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+#[schemars(inline)]
+pub(super) struct SurfaceMeshTable {
+    /// STL, OBJ, DAE or PLY; path relative to this file.
+    pub(super) file: At<Name>,
+    /// Factor that converts its lengths to metres.
+    #[serde(default = "scale")]
+    pub(super) scale: Scale,
+    /// Direction from the surface to the tool, in the frame of the file; default: the side to which the file turns its
+    /// triangles. A closed mesh needs it.
+    pub(super) towards: Option<[PositionM; 3]>,
+    /// A point near the part that is meant, in the frame of the file [m]; default: the largest part.
+    pub(super) seed_point_m: Option<[PositionM; 3]>,
+    /// Largest angle of a normal from `towards` [rad]; default: 1.2 for a closed mesh, none for another.
+    pub(super) largest_lean_rad: Option<AngleRad>,
 }
 
 /// Shape of a surface: flat, or rolled onto a cylinder that touches the xy plane of its frame at the origin.

@@ -115,7 +115,7 @@ impl Truth {
                 .map(|times| times.map(|time| round_to(time, 1e3)))
                 .collect(),
             surface: truth.world_from_surface.as_ref().map(seven),
-            shape: truth.surface_shape.as_ref().map(BendRecord::new),
+            shape: truth.surface_shape.map(BendRecord::new),
         }
     }
 }

@@ -89,7 +89,7 @@ pub struct RoundTruth<'a> {
     /// True pose of the surface in the world.
     pub world_from_surface: Option<Pose>,
     /// Its true shape, if it differs from the believed one.
-    pub surface_shape: Option<SurfaceShape>,
+    pub surface_shape: Option<&'a SurfaceShape>,
 }
 
 /// A writer of a run's recording; it writes each piece as soon as it is known.

@@ -5,6 +5,9 @@ use crate::scene::seven;
 use serde::Serialize;
 use wisch::represent::{Surface, SurfaceShape};
 
+/// Steps of the coordinates of a mesh [1/m].
+const PER_METRE: f64 = 1e5;
+
 #[derive(Serialize)]
 pub(super) struct SurfaceRecord {
     pose: [f64; 7],
@@ -18,17 +21,40 @@ pub(super) struct SurfaceRecord {
 #[serde(tag = "kind", rename_all = "lowercase")]
 pub(super) enum BendRecord {
     Plane,
-    Cylinder { radius_m: f64, axis_rad: f64 },
+    Cylinder {
+        radius_m: f64,
+        axis_rad: f64,
+    },
+    Mesh {
+        /// Points in the frame of the surface: x, y, z after each other [m].
+        points: Vec<f64>,
+        /// Their places in the chart: x, y [m].
+        places: Vec<f64>,
+        triangles: Vec<u32>,
+    },
 }
 
 impl BendRecord {
-    pub(super) const fn new(shape: &SurfaceShape) -> Self {
-        match *shape {
+    pub(super) fn new(shape: &SurfaceShape) -> Self {
+        match shape {
             SurfaceShape::Plane => Self::Plane,
-            SurfaceShape::Cylinder { radius, axis } => Self::Cylinder {
+            &SurfaceShape::Cylinder { radius, axis } => Self::Cylinder {
                 radius_m: radius,
                 axis_rad: axis,
             },
+            SurfaceShape::Mesh(mesh) => {
+                let sheet = mesh.sheet();
+                let rounded = |x: &f64| (x * PER_METRE).round() / PER_METRE;
+                let points = sheet
+                    .vertices()
+                    .flat_map(|v| [v.point.x, v.point.y, v.point.z]);
+                let places = sheet.vertices().flat_map(|v| [v.place.x, v.place.y]);
+                Self::Mesh {
+                    points: points.map(|x| rounded(&x)).collect(),
+                    places: places.map(|x| rounded(&x)).collect(),
+                    triangles: sheet.triangles().flat_map(|(corners, _)| corners).collect(),
+                }
+            }
         }
     }
 }

@@ -22,7 +22,9 @@ const LEAST_TOUCHING: f64 = 1e-2;
 pub(crate) fn find_real_surface(task: &Task, settings: &SimulationSettings) -> Surface {
     Surface {
         world_from_surface: task.surface.world_from_surface * settings.believed_from_real,
-        shape: settings.shape.unwrap_or(task.surface.shape),
+        shape: (settings.shape.as_ref())
+            .unwrap_or(&task.surface.shape)
+            .clone(),
         ..task.surface.clone()
     }
 }
@@ -82,6 +84,7 @@ impl LocalHeight {
 /// The springs of a flat underside over a bent surface.
 #[derive(Debug, Clone)]
 pub(super) struct BentContact {
+    /// Second fundamental form under the tool [1/m].
     bend: Matrix2<f64>,
     /// Places of the springs in the plate's frame [m].
     springs: Vec<Point2>,
@@ -104,7 +107,7 @@ impl BentContact {
         });
         let springs = places.filter(|place| tool.footprint.contains(*place));
         Some(Self {
-            bend: real.shape.bend(),
+            bend: real.shape.bend(Point2::origin()),
             springs: springs.collect(),
         })
     }
@@ -161,6 +164,9 @@ impl Plant {
         let place = Point2::new(at.translation.x, at.translation.y);
         let (height, slope) = (self.waviness).map_or((0.0, Vector2::zeros()), |w| w.sample(place));
         let mut raise = self.ground.raise;
+        if let Some(bent) = &mut self.bent {
+            bent.bend = self.real.shape.bend(place);
+        }
         if let Some(bent) = &self.bent {
             let (goal, touching) = bent.raise(&at.rotation, self.compression().depth);
             // The compression follows from the slab's height in turn; a Newton step towards both keeps still.
@@ -216,7 +222,7 @@ mod tests {
         let springs = (0..SPRINGS * SPRINGS)
             .map(|i| Point2::new(place(i % SPRINGS, 0.1), place(i / SPRINGS, 0.06)));
         BentContact {
-            bend: SurfaceShape::Cylinder { radius, axis }.bend(),
+            bend: SurfaceShape::Cylinder { radius, axis }.bend(Point2::origin()),
             springs: springs.collect(),
         }
     }

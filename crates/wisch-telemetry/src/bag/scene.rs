@@ -263,6 +263,16 @@ fn solid(frame: &'static str, ns: &str, color: Color, mesh: &Mesh) -> Drawn {
 fn surface_face(outline: &Polygon, shape: &SurfaceShape) -> Drawn {
     let face = Drawn::new(FRAME_SURFACE, "surface", MarkerKind::TriangleList, FACE);
     let mut corners = Vec::new();
+    if let SurfaceShape::Mesh(mesh) = shape {
+        let vertices: Vec<_> = mesh.sheet().vertices().collect();
+        let raised =
+            |i: u32| vertices[i as usize].point + vertices[i as usize].normal * FACE_HEIGHT;
+        let triangles = mesh.sheet().triangles();
+        let corners: Vec<Point3> = triangles
+            .flat_map(|(corners, _)| corners.map(raised))
+            .collect();
+        return face.through(corners);
+    }
     for triangle in triangles(outline) {
         lift_triangle(shape, triangle, &mut corners);
     }

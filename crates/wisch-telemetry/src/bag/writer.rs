@@ -330,7 +330,7 @@ impl BagWriter {
     /// # Errors
     /// If the file cannot be written.
     pub fn write_scene(&mut self, scene: &BagScene<'_>) -> Result<(), WriteError> {
-        self.shape = scene.surface.shape;
+        self.shape = scene.surface.shape.clone();
         self.put_markers(Topic::Scene, &scene::scene(scene))?;
         let time = self.now();
         self.put(Topic::Tool, time, &scene::tool(scene.tool).marker(time))

@@ -106,8 +106,22 @@ export interface Considered {
   error: string | null;
 }
 
+/** Shape of a curved surface. */
+export type SurfaceShape = CylinderShape | MeshShape;
+
+/** A surface of a mesh. */
+export interface MeshShape {
+  kind: "mesh";
+  /** x, y, z of each vertex in the frame of the surface [m]. */
+  points: readonly number[];
+  /** x, y of each vertex in the chart [m]. */
+  places: readonly number[];
+  /** Three vertices of each triangle. */
+  triangles: readonly number[];
+}
+
 /** A cylinder onto which the chart of a surface is rolled: it touches the chart at the origin. */
-export interface SurfaceShape {
+export interface CylinderShape {
   kind: "cylinder";
   /** Positive where the surface bulges towards the tool. */
   radius_m: number;

@@ -24,7 +24,15 @@ const mesh = has({ vertices: list(finite), triangles: list(finite) });
 
 /** A radius of 0 would be no surface. */
 const cylinder: Check = (value) => has({ radius_m: finite, axis_rad: finite })(value) && (value as { kind: unknown }).kind === "cylinder" && (value as { radius_m: number }).radius_m !== 0;
-const shaped: Check = (value) => cylinder(value) || (has({ kind: text })(value) && (value as { kind: string }).kind === "plane");
+const chart: Check = (value) => {
+  if (!has({ points: list(finite), places: list(finite), triangles: list(finite) })(value)) return false;
+  const { kind, points, places, triangles } = value as { kind: unknown; points: number[]; places: number[]; triangles: number[] };
+  const count = points.length / 3;
+  const isVertex = (i: number): boolean => Number.isInteger(i) && i >= 0 && i < count;
+  return kind === "mesh" && count > 0 && places.length === 2 * count && triangles.length > 0 && triangles.length % 3 === 0 && triangles.every(isVertex);
+};
+const curved: Check = (value) => cylinder(value) || chart(value);
+const shaped: Check = (value) => curved(value) || (has({ kind: text })(value) && (value as { kind: string }).kind === "plane");
 
 const event = has({ kind: text, start: finite, end: finite, words: text });
 
@@ -42,7 +50,7 @@ const considered = has({
 });
 
 const round = has({
-  round: finite, duration: finite, root: maybe(pose), surface: has({ pose, rings: list(list(finite)), shape: maybe(cylinder) }), scene: list(solid), meshes: list(mesh),
+  round: finite, duration: finite, root: maybe(pose), surface: has({ pose, rings: list(list(finite)), shape: maybe(curved) }), scene: list(solid), meshes: list(mesh),
   goal: maybe((value) => has({ kind: text })(value) && ((value as { kind: string }).kind !== "collected" || has({ place: exactly(2), radius: finite })(value))),
   strokes: list(list(finite)), phases: list(has({ name: text, start: finite, end: finite })), predicted: maybe(finite), growth: list(interval),
   particles: list((step) => Array.isArray(step) && step.length === 3 && finite(step[0]) && some(step[1]) && some(step[2])), why: list(text), considered: maybe(list(considered)), events: maybe(list(event)), contacts: maybe(list(interval)),

@@ -39,7 +39,7 @@ export type Bend = SurfaceShape | null | undefined;
 /** Returns the true shape of a surface: the believed one if no other is stated. */
 export function trueShape(truth: TruthPiece | null, believed: Bend): Bend {
   const shape = truth?.shape ?? believed;
-  return shape?.kind === "cylinder" ? shape : null;
+  return shape && shape.kind !== "plane" ? shape : null;
 }
 
 /** Dirt and surface after a round, or before the first. */

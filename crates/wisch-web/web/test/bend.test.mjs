@@ -31,3 +31,36 @@ test("lines and faces follow the surface between their corners", () => {
   assert.ok(face.count >= 190 && face.count < 1000, `${face.count}`);
   for (let i = 0; i < face.count; i++) assert.ok(Math.abs(fromAxis([face.getX(i), face.getY(i), face.getZ(i)], pipe) - 0.5) < 1e-6);
 });
+
+/** A quarter of the pipe as facets of 1 cm along its bend. */
+function facets() {
+  const [points, places, triangles] = [[], [], []];
+  for (let i = 0; i <= 80; i++) {
+    for (const y of [-0.3, 0, 0.3]) {
+      const x = 0.01 * (i - 40);
+      places.push(x, y);
+      points.push(...lift(pipe, x, y, 0));
+      if (i > 0 && y > -0.3) {
+        const corner = places.length / 2 - 1;
+        triangles.push(corner - 4, corner - 1, corner, corner - 4, corner, corner - 3);
+      }
+    }
+  }
+  return { kind: "mesh", points, places, triangles };
+}
+
+test("the chart of a mesh lies where the surface does", () => {
+  const mesh = facets();
+  for (const [x, y, height] of [[-0.31, 0.1, 0.05], [0.123, -0.2, 0], [0.4, 0.3, 0.1]]) {
+    const [found, wanted] = [lift(mesh, x, y, height), lift(pipe, x, y, height)];
+    assert.ok(Math.hypot(...found.map((at, i) => at - wanted[i])) < 1e-3, `${found} instead of ${wanted}`);
+  }
+  // Beyond the border, it goes on straight.
+  const beyond = lift(mesh, 0.42, 0, 0);
+  assert.ok(Math.hypot(...beyond.map((at, i) => at - lift(pipe, 0.42, 0, 0)[i])) < 2e-3);
+  const surface = { pose: [1, 0, 0, 0, 0, 0, 1], rings: [], shape: mesh };
+  assert.ok(normalUnder(surface, new Vector3(0.7, 0.2, 0.4)).angleTo(normalUnder({ ...surface, shape: pipe }, new Vector3(0.7, 0.2, 0.4))) < 0.02);
+  const face = liftGeometry(mesh, new PlaneGeometry(0.6, 0.4)).getAttribute("position");
+  assert.ok(face.count > 1000 && face.count < 20000, `${face.count}`);
+  for (let i = 0; i < face.count; i++) assert.ok(Math.abs(fromAxis([face.getX(i), face.getY(i), face.getZ(i)], pipe) - 0.5) < 1e-4);
+});

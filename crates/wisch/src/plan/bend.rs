@@ -21,7 +21,7 @@ const SEARCH_STEP: f64 = 0.01;
 /// [`RIGID_COMPRESSION`](crate::represent::RIGID_COMPRESSION).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct BendContact {
-    /// Least and largest share of the footprint that touches, over all yaws \[1\].
+    /// Least and largest share of the footprint that touches, over all yaws and, of a mesh, places \[1\].
     pub touched_share: [f64; 2],
     /// Least and largest pressure over the nominal one, over footprint and yaws \[1\]; 0 where the tool does not touch.
     /// Foam bottoms out beyond [`MAX_PRESSURE`](crate::represent::MAX_PRESSURE).
@@ -53,26 +53,29 @@ impl BendContact {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn from_task(task: &Task) -> Option<Self> {
-        let SurfaceShape::Cylinder { radius, .. } = task.surface.shape else {
+        let shape = &task.surface.shape;
+        if shape.is_plane() {
             return None;
-        };
+        }
         let tool = ElasticFoundation::from_interaction(&task.tool.footprint, &task.interaction)?;
-        let bend = task.surface.shape.bend();
         let nothing = [f64::INFINITY, f64::NEG_INFINITY];
         let (mut touched_share, mut pressure) = (nothing, nothing);
-        for yaw in yaws() {
-            let here = tool.press_upright(&bend, yaw);
-            let share = tool.touched_share(&here);
-            let [least, most] = tool.range(&here).map(|value| value.max(0.0));
-            touched_share = [touched_share[0].min(share), touched_share[1].max(share)];
-            pressure = [pressure[0].min(least), pressure[1].max(most)];
+        for bend in shape.bends() {
+            for yaw in yaws() {
+                let here = tool.press_upright(&bend, yaw);
+                let share = tool.touched_share(&here);
+                let [least, most] = tool.range(&here).map(|value| value.max(0.0));
+                touched_share = [touched_share[0].min(share), touched_share[1].max(share)];
+                pressure = [pressure[0].min(least), pressure[1].max(most)];
+            }
         }
         // κL² = 12 δ on a bulge, 24 δ in a hollow.
-        let factor = if radius > 0.0 { 12.0 } else { 24.0 };
+        let radii = shape.least_radii();
+        let length = |factor: f64, radius: f64| libm::sqrt(factor * tool.compression() * radius);
         Some(Self {
             touched_share,
             pressure,
-            fitting_length: libm::sqrt(factor * tool.compression() * radius.abs()),
+            fitting_length: length(12.0, radii.bulge).min(length(24.0, radii.hollow)),
             compression: tool.compression(),
         })
     }
@@ -114,22 +117,24 @@ fn yaws() -> impl Iterator<Item = f64> {
 }
 
 /// The pressure of a task's tool at a yaw [rad], its foundation, and the least pressure at which it acts; `None` on a plane, for
-/// a tool that hovers, and where all of the tool acts.
+/// a tool that hovers, and where all of the tool acts. Of a mesh, the tightest bend counts.
 pub(super) fn partial_contact(
     task: &Task,
     yaw: f64,
 ) -> Option<(ElasticFoundation, LocalPressure, f64)> {
-    if task.surface.shape.is_plane() {
-        return None;
-    }
+    let bend = match &task.surface.shape {
+        SurfaceShape::Plane => return None,
+        SurfaceShape::Mesh(mesh) => mesh.tightest_bend(),
+        shape => shape.bend(Point2::origin()),
+    };
     let tool = ElasticFoundation::from_interaction(&task.tool.footprint, &task.interaction)?;
     let least = effective_pressure(&task.interaction.likelihood);
-    let pressure = tool.press_upright(&task.surface.shape.bend(), yaw);
+    let pressure = tool.press_upright(&bend, yaw);
     (tool.range(&pressure)[0] < least).then_some((tool, pressure, least))
 }
 
 /// Returns the vector across a hollow of the distance from the tool's centre within which the tool acts at no yaw [m]; 0
-/// elsewhere.
+/// elsewhere. The hollows of a mesh have no common direction, so that none counts.
 pub(super) fn gap_in_hollow(task: &Task) -> Vector2 {
     let SurfaceShape::Cylinder { radius, axis } = task.surface.shape else {
         return Vector2::zeros();
@@ -139,7 +144,7 @@ pub(super) fn gap_in_hollow(task: &Task) -> Vector2 {
         return Vector2::zeros();
     };
     let least = effective_pressure(&task.interaction.likelihood);
-    let bend = task.surface.shape.bend();
+    let bend = task.surface.shape.bend(Point2::origin());
     // f′(u) = m + u²/2δ|R| reaches the limit at u² = 2 (limit − m) δ |R|.
     let gaps = yaws().map(|yaw| {
         let missing = (least - tool.press_upright(&bend, yaw).middle).max(0.0);
@@ -155,23 +160,29 @@ pub(super) fn gap_in_hollow(task: &Task) -> Vector2 {
 /// A chart that does not fit its shape, a bend that is too sharp for the tool, or a slope on which dirt slides.
 pub(super) fn check_bend(task: &Task) -> Result<(), PlanError> {
     let surface = &task.surface;
-    let SurfaceShape::Cylinder { radius, .. } = surface.shape else {
+    if surface.shape.is_plane() {
         return Ok(());
-    };
+    }
     if let Some(fault) = surface.shape_fault() {
         let surface = surface.name.clone();
         return Err(PlanError::Shape { surface, fault });
     }
-    let reach = touched_reach(task, radius);
-    if reach > radius.abs() {
-        return Err(PlanError::TooBent {
-            tool: task.tool.name.clone(),
-            surface: surface.name.clone(),
-            radius,
-            reach,
-        });
+    let radii = surface.shape.least_radii();
+    for radius in [radii.bulge, -radii.hollow] {
+        if radius.is_infinite() {
+            continue;
+        }
+        let reach = touched_reach(task, radius);
+        if reach > radius.abs() {
+            return Err(PlanError::TooBent {
+                tool: task.tool.name.clone(),
+                surface: surface.name.clone(),
+                radius,
+                reach,
+            });
+        }
+        check_gap(task, radius)?;
     }
-    check_gap(task, radius)?;
     let slope = steepest(surface);
     // The kind of the medium and the friction of the surface are not part of a task, so the smallest friction counts.
     let friction = dirt_friction(crate::represent::MediumKind::Solid, 0.0);
@@ -224,18 +235,24 @@ fn touched_reach(task: &Task, radius: f64) -> f64 {
     let Some(tool) = tool.filter(|_| radius > 0.0) else {
         return reach;
     };
-    let bend = task.surface.shape.bend();
     // f′(u) = m − u²/2δR vanishes at u² = 2 m δ R.
-    let most = yaws().map(|yaw| tool.press_upright(&bend, yaw).middle);
+    let bends = task.surface.shape.bends();
+    let most = bends
+        .iter()
+        .flat_map(|bend| yaws().map(|yaw| tool.press_upright(bend, yaw).middle));
     let most = most.fold(0.0, f64::max);
     libm::sqrt(2.0 * most * tool.compression() * radius).min(reach)
 }
 
 /// Largest angle between the surface's normal and the vertical [rad].
 fn steepest(surface: &Surface) -> f64 {
-    let corners = surface.outline.outer().iter();
-    let angle = |place: &Point2| surface.normal(*place).angle(&Vector3::z());
-    corners.map(angle).fold(0.0, f64::max)
+    let angle = |place: Point2| surface.normal(place).angle(&Vector3::z());
+    let corners = surface.outline.outer().iter().copied();
+    let within: Vec<Point2> = match &surface.shape {
+        SurfaceShape::Mesh(mesh) => mesh.bends().map(|(place, _)| place).collect(),
+        _ => Vec::new(),
+    };
+    corners.chain(within).map(angle).fold(0.0, f64::max)
 }
 
 /// Checks that no object of a scene is within a radius of a curved surface, on its outer side: as on a plane, what lies

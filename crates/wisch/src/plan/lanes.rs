@@ -77,7 +77,16 @@ pub(super) fn lanes(
 /// The headings along which lanes may run [rad].
 fn headings(task: &Task) -> Vec<f64> {
     let mut headings = vec![0.0, FRAC_PI_2];
-    if let SurfaceShape::Cylinder { axis, .. } = task.surface.shape {
+    let axis = match &task.surface.shape {
+        SurfaceShape::Plane => None,
+        SurfaceShape::Cylinder { axis, .. } => Some(*axis),
+        // Across the largest curvature of the tightest bend.
+        SurfaceShape::Mesh(mesh) => {
+            let bend = mesh.tightest_bend();
+            Some(0.5 * libm::atan2(-2.0 * bend[(0, 1)], bend[(1, 1)] - bend[(0, 0)]))
+        }
+    };
+    if let Some(axis) = axis {
         for heading in [axis, axis + FRAC_PI_2] {
             let is_new =
                 (headings.iter()).all(|one| libm::sin(heading - one).abs() > SAME_DIRECTION);

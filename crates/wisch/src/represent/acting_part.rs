@@ -1,6 +1,6 @@
 //! The part of a footprint that acts on a surface that bends: where the tool presses hard enough.
 
-use super::{ElasticFoundation, LocalPressure, Surface};
+use super::{ElasticFoundation, LocalPressure, Surface, SurfaceShape};
 use crate::geometry::{Edge, Point2, Polygon, Region, Vector2};
 use nalgebra::Matrix2;
 use std::f64::consts::PI;
@@ -43,9 +43,16 @@ impl ActingPart {
         }
     }
 
-    /// Whether only a part of the tool acts at a yaw [rad].
+    /// Whether only a part of the tool acts at a yaw [rad], somewhere on the surface.
     pub(super) fn is_partial(&mut self, surface: &Surface, heading: f64) -> bool {
-        !surface.shape.is_plane() && self.pressure(surface, Point2::origin(), heading).is_some()
+        match &surface.shape {
+            SurfaceShape::Plane => false,
+            SurfaceShape::Cylinder { .. } => {
+                (self.pressure(surface, Point2::origin(), heading)).is_some()
+            }
+            // At which places is asked for each particle.
+            SurfaceShape::Mesh(_) => self.radius_at_every_yaw(surface) < f64::INFINITY,
+        }
     }
 
     /// Returns the pressure of the tool at a yaw [rad] where the surface bends as it does at a place of its chart, and the
@@ -53,11 +60,17 @@ impl ActingPart {
     pub(super) fn pressure(
         &mut self,
         surface: &Surface,
-        _place: Point2,
+        place: Point2,
         heading: f64,
     ) -> Option<(LocalPressure, f64)> {
         let least = self.least;
-        let (foundation, known) = self.meet(surface.shape.bend());
+        if let SurfaceShape::Mesh(_) = &surface.shape {
+            let bend = surface.shape.bend(place);
+            let pressure = self.foundation.press_upright(&bend, heading);
+            let is_partial = self.foundation.range(&pressure)[0] < least;
+            return is_partial.then_some((pressure, least));
+        }
+        let (foundation, known) = self.meet(surface.shape.bend(place));
         let pressure = match known.upright {
             Some((yaw, pressure)) if yaw == heading => pressure,
             _ => {
@@ -71,8 +84,8 @@ impl ActingPart {
         pressure.map(|pressure| (pressure, least))
     }
 
-    /// Returns the boundary of the part of a footprint that acts at every yaw; `None` if all of it does. Of a footprint in
-    /// several pieces, whole pieces count.
+    /// Returns the boundary of the part of a footprint that acts at every yaw, of a mesh at its tightest bend; `None` if all of
+    /// it does. Of a footprint in several pieces, whole pieces count.
     pub(super) fn at_every_yaw(
         &mut self,
         surface: &Surface,
@@ -81,16 +94,11 @@ impl ActingPart {
         if surface.shape.is_plane() {
             return None;
         }
-        let least = self.least;
-        let (foundation, known) = self.meet(surface.shape.bend());
-        let bend = known.bend;
-        let radius = known.radius;
-        let radius = radius.unwrap_or_else(|| radius_at_every_yaw(foundation, &bend, least));
-        known.radius = Some(radius);
+        let radius = self.radius_at_every_yaw(surface);
         if radius == f64::INFINITY {
             return None;
         }
-        let edges = known.edges.get_or_insert_with(|| {
+        let edges = self.known.as_mut()?.edges.get_or_insert_with(|| {
             let within =
                 |piece: &&Polygon| piece.edges().all(|edge| edge.start.coords.norm() <= radius);
             match footprint.polygons() {
@@ -103,6 +111,19 @@ impl ActingPart {
             }
         });
         Some(edges)
+    }
+
+    /// Returns the radius about the tool centre point within which the tool acts at every yaw [m]; infinite if all of it
+    /// does.
+    fn radius_at_every_yaw(&mut self, surface: &Surface) -> f64 {
+        let least = self.least;
+        let bend = match &surface.shape {
+            SurfaceShape::Mesh(mesh) => mesh.tightest_bend(),
+            shape => shape.bend(Point2::origin()),
+        };
+        let (foundation, known) = self.meet(bend);
+        let bend = known.bend;
+        *(known.radius).get_or_insert_with(|| radius_at_every_yaw(foundation, &bend, least))
     }
 
     /// Returns what is known of a bend.

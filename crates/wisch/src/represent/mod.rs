@@ -6,6 +6,7 @@ mod effect;
 mod field;
 mod heap;
 mod knowledge;
+mod mesh_shape;
 mod metrics;
 mod motion;
 mod observation;
@@ -33,13 +34,14 @@ pub use knowledge::{
     KnowledgeError, LogNormal, LogNormalSpread, MediumEntry, MediumKind, Mount, Place, RankedTool,
     Redraw, SecondGrip, SurfaceEntry, SurfaceScope, TiltFreedom, ToolEntry, ToolMesh, UnknownName,
 };
+pub use mesh_shape::{MeshShape, principal_curvatures};
 pub use metrics::{GoalState, Performance, THICKNESS_TOLERANCE};
 pub use motion::ToolMotion;
 pub use observation::{MAX_DETECTIONS, Observation, SensorModel, Sight};
 pub use occupied_area::{OccupiedArea, SURFACE_SKIN};
 pub use particles::{Fate, MAX_PARTICLES, ParticleDistribution, ParticleError, ParticleTally};
 pub use scene::{SceneObject, ScenePart};
-pub use shape::{ChartPoint, MAX_ROLL, RADIUS_RANGE, SurfaceShape};
+pub use shape::{ChartPoint, LeastRadii, MAX_ROLL, RADIUS_RANGE, SurfaceShape};
 pub use sliding::{SteepSurface, dirt_friction, slide_down};
 pub use sources::{
     Cluster, DirtArea, SourceError, cluster_particles, particle_generator, uniform_particles,

@@ -1,11 +1,13 @@
-//! Where the chart of a surface lies in space: in a plane, or rolled onto a cylinder.
+//! Where the chart of a surface lies in space: in a plane, rolled onto a cylinder, or over a mesh.
 //!
 //! Outline, dirt, nodes and strokes are given in the chart, in metres. A cylinder unrolls without stretch, so lengths,
-//! angles and areas of the chart are those of the surface.
+//! angles and areas of the chart are those of the surface. The chart of a mesh is stretched by a few percent at most.
 
+use super::mesh_shape::{MeshShape, principal_curvatures};
 use crate::geometry::{Point2, Point3, Pose, Vector2, Vector3};
 use nalgebra::{Matrix2, Translation3, Unit, UnitQuaternion};
 use std::f64::consts::PI;
+use std::sync::Arc;
 
 /// Largest angle of a chart about the axis of its cylinder, to either side of its origin \[rad\]: beyond it, the surface
 /// would nearly close.
@@ -16,7 +18,7 @@ pub const RADIUS_RANGE: [f64; 2] = [0.01, 1e9];
 /// The shape onto which the chart of a surface is rolled.
 ///
 /// The frame of a surface touches it at the chart's origin: there, the axes of chart and frame agree.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[derive(Debug, Clone, PartialEq, Default)]
 pub enum SurfaceShape {
     /// The chart is the xy plane of the surface's frame.
     #[default]
@@ -28,6 +30,29 @@ pub enum SurfaceShape {
         /// Angle of the cylinder's axis from the chart's x \[rad\].
         axis: f64,
     },
+    /// The chart is that of a mesh.
+    Mesh(Arc<MeshShape>),
+}
+
+/// Least radii of a shape \[m\]; infinite where it has no such bend.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct LeastRadii {
+    /// Of the bulges.
+    pub bulge: f64,
+    /// Of the hollows.
+    pub hollow: f64,
+}
+
+impl LeastRadii {
+    const NONE: Self = Self {
+        bulge: f64::INFINITY,
+        hollow: f64::INFINITY,
+    };
+
+    /// The smaller of the two \[m\].
+    pub fn least(&self) -> f64 {
+        self.bulge.min(self.hollow)
+    }
 }
 
 /// A point in space relative to a surface.
@@ -59,9 +84,10 @@ impl SurfaceShape {
     /// assert!((pose.rotation * Vector3::z() + Vector3::x()).norm() < 1e-12);
     /// ```
     pub fn place(&self, place: Point2, height: f64) -> Pose {
-        match *self {
+        match self {
             Self::Plane => Pose::translation(place.x, place.y, height),
-            Self::Cylinder { radius, axis } => {
+            Self::Mesh(mesh) => mesh.place(place, height),
+            &Self::Cylinder { radius, axis } => {
                 let [along, across] = directions(axis);
                 let angle = across.dot(&place.coords) / radius;
                 let (sine, cosine) = (libm::sin(angle), libm::cos(angle));
@@ -84,12 +110,16 @@ impl SurfaceShape {
     ///
     /// A point on the axis of a cylinder has the foot φ = 0.
     pub fn chart(&self, point: Point3) -> ChartPoint {
-        match *self {
+        match self {
             Self::Plane => ChartPoint {
                 place: point.xy(),
                 height: point.z,
             },
-            Self::Cylinder { radius, axis } => {
+            Self::Mesh(mesh) => {
+                let (place, height) = mesh.sheet().chart_extended(point);
+                ChartPoint { place, height }
+            }
+            &Self::Cylinder { radius, axis } => {
                 let [along, across] = directions(axis);
                 let (v, u) = (
                     along.dot(&point.coords.xy()),
@@ -123,9 +153,10 @@ impl SurfaceShape {
     /// # Ok::<(), &str>(())
     /// ```
     pub fn place_below(&self, point: Point2) -> Option<Point2> {
-        match *self {
+        match self {
             Self::Plane => Some(point),
-            Self::Cylinder { radius, axis } => {
+            Self::Mesh(mesh) => mesh.sheet().place_below(point),
+            &Self::Cylinder { radius, axis } => {
                 let [along, across] = directions(axis);
                 let sine = across.dot(&point.coords) / radius;
                 (sine.abs() <= 1.0).then(|| {
@@ -140,27 +171,61 @@ impl SurfaceShape {
     pub fn orientation(&self, place: Point2) -> UnitQuaternion<f64> {
         match self {
             Self::Plane => UnitQuaternion::identity(),
-            Self::Cylinder { .. } => self.place(place, 0.0).rotation,
+            Self::Cylinder { .. } | Self::Mesh(_) => self.place(place, 0.0).rotation,
         }
     }
 
-    /// Returns the second fundamental form in the axes of the chart \[1/m\], positive where the surface bulges towards the
-    /// tool; the same everywhere.
-    pub fn bend(&self) -> Matrix2<f64> {
-        match *self {
+    /// Returns the second fundamental form at a place, in the axes of the chart \[1/m\], positive where the surface bulges
+    /// towards the tool; of a cylinder, the same everywhere.
+    pub fn bend(&self, place: Point2) -> Matrix2<f64> {
+        match self {
             Self::Plane => Matrix2::zeros(),
-            Self::Cylinder { radius, axis } => {
+            Self::Mesh(mesh) => mesh.sheet().extend(place).bend,
+            &Self::Cylinder { radius, axis } => {
                 let [_, across] = directions(axis);
                 across * across.transpose() / radius
             }
         }
     }
 
-    /// Returns the angle about the axis of a cylinder from the chart's origin to a place \[rad\]; 0 on a plane.
+    /// Returns the second fundamental forms that occur \[1/m\]: none of a plane, one of a cylinder, and those at places
+    /// about half a tool's radius apart of a mesh.
+    pub fn bends(&self) -> Vec<Matrix2<f64>> {
+        match self {
+            Self::Plane => Vec::new(),
+            Self::Cylinder { .. } => vec![self.bend(Point2::origin())],
+            Self::Mesh(mesh) => mesh.bends().map(|(_, bend)| bend).collect(),
+        }
+    }
+
+    /// Returns the least radii that occur, see [`Self::bends`].
+    pub fn least_radii(&self) -> LeastRadii {
+        match self {
+            Self::Plane => LeastRadii::NONE,
+            &Self::Cylinder { radius, .. } if radius > 0.0 => LeastRadii {
+                bulge: radius,
+                ..LeastRadii::NONE
+            },
+            &Self::Cylinder { radius, .. } => LeastRadii {
+                hollow: -radius,
+                ..LeastRadii::NONE
+            },
+            Self::Mesh(mesh) => mesh.bends().fold(LeastRadii::NONE, |least, (_, bend)| {
+                let [larger, smaller] = principal_curvatures(&bend);
+                LeastRadii {
+                    bulge: least.bulge.min(1.0 / larger.max(0.0)),
+                    hollow: least.hollow.min(1.0 / (-smaller).max(0.0)),
+                }
+            }),
+        }
+    }
+
+    /// Returns the angle about the axis of a cylinder from the chart's origin to a place \[rad\]; 0 on
+    /// another shape.
     pub fn roll(&self, place: Point2) -> f64 {
-        match *self {
-            Self::Plane => 0.0,
-            Self::Cylinder { radius, axis } => {
+        match self {
+            Self::Plane | Self::Mesh(_) => 0.0,
+            &Self::Cylinder { radius, axis } => {
                 let [_, across] = directions(axis);
                 across.dot(&place.coords) / radius
             }
@@ -169,9 +234,10 @@ impl SurfaceShape {
 
     /// Returns the angle by which the normal turns between two places of the chart \[rad\].
     pub fn turn_between(&self, from: Point2, to: Point2) -> f64 {
-        match *self {
+        match self {
             Self::Plane => 0.0,
-            Self::Cylinder { radius, axis } => {
+            Self::Mesh(mesh) => mesh.turn_between(from, to),
+            &Self::Cylinder { radius, axis } => {
                 let [_, across] = directions(axis);
                 (across.dot(&(to - from)) / radius).abs()
             }

@@ -206,23 +206,26 @@ impl Surface {
     }
 
     /// Returns the body under the surface down to a depth \[m\], in the surface frame: the outline with its holes, as a
-    /// closed mesh. Of a cylinder, facets replace the surface.
+    /// closed mesh. Facets replace a curved surface.
     ///
     /// # Errors
     /// An outline without area.
     pub fn solid_below(&self, depth: f64) -> Result<Mesh, MeshError> {
         let prism = prism_below(&self.outline, depth)?;
-        let SurfaceShape::Cylinder { radius, .. } = self.shape else {
+        if self.shape.is_plane() {
             return Ok(prism);
-        };
+        }
+        let radii = self.shape.least_radii();
         // A facet of length l lies off an arc of radius R by l²/8R.
-        let fine = prism.split_edges((8.0 * radius.abs() * FACET_ERROR).sqrt());
-        // Under a bulge, nothing lies beyond the axis.
-        let deepest = if radius > 0.0 {
-            -0.9 * radius
-        } else {
-            f64::NEG_INFINITY
+        let longest = match &self.shape {
+            SurfaceShape::Mesh(_) => (8.0 * radii.least() * MESH_FACET_ERROR)
+                .sqrt()
+                .clamp(LEAST_FACET, MOST_FACET),
+            _ => (8.0 * radii.least() * FACET_ERROR).sqrt(),
         };
+        let fine = prism.split_edges(longest);
+        // Under a bulge, nothing lies beyond the axis.
+        let deepest = -0.9 * radii.bulge;
         let rolled = |p: &Point3| -> Point3 {
             let place = self.shape.place(p.xy(), p.z.max(deepest));
             place.translation.vector.into()
@@ -241,6 +244,10 @@ impl Surface {
 
 /// Largest distance of a facet from the surface that it replaces [m].
 const FACET_ERROR: f64 = 1e-4;
+/// The same over a mesh, where the tightest bend counts everywhere [m], and the range of the facets' lengths [m].
+const MESH_FACET_ERROR: f64 = 5e-4;
+const LEAST_FACET: f64 = 0.03;
+const MOST_FACET: f64 = 0.1;
 /// Share of the move `from → to` (0..1) at which it crosses the edge outwards; `None` if it does not.
 fn crossing(from: Point2, to: Point2, edge: &Edge) -> Option<f64> {
     let along = edge.end - edge.start;

@@ -77,11 +77,9 @@ impl StrokeWatch {
         };
         let world_from_surface = &self.surface.world_from_surface;
         let in_surface = world_from_surface.rotation.inverse() * sample.external.force;
-        let pressed = match self.surface.shape {
+        let pressed = match &self.surface.shape {
             SurfaceShape::Plane => in_surface.z,
-            shape @ SurfaceShape::Cylinder { .. } => {
-                (shape.orientation(at).inverse() * in_surface).z
-            }
+            shape => (shape.orientation(at).inverse() * in_surface).z,
         };
         self.without_contact = if pressed < self.least_force {
             self.without_contact + way

@@ -5,8 +5,8 @@ use super::topology::Triangles;
 use crate::geometry::{Point2, Point3, Vector3};
 use nalgebra::Matrix3;
 use parry3d_f64::math::Vector;
-use parry3d_f64::query::PointQueryWithLocation;
-use parry3d_f64::shape::{TriMesh, TrianglePointLocation};
+use parry3d_f64::query::{PointQueryWithLocation, Ray, RayCast};
+use parry3d_f64::shape::{FeatureId, TriMesh, TrianglePointLocation};
 
 /// Tolerance of a place on an edge, in barycentric coordinates [1].
 const ON_EDGE: f64 = 1e-9;
@@ -131,6 +131,8 @@ fn weights_at(place: Point2, places: &[Point2], triangle: [u32; 3]) -> Option<[f
 pub(super) struct FootFinder {
     tree: TriMesh,
     neighbours: Vec<[Option<u32>; 3]>,
+    /// Sides without a neighbour: triangle and number of the side.
+    border: Vec<(u32, u8)>,
 }
 
 impl FootFinder {
@@ -140,9 +142,70 @@ impl FootFinder {
             .iter()
             .map(|p| Vector::new(p.x, p.y, p.z))
             .collect();
+        let neighbours = surface.neighbours();
+        let sides = (0u32..).zip(&neighbours).flat_map(|(triangle, sides)| {
+            let open = (0u8..).zip(sides).filter(|(_, side)| side.is_none());
+            open.map(move |(side, _)| (triangle, side))
+        });
         Some(Self {
             tree: TriMesh::new(vertices, surface.triangles.clone()).ok()?,
-            neighbours: surface.neighbours(),
+            border: sides.collect(),
+            neighbours,
+        })
+    }
+
+    /// Returns the place of the border that is nearest to a place of the chart; `None` without a border.
+    pub(super) fn nearest_on_border(
+        &self,
+        place: Point2,
+        places: &[Point2],
+        surface: &Triangles,
+    ) -> Option<Located> {
+        let mut nearest: Option<(f64, Located)> = None;
+        for &(triangle, side) in &self.border {
+            let corners = surface.triangles[triangle as usize];
+            let (first, second) = (usize::from(side), (usize::from(side) + 1) % 3);
+            let [a, b] = [corners[first], corners[second]].map(|i| places[i as usize]);
+            let along = b - a;
+            let length = along.norm_squared();
+            let share = if length > 0.0 {
+                ((place - a).dot(&along) / length).clamp(0.0, 1.0)
+            } else {
+                0.0
+            };
+            let distance = (place - (a + along * share)).norm_squared();
+            if nearest.is_none_or(|(best, _)| distance < best) {
+                let mut weights = [0.0; 3];
+                weights[first] = 1.0 - share;
+                weights[second] = share;
+                let triangle = triangle as usize;
+                nearest = Some((distance, Located { triangle, weights }));
+            }
+        }
+        nearest.map(|(_, located)| located)
+    }
+
+    /// Returns the first point that a line along −z meets from above, by its x and y.
+    pub(super) fn find_below(&self, at: Point2, surface: &Triangles) -> Option<Located> {
+        let top = self.tree.local_aabb().maxs.z + 1.0;
+        let ray = Ray::new(Vector::new(at.x, at.y, top), -Vector::Z);
+        let hit = self
+            .tree
+            .cast_local_ray_and_get_normal(&ray, f64::MAX, true)?;
+        let FeatureId::Face(face) = hit.feature else {
+            return None;
+        };
+        // The back of a triangle has the numbers after the last one.
+        let triangle = face as usize % surface.triangles.len();
+        let point = Point3::new(at.x, at.y, top - hit.time_of_impact);
+        let [a, b, c] = surface.corners(surface.triangles[triangle]);
+        let normal = (b - a).cross(&(c - a));
+        let doubled = normal.norm_squared();
+        let second = (point - a).cross(&(c - a)).dot(&normal) / doubled;
+        let third = (b - a).cross(&(point - a)).dot(&normal) / doubled;
+        (doubled > 0.0).then_some(Located {
+            triangle,
+            weights: [1.0 - second - third, second, third],
         })
     }
 

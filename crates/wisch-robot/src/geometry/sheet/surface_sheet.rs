@@ -9,7 +9,7 @@ use super::quadric::{LocalFit, fit_vertices};
 use super::remesh::{has_edges_beyond, remesh, split_long_edges};
 use super::stretch::{SheetStretch, chart_from_triangle, measure, triangle_stretches};
 use super::topology::Triangles;
-use crate::geometry::{Mesh, Point2, Point3, Polygon, Vector2, Vector3};
+use crate::geometry::{Mesh, Point2, Point3, Polygon, Pose, Vector2, Vector3};
 use nalgebra::Matrix2;
 use rayon::prelude::*;
 use std::f64::consts::PI;
@@ -92,6 +92,8 @@ pub struct Sheet {
     survey: MeshSurvey,
     smoothed_by: f64,
     areas: Vec<f64>,
+    /// Directions of the chart's x at the vertices, not normalised.
+    x_axes: Vec<Vector3>,
     overlap: Option<Point3>,
     stretch_limit: f64,
     grid: ChartGrid,
@@ -235,6 +237,7 @@ impl Sheet {
             normals: fits.iter().map(|fit| fit.normal).collect(),
             bends,
             areas,
+            x_axes,
             places,
             stretches,
             stretch,
@@ -285,18 +288,101 @@ impl Sheet {
     pub fn chart(&self, point: Point3) -> SheetFoot {
         let located = self.finder.find(point, &self.surface, &self.normals);
         let foot = self.point_at(located);
-        let corners = self.surface.triangles[located.triangle];
-        let place = (corners.iter().zip(located.weights)).fold(Vector2::zeros(), |sum, (&i, w)| {
-            sum + self.places[i as usize].coords * w
-        });
         let offset = point - foot.point;
         let height = offset.dot(&foot.normal);
         SheetFoot {
-            place: Point2::from(place),
+            place: self.place_of(located),
             height,
             normal: foot.normal,
             beyond: (offset - foot.normal * height).norm(),
         }
+    }
+
+    /// Returns the point over any place \[m\]: that of [`Sheet::lift`], and beyond the outline that of the tangent plane at
+    /// the nearest place of the border.
+    ///
+    /// ```
+    /// # use wisch_robot::geometry::{Mesh, Point2, Point3, Sheet, SheetConfig};
+    /// let corners = [[0.0, 0.0], [0.4, 0.0], [0.4, 0.3], [0.0, 0.3]];
+    /// let board = Mesh::new(
+    ///     corners.map(|[x, y]| Point3::new(x, y, 0.1)).to_vec(),
+    ///     vec![[0, 1, 2], [0, 2, 3]],
+    /// )?;
+    /// let sheet = Sheet::from_mesh(&board, &SheetConfig::default())?;
+    /// // The chart's origin is the middle of the board.
+    /// let beyond = sheet.extend(Point2::new(0.3, 0.0));
+    /// assert!((beyond.point - Point3::new(0.5, 0.15, 0.1)).norm() < 1e-6);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn extend(&self, place: Point2) -> SheetPoint {
+        if let Some(point) = self.lift(place) {
+            return point;
+        }
+        let Some(located) = self
+            .finder
+            .nearest_on_border(place, &self.places, &self.surface)
+        else {
+            return self.point_at(Located {
+                triangle: 0,
+                weights: [1.0 / 3.0; 3],
+            });
+        };
+        let border = self.point_at(located);
+        let offset = place - self.place_of(located);
+        let y_axis = border.normal.cross(&border.x_axis);
+        SheetPoint {
+            point: border.point + border.x_axis * offset.x + y_axis * offset.y,
+            ..border
+        }
+    }
+
+    /// Returns the place in the chart and the height of a point in the frame of the mesh \[m\]: the inverse of
+    /// [`Sheet::extend`].
+    pub fn chart_extended(&self, point: Point3) -> (Point2, f64) {
+        let located = self.finder.find(point, &self.surface, &self.normals);
+        let foot = self.point_at(located);
+        let offset = point - foot.point;
+        let y_axis = foot.normal.cross(&foot.x_axis);
+        let beyond = Vector2::new(offset.dot(&foot.x_axis), offset.dot(&y_axis));
+        (self.place_of(located) + beyond, offset.dot(&foot.normal))
+    }
+
+    /// Returns the place of the first point of the surface that a line along −z meets, from above; `None` if there is none.
+    ///
+    /// `at`: the line's x and y in the frame of the mesh \[m\].
+    pub fn place_below(&self, at: Point2) -> Option<Point2> {
+        Some(self.place_of(self.finder.find_below(at, &self.surface)?))
+    }
+
+    /// Returns the sheet in another frame. Its chart stays.
+    pub fn transform(&self, frame_from_mesh: &Pose) -> Self {
+        let turned = |vectors: &[Vector3]| vectors.iter().map(|v| frame_from_mesh * v).collect();
+        let vertices = self.surface.vertices.iter().map(|p| frame_from_mesh * p);
+        let surface = Triangles {
+            vertices: vertices.collect(),
+            triangles: self.surface.triangles.clone(),
+        };
+        Self {
+            finder: FootFinder::new(&surface).unwrap_or_else(|| self.finder.clone()),
+            surface,
+            normals: turned(&self.normals),
+            x_axes: turned(&self.x_axes),
+            overlap: self.overlap.map(|p| frame_from_mesh * p),
+            stretch: SheetStretch {
+                at: frame_from_mesh * self.stretch.at,
+                folded_at: self.stretch.folded_at.map(|p| frame_from_mesh * p),
+                ..self.stretch
+            },
+            ..self.clone()
+        }
+    }
+
+    fn place_of(&self, located: Located) -> Point2 {
+        let corners = self.surface.triangles[located.triangle];
+        let sum = (corners.iter().zip(located.weights)).fold(Vector2::zeros(), |sum, (&i, w)| {
+            sum + self.places[i as usize].coords * w
+        });
+        Point2::from(sum)
     }
 
     fn point_at(&self, located: Located) -> SheetPoint {
@@ -311,8 +397,7 @@ impl Sheet {
             .or(facet)
             .unwrap_or_else(Vector3::z);
         let bend = weighted().fold(Matrix2::zeros(), |bend, (i, w)| bend + self.bends[i] * w);
-        let x_axis = x_axis_of(&self.surface, &self.places, corners);
-        let [x_axis, _] = axes_across(normal, x_axis);
+        let [x_axis, _] = axes_across(normal, sum(&|i| self.x_axes[i]));
         SheetPoint {
             point,
             normal,

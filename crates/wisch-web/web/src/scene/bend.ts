@@ -1,7 +1,8 @@
 // Lifts what lies in the chart of a surface onto a curved surface.
 import { BufferAttribute, BufferGeometry, Vector3 } from "three";
 import { matrix } from "./solids.ts";
-import type { RoundPiece, SurfaceShape } from "../recording.ts";
+import { sheetOf } from "./sheet.ts";
+import type { CylinderShape, RoundPiece } from "../recording.ts";
 import type { Bend } from "../store.ts";
 
 /** x and y in the chart, and the height over it; or x, y, z in the frame of the surface [m]. */
@@ -9,22 +10,26 @@ export type Corner = [number, number, number];
 
 /** Largest turn of the normal along a line that is drawn straight [rad]. */
 const TURN_RAD = 0.05;
+/** Length of the lines and triangle sides that are drawn straight over a mesh [m]. */
+const STEP_ON_MESH_M = 0.02;
 
 /** Returns the directions along the axis of a cylinder and across it, in the chart. */
-function directions({ axis_rad }: SurfaceShape): [[number, number], [number, number]] {
+function directions({ axis_rad }: CylinderShape): [[number, number], [number, number]] {
   const [c, s] = [Math.cos(axis_rad), Math.sin(axis_rad)];
   return [[c, s], [-s, c]];
 }
 
-/** Returns the angle by which the normal turns between two places of the chart [rad]. */
-function turnBetween(shape: SurfaceShape, from: Corner, to: Corner): number {
+/** Returns the number of straight parts that replace a line of the chart. */
+function partsBetween(shape: NonNullable<Bend>, from: Corner, to: Corner): number {
+  if (shape.kind === "mesh") return Math.ceil(Math.hypot(to[0] - from[0], to[1] - from[1]) / STEP_ON_MESH_M);
   const [, across] = directions(shape);
-  return Math.abs((across[0] * (to[0] - from[0]) + across[1] * (to[1] - from[1])) / shape.radius_m);
+  return Math.ceil(Math.abs((across[0] * (to[0] - from[0]) + across[1] * (to[1] - from[1])) / shape.radius_m) / TURN_RAD);
 }
 
 /** Returns the point at a height over a place of the chart, in the frame of the surface [m]. */
 export function lift(shape: Bend, x: number, y: number, height: number): Corner {
   if (!shape) return [x, y, height];
+  if (shape.kind === "mesh") return sheetOf(shape).lift(x, y, height);
   const [along, across] = directions(shape);
   const v = along[0] * x + along[1] * y;
   const angle = (across[0] * x + across[1] * y) / shape.radius_m;
@@ -36,9 +41,10 @@ export function lift(shape: Bend, x: number, y: number, height: number): Corner 
 export function normalUnder({ pose, shape }: RoundPiece["surface"], point: Vector3): Vector3 {
   const worldFromSurface = matrix(pose);
   const normal = new Vector3(0, 0, 1);
-  if (shape) {
+  const at = point.clone().applyMatrix4(worldFromSurface.clone().invert());
+  if (shape?.kind === "mesh") normal.copy(sheetOf(shape).normalNear(at));
+  else if (shape) {
     const [, across] = directions(shape);
-    const at = point.clone().applyMatrix4(worldFromSurface.clone().invert());
     // From the axis of the cylinder to the point, or back in a hollow.
     const [u, w] = [across[0] * at.x + across[1] * at.y, at.z + shape.radius_m];
     normal.set(across[0] * u, across[1] * u, w).multiplyScalar(Math.sign(shape.radius_m)).normalize();
@@ -53,7 +59,7 @@ export function liftLine(shape: Bend, corners: readonly Corner[], closed: boolea
   for (let i = 0; i < corners.length; i++) {
     const [x, y, height] = corners[i]!;
     const next = i + 1 < corners.length ? corners[i + 1]! : closed ? corners[0]! : null;
-    const parts = next ? Math.max(1, Math.ceil(turnBetween(shape, corners[i]!, next) / TURN_RAD)) : 1;
+    const parts = next ? Math.max(1, partsBetween(shape, corners[i]!, next)) : 1;
     for (let k = 0; k < parts; k++) {
       const share = k / parts;
       const to = next ?? corners[i]!;
@@ -78,27 +84,46 @@ function keepInside(polygon: readonly Corner[], inside: (at: Corner) => number):
   return kept;
 }
 
+type Triangle = [Corner, Corner, Corner];
+
+/** Cuts triangles into strips along the axis of a cylinder, which are straight enough. */
+function cutIntoStrips(shape: CylinderShape): (triangle: Triangle, add: (part: Triangle) => void) => void {
+  const [, across] = directions(shape);
+  const roll = ([x, y]: Corner): number => (across[0] * x + across[1] * y) / shape.radius_m / TURN_RAD;
+  return (triangle, add) => {
+    const rolls = triangle.map(roll);
+    const low = Math.floor(Math.min(...rolls));
+    for (let strip = low; strip < Math.max(...rolls, low + 0.5); strip++) {
+      const part = keepInside(keepInside(triangle, (at) => roll(at) - strip), (at) => strip + 1 - roll(at));
+      for (let k = 1; k + 1 < part.length; k++) add([part[0]!, part[k]!, part[k + 1]!]);
+    }
+  };
+}
+
+/** Halves a triangle at its longest side until it is small. */
+function halve([a, b, c]: Triangle, add: (part: Triangle) => void): void {
+  const lengths = [[a, b], [b, c], [c, a]].map(([from, to]) => Math.hypot(from![0] - to![0], from![1] - to![1]));
+  const longest = lengths.indexOf(Math.max(...lengths));
+  if (lengths[longest]! <= STEP_ON_MESH_M) return add([a, b, c]);
+  const [p, q, r] = ([[a, b, c], [b, c, a], [c, a, b]] as const)[longest]!;
+  const middle: Corner = [(p[0] + q[0]) / 2, (p[1] + q[1]) / 2, (p[2] + q[2]) / 2];
+  halve([p, middle, r], add);
+  halve([middle, q, r], add);
+}
+
 /** Lifts a flat geometry, whose triangles are divided until they are small; a plane keeps it. */
 export function liftGeometry(shape: Bend, flat: BufferGeometry): BufferGeometry {
   if (!shape) return flat;
   const corners = flat.index ? flat.toNonIndexed() : flat;
   const { array, count } = corners.getAttribute("position");
   const positions: number[] = [];
-  // Strips along the axis are straight enough.
-  const [, across] = directions(shape);
-  const roll = ([x, y]: Corner): number => (across[0] * x + across[1] * y) / shape.radius_m / TURN_RAD;
-  const divide = (triangle: Corner[]): void => {
-    const rolls = triangle.map(roll);
-    const low = Math.floor(Math.min(...rolls));
-    for (let strip = low; strip < Math.max(...rolls, low + 0.5); strip++) {
-      const part = keepInside(keepInside(triangle, (at) => roll(at) - strip), (at) => strip + 1 - roll(at));
-      for (let k = 1; k + 1 < part.length; k++) {
-        for (const [x, y, z] of [part[0]!, part[k]!, part[k + 1]!]) positions.push(...lift(shape, x, y, z));
-      }
-    }
+  const divide = shape.kind === "mesh" ? halve : cutIntoStrips(shape);
+  const add = (triangle: Triangle): void => {
+    for (const [x, y, z] of triangle) positions.push(...lift(shape, x, y, z));
   };
   for (let i = 0; i + 2 < count; i += 3) {
-    divide([0, 1, 2].map((k): Corner => [array[3 * (i + k)]!, array[3 * (i + k) + 1]!, array[3 * (i + k) + 2]!]));
+    const corner = (k: number): Corner => [array[3 * (i + k)]!, array[3 * (i + k) + 1]!, array[3 * (i + k) + 2]!];
+    divide([corner(0), corner(1), corner(2)], add);
   }
   const bent = new BufferGeometry();
   bent.setAttribute("position", new BufferAttribute(Float32Array.from(positions), 3));

@@ -7,6 +7,7 @@ import type { BufferGeometry } from "three";
 import { colour } from "../theme.ts";
 import { metres } from "../particles.ts";
 import { type Corner, liftGeometry, liftLine } from "./bend.ts";
+import { sheetOf } from "./sheet.ts";
 import { LineMaterial, chain, segments } from "./lines.ts";
 import { geometryOf, matrix, shiftDepth } from "./solids.ts";
 import { type Bend, trueShape } from "../store.ts";
@@ -115,11 +116,13 @@ export class Still {
   }
 
   private face(): BufferGeometry | null {
+    const bend = this.round.plan.surface.shape;
+    if (bend?.kind === "mesh") return sheetOf(bend).geometry;
     const [outer, ...holes] = this.rings.map((ring) => ring.map(([x, y]) => new Vector2(x, y)));
     if (!outer) return null;
     const shape = new Shape(outer);
     shape.holes = holes.map((hole) => new Shape(hole));
-    return this.own(liftGeometry(this.round.plan.surface.shape, new ShapeGeometry(shape)));
+    return this.own(liftGeometry(bend, new ShapeGeometry(shape)));
   }
 
   private addSurface(): void {

@@ -2,13 +2,15 @@
 
 use super::kinematics::{Frame, root_from_link};
 use crate::follow::{GripDeviation, LineDeviation, ToolPose, Workcell};
-use crate::geometry::Vector3;
+use crate::geometry::{Point2, Vector3};
 use crate::represent::{SurfaceShape, Task};
 
 /// Largest rotation of a segment; corners farther apart are joined by several [rad].
 const MAX_TURN: f64 = 0.5;
 /// Largest distance of a segment from the arc that it replaces [m].
 const MAX_SAGITTA: f64 = 5e-5;
+/// Length of the segments of a line over a mesh [m].
+const CHORD_ON_MESH: f64 = 5e-3;
 /// Length of the line ahead that is searched for the nearest point: longer than a rounded corner skips [m]. A
 /// rotation of a radian counts as a metre.
 const AHEAD: f64 = 0.12;
@@ -50,8 +52,10 @@ pub(super) struct Line<'a> {
 /// Number of chords that stay within the allowed distance of the arc between two places, which a curved surface makes of a
 /// straight line.
 fn arcs(task: &Task, from: &[f64; 5], to: &[f64; 5]) -> f64 {
-    let SurfaceShape::Cylinder { radius, axis } = task.surface.shape else {
-        return 0.0;
+    let (radius, axis) = match &task.surface.shape {
+        SurfaceShape::Plane => return 0.0,
+        &SurfaceShape::Cylinder { radius, axis } => (radius, axis),
+        SurfaceShape::Mesh(_) => return (to[0] - from[0]).hypot(to[1] - from[1]) / CHORD_ON_MESH,
     };
     let across = (to[1] - from[1]) * axis.cos() - (to[0] - from[0]) * axis.sin();
     // A chord of length l has the sagitta l²/8R.
@@ -73,9 +77,13 @@ fn coordinates(pose: &ToolPose) -> [f64; 5] {
 /// Returns the tool's frame in the world for coordinates relative to the surface.
 fn placed(task: &Task, [x, y, height, heading, tilt]: [f64; 5]) -> Frame {
     let mut tool = Frame::rotate_about(&Vector3::z(), heading);
-    match task.surface.shape {
+    match &task.surface.shape {
         SurfaceShape::Plane => tool.origin = Vector3::new(x, y, height),
-        SurfaceShape::Cylinder { radius, axis } => {
+        // Whether the tool is on the mesh as given is checked apart.
+        shape @ SurfaceShape::Mesh(_) => {
+            tool = Frame::from_pose(&shape.place(Point2::new(x, y), height)).then(&tool);
+        }
+        &SurfaceShape::Cylinder { radius, axis } => {
             tool = roll(radius, axis, Vector3::new(x, y, height)).then(&tool);
         }
     }

@@ -7,6 +7,7 @@
 //! every body is bounded, so that clearance holds at every time and not only at the samples.
 
 mod dynamics;
+mod given_mesh;
 mod kinematics;
 mod line;
 mod surface;
@@ -133,6 +134,23 @@ pub enum MotionFault {
         surface: String,
         /// Position of the tool centre point in the surface frame \[m\].
         place: [f64; 2],
+    },
+    /// The pressed tool is off the mesh of its surface as given, or leans over it.
+    #[error(
+        "at {time:.3} s: the pressed tool is {:.1} mm off the mesh of the surface {surface:?} and leans by {:.1}° over it, at ({:.3}, {:.3}) m in its chart",
+        1e3 * distance, lean.to_degrees(), place[0], place[1]
+    )]
+    OffMesh {
+        /// Time at which it is worst \[s\].
+        time: f64,
+        /// Name of the surface.
+        surface: String,
+        /// Position of the tool centre point in the chart \[m\].
+        place: [f64; 2],
+        /// Distance of the tool centre point from the mesh \[m\].
+        distance: f64,
+        /// Angle between the tool's axis and the mean normal of the mesh under the tool \[rad\]; 0 of a tool that may lean.
+        lean: f64,
     },
     /// The tool leaves its line.
     #[error("motion {motion}: the tool leaves its line by {position:.5} m and {rotation:.5} rad")]
@@ -545,6 +563,13 @@ fn surface_fault(fault: SurfaceFault, motion: &Motion, task: &Task) -> MotionFau
             time: motion.start + time,
             surface,
             place: place.into(),
+        },
+        SurfaceFault::OffMesh { time, place, off } => MotionFault::OffMesh {
+            time: motion.start + time,
+            surface,
+            place: place.into(),
+            distance: off.distance,
+            lean: off.lean,
         },
     }
 }

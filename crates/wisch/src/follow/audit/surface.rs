@@ -1,10 +1,11 @@
 //! Checks that robot, hand and tool stay on their side of the target surface, and that the tool is pressed only
 //! on the surface. It uses the audit's own kinematics and geometry, not the collision model.
 
+use super::given_mesh::{GivenMesh, OffMesh};
 use super::kinematics::{Frame, moved_by};
 use crate::follow::{FollowConfig, Motion, Phase, TrajectorySample, Workcell};
 use crate::geometry::{Bounds2, Edge, Mesh, Point2, Point3, Vector3, encloses};
-use crate::represent::{SurfaceShape, Task};
+use crate::represent::{ChartPoint, SurfaceShape, Task};
 use nalgebra::UnitQuaternion;
 
 /// Depth of a body in the surface that is allowed for rounding [m].
@@ -13,6 +14,8 @@ const DEPTH_TOLERANCE: f64 = 1e-4;
 const BEHIND: f64 = 1.0;
 /// Largest distance of an edge of a body from a curved surface's chart that its ends do not show [m].
 const MAX_SAGITTA: f64 = 1e-4;
+/// Longest edge of a body over a mesh [m].
+const EDGE_OVER_MESH: f64 = 0.04;
 /// Allowed distance of the tool centre point over a hole while the tool is pressed [m]: twice its allowed
 /// deviation from the line.
 const HOLE_TOLERANCE: f64 = 2e-3;
@@ -43,6 +46,10 @@ pub(super) struct SurfaceCheck<'a> {
     pressed_depth: f64,
     /// Whether the tool waits behind the surface, so that its way to the surface passes through that space.
     waits_behind: bool,
+    /// The mesh of the surface, if it has one.
+    given: Option<GivenMesh>,
+    /// Box in the frame of the surface beyond which no edge of a body meets a mesh [m]; `None` of another surface.
+    near: Option<[Vector3; 2]>,
 }
 
 /// A fault at the surface; times are those of the motion [s], places in the surface frame.
@@ -57,6 +64,12 @@ pub(super) enum SurfaceFault {
     },
     /// The tool is pressed over a hole.
     OverHole { time: f64, place: Point2 },
+    /// The pressed tool is off the mesh as given, or leans over it.
+    OffMesh {
+        time: f64,
+        place: Point2,
+        off: OffMesh,
+    },
 }
 
 /// The deepest place at which a body is in the surface.
@@ -81,20 +94,27 @@ impl Body {
     }
 
     /// Returns the body with edges that stay straight over a surface.
-    fn over(self, shape: SurfaceShape) -> Self {
-        let SurfaceShape::Cylinder { radius, .. } = shape else {
-            return self;
-        };
+    fn over(self, shape: &SurfaceShape) -> Self {
         // Over a cylinder of radius R an edge of length l has the sagitta l²/8R.
-        let mesh = (self.mesh).split_edges((8.0 * radius.abs() * MAX_SAGITTA).sqrt());
+        let longest = match shape {
+            SurfaceShape::Plane => return self,
+            SurfaceShape::Cylinder { radius, .. } => (8.0 * radius.abs() * MAX_SAGITTA).sqrt(),
+            SurfaceShape::Mesh(_) => EDGE_OVER_MESH,
+        };
+        let mesh = self.mesh.split_edges(longest);
         Self { mesh, ..self }
     }
 }
 
 /// Returns a point in the frame of the surface as place in the chart and height [m].
-fn unroll(shape: SurfaceShape, point: Vector3) -> Vector3 {
-    let SurfaceShape::Cylinder { radius, axis } = shape else {
-        return point;
+fn unroll(shape: &SurfaceShape, point: Vector3) -> Vector3 {
+    let (radius, axis) = match shape {
+        SurfaceShape::Plane => return point,
+        &SurfaceShape::Cylinder { radius, axis } => (radius, axis),
+        SurfaceShape::Mesh(_) => {
+            let ChartPoint { place, height } = shape.chart(point.into());
+            return Vector3::new(place.x, place.y, height);
+        }
     };
     let along = Vector3::new(axis.cos(), axis.sin(), 0.0);
     let across = Vector3::z().cross(&along);
@@ -118,7 +138,7 @@ impl<'a> SurfaceCheck<'a> {
                 cell.tip().index(),
                 mesh.transform(cell.tip_from_tool()),
             )
-            .over(task.surface.shape)
+            .over(&task.surface.shape)
         };
         let depth = task.interaction.compression_depth_m;
         let mut check = Self {
@@ -131,6 +151,8 @@ impl<'a> SurfaceCheck<'a> {
                 + line_allowance(&task.tool.mesh, config)
                 + hollow_depth(task),
             waits_behind: false,
+            given: GivenMesh::new(task, config),
+            near: near_mesh(&task.surface.shape),
             surface_from_root,
             task,
             cell,
@@ -149,9 +171,9 @@ impl<'a> SurfaceCheck<'a> {
                 .collision
                 .iter()
                 .filter_map(|shape| shape.mesh_in_link());
-            check
-                .links
-                .extend(meshes.map(|mesh| Body::new(&link.name, i, mesh).over(task.surface.shape)));
+            check.links.extend(
+                meshes.map(|mesh| Body::new(&link.name, i, mesh).over(&task.surface.shape)),
+            );
         }
         let frames = check.frames(cell.ready_posture());
         let tool = &check.relaxed;
@@ -167,7 +189,7 @@ impl<'a> SurfaceCheck<'a> {
         let mut stands = vec![false; robot.links().len()];
         let world_from_surface = Frame::from_pose(&self.task.surface.world_from_surface);
         let mut corners = self.task.surface.outline.outer().iter();
-        let is_floor = self.task.surface.shape == SurfaceShape::Plane
+        let is_floor = self.task.surface.shape.is_plane()
             && corners.all(|p| {
                 world_from_surface.point(&Point3::new(p.x, p.y, 0.0)).z <= DEPTH_TOLERANCE
             });
@@ -206,6 +228,7 @@ impl<'a> SurfaceCheck<'a> {
             .collect();
         let mut worst: Vec<Option<(f64, Penetration)>> = vec![None; bodies.len()];
         let mut over_hole: Option<(f64, Point2)> = None;
+        let mut off_mesh: Option<(f64, Point2, OffMesh)> = None;
         let mut before: Option<Vec<Frame>> = None;
         for sample in samples {
             let frames = self.frames(&sample.q);
@@ -219,6 +242,14 @@ impl<'a> SurfaceCheck<'a> {
                 let Some(found) = found else { continue };
                 if worst[i].is_none_or(|(_, known)| found.depth > known.depth) {
                     worst[i] = Some((sample.time, found));
+                }
+            }
+            if let (Some(given), Phase::Wipe(_)) = (&self.given, motion.phase) {
+                let tool = self.tool_frame(&frames);
+                let off = given.measure(&tool);
+                if given.exceeds(&off) && off_mesh.is_none_or(|(.., most)| off.exceeds(&most)) {
+                    let place = unroll(&self.task.surface.shape, tool.origin).xy();
+                    off_mesh = Some((sample.time, place.into(), off));
                 }
             }
             if over_hole.is_none() && matches!(motion.phase, Phase::Wipe(_)) {
@@ -238,15 +269,24 @@ impl<'a> SurfaceCheck<'a> {
             })
         });
         let over_hole = over_hole.map(|(time, place)| SurfaceFault::OverHole { time, place });
-        through.chain(over_hole).collect()
+        let off_mesh =
+            off_mesh.map(|(time, place, off)| SurfaceFault::OffMesh { time, place, off });
+        through.chain(over_hole).chain(off_mesh).collect()
     }
 
     /// Returns the vertices of a body as places in the chart and heights [m].
     fn unrolled(&self, body: &Body, surface_from_link: &Frame) -> Vec<Vector3> {
         let vertices = body.mesh.vertices().iter();
-        let shape = self.task.surface.shape;
+        let shape = &self.task.surface.shape;
+        let is_tool = body.link == self.relaxed.link && body.name == self.relaxed.name;
+        let near = self.near.filter(|_| !is_tool);
+        let is_far = |point: &Vector3| near.is_some_and(|near| distance_to_box(point, near) > 0.0);
         vertices
-            .map(|p| unroll(shape, surface_from_link.point(p)))
+            .map(|p| match surface_from_link.point(p) {
+                // Of the links, only what may meet the mesh counts; NaN is on no side of it.
+                point if is_far(&point) => Vector3::repeat(f64::NAN),
+                point => unroll(shape, point),
+            })
             .collect()
     }
 
@@ -260,13 +300,16 @@ impl<'a> SurfaceCheck<'a> {
         may_be_deep: f64,
     ) -> Option<Penetration> {
         let side = |frame: &Frame| {
-            let middle = unroll(self.task.surface.shape, frame.point(&body.middle));
-            let is_plane = self.task.surface.shape == SurfaceShape::Plane;
-            let is_beside = is_plane
-                && (middle.x + body.reach < self.bounds.min.x
-                    || middle.x - body.reach > self.bounds.max.x
-                    || middle.y + body.reach < self.bounds.min.y
-                    || middle.y - body.reach > self.bounds.max.y);
+            let in_space = frame.point(&body.middle);
+            let middle = unroll(&self.task.surface.shape, in_space);
+            let is_plane = self.task.surface.shape.is_plane();
+            let is_far = |near| distance_to_box(&in_space, near) > body.reach;
+            let is_beside = self.near.is_some_and(is_far)
+                || is_plane
+                    && (middle.x + body.reach < self.bounds.min.x
+                        || middle.x - body.reach > self.bounds.max.x
+                        || middle.y + body.reach < self.bounds.min.y
+                        || middle.y - body.reach > self.bounds.max.y);
             let height = middle.z + may_be_deep;
             (height.abs() > body.reach || is_beside).then_some(height > 0.0)
         };
@@ -353,7 +396,7 @@ impl<'a> SurfaceCheck<'a> {
 
     /// Returns where the tool is behind the surface, deeper than allowed.
     fn behind(&self, tool: &Body, frame: &Frame, may_be_deep: f64) -> Option<Penetration> {
-        let middle = unroll(self.task.surface.shape, frame.point(&tool.middle)).z;
+        let middle = unroll(&self.task.surface.shape, frame.point(&tool.middle)).z;
         if middle - tool.reach > -may_be_deep || middle + tool.reach < -BEHIND {
             return None;
         }
@@ -368,15 +411,19 @@ impl<'a> SurfaceCheck<'a> {
         })
     }
 
+    /// Returns the frame of the tool in that of the surface.
+    fn tool_frame(&self, frames: &[Frame]) -> Frame {
+        frames[self.cell.tip().index()].then(&Frame::from_pose(self.cell.tip_from_tool()))
+    }
+
     /// Returns where the tool centre point is over a hole, farther from the hole's border than the tolerance.
     fn hole_under_tool(&self, frames: &[Frame]) -> Option<Point2> {
         let outline = &self.task.surface.outline;
         if outline.holes().is_empty() || self.task.interaction.gap_m > 0.0 {
             return None;
         }
-        let tool =
-            frames[self.cell.tip().index()].then(&Frame::from_pose(self.cell.tip_from_tool()));
-        let at = unroll(self.task.surface.shape, tool.origin);
+        let tool = self.tool_frame(frames);
+        let at = unroll(&self.task.surface.shape, tool.origin);
         let place = Point2::new(at.x, at.y);
         let mut holes = outline.holes().iter();
         let is_over = holes.any(|hole| {
@@ -390,6 +437,25 @@ impl<'a> SurfaceCheck<'a> {
         });
         is_over.then_some(place)
     }
+}
+
+/// Returns the bounds of a mesh, with the length of an edge around them [m].
+fn near_mesh(shape: &SurfaceShape) -> Option<[Vector3; 2]> {
+    let SurfaceShape::Mesh(mesh) = shape else {
+        return None;
+    };
+    let nowhere = Vector3::repeat(f64::INFINITY);
+    let points = mesh.sheet().vertices().map(|vertex| vertex.point.coords);
+    let [low, high] = points.fold([nowhere, -nowhere], |[low, high], p| {
+        [low.inf(&p), high.sup(&p)]
+    });
+    let around = Vector3::repeat(2.0 * EDGE_OVER_MESH);
+    Some([low - around, high + around])
+}
+
+/// Distance of a point from a box [m]; 0 within it.
+fn distance_to_box(point: &Vector3, [low, high]: [Vector3; 2]) -> f64 {
+    (point - point.sup(&low).inf(&high)).norm()
 }
 
 /// Returns the mesh of a tool at rest: its underside lies below the tool centre point by the depth of its
@@ -424,15 +490,19 @@ fn leaning_depth(task: &Task) -> f64 {
 
 /// Returns the largest depth of a tool's flat underside in a hollow, which its middle touches [m].
 fn hollow_depth(task: &Task) -> f64 {
-    let SurfaceShape::Cylinder { radius, .. } = task.surface.shape else {
-        return 0.0;
+    let (radius, smoothed_by) = match &task.surface.shape {
+        SurfaceShape::Plane => return 0.0,
+        SurfaceShape::Cylinder { radius, .. } => (*radius, 0.0),
+        shape @ SurfaceShape::Mesh(mesh) => {
+            (-shape.least_radii().hollow, mesh.sheet().smoothed_by())
+        }
     };
     let corners = task.tool.footprint.edges();
     let reach = corners
         .map(|edge| edge.start.coords.norm())
         .fold(0.0, f64::max);
     // A chord of half length l lies l²/2R off its arc.
-    (-reach * reach / (2.0 * radius)).max(0.0)
+    (-reach * reach / (2.0 * radius)).max(0.0) + smoothed_by
 }
 
 /// Returns the largest displacement of a point of the tool within the tolerances of its line [m].

@@ -285,11 +285,11 @@ impl Workcell {
     pub fn world_from_tool(task: &Task, pose: &ToolPose) -> Pose {
         let PlanarPose { position, heading } = pose.surface_from_tool;
         let yaw = UnitQuaternion::from_axis_angle(&Vector3::z_axis(), heading);
-        let upright = match task.surface.shape {
+        let upright = match &task.surface.shape {
             SurfaceShape::Plane => {
                 Pose::from_parts(Translation3::new(position.x, position.y, pose.height), yaw)
             }
-            shape @ SurfaceShape::Cylinder { .. } => shape.place(position, pose.height) * yaw,
+            shape => shape.place(position, pose.height) * yaw,
         };
         let lean = task.tool.tilt.map_or_else(UnitQuaternion::identity, |t| {
             UnitQuaternion::from_axis_angle(&t.axis_in_tool, pose.tilt)

@@ -132,11 +132,11 @@ pub(super) fn hand_below(
             (0..HAND_YAWS).any(|i| {
                 let yaw = i as f64 / HAND_YAWS as f64 * TAU;
                 let turn = UnitQuaternion::from_axis_angle(&Vector3::z_axis(), yaw);
-                let surface_from_tool = match task.surface.shape {
+                let surface_from_tool = match &task.surface.shape {
                     SurfaceShape::Plane => {
                         Pose::from_parts(Translation3::new(node.x, node.y, 0.0), turn)
                     }
-                    shape @ SurfaceShape::Cylinder { .. } => shape.place(node, 0.0) * turn,
+                    shape => shape.place(node, 0.0) * turn,
                 };
                 // On a bulge, what is below the tool's contact plane may still be above the surface.
                 (below.iter()).all(|(p, _)| {

@@ -71,11 +71,11 @@ impl PressureDistribution {
             NormalizedForce::NoContact => return None,
             NormalizedForce::Mean(share) | NormalizedForce::Middle(share) => share,
         };
-        let yaw = contact.motion.from.heading;
-        let mut pressure = tool.press(force, yaw, contact.slope);
+        let at = contact.motion.from;
+        let mut pressure = tool.press(force, at, contact.slope);
         if let NormalizedForce::Middle(share) = contact.force {
             // The distance is that of a tool on a plane (`ToolOnBend::level`): an upright tool would have this force.
-            pressure.middle = share + tool.sinking(share, yaw) / tool.compression();
+            pressure.middle = share + tool.sinking(share, at) / tool.compression();
         }
         let range = tool.range(&pressure);
         (range[1] - range[0] > EVEN).then_some(Self {

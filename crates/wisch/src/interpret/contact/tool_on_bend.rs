@@ -1,10 +1,10 @@
 //! A tool on a surface that bends: how its pressure is distributed, and how far it sinks in.
 
 use super::downsampling::MeasuredPiece;
-use crate::geometry::Region;
+use crate::geometry::{PlanarPose, Region};
 use crate::interpret::config::InterpretConfig;
-use crate::represent::{ElasticFoundation, LocalPressure, Surface};
-use nalgebra::{Matrix2, Vector2};
+use crate::represent::{ElasticFoundation, LocalPressure, Surface, SurfaceShape};
+use nalgebra::Vector2;
 
 /// Least force over the nominal one that presses the tool onto the surface [1]: without force it just touches.
 const LEAST_FORCE: f64 = 1e-3;
@@ -13,8 +13,7 @@ const LEAST_FORCE: f64 = 1e-3;
 #[derive(Debug)]
 pub(in crate::interpret) struct ToolOnBend {
     foundation: ElasticFoundation,
-    /// Second fundamental form in the axes of the chart [1/m].
-    bend: Matrix2<f64>,
+    shape: SurfaceShape,
 }
 
 impl ToolOnBend {
@@ -31,15 +30,14 @@ impl ToolOnBend {
         }
         ElasticFoundation::new(footprint, compression).map(|foundation| Self {
             foundation,
-            bend: surface.shape.bend(),
+            shape: surface.shape.clone(),
         })
     }
 
-    /// Returns the pressure at a force over the nominal one [1] and a yaw [rad], with the slope of the surface against the
-    /// tool.
-    pub(super) fn press(&self, force: f64, yaw: f64, slope: Vector2<f64>) -> LocalPressure {
-        let turn = nalgebra::Rotation2::new(yaw);
-        let bend = turn.inverse().matrix() * self.bend * turn.matrix();
+    /// Returns the pressure at a force over the nominal one [1] and a pose, with the slope of the surface against the tool.
+    pub(super) fn press(&self, force: f64, at: PlanarPose, slope: Vector2<f64>) -> LocalPressure {
+        let turn = nalgebra::Rotation2::new(at.heading);
+        let bend = turn.inverse().matrix() * self.shape.bend(at.position) * turn.matrix();
         self.foundation.press(force.max(LEAST_FORCE), slope, &bend)
     }
 
@@ -53,11 +51,11 @@ impl ToolOnBend {
         self.foundation.compression()
     }
 
-    /// How much deeper the tool sinks in over the bend than over a plane at a force over the nominal one [1] and a yaw
-    /// [rad], in metres: κL²/24 where the whole tool touches, negative in a hollow.
-    pub(super) fn sinking(&self, force: f64, yaw: f64) -> f64 {
+    /// How much deeper the tool sinks in over the bend than over a plane at a force over the nominal one [1] and a
+    /// pose, in metres: κL²/24 where the whole tool touches, negative in a hollow.
+    pub(super) fn sinking(&self, force: f64, at: PlanarPose) -> f64 {
         let force = force.max(LEAST_FORCE);
-        self.compression() * (self.press(force, yaw, Vector2::zeros()).middle - force)
+        self.compression() * (self.press(force, at, Vector2::zeros()).middle - force)
     }
 
     /// Converts the heights of pieces to those over a plane at the same force, so that they do not depend on how the
@@ -69,7 +67,8 @@ impl ToolOnBend {
     ) {
         for piece in pieces {
             let force = config.normalized(-piece.force.z).min(1.0);
-            piece.mean_height += self.sinking(force, piece.heading);
+            let at = PlanarPose::new(piece.position.xy(), piece.heading);
+            piece.mean_height += self.sinking(force, at);
         }
     }
 }
@@ -77,18 +76,19 @@ impl ToolOnBend {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::geometry::{Polygon, Pose};
-    use crate::represent::SurfaceShape;
+    use crate::geometry::{Point2, Polygon};
     use std::f64::consts::FRAC_PI_2;
 
     fn tool(radius: f64, compression: f64) -> ToolOnBend {
         let side = Polygon::rectangle(nalgebra::Vector2::new(0.06, 0.1));
-        let mut pipe = Surface::new("pipe", side.clone(), Pose::identity());
-        pipe.shape = SurfaceShape::Cylinder { radius, axis: 0.0 };
         ToolOnBend {
-            bend: pipe.shape.bend(),
+            shape: SurfaceShape::Cylinder { radius, axis: 0.0 },
             foundation: ElasticFoundation::new(&Region::new(vec![side]), compression).unwrap(),
         }
+    }
+
+    fn turned(yaw: f64) -> PlanarPose {
+        PlanarPose::new(Point2::new(0.1, 0.2), yaw)
     }
 
     #[test]
@@ -97,7 +97,7 @@ mod tests {
             let soft = tool(radius, 0.01);
             let expected = length * length / radius / 24.0;
             for force in [1.0, 0.8] {
-                let found = soft.sinking(force, yaw);
+                let found = soft.sinking(force, turned(yaw));
                 assert!((found - expected).abs() < 1e-9, "{found} {expected}");
             }
         }
@@ -105,10 +105,10 @@ mod tests {
         let (hard, force) = (tool(0.5, 1e-3), 0.3);
         let half = libm::cbrt(3.0 * force * 0.1 * 1e-3 * 0.5 / 2.0);
         let expected = half * half - force * 1e-3;
-        assert!(half < 0.05 && (hard.sinking(force, 0.0) - expected).abs() < 1e-9);
+        assert!(half < 0.05 && (hard.sinking(force, turned(0.0)) - expected).abs() < 1e-9);
         // Without force, a bulge touches in the middle; the ends of a tool touch a hollow.
-        assert!(hard.sinking(0.0, 0.0).abs() < 1e-4);
-        let hollow = tool(-0.5, 1e-3).sinking(0.0, 0.0);
+        assert!(hard.sinking(0.0, turned(0.0)).abs() < 1e-4);
+        let hollow = tool(-0.5, 1e-3).sinking(0.0, turned(0.0));
         assert!((hollow + 0.1 * 0.1 / 8.0 / 0.5).abs() < 1e-4, "{hollow}");
     }
 }
