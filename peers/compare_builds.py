@@ -3,9 +3,9 @@
 
     peers/compare_builds.py REVISION [--new target/release/wisch] [--seeds 1,2,3] [--scenarios DIR] [--keep DIR] [--limit S]
 
-The old build is a revision of this repository, which is built below target/compare, or a program. The new one is the
-working tree, or a program. A folder of results that is already in --keep is not made again. Exits with 1 if anything
-differs.
+The old build is a revision of this repository, which is built below target/compare, or a program. The new build is the
+working tree, or a program. A folder of results that is already in --keep is not computed again. The exit code is 1 if
+anything differs.
 """
 
 import argparse

@@ -3,8 +3,8 @@
     pip install -r peers/requirements.txt
     python peers/effect.py
 
-Both push uniform particles on one square metre with a sponge of 0.07 x 0.11 m; the table shows the
-median time of a stroke, the ratio, and the largest distance between the two answers.
+Both push uniformly distributed particles on one square metre with a sponge of 0.07 x 0.11 m. The table shows
+the median time of a stroke, the ratio, and the largest distance between the two answers.
 """
 
 import pathlib

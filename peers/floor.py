@@ -1,15 +1,19 @@
-"""Compares wisch with arm_coverage on a floor of targets that arm_coverage publishes, with its Panda.
+"""Compares wisch with the planner arm_coverage, on a floor of targets that its authors publish, with the arm Panda.
 
     git clone https://github.com/uwgraphics/arm_coverage
     python peers/floor.py PANDA.urdf arm_coverage/surfaces/panda_20240825_154124_floor.csv
 
-The URDF is any of the Panda with its hand, links named panda_link0 to panda_link7 and panda_hand; its meshes are not needed: they
-are replaced by the capsules below, so that the arm is checked against the floor and against itself. arm_coverage (Wang and
-Gleicher, ICRA 2025) puts the hand's frame on each target, pointing down, with a fixed yaw, checks no collisions, and does not
-count what the joints move in a reconfiguration, when the tool leaves the floor. Here the hand is as high over a floor as there,
-with a pad between whose yaw is left to the robot; every motion is checked for collisions and audited, and joints stay 0.02 rad
-inside their limits. The movement is the length of the joints' way over a whole motion, from the ready posture and back, sampled
-each 10 ms, and that part of it in contact; theirs is summed up from target to target.
+PANDA.urdf is any URDF of the Panda with its hand, with links named panda_link0 to panda_link7 and panda_hand. Its meshes are not
+needed: the capsules below replace them, so that the arm is checked against the floor and against itself.
+
+arm_coverage (Wang and Gleicher, ICRA 2025) puts the frame of the hand on each target, pointing down, with a fixed yaw. It checks no
+collisions. It does not count the joint movement of a reconfiguration, in which the tool leaves the floor.
+
+In wisch the hand holds a pad. The floor lies lower by the height of the pad, so the hand passes through the same positions, and the
+yaw is free. Every motion is checked for collisions and audited, and joints stay 0.02 rad inside their limits.
+
+The joint movement of wisch is the length of the path in joint space, sampled every 10 ms, from the ready posture and back, and the
+part of it in contact. That of arm_coverage is summed up from target to target.
 """
 
 import argparse
@@ -21,10 +25,10 @@ import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 
-# The frame of the hand is this high over the floor on the targets: so far does the pad reach beyond it [m].
+# Height of the hand's frame, which is on the targets, above the floor [m]: the pad reaches this far beyond the frame.
 HAND_HEIGHT = 0.1
 
-# About as thick as the links: radius, ends of the middle line in the link's frame [m].
+# About as thick as the links: radius, and ends of the axis in the link's frame [m].
 CAPSULES = {
     "panda_link0": [(0.09, (-0.06, 0, 0.05), (0.0, 0, 0.05))],
     "panda_link1": [(0.07, (0, 0, -0.25), (0, 0, -0.03)), (0.07, (0, -0.07, 0), (0, 0.0, 0))],

@@ -7,11 +7,11 @@ wisch's example `ik` draws COUNT poses (default 300) that the shipped robots rea
 all start in the middle of the joint limits. A pose is solved if position and rotation are within 1e-6 m and
 1e-6 rad and all limits hold, as Pinocchio's forward kinematics sees it.
 
-Pinocchio has no solver; its documentation gives a damped loop (CLIK), which stands here twice: as documented
-(step 0.1, no limits, one start), and with whole steps, more damping, positions clamped to the limits, and
-as many random restarts as wisch has. Both loops are Python around Pinocchio's and numpy's compiled code, so
-iterations compare better than times. OptIK is compiled, here with one thread; it does not know joints that
-follow others, so it has the arms only.
+Pinocchio has no solver; its documentation gives a damped loop (CLIK), which is used here in two forms: as
+documented (step 0.1, no limits, one start), and with whole steps, more damping, positions clamped to the
+limits, and as many random restarts as wisch has. Both loops are Python around the compiled code of Pinocchio
+and NumPy, so compare iterations rather than times. OptIK is compiled, and runs here with one thread. It does
+not support mimic joints, so it solves the arms only.
 """
 
 import pathlib

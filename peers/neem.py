@@ -9,7 +9,7 @@ or, with episodes in a memory,
     python peers/neem.py /tmp/neem
 
 Documents are read with pymongo's bson, the ontology with rdflib; closures are computed from the OWL
-files. Then faults are planted one by one, and each must be found.
+files. Then the script plants faults one by one, and checks that it finds each.
 """
 
 import copy

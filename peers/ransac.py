@@ -3,11 +3,11 @@
     pip install -r peers/requirements.txt
     python peers/ransac.py
 
-Points of a plane with 0.3 mm of noise, and a share of them anywhere within 5 cm of it. Both get the same
-inlier distance of 1 mm and the same confidence; scikit-learn measures distances along z, wisch
-perpendicular to the plane, which differs by less than a thousandth at these slopes. scikit-learn's answer
-is a least-squares fit of the inliers of its best sample, as is wisch's. Errors are the greatest difference
-from the true plane over the board. Times are the fastest of 20 runs.
+The points lie on a plane with 0.3 mm of noise; a share of them lies anywhere within 5 cm of it. Both programs
+get the same inlier distance of 1 mm and the same confidence. scikit-learn measures distances along z, wisch
+perpendicular to the plane, which differs by less than a thousandth at these slopes. Both return a
+least-squares fit of the inliers of the best sample. Errors are the largest difference from the true plane
+over the board. Times are the fastest of 20 runs.
 """
 
 import pathlib

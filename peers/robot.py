@@ -8,9 +8,9 @@ velocities qd, accelerations qdd, the pose of the TCP in the world (the first th
 matrix), the Jacobian at the TCP (6 x n, linear first, axes of the world), mass matrix, bias, gravity
 and inverse dynamics, all row by row.
 
-Of the humanoid it is the 13 variables base, torso and right arm; the left arm and the head stand
-still at zero, so rows and columns of the full robot's quantities are taken. Pinocchio reads torso_4 as
-a joint of its own: it is put at -(q2 + q3), and quantities are projected by the constant matrix
+For the humanoid, the file has the 13 variables of base, torso and right arm. The left arm and the head stay
+at zero, so these are rows and columns of the quantities of the full robot. For Pinocchio, torso_4 is an
+independent joint: it is put at -(q2 + q3), and quantities are projected by the constant matrix
 G = d(all joints) / d(variables), M = G' H G and so on.
 """
 

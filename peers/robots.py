@@ -1,4 +1,4 @@
-"""Public robots, set up from their URDFs alone and given a shipped task: a table of which wipe it.
+"""Sets up public robots from their URDFs alone, lets each wipe a shipped task, and prints a table of the results.
 
     pip install example-robot-data rtb-data
     git clone https://github.com/RobotLocomotion/models
@@ -11,10 +11,11 @@
     python peers/robots.py SITE-PACKAGES .
 
 The arguments are folders that contain the packages: the folder site-packages for those of pip, or a folder into which their wheels are
-unpacked. Each robot of ROBOTS that is found gets the commands that a new user types: `wisch robot setup` with the task, `wisch robot
-check` and `wisch run`. A fixed arm stands where the arm of the task stands. A robot on wheels is set up with --mobile, and wisch chooses
-where it stands. Two arms stand farther from the board. Nothing else is adapted to a robot. The table shows which nodes of the plan the robot does not reach, how it holds the
-tool, and what was really wiped in simulation.
+unpacked. For each robot of ROBOTS that is found, the script runs the commands that a new user would type: `wisch robot setup` with the
+task, `wisch robot check` and `wisch run`. A fixed arm stands where the arm of the task stands; two arms stand farther from the board. A
+robot on wheels is set up with --mobile, and wisch chooses its base pose. Nothing else is adapted to a robot.
+
+The table shows the nodes of the plan that the robot does not reach, how it holds the tool, and the true performance in simulation.
 """
 
 import argparse

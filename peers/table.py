@@ -3,8 +3,8 @@
     pip install -r peers/requirements.txt
     python peers/table.py
 
-Times are medians (the fastest of 20 runs for planes, one run for densities, tours and timings), beside the other work of
-the machine, so compare ratios, not times. The script of each pair says what the two programs share, and where they differ.
+Times are medians; for planes they are the fastest of 20 runs, and for densities, tours and timings of one run. They depend on the
+other work of the machine, so compare ratios, not times. The script of each pair says what the two programs share, and where they differ.
 """
 
 import logging

@@ -4,9 +4,9 @@
     python peers/timing.py                      # paths made here
     python peers/timing.py PATH.csv LIMITS.csv  # a recorded one, files as for the example `timing`
 
-toppra gets the path twice: as the same polyline with the same parabolic corners (computed here again), where
-durations must agree, and as the cubic spline through all waypoints, its usual input, which takes another
-path between the waypoints. The last columns say by how much each answer of toppra, finite
+toppra gets the path twice. First it gets the same polyline with the same parabolic corners (computed here
+again), where durations must agree. Then it gets the cubic spline through all waypoints, its usual input, which
+takes another path between the waypoints. The last columns show by how much each answer of toppra, by finite
 differences of its own samples, exceeds the acceleration limits.
 """
 

@@ -1,9 +1,9 @@
 """Compares wisch's closed tours with two other solvers on the same points.
 
     pip install -r peers/requirements.txt
-    python peers/tours.py points    # writes the uniform random points the tests read
-    python peers/tours.py best      # best lengths known: LKH (elkai), ten runs per instance
-    python peers/tours.py compare   # lengths and times of wisch and OR-tools beside those
+    python peers/tours.py points    # writes the uniform random points that the tests read
+    python peers/tours.py best      # best known lengths: LKH (elkai), ten runs per instance
+    python peers/tours.py compare   # lengths and times of wisch and OR-tools, beside the best known lengths
 
 LKH, which elkai wraps, is licensed for academic and non-commercial use; nothing here depends on it.
 """

@@ -5,8 +5,8 @@
     python peers/trajectory.py out/board
 
 The file must hold the same moveit_msgs/msg/RobotTrajectory as YAML and as JSON: exactly the fields of its messages, each
-of its type (YAML 1.1 reads 6e-6 as a text), as many values as joints, times that grow, and unit
-quaternions. Before that, each rule is shown a trajectory that breaks it.
+of its type (YAML 1.1 reads 6e-6 as a text), as many values as joints, increasing times, and unit
+quaternions. First, the script checks that each rule finds a trajectory that breaks it.
 """
 
 import copy

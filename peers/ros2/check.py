@@ -5,7 +5,7 @@
     python peers/ros2/check.py                                  # Cyclone DDS
     make -C peers/ros2 && python peers/ros2/check.py --fastdds  # Fast DDS, needs libfastrtps-dev
     python peers/ros2/check.py --distro humble                  # the messages of Humble
-    python peers/ros2/check.py --all-interfaces                 # as a driver that nobody has configured
+    python peers/ros2/check.py --all-interfaces                 # the default settings of the DDS
 
 The peer is `robot.py`, in another process of this computer. Exit code 1 if a step fails. It takes about three minutes.
 """

@@ -4,9 +4,9 @@
     pip install cyclonedds==11.0.1 numpy
     python peers/ros2/link.py
 
-A process of Cyclone DDS sends each joint state back. The other side sends them at 1 kHz, and takes the time until the echo is
-deserialised. Medians are of alternating runs of 8 s. At last, wisch-ros2 sends at 1 kHz for 60 s, and counts what it loses.
-Exit code 1 if a sample is lost then.
+A process of Cyclone DDS returns each joint state. The other side sends joint states at 1 kHz, and measures the time until it has
+deserialised the echo. Medians are of alternating runs of 8 s. Finally, wisch-ros2 sends at 1 kHz for 60 s, and counts the lost
+samples. The exit code is 1 if any is lost.
 """
 
 import argparse

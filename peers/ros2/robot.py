@@ -4,19 +4,19 @@
     python peers/ros2/robot.py ROBOT.toml                          # on Cyclone DDS
     python peers/ros2/robot.py ROBOT.toml --fastdds peers/ros2/bridge
 
-It answers to the names of the robot file: joint states and wrench at 500 Hz, the controller's state, speed scaling, safety
-mode, the controller manager, force mode, and the action FollowJointTrajectory. Services are sent as the RMW of the vendor sends
-them: Cyclone DDS with a header in each message, Fast DDS with the identity of the request beside it. For Fast DDS, the program
-`bridge` of this folder passes bytes on; `make -C peers/ros2` builds it. With `interfaces` in the robot file, the robot is on
-loopback only; without them, the DDS has its defaults, as a driver has that nobody has configured.
+It serves the names of the robot file: joint states and wrench at 500 Hz, the controller's state, speed scaling, safety mode, the
+controller manager, force mode, and the action FollowJointTrajectory. Services are sent as the RMW of the vendor sends them:
+Cyclone DDS with a header in each message, Fast DDS with the identity of the request beside the message. For Fast DDS, the
+program `bridge` of this folder passes the bytes on; `make -C peers/ros2` builds it. With `interfaces` in the robot file, the robot
+is on loopback only; without them, the DDS has its default settings.
 
 The arm follows its setpoints exactly and touches nothing. Commands on standard input:
 
     push X Y Z SECONDS     a force on the tool, in the axes of the base frame [N]
     scaling SHARE          speed scaling, 0 to 1
     safety NUMBER          safety mode; 1 is NORMAL
-    home                   be in the ready posture at once, if there is no goal
-    silence | speak        stop to send joint states, and send them again
+    home                   jump to the ready posture, if there is no goal
+    silence | speak        stop sending joint states, and send them again
     quit                   end
 
 It prints one line for each request, with the time of this computer's clock.

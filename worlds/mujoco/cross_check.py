@@ -153,7 +153,7 @@ def main():
     print(f"| height over the surface while wiping [mm] | {row[0]} | {row[1]} |")
 
     between = rapier["world_from_tool"] - mujoco["world_from_tool"]
-    print("\n| between the two | median | 95 % | most |\n|---|---|---|---|")
+    print("\n| difference between the two | median | 95 % | most |\n|---|---|---|---|")
     for name, mask in (("while wiping", wipes), ("in free motion", free)):
         far = 1e3 * np.linalg.norm(between[mask], axis=1)
         print(f"| tool path {name} [mm] | {np.median(far):.2f} | {np.percentile(far, 95):.2f} | {far.max():.2f} |")
@@ -177,7 +177,7 @@ def main():
         far = [1e3 * np.linalg.norm(p[on] - goal, axis=1) for p, on in zip((ends, crumbs.places[:, :2]), lying)]
         met = [int((distances <= 1e3 * radius).sum()) for distances in far]
         print(f"| at the goal, of {len(crumbs)} | {met[0]} | {met[1]} |")
-        print(f"| from the goal [mm] | {quantiles(far[0])} | {quantiles(far[1])} |")
+        print(f"| distance of the crumbs from the goal [mm] | {quantiles(far[0])} | {quantiles(far[1])} |")
         both = lying[0] & lying[1]
         if both.any():
             moved = 1e3 * np.linalg.norm(ends[both] - crumbs.places[both, :2], axis=1)

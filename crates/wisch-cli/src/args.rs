@@ -95,7 +95,7 @@ pub struct GlobalArgs {
     /// Number of worker threads; results do not depend on it
     #[arg(long, global = true, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
     pub threads: Option<u16>,
-    /// When to use colours; the environment variable NO_COLOR turns them off, too
+    /// When to use colours; the environment variable NO_COLOR also turns them off
     #[arg(
         long,
         global = true,
@@ -120,8 +120,8 @@ pub enum ColorChoice {
 /// The commands.
 #[derive(Debug, Subcommand)]
 pub enum Command {
-    /// Wipe: plan, predict, follow with the task's robot, execute in simulation, estimate the dirt that is
-    /// left, and repeat until the goal is met
+    /// Wipe: plan, predict, follow with the task's robot, execute in simulation or on a robot, estimate the dirt
+    /// that is left, and repeat until the goal is met
     #[command(after_help = "\
 Examples:
   wisch run board.toml
@@ -133,7 +133,7 @@ Examples:
 
 Writes report.html, plan.json and rounds.json; telemetry/: a bag per round (round-1.mcap, for Foxglove, \
 Rerun and ROS 2); trajectories/: joint trajectories and the tool's path; particles/: the estimate and \
-the simulator's ground truth; figures/.
+the simulator's ground truth; figures/. Ctrl-C and SIGTERM stop the robot and keep the measurements.
 
 Exit codes: 0 the estimated performance (without a robot: the predicted performance) reaches the task's \
 target, 1 it does not or this is unknown, 2 an error.")]
@@ -146,7 +146,7 @@ Examples:
   wisch follow board.toml --json | jq '.execution_time_s, .abandoned_nodes'
 
 Writes into trajectories/: trajectory.json (moveit_msgs/RobotTrajectory: a JointTrajectory, and a \
-MultiDOFJointTrajectory for a mobile base; the file is valid YAML, too), tcp-path.csv and following.json.
+MultiDOFJointTrajectory for a mobile base; the file is also valid YAML), tcp-path.csv and following.json.
 
 Exit codes: 0 the predicted performance reaches the task's target, 1 it does not, 2 an error.")]
     Follow(FollowArgs),
@@ -168,8 +168,8 @@ Examples:
   wisch report wipe.mcap --task board.toml
 
 The page of a run shows robot, dirt, forces and estimates on one timeline, as `wisch studio` does. The page of a log, \
-also of one that `wisch interpret` or `wisch memory import` has read, shows the tool's path, the force, the fitted plane \
-and the estimated dirt. Both pages open from disk, without a server.")]
+or of an episode or folder that came from a log, shows the tool's path, the force, the fitted plane and the estimated \
+dirt. Both pages open from disk, without a server.")]
     Report(Box<ReportArgs>),
     /// Query the episodic memory in Prolog
     #[command(after_help = "\
@@ -248,7 +248,7 @@ Examples:
   wisch new board.toml          write it to board.toml
   wisch new board.toml --force  overwrite an existing board.toml")]
     New(NewArgs),
-    /// List the shipped scenarios; every command accepts their names in place of a task file
+    /// List the shipped scenarios; commands accept their names in place of a task file
     #[command(after_help = "\
 Examples:
   wisch scenarios
@@ -347,7 +347,7 @@ pub struct PlanArgs {
     #[arg(long)]
     pub explain: bool,
     /// Plan for the task's particles as if their positions were known exactly, as `wisch eval table1` does. Without
-    /// this option the plan covers all positions that the dirt may have, as in `wisch run`: it is longer
+    /// this option the plan covers all positions that the dirt may have, as in `wisch run`, and is longer
     #[arg(long)]
     pub known_dirt: bool,
     /// The results.
@@ -384,7 +384,7 @@ pub struct LoopArgs {
     /// Estimate after every stroke, then wipe the stroke with the greatest predicted gain
     #[arg(long)]
     pub greedy: bool,
-    /// Use no camera: estimate the dirt from tool poses and forces only, whatever the task's senses are
+    /// Use no camera, even if the task has one: estimate the dirt from tool poses and forces only
     #[arg(long)]
     pub touch_only: bool,
     /// Resume a killed run from its last completed round
@@ -402,18 +402,17 @@ pub struct LoopArgs {
     /// With --on: share of the planned speed, above 0 and at most 1
     #[arg(long, value_name = "SHARE", requires = "on", default_value_t = 1.0, value_parser = share)]
     pub speed: f64,
-    /// With --on: wipe this far above the surface [m], without force, in one round; keeps no episode
+    /// With --on: move at this height above the surface [m], without force, in one round; keeps no episode
     #[arg(long, value_name = "METRES", requires = "on", conflicts_with_all = ["rounds", "greedy"], value_parser = height)]
     pub air: Option<f64>,
-    /// With --on: do not ask before each round whether the robot may move; nothing moves after a stop then
+    /// With --on: do not ask before each round whether the robot may move; the first stop then ends the run
     #[arg(long, requires = "on")]
     pub yes_every_round: bool,
-    /// Stop waiting for the executor after this many seconds without a message or progress, or without an exit
-    /// after its last message or a stop
+    /// Stop waiting for the executor after this many seconds without a message or progress, or without "done" after
+    /// the end of its motion or a stop
     #[arg(long, value_name = "SECONDS", requires = "executor", default_value_t = 60.0, value_parser = seconds)]
     pub timeout: f64,
-    /// Publish the run so that `wisch studio` can show it live; needs a memory. Ctrl-C and SIGTERM stop the robot
-    /// and keep what was measured
+    /// Publish the run so that `wisch studio` can show it live; needs a memory
     #[arg(long, conflicts_with = "no_memory")]
     pub live: bool,
     /// Write progress events as JSON lines to this file; "-" is standard output

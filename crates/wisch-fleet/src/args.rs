@@ -18,7 +18,7 @@ Examples:
   wisch-fleet pull s3://robots/fleet kitchen --since 2026-11-01 --class HumanCollision
 
 Credentials come from the environment (AWS_ACCESS_KEY_ID, AWS_SECRET_ACCESS_KEY, AWS_ENDPOINT, AWS_REGION, …) or from
-~/.aws/credentials. Exit codes: 0 done, 1 done but not as hoped (faults found, episodes left out), 2 error."
+~/.aws/credentials. Exit codes: 0 success, 1 faults found or episodes left out, 2 an error."
 )]
 pub struct FleetCli {
     /// Command.

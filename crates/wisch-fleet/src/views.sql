@@ -47,8 +47,8 @@ SELECT tool, surface, count(*) AS rounds, avg(CASE WHEN held THEN 1.0 ELSE 0.0 E
 FROM estimates
 GROUP BY tool, surface;
 
--- Surfaces whose mean contact force in first rounds [N] decreases significantly over at least five episodes: decrease per
--- episode, and both ends of the fitted line.
+-- Surfaces whose mean contact force [N] in the first rounds decreases significantly over at least five episodes: decrease
+-- per episode, and both ends of the fitted line.
 CREATE VIEW contact_force_drift AS
 SELECT surface, episodes, slope_n, first_n, last_n
 FROM (

@@ -11,7 +11,7 @@ use std::process::ExitCode;
 const ERROR: u8 = 2;
 const REFUSED: u8 = 1;
 
-/// Executes the motions of wisch on robots that speak ROS 2
+/// Execute the motions of wisch on robots that speak ROS 2
 #[derive(Debug, Parser)]
 #[command(
     name = "wisch-ros2",
@@ -19,7 +19,7 @@ const REFUSED: u8 = 1;
     after_help = "\
 `wisch run TASK --on ROBOT.toml` and the commands `wisch robot doctor`, `push-test` and `fake` start this program.
 
-Exit codes: 0 done, 1 the doctor found something that forbids a motion, 2 an error."
+Exit codes: 0 success, 1 the doctor found something that forbids a motion, 2 an error."
 )]
 pub struct ProgramLine {
     #[command(subcommand)]
@@ -36,7 +36,7 @@ enum RobotLinkCommand {
         /// Share of the planned speed
         #[arg(long, value_name = "SHARE", default_value_t = 1.0, value_parser = speed)]
         speed: f64,
-        /// Move above the surface: no force, no taring
+        /// Move above the surface, without force and without taring
         #[arg(long)]
         air: bool,
         /// Permit motions after a stop: an operator is asked before each motion that arrives
@@ -58,7 +58,7 @@ enum RobotLinkCommand {
         #[arg(long)]
         yes: bool,
     },
-    /// Stand in for the robot, with a simulated world behind its topics, services and action
+    /// Simulate the robot and the dirt of a task, behind the robot's topics, services and action
     #[command(after_help = fake::COMMANDS)]
     Fake {
         /// Task file, or name of a shipped scenario
@@ -67,10 +67,10 @@ enum RobotLinkCommand {
         /// The robot file
         #[arg(long = "as", value_name = "ROBOT.toml")]
         robot: PathBuf,
-        /// Value that replaces one of the task file; repeatable
+        /// Override a value of the task file; repeatable
         #[arg(long = "set", value_name = "KEY=VALUE")]
         settings: Vec<String>,
-        /// Seed in place of the task's
+        /// Random seed [default: the task's]
         #[arg(long, value_name = "N")]
         seed: Option<u64>,
     },

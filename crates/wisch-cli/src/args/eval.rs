@@ -41,7 +41,7 @@ Exit codes: 0 all runs were evaluated, 1 some runs failed, 2 an error.")]
     #[command(after_help = "\
 Examples:
   wisch eval table1                                        plan without a robot, seeds 1 to 5
-  wisch eval table1 --follow --strategies kde,adaptive     follow the plans with the humanoid, too
+  wisch eval table1 --follow --strategies kde,adaptive     also follow the plans with the humanoid
   wisch eval table1 --execute --cells board,table/absorb   run the whole loop in the simulated world
   wisch eval table1 --first-seed 1000 --seeds 20 --shard 2/4 --out out/tuned --resume
 
@@ -195,7 +195,7 @@ pub struct ScenarioEvaluationArgs {
     /// Maximum number of rounds [default: the task's]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..=100))]
     pub rounds: Option<u64>,
-    /// Use no camera, whatever the tasks' senses are
+    /// Use no camera, even if the tasks have one
     #[arg(long)]
     pub touch_only: bool,
     /// Folder for the results

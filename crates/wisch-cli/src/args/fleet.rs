@@ -7,22 +7,22 @@ use clap::Args;
 /// condition at least one value.
 #[derive(Debug, Args)]
 pub struct SelectionArgs {
-    /// Fleet episodes that ended at or after this day or time (UTC), such as 2026-11-22
+    /// Select fleet episodes that ended at or after this day or time (UTC), such as 2026-11-22
     #[arg(long, value_name = "TIME")]
     pub since: Option<String>,
-    /// Fleet episodes that began at or before this day or time (UTC)
+    /// Select fleet episodes that began at or before this day or time (UTC)
     #[arg(long, value_name = "TIME")]
     pub until: Option<String>,
-    /// Fleet episodes of this robot; repeatable
+    /// Select fleet episodes of this robot; repeatable
     #[arg(long, value_name = "NAME")]
     pub robot: Vec<String>,
-    /// Fleet episodes with an event of this class, such as HumanCollision; repeatable
+    /// Select fleet episodes with an event of this class, such as HumanCollision; repeatable
     #[arg(long, value_name = "CLASS")]
     pub class: Vec<String>,
-    /// Fleet episode with this name; repeatable
+    /// Select the fleet episode with this name; repeatable
     #[arg(long, value_name = "ID")]
     pub episode: Vec<String>,
-    /// Fleet episodes that meet this SQL condition on the table of episodes, such as "performance <= 0.8"
+    /// Select fleet episodes that meet this SQL condition on the table of episodes, such as "performance <= 0.8"
     #[arg(long = "where", value_name = "SQL")]
     pub condition: Option<String>,
 }

@@ -34,9 +34,7 @@ pub enum MemoryCommand {
     #[command(after_help = "\
 Examples:
   wisch memory list
-  wisch memory list --json | jq 'select(.performance < 0.8) | .id'
-
-With --json, one object per line.")]
+  wisch memory list --json | jq 'select(.performance < 0.8) | .id'")]
     List(MemoryListArgs),
     /// Show the events of an episode
     #[command(after_help = "\
@@ -51,7 +49,7 @@ Examples:
   wisch memory import log.csv --task board.toml --csv-columns t=time,x=px --start-s 1795308972
 
 The options of the log are those of `wisch interpret`. Tables and simulated bags often count time from 0: \
-then give the date with --start-s.")]
+set the date with --start-s.")]
     Import(Box<ImportArgs>),
     /// Verify the checksum and contents of every file of every episode
     #[command(after_help = "\
@@ -83,7 +81,9 @@ Credentials come from the environment (AWS_ACCESS_KEY_ID, AWS_SECRET_ACCESS_KEY,
     #[command(after_help = "\
 Examples:
   wisch memory pull s3://robots/fleet --since 2026-11-01 --class HumanCollision
-  wisch memory pull /mnt/fleet --where \"performance <= 0.8\" --memory doubtful")]
+  wisch memory pull /mnt/fleet --where \"performance <= 0.8\" --memory doubtful
+
+Exit codes: 0 success, 1 some episodes were left out, 2 an error.")]
     Pull(MemoryPullArgs),
 }
 

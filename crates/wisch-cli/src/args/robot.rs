@@ -16,7 +16,7 @@ Examples:
   wisch robot check arm.urdf --srdf config/arm.srdf
   wisch robot check arm.urdf --json | jq '.findings[] | select(.severity == \"warning\")'
 
-Exit codes: 0 no warnings, 1 warnings, 2 the robot cannot be loaded.")]
+Exit codes: 0 no warnings, 1 warnings, 2 errors.")]
     Check(RobotCheckArgs),
     /// Build a capability map: the poses that an arm reaches, by voxel and direction
     #[command(after_help = "\
@@ -25,10 +25,10 @@ Examples:
   wisch robot map my_robot.urdf --group manipulator --out my_robot.reach
 
 wisch uses the map for base placement. It finds a map beside the URDF with the same name and the ending \
-.reach; for a map in another folder, give --map. A map holds for one robot: rebuild it after changing the \
+.reach; commands take another file by --map. A map is valid for one robot: rebuild it after changing the \
 robot.")]
     Map(RobotMapArgs),
-    /// Write the SRDF of a robot that has only a URDF: groups, a ready posture, and pairs that may touch
+    /// Write the SRDF of a robot that has only a URDF: groups, a ready posture, and pairs of links that may touch
     #[command(after_help = "\
 Examples:
   wisch robot setup my_robot.urdf
@@ -36,10 +36,10 @@ Examples:
   wisch robot setup arm.urdf --task board.toml --force
   wisch robot setup pr2.urdf --mobile
 
-wisch finds the arms by their chains of joints and the names of their links. It samples postures for the \
-pairs of links that need no collision check, and for a ready posture: clear of the robot itself, away from \
-limits, with high manipulability, and with the tool pointing down in front of the robot or at the task's surface. Comments in the file \
-state what was chosen and why.
+wisch finds the arms by their chains of joints and the names of their links. From random postures it finds \
+the pairs of links that need no collision check, and a ready posture: without self-collision, away from limits, \
+with high manipulability, and with the tool pointing down in front of the robot or at the task's surface. \
+Comments in the file state what was chosen and why.
 
 Exit codes: 0 the SRDF is written, 1 no arm or no collision-free posture was found and nothing is \
 written, 2 an error.")]
@@ -52,24 +52,24 @@ Examples:
 The robot file states topics, services and limits; docs/ros2.md describes it. Needs the companion program \
 wisch-ros2, as do push-test and fake.
 
-Exit codes: 0 nothing forbids a motion, 1 something does, 2 the robot is not found.")]
+Exit codes: 0 nothing forbids a motion, 1 something forbids one, 2 an error, such as a robot that is not found.")]
     Doctor(RobotDoctorArgs),
-    /// Test sign and axes of a ROS 2 robot's force by hand; writes ROBOT.commissioned.toml, which run --on demands
+    /// Test sign and axes of a ROS 2 robot's force by hand; writes ROBOT.commissioned.toml, which `wisch run --on` requires
     #[command(after_help = "\
 Examples:
   wisch robot push-test ur5e.toml
 
 The robot does not move. You push the tool in two directions.
 
-Exit codes: 0 the file is written, 2 an error, and nothing is written.")]
+Exit codes: 0 the file is written, 2 an error; then nothing is written.")]
     PushTest(RobotPushTestArgs),
-    /// Stand in for a ROS 2 robot: a simulated world behind its topics, services and action
+    /// Simulate a ROS 2 robot and the dirt of a task, behind the robot's topics, services and action
     #[command(after_help = "\
 Examples:
   wisch robot fake arm-board --as arm7.toml
 
-It runs in real time until the command quit on its standard input. Other commands there cause faults: \
-wisch-ros2 fake --help lists them.")]
+It runs in real time until it reads the command quit from its standard input. Other commands there cause \
+faults: wisch-ros2 fake --help lists them.")]
     Fake(RobotFakeArgs),
 }
 
@@ -118,10 +118,10 @@ pub struct RobotSetupArgs {
     /// Link that holds the tool; repeatable, one for each arm [default: found by its name and its joints]
     #[arg(long = "tip", value_name = "LINK")]
     pub tips: Vec<String>,
-    /// Declare that the robot stands on a base that drives, where the URDF has no joints for that
+    /// Declare that the robot's base drives, if the URDF has no joints for that
     #[arg(long)]
     pub mobile: bool,
-    /// Task whose tool, surface and scene the ready posture fits, where the task puts the robot
+    /// Task for which the ready posture is chosen: with its tool, over its surface, clear of its scene
     #[arg(long, value_name = "TASK", value_hint = ValueHint::FilePath)]
     pub task: Option<PathBuf>,
     /// Override a value of the task, such as robot.position_m=[0,-0.6,0]; repeatable

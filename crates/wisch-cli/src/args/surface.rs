@@ -17,7 +17,7 @@ Examples:
   wisch surface check wok.ply --charts 8                  a surface that needs several charts
   wisch surface check door.ply --json | jq .chart.stretch
 
-wisch merges vertices, orients the triangles, smooths the surface to the scale of the tool, and unrolls it into a chart as rigidly as possible. The chart is usable if at most 1 % of its area is stretched by more than the limit, no triangle lies upside down, and the chart does not cover itself. Task files do not take meshes as surfaces yet.
+wisch merges vertices, orients the triangles, smooths the surface to the scale of the tool, and unrolls it into a chart with as little distortion as possible. The chart is usable if at most 1 % of its area is stretched by more than the limit, no triangle lies upside down, and the chart does not cover itself. Task files do not take meshes as surfaces yet.
 
 Exit codes: 0 the mesh is usable, 1 it is not usable as it is, 2 an error.")]
     Check(SurfaceCheckArgs),

@@ -130,7 +130,7 @@ const PLACE: Column = column(
     "place",
     ColumnKind::Whole,
     "–",
-    "index in the episode's record: `CLASS_EPISODE-INDEX` is its name in `wisch ask`",
+    "index in the episode's graph; its name in `wisch ask` is `CLASS_EPISODE-INDEX`",
 );
 const CLASS: Column = column(
     "class",
@@ -138,7 +138,7 @@ const CLASS: Column = column(
     "–",
     "class in the ontology, without prefix",
 );
-const START: Column = column("start_s", ColumnKind::Number, "s", "begin, since 1970 UTC");
+const START: Column = column("start_s", ColumnKind::Number, "s", "start, since 1970 UTC");
 const END: Column = column("end_s", ColumnKind::Number, "s", "end, since 1970 UTC");
 const TOOL: Column = column("tool", ColumnKind::Text, "–", "tool that was used");
 const MEDIUM: Column = column(
@@ -207,7 +207,7 @@ const PEAK_FORCE: Column = column(
 pub const TABLES: [Table; 7] = [
     Table {
         name: "episodes",
-        about: "an episode: one task, from its first round to its last",
+        about: "one row per episode, which is one task from its first round to its last",
         columns: &[
             ROBOT,
             DAY,
@@ -297,7 +297,7 @@ pub const TABLES: [Table; 7] = [
     },
     Table {
         name: "rounds",
-        about: "a round: planned, executed, interpreted",
+        about: "one row per round, which is planned, executed and interpreted",
         columns: &[
             ROBOT,
             DAY,
@@ -358,7 +358,7 @@ pub const TABLES: [Table; 7] = [
     },
     Table {
         name: "strokes",
-        about: "a stroke of the tool along the surface",
+        about: "one row per stroke of the tool along the surface",
         columns: &[
             ROBOT,
             DAY,
@@ -382,12 +382,12 @@ pub const TABLES: [Table; 7] = [
     },
     Table {
         name: "motions",
-        about: "a motion of a round: a stroke, or a motion between strokes",
+        about: "one row per motion of a round: a stroke, or a motion between strokes",
         columns: &[ROBOT, DAY, EPISODE, ROUND, PLACE, CLASS, START, END],
     },
     Table {
         name: "events",
-        about: "a detected event: contact, contact loss, collision, overload, protective stop",
+        about: "one row per detected event: contact, contact loss, collision, overload, protective stop",
         columns: &[
             ROBOT,
             DAY,
@@ -423,13 +423,13 @@ pub const TABLES: [Table; 7] = [
                 "edge_distance_m",
                 ColumnKind::Number,
                 "m",
-                "distance from the surface's edge at its begin",
+                "distance from the surface's edge at its start",
             ),
         ],
     },
     Table {
         name: "participants",
-        about: "a participant of an action, a round or an event",
+        about: "one row per participant of an action, a round or an event",
         columns: &[
             ROBOT,
             DAY,
@@ -452,7 +452,7 @@ pub const TABLES: [Table; 7] = [
     },
     Table {
         name: "telemetry",
-        about: "a sample of a round; joints are only in the episode",
+        about: "one row per sample of a round; joints are only in the episode",
         columns: &[
             ROBOT,
             DAY,

@@ -5,23 +5,23 @@ use std::sync::mpsc::{Receiver, channel};
 
 /// The commands, for the program's help.
 pub(crate) const COMMANDS: &str = "\
-Commands, one a line on standard input:
+Commands on standard input, one per line:
   push X Y Z SECONDS     a force on the tool, in the axes of the world [N]
   scaling SHARE          speed scaling, 0 to 1; 0 is a pause
   safety NUMBER          safety mode; 1 is NORMAL, 3 a protective stop, 7 an emergency stop
   program true|false     whether the program on the robot runs
-  silence joints|wrench|progress    stop to send joint states, wrenches, or the controller's state
-  speak                  send everything again
+  silence joints|wrench|progress    stop sending joint states, wrenches, or the controller's state
+  speak                  send all messages again
   shuffle                reverse the order of the joints in joint states
-  move JOINT RADIANS     displace a joint, by its number from 0
-  clock SECONDS          shift the stamps
+  move JOINT RADIANS     displace a joint, named by its number from 0
+  clock SECONDS          shift the stamps of messages
   sign 1|-1              sign of the measured wrench
   reject true|false      reject goals
-  delay SECONDS          begin goals late, as if they were long on their way
+  delay SECONDS          begin goals late, as if their transmission took this long
   refuse true|false      refuse to end force mode
   quit                   end
 
-It prints one line for each request, with the time of this computer's clock.";
+The program prints one line for each request, with the time of this computer's clock.";
 
 /// A command.
 #[derive(Debug, Clone, Copy, PartialEq)]

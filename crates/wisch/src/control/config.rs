@@ -10,7 +10,7 @@ pub struct ControlConfig {
     pub lateral_stiffness: f64,
     /// Rotational stiffness [Nm/rad].
     pub rotational_stiffness: f64,
-    /// Limit at which the controller's moment is saturate \[Nm\].
+    /// Limit at which the controller's moment is saturated \[Nm\].
     pub moment_limit: f64,
     /// Force of the unsaturated spring on the surface over the saturation force \[1\]. It sets how much farther
     /// away than estimated the surface may be before the force drops.

@@ -1,4 +1,4 @@
-//! The whole-body impedance controller (8): a saturate spring and damper at the tool, compensation of the
+//! The whole-body impedance controller (8): a saturated spring and damper at the tool, compensation of the
 //! weight, and a posture task in the null space.
 
 use super::{ControlConfig, Wrench};
@@ -286,7 +286,7 @@ impl ImpedanceController {
             2.0 * self.damping_ratio * q * Matrix6::from_diagonal(&roots) * q.transpose();
     }
 
-    /// Returns f_c: spring and damper at the tool, K Δx + D Δẋ, saturate in norm with the direction kept.
+    /// Returns f_c: spring and damper at the tool, K Δx + D Δẋ, saturated in norm with the direction kept.
     fn spring_and_damper(
         &self,
         measured: &MeasuredJointState<'_>,

@@ -2,7 +2,7 @@
 //! estimates external forces from joint torques; paper §4.1.
 //!
 //! Torso and arm are driven by torques alone. The controller pulls the tool along its line with a spring that
-//! is commanded into the surface and saturate at the force of the task. A person who pushes the robot
+//! is commanded into the surface and saturates at the force of the task. A person who pushes the robot
 //! therefore meets no larger force. The controller does not know whether the robot is real or simulated.
 
 mod config;

@@ -88,7 +88,7 @@ pub struct ControlCommand {
     pub world_from_tool: Pose,
     /// Desired pose and twist of the tool, the press into the surface included.
     pub desired: DesiredToolState,
-    /// f_c: the controller's wrench on the tool, saturate.
+    /// f_c: the controller's wrench on the tool, saturated.
     pub controller: Wrench,
     /// f_ext: the observed external wrench on the tool.
     pub external: Wrench,

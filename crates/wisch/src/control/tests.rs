@@ -138,7 +138,7 @@ impl Machine {
 }
 
 /// Returns the largest overshoot past the goal over the distance to it, after a start 1 mm off, at which no
-/// force is saturate.
+/// force is saturated.
 fn overshoot(machine: &mut Machine) -> f64 {
     let start = 1e-3;
     machine.q[0] = start;

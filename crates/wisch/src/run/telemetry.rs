@@ -21,7 +21,7 @@ pub struct TelemetrySample<'a> {
     pub world_from_commanded: Pose,
     /// Pose of the tool by forward kinematics of the measured joints.
     pub world_from_tool: Pose,
-    /// f_c: the controller's wrench on the tool, saturate (8).
+    /// f_c: the controller's wrench on the tool, saturated (8).
     pub controller: Wrench,
     /// f_ext: external wrench on the tool, estimated from the drives' efforts.
     pub external: Wrench,
