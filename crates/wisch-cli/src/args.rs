@@ -9,6 +9,7 @@ mod log;
 mod memory;
 mod robot;
 mod surface;
+mod values;
 
 pub use ask::{AskArgs, EngineChoice};
 pub use budget::Budget;
@@ -28,8 +29,8 @@ pub use robot::{
     RobotSetupArgs,
 };
 pub use surface::{SurfaceCheckArgs, SurfaceCommand};
+use values::{action_parser, height, package, seconds, setting, share, strategy_parser};
 
-use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{Args, CommandFactory, FromArgMatches, Parser, Subcommand, ValueEnum, ValueHint};
 use std::ffi::OsString;
 use std::path::PathBuf;
@@ -601,63 +602,6 @@ pub struct CheckArgs {
     pub robot: RobotArgs,
 }
 
-fn strategy_parser() -> impl TypedValueParser<Value = Strategy> {
-    PossibleValuesParser::new(Strategy::ALL.map(Strategy::as_str)).try_map(|name| name.parse())
-}
-
-fn action_parser() -> impl TypedValueParser<Value = Action> {
-    PossibleValuesParser::new(Action::ALL.map(Action::as_str)).try_map(|name| name.parse())
-}
-
-fn setting(text: &str) -> Result<(String, String), String> {
-    let (key, value) = text
-        .split_once('=')
-        .ok_or("\"=\" is missing; write KEY=VALUE with a key of the task file")?;
-    if key.trim().is_empty() {
-        return Err("the key before \"=\" is missing; write KEY=VALUE".to_owned());
-    }
-    Ok((key.trim().to_owned(), value.trim().to_owned()))
-}
-
-fn seconds(text: &str) -> Result<f64, String> {
-    let number: f64 = text
-        .parse()
-        .map_err(|_| "not a number; write seconds, such as 60".to_owned())?;
-    if (0.001..=86_400.0).contains(&number) {
-        return Ok(number);
-    }
-    Err(format!("{number} s is outside 0.001 to 86400 s"))
-}
-
-fn share(text: &str) -> Result<f64, String> {
-    let number: f64 =
-        (text.parse()).map_err(|_| "not a number; write a share, such as 0.25".to_owned())?;
-    if number > 0.0 && number <= 1.0 {
-        return Ok(number);
-    }
-    Err(format!(
-        "{number} is outside its limits: above 0 and at most 1"
-    ))
-}
-
-fn height(text: &str) -> Result<f64, String> {
-    let number: f64 =
-        (text.parse()).map_err(|_| "not a number; write metres, such as 0.05".to_owned())?;
-    if (0.005..=0.5).contains(&number) {
-        return Ok(number);
-    }
-    Err(format!("{number} m is outside 0.005 to 0.5 m"))
-}
-
-fn package(text: &str) -> Result<(String, PathBuf), String> {
-    match text.split_once('=') {
-        Some((name, folder)) if !name.trim().is_empty() && !folder.is_empty() => {
-            Ok((name.trim().to_owned(), PathBuf::from(folder)))
-        }
-        _ => Err("write NAME=DIR: the package's name and its folder".to_owned()),
-    }
-}
-
 /// Reads `--color` before the command line is parsed, because the parser's own messages need it.
 fn find_color_choice(args: impl IntoIterator<Item = OsString>) -> ColorChoice {
     let mut args = args.into_iter().filter_map(|arg| arg.into_string().ok());
@@ -684,16 +628,6 @@ mod tests {
     #[test]
     fn the_command_line_is_consistent() {
         Cli::command().debug_assert();
-    }
-
-    #[test]
-    fn a_setting_splits_at_its_first_equals_sign() {
-        assert_eq!(
-            setting("goal.literal = (a b=c)"),
-            Ok(("goal.literal".to_owned(), "(a b=c)".to_owned()))
-        );
-        assert!(setting("seed").is_err());
-        assert!(setting("=3").is_err());
     }
 
     #[test]

@@ -145,7 +145,7 @@ impl Quartiles {
     /// ```
     /// use wisch_eval::Quartiles;
     /// assert_eq!(Quartiles::from_values(vec![4.0, 1.0, 3.0, 2.0, 5.0]), Some(Quartiles([1.0, 2.0, 3.0, 4.0, 5.0])));
-    /// assert_eq!(Quartiles::from_values(vec![1.0, 2.0]).map(|of| of.median()), Some(1.5));
+    /// assert_eq!(Quartiles::from_values(vec![1.0, 2.0]).map(|of| of.0[2]), Some(1.5));
     /// assert_eq!(Quartiles::from_values(vec![]), None);
     /// ```
     pub fn from_values(mut values: Vec<f64>) -> Option<Self> {
@@ -157,11 +157,6 @@ impl Quartiles {
             values[low] + (values[high] - values[low]) * (place - low as f64)
         };
         Some(Self([0.0, 0.25, 0.5, 0.75, 1.0].map(at)))
-    }
-
-    /// Median, the middle one of the five numbers.
-    pub const fn median(&self) -> f64 {
-        self.0[2]
     }
 }
 

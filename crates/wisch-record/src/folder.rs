@@ -113,7 +113,7 @@ fn write_figures(
 ) -> Result<(), RecordError> {
     let following = results.following.as_ref();
     let wiped = results.executable_plan();
-    let shown = following.map(|f| ShownMotion::sample(&f.cell, &f.followed, frames));
+    let shown = following.map(|f| ShownMotion::sample(&f.cell, &f.followed));
     let motion = shown.as_ref().map(|shown| shown.input(&results.task));
     let views = views(&results.rounds);
     let rounds = results.rounds.first().map(|first| RoundsInput {

@@ -61,8 +61,8 @@ pub use footprint::footprint_drawing;
 pub use input::ReportInput;
 pub use log_page::{LogPageInput, log_page};
 pub use motion::{
-    BasePose, CandidateBase, MotionInput, ParticleFrame, ShownContact, ShownMotion, ShownPhase,
-    joint_plots, placements_plan,
+    BasePose, CandidateBase, MotionInput, ShownContact, ShownMotion, ShownPhase, joint_plots,
+    placements_plan,
 };
 pub use pictures::pictures;
 pub use prediction::frames::{EffectFrames, Frame};

@@ -35,8 +35,6 @@ pub struct Articulation {
     variables: Vec<usize>,
     /// For each link, the joint that moves it.
     carriers: Vec<Carrier>,
-    /// Pose of the root in the world.
-    world_from_root: Pose,
 }
 
 /// A joint of an [`Articulation`]; the z axis of its frame is the joint's axis.
@@ -182,7 +180,6 @@ impl Articulation {
             joints,
             variables,
             carriers,
-            world_from_root: *world_from_root,
         })
     }
 
@@ -199,11 +196,6 @@ impl Articulation {
     /// Number of own variables n: the length of `q`, `qd` and efforts here, at most that of the robot's.
     pub fn dof(&self) -> usize {
         self.variables.len()
-    }
-
-    /// Pose of the robot's root in the world.
-    pub const fn world_from_root(&self) -> &Pose {
-        &self.world_from_root
     }
 
     /// Returns the moving joint that carries a link, and the pose of the link in that joint's frame; without a joint,
@@ -412,11 +404,6 @@ impl Articulation {
         } else {
             (state.frames[joint].translation.cross(&axis), axis)
         }
-    }
-
-    /// Returns the pose in the world of something in the frame of a moving joint.
-    pub fn world_from(&self, state: &ArticulationState, joint: usize, in_joint: &Pose) -> Pose {
-        state.pose(joint) * in_joint
     }
 
     /// Computes the Jacobian of a point that a moving joint carries, over the own variables: 6 × n, linear first, in

@@ -177,7 +177,7 @@ proptest! {
             let mut state = moving.state();
             let mut place = |q: &[f64]| {
                 moving.locate(&mut state, q);
-                moving.world_from(&state, carrier, joint_from_tip)
+                state.pose(carrier) * joint_from_tip
             };
             let here = place(&q);
             let mut jacobian = Matrix6xX::zeros(count);

@@ -15,7 +15,6 @@ use wisch::run::{Execution, Executor, ExecutorError, MotionOrder, SampleSink};
 #[derive(Debug, Clone)]
 pub struct World {
     settings: SimulationSettings,
-    control: ControlConfig,
     world_from_real: Pose,
     /// The dirt before the first round.
     dirt: Dirt,
@@ -38,7 +37,6 @@ impl World {
     ) -> Result<Self, SimulationError> {
         Ok(Self {
             world_from_real: surface.world_from_surface * settings.believed_from_real,
-            control: ControlConfig::default(),
             dirt: Dirt::draw(surface, &settings, seed)?,
             settings,
             seed,
@@ -50,12 +48,6 @@ impl World {
     /// The dirt before the first round: ground truth, for evaluations and reports.
     pub const fn dirt(&self) -> &Dirt {
         &self.dirt
-    }
-
-    /// Returns the same world with other controller settings.
-    #[must_use]
-    pub fn with_control(self, control: ControlConfig) -> Self {
-        Self { control, ..self }
     }
 
     /// Returns the same world after earlier rounds, given their ground truth in order.
@@ -82,8 +74,8 @@ impl Executor for World {
             ..self.settings.clone()
         };
         let dirt = self.truth.last().map_or(&self.dirt, |truth| &truth.dirt);
-        let (execution, truth) =
-            execute(order, &settings, dirt, &self.control, sink).map_err(ExecutorError::new)?;
+        let (execution, truth) = execute(order, &settings, dirt, &ControlConfig::default(), sink)
+            .map_err(ExecutorError::new)?;
         self.truth.push(truth);
         self.looks = 0;
         Ok(execution)

@@ -458,13 +458,17 @@ fn no_pose_of_the_tool_covers_the_corner_between_two_walls() {
         Point2::new(-0.28 + along, -0.18 + along)
     };
     for (distance, expected) in [(gap - 1e-3, 1.0), (gap + 1e-3, 0.0)] {
-        let share = space.unreachable_share(&[at(distance)], &task.tool.footprint);
+        let share =
+            space.unreachable_share(&[at(distance)], &task.tool.footprint, &Vector2::zeros());
         assert_eq!(share, expected, "{distance} m from the corner");
     }
-    assert_eq!(space.unreachable_share(&[], &task.tool.footprint), 0.0);
+    assert_eq!(
+        space.unreachable_share(&[], &task.tool.footprint, &Vector2::zeros()),
+        0.0
+    );
     // Of one place that is in reach and three that stand in the wall.
     let places = [at(2.0 * gap), at(-0.02), at(-0.015), at(-0.02)];
-    let share = space.unreachable_share(&places, &task.tool.footprint);
+    let share = space.unreachable_share(&places, &task.tool.footprint, &Vector2::zeros());
     assert_eq!(share, 0.75);
 }
 

@@ -1,6 +1,6 @@
 //! Arguments of `eval`.
 
-use super::{setting, strategy_parser};
+use super::values::{setting, strategy_parser};
 use clap::{Args, Subcommand, ValueEnum, ValueHint};
 use std::path::PathBuf;
 use std::str::FromStr;

@@ -1,6 +1,6 @@
 //! Arguments of `interpret`, and the options that describe a log's format.
 
-use super::{action_parser, setting};
+use super::values::{action_parser, setting};
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{Args, ValueHint};
 use std::path::PathBuf;

@@ -1,6 +1,6 @@
 //! Arguments of `robot`.
 
-use super::{package, setting};
+use super::values::{package, setting};
 use clap::{Args, Subcommand, ValueHint};
 use std::path::PathBuf;
 use wisch::robot::MapConfig;

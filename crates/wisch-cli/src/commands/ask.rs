@@ -6,8 +6,11 @@ use crate::failure::Failure;
 use crate::terminal::{Outcome, complain_of, print, remark};
 use rustyline::completion::{Completer, Pair};
 use rustyline::error::ReadlineError;
+use rustyline::highlight::Highlighter;
+use rustyline::hint::Hinter;
 use rustyline::history::DefaultHistory;
-use rustyline::{Context, Editor, Helper, Highlighter, Hinter, Validator};
+use rustyline::validate::Validator;
+use rustyline::{Context, Editor, Helper};
 use serde_json::{Map, Value, json};
 use signal_hook::consts::SIGINT;
 use signal_hook::flag::register;
@@ -222,10 +225,19 @@ fn lines(asked: &mut Asked, args: &AskArgs, global: &GlobalArgs) -> Result<Outco
 }
 
 /// Completes names of predicates.
-#[derive(Helper, Hinter, Highlighter, Validator)]
 struct Typing {
     predicates: Vec<Predicate>,
 }
+
+impl Helper for Typing {}
+
+impl Highlighter for Typing {}
+
+impl Hinter for Typing {
+    type Hint = String;
+}
+
+impl Validator for Typing {}
 
 impl Completer for Typing {
     type Candidate = Pair;

@@ -163,11 +163,6 @@ impl Ontology {
         Ok(())
     }
 
-    /// Prefixes and their namespaces; a bare name is searched in this order.
-    pub fn prefixes() -> &'static [(&'static str, &'static str)] {
-        &PREFIXES
-    }
-
     /// All terms, sorted by name, with prefix.
     pub fn terms(&self) -> impl Iterator<Item = (&str, &OntologyTerm)> {
         self.terms.iter().map(|(name, term)| (name.as_str(), term))
@@ -256,20 +251,6 @@ impl Ontology {
         Ok(types)
     }
 
-    /// Label of a name, if the ontology states one.
-    pub fn label(&self, name: &str) -> Option<&str> {
-        self.term(name)
-            .map(|term| term.label.as_str())
-            .filter(|label| !label.is_empty())
-    }
-
-    /// Meaning of a name, with its unit if it has one, if the ontology states it.
-    pub fn comment(&self, name: &str) -> Option<&str> {
-        self.term(name)
-            .map(|term| term.comment.as_str())
-            .filter(|comment| !comment.is_empty())
-    }
-
     /// Returns the IRI of a name with prefix; the name need not be known.
     ///
     /// # Errors
@@ -298,7 +279,7 @@ impl Ontology {
         .map(|name| self.proper(name))
     }
 
-    /// Returns the class, property or individual with this local name, searched in the order of [`Self::prefixes`].
+    /// Returns the class, property or individual with this local name, searched in the order of the prefixes.
     ///
     /// # Errors
     /// If the name is unknown; the error states the nearest names.

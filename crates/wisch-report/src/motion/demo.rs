@@ -5,7 +5,7 @@ use std::path::Path;
 use wisch::follow::TrajectorySample;
 use wisch::follow::{JointLimit, JointLimits, JointPath, TimingConfig, time_path};
 use wisch::geometry::{Point3, Pose, Vector3};
-use wisch::plan::{CoverageStrategy, Plan, PlanConfig, TcpWaypoint, plan, predict};
+use wisch::plan::{CoverageStrategy, Plan, PlanConfig, TcpWaypoint, plan};
 use wisch::represent::{Action, Task};
 use wisch::robot::{LinkId, RobotModel};
 use wisch_io::{LoadOptions, load_task, read, read_text};
@@ -22,12 +22,10 @@ const TOUCH: f64 = 0.004;
 pub(crate) struct Demo {
     pub(crate) robot: RobotModel,
     pub(crate) task: Task,
-    pub(crate) plan: Plan,
     pub(crate) samples: Vec<TrajectorySample>,
     pub(crate) phases: Vec<ShownPhase>,
     pub(crate) placements: Vec<BasePose>,
     pub(crate) ratings: Vec<CandidateBase>,
-    pub(crate) particles: Vec<ParticleFrame>,
 }
 
 impl Demo {
@@ -50,15 +48,12 @@ impl Demo {
         let mut demo = Self {
             robot,
             task,
-            plan,
             samples,
             phases: Vec::new(),
             placements: [FROM, AT].map(|[x, y, yaw]| BasePose { x, y, yaw }).into(),
             ratings: ratings(),
-            particles: Vec::new(),
         };
         demo.phases = phases(&demo.input());
-        demo.particles = particles(&demo.input(), &demo.plan);
         demo
     }
 
@@ -73,7 +68,6 @@ impl Demo {
             phases: &self.phases,
             placements: &self.placements,
             ratings: &self.ratings,
-            particles: &self.particles,
         }
     }
 }
@@ -229,38 +223,6 @@ fn phases(input: &MotionInput) -> Vec<ShownPhase> {
         }
     }
     phases
-}
-
-/// Distributes the predicted particles evenly over the time in contact.
-fn particles(input: &MotionInput, plan: &Plan) -> Vec<ParticleFrame> {
-    let contact = || {
-        input
-            .phases
-            .iter()
-            .filter(|p| p.contact == ShownContact::Wiping)
-    };
-    let total: f64 = contact().map(|p| p.end - p.start).sum();
-    let when = |share: f64| {
-        let mut left = share * total;
-        for phase in contact() {
-            if left <= phase.end - phase.start {
-                return phase.start + left;
-            }
-            left -= phase.end - phase.start;
-        }
-        contact().next_back().map_or(0.0, |phase| phase.end)
-    };
-    let mut frames = vec![ParticleFrame {
-        time: 0.0,
-        positions: input.task.particles.remaining().collect(),
-    }];
-    let _ = predict(input.task, plan, |progress| {
-        frames.push(ParticleFrame {
-            time: when(progress.distance / plan.contact_distance()),
-            positions: progress.field.distribution().remaining().collect(),
-        });
-    });
-    frames
 }
 
 /// Returns a grid of rated positions; the best are about an arm's length from the board.

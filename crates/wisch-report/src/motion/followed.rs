@@ -1,8 +1,7 @@
-//! A followed plan for figures: samples, phases, and particles over time.
+//! A followed plan for figures: samples and phases.
 
-use super::{BasePose, CandidateBase, MotionInput, ParticleFrame, ShownContact, ShownPhase};
-use crate::prediction::frames::EffectFrames;
-use wisch::follow::{self, Followed, TrajectorySample, Workcell};
+use super::{BasePose, CandidateBase, MotionInput, ShownContact, ShownPhase};
+use wisch::follow::{Followed, TrajectorySample, Workcell};
 use wisch::represent::Task;
 
 /// Sampling period of a motion in figures [s].
@@ -16,12 +15,11 @@ pub struct ShownMotion<'a> {
     phases: Vec<ShownPhase>,
     placements: Vec<BasePose>,
     ratings: Vec<CandidateBase>,
-    particles: Vec<ParticleFrame>,
 }
 
 impl<'a> ShownMotion<'a> {
-    /// Samples a motion. Particles are those of `frames`, at the times at which the tool has covered their distance.
-    pub fn sample(cell: &'a Workcell, followed: &'a Followed, frames: &EffectFrames) -> Self {
+    /// Samples a motion.
+    pub fn sample(cell: &'a Workcell, followed: &'a Followed) -> Self {
         let count = (followed.duration() / SHOWN_PERIOD).ceil() as usize;
         let samples = (0..=count)
             .filter_map(|i| followed.sample((i as f64 * SHOWN_PERIOD).min(followed.duration())))
@@ -60,7 +58,6 @@ impl<'a> ShownMotion<'a> {
             phases,
             placements,
             ratings,
-            particles: particles(followed, frames),
         }
     }
 
@@ -76,37 +73,6 @@ impl<'a> ShownMotion<'a> {
             phases: &self.phases,
             placements: &self.placements,
             ratings: &self.ratings,
-            particles: &self.particles,
         }
     }
-}
-
-/// Assigns times to the particles of a prediction's frames, on the assumption of a constant speed within each stroke.
-fn particles(followed: &Followed, frames: &EffectFrames) -> Vec<ParticleFrame> {
-    let mut before = vec![0.0];
-    for stroke in &followed.strokes {
-        before.push(before.last().unwrap_or(&0.0) + stroke.length());
-    }
-    let time = |stroke: usize, distance: f64| {
-        let motions = &followed.motions;
-        let motion = motions
-            .iter()
-            .find(|m| m.phase == follow::Phase::Wipe(stroke))?;
-        let length = before.get(stroke + 1)? - before[stroke];
-        let share = ((distance - before[stroke]) / length.max(f64::MIN_POSITIVE)).clamp(0.0, 1.0);
-        Some(motion.start + share * motion.trajectory.duration())
-    };
-    let mut shown: Vec<ParticleFrame> = Vec::new();
-    for frame in frames.frames() {
-        let since = shown.last().map_or(0.0, |last| last.time);
-        let at = frame.stroke.and_then(|stroke| time(stroke, frame.distance));
-        shown.push(ParticleFrame {
-            time: at.unwrap_or(since).max(since),
-            positions: (frame.particles.iter())
-                .filter(|(_, fate)| fate.is_on_surface())
-                .map(|(position, _)| *position)
-                .collect(),
-        });
-    }
-    shown
 }

@@ -1,7 +1,7 @@
 //! Input of the figures of a robot's motion.
 
 use wisch::follow::TrajectorySample;
-use wisch::geometry::{Point2, Pose};
+use wisch::geometry::Pose;
 use wisch::represent::Task;
 use wisch::robot::{LinkId, RobotModel};
 
@@ -27,8 +27,6 @@ pub struct MotionInput<'a> {
     pub placements: &'a [BasePose],
     /// Candidate base poses.
     pub ratings: &'a [CandidateBase],
-    /// The particles over time, by rising time.
-    pub particles: &'a [ParticleFrame],
 }
 
 /// A named interval of the motion.
@@ -77,13 +75,4 @@ pub struct CandidateBase {
     pub rating: f64,
     /// Whether an obstacle blocks it.
     pub blocked: bool,
-}
-
-/// The particles that remain on the surface at one time.
-#[derive(Debug, Clone, PartialEq)]
-pub struct ParticleFrame {
-    /// Time \[s\].
-    pub time: f64,
-    /// Positions in the surface frame \[m\].
-    pub positions: Vec<Point2>,
 }

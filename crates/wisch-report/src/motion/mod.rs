@@ -11,7 +11,7 @@ mod sampled;
 mod tests;
 
 pub use followed::ShownMotion;
-pub use input::{BasePose, CandidateBase, MotionInput, ParticleFrame, ShownContact, ShownPhase};
+pub use input::{BasePose, CandidateBase, MotionInput, ShownContact, ShownPhase};
 
 use crate::draw::Panel;
 use sampled::SampledMotion;

@@ -79,7 +79,6 @@ fn empty_and_invalid_motions_are_drawn() {
         phases: &[],
         placements: &[],
         ratings: &[],
-        particles: &[],
         ..full
     };
     let broken: Vec<TrajectorySample> = [f64::NAN, 0.0, 0.0]

@@ -31,7 +31,6 @@ const UNSUPPORTED_SECTIONS: [&str; 6] = [
 /// A planning domain in typed STRIPS: types, constants, predicates and actions.
 #[derive(Debug, Clone)]
 pub struct Domain {
-    name: String,
     /// Each type but [`OBJECT`] with its parent.
     types: Vec<Typed>,
     pub(super) constants: Vec<Typed>,
@@ -69,7 +68,7 @@ impl Domain {
     /// ```
     /// use wisch::goal::Domain;
     /// let text = "(define (domain lamp) (:predicates (lit)) (:action switch :effect (lit)))";
-    /// assert_eq!(Domain::parse("lamp.pddl", text)?.name(), "lamp");
+    /// Domain::parse("lamp.pddl", text)?;
     /// let error = Domain::parse("lamp.pddl", &text.replace("(lit)))", "(lot)))")).unwrap_err();
     /// assert_eq!(error.to_string(), r#"lamp.pddl:1:67: unknown predicate "lot"; nearest: lit"#);
     /// # Ok::<(), wisch::goal::GoalError>(())
@@ -77,13 +76,12 @@ impl Domain {
     pub fn parse(name: &str, text: &str) -> Result<Self, GoalError> {
         let source = Source { name, text };
         let form = read(source)?;
-        let (name, forms) = definition(source, &form)?;
+        let (_, forms) = definition(source, &form)?;
         let sections = sections(source, forms)?;
         let only = |keyword| sections.get(keyword).map_or(&[][..], |same| same[0].1);
         requirements(source, only(":requirements"))?;
 
         let mut domain = Self {
-            name: name.to_owned(),
             types: Vec::new(),
             constants: Vec::new(),
             predicates: Vec::new(),
@@ -115,11 +113,6 @@ impl Domain {
         let names = domain.schemas.iter().map(|schema| schema.name.as_str());
         define_once(source, "action", names.zip(actions))?;
         Ok(domain)
-    }
-
-    /// Name of the domain, as its PDDL text states it.
-    pub fn name(&self) -> &str {
-        &self.name
     }
 
     fn read_types(&mut self, source: Source<'_>, forms: &[Form]) -> Result<(), GoalError> {

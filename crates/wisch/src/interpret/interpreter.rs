@@ -6,10 +6,11 @@ use super::contact::{
     ClassifiedPath, ContactClassifier, Downsampler, FittedPlane, ForceReading, MeasuredStiffness,
     PlaneFit, StiffnessBelief, ToolOnBend, TouchSample, middle,
 };
-use super::doubt::{Doubt, LogEvidence};
+use super::doubt::Doubt;
 use super::error::InterpretError;
 use super::events::{Event, EventDetector};
 use super::interpretation::{Diagnosis, Interpretation};
+use super::log_evidence::LogEvidence;
 use crate::geometry::{PlanarPose, Point2, Pose, Region, Vector3};
 use crate::represent::{Effect, GoalState, ParticleDistribution, ParticleError, Surface, Task};
 use nalgebra::{Translation3, UnitQuaternion};

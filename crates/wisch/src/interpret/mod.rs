@@ -14,6 +14,7 @@ mod error;
 mod events;
 mod interpretation;
 mod interpreter;
+mod log_evidence;
 mod uncertainty;
 
 pub use belief::{

@@ -144,18 +144,9 @@ impl FreeSpace {
     /// Share of `places` \[1\] that the tool covers at no free position of its centre and no rotation; 0 without
     /// places.
     ///
-    /// `footprint`: the tool's footprint, in the tool frame.
-    pub fn unreachable_share(&self, places: &[Point2], footprint: &Region) -> f64 {
-        self.unreachable_share_beyond(places, footprint, &Vector2::zeros())
-    }
-
-    /// The same for a tool that acts on nothing nearer to its centre than `gap`, in its direction and against it [m].
-    pub(super) fn unreachable_share_beyond(
-        &self,
-        places: &[Point2],
-        footprint: &Region,
-        gap: &Vector2,
-    ) -> f64 {
+    /// `footprint`: the tool's footprint, in the tool frame. The tool acts on nothing nearer to its centre than `gap`, in
+    /// its direction and against it \[m\].
+    pub fn unreachable_share(&self, places: &[Point2], footprint: &Region, gap: &Vector2) -> f64 {
         let rings = rings(footprint);
         let missed = (places.par_iter())
             .filter(|&&place| !self.is_covered(place, &rings, gap))
@@ -164,7 +155,7 @@ impl FreeSpace {
     }
 
     /// Whether a tool at some free position covers `place`. `rings`: the distances from its centre that the
-    /// footprint covers [m]. `gap`: see [`Self::unreachable_share_beyond`].
+    /// footprint covers [m]. `gap`: see [`Self::unreachable_share`].
     ///
     /// Squares around the place are divided until the centre of one of them is such a position, or until none
     /// of their points can be. Both distances change by no more than the distance that a point moves.

@@ -313,7 +313,7 @@ fn finish(plan: Plan, task: &Task, space: &FreeSpace, config: &PlanConfig) -> Pl
         _ => plan,
     };
     Plan {
-        unreachable_share: space.unreachable_share_beyond(
+        unreachable_share: space.unreachable_share(
             &places,
             &task.tool.footprint,
             &gap_in_hollow(task),

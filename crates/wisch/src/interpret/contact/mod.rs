@@ -8,8 +8,10 @@ mod motions;
 mod path;
 mod plane;
 mod pressure_distribution;
+mod sensor;
 mod stiffness;
 mod tool_on_bend;
+mod weighted;
 
 pub(super) use classification::{ClassifiedPath, ContactClassifier, middle};
 pub(super) use curvature::{ContactShape, is_inland};

@@ -95,11 +95,6 @@ impl CoverageDensity {
         self.values[row * self.columns + column]
     }
 
-    /// Distance between neighbouring samples along x and y \[m\].
-    pub fn step(&self) -> f64 {
-        self.step
-    }
-
     /// Distributes each particle to the 4 × 4 samples around it, so that its moments up to the third are
     /// conserved.
     fn share_out(&mut self, points: &[Point2]) {
