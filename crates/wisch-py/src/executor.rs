@@ -8,13 +8,16 @@ use pyo3::exceptions::PyKeyboardInterrupt;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyMapping};
 use scoped_tls_hkt::scoped_thread_local;
-use std::sync::atomic::{AtomicU64, Ordering};
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use std::time::Duration;
+use wisch::follow::Workcell;
 use wisch::represent::{Observation, Surface, Task};
 use wisch::run::{Ending, Execution, Executor, ExecutorError, MotionOrder, RobotState, SampleSink};
 use wisch::source_location::UnknownName;
 use wisch_io::{
-    DoneRecord, EndingRecord, Intake, ObservationRecord, SampleRecord, StopKindRecord, WrenchAxes,
+    DoneRecord, DriverRobotRecord, EndingRecord, Intake, ObservationRecord, Robot, SampleRecord,
+    StopKindRecord, WrenchAxes,
 };
 
 scoped_thread_local!(
@@ -31,14 +34,18 @@ trait Taking {
     fn take(&mut self, sample: SampleRecord) -> Result<bool, String>;
 }
 
-/// An executor in Python: any object with `execute(motion, sink)`; optionally with `state()`, and with a camera,
-/// `observe()`.
+/// An executor in Python: any object with `execute(motion, sink)`; optionally with `state()`, `prepare(robot)` and `finish()`,
+/// and with a camera, `observe()`.
 pub struct PyExecutor<'py> {
     pub object: Bound<'py, PyAny>,
     /// Longest wait for a sample or an observation.
     pub timeout: Option<Duration>,
     /// Exception that it raised.
     pub raised: Option<PyErr>,
+    /// The robot and the tool's name, which `prepare` describes.
+    pub robot: Option<(Arc<Robot>, String)>,
+    /// Whether it is prepared and has to finish; the session keeps this between calls.
+    pub is_prepared: Arc<AtomicBool>,
 }
 
 /// Samples of one motion.
@@ -78,6 +85,49 @@ impl PyExecutor<'_> {
         Err(message)
     }
 
+    /// Calls `prepare(robot)`, if there is one.
+    fn call_prepare(&self, cell: &Workcell) -> PyResult<()> {
+        let Ok(prepare) = self.object.getattr("prepare") else {
+            return Ok(());
+        };
+        let py = self.object.py();
+        let robot = match &self.robot {
+            Some((robot, tool)) => {
+                let record = DriverRobotRecord::new(robot, cell, tool);
+                let text = serde_json::to_string(&record).map_err(plain)?;
+                let described = py.import("json")?.call_method1("loads", (text,))?;
+                let module = py.import("wisch.executor")?;
+                Some(module.call_method1("_Robot", (described,))?)
+            }
+            None => None,
+        };
+        let watchdog = Watchdog::begin(py, self.timeout)?;
+        let returned = prepare.call1((robot,));
+        match watchdog {
+            Some(watchdog) => watchdog.end(py, returned, "did not return from prepare()"),
+            None => returned,
+        }?;
+        Ok(())
+    }
+
+    /// Calls `finish()` of a prepared executor, once, if there is one.
+    pub fn call_finish(&self) -> PyResult<()> {
+        if !self.is_prepared.swap(false, Ordering::SeqCst) {
+            return Ok(());
+        }
+        let Ok(finish) = self.object.getattr("finish") else {
+            return Ok(());
+        };
+        let py = self.object.py();
+        let watchdog = Watchdog::begin(py, self.timeout)?;
+        let returned = finish.call0();
+        match watchdog {
+            Some(watchdog) => watchdog.end(py, returned, "did not return from finish()"),
+            None => returned,
+        }?;
+        Ok(())
+    }
+
     /// Returns its observation, if it arrives in time; `None` without a camera.
     pub fn call_observe(&self) -> PyResult<Option<Observation>> {
         let py = self.object.py();
@@ -91,6 +141,19 @@ impl PyExecutor<'_> {
 }
 
 impl Executor for PyExecutor<'_> {
+    fn prepare(&mut self, cell: &Workcell) -> Result<(), ExecutorError> {
+        if let Err(error) = self.call_prepare(cell) {
+            return self.raise(error);
+        }
+        self.is_prepared.store(true, Ordering::SeqCst);
+        Ok(())
+    }
+
+    fn finish(&mut self) -> Result<(), ExecutorError> {
+        // The session's own error is raised; this one is a warning.
+        self.call_finish().map_err(ExecutorError::new)
+    }
+
     fn execute(
         &mut self,
         order: &MotionOrder<'_>,

@@ -304,3 +304,72 @@ def test_a_fault_of_a_served_executor_ends_the_run_and_keeps_the_episode(program
     script = str(tmp_path / "robot.py")
     listed = subprocess.run(["ps", "-eo", "args"], capture_output=True, text=True, check=True).stdout
     assert script not in listed, "no process is left"
+
+
+class Prepared(Exact):
+    """Notes its calls, and fails in the call of this name."""
+
+    def __init__(self, reaction, fails_in=None):
+        super().__init__(reaction)
+        self.calls, self.fails_in, self.robot = [], fails_in, None
+
+    def note(self, name):
+        self.calls.append(name)
+        if name == self.fails_in:
+            raise RuntimeError(f"{name} does not work")
+
+    def prepare(self, robot):
+        self.robot = robot
+        self.note("prepare")
+
+    def execute(self, motion, sink):
+        self.note("execute")
+        return super().execute(motion, sink)
+
+    def finish(self):
+        self.note("finish")
+
+
+def test_an_executor_is_prepared_before_its_first_motion_and_finishes_after_its_last(task, robot):
+    executor = Prepared(task.surface_reaction)
+    task.session(robot, rounds=1).run(executor)
+    assert executor.calls == ["prepare", "execute", "finish"]
+    assert executor.robot.name == "arm7" and executor.robot.joints[0] == "joint_1"
+    assert "<robot" in executor.robot.urdf and executor.robot.tip_from_tool.shape == (7,)
+
+
+def test_what_fails_before_the_first_motion_and_after_the_last_is_told(task, robot):
+    executor = Prepared(task.surface_reaction, "prepare")
+    session = task.session(robot, rounds=1)
+    with pytest.raises(RuntimeError, match="prepare does not work"):
+        session.run(executor)
+    assert (executor.calls, session.rounds) == (["prepare"], [])
+
+    executor = Prepared(task.surface_reaction, "execute")
+    with pytest.raises(RuntimeError, match="execute does not work"):
+        task.session(robot, rounds=1).run(executor)
+    assert executor.calls == ["prepare", "execute", "finish"]
+
+    executor = Prepared(task.surface_reaction, "finish")
+    session = task.session(robot, rounds=1)
+    with pytest.warns(RuntimeWarning, match=r"the robot is not handed back, because finish\(\) failed: .*finish does not work"):
+        session.run(executor)
+    assert len(session.rounds) == 1
+
+
+def test_an_interrupted_executor_finishes_and_is_prepared_again(task, robot):
+    class Interrupted(Prepared):
+        def execute(self, motion, sink):
+            self.note("execute")
+            if self.calls.count("execute") == 1:
+                sink(self.sample(motion, 0))
+                raise KeyboardInterrupt
+            return Exact.execute(self, motion, sink)
+
+    executor = Interrupted(task.surface_reaction)
+    session = task.session(robot, rounds=2)
+    with pytest.raises(KeyboardInterrupt):
+        session.run(executor)
+    assert executor.calls == ["prepare", "execute", "finish"]
+    session.run(executor)
+    assert executor.calls[3:] == ["prepare", "execute", "finish"]

@@ -8,7 +8,7 @@ use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, SyncSender, channel, s
 use std::time::{Duration, Instant};
 
 /// Maximum length of a line [bytes].
-const MAX_LINE: u64 = 1 << 20;
+pub(super) const MAX_LINE: u64 = 1 << 20;
 /// Maximum size of a piece of a child's standard error that is copied at once [bytes].
 const MAX_ERROR_LINE: u64 = 1 << 14;
 /// Capacity of the queue of lines.

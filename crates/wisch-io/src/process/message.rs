@@ -1,6 +1,7 @@
 //! The messages between this program and an executor in another process: one JSON object a line.
 
 use super::VERSIONS;
+use super::described::DriverRobotRecord;
 use super::intake::{DoneRecord, ObservationRecord, SampleRecord, StateRecord};
 use crate::records::ShapeRecord;
 use serde::{Deserialize, Serialize};
@@ -22,7 +23,13 @@ pub(super) enum ToChild<'a> {
         version: u32,
         /// All versions that this program speaks.
         versions: [u32; 2],
+        #[serde(skip_serializing_if = "Option::is_none")]
+        robot: Option<&'a DriverRobotRecord>,
     },
+    /// A request to prepare the robot for motions.
+    Prepare,
+    /// A request to undo that, after the last motion.
+    Finish,
     /// A motion, followed by the stated number of points.
     Execute(Box<MotionHead>),
     Point(TrajectoryPoint),
@@ -109,6 +116,9 @@ pub(super) struct ReadyRecord {
     /// Since version 2: whether it presses along the normal under the tool, also where that differs from place to place.
     #[serde(default)]
     pub accepts_curved: bool,
+    /// Since version 2: whether it answers `prepare` and `finish`.
+    #[serde(default)]
+    pub prepares: bool,
 }
 
 impl ReadyRecord {
@@ -137,8 +147,14 @@ impl ReadyRecord {
                 _ => {}
             }
         }
-        if self.accepts_curved && version < 2 {
-            return Err("ready: accepts_curved needs version 2".to_owned());
+        let flags = [
+            ("accepts_curved", self.accepts_curved),
+            ("prepares", self.prepares),
+        ];
+        if let Some((key, _)) = flags.into_iter().find(|(_, is_set)| *is_set)
+            && version < 2
+        {
+            return Err(format!("ready: {key} needs version 2"));
         }
         Ok(())
     }
@@ -149,6 +165,8 @@ impl ReadyRecord {
 #[serde(rename_all = "snake_case")]
 pub(super) enum FromChild {
     Ready(ReadyRecord),
+    Prepared,
+    Finished,
     Sample(Box<SampleRecord>),
     Done(DoneRecord),
     State(StateRecord),
@@ -161,6 +179,8 @@ impl FromChild {
     pub const fn kind(&self) -> &'static str {
         match self {
             Self::Ready(_) => "\"ready\"",
+            Self::Prepared => "\"prepared\"",
+            Self::Finished => "\"finished\"",
             Self::Sample(_) => "\"sample\"",
             Self::Done(_) => "\"done\"",
             Self::State(_) => "\"state\"",

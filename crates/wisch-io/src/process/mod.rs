@@ -1,11 +1,13 @@
 //! An executor in another process: any program that implements the protocol of `docs/executor-protocol.md`.
 
 mod child;
+mod described;
 mod intake;
 mod message;
 mod printable;
 
 pub use child::kill_executors;
+pub use described::DriverRobotRecord;
 pub use intake::{
     DoneRecord, EndingRecord, Intake, ObservationRecord, SampleRecord, StopKindRecord, WrenchAxes,
 };
@@ -16,6 +18,7 @@ use printable::printable;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
+use wisch::follow::Workcell;
 use wisch::represent::{Observation, Surface, Task};
 use wisch::run::{
     Execution, Executor, ExecutorError, MotionOrder, RobotState, SampleSink, Setpoint,
@@ -65,6 +68,30 @@ pub struct ProcessExecutor {
     is_faulty: bool,
     /// Whether it has received a stop for its last motion.
     was_stopped: bool,
+    /// Whether it has received `prepare` and no `finish` yet.
+    is_prepared: bool,
+}
+
+/// Settings of an executor in a child process.
+#[derive(Debug, Clone)]
+pub struct ProcessOptions {
+    /// Limit for the greeting and between all later messages.
+    pub silence: Duration,
+    /// Flag that the caller sets to stop the child's motion at any time.
+    pub stop: Arc<AtomicBool>,
+    /// The robot's description, which the child receives with the greeting; `None` sends none.
+    pub robot: Option<DriverRobotRecord>,
+}
+
+impl Default for ProcessOptions {
+    /// A limit of one minute, and no description of a robot.
+    fn default() -> Self {
+        Self {
+            silence: SILENCE,
+            stop: Arc::default(),
+            robot: None,
+        }
+    }
 }
 
 /// The reason why no message arrived.
@@ -84,36 +111,35 @@ impl ProcessExecutor {
     /// # Errors
     /// If the program does not start, or does not send its greeting in this protocol version within a minute.
     pub fn start(program: &str, arguments: &[String]) -> Result<Self, ExecutorError> {
-        Self::start_stoppable(program, arguments, SILENCE, Arc::default())
+        Self::start_with(program, arguments, ProcessOptions::default())
     }
 
-    /// Starts a program with a limit of `silence` for the greeting and between all later messages.
-    ///
-    /// `stop`: flag that the caller sets to stop the child's motion at any time.
+    /// Starts a program with settings.
     ///
     /// # Errors
     /// As [`Self::start`].
-    pub fn start_stoppable(
+    pub fn start_with(
         program: &str,
         arguments: &[String],
-        silence: Duration,
-        stop: Arc<AtomicBool>,
+        options: ProcessOptions,
     ) -> Result<Self, ExecutorError> {
         let child = ChildGroup::start(program, arguments)
             .map_err(|error| ExecutorError::new(format!("executor {program:?}: {error}")))?;
         let mut executor = Self {
             name: program.to_owned(),
             child,
-            silence,
-            stop,
+            silence: options.silence,
+            stop: options.stop,
             ready: ReadyRecord::default(),
             is_faulty: false,
             was_stopped: false,
+            is_prepared: false,
         };
         executor.say(&ToChild::Hello {
             protocol: "wisch-executor",
             version: VERSIONS[0],
             versions: VERSIONS,
+            robot: options.robot.as_ref().filter(|robot| robot.has_space()),
         })?;
         match executor.answer()? {
             FromChild::Ready(ready) => {
@@ -290,6 +316,45 @@ impl Progress {
 }
 
 impl Executor for ProcessExecutor {
+    fn prepare(&mut self, _: &Workcell) -> Result<(), ExecutorError> {
+        if !self.ready.prepares {
+            return Ok(());
+        }
+        self.say(&ToChild::Prepare)?;
+        // An interruption waits for the answer: a robot half prepared is worse than one that is prepared in vain.
+        match self.hear(Instant::now() + self.silence, false)? {
+            Ok(FromChild::Prepared) => {
+                self.is_prepared = true;
+                Ok(())
+            }
+            Ok(other) => Err(self.unexpected("\"prepared\"", &other)),
+            Err(_) => Err(self.silent(self.silence)),
+        }
+    }
+
+    fn finish(&mut self) -> Result<(), ExecutorError> {
+        if !std::mem::take(&mut self.is_prepared) {
+            return Ok(());
+        }
+        self.stop_after_fault();
+        self.say(&ToChild::Finish)?;
+        let limit = if self.is_faulty {
+            FAREWELL
+        } else {
+            self.silence
+        };
+        let deadline = Instant::now() + limit;
+        loop {
+            match self.hear(deadline, false)? {
+                Ok(FromChild::Finished) => return Ok(()),
+                // The rest of a motion that was broken off.
+                Ok(FromChild::Sample(_) | FromChild::Done(_)) if self.is_faulty => {}
+                Ok(other) => return Err(self.unexpected("\"finished\"", &other)),
+                Err(_) => return Err(self.silent(limit)),
+            }
+        }
+    }
+
     fn execute(
         &mut self,
         order: &MotionOrder<'_>,
@@ -350,6 +415,14 @@ impl ProcessExecutor {
         )))
     }
 
+    /// Stops a robot that may still be moving after a fault or an interruption.
+    fn stop_after_fault(&mut self) {
+        if (self.is_faulty || self.is_interrupted()) && !self.was_stopped {
+            self.was_stopped = true;
+            let _ = self.say(&ToChild::Stop);
+        }
+    }
+
     /// Receives the samples of a motion until its end.
     fn receive(&mut self, mut intake: Intake<'_>) -> Result<Execution, ExecutorError> {
         let silence = (self.ready.max_silence_s).map_or(self.silence, |seconds| {
@@ -386,10 +459,8 @@ impl ProcessExecutor {
 
 impl Drop for ProcessExecutor {
     fn drop(&mut self) {
-        // First stop a robot that may still be moving.
-        if (self.is_faulty || self.is_interrupted()) && !self.was_stopped {
-            let _ = self.say(&ToChild::Stop);
-        }
+        self.stop_after_fault();
+        let _ = self.finish();
         self.child.end(if self.is_faulty {
             FAREWELL_AFTER_FAULT
         } else {

@@ -1,4 +1,5 @@
-"""Executors: any object with ``execute(motion, sink)``; with a camera, ``observe()``; and optionally ``state()``.
+"""Executors: any object with ``execute(motion, sink)``; with a camera, ``observe()``; and optionally ``state()``, ``prepare(robot)``
+and ``finish()``.
 
 ``Executor`` is a base class that documents the methods; inheritance is not required. ``serve`` turns an executor into a program for
 ``wisch run TASK --executor "python3 my_robot.py"``::
@@ -36,6 +37,18 @@ PROTOCOL, VERSION = "wisch-executor", 2
 class Executor:
     """Executor of motions: a robot, a simulator, or a stand-in."""
 
+    def prepare(self, robot) -> None:
+        """Prepare the robot for motions, before the first of a run: switch controllers, tare. It must not move the robot.
+
+        ``robot`` has ``name``, ``joints`` and ``arm_joints`` (their names, in the order of all arrays, and those that move), ``tip`` (the
+        link that holds the tool), ``tip_from_tool`` (7), ``tool``, ``urdf`` and ``srdf`` (texts), and ``urdf_file``. What is not known is
+        None, and so is ``robot`` itself if wisch does not describe it. If this raises an exception, nothing moves."""
+
+    def finish(self) -> None:
+        """Undo what ``prepare`` did, after the last motion of a run; also after a stop or an error. It is called once.
+
+        If this raises an exception, the run warns of it, and keeps its results."""
+
     def execute(self, motion, sink) -> dict[str, Any] | None:
         """Execute a motion, and pass its telemetry to the sink, sample by sample in the order of time.
 
@@ -70,6 +83,15 @@ class Executor:
         plane in its frame, or a dict of
         ``detections`` and ``hidden``, polygons that the camera cannot see; None without a camera."""
         return None
+
+
+class _Robot:
+    """The description of a robot in ``hello``."""
+
+    def __init__(self, described: dict[str, Any]) -> None:
+        self.urdf = self.srdf = self.urdf_file = None
+        self.__dict__.update(described)
+        self.tip_from_tool = np.array(described["tip_from_tool"])
 
 
 class _Motion:
@@ -113,6 +135,9 @@ class _Wire:
         return self._messages.get()
 
     def send(self, **message) -> None:
+        self.say(message)
+
+    def say(self, message) -> None:
         self._target.write(json.dumps(message, default=_to_list, allow_nan=False) + "\n")
         self._target.flush()
 
@@ -178,10 +203,18 @@ def _execute(executor, wire: _Wire, head: dict[str, Any]) -> None:
     wire.send(done={"duration_s": time, "ending": ending, "positions": positions, **done})
 
 
+def _defines(executor, name: str) -> bool:
+    """Return whether an executor has a method of its own, other than the one of the base class that does nothing."""
+    method = getattr(executor, name, None)
+    return method is not None and getattr(method, "__func__", None) is not getattr(Executor, name)
+
+
 def _ready(executor) -> dict[str, Any]:
     ready = {"version": VERSION, "reports_state": hasattr(executor, "state")}
     if getattr(executor, "accepts_curved", False):
         ready["accepts_curved"] = True
+    if _defines(executor, "prepare") or _defines(executor, "finish"):
+        ready["prepares"] = True
     max_silence_s = getattr(executor, "max_silence_s", None)
     return ready if max_silence_s is None else {**ready, "max_silence_s": max_silence_s}
 
@@ -202,21 +235,68 @@ def serve(executor) -> None:
     """
     wire = _Wire(sys.stdin, sys.stdout)
     sys.stdout = sys.stderr
+    server = _Server(executor, wire)
     while (message := wire.receive()) is not None:
         try:
-            if message == "state":
-                state = executor.state()
-                if not isinstance(state, dict):
-                    state = {"positions": [] if state is None else state}
-                wire.send(state=state)
-            elif "hello" in message:
-                wire.send(ready=_ready(executor))
-            elif "execute" in message:
-                wire.is_stopped.clear()
-                _execute(executor, wire, message["execute"])
-            elif "observe" in message:
-                wire.send(observation=_observe(executor))
+            server.answer(message)
         except Exception as error:
             traceback.print_exc()
             wire.send(error=f"{type(error).__name__}: {error}")
+            server.finish_after_error()
             sys.exit(1)
+    server.finish()
+
+
+class _Server:
+    """Answers the messages of wisch."""
+
+    def __init__(self, executor, wire: _Wire) -> None:
+        self._executor = executor
+        self._wire = wire
+        self._robot: _Robot | None = None
+        self._is_prepared = False
+
+    def answer(self, message) -> None:
+        executor, wire = self._executor, self._wire
+        if message == "state":
+            state = executor.state()
+            if not isinstance(state, dict):
+                state = {"positions": [] if state is None else state}
+            wire.send(state=state)
+        elif message == "prepare":
+            if prepare := getattr(executor, "prepare", None):
+                prepare(self._robot)
+            self._is_prepared = True
+            wire.say("prepared")
+        elif message == "finish":
+            self.finish()
+            wire.say("finished")
+        elif "hello" in message:
+            described = message["hello"].get("robot")
+            self._robot = described and _Robot(described)
+            wire.send(ready=_ready(executor))
+        elif "execute" in message:
+            wire.is_stopped.clear()
+            _execute(executor, wire, message["execute"])
+        elif "observe" in message:
+            wire.send(observation=_observe(executor))
+
+    def finish(self) -> None:
+        """Let a prepared executor finish, once; also if wisch has ended without asking for it."""
+        is_prepared, self._is_prepared = self._is_prepared, False
+        if is_prepared and (finish := getattr(self._executor, "finish", None)):
+            finish()
+
+    def finish_after_error(self) -> None:
+        """Finish when wisch asks for it or closes its end, and ignore what else it sends."""
+        if not self._is_prepared:
+            return
+        while self._wire.receive() not in (None, "finish"):
+            pass
+        try:
+            self.finish()
+        except Exception as error:
+            traceback.print_exc()
+            self._wire.send(error=f"{type(error).__name__}: {error}")
+        else:
+            self._wire.say("finished")
