@@ -33,7 +33,8 @@ pub use particles::{
 };
 pub use process::{
     DoneRecord, DriverRobotRecord, EXECUTOR_PROTOCOL, EndingRecord, Intake, ObservationRecord,
-    ProcessExecutor, ProcessOptions, SampleRecord, StopKindRecord, WrenchAxes, kill_executors,
+    PauseRecord, PauseSwitch, ProcessExecutor, ProcessOptions, ResumeRecord, SampleRecord,
+    StampClockRecord, StopKindRecord, WrenchAxes, WrenchQualityRecord, kill_executors,
 };
 pub use records::{
     AbandonedRecord, AttemptRecord, BendContactRecord, CandidateSummary, EVENT_SCHEMA, EventRecord,

@@ -373,3 +373,28 @@ def test_an_interrupted_executor_finishes_and_is_prepared_again(task, robot):
     assert executor.calls == ["prepare", "execute", "finish"]
     session.run(executor)
     assert executor.calls[3:] == ["prepare", "execute", "finish"]
+
+
+def test_a_paused_executor_is_not_silent_and_unusable_wrenches_are_no_touch(task, robot):
+    class Paused(Exact):
+        stamp_clock = "device"
+
+        def execute(self, motion, sink):
+            for k in range(len(motion.time_s)):
+                late = 60.0 * (k > GOOD)
+                sample = {**self.sample(motion, k), "time_s": motion.time_s[k] + late, "stamp_ns": k}
+                sink({**sample, "wrench_quality": "ok" if k % 10 else "saturated"})
+                if k == GOOD:
+                    sink.pause(motion.time_s[k], "a door is open")
+                    time.sleep(1.5)
+                    sink.resume(motion.time_s[k] + 60.0)
+
+    session = task.session(robot, rounds=1)
+    [round] = session.run(Paused(task.surface_reaction), timeout=1.0)
+    assert round.ending == "complete"
+    unusable = np.count_nonzero(round.telemetry.wrench_quality == 2)
+    assert unusable == -(-len(round.telemetry) // 10)
+    [doubt] = [doubt for doubt in round.interpretation.doubts if "not used as touch" in doubt]
+    assert f"{unusable} saturated" in doubt
+    again = task.interpret(round.telemetry)
+    assert again.performance == pytest.approx(round.performance, abs=1e-3)

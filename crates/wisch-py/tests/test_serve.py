@@ -8,6 +8,7 @@ They need not the compiled part of wisch. From the source alone::
 import io
 import json
 import sys
+import time
 import types
 from pathlib import Path
 
@@ -119,3 +120,36 @@ def test_a_failed_finish_is_named(serve):
     answers, code = serve(noting, HELLO, '"prepare"', '"finish"')
     assert answers[-1] == {"error": "RuntimeError: finish does not work"}
     assert (noting.calls, code) == (["prepare", "finish"], 1)
+
+
+MOTION = {
+    "execute": {
+        "joints": ROBOT["joints"],
+        "world_from_surface": [0, 0, 0, 0, 0, 0, 1],
+        "phases": [{"phase": "wipe", "stroke": 0, "start_s": 0, "end_s": 1, "force_n": [10, 10], "force_ramp_s": 0}],
+        "points": 1,
+    }
+}
+POINT = {"point": {"time_s": 0, "positions": [0, 0], "velocities": [0, 0], "accelerations": [0, 0], "world_from_tool": [0, 0, 0, 0, 0, 0, 1]}}
+
+
+def test_an_executor_pauses_and_states_stamps_and_qualities(serve):
+    class Live(executor.Executor):
+        can_pause, is_real_time, stamp_clock = True, True, "epoch"
+
+        def execute(self, motion, sink):
+            assert motion.phases[0]["force_n"] == [10, 10]
+            while not sink.wants_pause:
+                time.sleep(0.001)
+            sink(time_s=0.0, force_n=[0, 0, 0], positions=[0, 0], stamp_ns=1764150000123456789, wrench_quality="stale")
+            sink.pause(0.5, "the pendant")
+            sink.resume(2)
+
+    answers, _ = serve(Live(), HELLO, json.dumps(MOTION), json.dumps(POINT), '"pause"')
+    ready, sample, paused, resumed, done = answers
+    assert ready["ready"].items() >= {"pauses": True, "real_time": True, "stamp_clock": "epoch"}.items()
+    assert sample["sample"]["stamp_ns"] == 1764150000123456789, "no digit is lost"
+    assert sample["sample"]["wrench_quality"] == "stale"
+    assert paused == {"paused": {"time_s": 0.5, "reason": "the pendant"}}
+    assert resumed == {"resumed": {"time_s": 2.0}}
+    assert done["done"]["duration_s"] == 0.0

@@ -1,7 +1,7 @@
 //! The closed loop of `wisch run`: rounds of planning, wiping and interpreting, with their records.
 
 use super::PROGRAM;
-use super::interrupt::say_how_to_resume;
+use super::interrupt::{pause_on_signal, say_how_to_resume};
 use super::job::{Job, known_truths};
 use super::prepare::stage_failure;
 use super::ros2::OperatedRobot;
@@ -412,6 +412,7 @@ fn process_options(
     Ok(ProcessOptions {
         silence: Duration::from_secs_f64(args.timeout),
         stop: stop.cloned().unwrap_or_default(),
+        pause: pause_on_signal()?,
         robot: Some(DriverRobotRecord::new(robot, &cell, &task.tool.name)),
     })
 }

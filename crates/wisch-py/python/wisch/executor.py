@@ -63,8 +63,15 @@ class Executor:
         if measured, ``positions``, ``velocities``, ``efforts`` (n; arrays, or dicts
         by joint), ``moment_nm`` (3), ``world_from_commanded`` (7), ``controller_force_n`` (3), ``controller_moment_nm`` (3); or
         these as arguments. Without ``world_from_tool`` the pose is computed from ``positions``. A robot that may run slower than planned adds ``trajectory_time_s``, the time of its controller's
-        present setpoint. ``sink.many`` takes the same with a row per sample. Both return False if the motion must
+        present setpoint. ``wrench_quality`` ("ok", "stale", "saturated" or "untared") marks a wrench that is no touch, and ``stamp_ns`` is
+        the absolute time of the measurement on the clock that the attribute ``stamp_clock`` names, "epoch" or "device". ``sink.many`` takes the same with a row per sample. Both return False if the motion must
         stop.
+
+        If the robot pauses, call ``sink.pause(time_s, reason)`` and, when it continues, ``sink.resume(time_s)``: the time between is no
+        silence. An executor with ``can_pause = True`` pauses while ``sink.wants_pause`` is true.
+
+        ``motion.phases`` state the force where the tool touches: ``force_n`` at start and end, the time ``force_ramp_s`` over which it
+        changes, and the largest speed along the normal in that time, ``approach_speed_m_s``.
 
         Returns None when the motion is complete or was stopped; or a dict with any of ``ending`` ("complete", "stopped", or
         ``{"stop": {"kind": ..., "time_s": ..., "reason": ...}}`` with a kind of "push", "overload", "joint_limit", "tolerance",
@@ -119,6 +126,7 @@ class _Wire:
         self._target = target
         self._messages: queue.SimpleQueue = queue.SimpleQueue()
         self.is_stopped = threading.Event()
+        self.wants_pause = threading.Event()
         threading.Thread(target=self._listen, args=(source,), daemon=True).start()
 
     def _listen(self, source) -> None:
@@ -126,7 +134,15 @@ class _Wire:
             message = json.loads(line)
             if message == "stop":
                 self.is_stopped.set()
+            elif message == "pause":
+                self.wants_pause.set()
+            elif message == "resume":
+                self.wants_pause.clear()
             else:
+                if "execute" in message:
+                    # What follows is meant for this motion.
+                    self.is_stopped.clear()
+                    self.wants_pause.clear()
                 self._messages.put(message)
         self.is_stopped.set()
         self._messages.put(None)
@@ -167,6 +183,19 @@ class _Sink:
         self.last = sample
         return not self._wire.is_stopped.is_set()
 
+    @property
+    def wants_pause(self) -> bool:
+        """Whether the operator wants the motion to pause."""
+        return self._wire.wants_pause.is_set()
+
+    def pause(self, time_s: float, reason: str = "") -> None:
+        """Tell that the motion is paused since a time [s]."""
+        self._wire.send(paused={"time_s": float(time_s), "reason": reason})
+
+    def resume(self, time_s: float) -> None:
+        """Tell that the motion continues since a time [s]."""
+        self._wire.send(resumed={"time_s": float(time_s)})
+
     def _sort_by_joint(self, key: str, by_name: dict[str, float]) -> list[float]:
         for joint in self._joints:
             if joint not in by_name:
@@ -184,8 +213,8 @@ class _Sink:
 
 
 def _check_finite(key: str, value):
-    if isinstance(value, str):
-        return value
+    if isinstance(value, str) or key == "stamp_ns":
+        return value if isinstance(value, str) else int(value)
     array = np.asarray(value, dtype=float)
     if not np.isfinite(array).all():
         raise ValueError(f"{key} of a sample holds {array}")
@@ -211,8 +240,11 @@ def _defines(executor, name: str) -> bool:
 
 def _ready(executor) -> dict[str, Any]:
     ready = {"version": VERSION, "reports_state": hasattr(executor, "state")}
-    if getattr(executor, "accepts_curved", False):
-        ready["accepts_curved"] = True
+    for key, attribute in [("accepts_curved", "accepts_curved"), ("pauses", "can_pause"), ("real_time", "is_real_time")]:
+        if getattr(executor, attribute, False):
+            ready[key] = True
+    if stamp_clock := getattr(executor, "stamp_clock", None):
+        ready["stamp_clock"] = stamp_clock
     if _defines(executor, "prepare") or _defines(executor, "finish"):
         ready["prepares"] = True
     max_silence_s = getattr(executor, "max_silence_s", None)
@@ -230,7 +262,8 @@ def _observe(executor):
 def serve(executor) -> None:
     """Serve ``wisch run --executor`` over the standard streams until they close.
 
-    If the executor has ``max_silence_s`` [s], wisch stops a motion in which it passes on no sample for longer.
+    If the executor has ``max_silence_s`` [s], wisch stops a motion in which it passes on no sample for longer. With ``is_real_time = True``,
+    wisch drops samples and counts them where it cannot keep up; otherwise the sink waits.
     Output of the executor goes to standard error. Its exceptions are reported to wisch, and end this program with exit code 1.
     """
     wire = _Wire(sys.stdin, sys.stdout)
@@ -276,7 +309,6 @@ class _Server:
             self._robot = described and _Robot(described)
             wire.send(ready=_ready(executor))
         elif "execute" in message:
-            wire.is_stopped.clear()
             _execute(executor, wire, message["execute"])
         elif "observe" in message:
             wire.send(observation=_observe(executor))

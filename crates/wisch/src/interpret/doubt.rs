@@ -5,6 +5,7 @@ use super::contact::{
     ClassifiedPath, ContactShape, ForceReading, MeasuredPiece, PathPiece, PressDirection, is_inland,
 };
 use super::events::{Event, EventKind};
+use super::wrench_quality::UnusableWrenches;
 use crate::geometry::Point3;
 use crate::represent::Surface;
 use std::fmt;
@@ -44,6 +45,8 @@ const LOW: f64 = 5e-3;
 const OTHER_FORCE: f64 = 1.2;
 /// Difference of the performance from which the scale of the force is decisive [1].
 const MOST_BY_SCALE: f64 = 0.1;
+/// Largest share of samples without a usable wrench with which the rest still shows what was wiped [1].
+const MOST_UNUSABLE: f64 = 0.5;
 /// Least f′ of a tool that presses at the beginning or the end of a log [1].
 const PRESSING: f64 = 0.5;
 /// Longest time between two samples within which nothing is missed [s].
@@ -135,6 +138,13 @@ pub enum Doubt {
         /// Time without samples in contact \[s\].
         missing: f64,
     },
+    /// The wrenches of these samples were not usable, so that they do not show what the tool touched.
+    UnusableWrench {
+        /// Their numbers.
+        unusable: UnusableWrenches,
+        /// Their share of all samples \[1\].
+        share: f64,
+    },
     /// A person guided the tool by hand: the force is that of the hand as well as that of the surface.
     HandGuided {
         /// Share of the log \[1\].
@@ -178,6 +188,7 @@ impl Doubt {
     pub fn is_decisive(&self) -> bool {
         match self {
             Self::PressForceDiffers { matters, .. } => *matters > MOST_BY_SCALE,
+            Self::UnusableWrench { share, .. } => *share > MOST_UNUSABLE,
             Self::NoContactForce { .. }
             | Self::NeverNearSurface { .. }
             | Self::NoFreeMotion
@@ -274,6 +285,7 @@ impl fmt::Display for Doubt {
                 ends,
                 missing,
             } => write_incomplete(f, begins, ends, missing),
+            Self::UnusableWrench { unusable, share } => write_unusable(f, unusable, share),
             Self::HandGuided { share } => write!(
                 f,
                 "a person guides the tool by hand for {:.0} % of the log",
@@ -395,6 +407,30 @@ fn write_incomplete(
         f,
         "the log {}: wiping at that time is not counted",
         parts.join(" and ")
+    )
+}
+
+/// Writes [`Doubt::UnusableWrench`].
+fn write_unusable(
+    f: &mut fmt::Formatter<'_>,
+    unusable: UnusableWrenches,
+    share: f64,
+) -> fmt::Result {
+    let kinds = [
+        (unusable.stale, "stale"),
+        (unusable.saturated, "saturated"),
+        (unusable.untared, "untared"),
+    ];
+    let kinds = kinds.into_iter().filter(|(count, _)| *count > 0);
+    let kinds: Vec<String> = kinds
+        .map(|(count, kind)| format!("{count} {kind}"))
+        .collect();
+    write!(
+        f,
+        "the wrench of {} samples, {:.1} % of all, is not used as touch ({}): wiping at that time is not counted",
+        unusable.count(),
+        100.0 * share,
+        kinds.join(", ")
     )
 }
 

@@ -15,6 +15,7 @@ mod events;
 mod interpretation;
 mod interpreter;
 mod uncertainty;
+mod wrench_quality;
 
 pub use belief::{
     Belief, COUNT_SPREAD, DensityMap, DirtPrior, Estimate, Exposure, ObservationUpdate,
@@ -28,3 +29,4 @@ pub use events::{Event, EventKind};
 pub use interpretation::{Diagnosis, Interpretation};
 pub use interpreter::{Interpreter, interpret};
 pub use uncertainty::Uncertainty;
+pub use wrench_quality::{UnusableWrenches, WrenchQuality};

@@ -2,12 +2,14 @@
 
 use super::{Session, Stage, State};
 use crate::follow::Audit;
-use crate::interpret::{InterpretConfig, Interpreter, TouchSample};
+use crate::interpret::{
+    InterpretConfig, InterpretError, Interpreter, TouchSample, UnusableWrenches,
+};
 use crate::run::stance::{check_positions, check_rest, check_start};
 use crate::run::stroke_watch::StrokeWatch;
 use crate::run::{
     Ending, Execution, Executor, ExecutorError, MotionOrder, Observer, PlannedRound, RunError,
-    RunEvent, check_score,
+    RunEvent, TelemetrySample, check_score,
 };
 use std::ops::ControlFlow;
 
@@ -64,12 +66,7 @@ impl Session<'_> {
         let mut measured_until: Option<f64> = None;
         let mut at: Vec<f64> = Vec::new();
         let executed = executor.execute(&order, &mut |sample| {
-            let touch = TouchSample {
-                time: sample.time,
-                world_from_tool: sample.world_from_tool,
-                force: sample.external.force,
-            };
-            if let Err(error) = interpreter.push(&touch) {
+            if let Err(error) = take_touch(&mut interpreter, sample) {
                 refused = Some(error);
                 return ControlFlow::Break(());
             }
@@ -80,6 +77,7 @@ impl Session<'_> {
             }
             let flow = observer(&RunEvent::Sample(sample));
             if flow.is_continue()
+                && sample.status.shows_motion()
                 && let Some(cause) = watch.as_mut().and_then(|watch| watch.check(sample))
             {
                 let time = sample.time;
@@ -103,7 +101,7 @@ impl Session<'_> {
                 Execution {
                     duration,
                     ending: Ending::Stopped,
-                    positions: at,
+                    ..Execution::from_positions(&at)
                 }
             }
             (Err(error), None) => return Err(error),
@@ -140,4 +138,22 @@ impl Session<'_> {
         }
         Ok(())
     }
+}
+
+/// Passes a sample to the interpreter: as touch, or as one without a usable wrench.
+fn take_touch(
+    interpreter: &mut Interpreter,
+    sample: &TelemetrySample<'_>,
+) -> Result<(), InterpretError> {
+    if !sample.status.wrench.is_usable() {
+        let mut unusable = UnusableWrenches::default();
+        unusable.add(sample.status.wrench);
+        interpreter.skip(unusable);
+        return Ok(());
+    }
+    interpreter.push(&TouchSample {
+        time: sample.time,
+        world_from_tool: sample.world_from_tool,
+        force: sample.external.force,
+    })
 }
