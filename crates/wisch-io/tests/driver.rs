@@ -3,6 +3,7 @@
 use crate::process::{CHILD, has_python, loaded, motion};
 use std::ops::ControlFlow;
 use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 use wisch::follow::Phase;
 use wisch::interpret::{Doubt, WrenchQuality};
@@ -430,7 +431,7 @@ fn a_pause_is_no_silence_and_is_recorded() {
         return;
     }
     let planned = motion();
-    // Without a pause, the limits are 0.7 s.
+    // Without a pause, the limits are 1.5 s.
     let lines = r#"
 wipe = next(p for p in motion["phases"] if p["phase"] == "wipe")
 at = next(i for i, point in enumerate(points) if point["time_s"] > wipe["start_s"] + 0.2)
@@ -441,13 +442,13 @@ pass_(points[:at], 0)
 now = points[at]["time_s"]
 say(paused={"time_s": now, "reason": "the pendant"})
 sample(now + 1, world_from_tool=points[at]["world_from_tool"], positions=points[at]["positions"])
-time.sleep(2.5)
+time.sleep(4)
 say(resumed={"time_s": now + 30})
 pass_(points[at:], 30)
 done("complete", duration=motion["duration_s"] + 30)
 "#;
     let mut paused = 0;
-    let execution = executed(&planned, "", lines, with_silence(0.7), |sample| {
+    let execution = executed(&planned, "", lines, with_silence(1.5), |sample| {
         paused += usize::from(sample.status.is_paused);
     });
     let execution = execution.expect("it ends");
@@ -469,8 +470,8 @@ done("complete", duration=motion["duration_s"] + 30)
             "resumed at 1 s, but it is not paused",
         ),
         (
-            "sample(2); say(paused={'time_s': 1})",
-            "paused at 1 s; expected 2 to",
+            "sample(0.5); say(paused={'time_s': 0.25})",
+            "paused at 0.25 s; expected 0.5 to",
         ),
         (
             "sample(0); say(paused={'time_s': 1}); say(resumed={'time_s': 1}); time.sleep(60)",
@@ -481,7 +482,8 @@ done("complete", duration=motion["duration_s"] + 30)
             "it ended while wisch waited",
         ),
     ] {
-        let error = executed(&planned, "", lines, with_silence(0.7), |_| ()).expect_err(lines);
+        let silence = if lines.contains("sleep") { 0.7 } else { 20.0 };
+        let error = executed(&planned, "", lines, with_silence(silence), |_| ()).expect_err(lines);
         assert!(error.to_string().contains(expected), "{lines}: {error}");
     }
     // A motion may end in its pause, however long that was.
@@ -590,4 +592,31 @@ done("stopped")
     let last = times.last().copied();
     assert_eq!(last, Some(29_999.0 * 1e-4), "the newest samples are kept");
     assert!(times.is_sorted());
+}
+
+#[test]
+fn a_pause_between_motions_ends_before_the_state_is_asked_for() {
+    if !has_python() {
+        return;
+    }
+    let switch = Arc::new(PauseSwitch::default());
+    let script = "import json, sys\nfor line in sys.stdin:\n    if 'hello' in line:\n        print('{\"ready\": {\"version\": 2}}', flush=True)";
+    let options = ProcessOptions {
+        pause: Arc::clone(&switch),
+        ..ProcessOptions::default()
+    };
+    let arguments = ["-c".to_owned(), script.to_owned()];
+    let mut child = ProcessExecutor::start_with("python3", &arguments, options).expect("it greets");
+    assert!(!switch.is_supported());
+    assert!(switch.toggle());
+    let has_continued = AtomicBool::new(false);
+    std::thread::scope(|scope| {
+        scope.spawn(|| {
+            std::thread::sleep(Duration::from_millis(200));
+            has_continued.store(true, Ordering::SeqCst);
+            switch.toggle();
+        });
+        assert_eq!(child.state(), Ok(None));
+        assert!(has_continued.load(Ordering::SeqCst), "it did not wait");
+    });
 }

@@ -331,7 +331,6 @@ impl Executor for ProcessExecutor {
             return Err(self.fault("interrupted before the motion began"));
         }
         self.check_shape(&order.task.surface)?;
-        self.wait_while_paused()?;
         let clock = self.ready.stamp_clock.map(|clock| clock.0);
         let intake = Intake::new(order, sink).with_stamp_clock(clock);
         self.was_stopped = false;
@@ -346,6 +345,8 @@ impl Executor for ProcessExecutor {
     }
 
     fn state(&mut self) -> Result<Option<RobotState>, ExecutorError> {
+        // A person may move a robot that is paused, so the state is asked for afterwards.
+        self.wait_while_paused()?;
         if !self.ready.reports_state {
             return Ok(None);
         }
@@ -392,7 +393,7 @@ impl ProcessExecutor {
         }
     }
 
-    /// Waits before a motion while the operator pauses.
+    /// Waits while the operator pauses between motions.
     fn wait_while_paused(&mut self) -> Result<(), ExecutorError> {
         while self.pause.is_wanted() {
             if self.is_interrupted() {
