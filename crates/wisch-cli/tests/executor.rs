@@ -204,3 +204,95 @@ fn a_silent_executor_is_abandoned_and_the_episode_is_kept() {
     let err = String::from_utf8_lossy(&refused.stderr);
     assert!(err.contains("0 s is outside 0.001 to 86400 s"), "{err}");
 }
+
+#[test]
+fn a_robot_that_cannot_be_prepared_does_not_move_and_one_that_is_not_handed_back_is_named() {
+    if !has_python() {
+        return;
+    }
+    let folder = tempfile::tempdir().expect("a folder");
+    let robot = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/echo_robot.py");
+    let robot = fs::read_to_string(robot).expect("a robot");
+    let with = |prepare: &str, finish: &str| {
+        let answers = format!(
+            "        if message == \"prepare\":\n            {prepare}\n        elif message == \"finish\":\n            {finish}\n        elif \"hello\" in message:"
+        );
+        let spoiled = robot
+            .replace("        if \"hello\" in message:", &answers)
+            .replace("{\"version\": 1}", "{\"version\": 2, \"prepares\": True}");
+        assert_ne!(spoiled, robot);
+        fs::write(folder.path().join("robot.py"), spoiled).expect("a copy");
+        let output = wisch(folder.path(), &["--executor", "python3 robot.py"]);
+        let err = String::from_utf8_lossy(&output.stderr).into_owned();
+        (output.status.code(), err)
+    };
+    let [prepared, finished] =
+        ["prepared", "finished"].map(|word| format!("print('\"{word}\"', flush=True)"));
+    assert_eq!(with(&prepared, &finished), (Some(1), String::new()));
+
+    let (code, err) = with(&prepared, "say(error=\"the pendant is locked\")");
+    assert_eq!(code, Some(1), "{err}");
+    let warned = "the robot is not handed back, because finish failed: executor \"python3\": the pendant is locked";
+    assert!(err.contains(warned), "{err}");
+
+    let (code, err) = with("say(error=\"the brakes are closed\")", &finished);
+    assert_eq!(code, Some(2), "{err}");
+    assert!(err.contains("the brakes are closed"), "{err}");
+}
+
+/// The sensor hangs in the second half of the motion, and the driver says so.
+#[test]
+fn the_bag_of_a_run_with_unusable_wrenches_has_the_same_interpretation() {
+    if !has_python() {
+        return;
+    }
+    let folder = tempfile::tempdir().expect("a folder");
+    let robot = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/echo_robot.py");
+    let robot = fs::read_to_string(robot).expect("a robot");
+    let hanging = robot
+        .replace("{\"version\": 1}", "{\"version\": 2, \"stamp_clock\": \"epoch\"}")
+        .replace(
+            "                \"time_s\": time,\n",
+            "                \"time_s\": time,\n                \"stamp_ns\": 1764150000000000000 + int(1e9 * time),\n                \"wrench_quality\": \"stale\" if hangs else \"ok\",\n",
+        )
+        .replace(
+            "        force = motion",
+            "        hangs = time > motion[\"duration_s\"] / 2\n        presses |= hangs\n        force = motion",
+        );
+    assert_ne!(hanging, robot);
+    fs::write(folder.path().join("robot.py"), hanging).expect("a copy");
+    let output = wisch(
+        folder.path(),
+        &["--executor", "python3 robot.py", "--touch-only", "--json"],
+    );
+    let err = String::from_utf8_lossy(&output.stderr);
+    assert_eq!(output.status.code(), Some(1), "{err}");
+    let summary: Value = serde_json::from_slice(&output.stdout).expect("one object");
+    let round = &summary["rounds"][0];
+    let task = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenarios/arm-board.toml");
+    let output = Command::new(assert_cmd::cargo::cargo_bin!("wisch"))
+        .current_dir(folder.path())
+        .args(["interpret", "out/telemetry/round-1.mcap", "--out", "again"])
+        .args(["--json", "--task"])
+        .arg(task)
+        .output()
+        .expect("it runs");
+    let err = String::from_utf8_lossy(&output.stderr);
+    assert!(output.status.code() < Some(2), "{err}");
+    let again: Value = serde_json::from_slice(&output.stdout).expect("one object");
+    for key in [
+        "estimated",
+        "estimated_low",
+        "estimated_high",
+        "contact_share",
+    ] {
+        let (run, bag) = (round[key].as_f64(), again[key].as_f64());
+        assert!(
+            (run.expect(key) - bag.expect(key)).abs() < 1e-3,
+            "{key}: {run:?} in the run, {bag:?} in its bag"
+        );
+    }
+    let doubts = again["doubts"].to_string();
+    assert!(doubts.contains("is not used as touch"), "{doubts}");
+    assert!(doubts.contains(" stale)"), "{doubts}");
+}

@@ -8,7 +8,7 @@ use tempfile::TempDir;
 use wisch::follow::Phase;
 use wisch::geometry::{Point2, Polygon, Pose, Region, Vector3};
 use wisch::represent::Observation;
-use wisch::run::{TelemetrySample, Wrench};
+use wisch::run::{SampleStatus, TelemetrySample, Wrench};
 use wisch_memory::{Memory, neem};
 use wisch_telemetry::{BagHead, BagWriter, LogOptions, ObservationTime, read};
 
@@ -88,6 +88,7 @@ fn write_bag(path: &Path, task: &str, looks: [Option<&Observation>; 2]) {
             },
             motion: 0,
             phase: Phase::Wipe(0),
+            status: SampleStatus::default(),
         })
         .unwrap();
     }

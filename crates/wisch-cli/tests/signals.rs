@@ -223,3 +223,52 @@ fn where_nobody_reads_the_events_any_more_the_robot_is_stopped_and_the_round_kep
     assert_eq!(heard(folder)[..2], ["execute", "stop"], "{err}");
     check(folder, &err);
 }
+
+/// Waits until the robot has noted a word.
+fn wait_for(folder: &Path, word: &str) {
+    let since = Instant::now();
+    while !heard(folder).iter().any(|heard| heard == word) {
+        assert!(since.elapsed() < LONGEST, "no {word}: {:?}", heard(folder));
+        std::thread::sleep(Duration::from_millis(5));
+    }
+}
+
+#[test]
+fn a_signal_pauses_the_robot_and_another_lets_it_continue() {
+    if !crate::executor::has_python() {
+        return;
+    }
+    let folder = folder_with("arm-board.toml");
+    let folder = folder.path();
+    let pausing = ROBOT
+        .replace("{\"version\": 1}", "{\"version\": 2, \"pauses\": True}")
+        .replace(
+            "        if hear(0) == \"stop\":",
+            r#"        word = hear(0)
+        if word == "pause":
+            note(word)
+            say(paused={"time_s": point["time_s"], "reason": "on request"})
+            word = hear()
+            note(word)
+            say(resumed={"time_s": point["time_s"]})
+        if word == "stop":"#,
+        );
+    fs::write(folder.join("robot.py"), pausing).expect("a robot");
+    let mark = format!("pauses-{}", std::process::id());
+    let run = begin(folder, &mark, &[]);
+    wait_for(folder, "execute");
+    std::thread::sleep(Duration::from_millis(300));
+    let signal = || kill_process(Pid::from_child(&run), Signal::USR1).expect("it runs");
+    signal();
+    wait_for(folder, "pause");
+    signal();
+    wait_for(folder, "resume");
+    let (code, err) = ended(run, &mark);
+    assert!(code.is_some_and(|code| code < 2), "{code:?}: {err}");
+    assert!(err.contains("pausing the robot"), "{err}");
+    assert!(err.contains("the robot continues"), "{err}");
+    assert_eq!(heard(folder)[..4], ["execute", "pause", "resume", "done"]);
+    let rounds = fs::read_to_string(folder.join("out/rounds.json")).expect("rounds");
+    let rounds: serde_json::Value = serde_json::from_str(&rounds).expect("JSON");
+    assert_eq!(rounds[0]["pauses"][0]["reason"], "on request", "{rounds}");
+}

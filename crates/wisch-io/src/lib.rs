@@ -32,8 +32,9 @@ pub use particles::{
     particles_from_csv, particles_to_csv, read_observed_image, read_observed_list,
 };
 pub use process::{
-    DoneRecord, EXECUTOR_PROTOCOL, EndingRecord, Intake, ObservationRecord, ProcessExecutor,
-    SampleRecord, StopKindRecord, WrenchAxes, kill_executors,
+    DoneRecord, DriverRobotRecord, EXECUTOR_PROTOCOL, EndingRecord, Intake, ObservationRecord,
+    PauseRecord, PauseSwitch, ProcessExecutor, ProcessOptions, ResumeRecord, SampleRecord,
+    StampClockRecord, StopKindRecord, WrenchAxes, WrenchQualityRecord, kill_executors,
 };
 pub use records::{
     AbandonedRecord, AttemptRecord, BendContactRecord, CandidateSummary, EVENT_SCHEMA, EventRecord,

@@ -74,6 +74,11 @@ impl Robot {
         }
     }
 
+    /// Path of the URDF from which it was read; `None` for a shipped robot.
+    pub fn urdf_file(&self) -> Option<&Path> {
+        self.source.as_ref().map(|(path, _)| path.as_path())
+    }
+
     /// Returns remarks on the robot, one sentence each: probable wrong units, SRDF entries of another robot, and assumptions.
     ///
     /// ```

@@ -1,3 +1,4 @@
 //! The tests of what reaches outside: programs that execute motions.
 
+mod driver;
 mod process;

@@ -14,7 +14,7 @@ use wisch_io::{LoadOptions, LoadedTask, ProcessExecutor, Robot, load_task};
 const ECHO_ROBOT: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../docs/echo_robot.py");
 
 /// What the children below begin with: they greet, take a motion in, and can say samples.
-const CHILD: &str = r#"
+pub const CHILD: &str = r#"
 import json, select, signal, sys, time
 signal.signal(signal.SIGPIPE, signal.SIG_DFL)
 def hear():
@@ -39,7 +39,7 @@ def done(ending, positions=points[-1]["positions"], duration=1):
 "#;
 
 /// Whether there is Python; where CI runs there has to be.
-fn has_python() -> bool {
+pub fn has_python() -> bool {
     let is_there = Command::new("python3").arg("--version").output().is_ok();
     let is_ci = std::env::var("CI").is_ok_and(|ci| ci == "true");
     assert!(is_there || !is_ci, "there is no python3");
@@ -49,7 +49,7 @@ fn has_python() -> bool {
     is_there
 }
 
-fn loaded() -> (LoadedTask, Robot) {
+pub fn loaded() -> (LoadedTask, Robot) {
     let path = concat!(
         env!("CARGO_MANIFEST_DIR"),
         "/../../scenarios/arm-board.toml"
@@ -65,7 +65,7 @@ fn loaded() -> (LoadedTask, Robot) {
 }
 
 /// A motion that can be executed.
-fn motion() -> PlannedRound {
+pub fn motion() -> PlannedRound {
     let (loaded, robot) = loaded();
     let mut session = loaded.session().with_robot(robot.robot_setup());
     session

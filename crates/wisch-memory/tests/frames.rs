@@ -5,7 +5,7 @@ use std::path::Path;
 use wisch::follow::Phase;
 use wisch::geometry::Pose;
 use wisch::robot::RobotModel;
-use wisch::run::{TelemetrySample, Wrench};
+use wisch::run::{SampleStatus, TelemetrySample, Wrench};
 use wisch_memory::{
     Frames, RoundScene, Sampling, StoredPose, Telemetry, TelemetryHead, TelemetryWriter,
 };
@@ -51,6 +51,7 @@ fn telemetry(path: &Path, head: TelemetryHead) -> Telemetry {
             external: Wrench::default(),
             motion: 0,
             phase: Phase::FreeMotion,
+            status: SampleStatus::default(),
         };
         writer.write(&sample).expect("a sample");
     }

@@ -4,7 +4,7 @@ use proptest::prelude::*;
 use std::path::Path;
 use wisch::follow::Phase;
 use wisch::geometry::{Pose, Vector3};
-use wisch::run::{TelemetrySample, Wrench};
+use wisch::run::{SampleStatus, TelemetrySample, Wrench};
 use wisch_memory::telemetry::PHASES;
 use wisch_memory::{Mark, Telemetry, TelemetryError, TelemetryHead, TelemetryWriter};
 
@@ -52,6 +52,7 @@ fn a_sample_is_read_back_part_by_part() {
             external: wrench(19.0),
             motion: 3,
             phase: Phase::Wipe(7),
+            status: SampleStatus::default(),
         })
         .unwrap();
     assert!(!path.exists(), "it bears its name before it is whole");

@@ -3,7 +3,7 @@
 use tempfile::TempDir;
 use wisch::follow::Phase;
 use wisch::geometry::{Pose, Vector3};
-use wisch::run::{TelemetrySample, Wrench};
+use wisch::run::{SampleStatus, TelemetrySample, Wrench};
 use wisch_memory::ask::Term;
 use wisch_memory::view::{Colour, DirtState, Emphasis, Figure, MAX_POSES, View, ViewError, gather};
 use wisch_memory::{
@@ -89,6 +89,7 @@ fn slide(memory: &Memory, after: &str) {
             external: none,
             motion: 0,
             phase: Phase::Wipe(0),
+            status: SampleStatus::default(),
         };
         telemetry.write(&sample).unwrap();
     }

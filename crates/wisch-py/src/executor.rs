@@ -8,13 +8,19 @@ use pyo3::exceptions::PyKeyboardInterrupt;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyMapping};
 use scoped_tls_hkt::scoped_thread_local;
-use std::sync::atomic::{AtomicU64, Ordering};
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use std::time::Duration;
+use wisch::follow::Workcell;
 use wisch::represent::{Observation, Surface, Task};
-use wisch::run::{Ending, Execution, Executor, ExecutorError, MotionOrder, RobotState, SampleSink};
+use wisch::run::{
+    Ending, Execution, Executor, ExecutorError, MotionOrder, RobotState, SampleSink, StampClock,
+};
 use wisch::source_location::UnknownName;
 use wisch_io::{
-    DoneRecord, EndingRecord, Intake, ObservationRecord, SampleRecord, StopKindRecord, WrenchAxes,
+    DoneRecord, DriverRobotRecord, EndingRecord, Intake, ObservationRecord, PauseRecord,
+    ResumeRecord, Robot, SampleRecord, StampClockRecord, StopKindRecord, WrenchAxes,
+    WrenchQualityRecord,
 };
 
 scoped_thread_local!(
@@ -29,16 +35,26 @@ trait Taking {
 
     /// Receives a sample. Returns whether the motion continues.
     fn take(&mut self, sample: SampleRecord) -> Result<bool, String>;
+
+    /// Receives the begin of a pause.
+    fn pause(&mut self, pause: &PauseRecord) -> Result<(), String>;
+
+    /// Receives the end of a pause.
+    fn resume(&mut self, resumed: ResumeRecord) -> Result<(), String>;
 }
 
-/// An executor in Python: any object with `execute(motion, sink)`; optionally with `state()`, and with a camera,
-/// `observe()`.
+/// An executor in Python: any object with `execute(motion, sink)`; optionally with `state()`, `prepare(robot)` and `finish()`,
+/// and with a camera, `observe()`.
 pub struct PyExecutor<'py> {
     pub object: Bound<'py, PyAny>,
     /// Longest wait for a sample or an observation.
     pub timeout: Option<Duration>,
     /// Exception that it raised.
     pub raised: Option<PyErr>,
+    /// The robot and the tool's name, which `prepare` describes.
+    pub robot: Option<(Arc<Robot>, String)>,
+    /// Whether it is prepared and has to finish; the session keeps this between calls.
+    pub is_prepared: Arc<AtomicBool>,
 }
 
 /// Samples of one motion.
@@ -63,11 +79,27 @@ impl Taking for Round<'_> {
             self.fault = Some(fault.clone());
             return Err(fault);
         }
-        if let Some(watchdog) = self.watchdog {
+        if let Some(watchdog) = self.watchdog.filter(|_| !self.intake.is_paused()) {
             watchdog.touch();
         }
         self.last = Some(sample);
         Ok(!self.intake.is_stopped())
+    }
+
+    fn pause(&mut self, pause: &PauseRecord) -> Result<(), String> {
+        self.intake.pause(pause)?;
+        if let Some(watchdog) = self.watchdog {
+            watchdog.suspend();
+        }
+        Ok(())
+    }
+
+    fn resume(&mut self, resumed: ResumeRecord) -> Result<(), String> {
+        self.intake.resume(resumed)?;
+        if let Some(watchdog) = self.watchdog {
+            watchdog.touch();
+        }
+        Ok(())
     }
 }
 
@@ -76,6 +108,49 @@ impl PyExecutor<'_> {
         let message = ExecutorError::new(&error);
         self.raised = Some(error);
         Err(message)
+    }
+
+    /// Calls `prepare(robot)`, if there is one.
+    fn call_prepare(&self, cell: &Workcell) -> PyResult<()> {
+        let Ok(prepare) = self.object.getattr("prepare") else {
+            return Ok(());
+        };
+        let py = self.object.py();
+        let robot = match &self.robot {
+            Some((robot, tool)) => {
+                let record = DriverRobotRecord::new(robot, cell, tool);
+                let text = serde_json::to_string(&record).map_err(plain)?;
+                let described = py.import("json")?.call_method1("loads", (text,))?;
+                let module = py.import("wisch.executor")?;
+                Some(module.call_method1("_Robot", (described,))?)
+            }
+            None => None,
+        };
+        let watchdog = Watchdog::begin(py, self.timeout)?;
+        let returned = prepare.call1((robot,));
+        match watchdog {
+            Some(watchdog) => watchdog.end(py, returned, "did not return from prepare()"),
+            None => returned,
+        }?;
+        Ok(())
+    }
+
+    /// Calls `finish()` of a prepared executor, once, if there is one.
+    pub fn call_finish(&self) -> PyResult<()> {
+        if !self.is_prepared.swap(false, Ordering::SeqCst) {
+            return Ok(());
+        }
+        let Ok(finish) = self.object.getattr("finish") else {
+            return Ok(());
+        };
+        let py = self.object.py();
+        let watchdog = Watchdog::begin(py, self.timeout)?;
+        let returned = finish.call0();
+        match watchdog {
+            Some(watchdog) => watchdog.end(py, returned, "did not return from finish()"),
+            None => returned,
+        }?;
+        Ok(())
     }
 
     /// Returns its observation, if it arrives in time; `None` without a camera.
@@ -91,6 +166,19 @@ impl PyExecutor<'_> {
 }
 
 impl Executor for PyExecutor<'_> {
+    fn prepare(&mut self, cell: &Workcell) -> Result<(), ExecutorError> {
+        if let Err(error) = self.call_prepare(cell) {
+            return self.raise(error);
+        }
+        self.is_prepared.store(true, Ordering::SeqCst);
+        Ok(())
+    }
+
+    fn finish(&mut self) -> Result<(), ExecutorError> {
+        // The session's own error is raised; this one is a warning.
+        self.call_finish().map_err(ExecutorError::new)
+    }
+
     fn execute(
         &mut self,
         order: &MotionOrder<'_>,
@@ -110,9 +198,13 @@ impl Executor for PyExecutor<'_> {
             Ok(watchdog) => watchdog,
             Err(error) => return self.raise(error),
         };
+        let clock = match stamp_clock(&self.object) {
+            Ok(clock) => clock,
+            Err(error) => return self.raise(error),
+        };
         let mut round = Round {
             number,
-            intake: Intake::new(order, sink),
+            intake: Intake::new(order, sink).with_stamp_clock(clock),
             last: None,
             fault: None,
             watchdog: watchdog.as_ref(),
@@ -165,6 +257,16 @@ impl Executor for PyExecutor<'_> {
         check_shape(&self.object, &task.surface).or_else(|error| self.raise(error))?;
         self.call_observe().or_else(|error| self.raise(error))
     }
+}
+
+/// Returns the clock of an executor's stamps, if it states one.
+fn stamp_clock(object: &Bound<'_, PyAny>) -> PyResult<Option<StampClock>> {
+    let Some(stated) = object.getattr_opt("stamp_clock")? else {
+        return Ok(None);
+    };
+    let name: Option<String> = stated.extract()?;
+    let record = name.map(StampClockRecord::try_from).transpose();
+    Ok(record.map_err(plain)?.map(|record| record.0))
 }
 
 /// Refuses a curved surface for an executor that does not state that it knows them: it would press along one normal.
@@ -256,7 +358,7 @@ impl Round<'_> {
             duration: last.map_or(0.0, |last| last.time_s),
             ending: Ending::Stopped,
             // Empty if they are not measured.
-            positions: last.map_or_else(Vec::new, |last| last.positions.clone()),
+            ..Execution::from_positions(last.map_or(&[], |last| &last.positions))
         }
     }
 
@@ -332,7 +434,7 @@ pub struct PySink {
     joints: Vec<String>,
 }
 
-const KEYS: [&str; 12] = [
+const KEYS: [&str; 14] = [
     "time_s",
     "trajectory_time_s",
     "world_from_tool",
@@ -345,6 +447,8 @@ const KEYS: [&str; 12] = [
     "positions",
     "velocities",
     "efforts",
+    "stamp_ns",
+    "wrench_quality",
 ];
 
 /// Parses the axes of a force and moment.
@@ -361,6 +465,11 @@ fn wrench_axes(value: &Bound<'_, PyAny>) -> PyResult<WrenchAxes> {
     }
 }
 
+/// Parses the quality of a force and moment.
+fn wrench_quality(value: &Bound<'_, PyAny>) -> PyResult<WrenchQualityRecord> {
+    WrenchQualityRecord::try_from(value.extract::<String>()?).map_err(plain)
+}
+
 /// Parses a quantity of `N` numbers in a sample.
 fn array<const N: usize>(key: &str, value: &Bound<'_, PyAny>, time: f64) -> PyResult<[f64; N]> {
     let numbers = list(key, value)?;
@@ -371,6 +480,14 @@ fn array<const N: usize>(key: &str, value: &Bound<'_, PyAny>, time: f64) -> PyRe
 
 impl PySink {
     fn pass(&self, sample: SampleRecord) -> PyResult<bool> {
+        self.with_taking(|taking| taking.take(sample))
+    }
+
+    /// Calls the receiver of the motion that this thread executes.
+    fn with_taking<T>(
+        &self,
+        call: impl FnOnce(&mut dyn Taking) -> Result<T, String>,
+    ) -> PyResult<T> {
         let refuse = || {
             plain(
                 "the sink belongs to a motion that has ended or to another thread, and takes no samples",
@@ -383,7 +500,7 @@ impl PySink {
             if taking.number() != self.number {
                 return Err(refuse());
             }
-            taking.take(sample).map_err(plain)
+            call(taking).map_err(plain)
         })
     }
 
@@ -439,6 +556,8 @@ impl PySink {
                 "positions" => record.positions = self.joints(&key, &value)?,
                 "velocities" => record.velocities = self.joints(&key, &value)?,
                 "efforts" => record.efforts = self.joints(&key, &value)?,
+                "stamp_ns" => record.stamp_ns = Some(value.extract()?),
+                "wrench_quality" => record.wrench_quality = wrench_quality(&value)?,
                 other => return Err(unknown(other, KEYS)),
             }
         }
@@ -463,6 +582,24 @@ impl PySink {
             .or(keys)
             .ok_or_else(|| plain("a sample: key \"time_s\" is missing"))?;
         self.pass(self.record(given)?)
+    }
+
+    /// Whether the operator wants the motion to pause; never in a session of this package.
+    #[getter]
+    fn wants_pause(&self) -> bool {
+        false
+    }
+
+    /// Tells that the motion is paused since a time [s].
+    #[pyo3(signature = (time_s, reason = String::new()))]
+    fn pause(&self, time_s: f64, reason: String) -> PyResult<()> {
+        let pause = PauseRecord { time_s, reason };
+        self.with_taking(|taking| taking.pause(&pause))
+    }
+
+    /// Tells that the motion continues since a time [s].
+    fn resume(&self, time_s: f64) -> PyResult<()> {
+        self.with_taking(|taking| taking.resume(ResumeRecord { time_s }))
     }
 
     /// Passes many samples: the same keys, each an array with a row per sample. Ends after the sample at which the
@@ -522,6 +659,14 @@ impl PySink {
                 "positions" => spread(&mut samples, &key, &value, |s| &mut s.positions)?,
                 "velocities" => spread(&mut samples, &key, &value, |s| &mut s.velocities)?,
                 "efforts" => spread(&mut samples, &key, &value, |s| &mut s.efforts)?,
+                "stamp_ns" => each(&mut samples, &key, &value, |sample, stamp| {
+                    sample.stamp_ns = Some(stamp.extract()?);
+                    Ok(())
+                })?,
+                "wrench_quality" => each(&mut samples, &key, &value, |sample, quality| {
+                    sample.wrench_quality = wrench_quality(quality)?;
+                    Ok(())
+                })?,
                 other => return Err(unknown(other, KEYS)),
             }
         }
@@ -532,6 +677,20 @@ impl PySink {
         }
         Ok(true)
     }
+}
+
+/// Sets a quantity of each sample by its entry of a sequence.
+fn each(
+    samples: &mut [SampleRecord],
+    key: &str,
+    value: &Bound<'_, PyAny>,
+    set: impl Fn(&mut SampleRecord, &Bound<'_, PyAny>) -> PyResult<()>,
+) -> PyResult<()> {
+    check_count(key, value.len()?, samples.len())?;
+    for (sample, entry) in samples.iter_mut().zip(value.try_iter()?) {
+        set(sample, &entry?)?;
+    }
+    Ok(())
 }
 
 fn fill<const N: usize>(

@@ -8,7 +8,8 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use std::sync::Arc;
 use wisch::interpret::{
-    Belief, Diagnosis, Estimate, InterpretConfig, Interpretation, TouchSample, interpret,
+    Belief, Diagnosis, Estimate, InterpretConfig, InterpretError, Interpretation, Interpreter,
+    TouchSample, UnusableWrenches,
 };
 use wisch::plan::{PlanConfig, plan};
 use wisch::recover::next_task;
@@ -45,25 +46,25 @@ impl PyInterpretation {
         py: Python<'_>,
         loaded: &LoadedTask,
         samples: &[TouchSample],
+        unusable: UnusableWrenches,
         is_certain: bool,
     ) -> PyResult<Self> {
         let task = &loaded.task;
         let goal = task
             .goal()
             .ok_or_else(|| plain("the task states no goal of the collect; set collect.goal_m"))?;
-        let estimate = py.detach(|| {
+        let estimate: Result<_, InterpretError> = py.detach(|| {
             let believed = if is_certain {
                 Belief::from_particles(task.particles.clone())
             } else {
                 loaded.belief()
             };
-            interpret(
-                samples,
-                task,
-                &believed,
-                &goal,
-                &InterpretConfig::from_task(task),
-            )
+            let mut interpreter = Interpreter::new(task, &InterpretConfig::from_task(task))?;
+            interpreter.skip(unusable);
+            for sample in samples {
+                interpreter.push(sample)?;
+            }
+            interpreter.conclude(&believed, &goal)
         });
         Ok(Self::new(
             task,

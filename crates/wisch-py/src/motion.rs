@@ -227,7 +227,9 @@ impl PyMotion {
     /// Phases of the motion: phase, stroke, `start_s` and `end_s`.
     #[getter]
     fn phases<'py>(&self, py: Python<'py>) -> PyResult<Vec<Bound<'py, PyDict>>> {
-        let motions = self.order.followed.motions.iter().map(|motion| {
+        let order = self.order.borrowed();
+        let motions = order.followed.motions.iter().enumerate();
+        let motions = motions.map(|(index, motion)| {
             let phase = PyDict::new(py);
             phase.set_item("phase", motion.phase.as_str())?;
             if let Some(stroke) = motion.phase.stroke() {
@@ -235,6 +237,11 @@ impl PyMotion {
             }
             phase.set_item("start_s", motion.start)?;
             phase.set_item("end_s", motion.end())?;
+            if let Some(ramp) = order.force_ramp(index) {
+                phase.set_item("force_n", [ramp.start_force, ramp.end_force])?;
+                phase.set_item("force_ramp_s", ramp.duration)?;
+                phase.set_item("approach_speed_m_s", ramp.approach_speed)?;
+            }
             Ok(phase)
         });
         motions.collect()

@@ -12,7 +12,7 @@ use crate::pictures;
 use crate::plan::PyPlan;
 use crate::round::{PyAudit, PyRound};
 use crate::telemetry::{Columns, PyTelemetry};
-use pyo3::exceptions::{PyKeyboardInterrupt, PyRuntimeError};
+use pyo3::exceptions::{PyKeyboardInterrupt, PyRuntimeError, PyRuntimeWarning};
 use pyo3::prelude::*;
 use self_cell::self_cell;
 use std::ops::ControlFlow;
@@ -70,6 +70,8 @@ pub struct PySession {
     kept: Mutex<Option<StoredResults>>,
     /// Class of the last executor.
     executor: Mutex<Option<String>>,
+    /// Whether the executor is prepared for motions.
+    is_prepared: Arc<AtomicBool>,
 }
 
 /// Stored results of a session.
@@ -103,6 +105,7 @@ impl Drop for Running<'_> {
 enum Request {
     Event(String),
     Observe,
+    Finish,
     Done(Result<Stage, RunError>),
 }
 
@@ -110,6 +113,7 @@ enum Request {
 enum Reply {
     Flow(ControlFlow<()>),
     Observation(Result<Option<Observation>, ExecutorError>),
+    Finished(Result<(), ExecutorError>),
 }
 
 /// The executor for a stage's thread.
@@ -132,6 +136,15 @@ impl Executor for Proxy<'_> {
         match self.answers.recv() {
             Ok(Reply::Observation(observation)) if asked => observation,
             _ => Err(ExecutorError::new("interrupted")),
+        }
+    }
+
+    fn finish(&mut self) -> Result<(), ExecutorError> {
+        let asked = self.ask.send(Request::Finish).is_ok();
+        match self.answers.recv() {
+            Ok(Reply::Finished(finished)) if asked => finished,
+            // An interrupted call has let its executor finish itself.
+            _ => Ok(()),
         }
     }
 }
@@ -199,6 +212,7 @@ impl PySession {
             record: Arc::new(Mutex::new(record)),
             kept: Mutex::default(),
             executor: Mutex::default(),
+            is_prepared: Arc::default(),
         }
     }
 
@@ -262,9 +276,20 @@ impl PySession {
         self.read(py, |session| Ok(session.first_observation().cloned()))
     }
 
-    fn run_until(&self, py: Python<'_>, until: Stage, call: Call<'_>) -> PyResult<()> {
+    fn run_until(&self, py: Python<'_>, until: Stage, mut call: Call<'_>) -> PyResult<()> {
         let _running = self.begin()?;
-        let run = self.run_stages(py, until, call);
+        if let Some(executor) = &mut call.executor {
+            let tool = self.task.task.tool.name.clone();
+            executor.robot = self.robot.clone().map(|robot| (robot, tool));
+            executor.is_prepared = Arc::clone(&self.is_prepared);
+        }
+        if !self.is_prepared.load(Ordering::SeqCst) {
+            // After an interruption the executor has finished, which the session does not know.
+            let mut wiping = self.lock(py)?;
+            wiping.with_dependent_mut(|_, session| session.finish_executor(&mut NoExecutor));
+        }
+        let run = self.run_stages(py, until, &mut call);
+        self.finish_executor(py, run.is_err(), call.executor.as_ref())?;
         // An interrupted stage may still be running on its thread; nobody waits for it here.
         if *lock(&self.stage) != Some(Stage::Ended) {
             return run;
@@ -325,7 +350,33 @@ impl PySession {
         lost.map_or(Ok(()), |error| Err(of_record(error)))
     }
 
-    fn run_stages(&self, py: Python<'_>, until: Stage, mut call: Call<'_>) -> PyResult<()> {
+    /// Lets the executor of an interrupted session finish, and warns if an executor could not.
+    fn finish_executor(
+        &self,
+        py: Python<'_>,
+        is_interrupted: bool,
+        executor: Option<&PyExecutor<'_>>,
+    ) -> PyResult<()> {
+        let mut failure = None;
+        if let Some(executor) = executor.filter(|_| is_interrupted) {
+            failure = executor.call_finish().err().map(|error| error.to_string());
+        }
+        if *lock(&self.stage) == Some(Stage::Ended) {
+            let wiping = self.lock(py)?;
+            let of_session = wiping.borrow_dependent().finish_failure();
+            failure = failure.or(of_session.map(ToString::to_string));
+        }
+        let Some(failure) = failure else {
+            return Ok(());
+        };
+        let text = format!("the robot is not handed back, because finish() failed: {failure}");
+        let category = py.get_type::<PyRuntimeWarning>();
+        py.import("warnings")?
+            .call_method1("warn", (text, category))?;
+        Ok(())
+    }
+
+    fn run_stages(&self, py: Python<'_>, until: Stage, call: &mut Call<'_>) -> PyResult<()> {
         if let Some(executor) = &call.executor {
             let class = executor.object.get_type().name()?;
             *lock(&self.executor) = Some(class.to_string());
@@ -333,9 +384,9 @@ impl PySession {
         loop {
             let before = self.wait_for_stage(py)?;
             let reached = if before == Some(Stage::Audited) && call.executor.is_some() {
-                self.execute(py, &mut call)
+                self.execute(py, call)
             } else {
-                self.advance(py, &mut call)
+                self.advance(py, call)
             };
             let reached = reached?;
             if reached == until || reached == Stage::Ended {
@@ -418,6 +469,13 @@ impl PySession {
                         None => None,
                     };
                     let _ = answer.send(Reply::Observation(Ok(observation)));
+                }
+                Some(Ok(Request::Finish)) => {
+                    let finished = match &mut call.executor {
+                        Some(executor) => executor.finish(),
+                        None => Ok(()),
+                    };
+                    let _ = answer.send(Reply::Finished(finished));
                 }
                 Some(Ok(Request::Done(Ok(stage)))) => return Ok(stage),
                 Some(Ok(Request::Done(Err(error)))) => {
@@ -520,6 +578,8 @@ fn call<'py>(
             object,
             timeout,
             raised: None,
+            robot: None,
+            is_prepared: Arc::default(),
         }),
         on_event,
     })

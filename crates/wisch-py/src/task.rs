@@ -13,6 +13,7 @@ use pyo3::types::{PyDict, PyFloat, PyInt, PyMapping};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use wisch::geometry::{PlanarPose, Point2};
+use wisch::interpret::UnusableWrenches;
 use wisch::plan::plan_from_strokes;
 use wisch::represent::{ParticleDistribution, ScenePart, Task};
 use wisch::run::OwnStrategy;
@@ -509,15 +510,17 @@ impl PyTask {
         force_n: Option<&Bound<'_, PyAny>>,
         certain: bool,
     ) -> PyResult<PyInterpretation> {
-        let samples = match (log, time_s, world_from_tool, force_n) {
+        let (samples, unusable) = match (log, time_s, world_from_tool, force_n) {
             (Some(log), None, None, None) => log.get().touches(py)?,
-            (None, Some(times), Some(poses), Some(forces)) => touches(times, poses, forces)?,
+            (None, Some(times), Some(poses), Some(forces)) => {
+                (touches(times, poses, forces)?, UnusableWrenches::default())
+            }
             _ => {
                 let wanted = "a log, or time_s, world_from_tool and force_n";
                 return Err(refused("interpret", "something else", wanted));
             }
         };
-        PyInterpretation::of_samples(py, &self.loaded, &samples, certain)
+        PyInterpretation::of_samples(py, &self.loaded, &samples, unusable, certain)
     }
 
     /// Plans for the task's particles as if their positions were certain, as `wisch eval table1` does. A session plans

@@ -8,8 +8,8 @@ use pyo3::types::PyDict;
 use std::path::PathBuf;
 use wisch::follow::{Followed, Phase};
 use wisch::geometry::{Pose, Vector3, flatten_pose, restore_pose};
-use wisch::interpret::TouchSample;
-use wisch::run::{TelemetrySample, Wrench};
+use wisch::interpret::{TouchSample, UnusableWrenches, WrenchQuality};
+use wisch::run::{SampleStatus, TelemetrySample, Wrench};
 use wisch_telemetry::{
     Axes, AxesChoice, LogOptions, OrientationForm, Payload, TopicChoice, WrenchSign,
 };
@@ -19,6 +19,7 @@ use wisch_telemetry::{
 pub struct Columns {
     time: Vec<f64>,
     stroke: Vec<i64>,
+    quality: Vec<u8>,
     world_from_tool: Vec<f64>,
     world_from_commanded: Vec<f64>,
     force: Vec<f64>,
@@ -40,6 +41,7 @@ impl Columns {
         self.time.push(sample.time);
         let stroke = sample.phase.stroke().map(i64::try_from);
         self.stroke.push(stroke.and_then(Result::ok).unwrap_or(-1));
+        self.quality.push(sample.status.wrench as u8);
         self.world_from_tool
             .extend(flatten_pose(&sample.world_from_tool));
         self.world_from_commanded
@@ -65,6 +67,8 @@ pub struct PyTelemetry {
     time_s: Py<PyArray1<f64>>,
     /// Number of the stroke, -1 outside strokes, (T).
     stroke: Py<PyArray1<i64>>,
+    /// Quality of the force and moment: 0 ok, 1 stale, 2 saturated, 3 untared, (T).
+    wrench_quality: Py<PyArray1<u8>>,
     /// (T, 7).
     world_from_tool: Py<PyArray2<f64>>,
     /// (T, 7).
@@ -91,10 +95,26 @@ impl PyTelemetry {
         self.round == round
     }
 
-    /// Returns the samples as input for the interpreter.
-    pub fn touches(&self, py: Python<'_>) -> PyResult<Vec<TouchSample>> {
+    /// Returns the samples as input for the interpreter, without those whose wrench is not usable, and their numbers.
+    pub fn touches(&self, py: Python<'_>) -> PyResult<(Vec<TouchSample>, UnusableWrenches)> {
         let (times, poses, forces) = (&self.time_s, &self.world_from_tool, &self.force_n);
-        touches(times.bind(py), poses.bind(py), forces.bind(py))
+        let samples = touches(times.bind(py), poses.bind(py), forces.bind(py))?;
+        let mut unusable = UnusableWrenches::default();
+        let qualities = self.qualities(py)?;
+        let usable = samples.into_iter().zip(qualities).filter(|(_, quality)| {
+            unusable.add(*quality);
+            quality.is_usable()
+        });
+        let usable = usable.map(|(sample, _)| sample).collect();
+        Ok((usable, unusable))
+    }
+
+    fn qualities(&self, py: Python<'_>) -> PyResult<Vec<WrenchQuality>> {
+        let numbers = self.wrench_quality.bind(py).to_vec().map_err(plain)?;
+        let quality = |number: u8| WrenchQuality::ALL.get(usize::from(number)).copied();
+        Ok((numbers.into_iter())
+            .map(|number| quality(number).unwrap_or_default())
+            .collect())
     }
 
     /// Calls back with the samples of a motion.
@@ -114,6 +134,7 @@ impl PyTelemetry {
         let (tool, commanded, force, moment) = (tool?, commanded?, force?, moment?);
         let (controller_force, controller_moment, q, qd, efforts) =
             (controller_force?, controller_moment?, q?, qd?, efforts?);
+        let qualities = self.qualities(py)?;
         let count = times.len();
         let of = |numbers: &[f64], k: usize| -> std::ops::Range<usize> {
             let width = numbers.len().checked_div(count).unwrap_or_default();
@@ -134,6 +155,10 @@ impl PyTelemetry {
                 external: wrench_of(&at(&force, k), &at(&moment, k)),
                 motion,
                 phase: phase.unwrap_or(Phase::FreeMotion),
+                status: SampleStatus {
+                    wrench: qualities.get(k).copied().unwrap_or_default(),
+                    ..SampleStatus::default()
+                },
             };
             take(&sample).map_err(plain)?;
         }
@@ -155,6 +180,7 @@ impl PyTelemetry {
             round,
             time_s: vector(py, columns.time).unbind(),
             stroke: PyArray1::from_vec(py, columns.stroke).unbind(),
+            wrench_quality: PyArray1::from_vec(py, columns.quality).unbind(),
             world_from_tool: rows(columns.world_from_tool, 7),
             world_from_commanded: rows(columns.world_from_commanded, 7),
             force_n: rows(columns.force, 3),

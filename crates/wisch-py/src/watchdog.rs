@@ -10,6 +10,8 @@ use std::time::{Duration, Instant};
 
 /// Interval of the checks.
 const LOOK: Duration = Duration::from_millis(20);
+/// Longest pause of a motion: a year.
+const LONGEST_PAUSE: Duration = Duration::from_secs(31_557_600);
 
 /// Watchdog of one call of an executor: interrupts its thread as Ctrl-C does, when no sample arrives for too long.
 pub struct Watchdog {
@@ -73,6 +75,14 @@ impl Watchdog {
     /// Records a sign of life.
     pub fn touch(&self) {
         *(self.shared.last.lock()).unwrap_or_else(PoisonError::into_inner) = Instant::now();
+    }
+
+    /// Ignores silence until the next sign of life, because the motion is paused.
+    pub fn suspend(&self) {
+        let later = Instant::now().checked_add(LONGEST_PAUSE);
+        if let Some(later) = later {
+            *(self.shared.last.lock()).unwrap_or_else(PoisonError::into_inner) = later;
+        }
     }
 
     /// Stops watching. Returns the result of the call, or the error that it took too long, naming what is missing.

@@ -304,3 +304,96 @@ def test_a_fault_of_a_served_executor_ends_the_run_and_keeps_the_episode(program
     script = str(tmp_path / "robot.py")
     listed = subprocess.run(["ps", "-eo", "args"], capture_output=True, text=True, check=True).stdout
     assert script not in listed, "no process is left"
+
+
+class Prepared(Exact):
+    """Notes its calls, and fails in the call of this name."""
+
+    def __init__(self, reaction, fails_in=None):
+        super().__init__(reaction)
+        self.calls, self.fails_in, self.robot = [], fails_in, None
+
+    def note(self, name):
+        self.calls.append(name)
+        if name == self.fails_in:
+            raise RuntimeError(f"{name} does not work")
+
+    def prepare(self, robot):
+        self.robot = robot
+        self.note("prepare")
+
+    def execute(self, motion, sink):
+        self.note("execute")
+        return super().execute(motion, sink)
+
+    def finish(self):
+        self.note("finish")
+
+
+def test_an_executor_is_prepared_before_its_first_motion_and_finishes_after_its_last(task, robot):
+    executor = Prepared(task.surface_reaction)
+    task.session(robot, rounds=1).run(executor)
+    assert executor.calls == ["prepare", "execute", "finish"]
+    assert executor.robot.name == "arm7" and executor.robot.joints[0] == "joint_1"
+    assert "<robot" in executor.robot.urdf and executor.robot.tip_from_tool.shape == (7,)
+
+
+def test_what_fails_before_the_first_motion_and_after_the_last_is_told(task, robot):
+    executor = Prepared(task.surface_reaction, "prepare")
+    session = task.session(robot, rounds=1)
+    with pytest.raises(RuntimeError, match="prepare does not work"):
+        session.run(executor)
+    assert (executor.calls, session.rounds) == (["prepare"], [])
+
+    executor = Prepared(task.surface_reaction, "execute")
+    with pytest.raises(RuntimeError, match="execute does not work"):
+        task.session(robot, rounds=1).run(executor)
+    assert executor.calls == ["prepare", "execute", "finish"]
+
+    executor = Prepared(task.surface_reaction, "finish")
+    session = task.session(robot, rounds=1)
+    with pytest.warns(RuntimeWarning, match=r"the robot is not handed back, because finish\(\) failed: .*finish does not work"):
+        session.run(executor)
+    assert len(session.rounds) == 1
+
+
+def test_an_interrupted_executor_finishes_once(task, robot):
+    class Interrupted(Prepared):
+        def execute(self, motion, sink):
+            self.note("execute")
+            sink(self.sample(motion, 0))
+            raise KeyboardInterrupt
+
+    executor = Interrupted(task.surface_reaction)
+    session = task.session(robot, rounds=2)
+    with pytest.raises(KeyboardInterrupt):
+        session.run(executor)
+    assert executor.calls == ["prepare", "execute", "finish"]
+    # The run goes on with the interpretation, and a stopped robot does not move again.
+    session.run(executor)
+    assert executor.calls == ["prepare", "execute", "finish"]
+
+
+def test_a_paused_executor_is_not_silent_and_unusable_wrenches_are_no_touch(task, robot):
+    class Paused(Exact):
+        stamp_clock = "device"
+
+        def execute(self, motion, sink):
+            for k in range(len(motion.time_s)):
+                late = 60.0 * (k > GOOD)
+                sample = {**self.sample(motion, k), "time_s": motion.time_s[k] + late, "stamp_ns": k}
+                sink({**sample, "wrench_quality": "ok" if k % 10 else "saturated"})
+                if k == GOOD:
+                    sink.pause(motion.time_s[k], "a door is open")
+                    time.sleep(1.5)
+                    sink.resume(motion.time_s[k] + 60.0)
+
+    session = task.session(robot, rounds=1)
+    [round] = session.run(Paused(task.surface_reaction), timeout=1.0)
+    assert round.ending == "complete"
+    unusable = np.count_nonzero(round.telemetry.wrench_quality == 2)
+    assert unusable == -(-len(round.telemetry) // 10)
+    [doubt] = [doubt for doubt in round.interpretation.doubts if "not used as touch" in doubt]
+    assert f"{unusable} saturated" in doubt
+    again = task.interpret(round.telemetry)
+    assert again.performance == pytest.approx(round.performance, abs=1e-3)

@@ -70,6 +70,7 @@ pub(crate) fn serve(robot_file: &Path, options: DriveOptions) {
         "version": VERSION,
         "reports_state": true,
         "max_silence_s": MAX_SILENCE_S,
+        "real_time": true,
         "knot_error_rad": driver.connection.file.motion.knot_error_rad,
     }}));
     loop {

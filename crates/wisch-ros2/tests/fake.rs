@@ -10,7 +10,7 @@ use wisch::represent::{Observation, Task};
 use wisch::run::{
     Ending, Execution, Executor, ExecutorError, MotionOrder, RobotState, SampleSink, Stage,
 };
-use wisch_io::{LoadOptions, LoadedTask, ProcessExecutor, load_task};
+use wisch_io::{LoadOptions, LoadedTask, ProcessExecutor, ProcessOptions, load_task};
 
 pub const PROGRAM: &str = env!("CARGO_BIN_EXE_wisch-ros2");
 /// Limits of age in these tests [ms]: a loaded computer delays messages.
@@ -305,8 +305,11 @@ pub fn start_executor(robot_file: &Path, options: &[&str]) -> Result<Recorded, E
     let mut words = vec!["execute".to_owned(), robot_file.display().to_string()];
     words.extend(options.iter().map(|option| (*option).to_owned()));
     let stop = Arc::new(AtomicBool::new(false));
-    let minute = Duration::from_secs(60);
-    let process = ProcessExecutor::start_stoppable(PROGRAM, &words, minute, Arc::clone(&stop))?;
+    let settings = ProcessOptions {
+        stop: Arc::clone(&stop),
+        ..ProcessOptions::default()
+    };
+    let process = ProcessExecutor::start_with(PROGRAM, &words, settings)?;
     Ok(Recorded {
         process,
         stop,

@@ -15,7 +15,9 @@ use wisch::geometry::{Point3, Pose, Vector3};
 use wisch::random::normal;
 use wisch::represent::Task;
 use wisch::robot::{Articulation, ArticulationState, Range};
-use wisch::run::{Ending, Execution, MotionOrder, SampleSink, StopCause, TelemetrySample, Wrench};
+use wisch::run::{
+    Ending, Execution, MotionOrder, SampleSink, SampleStatus, StopCause, TelemetrySample, Wrench,
+};
 
 /// Largest joint velocity that counts as physical [rad/s or m/s]; beyond it the simulation has diverged.
 const MAX_VELOCITY: f64 = 100.0;
@@ -423,6 +425,7 @@ impl<'a> Simulation<'a> {
             external,
             motion: self.motion,
             phase,
+            status: SampleStatus::default(),
         })
     }
 
@@ -535,6 +538,8 @@ impl<'a> Simulation<'a> {
             duration: self.time,
             ending,
             positions: self.robot_q,
+            pauses: Vec::new(),
+            dropped_samples: 0,
         };
         Ok((execution, self.truth))
     }

@@ -4,7 +4,7 @@ use divan::Bencher;
 use std::path::Path;
 use wisch::follow::Phase;
 use wisch::geometry::{Pose, Vector3};
-use wisch::run::{TelemetrySample, Wrench};
+use wisch::run::{SampleStatus, TelemetrySample, Wrench};
 use wisch_telemetry::{BagHead, BagWriter, LogOptions, read};
 
 const SAMPLES: usize = 1000;
@@ -44,6 +44,7 @@ fn write_second(path: &Path) {
             external: wrench,
             motion: 0,
             phase: Phase::Wipe(0),
+            status: SampleStatus::default(),
         })
         .expect("a sample");
     }

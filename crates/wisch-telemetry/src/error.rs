@@ -282,6 +282,14 @@ pub enum ReadFault {
     },
     /// The transforms to the task's world are known at none of the log's times.
     #[error(
+        "the wrenches of all {count} samples are stale, saturated or untared, so the log shows no touch"
+    )]
+    UnusableWrenches {
+        /// Number of samples.
+        count: usize,
+    },
+    /// The transforms to the task's world are known at no time.
+    #[error(
         "the transforms to the task's world are known at no time: their times are more than {limit} s apart"
     )]
     Transforms {

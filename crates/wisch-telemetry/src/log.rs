@@ -14,7 +14,7 @@ use std::fs::File;
 use std::io::{BufReader, ErrorKind, Read};
 use std::path::{Path, PathBuf};
 use wisch::geometry::{Pose, Vector3};
-use wisch::interpret::TouchSample;
+use wisch::interpret::{TouchSample, UnusableWrenches};
 use wisch::represent::{Observation, UnknownName};
 
 /// How the axes of a force were determined.
@@ -33,6 +33,8 @@ pub enum AxesSource {
 pub struct Log {
     /// Tool poses and forces in the task's world; time counts from `start`.
     pub samples: Vec<TouchSample>,
+    /// Numbers of samples that are left out because their wrench is not usable.
+    pub unusable: UnusableWrenches,
     /// The log's time at which the samples' time is 0 \[ns\].
     pub start: i64,
     /// Source of the poses.
@@ -268,10 +270,21 @@ fn is_bag(path: &Path) -> std::io::Result<bool> {
 
 /// Combines poses and forces in the task's world.
 fn combine(raw: RawLog, correction: Correction, options: &LogOptions) -> Result<Log, ReadFault> {
-    let pairs = pair(&raw.poses, &raw.wrenches, options.max_gap)?;
+    let mut pairs = pair(&raw.poses, &raw.wrenches, options.max_gap)?;
+    let mut unusable = UnusableWrenches::default();
+    let first = pairs[0].0;
+    pairs.retain(|(time, ..)| {
+        let quality = raw.quality_at(*time);
+        unusable.add(quality);
+        quality.is_usable()
+    });
+    if pairs.is_empty() {
+        let count = unusable.count();
+        return Err(ReadFault::UnusableWrenches { count });
+    }
     let world = World::of(&raw, options)?;
     let sensor = Sensor::of(&raw, options)?;
-    let start = raw.start.unwrap_or(pairs[0].0);
+    let start = raw.start.unwrap_or(first);
     let length = options.length_unit.unwrap_or(1.0);
     let force_unit = options.force_unit.unwrap_or(1.0);
     let sign = match options.sign.or(raw.sign).unwrap_or(WrenchSign::OnTool) {
@@ -321,8 +334,9 @@ fn combine(raw: RawLog, correction: Correction, options: &LogOptions) -> Result<
         start,
         remarks,
         gaps: gaps(&samples, options.max_gap),
-        unpaired: frequent - samples.len(),
+        unpaired: frequent - samples.len() - unusable.count(),
         samples,
+        unusable,
         pose_name: raw.poses.name.clone(),
         wrench_name: raw.wrenches.name.clone(),
         axes: sensor.axes,

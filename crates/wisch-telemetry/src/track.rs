@@ -7,6 +7,7 @@ use super::quantity::{Quantity, QuantityError};
 use super::ros2::NANOSECONDS_PER_SECOND;
 use std::collections::BTreeMap;
 use wisch::geometry::{Pose, Vector3};
+use wisch::interpret::WrenchQuality;
 use wisch::represent::Observation;
 use wisch::robot::{JointMotion, JointTransform};
 
@@ -52,6 +53,8 @@ pub(crate) struct RawLog {
     pub round: Option<usize>,
     /// Camera observations of the dirt before and after the round.
     pub looks: [Option<Observation>; 2],
+    /// Times [ns] from which the wrench has a quality, in their order; it is usable before the first.
+    pub qualities: Vec<(i64, WrenchQuality)>,
     /// Sign convention of the forces, if the log states it.
     pub sign: Option<WrenchSign>,
     /// Remarks: what the reader assumed or did.
@@ -63,6 +66,15 @@ pub(crate) struct RawLog {
 pub(crate) struct JointPositions {
     /// Times [ns] and positions [rad or m] of the requested joints.
     entries: BTreeMap<String, Vec<(i64, f64)>>,
+}
+
+impl RawLog {
+    /// Quality of the wrench at a time [ns].
+    pub fn quality_at(&self, time: i64) -> WrenchQuality {
+        let next = self.qualities.partition_point(|(start, _)| *start <= time);
+        let current = next.checked_sub(1).map(|at| self.qualities[at].1);
+        current.unwrap_or_default()
+    }
 }
 
 impl JointPositions {

@@ -8,6 +8,7 @@ mod foreign_bag;
 mod order;
 #[path = "../examples/demo_bag/shown.rs"]
 mod shown;
+mod status;
 mod tables;
 mod transforms;
 #[path = "../examples/demo_bag/wiping.rs"]
@@ -20,7 +21,7 @@ use tempfile::TempDir;
 use wiping::Wiping;
 use wisch::follow::Phase;
 use wisch::geometry::{Point3, Pose, Vector3};
-use wisch::run::{TelemetrySample, Wrench};
+use wisch::run::{SampleStatus, TelemetrySample, Wrench};
 use wisch_telemetry::{
     Axes, AxesSource, BagHead, BagWriter, LogOptions, TopicChoice, active_path, read,
 };
@@ -156,6 +157,7 @@ fn invalid_samples_are_refused() {
         external: Wrench::default(),
         motion: 0,
         phase: Phase::Drive,
+        status: SampleStatus::default(),
     };
     let three = &[0.0; 3];
     bag.write(&sample(0.5, three)).unwrap();

@@ -11,6 +11,7 @@ mod interpret;
 mod learn;
 mod limits;
 mod plan;
+mod preparation;
 mod scenarios;
 mod session;
 mod tour;

@@ -13,7 +13,7 @@ use nalgebra::{Translation3, UnitQuaternion};
 use std::path::{Path, PathBuf};
 use wisch::geometry::{Pose, Vector3};
 use wisch::interpret::{
-    EventKind, InterpretConfig, Interpretation, ObservationUpdate, interpret as conclude,
+    EventKind, InterpretConfig, Interpretation, Interpreter, ObservationUpdate,
 };
 use wisch::represent::{GoalState, ParticleDistribution, SurfaceShape};
 use wisch::robot::joint_transforms;
@@ -425,8 +425,15 @@ fn interpret_samples(
     let task = &prepared.task;
     let believed = prepared.belief();
     let config = InterpretConfig::from_task(task);
-    conclude(&log.samples, task, &believed, goal, &config)
-        .map_err(|error| Failure::new(error).within(&args.log))
+    let interpreted = || {
+        let mut interpreter = Interpreter::new(task, &config)?;
+        interpreter.skip(log.unusable);
+        for sample in &log.samples {
+            interpreter.push(sample)?;
+        }
+        interpreter.conclude(&believed, goal)
+    };
+    interpreted().map_err(|error| Failure::new(error).within(&args.log))
 }
 
 /// The summary for people.

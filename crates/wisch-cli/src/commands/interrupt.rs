@@ -3,11 +3,12 @@
 use crate::failure::Failure;
 use crate::progress::Progress;
 use crate::terminal::{complain_of, remark};
-use signal_hook::consts::{SIGHUP, SIGINT, SIGTERM};
+use signal_hook::consts::{SIGHUP, SIGINT, SIGTERM, SIGUSR1};
 use signal_hook::flag::{register, register_conditional_shutdown};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::time::Duration;
+use wisch_io::PauseSwitch;
 
 /// Exit code of a program that Ctrl-C ended, as shells define it.
 const EXIT_INTERRUPTED: i32 = 130;
@@ -45,6 +46,33 @@ pub fn stop_on_signal() -> Result<Arc<AtomicBool>, Failure> {
         }
     });
     Ok(stop)
+}
+
+/// Installs a handler with which SIGUSR1 pauses the motion of an executor, and SIGUSR1 again lets it continue.
+///
+/// # Errors
+/// If the system refuses the handler.
+pub fn pause_on_signal() -> Result<Arc<PauseSwitch>, Failure> {
+    let signalled = Arc::new(AtomicBool::new(false));
+    register(SIGUSR1, Arc::clone(&signalled))
+        .map_err(|error| Failure::new(format!("signal {SIGUSR1}: {error}")))?;
+    let switch = Arc::new(PauseSwitch::default());
+    let turned = Arc::clone(&switch);
+    std::thread::spawn(move || {
+        loop {
+            std::thread::sleep(PERIOD);
+            if signalled.swap(false, Ordering::SeqCst) {
+                remark(match (turned.toggle(), turned.is_supported()) {
+                    (true, true) => "pausing the robot; another SIGUSR1 lets it continue",
+                    (true, false) => {
+                        "this executor cannot pause during a motion: the run pauses before the next one, and Ctrl-C stops the robot; another SIGUSR1 lets it continue"
+                    }
+                    (false, _) => "the robot continues",
+                });
+            }
+        }
+    });
+    Ok(switch)
 }
 
 /// Installs a handler with which Ctrl-C ends the program at once and prints how to resume.

@@ -8,13 +8,11 @@ use crate::terminal::{Outcome, ask, remark};
 use nalgebra::Translation3;
 use std::io::IsTerminal;
 use std::process::Command;
-use std::sync::Arc;
-use std::sync::atomic::AtomicBool;
-use std::time::Duration;
+use wisch::follow::Workcell;
 use wisch::geometry::Vector3;
 use wisch::represent::{Observation, Surface, Task};
 use wisch::run::{Execution, Executor, ExecutorError, MotionOrder, RobotState, SampleSink};
-use wisch_io::ProcessExecutor;
+use wisch_io::{ProcessExecutor, ProcessOptions};
 
 const ROS2: Companion = Companion {
     name: "wisch-ros2",
@@ -81,7 +79,7 @@ impl OperatedRobot {
     pub fn start(
         args: &LoopArgs,
         global: &GlobalArgs,
-        stop: Option<&Arc<AtomicBool>>,
+        options: ProcessOptions,
     ) -> Result<Self, Failure> {
         let file = (args.on.as_ref()).ok_or_else(|| internal("there is no robot file"))?;
         let asks = !args.yes_every_round;
@@ -96,9 +94,7 @@ impl OperatedRobot {
         words.extend(["--speed".to_owned(), args.speed.to_string()]);
         words.extend(args.air.is_some().then(|| "--air".to_owned()));
         words.extend(asks.then(|| "--operated".to_owned()));
-        let silence = Duration::from_secs_f64(args.timeout);
-        let stop = stop.cloned().unwrap_or_default();
-        let process = ProcessExecutor::start_stoppable(&program, &words, silence, stop);
+        let process = ProcessExecutor::start_with(&program, &words, options);
         let process = process.map_err(|error| {
             Failure::new(error).with_help("docs/ros2.md says what is refused, and what to do")
         })?;
@@ -107,6 +103,14 @@ impl OperatedRobot {
 }
 
 impl Executor for OperatedRobot {
+    fn prepare(&mut self, cell: &Workcell) -> Result<(), ExecutorError> {
+        self.process.prepare(cell)
+    }
+
+    fn finish(&mut self) -> Result<(), ExecutorError> {
+        self.process.finish()
+    }
+
     fn execute(
         &mut self,
         order: &MotionOrder<'_>,

@@ -3,7 +3,7 @@
 use super::words::{counted, percent};
 use wisch::interpret::EventKind;
 use wisch::recover::{Claim, Verdict};
-use wisch::run::Ending;
+use wisch::run::{Ending, Pause};
 use wisch_record::FinishedRound;
 
 /// Describes each round in one line, followed by a line for each doubt about its log.
@@ -43,6 +43,11 @@ pub fn rounds_in_words(finished: &[FinishedRound], target: f64) -> Vec<(&'static
             if let Ending::ProtectiveStop { time, cause } = &round.execution.ending {
                 text += &format!(", stopped at {time:.1} s: {cause}");
             }
+            text += &pauses_in_words(&round.execution.pauses);
+            if let dropped @ 1.. = round.execution.dropped_samples {
+                let dropped = counted(dropped, "sample");
+                text += &format!(", {dropped} dropped because the run's records were too slow");
+            }
             let known = finished.truth.as_ref();
             if let Some(known) = known.filter(|known| !known.missed.is_empty()) {
                 let ended = round.motion.followed.duration();
@@ -63,4 +68,24 @@ pub fn rounds_in_words(finished: &[FinishedRound], target: f64) -> Vec<(&'static
             std::iter::once((name, format!("{number}: {text}"))).chain(doubts)
         })
         .collect()
+}
+
+/// Describes the pauses of a motion, as a part of a sentence; empty without one.
+fn pauses_in_words(pauses: &[Pause]) -> String {
+    let parts = pauses.iter().map(|pause| {
+        let during = match pause.phase.stroke() {
+            Some(stroke) => format!("in stroke {}", stroke + 1),
+            None => format!("in phase {}", pause.phase.as_str()),
+        };
+        let end = match pause.end {
+            Some(end) => format!("for {:.1} s", end - pause.start),
+            None => "until the end".to_owned(),
+        };
+        let reason = match pause.reason.as_str() {
+            "" => String::new(),
+            reason => format!(" ({reason})"),
+        };
+        format!(", paused at {:.1} s {during} {end}{reason}", pause.start)
+    });
+    parts.collect()
 }

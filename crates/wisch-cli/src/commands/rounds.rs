@@ -1,7 +1,7 @@
 //! The closed loop of `wisch run`: rounds of planning, wiping and interpreting, with their records.
 
 use super::PROGRAM;
-use super::interrupt::say_how_to_resume;
+use super::interrupt::{pause_on_signal, say_how_to_resume};
 use super::job::{Job, known_truths};
 use super::prepare::stage_failure;
 use super::ros2::OperatedRobot;
@@ -18,9 +18,12 @@ use std::path::Path;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::time::Duration;
+use wisch::follow::{Workcell, WorkcellConfig};
 use wisch::plan::Plan;
 use wisch::run::{Executor, NoExecutor, Recording, Round, RunError, RunEvent, Session, Stage};
-use wisch_io::{ExecutedBy, LoadedTask, PlanRecord, ProcessExecutor, Robot};
+use wisch_io::{
+    DriverRobotRecord, ExecutedBy, LoadedTask, PlanRecord, ProcessExecutor, ProcessOptions, Robot,
+};
 use wisch_record::{
     EpisodeTarget, EventSink, KeptEpisode, RecordError, RecordOptions, RunRecord, RunResults,
     bag_name,
@@ -90,6 +93,10 @@ pub fn execute(
         kept_count.as_ref(),
     );
     sinks.record.end_bags();
+    if let Some(error) = session.finish_failure() {
+        let text = format!("the robot is not handed back, because finish failed: {error}");
+        job.progress.aside(|| remark(&text));
+    }
     // The executor's process ends before the results are written.
     executor.end();
     let run = run.err().map(|error| job.failed(error));
@@ -123,7 +130,7 @@ fn record_options(
     job: &Job<'_>,
     args: &LoopArgs,
     taken_over: usize,
-    workcell: wisch::follow::WorkcellConfig,
+    workcell: WorkcellConfig,
 ) -> RecordOptions {
     let bags = job.folder.file_path(&bag_name(1));
     let on_robot = args.on.is_some().then(|| "wisch-ros2".to_owned());
@@ -174,11 +181,11 @@ fn start_executing(
     global: &GlobalArgs,
 ) -> Result<Executing, Failure> {
     if args.on.is_some() {
-        let robot = OperatedRobot::start(args, global, stop)?;
+        let robot = OperatedRobot::start(args, global, process_options(job, args, stop)?)?;
         return Ok(Executing::Process(Box::new(robot)));
     }
     if let Some(command) = &args.executor {
-        let process = start(command, args.timeout, stop)?;
+        let process = start(command, process_options(job, args, stop)?)?;
         return Ok(Executing::Process(Box::new(process)));
     }
     let prepared = job.prepared;
@@ -391,21 +398,34 @@ impl Executing {
     }
 }
 
-/// Starts the program of `--executor`.
-fn start(
-    command: &str,
-    timeout_s: f64,
+/// Returns the settings of an executor in another process.
+fn process_options(
+    job: &Job<'_>,
+    args: &LoopArgs,
     stop: Option<&Arc<AtomicBool>>,
-) -> Result<ProcessExecutor, Failure> {
+) -> Result<ProcessOptions, Failure> {
+    let (chosen, robot) = job.robot.ok_or_else(|| internal("there is no robot"))?;
+    let task = &job.prepared.task;
+    let config = super::follow::workcell_config(chosen, job.prepared);
+    let cell = Workcell::new(robot.model.clone(), robot.srdf.as_ref(), task, &config)
+        .map_err(|error| job.failed(error.into()))?;
+    Ok(ProcessOptions {
+        silence: Duration::from_secs_f64(args.timeout),
+        stop: stop.cloned().unwrap_or_default(),
+        pause: pause_on_signal()?,
+        robot: Some(DriverRobotRecord::new(robot, &cell, &task.tool.name)),
+    })
+}
+
+/// Starts the program of `--executor`.
+fn start(command: &str, options: ProcessOptions) -> Result<ProcessExecutor, Failure> {
     let words = shlex::split(command).unwrap_or_default();
     let [program, arguments @ ..] = words.as_slice() else {
         return Err(Failure::new(format!(
             "--executor {command:?}: not a command; expected a program and its arguments"
         )));
     };
-    let silence = Duration::from_secs_f64(timeout_s);
-    let stop = stop.cloned().unwrap_or_default();
-    ProcessExecutor::start_stoppable(program, arguments, silence, stop).map_err(|error| {
+    ProcessExecutor::start_with(program, arguments, options).map_err(|error| {
         Failure::new(error)
             .with_help("docs/executor-protocol.md describes the messages of an executor")
     })

@@ -1,18 +1,17 @@
 //! A child process with its own process group: its lines, and its end.
 
+use super::backlog::{Backlog, NoLine};
 use super::printable::{printable, printed};
 use std::io::{self, BufRead, BufReader, Read, Write};
 use std::process::{Child, ChildStderr, ChildStdin, Command, ExitStatus, Stdio};
 use std::sync::Mutex;
-use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, SyncSender, channel, sync_channel};
+use std::sync::mpsc::{Receiver, Sender, channel};
 use std::time::{Duration, Instant};
 
 /// Maximum length of a line [bytes].
-const MAX_LINE: u64 = 1 << 20;
+pub(super) const MAX_LINE: u64 = 1 << 20;
 /// Maximum size of a piece of a child's standard error that is copied at once [bytes].
 const MAX_ERROR_LINE: u64 = 1 << 14;
-/// Capacity of the queue of lines.
-const QUEUE: usize = 64;
 /// Period at which a silent child is checked.
 const POLL: Duration = Duration::from_millis(20);
 /// Time to wait for the last output of a child that has ended.
@@ -58,7 +57,7 @@ pub(super) struct ChildGroup {
     child: Child,
     /// `None` after the last request.
     input: Option<Sender<Vec<u8>>>,
-    lines: Receiver<Result<String, String>>,
+    lines: Backlog,
     /// Closed when all of its standard error is copied.
     errors: Option<Receiver<()>>,
     ended: Option<ExitStatus>,
@@ -79,9 +78,13 @@ impl ChildGroup {
         if let Ok(mut groups) = GROUPS.lock() {
             groups.push(child.id());
         }
-        let (sender, lines) = sync_channel(QUEUE);
+        let lines = Backlog::default();
         if let Some(output) = child.stdout.take() {
-            std::thread::spawn(move || read_lines(BufReader::new(output), &sender));
+            let lines = lines.clone();
+            std::thread::spawn(move || {
+                read_lines(BufReader::new(output), &lines);
+                lines.end();
+            });
         }
         let (input, messages) = channel();
         if let Some(stdin) = child.stdin.take() {
@@ -109,14 +112,19 @@ impl ChildGroup {
         let _ = self.input.as_ref().map(|input| input.send(line));
     }
 
+    /// The lines that wait to be heard.
+    pub const fn backlog(&self) -> &Backlog {
+        &self.lines
+    }
+
     /// Waits for a line and checks meanwhile for an interruption.
     pub fn hear(&mut self, deadline: Instant, mut goes_on: impl FnMut() -> bool) -> Heard {
         loop {
             let left = deadline.saturating_duration_since(Instant::now());
-            match self.lines.recv_timeout(left.min(POLL)) {
+            match self.lines.take(Instant::now() + left.min(POLL)) {
                 Ok(Ok(line)) => return Heard::Line(line),
                 Ok(Err(problem)) => return Heard::Over(problem),
-                Err(RecvTimeoutError::Disconnected) => {
+                Err(NoLine::Ended) => {
                     let since = Instant::now();
                     while !self.has_ended() && since.elapsed() < LAST_WORDS {
                         std::thread::sleep(POLL);
@@ -124,17 +132,17 @@ impl ChildGroup {
                     return Heard::Over(self.end_in_words());
                 }
                 // A process that the child has started may keep the standard output open.
-                Err(RecvTimeoutError::Timeout) if self.has_ended() => {
-                    return match self.lines.recv_timeout(LAST_WORDS) {
+                Err(NoLine::TimedOut) if self.has_ended() => {
+                    return match self.lines.take(Instant::now() + LAST_WORDS) {
                         Ok(Ok(line)) => Heard::Line(line),
                         Ok(Err(problem)) => Heard::Over(problem),
                         Err(_) => Heard::Over(self.end_in_words()),
                     };
                 }
-                Err(RecvTimeoutError::Timeout) if left.is_zero() || !goes_on() => {
+                Err(NoLine::TimedOut) if left.is_zero() || !goes_on() => {
                     return Heard::Nothing;
                 }
-                Err(RecvTimeoutError::Timeout) => {}
+                Err(NoLine::TimedOut) => {}
             }
         }
     }
@@ -167,6 +175,7 @@ impl ChildGroup {
             // A killed process disappears after a short time.
             self.wait(LAST_WORDS, Self::is_gone);
         }
+        self.lines.close();
         let group = self.child.id();
         if let Ok(mut groups) = GROUPS.lock() {
             groups.retain(|known| *known != group);
@@ -180,7 +189,7 @@ impl ChildGroup {
         let since = Instant::now();
         while !is_over(self) && since.elapsed() < patience {
             // A child with a full output pipe ends only after its output is read.
-            while self.lines.try_recv().is_ok() {}
+            while self.lines.take(since).is_ok() {}
             std::thread::sleep(Duration::from_millis(5));
         }
     }
@@ -221,7 +230,7 @@ fn write_lines(mut stdin: ChildStdin, messages: &Receiver<Vec<u8>>) {
 }
 
 /// Forwards lines until the child or the receiver has ended.
-fn read_lines(mut output: impl BufRead, sender: &SyncSender<Result<String, String>>) {
+fn read_lines(mut output: impl BufRead, lines: &Backlog) {
     loop {
         let mut line = Vec::new();
         let read = Read::take(&mut output, MAX_LINE + 1).read_until(b'\n', &mut line);
@@ -235,7 +244,7 @@ fn read_lines(mut output: impl BufRead, sender: &SyncSender<Result<String, Strin
             Err(error) => Err(error.to_string()),
         };
         let is_over = line.is_err();
-        if sender.send(line).is_err() || is_over {
+        if !lines.push(line) || is_over {
             return;
         }
     }

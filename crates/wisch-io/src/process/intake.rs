@@ -1,13 +1,14 @@
 //! Checks the data of executors in other processes or languages: samples, observations and the ending.
 
 use super::printable::printable;
+use super::status::{PauseRecord, ResumeRecord, WrenchQualityRecord};
 use nalgebra::UnitQuaternion;
 use serde::Deserialize;
 use wisch::geometry::{Point2, Polygon, Pose, Region, Vector3, restore_pose};
 use wisch::represent::{MAX_DETECTIONS, Observation};
 use wisch::run::{
-    Ending, Execution, MotionOrder, RobotState, SampleSink, StopCause, StopKind, TelemetrySample,
-    TrajectoryClock, Wrench,
+    Ending, Execution, MotionOrder, Pause, RobotState, SampleSink, SampleStatus, Stamp, StampClock,
+    StopCause, StopKind, TelemetrySample, TrajectoryClock, Wrench,
 };
 use wisch::source_location::UnknownName;
 
@@ -29,6 +30,12 @@ const BURST: f64 = 1_000.0;
 const MAX_PLACE: f64 = 1e5;
 const MAX_WRENCH: f64 = 1e6;
 const MAX_JOINT: f64 = 1e6;
+/// Largest stamp [ns]: messages of ROS 2 hold seconds in 32 bits.
+const MAX_STAMP_NS: u64 = i32::MAX as u64 * 1_000_000_000;
+/// Largest number of pauses in a motion.
+const MAX_PAUSES: usize = 1_000;
+/// Longest time of a motion with its pauses [s].
+const MAX_TIME: f64 = 1e7;
 /// Maximum coordinate of a detection, in the surface frame [m].
 const MAX_SEEN: f64 = 1e3;
 /// Maximum number of corners of all hidden polygons.
@@ -71,6 +78,11 @@ pub struct SampleRecord {
     /// Their efforts, or empty [Nm or N].
     #[serde(default)]
     pub efforts: Vec<f64>,
+    /// Absolute time of the measurement, on the clock that the executor states \[ns\].
+    pub stamp_ns: Option<u64>,
+    /// Quality of `force_n` and `moment_nm`.
+    #[serde(default)]
+    pub wrench_quality: WrenchQualityRecord,
 }
 
 /// Axes of a measured force and moment.
@@ -159,6 +171,11 @@ impl SampleRecord {
                     "at {time} s {key} has {count} numbers, but the robot has {dof} joints"
                 ));
             }
+        }
+        if let Some(stamp) = self.stamp_ns.filter(|stamp| *stamp > MAX_STAMP_NS) {
+            return Err(format!(
+                "at {time} s stamp_ns is {stamp}, beyond the limit of {MAX_STAMP_NS}"
+            ));
         }
         let poses = [self.world_from_tool, self.world_from_commanded];
         for pose in poses.into_iter().flatten() {
@@ -346,6 +363,9 @@ pub struct Intake<'a> {
     /// Last measured joint positions.
     positions: Vec<f64>,
     is_stopped: bool,
+    stamp_clock: Option<StampClock>,
+    pauses: Vec<Pause>,
+    dropped: usize,
 }
 
 impl<'a> Intake<'a> {
@@ -360,7 +380,84 @@ impl<'a> Intake<'a> {
             count: 0.0,
             positions: Vec::new(),
             is_stopped: false,
+            stamp_clock: None,
+            pauses: Vec::new(),
+            dropped: 0,
         }
+    }
+
+    /// Sets the clock of the samples' stamps; without it, a stamp is an error.
+    #[must_use]
+    pub fn with_stamp_clock(self, clock: Option<StampClock>) -> Self {
+        Self {
+            stamp_clock: clock,
+            ..self
+        }
+    }
+
+    /// Whether the motion is paused.
+    pub fn is_paused(&self) -> bool {
+        self.pauses.last().is_some_and(|pause| pause.end.is_none())
+    }
+
+    /// Begins a pause.
+    ///
+    /// # Errors
+    /// If the motion is paused already, the time is before the last sample or pause, or there are too many pauses.
+    pub fn pause(&mut self, record: &PauseRecord) -> Result<(), String> {
+        let time = record.time_s;
+        if self.is_paused() {
+            return Err(format!("paused at {time} s, but it is paused already"));
+        }
+        self.check_pause("paused", time)?;
+        if self.pauses.len() >= MAX_PAUSES {
+            return Err(format!("more than {MAX_PAUSES} pauses in one motion"));
+        }
+        let at = self.clock.time_reached();
+        let (_, phase) = self.order.motion_at(at).ok_or("the motion is empty")?;
+        self.pauses.push(Pause {
+            start: time,
+            end: None,
+            phase,
+            reason: printable(&record.reason, MAX_REASON),
+        });
+        Ok(())
+    }
+
+    /// Ends a pause.
+    ///
+    /// # Errors
+    /// If the motion is not paused, or the time is before the begin of the pause or the last sample.
+    pub fn resume(&mut self, record: ResumeRecord) -> Result<(), String> {
+        let time = record.time_s;
+        self.check_pause("resumed", time)?;
+        match self.pauses.last_mut() {
+            Some(pause) if pause.end.is_none() => pause.end = Some(time),
+            _ => return Err(format!("resumed at {time} s, but it is not paused")),
+        }
+        Ok(())
+    }
+
+    fn check_pause(&self, what: &str, time: f64) -> Result<(), String> {
+        let least = self.time_reported().max(0.0);
+        if (least..=MAX_TIME).contains(&time) {
+            return Ok(());
+        }
+        Err(format!(
+            "{what} at {time} s; expected {least} to {MAX_TIME} s"
+        ))
+    }
+
+    /// Time of the last sample or pause \[s\].
+    pub(super) fn time_reported(&self) -> f64 {
+        let last = self.pauses.last();
+        let pause = last.map_or(f64::NEG_INFINITY, |pause| pause.end.unwrap_or(pause.start));
+        self.since.max(pause)
+    }
+
+    /// Notes the number of samples that were dropped before this receiver.
+    pub(super) const fn note_dropped(&mut self, count: usize) {
+        self.dropped = count;
     }
 
     /// Whether the motion is to be aborted.
@@ -425,6 +522,21 @@ impl<'a> Intake<'a> {
         let Some((motion, phase)) = self.order.motion_at(at) else {
             return Ok(());
         };
+        let stamp = match (sample.stamp_ns, self.stamp_clock) {
+            (Some(nanoseconds), Some(clock)) => Some(Stamp { nanoseconds, clock }),
+            (Some(_), None) => {
+                let time = self.since;
+                return Err(format!(
+                    "at {time} s there is a stamp_ns, but stamp_clock does not state its clock"
+                ));
+            }
+            (None, _) => None,
+        };
+        let status = SampleStatus {
+            stamp,
+            wrench: sample.wrench_quality.0,
+            is_paused: self.is_paused(),
+        };
         let flow = (self.sink)(&TelemetrySample {
             time: self.since,
             positions: &sample.positions,
@@ -440,6 +552,7 @@ impl<'a> Intake<'a> {
             },
             motion,
             phase,
+            status,
         });
         self.is_stopped = flow.is_break();
         Ok(())
@@ -472,10 +585,12 @@ impl<'a> Intake<'a> {
                 "the motion of {end:.3} s is reported complete, but {last}"
             ));
         }
-        let most = if is_complete {
+        let most = if self.is_paused() {
+            MAX_TIME
+        } else if is_complete {
             self.since + LAST_SAMPLE
         } else {
-            self.since.max(end) + UNMEASURED
+            self.time_reported().max(end) + UNMEASURED
         };
         let duration = done.duration_s;
         let stop = match &done.ending {
@@ -504,6 +619,8 @@ impl<'a> Intake<'a> {
             duration,
             ending: done.ending.into(),
             positions,
+            pauses: self.pauses.clone(),
+            dropped_samples: self.dropped,
         })
     }
 }

@@ -1,11 +1,13 @@
 //! The messages between this program and an executor in another process: one JSON object a line.
 
 use super::VERSIONS;
+use super::described::DriverRobotRecord;
 use super::intake::{DoneRecord, ObservationRecord, SampleRecord, StateRecord};
+use super::status::{PauseRecord, ResumeRecord, StampClockRecord};
 use crate::records::ShapeRecord;
 use serde::{Deserialize, Serialize};
 use wisch::geometry::flatten_pose;
-use wisch::run::{MotionOrder, Setpoint};
+use wisch::run::{ForceRamp, MotionOrder, Setpoint};
 
 /// Range of the silence that a child permits itself during a motion [s].
 const MAX_SILENCE_S: [f64; 2] = [0.02, 60.0];
@@ -22,12 +24,21 @@ pub(super) enum ToChild<'a> {
         version: u32,
         /// All versions that this program speaks.
         versions: [u32; 2],
+        #[serde(skip_serializing_if = "Option::is_none")]
+        robot: Option<&'a DriverRobotRecord>,
     },
+    /// A request to prepare the robot for motions.
+    Prepare,
+    /// A request to undo that, after the last motion.
+    Finish,
     /// A motion, followed by the stated number of points.
     Execute(Box<MotionHead>),
     Point(TrajectoryPoint),
     /// A request to abort the current motion.
     Stop,
+    /// Requests to pause the current motion, and to continue it.
+    Pause,
+    Resume,
     /// A request for the joint positions.
     State,
     Observe {
@@ -79,6 +90,30 @@ struct PhaseMessage {
     stroke: Option<usize>,
     start_s: f64,
     end_s: f64,
+    /// Since version 2; left out where the tool does not touch.
+    #[serde(flatten)]
+    force: Option<ForceMessage>,
+}
+
+/// The force along the normal during a phase.
+#[derive(Debug, Serialize)]
+struct ForceMessage {
+    /// Force at the start and at the end.
+    force_n: [f64; 2],
+    /// Time over which it changes: the last of a phase in which it rises, the first of one in which it falls.
+    force_ramp_s: f64,
+    /// Largest speed along the normal in that time.
+    approach_speed_m_s: f64,
+}
+
+impl From<ForceRamp> for ForceMessage {
+    fn from(ramp: ForceRamp) -> Self {
+        Self {
+            force_n: [ramp.start_force, ramp.end_force],
+            force_ramp_s: ramp.duration,
+            approach_speed_m_s: ramp.approach_speed,
+        }
+    }
 }
 
 /// A setpoint of joints and tool at a time.
@@ -109,6 +144,17 @@ pub(super) struct ReadyRecord {
     /// Since version 2: whether it presses along the normal under the tool, also where that differs from place to place.
     #[serde(default)]
     pub accepts_curved: bool,
+    /// Since version 2: whether it answers `prepare` and `finish`.
+    #[serde(default)]
+    pub prepares: bool,
+    /// Since version 2: whether it answers `pause` and `resume`.
+    #[serde(default)]
+    pub pauses: bool,
+    /// Since version 2: whether it executes in real time, so that it must never wait for this program.
+    #[serde(default)]
+    pub real_time: bool,
+    /// Since version 2: the clock of `stamp_ns`.
+    pub stamp_clock: Option<StampClockRecord>,
 }
 
 impl ReadyRecord {
@@ -137,8 +183,17 @@ impl ReadyRecord {
                 _ => {}
             }
         }
-        if self.accepts_curved && version < 2 {
-            return Err("ready: accepts_curved needs version 2".to_owned());
+        let flags = [
+            ("accepts_curved", self.accepts_curved),
+            ("prepares", self.prepares),
+            ("pauses", self.pauses),
+            ("real_time", self.real_time),
+            ("stamp_clock", self.stamp_clock.is_some()),
+        ];
+        if let Some((key, _)) = flags.into_iter().find(|(_, is_set)| *is_set)
+            && version < 2
+        {
+            return Err(format!("ready: {key} needs version 2"));
         }
         Ok(())
     }
@@ -149,6 +204,10 @@ impl ReadyRecord {
 #[serde(rename_all = "snake_case")]
 pub(super) enum FromChild {
     Ready(ReadyRecord),
+    Prepared,
+    Finished,
+    Paused(PauseRecord),
+    Resumed(ResumeRecord),
     Sample(Box<SampleRecord>),
     Done(DoneRecord),
     State(StateRecord),
@@ -161,6 +220,10 @@ impl FromChild {
     pub const fn kind(&self) -> &'static str {
         match self {
             Self::Ready(_) => "\"ready\"",
+            Self::Prepared => "\"prepared\"",
+            Self::Finished => "\"finished\"",
+            Self::Paused(_) => "\"paused\"",
+            Self::Resumed(_) => "\"resumed\"",
             Self::Sample(_) => "\"sample\"",
             Self::Done(_) => "\"done\"",
             Self::State(_) => "\"state\"",
@@ -175,11 +238,13 @@ impl MotionHead {
     pub fn new(order: &MotionOrder<'_>, points: usize, version: u32) -> Self {
         let robot = order.cell.robot();
         let interaction = &order.task.interaction;
-        let phases = order.followed.motions.iter().map(|motion| PhaseMessage {
+        let motions = order.followed.motions.iter().enumerate();
+        let phases = motions.map(|(index, motion)| PhaseMessage {
             phase: motion.phase.as_str(),
             stroke: motion.phase.stroke(),
             start_s: motion.start,
             end_s: motion.end(),
+            force: (order.force_ramp(index).filter(|_| version >= 2)).map(ForceMessage::from),
         });
         Self {
             round: order.round,

@@ -1,21 +1,31 @@
 //! An executor in another process: any program that implements the protocol of `docs/executor-protocol.md`.
 
+mod backlog;
 mod child;
+mod described;
 mod intake;
 mod message;
+mod pause_switch;
 mod printable;
+mod progress;
+mod status;
 
 pub use child::kill_executors;
+pub use described::DriverRobotRecord;
 pub use intake::{
     DoneRecord, EndingRecord, Intake, ObservationRecord, SampleRecord, StopKindRecord, WrenchAxes,
 };
+pub use pause_switch::PauseSwitch;
+pub use status::{PauseRecord, ResumeRecord, StampClockRecord, WrenchQualityRecord};
 
 use child::{ChildGroup, Heard, shortened};
 use message::{FromChild, MotionHead, ReadyRecord, ToChild, TrajectoryPoint};
 use printable::printable;
+use progress::Progress;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
+use wisch::follow::Workcell;
 use wisch::represent::{Observation, Surface, SurfaceShape, Task};
 use wisch::run::{
     Execution, Executor, ExecutorError, MotionOrder, RobotState, SampleSink, Setpoint,
@@ -33,12 +43,12 @@ const SILENCE: Duration = Duration::from_secs(60);
 const FAREWELL: Duration = Duration::from_secs(2);
 /// Time for a faulty or abandoned child to end by itself.
 const FAREWELL_AFTER_FAULT: Duration = Duration::from_millis(300);
-/// Additional time, beyond the limit of silence, for motions without progress.
-const PROGRESS_ALLOWANCE: Duration = Duration::from_millis(500);
-/// Trajectory time that counts as progress [s].
-const PROGRESS: f64 = 0.1;
 /// Maximum length of a child's text in messages [characters].
 const MAX_SHOWN: usize = 400;
+/// Longest time between a request to pause and the answer.
+const PAUSE_LIMIT: Duration = Duration::from_secs(5);
+/// Period at which the end of a pause before a motion is checked.
+const PAUSE_POLL: Duration = Duration::from_millis(20);
 /// Sampling period of the trajectories that the child receives [s].
 const TRAJECTORY_PERIOD: f64 = 0.01;
 
@@ -59,12 +69,51 @@ pub struct ProcessExecutor {
     silence: Duration,
     /// Set by the caller to stop the motion.
     stop: Arc<AtomicBool>,
+    /// Set by an operator to pause the motion.
+    pause: Arc<PauseSwitch>,
     /// What the child is able to do.
     ready: ReadyRecord,
     /// Whether it violated the protocol or is abandoned.
     is_faulty: bool,
     /// Whether it has received a stop for its last motion.
     was_stopped: bool,
+    /// Whether it has received `prepare` and no `finish` yet.
+    is_prepared: bool,
+}
+
+/// Settings of an executor in a child process.
+#[derive(Debug, Clone)]
+pub struct ProcessOptions {
+    /// Limit for the greeting and between all later messages.
+    pub silence: Duration,
+    /// Flag that the caller sets to stop the child's motion at any time.
+    pub stop: Arc<AtomicBool>,
+    /// Switch with which an operator pauses motions.
+    pub pause: Arc<PauseSwitch>,
+    /// The robot's description, which the child receives with the greeting; `None` sends none.
+    pub robot: Option<DriverRobotRecord>,
+}
+
+impl Default for ProcessOptions {
+    /// A limit of one minute, and no description of a robot.
+    fn default() -> Self {
+        Self {
+            silence: SILENCE,
+            stop: Arc::default(),
+            pause: Arc::default(),
+            robot: None,
+        }
+    }
+}
+
+/// What ends the wait for a message early.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Heeds {
+    Nothing,
+    /// A request to stop.
+    Interruption,
+    /// A request to stop, to pause or to continue.
+    Operator,
 }
 
 /// The reason why no message arrived.
@@ -84,41 +133,45 @@ impl ProcessExecutor {
     /// # Errors
     /// If the program does not start, or does not send its greeting in this protocol version within a minute.
     pub fn start(program: &str, arguments: &[String]) -> Result<Self, ExecutorError> {
-        Self::start_stoppable(program, arguments, SILENCE, Arc::default())
+        Self::start_with(program, arguments, ProcessOptions::default())
     }
 
-    /// Starts a program with a limit of `silence` for the greeting and between all later messages.
-    ///
-    /// `stop`: flag that the caller sets to stop the child's motion at any time.
+    /// Starts a program with settings.
     ///
     /// # Errors
     /// As [`Self::start`].
-    pub fn start_stoppable(
+    pub fn start_with(
         program: &str,
         arguments: &[String],
-        silence: Duration,
-        stop: Arc<AtomicBool>,
+        options: ProcessOptions,
     ) -> Result<Self, ExecutorError> {
         let child = ChildGroup::start(program, arguments)
             .map_err(|error| ExecutorError::new(format!("executor {program:?}: {error}")))?;
         let mut executor = Self {
             name: program.to_owned(),
             child,
-            silence,
-            stop,
+            silence: options.silence,
+            stop: options.stop,
+            pause: options.pause,
             ready: ReadyRecord::default(),
             is_faulty: false,
             was_stopped: false,
+            is_prepared: false,
         };
         executor.say(&ToChild::Hello {
             protocol: "wisch-executor",
             version: VERSIONS[0],
             versions: VERSIONS,
+            robot: options.robot.as_ref().filter(|robot| robot.has_space()),
         })?;
         match executor.answer()? {
             FromChild::Ready(ready) => {
                 ready.check().map_err(|problem| executor.fault(problem))?;
                 executor.ready = ready;
+                executor.pause.set_supported(ready.pauses);
+                if ready.real_time {
+                    executor.child.backlog().set_real_time();
+                }
                 Ok(executor)
             }
             other => Err(executor.unexpected("\"ready\"", &other)),
@@ -160,18 +213,21 @@ impl ProcessExecutor {
         Ok(())
     }
 
-    /// Waits for the next message until the deadline, or until an interruption if `stop` is watched.
+    /// Waits for the next message until the deadline, or until what it heeds.
     fn hear(
         &mut self,
         deadline: Instant,
-        heeds_interruption: bool,
+        heeds: Heeds,
     ) -> Result<Result<FromChild, Unheard>, ExecutorError> {
-        let stop = Arc::clone(&self.stop);
-        let goes_on = || !(heeds_interruption && stop.load(Ordering::SeqCst));
+        let (stop, pause) = (Arc::clone(&self.stop), Arc::clone(&self.pause));
+        let was_wanted = pause.is_wanted();
+        let is_stopped = || heeds != Heeds::Nothing && stop.load(Ordering::SeqCst);
+        let is_paused = || heeds == Heeds::Operator && pause.is_wanted() != was_wanted;
+        let goes_on = || !(is_stopped() || is_paused());
         let line = match self.child.hear(deadline, goes_on) {
             Heard::Line(line) => line,
             Heard::Over(problem) => return Err(self.fault(problem)),
-            Heard::Nothing if heeds_interruption && self.is_interrupted() => {
+            Heard::Nothing if heeds != Heeds::Nothing && self.is_interrupted() => {
                 return Ok(Err(Unheard::Interrupted));
             }
             Heard::Nothing => return Ok(Err(Unheard::Silent)),
@@ -185,7 +241,7 @@ impl ProcessExecutor {
 
     /// Waits for the answer to a request.
     fn answer(&mut self) -> Result<FromChild, ExecutorError> {
-        match self.hear(Instant::now() + self.silence, true)? {
+        match self.hear(Instant::now() + self.silence, Heeds::Interruption)? {
             Ok(message) => Ok(message),
             Err(Unheard::Silent) => Err(self.silent(self.silence)),
             Err(Unheard::Interrupted) => Err(self.fault("interrupted before its answer")),
@@ -226,70 +282,46 @@ fn line_fault(line: &str, error: &serde_json::Error) -> String {
     )
 }
 
-/// Progress of a motion, by the clock and by the samples.
-struct Progress {
-    /// Trajectory time at the last progress [s].
-    mark: f64,
-    /// Time of the last progress, by the clock and by the samples [s].
-    at: Instant,
-    sample_time: f64,
-    /// Time of the last message.
-    heard: Instant,
-    /// Time at which the child received a stop.
-    told: Option<Instant>,
-}
-
-impl Progress {
-    fn begin() -> Self {
-        let now = Instant::now();
-        Self {
-            mark: 0.0,
-            at: now,
-            sample_time: 0.0,
-            heard: now,
-            told: None,
-        }
-    }
-
-    fn hear(&mut self, intake: &Intake<'_>) {
-        self.heard = Instant::now();
-        let reached = intake.trajectory_time();
-        if reached >= self.mark + PROGRESS || reached >= intake.end() && self.mark < intake.end() {
-            self.mark = reached;
-            self.at = self.heard;
-            self.sample_time = intake.time();
-        }
-    }
-
-    /// `silence`: limit between messages; `patience`: limit of a motion without progress, and after a stop.
-    fn deadline(&self, silence: Duration, patience: Duration) -> Instant {
-        match self.told {
-            Some(told) => told + patience,
-            None => (self.heard + silence).min(self.at + patience + PROGRESS_ALLOWANCE),
-        }
-    }
-
-    /// Returns the reason to abandon a child whose motion does not end or progress.
-    fn overdue(&self, silence: Duration, intake: &Intake<'_>) -> Option<String> {
-        let seconds = silence.as_secs_f64();
-        if let Some(told) = self.told {
-            return (told.elapsed() >= silence)
-                .then(|| format!("it still sends samples {seconds} s after \"stop\""));
-        }
-        let is_late = self.at.elapsed() >= silence + PROGRESS_ALLOWANCE
-            || intake.time() - self.sample_time > seconds + PROGRESS_ALLOWANCE.as_secs_f64();
-        is_late.then(|| {
-            let (at, end) = (self.mark, intake.end());
-            if at >= end {
-                format!("it still sends samples {seconds} s after the end of its motion without \"done\"")
-            } else {
-                format!("no progress for {seconds} s, at {at:.1} s of a motion of {end:.1} s")
-            }
-        })
-    }
-}
-
 impl Executor for ProcessExecutor {
+    fn prepare(&mut self, _: &Workcell) -> Result<(), ExecutorError> {
+        if !self.ready.prepares {
+            return Ok(());
+        }
+        self.say(&ToChild::Prepare)?;
+        // An interruption waits for the answer: a robot half prepared is worse than one that is prepared in vain.
+        match self.hear(Instant::now() + self.silence, Heeds::Nothing)? {
+            Ok(FromChild::Prepared) => {
+                self.is_prepared = true;
+                Ok(())
+            }
+            Ok(other) => Err(self.unexpected("\"prepared\"", &other)),
+            Err(_) => Err(self.silent(self.silence)),
+        }
+    }
+
+    fn finish(&mut self) -> Result<(), ExecutorError> {
+        if !std::mem::take(&mut self.is_prepared) {
+            return Ok(());
+        }
+        self.stop_after_fault();
+        self.say(&ToChild::Finish)?;
+        let limit = if self.is_faulty {
+            FAREWELL
+        } else {
+            self.silence
+        };
+        let deadline = Instant::now() + limit;
+        loop {
+            match self.hear(deadline, Heeds::Nothing)? {
+                Ok(FromChild::Finished) => return Ok(()),
+                // The rest of a motion that was broken off.
+                Ok(FromChild::Sample(_) | FromChild::Done(_)) if self.is_faulty => {}
+                Ok(other) => return Err(self.unexpected("\"finished\"", &other)),
+                Err(_) => return Err(self.silent(limit)),
+            }
+        }
+    }
+
     fn execute(
         &mut self,
         order: &MotionOrder<'_>,
@@ -299,7 +331,8 @@ impl Executor for ProcessExecutor {
             return Err(self.fault("interrupted before the motion began"));
         }
         self.check_shape(&order.task.surface)?;
-        let intake = Intake::new(order, sink);
+        let clock = self.ready.stamp_clock.map(|clock| clock.0);
+        let intake = Intake::new(order, sink).with_stamp_clock(clock);
         self.was_stopped = false;
         self.order(order)?;
         let executed = self.receive(intake);
@@ -312,6 +345,8 @@ impl Executor for ProcessExecutor {
     }
 
     fn state(&mut self) -> Result<Option<RobotState>, ExecutorError> {
+        // A person may move a robot that is paused, so the state is asked for afterwards.
+        self.wait_while_paused()?;
         if !self.ready.reports_state {
             return Ok(None);
         }
@@ -357,11 +392,31 @@ impl ProcessExecutor {
         )))
     }
 
+    /// Stops a robot that may still be moving after a fault or an interruption.
+    fn stop_after_fault(&mut self) {
+        if (self.is_faulty || self.is_interrupted()) && !self.was_stopped {
+            self.was_stopped = true;
+            let _ = self.say(&ToChild::Stop);
+        }
+    }
+
+    /// Waits while the operator pauses between motions.
+    fn wait_while_paused(&mut self) -> Result<(), ExecutorError> {
+        while self.pause.is_wanted() {
+            if self.is_interrupted() {
+                return Err(self.fault("interrupted before the motion began"));
+            }
+            std::thread::sleep(PAUSE_POLL);
+        }
+        Ok(())
+    }
+
     /// Receives the samples of a motion until its end.
     fn receive(&mut self, mut intake: Intake<'_>) -> Result<Execution, ExecutorError> {
         let silence = (self.ready.max_silence_s).map_or(self.silence, |seconds| {
             self.silence.min(Duration::from_secs_f64(seconds))
         });
+        let dropped_before = self.child.backlog().dropped_count();
         let mut progress = Progress::begin();
         loop {
             if progress.told.is_none() && (intake.is_stopped() || self.is_interrupted()) {
@@ -369,17 +424,32 @@ impl ProcessExecutor {
                 self.was_stopped = true;
                 self.say(&ToChild::Stop)?;
             }
+            self.ask_for_pause(&mut progress, &intake)?;
             let deadline = progress.deadline(silence, self.silence);
-            match self.hear(deadline, progress.told.is_none())? {
+            let heeds = match progress.told {
+                None => Heeds::Operator,
+                Some(_) => Heeds::Nothing,
+            };
+            match self.hear(deadline, heeds)? {
                 Ok(FromChild::Sample(sample)) => {
                     intake.take(&sample).map_err(|e| self.fault(e))?;
                     progress.hear(&intake);
                 }
-                Ok(FromChild::Done(done)) => return intake.done(done).map_err(|e| self.fault(e)),
+                Ok(FromChild::Paused(pause)) => {
+                    intake.pause(&pause).map_err(|e| self.fault(e))?;
+                    progress.pause();
+                }
+                Ok(FromChild::Resumed(resumed)) => {
+                    intake.resume(resumed).map_err(|e| self.fault(e))?;
+                    progress.resume(&intake);
+                }
+                Ok(FromChild::Done(done)) => {
+                    let dropped = self.child.backlog().dropped_count() - dropped_before;
+                    intake.note_dropped(dropped);
+                    return intake.done(done).map_err(|e| self.fault(e));
+                }
                 Ok(other) => return Err(self.unexpected("a sample", &other)),
-                Err(Unheard::Silent)
-                    if progress.told.is_none() && progress.heard.elapsed() >= silence =>
-                {
+                Err(Unheard::Silent) if progress.is_silent(silence) => {
                     return Err(self.silent(silence));
                 }
                 Err(_) => {}
@@ -389,14 +459,42 @@ impl ProcessExecutor {
             }
         }
     }
+
+    /// Passes the operator's wish to pause or to continue on to the child, once.
+    ///
+    /// # Errors
+    /// If the child goes on although it was asked to pause.
+    fn ask_for_pause(
+        &mut self,
+        progress: &mut Progress,
+        intake: &Intake<'_>,
+    ) -> Result<(), ExecutorError> {
+        if !self.ready.pauses || progress.told.is_some() {
+            return Ok(());
+        }
+        let is_wanted = self.pause.is_wanted();
+        if is_wanted != progress.asked.is_some() {
+            progress.asked = is_wanted.then(Instant::now);
+            self.say(if is_wanted {
+                &ToChild::Pause
+            } else {
+                &ToChild::Resume
+            })?;
+        }
+        let goes_on = !intake.is_paused()
+            && (progress.asked).is_some_and(|asked| asked.elapsed() > PAUSE_LIMIT);
+        if goes_on {
+            let seconds = PAUSE_LIMIT.as_secs();
+            return Err(self.fault(format!("it has not paused {seconds} s after \"pause\"")));
+        }
+        Ok(())
+    }
 }
 
 impl Drop for ProcessExecutor {
     fn drop(&mut self) {
-        // First stop a robot that may still be moving.
-        if (self.is_faulty || self.is_interrupted()) && !self.was_stopped {
-            let _ = self.say(&ToChild::Stop);
-        }
+        self.stop_after_fault();
+        let _ = self.finish();
         self.child.end(if self.is_faulty {
             FAREWELL_AFTER_FAULT
         } else {

@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 use wisch::interpret::{Diagnosis, EventKind};
-use wisch::run::{Ending, Round};
+use wisch::run::{Ending, Pause, Round};
 
 /// Durations of the stages of a round.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -87,9 +87,47 @@ pub struct RoundSummary {
     pub distance_in_contact_m: f64,
     /// Total path length of the tool.
     pub distance_total_m: f64,
+    /// Pauses of the motion; left out without one.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub pauses: Vec<PauseSummary>,
+    /// Number of samples that were dropped because the records of the run were too slow; left out if it is 0.
+    #[serde(skip_serializing_if = "is_zero")]
+    pub dropped_samples: usize,
     /// Computation times; left out of files, so that files are reproducible.
     #[serde(flatten)]
     pub timing: Option<RoundTiming>,
+}
+
+/// A pause of a motion.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct PauseSummary {
+    /// Time of its begin, since the start of the motion.
+    pub start_s: f64,
+    /// Time of its end; null if the motion ended in it.
+    pub end_s: Option<f64>,
+    /// Phase of the motion at its begin.
+    pub phase: &'static str,
+    /// Number of the stroke, from 0; left out between strokes.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub stroke: Option<usize>,
+    /// Reason that the robot reports; may be empty.
+    pub reason: String,
+}
+
+impl From<&Pause> for PauseSummary {
+    fn from(pause: &Pause) -> Self {
+        Self {
+            start_s: pause.start,
+            end_s: pause.end,
+            phase: pause.phase.as_str(),
+            stroke: pause.phase.stroke(),
+            reason: pause.reason.clone(),
+        }
+    }
+}
+
+const fn is_zero(count: &usize) -> bool {
+    *count == 0
 }
 
 /// Computation times of a round's stages.
@@ -156,6 +194,13 @@ impl RoundSummary {
             joint_movement_rad: executed.joint_movement[1],
             distance_in_contact_m: executed.distance[0],
             distance_total_m: executed.distance[1],
+            pauses: round
+                .execution
+                .pauses
+                .iter()
+                .map(PauseSummary::from)
+                .collect(),
+            dropped_samples: round.execution.dropped_samples,
             timing: Some(RoundTiming {
                 realtime_factor: (executed_by == ExecutedBy::SimulatedWorld)
                     .then(|| round.execution.duration / times.executing_s.max(f64::MIN_POSITIVE)),

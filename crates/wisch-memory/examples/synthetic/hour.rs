@@ -6,7 +6,7 @@ use std::f64::consts::TAU;
 use std::fmt::Write as _;
 use wisch::follow::Phase;
 use wisch::geometry::{Pose, Vector3};
-use wisch::run::{TelemetrySample, Wrench};
+use wisch::run::{SampleStatus, TelemetrySample, Wrench};
 
 /// Number of samples.
 pub const SAMPLES: usize = 3_600_000;
@@ -103,6 +103,7 @@ pub fn write<E>(
             } else {
                 Phase::Lifted
             },
+            status: SampleStatus::default(),
         })?;
     }
     Ok(())

@@ -143,7 +143,7 @@ impl RoundLog {
 mod tests {
     use super::*;
     use wisch::geometry::{Pose, Vector3};
-    use wisch::run::Wrench;
+    use wisch::run::{SampleStatus, Wrench};
 
     #[test]
     fn lifted_motions_are_classified_by_adjacent_strokes() {
@@ -177,6 +177,7 @@ mod tests {
                 },
                 motion: 0,
                 phase,
+                status: SampleStatus::default(),
             });
         }
         let spans = log.spans();

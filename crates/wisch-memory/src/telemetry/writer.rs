@@ -51,7 +51,7 @@ pub struct Mark {
 /// is complete. Memory holds at most the last ten seconds, the rows of one row group.
 ///
 /// ```
-/// use wisch::run::{TelemetrySample, Wrench};
+/// use wisch::run::{SampleStatus, TelemetrySample, Wrench};
 /// use wisch::follow::Phase;
 /// use wisch::geometry::{Pose, Vector3};
 /// use wisch_memory::{Telemetry, TelemetryHead, TelemetryWriter};
@@ -73,6 +73,7 @@ pub struct Mark {
 ///         external: Wrench { force: Vector3::new(0.0, 0.0, 10.0), moment: Vector3::zeros() },
 ///         motion: 0,
 ///         phase: Phase::Wipe(0),
+///         status: SampleStatus::default(),
 ///     })?;
 /// }
 /// writer.finish()?;

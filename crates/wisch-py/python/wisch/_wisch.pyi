@@ -494,6 +494,9 @@ class Telemetry:
     def stroke(self) -> NDArray[np.int64]:
         """Number of the stroke, -1 outside strokes, (T)."""
     @property
+    def wrench_quality(self) -> NDArray[np.uint8]:
+        """Quality of force and moment: 0 ok, 1 stale, 2 saturated, 3 untared, (T)."""
+    @property
     def world_from_tool(self) -> Floats:
         """(T, 7)."""
     @property

@@ -1,4 +1,5 @@
-"""Executors: any object with ``execute(motion, sink)``; with a camera, ``observe()``; and optionally ``state()``.
+"""Executors: any object with ``execute(motion, sink)``; with a camera, ``observe()``; and optionally ``state()``, ``prepare(robot)``
+and ``finish()``.
 
 ``Executor`` is a base class that documents the methods; inheritance is not required. ``serve`` turns an executor into a program for
 ``wisch run TASK --executor "python3 my_robot.py"``::
@@ -36,6 +37,18 @@ PROTOCOL, VERSION = "wisch-executor", 2
 class Executor:
     """Executor of motions: a robot, a simulator, or a stand-in."""
 
+    def prepare(self, robot) -> None:
+        """Prepare the robot for motions, before the first of a run: switch controllers, tare. It must not move the robot.
+
+        ``robot`` has ``name``, ``joints`` and ``arm_joints`` (their names, in the order of all arrays, and those that move), ``tip`` (the
+        link that holds the tool), ``tip_from_tool`` (7), ``tool``, ``urdf`` and ``srdf`` (texts), and ``urdf_file``. What is not known is
+        None, and so is ``robot`` itself if wisch does not describe it. If this raises an exception, nothing moves."""
+
+    def finish(self) -> None:
+        """Undo what ``prepare`` did, after the last motion of a run; also after a stop or an error. It is called once.
+
+        If this raises an exception, the run warns of it, and keeps its results."""
+
     def execute(self, motion, sink) -> dict[str, Any] | None:
         """Execute a motion, and pass its telemetry to the sink, sample by sample in the order of time.
 
@@ -50,8 +63,15 @@ class Executor:
         if measured, ``positions``, ``velocities``, ``efforts`` (n; arrays, or dicts
         by joint), ``moment_nm`` (3), ``world_from_commanded`` (7), ``controller_force_n`` (3), ``controller_moment_nm`` (3); or
         these as arguments. Without ``world_from_tool`` the pose is computed from ``positions``. A robot that may run slower than planned adds ``trajectory_time_s``, the time of its controller's
-        present setpoint. ``sink.many`` takes the same with a row per sample. Both return False if the motion must
+        present setpoint. ``wrench_quality`` ("ok", "stale", "saturated" or "untared") marks a wrench that is no touch, and ``stamp_ns`` is
+        the absolute time of the measurement on the clock that the attribute ``stamp_clock`` names, "epoch" or "device". ``sink.many`` takes the same with a row per sample. Both return False if the motion must
         stop.
+
+        If the robot pauses, call ``sink.pause(time_s, reason)`` and, when it continues, ``sink.resume(time_s)``: the time between is no
+        silence. An executor with ``can_pause = True`` pauses while ``sink.wants_pause`` is true.
+
+        ``motion.phases`` state the force where the tool touches: ``force_n`` at start and end, the time ``force_ramp_s`` over which it
+        changes, and the largest speed along the normal in that time, ``approach_speed_m_s``.
 
         Returns None when the motion is complete or was stopped; or a dict with any of ``ending`` ("complete", "stopped", or
         ``{"stop": {"kind": ..., "time_s": ..., "reason": ...}}`` with a kind of "push", "overload", "joint_limit", "tolerance",
@@ -70,6 +90,15 @@ class Executor:
         plane in its frame, or a dict of
         ``detections`` and ``hidden``, polygons that the camera cannot see; None without a camera."""
         return None
+
+
+class _Robot:
+    """The description of a robot in ``hello``."""
+
+    def __init__(self, described: dict[str, Any]) -> None:
+        self.urdf = self.srdf = self.urdf_file = None
+        self.__dict__.update(described)
+        self.tip_from_tool = np.array(described["tip_from_tool"])
 
 
 class _Motion:
@@ -97,6 +126,7 @@ class _Wire:
         self._target = target
         self._messages: queue.SimpleQueue = queue.SimpleQueue()
         self.is_stopped = threading.Event()
+        self.wants_pause = threading.Event()
         threading.Thread(target=self._listen, args=(source,), daemon=True).start()
 
     def _listen(self, source) -> None:
@@ -104,7 +134,15 @@ class _Wire:
             message = json.loads(line)
             if message == "stop":
                 self.is_stopped.set()
+            elif message == "pause":
+                self.wants_pause.set()
+            elif message == "resume":
+                self.wants_pause.clear()
             else:
+                if "execute" in message:
+                    # What follows is meant for this motion.
+                    self.is_stopped.clear()
+                    self.wants_pause.clear()
                 self._messages.put(message)
         self.is_stopped.set()
         self._messages.put(None)
@@ -113,6 +151,9 @@ class _Wire:
         return self._messages.get()
 
     def send(self, **message) -> None:
+        self.say(message)
+
+    def say(self, message) -> None:
         self._target.write(json.dumps(message, default=_to_list, allow_nan=False) + "\n")
         self._target.flush()
 
@@ -142,6 +183,19 @@ class _Sink:
         self.last = sample
         return not self._wire.is_stopped.is_set()
 
+    @property
+    def wants_pause(self) -> bool:
+        """Whether the operator wants the motion to pause."""
+        return self._wire.wants_pause.is_set()
+
+    def pause(self, time_s: float, reason: str = "") -> None:
+        """Tell that the motion is paused since a time [s]."""
+        self._wire.send(paused={"time_s": float(time_s), "reason": reason})
+
+    def resume(self, time_s: float) -> None:
+        """Tell that the motion continues since a time [s]."""
+        self._wire.send(resumed={"time_s": float(time_s)})
+
     def _sort_by_joint(self, key: str, by_name: dict[str, float]) -> list[float]:
         for joint in self._joints:
             if joint not in by_name:
@@ -159,8 +213,8 @@ class _Sink:
 
 
 def _check_finite(key: str, value):
-    if isinstance(value, str):
-        return value
+    if isinstance(value, str) or key == "stamp_ns":
+        return value if isinstance(value, str) else int(value)
     array = np.asarray(value, dtype=float)
     if not np.isfinite(array).all():
         raise ValueError(f"{key} of a sample holds {array}")
@@ -178,10 +232,21 @@ def _execute(executor, wire: _Wire, head: dict[str, Any]) -> None:
     wire.send(done={"duration_s": time, "ending": ending, "positions": positions, **done})
 
 
+def _defines(executor, name: str) -> bool:
+    """Return whether an executor has a method of its own, other than the one of the base class that does nothing."""
+    method = getattr(executor, name, None)
+    return method is not None and getattr(method, "__func__", None) is not getattr(Executor, name)
+
+
 def _ready(executor) -> dict[str, Any]:
     ready = {"version": VERSION, "reports_state": hasattr(executor, "state")}
-    if getattr(executor, "accepts_curved", False):
-        ready["accepts_curved"] = True
+    for key, attribute in [("accepts_curved", "accepts_curved"), ("pauses", "can_pause"), ("real_time", "is_real_time")]:
+        if getattr(executor, attribute, False):
+            ready[key] = True
+    if stamp_clock := getattr(executor, "stamp_clock", None):
+        ready["stamp_clock"] = stamp_clock
+    if _defines(executor, "prepare") or _defines(executor, "finish"):
+        ready["prepares"] = True
     max_silence_s = getattr(executor, "max_silence_s", None)
     return ready if max_silence_s is None else {**ready, "max_silence_s": max_silence_s}
 
@@ -197,26 +262,73 @@ def _observe(executor):
 def serve(executor) -> None:
     """Serve ``wisch run --executor`` over the standard streams until they close.
 
-    If the executor has ``max_silence_s`` [s], wisch stops a motion in which it passes on no sample for longer.
+    If the executor has ``max_silence_s`` [s], wisch stops a motion in which it passes on no sample for longer. With ``is_real_time = True``,
+    wisch drops samples and counts them where it cannot keep up; otherwise the sink waits.
     Output of the executor goes to standard error. Its exceptions are reported to wisch, and end this program with exit code 1.
     """
     wire = _Wire(sys.stdin, sys.stdout)
     sys.stdout = sys.stderr
+    server = _Server(executor, wire)
     while (message := wire.receive()) is not None:
         try:
-            if message == "state":
-                state = executor.state()
-                if not isinstance(state, dict):
-                    state = {"positions": [] if state is None else state}
-                wire.send(state=state)
-            elif "hello" in message:
-                wire.send(ready=_ready(executor))
-            elif "execute" in message:
-                wire.is_stopped.clear()
-                _execute(executor, wire, message["execute"])
-            elif "observe" in message:
-                wire.send(observation=_observe(executor))
+            server.answer(message)
         except Exception as error:
             traceback.print_exc()
             wire.send(error=f"{type(error).__name__}: {error}")
+            server.finish_after_error()
             sys.exit(1)
+    server.finish()
+
+
+class _Server:
+    """Answers the messages of wisch."""
+
+    def __init__(self, executor, wire: _Wire) -> None:
+        self._executor = executor
+        self._wire = wire
+        self._robot: _Robot | None = None
+        self._is_prepared = False
+
+    def answer(self, message) -> None:
+        executor, wire = self._executor, self._wire
+        if message == "state":
+            state = executor.state()
+            if not isinstance(state, dict):
+                state = {"positions": [] if state is None else state}
+            wire.send(state=state)
+        elif message == "prepare":
+            if prepare := getattr(executor, "prepare", None):
+                prepare(self._robot)
+            self._is_prepared = True
+            wire.say("prepared")
+        elif message == "finish":
+            self.finish()
+            wire.say("finished")
+        elif "hello" in message:
+            described = message["hello"].get("robot")
+            self._robot = described and _Robot(described)
+            wire.send(ready=_ready(executor))
+        elif "execute" in message:
+            _execute(executor, wire, message["execute"])
+        elif "observe" in message:
+            wire.send(observation=_observe(executor))
+
+    def finish(self) -> None:
+        """Let a prepared executor finish, once; also if wisch has ended without asking for it."""
+        is_prepared, self._is_prepared = self._is_prepared, False
+        if is_prepared and (finish := getattr(self._executor, "finish", None)):
+            finish()
+
+    def finish_after_error(self) -> None:
+        """Finish when wisch asks for it or closes its end, and ignore what else it sends."""
+        if not self._is_prepared:
+            return
+        while self._wire.receive() not in (None, "finish"):
+            pass
+        try:
+            self.finish()
+        except Exception as error:
+            traceback.print_exc()
+            self._wire.send(error=f"{type(error).__name__}: {error}")
+        else:
+            self._wire.say("finished")

@@ -177,6 +177,8 @@ impl CheckpointRecord {
             duration: self.duration_s,
             ending: self.ending.into(),
             positions: self.positions,
+            pauses: Vec::new(),
+            dropped_samples: 0,
         };
         let truth = GroundTruth {
             dirt: Dirt::from_grains(self.grains.into_iter().map(Grain::from).collect()),
@@ -418,6 +420,8 @@ mod tests {
                 duration: 12.345,
                 ending,
                 positions: vec![std::f64::consts::PI, -0.0, 1e-300],
+                pauses: Vec::new(),
+                dropped_samples: 0,
             };
             let truth = GroundTruth {
                 dirt: Dirt::from_grains(vec![

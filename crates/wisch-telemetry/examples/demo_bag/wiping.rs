@@ -2,7 +2,7 @@
 
 use wisch::follow::Phase;
 use wisch::geometry::{Pose, Vector3};
-use wisch::run::{TelemetrySample, Wrench};
+use wisch::run::{SampleStatus, TelemetrySample, Wrench};
 use wisch_telemetry::{BagWriter, WriteError};
 
 /// Parameters of the synthetic tool's motion.
@@ -103,6 +103,7 @@ impl Wiping {
                 (_, z) if z < 0.0 => Phase::Lower,
                 _ => Phase::Lift,
             },
+            status: SampleStatus::default(),
         })
     }
 }

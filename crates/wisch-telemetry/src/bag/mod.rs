@@ -10,6 +10,7 @@ mod reader;
 mod samples;
 mod scene;
 mod search;
+mod status;
 mod topic;
 mod unpack;
 mod writer;

@@ -6,12 +6,14 @@ use super::joint_states::JointStates;
 use super::locator::Locator;
 use super::observation::{ObservationCollector, is_observation_topic};
 use super::search::{Located, Search, alignment_remark};
-use super::topic::{NOTES, ROLE_POSE, ROLE_WRENCH, ROUND_NOTE, TASK_NOTE};
+use super::status::from_text;
+use super::topic::{NOTES, ROLE_POSE, ROLE_WRENCH, ROUND_NOTE, TASK_NOTE, Topic};
 use super::unpack::{is_packed, unpack_message};
 use crate::error::ReadFault;
 use crate::frames::Frames;
 use crate::options::{Clock, LogOptions, WrenchSign};
 use crate::quantity::Quantity;
+use crate::ros2::messages::RecordedText;
 use crate::ros2::{Schema, Value, decode};
 use crate::track::{JointPositions, RawLog, Track};
 use mcap::Channel;
@@ -21,6 +23,7 @@ use std::io::Read;
 use std::path::Path;
 use std::rc::Rc;
 use wisch::geometry::{Pose, Vector3};
+use wisch::interpret::WrenchQuality;
 
 /// Collector of the contents of a bag's parts.
 pub(crate) struct BagReader<'a> {
@@ -46,6 +49,8 @@ pub(crate) struct BagReader<'a> {
     /// Number of the round, if the writer states it.
     round: Option<usize>,
     looks: ObservationCollector,
+    /// Times [ns] from which the wrench has a quality.
+    qualities: Vec<(i64, WrenchQuality)>,
     unfinished: bool,
 }
 
@@ -96,6 +101,7 @@ impl<'a> BagReader<'a> {
             task: None,
             round: None,
             looks: ObservationCollector::default(),
+            qualities: Vec::new(),
             unfinished: false,
         }
     }
@@ -201,6 +207,7 @@ impl<'a> BagReader<'a> {
             task: self.task,
             round: self.round,
             looks: self.looks.finish(),
+            qualities: self.qualities,
             remarks,
         })
     }
@@ -231,6 +238,9 @@ impl<'a> BagReader<'a> {
         let data = &*data;
         if is_observation_topic(&channel.topic) {
             return self.looks.take(channel, data);
+        }
+        if channel.topic == Topic::Status.names().0 {
+            return self.take_quality(channel, log_time, data);
         }
         if !self.channels.contains_key(&channel.id) {
             let reading = self.channel(channel)?;
@@ -269,6 +279,24 @@ impl<'a> BagReader<'a> {
             }
             places.read(message, stamp.unwrap_or(log_time), &mut self.joints);
         }
+        Ok(())
+    }
+
+    /// Notes the quality that the wrench has from a time on [ns].
+    fn take_quality(
+        &mut self,
+        channel: &Channel<'_>,
+        log_time: u64,
+        data: &[u8],
+    ) -> Result<(), ReadFault> {
+        let text = cdr::deserialize::<RecordedText>(data).map_err(|error| error.to_string());
+        let status = text.and_then(|text| from_text(&text.data));
+        let status = status.map_err(|problem| ReadFault::Sample {
+            topic: channel.topic.clone(),
+            problem,
+        })?;
+        let time = i64::try_from(log_time).unwrap_or(i64::MAX);
+        self.qualities.push((time, status.wrench));
         Ok(())
     }
 

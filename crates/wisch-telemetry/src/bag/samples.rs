@@ -1,15 +1,17 @@
 //! Reader of the samples of a bag that wisch wrote, to the last bit of every number but the time.
 
 use super::container::{Ending, Entry, entries};
+use super::status::{from_message, from_text};
 use super::topic::{NOTES, Topic};
 use crate::error::{ReadError, ReadFault};
 use crate::ros2::messages::{
-    NANOSECONDS_PER_SECOND, Pose, RecordedJointState, RecordedPose, RecordedWrench, Wrench,
+    NANOSECONDS_PER_SECOND, Pose, RecordedJointState, RecordedPose, RecordedText,
+    RecordedTimeReference, RecordedWrench, Wrench,
 };
 use std::fs::File;
 use std::io::BufReader;
 use std::path::Path;
-use wisch::run::RecordedSample;
+use wisch::run::{RecordedSample, SampleStatus};
 
 /// Topics of a sample, in the order in which [`BagWriter`](super::BagWriter) writes them.
 const OF_A_SAMPLE: [Topic; 5] = [
@@ -65,6 +67,8 @@ struct Collector {
     counts: [usize; 3],
     poses: [Option<Pose>; 2],
     controller: Option<Wrench>,
+    /// Status of the samples from now on; its stamp is that of the next sample.
+    status: SampleStatus,
 }
 
 impl Collector {
@@ -75,6 +79,12 @@ impl Collector {
         time: u64,
         data: &[u8],
     ) -> Result<Option<RecordedSample>, ReadFault> {
+        if let Some(taken) = self.take_status(topic, data) {
+            return taken.map(|()| None).map_err(|problem| ReadFault::Sample {
+                topic: topic.to_owned(),
+                problem,
+            });
+        }
         let Some(place) = (OF_A_SAMPLE.iter()).position(|known| known.names().0 == topic) else {
             return Ok(None);
         };
@@ -119,10 +129,39 @@ impl Collector {
                     world_from_tool: measured.into(),
                     controller: controller.into(),
                     external: external.wrench.into(),
+                    status: self.take_sample_status(),
                 }));
             }
         }
         Ok(None)
+    }
+}
+
+impl Collector {
+    /// Takes a message about the next sample; `None` for a message of another topic.
+    fn take_status(&mut self, topic: &str, data: &[u8]) -> Option<Result<(), String>> {
+        if topic == Topic::Status.names().0 {
+            let text = cdr::deserialize::<RecordedText>(data).map_err(|error| error.to_string());
+            let status = text.and_then(|text| from_text(&text.data));
+            return Some(status.map(|status| {
+                let stamp = self.status.stamp;
+                self.status = SampleStatus { stamp, ..status };
+            }));
+        }
+        if topic == Topic::Stamp.names().0 {
+            let message = cdr::deserialize::<RecordedTimeReference>(data);
+            let message = message.map_err(|error| error.to_string());
+            let stamp = message.and_then(|message| from_message(&message));
+            return Some(stamp.map(|stamp| self.status.stamp = Some(stamp)));
+        }
+        None
+    }
+
+    /// Returns the status of the sample that is complete.
+    const fn take_sample_status(&mut self) -> SampleStatus {
+        let status = self.status;
+        self.status.stamp = None;
+        status
     }
 }
 
@@ -134,7 +173,8 @@ mod tests {
     use wisch::control::Wrench;
     use wisch::follow::Phase;
     use wisch::geometry::{Pose, Vector3};
-    use wisch::run::TelemetrySample;
+    use wisch::interpret::WrenchQuality;
+    use wisch::run::{Stamp, StampClock, TelemetrySample};
 
     fn pose(first: f64) -> Pose {
         let rotation = UnitQuaternion::new_unchecked(Quaternion::new(0.4, 0.1, 0.2, 0.3));
@@ -158,7 +198,7 @@ mod tests {
         };
         let mut bag = BagWriter::create(&path, head).unwrap();
         let mut written = Vec::new();
-        for k in 0..2500 {
+        for k in 0..2500_i32 {
             let value = f64::from(k) / 7.0;
             let sample = TelemetrySample {
                 time: f64::from(k) / 1000.0,
@@ -171,6 +211,14 @@ mod tests {
                 external: wrench(value),
                 motion: 3,
                 phase: Phase::Wipe(2),
+                status: SampleStatus {
+                    stamp: (k % 3 > 0).then_some(Stamp {
+                        nanoseconds: 1_764_150_000_123_456_789 + u64::try_from(k).unwrap(),
+                        clock: StampClock::ALL[k as usize % 2],
+                    }),
+                    wrench: WrenchQuality::ALL[(k / 400) as usize % 4],
+                    is_paused: (1000..1100).contains(&k),
+                },
             };
             bag.write(&sample).unwrap();
             written.push(RecordedSample::from(&sample));

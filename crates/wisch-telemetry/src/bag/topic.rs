@@ -53,10 +53,12 @@ pub(crate) enum Topic {
     Strokes,
     Tool,
     Force,
+    Status,
+    Stamp,
 }
 
 impl Topic {
-    pub const ALL: [Self; 18] = [
+    pub const ALL: [Self; 20] = [
         Self::Joints,
         Self::Commanded,
         Self::Measured,
@@ -75,7 +77,14 @@ impl Topic {
         Self::Strokes,
         Self::Tool,
         Self::Force,
+        Self::Status,
+        Self::Stamp,
     ];
+
+    /// Whether a bag has the topic only if there is a message for it.
+    pub fn is_optional(self) -> bool {
+        matches!(self, Self::Status | Self::Stamp)
+    }
 
     /// Its name, and the package and name of its type.
     pub fn names(self) -> (&'static str, [&'static str; 2]) {
@@ -98,6 +107,8 @@ impl Topic {
             Self::Strokes => ("/plan/strokes", ["visualization_msgs", "MarkerArray"]),
             Self::Tool => ("/tool", ["visualization_msgs", "Marker"]),
             Self::Force => ("/force", ["visualization_msgs", "Marker"]),
+            Self::Status => ("/wisch/sample_status", ["std_msgs", "String"]),
+            Self::Stamp => ("/wisch/stamp", ["sensor_msgs", "TimeReference"]),
         }
     }
 
@@ -150,6 +161,14 @@ impl Topic {
             Self::Force => &[(
                 "wisch.meaning",
                 "the force of /wrench/external, drawn from the tool centre point",
+            )],
+            Self::Status => &[(
+                "wisch.meaning",
+                "quality of /wrench/external from this time on (ok, stale, saturated or untared), and whether the motion is paused",
+            )],
+            Self::Stamp => &[(
+                "wisch.meaning",
+                "absolute time of the sample, on the clock that the source names (epoch or device)",
             )],
             Self::Joints
             | Self::Transforms

@@ -3,6 +3,7 @@
 use super::links::{BagRobot, LinkFrames};
 use super::observation::{ObservationTime, point_cloud, polygon_stamped};
 use super::scene::{self, BagScene};
+use super::status::{to_message, to_text};
 use super::topic::{FRAME_SURFACE, FRAME_TOOL, FRAME_WORLD, NOTES, Topic};
 use crate::error::WriteError;
 use crate::ros2::full_definition;
@@ -24,7 +25,7 @@ use wisch::follow::Phase;
 use wisch::geometry::{Point3, Pose};
 use wisch::plan::Stroke;
 use wisch::represent::{Observation, SurfaceShape};
-use wisch::run::TelemetrySample;
+use wisch::run::{SampleStatus, TelemetrySample};
 
 /// Longest time that a killed program loses [ns]: a chunk is written when it covers this time,
 const CHUNK_TIME: u64 = NANOSECONDS_PER_SECOND;
@@ -97,11 +98,13 @@ impl BagHead {
 /// | `/plan/strokes` | `visualization_msgs/MarkerArray`: a line for each, in the frame of the surface | once, if given |
 /// | `/tool` | `visualization_msgs/Marker`: triangles in the frame of the tool | once, if given |
 /// | `/force` | `visualization_msgs/Marker`: an arrow from the tool centre point, 1 cm/N, in the world | at most 25 Hz while it is 1 N or more |
+/// | `/wisch/sample_status` | `std_msgs/String`: quality of the external wrench from this sample on, and whether the motion is paused | when it changes |
+/// | `/wisch/stamp` | `sensor_msgs/TimeReference`: absolute time of a sample, on the clock of the driver that the source names | every sample, if stated |
 /// | `/wisch/dirt_before`, `/wisch/dirt_after` | `sensor_msgs/PointCloud2`, in the frame of the believed surface; of a curved surface in its chart, unrolled | once each, with a camera |
 /// | `/wisch/hidden_before`, `/wisch/hidden_after` | `geometry_msgs/PolygonStamped`, in that frame | one for each part of the surface that the camera could not see |
 ///
 /// ```
-/// use wisch::run::{TelemetrySample, Wrench};
+/// use wisch::run::{SampleStatus, TelemetrySample, Wrench};
 /// use wisch::follow::Phase;
 /// use wisch::geometry::{Pose, Vector3};
 /// use wisch_telemetry::{BagHead, BagWriter, LogOptions, read};
@@ -128,6 +131,7 @@ impl BagHead {
 ///         external: Wrench { force: Vector3::new(0.0, 0.0, 10.0), moment: Vector3::zeros() },
 ///         motion: 0,
 ///         phase: Phase::Wipe(0),
+///         status: SampleStatus::default(),
 ///     })?;
 /// }
 /// bag.finish()?;
@@ -142,7 +146,8 @@ pub struct BagWriter {
     active: PathBuf,
     mcap: Writer<NoSeek<BufWriter<File>>>,
     head: BagHead,
-    channels: [u16; Topic::ALL.len()],
+    /// Channels of the topics; `None` before the first message of an optional one.
+    channels: [Option<u16>; Topic::ALL.len()],
     sequences: [u32; Topic::ALL.len()],
     /// Time of the last sample, if any [ns].
     last: Option<u64>,
@@ -157,6 +162,8 @@ pub struct BagWriter {
     /// Whether the last message of `/force` draws an arrow.
     force_drawn: bool,
     phase: Option<Phase>,
+    /// Status of the last sample, without its stamp.
+    status: SampleStatus,
     /// Particles that wait until the next message is due.
     particles: Vec<Vector3>,
     particles_wait: bool,
@@ -193,17 +200,10 @@ impl BagWriter {
             metadata: head.notes.clone(),
         })
         .map_err(failed)?;
-        let mut channels = [0; Topic::ALL.len()];
-        for (topic, channel) in Topic::ALL.into_iter().zip(&mut channels) {
-            let (name, [package, kind]) = topic.names();
-            let definition = full_definition(&format!("{package}/{kind}"));
-            let kind = format!("{package}/msg/{kind}");
-            let schema = mcap
-                .add_schema(&kind, "ros2msg", definition.as_bytes())
-                .map_err(failed)?;
-            *channel = mcap
-                .add_channel(schema, name, "cdr", &topic.metadata(head.start))
-                .map_err(failed)?;
+        let mut channels = [None; Topic::ALL.len()];
+        let topics = Topic::ALL.into_iter().zip(&mut channels);
+        for (topic, channel) in topics.filter(|(topic, _)| !topic.is_optional()) {
+            *channel = Some(add_channel(&mut mcap, topic, head.start).map_err(failed)?);
         }
         Ok(Self {
             target: path.to_path_buf(),
@@ -221,6 +221,7 @@ impl BagWriter {
             last_shown: None,
             force_drawn: false,
             phase: None,
+            status: SampleStatus::default(),
             particles: Vec::new(),
             particles_wait: false,
             message: Vec::new(),
@@ -244,6 +245,7 @@ impl BagWriter {
             self.chunk_start = time;
         }
         self.last = Some(time);
+        self.write_status(time, sample.status)?;
         self.write_joints(time, sample)?;
         for (topic, pose) in [
             (Topic::Commanded, &sample.world_from_commanded),
@@ -417,6 +419,23 @@ impl BagWriter {
         Ok(self.head.start + (time * NANOSECONDS_PER_SECOND as f64).round() as u64)
     }
 
+    /// Writes what the driver states about a sample, if that differs from the last sample, and its stamp.
+    fn write_status(&mut self, time: u64, status: SampleStatus) -> Result<(), WriteError> {
+        if let Some(stamp) = status.stamp {
+            self.put(Topic::Stamp, time, &to_message(time, stamp))?;
+        }
+        let status = SampleStatus {
+            stamp: None,
+            ..status
+        };
+        if status == self.status {
+            return Ok(());
+        }
+        self.status = status;
+        let text = to_text(&status);
+        self.put(Topic::Status, time, &Text { data: &text })
+    }
+
     fn write_joints(&mut self, time: u64, sample: &TelemetrySample<'_>) -> Result<(), WriteError> {
         // The buffer borrows from `self`, and so do the names; take the names out while both are in use.
         let joints = std::mem::take(&mut self.head.joints);
@@ -549,8 +568,16 @@ impl BagWriter {
                 error,
             },
         )?;
+        let channel_id = match self.channels[topic as usize] {
+            Some(channel) => channel,
+            None => {
+                let added = add_channel(&mut self.mcap, topic, self.head.start);
+                let channel = added.map_err(|error| self.failed(error))?;
+                *self.channels[topic as usize].insert(channel)
+            }
+        };
         let header = MessageHeader {
-            channel_id: self.channels[topic as usize],
+            channel_id,
             sequence: self.sequences[topic as usize],
             log_time: time,
             publish_time: time,
@@ -567,6 +594,19 @@ impl BagWriter {
             error,
         }
     }
+}
+
+/// Adds a channel for the messages of a topic.
+fn add_channel(
+    mcap: &mut Writer<NoSeek<BufWriter<File>>>,
+    topic: Topic,
+    start: u64,
+) -> Result<u16, mcap::McapError> {
+    let (name, [package, kind]) = topic.names();
+    let definition = full_definition(&format!("{package}/{kind}"));
+    let kind = format!("{package}/msg/{kind}");
+    let schema = mcap.add_schema(&kind, "ros2msg", definition.as_bytes())?;
+    mcap.add_channel(schema, name, "cdr", &topic.metadata(start))
 }
 
 /// Largest time of a sample [s]: thirty years, well within the range of a message.

@@ -12,6 +12,10 @@ const DEFINITIONS: &[Definition] = &[
     ),
     ("std_msgs/String", "string data\n"),
     (
+        "sensor_msgs/TimeReference",
+        "std_msgs/Header header\nbuiltin_interfaces/Time time_ref\nstring source\n",
+    ),
+    (
         "std_msgs/ColorRGBA",
         "float32 r\nfloat32 g\nfloat32 b\nfloat32 a\n",
     ),

@@ -164,6 +164,29 @@ pub(crate) struct TfMessage<'a> {
     pub transforms: &'a [TransformStamped<'a>],
 }
 
+/// `sensor_msgs/TimeReference`.
+#[derive(Debug, Serialize)]
+pub(crate) struct TimeReference<'a> {
+    pub header: Header<'a>,
+    pub time_ref: Time,
+    pub source: &'a str,
+}
+
+/// `sensor_msgs/TimeReference`, as it is read.
+#[derive(Debug, Deserialize)]
+pub(crate) struct RecordedTimeReference {
+    #[serde(rename = "header")]
+    _header: OwnedHeader,
+    pub time_ref: Time,
+    pub source: String,
+}
+
+/// `std_msgs/String`, as it is read.
+#[derive(Debug, Deserialize)]
+pub(crate) struct RecordedText {
+    pub data: String,
+}
+
 /// `std_msgs/String`.
 #[derive(Debug, Serialize)]
 pub(crate) struct Text<'a> {

@@ -297,6 +297,7 @@ impl Table<'_> {
             task: None,
             round: None,
             looks: [None, None],
+            qualities: Vec::new(),
             axes: self.layout.axes.map(|axes| axes.as_str().to_owned()),
             sign: self.layout.sign,
             remarks: self.remarks,

@@ -1,11 +1,14 @@
 //! Whether a log shows wiping of this surface, and if not, why.
 
+use super::wrench_quality::UnusableWrenches;
 use std::fmt;
 
 /// Height over the believed surface within which a tool without measured force may have touched [m].
 pub(super) const NEAR: f64 = 0.02;
 /// Difference of the performance from which the scale of the force is decisive [1].
 const MOST_BY_SCALE: f64 = 0.1;
+/// Largest share of samples without a usable wrench with which the rest still shows what was wiped [1].
+const MOST_UNUSABLE: f64 = 0.5;
 
 /// A reason why a log may not show wiping, or not wiping of this surface, and what had to be assumed to read it.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -93,6 +96,13 @@ pub enum Doubt {
         /// Time without samples in contact \[s\].
         missing: f64,
     },
+    /// The wrenches of these samples were not usable, so that they do not show what the tool touched.
+    UnusableWrench {
+        /// Their numbers.
+        unusable: UnusableWrenches,
+        /// Their share of all samples \[1\].
+        share: f64,
+    },
     /// A person guided the tool by hand: the force is that of the hand as well as that of the surface.
     HandGuided {
         /// Share of the log \[1\].
@@ -136,6 +146,7 @@ impl Doubt {
     pub fn is_decisive(&self) -> bool {
         match self {
             Self::PressForceDiffers { matters, .. } => *matters > MOST_BY_SCALE,
+            Self::UnusableWrench { share, .. } => *share > MOST_UNUSABLE,
             Self::NoContactForce { .. }
             | Self::NeverNearSurface { .. }
             | Self::NoFreeMotion
@@ -232,6 +243,7 @@ impl fmt::Display for Doubt {
                 ends,
                 missing,
             } => write_incomplete(f, begins, ends, missing),
+            Self::UnusableWrench { unusable, share } => write_unusable(f, unusable, share),
             Self::HandGuided { share } => write!(
                 f,
                 "a person guides the tool by hand for {:.0} % of the log",
@@ -353,6 +365,30 @@ fn write_incomplete(
         f,
         "the log {}: wiping at that time is not counted",
         parts.join(" and ")
+    )
+}
+
+/// Writes [`Doubt::UnusableWrench`].
+fn write_unusable(
+    f: &mut fmt::Formatter<'_>,
+    unusable: UnusableWrenches,
+    share: f64,
+) -> fmt::Result {
+    let kinds = [
+        (unusable.stale, "stale"),
+        (unusable.saturated, "saturated"),
+        (unusable.untared, "untared"),
+    ];
+    let kinds = kinds.into_iter().filter(|(count, _)| *count > 0);
+    let kinds: Vec<String> = kinds
+        .map(|(count, kind)| format!("{count} {kind}"))
+        .collect();
+    write!(
+        f,
+        "the wrench of {} samples, {:.1} % of all, is not used as touch ({}): wiping at that time is not counted",
+        unusable.count(),
+        100.0 * share,
+        kinds.join(", ")
     )
 }
 

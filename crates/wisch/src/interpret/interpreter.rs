@@ -11,6 +11,7 @@ use super::error::InterpretError;
 use super::events::{Event, EventDetector};
 use super::interpretation::{Diagnosis, Interpretation};
 use super::log_evidence::LogEvidence;
+use super::wrench_quality::UnusableWrenches;
 use crate::geometry::{PlanarPose, Point2, Pose, Region, Vector3};
 use crate::represent::{Effect, GoalState, ParticleDistribution, ParticleError, Surface, Task};
 use nalgebra::{Translation3, UnitQuaternion};
@@ -91,6 +92,7 @@ pub struct Interpreter {
     footprint: Region,
     config: InterpretConfig,
     downsampler: Downsampler,
+    unusable: UnusableWrenches,
 }
 
 impl Interpreter {
@@ -105,6 +107,7 @@ impl Interpreter {
             footprint: task.tool.footprint.clone(),
             downsampler: Downsampler::new(&task.surface, config.max_pieces),
             config: config.clone(),
+            unusable: UnusableWrenches::default(),
         })
     }
 
@@ -114,6 +117,13 @@ impl Interpreter {
     /// A time not after that of the sample before, or a value that is not finite or exceeds every robot's range.
     pub fn push(&mut self, sample: &TouchSample) -> Result<(), InterpretError> {
         self.downsampler.push(sample)
+    }
+
+    /// Counts samples whose wrenches are not usable. They are no touch; their numbers and share are a [`Doubt`].
+    pub const fn skip(&mut self, unusable: UnusableWrenches) {
+        self.unusable.stale += unusable.stale;
+        self.unusable.saturated += unusable.saturated;
+        self.unusable.untared += unusable.untared;
     }
 
     /// Interprets the samples so far: contacts, plane, events and doubts, and where the dirt lies after the log if it
@@ -268,7 +278,13 @@ impl Interpreter {
             declared: &self.config,
             config: &config,
         };
-        let doubts = evidence.doubts();
+        let mut doubts = evidence.doubts();
+        if let count @ 1.. = self.unusable.count() {
+            doubts.push(Doubt::UnusableWrench {
+                unusable: self.unusable,
+                share: count as f64 / (count + self.downsampler.sample_count()) as f64,
+            });
+        }
         let is_low = if classified.plane.is_none() && config.gap_m == 0.0 {
             evidence.is_low()
         } else {

@@ -16,6 +16,7 @@ mod interpretation;
 mod interpreter;
 mod log_evidence;
 mod uncertainty;
+mod wrench_quality;
 
 pub use belief::{
     Belief, COUNT_SPREAD, DensityMap, DirtPrior, Estimate, Exposure, ObservationUpdate,
@@ -29,3 +30,4 @@ pub use events::{Event, EventKind};
 pub use interpretation::{Diagnosis, Interpretation};
 pub use interpreter::{Interpreter, interpret};
 pub use uncertainty::Uncertainty;
+pub use wrench_quality::{UnusableWrenches, WrenchQuality};

@@ -1,6 +1,7 @@
 //! The result of an execution, and how it ended.
 
 use super::{AfterStop, StrokeEnd};
+use crate::follow::Phase;
 use crate::robot::Range;
 use std::fmt;
 
@@ -183,6 +184,23 @@ pub struct Execution {
     pub ending: Ending,
     /// All n variables of the robot at the end [rad or m].
     pub positions: Vec<f64>,
+    /// Pauses, in the order of time.
+    pub pauses: Vec<Pause>,
+    /// Number of samples that were dropped because the observers of the run were too slow.
+    pub dropped_samples: usize,
+}
+
+/// A pause of a motion, by the operator or by the robot.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Pause {
+    /// Time of its begin, since the start of the motion \[s\].
+    pub start: f64,
+    /// Time of its end; `None` if the motion ended in it \[s\].
+    pub end: Option<f64>,
+    /// Phase of the motion at its begin.
+    pub phase: Phase,
+    /// Reason that the robot reports; may be empty.
+    pub reason: String,
 }
 
 impl Execution {
@@ -198,6 +216,8 @@ impl Execution {
             duration: 0.0,
             ending: Ending::Complete,
             positions: positions.to_vec(),
+            pauses: Vec::new(),
+            dropped_samples: 0,
         }
     }
 }

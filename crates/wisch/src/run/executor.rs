@@ -2,6 +2,7 @@
 //! recording.
 
 use super::{Execution, MotionOrder, RecordedSample, TelemetrySample};
+use crate::follow::Workcell;
 use crate::represent::{Observation, Task};
 use std::collections::VecDeque;
 use std::fmt::Display;
@@ -37,6 +38,17 @@ pub type SampleSink<'a> = dyn FnMut(&TelemetrySample<'_>) -> ControlFlow<()> + '
 /// }
 /// ```
 pub trait Executor {
+    /// Prepares the robot for motions, before the first of a run; for example, switches controllers or tares a sensor.
+    /// It must not move the robot.
+    ///
+    /// `cell`: the robot with the tool in its hand.
+    ///
+    /// # Errors
+    /// The robot cannot be prepared. Then nothing moves, and [`Self::finish`] is not called.
+    fn prepare(&mut self, _cell: &Workcell) -> Result<(), ExecutorError> {
+        Ok(())
+    }
+
     /// Executes a motion and passes every sample to the sink; ends early, as
     /// [`Stopped`](super::Ending::Stopped), when the sink returns `Break`.
     ///
@@ -66,9 +78,26 @@ pub trait Executor {
     fn observe(&mut self, _task: &Task) -> Result<Option<Observation>, ExecutorError> {
         Ok(None)
     }
+
+    /// Undoes what [`Self::prepare`] did, after the last motion of a run; for example, hands the robot back. A session
+    /// calls it once after every successful preparation, also after a stop or an error.
+    ///
+    /// # Errors
+    /// The robot is not handed back. The rounds are kept.
+    fn finish(&mut self) -> Result<(), ExecutorError> {
+        Ok(())
+    }
 }
 
 impl<E: Executor + ?Sized> Executor for &mut E {
+    fn prepare(&mut self, cell: &Workcell) -> Result<(), ExecutorError> {
+        (**self).prepare(cell)
+    }
+
+    fn finish(&mut self) -> Result<(), ExecutorError> {
+        (**self).finish()
+    }
+
     fn execute(
         &mut self,
         order: &MotionOrder<'_>,
@@ -173,6 +202,14 @@ impl<E> Recording<E> {
 }
 
 impl<E: Executor> Executor for Recording<E> {
+    fn prepare(&mut self, cell: &Workcell) -> Result<(), ExecutorError> {
+        self.then.prepare(cell)
+    }
+
+    fn finish(&mut self) -> Result<(), ExecutorError> {
+        self.then.finish()
+    }
+
     fn execute(
         &mut self,
         order: &MotionOrder<'_>,

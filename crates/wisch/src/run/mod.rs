@@ -9,6 +9,7 @@ mod error;
 mod event;
 mod execution;
 mod executor;
+mod force_ramp;
 mod knots;
 mod order;
 mod own_strategy;
@@ -23,16 +24,17 @@ pub use config::{AfterStop, MIN_SCORE, Pace, RobotSetup, RunConfig};
 pub use considered::{CandidateEvaluation, EvaluatedMotion};
 pub use error::{RunError, check_score};
 pub use event::{Observer, RunEvent, ignore_events};
-pub use execution::{Ending, Execution, StopCause, StopKind};
+pub use execution::{Ending, Execution, Pause, StopCause, StopKind};
 pub use executor::{
     Executor, ExecutorError, NoExecutor, RecordedRound, Recording, RobotState, SampleSink,
 };
+pub use force_ramp::ForceRamp;
 pub use order::{MotionOrder, Setpoint};
 pub use own_strategy::OwnStrategy;
 pub use round::{ExecutedMotion, PlannedRound, Round};
 pub use session::{Session, Stage};
 pub use stroke_watch::StrokeEnd;
-pub use telemetry::{RecordedSample, TelemetrySample};
+pub use telemetry::{RecordedSample, SampleStatus, Stamp, StampClock, TelemetrySample};
 pub use trajectory_clock::{TrajectoryClock, TrajectoryTimeError};
 
 pub use crate::control::Wrench;

@@ -1,24 +1,21 @@
 //! The loop itself: a session advances one stage at a time.
 
+mod executing;
 mod planning;
 
-use super::stance::{check_positions, check_rest, check_start, root_pose};
-use super::stroke_watch::StrokeWatch;
+use super::stance::root_pose;
 use super::{
-    AfterStop, Ending, Execution, Executor, MotionOrder, Observer, OwnStrategy, PlannedRound,
-    RobotSetup, Round, RunConfig, RunError, RunEvent, check_score,
+    AfterStop, Ending, Execution, Executor, ExecutorError, Observer, OwnStrategy, PlannedRound,
+    RobotSetup, Round, RunConfig, RunError, RunEvent,
 };
 use crate::follow::{Audit, FollowError, Workcell, WorkcellConfig, audit, follow, retreat};
-use crate::interpret::{
-    Belief, InterpretConfig, Interpretation, Interpreter, ObservationUpdate, TouchSample,
-};
+use crate::interpret::{Belief, Interpretation, Interpreter, ObservationUpdate};
 use crate::plan::{Plan, predict};
 use crate::recover::{
     RoundOutcome, TerminationPolicy, Verdict, expected_performance, is_done, next_task,
 };
 use crate::represent::{GoalState, Observation, Task};
 use planning::NextPlan;
-use std::ops::ControlFlow;
 use std::sync::{Arc, OnceLock};
 
 /// The stage that a session has completed.
@@ -89,6 +86,10 @@ pub struct Session<'a> {
     retreats: bool,
     /// The error that ended the current execution.
     failure: Option<RunError>,
+    /// Whether the executor is prepared for motions, so that it has to finish.
+    is_prepared: bool,
+    /// The error with which the executor finished, if there was one.
+    finish_failure: Option<ExecutorError>,
 }
 
 /// Progress of the current round.
@@ -126,6 +127,8 @@ impl<'a> Session<'a> {
             stands: None,
             retreats: false,
             failure: None,
+            is_prepared: false,
+            finish_failure: None,
             config,
         }
     }
@@ -265,9 +268,23 @@ impl<'a> Session<'a> {
 
     /// Advances the session by one stage.
     ///
+    /// With the end of the session, or an error, a prepared executor [finishes](Executor::finish).
+    ///
     /// # Errors
     /// The errors of the stage in the first round. In later rounds a missing plan or motion is a verdict.
     pub fn step(
+        &mut self,
+        executor: &mut dyn Executor,
+        observer: &mut Observer<'_>,
+    ) -> Result<Stage, RunError> {
+        let stage = self.advance(executor, observer);
+        if matches!(stage, Ok(Stage::Ended) | Err(_)) {
+            self.finish_executor(executor);
+        }
+        stage
+    }
+
+    fn advance(
         &mut self,
         executor: &mut dyn Executor,
         observer: &mut Observer<'_>,
@@ -522,106 +539,6 @@ impl<'a> Session<'a> {
         let ended = self.end(Some(verdict), observer);
         self.state = State::Ended(Some(Box::new((*planned, audit))));
         Ok(ended)
-    }
-
-    /// Executes the motion and passes each sample to the interpreter and the observer.
-    fn execute_round(
-        &mut self,
-        planned: Box<PlannedRound>,
-        audit: Audit,
-        executor: &mut dyn Executor,
-        observer: &mut Observer<'_>,
-    ) -> Result<Stage, RunError> {
-        if planned.number == 1 {
-            // Plans of later rounds have a positive predicted gain.
-            check_score(
-                &planned.prediction,
-                planned.task.action,
-                self.config.min_score,
-            )?;
-        }
-        if observer(&RunEvent::Executing(&planned)).is_break() {
-            self.state = State::Audited(planned, audit);
-            return Ok(Stage::Audited);
-        }
-        if let Some(state) = executor.state()? {
-            check_rest(&state, &planned)?;
-            self.set_positions(Some(state.positions));
-        }
-        if let Some(stands) = &self.stands {
-            check_start(stands, &planned, self.config.start_tolerance)?;
-        }
-        let mut interpreter =
-            Interpreter::new(&planned.task, &InterpretConfig::from_task(&planned.task))?;
-        let order = MotionOrder {
-            round: planned.number,
-            seed: planned.task.seed,
-            task: &planned.task,
-            cell: &planned.cell,
-            followed: &planned.followed,
-        };
-        let mut refused = None;
-        let mut watch = (self.config.end_strokes_early).then(|| StrokeWatch::new(&planned.task));
-        let mut ended_early = None;
-        let mut is_broken_off = false;
-        let mut measured_until: Option<f64> = None;
-        let mut at: Vec<f64> = Vec::new();
-        let executed = executor.execute(&order, &mut |sample| {
-            let touch = TouchSample {
-                time: sample.time,
-                world_from_tool: sample.world_from_tool,
-                force: sample.external.force,
-            };
-            if let Err(error) = interpreter.push(&touch) {
-                refused = Some(error);
-                return ControlFlow::Break(());
-            }
-            measured_until = Some(sample.time);
-            if !sample.positions.is_empty() {
-                at.clear();
-                at.extend_from_slice(sample.positions);
-            }
-            let flow = observer(&RunEvent::Sample(sample));
-            if flow.is_continue()
-                && let Some(cause) = watch.as_mut().and_then(|watch| watch.check(sample))
-            {
-                let time = sample.time;
-                ended_early = Some(Ending::Early { time, cause });
-                is_broken_off = true;
-                return ControlFlow::Break(());
-            }
-            is_broken_off |= flow.is_break();
-            flow
-        });
-        let executed = match (executed, refused) {
-            (_, Some(error)) => Err(error.into()),
-            (Err(error), None) => Err(error.into()),
-            (Ok(execution), None) => check_positions(execution, &planned.cell, planned.number),
-        };
-        let mut execution = match (executed, measured_until) {
-            (Ok(execution), _) => execution,
-            // The data measured until then are still interpreted and get a verdict.
-            (Err(error), Some(duration)) => {
-                self.failure = Some(error);
-                Execution {
-                    duration,
-                    ending: Ending::Stopped,
-                    positions: at,
-                }
-            }
-            (Err(error), None) => return Err(error),
-        };
-        // An executor may call a motion complete although wisch stopped it.
-        if is_broken_off && execution.ending == Ending::Complete {
-            execution.ending = Ending::Stopped;
-        }
-        if execution.ending == Ending::Stopped
-            && let Some(ending) = ended_early
-        {
-            execution.ending = ending;
-        }
-        self.state = State::Executed(planned, audit, execution, Box::new(interpreter));
-        Ok(Stage::Executed)
     }
 
     /// Interprets the measured data, and the camera's observation if there is one.

@@ -109,6 +109,7 @@ mod tests {
     use super::*;
     use crate::control::Wrench;
     use crate::geometry::{Polygon, Vector2, Vector3};
+    use crate::run::SampleStatus;
 
     fn watch() -> StrokeWatch {
         StrokeWatch {
@@ -147,6 +148,7 @@ mod tests {
                 },
                 motion: 0,
                 phase,
+                status: SampleStatus::default(),
             });
             end.map(|end| (time, end))
         })

@@ -3,7 +3,7 @@
 use crate::control::Wrench;
 use crate::follow::Phase;
 use crate::geometry::Pose;
-use crate::interpret::TouchSample;
+use crate::interpret::{TouchSample, WrenchQuality};
 
 /// The measurements of one instant. Arrays have one entry per variable of the robot, in its order; velocities
 /// and efforts are empty where an executor does not measure them.
@@ -29,6 +29,57 @@ pub struct TelemetrySample<'a> {
     pub motion: usize,
     /// Purpose of that motion.
     pub phase: Phase,
+    /// What the driver states about the sample.
+    pub status: SampleStatus,
+}
+
+/// What a driver states about a sample.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct SampleStatus {
+    /// Time of the measurement on the driver's clock \[ns\]; `None` if it is not stated.
+    pub stamp: Option<Stamp>,
+    /// Quality of the external wrench; only a usable one counts as touch.
+    pub wrench: WrenchQuality,
+    /// Whether the motion is paused.
+    pub is_paused: bool,
+}
+
+impl SampleStatus {
+    /// Whether the sample shows what the motion does: it is not paused, and the wrench is usable.
+    pub fn shows_motion(&self) -> bool {
+        !self.is_paused && self.wrench.is_usable()
+    }
+}
+
+/// Absolute time of a measurement.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Stamp {
+    /// Nanoseconds since the beginning of the clock.
+    pub nanoseconds: u64,
+    /// The clock.
+    pub clock: StampClock,
+}
+
+/// The clock of a stamp.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum StampClock {
+    /// Time since 1970, UTC.
+    Epoch,
+    /// Time of the robot's or the sensor's own clock.
+    Device,
+}
+
+impl StampClock {
+    /// Both clocks, in the order of the variants.
+    pub const ALL: [Self; 2] = [Self::Epoch, Self::Device];
+
+    /// Name of the clock, as files and messages have it.
+    pub const fn as_str(self) -> &'static str {
+        match self {
+            Self::Epoch => "epoch",
+            Self::Device => "device",
+        }
+    }
 }
 
 impl TelemetrySample<'_> {
@@ -60,6 +111,7 @@ impl TelemetrySample<'_> {
             },
             motion,
             phase,
+            status: SampleStatus::default(),
         }
     }
 }
@@ -81,6 +133,8 @@ pub struct RecordedSample {
     pub controller: Wrench,
     /// External wrench.
     pub external: Wrench,
+    /// What the driver states about the sample.
+    pub status: SampleStatus,
 }
 
 impl RecordedSample {
@@ -101,6 +155,7 @@ impl RecordedSample {
             external: self.external,
             motion,
             phase,
+            status: self.status,
         })
     }
 }
@@ -116,6 +171,7 @@ impl From<&TelemetrySample<'_>> for RecordedSample {
             world_from_tool: sample.world_from_tool,
             controller: sample.controller,
             external: sample.external,
+            status: sample.status,
         }
     }
 }

@@ -9,7 +9,7 @@ use parry3d_f64::query::PointQueryWithLocation;
 use parry3d_f64::shape::TriMesh;
 
 /// Number of points along each side of the footprint under which normals are taken.
-const POINTS: usize = 5;
+const POINTS: usize = 9;
 /// Largest lean of the tool over the mean normal under it [rad].
 const MAX_LEAN: f64 = 0.06;
 /// Allowed distance of the tool centre point from the mesh, besides what smoothing moved [m].

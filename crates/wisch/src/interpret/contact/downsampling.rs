@@ -74,6 +74,11 @@ impl Downsampler {
         }
     }
 
+    /// Number of samples so far.
+    pub(in crate::interpret) const fn sample_count(&self) -> usize {
+        self.samples
+    }
+
     pub(in crate::interpret) fn pieces(&self) -> &[MeasuredPiece] {
         &self.pieces
     }

@@ -1,0 +1,159 @@
+//! The execution of a round's motion.
+
+use super::{Session, Stage, State};
+use crate::follow::Audit;
+use crate::interpret::{
+    InterpretConfig, InterpretError, Interpreter, TouchSample, UnusableWrenches,
+};
+use crate::run::stance::{check_positions, check_rest, check_start};
+use crate::run::stroke_watch::StrokeWatch;
+use crate::run::{
+    Ending, Execution, Executor, ExecutorError, MotionOrder, Observer, PlannedRound, RunError,
+    RunEvent, TelemetrySample, check_score,
+};
+use std::ops::ControlFlow;
+
+impl Session<'_> {
+    /// Lets a prepared executor [finish](Executor::finish), once; does nothing otherwise.
+    ///
+    /// [`step`](Self::step) does this at the end of the session and after an error. Call it to leave a session before its
+    /// end. If the session continues later, it prepares its executor again.
+    pub fn finish_executor(&mut self, executor: &mut dyn Executor) {
+        if std::mem::take(&mut self.is_prepared) {
+            self.finish_failure = executor.finish().err();
+        }
+    }
+
+    /// The error with which the executor finished, if there was one. The rounds are not affected by it.
+    pub const fn finish_failure(&self) -> Option<&ExecutorError> {
+        self.finish_failure.as_ref()
+    }
+
+    /// Executes the motion and passes each sample to the interpreter and the observer.
+    pub(super) fn execute_round(
+        &mut self,
+        planned: Box<PlannedRound>,
+        audit: Audit,
+        executor: &mut dyn Executor,
+        observer: &mut Observer<'_>,
+    ) -> Result<Stage, RunError> {
+        if planned.number == 1 {
+            // Plans of later rounds have a positive predicted gain.
+            check_score(
+                &planned.prediction,
+                planned.task.action,
+                self.config.min_score,
+            )?;
+        }
+        if observer(&RunEvent::Executing(&planned)).is_break() {
+            self.state = State::Audited(planned, audit);
+            return Ok(Stage::Audited);
+        }
+        self.prepare_motion(&planned, executor)?;
+        let mut interpreter =
+            Interpreter::new(&planned.task, &InterpretConfig::from_task(&planned.task))?;
+        let order = MotionOrder {
+            round: planned.number,
+            seed: planned.task.seed,
+            task: &planned.task,
+            cell: &planned.cell,
+            followed: &planned.followed,
+        };
+        let mut refused = None;
+        let mut watch = (self.config.end_strokes_early).then(|| StrokeWatch::new(&planned.task));
+        let mut ended_early = None;
+        let mut is_broken_off = false;
+        let mut measured_until: Option<f64> = None;
+        let mut at: Vec<f64> = Vec::new();
+        let executed = executor.execute(&order, &mut |sample| {
+            if let Err(error) = take_touch(&mut interpreter, sample) {
+                refused = Some(error);
+                return ControlFlow::Break(());
+            }
+            measured_until = Some(sample.time);
+            if !sample.positions.is_empty() {
+                at.clear();
+                at.extend_from_slice(sample.positions);
+            }
+            let flow = observer(&RunEvent::Sample(sample));
+            if flow.is_continue()
+                && sample.status.shows_motion()
+                && let Some(cause) = watch.as_mut().and_then(|watch| watch.check(sample))
+            {
+                let time = sample.time;
+                ended_early = Some(Ending::Early { time, cause });
+                is_broken_off = true;
+                return ControlFlow::Break(());
+            }
+            is_broken_off |= flow.is_break();
+            flow
+        });
+        let executed = match (executed, refused) {
+            (_, Some(error)) => Err(error.into()),
+            (Err(error), None) => Err(error.into()),
+            (Ok(execution), None) => check_positions(execution, &planned.cell, planned.number),
+        };
+        let mut execution = match (executed, measured_until) {
+            (Ok(execution), _) => execution,
+            // The data measured until then are still interpreted and get a verdict.
+            (Err(error), Some(duration)) => {
+                self.failure = Some(error);
+                Execution {
+                    duration,
+                    ending: Ending::Stopped,
+                    ..Execution::from_positions(&at)
+                }
+            }
+            (Err(error), None) => return Err(error),
+        };
+        // An executor may call a motion complete although wisch stopped it.
+        if is_broken_off && execution.ending == Ending::Complete {
+            execution.ending = Ending::Stopped;
+        }
+        if execution.ending == Ending::Stopped
+            && let Some(ending) = ended_early
+        {
+            execution.ending = ending;
+        }
+        self.state = State::Executed(planned, audit, execution, Box::new(interpreter));
+        Ok(Stage::Executed)
+    }
+
+    /// Prepares the executor before its first motion, and checks that the robot rests where the motion begins.
+    fn prepare_motion(
+        &mut self,
+        planned: &PlannedRound,
+        executor: &mut dyn Executor,
+    ) -> Result<(), RunError> {
+        if !self.is_prepared {
+            executor.prepare(&planned.cell)?;
+            self.is_prepared = true;
+        }
+        if let Some(state) = executor.state()? {
+            check_rest(&state, planned)?;
+            self.set_positions(Some(state.positions));
+        }
+        if let Some(stands) = &self.stands {
+            check_start(stands, planned, self.config.start_tolerance)?;
+        }
+        Ok(())
+    }
+}
+
+/// Passes a sample to the interpreter: as touch, or as one without a usable wrench.
+fn take_touch(
+    interpreter: &mut Interpreter,
+    sample: &TelemetrySample<'_>,
+) -> Result<(), InterpretError> {
+    if !sample.status.wrench.is_usable() {
+        let mut unusable = UnusableWrenches::default();
+        unusable.add(sample.status.wrench);
+        interpreter.skip(unusable);
+        return Ok(());
+    }
+    interpreter.push(&TouchSample {
+        time: sample.time,
+        world_from_tool: sample.world_from_tool,
+        force: sample.external.force,
+    })
+}
