@@ -4,18 +4,19 @@ use proptest::prelude::*;
 use rand::RngExt;
 use rand_chacha::{ChaCha8Rng, rand_core::SeedableRng};
 use std::f64::consts::{FRAC_PI_2, PI};
+use std::sync::Arc;
 use wisch::control::{ControlConfig, press_into_surface};
 use wisch::follow::{FollowConfig, MotionFault, Phase, ToolPose, Workcell, audit, follow};
-use wisch::geometry::{PlanarPose, Point2, Point3, Polygon, Pose, Vector2, Vector3};
+use wisch::geometry::{PlanarPose, Point2, Point3, Polygon, Pose, SheetConfig, Vector2, Vector3};
 use wisch::interpret::{Belief, InterpretConfig, TouchSample, Uncertainty, interpret};
 use wisch::plan::{BendContact, Plan, PlanConfig, PlanError, Strategy, plan, predict};
 use wisch::represent::{
-    Action, Effect, ElasticFoundation, Fate, GoalState, ParticleDistribution, ParticleField,
-    Surface, SurfaceShape, Task, Tool, ToolMotion, Treatment, effective_pressure,
+    Action, Effect, ElasticFoundation, Fate, GoalState, MeshShape, ParticleDistribution,
+    ParticleField, Surface, SurfaceShape, Task, Tool, ToolMotion, Treatment, effective_pressure,
 };
 use wisch::run::{Execution, Executor, ExecutorError, MotionOrder, SampleSink, ignore_events};
 use wisch_io::{LoadOptions, load_task};
-use wisch_testkit::{block, board, cell, faults, planned};
+use wisch_testkit::{block, board, cell, faults, mesh_over, planned};
 
 const fn cylinder(radius: f64, axis: f64) -> SurfaceShape {
     SurfaceShape::Cylinder { radius, axis }
@@ -623,4 +624,105 @@ fn a_tool_that_hovers_is_refused_where_the_bend_exceeds_its_gap() {
     }
     assert_eq!(hovering(20.0, 0.003), Ok(()));
     assert_eq!(hovering(-20.0, 0.003), Ok(()));
+}
+
+/// A board of the size of [`task`]'s over a mesh, in the pose of that task's surface.
+fn on_mesh(action: Action, point: impl Fn(Point2) -> Point3) -> Task {
+    let mut task = task(action, SurfaceShape::Plane);
+    let bounds = task.surface.outline.outer().iter();
+    let size = bounds.fold(Vector2::zeros(), |size, p| {
+        size.sup(&(p.coords.abs() * 2.0))
+    });
+    let mesh = mesh_over([size.x, size.y], point);
+    let config = SheetConfig {
+        tool_radius: task.tool.collision_radius(),
+        ..SheetConfig::default()
+    };
+    let (shape, mesh_from_surface) = MeshShape::from_mesh(&mesh, &config).unwrap();
+    task.surface.outline = shape.outline();
+    task.surface.world_from_surface *= mesh_from_surface;
+    task.surface.shape = SurfaceShape::Mesh(Arc::new(shape));
+    task
+}
+
+fn pipe_point(radius: f64) -> impl Fn(Point2) -> Point3 {
+    move |p| {
+        let angle = p.x / radius;
+        Point3::new(radius * angle.sin(), p.y, radius * (angle.cos() - 1.0))
+    }
+}
+
+/// A dish that bulges in both directions.
+fn dish_point(p: Point2) -> Point3 {
+    Point3::new(p.x, p.y, -0.9 * p.x * p.x - 0.5 * p.y * p.y)
+}
+
+/// The mesh of a cylinder is the cylinder, up to its facets and the fit of the bend.
+#[test]
+fn the_mesh_of_a_cylinder_is_that_cylinder() {
+    for radius in [0.5, -0.8] {
+        let meshed = on_mesh(Action::Absorb, pipe_point(radius));
+        let rolled = task(Action::Absorb, cylinder(radius, FRAC_PI_2));
+        let mut random = ChaCha8Rng::seed_from_u64(3);
+        for _ in 0..200 {
+            let place = [0.23, 0.17].map(|side| side * (random.random::<f64>() - 0.5));
+            let place = Point2::from(place);
+            let height = 0.05 * random.random::<f64>();
+            let [found, wanted] =
+                [&meshed, &rolled].map(|t| t.surface.world_from_place(place, height));
+            let apart = wanted.inverse() * found;
+            assert!(
+                apart.translation.vector.norm() < 1e-3,
+                "{radius} {place}: {apart}"
+            );
+            assert!(apart.rotation.angle() < 0.02, "{radius} {place}: {apart}");
+            let back = meshed.surface.chart(found.translation.vector.into());
+            let off = (back.place - place).norm() + (back.height - height).abs();
+            assert!(off < 2e-3, "{radius} {place}: {off}");
+            let bend = meshed.surface.shape.bend(place) - rolled.surface.shape.bend(place);
+            assert!(bend.norm() < 0.1 / radius.abs(), "{radius} {place}: {bend}");
+        }
+        // Beyond the border, it goes on straight.
+        let beyond = Point2::new(0.14, 0.0);
+        let [found, wanted] =
+            [&meshed, &rolled].map(|t| t.surface.world_from_place(beyond, 0.0).translation.vector);
+        assert!((found - wanted).norm() < 2e-3, "{radius}: {found} {wanted}");
+        let back = meshed.surface.chart(found.into());
+        assert!((back.place - beyond).norm() < 1e-6 && back.height.abs() < 1e-6);
+        let [found, wanted] = [&meshed, &rolled].map(|task| {
+            let plan = strokes_of(task, wisch::plan::CoverageStrategy::Grid.into());
+            (
+                predict(task, &plan, |_| ()).particles.tally().absorbed,
+                plan.contact_distance(),
+            )
+        });
+        assert_eq!(found.0, wanted.0, "{radius}");
+        assert!(
+            (found.1 / wanted.1 - 1.0).abs() < 0.1,
+            "{found:?} {wanted:?}"
+        );
+    }
+}
+
+/// The tool follows the normals of a mesh, and the audit measures it against the mesh as given.
+#[test]
+fn the_tool_follows_a_mesh_and_the_audit_sees_a_lean() {
+    let config = FollowConfig::default();
+    let meshed = on_mesh(Action::Absorb, dish_point);
+    let (plan, cell) = (planned(&meshed), cell(&meshed));
+    let followed = follow(&meshed, &plan, &cell, None, &config, &mut |_| ()).unwrap();
+    assert_eq!(faults(&meshed, &plan, &cell, &followed), [] as [String; 0]);
+    // The same motion where the mesh as given leans by 5°, or lies 3 mm lower.
+    let lean = Pose::new(Vector3::zeros(), Vector3::x() * 5.0_f64.to_radians());
+    for moved in [lean, Pose::translation(0.0, 0.0, -3e-3)] {
+        let SurfaceShape::Mesh(shape) = &meshed.surface.shape else {
+            panic!("it is a mesh");
+        };
+        let scanned = MeshShape::clone(shape).with_mesh(shape.mesh().transform(&moved));
+        let mut other = meshed.clone();
+        other.surface.shape = SurfaceShape::Mesh(Arc::new(scanned));
+        let faults = audit(&followed, &cell, &other, &config).unwrap().faults;
+        let is_off = |fault: &MotionFault| matches!(fault, MotionFault::OffMesh { .. });
+        assert!(faults.iter().any(is_off), "{moved}: {faults:?}");
+    }
 }

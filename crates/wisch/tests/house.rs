@@ -297,6 +297,7 @@ fn taken_from_what_is_audited(text: &str) -> Vec<String> {
     let text = &production(text);
     let own = [
         "super::dynamics::",
+        "super::given_mesh::",
         "super::kinematics::",
         "super::line::",
         "super::surface::",

@@ -53,6 +53,12 @@ impl MeshShape {
         Ok((shape, mesh_from_surface))
     }
 
+    /// Returns the shape with another mesh against which motions are audited, such as a scan, in the frame of the surface.
+    #[must_use]
+    pub fn with_mesh(self, mesh: Mesh) -> Self {
+        Self { mesh, ..self }
+    }
+
     /// The chart, in the frame of the surface.
     pub fn sheet(&self) -> &Sheet {
         &self.sheet

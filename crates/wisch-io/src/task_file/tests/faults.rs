@@ -152,7 +152,7 @@ fn a_fault_is_refused_with_its_place() {
         (
             size,
             "",
-            "8:1: surface: exactly one of size_m, outline_m is required, but none is given",
+            "8:1: surface: exactly one of size_m, outline_m, mesh is required, but none is given",
         ),
         (
             size,
@@ -395,4 +395,79 @@ fn what_the_knowledge_or_a_file_lacks_is_refused_with_its_place() {
         ),
         "{error}"
     );
+}
+
+#[test]
+fn a_mesh_is_a_surface_with_its_border_as_outline() {
+    let with = |keys: &str| {
+        small_with(&[
+            ("action = \"skim\"", "action = \"absorb\""),
+            ("size_m = [0.5, 0.4]\nskim_edges = [\"y_min\"]", keys),
+        ])
+    };
+    let block = Mesh::cuboid(Vector3::new(0.5, 0.4, 0.1)).unwrap();
+    let assets: [(&str, &[u8]); 2] = [
+        ("block.stl", &block.to_binary_stl()),
+        ("broken.ply", b"ply\nformat"),
+    ];
+    let upwards = "mesh = { file = \"block.stl\", towards = [0, 0, 1] }";
+    let task = |text: &str| {
+        let file = parsed(text)?;
+        resolved_as(&file, Action::Absorb, "sponge", "breadcrumbs", &assets)
+    };
+    // The upper face is 5 cm above the origin of the file.
+    let found = task(&with(&format!("{upwards}\nposition_m = [1, 2, 3]"))).unwrap();
+    let middle = found
+        .surface
+        .world_from_place(wisch::geometry::Point2::origin(), 0.0);
+    assert!(
+        (middle.translation.vector - Vector3::new(1.0, 2.0, 3.05)).norm() < 1e-6,
+        "{middle}"
+    );
+    assert!((found.surface.outline.area() - 0.2).abs() < 1e-4);
+    assert_eq!(found.surface.outline.outer().len(), 4);
+    for (keys, expected) in [
+        (
+            "mesh = { file = \"block.stl\" }".to_owned(),
+            "10:17: file \"block.stl\": not usable as a surface: this mesh is closed",
+        ),
+        (
+            "mesh = { file = \"none.ply\" }".to_owned(),
+            "10:17: file \"none.ply\": no such file",
+        ),
+        (
+            "mesh = { file = \"broken.ply\" }".to_owned(),
+            "10:17: mesh \"broken.ply\": ",
+        ),
+        (
+            "mesh = { file = \"block.stl\", side = 1 }".to_owned(),
+            "10:31: surface.mesh: unknown key \"side\"",
+        ),
+        (
+            format!("{upwards}\nsize_m = [0.5, 0.4]"),
+            "11:10: surface: exactly one of size_m, outline_m, mesh is required, but",
+        ),
+        (
+            format!("{upwards}\nskim_edges = [\"y_min\"]"),
+            "11:15: surface.skim_edges[0]: needs size_m or outline_m",
+        ),
+        (
+            format!("{upwards}\nshape = \"cylinder\"\nradius_m = 1.0"),
+            "10:8: surface.mesh: has its own shape",
+        ),
+        (
+            "mesh = { file = \"block.stl\", towards = [0, 0, 0] }".to_owned(),
+            "10:17: file \"block.stl\": not usable as a surface: length of the direction",
+        ),
+        (
+            "mesh = { file = \"block.stl\", scale = 1000 }".to_owned(),
+            "10:17: mesh \"block.stl\" is 500 m long",
+        ),
+    ] {
+        let error = task(&with(&keys)).expect_err(expected).to_string();
+        assert!(
+            error.starts_with(&format!("small.toml:{expected}")),
+            "\n  {error}\n  {expected}"
+        );
+    }
 }

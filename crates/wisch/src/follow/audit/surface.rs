@@ -5,7 +5,7 @@ use super::given_mesh::{GivenMesh, OffMesh};
 use super::kinematics::{Frame, moved_by};
 use crate::follow::{FollowConfig, Motion, Phase, TrajectorySample, Workcell};
 use crate::geometry::{Bounds2, Edge, Mesh, Point2, Point3, Vector3, encloses};
-use crate::represent::{ChartPoint, SurfaceShape, Task};
+use crate::represent::{SurfaceShape, Task};
 use nalgebra::UnitQuaternion;
 
 /// Depth of a body in the surface that is allowed for rounding [m].
@@ -112,8 +112,8 @@ fn unroll(shape: &SurfaceShape, point: Vector3) -> Vector3 {
         SurfaceShape::Plane => return point,
         &SurfaceShape::Cylinder { radius, axis } => (radius, axis),
         SurfaceShape::Mesh(_) => {
-            let ChartPoint { place, height } = shape.chart(point.into());
-            return Vector3::new(place.x, place.y, height);
+            let at = shape.chart(point.into());
+            return Vector3::new(at.place.x, at.place.y, at.height);
         }
     };
     let along = Vector3::new(axis.cos(), axis.sin(), 0.0);
