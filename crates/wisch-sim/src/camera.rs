@@ -301,7 +301,7 @@ fn corners(shape: &Shape) -> Vec<Point3> {
 }
 
 /// Returns the convex hull of the points, anticlockwise (Andrew's monotone chain, 1979).
-fn hull(mut points: Vec<Point2>) -> Vec<Point2> {
+pub(crate) fn hull(mut points: Vec<Point2>) -> Vec<Point2> {
     points.sort_by(|a, b| a.x.total_cmp(&b.x).then(a.y.total_cmp(&b.y)));
     points.dedup();
     if points.len() < 3 {

@@ -5,14 +5,17 @@
 
 use super::held_tool::HeldTool;
 use super::{Plant, to_engine};
+use crate::camera::hull;
 use crate::{SimulationError, SimulationSettings};
 use nalgebra::{Matrix2, Translation3, UnitQuaternion};
 use rapier3d_f64::geometry::{SharedShape, TriMeshFlags};
-use wisch::geometry::{Bounds2, Point2, Pose, Vector2, Vector3};
-use wisch::represent::{Surface, Task};
+use wisch::geometry::{Bounds2, Edge, Point2, Pose, Vector2, Vector3};
+use wisch::represent::{Surface, SurfaceShape, Task};
 
 /// Number of points along each side of the underside at which its springs are evaluated.
 const SPRINGS: usize = 16;
+/// Distance of a corner of the slab from the chord of its neighbours below which it is left out [m].
+const LEAST_CORNER: f64 = 1e-3;
 /// Error of the mean compression that is left [m].
 const LEAST_EXCESS: f64 = 1e-12;
 /// Share of the springs that are taken to touch at least when the slab follows the plate [1].
@@ -38,6 +41,32 @@ pub(super) fn facets(real: &Surface, thickness: f64) -> Result<SharedShape, Simu
     let flags = TriMeshFlags::FIX_INTERNAL_EDGES | TriMeshFlags::MERGE_DUPLICATE_VERTICES;
     SharedShape::trimesh_with_flags(vertices.collect(), solid.triangles().to_vec(), flags)
         .map_err(|_| SimulationError::NoSurface)
+}
+
+/// Returns the corners of the convex slab that carries the plate [m]. The hull of a mesh's border has many corners that are
+/// nearly on a line, from which the engine makes no sound solid: those are left out.
+pub(super) fn slab_corners(real: &Surface) -> Vec<Point2> {
+    let outline = real.outline.outer().to_vec();
+    if !matches!(real.shape, SurfaceShape::Mesh(_)) {
+        return outline;
+    }
+    let mut corners = hull(outline);
+    while corners.len() > 4 {
+        let count = corners.len();
+        let off = |i: usize| {
+            let chord = Edge {
+                start: corners[(i + count - 1) % count],
+                end: corners[(i + 1) % count],
+            };
+            chord.distance(corners[i])
+        };
+        let flattest = (0..count).map(|i| (i, off(i)));
+        match flattest.min_by(|a, b| a.1.total_cmp(&b.1)) {
+            Some((i, distance)) if distance < LEAST_CORNER => corners.remove(i),
+            _ => break,
+        };
+    }
+    corners
 }
 
 /// What lies under the tool at present.
@@ -213,7 +242,6 @@ impl Plant {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use wisch::represent::SurfaceShape;
 
     /// A pad of 10 × 6 cm on a cylinder along its width.
     fn pad(radius: f64) -> BentContact {

@@ -2,11 +2,12 @@
 
 use super::wiping::{Log, Wiping, as_believed, faults};
 use std::f64::consts::FRAC_PI_2;
-use wisch::geometry::{Point2, Point3, Vector3};
-use wisch::represent::{Action, Fate, Mount, SensorModel, SurfaceShape};
+use std::sync::Arc;
+use wisch::geometry::{Point2, Point3, SheetConfig, Vector3};
+use wisch::represent::{Action, Fate, MeshShape, Mount, SensorModel, SurfaceShape};
 use wisch::run::Executor;
 use wisch_sim::{Camera, Dirt, SimulationSettings, WorkSurface, World};
-use wisch_testkit::board;
+use wisch_testkit::{board, mesh_over};
 
 /// Radius, and angle of the axis from the chart's x: bulges and hollows, across the stroke, along it and askew.
 const BENDS: [(f64, f64); 6] = [
@@ -59,6 +60,36 @@ fn a_wipe_over_a_cylinder_presses_as_over_a_plane() {
         let lean = greatest_lean(&log, &wiping).to_degrees();
         assert!(lean < 2.0, "{bend:?}: {lean}°");
     }
+}
+
+/// A dish that bulges in both directions, whose chart has a curved border.
+#[test]
+fn a_wipe_over_a_mesh_presses_as_over_a_plane() {
+    let mut task = board(Action::Absorb, [0.5, 0.0, 0.2]);
+    task.tool.mount = Some(Mount::Hand { lean: 0.8 });
+    task.scene.clear();
+    task.interaction.compression_depth_m = 0.01;
+    let dish = mesh_over([0.24, 0.18], |p| {
+        Point3::new(p.x, p.y, -1.2 * p.x * p.x - 0.8 * p.y * p.y)
+    });
+    let config = SheetConfig {
+        tool_radius: task.tool.collision_radius(),
+        ..SheetConfig::default()
+    };
+    let (shape, mesh_from_surface) = MeshShape::from_mesh(&dish, &config).unwrap();
+    task.surface.outline = shape.outline();
+    task.surface.world_from_surface *= mesh_from_surface;
+    task.surface.shape = SurfaceShape::Mesh(Arc::new(shape));
+    let wiping = Wiping::of_first_stroke(task);
+    let log = wiping.execute();
+    let found: Vec<String> = faults(&log)
+        .into_iter()
+        .filter(|fault| !fault.contains("from the plane"))
+        .collect();
+    assert_eq!(found, [] as [String; 0]);
+    assert!(log.truth.contact_force.count() > 200);
+    let lean = greatest_lean(&log, &wiping).to_degrees();
+    assert!(lean < 2.0, "{lean}°");
 }
 
 /// Dirt beside the pad lies still, whatever the surface leans; what the middle of the pad goes over is taken up.
