@@ -382,7 +382,7 @@ pub struct LoopArgs {
     /// task's]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1000))]
     pub rounds: Option<u16>,
-    /// Estimate after every stroke, then wipe the stroke with the greatest predicted gain
+    /// Wipe only the segment with the greatest predicted gain in each round, and estimate after it
     #[arg(long)]
     pub greedy: bool,
     /// Use no camera, even if the task has one: estimate the dirt from tool poses and forces only

@@ -12,7 +12,7 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use std::time::Duration;
 use wisch::follow::Workcell;
-use wisch::represent::{Observation, Surface, Task};
+use wisch::represent::{Observation, Surface, SurfaceShape, Task};
 use wisch::run::{
     Ending, Execution, Executor, ExecutorError, MotionOrder, RobotState, SampleSink, StampClock,
 };

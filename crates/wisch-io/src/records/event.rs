@@ -179,7 +179,8 @@ impl<W: Write> EventWriter<W> {
             RunEvent::Observed { round, observation } => RunEventRecord::Observed {
                 round,
                 detections: observation.detections.len(),
-                hidden_m2: observation.hidden.area(),
+                // The area of nothing is -0.
+                hidden_m2: observation.hidden.area() + 0.0,
             },
             RunEvent::Decided(round) => {
                 let estimate = &round.interpretation.performance;
