@@ -441,11 +441,11 @@ fn a_mesh_is_a_surface_with_its_border_as_outline() {
         ),
         (
             "mesh = { file = \"block.stl\", side = 1 }".to_owned(),
-            "10:31: surface.mesh: unknown key \"side\"",
+            "10:30: surface.mesh: unknown key \"side\"",
         ),
         (
             format!("{upwards}\nsize_m = [0.5, 0.4]"),
-            "11:10: surface: exactly one of size_m, outline_m, mesh is required, but",
+            "10:8: surface: exactly one of size_m, outline_m, mesh is required, but",
         ),
         (
             format!("{upwards}\nskim_edges = [\"y_min\"]"),
