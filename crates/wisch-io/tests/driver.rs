@@ -1,6 +1,6 @@
 //! What version 2 of the executor protocol offers to the drivers of real robots.
 
-use crate::process::{CHILD, has_python, loaded, motion};
+use crate::process::{CHILD, has_python, loaded, motion, order};
 use std::ops::ControlFlow;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -8,8 +8,8 @@ use std::time::{Duration, Instant};
 use wisch::follow::Phase;
 use wisch::interpret::{Doubt, WrenchQuality};
 use wisch::run::{
-    Ending, Execution, Executor, ExecutorError, MotionOrder, PlannedRound, RunConfig, SampleStatus,
-    Session, Stamp, StampClock, TelemetrySample, ignore_events,
+    Ending, Execution, Executor, ExecutorError, PlannedRound, RunConfig, SampleStatus, Session,
+    Stamp, StampClock, TelemetrySample, ignore_events,
 };
 use wisch_io::{DriverRobotRecord, PauseSwitch, ProcessExecutor, ProcessOptions};
 
@@ -79,13 +79,7 @@ fn execute(
     child: &mut ProcessExecutor,
     planned: &PlannedRound,
 ) -> Result<Execution, ExecutorError> {
-    let order = MotionOrder {
-        round: 1,
-        seed: 1,
-        task: &planned.task,
-        cell: &planned.cell,
-        followed: &planned.followed,
-    };
+    let order = order(&planned);
     child.execute(&order, &mut |_| ControlFlow::Continue(()))
 }
 
@@ -238,13 +232,7 @@ fn executed(
     let begin = CHILD.replace("say(ready={\"version\": 1})", &greeting);
     let script = format!("{begin}{lines}\n");
     let mut child = ProcessExecutor::start_with("python3", &["-c".to_owned(), script], options)?;
-    let order = MotionOrder {
-        round: 1,
-        seed: 1,
-        task: &planned.task,
-        cell: &planned.cell,
-        followed: &planned.followed,
-    };
+    let order = order(&planned);
     child.execute(&order, &mut |sample| {
         take(sample);
         ControlFlow::Continue(())

@@ -74,6 +74,17 @@ pub fn motion() -> PlannedRound {
     session.planned_round().expect("a motion").clone()
 }
 
+/// Returns the order of a planned motion.
+pub fn order(planned: &PlannedRound) -> MotionOrder<'_> {
+    MotionOrder {
+        round: 1,
+        seed: 1,
+        task: &planned.task,
+        cell: &planned.cell,
+        followed: &planned.followed,
+    }
+}
+
 fn start(script: &str) -> Result<ProcessExecutor, ExecutorError> {
     ProcessExecutor::start("python3", &["-c".to_owned(), script.to_owned()])
 }
@@ -93,13 +104,7 @@ fn executed(
     };
     let limit = Duration::from_millis(patience);
     let mut child = start(&format!("{CHILD}{lines}\n"))?.with_silence_limit(limit);
-    let order = MotionOrder {
-        round: 1,
-        seed: 1,
-        task: &planned.task,
-        cell: &planned.cell,
-        followed: &planned.followed,
-    };
+    let order = order(&planned);
     let mut taken = 0;
     let execution = child.execute(&order, &mut |_| {
         taken += 1;
@@ -397,13 +402,7 @@ fn phases_follow_the_trajectory_at_any_speed() {
         return;
     }
     let planned = motion();
-    let order = MotionOrder {
-        round: 1,
-        seed: 1,
-        task: &planned.task,
-        cell: &planned.cell,
-        followed: &planned.followed,
-    };
+    let order = order(&planned);
     for speed in [1.0, 0.5, 0.2] {
         let script = format!(
             "{CHILD}follow({speed})\ndone('complete', duration=points[-1]['time_s'] / {speed})\n"
@@ -465,13 +464,7 @@ fn executed_by_version_2(
     let greeting = format!("say(ready={{\"version\": 2, {ready}}})");
     let begin = CHILD.replace("say(ready={\"version\": 1})", &greeting);
     let mut child = start(&format!("{begin}{lines}\n"))?;
-    let order = MotionOrder {
-        round: 1,
-        seed: 1,
-        task: &planned.task,
-        cell: &planned.cell,
-        followed: &planned.followed,
-    };
+    let order = order(&planned);
     let mut samples = Vec::new();
     let execution = child.execute(&order, &mut |sample| {
         samples.push(RecordedSample::from(sample));
@@ -578,13 +571,7 @@ fn a_silent_child_gets_a_stop_before_its_executor_ends() {
         heard.display().to_string()
     );
     let mut child = start(&format!("{begin}{rest}")).expect("it greets");
-    let order = MotionOrder {
-        round: 1,
-        seed: 1,
-        task: &planned.task,
-        cell: &planned.cell,
-        followed: &planned.followed,
-    };
+    let order = order(&planned);
     let error = child.execute(&order, &mut |_| ControlFlow::Continue(()));
     let error = error.expect_err("it is silent").to_string();
     assert!(error.contains("no message for 0.3 s"), "{error}");

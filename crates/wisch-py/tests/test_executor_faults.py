@@ -369,7 +369,7 @@ def test_an_interrupted_executor_finishes_once(task, robot):
     with pytest.raises(KeyboardInterrupt):
         session.run(executor)
     assert executor.calls == ["prepare", "execute", "finish"]
-    # The run goes on with the interpretation, and a stopped robot does not move again.
+    # The next call interprets what was measured. A stopped robot does not move again.
     session.run(executor)
     assert executor.calls == ["prepare", "execute", "finish"]
 

@@ -6,13 +6,12 @@ mod record;
 mod report;
 
 use self::checked::check;
-use self::measures::principal_curvatures;
 use self::record::check_record;
 use self::report::report;
 use crate::args::{GlobalArgs, SurfaceCheckArgs};
 use crate::failure::Failure;
 use crate::terminal::{Outcome, print};
-use wisch::represent::find_needed_compression;
+use wisch::represent::{find_needed_compression, principal_curvatures};
 use wisch_report::{SheetInput, sheet_drawing};
 
 /// Reads the mesh, unrolls it, and reports on it.

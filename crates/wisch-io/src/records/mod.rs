@@ -5,6 +5,7 @@ mod followed;
 mod interpretation;
 mod plan;
 mod rounds;
+mod shape;
 mod summary;
 mod trajectory;
 
@@ -16,11 +17,11 @@ pub use interpretation::{
     EventRecord, INTERPRETATION_FORMAT, InterpretationRecord, LogRecord, PlaneRecord,
 };
 pub use plan::{
-    BendContactRecord, GoalRecord, NodeRecord, PLAN_FORMAT, PLAN_SCHEMA, PlanRecord,
-    PlanRecordError, PlanarPoseRecord, PoseRecord, RoleRecord, ShapeRecord, StrokeRecord,
-    WaypointRecord,
+    GoalRecord, NodeRecord, PLAN_FORMAT, PLAN_SCHEMA, PlanRecord, PlanRecordError,
+    PlanarPoseRecord, PoseRecord, RoleRecord, StrokeRecord, WaypointRecord,
 };
 pub use rounds::{ExecutedBy, LoopSummary, RoundSummary, RoundTimes};
+pub use shape::{BendContactRecord, ShapeRecord};
 pub use summary::{
     CandidateSummary, FollowingSummary, PredictionSummary, SUMMARY_SCHEMA, Summary,
     TreatmentSummary,

@@ -3,15 +3,14 @@
 //! Units are SI and radians; keys end in their unit, and poses state their frames. A plan does not depend on the clock or
 //! the machine, so equal tasks and seeds give equal bytes.
 
+use super::shape::{BendContactRecord, ShapeRecord};
 use serde::{Deserialize, Serialize};
-use std::fmt;
 use std::ops::RangeInclusive;
 use wisch::geometry::{PlanarPose, Point2, Pose};
 use wisch::plan::{
-    BendContact, Node, NodeRole, Plan, PlanError, SemanticDirectedGraph, Stroke, TcpWaypoint,
-    check_strokes,
+    Node, NodeRole, Plan, PlanError, SemanticDirectedGraph, Stroke, TcpWaypoint, check_strokes,
 };
-use wisch::represent::{GoalState, SurfaceShape, Task, UnknownName};
+use wisch::represent::{GoalState, Task, UnknownName};
 
 /// Value of the key `format` in `plan.json`.
 pub const PLAN_FORMAT: &str = "wisch-plan";
@@ -70,142 +69,6 @@ pub struct PlanRecord {
     pub strokes: Vec<StrokeRecord>,
     /// The corners of the tool centre point's whole path, lifted moves included.
     pub tcp_path: Vec<WaypointRecord>,
-}
-
-/// Radius from which a bend counts as none [m].
-const TOLD_RADIUS: f64 = 100.0;
-
-/// The shape onto which the chart of a surface is rolled, so that it touches the xy plane of the surface frame at the origin.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-#[serde(tag = "kind", rename_all = "lowercase", deny_unknown_fields)]
-pub enum ShapeRecord {
-    /// The chart is the surface.
-    Plane,
-    /// A circular cylinder.
-    Cylinder {
-        /// Radius \[m\], positive where it bulges towards the tool, negative where it is hollow.
-        radius_m: f64,
-        /// Angle of its axis from x \[rad\].
-        axis_rad: f64,
-    },
-    /// The surface of a mesh, in its chart.
-    Mesh {
-        /// Area of the surface.
-        area_m2: f64,
-        /// Number of triangles of the chart.
-        triangles: usize,
-        /// Least radius of its bulges; `None` if it has none.
-        #[serde(default)]
-        bulge_radius_m: Option<f64>,
-        /// Least radius of its hollows; `None` if it has none.
-        #[serde(default)]
-        hollow_radius_m: Option<f64>,
-        /// Largest stretch of a triangle of the chart.
-        stretch: f64,
-    },
-}
-
-impl ShapeRecord {
-    /// Returns the record of a curved surface; `None` for a plane.
-    pub fn from_curved(shape: &SurfaceShape) -> Option<Self> {
-        (!shape.is_plane()).then(|| shape.into())
-    }
-}
-
-impl From<&SurfaceShape> for ShapeRecord {
-    fn from(shape: &SurfaceShape) -> Self {
-        match shape {
-            SurfaceShape::Plane => Self::Plane,
-            &SurfaceShape::Cylinder { radius, axis } => Self::Cylinder {
-                radius_m: radius,
-                axis_rad: axis,
-            },
-            SurfaceShape::Mesh(mesh) => {
-                let radii = shape.least_radii();
-                let told = |radius: f64| (radius < TOLD_RADIUS).then_some(radius);
-                Self::Mesh {
-                    area_m2: mesh.sheet().area(),
-                    triangles: mesh.sheet().triangle_count(),
-                    bulge_radius_m: told(radii.bulge),
-                    hollow_radius_m: told(radii.hollow),
-                    stretch: mesh.sheet().stretch().most,
-                }
-            }
-        }
-    }
-}
-
-impl fmt::Display for ShapeRecord {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Plane => f.write_str("plane"),
-            Self::Cylinder { radius_m, axis_rad } => write!(
-                f,
-                "cylinder of radius {radius_m} m with its axis at {axis_rad} rad"
-            ),
-            Self::Mesh {
-                area_m2,
-                triangles,
-                bulge_radius_m,
-                hollow_radius_m,
-                stretch,
-            } => {
-                write!(f, "mesh of {area_m2:.3} m2 in {triangles} triangles")?;
-                for (name, radius) in [("bulges", bulge_radius_m), ("hollows", hollow_radius_m)] {
-                    if let Some(radius) = radius {
-                        write!(f, ", {name} of at least {radius:.2} m radius")?;
-                    }
-                }
-                write!(
-                    f,
-                    ", unrolled with a stretch of up to {:.1} %",
-                    100.0 * stretch
-                )
-            }
-        }
-    }
-}
-
-/// Contact of an upright tool with a surface that bends, at nominal force.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct BendContactRecord {
-    /// Least share of the footprint that touches, over all yaws.
-    pub touched_share_least: f64,
-    /// Largest share of the footprint that touches, over all yaws.
-    pub touched_share_most: f64,
-    /// Least pressure over the nominal one; 0 where the tool does not touch.
-    pub pressure_least: f64,
-    /// Largest pressure over the nominal one.
-    pub pressure_most: f64,
-    /// Length across the bend of the longest rectangular tool that would touch everywhere.
-    pub fitting_length_m: f64,
-    /// Compression at nominal force that is assumed.
-    pub compression_m: f64,
-}
-
-impl BendContactRecord {
-    /// Makes the record for the tool of a task; `None` on a plane, and for a tool that hovers.
-    pub fn new(task: &Task) -> Option<Self> {
-        BendContact::from_task(task).map(|contact| Self {
-            touched_share_least: contact.touched_share[0],
-            touched_share_most: contact.touched_share[1],
-            pressure_least: contact.pressure[0],
-            pressure_most: contact.pressure[1],
-            fitting_length_m: contact.fitting_length,
-            compression_m: contact.compression,
-        })
-    }
-
-    /// Returns the contact of the record.
-    pub fn contact(&self) -> BendContact {
-        BendContact {
-            touched_share: [self.touched_share_least, self.touched_share_most],
-            pressure: [self.pressure_least, self.pressure_most],
-            fitting_length: self.fitting_length_m,
-            compression: self.compression_m,
-        }
-    }
 }
 
 /// A pose in space: position \[m\] and orientation.

@@ -1,6 +1,6 @@
 //! The part of a footprint that acts on a surface that bends: where the tool presses hard enough.
 
-use super::{ElasticFoundation, LocalPressure, Surface, SurfaceShape};
+use super::{ElasticFoundation, LocalPressure, Surface, SurfaceShape, principal_curvatures};
 use crate::geometry::{Edge, Point2, Polygon, Region, Vector2};
 use nalgebra::Matrix2;
 use std::f64::consts::PI;
@@ -153,12 +153,8 @@ fn radius_at_every_yaw(foundation: &ElasticFoundation, bend: &Matrix2<f64>, leas
     if under_all >= least {
         return f64::INFINITY;
     }
-    let (half, spread) = (
-        0.5 * bend.trace(),
-        libm::hypot(bend[(0, 1)], 0.5 * (bend[(0, 0)] - bend[(1, 1)])),
-    );
     // f′ is least in the direction of the largest curvature: m − κ r²/2δ ≥ least.
-    let curvature = half + spread;
+    let [curvature, _] = principal_curvatures(bend);
     if curvature > 0.0 && middle > least {
         libm::sqrt(2.0 * (middle - least) * foundation.compression() / curvature)
     } else {

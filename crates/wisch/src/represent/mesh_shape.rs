@@ -95,12 +95,14 @@ impl MeshShape {
     pub(super) fn turn_between(&self, from: Point2, to: Point2) -> f64 {
         let along = to - from;
         let parts = (along.norm() / TURN_STEP).ceil().max(1.0) as usize;
-        let normal = |i: usize| {
-            self.sheet
-                .extend(from + along * (i as f64 / parts as f64))
-                .normal
-        };
-        (0..parts).map(|i| angle(&normal(i), &normal(i + 1))).sum()
+        let place = |i: usize| from + along * (i as f64 / parts as f64);
+        let normals: Vec<Vector3> = (0..=parts)
+            .map(|i| self.sheet.extend(place(i)).normal)
+            .collect();
+        normals
+            .windows(2)
+            .map(|pair| angle(&pair[0], &pair[1]))
+            .sum()
     }
 }
 

@@ -181,7 +181,7 @@ fn no_curved_surface_is_read_as_a_plane_without_a_word() {
 
 /// Logs of slow loggers: contacts are 10 to 40 mm apart.
 #[test]
-fn a_sparse_log_of_a_cylinder_raises_a_doubt_and_that_of_a_plane_none() {
+fn a_sparse_log_raises_a_doubt_on_a_cylinder_but_not_on_a_plane() {
     for rate in [20.0, 10.0, 5.0] {
         let sparse = |relief| {
             read(&ReliefWipe {

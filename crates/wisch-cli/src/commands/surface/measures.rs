@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 use wisch::geometry::{Point3, Sheet, Vector3};
-use wisch::represent::find_needed_compression;
+use wisch::represent::{find_needed_compression, principal_curvatures};
 
 /// A value and where on the mesh it occurs.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
@@ -88,13 +88,4 @@ impl Measures {
             needed_compression: needed,
         }
     }
-}
-
-/// Returns the principal curvatures [1/m], the larger first.
-pub(super) fn principal_curvatures(bend: &nalgebra::Matrix2<f64>) -> [f64; 2] {
-    let mean = 0.5 * bend.trace();
-    let half = 0.5 * (bend[(0, 0)] - bend[(1, 1)]);
-    let twist = 0.5 * (bend[(0, 1)] + bend[(1, 0)]);
-    let radius = (half * half + twist * twist).sqrt();
-    [mean + radius, mean - radius]
 }
