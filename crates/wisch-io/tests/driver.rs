@@ -199,6 +199,12 @@ fn a_driver_that_cannot_prepare_moves_nothing_and_one_that_cannot_finish_is_name
     );
     assert_eq!(failure, None);
     assert_eq!(words[words.len() - 2..], ["stop", "finish"]);
+
+    // What it still says of the motion is no reason to give up, and it has time to hand the robot back.
+    let late = "if word == \"execute\": say(nonsense=1)\nif word == \"finish\":\n    print(\"no message\", flush=True)\n    say(observation=None)\n    import time\n    time.sleep(0.8)\n    open(HEARD, \"a\").write(\"handed back\\n\")";
+    let (_, failure, words) = run(late);
+    assert_eq!(failure, None);
+    assert_eq!(words[words.len() - 2..], ["finish", "handed back"]);
 }
 
 #[test]

@@ -8,8 +8,8 @@ use pyo3::exceptions::PyKeyboardInterrupt;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyMapping};
 use scoped_tls_hkt::scoped_thread_local;
-use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
+use std::sync::atomic::{AtomicU64, Ordering};
+use std::sync::{Arc, Mutex, PoisonError};
 use std::time::Duration;
 use wisch::follow::Workcell;
 use wisch::represent::{Observation, Surface, SurfaceShape, Task};
@@ -53,8 +53,32 @@ pub struct PyExecutor<'py> {
     pub raised: Option<PyErr>,
     /// The robot and the tool's name, which `prepare` describes.
     pub robot: Option<(Arc<Robot>, String)>,
-    /// Whether it is prepared and has to finish; the session keeps this between calls.
-    pub is_prepared: Arc<AtomicBool>,
+    /// What is prepared and has to finish; the session keeps this between calls.
+    pub prepared: PreparedExecutor,
+}
+
+/// The executor that is prepared for motions, with its timeout.
+pub type PreparedExecutor = Arc<Mutex<Option<(Py<PyAny>, Option<Duration>)>>>;
+
+/// Calls `finish()` of the prepared executor, once, if there is one.
+pub fn finish_prepared(py: Python<'_>, prepared: &PreparedExecutor) -> PyResult<()> {
+    let taken = prepared
+        .lock()
+        .unwrap_or_else(PoisonError::into_inner)
+        .take();
+    let Some((object, timeout)) = taken else {
+        return Ok(());
+    };
+    let Ok(finish) = object.bind(py).getattr("finish") else {
+        return Ok(());
+    };
+    let watchdog = Watchdog::begin(py, timeout)?;
+    let returned = finish.call0();
+    match watchdog {
+        Some(watchdog) => watchdog.end(py, returned, "did not return from finish()"),
+        None => returned,
+    }?;
+    Ok(())
 }
 
 /// Samples of one motion.
@@ -135,24 +159,6 @@ impl PyExecutor<'_> {
         Ok(())
     }
 
-    /// Calls `finish()` of a prepared executor, once, if there is one.
-    pub fn call_finish(&self) -> PyResult<()> {
-        if !self.is_prepared.swap(false, Ordering::SeqCst) {
-            return Ok(());
-        }
-        let Ok(finish) = self.object.getattr("finish") else {
-            return Ok(());
-        };
-        let py = self.object.py();
-        let watchdog = Watchdog::begin(py, self.timeout)?;
-        let returned = finish.call0();
-        match watchdog {
-            Some(watchdog) => watchdog.end(py, returned, "did not return from finish()"),
-            None => returned,
-        }?;
-        Ok(())
-    }
-
     /// Returns its observation, if it arrives in time; `None` without a camera.
     pub fn call_observe(&self) -> PyResult<Option<Observation>> {
         let py = self.object.py();
@@ -170,13 +176,15 @@ impl Executor for PyExecutor<'_> {
         if let Err(error) = self.call_prepare(cell) {
             return self.raise(error);
         }
-        self.is_prepared.store(true, Ordering::SeqCst);
+        let object = self.object.clone().unbind();
+        let mut prepared = self.prepared.lock().unwrap_or_else(PoisonError::into_inner);
+        *prepared = Some((object, self.timeout));
         Ok(())
     }
 
     fn finish(&mut self) -> Result<(), ExecutorError> {
         // The session's own error is raised; this one is a warning.
-        self.call_finish().map_err(ExecutorError::new)
+        finish_prepared(self.object.py(), &self.prepared).map_err(ExecutorError::new)
     }
 
     fn execute(

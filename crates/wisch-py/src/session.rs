@@ -6,7 +6,7 @@
 
 use crate::arrays::{self, Matrix};
 use crate::error::{of_record, of_run, plain, refused};
-use crate::executor::PyExecutor;
+use crate::executor::{PreparedExecutor, PyExecutor, finish_prepared};
 use crate::motion::PyMotion;
 use crate::pictures;
 use crate::plan::PyPlan;
@@ -70,8 +70,8 @@ pub struct PySession {
     kept: Mutex<Option<StoredResults>>,
     /// Class of the last executor.
     executor: Mutex<Option<String>>,
-    /// Whether the executor is prepared for motions.
-    is_prepared: Arc<AtomicBool>,
+    /// The executor that is prepared for motions.
+    prepared: PreparedExecutor,
 }
 
 /// Stored results of a session.
@@ -212,7 +212,7 @@ impl PySession {
             record: Arc::new(Mutex::new(record)),
             kept: Mutex::default(),
             executor: Mutex::default(),
-            is_prepared: Arc::default(),
+            prepared: Arc::default(),
         }
     }
 
@@ -281,18 +281,26 @@ impl PySession {
         if let Some(executor) = &mut call.executor {
             let tool = self.task.task.tool.name.clone();
             executor.robot = self.robot.clone().map(|robot| (robot, tool));
-            executor.is_prepared = Arc::clone(&self.is_prepared);
+            executor.prepared = Arc::clone(&self.prepared);
+            let held = lock(&self.prepared);
+            let is_other = held
+                .as_ref()
+                .is_some_and(|(object, _)| !executor.object.is(object));
+            drop(held);
+            if is_other {
+                self.finish_held(py)?;
+            }
         }
-        if !self.is_prepared.load(Ordering::SeqCst) {
+        if lock(&self.prepared).is_none() {
             // After an interruption the executor has finished, which the session does not know.
             let mut wiping = self.lock(py)?;
             wiping.with_dependent_mut(|_, session| session.finish_executor(&mut NoExecutor));
         }
         let run = self.run_stages(py, until, &mut call);
-        self.finish_executor(py, run.is_err(), call.executor.as_ref())?;
+        let warned = self.finish_executor(py, run.is_err());
         // An interrupted stage may still be running on its thread; nobody waits for it here.
         if *lock(&self.stage) != Some(Stage::Ended) {
-            return run;
+            return run.and(warned);
         }
         let kept = self.finish_record(py);
         if let (Err(_), Err(lost)) = (&run, &kept) {
@@ -301,7 +309,7 @@ impl PySession {
             let mut kept = lock(&self.kept);
             kept.get_or_insert_default().remarks.push(text);
         }
-        run.and(kept)
+        run.and(kept).and(warned)
     }
 
     /// Writes the session's results so far, once.
@@ -351,29 +359,24 @@ impl PySession {
     }
 
     /// Lets the executor of an interrupted session finish, and warns if an executor could not.
-    fn finish_executor(
-        &self,
-        py: Python<'_>,
-        is_interrupted: bool,
-        executor: Option<&PyExecutor<'_>>,
-    ) -> PyResult<()> {
+    fn finish_executor(&self, py: Python<'_>, is_interrupted: bool) -> PyResult<()> {
         let mut failure = None;
-        if let Some(executor) = executor.filter(|_| is_interrupted) {
-            failure = executor.call_finish().err().map(|error| error.to_string());
+        if is_interrupted {
+            let finished = finish_prepared(py, &self.prepared);
+            failure = finished.err().map(|error| error.to_string());
         }
         if *lock(&self.stage) == Some(Stage::Ended) {
             let wiping = self.lock(py)?;
             let of_session = wiping.borrow_dependent().finish_failure();
             failure = failure.or(of_session.map(ToString::to_string));
         }
-        let Some(failure) = failure else {
-            return Ok(());
-        };
-        let text = format!("the robot is not handed back, because finish() failed: {failure}");
-        let category = py.get_type::<PyRuntimeWarning>();
-        py.import("warnings")?
-            .call_method1("warn", (text, category))?;
-        Ok(())
+        failure.map_or(Ok(()), |failure| warn_unfinished(py, &failure))
+    }
+
+    /// Lets the prepared executor finish although the session may go on, and warns if it could not.
+    fn finish_held(&self, py: Python<'_>) -> PyResult<()> {
+        let finished = finish_prepared(py, &self.prepared);
+        finished.or_else(|error| warn_unfinished(py, &error.to_string()))
     }
 
     fn run_stages(&self, py: Python<'_>, until: Stage, call: &mut Call<'_>) -> PyResult<()> {
@@ -473,7 +476,7 @@ impl PySession {
                 Some(Ok(Request::Finish)) => {
                     let finished = match &mut call.executor {
                         Some(executor) => executor.finish(),
-                        None => Ok(()),
+                        None => finish_prepared(py, &self.prepared).map_err(ExecutorError::new),
                     };
                     let _ = answer.send(Reply::Finished(finished));
                 }
@@ -579,7 +582,7 @@ fn call<'py>(
             timeout,
             raised: None,
             robot: None,
-            is_prepared: Arc::default(),
+            prepared: Arc::default(),
         }),
         on_event,
     })
@@ -727,10 +730,12 @@ impl PySession {
         })
     }
 
-    /// Writes the session's results, unless they are written; the end of a session does this by itself.
+    /// Writes the session's results, unless they are written, and lets a prepared executor finish; the end of a session does
+    /// both by itself.
     fn close(&self, py: Python<'_>) -> PyResult<()> {
         let _running = self.begin()?;
-        self.finish_record(py)
+        let finished = self.finish_held(py);
+        self.finish_record(py).and(finished)
     }
 
     fn __enter__(slf: Py<Self>) -> Py<Self> {
@@ -774,4 +779,13 @@ impl PySession {
         let stage = self.stage().unwrap_or("new");
         format!("<wisch.Session of {:?}: {stage}>", self.task.task.name)
     }
+}
+
+/// Warns that an executor did not finish.
+fn warn_unfinished(py: Python<'_>, failure: &str) -> PyResult<()> {
+    let text = format!("the robot is not handed back, because finish() failed: {failure}");
+    let category = py.get_type::<PyRuntimeWarning>();
+    py.import("warnings")?
+        .call_method1("warn", (text, category))?;
+    Ok(())
 }

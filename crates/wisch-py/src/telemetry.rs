@@ -111,10 +111,22 @@ impl PyTelemetry {
 
     fn qualities(&self, py: Python<'_>) -> PyResult<Vec<WrenchQuality>> {
         let numbers = self.wrench_quality.bind(py).to_vec().map_err(plain)?;
-        let quality = |number: u8| WrenchQuality::ALL.get(usize::from(number)).copied();
-        Ok((numbers.into_iter())
-            .map(|number| quality(number).unwrap_or_default())
-            .collect())
+        let samples = self.time_s.bind(py).len()?;
+        if numbers.len() != samples {
+            return Err(refused("length of wrench_quality", numbers.len(), samples));
+        }
+        let last = WrenchQuality::ALL.len() - 1;
+        let quality = |(k, number): (usize, u8)| {
+            let known = WrenchQuality::ALL.get(usize::from(number)).copied();
+            known.ok_or_else(|| {
+                refused(
+                    &format!("wrench_quality[{k}]"),
+                    number,
+                    format!("0 to {last}"),
+                )
+            })
+        };
+        numbers.into_iter().enumerate().map(quality).collect()
     }
 
     /// Calls back with the samples of a motion.
@@ -156,7 +168,7 @@ impl PyTelemetry {
                 motion,
                 phase: phase.unwrap_or(Phase::FreeMotion),
                 status: SampleStatus {
-                    wrench: qualities.get(k).copied().unwrap_or_default(),
+                    wrench: qualities[k],
                     ..SampleStatus::default()
                 },
             };

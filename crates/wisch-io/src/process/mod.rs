@@ -75,7 +75,7 @@ pub struct ProcessExecutor {
     ready: ReadyRecord,
     /// Whether it violated the protocol or is abandoned.
     is_faulty: bool,
-    /// Whether it has received a stop for its last motion.
+    /// Whether its last motion has ended, or it has received a stop for it.
     was_stopped: bool,
     /// Whether it has received `prepare` and no `finish` yet.
     is_prepared: bool,
@@ -112,8 +112,10 @@ enum Heeds {
     Nothing,
     /// A request to stop.
     Interruption,
-    /// A request to stop, to pause or to continue.
-    Operator,
+    /// A request to stop, or another wish than the child has received: to pause, or to continue.
+    Operator {
+        paused: bool,
+    },
 }
 
 /// The reason why no message arrived.
@@ -155,7 +157,7 @@ impl ProcessExecutor {
             pause: options.pause,
             ready: ReadyRecord::default(),
             is_faulty: false,
-            was_stopped: false,
+            was_stopped: true,
             is_prepared: false,
         };
         executor.say(&ToChild::Hello {
@@ -220,9 +222,9 @@ impl ProcessExecutor {
         heeds: Heeds,
     ) -> Result<Result<FromChild, Unheard>, ExecutorError> {
         let (stop, pause) = (Arc::clone(&self.stop), Arc::clone(&self.pause));
-        let was_wanted = pause.is_wanted();
         let is_stopped = || heeds != Heeds::Nothing && stop.load(Ordering::SeqCst);
-        let is_paused = || heeds == Heeds::Operator && pause.is_wanted() != was_wanted;
+        let is_paused =
+            || matches!(heeds, Heeds::Operator { paused } if pause.is_wanted() != paused);
         let goes_on = || !(is_stopped() || is_paused());
         let line = match self.child.hear(deadline, goes_on) {
             Heard::Line(line) => line,
@@ -311,14 +313,13 @@ impl Executor for ProcessExecutor {
             self.silence
         };
         let deadline = Instant::now() + limit;
-        loop {
-            match self.hear(deadline, Heeds::Nothing)? {
-                Ok(FromChild::Finished) => return Ok(()),
-                // The rest of a motion that was broken off.
-                Ok(FromChild::Sample(_) | FromChild::Done(_)) if self.is_faulty => {}
-                Ok(other) => return Err(self.unexpected("\"finished\"", &other)),
-                Err(_) => return Err(self.silent(limit)),
-            }
+        if self.is_faulty || self.is_interrupted() {
+            return self.hear_finished(deadline, limit);
+        }
+        match self.hear(deadline, Heeds::Nothing)? {
+            Ok(FromChild::Finished) => Ok(()),
+            Ok(other) => Err(self.unexpected("\"finished\"", &other)),
+            Err(_) => Err(self.silent(limit)),
         }
     }
 
@@ -335,7 +336,19 @@ impl Executor for ProcessExecutor {
         let intake = Intake::new(order, sink).with_stamp_clock(clock);
         self.was_stopped = false;
         self.order(order)?;
-        let executed = self.receive(intake);
+        let dropped_before = self.child.backlog().dropped_count();
+        let executed = self.receive(intake, dropped_before).map_err(|error| {
+            // The result that would state them is lost.
+            match self.child.backlog().dropped_count() - dropped_before {
+                0 => error,
+                dropped => {
+                    ExecutorError::new(format!("{error}; {dropped} samples had been dropped"))
+                }
+            }
+        });
+        if executed.is_ok() {
+            self.was_stopped = true;
+        }
         // A robot whose driver failed must not go on while its data are interpreted.
         if executed.is_err() && !self.was_stopped {
             self.was_stopped = true;
@@ -392,6 +405,21 @@ impl ProcessExecutor {
         )))
     }
 
+    /// Waits for "finished" after a fault or an interruption; what the child still says of what was broken off is ignored.
+    fn hear_finished(&mut self, deadline: Instant, limit: Duration) -> Result<(), ExecutorError> {
+        loop {
+            match self.child.hear(deadline, || true) {
+                Heard::Line(line) => match serde_json::from_str(&line) {
+                    Ok(FromChild::Finished) => return Ok(()),
+                    Ok(FromChild::Error(problem)) => return Err(self.fault(problem)),
+                    _ => {}
+                },
+                Heard::Over(problem) => return Err(self.fault(problem)),
+                Heard::Nothing => return Err(self.silent(limit)),
+            }
+        }
+    }
+
     /// Stops a robot that may still be moving after a fault or an interruption.
     fn stop_after_fault(&mut self) {
         if (self.is_faulty || self.is_interrupted()) && !self.was_stopped {
@@ -412,11 +440,14 @@ impl ProcessExecutor {
     }
 
     /// Receives the samples of a motion until its end.
-    fn receive(&mut self, mut intake: Intake<'_>) -> Result<Execution, ExecutorError> {
+    fn receive(
+        &mut self,
+        mut intake: Intake<'_>,
+        dropped_before: usize,
+    ) -> Result<Execution, ExecutorError> {
         let silence = (self.ready.max_silence_s).map_or(self.silence, |seconds| {
             self.silence.min(Duration::from_secs_f64(seconds))
         });
-        let dropped_before = self.child.backlog().dropped_count();
         let mut progress = Progress::begin();
         loop {
             if progress.told.is_none() && (intake.is_stopped() || self.is_interrupted()) {
@@ -427,7 +458,10 @@ impl ProcessExecutor {
             self.ask_for_pause(&mut progress, &intake)?;
             let deadline = progress.deadline(silence, self.silence);
             let heeds = match progress.told {
-                None => Heeds::Operator,
+                None if self.ready.pauses => Heeds::Operator {
+                    paused: progress.asked.is_some(),
+                },
+                None => Heeds::Interruption,
                 Some(_) => Heeds::Nothing,
             };
             match self.hear(deadline, heeds)? {
@@ -442,6 +476,10 @@ impl ProcessExecutor {
                 Ok(FromChild::Resumed(resumed)) => {
                     intake.resume(resumed).map_err(|e| self.fault(e))?;
                     progress.resume(&intake);
+                    // Who continues at the robot ends the operator's pause.
+                    if progress.asked.take().is_some() {
+                        self.pause.end();
+                    }
                 }
                 Ok(FromChild::Done(done)) => {
                     let dropped = self.child.backlog().dropped_count() - dropped_before;
@@ -495,7 +533,8 @@ impl Drop for ProcessExecutor {
     fn drop(&mut self) {
         self.stop_after_fault();
         let _ = self.finish();
-        self.child.end(if self.is_faulty {
+        // A driver that prepares may be handing the robot back.
+        self.child.end(if self.is_faulty && !self.ready.prepares {
             FAREWELL_AFTER_FAULT
         } else {
             FAREWELL

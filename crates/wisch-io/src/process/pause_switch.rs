@@ -20,6 +20,11 @@ impl PauseSwitch {
         !self.is_wanted.fetch_xor(true, Ordering::SeqCst)
     }
 
+    /// Ends the pause that is wanted, if one is.
+    pub(super) fn end(&self) {
+        self.is_wanted.store(false, Ordering::SeqCst);
+    }
+
     /// Whether a pause is wanted.
     pub fn is_wanted(&self) -> bool {
         self.is_wanted.load(Ordering::SeqCst)

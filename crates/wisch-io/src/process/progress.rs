@@ -73,7 +73,11 @@ impl Progress {
         match self.told {
             Some(told) => told + patience,
             None if self.is_paused => Instant::now() + patience,
-            None => (self.heard + silence).min(self.at + patience + PROGRESS_ALLOWANCE),
+            None => {
+                let until = (self.heard + silence).min(self.at + patience + PROGRESS_ALLOWANCE);
+                // Whether it pauses is checked in time, too.
+                (self.asked).map_or(until, |asked| until.min(asked + super::PAUSE_LIMIT))
+            }
         }
     }
 

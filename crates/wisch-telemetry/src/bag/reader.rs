@@ -195,6 +195,8 @@ impl<'a> BagReader<'a> {
             ));
         }
         let wrenches: Track<Vector3> = wrench.into_track(clock, shift, window, &mut remarks)?;
+        let mut qualities = self.qualities;
+        qualities.sort_by_key(|(time, _)| *time);
         Ok(RawLog {
             poses,
             wrenches,
@@ -207,7 +209,7 @@ impl<'a> BagReader<'a> {
             task: self.task,
             round: self.round,
             looks: self.looks.finish(),
-            qualities: self.qualities,
+            qualities,
             remarks,
         })
     }

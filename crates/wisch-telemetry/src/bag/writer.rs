@@ -35,6 +35,8 @@ const CHUNK_LEN: u64 = 1 << 20;
 const TF_PERIOD: u64 = NANOSECONDS_PER_SECOND / 50;
 /// Least time between two messages with the robot's links on `/tf`, and of `/force` [ns]: 25 Hz.
 const SHOW_PERIOD: u64 = NANOSECONDS_PER_SECOND / 25;
+/// Time after which the status of samples is stated again [ns].
+const STATUS_PERIOD: u64 = NANOSECONDS_PER_SECOND;
 /// Least time between two messages of `/particles` [ns].
 const PARTICLES_PERIOD: u64 = NANOSECONDS_PER_SECOND / 2;
 /// Side of a drawn particle [m].
@@ -159,6 +161,7 @@ pub struct BagWriter {
     /// Shape of the surface in the scene.
     shape: SurfaceShape,
     last_shown: Option<u64>,
+    last_status: Option<u64>,
     /// Whether the last message of `/force` draws an arrow.
     force_drawn: bool,
     phase: Option<Phase>,
@@ -219,6 +222,7 @@ impl BagWriter {
             links: LinkFrames::default(),
             shape: SurfaceShape::default(),
             last_shown: None,
+            last_status: None,
             force_drawn: false,
             phase: None,
             status: SampleStatus::default(),
@@ -428,10 +432,14 @@ impl BagWriter {
             stamp: None,
             ..status
         };
-        if status == self.status {
+        // Repeated, so that a part that is cut from the bag states it too.
+        let is_repeated =
+            self.last_status.is_some() && is_due(self.last_status, time, STATUS_PERIOD);
+        if status == self.status && !is_repeated {
             return Ok(());
         }
         self.status = status;
+        self.last_status = Some(time);
         let text = to_text(&status);
         self.put(Topic::Status, time, &Text { data: &text })
     }

@@ -11,6 +11,8 @@ const CONTACT_SHARE: f64 = 0.2;
 const WITHOUT_CONTACT: f64 = 2.0;
 /// Time off its path after which the tool counts as led away [s].
 const LED_FOR: f64 = 0.3;
+/// Longest time between two samples over which the tool's travel counts [s].
+const LONGEST_GAP: f64 = 0.1;
 
 /// Why a round ended during a stroke.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
@@ -36,7 +38,8 @@ pub(super) struct StrokeWatch {
     /// Force below which there is no contact [N]; 0 for a tool that hovers.
     least_force: f64,
     radius: f64,
-    last: Option<(usize, Point2)>,
+    /// Stroke, place and time of the last sample.
+    last: Option<(usize, Point2, f64)>,
     without_contact: f64,
     led_since: Option<f64>,
 }
@@ -67,11 +70,19 @@ impl StrokeWatch {
         let in_chart = |pose: &Pose| self.surface.chart_from_tool(pose).translation.vector.xy();
         let at = Point2::from(in_chart(&sample.world_from_tool));
         let wanted = Point2::from(in_chart(&sample.world_from_commanded));
-        let way = match self.last.replace((stroke, at)) {
-            Some((last, before)) if last == stroke => (at - before).norm(),
+        let way = match self.last.replace((stroke, at, sample.time)) {
+            Some((last, before, since)) if last == stroke => {
+                if sample.time - since <= LONGEST_GAP {
+                    (at - before).norm()
+                } else {
+                    // What the tool did meanwhile is unknown.
+                    self.led_since = None;
+                    0.0
+                }
+            }
             _ => {
                 self.reset();
-                self.last = Some((stroke, at));
+                self.last = Some((stroke, at, sample.time));
                 0.0
             }
         };
@@ -133,6 +144,10 @@ mod tests {
         (0..3000).find_map(|i| {
             let time = f64::from(i) * 1e-3;
             let (pressed, off) = touch(time);
+            // Samples that do not show what the tool does are not checked.
+            if pressed.is_nan() {
+                return None;
+            }
             let pose = Pose::translation(0.1 * time, off, 0.0);
             let end = watch.check(&TelemetrySample {
                 time,
@@ -172,6 +187,20 @@ mod tests {
         .expect("it is ended");
         assert!((time - 2.0).abs() < 0.01, "{time} s");
         assert!(matches!(end, StrokeEnd::ContactLost { way } if (way - 0.1).abs() < 1e-3));
+        // Travel without evidence is no travel without contact; that with evidence now and then is.
+        let unseen = |time: f64| if time < 2.9 { f64::NAN } else { 0.5 };
+        let seen = |time: f64| if time < 0.1 { 10.0 } else { unseen(time) };
+        assert_eq!(ended(Phase::Wipe(0), |time| (seen(time), 0.0)), None);
+        let every_20_ms = |time: f64| {
+            if (1e3 * time).round() % 20.0 == 0.0 {
+                0.5
+            } else {
+                f64::NAN
+            }
+        };
+        let (time, _) =
+            ended(Phase::Wipe(0), |time| (every_20_ms(time), 0.0)).expect("it is ended");
+        assert!((time - 1.0).abs() < 0.05, "{time} s");
         // In the air the tool presses on nothing.
         assert_eq!(ended(Phase::Lifted, |_| (0.0, 0.0)), None);
     }
