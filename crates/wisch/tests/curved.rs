@@ -685,6 +685,18 @@ fn the_mesh_of_a_cylinder_is_that_cylinder() {
             let bend = meshed.surface.shape.bend(place) - rolled.surface.shape.bend(place);
             assert!(bend.norm() < 0.1 / radius.abs(), "{radius} {place}: {bend}");
         }
+        // A camera along the axis of the surface's frame sees the same places.
+        for place in [[0.1, 0.05], [-0.11, 0.0], [0.02, -0.07]].map(Point2::from) {
+            let below = meshed
+                .surface
+                .shape
+                .place(place, 0.0)
+                .translation
+                .vector
+                .xy();
+            let seen = meshed.surface.shape.place_below(below.into()).unwrap();
+            assert!((seen - place).norm() < 1e-6, "{radius} {place}: {seen}");
+        }
         // Beyond the border, it goes on straight.
         let beyond = Point2::new(0.14, 0.0);
         let [found, wanted] =

@@ -323,10 +323,15 @@ fn surface(task: &Task) -> String {
         "{}, {size}{:.3} m2{shape}, at ({:.3}, {:.3}, {:.3}) m in the world; {edges}",
         task.surface.name,
         outline.area(),
-        at.x,
-        at.y,
-        at.z
+        positive_zero(at.x),
+        positive_zero(at.y),
+        positive_zero(at.z)
     )
+}
+
+/// Returns a number that prints without the sign of a zero, to a millimetre.
+fn positive_zero(number: f64) -> f64 {
+    if number.abs() < 5e-4 { 0.0 } else { number }
 }
 
 /// Describes the effect of the surface's slope on the dirt, or returns `None` if the slope is below the tool's friction.

@@ -5,8 +5,8 @@ use std::fmt;
 use wisch::plan::BendContact;
 use wisch::represent::{SurfaceShape, Task};
 
-/// Radius from which a bend counts as none [m].
-const TOLD_RADIUS: f64 = 100.0;
+/// Radius from which a bend of a mesh counts as none [m]: under a tool of 10 cm, it is 0.06 mm deep.
+const TOLD_RADIUS: f64 = 20.0;
 
 /// The shape onto which the chart of a surface is rolled, so that it touches the xy plane of the surface frame at the origin.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]

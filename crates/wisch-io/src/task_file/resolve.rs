@@ -309,6 +309,40 @@ fn rounded(number: f64) -> f64 {
     format!("{number:.4e}").parse().unwrap_or(number)
 }
 
+/// Returns remarks on what of a mesh is the surface: the part that was taken, and a surface smaller than the tool.
+pub(crate) fn surface_remarks(task: &Task) -> Vec<String> {
+    let SurfaceShape::Mesh(mesh) = &task.surface.shape else {
+        return Vec::new();
+    };
+    let (name, survey) = (&task.surface.name, mesh.sheet().survey());
+    let mut remarks = Vec::new();
+    let all: f64 = survey.part_areas.iter().sum();
+    let parts = survey.part_areas.len();
+    if parts > 1 {
+        let taken = survey.part_areas[survey.taken_part];
+        remarks.push(format!(
+            "surface {name:?} is 1 of {parts} parts of its mesh, {taken:.3} of {all:.3} m2; surface.mesh.seed_point_m takes another part, and the rest is no obstacle"
+        ));
+    }
+    if survey.side_triangles < survey.part_triangles {
+        remarks.push(format!(
+            "surface {name:?} is the side of its mesh that faces the tool, {:.3} of {all:.3} m2; the rest is no obstacle",
+            mesh.sheet().area()
+        ));
+    }
+    let size = |bounds: Option<Bounds2>| bounds.map_or(0.0, |bounds| bounds.size().max());
+    let surface = size(Bounds2::from_points(
+        task.surface.outline.outer().iter().copied(),
+    ));
+    let tool = size(task.tool.footprint.bounds());
+    if surface < tool {
+        remarks.push(format!(
+            "surface {name:?} is {surface:.4} m long, less than the tool with {tool:.4} m: check its scale"
+        ));
+    }
+    remarks
+}
+
 /// Returns remarks on scene meshes that are probably in other units: objects much longer than the surface.
 pub(crate) fn unit_remarks(task: &Task) -> Vec<String> {
     let bounds = Bounds2::from_points(task.surface.outline.outer().iter().copied());

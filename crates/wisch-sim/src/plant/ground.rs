@@ -4,17 +4,20 @@
 //! over the slab enters the pressure.
 
 use super::held_tool::HeldTool;
-use super::{Plant, to_engine};
+use super::shapes::prism;
+use super::{Plant, SURFACE_THICKNESS, to_engine};
 use crate::camera::hull;
 use crate::{SimulationError, SimulationSettings};
 use nalgebra::{Matrix2, Translation3, UnitQuaternion};
 use rapier3d_f64::geometry::{SharedShape, TriMeshFlags};
-use wisch::geometry::{Bounds2, Edge, Point2, Pose, Vector2, Vector3};
+use wisch::geometry::{Bounds2, Edge, Point2, Polygon, Pose, Vector2, Vector3};
 use wisch::represent::{Surface, SurfaceShape, Task};
 
 /// Number of points along each side of the underside at which its springs are evaluated.
 const SPRINGS: usize = 16;
-/// Distance of a corner of the slab from the chord of its neighbours below which it is left out [m].
+/// Most corners of a slab that is one solid.
+const MOST_CORNERS: usize = 5;
+/// Distance of a corner of a larger slab from the chord of its neighbours below which it is left out [m].
 const LEAST_CORNER: f64 = 1e-3;
 /// Error of the mean compression that is left [m].
 const LEAST_EXCESS: f64 = 1e-12;
@@ -43,14 +46,24 @@ pub(super) fn facets(real: &Surface, thickness: f64) -> Result<SharedShape, Simu
         .map_err(|_| SimulationError::NoSurface)
 }
 
-/// Returns the corners of the convex slab that carries the plate [m]. The hull of a mesh's border has many corners that are
-/// nearly on a line, from which the engine makes no sound solid: those are left out.
-pub(super) fn slab_corners(real: &Surface) -> Vec<Point2> {
-    let outline = real.outline.outer().to_vec();
-    if !matches!(real.shape, SurfaceShape::Mesh(_)) {
-        return outline;
+/// Returns the slab that carries the plate, over the convex hull of the outline; `None` without an area.
+pub(super) fn slab(real: &Surface) -> Option<SharedShape> {
+    let outline = real.outline.outer();
+    if outline.len() <= MOST_CORNERS {
+        return prism(outline.iter().copied(), -SURFACE_THICKNESS, 0.0);
     }
-    let mut corners = hull(outline);
+    // The engine lets four corners of a solid's face carry at most: larger faces become triangles.
+    let corners = without_flat_corners(hull(outline.to_vec()));
+    let flat = Surface {
+        outline: Polygon::new(corners, Vec::new()),
+        shape: SurfaceShape::Plane,
+        ..real.clone()
+    };
+    facets(&flat, SURFACE_THICKNESS).ok()
+}
+
+/// Leaves out the corners of a convex ring that are nearly on a line, which make slivers.
+fn without_flat_corners(mut corners: Vec<Point2>) -> Vec<Point2> {
     while corners.len() > 4 {
         let count = corners.len();
         let off = |i: usize| {

@@ -15,7 +15,7 @@ pub(super) use held_tool::HeldTool;
 
 use self::compliance::{compliance, foam_springs, plate_thickness};
 use self::drives::{Coupling, Drives, Link, add_bodies};
-use self::ground::{BentContact, GroundUnderTool, facets, slab_corners};
+use self::ground::{BentContact, GroundUnderTool, facets, slab};
 use self::shapes::{add_scene, add_shapes, prism};
 use crate::{SimulationError, SimulationSettings, Waviness};
 use rapier3d_f64::dynamics::{
@@ -168,8 +168,7 @@ impl Plant {
             Some(plate),
         );
         let real = find_real_surface(task, settings);
-        let slab = prism(slab_corners(&real).into_iter(), -SURFACE_THICKNESS, 0.0);
-        let slab = slab.ok_or(SimulationError::NoSurface)?;
+        let slab = slab(&real).ok_or(SimulationError::NoSurface)?;
         let mut lay = |shape, meets| {
             world.insert_collider(
                 ColliderBuilder::new(shape)

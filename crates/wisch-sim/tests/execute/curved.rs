@@ -1,9 +1,9 @@
 //! A soft pad on a curved surface.
 
 use super::wiping::{Log, Wiping, as_believed, faults};
-use std::f64::consts::FRAC_PI_2;
+use std::f64::consts::{FRAC_PI_2, PI};
 use std::sync::Arc;
-use wisch::geometry::{Point2, Point3, SheetConfig, Vector3};
+use wisch::geometry::{Point2, Point3, Polygon, SheetConfig, Vector3};
 use wisch::represent::{Action, Fate, MeshShape, Mount, SensorModel, SurfaceShape};
 use wisch::run::Executor;
 use wisch_sim::{Camera, Dirt, SimulationSettings, WorkSurface, World};
@@ -90,6 +90,32 @@ fn a_wipe_over_a_mesh_presses_as_over_a_plane() {
     assert!(log.truth.contact_force.count() > 200);
     let lean = greatest_lean(&log, &wiping).to_degrees();
     assert!(lean < 2.0, "{lean}°");
+}
+
+/// The engine lets a face carry with four corners at most; the surface under the tool is divided.
+#[test]
+fn an_outline_of_many_corners_carries_the_tool_everywhere() {
+    // Around the board, so that the stroke stays within it.
+    let corner = |i: usize| {
+        let (sine, cosine) = (i as f64 * PI / 12.0).sin_cos();
+        Point2::new(0.3 * cosine, 0.3 * sine)
+    };
+    let round = Polygon::new((0..24).map(corner).collect(), vec![]);
+    for shape in [SurfaceShape::Plane, cylinder((0.5, FRAC_PI_2))] {
+        let mut task = board(Action::Absorb, [0.5, 0.0, 0.2]);
+        task.tool.mount = Some(Mount::Hand { lean: 0.8 });
+        task.scene.clear();
+        task.interaction.compression_depth_m = 0.01;
+        task.surface.shape = shape;
+        let mut wiping = Wiping::of_first_stroke(task);
+        wiping.task.surface.outline = round.clone();
+        let log = wiping.execute();
+        let found: Vec<String> = faults(&log)
+            .into_iter()
+            .filter(|fault| !fault.contains("from the plane"))
+            .collect();
+        assert_eq!(found, [] as [String; 0]);
+    }
 }
 
 /// Dirt beside the pad lies still, whatever the surface leans; what the middle of the pad goes over is taken up.

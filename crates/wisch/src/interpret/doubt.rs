@@ -225,7 +225,7 @@ impl fmt::Display for Doubt {
             ),
             Self::OffShape { off } => write!(
                 f,
-                "the contacts do not lie on the believed curved surface: a tenth of them is more than {:.1} mm off it, wherever it lies; check its radius and axis",
+                "the contacts do not lie on the believed curved surface: a tenth of them is more than {:.1} mm off it, wherever it lies; check its radius and axis, or its mesh",
                 1e3 * off
             ),
             Self::PressForceDiffers {

@@ -6,7 +6,7 @@ use crate::geometry::{Point2, Point3, Vector3};
 use nalgebra::Matrix3;
 use parry3d_f64::math::Vector;
 use parry3d_f64::query::{PointQueryWithLocation, Ray, RayCast};
-use parry3d_f64::shape::{FeatureId, TriMesh, TrianglePointLocation};
+use parry3d_f64::shape::{TriMesh, TrianglePointLocation};
 
 /// Tolerance of a place on an edge, in barycentric coordinates [1].
 const ON_EDGE: f64 = 1e-9;
@@ -192,11 +192,7 @@ impl FootFinder {
         let hit = self
             .tree
             .cast_local_ray_and_get_normal(&ray, f64::MAX, true)?;
-        let FeatureId::Face(face) = hit.feature else {
-            return None;
-        };
-        // The back of a triangle has the numbers after the last one.
-        let triangle = face as usize % surface.triangles.len();
+        let triangle = hit.subshape as usize;
         let point = Point3::new(at.x, at.y, top - hit.time_of_impact);
         let [a, b, c] = surface.corners(surface.triangles[triangle]);
         let normal = (b - a).cross(&(c - a));

@@ -80,8 +80,8 @@ impl GivenMesh {
         })
     }
 
-    /// Returns how a tool lies on the mesh.
-    pub fn measure(&self, surface_from_tool: &Frame) -> OffMesh {
+    /// Returns how a tool lies on the mesh. `is_beyond`: its centre is beyond the border.
+    pub fn measure(&self, surface_from_tool: &Frame, is_beyond: bool) -> OffMesh {
         let axis: Vector3 = surface_from_tool.rotation.column(2).into_owned();
         let nearest = |point: Vector3| {
             let at = Vector::new(point.x, point.y, point.z);
@@ -98,7 +98,16 @@ impl GivenMesh {
         } else {
             0.0
         };
-        let (distance, _) = nearest(surface_from_tool.origin);
+        let (distance, triangle) = nearest(surface_from_tool.origin);
+        // Beyond the border, the height over the nearest triangle's plane counts.
+        let distance = if is_beyond {
+            let normal = self.normals[triangle];
+            let corner = self.mesh.triangle(triangle as u32).a;
+            let corner = Vector3::new(corner.x, corner.y, corner.z);
+            (surface_from_tool.origin - corner).dot(&normal).abs()
+        } else {
+            distance
+        };
         OffMesh { distance, lean }
     }
 

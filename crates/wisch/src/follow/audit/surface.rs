@@ -246,9 +246,10 @@ impl<'a> SurfaceCheck<'a> {
             }
             if let (Some(given), Phase::Wipe(_)) = (&self.given, motion.phase) {
                 let tool = self.tool_frame(&frames);
-                let off = given.measure(&tool);
+                let place = unroll(&self.task.surface.shape, tool.origin).xy();
+                let is_beyond = !self.task.surface.outline.contains(place.into());
+                let off = given.measure(&tool, is_beyond);
                 if given.exceeds(&off) && off_mesh.is_none_or(|(.., most)| off.exceeds(&most)) {
-                    let place = unroll(&self.task.surface.shape, tool.origin).xy();
                     off_mesh = Some((sample.time, place.into(), off));
                 }
             }
