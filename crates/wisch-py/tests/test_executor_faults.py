@@ -357,6 +357,19 @@ def test_what_fails_before_the_first_motion_and_after_the_last_is_told(task, rob
     assert len(session.rounds) == 1
 
 
+def test_an_executor_finishes_when_its_session_closes_or_another_one_follows(task, robot):
+    first, second = Prepared(task.surface_reaction), Prepared(task.surface_reaction)
+    with task.session(robot, rounds=2) as session:
+        session.run_round(first)
+        assert first.calls == ["prepare", "execute"]
+        if session.verdict is None:
+            session.run_round(second)
+            assert first.calls == ["prepare", "execute", "finish"]
+            assert second.calls[:2] == ["prepare", "execute"]
+    last = second if second.calls else first
+    assert last.calls.count("finish") == 1 and last.calls[-1] == "finish"
+
+
 def test_an_interrupted_executor_finishes_once(task, robot):
     class Interrupted(Prepared):
         def execute(self, motion, sink):

@@ -109,7 +109,8 @@ class Task:
         """Believed pose of the surface, (7)."""
     @property
     def surface_shape(self) -> dict[str, Any] | None:
-        """Shape onto which the outline is rolled: ``kind`` "cylinder", ``radius_m`` and ``axis_rad``; None for a plane."""
+        """Shape of a curved surface; None for a plane. ``kind`` "cylinder" has ``radius_m`` and ``axis_rad``; ``kind`` "mesh" has
+        ``points_m`` (n x 3, surface frame), ``places_m`` (n, 2; chart) and ``triangles`` (m x 3)."""
     @property
     def particles(self) -> Floats:
         """Believed positions of the dirt, (N, 2) in the frame of the surface [m]."""
@@ -323,7 +324,8 @@ class Motion:
         """Believed pose, (7)."""
     @property
     def surface_shape(self) -> dict[str, Any] | None:
-        """Shape onto which the outline is rolled: ``kind`` "cylinder", ``radius_m`` and ``axis_rad``; None for a plane."""
+        """Shape of a curved surface; None for a plane. ``kind`` "cylinder" has ``radius_m`` and ``axis_rad``; ``kind`` "mesh" has
+        ``points_m`` (n x 3, surface frame), ``places_m`` (n, 2; chart) and ``triangles`` (m x 3)."""
     @property
     def world_from_root(self) -> Floats:
         """Pose of the robot's root link, (7)."""
@@ -391,6 +393,13 @@ class Sink:
         ``wrench_axes`` ("world", "tool" or "tip"). Without ``world_from_tool`` the pose is computed from ``positions``. Raises WischError with the time of the sample and the faulty value."""
     def many(self, samples: Mapping[str, ArrayLike] | None = None, /, **keys: ArrayLike) -> bool:
         """Pass many samples: the same keys, with a row per sample."""
+    @property
+    def wants_pause(self) -> bool:
+        """Whether the operator wants the motion to pause; never in a session of this package."""
+    def pause(self, time_s: float, reason: str = "") -> None:
+        """State that the motion pauses from a time [s] on."""
+    def resume(self, time_s: float) -> None:
+        """State that the motion continues from a time [s] on."""
 
 class Session:
     """A task from its first plan to its last verdict, stage by stage. A notebook shows its rounds as a table.
