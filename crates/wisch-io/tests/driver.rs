@@ -79,7 +79,7 @@ fn execute(
     child: &mut ProcessExecutor,
     planned: &PlannedRound,
 ) -> Result<Execution, ExecutorError> {
-    let order = order(&planned);
+    let order = order(planned);
     child.execute(&order, &mut |_| ControlFlow::Continue(()))
 }
 
@@ -238,7 +238,7 @@ fn executed(
     let begin = CHILD.replace("say(ready={\"version\": 1})", &greeting);
     let script = format!("{begin}{lines}\n");
     let mut child = ProcessExecutor::start_with("python3", &["-c".to_owned(), script], options)?;
-    let order = order(&planned);
+    let order = order(planned);
     child.execute(&order, &mut |sample| {
         take(sample);
         ControlFlow::Continue(())

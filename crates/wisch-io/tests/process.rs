@@ -104,7 +104,7 @@ fn executed(
     };
     let limit = Duration::from_millis(patience);
     let mut child = start(&format!("{CHILD}{lines}\n"))?.with_silence_limit(limit);
-    let order = order(&planned);
+    let order = order(planned);
     let mut taken = 0;
     let execution = child.execute(&order, &mut |_| {
         taken += 1;
@@ -464,7 +464,7 @@ fn executed_by_version_2(
     let greeting = format!("say(ready={{\"version\": 2, {ready}}})");
     let begin = CHILD.replace("say(ready={\"version\": 1})", &greeting);
     let mut child = start(&format!("{begin}{lines}\n"))?;
-    let order = order(&planned);
+    let order = order(planned);
     let mut samples = Vec::new();
     let execution = child.execute(&order, &mut |sample| {
         samples.push(RecordedSample::from(sample));
