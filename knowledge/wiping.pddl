@@ -12,12 +12,12 @@
     (can-collect ?t - tool ?m - medium ?s - surface)
     (can-skim ?t - tool ?m - medium ?s - surface)
     (can-polish ?t - tool ?m - medium ?s - surface)
-    (can-emit ?t - tool ?m - medium ?s - surface)
+    (can-dispense ?t - tool ?m - medium ?s - surface)
     (absorbed ?m - medium ?s - surface)
     (collected ?m - medium ?s - surface)
     (skimmed ?m - medium ?s - surface)
     (polished ?m - medium ?s - surface)
-    (emitted ?m - medium ?s - surface))
+    (dispensed ?m - medium ?s - surface))
 
   (:action grasp
     :parameters (?t - tool)
@@ -51,7 +51,7 @@
     :precondition (and (holding ?t) (can-polish ?t ?m ?s))
     :effect (polished ?m ?s))
 
-  (:action emit
+  (:action dispense
     :parameters (?t - tool ?m - medium ?s - surface)
-    :precondition (and (holding ?t) (can-emit ?t ?m ?s))
-    :effect (emitted ?m ?s)))
+    :precondition (and (holding ?t) (can-dispense ?t ?m ?s))
+    :effect (dispensed ?m ?s)))

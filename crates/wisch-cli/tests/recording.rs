@@ -55,7 +55,14 @@ fn a_run_is_kept_as_it_is_shown_and_becomes_a_page() {
         .collect();
     assert_eq!((kinds[0], kinds[kinds.len() - 1]), ("head", "ended"));
     let kinds: BTreeSet<&str> = kinds.into_iter().collect();
-    for kind in ["stage", "round", "samples", "observed", "judged", "truth"] {
+    for kind in [
+        "stage",
+        "round",
+        "samples",
+        "observed",
+        "interpreted",
+        "truth",
+    ] {
         assert!(kinds.contains(kind), "{kind} in {kinds:?}");
     }
     for round in [1, 2] {
@@ -68,8 +75,9 @@ fn a_run_is_kept_as_it_is_shown_and_becomes_a_page() {
             times.len() > 50 && times.is_sorted_by(|a, b| a < b),
             "round {round}"
         );
-        let judged = (pieces.iter()).find(|p| p["piece"] == "judged" && p["round"] == round);
-        let contacts = judged.expect("it is judged")["contacts"].as_array();
+        let interpreted =
+            (pieces.iter()).find(|p| p["piece"] == "interpreted" && p["round"] == round);
+        let contacts = interpreted.expect("it is interpreted")["contacts"].as_array();
         assert!(!contacts.expect("spans").is_empty(), "round {round}");
     }
     let [episode] = &episodes(folder.path())[..] else {
@@ -178,8 +186,8 @@ fn a_live_run_is_shown_and_can_be_stopped_in_order() {
     );
     let happened = last["story"]["happened"].as_str().expect("a story");
     assert!(happened.ends_with("(the run was stopped)."), "{happened}");
-    let judged = pieces.iter().find(|piece| piece["piece"] == "judged");
-    assert_eq!(judged.expect("it is interpreted")["ending"], "stopped");
+    let interpreted = pieces.iter().find(|piece| piece["piece"] == "interpreted");
+    assert_eq!(interpreted.expect("it is interpreted")["ending"], "stopped");
 }
 
 #[cfg(unix)]

@@ -234,7 +234,8 @@ pub fn parse_task(
     let file = TaskFile::parse(&shown, &text, &options.settings)?;
     let source = KnowledgeSource::new(options.knowledge.as_deref());
     let mut knowledge = source.base()?;
-    let mut assumptions = file.extend(&mut knowledge)?;
+    let mut assumptions = file.earlier_names.clone();
+    assumptions.extend(file.extend(&mut knowledge)?);
     let chosen = choose(&file, &shown, options.action, &knowledge, &source)?;
     let seed = options.seed.unwrap_or(file.run.plan.seed);
     let mut inputs = InputDigest::default();

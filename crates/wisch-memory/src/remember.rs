@@ -119,7 +119,7 @@ const fn class_of(action: Action) -> &'static str {
         Action::Collect => "semco:Collecting",
         Action::Skim => "semco:Skimming",
         Action::Polish => "semco:Polishing",
-        Action::Emit => "semco:Painting",
+        Action::Dispense => "semco:Painting",
     }
 }
 

@@ -160,7 +160,7 @@ fn the_path_of_the_tool_and_the_robot_during_a_push_are_shown() {
     assert_eq!(body.figure, Figure::Robot);
     assert_eq!(view.rounds.len(), 1);
     let episode = &view.episodes[0];
-    assert_eq!(episode.looked, [[1003.0, 1005.0], [1004.0, 1004.0]]);
+    assert_eq!(episode.shown, [[1003.0, 1005.0], [1004.0, 1004.0]]);
     let of_collisions = episode.occurrences.iter().filter(|one| one.is_collision);
     let names: Vec<&str> = of_collisions.map(|one| one.class.as_str()).collect();
     assert_eq!(names, ["HumanCollision"]);

@@ -25,7 +25,7 @@ impl TreatedSurface {
         let area = tool.footprint.area();
         let preston = match treatment {
             Treatment::Polish { preston, .. } => preston.unwrap_or(0.0),
-            Treatment::Emit { .. } => 0.0,
+            Treatment::Dispense { .. } => 0.0,
         };
         let corners = tool.edges().map(|edge| edge.start.coords.norm());
         Some(Self {

@@ -111,7 +111,7 @@ fn every_shipped_interaction_is_reached_by_a_goal() {
                     Action::Collect => "collected",
                     Action::Skim => "skimmed",
                     Action::Polish => "polished",
-                    Action::Emit => "emitted",
+                    Action::Dispense => "dispensed",
                 };
                 let goal = format!("({participle} {} {surface})", interaction.medium);
                 let tool = interaction.tool.as_str();
@@ -124,6 +124,26 @@ fn every_shipped_interaction_is_reached_by_a_goal() {
         }
     }
     assert!(reached > 100, "only {reached} goals");
+}
+
+#[test]
+fn the_earlier_name_of_dispensed_is_read() {
+    let goal = |predicate: &str| {
+        let goal = format!("({predicate} paint panel)");
+        resolve(&goal, None, &["paint_roller"]).unwrap_or_else(|error| panic!("{error}"))
+    };
+    assert_eq!(goal("emitted"), goal("dispensed"));
+
+    // A domain of a user that has the earlier names.
+    let text = wiping_text()
+        .replace("dispensed", "emitted")
+        .replace("dispense", "emit");
+    let domain = Domain::parse("wiping.pddl", &text).unwrap_or_else(|error| panic!("{error}"));
+    let literal = GoalLiteral::parse("(emitted paint panel)").unwrap();
+    let resolved = resolve_goal(&literal, &domain, &knowledge(), None, &["paint_roller"]);
+    let resolved = resolved.unwrap_or_else(|error| panic!("{error}"));
+    assert_eq!(resolved.action, Action::Dispense);
+    assert_eq!(resolved.steps[1], "(emit paint_roller paint panel)");
 }
 
 #[test]
@@ -148,7 +168,7 @@ fn goals_that_cannot_be_reached_say_why() {
         assert_eq!(
             resolve_error(goal, None, &["sponge"]),
             format!(
-                "goal {goal} needs no wiping action; goals that do: absorbed, collected, emitted, polished, skimmed"
+                "goal {goal} needs no wiping action; goals that do: absorbed, collected, dispensed, polished, skimmed"
             )
         );
     }

@@ -118,11 +118,11 @@ fn polish(passes: u32, size: [f64; 2]) -> Task {
 fn paint(coats: f64, size: [f64; 2]) -> Task {
     let thickness = 1e-4;
     let volume_per_metre = thickness * TOOL[1] / coats;
-    let treatment = Treatment::Emit {
+    let treatment = Treatment::Dispense {
         thickness,
         volume_per_metre,
     };
-    task(Action::Emit, treatment, size)
+    task(Action::Dispense, treatment, size)
 }
 
 fn lanes() -> PlanConfig {
@@ -257,14 +257,18 @@ fn passes_are_counted_whole_and_coats_within_a_fifth() {
     assert_eq!(met(polished, 1.49), (0, 0));
     assert_eq!(met(polished, 1.5), (1, 0));
     assert_eq!(met(polished, 7.0), (1, 0));
-    let emitted = GoalState::Emitted {
+    let dispensed = GoalState::Dispensed {
         thickness: 1e-4,
         per_pass: 5e-5,
     };
-    assert_eq!(met(emitted, 1.59), (0, 0));
-    assert_eq!(met(emitted, 1.61), (1, 0));
-    assert_eq!(met(emitted, 2.39), (1, 0));
-    assert_eq!(met(emitted, 2.41), (0, 1), "nothing takes paint off again");
+    assert_eq!(met(dispensed, 1.59), (0, 0));
+    assert_eq!(met(dispensed, 1.61), (1, 0));
+    assert_eq!(met(dispensed, 2.39), (1, 0));
+    assert_eq!(
+        met(dispensed, 2.41),
+        (0, 1),
+        "nothing takes paint off again"
+    );
     assert_eq!(
         [0.0, 0.4, 0.6, 1.6].map(|had| polished.missing_passes(had)),
         [2, 2, 1, 0]

@@ -1,6 +1,6 @@
 //! Parsers of values, whose errors state what is expected.
 
-use clap::builder::{PossibleValuesParser, TypedValueParser};
+use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use std::path::PathBuf;
 use wisch::plan::Strategy;
 use wisch::represent::Action;
@@ -10,7 +10,9 @@ pub(super) fn strategy_parser() -> impl TypedValueParser<Value = Strategy> {
 }
 
 pub(super) fn action_parser() -> impl TypedValueParser<Value = Action> {
-    PossibleValuesParser::new(Action::ALL.map(Action::as_str)).try_map(|name| name.parse())
+    let names = Action::ALL
+        .map(|action| PossibleValue::new(action.as_str()).aliases(action.earlier_name()));
+    PossibleValuesParser::new(names).try_map(|name| name.parse())
 }
 
 pub(super) fn setting(text: &str) -> Result<(String, String), String> {

@@ -292,7 +292,7 @@ fn action(prepared: &LoadedTask) -> String {
         "{} (seed {})",
         match task.action {
             Action::Polish => format!("polish {surface} with {tool} and {medium}"),
-            Action::Emit => format!("coat {surface} with {medium} from {tool}"),
+            Action::Dispense => format!("coat {surface} with {medium} from {tool}"),
             action => format!("{action} {medium} from {surface} with {tool}"),
         },
         prepared.run.plan.seed
@@ -403,7 +403,7 @@ fn destination(plan: &Plan) -> String {
                 counted(passes as usize, "time")
             )
         }
-        GoalState::Emitted {
+        GoalState::Dispensed {
             thickness,
             per_pass,
         } => format!(

@@ -210,7 +210,7 @@ fn treatment_in_words(treatment: &TreatmentSummary, action: &str) -> Vec<(&'stat
         format!("mean {mean_passes:.2}, standard deviation {passes_deviation:.2} over the surface");
     let mut lines = vec![("passes", passes)];
     if let Some(depth) = mean_depth_m {
-        let name = if action == "emit" {
+        let name = if action == "dispense" {
             "thickness"
         } else {
             "removed"

@@ -19,7 +19,7 @@ pub struct InterpretationRecord {
     pub schema: u32,
     /// Name of the task.
     pub task: String,
-    /// absorb, collect, skim, polish or emit.
+    /// absorb, collect, skim, polish or dispense.
     pub action: String,
     /// Estimated performance: share of the particles that have reached the goal, mean over the replays.
     pub estimated: f64,

@@ -10,7 +10,7 @@ use wisch::geometry::{PlanarPose, Point2, Pose};
 use wisch::plan::{
     Node, NodeRole, Plan, PlanError, SemanticDirectedGraph, Stroke, TcpWaypoint, check_strokes,
 };
-use wisch::represent::{GoalState, Task, UnknownName};
+use wisch::represent::{Action, GoalState, Task, UnknownName};
 
 /// Value of the key `format` in `plan.json`.
 pub const PLAN_FORMAT: &str = "wisch-plan";
@@ -27,7 +27,7 @@ pub struct PlanRecord {
     pub schema: u32,
     /// Name of the task.
     pub task: String,
-    /// absorb, collect, skim, polish or emit.
+    /// absorb, collect, skim, polish or dispense.
     pub action: String,
     /// Name of the surface, whose frame all positions are in.
     pub surface: String,
@@ -110,8 +110,9 @@ pub enum GoalRecord {
         /// Number of passes.
         passes: u32,
     },
-    /// All points coated.
-    Emitted {
+    /// All points coated; "emitted" in files of earlier versions.
+    #[serde(alias = "emitted")]
+    Dispensed {
         /// Thickness of the coat.
         thickness_m: f64,
         /// Thickness per pass.
@@ -129,10 +130,10 @@ impl From<GoalState> for GoalRecord {
             },
             GoalState::Skimmed => Self::Skimmed,
             GoalState::Polished { passes } => Self::Polished { passes },
-            GoalState::Emitted {
+            GoalState::Dispensed {
                 thickness,
                 per_pass,
-            } => Self::Emitted {
+            } => Self::Dispensed {
                 thickness_m: thickness,
                 per_pass_m: per_pass,
             },
@@ -153,10 +154,10 @@ impl From<GoalRecord> for GoalState {
             },
             GoalRecord::Skimmed => Self::Skimmed,
             GoalRecord::Polished { passes } => Self::Polished { passes },
-            GoalRecord::Emitted {
+            GoalRecord::Dispensed {
                 thickness_m,
                 per_pass_m,
-            } => Self::Emitted {
+            } => Self::Dispensed {
                 thickness: thickness_m,
                 per_pass: per_pass_m,
             },
@@ -406,15 +407,20 @@ impl PlanRecord {
     }
 
     fn check_task(&self, task: &Task) -> Result<(), PlanRecordError> {
+        // Files of earlier versions may have another name for it.
+        let known = self.action.parse::<Action>();
+        let action = known
+            .as_ref()
+            .map_or(self.action.as_str(), |action| action.as_str());
         let goal = match self.goal {
             GoalRecord::Absorbed => "absorb",
             GoalRecord::Collected { .. } => "collect",
             GoalRecord::Skimmed => "skim",
             GoalRecord::Polished { .. } => "polish",
-            GoalRecord::Emitted { .. } => "emit",
+            GoalRecord::Dispensed { .. } => "dispense",
         };
         for (what, found, expected) in [
-            ("action", self.action.as_str(), task.action.as_str()),
+            ("action", action, task.action.as_str()),
             ("goal state", goal, task.action.as_str()),
             ("surface", &self.surface, &task.surface.name),
             ("tool", &self.tool, &task.tool.name),

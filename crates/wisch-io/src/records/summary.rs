@@ -12,7 +12,7 @@ pub struct Summary {
     pub schema: u32,
     /// Name of the task.
     pub task: String,
-    /// absorb, collect, skim, polish or emit.
+    /// absorb, collect, skim, polish or dispense.
     pub action: String,
     /// Name of the surface.
     pub surface: String,

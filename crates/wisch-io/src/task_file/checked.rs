@@ -50,6 +50,7 @@ pub(super) fn read(source: &Source<'_>) -> Result<TaskFile, TaskError> {
     let definitions = super::definitions::read(&file)?;
     Ok(TaskFile {
         name: task.name.0.clone(),
+        earlier_names: earlier_names(&tree, source),
         intent,
         strategy: task.strategy.as_ref().map(|name| name.0.clone()),
         run: run_config(task),
@@ -65,15 +66,56 @@ pub(super) fn read(source: &Source<'_>) -> Result<TaskFile, TaskError> {
             .and_then(|collect| collect.goal_m)
             .map(point),
         polish,
-        emit: task.emit.as_ref().map(|emit| Treatment::Emit {
-            thickness: emit.thickness_m.0,
-            volume_per_metre: emit.volume_m3_per_m.0,
+        dispense: task.dispense.as_ref().map(|dispense| Treatment::Dispense {
+            thickness: dispense.thickness_m.0,
+            volume_per_metre: dispense.volume_m3_per_m.0,
         }),
         scene,
         particles_at: file.value.particles.place,
         definitions,
         execution: file.value.execution,
     })
+}
+
+/// Returns a sentence for each key and value that has another name today.
+fn earlier_names(tree: &Spanned<DeValue<'_>>, source: &Source<'_>) -> Vec<String> {
+    let at = |keys: [&str; 2]| {
+        let mut keys = keys.into_iter().filter(|key| !key.is_empty());
+        keys.try_fold(tree, |value, key| value.get_ref().get(key))
+    };
+    let holds_emit = |value: &&Spanned<DeValue<'_>>| value.get_ref().as_str() == Some("emit");
+    let is_emitted = |goal: &&Spanned<DeValue<'_>>| {
+        let text = goal.get_ref().as_str().unwrap_or_default();
+        (text.trim_start().strip_prefix('('))
+            .is_some_and(|words| words.trim_start().to_lowercase().starts_with("emitted"))
+    };
+    let actions = at(["interaction", "actions"]).and_then(|actions| actions.get_ref().as_array());
+    [
+        (
+            at(["action", ""]).filter(holds_emit),
+            "action \"emit\"",
+            "\"dispense\"",
+        ),
+        (
+            actions.and_then(|actions| actions.iter().find(holds_emit)),
+            "action \"emit\"",
+            "\"dispense\"",
+        ),
+        (at(["emit", ""]), "table [emit]", "[dispense]"),
+        (
+            at(["goal", ""]).filter(is_emitted),
+            "predicate \"emitted\"",
+            "\"dispensed\"",
+        ),
+    ]
+    .into_iter()
+    .filter_map(|(value, what, name)| {
+        let place = source.place(value?.span().start);
+        Some(format!(
+            "{place}: the {what} is called {name} today; the earlier name is still read"
+        ))
+    })
+    .collect()
 }
 
 /// Returns the settings of the stages that the file states; the rest has its default.

@@ -126,10 +126,12 @@ pub struct TaskFile {
     surface: SurfaceRecord,
     collect_goal: Option<Point2>,
     polish: Option<Treatment>,
-    emit: Option<Treatment>,
+    dispense: Option<Treatment>,
     scene: Vec<ObjectRecord>,
     execution: ExecutionTable,
     definitions: Definitions,
+    /// A sentence for each key and value that has another name today.
+    pub(crate) earlier_names: Vec<String>,
 }
 
 #[derive(Debug, Clone, PartialEq)]

@@ -128,7 +128,7 @@ impl TaskFile {
     fn treatment(&self, action: Action) -> Result<Option<Treatment>, TaskError> {
         let (given, table, key) = match action {
             Action::Polish => (self.polish, "polish", "passes"),
-            Action::Emit => (self.emit, "emit", "thickness_m"),
+            Action::Dispense => (self.dispense, "dispense", "thickness_m"),
             Action::Absorb | Action::Collect | Action::Skim => return Ok(None),
         };
         let at = self.tool_at.clone();

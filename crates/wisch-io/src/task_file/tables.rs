@@ -69,8 +69,9 @@ pub(super) struct TaskTable {
     pub(super) collect: Option<CollectTable>,
     /// Settings of the action polish.
     pub(super) polish: Option<PolishTable>,
-    /// Settings of the action emit.
-    pub(super) emit: Option<EmitTable>,
+    /// Settings of the action dispense.
+    #[serde(alias = "emit")]
+    pub(super) dispense: Option<DispenseTable>,
     /// Objects around the surface.
     #[serde(default)]
     pub(super) scene: Vec<At<ObjectTable>>,
@@ -93,7 +94,8 @@ names! {
         /// Pass the tool over the whole surface a given number of times.
         Polish,
         /// Dispense the medium onto the surface with a given thickness.
-        Emit,
+        #[serde(alias = "emit")]
+        Dispense,
     }
 }
 
@@ -408,11 +410,11 @@ pub(super) struct PolishTable {
     pub(super) preston_per_pa: Option<PrestonPerPa>,
 }
 
-/// Settings of the action emit, which dispenses a medium.
+/// Settings of the action dispense.
 #[derive(Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
-#[schemars(rename = "Emit")]
-pub(super) struct EmitTable {
+#[schemars(rename = "Dispense")]
+pub(super) struct DispenseTable {
     /// Required thickness of the medium [m].
     pub(super) thickness_m: ThicknessM,
     /// Volume that the tool dispenses per metre of its path, over its full width [m³/m].
@@ -506,7 +508,7 @@ names! {
 #[serde(rename = "source", rename_all = "lowercase", deny_unknown_fields)]
 #[schemars(rename = "Particles", tag = "source")]
 pub(super) enum ParticlesTable {
-    /// Points of the surface itself, at the centres of square cells; for polish and emit.
+    /// Points of the surface itself, at the centres of square cells; for polish and dispense.
     Surface {
         /// Approximate number of points.
         count: ParticleCount,

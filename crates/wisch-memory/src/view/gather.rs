@@ -269,8 +269,8 @@ impl Gathering<'_> {
                 };
                 if let Some([first, last]) = self.opened[round].telemetry.interval() {
                     let began = self.opened[round].began;
-                    let looked = [began + last; 2];
-                    return Ok(vec![self.show_stretch(round, [first, last], looked)]);
+                    let shown = [began + last; 2];
+                    return Ok(vec![self.show_stretch(round, [first, last], shown)]);
                 }
             }
         }
@@ -281,10 +281,10 @@ impl Gathering<'_> {
         })
     }
 
-    fn show_stretch(&mut self, round: usize, [from, to]: [f64; 2], looked: [f64; 2]) -> Stretch {
-        let looks = &mut self.view.episodes[self.view.rounds[round].episode].looked;
-        if !looks.contains(&looked) {
-            looks.push(looked);
+    fn show_stretch(&mut self, round: usize, [from, to]: [f64; 2], shown: [f64; 2]) -> Stretch {
+        let intervals = &mut self.view.episodes[self.view.rounds[round].episode].shown;
+        if !intervals.contains(&shown) {
+            intervals.push(shown);
         }
         Stretch { round, from, to }
     }
@@ -351,7 +351,7 @@ impl Gathering<'_> {
             task: row.task.clone(),
             interval: row.interval,
             occurrences: occurrences(self.catalogue, row),
-            looked: Vec::new(),
+            shown: Vec::new(),
         });
         shown.len() - 1
     }

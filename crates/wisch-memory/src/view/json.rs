@@ -81,7 +81,7 @@ fn episode(shown: &ShownEpisode, catalogue: &Catalogue) -> Value {
         "interval": shown.interval,
         "rounds": catalogue.episode(&shown.id).map(|row| row.rounds.clone()),
         "occurrences": occurrences.collect::<Vec<_>>(),
-        "looked": shown.looked,
+        "shown": shown.shown,
     })
 }
 

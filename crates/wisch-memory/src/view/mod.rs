@@ -158,7 +158,7 @@ pub struct ShownEpisode {
     /// Individuals with a time, in the order of the record.
     pub occurrences: Vec<Occurrence>,
     /// Intervals that the view shows [s since 1970].
-    pub looked: Vec<[f64; 2]>,
+    pub shown: Vec<[f64; 2]>,
 }
 
 /// An action or event of an episode.

@@ -4,7 +4,7 @@
 
 The parts return to this machine, into one folder, where the same command as for one machine combines them: the results
 are the same, byte for byte. Every node needs this wheel, in the same version.
-Needs ``pip install wisch[ray]``.
+Needs the extra ``ray``: ``pip install "./crates/wisch-py[ray]"``.
 """
 
 import argparse

@@ -58,7 +58,7 @@ pub(crate) fn achieved(goal: &GoalState) -> &'static str {
         GoalState::Collected { .. } => "in the goal area",
         GoalState::Skimmed => "over the skim edge",
         GoalState::Polished { .. } => "polished",
-        GoalState::Emitted { .. } => "coated",
+        GoalState::Dispensed { .. } => "coated",
     }
 }
 
@@ -66,7 +66,7 @@ pub(crate) fn achieved(goal: &GoalState) -> &'static str {
 pub(crate) fn open(goal: &GoalState) -> &'static str {
     match goal {
         GoalState::Polished { .. } => "still to be polished",
-        GoalState::Emitted { .. } => "still to be coated",
+        GoalState::Dispensed { .. } => "still to be coated",
         _ => "still to be wiped",
     }
 }
@@ -74,7 +74,7 @@ pub(crate) fn open(goal: &GoalState) -> &'static str {
 /// Label of lost particles.
 pub(crate) fn lost(goal: &GoalState) -> &'static str {
     match goal {
-        GoalState::Emitted { .. } => "coated too thickly",
+        GoalState::Dispensed { .. } => "coated too thickly",
         _ => "lost over another edge",
     }
 }

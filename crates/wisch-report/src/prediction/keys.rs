@@ -39,13 +39,13 @@ impl Key {
             (Self::Left, GoalState::Skimmed) => "after, still on the surface",
             (
                 Self::Left | Self::LeftNow,
-                GoalState::Polished { .. } | GoalState::Emitted { .. },
+                GoalState::Polished { .. } | GoalState::Dispensed { .. },
             ) => open(goal),
             (
                 Self::Done | Self::DoneNow,
-                GoalState::Polished { .. } | GoalState::Emitted { .. },
+                GoalState::Polished { .. } | GoalState::Dispensed { .. },
             ) => achieved(goal),
-            (Self::Before, GoalState::Polished { .. } | GoalState::Emitted { .. }) => {
+            (Self::Before, GoalState::Polished { .. } | GoalState::Dispensed { .. }) => {
                 "point of the surface"
             }
             (Self::Before, _) => "particle before",

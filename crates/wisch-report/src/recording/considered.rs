@@ -11,7 +11,7 @@ pub(super) struct ConsideredRecord {
     pub(super) strategy: &'static str,
     /// Whether it was chosen.
     pub(super) chosen: bool,
-    worth: Option<f64>,
+    score: Option<f64>,
     predicted: Option<f64>,
     /// Predicted share of lost dirt [1].
     lost: Option<f64>,
@@ -33,7 +33,7 @@ impl ConsideredRecord {
         Self {
             strategy: one.strategy.as_str(),
             chosen: false,
-            worth: found.ok().map(|found| round_to(found.score.total, 1e4)),
+            score: found.ok().map(|found| round_to(found.score.total, 1e4)),
             predicted: performance.map(|found| round_to(found.ratio(), 1e4)),
             lost: performance
                 .map(|found| round_to(found.lost as f64 / found.initial.max(1) as f64, 1e4)),

@@ -1,6 +1,6 @@
 //! The recording of an episode that was kept without one: what its telemetry and its events show.
 
-use super::judged::EventRecord;
+use super::interpreted::EventRecord;
 use super::phases::PhaseRecord;
 use super::samples::round_to;
 use serde::Serialize;

@@ -5,7 +5,7 @@
 
 mod considered;
 mod head;
-mod judged;
+mod interpreted;
 mod logged;
 mod particles;
 mod phases;
@@ -25,7 +25,7 @@ use crate::prediction::frames::EffectFrames;
 use crate::scene::Meshes;
 use considered::ConsideredRecord;
 use head::Head;
-use judged::{Judged, Truth};
+use interpreted::{Interpreted, Truth};
 use round::RoundPiece;
 use samples::Batch;
 use serde::Serialize;
@@ -260,7 +260,7 @@ impl<W: Write> RecordingWriter<W> {
             }
             RunEvent::Decided(round) => {
                 self.flush()?;
-                write(&mut self.output, &Judged::new(round, self.target))
+                write(&mut self.output, &Interpreted::new(round, self.target))
             }
             RunEvent::Ended(_) => Ok(()),
         }

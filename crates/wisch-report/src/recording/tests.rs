@@ -213,10 +213,10 @@ fn a_round_lists_the_candidate_plans() {
         panic!("{}", rounds[0]["considered"]);
     };
     assert_eq!(none["chosen"], false);
-    assert!(none["worth"].is_null() && none["error"].is_string());
+    assert!(none["score"].is_null() && none["error"].is_string());
     assert_eq!(chosen["chosen"], true);
     assert_eq!(chosen["strategy"], plan.strategy.as_str());
-    assert_eq!(chosen["worth"], 0.7512);
+    assert_eq!(chosen["score"], 0.7512);
     assert_eq!(chosen["strokes"], plan.strokes.len());
     assert!(chosen["error"].is_null() && chosen["duration"].is_null());
     assert!(

@@ -17,7 +17,7 @@ pub(super) fn describe_task(task: &Task, target: f64) -> String {
         Action::Collect => format!("Collect the {medium} on the {surface}"),
         Action::Skim => format!("Skim the {medium} off the {surface}"),
         Action::Polish => format!("Polish the {surface}"),
-        Action::Emit => format!("Dispense {medium} onto the {surface}"),
+        Action::Dispense => format!("Dispense {medium} onto the {surface}"),
     };
     let tool = format_name(&task.tool.name);
     let (target, count) = (percent(target), grouped(task.particles.len()));
@@ -26,7 +26,7 @@ pub(super) fn describe_task(task: &Task, target: f64) -> String {
         Action::Collect => format!("{target} of the {count} particles in the goal area"),
         Action::Skim => format!("{target} of the {count} particles over the skim edge"),
         Action::Polish => format!("{target} of {count} surface points polished"),
-        Action::Emit => format!("{target} of {count} surface points coated"),
+        Action::Dispense => format!("{target} of {count} surface points coated"),
     };
     format!("{doing} with the {tool}. Target: {wanted}.")
 }

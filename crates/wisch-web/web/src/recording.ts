@@ -93,8 +93,8 @@ export interface Considered {
   strategy: string;
   /** Whether it was chosen. */
   chosen: boolean;
-  /** Score: share of the dirt in the goal area, minus three times the lost share, minus costs of path length and time. */
-  worth: number | null;
+  /** Score: share of the dirt in the goal area, minus three times the lost share, minus what heaps near an edge put at risk, minus costs of path length and time. */
+  score: number | null;
   /** Performance, and what is lost, in [0, 1]. */
   predicted: number | null;
   lost: number | null;
@@ -145,7 +145,7 @@ export interface RoundPiece {
   scene: ({ part: "obstacle" | "carrier" } & Solid)[];
   /** Meshes that are new; they continue those of the pieces before. */
   meshes: MeshRecord[];
-  goal: { kind: "collected"; place: [number, number]; radius: number } | { kind: "absorbed" | "skimmed" | "polished" | "emitted" } | null;
+  goal: { kind: "collected"; place: [number, number]; radius: number } | { kind: "absorbed" | "skimmed" | "polished" | "dispensed" } | null;
   /** The strokes as the robot is going to wipe them, corners in turn. */
   strokes: Places[];
   phases: { name: string; start: number; end: number; contact: boolean; stroke: number | null }[];
@@ -208,13 +208,13 @@ export interface EventRecord {
 }
 
 /** The result of a finished round. */
-export interface JudgedPiece {
-  piece: "judged";
+export interface InterpretedPiece {
+  piece: "interpreted";
   round: number;
   duration: number;
   estimate: Estimate;
   /** From touch only. */
-  felt: Estimate;
+  by_touch: Estimate;
   /** "goal met", "wipe again", ... */
   verdict: string;
   ending: string;
@@ -271,6 +271,6 @@ export type Piece =
   | RoundPiece
   | SamplesPiece
   | ObservedPiece
-  | JudgedPiece
+  | InterpretedPiece
   | TruthPiece
   | EndedPiece;

@@ -1,7 +1,7 @@
 // One round: plan, measurements and results.
 import { Column, PlotColumn, lastAtMost, number } from "./columns.ts";
 import { ParticleTrack } from "./particles.ts";
-import type { EventRecord, JudgedPiece, ObservedPiece, Pose, RoundPiece, SamplesPiece, TruthPiece } from "./recording.ts";
+import type { EventRecord, InterpretedPiece, ObservedPiece, Pose, RoundPiece, SamplesPiece, TruthPiece } from "./recording.ts";
 
 /** The tool is in contact if its normal force exceeds both TOUCH_N [N] and this share of the round's peak force [1]. */
 export const TOUCH_N = 0.3;
@@ -19,7 +19,7 @@ export class Round {
   readonly normal = new PlotColumn();
   readonly height = new PlotColumn();
   readonly particles: ParticleTrack;
-  judged: JudgedPiece | null = null;
+  interpreted: InterpretedPiece | null = null;
   truth: TruthPiece | null = null;
   observed: ObservedPiece | null = null;
   /** Whether the round has all its samples. */
@@ -33,12 +33,12 @@ export class Round {
 
   /** Detected events. */
   get events(): readonly EventRecord[] {
-    return this.judged?.events ?? this.plan.events ?? [];
+    return this.interpreted?.events ?? this.plan.events ?? [];
   }
 
   /** Measured intervals of contact, as they are known after the round. */
   get contacts(): readonly [number, number][] | null {
-    return this.judged?.contacts ?? this.plan.contacts ?? null;
+    return this.interpreted?.contacts ?? this.plan.contacts ?? null;
   }
 
   get count(): number {
@@ -48,7 +48,7 @@ export class Round {
   /** Duration: measured, or else planned [s]. */
   get length(): number {
     const sampled = this.count ? this.t.last : 0;
-    if (this.judged) return Math.max(this.judged.duration, sampled);
+    if (this.interpreted) return Math.max(this.interpreted.duration, sampled);
     return this.over && this.count ? sampled : Math.max(this.plan.duration, sampled);
   }
 

@@ -46,7 +46,7 @@ const head = has({
 
 const considered = has({
   strategy: text, chosen: (value) => typeof value === "boolean", error: maybe(text),
-  worth: maybe(finite), predicted: maybe(finite), lost: maybe(finite), strokes: maybe(finite), in_contact: maybe(finite), duration: maybe(finite),
+  score: maybe(finite), predicted: maybe(finite), lost: maybe(finite), strokes: maybe(finite), in_contact: maybe(finite), duration: maybe(finite),
 });
 
 const round = has({
@@ -56,18 +56,32 @@ const round = has({
   particles: list((step) => Array.isArray(step) && step.length === 3 && finite(step[0]) && some(step[1]) && some(step[2])), why: list(text), considered: maybe(list(considered)), events: maybe(list(event)), contacts: maybe(list(interval)),
 });
 
-const judged = has({
-  round: finite, duration: finite, estimate, felt: estimate, verdict: text, words: list(text), found: maybe(pose),
+const interpreted = has({
+  round: finite, duration: finite, estimate, by_touch: estimate, verdict: text, words: list(text), found: maybe(pose),
   events: list(event), contacts: list(interval), particles: some,
 });
 
 const CHECKS: Partial<Record<Piece["piece"], Check>> = {
-  head, round, judged,
+  head, round, interpreted,
   stage: has({ stage: text, words: text }),
   observed: has({ round: finite, detections: some }),
   truth: has({ round: finite, performance: maybe(finite), particles: maybe(some), pushes: list(interval), surface: maybe(pose), shape: maybe(shaped) }),
   ended: has({ verdict: maybe(text), story: has({ asked: text, happened: text, sure: text, surer: text }), facts: list(list(text)) }),
 };
+
+/** Returns a piece with today's names, if it has those of version 0.2.0. */
+export function fromEarlierVersion(piece: Piece): Piece {
+  const given = piece as unknown as { piece?: unknown; considered?: unknown; felt?: unknown } | null;
+  if (given?.piece === "judged") {
+    const { felt, ...rest } = given;
+    return { by_touch: felt, ...rest, piece: "interpreted" } as unknown as Piece;
+  }
+  if (given?.piece === "round" && Array.isArray(given.considered)) {
+    const considered = given.considered.map((plan: { worth?: unknown } | null) => (plan && "worth" in plan ? { score: plan.worth, ...plan } : plan));
+    return { ...given, considered } as unknown as Piece;
+  }
+  return piece;
+}
 
 /** Throws if a piece of a known kind lacks a field. */
 export function checkPiece(piece: Piece): void {

@@ -1,7 +1,7 @@
 // A recording: it grows piece by piece and gives access to any of its times.
 import { metres } from "./particles.ts";
 import { Round } from "./round.ts";
-import { checkPiece } from "./shape.ts";
+import { checkPiece, fromEarlierVersion } from "./shape.ts";
 import type { EndedPiece, EventRecord, Head, MeshRecord, ObservedPiece, Piece, Pose, StagePiece, SurfaceShape, TruthPiece } from "./recording.ts";
 
 /** The state at a time of the common clock. */
@@ -135,7 +135,8 @@ export class Recording {
     for (const callback of this.callbacks) callback(piece);
   }
 
-  private add(piece: Piece): void {
+  private add(given: Piece): void {
+    const piece = fromEarlierVersion(given);
     checkPiece(piece);
     switch (piece.piece) {
       case "head":
@@ -147,7 +148,7 @@ export class Recording {
         const round = new Round(piece, this.head?.robot?.variables.length ?? 0);
         this.meshes.push(...piece.meshes);
         const last = this.rounds.at(-1);
-        if (last && last.number === round.number && !last.count && !last.judged) this.rounds.pop();
+        if (last && last.number === round.number && !last.count && !last.interpreted) this.rounds.pop();
         else if (last) last.over = true;
         this.rounds.push(round);
         this.layOutRounds();
@@ -163,7 +164,7 @@ export class Recording {
         if (piece.round === 0) this.observedBefore = piece;
         else this.round(piece.round).observed = piece;
         break;
-      case "judged": this.round(piece.round).judged = { ...piece }; this.layOutRounds(); break;
+      case "interpreted": this.round(piece.round).interpreted = { ...piece }; this.layOutRounds(); break;
       case "truth":
         if (piece.round === 0) this.truthBefore = piece;
         else this.round(piece.round).truth = piece;
@@ -198,7 +199,7 @@ export class Recording {
   /** End of the measured part [s]; the duration once the run is over. */
   get now(): number {
     const last = this.rounds.at(-1);
-    if (!last || !this.live || last.judged || last.plan.kind === "planned") return this.duration;
+    if (!last || !this.live || last.interpreted || last.plan.kind === "planned") return this.duration;
     return last.start + (last.count ? last.t.last : 0);
   }
 
@@ -234,12 +235,12 @@ export class Recording {
   outcomeAt(t: number): Outcome | null {
     for (let i = this.rounds.length - 1; i >= 0; i--) {
       const round = this.rounds[i]!;
-      if (round.end > t + 1e-6 || !(round.judged || round.truth || round.observed)) continue;
-      const pose = round.judged?.found ?? round.plan.surface.pose;
+      if (round.end > t + 1e-6 || !(round.interpreted || round.truth || round.observed)) continue;
+      const pose = round.interpreted?.found ?? round.plan.surface.pose;
       const { shape } = round.plan.surface;
       return {
         since: round.end, pose, actualPose: round.truth?.surface ?? pose, shape, actualShape: trueShape(round.truth, shape),
-        estimated: toMetres(round.judged?.particles),
+        estimated: toMetres(round.interpreted?.particles),
         actual: toMetres(round.truth?.particles),
         seen: toMetres(round.observed?.detections),
       };

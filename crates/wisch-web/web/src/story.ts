@@ -9,7 +9,7 @@ import { LOGGED, goalState } from "./words.ts";
 
 const NAMES: Record<string, string> = {
   believed: "believed before", estimated: "estimated after", actual: "true after", seen: "observed",
-  interval: "90\u202f% interval", felt: "from touch only", target: "target", goal: "goal area",
+  interval: "90\u202f% interval", "by-touch": "from touch only", target: "target", goal: "goal area",
 };
 
 const makeLegend = (names: string[]) =>
@@ -45,7 +45,7 @@ export class Story {
 
   private show(): void {
     const { head, ended, rounds, stages, live } = this.recording;
-    const judged = rounds.findLast((round) => round.judged) ?? null;
+    const interpreted = rounds.findLast((round) => round.interpreted) ?? null;
     say(this.title, head?.title || "Recording");
     const isAll = (kind: string) => rounds.length > 0 && rounds.every(({ plan }) => plan.kind === kind);
     const [planned, logged] = [isAll("planned"), isAll("logged")];
@@ -53,12 +53,12 @@ export class Story {
     this.badge.dataset.state = state;
     say(this.badge, { met: ended?.verdict ?? "goal met", unmet: ended?.verdict ?? "stopped", unknown: ended?.verdict ?? "", live: "running", planned: "planned only", logged: "from the log", broken: "ended early" }[state]);
     const story = ended?.story;
-    const happened = story?.happened ?? (live ? stages.at(-1)?.words ?? "The run is starting." : judged
-      ? `The run ended early after round ${judged.number}: ${judged.judged!.verdict}.` : planned ? `Planned, not executed. Predicted performance: ${percent(rounds.at(-1)!.plan.predicted ?? 0)}.` : logged ? LOGGED : rounds.length ? "The recording ends before the first round has a result." : "The recording has no rounds.");
+    const happened = story?.happened ?? (live ? stages.at(-1)?.words ?? "The run is starting." : interpreted
+      ? `The run ended early after round ${interpreted.number}: ${interpreted.interpreted!.verdict}.` : planned ? `Planned, not executed. Predicted performance: ${percent(rounds.at(-1)!.plan.predicted ?? 0)}.` : logged ? LOGGED : rounds.length ? "The recording ends before the first round has a result." : "The recording has no rounds.");
     this.texts.replaceChildren(
       ...this.makePart("Task", story?.asked ?? head?.task?.asked ?? ""),
       ...this.makePart(live ? "Now" : "Result", happened),
-      ...this.makePart("Confidence", story?.sure ?? (judged || planned || logged ? "" : "No round has a result yet."), this.drawBars()),
+      ...this.makePart("Confidence", story?.sure ?? (interpreted || planned || logged ? "" : "No round has a result yet."), this.drawBars()),
       ...this.makePart("More certainty", story?.surer ?? ""),
     );
     this.drawPictures();
@@ -80,11 +80,11 @@ export class Story {
       return;
     }
     const goal = first.plan.goal?.kind === "collected" ? ["goal"] : [];
-    const last = rounds.findLast((round) => round.judged ?? round.truth) ?? null;
+    const last = rounds.findLast((round) => round.interpreted ?? round.truth) ?? null;
     const before: Dots[] = [{ mark: "believed", places: first.particles.places(0) }];
     if (observedBefore) before.push({ mark: "seen", places: metres(observedBefore.detections) });
     const after: Dots[] = [];
-    if (last?.judged) after.push({ mark: "estimated", places: metres(last.judged.particles) });
+    if (last?.interpreted) after.push({ mark: "estimated", places: metres(last.interpreted.particles) });
     if (last?.truth?.particles) after.push({ mark: "actual", places: metres(last.truth.particles) });
     if (last?.observed) after.push({ mark: "seen", places: metres(last.observed.detections) });
     const bent = first.plan.surface.shape;
@@ -111,11 +111,11 @@ export class Story {
   /** Draws the estimate of each finished round as a bar, with the target. */
   private drawBars(): HTMLElement | null {
     const { rounds, head } = this.recording;
-    const judged = rounds.filter((round) => round.judged).slice(-8);
-    if (!judged.length) return null;
+    const interpreted = rounds.filter((round) => round.interpreted).slice(-8);
+    if (!interpreted.length) return null;
     const target = head?.task?.target ?? null;
-    const rows = judged.map(({ number, judged, truth }) => {
-      const { estimate, felt } = judged!;
+    const rows = interpreted.map(({ number, interpreted, truth }) => {
+      const { estimate, by_touch } = interpreted!;
       const truly = truth?.performance ?? null;
       const x = (share: number) => `${(1.5 + 97 * Math.min(1, Math.max(0, share))).toFixed(2)}%`;
       const width = (from: number, to: number) => `${Math.max(0.6, 97 * (Math.min(1, to) - Math.max(0, from))).toFixed(2)}%`;
@@ -124,7 +124,7 @@ export class Story {
       return el("div", { class: "w-bar" }, el("span", {}, `Round ${number}`),
         svg("svg", { role: "img", "aria-label": label },
           svg("rect", { x: x(0), y: 8, width: "97%", height: 10, rx: 5, fill: "var(--lane)" }),
-          svg("rect", { x: x(felt.low), y: 21.5, width: width(felt.low, felt.high), height: 2, fill: "var(--felt)" }),
+          svg("rect", { x: x(by_touch.low), y: 21.5, width: width(by_touch.low, by_touch.high), height: 2, fill: "var(--by-touch)" }),
           svg("rect", { x: x(estimate.low), y: 6, width: width(estimate.low, estimate.high), height: 14, rx: 4, fill: "var(--estimated)", "fill-opacity": 0.35, stroke: "var(--estimated)", "stroke-width": 1.6 }),
           upright(estimate.mean, 4, 22, { stroke: "var(--estimated)", "stroke-width": 3 }),
           target !== null && upright(target, 0, 26, { stroke: "var(--target)", "stroke-width": 2, "stroke-dasharray": "4 3" }),
@@ -132,8 +132,8 @@ export class Story {
             svg("path", { d: "M-5 -5L5 5M5 -5L-5 5", stroke: "var(--actual)", "stroke-width": 2.6, fill: "none" }))),
         el("b", {}, percent(estimate.mean)));
     });
-    const anyTruth = judged.some(({ truth }) => typeof truth?.performance === "number");
-    const list = makeLegend(["interval", "felt", ...(anyTruth ? ["actual"] : []), ...(target === null ? [] : ["target"])]);
+    const anyTruth = interpreted.some(({ truth }) => typeof truth?.performance === "number");
+    const list = makeLegend(["interval", "by-touch", ...(anyTruth ? ["actual"] : []), ...(target === null ? [] : ["target"])]);
     for (const item of list.children) if (item.textContent === NAMES.actual) item.lastChild!.textContent = "true";
     if (target !== null) list.lastElementChild!.lastChild!.textContent = `target ${percent(target)}`;
     return el("div", { class: "w-bars" }, ...rows, list);

@@ -247,15 +247,15 @@ export class Timeline {
     const near = 4 * ((this.frame.to - this.frame.from) / this.frame.span);
     const events = this.recording.happenings.filter(({ start, end }) => t >= start - near && t <= end + near);
     const shown = this.highlights.filter(({ start, end, label }) => label && t >= start - near && t <= end + near).map(({ label }) => label);
-    const judged = Math.abs(t - round.end) < 3 * near ? round.judged : null;
+    const interpreted = Math.abs(t - round.end) < 3 * near ? round.interpreted : null;
     return [
       `${clockText(t, 2)} \u00b7 round ${round.number}`,
       round.plan.phases[phase]?.name ?? "",
       normal === null ? "" : `force ${fixed(normal, 1)} N`,
       height === null ? "" : `height ${fixed(1000 * height, 1)} mm`,
       performance === null ? "" : `predicted performance ${percent(performance)}`,
-      judged ? `estimated performance ${percent(judged.estimate.mean)} (${percent(judged.estimate.low)} to ${percent(judged.estimate.high)})` : "",
-      judged && typeof round.truth?.performance === "number" ? `true performance ${percent(round.truth.performance)}` : "",
+      interpreted ? `estimated performance ${percent(interpreted.estimate.mean)} (${percent(interpreted.estimate.low)} to ${percent(interpreted.estimate.high)})` : "",
+      interpreted && typeof round.truth?.performance === "number" ? `true performance ${percent(round.truth.performance)}` : "",
       ...new Set(shown),
       ...events.map(({ kind, words }) => `${kind}: ${words}`),
     ].filter((text) => text !== "");

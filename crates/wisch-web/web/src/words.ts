@@ -27,14 +27,14 @@ const formatKnown = (value: number | null, text: (value: number) => string): str
 
 /** Returns a table of the candidate plans, by falling score. */
 function makeCandidateTable(considered: readonly Considered[]): HTMLElement {
-  const list = [...considered].sort((a, b) => (b.worth ?? -Infinity) - (a.worth ?? -Infinity));
+  const list = [...considered].sort((a, b) => (b.score ?? -Infinity) - (a.score ?? -Infinity));
   const names = ["Strategy", "Score", "Done", "Lost", "Contact", "Time"];
   const cells = (one: Considered): string[] => [
-    formatKnown(one.worth, (worth) => fixed(worth, 2)), formatKnown(one.predicted, percent), formatKnown(one.lost, percent), formatKnown(one.in_contact, (way) => `${fixed(way, 2)} m`), formatKnown(one.duration, (time) => `${fixed(time, 0)} s`),
+    formatKnown(one.score, (score) => fixed(score, 2)), formatKnown(one.predicted, percent), formatKnown(one.lost, percent), formatKnown(one.in_contact, (way) => `${fixed(way, 2)} m`), formatKnown(one.duration, (time) => `${fixed(time, 0)} s`),
   ];
   return el("div", { class: "w-choice", tabindex: 0, role: "group", "aria-label": "Candidate plans" },
     el("table", {},
-      el("caption", {}, "Done: predicted performance. Lost: predicted share of lost dirt. Score: predicted share of the dirt in the goal area, minus three times the lost share, minus costs of path length and time."),
+      el("caption", {}, "Done: predicted performance. Lost: predicted share of lost dirt. Score: predicted share of the dirt in the goal area, minus three times the lost share, minus what heaps near an edge put at risk, minus costs of path length and time."),
       el("thead", {}, el("tr", {}, ...names.map((name) => el("th", { scope: "col" }, name)))),
       el("tbody", {}, ...list.map((one) => el("tr", { "data-chosen": one.chosen, title: one.strokes === null ? null : `${one.strokes} strokes` },
         el("th", { scope: "row" }, `${one.chosen ? "\u2713 " : ""}${one.strategy}`, one.chosen && el("span", { class: "w-hidden" }, " (chosen)")),
@@ -85,7 +85,7 @@ export class Words {
     const instant = recording.at(clock.time);
     this.showNow(instant);
     const round = instant?.round;
-    const key = [round?.number, round?.start, recording.rounds.length, Boolean(round?.judged), Boolean(round?.truth), recording.live].join();
+    const key = [round?.number, round?.start, recording.rounds.length, Boolean(round?.interpreted), Boolean(round?.truth), recording.live].join();
     if (key !== this.key) {
       this.key = key;
       this.showRound(round ?? null);
@@ -113,8 +113,8 @@ export class Words {
     const { round, time, normal, height, performance, touches } = instant;
     const phase = round.plan.phases[instant.phase];
     const rounds = recording.rounds.length;
-    const over = time >= round.length - 1e-6 && round.judged;
-    const state = over ? round.judged!.verdict : phase ? phaseText(phase.name) : "starting";
+    const over = time >= round.length - 1e-6 && round.interpreted;
+    const state = over ? round.interpreted!.verdict : phase ? phaseText(phase.name) : "starting";
     const stroke = !over && phase?.stroke !== null && phase?.stroke !== undefined ? ` \u00b7 stroke ${phase.stroke + 1} of ${round.plan.strokes.length}` : "";
     say(this.headline, capitalise(stage && stage.stage !== "executing" ? stage.words : `${state}${stroke}`));
     say(this.below, `Round ${round.number} of ${rounds}${round.plan.kind === "planned" ? " (planned only)" : ""} \u00b7 ${clockText(time)} of ${clockText(round.length)}`);
@@ -128,21 +128,21 @@ export class Words {
     const why = round?.plan.why ?? [];
     const candidates = round?.plan.considered ?? [];
     this.why.replaceChildren(why.length ? makeList(why) : el("p", { class: "w-quiet" }, round ? (round.plan.kind === "logged" ? LOGGED : "The recording states no reasons for this plan.") : "No plan yet."), ...(candidates.length ? [makeCandidateTable(candidates)] : []));
-    if (!round?.judged) {
+    if (!round?.interpreted) {
       const text = !round ? "No round yet." : round.plan.kind === "planned" ? "This plan was not executed." : round.plan.kind === "logged" ? LOGGED : this.recording.live ? "The round is not finished." : "The round has no result because the run ended early.";
       this.after.replaceChildren(el("p", { class: "w-quiet" }, text));
       return;
     }
-    const { judged, truth } = round;
+    const { interpreted, truth } = round;
     this.after.replaceChildren(
-      el("p", {}, el("strong", {}, judged.verdict), judged.ending ? ` \u00b7 ${judged.ending}` : ""),
+      el("p", {}, el("strong", {}, interpreted.verdict), interpreted.ending ? ` \u00b7 ${interpreted.ending}` : ""),
       el("dl", { class: "w-facts" },
         ...makeRow("Predicted", formatKnown(round.plan.predicted, percent)),
-        ...makeRow("Estimated", estimateText(judged.estimate)),
-        ...makeRow("From touch only", estimateText(judged.felt)),
+        ...makeRow("Estimated", estimateText(interpreted.estimate)),
+        ...makeRow("From touch only", estimateText(interpreted.by_touch)),
         ...(typeof truth?.performance === "number" ? makeRow("True", percent(truth.performance)) : []),
-        ...(judged.found ? makeRow("Surface", "not at its believed pose") : [])),
-      makeList(judged.words),
+        ...(interpreted.found ? makeRow("Surface", "not at its believed pose") : [])),
+      makeList(interpreted.words),
     );
   }
 

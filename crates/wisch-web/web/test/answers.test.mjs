@@ -14,7 +14,7 @@ const BEGIN = 1000;
 
 const answers = (view) => ({
   columns: [], rows: [[]], about: [[]], holds: true, more: false, printed: "", remarks: [],
-  view: { episodes: [{ id: ID, task: "board", interval: [BEGIN, BEGIN + 10], rounds: [BEGIN], looked: [] }], tracks: [], bodies: [], particles: [], plots: [], left_out: 0, ...view },
+  view: { episodes: [{ id: ID, task: "board", interval: [BEGIN, BEGIN + 10], rounds: [BEGIN], shown: [] }], tracks: [], bodies: [], particles: [], plots: [], left_out: 0, ...view },
 });
 const body = (kind, time, more = {}) => ({ thing: `semco:${kind}`, kind, episode: ID, round: 1, time: BEGIN + time, pose: POSE, strong: false, colour: null, ...more });
 
@@ -46,5 +46,5 @@ test("a logged round has events and contacts without a result", () => {
   assert.equal(recording.broken, 0);
   assert.deepEqual(recording.happenings.map(({ kind, start, byHand }) => [kind, start, byHand]), [["human collision", 1, true]]);
   assert.deepEqual(recording.rounds[0].contacts, [[0.5, 1.5]]);
-  assert.equal(recording.rounds[0].judged, null);
+  assert.equal(recording.rounds[0].interpreted, null);
 });

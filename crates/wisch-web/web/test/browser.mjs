@@ -207,7 +207,7 @@ const cases = {
       if (Array.isArray(value)) return value.map((each) => poison(each));
       return value && typeof value === "object" ? Object.fromEntries(Object.entries(value).map(([name, each]) => [name, poison(each, name)])) : value;
     };
-    const events = (piece) => (piece.piece === "judged" ? { ...piece, events: piece.events.map((event) => ({ ...event, kind: evil })) } : piece);
+    const events = (piece) => (piece.piece === "interpreted" ? { ...piece, events: piece.events.map((event) => ({ ...event, kind: evil })) } : piece);
     const { page, complaints, picture } = await show("hostile", lines(parts.map((piece) => events(poison(piece)))));
     await page.waitForTimeout(700);
     await page.evaluate(() => wisch.view.showTrajectories([{ name: "<img src=x onerror=window.hit=3>", color: "red;background:url(x)", points: [[0, 0, 1], [0, 0, 2]] }]));
@@ -227,7 +227,7 @@ const cases = {
       "no-robot": lines(parts.map((piece) => (piece.piece === "head" ? { ...piece, robot: null, tool: { ...piece.tool, link: null } } : piece))),
       "planned-only": lines(planned),
       "no-truth": lines(parts.filter(({ piece }) => piece !== "truth")),
-      killed: lines(parts.slice(0, parts.findIndex(({ piece }) => piece === "judged") - 3)),
+      killed: lines(parts.slice(0, parts.findIndex(({ piece }) => piece === "interpreted") - 3)),
       unknown: lines([...parts.slice(0, 20), { piece: "smell" }, ...parts.slice(20)]).replace("{\"piece\":\"stage\"", "{\"piece\":"),
       "nothing-in-it": lines(parts.map((piece) => (piece.piece === "round" ? { ...piece, particles: [], growth: [], strokes: [], phases: [], scene: [], why: [], surface: { ...piece.surface, rings: [] } } : piece))),
     };
@@ -333,7 +333,7 @@ const cases = {
       columns: ["S"], rows: [["semco:Stroke_1"], ["semco:Stroke_2"]], about: [[mention], [{ ...mention, episode: "20261123-010000-abcd" }]], holds: true, more: false,
       printed: "", remarks: ["</script>"],
       view: {
-        episodes: [{ id, task: "board", interval: [1000, 1020], rounds: [1000, 1017], looked: [] }], tracks: [], particles: [], left_out: 2,
+        episodes: [{ id, task: "board", interval: [1000, 1020], rounds: [1000, 1017], shown: [] }], tracks: [], particles: [], left_out: 2,
         bodies: [body, { ...body, thing: "semco:board", kind: "surface" }],
         plots: [{ diagram: "barchart", id: "p", title: "How long", x_label: "", y_label: "time [s]", amounts: [["semco:Stroke_1", 1.5]] }],
       },

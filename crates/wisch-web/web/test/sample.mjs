@@ -99,9 +99,9 @@ const estimate = (mean, half) => ({ mean: rounded(mean, 4), low: rounded(Math.ma
 
 /** Candidate plans of the first round. */
 const CONSIDERED = [
-  { strategy: "kde", chosen: false, worth: -1.6402, predicted: 0.66, lost: 0.48, strokes: 7, in_contact: 11.31, duration: 124.2, error: null },
-  { strategy: "rrt", chosen: false, worth: null, predicted: null, lost: null, strokes: null, in_contact: null, duration: null, error: "no way leads to the goal" },
-  { strategy: "adaptive", chosen: true, worth: 0.7613, predicted: 1, lost: 0, strokes: 5, in_contact: 0.94, duration: 17.3, error: null },
+  { strategy: "kde", chosen: false, score: -1.6402, predicted: 0.66, lost: 0.48, strokes: 7, in_contact: 11.31, duration: 124.2, error: null },
+  { strategy: "rrt", chosen: false, score: null, predicted: null, lost: null, strokes: null, in_contact: null, duration: null, error: "no way leads to the goal" },
+  { strategy: "adaptive", chosen: true, score: 0.7613, predicted: 1, lost: 0, strokes: 5, in_contact: 0.94, duration: 17.3, error: null },
 ];
 
 /** All pieces of a run of two rounds, in order. */
@@ -150,7 +150,7 @@ export function sample({ title = "Breadcrumbs on a chopping board", count = 300 
     actual = real.list;
     believed = actual.map(([x, y]) => [x + 0.012 * (random() - 0.5), y + 0.012 * (random() - 0.5)]);
     pieces.push({ piece: "observed", round, detections: flat(actual.filter(() => random() < 0.5)), hidden_m2: 0.002 });
-    stage(round, "interpreting", "Comparing what was felt with what was predicted.");
+    stage(round, "interpreting", "Comparing the measured contact with the predicted contact.");
     const truth = actual.filter(inGoal).length / count;
     const [, half, touch] = outcomes[round - 1];
     const events = round === 1 ? [
@@ -159,7 +159,7 @@ export function sample({ title = "Breadcrumbs on a chopping board", count = 300 
     ] : [{ kind: "effectless stroke", start: 4.0, end: 5.2, words: "Stroke 1 met almost no dirt.", by_hand: false }];
     const contacts = phases.filter((phase) => phase.contact).map(({ start, end }) => [rounded(start + 0.06, 3), rounded(end - 0.04, 3)]);
     pieces.push({
-      piece: "judged", round, duration, estimate: estimate(truth + 0.015, half), felt: estimate(truth - 0.03, half + touch),
+      piece: "interpreted", round, duration, estimate: estimate(truth + 0.015, half), by_touch: estimate(truth - 0.03, half + touch),
       verdict: round === 1 ? "wipe again" : "goal met", ending: "as planned",
       words: round === 1
         ? ["All five strokes touched the surface.", "The board is 3 mm lower than believed and tilted by 0.8 degrees; the next round uses the new pose.", "The estimate's lower end is below the target: wipe again."]

@@ -23,7 +23,7 @@ test("a recording that arrives piece by piece equals one that is read at once", 
 
 test("rounds follow each other on the common clock", () => {
   const { rounds, duration } = Recording.parse(text);
-  const [first, second] = pieces.filter(({ piece }) => piece === "judged");
+  const [first, second] = pieces.filter(({ piece }) => piece === "interpreted");
   assert.equal(rounds[0].start, 0);
   assert.ok(Math.abs(rounds[1].start - first.duration) < 1e-9);
   assert.ok(Math.abs(duration - first.duration - second.duration) < 1e-9);
@@ -61,12 +61,28 @@ test("unreadable lines and unknown pieces are counted and skipped", () => {
   assert.equal(recording.duration, Recording.parse(text).duration);
 });
 
+test("a recording of version 0.2.0 equals the same recording with today's names", () => {
+  const earlier = pieces.map((piece) => {
+    if (piece.piece === "interpreted") {
+      const { by_touch, ...rest } = piece;
+      return { ...rest, piece: "judged", felt: by_touch };
+    }
+    const considered = piece.considered?.map(({ score, ...plan }) => ({ ...plan, worth: score }));
+    return considered ? { ...piece, considered } : piece;
+  });
+  assert.ok(earlier.some((piece) => piece.considered?.some((plan) => "worth" in plan)));
+  const [was, is] = [Recording.parse(lines(earlier)), Recording.parse(text)];
+  assert.equal(was.broken, 0);
+  assert.deepEqual(was.rounds.map(({ interpreted }) => interpreted.by_touch), is.rounds.map(({ interpreted }) => interpreted.by_touch));
+  assert.deepEqual(was.rounds.map(({ plan }) => plan.considered?.map((plan) => plan.score)), is.rounds.map(({ plan }) => plan.considered?.map((plan) => plan.score)));
+});
+
 test("a killed run ends with its last sample", () => {
-  const until = pieces.findIndex(({ piece }) => piece === "judged");
+  const until = pieces.findIndex(({ piece }) => piece === "interpreted");
   const killed = Recording.parse(lines(pieces.slice(0, until)));
   const last = pieces.slice(0, until).findLast(({ piece }) => piece === "samples").t.at(-1);
   assert.equal(killed.duration, last);
-  assert.equal(killed.rounds[0].judged, null);
+  assert.equal(killed.rounds[0].interpreted, null);
   assert.equal(killed.live, false);
 });
 

@@ -129,6 +129,7 @@ pub fn resolve_goal(
     tool_in_hand: Option<&str>,
     available_tools: &[&str],
 ) -> Result<ResolvedGoal, GoalError> {
+    let literal = &with_declared_predicate(literal, domain);
     let target = Target::of(literal, domain, knowledge)?;
     let mut at_hand: Vec<&str> = Vec::new();
     for &tool in tool_in_hand.iter().chain(available_tools) {
@@ -164,6 +165,20 @@ pub fn resolve_goal(
         surface,
         steps: plan.iter().map(|step| search::text(step)).collect(),
     })
+}
+
+/// Returns the goal with the domain's name of its predicate, if it uses the name that an earlier version had.
+fn with_declared_predicate(literal: &GoalLiteral, domain: &Domain) -> GoalLiteral {
+    let is_declared = |name: &str| domain.predicates.iter().any(|p| p.name == name);
+    let mut literal = literal.clone();
+    if let Some(predicate) = literal.words.first_mut()
+        && predicate == "emitted"
+        && !is_declared(predicate)
+        && is_declared("dispensed")
+    {
+        "dispensed".clone_into(predicate);
+    }
+    literal
 }
 
 fn owned(names: &[&str]) -> Vec<String> {
@@ -298,7 +313,12 @@ impl<'a> Target<'a> {
                     let known = self.knowledge.tools_for(medium, surface, action)?;
                     let capable = known.iter().map(|capable| capable.tool.name.as_str());
                     for tool in capable.filter(|tool| tools.contains(tool)) {
-                        facts.push((format!("can-{action}"), vec![tool, medium, surface]));
+                        for name in [Some(action.as_str()), action.earlier_name()]
+                            .iter()
+                            .flatten()
+                        {
+                            facts.push((format!("can-{name}"), vec![tool, medium, surface]));
+                        }
                     }
                 }
             }

@@ -81,7 +81,7 @@ pub enum PlanError {
     },
     /// The action treats the surface, and the task does not say how many passes or how thick a layer.
     #[error(
-        "{action}: the task gives neither a number of passes nor a layer thickness; set polish.passes or emit.thickness_m"
+        "{action}: the task gives neither a number of passes nor a layer thickness; set polish.passes or dispense.thickness_m"
     )]
     NoTreatment {
         /// The task's action.

@@ -55,11 +55,11 @@ pub(super) fn best_by_objective(
     task: &Task,
     plans: impl IntoIterator<Item = Plan>,
 ) -> Option<Plan> {
-    let judged = plans.into_iter().map(|plan| {
+    let scored = plans.into_iter().map(|plan| {
         let objective = objective(task, &plan);
         (objective, plan.contact_distance(), plan)
     });
-    let best = judged.reduce(|best, next| {
+    let best = scored.reduce(|best, next| {
         let is_better = next.0 > best.0 || next.0 == best.0 && next.1 < best.1;
         if is_better { next } else { best }
     });

@@ -58,7 +58,7 @@ pub(super) fn plan_by_coverage(
             None => best_collect(task, config, space, &coverage)?,
         },
         Action::Skim => skim(task, config, space, coverage)?,
-        Action::Polish | Action::Emit => return lanes(task, space, config),
+        Action::Polish | Action::Dispense => return lanes(task, space, config),
     };
     plan.strategy = strategy.into();
     Ok(plan)

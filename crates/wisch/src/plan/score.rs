@@ -72,8 +72,8 @@ pub struct PlanScore {
     pub in_place: f64,
     /// Dirt that falls over a wrong edge, times 3 \[1\].
     pub lost: f64,
-    /// Dirt pushed so near an edge, or the rim of the goal, that part of the heap may go beyond it, times 0.5
-    /// \[1\].
+    /// Dirt of heaps pushed near a limit \[1\]: near an edge, 0.5 times how near it is; at the rim of the goal, the
+    /// share of its heap that lies beyond.
     pub at_risk: f64,
     /// Dirt that ends elsewhere, times 0.3, times its distance from the goal over the diagonal of the surface
     /// \[1\].

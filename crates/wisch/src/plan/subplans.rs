@@ -111,7 +111,7 @@ fn subplans(plan: &Plan, task: &Task, space: &FreeSpace) -> Vec<Stroke> {
                 .filter(|chain| chain.len() > 1)
                 .collect()
         }
-        GoalState::Polished { .. } | GoalState::Emitted { .. } => return plan.strokes.clone(),
+        GoalState::Polished { .. } | GoalState::Dispensed { .. } => return plan.strokes.clone(),
         GoalState::Absorbed => {
             let longest = TOUR_SUBPLAN * plan.collision_radius;
             let strokes = plan.strokes.iter();

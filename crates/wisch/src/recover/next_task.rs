@@ -113,7 +113,10 @@ pub fn is_done(
     surface: &Surface,
     seed: u64,
 ) -> Result<bool, ParticleError> {
-    let treats = matches!(goal, GoalState::Polished { .. } | GoalState::Emitted { .. });
+    let treats = matches!(
+        goal,
+        GoalState::Polished { .. } | GoalState::Dispensed { .. }
+    );
     let median = treats.then(|| belief.median_passes()).flatten();
     let draws = match median {
         Some(places) => places,

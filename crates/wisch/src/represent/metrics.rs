@@ -23,7 +23,7 @@ pub enum GoalState {
         passes: u32,
     },
     /// Every place coated to this thickness, within [`THICKNESS_TOLERANCE`].
-    Emitted {
+    Dispensed {
         /// Target thickness \[m\].
         thickness: f64,
         /// Thickness that one pass leaves \[m\].
@@ -44,7 +44,7 @@ impl GoalState {
             Self::Collected { .. } => Action::Collect,
             Self::Skimmed => Action::Skim,
             Self::Polished { .. } => Action::Polish,
-            Self::Emitted { .. } => Action::Emit,
+            Self::Dispensed { .. } => Action::Dispense,
         }
     }
 
@@ -55,7 +55,7 @@ impl GoalState {
             Self::Collected { .. } => "collected",
             Self::Skimmed => "skimmed",
             Self::Polished { .. } => "polished",
-            Self::Emitted { .. } => "emitted",
+            Self::Dispensed { .. } => "dispensed",
         }
     }
 
@@ -63,7 +63,7 @@ impl GoalState {
     pub fn missing_passes(&self, passes: f64) -> u32 {
         let wanted = match *self {
             Self::Polished { passes } => f64::from(passes),
-            Self::Emitted {
+            Self::Dispensed {
                 thickness,
                 per_pass,
             } => thickness / per_pass,
@@ -77,7 +77,7 @@ impl GoalState {
         match (self, fate) {
             (_, Fate::OffSurface { .. }) => true,
             (
-                Self::Emitted {
+                Self::Dispensed {
                     thickness,
                     per_pass,
                 },
@@ -99,7 +99,7 @@ impl GoalState {
                 passes + COUNTED_PASS >= f64::from(*wanted)
             }
             (
-                Self::Emitted {
+                Self::Dispensed {
                     thickness,
                     per_pass,
                 },

@@ -116,7 +116,7 @@ pub struct Task {
     pub particles: ParticleDistribution,
     /// n_goal of a collect, in the surface frame \[m\]; `None` lets the planner choose.
     pub collect_goal: Option<Point2>,
-    /// Target of a polish or an emit; `None` for actions that move dirt.
+    /// Target of `polish` or `dispense`; `None` for actions that move dirt.
     pub treatment: Option<Treatment>,
     /// Start of the tool, in the surface frame \[m\].
     pub tool_start: Point2,
@@ -177,7 +177,7 @@ impl Task {
                 center,
                 radius: self.tool.collision_radius(),
             }),
-            (Action::Polish | Action::Emit, _) => {
+            (Action::Polish | Action::Dispense, _) => {
                 (self.treatment).map(|treatment| treatment.goal(self.tool.width()))
             }
         }

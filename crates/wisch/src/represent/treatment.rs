@@ -16,7 +16,7 @@ pub enum Treatment {
         preston: Option<f64>,
     },
     /// A coat of paint.
-    Emit {
+    Dispense {
         /// Target thickness \[m\].
         thickness: f64,
         /// Volume of paint per metre of travel [m³/m].
@@ -29,10 +29,10 @@ impl Treatment {
     pub fn goal(&self, width: f64) -> GoalState {
         match *self {
             Self::Polish { passes, .. } => GoalState::Polished { passes },
-            Self::Emit {
+            Self::Dispense {
                 thickness,
                 volume_per_metre,
-            } => GoalState::Emitted {
+            } => GoalState::Dispensed {
                 thickness,
                 per_pass: volume_per_metre / width,
             },
@@ -45,7 +45,7 @@ impl Treatment {
         match *self {
             // Preston: depth = k_p · pressure · travel; pressure times the footprint's mean length is force over width.
             Self::Polish { preston, .. } => preston.map(|preston| preston * force / width),
-            Self::Emit {
+            Self::Dispense {
                 volume_per_metre, ..
             } => Some(volume_per_metre / width),
         }

@@ -87,7 +87,7 @@ const UNCHECKED: [(&str, &str); 15] = [
     ("heading", "a direction of travel, and a key of task files"),
     ("transfer", "the name of a phase in files"),
     ("elsewhere", "away from the goal area"),
-    ("emit", "the name of an action in files"),
+    ("emit", "the name of an action in files of earlier versions"),
     ("floor", "what a robot stands on"),
 ];
 

@@ -38,6 +38,33 @@ fn a_polish_has_its_passes_and_the_places_of_the_surface() {
 }
 
 #[test]
+fn the_earlier_name_of_dispense_is_read_with_a_hint() {
+    let earlier = POLISH.replace(r#"action = "polish""#, r#"action = "emit""#).replace(
+        "[polish]\npasses = 3",
+        "[interaction]\nactions = [\"emit\"]\n[emit]\nthickness_m = 1e-4\nvolume_m3_per_m = 1e-5",
+    );
+    let file = parsed(&earlier).unwrap();
+    let expected = Intent::Action {
+        action: Action::Dispense,
+        tool: "sponge".to_owned(),
+        medium: "polishing_paste".to_owned(),
+    };
+    assert_eq!(file.intent, expected);
+    let hint = |at: &str, what: &str| {
+        format!("small.toml:{at}: the {what} today; the earlier name is still read")
+    };
+    assert_eq!(
+        file.earlier_names,
+        [
+            hint("4:10", r#"action "emit" is called "dispense""#),
+            hint("13:12", r#"action "emit" is called "dispense""#),
+            hint("14:1", "table [emit] is called [dispense]"),
+        ]
+    );
+    assert!(parsed(POLISH).unwrap().earlier_names.is_empty());
+}
+
+#[test]
 fn what_a_treatment_lacks_or_cannot_have_is_said() {
     for (piece, by, expected) in [
         (

@@ -77,14 +77,14 @@ export class ScenePanel {
     const { rounds, observedBefore } = this.recording;
     const has: Record<keyof Layers, boolean> = {
       believed: rounds.some(({ plan }) => plan.particles.length > 0),
-      estimated: rounds.some(({ judged }) => judged !== null),
+      estimated: rounds.some(({ interpreted }) => interpreted !== null),
       actual: rounds.some(({ truth }) => truth?.particles != null),
       seen: observedBefore !== null || rounds.some(({ observed }) => observed !== null),
       path: rounds.some(({ count }) => count > 0),
       strokes: rounds.some(({ plan }) => plan.strokes.length > 0),
       force: rounds.some(({ count }) => count > 0),
       events: this.recording.happenings.length > 0,
-      found: rounds.some(({ judged }) => judged?.found != null),
+      found: rounds.some(({ interpreted }) => interpreted?.found != null),
       actualSurface: rounds.some(({ truth }) => truth?.surface != null),
     };
     for (const [name, box] of this.boxes) box.hidden = !has[name];

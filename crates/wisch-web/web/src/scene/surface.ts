@@ -63,8 +63,8 @@ export class Still {
 
   /** Shows the outlines of the found and the true surface, and emphasises the current stroke. */
   show(layers: { strokes: boolean; found: boolean; actual: boolean }, stroke: number | null): void {
-    const { judged, truth } = this.round;
-    const found = judged?.found ?? null;
+    const { interpreted, truth } = this.round;
+    const found = interpreted?.found ?? null;
     if (found !== this.foundAt) {
       this.foundAt = found;
       if (this.found) this.group.remove(this.found);

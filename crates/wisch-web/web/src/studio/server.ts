@@ -118,7 +118,7 @@ export interface ShownEpisode {
   interval: [number, number];
   /** When each round began, in seconds since 1970. */
   rounds: number[] | null;
-  looked: [number, number][];
+  shown: [number, number][];
 }
 
 export interface Seen {

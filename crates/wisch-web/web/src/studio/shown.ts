@@ -63,14 +63,14 @@ export function shownOf(answers: Answers, row: number | null, id: string, record
     if (episode !== id || !round || !belongs([begin, begin + round.length])) continue;
     const before = state === "before";
     const name = `${before ? "dirt before" : "estimated dirt after"} round ${number}, as queried`;
-    const pose = (before ? null : round.judged?.found) ?? round.plan.surface.pose;
+    const pose = (before ? null : round.interpreted?.found) ?? round.plan.surface.pose;
     shown.particles.push({ name, state, pose, shape: round.plan.surface.shape, places: positions, ...(colour ? { color: colour } : {}) });
     shown.since.push(before ? round.start : round.end);
   }
   // A robot and its tool at the same time are one ghost; the later command determines its colour.
   shown.ghosts = [...new Map(shown.ghosts.map((ghost) => [ghost.time, ghost])).values()].sort((a, b) => a.time - b.time);
   if (!shown.intervals.length) {
-    for (const [from, to] of begins.looked) shown.intervals.push({ start: at(from), end: at(to), label: "shown" });
+    for (const [from, to] of begins.shown) shown.intervals.push({ start: at(from), end: at(to), label: "shown" });
   }
   return shown;
 }

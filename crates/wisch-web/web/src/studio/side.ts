@@ -132,8 +132,8 @@ export class Side {
 
 /** Returns a badge with the state of the goal. */
 export function badge({ met, verdict, performance }: Pick<Listed, "met" | "verdict" | "performance">): HTMLElement {
-  const judged = goalState(met, verdict);
-  const state = judged === "unmet" && performance === null ? "none" : judged;
+  const goal = goalState(met, verdict);
+  const state = goal === "unmet" && performance === null ? "none" : goal;
   return el("span", { class: "s-badge", "data-state": state, title: verdict ?? "" }, { met: "met", unmet: "not met", unknown: "unknown", none: "\u2013" }[state]);
 }
 

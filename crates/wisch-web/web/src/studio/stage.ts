@@ -179,11 +179,11 @@ class Head {
   show(): void {
     const { recording, live, id } = this.source;
     say(this.title, recording.head?.title ?? id);
-    const judged = recording.rounds.findLast((round) => round.judged)?.judged;
+    const interpreted = recording.rounds.findLast((round) => round.interpreted)?.interpreted;
     const { ended } = recording;
     const parts: Node[] = [];
-    if (judged) {
-      const { mean, low, high } = judged.estimate;
+    if (interpreted) {
+      const { mean, low, high } = interpreted.estimate;
       parts.push(el("b", { title: "estimated performance, 90 % interval" }, percent(mean), el("small", {}, ` ${percent(low)} \u2013 ${percent(high)}`)));
     }
     if (ended) parts.push(el("span", { class: "s-badge", "data-state": ended.verdict ? goalState(ended.met, ended.verdict) : "none" }, ended.verdict ?? "stopped"));

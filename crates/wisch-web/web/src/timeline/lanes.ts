@@ -46,7 +46,7 @@ export function drawRounds(pen: Pen, frame: Frame, lane: Lane, recording: Record
 }
 
 export const roundTitle = (round: Round): string => {
-  const ended = round.judged ? round.judged.verdict : round.plan.kind === "planned" ? "planned only" : round.plan.kind === "logged" ? "from the log" : round.over ? "no result" : "running";
+  const ended = round.interpreted ? round.interpreted.verdict : round.plan.kind === "planned" ? "planned only" : round.plan.kind === "logged" ? "from the log" : round.over ? "no result" : "running";
   return `${round.number} \u00b7 ${ended}`;
 };
 

@@ -106,7 +106,7 @@ export function drawPerformance(pen: Pen, frame: Frame, lane: Lane, recording: R
     }
   });
   for (const round of recording.rounds) {
-    if (round.judged && round.end >= frame.from && round.end <= frame.to + 1e-9) drawWhiskers(pen, frame.x(round.end), y, round);
+    if (round.interpreted && round.end >= frame.from && round.end <= frame.to + 1e-9) drawWhiskers(pen, frame.x(round.end), y, round);
   }
   if (target === undefined) return;
   font(pen, 10);
@@ -132,9 +132,9 @@ function drawGrowth(pen: Pen, frame: Frame, round: Round, y: Scale): void {
   pen.stroke();
 }
 
-function drawWhiskers(pen: Pen, x: number, y: Scale, { judged, truth }: Round): void {
-  const { estimate, felt } = judged!;
-  drawWhisker(pen, x - 13, y, felt, "felt", 1.4, 3);
+function drawWhiskers(pen: Pen, x: number, y: Scale, { interpreted, truth }: Round): void {
+  const { estimate, by_touch } = interpreted!;
+  drawWhisker(pen, x - 13, y, by_touch, "by-touch", 1.4, 3);
   pen.fillStyle = colour("interval");
   pen.fillRect(x - 6, y(estimate.high), 12, y(estimate.low) - y(estimate.high));
   drawWhisker(pen, x, y, estimate, "estimated", 2, 5);

@@ -343,7 +343,7 @@ impl Mutator<'_> {
     /// Returns the target of a push: the goal, or a place beyond a nearby edge over which dirt may go.
     fn target(&mut self, goal: &GoalState, dirt: Point2) -> Option<Point2> {
         match goal {
-            GoalState::Absorbed | GoalState::Polished { .. } | GoalState::Emitted { .. } => None,
+            GoalState::Absorbed | GoalState::Polished { .. } | GoalState::Dispensed { .. } => None,
             GoalState::Collected { center, .. } => Some(*center),
             GoalState::Skimmed => {
                 let edge = self.allowed_edges[self.random_index(self.allowed_edges.len())?];

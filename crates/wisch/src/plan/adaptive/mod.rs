@@ -163,17 +163,17 @@ fn anneal(
     trials.value(&now.1);
     trials.keep();
     let cold = TEMPERATURES[1];
-    let (mut judged, mut refused) = (0, 0);
+    let (mut tried, mut refused) = (0, 0);
     let most_steps = MAX_STEPS * budget * valuation.worlds().len();
-    while judged < budget && refused < MAX_REFUSED * budget && trials.simulated() < most_steps {
+    while tried < budget && refused < MAX_REFUSED * budget && trials.simulated() < most_steps {
         let Some(draft) = mutator.neighbour(&now.1, &now.0.left) else {
             refused += 1;
             continue;
         };
-        let passed = judged as f64 / budget as f64;
+        let passed = tried as f64 / budget as f64;
         // Geometric cooling: T = T_hot (T_cold / T_hot)^progress.
         let temperature = hot * libm::pow(cold / hot, passed);
-        judged += 1;
+        tried += 1;
         let value = trials.value(&draft);
         let gain = value.total - now.0.total;
         let chance: f64 = mutator.random.random();

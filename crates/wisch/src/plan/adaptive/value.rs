@@ -254,7 +254,7 @@ impl<'a> Valuation<'a> {
     /// Distance of dirt from where it belongs [m].
     fn distance(&self, goal: &GoalState, place: Point2) -> f64 {
         match goal {
-            GoalState::Absorbed | GoalState::Polished { .. } | GoalState::Emitted { .. } => 0.0,
+            GoalState::Absorbed | GoalState::Polished { .. } | GoalState::Dispensed { .. } => 0.0,
             GoalState::Collected { center, radius } => ((place - center).norm() - radius).max(0.0),
             GoalState::Skimmed => {
                 let distances = self.allowed_edges.iter().map(|edge| edge.distance(place));

@@ -28,7 +28,7 @@ pub enum Action {
     /// Slide over every place of the surface a given number of times.
     Polish,
     /// Coat every place of the surface to a given thickness with the medium.
-    Emit,
+    Dispense,
 }
 
 impl Action {
@@ -38,7 +38,7 @@ impl Action {
         Self::Collect,
         Self::Skim,
         Self::Polish,
-        Self::Emit,
+        Self::Dispense,
     ];
     /// The actions that move dirt, in the order of the paper.
     pub const WIPING: [Self; 3] = [Self::Absorb, Self::Collect, Self::Skim];
@@ -49,6 +49,7 @@ impl Action {
     /// use wisch::represent::Action;
     /// assert_eq!(Action::Skim.as_str(), "skim");
     /// assert_eq!("collect".parse(), Ok(Action::Collect));
+    /// assert_eq!("emit".parse(), Ok(Action::Dispense), "its name in earlier versions");
     /// assert_eq!("colect".parse::<Action>().unwrap_err().nearest(), Some("collect"));
     /// ```
     pub fn as_str(self) -> &'static str {
@@ -57,7 +58,15 @@ impl Action {
             Self::Collect => "collect",
             Self::Skim => "skim",
             Self::Polish => "polish",
-            Self::Emit => "emit",
+            Self::Dispense => "dispense",
+        }
+    }
+
+    /// Name of the action in files of earlier versions, which are still read.
+    pub fn earlier_name(self) -> Option<&'static str> {
+        match self {
+            Self::Dispense => Some("emit"),
+            Self::Absorb | Self::Collect | Self::Skim | Self::Polish => None,
         }
     }
 
@@ -66,7 +75,7 @@ impl Action {
         match self {
             Self::Absorb => Effect::Absorb,
             Self::Collect | Self::Skim => Effect::Push,
-            Self::Polish | Self::Emit => Effect::Treat,
+            Self::Polish | Self::Dispense => Effect::Treat,
         }
     }
 
@@ -88,7 +97,7 @@ impl FromStr for Action {
     fn from_str(name: &str) -> Result<Self, UnknownName> {
         Self::ALL
             .into_iter()
-            .find(|action| action.as_str() == name)
+            .find(|action| action.as_str() == name || action.earlier_name() == Some(name))
             .ok_or_else(|| UnknownName::new("action", name, Self::ALL.map(Self::as_str)))
     }
 }

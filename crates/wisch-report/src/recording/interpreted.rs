@@ -12,12 +12,12 @@ use wisch::represent::{GoalState, ParticleDistribution, Performance, Surface};
 use wisch::run::Round;
 
 #[derive(Serialize)]
-pub(super) struct Judged {
+pub(super) struct Interpreted {
     piece: &'static str,
     round: usize,
     duration: f64,
     estimate: EstimateRecord,
-    felt: EstimateRecord,
+    by_touch: EstimateRecord,
     verdict: &'static str,
     ending: &'static str,
     words: Vec<String>,
@@ -55,16 +55,16 @@ pub(super) struct Truth {
     shape: Option<BendRecord>,
 }
 
-impl Judged {
+impl Interpreted {
     pub(super) fn new(round: &Round, target: f64) -> Self {
         let (motion, found) = (&round.motion, &round.interpretation);
         let is_shown = |event: &&Event| !event.kind.is_phase() && event.kind != EventKind::Contact;
         Self {
-            piece: "judged",
+            piece: "interpreted",
             round: motion.number,
             duration: round_to(round.execution.duration, 1e3),
             estimate: EstimateRecord::new(found.performance),
-            felt: EstimateRecord::new(found.by_touch),
+            by_touch: EstimateRecord::new(found.by_touch),
             verdict: round.verdict.as_str(),
             ending: round.execution.ending.as_str(),
             words: words::describe_round(round, target),
