@@ -305,8 +305,8 @@ pub struct TaskArgs {
     /// Task file, or name of a shipped scenario
     #[arg(value_name = "TASK", value_hint = ValueHint::FilePath)]
     pub task: PathBuf,
-    /// Strategy that plans the strokes: a coverage strategy (grid, rrt, kde), a search (adaptive), or best, which
-    /// keeps the plan with the highest score [default: the task's]
+    /// Strategy that plans the strokes: a coverage strategy (grid, rrt, kde), a search (adaptive), parallel strips
+    /// for polish and dispense (lanes), or best, which keeps the plan with the highest score [default: the task's]
     #[arg(long, value_name = "STRATEGY", value_parser = strategy_parser())]
     pub strategy: Option<Strategy>,
     /// Wiping action [default: the task's]
@@ -409,8 +409,8 @@ pub struct LoopArgs {
     /// With --on: do not ask before each round whether the robot may move; the first stop then ends the run
     #[arg(long, requires = "on")]
     pub yes_every_round: bool,
-    /// Stop waiting for the executor after this many seconds without a message or progress, or without "done" after
-    /// the end of its motion or a stop
+    /// Stop waiting for the executor if for this many seconds it sends no message and makes no progress, or sends no
+    /// "done" after its motion has ended or was stopped
     #[arg(long, value_name = "SECONDS", requires = "executor", default_value_t = 60.0, value_parser = seconds)]
     pub timeout: f64,
     /// Publish the run so that `wisch studio` can show it live; needs a memory

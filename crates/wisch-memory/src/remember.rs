@@ -231,15 +231,7 @@ fn describe_touch(individual: &mut Individual, interpretation: &Interpretation) 
             .collect();
         individual.set_text("semco:doubt", &doubts.join("; "));
     }
-    individual.set_text(
-        "semco:diagnosis",
-        match interpretation.diagnosis {
-            Diagnosis::Localized => "localized",
-            Diagnosis::Relocalize { .. } => "relocalize",
-            Diagnosis::NoContact => "no contact",
-            Diagnosis::Hovering => "hovering",
-        },
-    );
+    individual.set_text("semco:diagnosis", interpretation.diagnosis.as_str());
 }
 
 fn describe_stroke(

@@ -4,7 +4,7 @@ use std::fs::{self, File, OpenOptions};
 use std::io::{self, Read, Seek, SeekFrom, Write};
 use std::path::Path;
 
-/// Name of the file.
+/// Name of the file in the memory's folder.
 pub const FILE: &str = "told.jsonl";
 
 /// A statement: subject, property, and a name or a value.

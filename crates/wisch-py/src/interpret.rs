@@ -102,12 +102,7 @@ impl PyInterpretation {
     /// localized, relocalize, no contact or hovering.
     #[getter]
     fn diagnosis(&self) -> &'static str {
-        match self.estimate.diagnosis {
-            Diagnosis::Localized => "localized",
-            Diagnosis::Relocalize { .. } => "relocalize",
-            Diagnosis::NoContact => "no contact",
-            Diagnosis::Hovering => "hovering",
-        }
+        self.estimate.diagnosis.as_str()
     }
 
     /// Estimated pose of the surface, (7): by touch, if that differs from the believed pose.

@@ -152,7 +152,7 @@ pub(crate) struct ForceTable {
     pub kind: ForceKind,
     /// Topic with the measured wrench.
     pub topic: Option<String>,
-    /// Link whose axes the wrench has, if the frame of its header is not a link of the URDF.
+    /// Link in whose axes the wrench is expressed, if the frame of its header is not a link of the URDF.
     pub link: Option<String>,
     /// Service that tares the sensor.
     pub tare: Option<String>,

@@ -29,7 +29,7 @@ pub struct Problem {
     pub cell: WorkcellConfig,
 }
 
-/// Outcome of a problem.
+/// Outcome of a planning problem: followed, or the reason why it was not.
 #[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord)]
 pub enum SolvedProblem {
     /// Every node is reached.
@@ -44,7 +44,7 @@ pub enum SolvedProblem {
     Faulty(Vec<String>),
 }
 
-/// A followed problem.
+/// A planning problem with the motion that was found for it.
 pub struct FollowedProblem {
     /// The motion.
     pub motion: Followed,

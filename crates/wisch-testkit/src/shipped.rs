@@ -6,13 +6,13 @@ use wisch::robot::{CapabilityMap, RobotModel, Srdf};
 use wisch::run::RobotSetup;
 use wisch_io::RobotDescription;
 
-/// Any error, for examples.
+/// The error type of tests and examples: any error.
 pub type AnyError = Box<dyn Error + Send + Sync>;
 
 /// The scenarios of the paper's Table 1.
 pub const TABLE_1: [&str; 3] = ["chopping-board", "table", "windshield"];
 
-/// Path of the repository.
+/// Returns the path of the repository's root.
 pub fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
 }
@@ -22,7 +22,7 @@ pub fn scenario(name: &str) -> PathBuf {
     root().join(format!("scenarios/{name}.toml"))
 }
 
-/// A shipped robot.
+/// A shipped robot, read from its URDF and SRDF.
 pub struct ShippedRobot {
     /// Its name.
     pub name: &'static str,

@@ -2,7 +2,7 @@
 
 use proptest::prelude::*;
 use wisch::goal::{Domain, GoalError, GoalLiteral, ResolvedGoal, resolve_goal};
-use wisch::represent::{Action, KnowledgeBase, SurfaceScope};
+use wisch::represent::{Action, Interaction, KnowledgeBase, SurfaceScope};
 use wisch_io::KnowledgeSource;
 
 /// Longest text that is read [bytes].
@@ -128,22 +128,29 @@ fn every_shipped_interaction_is_reached_by_a_goal() {
 
 #[test]
 fn the_earlier_name_of_dispensed_is_read() {
-    let goal = |predicate: &str| {
-        let goal = format!("({predicate} paint panel)");
-        resolve(&goal, None, &["paint_roller"]).unwrap_or_else(|error| panic!("{error}"))
+    let mut knowledge = knowledge();
+    let mut interaction = Interaction::assume("sponge", "water");
+    interaction.surface = SurfaceScope::Named("table".to_owned());
+    interaction.actions = [Action::Dispense].into();
+    knowledge.insert_interaction(interaction).unwrap();
+    let resolve = |predicate: &str, domain: &Domain| {
+        let literal = GoalLiteral::parse(&format!("({predicate} water table)")).unwrap();
+        let resolved = resolve_goal(&literal, domain, &knowledge, None, &["sponge"]);
+        resolved.unwrap_or_else(|error| panic!("{error}"))
     };
-    assert_eq!(goal("emitted"), goal("dispensed"));
+    let today = resolve("dispensed", &wiping());
+    assert_eq!(today.action, Action::Dispense);
+    assert_eq!(today.steps[1], "(dispense sponge water table)");
+    assert_eq!(resolve("emitted", &wiping()).steps, today.steps);
 
-    // A domain of a user that has the earlier names.
+    // A user's domain that has the earlier names.
     let text = wiping_text()
         .replace("dispensed", "emitted")
         .replace("dispense", "emit");
     let domain = Domain::parse("wiping.pddl", &text).unwrap_or_else(|error| panic!("{error}"));
-    let literal = GoalLiteral::parse("(emitted paint panel)").unwrap();
-    let resolved = resolve_goal(&literal, &domain, &knowledge(), None, &["paint_roller"]);
-    let resolved = resolved.unwrap_or_else(|error| panic!("{error}"));
+    let resolved = resolve("emitted", &domain);
     assert_eq!(resolved.action, Action::Dispense);
-    assert_eq!(resolved.steps[1], "(emit paint_roller paint panel)");
+    assert_eq!(resolved.steps[1], "(emit sponge water table)");
 }
 
 #[test]

@@ -60,8 +60,8 @@ pub struct LoggedArgs {
 #[derive(Debug, Clone, Args)]
 #[command(next_help_heading = "Log format")]
 pub struct LogArgs {
-    /// Topic of the tool's pose, and after a colon the field of its messages. With /tf, the field is a frame that
-    /// transforms, static transforms and the URDF's joints connect [default: the only pose topic]
+    /// Topic of the tool's pose, and after a colon the field of its messages. With /tf, the field names a frame, to
+    /// which /tf, /tf_static and the joints of --urdf must lead [default: the only pose topic]
     #[arg(long, value_name = "TOPIC[:FIELD]")]
     pub pose_topic: Option<String>,
     /// Topic of the force, and after a colon the field of its messages [default: the only wrench topic]

@@ -28,7 +28,7 @@ wisch uses the map for base placement. It finds a map beside the URDF with the s
 .reach; commands take another file by --map. A map is valid for one robot: rebuild it after changing the \
 robot.")]
     Map(RobotMapArgs),
-    /// Write the SRDF of a robot that has only a URDF: groups, a ready posture, and pairs of links that may touch
+    /// Write the SRDF of a robot that has only a URDF: groups, a ready posture, and pairs of links that need no collision check
     #[command(after_help = "\
 Examples:
   wisch robot setup my_robot.urdf
@@ -44,7 +44,7 @@ Comments in the file state what was chosen and why.
 Exit codes: 0 the SRDF is written, 1 no arm or no collision-free posture was found and nothing is \
 written, 2 an error.")]
     Setup(RobotSetupArgs),
-    /// Show what a ROS 2 robot reports, and what would be refused; commands nothing
+    /// Show what a ROS 2 robot reports, and what forbids a motion; sends no command
     #[command(after_help = "\
 Examples:
   wisch robot doctor ur5e.toml

@@ -17,7 +17,7 @@ Examples:
   wisch surface check wok.ply --charts 8                  a surface that needs several charts
   wisch surface check door.ply --json | jq .chart.stretch
 
-wisch merges vertices, orients the triangles, smooths the surface to the scale of the tool, and unrolls it into a chart with as little distortion as possible. The chart is usable if at most 1 % of its area is stretched by more than the limit, no triangle lies upside down, and the chart does not cover itself. Task files do not take meshes as surfaces yet.
+wisch merges vertices, orients the triangles, smooths the surface to the scale of the tool, and unrolls it into a chart with as little distortion as possible. The chart is usable if at most 1 % of its area is stretched by more than the limit, no triangle lies upside down, and the chart does not cover itself. `surface.mesh` of a task file takes a mesh that one chart covers.
 
 Exit codes: 0 the mesh is usable, 1 it is not usable as it is, 2 an error.")]
     Check(SurfaceCheckArgs),
@@ -44,7 +44,7 @@ pub struct SurfaceCheckArgs {
     /// Take the part of the mesh that is nearest to this point [m] [default: the largest part]
     #[arg(long, value_name = "X,Y,Z", allow_hyphen_values = true, value_parser = vector)]
     pub seed_point: Option<Vector3>,
-    /// Direction from the surface to the tool; required for a closed mesh [default: the sides of the file's triangles]
+    /// Direction from the surface to the tool; required for a closed mesh [default: the side that most of the area in the file has]
     #[arg(long, value_name = "X,Y,Z", allow_hyphen_values = true, value_parser = vector)]
     pub towards: Option<Vector3>,
     /// Leave out triangles whose normals are farther from --towards than this angle [rad] [default: 1.2 for a closed

@@ -473,7 +473,7 @@ pub(super) fn summary_lines(record: &InterpretationRecord) -> Vec<(&'static str,
         (
             "contact",
             format!(
-                "on or near the surface for {} of the time",
+                "in contact for {} of the time on or near the surface",
                 percent(record.contact_share)
             ),
         ),

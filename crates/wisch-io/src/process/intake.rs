@@ -335,7 +335,7 @@ pub enum EndingRecord {
     },
 }
 
-/// Kind of a stop.
+/// Kind of a stop, as an executor writes it in a line of the protocol.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize)]
 #[serde(try_from = "String")]
 pub struct StopKindRecord(pub StopKind);

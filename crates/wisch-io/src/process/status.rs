@@ -5,7 +5,7 @@ use wisch::interpret::WrenchQuality;
 use wisch::run::StampClock;
 use wisch::source_location::UnknownName;
 
-/// Quality of a measured wrench.
+/// Quality of a measured wrench, as an executor writes it in a sample.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize)]
 #[serde(try_from = "String")]
 pub struct WrenchQualityRecord(pub WrenchQuality);

@@ -55,7 +55,7 @@ pub struct InterpretationRecord {
     pub plane: Option<PlaneRecord>,
     /// Doubts whether the log is wiping of this surface, one sentence each.
     pub doubts: Vec<String>,
-    /// localized, relocalize or no_contact.
+    /// localized, relocalize, no contact or hovering.
     pub diagnosis: &'static str,
     /// Estimated pose of the surface, if it differs from the believed pose; else null.
     pub world_from_surface: Option<PoseRecord>,
@@ -189,7 +189,7 @@ impl InterpretationRecord {
             doubts: (interpretation.doubts.iter())
                 .map(ToString::to_string)
                 .collect(),
-            diagnosis: diagnosis(&interpretation.diagnosis),
+            diagnosis: interpretation.diagnosis.as_str(),
             world_from_surface: match &interpretation.diagnosis {
                 Diagnosis::Relocalize { world_from_surface } => Some(world_from_surface.into()),
                 Diagnosis::Localized | Diagnosis::NoContact | Diagnosis::Hovering => None,
@@ -249,14 +249,5 @@ fn verdict(interpretation: &Interpretation, target: f64) -> (&'static str, Strin
         }
         Verdict::UnknowableByTouch => ("unknown", claim),
         _ => ("not met", claim),
-    }
-}
-
-fn diagnosis(diagnosis: &Diagnosis) -> &'static str {
-    match diagnosis {
-        Diagnosis::Localized => "localized",
-        Diagnosis::Relocalize { .. } => "relocalize",
-        Diagnosis::NoContact => "no_contact",
-        Diagnosis::Hovering => "hovering",
     }
 }

@@ -63,7 +63,7 @@ pub struct PlanRecord {
     pub edges: Vec<[usize; 2]>,
     /// Indices of the nodes that no valid edge connects to the goal.
     pub unreachable_nodes: Vec<usize>,
-    /// Share of the particles that are out of reach of the graph.
+    /// Share of the particles that the tool covers at no free position and yaw.
     pub unreachable_share: f64,
     /// The strokes in their order.
     pub strokes: Vec<StrokeRecord>,

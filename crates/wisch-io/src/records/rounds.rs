@@ -1,7 +1,7 @@
 //! Summaries of the rounds of a run for `--json`.
 
 use serde::Serialize;
-use wisch::interpret::{Diagnosis, EventKind};
+use wisch::interpret::EventKind;
 use wisch::run::{Ending, Pause, Round};
 
 /// Durations of the stages of a round.
@@ -57,7 +57,7 @@ pub struct RoundSummary {
     pub detections: Option<usize>,
     /// True performance; null without simulated dirt.
     pub true_performance: Option<f64>,
-    /// Time in contact over the time that the tool was to wipe.
+    /// Time in contact over the time that the tool was on or near the surface.
     pub contact_share: f64,
     /// Number of detected collisions.
     pub collisions: usize,
@@ -67,7 +67,7 @@ pub struct RoundSummary {
     pub plane_tilt_rad: Option<f64>,
     /// Height of the fitted plane above the believed surface; null without a plane.
     pub plane_offset_m: Option<f64>,
-    /// localized, relocalize or no contact.
+    /// localized, relocalize, no contact or hovering.
     pub diagnosis: &'static str,
     /// goal met, wipe again, or another name of a [`Verdict`](wisch::recover::Verdict).
     pub verdict: &'static str,
@@ -98,7 +98,7 @@ pub struct RoundSummary {
     pub timing: Option<RoundTiming>,
 }
 
-/// A pause of a motion.
+/// A pause of a motion, with its interval.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct PauseSummary {
     /// Time of its begin, since the start of the motion.
@@ -174,12 +174,7 @@ impl RoundSummary {
             collision_times_s,
             plane_tilt_rad: interpretation.plane.map(|plane| plane.tilt),
             plane_offset_m: interpretation.plane.map(|plane| plane.offset),
-            diagnosis: match interpretation.diagnosis {
-                Diagnosis::Localized => "localized",
-                Diagnosis::Relocalize { .. } => "relocalize",
-                Diagnosis::NoContact => "no contact",
-                Diagnosis::Hovering => "hovering",
-            },
+            diagnosis: interpretation.diagnosis.as_str(),
             verdict: round.verdict.as_str(),
             ending: match &round.execution.ending {
                 ending @ (Ending::Complete | Ending::Stopped) => ending.as_str().to_owned(),

@@ -22,7 +22,7 @@ pub struct LoggedEpisode<'a> {
     pub robot: Option<LoggedRobot<'a>>,
 }
 
-/// The task of an episode.
+/// The task of an episode, as a recording shows it.
 #[derive(Debug, Clone, Copy)]
 pub struct LoggedTask<'a> {
     /// The task.
@@ -33,7 +33,7 @@ pub struct LoggedTask<'a> {
     pub target: f64,
 }
 
-/// The robot of an episode.
+/// The robot of an episode, as a recording shows it.
 #[derive(Debug, Clone, Copy)]
 pub struct LoggedRobot<'a> {
     /// Its model.

@@ -23,6 +23,18 @@ pub enum Diagnosis {
     Hovering,
 }
 
+impl Diagnosis {
+    /// Name of the diagnosis in files.
+    pub fn as_str(&self) -> &'static str {
+        match self {
+            Self::Localized => "localized",
+            Self::Relocalize { .. } => "relocalize",
+            Self::NoContact => "no contact",
+            Self::Hovering => "hovering",
+        }
+    }
+}
+
 /// Contact, real plane of the surface and dirt, as inferred from a log of poses and forces; paper §4.2.
 #[derive(Debug, Clone)]
 pub struct Interpretation {

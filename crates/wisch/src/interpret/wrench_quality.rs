@@ -1,6 +1,6 @@
 //! The quality of measured wrenches, as a driver states it.
 
-/// Quality of a measured wrench.
+/// Quality of a measured wrench, as the driver states it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 pub enum WrenchQuality {
     /// It is a new measurement within the sensor's range.

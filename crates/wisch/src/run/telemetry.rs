@@ -51,7 +51,7 @@ impl SampleStatus {
     }
 }
 
-/// Absolute time of a measurement.
+/// Absolute time of a measurement, on a named clock.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Stamp {
     /// Nanoseconds since the beginning of the clock.
@@ -60,7 +60,7 @@ pub struct Stamp {
     pub clock: StampClock,
 }
 
-/// The clock of a stamp.
+/// The clock that a [`Stamp`] was read from.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum StampClock {
     /// Time since 1970, UTC.

@@ -5,8 +5,26 @@ use std::collections::BTreeMap;
 use std::fs;
 use std::path::Path;
 
+/// The crates that users depend on.
+const LIBRARIES: [&str; 11] = [
+    "wisch",
+    "wisch-eval",
+    "wisch-io",
+    "wisch-memory",
+    "wisch-record",
+    "wisch-report",
+    "wisch-robot",
+    "wisch-sim",
+    "wisch-telemetry",
+    "wisch-testkit",
+    "wisch-web",
+];
+
 /// Most lines that a function has.
 const MOST_LINES: usize = 100;
+
+/// Fewest words of the doc of a public item of a library.
+const LEAST_WORDS: usize = 6;
 
 /// The shipped sources of all crates: where, and the code without comments and tests.
 fn shipped() -> Vec<(String, String)> {
@@ -38,6 +56,27 @@ fn public_types(text: &str) -> impl Iterator<Item = &str> {
         let name = rest.split(|c: char| !c.is_alphanumeric()).next()?;
         is_type.then_some(name)
     })
+}
+
+/// The public items at the top level of a text whose doc has fewer than [`LEAST_WORDS`] words.
+fn scarcely_documented(text: &str) -> Vec<&str> {
+    const KINDS: [&str; 7] = ["struct", "enum", "trait", "type", "union", "fn", "const"];
+    let mut found = Vec::new();
+    let (mut words, mut in_attribute) = (0, false);
+    for line in text.lines() {
+        if let Some(doc) = line.strip_prefix("///") {
+            words += doc.split_whitespace().count();
+        } else if in_attribute || line.starts_with("#[") {
+            in_attribute = !line.ends_with(']');
+        } else {
+            let item = line.strip_prefix("pub ").unwrap_or_default();
+            if words < LEAST_WORDS && item.split(' ').any(|word| KINDS.contains(&word)) {
+                found.push(line);
+            }
+            words = 0;
+        }
+    }
+    found
 }
 
 /// The functions that are longer than [`MOST_LINES`]: name and lines.
@@ -77,6 +116,37 @@ fn a_public_type_has_a_name_of_its_own() {
     }
     places.retain(|_, files| files.len() > 1);
     assert!(places.is_empty(), "{places:#?}");
+}
+
+#[test]
+fn public_items_of_libraries_are_documented_in_a_sentence() {
+    let crates = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
+    let mut found = Vec::new();
+    for name in LIBRARIES {
+        for file in rust_files(&crates.join(name).join("src")) {
+            let text = fs::read_to_string(&file).unwrap();
+            let items = scarcely_documented(&text).into_iter();
+            found.extend(items.map(|item| format!("{}: {item}", file.display())));
+        }
+    }
+    assert!(found.is_empty(), "{found:#?}");
+}
+
+#[test]
+fn an_item_with_a_doc_of_five_words_is_noticed() {
+    let text = |doc: &str| {
+        format!("/// {doc}\n#[derive(Debug)]\n#[error(\n    \"of two lines\"\n)]\npub struct A;\n")
+    };
+    let [five, six] = [
+        text("The robot of an episode."),
+        text("The robot of an old episode."),
+    ];
+    assert_eq!(scarcely_documented(&five), ["pub struct A;"]);
+    assert_eq!(scarcely_documented(&six), Vec::<&str>::new());
+    assert_eq!(
+        scarcely_documented("pub const fn b() {}"),
+        ["pub const fn b() {}"]
+    );
 }
 
 #[test]

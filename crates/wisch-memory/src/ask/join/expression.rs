@@ -16,7 +16,7 @@ pub enum Expression {
     Binary(Binary, Box<Expression>, Box<Expression>),
 }
 
-/// A function of one number.
+/// A function of one number in arithmetic.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Unary {
     /// Negation.
@@ -27,7 +27,7 @@ pub enum Unary {
     Truncate,
 }
 
-/// A function of two numbers.
+/// A function of two numbers in arithmetic.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Binary {
     /// Sum.

@@ -1,6 +1,6 @@
 //! Tokens of a Prolog query.
 
-/// A token.
+/// A token of a query, with its position.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Token {
     pub kind: TokenKind,
@@ -9,7 +9,7 @@ pub struct Token {
     pub end: usize,
 }
 
-/// Kind of a token.
+/// Kind of a token, as Prolog distinguishes them.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum TokenKind {
     /// An atom of letters or in quotes.
@@ -55,7 +55,7 @@ pub fn is_word_operator(text: &str) -> bool {
     )
 }
 
-/// Returns all tokens, without comments.
+/// Returns all tokens of a query, without its comments.
 pub fn tokens(query: &str) -> Vec<Token> {
     let mut found: Vec<Token> = Vec::new();
     let mut at = 0;

@@ -128,7 +128,7 @@ pub struct SheetFoot {
     pub beyond: f64,
 }
 
-/// A vertex of a sheet.
+/// A vertex of a sheet: its position in space and in the chart, its normal and its bend.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SheetVertex {
     /// Place in the chart \[m\].

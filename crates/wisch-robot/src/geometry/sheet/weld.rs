@@ -10,7 +10,7 @@ const WELD_TOLERANCE: f64 = 1e-6;
 /// Rounds of splitting edges at vertices that lie on them.
 const MAX_SPLIT_ROUNDS: usize = 4;
 
-/// What the repair changed.
+/// Counts of the changes that the repair of a mesh made.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct MeshRepairs {
     /// Vertices that were merged into another.
