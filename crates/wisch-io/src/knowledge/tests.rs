@@ -161,7 +161,7 @@ fn an_unknown_reference_is_an_error_with_its_line_and_the_nearest_name() {
         (
             "\"skim\"",
             "\"skin\"",
-            r#"small.toml:24:12: unknown action "skin"; nearest: skim; known: skim, dispense, absorb, polish, collect"#,
+            r#"small.toml:24:12: unknown action "skin"; nearest: skim; known: skim, absorb, polish, dispense, collect"#,
         ),
     ];
     for (piece, by, expected) in cases {
