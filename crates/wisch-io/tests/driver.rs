@@ -441,9 +441,20 @@ say(resumed={"time_s": now + 30})
 pass_(points[at:], 30)
 done("complete", duration=motion["duration_s"] + 30)
 "#;
-    let mut paused = 0;
+    let (mut paused, mut wrong, mut count) = (0, 0, 0);
+    let order = order(&planned);
+    let mut begin = f64::INFINITY;
     let execution = executed(&planned, "", lines, with_silence(1.5), |sample| {
-        paused += usize::from(sample.status.is_paused);
+        if sample.status.is_paused {
+            paused += 1;
+            begin = sample.time - 1.0;
+            return;
+        }
+        // The phase is that of the time without the pause, from the first sample after it on.
+        count += 1;
+        let late = if sample.time > begin { 30.0 } else { 0.0 };
+        let meant = order.motion_at(sample.time - late).expect("it moves");
+        wrong += usize::from(meant != (sample.motion, sample.phase));
     });
     let execution = execution.expect("it ends");
     let [pause] = &execution.pauses[..] else {
@@ -453,6 +464,11 @@ done("complete", duration=motion["duration_s"] + 30)
     assert_eq!(pause.phase, Phase::Wipe(0));
     assert_eq!(pause.end.map(|end| end - pause.start), Some(30.0));
     assert_eq!((pause.reason.as_str(), paused), ("the pendant", 1));
+    // Times at the border of two phases are rounded.
+    assert!(
+        wrong <= 2 && count > 100,
+        "{wrong} of {count} samples have another phase"
+    );
 
     for (lines, expected) in [
         (
@@ -470,6 +486,10 @@ done("complete", duration=motion["duration_s"] + 30)
         (
             "sample(0); say(paused={'time_s': 1}); say(resumed={'time_s': 1}); time.sleep(60)",
             "no message for 0.7 s",
+        ),
+        (
+            "sample(0); say(paused={'time_s': 1}); say(resumed={'time_s': 901}); sample(902, world_from_tool=points[0]['world_from_tool']); done('complete', duration=902)",
+            "the last sample is at 902 s, 900.000 s of which it was paused",
         ),
         (
             "sample(0); say(paused={'time_s': 1}); sys.exit(3)",

@@ -365,6 +365,8 @@ pub struct Intake<'a> {
     is_stopped: bool,
     stamp_clock: Option<StampClock>,
     pauses: Vec<Pause>,
+    /// Duration of all pauses that have ended [s].
+    paused: f64,
     dropped: usize,
 }
 
@@ -382,6 +384,7 @@ impl<'a> Intake<'a> {
             is_stopped: false,
             stamp_clock: None,
             pauses: Vec::new(),
+            paused: 0.0,
             dropped: 0,
         }
     }
@@ -432,7 +435,10 @@ impl<'a> Intake<'a> {
         let time = record.time_s;
         self.check_pause("resumed", time)?;
         match self.pauses.last_mut() {
-            Some(pause) if pause.end.is_none() => pause.end = Some(time),
+            Some(pause) if pause.end.is_none() => {
+                pause.end = Some(time);
+                self.paused += time - pause.start;
+            }
             _ => return Err(format!("resumed at {time} s, but it is not paused")),
         }
         Ok(())
@@ -446,6 +452,13 @@ impl<'a> Intake<'a> {
         Err(format!(
             "{what} at {time} s; expected {least} to {MAX_TIME} s"
         ))
+    }
+
+    /// Time that the motion has run until the last sample, without its pauses \[s\].
+    fn time_run(&self) -> f64 {
+        let begun = self.pauses.last().filter(|pause| pause.end.is_none());
+        let now = begun.map_or(0.0, |pause| (self.since - pause.start).max(0.0));
+        self.since - self.paused - now
     }
 
     /// Time of the last sample or pause \[s\].
@@ -510,8 +523,9 @@ impl<'a> Intake<'a> {
         };
         let measured = wrench(sample.force_n, sample.moment_nm);
         let (reported, positions) = (sample.trajectory_time_s, &sample.positions);
+        let time_run = self.time_run();
         let at = (self.clock)
-            .advance(self.since, reported, positions, &world_from_tool)
+            .advance(time_run, reported, positions, &world_from_tool)
             .map_err(|error| format!("at {} s: {error}", self.since))?;
         if !sample.positions.is_empty() {
             self.positions.clone_from(&sample.positions);
@@ -575,9 +589,12 @@ impl<'a> Intake<'a> {
         check("at the end positions", &done.positions, MAX_JOINT)?;
         let end = self.end();
         let is_complete = done.ending == EndingRecord::Complete && !self.is_stopped;
-        if is_complete && self.since < end - LAST_SAMPLE {
+        if is_complete && self.time_run() < end - LAST_SAMPLE {
             let last = if self.since.is_finite() {
-                format!("the last sample is at {} s", self.since)
+                let paused = self.since - self.time_run();
+                let without = format!(", {paused:.3} s of which it was paused");
+                let without = if paused > 0.0 { without } else { String::new() };
+                format!("the last sample is at {} s{without}", self.since)
             } else {
                 "there is no sample".to_owned()
             };
