@@ -428,18 +428,18 @@ fn a_pause_is_no_silence_and_is_recorded() {
     // Without a pause, the limits are 1.5 s.
     let lines = r#"
 wipe = next(p for p in motion["phases"] if p["phase"] == "wipe")
-at = next(i for i, point in enumerate(points) if point["time_s"] > wipe["start_s"] + 0.2)
+at = next(i for i, point in enumerate(points) if point["time_s"] > wipe["end_s"] - 0.2)
 def pass_(points, late):
     for point in points:
         sample(point["time_s"] + late, world_from_tool=point["world_from_tool"], positions=point["positions"])
 pass_(points[:at], 0)
 now = points[at]["time_s"]
 say(paused={"time_s": now, "reason": "the pendant"})
-sample(now + 1, world_from_tool=points[at]["world_from_tool"], positions=points[at]["positions"])
+sample(now + 0.25, world_from_tool=points[at]["world_from_tool"], positions=points[at]["positions"])
 time.sleep(4)
-say(resumed={"time_s": now + 30})
-pass_(points[at:], 30)
-done("complete", duration=motion["duration_s"] + 30)
+say(resumed={"time_s": now + 0.5})
+pass_(points[at:], 0.5)
+done("complete", duration=motion["duration_s"] + 0.5)
 "#;
     let (mut paused, mut wrong, mut count) = (0, 0, 0);
     let order = order(&planned);
@@ -447,12 +447,12 @@ done("complete", duration=motion["duration_s"] + 30)
     let execution = executed(&planned, "", lines, with_silence(1.5), |sample| {
         if sample.status.is_paused {
             paused += 1;
-            begin = sample.time - 1.0;
+            begin = sample.time - 0.25;
             return;
         }
         // The phase is that of the time without the pause, from the first sample after it on.
         count += 1;
-        let late = if sample.time > begin { 30.0 } else { 0.0 };
+        let late = if sample.time > begin { 0.5 } else { 0.0 };
         let meant = order.motion_at(sample.time - late).expect("it moves");
         wrong += usize::from(meant != (sample.motion, sample.phase));
     });
@@ -462,7 +462,8 @@ done("complete", duration=motion["duration_s"] + 30)
     };
     assert_eq!(execution.ending, Ending::Complete);
     assert_eq!(pause.phase, Phase::Wipe(0));
-    assert_eq!(pause.end.map(|end| end - pause.start), Some(30.0));
+    let length = pause.end.expect("it has ended") - pause.start;
+    assert!((length - 0.5).abs() < 1e-9, "{length} s");
     assert_eq!((pause.reason.as_str(), paused), ("the pendant", 1));
     // Times at the border of two phases are rounded.
     assert!(
