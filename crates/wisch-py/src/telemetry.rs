@@ -11,7 +11,8 @@ use wisch::geometry::{Pose, Vector3, flatten_pose, restore_pose};
 use wisch::interpret::{TouchSample, UnusableWrenches, WrenchQuality};
 use wisch::run::{SampleStatus, TelemetrySample, Wrench};
 use wisch_telemetry::{
-    Axes, AxesChoice, LogOptions, OrientationForm, Payload, TopicChoice, WrenchSign,
+    Axes, AxesChoice, AxesSource, Log, LogOptions, OrientationForm, Payload, TopicChoice,
+    WrenchSign,
 };
 
 /// Columns that grow sample by sample.
@@ -87,6 +88,10 @@ pub struct PyTelemetry {
     velocities: Py<PyArray2<f64>>,
     /// (T, n), or (T, 0) [Nm or N].
     efforts: Py<PyArray2<f64>>,
+    /// How a log was read: assumptions, transforms, samples that were left out, gaps; a sentence each.
+    remarks: Vec<String>,
+    /// Samples of a log that were left out because their wrench is not usable: stale, saturated, untared.
+    left_out: [usize; 3],
 }
 
 impl PyTelemetry {
@@ -99,7 +104,12 @@ impl PyTelemetry {
     pub fn touches(&self, py: Python<'_>) -> PyResult<(Vec<TouchSample>, UnusableWrenches)> {
         let (times, poses, forces) = (&self.time_s, &self.world_from_tool, &self.force_n);
         let samples = touches(times.bind(py), poses.bind(py), forces.bind(py))?;
-        let mut unusable = UnusableWrenches::default();
+        let [stale, saturated, untared] = self.left_out;
+        let mut unusable = UnusableWrenches {
+            stale,
+            saturated,
+            untared,
+        };
         let qualities = self.qualities(py)?;
         let usable = samples.into_iter().zip(qualities).filter(|(_, quality)| {
             unusable.add(*quality);
@@ -177,8 +187,38 @@ impl PyTelemetry {
         Ok(())
     }
 
-    /// Returns the arrays that take over the columns.
+    /// Returns the arrays that take over the columns of a round.
     pub fn from_columns(py: Python<'_>, round: usize, columns: Columns) -> PyResult<Py<Self>> {
+        Py::new(py, Self::new(py, round, columns))
+    }
+
+    /// Returns the samples of a log, with what is to be known about its reading.
+    fn of_log(py: Python<'_>, log: &Log) -> PyResult<Py<Self>> {
+        let mut columns = Columns::default();
+        for touch in &log.samples {
+            columns.push(&TelemetrySample::from_touch(touch, 0, Phase::FreeMotion));
+        }
+        let mut remarks = log.describe_reading();
+        if log.axes_source == AxesSource::Assumed {
+            remarks.push(format!(
+                "the axes of the force are assumed to be those of the {}; state others with wrench_frame",
+                log.axes.as_str()
+            ));
+        }
+        let UnusableWrenches {
+            stale,
+            saturated,
+            untared,
+        } = log.unusable;
+        let telemetry = Self {
+            remarks,
+            left_out: [stale, saturated, untared],
+            ..Self::new(py, log.round.unwrap_or_default(), columns)
+        };
+        Py::new(py, telemetry)
+    }
+
+    fn new(py: Python<'_>, round: usize, columns: Columns) -> Self {
         let samples = columns.time.len();
         let rows = |numbers: Vec<f64>, width: usize| {
             if width == 0 {
@@ -188,7 +228,7 @@ impl PyTelemetry {
         };
         let [positions, velocities, efforts] = columns.joints;
         let counts = columns.counts;
-        let telemetry = Self {
+        Self {
             round,
             time_s: vector(py, columns.time).unbind(),
             stroke: PyArray1::from_vec(py, columns.stroke).unbind(),
@@ -202,8 +242,9 @@ impl PyTelemetry {
             positions: rows(positions, counts[0]),
             velocities: rows(velocities, counts[1]),
             efforts: rows(efforts, counts[2]),
-        };
-        Py::new(py, telemetry)
+            remarks: Vec::new(),
+            left_out: [0; 3],
+        }
     }
 }
 
@@ -360,11 +401,7 @@ pub fn read_log(
         };
         crate::error::failed(error, details)
     })?;
-    let mut columns = Columns::default();
-    for touch in &log.samples {
-        columns.push(&TelemetrySample::from_touch(touch, 0, Phase::FreeMotion));
-    }
-    PyTelemetry::from_columns(py, log.round.unwrap_or_default(), columns)
+    PyTelemetry::of_log(py, &log)
 }
 
 /// Checks that a number is above 0, if given.

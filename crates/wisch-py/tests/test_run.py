@@ -145,6 +145,10 @@ def test_a_table_is_read_as_a_log(task, robot, exact, tmp_path):
     read = wisch.read_log(file, wrench_frame="world")
     np.testing.assert_allclose(read.force_n, log.force_n, atol=1e-12)
     assert task.interpret(read).performance == pytest.approx(first.performance, abs=0.02)
+    assert not read.remarks and read.left_out == [0, 0, 0]
+    np.savetxt(file, table[np.r_[:2000, 2500:len(table)]], delimiter=",", header="t,x,y,z,qx,qy,qz,qw,fx,fy,fz", comments="", fmt="%.17g")
+    remarks = "; ".join(wisch.read_log(file).remarks)
+    assert "gaps in the log: 0.5" in remarks and "axes of the force are assumed to be those of the tool" in remarks
     with pytest.raises(wisch.WischError) as caught:
         wisch.read_log(tmp_path / "no.mcap")
     assert caught.value.file == str(tmp_path / "no.mcap")

@@ -70,6 +70,41 @@ pub struct Log {
     pub is_unfinished: bool,
 }
 
+/// Number of gaps that [`Log::describe_reading`] lists one by one.
+const GAPS_SHOWN: usize = 5;
+
+impl Log {
+    /// Returns what users should know about how the log was read, a sentence each: transforms, assumptions, samples that
+    /// were left out, and gaps.
+    pub fn describe_reading(&self) -> Vec<String> {
+        let skipped = self.skipped.iter().map(|skipped| {
+            let plural = if skipped.count == 1 { "" } else { "s" };
+            format!(
+                "left out: {} sample{plural}; the first: {}",
+                skipped.count, skipped.first
+            )
+        });
+        let known = self.frames_used.iter().chain(&self.remarks).cloned();
+        known.chain(skipped).chain(self.describe_gaps()).collect()
+    }
+
+    fn describe_gaps(&self) -> Option<String> {
+        let shown: Vec<String> = (self.gaps.iter().take(GAPS_SHOWN))
+            .map(|[start, end]| format!("{:.2} s at {start:.2} s", end - start))
+            .collect();
+        let more = match self.gaps.len().saturating_sub(GAPS_SHOWN) {
+            0 => String::new(),
+            more => format!(" and {more} more"),
+        };
+        (!shown.is_empty()).then(|| {
+            format!(
+                "gaps in the log: {}{more}; wiping during gaps is not counted",
+                shown.join(", ")
+            )
+        })
+    }
+}
+
 /// Invalid poses or forces that were dropped.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Skipped {

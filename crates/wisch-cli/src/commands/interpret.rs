@@ -164,14 +164,7 @@ fn log_record(file: &Path, log: &Log, remarks: Vec<String>) -> LogRecord {
 
 /// Describes what users should know about a log: frames used, samples left out, gaps and doubts.
 fn remarks(log: &Log, prepared: &LoadedTask, interpretation: &Interpretation) -> Vec<String> {
-    let mut remarks = log.frames_used.clone();
-    remarks.extend(log.remarks.iter().cloned());
-    let skipped = log.skipped.iter().map(|skipped| {
-        let count = counted(skipped.count, "sample");
-        format!("left out: {count}; the first: {}", skipped.first)
-    });
-    remarks.extend(skipped);
-    remarks.extend(gaps_in_words(&log.gaps));
+    let mut remarks = log.describe_reading();
     let name = &prepared.task.name;
     if let Some(task) = log.task.as_ref().filter(|task| *task != name) {
         remarks.push(format!("the log is of the task {task:?}, not of {name:?}"));
@@ -205,25 +198,6 @@ fn remarks(log: &Log, prepared: &LoadedTask, interpretation: &Interpretation) ->
 /// Limits up to which a log's surface pose counts as the task's [m] and [rad].
 pub(super) const ELSEWHERE_M: f64 = 0.05;
 const ELSEWHERE_RAD: f64 = 0.18;
-
-fn gaps_in_words(gaps: &[[f64; 2]]) -> Option<String> {
-    let shown: Vec<String> = (gaps.iter().take(GAPS_SHOWN))
-        .map(|[start, end]| format!("{:.2} s at {start:.2} s", end - start))
-        .collect();
-    let more = match gaps.len().saturating_sub(GAPS_SHOWN) {
-        0 => String::new(),
-        more => format!(" and {more} more"),
-    };
-    (!gaps.is_empty()).then(|| {
-        format!(
-            "gaps in the log: {}{more}; wiping during gaps is not counted",
-            shown.join(", ")
-        )
-    })
-}
-
-/// Number of gaps that are listed one by one.
-const GAPS_SHOWN: usize = 5;
 
 /// Returns the arguments that select the task.
 pub(super) fn task_args(args: &LoggedArgs) -> TaskArgs {

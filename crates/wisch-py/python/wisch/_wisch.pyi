@@ -532,6 +532,12 @@ class Telemetry:
     @property
     def efforts(self) -> Floats:
         """(T, n), or (T, 0) [Nm or N]."""
+    @property
+    def remarks(self) -> list[str]:
+        """How a log was read: assumptions, transforms, samples that were left out, gaps; a sentence each."""
+    @property
+    def left_out(self) -> list[int]:
+        """Samples of a log that were left out because their wrench is not usable: stale, saturated, untared."""
     def __len__(self) -> int: ...
 
 class Interpretation:
