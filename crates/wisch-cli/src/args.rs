@@ -134,10 +134,13 @@ Examples:
 
 Writes report.html, plan.json and rounds.json; telemetry/: a bag per round (round-1.mcap, for Foxglove, \
 Rerun and ROS 2); trajectories/: joint trajectories and the tool's path; particles/: the estimate and \
-the simulator's ground truth; figures/. Ctrl-C and SIGTERM stop the robot and keep the measurements.
+the simulator's ground truth; figures/.
 
-Exit codes: 0 the estimated performance (without a robot: the predicted performance) reaches the task's \
-target, 1 it does not or this is unknown, 2 an error.")]
+With --executor, --on or --live, Ctrl-C and SIGTERM stop the robot and keep the measurements. Another run ends \
+at once, and --resume continues after its last completed round.
+
+Exit codes: 0 the goal is met (without a robot: the predicted performance reaches the target), 1 it is not met \
+or not shown to be met, 2 an error.")]
     Run(WipeArgs),
     /// Follow a plan with a robot: plan collision-free joint trajectories and write them for ROS 2
     #[command(after_help = "\
@@ -216,7 +219,7 @@ Parquet or NumPy's npz, recognised by its first bytes. Builds with the feature a
 (NAME.mcap.active), is read up to its last complete message. Writes interpretation.json and \
 particles/particles-estimated.csv.
 
-Exit codes: 0 the estimated performance reaches the task's target, 1 it does not or this is unknown, 2 an error.")]
+Exit codes: 0 the goal is met, 1 it is not met or not shown to be met, 2 an error.")]
     Interpret(Box<InterpretArgs>),
     /// Learn how tools move dirt from rounds with camera observations before and after wiping
     #[command(after_help = "\
@@ -348,7 +351,7 @@ pub struct PlanArgs {
     #[arg(long)]
     pub explain: bool,
     /// Plan for the task's particles as if their positions were known exactly, as `wisch eval table1` does. Without
-    /// this option the plan covers all positions that the dirt may have, as in `wisch run`, and is longer
+    /// this option wisch plans for random draws of the uncertain dirt, as `wisch run` does, and the plan is longer
     #[arg(long)]
     pub known_dirt: bool,
     /// The results.
@@ -409,8 +412,8 @@ pub struct LoopArgs {
     /// With --on: do not ask before each round whether the robot may move; the first stop then ends the run
     #[arg(long, requires = "on")]
     pub yes_every_round: bool,
-    /// Stop waiting for the executor if for this many seconds it sends no message and makes no progress, or sends no
-    /// "done" after its motion has ended or was stopped
+    /// Stop waiting for the executor if for this many seconds it sends no message, makes no progress along its
+    /// motion, or sends no "done" after its motion has ended or was stopped
     #[arg(long, value_name = "SECONDS", requires = "executor", default_value_t = 60.0, value_parser = seconds)]
     pub timeout: f64,
     /// Publish the run so that `wisch studio` can show it live; needs a memory
@@ -473,7 +476,7 @@ pub struct ReportArgs {
     /// Task file that was executed when the log was recorded
     #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]
     pub task: Option<PathBuf>,
-    /// Plan that was executed; its goal applies if the task has no goal
+    /// Plan that was executed; its goal area applies if the task has no collect.goal_m
     #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath, requires = "task")]
     pub plan: Option<PathBuf>,
     /// Wiping action that was executed [default: the task's]

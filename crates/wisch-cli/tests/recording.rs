@@ -211,7 +211,7 @@ fn ended_before_a_round_is_over_nothing_is_kept() {
     let said = String::from_utf8(ended.stderr).expect("text");
     assert_eq!(ended.status.code(), Some(2), "{said}");
     assert!(
-        said.contains("interrupted during the first round"),
+        said.contains("interrupted before the first motion"),
         "{said}"
     );
     assert!(episodes(folder.path()).is_empty());

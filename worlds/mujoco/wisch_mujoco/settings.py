@@ -91,10 +91,14 @@ class Settings:
             "force_delay_s": "late forces",
             "friction_change": "changes of friction",
             "joint_friction_nm": "friction in the joints",
+            "force_drift_n_per_s": "drift of the force",
+            "grain_mass_kg": "masses of grains of its own choice",
         }
         for key, what in refused.items():
             if real.get(key):
                 raise Unsupported(f"{table['name']}: execution.{key}: this world has no {what}")
+        if real.get("grains_resist") is False:
+            raise Unsupported(f"{table['name']}: execution.grains_resist: the grains of this world always resist the tool")
         if task.action not in ("absorb", "collect", "skim"):
             raise Unsupported(f"{table['name']}: action {task.action!r}: this world has crumbs to absorb, collect or skim")
         camera = {**table.get("perception", {}), **real.get("camera", {})}

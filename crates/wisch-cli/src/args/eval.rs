@@ -120,7 +120,7 @@ pub struct Table1Args {
     /// [default: all nine]
     #[arg(long, value_name = "CELL,…", value_delimiter = ',', value_parser = cells)]
     pub cells: Vec<Cells>,
-    /// Strategies that plan the strokes [default: all]
+    /// Strategies that plan the strokes [default: all that suit these actions, thus not lanes]
     #[arg(long, value_name = "STRATEGY,…", value_delimiter = ',', value_parser = strategy_parser())]
     pub strategies: Vec<Strategy>,
     /// The seeds.

@@ -36,7 +36,7 @@ pub struct LoggedArgs {
     /// Task file that was executed
     #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]
     pub task: PathBuf,
-    /// Plan that was executed; its goal applies if the task has no goal
+    /// Plan that was executed; its goal area applies if the task has no collect.goal_m
     #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]
     pub plan: Option<PathBuf>,
     /// Wiping action that was executed [default: the task's]

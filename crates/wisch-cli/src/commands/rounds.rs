@@ -290,7 +290,7 @@ impl Sinks<'_> {
         }
         if rounds == 0 {
             return Err(Failure::new(
-                "interrupted during the first round; nothing is kept",
+                "interrupted before the first motion; nothing is kept",
             ));
         }
         let count = counted(rounds, "round");

@@ -387,7 +387,7 @@ pub const TABLES: [Table; 7] = [
     },
     Table {
         name: "events",
-        about: "one row per detected event: contact, contact loss, collision, overload, protective stop",
+        about: "one row per detected event, such as contact, contact loss, collision or overload",
         columns: &[
             ROBOT,
             DAY,

@@ -39,10 +39,10 @@ pub(super) struct ExecutionTable {
     pub(super) force_noise_n: NoiseN,
     /// Constant bias of the measured force, world axes [N].
     pub(super) force_bias_n: Option<[BiasN; 3]>,
-    /// Mean of ln f', where f' is the ratio of the pressure that moves a grain to the nominal pressure; default: from the
+    /// Mean of ln X, where X is the ratio of the pressure that moves a grain to the nominal pressure; default: from the
     /// knowledge base.
     pub(super) mu: Option<LogForce>,
-    /// Standard deviation of ln f'; default: from the knowledge base.
+    /// Standard deviation of ln X; default: from the knowledge base.
     pub(super) sigma: Option<LogSpread>,
     /// True dirt locations, independent of the believed locations; default: uniform over the free surface.
     pub(super) dirt: Option<At<DirtTable>>,
@@ -82,7 +82,7 @@ pub(super) struct ExecutionTable {
     pub(super) max_rounds: Rounds,
     /// Whether a contact loss or hand guiding ends a round within a stroke, so that the rest is planned anew.
     pub(super) end_strokes_early: bool,
-    /// Extent of a round: the whole plan, or only the stroke with the greatest predicted gain.
+    /// Extent of a round: the whole plan, or only the segment with the greatest predicted gain.
     pub(super) pace: PaceName,
     /// Reaction to a stop by a person or a safety system: wait for the operator, which ends the run, or retreat from the
     /// surface and resume.

@@ -217,20 +217,20 @@ pub(super) struct InteractionTable {
     pub(super) compression_depth_m: Option<DepthM>,
     /// Gap between tool and surface for work without contact [m]; default: that of the knowledge base, or 0 (contact).
     pub(super) gap_m: Option<DepthM>,
-    /// Mean of ln f', where f' is the ratio of the pressure that moves a grain to the nominal pressure; default -1.05.
+    /// Mean of ln X, where X is the ratio of the pressure that moves a grain to the nominal pressure; default -1.05.
     pub(super) mu: Option<LogForce>,
-    /// Standard deviation of ln f'; default 0.25.
+    /// Standard deviation of ln X; default 0.25.
     pub(super) sigma: Option<LogSpread>,
     /// Uncertainty of `mu`, as a standard deviation; default 0.3.
     pub(super) mu_spread: Option<LawSpread>,
     /// Uncertainty of the logarithm of `sigma`, as a standard deviation; default 0.2.
     pub(super) ln_sigma_spread: Option<LawSpread>,
-    /// Travel of the tool over a grain after which its threshold f' is drawn anew [m]; default: the radius of the tool's
+    /// Travel of the tool over a grain after which its threshold X is drawn anew [m]; default: the radius of the tool's
     /// collision sphere.
     pub(super) redraw_length_m: Option<RedrawLengthM>,
     /// Uncertainty of the logarithm of `redraw_length_m`, as a standard deviation; default 0.5.
     pub(super) ln_redraw_length_spread: Option<LawSpread>,
-    /// Probability that a grain keeps its first threshold f' permanently; default 0.5.
+    /// Probability that a grain keeps its first threshold X permanently; default 0.5.
     pub(super) kept_share: Option<Share>,
 }
 

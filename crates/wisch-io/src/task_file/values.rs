@@ -98,9 +98,9 @@ ranges! { f64, NumberWithin;
     NoiseN = (0.0, 10.0);
     /// Biases of measured forces, along one axis [N].
     BiasN = (-20.0, 20.0);
-    /// Means of ln f′.
+    /// Means of ln X.
     LogForce = (-20.0, 20.0);
-    /// Standard deviations of ln f′.
+    /// Standard deviations of ln X.
     LogSpread = (1e-3, 20.0);
     LawSpread = (0.0, 10.0);
     /// Travel after which a grain draws its threshold anew [m].

@@ -522,7 +522,7 @@ class Telemetry:
         """Force that the controller commanded, (T, 3)."""
     @property
     def controller_moment_nm(self) -> Floats:
-        """(T, 3)."""
+        """Moment that the controller commanded, about the tool centre point, (T, 3)."""
     @property
     def positions(self) -> Floats:
         """(T, n), or (T, 0) if not measured [rad or m]."""

@@ -61,7 +61,7 @@ class Executor:
         ``sink(sample)`` takes a dict with ``time_s`` [s], ``world_from_tool`` (7), ``force_n`` (3; of the surroundings on the
         tool [N], in the axes of the world, or of ``wrench_axes``: "world", "tool" or "tip", the link that holds the tool) and,
         if measured, ``positions``, ``velocities``, ``efforts`` (n; arrays, or dicts
-        by joint), ``moment_nm`` (3), ``world_from_commanded`` (7), ``controller_force_n`` (3), ``controller_moment_nm`` (3); or
+        by joint), ``moment_nm`` (3, about the tool centre point), ``world_from_commanded`` (7), ``controller_force_n`` (3), ``controller_moment_nm`` (3); or
         these as arguments. Without ``world_from_tool`` the pose is computed from ``positions``. A robot that may run slower than planned adds ``trajectory_time_s``, the time of its controller's
         present setpoint. ``wrench_quality`` ("ok", "stale", "saturated" or "untared") marks a wrench that is no touch, and ``stamp_ns`` is
         the absolute time of the measurement on the clock that the attribute ``stamp_clock`` names, "epoch" or "device". ``sink.many`` takes the same with a row per sample. Both return False if the motion must

@@ -179,7 +179,7 @@ class Studio {
       // The run may have just started.
       await this.refresh();
       if (this.isRun(id)) return this.liveSource(id);
-      if (this.known && !this.isKept(id)) throw new Refused({ message: `There is no run or episode ${id}. A run that is stopped during its first round is not kept.` }, 404);
+      if (this.known && !this.isKept(id)) throw new Refused({ message: `There is no run or episode ${id}. A run that is stopped before its first motion is not kept.` }, 404);
       throw error;
     }
   }
