@@ -59,7 +59,7 @@ Examples:
   wisch check board.toml        check it and print a summary of the task
   wisch run board.toml          wipe until the goal is met, and write out/<task>/report.html
 
-Exit codes: 0 the goal is met, 1 it is not met or not shown to be met, 2 an error."
+Exit codes: 0 the goal is met, 1 it is not met or not shown to be met, 2 an error. The help of other commands states theirs."
 )]
 pub struct Cli {
     /// The command.
@@ -136,8 +136,8 @@ Writes report.html, plan.json and rounds.json; telemetry/: a bag per round (roun
 Rerun and ROS 2); trajectories/: joint trajectories and the tool's path; particles/: the estimate and \
 the simulator's ground truth; figures/.
 
-With --executor, --on or --live, Ctrl-C and SIGTERM stop the robot and keep the measurements. Another run ends \
-at once, and --resume continues after its last completed round.
+With --executor, --on or --live, Ctrl-C and SIGTERM stop the robot and keep the measurements. Without \
+these options they end the run at once; --resume continues it after its last completed round.
 
 Exit codes: 0 the goal is met (without a robot: the predicted performance reaches the target), 1 it is not met \
 or not shown to be met, 2 an error.")]
@@ -152,7 +152,8 @@ Examples:
 Writes into trajectories/: trajectory.json (moveit_msgs/RobotTrajectory: a JointTrajectory, and a \
 MultiDOFJointTrajectory for a mobile base; the file is also valid YAML), tcp-path.csv and following.json.
 
-Exit codes: 0 the predicted performance reaches the task's target, 1 it does not, 2 an error.")]
+Exit codes: 0 the predicted performance reaches the task's target, 1 it does not or the audit found a fault, \
+2 an error.")]
     Follow(FollowArgs),
     /// Open a page in the browser to start runs, watch them live and query the episodes of the memory
     #[command(after_help = "\
@@ -350,8 +351,9 @@ pub struct PlanArgs {
     /// Compare the plans of all strategies by predicted effect, path length and the robot's execution time
     #[arg(long)]
     pub explain: bool,
-    /// Plan for the task's particles as if their positions were known exactly, as `wisch eval table1` does. Without
-    /// this option wisch plans for random draws of the uncertain dirt, as `wisch run` does, and the plan is longer
+    /// Plan for the task's particles as if their positions were known exactly, as `wisch eval table1` does. Otherwise
+    /// adaptive, best and --explain plan for random draws of the uncertain dirt, as `wisch run` does; grid, rrt and kde
+    /// alone always plan for the task's particles
     #[arg(long)]
     pub known_dirt: bool,
     /// The results.

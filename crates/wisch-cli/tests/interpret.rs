@@ -430,7 +430,7 @@ fn wrong_inputs_are_errors_that_say_what_to_do() {
             "back.csv",
             &[],
             &[
-                "back.csv: line 3: its time of 0 s is 10 s before the latest one before it, 10 s; the limit is 5 s",
+                "back.csv: line 3: its time of 0 s is 10 s earlier than the latest earlier time, 10 s; the limit is 5 s",
                 "--reorder-s",
             ],
         ),

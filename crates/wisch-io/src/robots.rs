@@ -140,7 +140,7 @@ impl Robot {
         for base in bases.filter(drives) {
             let [velocity, acceleration, _] = ASSUMED_BASE_LIMITS;
             remarks.push(format!(
-                "robot {:?}: its base drives, by the virtual joint {:?} of the SRDF: {velocity} m/s and rad/s, {acceleration} m/s2 and rad/s2 are assumed",
+                "robot {:?}: the virtual joint {:?} of the SRDF makes its base mobile: {velocity} m/s and rad/s, {acceleration} m/s2 and rad/s2 are assumed",
                 model.name(),
                 base.name
             ));

@@ -12,7 +12,7 @@ use log::Span;
 use std::collections::BTreeMap;
 use wisch::geometry::{Point2, Polygon};
 use wisch::interpret::{Diagnosis, Event, EventKind, Interpretation, PathPiece, Touch};
-use wisch::recover::Verdict;
+use wisch::recover::{Verdict, assess_goal};
 use wisch::represent::{Action, GoalState, Task};
 use wisch::run::{Ending, PlannedRound};
 
@@ -85,7 +85,7 @@ pub fn remember(header: &EpisodeHeader, rounds: &[EpisodeRound<'_>]) -> EpisodeR
         let action = record.add("semco:WipingAction", Some(0));
         record.add(class_of(first.motion.task.action), None);
         for round in rounds {
-            record.round(action, round);
+            record.round(action, round, header.target);
         }
         let interval = [header.start, record.time];
         let individual = &mut record.individuals[action];
@@ -93,7 +93,7 @@ pub fn remember(header: &EpisodeHeader, rounds: &[EpisodeRound<'_>]) -> EpisodeR
         individual.values = action_values(header, first, last, rounds.len());
         individual.relations = participants(first);
         individual.relate("dul:executesTask", "#2".to_owned());
-        individual.end_in(state(last.verdict));
+        individual.end_in(state(last, header.target));
     }
     let interval = [header.start, record.time];
     let episode = &mut record.individuals[0];
@@ -166,7 +166,7 @@ impl RecordBuilder {
         self.individuals.len() - 1
     }
 
-    fn round(&mut self, action: usize, round: &EpisodeRound<'_>) {
+    fn round(&mut self, action: usize, round: &EpisodeRound<'_>, target: f64) {
         let start = self.time;
         let end = start + round.duration;
         self.starts.push(start);
@@ -174,7 +174,7 @@ impl RecordBuilder {
         let number = self.add("semco:WipingRound", Some(action));
         let individual = &mut self.individuals[number];
         individual.interval = Some([start, end]);
-        describe(individual, round);
+        describe(individual, round, target);
         let context = RoundContext {
             task: &round.motion.task,
             interpretation: round.interpretation,
@@ -190,7 +190,7 @@ impl RecordBuilder {
 }
 
 /// Adds the facts of a round.
-fn describe(individual: &mut Individual, round: &EpisodeRound<'_>) {
+fn describe(individual: &mut Individual, round: &EpisodeRound<'_>, target: f64) {
     let motion = &round.motion;
     describe_touch(individual, round.interpretation);
     individual.set_number("semco:round", motion.number as f64);
@@ -205,7 +205,7 @@ fn describe(individual: &mut Individual, round: &EpisodeRound<'_>) {
     individual.set_text("semco:verdict", round.verdict.as_str());
     individual.set_text("semco:ending", round.ending.as_str());
     individual.relations = participants(round);
-    individual.end_in(state(round.verdict));
+    individual.end_in(state(round, target));
 }
 
 /// Adds what the interpretation found.
@@ -410,8 +410,13 @@ fn shared_name(name: &str) -> String {
     format!("semco:{}", name.chars().map(plain).collect::<String>())
 }
 
+/// Returns whether the goal was met after a round; `None` if that is unknown.
+fn state(round: &EpisodeRound<'_>, target: f64) -> Option<&'static str> {
+    state_of(assess_goal(round.verdict, round.interpretation, target))
+}
+
 /// Returns the state that a verdict implies; `None` if it is unknown.
-fn state(verdict: Verdict) -> Option<&'static str> {
+fn state_of(verdict: Verdict) -> Option<&'static str> {
     match verdict {
         Verdict::GoalMet => Some(SUCCEEDED),
         Verdict::UnknowableByTouch | Verdict::Undecidable => None,
@@ -460,7 +465,10 @@ impl Individual {
 
     fn estimate(&mut self, interpretation: &Interpretation) {
         let estimate = &interpretation.performance;
-        self.set_number("semco:performance", estimate.mean);
+        // A mean from a misread log would answer queries as if it were certain, so only its interval is stored.
+        if interpretation.is_conclusive() {
+            self.set_number("semco:performance", estimate.mean);
+        }
         self.set_number("semco:performanceLow", estimate.low);
         self.set_number("semco:performanceHigh", estimate.high);
     }

@@ -196,7 +196,7 @@ pub enum ReadFault {
     },
     /// A time is earlier than a previous one by more than the reorder window.
     #[error(
-        "{place}: its time of {time} s is {} s before the latest one before it, {last} s; the limit is {limit} s",
+        "{place}: its time of {time} s is {} s earlier than the latest earlier time, {last} s; the limit is {limit} s",
         .last - .time
     )]
     Backwards {
@@ -280,7 +280,7 @@ pub enum ReadFault {
         /// Names of the topics.
         topics: Vec<String>,
     },
-    /// The transforms to the task's world are known at none of the log's times.
+    /// All wrenches of the log are stale, saturated or untared.
     #[error(
         "the wrenches of all {count} samples are stale, saturated or untared, so the log shows no touch"
     )]

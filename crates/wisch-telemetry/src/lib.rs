@@ -23,6 +23,7 @@ mod bag;
 mod correction;
 mod error;
 mod frames;
+mod frozen;
 mod log;
 mod options;
 mod plausibility;

@@ -4,6 +4,7 @@ use super::bag::{BagReader, FRAME_SURFACE, FRAME_WORLD, active_path};
 use super::correction::Correction;
 use super::error::{ReadError, ReadFault, RecordingKind};
 use super::frames::Chain;
+use super::frozen::find_frozen;
 use super::options::{Axes, AxesChoice, LogOptions, WrenchSign};
 use super::plausibility::doubts;
 use super::quantity::QuantityError;
@@ -14,7 +15,7 @@ use std::fs::File;
 use std::io::{BufReader, ErrorKind, Read};
 use std::path::{Path, PathBuf};
 use wisch::geometry::{Pose, Vector3};
-use wisch::interpret::{TouchSample, UnusableWrenches};
+use wisch::interpret::{TouchSample, UnusableWrenches, WrenchQuality};
 use wisch::represent::{Observation, UnknownName};
 
 /// How the axes of a force were determined.
@@ -308,8 +309,13 @@ fn combine(raw: RawLog, correction: Correction, options: &LogOptions) -> Result<
     let mut pairs = pair(&raw.poses, &raw.wrenches, options.max_gap)?;
     let mut unusable = UnusableWrenches::default();
     let first = pairs[0].0;
+    let frozen = find_frozen(&raw.wrenches.entries);
     pairs.retain(|(time, ..)| {
-        let quality = raw.quality_at(*time);
+        let is_frozen = frozen.iter().any(|[from, to]| (from..=to).contains(&time));
+        let quality = match raw.quality_at(*time) {
+            WrenchQuality::Ok if is_frozen => WrenchQuality::Stale,
+            stated => stated,
+        };
         unusable.add(quality);
         quality.is_usable()
     });

@@ -9,7 +9,8 @@ pub struct LearnArgs {
     /// Bags with camera observations before and after wiping, and folders of runs
     #[arg(value_name = "BAGS", required_unless_present_any = ["memory", "episodes"], value_hint = ValueHint::AnyPath)]
     pub bags: Vec<PathBuf>,
-    /// Folder of a memory to learn from: the episodes of --episode, or all with camera observations [default with
+    /// Folder of a memory to learn from: the episodes that --episode names, or all episodes that have camera
+    /// observations [default with
     /// --episode: episodes]
     #[arg(long, value_name = "DIR", value_hint = ValueHint::DirPath)]
     pub memory: Option<PathBuf>,

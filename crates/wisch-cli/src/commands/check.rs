@@ -103,7 +103,7 @@ impl RobotFound {
         let held = cell.held_joints();
         if !held.is_empty() {
             let joints = format!("{}, at their ready positions", held.join(", "));
-            lines.push(("held", joints));
+            lines.push(("joints held", joints));
         }
         let abandoned: BTreeSet<usize> = followed.abandoned.iter().map(|node| node.node).collect();
         let reach = match followed.abandoned.first() {

@@ -7,9 +7,9 @@ use wisch::run::CandidateEvaluation;
 use wisch_io::CandidateSummary;
 
 /// The definition of a plan's score, for people.
-const SCORE: &str = "score = share of the dirt in the goal area, averaged over random draws of the belief, \
+const SCORE: &str = "score = share of the dirt that reaches the goal, averaged over random draws of the belief, \
                      minus three times the lost share, minus what heaps near an edge put at risk, minus costs of \
-                     path length and time";
+                     remaining dirt by its distance, of path length and time";
 
 /// Returns a summary of every evaluated candidate and marks the chosen plan.
 pub(super) fn candidates(

@@ -189,8 +189,9 @@ fn remarks(log: &Log, prepared: &LoadedTask, interpretation: &Interpretation) ->
             remarks.push("the surface is a mesh: places and maps show it unrolled".to_owned());
         }
     }
-    // Decisive doubts are shown beside the performance.
-    let assumed = (interpretation.doubts.iter()).filter(|doubt| !doubt.is_decisive());
+    // Decisive doubts are shown beside the performance, unless an observation decides.
+    let is_seen = interpretation.observation.is_some();
+    let assumed = (interpretation.doubts.iter()).filter(|doubt| is_seen || !doubt.is_decisive());
     remarks.extend(assumed.map(ToString::to_string));
     remarks
 }

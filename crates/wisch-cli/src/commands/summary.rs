@@ -4,7 +4,7 @@ use super::explain::{candidates, table};
 use super::round_views::rounds_in_words;
 use super::words::{counted, percent};
 use std::path::Path;
-use wisch::recover::Verdict;
+use wisch::recover::{Verdict, assess_goal};
 use wisch::represent::{ParticleDistribution, Treatment};
 use wisch_io::{
     BendContactRecord, FollowingSummary, LoopSummary, PredictionSummary, SUMMARY_SCHEMA, Summary,
@@ -57,12 +57,24 @@ pub(super) fn summary(prepared: &LoadedTask, results: &RunResults, out: &Path) -
                 predicted_performance,
                 target_performance,
                 goal_met: results.is_goal_met(target_performance),
+                goal: goal_in_words(results, target_performance),
                 lost_share: performance.lost as f64 / performance.initial.max(1) as f64,
             }
         }),
         execution,
         candidates: (results.considered.as_ref()).map(|all| candidates(all, plan, task)),
         out: out.display().to_string(),
+    }
+}
+
+/// Returns whether the goal is met, not met or unknown.
+fn goal_in_words(results: &RunResults, target: f64) -> &'static str {
+    let last = results.rounds.last().map(|last| &last.round);
+    let goal = last.map(|last| assess_goal(last.verdict, &last.interpretation, target));
+    match goal {
+        _ if results.is_goal_met(target) => "met",
+        Some(Verdict::UnknowableByTouch | Verdict::Undecidable) => "unknown",
+        _ => "not met",
     }
 }
 
@@ -105,13 +117,19 @@ pub(super) fn in_words(
 ) -> String {
     let mut lines = vec![];
     if let Some(prediction) = &summary.prediction {
-        let verdict = match rounds.last().map(|last| last.round.verdict) {
-            _ if prediction.goal_met => "met",
+        let last = rounds.last().map(|last| &last.round);
+        let goal = last.map(|last| {
+            let target = prediction.target_performance;
+            assess_goal(last.verdict, &last.interpretation, target)
+        });
+        let verdict = match goal {
             Some(Verdict::UnknowableByTouch) => "unknown, needs a camera",
-            Some(Verdict::Undecidable) => "unknown",
-            _ => "not met",
+            _ => prediction.goal,
         };
         let (word, performance) = match &summary.execution {
+            Some(execution) if !execution.is_conclusive => {
+                ("unknown; guessed", execution.final_estimated)
+            }
             Some(execution) => ("estimated", execution.final_estimated),
             None => ("predicted", prediction.predicted_performance),
         };

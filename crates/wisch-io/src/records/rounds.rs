@@ -47,6 +47,8 @@ pub struct RoundSummary {
     pub predicted: f64,
     /// Estimated performance.
     pub estimated: f64,
+    /// Whether the log, or an observation after it, allows an estimate; otherwise the estimate is a guess.
+    pub is_conclusive: bool,
     /// Lower end of its 90 % interval.
     pub estimated_low: f64,
     /// Upper end of its 90 % interval.
@@ -161,6 +163,7 @@ impl RoundSummary {
             strokes: round.motion.plan.strokes.len(),
             predicted: round.motion.prediction.performance.ratio(),
             estimated: interpretation.performance.mean,
+            is_conclusive: interpretation.is_conclusive(),
             estimated_low: interpretation.performance.low,
             estimated_high: interpretation.performance.high,
             estimated_by_touch: interpretation.by_touch.mean,
@@ -222,6 +225,8 @@ pub struct LoopSummary {
     pub rounds: Vec<RoundSummary>,
     /// Estimated performance after the last round.
     pub final_estimated: f64,
+    /// Whether the last round allows an estimate; otherwise it is a guess.
+    pub is_conclusive: bool,
     /// True performance after the last round; null without simulated dirt.
     pub final_true: Option<f64>,
     /// Ratio of simulated time to computation time over all executions; null without a simulated world.
@@ -251,6 +256,7 @@ impl LoopSummary {
         }
         Some(Self {
             final_estimated: last.estimated,
+            is_conclusive: last.is_conclusive,
             final_true: last.true_performance,
             realtime_factor: simulated.map(|[time, taken]| time / taken.max(f64::MIN_POSITIVE)),
             rounds,

@@ -112,6 +112,8 @@ pub struct PredictionSummary {
     pub target_performance: f64,
     /// Whether the target is reached: by the last round's estimate, or without execution by the prediction.
     pub goal_met: bool,
+    /// met, not met, or unknown: the last round allows no estimate, or touch cannot decide.
+    pub goal: &'static str,
     /// Predicted share lost over an edge that is not a skim edge.
     pub lost_share: f64,
 }

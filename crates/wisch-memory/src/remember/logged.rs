@@ -1,7 +1,7 @@
 //! Records of episodes from logs of other robots.
 
 use super::log::Span;
-use super::{EpisodeHeader, RoundContext, class_of, describe_touch, goal_of, state, things_of};
+use super::{EpisodeHeader, RoundContext, class_of, describe_touch, goal_of, state_of, things_of};
 use crate::record::{EPISODE_SCHEMA, EpisodeRecord, Individual, Origin};
 use wisch::interpret::Interpretation;
 use wisch::recover::{Verdict, assess_log};
@@ -60,19 +60,13 @@ pub fn remember_log(
     action.set_text("semco:goal", &goal_of(task, goal));
     action.relations = things_of(task);
     action.relate("dul:executesTask", "#2".to_owned());
-    action.end_in(state(verdict));
+    action.end_in(state_of(verdict));
     let mut round = Individual::new("semco:WipingRound", Some(1));
     describe_touch(&mut round, interpretation);
     round.set_number("semco:round", 1.0);
     round.relations = things_of(task);
     round.set_text("semco:verdict", verdict_text(verdict));
-    round.end_in(state(verdict));
-    if !interpretation.is_conclusive() {
-        // A mean from a misread log would answer queries as if it were certain, so only the interval is stored.
-        for individual in [&mut action, &mut round] {
-            individual.values.remove("semco:performance");
-        }
-    }
+    round.end_in(state_of(verdict));
     let mut individuals = vec![
         episode,
         action,

@@ -24,7 +24,7 @@ pub(crate) const fn kind_name(kind: EventKind) -> &'static str {
         EventKind::Landing => "landing",
         EventKind::Overload => "overload",
         EventKind::Vibration => "vibration",
-        EventKind::StickSlip => "stick–slip",
+        EventKind::StickSlip => "stick-slip",
         EventKind::Approach => "approach",
         EventKind::Stroke => "stroke",
         EventKind::Lift => "lift",

@@ -111,7 +111,7 @@ fn parse(line: &str) -> Result<Option<Command>, String> {
         ["delay", seconds] => Command::Delay(number(seconds)?.clamp(0.0, 3600.0)),
         ["refuse", refuses] => Command::Refuse(flag(refuses)?),
         ["quit"] => Command::Quit,
-        _ => return Err("unknown command; see wisch robot fake --help".to_owned()),
+        _ => return Err("unknown command; see wisch-ros2 fake --help".to_owned()),
     }))
 }
 

@@ -236,7 +236,7 @@ fn invalid_values_are_refused_with_their_message() {
         ),
         (
             &[(9_000, 0.0, QUARTER), (1_000, 0.0, QUARTER)],
-            ": topic /p, message 2: its time of 1 s is 8 s before the latest one before it, 9 s; the limit is 5 s",
+            ": topic /p, message 2: its time of 1 s is 8 s earlier than the latest earlier time, 9 s; the limit is 5 s",
         ),
     ];
     for (poses, expected) in cases {

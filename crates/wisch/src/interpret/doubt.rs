@@ -9,6 +9,16 @@ pub(super) const NEAR: f64 = 0.02;
 const MOST_BY_SCALE: f64 = 0.1;
 /// Largest share of samples without a usable wrench with which the rest still shows what was wiped [1].
 const MOST_UNUSABLE: f64 = 0.5;
+/// Largest share of samples without a usable wrench in which nothing was wiped that matters [1].
+const FEW_UNUSABLE: f64 = 0.02;
+/// Largest share of samples with a wrong pose with which the rest still shows what was wiped [1].
+const MOST_JUMPS: f64 = 0.05;
+/// Range of the press force over the declared one beyond which the unit of the force must be wrong [1].
+const PLAUSIBLE_FORCE: std::ops::RangeInclusive<f64> = 0.2..=5.0;
+/// Largest drift of the force over its reference with which contact is still told from free motion [1].
+const MOST_DRIFT: f64 = 0.3;
+/// Largest lean of a tool whose underside still faces the surface [rad]; 60°, a cosine of 0.5.
+const MOST_LEAN: f64 = std::f64::consts::FRAC_PI_3;
 
 /// A reason why a log may not show wiping, or not wiping of this surface, and what had to be assumed to read it.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -93,8 +103,43 @@ pub enum Doubt {
         begins: bool,
         /// Whether it ends while the tool presses.
         ends: bool,
-        /// Time without samples in contact \[s\].
+        /// Time without samples in which the tool may have wiped \[s\].
         missing: f64,
+    },
+    /// The pose jumps faster than any tool moves.
+    PoseJumps {
+        /// Number of samples that were left out, because the pose jumped there and back.
+        left_out: usize,
+        /// Their share of all samples \[1\].
+        share: f64,
+        /// Number of jumps after which the pose stayed elsewhere.
+        lasting: usize,
+        /// Time \[s\] and distance \[m\] of the first jump.
+        first: (f64, f64),
+    },
+    /// The time between two samples is too long to show contact.
+    Sparse {
+        /// Median time between two samples \[s\].
+        period: f64,
+    },
+    /// The force of free motion changes steadily over the log.
+    ForceDrift {
+        /// Change over the whole log \[N\].
+        drift: f64,
+        /// The same over the usual press force \[1\].
+        share: f64,
+    },
+    /// The contacts lie on a plane that is steeper than those that are searched.
+    TooSteep {
+        /// Its angle to the believed surface \[rad\].
+        tilt: f64,
+        /// Largest angle that is searched \[rad\].
+        searched: f64,
+    },
+    /// In contact, the z axis of the tool's frame leans away from the normal of the surface.
+    ToolLeans {
+        /// Median angle between the two lines, from 0 to π/2 \[rad\].
+        lean: f64,
     },
     /// The wrenches of these samples were not usable, so that they do not show what the tool touched.
     UnusableWrench {
@@ -145,7 +190,14 @@ impl Doubt {
     /// Whether the log cannot show what was wiped. The remaining doubts state how it was read.
     pub fn is_decisive(&self) -> bool {
         match self {
-            Self::PressForceDiffers { matters, .. } => *matters > MOST_BY_SCALE,
+            Self::PressForceDiffers {
+                force,
+                declared,
+                matters,
+            } => *matters > MOST_BY_SCALE || !PLAUSIBLE_FORCE.contains(&(force / declared)),
+            Self::PoseJumps { share, lasting, .. } => *lasting > 0 || *share > MOST_JUMPS,
+            Self::ForceDrift { share, .. } => *share > MOST_DRIFT,
+            Self::ToolLeans { lean } => *lean > MOST_LEAN,
             Self::UnusableWrench { share, .. } => *share > MOST_UNUSABLE,
             Self::NoContactForce { .. }
             | Self::NeverNearSurface { .. }
@@ -158,6 +210,8 @@ impl Doubt {
             | Self::HandGuided { .. }
             | Self::ContactFarFromSurface { .. }
             | Self::ContactBesideSurface { .. }
+            | Self::Sparse { .. }
+            | Self::TooSteep { .. }
             | Self::Scattered { .. } => true,
             Self::WrenchSignInverted
             | Self::WrenchFrameRotated { .. }
@@ -168,11 +222,13 @@ impl Doubt {
         }
     }
 
-    /// Whether the log shows the shape or the height of another surface than the believed plane.
+    /// Whether the log shows the shape or the pose of another surface than the believed one.
     pub(super) fn is_other_surface(&self) -> bool {
         matches!(
             self,
             Self::ContactFarFromSurface { .. }
+                | Self::NeverNearSurface { .. }
+                | Self::TooSteep { .. }
                 | Self::Curved { .. }
                 | Self::CurvedAlong { .. }
                 | Self::DoublyCurved { .. }
@@ -180,9 +236,14 @@ impl Doubt {
         )
     }
 
-    /// Whether the log begins or ends while the tool presses, so that the tool may have wiped more than the log shows.
+    /// Whether the tool may have wiped more than the log shows: it begins or ends while the tool presses, or has no usable
+    /// samples for a time.
     pub fn is_cut(&self) -> bool {
-        matches!(self, Self::Incomplete { begins, ends, .. } if *begins || *ends)
+        match self {
+            Self::Incomplete { .. } => true,
+            Self::UnusableWrench { share, .. } => *share > FEW_UNUSABLE,
+            _ => false,
+        }
     }
 }
 
@@ -243,6 +304,28 @@ impl fmt::Display for Doubt {
                 ends,
                 missing,
             } => write_incomplete(f, begins, ends, missing),
+            Self::PoseJumps {
+                left_out,
+                share,
+                lasting,
+                first,
+            } => write_jumps(f, left_out, share, lasting, first),
+            Self::Sparse { period } => write!(
+                f,
+                "the log has a sample every {period:.2} s, which is too slow to show contact: record at least 5 samples per second"
+            ),
+            Self::ForceDrift { drift, share } => write!(
+                f,
+                "the force of free motion drifts by {drift:.1} N over the log, {:.0} % of the press force: tare the sensor, or correct the force before",
+                100.0 * share
+            ),
+            Self::TooSteep { tilt, searched } => write!(
+                f,
+                "the contacts lie on a plane that is tilted by {:.1}° against the believed surface, beyond the {:.0}° that are searched: check the orientation of the surface",
+                tilt.to_degrees(),
+                searched.to_degrees()
+            ),
+            Self::ToolLeans { lean } => write_lean(f, lean),
             Self::UnusableWrench { unusable, share } => write_unusable(f, unusable, share),
             Self::HandGuided { share } => write!(
                 f,
@@ -313,7 +396,9 @@ fn write_pressed_otherwise(
     declared: f64,
     matters: f64,
 ) -> fmt::Result {
-    let consequence = if matters > MOST_BY_SCALE {
+    let consequence = if !PLAUSIBLE_FORCE.contains(&(force / declared)) {
+        ", so that the unit or the scale of the force is probably wrong (--force-unit-n, --force-scale)"
+    } else if matters > MOST_BY_SCALE {
         ", and the estimate depends on whether the tool pressed with this force or the measured force has a wrong scale"
     } else {
         ""
@@ -365,6 +450,51 @@ fn write_incomplete(
         f,
         "the log {}: wiping at that time is not counted",
         parts.join(" and ")
+    )
+}
+
+/// Writes [`Doubt::PoseJumps`].
+fn write_jumps(
+    f: &mut fmt::Formatter<'_>,
+    left_out: usize,
+    share: f64,
+    lasting: usize,
+    (time, distance): (f64, f64),
+) -> fmt::Result {
+    let plural = |count: usize, what: &str| {
+        let end = if count == 1 { "" } else { "s" };
+        format!("{count} {what}{end}")
+    };
+    let parts = [
+        (left_out > 0).then(|| {
+            format!(
+                "{} ({:.1} %) left out",
+                plural(left_out, "sample"),
+                100.0 * share
+            )
+        }),
+        (lasting > 0)
+            .then(|| format!("{} after which it stays elsewhere", plural(lasting, "jump"))),
+    ];
+    let parts: Vec<String> = parts.into_iter().flatten().collect();
+    write!(
+        f,
+        "the pose jumps faster than a tool moves, first by {distance:.2} m at {time:.2} s: {}",
+        parts.join(", ")
+    )
+}
+
+/// Writes [`Doubt::ToolLeans`].
+fn write_lean(f: &mut fmt::Formatter<'_>, lean: f64) -> fmt::Result {
+    let degrees = lean.to_degrees();
+    let consequence = if lean > MOST_LEAN {
+        "so the area that the tool touched is unknown"
+    } else {
+        "and the estimate counts a leaning tool"
+    };
+    write!(
+        f,
+        "in contact the z axis of the logged frame is {degrees:.0}° off the surface's normal, {consequence}: if this frame is not that of the tool, state the tool's pose in it (--pose-offset)"
     )
 }
 

@@ -10,7 +10,7 @@ use super::doubt::Doubt;
 use super::error::InterpretError;
 use super::events::{Event, EventDetector};
 use super::interpretation::{Diagnosis, Interpretation};
-use super::log_evidence::LogEvidence;
+use super::log_evidence::{LEAST_ON_PLANE, LogEvidence};
 use super::wrench_quality::UnusableWrenches;
 use crate::geometry::{PlanarPose, Point2, Pose, Region, Vector3};
 use crate::represent::{Effect, GoalState, ParticleDistribution, ParticleError, Surface, Task};
@@ -268,7 +268,16 @@ impl Interpreter {
             &config,
         );
         let (mut events, contact_share) = (detector.events(), detector.contact_share());
+        let is_poor = (classified.plane.as_ref()).is_none_or(|(_, plane)| {
+            (plane.inliers as f64) < LEAST_ON_PLANE * plane.confident as f64
+        });
+        let steep = if is_poor && self.surface.shape.is_plane() && config.gap_m == 0.0 {
+            classifier.find_steep_plane(pieces)
+        } else {
+            None
+        };
         let evidence = LogEvidence {
+            steep,
             pieces,
             reading: &reading,
             classified: &classified,
@@ -279,6 +288,7 @@ impl Interpreter {
             config: &config,
         };
         let mut doubts = evidence.doubts();
+        doubts.extend(self.find_jumps());
         if let count @ 1.. = self.unusable.count() {
             doubts.push(Doubt::UnusableWrench {
                 unusable: self.unusable,
@@ -312,6 +322,21 @@ impl Interpreter {
             stiffness,
             is_low,
         }
+    }
+
+    fn find_jumps(&self) -> Option<Doubt> {
+        let jumps = self.downsampler.jumps();
+        let all = jumps.left_out + self.downsampler.sample_count();
+        let is_some = jumps.left_out + jumps.lasting > 0;
+        jumps
+            .first
+            .filter(|_| is_some)
+            .map(|first| Doubt::PoseJumps {
+                left_out: jumps.left_out,
+                share: jumps.left_out as f64 / all as f64,
+                lasting: jumps.lasting,
+                first,
+            })
     }
 
     /// Measures the tool's stiffness from the pieces in which the whole tool is on the surface and nobody pushes it.

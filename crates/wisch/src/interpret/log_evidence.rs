@@ -16,7 +16,7 @@ const MOST_SPREAD: f64 = 0.03;
 /// Pieces with more time between them do not follow each other [s].
 const LONGEST_STEP: f64 = 0.1;
 /// Least share of the confident contacts that a plane must hold [1].
-const LEAST_ON_PLANE: f64 = 0.5;
+pub(super) const LEAST_ON_PLANE: f64 = 0.5;
 /// Least share of the time on or near the surface that a wiping tool is in contact [1].
 const LEAST_CONTACT: f64 = 0.3;
 /// Largest share of the contact time that may lie beside the surface [1].
@@ -43,6 +43,14 @@ const OTHER_FORCE: f64 = 1.2;
 const PRESSING: f64 = 0.5;
 /// Longest time between two samples within which nothing is missed [s].
 const LONGEST_GAP: f64 = 1.0;
+/// Travel during a gap in the air from which the tool may have wiped in it [m].
+const TRAVEL_IN_GAP: f64 = 0.02;
+/// Longest median time between samples that shows contact [s].
+const LONGEST_PERIOD: f64 = 0.3;
+/// Least drift of the force over its reference that is stated [1].
+const LEAST_DRIFT: f64 = 0.1;
+/// Least lean of a tool that is stated [rad]; 30°.
+const LEAST_LEAN: f64 = std::f64::consts::FRAC_PI_6;
 
 /// Contents of a log from which its doubts are derived.
 pub(super) struct LogEvidence<'a> {
@@ -52,6 +60,8 @@ pub(super) struct LogEvidence<'a> {
     pub(super) classified: &'a ClassifiedPath,
     pub(super) events: &'a [Event],
     pub(super) contact_share: f64,
+    /// Tilt of a plane that holds the contacts and is steeper than those that are searched [rad].
+    pub(super) steep: Option<f64>,
     pub(super) surface: &'a Surface,
     /// Settings as declared.
     pub(super) declared: &'a InterpretConfig,
@@ -68,6 +78,13 @@ impl LogEvidence<'_> {
         let mut doubts: Vec<Doubt> = Vec::new();
         if self.declared.gap_m > 0.0 {
             doubts.extend(led);
+            return doubts;
+        }
+        doubts.extend(self.find_sparseness());
+        doubts.extend(self.find_drift());
+        if let Some(tilt) = self.steep {
+            let searched = self.config.plane.cone;
+            doubts.push(Doubt::TooSteep { tilt, searched });
             return doubts;
         }
         let Some((_, plane)) = &self.classified.plane else {
@@ -88,6 +105,7 @@ impl LogEvidence<'_> {
             doubts.push(Doubt::NoFreeMotion);
         }
         doubts.extend(self.assumptions());
+        doubts.extend(self.find_lean());
         doubts.extend(self.find_gaps());
         let Sliding {
             time,
@@ -286,7 +304,44 @@ impl LogEvidence<'_> {
         piece.is_on_plane() && piece.normalized_force >= self.config.events.contact_share[1]
     }
 
-    /// Returns a doubt if the log is cut while the tool presses, or has gaps in contact.
+    /// Returns a doubt if the samples are too far apart in time to show contact.
+    fn find_sparseness(&self) -> Option<Doubt> {
+        let mut periods: Vec<f64> = (self.pieces.windows(2))
+            .map(|pair| pair[1].time[0] - pair[0].time[1])
+            .collect();
+        periods.sort_unstable_by(f64::total_cmp);
+        let period = *periods.get(periods.len() / 2)?;
+        (period > LONGEST_PERIOD).then_some(Doubt::Sparse { period })
+    }
+
+    /// Returns a doubt if the force of free motion drifts.
+    fn find_drift(&self) -> Option<Doubt> {
+        let drift = self.reading.drift;
+        let share = drift / self.reading.reference_force(self.declared.nominal_force());
+        (share > LEAST_DRIFT).then_some(Doubt::ForceDrift { drift, share })
+    }
+
+    /// Returns a doubt if the tool leans in contact, so that the logged frame may not be that of the tool.
+    fn find_lean(&self) -> Option<Doubt> {
+        let (plane, _) = self.classified.plane.as_ref()?;
+        let normal = plane.normal();
+        let touching = self.pieces.iter().zip(&self.classified.path);
+        let touching = touching.filter(|(_, piece)| self.is_touching(piece));
+        // A tool frame may point into the surface as well as out of it.
+        let mut facing: Vec<f64> = touching
+            .map(|(piece, _)| {
+                (piece.surface_from_tool.inverse() * normal)
+                    .z
+                    .abs()
+                    .min(1.0)
+            })
+            .collect();
+        facing.sort_unstable_by(f64::total_cmp);
+        let lean = libm::acos(*facing.get(facing.len() / 2)?);
+        (lean > LEAST_LEAN).then_some(Doubt::ToolLeans { lean })
+    }
+
+    /// Returns a doubt if the log is cut while the tool presses, or has gaps in which the tool may have wiped.
     fn find_gaps(&self) -> Option<Doubt> {
         let path = &self.classified.path;
         let is_pressing = |piece: Option<&PathPiece>| {
@@ -295,7 +350,10 @@ impl LogEvidence<'_> {
         let begins = is_pressing(path.first());
         let ends = is_pressing(path.last());
         let missing: f64 = (path.windows(2))
-            .filter(|pair| self.is_touching(&pair[0]) || self.is_touching(&pair[1]))
+            .filter(|pair| {
+                let way = pair[1].position - pair[0].position;
+                pair.iter().any(|piece| self.is_touching(piece)) || way.norm() > TRAVEL_IN_GAP
+            })
             .map(|pair| pair[1].time[0] - pair[0].time[1])
             .filter(|gap| *gap > LONGEST_GAP)
             .sum();

@@ -156,6 +156,18 @@ pub fn assess_log(interpretation: &Interpretation, target: f64) -> Verdict {
     }
 }
 
+/// Returns what is known about the goal after the last round of a run, which ended with `verdict`:
+/// [`Verdict::GoalMet`], [`Verdict::Undecidable`], [`Verdict::UnknowableByTouch`], or `verdict` itself where the goal is
+/// missed.
+pub fn assess_goal(verdict: Verdict, interpretation: &Interpretation, target: f64) -> Verdict {
+    match (verdict, assess_log(interpretation, target)) {
+        (Verdict::GoalMet, _) => Verdict::GoalMet,
+        (_, Verdict::Undecidable) => Verdict::Undecidable,
+        (_, Verdict::UnknowableByTouch | Verdict::GoalMet) => Verdict::UnknowableByTouch,
+        (ended, _) => ended,
+    }
+}
+
 /// The data by which the termination policy decides on a round.
 #[derive(Debug, Clone, Copy)]
 pub struct RoundOutcome<'a> {

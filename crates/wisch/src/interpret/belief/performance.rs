@@ -144,10 +144,11 @@ impl PerformanceDistribution {
     /// Returns the mean with the 90 % interval.
     pub fn estimate(&self) -> Estimate {
         let [low, high] = self.interval(0.9);
+        // The mean of very unequal shares may lie beyond a quantile.
         Estimate {
             mean: self.mean,
-            low,
-            high,
+            low: low.min(self.mean),
+            high: high.max(self.mean),
         }
     }
 

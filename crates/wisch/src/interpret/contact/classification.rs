@@ -4,7 +4,7 @@ use super::downsampling::MeasuredPiece;
 use super::path::{FittedPlane, PathPiece, Touch};
 use super::plane::{PlaneFit, fit_plane};
 use crate::geometry::{Bounds2, Point2, Point3, Vector2, Vector3};
-use crate::interpret::config::{InterpretConfig, ToolCompliance};
+use crate::interpret::config::{InterpretConfig, PlaneConfig, ToolCompliance};
 use crate::represent::Surface;
 
 /// Travel after which the next confident contact counts for the plane [m] ...
@@ -17,6 +17,10 @@ const TOUCHING_SHARE: f64 = 0.3;
 const LEAST_SUPPORT: f64 = 0.3;
 /// Least cosine of the angle between tool axis and plane normal at which the underside faces the plane [1].
 const LEAST_FACING: f64 = 0.5;
+/// Steepest plane that is told from contacts on no plane [rad].
+const STEEPEST: f64 = 1.0;
+/// Least share of the confident contacts that a plane steeper than those that are searched must hold [1].
+const LEAST_ON_STEEP: f64 = 0.8;
 /// Least f′ at which a hovering tool is close enough to act [1]; at five times its gap.
 const NEAR_SHARE: f64 = 0.2;
 /// Least f′ off the plane that counts as a contact-like force [1].
@@ -110,6 +114,20 @@ impl ContactClassifier<'_> {
             touch,
         };
         (classified, off)
+    }
+
+    /// Returns the angle to the believed surface of a plane that is steeper than those that are searched, if nearly all
+    /// confident contacts lie on it [rad].
+    pub(in crate::interpret) fn find_steep_plane(&self, pieces: &[MeasuredPiece]) -> Option<f64> {
+        let config = self.config;
+        let confident = touching_points(pieces, config.confident_share, config);
+        let wide = PlaneConfig {
+            cone: STEEPEST,
+            min_share: LEAST_ON_STEEP,
+            ..config.plane.clone()
+        };
+        let tilt = fit_plane(&confident, &wide, config.seed)?.tilt();
+        (tilt > config.plane.cone).then_some(tilt)
     }
 
     /// Returns the distance of the underside from the plane beyond the tolerance of contact [m]: the least possible

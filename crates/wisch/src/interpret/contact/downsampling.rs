@@ -15,6 +15,10 @@ const MAX_TURN: f64 = 0.035;
 /// Tolerance for times that are multiples of a sampling period and not exact in binary [s].
 const TIME_SLACK: f64 = 1e-6;
 
+/// Fastest motion of a tool [m/s], and least distance of a jump [m]: what is faster and farther is an error of the pose.
+const FASTEST: f64 = 5.0;
+const LEAST_JUMP: f64 = 0.02;
+
 /// Largest valid coordinate [m].
 const MAX_POSITION: f64 = 1e4;
 /// Largest valid force [N].
@@ -46,6 +50,17 @@ pub(in crate::interpret) struct MeasuredPiece {
     pub(in crate::interpret) peak_force: f64,
 }
 
+/// Jumps of the pose, faster than any tool moves.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub(in crate::interpret) struct PoseJumps {
+    /// Number of samples that were left out, because the pose jumped there and back.
+    pub(in crate::interpret) left_out: usize,
+    /// Number of jumps after which the pose stayed elsewhere.
+    pub(in crate::interpret) lasting: usize,
+    /// Time [s] and distance [m] of the first jump.
+    pub(in crate::interpret) first: Option<(f64, f64)>,
+}
+
 /// Takes samples and keeps pieces.
 #[derive(Debug, Clone)]
 pub(in crate::interpret) struct Downsampler {
@@ -59,6 +74,11 @@ pub(in crate::interpret) struct Downsampler {
     coarseness: f64,
     max_pieces: usize,
     samples: usize,
+    /// Last sample that was taken.
+    last: Option<TouchSample>,
+    /// Sample after a jump, which is taken only if the next one is near it.
+    jumped: Option<TouchSample>,
+    jumps: PoseJumps,
 }
 
 impl Downsampler {
@@ -71,6 +91,9 @@ impl Downsampler {
             coarseness: 1.0,
             max_pieces,
             samples: 0,
+            last: None,
+            jumped: None,
+            jumps: PoseJumps::default(),
         }
     }
 
@@ -83,12 +106,49 @@ impl Downsampler {
         &self.pieces
     }
 
-    /// Adds one sample; a rejected sample changes nothing.
+    pub(in crate::interpret) const fn jumps(&self) -> &PoseJumps {
+        &self.jumps
+    }
+
+    /// Adds one sample; a rejected sample changes nothing. A sample that is too far from those before and after it is
+    /// left out.
     pub(in crate::interpret) fn push(
         &mut self,
         sample: &TouchSample,
     ) -> Result<(), InterpretError> {
         self.check(sample)?;
+        let jumped = self.jumped.take();
+        match self.last.and_then(|last| find_jump(&last, sample)) {
+            None => {
+                self.jumps.left_out += usize::from(jumped.is_some());
+                self.take(sample);
+            }
+            Some(distance) => {
+                self.jumps.first.get_or_insert((sample.time, distance));
+                match jumped {
+                    Some(first) if find_jump(&first, sample).is_none() => {
+                        if self.samples == 1 {
+                            // The very first sample was the wrong one, as zeros before the first measurement are.
+                            (self.jumps.left_out, self.samples) = (1, 0);
+                            self.pieces.clear();
+                        } else {
+                            self.jumps.lasting += 1;
+                        }
+                        self.take(&first);
+                        self.take(sample);
+                    }
+                    other => {
+                        self.jumps.left_out += usize::from(other.is_some());
+                        self.jumped = Some(*sample);
+                    }
+                }
+            }
+        }
+        Ok(())
+    }
+
+    fn take(&mut self, sample: &TouchSample) {
+        self.last = Some(*sample);
         let (surface_from_tool, turn) = if self.surface.shape.is_plane() {
             (self.surface_from_world * sample.world_from_tool, None)
         } else {
@@ -122,7 +182,6 @@ impl Downsampler {
             }
         }
         self.samples += 1;
-        Ok(())
     }
 
     fn check(&self, sample: &TouchSample) -> Result<(), InterpretError> {
@@ -151,11 +210,11 @@ impl Downsampler {
                 });
             }
         }
-        match self.pieces.last() {
-            Some(last) if sample.time <= last.time[1] => Err(InterpretError::TimeNotIncreasing {
+        match self.jumped.or(self.last) {
+            Some(last) if sample.time <= last.time => Err(InterpretError::TimeNotIncreasing {
                 sample: self.samples,
                 time: sample.time,
-                previous: last.time[1],
+                previous: last.time,
             }),
             _ => Ok(()),
         }
@@ -172,6 +231,13 @@ impl Downsampler {
             .collect();
         self.coarseness *= 2.0;
     }
+}
+
+/// Returns the distance between two samples [m] if no tool moves over it in the time between them.
+fn find_jump(from: &TouchSample, to: &TouchSample) -> Option<f64> {
+    let [from_at, to_at] = [from, to].map(|sample| sample.world_from_tool.translation.vector);
+    let distance = (to_at - from_at).norm();
+    (distance > LEAST_JUMP.max(FASTEST * (to.time - from.time))).then_some(distance)
 }
 
 /// Whether a sample still belongs to the last piece.

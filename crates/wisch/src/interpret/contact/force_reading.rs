@@ -7,7 +7,7 @@
 
 use super::downsampling::MeasuredPiece;
 use super::plane::{PlaneFit, fit_plane};
-use super::sensor::{SensorAxes, bias_and_noise, clock_offset, shift_forces};
+use super::sensor::{SensorAxes, bias_and_noise, clock_offset, drift, shift_forces};
 use super::weighted::{median, mode, spread};
 use crate::geometry::{Point3, Vector3};
 use crate::interpret::config::{InterpretConfig, PlaneConfig};
@@ -95,6 +95,8 @@ pub(in crate::interpret) struct ForceReading {
     pub(in crate::interpret) clock_offset: f64,
     /// Whether the log shows free motion, so that the bias is known.
     pub(in crate::interpret) has_free_motion: bool,
+    /// Steady change of the force in free motion over the whole log [N]; 0 if there is none.
+    pub(in crate::interpret) drift: f64,
     /// Lowest plane near the believed surface on which the tool slid, with any force.
     pub(in crate::interpret) lowest: Option<PlaneFit>,
 }
@@ -171,6 +173,7 @@ impl ForceReading {
             is_as_declared: true,
             clock_offset: 0.0,
             has_free_motion: known.is_some(),
+            drift: drift(pieces, &free, axes),
             lowest: None,
         }
     }
@@ -203,6 +206,7 @@ impl ForceReading {
             is_as_declared: true,
             clock_offset: contact.clock_offset,
             has_free_motion: true,
+            drift: drift(&pieces, &contact.free, contact.axes),
             lowest: None,
         };
         let least = LEAST_FORCE[0] * contact.step.norm();

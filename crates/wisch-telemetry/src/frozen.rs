@@ -1,0 +1,77 @@
+//! Forces that stay the same for long, because their sensor or its driver has stopped.
+
+use wisch::geometry::Vector3;
+
+/// Longest time for which a working sensor repeats a force other than zero \[ns\].
+const LONGEST_REPEAT: i64 = 500_000_000;
+/// Least number of equal forces in this time.
+const LEAST_REPEATS: usize = 10;
+/// Least share of the other forces that differ from the one before: a log without noise shows no stopped sensor \[1\].
+const LEAST_CHANGES: f64 = 0.8;
+/// Least share of the log that they have \[1\].
+const LEAST_OTHERS: f64 = 0.3;
+
+/// Returns the intervals in which a force repeats for longer than a working sensor repeats it \[ns\], from the first
+/// repetition to the last; none for a log whose forces have no noise.
+pub(crate) fn find_frozen(entries: &[(i64, Vector3)]) -> Vec<[i64; 2]> {
+    let mut frozen = Vec::new();
+    let (mut changes, mut others) = (0_usize, 0_usize);
+    for run in entries.chunk_by(|a, b| a.1 == b.1) {
+        let [first, last] = [run[0].0, run[run.len() - 1].0];
+        let is_long = last - first > LONGEST_REPEAT && run.len() > LEAST_REPEATS;
+        if is_long && run[0].1 != Vector3::zeros() {
+            frozen.push([run[1].0, last]);
+        } else if !is_long {
+            changes += 1;
+            others += run.len();
+        }
+    }
+    let [changes, others, all] = [changes, others, entries.len()].map(|count| count as f64);
+    if changes < LEAST_CHANGES * others || others < LEAST_OTHERS * all {
+        frozen.clear();
+    }
+    frozen
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Forces at 100 Hz: in turn noise and the same force, for these numbers of samples.
+    fn forces(counts: &[usize], noise: f64) -> Vec<(i64, Vector3)> {
+        let mut all: Vec<(i64, Vector3)> = Vec::new();
+        for (part, &count) in counts.iter().enumerate() {
+            for k in 0..count {
+                let wobble = if part % 2 == 0 {
+                    noise * (k as f64).sin()
+                } else {
+                    0.5
+                };
+                all.push((
+                    all.len() as i64 * 10_000_000,
+                    Vector3::new(0.0, wobble, 9.0),
+                ));
+            }
+        }
+        all
+    }
+
+    #[test]
+    fn a_force_that_repeats_between_noise_is_frozen_from_its_first_repetition() {
+        let expected = [[3_010_000_000, 3_990_000_000]];
+        assert_eq!(find_frozen(&forces(&[300, 100, 200], 1.0)), expected);
+        assert!(
+            find_frozen(&forces(&[300, 40, 200], 1.0)).is_empty(),
+            "too short"
+        );
+        assert!(
+            find_frozen(&forces(&[300, 100, 200], 0.0)).is_empty(),
+            "without noise"
+        );
+        let mut rests = forces(&[300, 100, 200], 1.0);
+        for (_, force) in &mut rests[300..400] {
+            *force = Vector3::zeros();
+        }
+        assert!(find_frozen(&rests).is_empty(), "a dead band around zero");
+    }
+}
