@@ -17,7 +17,9 @@ mod records;
 mod robots;
 mod task_file;
 
-pub use assets::{KnowledgeSource, read, read_beside, read_text, shipped_scenarios};
+pub use assets::{
+    KnowledgeSource, read, read_beside, read_text, scenario_files, shipped_scenarios,
+};
 pub use digest::{FileDigest, InputDigest};
 pub use error::Error;
 pub use kept_files::{ChangedFile, KeptFiles};
