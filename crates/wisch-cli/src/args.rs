@@ -258,7 +258,8 @@ Examples:
 Examples:
   wisch scenarios
   wisch run chopping-board
-  wisch scenarios chopping-board > board.toml    copy a scenario to edit it")]
+  wisch scenarios chopping-board > board.toml    copy a scenario to edit it
+  wisch scenarios car-door --out door            the same with the mesh that it names")]
     Scenarios(ScenariosArgs),
     /// Print the JSON Schema of task files, with which editors complete and check keys
     #[command(after_help = "\
@@ -579,6 +580,9 @@ pub struct ScenariosArgs {
     /// Print this scenario's task file [default: list all scenarios]
     #[arg(value_name = "NAME")]
     pub name: Option<String>,
+    /// Write the task file and the files that it names, such as a mesh, to this folder
+    #[arg(long, value_name = "FOLDER", value_hint = ValueHint::DirPath, requires = "name")]
+    pub out: Option<PathBuf>,
 }
 
 /// Arguments of `completions`.

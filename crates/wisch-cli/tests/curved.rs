@@ -188,3 +188,40 @@ fn keys_of_a_cylinder_are_checked() {
     let errors = fails(&["surface.shape=sphere"]);
     assert!(errors.contains("cylinder"), "{errors}");
 }
+
+/// The shipped scenarios over meshes, by name from anywhere, and as copies.
+#[test]
+fn scenarios_over_meshes_meet_their_goals() {
+    let folder = tempfile::tempdir().unwrap();
+    let run = |args: &[&str]| {
+        let done = command(folder.path()).args(args).output().unwrap();
+        assert!(done.status.success(), "{args:?}: {}", text(&done.stderr));
+        text(&done.stdout)
+    };
+    let list = run(&["scenarios"]);
+    for name in ["basin", "car-door"] {
+        assert!(list.contains(&format!("\n{name} ")), "{list}");
+        let found = run(&["run", name, "--out", &format!("{name}-run")]);
+        assert!(found.contains(": goal met"), "{found}");
+        let copy = format!("{name}-copy");
+        let wrote = run(&["scenarios", name, "--out", &copy]);
+        assert!(wrote.contains(&format!("meshes/{name}.stl")), "{wrote}");
+        let task = format!("{copy}/{name}.toml");
+        run(&["plan", &task, "--out", "copied"]);
+        run(&["plan", name, "--out", "named"]);
+        let [copied, named] = ["copied", "named"]
+            .map(|out| fs::read(folder.path().join(out).join("plan.json")).unwrap());
+        assert!(copied == named, "{name}");
+    }
+    // A copy without its mesh is announced, and existing files stay.
+    let done = command(folder.path()).args(["scenarios", "basin"]).output();
+    let err = text(&done.unwrap().stderr);
+    assert!(
+        err.contains("the task needs the file meshes/basin.stl"),
+        "{err}"
+    );
+    let again = ["scenarios", "basin", "--out", "basin-copy"];
+    let done = command(folder.path()).args(again).output().unwrap();
+    assert_eq!(done.status.code(), Some(2));
+    assert!(text(&done.stderr).contains("the file exists already"));
+}

@@ -518,7 +518,16 @@ fn episodes_teach_what_their_bags_do() {
         let err = refused(place, &["--episode", id, "--task", "task.toml"]);
         assert!(err.contains(said.as_str()), "{err}");
     }
-    let err = refused(place, &["--memory", "episodes", "--quiet"]);
+    // Without --task, each episode teaches by the task that it keeps.
+    let (code, out, err) = wisch(place, &["learn", "--memory", "episodes", "--json"]);
+    assert_eq!(code, 0, "{err}");
+    assert!(err.contains(&unseen) && !err.contains(&unknown), "{err}");
+    let found: Value = serde_json::from_str(&out).unwrap();
+    assert_eq!(found["laws"][0]["rounds"], 3, "{out}");
+    fs::remove_file(place.join("learned.toml")).unwrap();
+    fs::write(place.join("bench.toml"), TASK.replace("NAME", "bench")).unwrap();
+    let bench = ["--memory", "episodes", "--task", "bench.toml", "--quiet"];
+    let err = refused(place, &bench);
     assert!(
         err.contains("episodes: none of 4 episodes can be learned from"),
         "{err}"

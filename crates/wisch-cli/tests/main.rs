@@ -18,6 +18,7 @@ mod lock_files;
 mod memory;
 mod memory_faults;
 mod memory_import;
+mod mesh_files;
 mod plain_output;
 mod plans;
 mod program;

@@ -56,7 +56,7 @@ fn hidden(folder: &Path) -> Vec<PathBuf> {
 }
 
 /// Starts a run and waits until its first round is over; gives the run and its hidden folder.
-fn after_one_round(folder: &Path, mut command: Command) -> (Child, PathBuf) {
+pub fn after_one_round(folder: &Path, mut command: Command) -> (Child, PathBuf) {
     let mut run = command.stdout(Stdio::null()).spawn().expect("it runs");
     let has_one = || {
         hidden(folder)

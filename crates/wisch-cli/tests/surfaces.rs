@@ -6,7 +6,7 @@ use std::fs;
 use std::path::Path;
 
 /// Writes a grid of 40 × 30 squares over 1.0 × 0.6 m as PLY, mapped into space; some faces are flipped.
-fn write_grid(path: &Path, map: impl Fn(f64, f64) -> [f64; 3], flipped: usize) {
+pub fn write_grid(path: &Path, map: impl Fn(f64, f64) -> [f64; 3], flipped: usize) {
     let (columns, rows) = (40, 30);
     let mut text = format!(
         "ply\nformat ascii 1.0\nelement vertex {}\nproperty double x\nproperty double y\nproperty double z\n\

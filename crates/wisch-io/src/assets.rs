@@ -155,13 +155,18 @@ pub(crate) fn read_task_text(path: &Path) -> Result<String, Error> {
         let Error::NoSuchFile { path, nearest } = error else {
             return Err(error);
         };
-        let named = shipped_scenarios().find(|(name, _)| Path::new(name) == path);
-        let (_, text) = named.ok_or_else(|| Error::NoSuchFile {
+        let text = find_shipped(&path).ok_or_else(|| Error::NoSuchFile {
             nearest: nearest.or_else(|| nearest_scenario(&path)),
             path,
         })?;
         Ok(text.to_owned())
     })
+}
+
+/// Returns the text of the shipped scenario of this name.
+fn find_shipped(name: &Path) -> Option<&'static str> {
+    let named = shipped_scenarios().find(|(known, _)| Path::new(known) == name);
+    named.map(|(_, text)| text)
 }
 
 /// Returns the shipped scenario with the most similar name, if one is similar.
@@ -193,13 +198,32 @@ fn nearest_of(wanted: &str, names: impl Iterator<Item = String>) -> Option<Strin
         .map(|(_, name)| name)
 }
 
-/// Returns a reader for the files of a task; their paths are relative to the task file's folder.
+/// Returns the files that a shipped scenario names: paths relative to its task file, and contents.
+pub fn scenario_files(task_file: &str) -> impl Iterator<Item = (&'static str, &'static [u8])> {
+    let files = SCENARIOS.dirs().flat_map(|folder| folder.files());
+    let files = files.filter_map(|file| Some((file.path().to_str()?, file.contents())));
+    files.filter(move |(path, _)| task_file.contains(&format!("\"{path}\"")))
+}
+
+/// Returns a file that a shipped scenario names, such as a mesh.
+fn shipped_file(path: &str) -> Result<Vec<u8>, String> {
+    let file = SCENARIOS.get_file(path);
+    let missing = || format!("{path}: the shipped scenarios have no such file");
+    Ok(file.ok_or_else(missing)?.contents().to_vec())
+}
+
+/// Returns a reader for the files of a task: their paths are relative to the task file's folder, or those of a shipped scenario
+/// if there is no such task file.
 pub fn read_beside(task_file: &Path) -> impl FnMut(&str) -> Result<Vec<u8>, String> + use<> {
+    let is_shipped = find_shipped(task_file).is_some() && !task_file.exists();
     let folder = task_file
         .parent()
         .map(Path::to_path_buf)
         .unwrap_or_default();
-    move |path| read(&folder.join(path)).map_err(|error| error.to_string())
+    move |path| match is_shipped {
+        true => shipped_file(path),
+        false => read(&folder.join(path)).map_err(|error| error.to_string()),
+    }
 }
 
 /// The source of the knowledge base.

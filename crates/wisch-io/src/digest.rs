@@ -1,5 +1,6 @@
 //! Digests that identify the inputs of a run.
 
+use std::fmt;
 use std::hash::{DefaultHasher, Hasher};
 
 /// A digest of named files and settings. It is comparable only within one build of the program, which suffices to check
@@ -30,5 +31,54 @@ impl InputDigest {
     /// The digest of all added inputs.
     pub fn value(&self) -> u64 {
         self.0.finish()
+    }
+}
+
+/// A digest of the contents of files, which is the same in every version of the program. It does not protect against deliberate
+/// collisions.
+///
+/// ```
+/// let digest = wisch_io::FileDigest::from_contents(b"wipe");
+/// assert_eq!(digest.to_string(), "fnv1a-64:a677e1f655ab0e66:4");
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct FileDigest {
+    bytes: u64,
+    /// 64-bit FNV-1a hash (Fowler, Noll, Vo).
+    hash: u64,
+}
+
+impl FileDigest {
+    /// The digest of no bytes.
+    pub const EMPTY: Self = Self {
+        bytes: 0,
+        hash: 0xcbf2_9ce4_8422_2325,
+    };
+
+    /// Returns the digest of a file's contents.
+    pub fn from_contents(contents: &[u8]) -> Self {
+        let mut digest = Self::EMPTY;
+        digest.add(contents);
+        digest
+    }
+
+    /// Adds bytes.
+    pub fn add(&mut self, bytes: &[u8]) {
+        self.bytes += bytes.len() as u64;
+        for byte in bytes {
+            // FNV-1a: hash = (hash xor byte) * (2^40 + 2^8 + 0xb3) modulo 2^64
+            self.hash = (self.hash ^ u64::from(*byte)).wrapping_mul(0x0100_0000_01b3);
+        }
+    }
+
+    /// The last 16 bits of the hash.
+    pub const fn last_bits(&self) -> u16 {
+        self.hash as u16
+    }
+}
+
+impl fmt::Display for FileDigest {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "fnv1a-64:{:016x}:{}", self.hash, self.bytes)
     }
 }

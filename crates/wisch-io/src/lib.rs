@@ -7,6 +7,7 @@
 mod assets;
 mod digest;
 mod error;
+mod kept_files;
 mod knowledge;
 mod load;
 mod output;
@@ -16,11 +17,16 @@ mod records;
 mod robots;
 mod task_file;
 
-pub use assets::{KnowledgeSource, read, read_beside, read_text, shipped_scenarios};
-pub use digest::InputDigest;
+pub use assets::{
+    KnowledgeSource, read, read_beside, read_text, scenario_files, shipped_scenarios,
+};
+pub use digest::{FileDigest, InputDigest};
 pub use error::Error;
+pub use kept_files::{ChangedFile, KeptFiles};
 pub use knowledge::{InteractionRevision, KnowledgeFileError, RevisedFile, parse_knowledge};
-pub use load::{Derivation, LoadOptions, LoadedTask, load_task, parse_task};
+pub use load::{
+    Derivation, LoadOptions, LoadedTask, load_task, load_task_with, parse_task, read_task_name,
+};
 pub use output::{
     FOLLOWING_FILE, INTERPRETATION_FILE, KilledRuns, Leftover, OutputFile, OutputFolder,
     PARTICLES_AFTER_FILE, PARTICLES_BEFORE_FILE, PARTICLES_ESTIMATED_FILE, PARTICLES_TRUE_FILE,

@@ -3,6 +3,7 @@
 use crate::assets::{KnowledgeSource, read_beside, read_task_text};
 use crate::digest::InputDigest;
 use crate::error::Error;
+use crate::kept_files::KeptFiles;
 use crate::particles::{ParticleSource, read_observed_image, read_observed_list};
 use crate::robots::Robot;
 use crate::task_file::{Intent, TaskFile, surface_remarks, unit_remarks};
@@ -76,6 +77,8 @@ pub struct LoadedTask {
     pub simulation: SimulationSettings,
     /// The slope of the surface, if it is too steep for the medium, so that the task's particles have already slid down.
     pub steep: Option<SteepSurface>,
+    /// The files that the task file names, apart from those of the robot.
+    pub files: KeptFiles,
     /// Digest of all read files and of the options.
     pub inputs: InputDigest,
 }
@@ -144,8 +147,8 @@ impl LoadedTask {
         let seen = match &self.file.particles {
             _ if is_list => read_observed_list(&shown, &bytes, area),
             ParticleSource::Image(mask) => {
-                let before = read_beside(&self.path)(&mask.file).map_err(refused)?;
-                read_observed_image(mask, &before, &shown, &bytes, area, self.task.seed)
+                let before = self.files.get(&mask.file).unwrap_or_default();
+                read_observed_image(mask, before, &shown, &bytes, area, self.task.seed)
             }
             _ => {
                 let problem = "the position of the surface in this image is unknown, because the task's particles do not come from an image";
@@ -205,7 +208,33 @@ struct Chosen {
 /// # Ok::<(), wisch_io::Error>(())
 /// ```
 pub fn load_task(path: &Path, options: &LoadOptions) -> Result<LoadedTask, Error> {
-    parse_task(path, read_task_text(path)?, &mut read_beside(path), options)
+    load_task_with(path, &KeptFiles::default(), options)
+}
+
+/// Loads a task as [`load_task`], with kept copies in place of the files that the task file names.
+///
+/// # Errors
+/// Those of [`load_task`].
+pub fn load_task_with(
+    path: &Path,
+    kept: &KeptFiles,
+    options: &LoadOptions,
+) -> Result<LoadedTask, Error> {
+    let mut beside = read_beside(path);
+    let mut files = |named: &str| match kept.get(named) {
+        Some(contents) => Ok(contents.to_vec()),
+        None => beside(named),
+    };
+    parse_task(path, read_task_text(path)?, &mut files, options)
+}
+
+/// Reads the name of a task from its file, without the files that it names.
+///
+/// # Errors
+/// If the file cannot be read or is invalid.
+pub fn read_task_name(path: &Path, settings: &[(String, String)]) -> Result<String, Error> {
+    let shown = path.display().to_string();
+    Ok(TaskFile::parse(&shown, &read_task_text(path)?, settings)?.name)
 }
 
 /// Loads a task from the text of a task file.
@@ -246,6 +275,12 @@ pub fn parse_task(
     }
     source.add_to(&mut inputs)?;
     let inputs = RefCell::new(inputs);
+    let mut kept = KeptFiles::default();
+    let mut files = |path: &str| {
+        let contents = files(path)?;
+        kept.add(path, &contents);
+        Ok(contents)
+    };
     let taken_in = |path: &str, bytes: Result<Vec<u8>, String>| {
         let bytes = bytes?;
         inputs.borrow_mut().add(path, &bytes);
@@ -294,6 +329,7 @@ pub fn parse_task(
         file,
         task,
         run,
+        files: kept,
         inputs,
         simulation,
         steep,

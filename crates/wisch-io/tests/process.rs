@@ -2,9 +2,11 @@
 
 use std::ops::ControlFlow;
 use std::process::Command;
+use std::sync::Arc;
 use std::time::{Duration, Instant};
+use wisch::geometry::{Mesh, Point3, SheetConfig, Vector3};
 use wisch::recover::Verdict;
-use wisch::represent::SurfaceShape;
+use wisch::represent::{AngleRange, MeshShape, SurfaceShape, TiltFreedom};
 use wisch::run::{
     Ending, Execution, Executor, ExecutorError, MotionOrder, NoExecutor, PlannedRound,
     RecordedSample, RunError, Stage, StopKind, ignore_events,
@@ -639,6 +641,43 @@ done("complete", duration=motion["duration_s"])
     let refused = executed_by_version_2(&planned, "\"reports_state\": False", lines);
     let error = refused.expect_err("it is refused").to_string();
     assert!(error.contains("states accepts_curved"), "{error}");
+}
+
+/// On a mesh, the axis of the tool is the normal along which a child presses.
+#[test]
+fn a_mesh_is_given_to_children_that_accept_curved_surfaces() {
+    if !has_python() {
+        return;
+    }
+    let mut planned = motion();
+    let lines = r#"
+shape = motion.get("surface_shape")
+if shape["kind"] != "mesh" or len(shape["digest"]) != 32:
+    say(error="another shape: %s" % shape)
+follow()
+done("complete", duration=motion["duration_s"])
+"#;
+    let corners = [[-0.2, -0.15], [0.2, -0.15], [0.2, 0.15], [-0.2, 0.15]];
+    let corners = corners.map(|[x, y]| Point3::new(x, y, 0.0));
+    let mesh = Mesh::new(corners.to_vec(), vec![[0, 1, 2], [0, 2, 3]]).unwrap();
+    let (shape, _) = MeshShape::from_mesh(&mesh, &SheetConfig::default()).unwrap();
+    planned.task.surface.shape = SurfaceShape::Mesh(Arc::new(shape));
+    executed_by_version_2(&planned, "\"accepts_curved\": True", lines).expect("it ends");
+    let refused = |planned: &_, ready| {
+        let refused = executed_by_version_2(planned, ready, lines);
+        refused.expect_err("it is refused").to_string()
+    };
+    let error = refused(&planned, "\"reports_state\": False");
+    assert!(error.contains("states accepts_curved"), "{error}");
+    planned.task.tool.tilt = Some(TiltFreedom {
+        axis_in_tool: Vector3::y_axis(),
+        range: AngleRange {
+            min_rad: -0.1,
+            max_rad: 0.1,
+        },
+    });
+    let error = refused(&planned, "\"accepts_curved\": True");
+    assert!(error.contains("choose a tool without tilt"), "{error}");
 }
 
 #[test]

@@ -3,7 +3,7 @@
 use crate::sink::{RunSink, SinkError};
 use std::path::PathBuf;
 use wisch::geometry::{Point3, Pose};
-use wisch::represent::{Observation, Surface, Task};
+use wisch::represent::{Observation, Surface, SurfaceShape, Task};
 use wisch::run::{PlannedRound, RunEvent};
 use wisch_telemetry::{BagHead, BagRobot, BagScene, BagWriter, ObservationTime, WriteError};
 
@@ -114,19 +114,24 @@ impl BagSink {
     fn begin(&mut self, planned: &PlannedRound) -> Result<(), WriteError> {
         let robot = planned.cell.robot();
         let task = &planned.task;
+        let notes = [
+            ("task", task.name.clone()),
+            ("round", planned.number.to_string()),
+            ("seed", task.seed.to_string()),
+        ];
+        let mesh = match &task.surface.shape {
+            SurfaceShape::Mesh(mesh) => Some(("surface_mesh", format!("{:032x}", mesh.digest()))),
+            _ => None,
+        };
         let head = BagHead {
             joints: (0..robot.dof())
                 .map(|i| robot.variable(i).name.clone())
                 .collect(),
             world_from_surface: task.surface.world_from_surface,
             start: 0,
-            notes: [
-                ("task", task.name.clone()),
-                ("round", planned.number.to_string()),
-                ("seed", task.seed.to_string()),
-            ]
-            .map(|(key, value)| (key.to_owned(), value))
-            .into(),
+            notes: (notes.into_iter().chain(mesh))
+                .map(|(key, value)| (key.to_owned(), value))
+                .collect(),
         };
         let path = self.path();
         let mut bag = BagWriter::create(&path, head)?;

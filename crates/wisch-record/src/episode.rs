@@ -429,12 +429,15 @@ impl RunSink for EpisodeSink {
     }
 }
 
-/// Attaches the task file and the run's options.
+/// Attaches the task file, copies of the files that it names, and the run's options.
 ///
 /// # Errors
 /// If a file cannot be written.
 pub fn attach_task(writer: &EpisodeWriter, loaded: &LoadedTask) -> Result<(), RecordError> {
     writer.attach("task.toml", &loaded.text)?;
+    for (name, contents) in loaded.files.to_files() {
+        writer.attach(&name, contents)?;
+    }
     let options = Options {
         task_file: loaded.path.display().to_string(),
         settings: &loaded.settings,

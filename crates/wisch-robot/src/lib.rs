@@ -44,6 +44,7 @@ mod clearance;
 mod description;
 mod dynamics;
 mod error;
+mod fnv;
 mod frame;
 pub mod geometry;
 mod ik;

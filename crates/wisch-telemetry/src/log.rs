@@ -50,6 +50,8 @@ pub struct Log {
     pub frames_used: Vec<String>,
     /// Name of the executed task; bags written by [`crate::BagWriter`] state it.
     pub task: Option<String>,
+    /// Digest of the mesh of the surface, in hexadecimal digits; bags that `wisch run` has written on meshes state it.
+    pub surface_mesh: Option<String>,
     /// Number of the executed round, from 1; bags written by [`crate::BagWriter`] state it.
     pub round: Option<usize>,
     /// Camera observations of the dirt before the first sample and after the last, in the frame of the believed
@@ -388,6 +390,7 @@ fn combine(raw: RawLog, correction: Correction, options: &LogOptions) -> Result<
             .collect(),
         world_from_surface: surface(&raw, start),
         task: raw.task.clone(),
+        surface_mesh: raw.surface_mesh.clone(),
         round: raw.round,
         observations: raw.looks.clone(),
         repeated: raw.poses.repeated + raw.wrenches.repeated,

@@ -49,6 +49,8 @@ pub(crate) struct RawLog {
     pub joints: JointPositions,
     /// Name of the executed task, if the writer states it.
     pub task: Option<String>,
+    /// Digest of the surface's mesh, if the writer states it.
+    pub surface_mesh: Option<String>,
     /// Number of the executed round, if the writer states it.
     pub round: Option<usize>,
     /// Camera observations of the dirt before and after the round.

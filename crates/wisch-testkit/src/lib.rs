@@ -4,7 +4,7 @@
 
 mod any_task;
 mod board;
-mod meshes;
+pub mod curved_meshes;
 mod parts;
 mod problems;
 mod relief;
@@ -13,7 +13,6 @@ mod whole;
 
 pub use any_task::any_task;
 pub use board::{arm7, block, board, cell, faults, first_stroke, planned};
-pub use meshes::mesh_over;
 pub use parts::{interaction, sponge, surface};
 pub use problems::{FollowedProblem, Problem, SolvedProblem, lost_nodes};
 pub use relief::{Relief, ReliefWipe};

@@ -16,7 +16,7 @@ use wisch::represent::{
 };
 use wisch::run::{Execution, Executor, ExecutorError, MotionOrder, SampleSink, ignore_events};
 use wisch_io::{LoadOptions, load_task};
-use wisch_testkit::{block, board, cell, faults, mesh_over, planned};
+use wisch_testkit::{block, board, cell, curved_meshes::mesh_over, faults, planned};
 
 const fn cylinder(radius: f64, axis: f64) -> SurfaceShape {
     SurfaceShape::Cylinder { radius, axis }
@@ -636,7 +636,7 @@ fn on_mesh(action: Action, point: impl Fn(Point2) -> Point3) -> Task {
     let size = bounds.fold(Vector2::zeros(), |size, p| {
         size.sup(&(p.coords.abs() * 2.0))
     });
-    let mesh = mesh_over([size.x, size.y], point);
+    let mesh = mesh_over([40, 40], [size.x, size.y], point);
     let config = SheetConfig {
         tool_radius: task.tool.collision_radius(),
         ..SheetConfig::default()

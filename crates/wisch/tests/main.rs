@@ -14,6 +14,7 @@ mod plan;
 mod preparation;
 mod scenarios;
 mod session;
+mod swept_mesh;
 mod tour;
 mod treatment;
 mod tutorial;

@@ -8,7 +8,7 @@ use wisch::plan::{CoverageStrategy, NodeRole, Plan, PlanConfig, Planner, plan, p
 use wisch::recover::remaining_dirt;
 use wisch::represent::{Action, OccupiedArea, Task};
 use wisch_io::{LoadOptions, LoadedTask, TaskFile, load_task};
-use wisch_testkit::{root, scenario};
+use wisch_testkit::{curved_meshes::scenario_meshes, root, scenario};
 
 /// Name, particles, and the distance in contact of Table 1 for grid and absorb [m].
 const SCENARIOS: [(&str, usize, f64); 3] = [
@@ -30,6 +30,19 @@ fn loaded(name: &str, action: Option<Action>, seed: u64) -> LoadedTask {
         ..LoadOptions::default()
     };
     load_task(&scenario(name), &options).unwrap_or_else(|error| panic!("{error}"))
+}
+
+#[test]
+fn the_meshes_of_scenarios_are_what_the_generator_writes() {
+    let folder = root().join("scenarios/meshes");
+    let made = scenario_meshes();
+    assert_eq!(std::fs::read_dir(&folder).unwrap().count(), made.len());
+    for made in made {
+        let committed = std::fs::read(folder.join(made.file_name)).unwrap();
+        // Not assert_eq!, which would print both files.
+        let is_same = made.mesh.to_binary_stl() == committed;
+        assert!(is_same && committed.len() <= 150_000, "{}", made.file_name);
+    }
 }
 
 #[test]

@@ -7,7 +7,7 @@ use crate::terminal::remark;
 use std::time::Instant;
 use wisch::plan::Strategy;
 use wisch::run::{NoExecutor, RunError, Session, Stage, ignore_events};
-use wisch_io::LoadedTask;
+use wisch_io::{KeptFiles, LoadedTask};
 
 /// Numbers of plans in the two trial searches that measure this machine's speed.
 const TRIED: [usize; 2] = [1, 20_000];
@@ -15,7 +15,9 @@ const TRIED: [usize; 2] = [1, 20_000];
 const STEPS: f64 = 20.0;
 
 /// Returns the arguments with the budget as a setting `plan.evaluations`, so that a run's record states it.
-pub(super) fn in_evaluations(args: &TaskArgs) -> Result<TaskArgs, Failure> {
+///
+/// `kept`: copies in place of the files that the task file names.
+pub(super) fn in_evaluations(args: &TaskArgs, kept: &KeptFiles) -> Result<TaskArgs, Failure> {
     let Some(budget) = args.budget else {
         return Ok(args.clone());
     };
@@ -23,7 +25,7 @@ pub(super) fn in_evaluations(args: &TaskArgs) -> Result<TaskArgs, Failure> {
         budget: None,
         ..args.clone()
     };
-    let prepared = prepare::load(&args)?;
+    let prepared = prepare::load(&args, kept)?;
     let strategy = prepared.run.plan.strategy;
     if !matches!(strategy, Strategy::Adaptive | Strategy::Best) {
         let problem = format!("--budget has no effect: the strategy {strategy} does not search");

@@ -14,7 +14,7 @@ use wisch::geometry::{Bounds2, Mesh, Point2};
 use wisch::plan::{BendContact, FreeSpace, NodeRole, Plan, Prediction, predict};
 use wisch::represent::{Action, GoalState, SurfaceShape, Task, dirt_friction};
 use wisch::run::{NoExecutor, Session, Stage, check_score, ignore_events};
-use wisch_io::{LoadedTask, ShapeRecord};
+use wisch_io::{KeptFiles, LoadedTask, ShapeRecord};
 
 /// Number of sample points for free space along the longer side of the surface.
 const RASTER: usize = 120;
@@ -27,7 +27,7 @@ const LISTED: usize = 8;
 pub fn check(args: &CheckArgs, global: &GlobalArgs) -> Result<Outcome, Failure> {
     let progress = Progress::start(global);
     progress.say("reading the task");
-    let task_args = &in_evaluations(&args.task)?;
+    let task_args = &in_evaluations(&args.task, &KeptFiles::default())?;
     let prepared = prepare::read(task_args)?;
     let failure = |error| stage_failure(task_args, error);
     let free_area = FreeArea::of(&prepared.task, &progress).map_err(failure)?;

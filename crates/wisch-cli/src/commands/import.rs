@@ -16,7 +16,8 @@ use wisch::follow::Phase;
 use wisch::geometry::flatten_pose;
 use wisch::represent::Task;
 use wisch_io::{
-    INTERPRETATION_FILE, LoadedTask, PARTICLES_ESTIMATED_FILE, REPORT_FILE, particles_to_csv,
+    FileDigest, INTERPRETATION_FILE, LoadedTask, PARTICLES_ESTIMATED_FILE, REPORT_FILE,
+    particles_to_csv,
 };
 use wisch_memory::catalogue::entries;
 use wisch_memory::{
@@ -96,14 +97,14 @@ fn start_of(args: &ImportArgs, log: &Log) -> f64 {
 fn keep(
     args: &ImportArgs,
     memory: &Memory,
-    digest: LogDigest,
+    digest: FileDigest,
     (prepared, reading): (&LoadedTask, &str),
     interpreted: &Interpreted,
 ) -> Result<EpisodeRecord, Failure> {
     let log = &interpreted.log;
     let start = start_of(args, log);
     // The name is derived from the log, so that two simultaneous imports of a log collide.
-    let writer = begin_episode(memory, start, digest.hash as u16).map_err(cannot_keep)?;
+    let writer = begin_episode(memory, start, digest.last_bits()).map_err(cannot_keep)?;
     let believed = prepared.task.surface.world_from_surface;
     let seen = RoundObservations {
         round: log.round,
@@ -252,7 +253,7 @@ fn report_known(
 }
 
 /// Finds the episode that was imported from a log with this digest.
-fn episode_of(memory: &Memory, digest: &LogDigest) -> Result<Option<String>, Failure> {
+fn episode_of(memory: &Memory, digest: &FileDigest) -> Result<Option<String>, Failure> {
     let catalogue: Catalogue = memory.catalogue().map_err(cannot_keep)?;
     let digests = catalogue.texts("semco:logDigest");
     let wanted = digest.to_string();
@@ -263,27 +264,9 @@ fn episode_of(memory: &Memory, digest: &LogDigest) -> Result<Option<String>, Fai
     Ok(found.map(|row| row.id.clone()))
 }
 
-/// A digest that identifies the contents of a log.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-struct LogDigest {
-    /// Total size of its files [bytes].
-    bytes: u64,
-    /// 64-bit FNV-1a hash of their contents (Fowler, Noll, Vo).
-    hash: u64,
-}
-
-impl std::fmt::Display for LogDigest {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        write!(f, "fnv1a-64:{:016x}:{}", self.hash, self.bytes)
-    }
-}
-
 /// Computes the digest of a log: of a file, or of all files in a folder, sorted by name.
-fn digest_of(log: &Path) -> io::Result<LogDigest> {
-    let mut digest = LogDigest {
-        bytes: 0,
-        hash: 0xcbf2_9ce4_8422_2325,
-    };
+fn digest_of(log: &Path) -> io::Result<FileDigest> {
+    let mut digest = FileDigest::EMPTY;
     let mut files = Vec::new();
     if log.is_dir() {
         for entry in fs::read_dir(log)? {
@@ -304,11 +287,7 @@ fn digest_of(log: &Path) -> io::Result<LogDigest> {
                 Err(error) if error.kind() == io::ErrorKind::Interrupted => continue,
                 Err(error) => return Err(error),
             };
-            digest.bytes += read as u64;
-            for byte in &block[..read] {
-                // FNV-1a: hash = (hash xor byte) * (2^40 + 2^8 + 0xb3) modulo 2^64
-                digest.hash = (digest.hash ^ u64::from(*byte)).wrapping_mul(0x0100_0000_01b3);
-            }
+            digest.add(&block[..read]);
         }
     }
     Ok(digest)

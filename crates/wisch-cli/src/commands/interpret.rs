@@ -110,6 +110,8 @@ pub(super) fn interpret_log(
     let goal = goal(source, task_args, prepared)?;
     progress.say("reading the log");
     let log = read_log(source, prepared)?;
+    prepare::check_mesh(log.surface_mesh.as_deref(), &prepared.task)
+        .map_err(|failure| failure.within(&source.log))?;
     progress.say(format!(
         "interpreting {}",
         counted(log.samples.len(), "sample")

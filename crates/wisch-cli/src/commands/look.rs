@@ -1,28 +1,17 @@
 //! `wisch ask --view`: writes the answers of a query, with the recordings that they show, into one page.
 
 use super::prepare;
-use crate::args::TaskArgs;
 use crate::failure::Failure;
-use serde::Deserialize;
 use std::path::Path;
-use wisch_io::{LoadedTask, OutputFile};
+use wisch_io::OutputFile;
 use wisch_memory::ask::Answers;
 use wisch_memory::view::{View, answers_json, gather};
-use wisch_memory::{Catalogue, Episode, Memory};
+use wisch_memory::{Catalogue, Memory};
 use wisch_record::episode_recording;
 use wisch_web::answers_page;
 
 /// Maximum size of all recordings of a page together [bytes], compressed.
 const MAX_RECORDINGS: usize = 32 << 20;
-
-/// The options of the command line that change the task, as an episode keeps them.
-#[derive(Debug, Default, Deserialize)]
-struct Options {
-    #[serde(default)]
-    settings: Vec<(String, String)>,
-    strategy: Option<String>,
-    seed: Option<u64>,
-}
 
 /// Begins the page before the query runs, so that a missing permission is reported at once.
 pub(super) fn begin(file: &Path) -> Result<OutputFile, Failure> {
@@ -59,7 +48,8 @@ fn recordings(view: &mut View, memory: &Memory) -> Vec<(String, Vec<u8>)> {
     for shown in &view.episodes {
         let recording = memory.episode(&shown.id).map_err(Into::into);
         let recording = recording.and_then(|episode| {
-            let task = task_of(&episode);
+            // Without its task, only the log is drawn.
+            let task = prepare::load_kept(&episode, None).ok();
             episode_recording(&episode, shown, task.as_ref())
         });
         match recording {
@@ -77,23 +67,4 @@ fn recordings(view: &mut View, memory: &Memory) -> Vec<(String, Vec<u8>)> {
         }
     }
     recordings
-}
-
-/// Returns the task of an episode; `None` if it or one of its files is missing.
-fn task_of(episode: &Episode) -> Option<LoadedTask> {
-    // Without the settings of the run, another task would be shown. Episodes of imported logs have none.
-    let options = match episode.attachment("options.json") {
-        Ok(bytes) => serde_json::from_slice(&bytes).ok()?,
-        Err(_) => Options::default(),
-    };
-    let args = TaskArgs {
-        task: episode.folder().join("task.toml"),
-        strategy: options.strategy.and_then(|name| name.parse().ok()),
-        budget: None,
-        action: None,
-        seed: options.seed,
-        settings: options.settings,
-        knowledge: None,
-    };
-    prepare::load(&args).ok()
 }

@@ -2,15 +2,14 @@
 
 use crate::args::ResultArgs;
 use std::path::{Path, PathBuf};
-use wisch_io::LoadedTask;
 
 /// Longest name of a folder that is derived from a task's [characters]; file systems take 255 bytes.
 const MAX_NAME_LEN: usize = 60;
 
-/// Returns the folder of `--out`, or by default `out/TASK` with the suffix `done`, which names the command's last stage.
-pub(super) fn out_folder(results: &ResultArgs, prepared: &LoadedTask, done: &str) -> PathBuf {
+/// Returns the folder of `--out`, or by default `out/TASK` of a task with the suffix `done`, which names the command's last stage.
+pub(super) fn out_folder(results: &ResultArgs, task: &str, done: &str) -> PathBuf {
     results.out.clone().unwrap_or_else(|| {
-        let name = folder_name(&prepared.task.name);
+        let name = folder_name(task);
         Path::new("out").join(format!("{name}{done}"))
     })
 }

@@ -78,6 +78,11 @@ pub fn execute(
     if let Some(path) = &args.events {
         record.add(Box::new(event_sink(path)?));
     }
+    if stop.is_none() {
+        job.prepared
+            .files
+            .write_to(&job.folder.checkpoint_folder())?;
+    }
     let mut executor = start_executing(job, args, killed, stop, global)?;
     let mut sinks = Sinks {
         watch: Watch::new(job, checkpoints, taken_over.len(), args.realtime),

@@ -25,7 +25,7 @@ use wisch::interpret::Belief;
 use wisch::plan::{Plan, Strategy, check_strokes, describe_over_border, predict};
 use wisch::recover::Verdict;
 use wisch::run::{Ending, NoExecutor, RunEvent, Stage};
-use wisch_io::{KilledRuns, Leftover, Replaceable};
+use wisch_io::{KeptFiles, KilledRuns, Leftover, Replaceable};
 use wisch_io::{LoadedTask, OutputFolder};
 use wisch_io::{PlanRecord, read_text};
 use wisch_record::{KeptEpisode, RecordOptions, RunRecord, RunResults, StageSink, write_results};
@@ -81,6 +81,14 @@ impl Extent<'_> {
             Self::Run(..) | Self::Predict => "-predicted",
             Self::Follow(_) => "-followed",
             Self::Plan { .. } => "-planned",
+        }
+    }
+
+    /// Returns the arguments of the task, without a camera if the options say so.
+    fn restrict_senses(&self, args: &TaskArgs) -> TaskArgs {
+        match self.rounds() {
+            Some(rounds) if rounds.touch_only => args.clone().touch_only(),
+            _ => args.clone(),
         }
     }
 
@@ -143,12 +151,9 @@ fn work(
     }
     let progress = Progress::start(global);
     progress.say("reading the task");
-    let mut task_args = in_evaluations(task_args)?;
-    if matches!(extent, Extent::Run(_, rounds) if rounds.touch_only) {
-        task_args = task_args.touch_only();
-    }
-    let task_args = &task_args;
-    let mut prepared = prepare::read(task_args)?;
+    let kept = read_kept(extent, task_args, results)?;
+    let task_args = &in_evaluations(&extent.restrict_senses(task_args), &kept)?;
+    let mut prepared = prepare::read_with(task_args, &kept)?;
     if let Some(height) = extent.rounds().and_then(|rounds| rounds.air) {
         raise(&mut prepared.task.surface, height);
     }
@@ -157,7 +162,11 @@ fn work(
     let given = plan_file
         .map(|path| given_plan(path, &mut prepared))
         .transpose()?;
-    let out = out_folder(results, &prepared, extent.suffix(chosen.is_some()));
+    let out = out_folder(
+        results,
+        &prepared.task.name,
+        extent.suffix(chosen.is_some()),
+    );
     // Handle signals before any file is written, so that a signal leaves no files behind.
     let ends_cleanly = |rounds: &LoopArgs| rounds.has_executor() || rounds.live;
     let stop = (extent.rounds().is_some_and(ends_cleanly)).then(stop_on_signal);
@@ -226,6 +235,20 @@ fn work(
     } else {
         Outcome::GoalNotMet
     })
+}
+
+/// Returns the files that a killed run has kept, if this run resumes it.
+fn read_kept(
+    extent: Extent<'_>,
+    task_args: &TaskArgs,
+    results: &ResultArgs,
+) -> Result<KeptFiles, Failure> {
+    match extent.rounds() {
+        Some(rounds) if rounds.resume => prepare::read_kept(task_args, |name| {
+            out_folder(results, name, extent.suffix(true))
+        }),
+        _ => Ok(KeptFiles::default()),
+    }
 }
 
 /// Chooses the robot of commands that need one. The comparison of plans needs it, because a score includes execution time.

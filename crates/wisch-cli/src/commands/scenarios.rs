@@ -2,11 +2,12 @@
 
 use crate::args::ScenariosArgs;
 use crate::failure::Failure;
-use crate::terminal::{Outcome, print};
+use crate::terminal::{Outcome, print, remark};
+use std::path::{Path, PathBuf};
 use wisch::source_location::UnknownName;
-use wisch_io::shipped_scenarios;
+use wisch_io::{scenario_files, shipped_scenarios};
 
-/// Lists the scenarios with their first sentences, or prints the task file of one scenario.
+/// Lists the scenarios with their first sentences, or prints or writes the task file of one scenario.
 pub fn scenarios(args: &ScenariosArgs) -> Result<Outcome, Failure> {
     if let Some(name) = &args.name {
         let found = shipped_scenarios().find(|(known, _)| known == name);
@@ -14,7 +15,17 @@ pub fn scenarios(args: &ScenariosArgs) -> Result<Outcome, Failure> {
             let known = shipped_scenarios().map(|(name, _)| name);
             Failure::new(UnknownName::new("scenario", name, known))
         })?;
-        print(text)?;
+        match &args.out {
+            Some(folder) => write(folder, name, text)?,
+            None => {
+                print(text)?;
+                if let Some((path, _)) = scenario_files(text).next() {
+                    remark(&format!(
+                        "the task needs the file {path}: wisch scenarios {name} --out FOLDER writes both"
+                    ));
+                }
+            }
+        }
         return Ok(Outcome::Done);
     }
     let width = shipped_scenarios().map(|(name, _)| name.len()).max();
@@ -24,6 +35,29 @@ pub fn scenarios(args: &ScenariosArgs) -> Result<Outcome, Failure> {
         .collect();
     print(&list)?;
     Ok(Outcome::Done)
+}
+
+/// Writes a scenario and the files that it names to a folder; existing files stay.
+fn write(folder: &Path, name: &str, text: &str) -> Result<(), Failure> {
+    let task = (format!("{name}.toml"), text.as_bytes());
+    let named = scenario_files(text).map(|(path, contents)| (path.to_owned(), contents));
+    let files: Vec<(PathBuf, &[u8])> = std::iter::once(task)
+        .chain(named)
+        .map(|(path, contents)| (folder.join(path), contents))
+        .collect();
+    if let Some((path, _)) = files.iter().find(|(path, _)| path.exists()) {
+        return Err(Failure::new("the file exists already")
+            .within(path)
+            .with_help("choose another folder with --out"));
+    }
+    for (path, contents) in files {
+        let parent = path.parent().unwrap_or(folder);
+        std::fs::create_dir_all(parent)
+            .and_then(|()| std::fs::write(&path, contents))
+            .map_err(|error| Failure::new(format!("cannot write there: {error}")).within(&path))?;
+        print(&format!("wrote {}\n", path.display()))?;
+    }
+    Ok(())
 }
 
 /// Returns the first sentence of a file's leading comment, without text in brackets.

@@ -8,7 +8,7 @@ pub use staging_dir::{KilledRuns, Leftover};
 use crate::error::Error;
 use crate::records::{INTERPRETATION_FORMAT, PLAN_FORMAT};
 use serde::Deserialize;
-use staging_dir::StagingDir;
+use staging_dir::{StagingDir, find_newest};
 use std::fs;
 use std::io::{self, ErrorKind};
 use std::path::{Path, PathBuf};
@@ -76,6 +76,9 @@ fn of_first_round(name: &str) -> String {
     });
     parts.unwrap_or_else(|| name.to_owned())
 }
+
+/// Subfolder of a staging folder with the checkpoints.
+const STATE: &str = "state";
 
 /// The subfolders of a folder of results.
 const SUBFOLDERS: [&str; 4] = ["figures", "telemetry", "particles", "trajectories"];
@@ -243,7 +246,14 @@ impl OutputFolder {
 
     /// The folder of the run's checkpoints.
     pub fn checkpoint_folder(&self) -> PathBuf {
-        self.staging.path().join("state")
+        self.staging.path().join(STATE)
+    }
+
+    /// Returns the folder of the checkpoints that [`Self::begin`] would take over for a target; `None` without a killed run.
+    pub fn find_checkpoints(target: &Path) -> Option<PathBuf> {
+        let target = resolved(target).ok()?;
+        let name = target.file_name()?.to_string_lossy().into_owned();
+        Some(find_newest(target.parent()?, &name)?.join(STATE))
     }
 
     /// Removes all files of a killed run except the named files.

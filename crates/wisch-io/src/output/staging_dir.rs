@@ -112,6 +112,20 @@ impl Drop for StagingDir {
     }
 }
 
+/// Returns the newest staging folder beside a target, whether or not a process works in it.
+pub(super) fn find_newest(parent: &Path, name: &str) -> Option<PathBuf> {
+    let prefix = format!(".{name}.");
+    let folders = fs::read_dir(parent).ok()?.filter_map(|entry| {
+        let path = entry.ok()?.path();
+        let name = path.file_name()?.to_str()?;
+        let rest = name.strip_prefix(&prefix)?;
+        let is_ours = !rest.is_empty() && rest.chars().all(char::is_alphanumeric);
+        let lock = is_ours.then(|| fs::metadata(path.join(LOCK_FILE)))?.ok()?;
+        Some((lock.modified().ok()?, path))
+    });
+    folders.max().map(|(_, path)| path)
+}
+
 /// Returns the unlocked staging folders, which this process has locked, the newest last; and those locked by others.
 fn staging_dirs(parent: &Path, prefix: &str) -> io::Result<(Vec<StagingDir>, Vec<PathBuf>)> {
     let (mut dead, mut living) = (Vec::new(), Vec::new());

@@ -26,7 +26,7 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 use wisch::follow::Workcell;
-use wisch::represent::{Observation, Surface, SurfaceShape, Task};
+use wisch::represent::{Observation, SurfaceShape, Task};
 use wisch::run::{
     Execution, Executor, ExecutorError, MotionOrder, RobotState, SampleSink, Setpoint,
 };
@@ -331,7 +331,7 @@ impl Executor for ProcessExecutor {
         if self.is_interrupted() {
             return Err(self.fault("interrupted before the motion began"));
         }
-        self.check_shape(&order.task.surface)?;
+        self.check_shape(order.task)?;
         let clock = self.ready.stamp_clock.map(|clock| clock.0);
         let intake = Intake::new(order, sink).with_stamp_clock(clock);
         self.was_stopped = false;
@@ -371,12 +371,20 @@ impl Executor for ProcessExecutor {
     }
 
     fn observe(&mut self, task: &Task) -> Result<Option<Observation>, ExecutorError> {
-        self.check_shape(&task.surface)?;
+        self.check_shape(task)?;
         self.say(&ToChild::Observe {
             surface: &task.surface.name,
         })?;
         match self.answer()? {
             FromChild::Observation(None) => Ok(None),
+            FromChild::Observation(Some(_))
+                if matches!(task.surface.shape, SurfaceShape::Mesh(_)) =>
+            {
+                let name = &task.surface.name;
+                Err(self.fault(format!(
+                    "surface {name:?} is a mesh, whose chart the protocol does not state, so that no detections can be given in it; expected {{\"observation\": null}}"
+                )))
+            }
             FromChild::Observation(Some(seen)) => seen
                 .into_observation()
                 .map(Some)
@@ -387,22 +395,21 @@ impl Executor for ProcessExecutor {
 }
 
 impl ProcessExecutor {
-    /// Refuses a curved surface for a child that does not accept one.
-    fn check_shape(&mut self, surface: &Surface) -> Result<(), ExecutorError> {
-        let name = &surface.name;
-        match surface.shape {
+    /// Refuses a curved surface for a child that does not accept one, and a mesh for a tool that leans.
+    fn check_shape(&mut self, task: &Task) -> Result<(), ExecutorError> {
+        let name = &task.surface.name;
+        let problem = match task.surface.shape {
             SurfaceShape::Plane => return Ok(()),
-            SurfaceShape::Cylinder { .. } if self.ready.accepts_curved => return Ok(()),
-            SurfaceShape::Cylinder { .. } => {}
-            SurfaceShape::Mesh(_) => {
-                return Err(self.fault(format!(
-                    "surface {name:?} is a mesh, which the protocol does not describe yet; executors wipe planes and cylinders"
-                )));
+            _ if !self.ready.accepts_curved => {
+                "is curved, so that its normal differs from place to place; an executor that presses along the normal under the tool states accepts_curved in \"ready\""
             }
-        }
-        Err(self.fault(format!(
-            "surface {name:?} is curved, so that its normal differs from place to place; an executor that reads surface_shape states accepts_curved in \"ready\""
-        )))
+            // Along the axis of another tool, an executor finds the normal in world_from_tool.
+            SurfaceShape::Mesh(_) if task.tool.tilt.is_some() => {
+                "is a mesh, whose normals the protocol does not state where a tool may lean; choose a tool without tilt"
+            }
+            _ => return Ok(()),
+        };
+        Err(self.fault(format!("surface {name:?} {problem}")))
     }
 
     /// Waits for "finished" after a fault or an interruption; what the child still says of what was broken off is ignored.

@@ -435,7 +435,11 @@ impl PlanRecord {
             }
         }
         let shape = ShapeRecord::from_curved(&task.surface.shape);
-        if self.surface_shape != shape {
+        let is_same = match (&self.surface_shape, &shape) {
+            (Some(found), Some(expected)) => found.is_same_as(expected),
+            (found, expected) => found == expected,
+        };
+        if !is_same {
             return Err(PlanRecordError::OtherTask {
                 what: "surface shape",
                 found: self.surface_shape.unwrap_or(ShapeRecord::Plane).to_string(),

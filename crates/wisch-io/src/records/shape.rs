@@ -35,6 +35,9 @@ pub enum ShapeRecord {
         hollow_radius_m: Option<f64>,
         /// Largest stretch of a triangle of the chart.
         stretch: f64,
+        /// Digest of the mesh, in hexadecimal digits; `None` in files of earlier versions.
+        #[serde(default, skip_serializing_if = "Option::is_none", with = "hexadecimal")]
+        digest: Option<u128>,
     },
 }
 
@@ -42,6 +45,23 @@ impl ShapeRecord {
     /// Returns the record of a curved surface; `None` for a plane.
     pub fn from_curved(shape: &SurfaceShape) -> Option<Self> {
         (!shape.is_plane()).then(|| shape.into())
+    }
+
+    /// Whether another record states the same shape. Records of earlier versions do not state the digest of a mesh.
+    pub fn is_same_as(&self, other: &Self) -> bool {
+        match (self, other) {
+            (Self::Mesh { digest: None, .. }, _) | (_, Self::Mesh { digest: None, .. }) => {
+                self.without_digest() == other.without_digest()
+            }
+            _ => self == other,
+        }
+    }
+
+    fn without_digest(mut self) -> Self {
+        if let Self::Mesh { digest, .. } = &mut self {
+            *digest = None;
+        }
+        self
     }
 }
 
@@ -62,6 +82,7 @@ impl From<&SurfaceShape> for ShapeRecord {
                     bulge_radius_m: told(radii.bulge),
                     hollow_radius_m: told(radii.hollow),
                     stretch: mesh.sheet().stretch().most,
+                    digest: Some(mesh.digest()),
                 }
             }
         }
@@ -82,6 +103,7 @@ impl fmt::Display for ShapeRecord {
                 bulge_radius_m,
                 hollow_radius_m,
                 stretch,
+                digest,
             } => {
                 write!(f, "mesh of {area_m2:.3} m2 in {triangles} triangles")?;
                 for (name, radius) in [("bulges", bulge_radius_m), ("hollows", hollow_radius_m)] {
@@ -93,9 +115,32 @@ impl fmt::Display for ShapeRecord {
                     f,
                     ", unrolled with a stretch of up to {:.1} %",
                     100.0 * stretch
-                )
+                )?;
+                match digest {
+                    Some(digest) => write!(f, ", digest {digest:032x}"),
+                    None => Ok(()),
+                }
             }
         }
+    }
+}
+
+/// Numbers of 128 bits as hexadecimal digits, because JSON readers round larger numbers than 2^53.
+mod hexadecimal {
+    use serde::de::Error;
+    use serde::{Deserialize, Deserializer, Serialize, Serializer};
+
+    pub fn serialize<S: Serializer>(number: &Option<u128>, to: S) -> Result<S::Ok, S::Error> {
+        number.map(|number| format!("{number:032x}")).serialize(to)
+    }
+
+    pub fn deserialize<'a, D: Deserializer<'a>>(from: D) -> Result<Option<u128>, D::Error> {
+        let text = Option::<String>::deserialize(from)?;
+        let number = |text: String| {
+            u128::from_str_radix(&text, 16)
+                .map_err(|_| D::Error::custom(format!("digest {text:?} is not hexadecimal")))
+        };
+        text.map(number).transpose()
     }
 }
 

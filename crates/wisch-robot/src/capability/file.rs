@@ -17,9 +17,9 @@
 
 use super::build::MAX_CELLS;
 use super::directions::Directions;
-use super::hash::Fnv;
 use super::packing::{pack, unpack};
 use super::{CapabilityMap, FULL, Grid, MapConfig, MapError, MapOrigin, RobotHash};
+use crate::fnv::Fnv;
 use crate::geometry::{Pose, Vector3};
 use nalgebra::{Quaternion, Translation3, UnitQuaternion};
 

@@ -1,6 +1,7 @@
 //! Hash that identifies robots with the same reach.
 
-use crate::geometry::{Mesh, Pose};
+use crate::fnv::Fnv;
+use crate::geometry::Pose;
 use crate::{JointKind, RobotModel, Shape};
 use std::fmt;
 
@@ -19,37 +20,10 @@ impl fmt::Display for RobotHash {
     }
 }
 
-/// FNV-1a of 128 bits.
-pub(super) struct Fnv(u128);
-
 impl Fnv {
-    pub(super) const fn new() -> Self {
-        Self(0x6c62_272e_07bb_0142_62b8_2175_6295_c58d)
-    }
-
-    pub(super) fn bytes(&mut self, bytes: &[u8]) {
-        const PRIME: u128 = 0x0000_0000_0100_0000_0000_0000_0000_013b;
-        for &byte in bytes {
-            self.0 = (self.0 ^ u128::from(byte)).wrapping_mul(PRIME);
-        }
-    }
-
-    pub(super) const fn sum(&self) -> [u8; 16] {
-        self.0.to_le_bytes()
-    }
-
-    fn count(&mut self, value: usize) {
-        self.bytes(&(value as u64).to_le_bytes());
-    }
-
     fn name(&mut self, name: &str) {
         self.count(name.len());
         self.bytes(name.as_bytes());
-    }
-
-    /// Hashes a number rounded to 1e-9, so that sines that differ in the last place on another machine do not matter.
-    fn number(&mut self, value: f64) {
-        self.bytes(&((value * 1e9).round() as i64).to_le_bytes());
     }
 
     fn pose(&mut self, pose: &Pose) {
@@ -57,16 +31,6 @@ impl Fnv {
         // q and −q are the same rotation, and near w = 0 either may occur; the columns of the matrix are unique.
         let columns = pose.rotation.to_rotation_matrix();
         columns.matrix().iter().for_each(|&v| self.number(v));
-    }
-
-    fn mesh(&mut self, mesh: &Mesh) {
-        self.count(mesh.vertices().len());
-        for vertex in mesh.vertices() {
-            vertex.iter().for_each(|&v| self.number(v));
-        }
-        for triangle in mesh.triangles() {
-            triangle.iter().for_each(|&i| self.bytes(&i.to_le_bytes()));
-        }
     }
 }
 

@@ -11,6 +11,10 @@ use parry3d_f64::query::details::distance_support_map_support_map as gjk;
 use parry3d_f64::shape::{SupportMap, TriMesh};
 use std::sync::Arc;
 
+/// Bounds on the error of the iteration: relative [1], and if a cylinder is involved [m], each with some reserve.
+const RELATIVE_ERROR: f64 = 1e-6;
+const CYLINDER_ERROR: f64 = 2e-5;
+
 /// All points within `radius` of a core.
 #[derive(Debug, Clone)]
 pub(super) struct Solid {
@@ -210,16 +214,45 @@ impl Surface {
         }
         let ball = other.half.norm();
         let center = self_from_other.translation;
+        let half = vector(&other.half);
+        // Half extents, along the axes of the mesh, of the box around the core.
+        let axes = self_from_other.rotation * Vector::X * half.x;
+        let extent = axes.abs()
+            + (self_from_other.rotation * Vector::Y * half.y).abs()
+            + (self_from_other.rotation * Vector::Z * half.z).abs();
+        let other_from_self = self_from_other.inverse();
         let found = self.mesh.bvh().find_best(
             up_to,
             |node, _| {
                 let nearest = center.clamp(node.mins(), node.maxs());
-                ((center - nearest).length() - ball).max(0.0)
+                let to_ball = (center - nearest).length() - ball;
+                let to_box = gap(node.mins(), node.maxs(), center - extent, center + extent);
+                to_ball.max(lower_bound(to_box)).max(0.0)
             },
-            |triangle, _| Some(gjk(self_from_other, &self.mesh.triangle(triangle), other)),
+            |triangle, best| {
+                let triangle = self.mesh.triangle(triangle);
+                let corners = [triangle.a, triangle.b, triangle.c];
+                let [a, b, c] = corners.map(|corner| other_from_self.transform_point(corner));
+                let to_box = gap(a.min(b).min(c), a.max(b).max(c), -half, half);
+                // What is certainly farther away than the nearest triangle costs no iterations.
+                (lower_bound(to_box) < best).then(|| gjk(self_from_other, &triangle, other))
+            },
         );
         found.map_or(f64::INFINITY, |(_, distance)| distance)
     }
+}
+
+/// Returns the distance between two axis-aligned boxes [m]; 0 if they overlap.
+fn gap(low: Vector, high: Vector, other_low: Vector, other_high: Vector) -> f64 {
+    (low - other_high)
+        .max(other_low - high)
+        .max(Vector::ZERO)
+        .length()
+}
+
+/// Returns a distance that no result of the iteration falls below [m], by the distance of boxes around the cores.
+fn lower_bound(between_boxes: f64) -> f64 {
+    between_boxes * (1.0 - RELATIVE_ERROR) - CYLINDER_ERROR
 }
 
 pub(super) fn vector(v: &Vector3) -> Vector {

@@ -9,6 +9,7 @@ pub(crate) use collada::{MAX_ATTRIBUTES, most_attributes};
 pub use read::MeshFormat;
 
 use super::{DisjointSets, Point3, Pose, Vector3};
+use crate::fnv::Fnv;
 use std::collections::{BTreeMap, HashMap};
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
@@ -366,6 +367,14 @@ impl Mesh {
             .fold((nowhere, -nowhere), |(min, max), p| {
                 (min.inf(&p), max.sup(&p))
             })
+    }
+
+    /// Returns a digest of vertices, rounded to 1e-9 m, and triangles: FNV-1a with 128 bits. It does not protect against
+    /// deliberate collisions.
+    pub fn digest(&self) -> u128 {
+        let mut hash = Fnv::new();
+        hash.mesh(self);
+        u128::from_le_bytes(hash.sum())
     }
 
     /// Longest side of the bounding box \[m\].

@@ -7,7 +7,7 @@ use wisch::geometry::{Point2, Point3, Polygon, SheetConfig, Vector3};
 use wisch::represent::{Action, Fate, MeshShape, Mount, SensorModel, SurfaceShape};
 use wisch::run::Executor;
 use wisch_sim::{Camera, Dirt, SimulationSettings, WorkSurface, World};
-use wisch_testkit::{board, mesh_over};
+use wisch_testkit::{board, curved_meshes::mesh_over};
 
 /// Radius, and angle of the axis from the chart's x: bulges and hollows, across the stroke, along it and askew.
 const BENDS: [(f64, f64); 6] = [
@@ -69,7 +69,7 @@ fn a_wipe_over_a_mesh_presses_as_over_a_plane() {
     task.tool.mount = Some(Mount::Hand { lean: 0.8 });
     task.scene.clear();
     task.interaction.compression_depth_m = 0.01;
-    let dish = mesh_over([0.24, 0.18], |p| {
+    let dish = mesh_over([40, 40], [0.24, 0.18], |p| {
         Point3::new(p.x, p.y, -1.2 * p.x * p.x - 0.8 * p.y * p.y)
     });
     let config = SheetConfig {

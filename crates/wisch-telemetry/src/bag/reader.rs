@@ -7,7 +7,7 @@ use super::locator::Locator;
 use super::observation::{ObservationCollector, is_observation_topic};
 use super::search::{Located, Search, alignment_remark};
 use super::status::from_text;
-use super::topic::{NOTES, ROLE_POSE, ROLE_WRENCH, ROUND_NOTE, TASK_NOTE, Topic};
+use super::topic::{MESH_NOTE, NOTES, ROLE_POSE, ROLE_WRENCH, ROUND_NOTE, TASK_NOTE, Topic};
 use super::unpack::{is_packed, unpack_message};
 use crate::error::ReadFault;
 use crate::frames::Frames;
@@ -46,6 +46,7 @@ pub(crate) struct BagReader<'a> {
     joints_ahead: Vec<i64>,
     /// Name of the task, if the writer states it.
     task: Option<String>,
+    surface_mesh: Option<String>,
     /// Number of the round, if the writer states it.
     round: Option<usize>,
     looks: ObservationCollector,
@@ -99,6 +100,7 @@ impl<'a> BagReader<'a> {
             joints: JointPositions::new(&options.joints),
             joints_ahead: Vec::new(),
             task: None,
+            surface_mesh: None,
             round: None,
             looks: ObservationCollector::default(),
             qualities: Vec::new(),
@@ -115,6 +117,7 @@ impl<'a> BagReader<'a> {
             Entry::Message(channel, log_time, data) => self.message(channel, log_time, data),
             Entry::Notes(NOTES, notes) => {
                 self.task = notes.get(TASK_NOTE).cloned();
+                self.surface_mesh = notes.get(MESH_NOTE).cloned();
                 self.round = notes.get(ROUND_NOTE).and_then(|round| round.parse().ok());
                 Ok(())
             }
@@ -207,6 +210,7 @@ impl<'a> BagReader<'a> {
             frames,
             joints: self.joints,
             task: self.task,
+            surface_mesh: self.surface_mesh,
             round: self.round,
             looks: self.looks.finish(),
             qualities,

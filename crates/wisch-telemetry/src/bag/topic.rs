@@ -18,6 +18,8 @@ pub(crate) const HIDDEN: [&str; 2] = ["/wisch/hidden_before", "/wisch/hidden_aft
 pub(crate) const NOTES: &str = "wisch";
 /// Key of the executed task's name.
 pub(crate) const TASK_NOTE: &str = "task";
+/// Key of the digest of the surface's mesh.
+pub(crate) const MESH_NOTE: &str = "surface_mesh";
 /// Key of the executed round's number.
 pub(crate) const ROUND_NOTE: &str = "round";
 

@@ -295,6 +295,7 @@ impl Table<'_> {
             frames: Frames::default(),
             joints: JointPositions::default(),
             task: None,
+            surface_mesh: None,
             round: None,
             looks: [None, None],
             qualities: Vec::new(),

@@ -7,8 +7,13 @@ use crate::represent::{
     ElasticFoundation, LocalPressure, SURFACE_SKIN, Surface, SurfaceShape, Task, dirt_friction,
     effective_pressure,
 };
+use nalgebra::{Matrix2, Rotation2};
+use rayon::prelude::*;
 use std::f64::consts::PI;
 use std::fmt;
+
+/// Ranges of the touched share and of the pressure [1].
+type Ranges = [[f64; 2]; 2];
 
 /// Number of yaws at which the tool is tried.
 const YAWS: usize = 90;
@@ -58,17 +63,24 @@ impl BendContact {
             return None;
         }
         let tool = ElasticFoundation::from_interaction(&task.tool.footprint, &task.interaction)?;
-        let nothing = [f64::INFINITY, f64::NEG_INFINITY];
-        let (mut touched_share, mut pressure) = (nothing, nothing);
-        for bend in shape.bends() {
-            for yaw in yaws() {
-                let here = tool.press_upright(&bend, yaw);
-                let share = tool.touched_share(&here);
-                let [least, most] = tool.range(&here).map(|value| value.max(0.0));
-                touched_share = [touched_share[0].min(share), touched_share[1].max(share)];
-                pressure = [pressure[0].min(least), pressure[1].max(most)];
-            }
-        }
+        let widen =
+            |[low, high]: [f64; 2], [least, most]: [f64; 2]| [low.min(least), high.max(most)];
+        let merge = |[share, pressure]: Ranges, other: Ranges| {
+            [widen(share, other[0]), widen(pressure, other[1])]
+        };
+        let nothing = [[f64::INFINITY, f64::NEG_INFINITY]; 2];
+        let turns: Vec<Rotation2<f64>> = yaws().map(Rotation2::new).collect();
+        let at_bend = |bend: &Matrix2<f64>| {
+            let at_yaw = |turn| {
+                let (here, _) = tool.press_turned(bend, turn);
+                let pressure = tool.range(&here).map(|value| value.max(0.0));
+                [[tool.touched_share(&here); 2], pressure]
+            };
+            turns.iter().map(at_yaw).fold(nothing, merge)
+        };
+        // Minima and maxima are the same in any order.
+        let [touched_share, pressure] =
+            (shape.bends().par_iter().map(at_bend)).reduce(|| nothing, merge);
         // κL² = 12 δ on a bulge, 24 δ in a hollow.
         let radii = shape.least_radii();
         let length = |factor: f64, radius: f64| libm::sqrt(factor * tool.compression() * radius);
@@ -225,14 +237,15 @@ fn check_gap(task: &Task, radius: f64) -> Result<(), PlanError> {
     })
 }
 
-/// Returns how far from its centre a tool touches across the bend, at any yaw [m]: at most its own reach, and in a hollow
-/// exactly that, as it touches with its ends first.
+/// Returns how far from its centre a tool touches across the bend, at any yaw [m]: at most its own reach, and exactly that in a
+/// hollow, as it touches with its ends first. A reach up to the radius is that of the whole tool.
 fn touched_reach(task: &Task, radius: f64) -> f64 {
     let footprint = &task.tool.footprint;
     let corners = footprint.edges().map(|edge| edge.start.coords.norm());
     let reach = corners.fold(0.0, f64::max);
     let tool = ElasticFoundation::from_interaction(footprint, &task.interaction);
-    let Some(tool) = tool.filter(|_| radius > 0.0) else {
+    // What the tool touches matters only where the tool reaches beyond the axis of the bend.
+    let Some(tool) = tool.filter(|_| radius > 0.0 && reach > radius) else {
         return reach;
     };
     // f′(u) = m − u²/2δR vanishes at u² = 2 m δ R.

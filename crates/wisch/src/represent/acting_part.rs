@@ -2,7 +2,7 @@
 
 use super::{ElasticFoundation, LocalPressure, Surface, SurfaceShape, principal_curvatures};
 use crate::geometry::{Edge, Point2, Polygon, Region, Vector2};
-use nalgebra::Matrix2;
+use nalgebra::{Matrix2, Rotation2};
 use std::f64::consts::PI;
 
 /// Number of yaws at which the tool is tried.
@@ -18,6 +18,8 @@ pub(super) struct ActingPart {
     least: f64,
     /// What is known of the bend that was met last.
     known: Option<KnownBend>,
+    /// The last yaw over a mesh, and its rotation.
+    turn: (f64, Rotation2<f64>),
 }
 
 /// The contact of a tool with one bend.
@@ -40,6 +42,7 @@ impl ActingPart {
             foundation,
             least,
             known: None,
+            turn: (0.0, Rotation2::identity()),
         }
     }
 
@@ -65,10 +68,12 @@ impl ActingPart {
     ) -> Option<(LocalPressure, f64)> {
         let least = self.least;
         if let SurfaceShape::Mesh(_) = &surface.shape {
+            if self.turn.0 != heading {
+                self.turn = (heading, Rotation2::new(heading));
+            }
             let bend = surface.shape.bend(place);
-            let pressure = self.foundation.press_upright(&bend, heading);
-            let is_partial = self.foundation.range(&pressure)[0] < least;
-            return is_partial.then_some((pressure, least));
+            let (pressure, lowest) = self.foundation.press_turned(&bend, &self.turn.1);
+            return (lowest < least).then_some((pressure, least));
         }
         let (foundation, known) = self.meet(surface.shape.bend(place));
         let pressure = match known.upright {

@@ -135,6 +135,16 @@ impl ElasticFoundation {
     /// - `slope`: slope of the surface against the tool at the tool centre point, in the tool frame \[1\].
     /// - `bend`: second fundamental form in the tool frame \[1/m\], positive where the surface bulges towards the tool.
     pub fn press(&self, force: f64, slope: Vector2, bend: &Matrix2<f64>) -> LocalPressure {
+        self.press_with_least(force, slope, bend).0
+    }
+
+    /// Returns the pressure, see [`Self::press`], and its least value over the footprint [1].
+    fn press_with_least(
+        &self,
+        force: f64,
+        slope: Vector2,
+        bend: &Matrix2<f64>,
+    ) -> (LocalPressure, f64) {
         let scale = 1.0 / self.compression;
         let mut pressure = LocalPressure {
             middle: 0.0,
@@ -144,8 +154,9 @@ impl ElasticFoundation {
         // All of it touches: mean of m + rise·q − ½ qᵀBq/δ = force.
         let bent = pressure.bend.component_mul(&self.squares).sum();
         pressure.middle = force - pressure.rise.dot(&self.mean) + bent / 2.0;
-        if self.range(&pressure)[0] >= 0.0 {
-            return pressure;
+        let [least, _] = self.range(&pressure);
+        if least >= 0.0 {
+            return (pressure, least);
         }
         let axes = PrincipalAxes::of(&pressure);
         for _ in 0..MAX_STEPS {
@@ -161,15 +172,23 @@ impl ElasticFoundation {
                 break;
             }
         }
-        pressure
+        (pressure, self.range(&pressure)[0])
     }
 
     /// Returns the pressure at nominal force of a tool that is upright on a surface, at a yaw against the axes in
     /// which `bend` is given \[rad\].
     pub fn press_upright(&self, bend: &Matrix2<f64>, yaw: f64) -> LocalPressure {
-        let turn = Rotation2::new(yaw);
+        self.press_turned(bend, &Rotation2::new(yaw)).0
+    }
+
+    /// Returns the pressure, see [`Self::press_upright`], and its least value over the footprint \[1\].
+    pub(crate) fn press_turned(
+        &self,
+        bend: &Matrix2<f64>,
+        turn: &Rotation2<f64>,
+    ) -> (LocalPressure, f64) {
         let in_tool = turn.inverse().matrix() * bend * turn.matrix();
-        self.press(1.0, Vector2::zeros(), &in_tool)
+        self.press_with_least(1.0, Vector2::zeros(), &in_tool)
     }
 
     /// Returns the least and the largest value of f′ over the footprint \[1\]; below 0 where the tool does not touch.

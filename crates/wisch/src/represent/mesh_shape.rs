@@ -29,6 +29,7 @@ const SAMPLE_SHARE: f64 = 0.5;
 pub struct MeshShape {
     sheet: Sheet,
     mesh: Mesh,
+    digest: u128,
     samples: Vec<(Point2, Matrix2<f64>)>,
     tightest: Matrix2<f64>,
 }
@@ -48,6 +49,7 @@ impl MeshShape {
             tightest: find_tightest(&samples),
             samples,
             mesh: mesh.transform(&surface_from_mesh),
+            digest: mesh.digest(),
             sheet,
         };
         Ok((shape, mesh_from_surface))
@@ -67,6 +69,11 @@ impl MeshShape {
     /// The mesh as it was given, in the frame of the surface.
     pub fn mesh(&self) -> &Mesh {
         &self.mesh
+    }
+
+    /// The digest of the mesh from which the shape was made, in its own frame, see [`Mesh::digest`].
+    pub fn digest(&self) -> u128 {
+        self.digest
     }
 
     /// Iterates over places of the chart about half a tool's radius apart, with their second fundamental forms \[1/m\].

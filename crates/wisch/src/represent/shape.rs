@@ -180,7 +180,7 @@ impl SurfaceShape {
     pub fn bend(&self, place: Point2) -> Matrix2<f64> {
         match self {
             Self::Plane => Matrix2::zeros(),
-            Self::Mesh(mesh) => mesh.sheet().extend(place).bend,
+            Self::Mesh(mesh) => mesh.sheet().bend(place),
             &Self::Cylinder { radius, axis } => {
                 let [_, across] = directions(axis);
                 across * across.transpose() / radius

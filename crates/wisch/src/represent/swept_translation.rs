@@ -270,7 +270,9 @@ impl SweptTranslation {
                 continue;
             }
             self.cross(self.lateral[number]);
-            restrict(self, number);
+            if !self.crossings.is_empty() {
+                restrict(self, number);
+            }
             let chords = Chords {
                 crossings: &self.crossings,
             };

@@ -21,8 +21,10 @@ use wisch::learn::{
 };
 use wisch::represent::{Interaction, KnowledgeBase, Task};
 use wisch_io::{
-    InteractionRevision, KnowledgeSource, LoadedTask, OutputFile, RevisedFile, shipped_scenarios,
+    InteractionRevision, KeptFiles, KnowledgeSource, LoadedTask, OutputFile, RevisedFile,
+    shipped_scenarios,
 };
+use wisch_memory::Episode;
 
 /// First line of a file that `wisch learn` has written and may overwrite.
 const HEADER: &str = "# Interactions as `wisch learn` has them";
@@ -98,7 +100,9 @@ pub fn learn(args: &LearnArgs, global: &GlobalArgs) -> Result<Outcome, Failure> 
     Ok(Outcome::Done)
 }
 
-/// The executed tasks, by name.
+const GIVE_TASKS: &str = "give the file of every executed task with --task FILE";
+
+/// The executed tasks, by name; those that episodes keep, by the folder of the episode.
 struct Tasks {
     known: BTreeMap<String, LoadedTask>,
     /// Whether `--task` gave them; otherwise they are the shipped scenarios that bags and episodes name.
@@ -138,18 +142,45 @@ impl Tasks {
         })
     }
 
-    /// Returns the task of a bag or episode. `named`: the task's name there, if it is stated.
-    fn of(
-        &mut self,
-        kind: &str,
-        place: &Path,
-        named: Option<&str>,
-    ) -> Result<&LoadedTask, Failure> {
+    /// Returns the key in `known` of an episode's task. Without `--task`, it is the task that the episode keeps.
+    ///
+    /// # Errors
+    /// If `--task` does not name the task, or names other files than those with which the episode was recorded.
+    fn of_episode(&mut self, episode: &Episode, named: &str) -> Result<String, Failure> {
+        let folder = episode.folder();
+        if !self.are_given && folder.join("task.toml").is_file() {
+            let key = folder.display().to_string();
+            let own = prepare::load_kept(episode, self.knowledge.clone())
+                .map_err(|failure| failure.with_help(GIVE_TASKS))?;
+            self.known.insert(key.clone(), own);
+            return Ok(key);
+        }
+        let key = self.of("episode", folder, Some(named))?;
+        let kept = KeptFiles::read_from(folder)?;
+        let own = &self.known[&key].files;
+        let read = &mut |path: &str| own.get(path).map(<[u8]>::to_vec).ok_or_else(String::new);
+        let changed = (kept.find_changes(read).into_iter())
+            .find_map(|changed| Some((changed.path, changed.kept, changed.found.ok()?)));
+        if let Some((path, kept, found)) = changed {
+            let problem = format!(
+                "the episode was recorded with another file {path:?}: its digest was {kept}, and that of the file of --task is {found}"
+            );
+            return Err(Failure::new(problem)
+                .within(folder)
+                .with_help("leave out --task to take the files that the episode keeps"));
+        }
+        Ok(key)
+    }
+
+    /// Returns the key in `known` of the task of a bag or episode. `named`: the task's name there, if it is stated.
+    fn of(&mut self, kind: &str, place: &Path, named: Option<&str>) -> Result<String, Failure> {
         let fault = |problem: String| Failure::new(problem).within(place);
-        let help = "give the file of every executed task with --task FILE";
+        let help = GIVE_TASKS;
         let name = match named {
             Some(name) => name.to_owned(),
-            None if self.known.len() == 1 => self.known.keys().next().cloned().unwrap_or_default(),
+            None if self.are_given && self.known.len() == 1 => {
+                self.known.keys().next().cloned().unwrap_or_default()
+            }
             None => {
                 let problem = format!("the {kind} does not state its task");
                 return Err(fault(problem).with_help(help));
@@ -166,7 +197,11 @@ impl Tasks {
         } else {
             format!("the {kind} has the task {name:?}, which is not a shipped scenario")
         };
-        (self.known.get(&name)).ok_or_else(|| fault(problem).with_help(help))
+        if self.known.contains_key(&name) {
+            Ok(name)
+        } else {
+            Err(fault(problem).with_help(help))
+        }
     }
 }
 
@@ -189,12 +224,14 @@ fn evidence(
                 place.display()
             ));
             let round = source.read()?;
-            let prepared = tasks.of(source.kind(), &place, round.task.as_deref())?;
-            let name = prepared.task.name.clone();
-            rounds.entry(name).or_default().push(round);
+            let key = match source.task() {
+                Some(key) => key.to_owned(),
+                None => tasks.of("bag", &place, round.task.as_deref())?,
+            };
+            rounds.entry(key).or_default().push(round);
         }
-        for (name, mut rounds) in rounds {
-            let prepared = &tasks.known[&name];
+        for (key, mut rounds) in rounds {
+            let prepared = &tasks.known[&key];
             rounds.sort_by_key(|round| round.number);
             let interaction = known_interaction(prepared, knowledge, &rounds[0].place)?;
             let key = [
@@ -277,6 +314,8 @@ fn seen_rounds(
     let mut seen = Vec::new();
     for round in rounds {
         let fault = |problem: &dyn std::fmt::Display| Failure::new(problem).within(&round.place);
+        prepare::check_mesh(round.surface_mesh.as_deref(), &prepared.task)
+            .map_err(|failure| failure.within(&round.place))?;
         let [before, after] = round.observations_of_both()?;
         let mut task = prepared.task.clone();
         if let Some(logged) = round.world_from_surface {

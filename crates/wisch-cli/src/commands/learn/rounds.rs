@@ -30,7 +30,7 @@ pub(super) enum Source {
     /// A round of an episode.
     Episode {
         episode: Episode,
-        /// Name of the executed task.
+        /// Key of the executed task.
         task: String,
         /// Number of the round in the episode, from 1.
         number: usize,
@@ -41,8 +41,10 @@ pub(super) enum Source {
 pub(super) struct RecordedRound {
     /// The file of the round.
     pub place: PathBuf,
-    /// Name of the executed task, if the file states it.
+    /// Name of the executed task, if a bag states it.
     pub task: Option<String>,
+    /// Digest of the mesh of the surface, if a bag states it.
+    pub surface_mesh: Option<String>,
     /// Number of the round in its run, from 1, if the file states it.
     pub number: Option<usize>,
     /// Tool poses and measured forces.
@@ -56,11 +58,11 @@ pub(super) struct RecordedRound {
 }
 
 impl Source {
-    /// The kind of recording, for messages.
-    pub fn kind(&self) -> &'static str {
+    /// The key of the executed task; `None` for a bag, which states its name.
+    pub fn task(&self) -> Option<&str> {
         match self {
-            Self::Bag(_) => "bag",
-            Self::Episode { .. } => "episode",
+            Self::Bag(_) => None,
+            Self::Episode { task, .. } => Some(task),
         }
     }
 
@@ -82,6 +84,7 @@ impl Source {
                 Ok(RecordedRound {
                     place: path.clone(),
                     task: log.task,
+                    surface_mesh: log.surface_mesh,
                     number: log.round,
                     samples: log.samples,
                     world_from_surface: log.world_from_surface,
@@ -93,9 +96,7 @@ impl Source {
                 })
             }
             Self::Episode {
-                episode,
-                task,
-                number,
+                episode, number, ..
             } => {
                 let seen = episode.observations(*number).map_err(broken)?;
                 let telemetry = episode.telemetry(*number).map_err(broken)?;
@@ -111,7 +112,8 @@ impl Source {
                 };
                 Ok(RecordedRound {
                     place,
-                    task: Some(task.clone()),
+                    task: None,
+                    surface_mesh: None,
                     number: Some(round.unwrap_or(*number)),
                     samples,
                     world_from_surface,
@@ -209,9 +211,10 @@ pub(super) fn recordings(
 fn recording(episode: Episode, tasks: &mut Tasks) -> Result<Result<Recording, Failure>, Failure> {
     let record = episode.record().map_err(broken)?;
     let folder = episode.folder().to_owned();
-    if let Err(why) = tasks.of("episode", &folder, Some(&record.task)) {
-        return Ok(Err(why));
-    }
+    let task = match tasks.of_episode(&episode, &record.task) {
+        Ok(task) => task,
+        Err(why) => return Ok(Err(why)),
+    };
     let mut sources = Vec::new();
     for number in 1..=record.rounds.len() {
         let seen = episode.observations(number).map_err(broken)?;
@@ -226,7 +229,7 @@ fn recording(episode: Episode, tasks: &mut Tasks) -> Result<Result<Recording, Fa
         }
         sources.push(Source::Episode {
             episode: episode.clone(),
-            task: record.task.clone(),
+            task: task.clone(),
             number,
         });
     }

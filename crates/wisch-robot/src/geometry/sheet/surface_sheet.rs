@@ -336,6 +336,27 @@ impl Sheet {
         }
     }
 
+    /// Returns the second fundamental form over any place, in the axes of the chart \[1/m\]: that of [`Sheet::extend`].
+    pub fn bend(&self, place: Point2) -> Matrix2<f64> {
+        let mut holding = (self.grid).holding(place, &self.places, &self.surface.triangles);
+        let located = (holding.next()).or_else(|| {
+            self.finder
+                .nearest_on_border(place, &self.places, &self.surface)
+        });
+        self.bend_at(located.unwrap_or(Located {
+            triangle: 0,
+            weights: [1.0 / 3.0; 3],
+        }))
+    }
+
+    fn bend_at(&self, located: Located) -> Matrix2<f64> {
+        let corners = self.surface.triangles[located.triangle];
+        let weighted = corners.iter().zip(located.weights);
+        weighted.fold(Matrix2::zeros(), |bend, (&i, w)| {
+            bend + self.bends[i as usize] * w
+        })
+    }
+
     /// Returns the place in the chart and the height of a point in the frame of the mesh \[m\]: the inverse of
     /// [`Sheet::extend`].
     pub fn chart_extended(&self, point: Point3) -> (Point2, f64) {
@@ -396,13 +417,12 @@ impl Sheet {
         let normal = (sum(&|i| self.normals[i]).try_normalize(0.0))
             .or(facet)
             .unwrap_or_else(Vector3::z);
-        let bend = weighted().fold(Matrix2::zeros(), |bend, (i, w)| bend + self.bends[i] * w);
         let [x_axis, _] = axes_across(normal, sum(&|i| self.x_axes[i]));
         SheetPoint {
             point,
             normal,
             x_axis,
-            bend,
+            bend: self.bend_at(located),
             stretch: self.stretches[located.triangle],
         }
     }

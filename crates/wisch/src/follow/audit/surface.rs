@@ -230,12 +230,15 @@ impl<'a> SurfaceCheck<'a> {
         let mut over_hole: Option<(f64, Point2)> = None;
         let mut off_mesh: Option<(f64, Point2, OffMesh)> = None;
         let mut before: Option<Vec<Frame>> = None;
+        // Of each body, its vertices at the last sample, where they were needed.
+        let mut corners_before: Vec<Option<Vec<Vector3>>> = vec![None; bodies.len()];
         for sample in samples {
             let frames = self.frames(&sample.q);
             for (i, &(body, depth)) in bodies.iter().enumerate() {
                 let now = &frames[body.link];
                 let earlier = before.as_ref().map(|before| &before[body.link]);
-                let mut found = self.penetration(body, earlier, now, depth);
+                let known = &mut corners_before[i];
+                let mut found = self.penetration(body, earlier, now, depth, known);
                 if found.is_none() && !self.waits_behind && i + 1 == bodies.len() {
                     found = self.behind(body, now, depth);
                 }
@@ -293,13 +296,17 @@ impl<'a> SurfaceCheck<'a> {
 
     /// Returns where a body is deeper in the surface than allowed, or has passed through it since the last
     /// sample.
+    ///
+    /// `known`: the vertices of the body at the last sample, if they are known; afterwards those of this sample.
     fn penetration(
         &self,
         body: &Body,
         earlier: Option<&Frame>,
         now: &Frame,
         may_be_deep: f64,
+        known: &mut Option<Vec<Vector3>>,
     ) -> Option<Penetration> {
+        let corners_before = known.take();
         let side = |frame: &Frame| {
             let in_space = frame.point(&body.middle);
             let middle = unroll(&self.task.surface.shape, in_space);
@@ -318,13 +325,14 @@ impl<'a> SurfaceCheck<'a> {
         if side_now.is_some() && (earlier.is_none() || side_now == side_before) {
             return None;
         }
-        let corners = self.unrolled(body, now);
-        if let Some(found) = self.section(&body.mesh, &corners, may_be_deep) {
+        let corners = known.insert(self.unrolled(body, now));
+        if let Some(found) = self.section(&body.mesh, corners, may_be_deep) {
             return Some(found);
         }
         // Vertices on the other side have passed through the surface if they crossed its plane within the
         // outline.
-        let earlier = self.unrolled(body, earlier?);
+        let earlier = earlier?;
+        let earlier = corners_before.unwrap_or_else(|| self.unrolled(body, earlier));
         let mut passed = corners.iter().zip(&earlier).filter_map(|(now, earlier)| {
             let [before, after] = [earlier.z + may_be_deep, now.z + may_be_deep];
             if (before < 0.0) == (after < 0.0) {
