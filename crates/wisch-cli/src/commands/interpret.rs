@@ -192,6 +192,10 @@ fn remarks(log: &Log, prepared: &LoadedTask, interpretation: &Interpretation) ->
         SurfaceShape::Cylinder { radius, .. } => remarks.push(format!(
             "the surface is a cylinder of radius {radius} m: places and maps show it unrolled"
         )),
+        SurfaceShape::Cone(cone) => remarks.push(format!(
+            "the surface is a cone of radius {} m and half angle {} rad: places and maps show it unrolled",
+            cone.radius, cone.half_angle
+        )),
         SurfaceShape::Mesh(_) => {
             remarks.push("the surface is a mesh: places and maps show it unrolled".to_owned());
         }

@@ -392,11 +392,13 @@ impl ProcessExecutor {
         let name = &surface.name;
         match surface.shape {
             SurfaceShape::Plane => return Ok(()),
-            SurfaceShape::Cylinder { .. } if self.ready.accepts_curved => return Ok(()),
-            SurfaceShape::Cylinder { .. } => {}
+            SurfaceShape::Cylinder { .. } | SurfaceShape::Cone(_) if self.ready.accepts_curved => {
+                return Ok(());
+            }
+            SurfaceShape::Cylinder { .. } | SurfaceShape::Cone(_) => {}
             SurfaceShape::Mesh(_) => {
                 return Err(self.fault(format!(
-                    "surface {name:?} is a mesh, which the protocol does not describe yet; executors wipe planes and cylinders"
+                    "surface {name:?} is a mesh, which the protocol does not describe yet; executors wipe planes, cylinders and cones"
                 )));
             }
         }
