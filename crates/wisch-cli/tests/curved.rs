@@ -212,6 +212,17 @@ fn a_run_on_a_cone_reaches_its_goal() {
     let found: serde_json::Value = serde_json::from_slice(&again.stdout).expect("a summary");
     assert_eq!(found["diagnosis"], "localized", "{found}");
     assert_eq!(found["doubts"], serde_json::json!([]), "{found}");
+    // The contacts determine the pose of the cone up to motions along itself, and lie on it.
+    let fit = &found["registration"];
+    let determined = fit["determined"].as_u64().expect("a fit");
+    assert!((4..=5).contains(&determined), "{fit}");
+    assert!(fit["rms_m"].as_f64().expect("a distance") < 1e-3, "{fit}");
+    let cells = found["contact_residuals"].as_array().expect("a map");
+    assert!(cells.len() > 20, "{cells:?}");
+    for cell in cells {
+        let height = cell["height_m"].as_f64().expect("a height");
+        assert!(height.abs() < 3e-3, "{cell}");
+    }
     // The log does not fit a plane.
     let words = [
         "interpret",

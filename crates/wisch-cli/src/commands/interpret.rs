@@ -565,8 +565,18 @@ fn surface_in_words(record: &InterpretationRecord) -> String {
         Some(_) => "localisation error",
         None => "at its believed pose",
     };
+    let fit = record
+        .registration
+        .as_ref()
+        .map_or_else(String::new, |fit| {
+            format!(
+                "; fitted to the shape in {} of 6 degrees of freedom, {:.2} mm rms",
+                fit.determined,
+                1e3 * fit.rms_m
+            )
+        });
     format!(
-        "{verdict}: {tilt}, offset {:+.1} mm ({} of {} confident contacts, {:.2} mm rms)",
+        "{verdict}: {tilt}, offset {:+.1} mm ({} of {} confident contacts, {:.2} mm rms{fit})",
         1e3 * offset,
         plane.inliers,
         plane.confident,
