@@ -152,6 +152,8 @@ impl Surface {
             (nearest - apex).norm() * sine
         };
         if narrowest < RADIUS_RANGE[0] {
+            // In micrometres, without a negative zero.
+            let apex = apex.map(|at| (at * 1e6).round() / 1e6 + 0.0);
             return Some(ShapeFault::Apex { apex, narrowest });
         }
         // An edge that passes behind the apex goes half round it.
