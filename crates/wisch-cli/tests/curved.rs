@@ -1,4 +1,4 @@
-//! Surfaces that are rolled onto a cylinder.
+//! Surfaces that are rolled onto a cylinder or a cone.
 
 use crate::program::command;
 use std::fs;
@@ -156,6 +156,89 @@ fn a_run_on_a_cylinder_keeps_its_shape() {
     assert!(!found.contains("curved"), "{found}");
 }
 
+/// Keys of a cone that widens away from the robot.
+const CONE: [&str; 4] = [
+    "surface.shape=cone",
+    "surface.radius_m=0.6",
+    "surface.half_angle_rad=0.3",
+    "surface.axis_rad=1.5708",
+];
+
+/// Runs a command on the template's task on a cone.
+fn on_cone(folder: &Path, words: &[&str]) -> Output {
+    let mut command = command(folder);
+    command.args(words);
+    for key in CONE {
+        command.args(["--set", key]);
+    }
+    command.output().unwrap()
+}
+
+#[test]
+fn a_check_names_the_cone() {
+    let folder = folder();
+    let done = on_cone(folder.path(), &["check", "task.toml", "--strategy", "grid"]);
+    let found = text(&done.stdout);
+    assert!(
+        found.contains("cone of radius 0.6 m and half angle 17° that widens at 90° to x"),
+        "{found}{}",
+        text(&done.stderr)
+    );
+}
+
+/// A run on a cone reaches its goal; its page, plan and log are those of the cone.
+#[test]
+fn a_run_on_a_cone_reaches_its_goal() {
+    let folder = folder();
+    let words = ["run", "task.toml", "--seed", "1", "--out", "out"];
+    let done = on_cone(folder.path(), &words);
+    let (found, errors) = (text(&done.stdout), text(&done.stderr));
+    assert_eq!(done.status.code(), Some(0), "{found}{errors}");
+    let read = |name: &str| text(&fs::read(folder.path().join("out").join(name)).unwrap());
+    let shape = r#""shape":{"kind":"cone","radius_m":0.6,"half_angle_rad":0.3,"axis_rad":1.5708}"#;
+    assert!(read("report.html").contains(shape));
+    let plan: serde_json::Value = serde_json::from_str(&read("plan.json")).unwrap();
+    assert_eq!(plan["surface_shape"]["kind"], "cone");
+    let words = [
+        "interpret",
+        "out/telemetry/round-1.mcap",
+        "--json",
+        "--task",
+        "task.toml",
+    ];
+    let again = on_cone(folder.path(), &words);
+    let errors = text(&again.stderr);
+    assert!(matches!(again.status.code(), Some(0 | 1)), "{errors}");
+    let found: serde_json::Value = serde_json::from_slice(&again.stdout).expect("a summary");
+    assert_eq!(found["diagnosis"], "localized", "{found}");
+    assert_eq!(found["doubts"], serde_json::json!([]), "{found}");
+    // The contacts determine the pose of the cone up to motions along itself, and lie on it.
+    let fit = &found["registration"];
+    let determined = fit["determined"].as_u64().expect("a fit");
+    assert!((4..=5).contains(&determined), "{fit}");
+    assert!(fit["rms_m"].as_f64().expect("a distance") < 1e-3, "{fit}");
+    let cells = found["contact_residuals"].as_array().expect("a map");
+    assert!(cells.len() > 20, "{cells:?}");
+    for cell in cells {
+        let height = cell["height_m"].as_f64().expect("a height");
+        assert!(height.abs() < 3e-3, "{cell}");
+    }
+    // The log does not fit a plane.
+    let words = [
+        "interpret",
+        "out/telemetry/round-1.mcap",
+        "--json",
+        "--task",
+        "task.toml",
+    ];
+    let flat = command(folder.path()).args(words).output().unwrap();
+    let found = text(&flat.stdout);
+    assert!(
+        found.contains("curved") || found.contains("the contacts lie on"),
+        "{found}"
+    );
+}
+
 #[test]
 fn keys_of_a_cylinder_are_checked() {
     let folder = folder();
@@ -175,7 +258,42 @@ fn keys_of_a_cylinder_are_checked() {
         "{errors}"
     );
     let errors = fails(&["surface.radius_m=1.0"]);
-    assert!(errors.contains("that of a cylinder"), "{errors}");
+    assert!(errors.contains("that of a cylinder or a cone"), "{errors}");
+    let errors = fails(&[
+        "surface.shape=cylinder",
+        "surface.radius_m=1",
+        "surface.half_angle_rad=0.2",
+    ]);
+    assert!(
+        errors.contains("surface.half_angle_rad") && errors.contains("that of a cone"),
+        "{errors}"
+    );
+    let errors = fails(&["surface.shape=cone", "surface.radius_m=1"]);
+    assert!(
+        errors.contains("half_angle_rad") && errors.contains("missing"),
+        "{errors}"
+    );
+    let errors = fails(&[
+        "surface.shape=cone",
+        "surface.radius_m=1",
+        "surface.half_angle_rad=1.6",
+    ]);
+    assert!(
+        errors.contains("half_angle_rad = 1.6 is outside"),
+        "{errors}"
+    );
+    // The apex lies 0.1 m before the origin, on the board.
+    let errors = fails(&[
+        "surface.shape=cone",
+        "surface.radius_m=0.05",
+        "surface.half_angle_rad=0.5236",
+    ]);
+    assert!(
+        errors.contains("apex is at (-0.100, 0.000) m") && errors.contains("the limit is 0.01 m"),
+        "{errors}"
+    );
+    let errors = fails(&["execution.surface_half_angle_rad=0.2"]);
+    assert!(errors.contains("set surface_radius_m"), "{errors}");
     let errors = fails(&["surface.shape=cylinder", "surface.radius_m=0.05"]);
     assert!(errors.contains("about the axis"), "{errors}");
     let errors = fails(&["execution.surface_axis_rad=1.0"]);
@@ -186,7 +304,10 @@ fn keys_of_a_cylinder_are_checked() {
         "{errors}"
     );
     let errors = fails(&["surface.shape=sphere"]);
-    assert!(errors.contains("cylinder"), "{errors}");
+    assert!(
+        errors.contains("cylinder") && errors.contains("cone"),
+        "{errors}"
+    );
 }
 
 /// The shipped scenarios over meshes, by name from anywhere, and as copies.

@@ -287,11 +287,13 @@ fn check_shape(object: &Bound<'_, PyAny>, surface: &Surface) -> PyResult<()> {
     let name = &surface.name;
     match surface.shape {
         SurfaceShape::Plane => return Ok(()),
-        SurfaceShape::Cylinder { .. } if knows().unwrap_or(false) => return Ok(()),
-        SurfaceShape::Cylinder { .. } => {}
+        SurfaceShape::Cylinder { .. } | SurfaceShape::Cone(_) if knows().unwrap_or(false) => {
+            return Ok(());
+        }
+        SurfaceShape::Cylinder { .. } | SurfaceShape::Cone(_) => {}
         SurfaceShape::Mesh(_) => {
             return Err(plain(format!(
-                "surface {name:?} is a mesh; executors wipe planes and cylinders"
+                "surface {name:?} is a mesh; executors wipe planes, cylinders and cones"
             )));
         }
     }

@@ -317,6 +317,12 @@ pub(crate) fn shape_dict<'py>(
             stated.set_item("radius_m", radius)?;
             stated.set_item("axis_rad", axis)?;
         }
+        SurfaceShape::Cone(cone) => {
+            stated.set_item("kind", "cone")?;
+            stated.set_item("radius_m", cone.radius)?;
+            stated.set_item("half_angle_rad", cone.half_angle)?;
+            stated.set_item("axis_rad", cone.axis)?;
+        }
         SurfaceShape::Mesh(mesh) => {
             let sheet = mesh.sheet();
             stated.set_item("kind", "mesh")?;

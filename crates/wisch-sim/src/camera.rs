@@ -22,7 +22,7 @@ const DRAWS: usize = 10_000;
 const WIDEST_VIEW: f64 = PI / 3.0;
 /// Largest length of the edges of what hides a curved surface [m]: on the surface, straight edges are bent.
 const HULL_STEP: f64 = 0.02;
-/// Largest number of cells of a mesh's chart that are examined.
+/// Largest number of cells of a cone's or mesh's chart that are examined.
 const MOST_CELLS: f64 = 10_000.0;
 
 /// Identifies an observation by world, round and number, so that it can be drawn again.
@@ -93,7 +93,7 @@ pub fn observe(
 /// Whether a place leans too far away from the camera to be seen.
 fn is_turned_away(shape: &SurfaceShape, place: Point2) -> bool {
     match shape {
-        SurfaceShape::Mesh(_) => {
+        SurfaceShape::Cone(_) | SurfaceShape::Mesh(_) => {
             (shape.orientation(place) * Vector3::z()).angle(&Vector3::z()) > WIDEST_VIEW
         }
         _ => shape.turn_between(Point2::origin(), place) > WIDEST_VIEW,
@@ -112,7 +112,7 @@ fn project_hidden(surface: &Surface, believed_from_real: &Pose, hidden: &[Vec<Po
             let polygons = hulls.map(|ring| Polygon::new(ring, vec![]));
             return Region::new(polygons.collect());
         }
-        SurfaceShape::Mesh(_) => return hidden_cells(surface, hulls),
+        SurfaceShape::Cone(_) | SurfaceShape::Mesh(_) => return hidden_cells(surface, hulls),
         &SurfaceShape::Cylinder { radius, axis } => (radius, axis),
     };
     let along = Vector2::new(libm::cos(axis), libm::sin(axis));
@@ -158,8 +158,8 @@ fn project_hidden(surface: &Surface, believed_from_real: &Pose, hidden: &[Vec<Po
     Region::new(polygons)
 }
 
-/// Returns the square cells of a mesh's chart that a camera does not see: those behind hulls, in the xy plane of the
-/// surface's frame [m], those that lean too far away, and those below another part of the mesh.
+/// Returns the square cells of a chart that a camera does not see: those behind hulls, in the xy plane of the surface's
+/// frame [m], those that lean too far away, and those below another part of the surface.
 fn hidden_cells(surface: &Surface, hulls: impl Iterator<Item = Vec<Point2>>) -> Region {
     let hulls = Region::new(hulls.map(|ring| Polygon::new(ring, vec![])).collect());
     let Some(bounds) = Bounds2::from_points(surface.outline.outer().iter().copied()) else {

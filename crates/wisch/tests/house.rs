@@ -249,7 +249,7 @@ fn used_paths(text: &str) -> Vec<String> {
 }
 
 /// What the audit of a motion may know: data, and what describes the robot, its cell and the task.
-const AUDITED: [&str; 25] = [
+const AUDITED: [&str; 27] = [
     "crate::follow::AllowedContact",
     "crate::follow::FollowConfig",
     "crate::follow::FollowError",
@@ -267,6 +267,8 @@ const AUDITED: [&str; 25] = [
     "crate::follow::Trajectory",
     "crate::follow::TrajectorySample",
     "crate::follow::Workcell",
+    "crate::represent::Cone",
+    "crate::represent::Surface",
     "crate::represent::SurfaceShape",
     "crate::represent::Task",
     "crate::robot::Joint",

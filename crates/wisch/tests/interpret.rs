@@ -12,6 +12,8 @@ pub mod log;
 mod random;
 #[path = "interpret/reading.rs"]
 mod reading;
+#[path = "interpret/registration.rs"]
+mod registration;
 #[path = "interpret/relief.rs"]
 mod relief;
 #[path = "interpret/uncertain.rs"]

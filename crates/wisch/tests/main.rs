@@ -1,6 +1,7 @@
 //! The tests of the method, one module for each of its parts.
 
 mod adaptive;
+mod cone;
 mod curved;
 mod effect;
 mod follow;

@@ -312,6 +312,12 @@ fn surface(task: &Task) -> String {
             ", rolled onto a cylinder of radius {radius} m whose axis is at {:.0}° to x",
             axis.to_degrees()
         ),
+        SurfaceShape::Cone(cone) => format!(
+            ", rolled onto a cone of radius {} m and half angle {:.0}° that widens at {:.0}° to x",
+            cone.radius,
+            cone.half_angle.to_degrees(),
+            cone.axis.to_degrees()
+        ),
         shape @ SurfaceShape::Mesh(_) => format!(", {}", ShapeRecord::from(shape)),
     };
     let edges = match task.surface.skim_edges.len() {

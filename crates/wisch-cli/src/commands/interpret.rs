@@ -187,6 +187,10 @@ fn remarks(log: &Log, prepared: &LoadedTask, interpretation: &Interpretation) ->
         SurfaceShape::Cylinder { radius, .. } => remarks.push(format!(
             "the surface is a cylinder of radius {radius} m: places and maps show it unrolled"
         )),
+        SurfaceShape::Cone(cone) => remarks.push(format!(
+            "the surface is a cone of radius {} m and half angle {} rad: places and maps show it unrolled",
+            cone.radius, cone.half_angle
+        )),
         SurfaceShape::Mesh(_) => {
             remarks.push("the surface is a mesh: places and maps show it unrolled".to_owned());
         }
@@ -538,8 +542,18 @@ fn surface_in_words(record: &InterpretationRecord) -> String {
         Some(_) => "localisation error",
         None => "at its believed pose",
     };
+    let fit = record
+        .registration
+        .as_ref()
+        .map_or_else(String::new, |fit| {
+            format!(
+                "; fitted to the shape in {} of 6 degrees of freedom, {:.2} mm rms",
+                fit.determined,
+                1e3 * fit.rms_m
+            )
+        });
     format!(
-        "{verdict}: {tilt}, offset {:+.1} mm ({} of {} confident contacts, {:.2} mm rms)",
+        "{verdict}: {tilt}, offset {:+.1} mm ({} of {} confident contacts, {:.2} mm rms{fit})",
         1e3 * offset,
         plane.inliers,
         plane.confident,

@@ -2,7 +2,9 @@
 
 use super::plan::PoseRecord;
 use serde::Serialize;
-use wisch::interpret::{Diagnosis, Doubt, Event, EventKind, FittedPlane, Interpretation};
+use wisch::interpret::{
+    ContactResidual, Diagnosis, Doubt, Event, EventKind, FittedPlane, Interpretation, ShapeFit,
+};
 use wisch::recover::{Claim, Verdict, assess_log};
 
 /// Value of `format` in the record.
@@ -53,6 +55,10 @@ pub struct InterpretationRecord {
     pub plane_offset_m: Option<f64>,
     /// Details of that plane; null without a plane.
     pub plane: Option<PlaneRecord>,
+    /// Pose at which a curved surface fits the contacts; null for a plane.
+    pub registration: Option<RegistrationRecord>,
+    /// Distances of the contacts from the fitted surface, in square cells of 2 cm; empty without a fitted surface.
+    pub contact_residuals: Vec<ContactResidualRecord>,
     /// Doubts whether the log is wiping of this surface, one sentence each.
     pub doubts: Vec<String>,
     /// localized, relocalize, no contact or hovering.
@@ -95,6 +101,32 @@ pub struct PlaneRecord {
     pub confident: usize,
     /// Root mean square distance of the fitted contacts, including weak ones.
     pub rms_m: f64,
+}
+
+/// The pose of a curved surface that fits the contacts best.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct RegistrationRecord {
+    /// Pose of the real surface in the frame of the believed one.
+    pub believed_from_real: PoseRecord,
+    /// Number of the six degrees of freedom that the contacts determine; in the others, the believed pose is kept.
+    pub determined: usize,
+    /// Number of contacts on the fitted surface.
+    pub inliers: usize,
+    /// Root mean square distance of these contacts.
+    pub rms_m: f64,
+}
+
+/// Distance of the contacts in a cell from the fitted surface.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct ContactResidualRecord {
+    /// Middle of the cell in the chart.
+    pub x_m: f64,
+    /// Middle of the cell in the chart.
+    pub y_m: f64,
+    /// Median height of the contacts over the fitted surface.
+    pub height_m: f64,
+    /// Number of contacts.
+    pub contacts: usize,
 }
 
 /// An event that the interpretation detected.
@@ -186,6 +218,10 @@ impl InterpretationRecord {
             plane_tilt_rad: interpretation.plane.map(|plane| plane.tilt),
             plane_offset_m: interpretation.plane.map(|plane| plane.offset),
             plane: interpretation.plane.as_ref().map(PlaneRecord::new),
+            registration: (interpretation.registration.as_ref()).map(RegistrationRecord::new),
+            contact_residuals: (interpretation.residuals.iter())
+                .map(ContactResidualRecord::new)
+                .collect(),
             doubts: (interpretation.doubts.iter())
                 .map(ToString::to_string)
                 .collect(),
@@ -220,6 +256,33 @@ impl PlaneRecord {
             rms_m: plane.rms,
         }
     }
+}
+
+impl RegistrationRecord {
+    fn new(fit: &ShapeFit) -> Self {
+        Self {
+            believed_from_real: (&fit.believed_from_real).into(),
+            determined: fit.determined,
+            inliers: fit.inliers,
+            rms_m: fit.rms,
+        }
+    }
+}
+
+impl ContactResidualRecord {
+    fn new(cell: &ContactResidual) -> Self {
+        Self {
+            x_m: rounded(cell.place.x, 1e3),
+            y_m: rounded(cell.place.y, 1e3),
+            height_m: rounded(cell.height, 1e6),
+            contacts: cell.contacts,
+        }
+    }
+}
+
+/// Rounds a length to a number of steps per metre, without a negative zero.
+fn rounded(length: f64, per_metre: f64) -> f64 {
+    (length * per_metre).round() / per_metre + 0.0
 }
 
 impl EventRecord {

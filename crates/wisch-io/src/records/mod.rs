@@ -14,7 +14,8 @@ pub use followed::{
     AbandonedRecord, AttemptRecord, FollowedRecord, MotionRecord, PlacementRecord, WipedRecord,
 };
 pub use interpretation::{
-    EventRecord, INTERPRETATION_FORMAT, InterpretationRecord, LogRecord, PlaneRecord,
+    ContactResidualRecord, EventRecord, INTERPRETATION_FORMAT, InterpretationRecord, LogRecord,
+    PlaneRecord, RegistrationRecord,
 };
 pub use plan::{
     GoalRecord, NodeRecord, PLAN_FORMAT, PLAN_SCHEMA, PlanRecord, PlanRecordError,

@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 use std::fmt;
 use wisch::plan::BendContact;
-use wisch::represent::{SurfaceShape, Task};
+use wisch::represent::{Cone, SurfaceShape, Task};
 
 /// Radius from which a bend of a mesh counts as none [m]: under a tool of 10 cm, it is 0.06 mm deep.
 const TOLD_RADIUS: f64 = 20.0;
@@ -19,6 +19,16 @@ pub enum ShapeRecord {
         /// Radius \[m\], positive where it bulges towards the tool, negative where it is hollow.
         radius_m: f64,
         /// Angle of its axis from x \[rad\].
+        axis_rad: f64,
+    },
+    /// A circular cone.
+    Cone {
+        /// Distance of the origin from the axis \[m\], positive where it bulges towards the tool, negative where it is
+        /// hollow.
+        radius_m: f64,
+        /// Angle between axis and surface \[rad\].
+        half_angle_rad: f64,
+        /// Direction from x in which it widens \[rad\].
         axis_rad: f64,
     },
     /// The surface of a mesh, in its chart.
@@ -73,8 +83,17 @@ impl From<&SurfaceShape> for ShapeRecord {
                 radius_m: radius,
                 axis_rad: axis,
             },
+            &SurfaceShape::Cone(Cone {
+                radius,
+                half_angle,
+                axis,
+            }) => Self::Cone {
+                radius_m: radius,
+                half_angle_rad: half_angle,
+                axis_rad: axis,
+            },
             SurfaceShape::Mesh(mesh) => {
-                let radii = shape.least_radii();
+                let radii = mesh.least_radii();
                 let told = |radius: f64| (radius < TOLD_RADIUS).then_some(radius);
                 Self::Mesh {
                     area_m2: mesh.sheet().area(),
@@ -96,6 +115,14 @@ impl fmt::Display for ShapeRecord {
             Self::Cylinder { radius_m, axis_rad } => write!(
                 f,
                 "cylinder of radius {radius_m} m with its axis at {axis_rad} rad"
+            ),
+            Self::Cone {
+                radius_m,
+                half_angle_rad,
+                axis_rad,
+            } => write!(
+                f,
+                "cone of radius {radius_m} m and half angle {half_angle_rad} rad that widens at {axis_rad} rad"
             ),
             Self::Mesh {
                 area_m2,

@@ -21,7 +21,7 @@ use toml::de::DeValue;
 use wisch::follow::FollowConfig;
 use wisch::geometry::{PartChoice, Pose, Vector2, Vector3};
 use wisch::plan::{PlanConfig, SearchConfig, YawRule};
-use wisch::represent::{Surface, SurfaceShape, Treatment};
+use wisch::represent::{Cone, Surface, SurfaceShape, Treatment};
 use wisch::run::RunConfig;
 use wisch::source_location::{Place, UnknownName};
 
@@ -337,19 +337,42 @@ fn surface_mesh(table: &At<SurfaceMeshTable>) -> SurfaceMesh {
 /// Reads the shape of a surface.
 fn surface_shape(table: &At<SurfaceTable>) -> Result<SurfaceShape, TaskError> {
     let surface = &table.value;
-    let only_of_cylinders = "is that of a cylinder; set surface.shape = \"cylinder\"";
-    if let (Some(mesh), ShapeName::Cylinder) = (&surface.mesh, surface.shape) {
-        return Err(mesh.inconsistent("has its own shape; remove shape = \"cylinder\""));
+    let only_of_round =
+        "is that of a cylinder or a cone; set surface.shape = \"cylinder\" or \"cone\"";
+    let only_of_cones = "is that of a cone; set surface.shape = \"cone\"";
+    let shape = match surface.shape {
+        ShapeName::Plane => None,
+        ShapeName::Cylinder => Some("cylinder"),
+        ShapeName::Cone => Some("cone"),
+    };
+    if let (Some(mesh), Some(shape)) = (&surface.mesh, shape) {
+        return Err(mesh.inconsistent(format!("has its own shape; remove shape = \"{shape}\"")));
     }
+    if let (ShapeName::Plane | ShapeName::Cylinder, Some(angle)) =
+        (surface.shape, &surface.half_angle_rad)
+    {
+        return Err(angle.inconsistent(only_of_cones));
+    }
+    let axis = (surface.axis_rad.as_ref()).map_or(0.0, |axis| axis.value.0);
     match (surface.shape, &surface.radius_m, &surface.axis_rad) {
         (ShapeName::Plane, None, None) => Ok(SurfaceShape::Plane),
-        (ShapeName::Plane, Some(radius), _) => Err(radius.inconsistent(only_of_cylinders)),
-        (ShapeName::Plane, None, Some(axis)) => Err(axis.inconsistent(only_of_cylinders)),
-        (ShapeName::Cylinder, None, _) => Err(table.missing("radius_m")),
-        (ShapeName::Cylinder, Some(radius), axis) => Ok(SurfaceShape::Cylinder {
+        (ShapeName::Plane, Some(radius), _) => Err(radius.inconsistent(only_of_round)),
+        (ShapeName::Plane, None, Some(axis)) => Err(axis.inconsistent(only_of_round)),
+        (ShapeName::Cylinder | ShapeName::Cone, None, _) => Err(table.missing("radius_m")),
+        (ShapeName::Cylinder, Some(radius), _) => Ok(SurfaceShape::Cylinder {
             radius: radius.value.0,
-            axis: axis.as_ref().map_or(0.0, |axis| axis.value.0),
+            axis,
         }),
+        (ShapeName::Cone, Some(radius), _) => {
+            let Some(angle) = &surface.half_angle_rad else {
+                return Err(table.missing("half_angle_rad"));
+            };
+            Ok(SurfaceShape::Cone(Cone {
+                radius: radius.value.0,
+                half_angle: angle.value.0,
+                axis,
+            }))
+        }
     }
 }
 

@@ -13,8 +13,8 @@ use crate::particles::{csv_particles, mask_particles};
 use nalgebra::{Translation3, UnitQuaternion};
 use wisch::geometry::{Pose, Vector3};
 use wisch::represent::{
-    DirtArea, GrainSize, KnowledgeBase, ParticleDistribution, SensorModel, Surface, SurfaceShape,
-    Task,
+    Cone, DirtArea, GrainSize, KnowledgeBase, ParticleDistribution, SensorModel, Surface,
+    SurfaceShape, Task,
 };
 use wisch_sim::{
     Camera, FrictionChange, GrainCount, Moment, Push, RealTool, Sensing, SimulationSettings,
@@ -212,21 +212,40 @@ impl ExecutionTable {
     fn shape(&self, task: &Task) -> Result<Option<SurfaceShape>, TaskError> {
         let surface = &task.surface;
         let Some(radius) = &self.surface_radius_m else {
-            return match &self.surface_axis_rad {
-                Some(axis) => Err(axis.inconsistent("is that of a cylinder; set surface_radius_m")),
-                None => Ok(None),
+            return match (&self.surface_axis_rad, &self.surface_half_angle_rad) {
+                (Some(axis), _) => {
+                    Err(axis.inconsistent("is that of a cylinder or a cone; set surface_radius_m"))
+                }
+                (None, Some(angle)) => {
+                    Err(angle.inconsistent("is that of a cone; set surface_radius_m"))
+                }
+                (None, None) => Ok(None),
             };
         };
-        let believed = match surface.shape {
-            SurfaceShape::Plane => 0.0,
-            SurfaceShape::Cylinder { axis, .. } => axis,
+        let (axis, half_angle) = match surface.shape {
+            SurfaceShape::Plane => (0.0, None),
+            SurfaceShape::Cylinder { axis, .. } => (axis, None),
+            SurfaceShape::Cone(cone) => (cone.axis, Some(cone.half_angle)),
             SurfaceShape::Mesh(_) => {
-                return Err(radius.inconsistent("bends planes and cylinders only, not a mesh"));
+                return Err(
+                    radius.inconsistent("bends planes, cylinders and cones only, not a mesh")
+                );
             }
         };
-        let shape = SurfaceShape::Cylinder {
-            radius: radius.value.0,
-            axis: (self.surface_axis_rad.as_ref()).map_or(believed, |axis| axis.value.0),
+        let radius_m = radius.value.0;
+        let axis = (self.surface_axis_rad.as_ref()).map_or(axis, |axis| axis.value.0);
+        let half_angle =
+            (self.surface_half_angle_rad.as_ref()).map_or(half_angle, |angle| Some(angle.value.0));
+        let shape = match half_angle {
+            None => SurfaceShape::Cylinder {
+                radius: radius_m,
+                axis,
+            },
+            Some(half_angle) => SurfaceShape::Cone(Cone {
+                radius: radius_m,
+                half_angle,
+                axis,
+            }),
         };
         let real = Surface {
             shape: shape.clone(),
@@ -239,9 +258,10 @@ impl ExecutionTable {
         let reach = corners
             .map(|edge| edge.start.coords.norm())
             .fold(0.0, f64::max);
-        if reach > radius.value.0.abs() {
+        let least = real.least_radii().least();
+        if reach > least {
             return Err(radius.inconsistent(format!(
-                "is less than the {reach:.3} m to which the tool touches from its centre"
+                "makes a radius of curvature of {least:.3} m, less than the {reach:.3} m to which the tool touches from its centre"
             )));
         }
         Ok(Some(shape))

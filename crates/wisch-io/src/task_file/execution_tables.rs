@@ -5,10 +5,10 @@ use super::clusters::ClusterTable;
 use super::deserialize::At;
 use super::values::{
     AngleRad, Backlash, BiasN, Bodies, Channel, ColorDistance, DelayS, DriftN, DurationS,
-    EncoderNoise, Factor, FalseAlarms, Friction, GrainM, GrainMassKg, GraspM, GraspRad, HalfSizeM,
-    HandSpeed, JointFriction, LogForce, LogSpread, Name, NoiseN, ParticleCount, Pixel,
-    PositionErrorM, PositionM, PushForceN, RadiusM, Rounds, Share, ShiftM, SizeFactor, SizeM,
-    StartRad, StrokeNumber, TiltRad, TimeS, WaveLengthM, WavinessM, names,
+    EncoderNoise, Factor, FalseAlarms, Friction, GrainM, GrainMassKg, GraspM, GraspRad,
+    HalfAngleRad, HalfSizeM, HandSpeed, JointFriction, LogForce, LogSpread, Name, NoiseN,
+    ParticleCount, Pixel, PositionErrorM, PositionM, PushForceN, RadiusM, Rounds, Share, ShiftM,
+    SizeFactor, SizeM, StartRad, StrokeNumber, TiltRad, TimeS, WaveLengthM, WavinessM, names,
 };
 use schemars::JsonSchema;
 use serde::Deserialize;
@@ -24,10 +24,13 @@ pub(super) struct ExecutionTable {
     pub(super) surface_tilt_rad: Option<[TiltRad; 2]>,
     /// Shift of the true surface in the frame of the believed surface [m].
     pub(super) surface_shift_m: Option<[ShiftM; 3]>,
-    /// True radius of the surface as a cylinder [m], positive where it bulges towards the tool; default: as believed. It may
-    /// differ from a believed plane.
+    /// True radius of the surface as a cylinder or a cone [m], positive where it bulges towards the tool; default: as
+    /// believed. It may differ from a believed plane.
     pub(super) surface_radius_m: Option<At<RadiusM>>,
-    /// True angle of the cylinder's axis from x [rad]; default: as believed, or 0 on a believed plane.
+    /// True half angle of the surface as a cone [rad]; default: as believed.
+    pub(super) surface_half_angle_rad: Option<At<HalfAngleRad>>,
+    /// True angle from x of the cylinder's axis, or of the direction in which the cone widens [rad]; default: as believed,
+    /// or 0 on a believed plane.
     pub(super) surface_axis_rad: Option<At<AngleRad>>,
     /// Coulomb coefficient between tool and surface; default: from the knowledge base.
     pub(super) friction: Option<Friction>,
@@ -113,6 +116,7 @@ impl Default for ExecutionTable {
             surface_tilt_rad: None,
             surface_shift_m: None,
             surface_radius_m: None,
+            surface_half_angle_rad: None,
             surface_axis_rad: None,
             friction: None,
             friction_change: Vec::new(),

@@ -5,11 +5,11 @@ use super::deserialize::At;
 use super::execution_tables::ExecutionTable;
 use super::values::{
     AngleRad, BandwidthM, Channel, ColorDistance, ContactSpeed, DampingRatio, DepthM, DistanceM,
-    Evaluations, FalseAlarms, FlangeM, FootprintM, FreeSpeed, Friction, GrainM, GripM, HalfSizeM,
-    LawSpread, LeanRad, LiftHeightM, LogForce, LogSpread, MarginM, Name, ParticleCount, Passes,
-    Pixel, PositionErrorM, PositionM, PostureWeight, PressForceN, PrestonPerPa, QuaternionPart,
-    RadiusM, RedrawLengthM, Scale, SchemaVersion, Score, Seed, Share, SizeM, Stiffness, ThicknessM,
-    Variants, VolumePerMetre, names,
+    Evaluations, FalseAlarms, FlangeM, FootprintM, FreeSpeed, Friction, GrainM, GripM,
+    HalfAngleRad, HalfSizeM, LawSpread, LeanRad, LiftHeightM, LogForce, LogSpread, MarginM, Name,
+    ParticleCount, Passes, Pixel, PositionErrorM, PositionM, PostureWeight, PressForceN,
+    PrestonPerPa, QuaternionPart, RadiusM, RedrawLengthM, Scale, SchemaVersion, Score, Seed, Share,
+    SizeM, Stiffness, ThicknessM, Variants, VolumePerMetre, names,
 };
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::de::{EnumAccess, Error as _, VariantAccess, Visitor};
@@ -260,9 +260,12 @@ pub(super) struct SurfaceTable {
     /// Shape onto which the outline is rolled; default: plane.
     #[serde(default)]
     pub(super) shape: ShapeName,
-    /// Radius of a cylinder [m], positive where it bulges towards the tool, negative where it is hollow.
+    /// Radius of a cylinder, or distance of the origin from the axis of a cone [m]; positive where the surface bulges
+    /// towards the tool, negative where it is hollow.
     pub(super) radius_m: Option<At<RadiusM>>,
-    /// Angle of the axis of a cylinder from x [rad]; default: 0.
+    /// Angle between the axis of a cone and its surface [rad].
+    pub(super) half_angle_rad: Option<At<HalfAngleRad>>,
+    /// Angle from x of the axis of a cylinder, or of the direction in which a cone widens [rad]; default: 0.
     pub(super) axis_rad: Option<At<AngleRad>>,
     /// Origin of the surface in the world [m].
     pub(super) position_m: Option<[PositionM; 3]>,
@@ -297,7 +300,7 @@ pub(super) struct SurfaceMeshTable {
     pub(super) largest_lean_rad: Option<AngleRad>,
 }
 
-/// Shape of a surface: flat, or rolled onto a cylinder that touches the xy plane of its frame at the origin.
+/// Shape of a surface: flat, or rolled onto a cylinder or a cone that touches the xy plane of its frame at the origin.
 #[derive(Deserialize, JsonSchema, Clone, Copy, Default, PartialEq, Eq)]
 #[serde(rename = "shape", rename_all = "lowercase")]
 #[schemars(rename = "SurfaceShape", inline)]
@@ -305,6 +308,7 @@ pub(super) enum ShapeName {
     #[default]
     Plane,
     Cylinder,
+    Cone,
 }
 
 /// Points of a closed ring; the last point joins the first.

@@ -8,7 +8,7 @@ use std::borrow::Cow;
 use std::f64::consts::{FRAC_PI_2, TAU};
 use std::fmt;
 use wisch::geometry::Point2;
-use wisch::represent::MAX_PARTICLES;
+use wisch::represent::{HALF_ANGLE_RANGE, MAX_PARTICLES};
 
 /// Defines a type for each range, whose values are checked against the limits when they are read.
 macro_rules! ranges {
@@ -44,8 +44,10 @@ ranges! { f64, NumberWithin;
     PositionM = (-100.0, 100.0);
     /// Sizes of surfaces and objects [m].
     SizeM = (1e-3, 100.0);
-    /// Radii of cylinders [m], negative for hollows; the smallest size is checked with the outline.
+    /// Radii of cylinders and cones [m], negative for hollows; the smallest size is checked with the outline.
     RadiusM = (-1e4, 1e4);
+    /// Half angles of cones [rad].
+    HalfAngleRad = (HALF_ANGLE_RANGE[0], HALF_ANGLE_RANGE[1]);
     /// A full turn either way [rad].
     AngleRad = (-TAU, TAU);
     /// A component of a unit quaternion, with a margin for rounding.

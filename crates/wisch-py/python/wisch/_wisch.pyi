@@ -109,8 +109,9 @@ class Task:
         """Believed pose of the surface, (7)."""
     @property
     def surface_shape(self) -> dict[str, Any] | None:
-        """Shape of a curved surface; None for a plane. ``kind`` "cylinder" has ``radius_m`` and ``axis_rad``; ``kind`` "mesh" has
-        ``points_m`` (n x 3, surface frame), ``places_m`` (n, 2; chart) and ``triangles`` (m x 3)."""
+        """Shape of a curved surface; None for a plane. ``kind`` "cylinder" has ``radius_m`` and ``axis_rad``; ``kind`` "cone"
+        has ``half_angle_rad`` too; ``kind`` "mesh" has ``points_m`` (n x 3, surface frame), ``places_m`` (n, 2; chart) and
+        ``triangles`` (m x 3)."""
     @property
     def particles(self) -> Floats:
         """Believed positions of the dirt, (N, 2) in the frame of the surface [m]."""
@@ -324,8 +325,9 @@ class Motion:
         """Believed pose, (7)."""
     @property
     def surface_shape(self) -> dict[str, Any] | None:
-        """Shape of a curved surface; None for a plane. ``kind`` "cylinder" has ``radius_m`` and ``axis_rad``; ``kind`` "mesh" has
-        ``points_m`` (n x 3, surface frame), ``places_m`` (n, 2; chart) and ``triangles`` (m x 3)."""
+        """Shape of a curved surface; None for a plane. ``kind`` "cylinder" has ``radius_m`` and ``axis_rad``; ``kind`` "cone"
+        has ``half_angle_rad`` too; ``kind`` "mesh" has ``points_m`` (n x 3, surface frame), ``places_m`` (n, 2; chart) and
+        ``triangles`` (m x 3)."""
     @property
     def world_from_root(self) -> Floats:
         """Pose of the robot's root link, (7)."""

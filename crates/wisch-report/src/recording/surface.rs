@@ -25,6 +25,11 @@ pub(super) enum BendRecord {
         radius_m: f64,
         axis_rad: f64,
     },
+    Cone {
+        radius_m: f64,
+        half_angle_rad: f64,
+        axis_rad: f64,
+    },
     Mesh {
         /// Points in the frame of the surface: x, y, z after each other [m].
         points: Vec<f64>,
@@ -41,6 +46,11 @@ impl BendRecord {
             &SurfaceShape::Cylinder { radius, axis } => Self::Cylinder {
                 radius_m: radius,
                 axis_rad: axis,
+            },
+            SurfaceShape::Cone(cone) => Self::Cone {
+                radius_m: cone.radius,
+                half_angle_rad: cone.half_angle,
+                axis_rad: cone.axis,
             },
             SurfaceShape::Mesh(mesh) => {
                 let sheet = mesh.sheet();

@@ -4,8 +4,8 @@ use super::input::{RoundView, RoundsInput};
 use std::f64::consts::TAU;
 use wisch::geometry::{Point3, Pose, Vector2, Vector3};
 use wisch::interpret::{
-    Belief, Diagnosis, Event, EventKind, FittedPlane, InterpretConfig, Interpretation, PathPiece,
-    PerformanceDistribution, Touch, TouchSample, interpret,
+    Belief, ContactResidual, Diagnosis, Event, EventKind, FittedPlane, InterpretConfig,
+    Interpretation, PathPiece, PerformanceDistribution, Touch, TouchSample, interpret,
 };
 use wisch::plan::{CoverageStrategy, Plan, PlanConfig, TcpWaypoint, plan, predict};
 use wisch::represent::{Fate, GoalState, LogNormal, ParticleDistribution, Performance, Task};
@@ -311,6 +311,15 @@ fn interpretation(
             confident,
             rms: 3e-4,
         }),
+        registration: None,
+        // A bump of 0.4 mm, and a hollow of 0.2 mm.
+        residuals: [([0.01, 0.01], 4e-4), ([0.03, 0.01], -2e-4)]
+            .map(|(place, height)| ContactResidual {
+                place: place.into(),
+                height,
+                contacts: 5,
+            })
+            .to_vec(),
         doubts: vec![],
         diagnosis: if tilt > 0.01 {
             Diagnosis::Relocalize {

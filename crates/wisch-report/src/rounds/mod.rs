@@ -49,13 +49,12 @@ pub(crate) fn pictures(input: &RoundsInput) -> Vec<(String, String)> {
 }
 
 /// Draws the figures of a log for its page.
-pub(crate) fn log_figures(input: &RoundsInput, round: &RoundView) -> [Figure; 4] {
-    [
-        path::figure(input, round),
-        force_plot::figure(input, round),
-        residual_map::particles_figure(input, round),
-        residual_map::density_figure(input, round),
-    ]
+pub(crate) fn log_figures(input: &RoundsInput, round: &RoundView) -> Vec<Figure> {
+    let mut figures = vec![path::figure(input, round), force_plot::figure(input, round)];
+    figures.extend(residual_map::contacts_figure(input, round));
+    figures.push(residual_map::particles_figure(input, round));
+    figures.push(residual_map::density_figure(input, round));
+    figures
 }
 
 /// Returns the rounds with pictures: all, or the first and the last ones.

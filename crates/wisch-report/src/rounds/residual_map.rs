@@ -1,4 +1,5 @@
-//! The remaining dirt: believed, estimated and true, and the uncertainty of the estimate by location.
+//! The remaining dirt: believed, estimated and true, and the uncertainty of the estimate by location. Also the distances of
+//! the contacts from the fitted surface.
 
 use super::input::{RoundView, RoundsInput};
 use crate::draw::{
@@ -10,6 +11,7 @@ use crate::draw::{
 };
 use maud::{Markup, html};
 use wisch::geometry::{Bounds2, Point2, Vector2};
+use wisch::interpret::{ContactResidual, RESIDUAL_CELL};
 use wisch::represent::{GoalState, ParticleDistribution, Surface};
 
 /// Width of a view on the page, and its maximum height as a share of the width.
@@ -93,6 +95,31 @@ impl Cells {
         }
     }
 
+    /// Returns the cells of contacts: how far they are above the fitted surface, and how far below it [mm].
+    fn from_residuals(residuals: &[ContactResidual]) -> Self {
+        let bounds = Bounds2::from_points(residuals.iter().map(|cell| cell.place));
+        let bounds = bounds.unwrap_or(Bounds2 {
+            min: Point2::origin(),
+            max: Point2::origin(),
+        });
+        let count = |length: f64| (length / RESIDUAL_CELL).round() as usize;
+        let (columns, rows) = (count(bounds.size().x) + 1, count(bounds.size().y) + 1);
+        let mut cells = Self {
+            low: bounds.min - Vector2::repeat(0.5 * RESIDUAL_CELL),
+            side: RESIDUAL_CELL,
+            columns,
+            mean: vec![0.0; columns * rows],
+            deviation: vec![0.0; columns * rows],
+        };
+        for residual in residuals {
+            let from_low = residual.place - bounds.min;
+            let cell = count(from_low.y) * columns + count(from_low.x);
+            cells.mean[cell] = (1e3 * residual.height).max(0.0);
+            cells.deviation[cell] = (-1e3 * residual.height).max(0.0);
+        }
+        cells
+    }
+
     /// Draws filled cells in bands of an eighth of the peak, clipped to the surface. `id`: unique on the page.
     fn draw(&self, view: &View, surface: &Surface, id: &str, values: &[f64]) -> Markup {
         let peak = peak(values);
@@ -170,6 +197,42 @@ pub(crate) fn density_figure(input: &RoundsInput, round: &RoundView) -> Figure {
             many => format!("{}, over {many} members", map_title(input.goal)),
         },
     }
+}
+
+/// Draws where the contacts are above and below the fitted surface; `None` without a fitted surface.
+pub(crate) fn contacts_figure(input: &RoundsInput, round: &RoundView) -> Option<Figure> {
+    let residuals = &round.interpretation.residuals;
+    if residuals.is_empty() {
+        return None;
+    }
+    let cells = Cells::from_residuals(residuals);
+    let view = view(input, MAP);
+    let panels = [
+        ("above", "contacts above the fitted surface", &cells.mean),
+        (
+            "below",
+            "contacts below the fitted surface",
+            &cells.deviation,
+        ),
+    ]
+    .map(|(stem, name, values)| {
+        let id = format!("round-{}-{stem}", round.number);
+        let drawn = cells.draw(&view, &input.task.surface, &id, values);
+        let (panel, _) = draw_view(input, &view, name, drawn);
+        Panel {
+            height: panel.height + RAMP,
+            body: html! {
+                (panel.body)
+                (draw_colour_scale(panel.height + 10.0, values, "mm, median per cell of 2 cm"))
+            },
+            ..panel
+        }
+    });
+    Some(Figure {
+        panel: place_in_row(panels.into()),
+        entries: Vec::new(),
+        what: "Distances of the contacts from the fitted surface".to_owned(),
+    })
 }
 
 /// Returns the title of the maps.
@@ -346,6 +409,10 @@ fn particle_entries(input: &RoundsInput, round: &RoundView) -> Vec<Entry> {
 /// Draws maps of mean and standard deviation by cell.
 fn maps(input: &RoundsInput, round: &RoundView, cells: &Cells) -> [Panel; 2] {
     let view = view(input, MAP);
+    let unit = format!(
+        "per cell of {} cm",
+        metres(100.0 * cells.side, usize::from(cells.side < 0.01))
+    );
     [
         (
             "mean",
@@ -368,20 +435,16 @@ fn maps(input: &RoundsInput, round: &RoundView, cells: &Cells) -> [Panel; 2] {
         let (panel, _) = draw_view(input, &view, name, drawn);
         Panel {
             height: panel.height + RAMP,
-            body: html! { (panel.body) (draw_colour_scale(panel.height + 10.0, values, cells.side)) },
+            body: html! { (panel.body) (draw_colour_scale(panel.height + 10.0, values, &unit)) },
             ..panel
         }
     })
 }
 
 /// Draws the colour scale of a map.
-fn draw_colour_scale(top: f64, values: &[f64], side: f64) -> Markup {
+fn draw_colour_scale(top: f64, values: &[f64], unit: &str) -> Markup {
     const CELL: f64 = 24.0;
     let peak = peak(values);
-    let unit = format!(
-        "per cell of {} cm",
-        metres(100.0 * side, usize::from(side < 0.01))
-    );
     html! {
         @if peak > 0.0 {
             @for band in 1..=BANDS {

@@ -131,17 +131,19 @@ fn lift_line(shape: &SurfaceShape, corners: &[Point2], height: f64) -> Vec<Point
     points
 }
 
-/// Lifts a triangle of the chart onto the surface; on a curved surface in strips along the axis.
+/// Lifts a triangle of the chart onto the surface; on a curved surface in strips along the axis, or from the apex.
 fn lift_triangle(shape: &SurfaceShape, corners: [Point2; 3], lifted: &mut Vec<Point3>) {
+    let past = |place: Point2, strip: f64| match shape {
+        SurfaceShape::Cone(cone) => cone.past_roll(place, strip * LARGEST_TURN),
+        _ => shape.roll(place) / LARGEST_TURN - strip,
+    };
     let rolls = corners.map(|place| shape.roll(place) / LARGEST_TURN);
     let low = rolls.iter().copied().fold(f64::INFINITY, f64::min).floor();
     let high = rolls.iter().copied().fold(f64::NEG_INFINITY, f64::max);
     let mut strip = low;
     while strip < high.max(low + 0.5) {
-        let from = keep_inside(&corners, |place| shape.roll(place) / LARGEST_TURN - strip);
-        let part = keep_inside(&from, |place| {
-            strip + 1.0 - shape.roll(place) / LARGEST_TURN
-        });
+        let from = keep_inside(&corners, |place| past(place, strip));
+        let part = keep_inside(&from, |place| -past(place, strip + 1.0));
         if let [first, rest @ ..] = part.as_slice() {
             let fan = rest.windows(2).flat_map(|pair| [*first, pair[0], pair[1]]);
             lifted.extend(fan.map(|place| lift(shape, place, FACE_HEIGHT)));

@@ -107,7 +107,7 @@ export interface Considered {
 }
 
 /** Shape of a curved surface. */
-export type SurfaceShape = CylinderShape | MeshShape;
+export type SurfaceShape = CylinderShape | ConeShape | MeshShape;
 
 /** A surface of a mesh. */
 export interface MeshShape {
@@ -126,6 +126,17 @@ export interface CylinderShape {
   /** Positive where the surface bulges towards the tool. */
   radius_m: number;
   /** Angle of its axis from the chart's x [rad]. */
+  axis_rad: number;
+}
+
+/** A circular cone onto which the chart of a surface is rolled: it touches the chart at the origin. */
+export interface ConeShape {
+  kind: "cone";
+  /** Distance of the origin from the axis; positive where the surface bulges towards the tool. */
+  radius_m: number;
+  /** Angle between axis and surface [rad]. */
+  half_angle_rad: number;
+  /** Direction from the chart's x in which it widens [rad]. */
   axis_rad: number;
 }
 

@@ -31,7 +31,13 @@ const chart: Check = (value) => {
   const isVertex = (i: number): boolean => Number.isInteger(i) && i >= 0 && i < count;
   return kind === "mesh" && count > 0 && places.length === 2 * count && triangles.length > 0 && triangles.length % 3 === 0 && triangles.every(isVertex);
 };
-const curved: Check = (value) => cylinder(value) || chart(value);
+/** A half angle of 0 would be a cylinder. */
+const cone: Check = (value) => {
+  if (!has({ radius_m: finite, half_angle_rad: finite, axis_rad: finite })(value)) return false;
+  const { kind, radius_m, half_angle_rad } = value as { kind: unknown; radius_m: number; half_angle_rad: number };
+  return kind === "cone" && radius_m !== 0 && half_angle_rad > 0 && half_angle_rad < Math.PI / 2;
+};
+const curved: Check = (value) => cylinder(value) || cone(value) || chart(value);
 const shaped: Check = (value) => curved(value) || (has({ kind: text })(value) && (value as { kind: string }).kind === "plane");
 
 const event = has({ kind: text, start: finite, end: finite, words: text });

@@ -1,4 +1,4 @@
-// Positions that are lifted onto a cylinder.
+// Positions that are lifted onto a cylinder, a cone or a mesh.
 import assert from "node:assert/strict";
 import test from "node:test";
 import { PlaneGeometry, Vector3 } from "three";
@@ -30,6 +30,50 @@ test("lines and faces follow the surface between their corners", () => {
   const face = liftGeometry(pipe, new PlaneGeometry(0.8, 0.4)).getAttribute("position");
   assert.ok(face.count >= 190 && face.count < 1000, `${face.count}`);
   for (let i = 0; i < face.count; i++) assert.ok(Math.abs(fromAxis([face.getX(i), face.getY(i), face.getZ(i)], pipe) - 0.5) < 1e-6);
+});
+
+/** Widens along x; its apex is 2 m before the origin. */
+const funnel = (side) => ({ kind: "cone", radius_m: side * 2 * Math.sin(0.4), half_angle_rad: 0.4, axis_rad: 0 });
+
+test("a cone keeps distances from its apex, and its lines are straight", () => {
+  for (const side of [1, -1]) {
+    const cone = funnel(side);
+    near(lift(cone, 0, 0, 0.1), [0, 0, 0.1]);
+    near(lift(cone, 0.5, 0, 0), [0.5, 0, 0]);
+    for (const [x, y] of [[0.3, 0.4], [-0.5, -0.6], [1, 1.2]]) {
+      const [px, py, pz] = lift(cone, x, y, 0);
+      assert.ok(Math.abs(Math.hypot(px + 2, py, pz) - Math.hypot(x + 2, y)) < 1e-9);
+      // The line through the apex lifts to a line, and the normal is at right angles to it.
+      const [qx, qy, qz] = lift(cone, 2 * x + 2, 2 * y, 0);
+      near([qx, qy, qz], [2 * px + 2, 2 * py, 2 * pz]);
+      const above = lift(cone, x, y, 0.1);
+      const surface = { pose: [0, 0, 0, 0, 0, 0, 1], rings: [], shape: cone };
+      const normal = normalUnder(surface, new Vector3(...above));
+      near(above, [px + 0.1 * normal.x, py + 0.1 * normal.y, pz + 0.1 * normal.z]);
+      assert.ok(Math.abs(normal.dot(new Vector3(px + 2, py, pz))) < 1e-9);
+      // Height over the axis, whose direction leans away from the surface.
+      const axis = [Math.cos(0.4), 0, -side * Math.sin(0.4)];
+      const on = (px + 2) * axis[0] + pz * axis[2];
+      assert.ok(Math.abs(on / Math.hypot(px + 2, py, pz) - Math.cos(0.4)) < 1e-9);
+    }
+  }
+});
+
+test("faces of a cone are cut along its lines", () => {
+  const cone = funnel(1);
+  const flat = new PlaneGeometry(0.8, 1.6);
+  const face = liftGeometry(cone, flat).getAttribute("position");
+  assert.ok(face.count >= 150 && face.count < 2000, `${face.count}`);
+  let area = 0;
+  for (let i = 0; i < face.count; i += 3) {
+    const [a, b, c] = [0, 1, 2].map((k) => new Vector3(face.getX(i + k), face.getY(i + k), face.getZ(i + k)));
+    area += b.clone().sub(a).cross(c.clone().sub(a)).length() / 2;
+    const middle = a.clone().add(b).add(c).divideScalar(3);
+    const off = Math.acos(((middle.x + 2) * Math.cos(0.4) - middle.z * Math.sin(0.4)) / Math.hypot(middle.x + 2, middle.y, middle.z)) - 0.4;
+    assert.ok(Math.abs(off) < 1e-3, `${off}`);
+  }
+  // It unrolls without stretch.
+  assert.ok(Math.abs(area - 1.28) < 1e-3, `${area}`);
 });
 
 /** A quarter of the pipe as facets of 1 cm along its bend. */

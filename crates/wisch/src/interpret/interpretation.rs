@@ -1,7 +1,7 @@
 //! Result of an interpretation.
 
 use super::belief::{Belief, Estimate, ObservationUpdate, PerformanceDistribution};
-use super::contact::{FittedPlane, PathPiece, ToolStiffness};
+use super::contact::{ContactResidual, FittedPlane, PathPiece, ShapeFit, ToolStiffness};
 use super::doubt::Doubt;
 use super::events::Event;
 use crate::geometry::Pose;
@@ -42,6 +42,11 @@ pub struct Interpretation {
     pub path: Vec<PathPiece>,
     /// The fitted plane; `None` where there were too few contacts.
     pub plane: Option<FittedPlane>,
+    /// Pose at which a curved surface fits the contacts, in all degrees of freedom that they determine; `None` for a plane,
+    /// and where there were too few contacts.
+    pub registration: Option<ShapeFit>,
+    /// Distances of the contacts from the fitted surface, in cells of [`RESIDUAL_CELL`](super::RESIDUAL_CELL).
+    pub residuals: Vec<ContactResidual>,
     /// Whether the surface is where it was believed to be.
     pub diagnosis: Diagnosis,
     /// Reasons why the log may not show wiping of this surface; empty where there are none.

@@ -206,6 +206,8 @@ impl Interpreter {
             distribution,
             belief,
             plane: classified.plane.map(|(_, described)| described),
+            registration: classified.registration,
+            residuals: classified.residuals,
             path: classified.path,
         })
     }
@@ -412,7 +414,10 @@ impl Interpreter {
             Some((_, plane)) if is_here(plane) => Diagnosis::Localized,
             Some(_) => Diagnosis::Relocalize {
                 world_from_surface: self.surface.world_from_surface
-                    * self.unroll(believed_from_real),
+                    * (classified.registration.as_ref()).map_or_else(
+                        || self.unroll(believed_from_real),
+                        |registration| registration.believed_from_real,
+                    ),
             },
         }
     }

@@ -23,7 +23,10 @@ pub use belief::{
     ParticleTouch, PerformanceDistribution,
 };
 pub use config::{EventConfig, InterpretConfig, PlaneConfig, ToolCompliance, member_count};
-pub use contact::{FittedPlane, PathPiece, PlaneFit, ToolStiffness, Touch, TouchSample, fit_plane};
+pub use contact::{
+    ContactResidual, FittedPlane, PathPiece, PlaneFit, RESIDUAL_CELL, ShapeFit, ToolStiffness,
+    Touch, TouchSample, fit_plane, fit_shape,
+};
 pub use doubt::Doubt;
 pub use error::InterpretError;
 pub use events::{Event, EventKind};

@@ -26,7 +26,7 @@ const SEARCH_STEP: f64 = 0.01;
 /// [`RIGID_COMPRESSION`](crate::represent::RIGID_COMPRESSION).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct BendContact {
-    /// Least and largest share of the footprint that touches, over all yaws and, of a mesh, places \[1\].
+    /// Least and largest share of the footprint that touches, over all yaws and, of a cone or a mesh, places \[1\].
     pub touched_share: [f64; 2],
     /// Least and largest pressure over the nominal one, over footprint and yaws \[1\]; 0 where the tool does not touch.
     /// Foam bottoms out beyond [`MAX_PRESSURE`](crate::represent::MAX_PRESSURE).
@@ -58,8 +58,7 @@ impl BendContact {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn from_task(task: &Task) -> Option<Self> {
-        let shape = &task.surface.shape;
-        if shape.is_plane() {
+        if task.surface.shape.is_plane() {
             return None;
         }
         let tool = ElasticFoundation::from_interaction(&task.tool.footprint, &task.interaction)?;
@@ -78,11 +77,12 @@ impl BendContact {
             };
             turns.iter().map(at_yaw).fold(nothing, merge)
         };
+        let bends = task.surface.bends();
         // Minima and maxima are the same in any order.
         let [touched_share, pressure] =
-            (shape.bends().par_iter().map(at_bend)).reduce(|| nothing, merge);
+            (bends.par_iter().map(|(_, bend)| at_bend(bend))).reduce(|| nothing, merge);
         // κL² = 12 δ on a bulge, 24 δ in a hollow.
-        let radii = shape.least_radii();
+        let radii = task.surface.least_radii();
         let length = |factor: f64, radius: f64| libm::sqrt(factor * tool.compression() * radius);
         Some(Self {
             touched_share,
@@ -129,16 +129,15 @@ fn yaws() -> impl Iterator<Item = f64> {
 }
 
 /// The pressure of a task's tool at a yaw [rad], its foundation, and the least pressure at which it acts; `None` on a plane, for
-/// a tool that hovers, and where all of the tool acts. Of a mesh, the tightest bend counts.
+/// a tool that hovers, and where all of the tool acts. The tightest bend counts.
 pub(super) fn partial_contact(
     task: &Task,
     yaw: f64,
 ) -> Option<(ElasticFoundation, LocalPressure, f64)> {
-    let bend = match &task.surface.shape {
-        SurfaceShape::Plane => return None,
-        SurfaceShape::Mesh(mesh) => mesh.tightest_bend(),
-        shape => shape.bend(Point2::origin()),
-    };
+    if task.surface.shape.is_plane() {
+        return None;
+    }
+    let bend = task.surface.tightest_bend();
     let tool = ElasticFoundation::from_interaction(&task.tool.footprint, &task.interaction)?;
     let least = effective_pressure(&task.interaction.likelihood);
     let pressure = tool.press_upright(&bend, yaw);
@@ -146,7 +145,7 @@ pub(super) fn partial_contact(
 }
 
 /// Returns the vector across a hollow of the distance from the tool's centre within which the tool acts at no yaw [m]; 0
-/// elsewhere. The hollows of a mesh have no common direction, so that none counts.
+/// elsewhere. The hollows of a cone or a mesh have no common direction, so that none counts.
 pub(super) fn gap_in_hollow(task: &Task) -> Vector2 {
     let SurfaceShape::Cylinder { radius, axis } = task.surface.shape else {
         return Vector2::zeros();
@@ -179,7 +178,7 @@ pub(super) fn check_bend(task: &Task) -> Result<(), PlanError> {
         let surface = surface.name.clone();
         return Err(PlanError::Shape { surface, fault });
     }
-    let radii = surface.shape.least_radii();
+    let radii = surface.least_radii();
     for radius in [radii.bulge, -radii.hollow] {
         if radius.is_infinite() {
             continue;
@@ -249,10 +248,10 @@ fn touched_reach(task: &Task, radius: f64) -> f64 {
         return reach;
     };
     // f′(u) = m − u²/2δR vanishes at u² = 2 m δ R.
-    let bends = task.surface.shape.bends();
+    let bends = task.surface.bends();
     let most = bends
         .iter()
-        .flat_map(|bend| yaws().map(|yaw| tool.press_upright(bend, yaw).middle));
+        .flat_map(|(_, bend)| yaws().map(|yaw| tool.press_upright(bend, yaw).middle));
     let most = most.fold(0.0, f64::max);
     libm::sqrt(2.0 * most * tool.compression() * radius).min(reach)
 }

@@ -81,8 +81,8 @@ fn headings(task: &Task) -> Vec<f64> {
         SurfaceShape::Plane => None,
         SurfaceShape::Cylinder { axis, .. } => Some(*axis),
         // Across the largest curvature of the tightest bend.
-        SurfaceShape::Mesh(mesh) => {
-            let bend = mesh.tightest_bend();
+        SurfaceShape::Cone(_) | SurfaceShape::Mesh(_) => {
+            let bend = task.surface.tightest_bend();
             Some(0.5 * libm::atan2(-2.0 * bend[(0, 1)], bend[(1, 1)] - bend[(0, 0)]))
         }
     };

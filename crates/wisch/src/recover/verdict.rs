@@ -306,6 +306,8 @@ mod tests {
                 confident: 100,
                 rms: 0.0,
             }),
+            registration: None,
+            residuals: vec![],
             diagnosis: Diagnosis::Localized,
             doubts: vec![],
             events: vec![],

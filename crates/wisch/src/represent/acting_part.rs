@@ -54,7 +54,9 @@ impl ActingPart {
                 (self.pressure(surface, Point2::origin(), heading)).is_some()
             }
             // At which places is asked for each particle.
-            SurfaceShape::Mesh(_) => self.radius_at_every_yaw(surface) < f64::INFINITY,
+            SurfaceShape::Cone(_) | SurfaceShape::Mesh(_) => {
+                self.radius_at_every_yaw(surface) < f64::INFINITY
+            }
         }
     }
 
@@ -67,7 +69,7 @@ impl ActingPart {
         heading: f64,
     ) -> Option<(LocalPressure, f64)> {
         let least = self.least;
-        if let SurfaceShape::Mesh(_) = &surface.shape {
+        if let SurfaceShape::Cone(_) | SurfaceShape::Mesh(_) = &surface.shape {
             if self.turn.0 != heading {
                 self.turn = (heading, Rotation2::new(heading));
             }
@@ -89,8 +91,8 @@ impl ActingPart {
         pressure.map(|pressure| (pressure, least))
     }
 
-    /// Returns the boundary of the part of a footprint that acts at every yaw, of a mesh at its tightest bend; `None` if all of
-    /// it does. Of a footprint in several pieces, whole pieces count.
+    /// Returns the boundary of the part of a footprint that acts at every yaw, at the tightest bend; `None` if all of it
+    /// does. Of a footprint in several pieces, whole pieces count.
     pub(super) fn at_every_yaw(
         &mut self,
         surface: &Surface,
@@ -122,11 +124,7 @@ impl ActingPart {
     /// does.
     fn radius_at_every_yaw(&mut self, surface: &Surface) -> f64 {
         let least = self.least;
-        let bend = match &surface.shape {
-            SurfaceShape::Mesh(mesh) => mesh.tightest_bend(),
-            shape => shape.bend(Point2::origin()),
-        };
-        let (foundation, known) = self.meet(bend);
+        let (foundation, known) = self.meet(surface.tightest_bend());
         let bend = known.bend;
         *(known.radius).get_or_insert_with(|| radius_at_every_yaw(foundation, &bend, least))
     }

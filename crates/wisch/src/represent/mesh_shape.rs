@@ -1,5 +1,6 @@
 //! A surface of a mesh: its chart, and the mesh as it was given.
 
+use super::LeastRadii;
 use crate::geometry::{
     Edge, Mesh, Point2, Point3, Polygon, Pose, Sheet, SheetConfig, SheetError, Vector3,
 };
@@ -96,6 +97,11 @@ impl MeshShape {
     /// The bend to which a tool lies worst \[1/m\]: a tool fits a hollow of half the radius of a bulge as well.
     pub fn tightest_bend(&self) -> Matrix2<f64> {
         self.tightest
+    }
+
+    /// Returns the least radii that occur, see [`Self::bends`].
+    pub fn least_radii(&self) -> LeastRadii {
+        LeastRadii::from_bends(self.bends().map(|(_, bend)| bend))
     }
 
     /// Returns the angle by which the normal turns on the way between two places \[rad\]: of an arc that turns back, the sum.

@@ -1,6 +1,7 @@
 //! Task, surface, tool, medium and dirt particles, with the single model of the effect of wiping.
 
 mod acting_part;
+mod cone;
 mod contact;
 mod effect;
 mod field;
@@ -22,6 +23,7 @@ mod swept_translation;
 mod task;
 mod treatment;
 
+pub use cone::{Cone, HALF_ANGLE_RANGE};
 pub use contact::{
     ElasticFoundation, LocalPressure, MAX_PRESSURE, RIGID_COMPRESSION, effective_pressure,
     find_needed_compression,

@@ -1,18 +1,20 @@
-//! Where the chart of a surface lies in space: in a plane, rolled onto a cylinder, or over a mesh.
+//! Where the chart of a surface lies in space: in a plane, rolled onto a cylinder or a cone, or over a mesh.
 //!
-//! Outline, dirt, nodes and strokes are given in the chart, in metres. A cylinder unrolls without stretch, so lengths,
-//! angles and areas of the chart are those of the surface. The chart of a mesh is stretched by a few percent at most.
+//! Outline, dirt, nodes and strokes are given in the chart, in metres. Cylinders and cones unroll without stretch, so
+//! lengths, angles and areas of the chart are those of the surface. The chart of a mesh is stretched by a few percent at
+//! most.
 
+use super::cone::Cone;
 use super::mesh_shape::{MeshShape, principal_curvatures};
 use crate::geometry::{Point2, Point3, Pose, Vector2, Vector3};
 use nalgebra::{Matrix2, Translation3, Unit, UnitQuaternion};
 use std::f64::consts::PI;
 use std::sync::Arc;
 
-/// Largest angle of a chart about the axis of its cylinder, to either side of its origin \[rad\]: beyond it, the surface
-/// would nearly close.
+/// Largest angle of a chart about the axis of its cylinder or cone, to either side of its origin \[rad\]: beyond it, the
+/// surface would nearly close.
 pub const MAX_ROLL: f64 = 0.8 * PI;
-/// Range of the radius of a cylinder \[m\].
+/// Range of the radius of a cylinder, and of the distance of a cone from its axis \[m\].
 pub const RADIUS_RANGE: [f64; 2] = [0.01, 1e9];
 
 /// The shape onto which the chart of a surface is rolled.
@@ -30,6 +32,8 @@ pub enum SurfaceShape {
         /// Angle of the cylinder's axis from the chart's x \[rad\].
         axis: f64,
     },
+    /// The chart is rolled onto a circular cone.
+    Cone(Cone),
     /// The chart is that of a mesh.
     Mesh(Arc<MeshShape>),
 }
@@ -44,10 +48,21 @@ pub struct LeastRadii {
 }
 
 impl LeastRadii {
-    const NONE: Self = Self {
+    pub(super) const NONE: Self = Self {
         bulge: f64::INFINITY,
         hollow: f64::INFINITY,
     };
+
+    /// Returns the least radii of these second fundamental forms \[1/m\].
+    pub(super) fn from_bends(bends: impl IntoIterator<Item = Matrix2<f64>>) -> Self {
+        (bends.into_iter()).fold(Self::NONE, |least, bend| {
+            let [larger, smaller] = principal_curvatures(&bend);
+            Self {
+                bulge: least.bulge.min(1.0 / larger.max(0.0)),
+                hollow: least.hollow.min(1.0 / (-smaller).max(0.0)),
+            }
+        })
+    }
 
     /// The smaller of the two \[m\].
     pub fn least(&self) -> f64 {
@@ -86,6 +101,7 @@ impl SurfaceShape {
     pub fn place(&self, place: Point2, height: f64) -> Pose {
         match self {
             Self::Plane => Pose::translation(place.x, place.y, height),
+            Self::Cone(cone) => cone.place(place, height),
             Self::Mesh(mesh) => mesh.place(place, height),
             &Self::Cylinder { radius, axis } => {
                 let [along, across] = directions(axis);
@@ -108,13 +124,14 @@ impl SurfaceShape {
 
     /// Returns the place and the height of a point in the frame of the surface: the inverse of [`Self::place`].
     ///
-    /// A point on the axis of a cylinder has the foot φ = 0.
+    /// A point on the axis of a cylinder or a cone has the foot φ = 0. Points beyond the apex of a cone have it as foot.
     pub fn chart(&self, point: Point3) -> ChartPoint {
         match self {
             Self::Plane => ChartPoint {
                 place: point.xy(),
                 height: point.z,
             },
+            Self::Cone(cone) => cone.chart(point),
             Self::Mesh(mesh) => {
                 let (place, height) = mesh.sheet().chart_extended(point);
                 ChartPoint { place, height }
@@ -140,7 +157,7 @@ impl SurfaceShape {
     }
 
     /// Returns the place of the surface that is seen along the z of its frame through a point of the frame's xy plane \[m\];
-    /// `None` where there is none. Of a cylinder it lies on the side of the chart's origin.
+    /// `None` where there is none. Of a cylinder or a cone it lies on the side of the chart's origin.
     ///
     /// ```
     /// use std::f64::consts::FRAC_PI_2;
@@ -155,6 +172,7 @@ impl SurfaceShape {
     pub fn place_below(&self, point: Point2) -> Option<Point2> {
         match self {
             Self::Plane => Some(point),
+            Self::Cone(cone) => cone.place_below(point),
             Self::Mesh(mesh) => mesh.sheet().place_below(point),
             &Self::Cylinder { radius, axis } => {
                 let [along, across] = directions(axis);
@@ -171,7 +189,9 @@ impl SurfaceShape {
     pub fn orientation(&self, place: Point2) -> UnitQuaternion<f64> {
         match self {
             Self::Plane => UnitQuaternion::identity(),
-            Self::Cylinder { .. } | Self::Mesh(_) => self.place(place, 0.0).rotation,
+            Self::Cylinder { .. } | Self::Cone(_) | Self::Mesh(_) => {
+                self.place(place, 0.0).rotation
+            }
         }
     }
 
@@ -180,6 +200,7 @@ impl SurfaceShape {
     pub fn bend(&self, place: Point2) -> Matrix2<f64> {
         match self {
             Self::Plane => Matrix2::zeros(),
+            Self::Cone(cone) => cone.bend(place),
             Self::Mesh(mesh) => mesh.sheet().bend(place),
             &Self::Cylinder { radius, axis } => {
                 let [_, across] = directions(axis);
@@ -188,43 +209,12 @@ impl SurfaceShape {
         }
     }
 
-    /// Returns the second fundamental forms that occur \[1/m\]: none of a plane, one of a cylinder, and those at places
-    /// about half a tool's radius apart of a mesh.
-    pub fn bends(&self) -> Vec<Matrix2<f64>> {
-        match self {
-            Self::Plane => Vec::new(),
-            Self::Cylinder { .. } => vec![self.bend(Point2::origin())],
-            Self::Mesh(mesh) => mesh.bends().map(|(_, bend)| bend).collect(),
-        }
-    }
-
-    /// Returns the least radii that occur, see [`Self::bends`].
-    pub fn least_radii(&self) -> LeastRadii {
-        match self {
-            Self::Plane => LeastRadii::NONE,
-            &Self::Cylinder { radius, .. } if radius > 0.0 => LeastRadii {
-                bulge: radius,
-                ..LeastRadii::NONE
-            },
-            &Self::Cylinder { radius, .. } => LeastRadii {
-                hollow: -radius,
-                ..LeastRadii::NONE
-            },
-            Self::Mesh(mesh) => mesh.bends().fold(LeastRadii::NONE, |least, (_, bend)| {
-                let [larger, smaller] = principal_curvatures(&bend);
-                LeastRadii {
-                    bulge: least.bulge.min(1.0 / larger.max(0.0)),
-                    hollow: least.hollow.min(1.0 / (-smaller).max(0.0)),
-                }
-            }),
-        }
-    }
-
-    /// Returns the angle about the axis of a cylinder from the chart's origin to a place \[rad\]; 0 on
-    /// another shape.
+    /// Returns the angle about the axis of a cylinder or a cone from the chart's origin to a place \[rad\]; 0 on another
+    /// shape.
     pub fn roll(&self, place: Point2) -> f64 {
         match self {
             Self::Plane | Self::Mesh(_) => 0.0,
+            Self::Cone(cone) => cone.roll(place),
             &Self::Cylinder { radius, axis } => {
                 let [_, across] = directions(axis);
                 across.dot(&place.coords) / radius
@@ -232,10 +222,11 @@ impl SurfaceShape {
         }
     }
 
-    /// Returns the angle by which the normal turns between two places of the chart \[rad\].
+    /// Returns the angle by which the normal turns on the straight way between two places of the chart \[rad\].
     pub fn turn_between(&self, from: Point2, to: Point2) -> f64 {
         match self {
             Self::Plane => 0.0,
+            Self::Cone(cone) => cone.turn_between(from, to),
             Self::Mesh(mesh) => mesh.turn_between(from, to),
             &Self::Cylinder { radius, axis } => {
                 let [_, across] = directions(axis);

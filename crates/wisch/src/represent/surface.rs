@@ -1,7 +1,9 @@
 //! The target surface: a polygon in a chart, with the chart's shape and pose, and the edges over which a skim may push.
 
-use super::{ChartPoint, MAX_ROLL, RADIUS_RANGE, SurfaceShape};
+use super::{ChartPoint, Cone, HALF_ANGLE_RANGE, LeastRadii, MAX_ROLL, RADIUS_RANGE, SurfaceShape};
 use crate::geometry::{Edge, Mesh, MeshError, Point2, Point3, Polygon, Pose, Vector3, prism_below};
+use nalgebra::Matrix2;
+use std::f64::consts::PI;
 
 /// A target surface: an outline in a chart, and where the chart lies in space. The z axis of its frame points out of the
 /// surface at the chart's origin.
@@ -65,33 +67,158 @@ impl Surface {
         Pose::from_parts(nalgebra::Translation3::new(place.x, place.y, height), turn)
     }
 
+    /// Returns places with the second fundamental forms that occur there, in the axes of the chart \[1/m\]: none of a
+    /// plane, one of a cylinder, the strongest and the weakest of a cone, and those about half a tool's radius apart of a
+    /// mesh.
+    pub fn bends(&self) -> Vec<(Point2, Matrix2<f64>)> {
+        let with_bend = |place: Point2| (place, self.shape.bend(place));
+        match &self.shape {
+            SurfaceShape::Plane => Vec::new(),
+            SurfaceShape::Cylinder { .. } => vec![with_bend(Point2::origin())],
+            SurfaceShape::Cone(cone) => {
+                let apex = cone.apex();
+                let distance = |place: &Point2| (place - apex).norm();
+                let corners = self.outline.outer().iter().copied();
+                let farthest = corners.max_by(|a, b| distance(a).total_cmp(&distance(b)));
+                let nearest = nearest_on_border(&self.outline, apex);
+                nearest.into_iter().chain(farthest).map(with_bend).collect()
+            }
+            SurfaceShape::Mesh(mesh) => mesh.bends().collect(),
+        }
+    }
+
+    /// Returns the bend to which a tool lies worst, in the axes of the chart \[1/m\]: a tool fits a hollow of half the
+    /// radius of a bulge as well.
+    pub fn tightest_bend(&self) -> Matrix2<f64> {
+        match &self.shape {
+            SurfaceShape::Mesh(mesh) => mesh.tightest_bend(),
+            _ => (self.bends().first()).map_or_else(Matrix2::zeros, |(_, bend)| *bend),
+        }
+    }
+
+    /// Returns the least radii of curvature that occur, see [`Self::bends`].
+    pub fn least_radii(&self) -> LeastRadii {
+        match self.shape {
+            SurfaceShape::Cylinder { radius, .. } if radius > 0.0 => LeastRadii {
+                bulge: radius,
+                ..LeastRadii::NONE
+            },
+            SurfaceShape::Cylinder { radius, .. } => LeastRadii {
+                hollow: -radius,
+                ..LeastRadii::NONE
+            },
+            _ => LeastRadii::from_bends(self.bends().into_iter().map(|(_, bend)| bend)),
+        }
+    }
+
     /// Returns why the chart does not fit its shape, if it does not.
     pub fn shape_fault(&self) -> Option<ShapeFault> {
-        let SurfaceShape::Cylinder { radius, axis } = self.shape else {
-            return None;
+        let (shape, radius, axis) = match self.shape {
+            SurfaceShape::Plane | SurfaceShape::Mesh(_) => return None,
+            SurfaceShape::Cylinder { radius, axis } => ("cylinder", radius, axis),
+            SurfaceShape::Cone(cone) => ("cone", cone.radius, cone.axis),
         };
         let [least, most] = RADIUS_RANGE;
         if !(least..=most).contains(&radius.abs()) || !axis.is_finite() {
-            return Some(ShapeFault::Radius { radius });
+            return Some(ShapeFault::Radius { shape, radius });
         }
-        let roll = |place: &Point2| self.shape.turn_between(Point2::origin(), *place);
+        if let SurfaceShape::Cone(cone) = &self.shape
+            && let Some(fault) = self.cone_fault(cone)
+        {
+            return Some(fault);
+        }
+        let roll = |place: &Point2| self.shape.roll(*place).abs();
         let angle = self.outline.outer().iter().map(roll).fold(0.0, f64::max);
-        (angle > MAX_ROLL).then_some(ShapeFault::Roll { radius, angle })
+        (angle > MAX_ROLL).then_some(ShapeFault::Roll {
+            shape,
+            radius,
+            angle,
+        })
     }
+
+    /// Returns why the chart does not fit a cone, but for the angle of its corners about the axis.
+    fn cone_fault(&self, cone: &Cone) -> Option<ShapeFault> {
+        let [least, most] = HALF_ANGLE_RANGE;
+        let half_angle = cone.half_angle;
+        if !(least..=most).contains(&half_angle) {
+            return Some(ShapeFault::HalfAngle { half_angle });
+        }
+        let apex = cone.apex();
+        let nearest = nearest_on_border(&self.outline, apex)?;
+        let sine = libm::sin(half_angle);
+        let narrowest = if self.outline.contains(apex) {
+            0.0
+        } else {
+            (nearest - apex).norm() * sine
+        };
+        if narrowest < RADIUS_RANGE[0] {
+            // In micrometres, without a negative zero.
+            let apex = apex.map(|at| (at * 1e6).round() / 1e6 + 0.0);
+            return Some(ShapeFault::Apex { apex, narrowest });
+        }
+        // An edge that passes behind the apex goes half round it.
+        (self.outline.edges()).find_map(|edge| {
+            let [from, to] = [edge.start, edge.end].map(|place| cone.past_roll(place, 0.0));
+            let at = edge.start + (edge.end - edge.start) * (from / (from - to));
+            let is_behind = (at - apex).dot(&apex.coords) > 0.0;
+            ((from < 0.0) != (to < 0.0) && is_behind).then_some(ShapeFault::Roll {
+                shape: "cone",
+                radius: cone.radius,
+                angle: PI / sine,
+            })
+        })
+    }
+}
+
+/// Returns the place on the border of a polygon that is nearest to a point; `None` without a border.
+fn nearest_on_border(outline: &Polygon, point: Point2) -> Option<Point2> {
+    let feet = outline.edges().map(|edge| {
+        let along = edge.end - edge.start;
+        let squared = along.norm_squared();
+        let share = if squared > 0.0 {
+            ((point - edge.start).dot(&along) / squared).clamp(0.0, 1.0)
+        } else {
+            0.0
+        };
+        edge.start + along * share
+    });
+    feet.min_by(|a, b| {
+        (a - point)
+            .norm_squared()
+            .total_cmp(&(b - point).norm_squared())
+    })
 }
 
 /// Why a chart does not fit its shape.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
 pub enum ShapeFault {
     /// The radius is out of its range, or the axis not finite.
-    #[error("radius {radius} m of the cylinder is outside {} to {} m in size", RADIUS_RANGE[0], RADIUS_RANGE[1])]
+    #[error("radius {radius} m of the {shape} is outside {} to {} m in size", RADIUS_RANGE[0], RADIUS_RANGE[1])]
     Radius {
+        /// Kind of the shape.
+        shape: &'static str,
         /// Radius \[m\].
         radius: f64,
     },
-    /// The chart would nearly close around the cylinder.
-    #[error("the outline reaches {:.0}° about the axis of the cylinder of radius {radius} m; the limit is {:.0}° to either side of the origin", angle.to_degrees(), MAX_ROLL.to_degrees())]
+    /// The half angle of a cone is out of its range.
+    #[error("half angle {half_angle} rad of the cone is outside {} to {} rad", HALF_ANGLE_RANGE[0], HALF_ANGLE_RANGE[1])]
+    HalfAngle {
+        /// Half angle \[rad\].
+        half_angle: f64,
+    },
+    /// The chart reaches the apex of its cone.
+    #[error("the outline reaches to {narrowest:.3} m from the axis of the cone, whose apex is at ({:.3}, {:.3}) m of the chart; the limit is {} m", apex.x, apex.y, RADIUS_RANGE[0])]
+    Apex {
+        /// Place of the apex \[m\].
+        apex: Point2,
+        /// Least distance of the outline from the axis \[m\].
+        narrowest: f64,
+    },
+    /// The chart would nearly close around the axis.
+    #[error("the outline reaches {:.0}° about the axis of the {shape} of radius {radius} m; the limit is {:.0}° to either side of the origin", angle.to_degrees(), MAX_ROLL.to_degrees())]
     Roll {
+        /// Kind of the shape.
+        shape: &'static str,
         /// Radius \[m\].
         radius: f64,
         /// Largest angle of the outline from the origin \[rad\].
@@ -215,7 +342,7 @@ impl Surface {
         if self.shape.is_plane() {
             return Ok(prism);
         }
-        let radii = self.shape.least_radii();
+        let radii = self.least_radii();
         // A facet of length l lies off an arc of radius R by l²/8R.
         let longest = match &self.shape {
             SurfaceShape::Mesh(_) => (8.0 * radii.least() * MESH_FACET_ERROR)

@@ -1,8 +1,9 @@
 // Lifts what lies in the chart of a surface onto a curved surface.
 import { BufferAttribute, BufferGeometry, Vector3 } from "three";
 import { matrix } from "./solids.ts";
+import { liftOntoCone, normalOfCone, pastRollOnCone, rollOnCone } from "./cone.ts";
 import { sheetOf } from "./sheet.ts";
-import type { CylinderShape, RoundPiece } from "../recording.ts";
+import type { ConeShape, CylinderShape, RoundPiece } from "../recording.ts";
 import type { Bend } from "../store.ts";
 
 /** x and y in the chart, and the height over it; or x, y, z in the frame of the surface [m]. */
@@ -19,17 +20,24 @@ function directions({ axis_rad }: CylinderShape): [[number, number], [number, nu
   return [[c, s], [-s, c]];
 }
 
+/** Returns the angle about the axis of a cylinder or a cone from the chart's origin to a place [rad]. */
+function rollOf(shape: CylinderShape | ConeShape, x: number, y: number): number {
+  if (shape.kind === "cone") return rollOnCone(shape, x, y);
+  const [, across] = directions(shape);
+  return (across[0] * x + across[1] * y) / shape.radius_m;
+}
+
 /** Returns the number of straight parts that replace a line of the chart. */
 function partsBetween(shape: NonNullable<Bend>, from: Corner, to: Corner): number {
   if (shape.kind === "mesh") return Math.ceil(Math.hypot(to[0] - from[0], to[1] - from[1]) / STEP_ON_MESH_M);
-  const [, across] = directions(shape);
-  return Math.ceil(Math.abs((across[0] * (to[0] - from[0]) + across[1] * (to[1] - from[1])) / shape.radius_m) / TURN_RAD);
+  return Math.ceil(Math.abs(rollOf(shape, to[0], to[1]) - rollOf(shape, from[0], from[1])) / TURN_RAD);
 }
 
 /** Returns the point at a height over a place of the chart, in the frame of the surface [m]. */
 export function lift(shape: Bend, x: number, y: number, height: number): Corner {
   if (!shape) return [x, y, height];
   if (shape.kind === "mesh") return sheetOf(shape).lift(x, y, height);
+  if (shape.kind === "cone") return liftOntoCone(shape, x, y, height);
   const [along, across] = directions(shape);
   const v = along[0] * x + along[1] * y;
   const angle = (across[0] * x + across[1] * y) / shape.radius_m;
@@ -43,6 +51,7 @@ export function normalUnder({ pose, shape }: RoundPiece["surface"], point: Vecto
   const normal = new Vector3(0, 0, 1);
   const at = point.clone().applyMatrix4(worldFromSurface.clone().invert());
   if (shape?.kind === "mesh") normal.copy(sheetOf(shape).normalNear(at));
+  else if (shape?.kind === "cone") normal.copy(normalOfCone(shape, at));
   else if (shape) {
     const [, across] = directions(shape);
     // From the axis of the cylinder to the point, or back in a hollow.
@@ -86,15 +95,20 @@ function keepInside(polygon: readonly Corner[], inside: (at: Corner) => number):
 
 type Triangle = [Corner, Corner, Corner];
 
-/** Cuts triangles into strips along the axis of a cylinder, which are straight enough. */
-function cutIntoStrips(shape: CylinderShape): (triangle: Triangle, add: (part: Triangle) => void) => void {
-  const [, across] = directions(shape);
-  const roll = ([x, y]: Corner): number => (across[0] * x + across[1] * y) / shape.radius_m / TURN_RAD;
+/** Cuts triangles into strips along the axis of a cylinder, or from the apex of a cone, which are straight enough. */
+function cutIntoStrips(shape: CylinderShape | ConeShape): (triangle: Triangle, add: (part: Triangle) => void) => void {
+  const roll = ([x, y]: Corner): number => rollOf(shape, x, y) / TURN_RAD;
+  const past = (strip: number): ((at: Corner) => number) => {
+    if (shape.kind === "cylinder") return (at) => roll(at) - strip;
+    const beyond = pastRollOnCone(shape, strip * TURN_RAD);
+    return ([x, y]) => beyond(x, y);
+  };
   return (triangle, add) => {
     const rolls = triangle.map(roll);
     const low = Math.floor(Math.min(...rolls));
     for (let strip = low; strip < Math.max(...rolls, low + 0.5); strip++) {
-      const part = keepInside(keepInside(triangle, (at) => roll(at) - strip), (at) => strip + 1 - roll(at));
+      const [begin, end] = [past(strip), past(strip + 1)];
+      const part = keepInside(keepInside(triangle, begin), (at) => -end(at));
       for (let k = 1; k + 1 < part.length; k++) add([part[0]!, part[k]!, part[k + 1]!]);
     }
   };

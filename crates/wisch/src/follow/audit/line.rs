@@ -2,13 +2,15 @@
 
 use super::kinematics::{Frame, root_from_link};
 use crate::follow::{GripDeviation, LineDeviation, ToolPose, Workcell};
-use crate::geometry::{Point2, Vector3};
-use crate::represent::{SurfaceShape, Task};
+use crate::geometry::{Edge, Point2, Vector3};
+use crate::represent::{Cone, SurfaceShape, Task};
 
 /// Largest rotation of a segment; corners farther apart are joined by several [rad].
 const MAX_TURN: f64 = 0.5;
 /// Largest distance of a segment from the arc that it replaces [m].
 const MAX_SAGITTA: f64 = 5e-5;
+/// Least radius of curvature of a cone for which segments are made [m]: beyond the outline, it may be less.
+const LEAST_RADIUS: f64 = 0.01;
 /// Length of the segments of a line over a mesh [m].
 const CHORD_ON_MESH: f64 = 5e-3;
 /// Length of the line ahead that is searched for the nearest point: longer than a rounded corner skips [m]. A
@@ -55,12 +57,25 @@ fn arcs(task: &Task, from: &[f64; 5], to: &[f64; 5]) -> f64 {
     let (radius, axis) = match &task.surface.shape {
         SurfaceShape::Plane => return 0.0,
         &SurfaceShape::Cylinder { radius, axis } => (radius, axis),
+        SurfaceShape::Cone(cone) => return arcs_on_cone(cone, from, to),
         SurfaceShape::Mesh(_) => return (to[0] - from[0]).hypot(to[1] - from[1]) / CHORD_ON_MESH,
     };
     let across = (to[1] - from[1]) * axis.cos() - (to[0] - from[0]) * axis.sin();
     // A chord of length l has the sagitta l²/8R.
     let longest = (8.0 * radius.abs() * MAX_SAGITTA).sqrt();
     across.abs() / longest.min(MAX_TURN * radius.abs())
+}
+
+/// The same on a cone, where the tightest bend of the way counts.
+fn arcs_on_cone(cone: &Cone, from: &[f64; 5], to: &[f64; 5]) -> f64 {
+    let way = Edge {
+        start: Point2::new(from[0], from[1]),
+        end: Point2::new(to[0], to[1]),
+    };
+    let apex = Point2::from(apex_of(cone).xy());
+    let radius = (way.distance(apex) * cone.half_angle.tan()).max(LEAST_RADIUS);
+    let longest = (8.0 * radius * MAX_SAGITTA).sqrt();
+    (way.end - way.start).norm() / longest.min(MAX_TURN * radius)
 }
 
 fn coordinates(pose: &ToolPose) -> [f64; 5] {
@@ -86,6 +101,9 @@ fn placed(task: &Task, [x, y, height, heading, tilt]: [f64; 5]) -> Frame {
         &SurfaceShape::Cylinder { radius, axis } => {
             tool = roll(radius, axis, Vector3::new(x, y, height)).then(&tool);
         }
+        SurfaceShape::Cone(cone) => {
+            tool = roll_onto_cone(cone, Vector3::new(x, y, height)).then(&tool);
+        }
     }
     if let Some(freedom) = task.tool.tilt {
         tool = tool.then(&Frame::rotate_about(&freedom.axis_in_tool, tilt));
@@ -108,6 +126,32 @@ fn roll(radius: f64, axis: f64, at: Vector3) -> Frame {
         ..Frame::identity()
     };
     to_axis.then(&turn).then(&from_axis)
+}
+
+/// Returns the apex of a cone, which lies in the plane of the surface's frame [m].
+fn apex_of(cone: &Cone) -> Vector3 {
+    let slant = cone.radius.abs() / cone.half_angle.sin();
+    Vector3::new(cone.axis.cos(), cone.axis.sin(), 0.0) * -slant
+}
+
+/// Returns the frame over a place of a chart that is rolled onto a cone: about the apex, the plane is turned until the
+/// line of the place is that of the origin, and then about the axis of the cone.
+fn roll_onto_cone(cone: &Cone, at: Vector3) -> Frame {
+    let along = Vector3::new(cone.axis.cos(), cone.axis.sin(), 0.0);
+    let across = Vector3::z().cross(&along);
+    let apex = apex_of(cone);
+    let from_apex = at - apex;
+    // Negative in a hollow, which lies on the other side of the axis.
+    let sine = cone.half_angle.sin() * cone.radius.signum();
+    let turn = from_apex.dot(&across).atan2(from_apex.dot(&along));
+    let axis = along * cone.half_angle.cos() - Vector3::z() * sine;
+    let moved = |origin: Vector3| Frame {
+        origin,
+        ..Frame::identity()
+    };
+    (moved(apex).then(&Frame::rotate_about(&axis, -turn / sine)))
+        .then(&Frame::rotate_about(&Vector3::z(), -turn))
+        .then(&moved(from_apex))
 }
 
 impl<'a> Line<'a> {

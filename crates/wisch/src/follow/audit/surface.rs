@@ -5,7 +5,7 @@ use super::given_mesh::{GivenMesh, OffMesh};
 use super::kinematics::{Frame, moved_by};
 use crate::follow::{FollowConfig, Motion, Phase, TrajectorySample, Workcell};
 use crate::geometry::{Bounds2, Edge, Mesh, Point2, Point3, Vector3, encloses};
-use crate::represent::{SurfaceShape, Task};
+use crate::represent::{Cone, Surface, SurfaceShape, Task};
 use nalgebra::UnitQuaternion;
 
 /// Depth of a body in the surface that is allowed for rounding [m].
@@ -94,11 +94,13 @@ impl Body {
     }
 
     /// Returns the body with edges that stay straight over a surface.
-    fn over(self, shape: &SurfaceShape) -> Self {
-        // Over a cylinder of radius R an edge of length l has the sagitta l²/8R.
-        let longest = match shape {
+    fn over(self, surface: &Surface) -> Self {
+        // Where the radius of curvature is R, an edge of length l has the sagitta l²/8R.
+        let longest = match surface.shape {
             SurfaceShape::Plane => return self,
-            SurfaceShape::Cylinder { radius, .. } => (8.0 * radius.abs() * MAX_SAGITTA).sqrt(),
+            SurfaceShape::Cylinder { .. } | SurfaceShape::Cone(_) => {
+                (8.0 * surface.least_radii().least() * MAX_SAGITTA).sqrt()
+            }
             SurfaceShape::Mesh(_) => EDGE_OVER_MESH,
         };
         let mesh = self.mesh.split_edges(longest);
@@ -111,6 +113,7 @@ fn unroll(shape: &SurfaceShape, point: Vector3) -> Vector3 {
     let (radius, axis) = match shape {
         SurfaceShape::Plane => return point,
         &SurfaceShape::Cylinder { radius, axis } => (radius, axis),
+        SurfaceShape::Cone(cone) => return unroll_cone(cone, point),
         SurfaceShape::Mesh(_) => {
             let at = shape.chart(point.into());
             return Vector3::new(at.place.x, at.place.y, at.height);
@@ -126,6 +129,30 @@ fn unroll(shape: &SurfaceShape, point: Vector3) -> Vector3 {
     along * point.dot(&along) + across * (radius * angle) + Vector3::z() * height
 }
 
+/// Returns a point in the frame of the surface as place in the chart of a cone and height [m]: in the half plane through
+/// axis and point, the coordinates are along the cone from its apex and along the normal.
+fn unroll_cone(cone: &Cone, point: Vector3) -> Vector3 {
+    let along = Vector3::new(cone.axis.cos(), cone.axis.sin(), 0.0);
+    let across = Vector3::z().cross(&along);
+    let (sine, cosine, side) = (
+        cone.half_angle.sin(),
+        cone.half_angle.cos(),
+        cone.radius.signum(),
+    );
+    let slant = cone.radius.abs() / sine;
+    let axis = along * cosine - Vector3::z() * (side * sine);
+    let from_apex = point + along * slant;
+    let outwards = (from_apex - axis * from_apex.dot(&axis)) * side;
+    let at_origin = along * (side * sine) + Vector3::z() * cosine;
+    let angle = outwards.dot(&across).atan2(outwards.dot(&at_origin)) * side * sine;
+    let (on_axis, from_axis) = (from_apex.dot(&axis), outwards.norm());
+    let distance = (on_axis * cosine + from_axis * sine).max(0.0);
+    let height = (from_axis * cosine - on_axis * sine) * side;
+    along * (distance * angle.cos() - slant)
+        + across * (distance * angle.sin())
+        + Vector3::z() * height
+}
+
 impl<'a> SurfaceCheck<'a> {
     pub fn new(cell: &'a Workcell, task: &'a Task, config: &FollowConfig) -> Option<Self> {
         let robot = cell.robot();
@@ -138,7 +165,7 @@ impl<'a> SurfaceCheck<'a> {
                 cell.tip().index(),
                 mesh.transform(cell.tip_from_tool()),
             )
-            .over(&task.surface.shape)
+            .over(&task.surface)
         };
         let depth = task.interaction.compression_depth_m;
         let mut check = Self {
@@ -171,9 +198,9 @@ impl<'a> SurfaceCheck<'a> {
                 .collision
                 .iter()
                 .filter_map(|shape| shape.mesh_in_link());
-            check.links.extend(
-                meshes.map(|mesh| Body::new(&link.name, i, mesh).over(&task.surface.shape)),
-            );
+            check
+                .links
+                .extend(meshes.map(|mesh| Body::new(&link.name, i, mesh).over(&task.surface)));
         }
         let frames = check.frames(cell.ready_posture());
         let tool = &check.relaxed;
@@ -502,9 +529,8 @@ fn hollow_depth(task: &Task) -> f64 {
     let (radius, smoothed_by) = match &task.surface.shape {
         SurfaceShape::Plane => return 0.0,
         SurfaceShape::Cylinder { radius, .. } => (*radius, 0.0),
-        shape @ SurfaceShape::Mesh(mesh) => {
-            (-shape.least_radii().hollow, mesh.sheet().smoothed_by())
-        }
+        SurfaceShape::Cone(_) => (-task.surface.least_radii().hollow, 0.0),
+        SurfaceShape::Mesh(mesh) => (-mesh.least_radii().hollow, mesh.sheet().smoothed_by()),
     };
     let corners = task.tool.footprint.edges();
     let reach = corners

@@ -3,6 +3,8 @@
 use super::downsampling::MeasuredPiece;
 use super::path::{FittedPlane, PathPiece, Touch};
 use super::plane::{PlaneFit, fit_plane};
+use super::registration::{ShapeFit, fit_shape};
+use super::residuals::{ContactResidual, map_residuals};
 use crate::geometry::{Bounds2, Point2, Point3, Vector2, Vector3};
 use crate::interpret::config::{InterpretConfig, PlaneConfig, ToolCompliance};
 use crate::represent::Surface;
@@ -13,6 +15,8 @@ const POINT_TRAVEL: f64 = 5e-4;
 const POINT_PERIOD: f64 = 0.05;
 /// Least f′ at which a weak contact shows the height of the surface [1].
 const TOUCHING_SHARE: f64 = 0.3;
+/// Most contacts against which a curved surface is registered.
+const MOST_REGISTERED: usize = 5000;
 /// Least share of the tool that the surface must support for a contact with the surface [1].
 const LEAST_SUPPORT: f64 = 0.3;
 /// Least cosine of the angle between tool axis and plane normal at which the underside faces the plane [1].
@@ -35,6 +39,10 @@ pub(in crate::interpret) struct ClassifiedPath {
     /// The same under the assumption that the tool compresses exactly as its spring says [m].
     pub(in crate::interpret) off_spring: Vec<f64>,
     pub(in crate::interpret) plane: Option<(PlaneFit, FittedPlane)>,
+    /// The pose at which a curved surface fits the contacts.
+    pub(in crate::interpret) registration: Option<ShapeFit>,
+    /// Distances of the contacts from the fitted surface, by place.
+    pub(in crate::interpret) residuals: Vec<ContactResidual>,
 }
 
 /// Classifies measured pieces.
@@ -61,6 +69,8 @@ impl ContactClassifier<'_> {
             (fit, described)
         });
         let fit = plane.as_ref().map(|(fit, _)| fit);
+        let (registration, residuals) =
+            (fit.map(|fit| self.register(fit, pieces))).unwrap_or_default();
         let mut path = Vec::with_capacity(pieces.len());
         let (mut off, mut off_spring) = (Vec::new(), Vec::new());
         for piece in pieces {
@@ -74,7 +84,37 @@ impl ContactClassifier<'_> {
             off,
             off_spring,
             plane,
+            registration,
+            residuals,
         }
+    }
+
+    /// Returns the pose at which a curved surface fits the contacts, and the distances of the contacts from the fitted
+    /// surface by place. Without that pose, `fit` counts: a plane over the chart.
+    fn register(
+        &self,
+        fit: &PlaneFit,
+        pieces: &[MeasuredPiece],
+    ) -> (Option<ShapeFit>, Vec<ContactResidual>) {
+        let (config, shape) = (self.config, &self.surface.shape);
+        let mut contacts = touching_points(pieces, TOUCHING_SHARE, config);
+        let stride = contacts.len().div_ceil(MOST_REGISTERED).max(1);
+        contacts = contacts.into_iter().step_by(stride).collect();
+        let in_space = |contact: &Point3| -> Point3 {
+            let lifted = shape.place(contact.xy(), contact.z);
+            lifted.translation.vector.into()
+        };
+        let points: Vec<Point3> = contacts.iter().map(in_space).collect();
+        let registration = (!shape.is_plane())
+            .then(|| fit_shape(&points, shape, &config.plane, config.seed))
+            .flatten();
+        let height = |contact: &Point3, point: &Point3| match &registration {
+            Some(registration) => registration.height(shape, *point),
+            None => fit.distance(*contact),
+        };
+        let residuals = contacts.iter().zip(&points);
+        let residuals = map_residuals(residuals.map(|(at, point)| (at.xy(), height(at, point))));
+        (registration, residuals)
     }
 
     fn classify_piece(

@@ -8,6 +8,8 @@ mod motions;
 mod path;
 mod plane;
 mod pressure_distribution;
+mod registration;
+mod residuals;
 mod sensor;
 mod stiffness;
 mod tool_on_bend;
@@ -21,6 +23,8 @@ pub(super) use motions::{ContactMotion, MAX_LENGTH, NormalizedForce, contact_mot
 pub use path::{FittedPlane, PathPiece, Touch, TouchSample};
 pub use plane::{PlaneFit, fit_plane};
 pub(super) use pressure_distribution::PressureDistribution;
+pub use registration::{ShapeFit, fit_shape};
+pub use residuals::{ContactResidual, RESIDUAL_CELL};
 pub use stiffness::ToolStiffness;
 pub(super) use stiffness::{MeasuredStiffness, StiffnessBelief};
 pub(super) use tool_on_bend::ToolOnBend;

@@ -116,7 +116,7 @@ fn search(
 }
 
 /// Returns the number of hypotheses after which, with this confidence, at least one was drawn from inliers alone.
-fn hypotheses(inlier_share: f64, points: usize, confidence: f64) -> usize {
+pub(super) fn hypotheses(inlier_share: f64, points: usize, confidence: f64) -> usize {
     // n = log(1 − confidence) / log(1 − wᵏ), with inlier share w and k points per hypothesis.
     let all_inliers = inlier_share.powi(points as i32);
     let needed = libm::log(1.0 - confidence) / libm::log(1.0 - all_inliers);
