@@ -6,6 +6,8 @@ mod belief;
 mod effects;
 #[path = "interpret/events.rs"]
 mod events_found;
+#[path = "interpret/implausible.rs"]
+mod implausible;
 #[path = "interpret/log.rs"]
 pub mod log;
 #[path = "interpret/random.rs"]

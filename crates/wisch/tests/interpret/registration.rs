@@ -8,7 +8,7 @@ use wisch::geometry::{Point2, Point3, Pose, SheetConfig, Vector2, Vector3};
 use wisch::interpret::{PlaneConfig, ShapeFit, fit_plane, fit_shape};
 use wisch::random::normal_pair;
 use wisch::represent::{Cone, MeshShape, SurfaceShape};
-use wisch_testkit::mesh_over;
+use wisch_testkit::curved_meshes::mesh_over;
 
 /// Sides of the surfaces [m].
 const SIDES: [f64; 2] = [0.6, 0.4];
@@ -21,7 +21,7 @@ fn shape_of(sides: [f64; 2], point: impl Fn(Point2) -> Point3) -> SurfaceShape {
         tool_radius: 0.0583,
         ..SheetConfig::default()
     };
-    let (shape, _) = MeshShape::from_mesh(&mesh_over(sides, point), &config).unwrap();
+    let (shape, _) = MeshShape::from_mesh(&mesh_over([40, 40], sides, point), &config).unwrap();
     SurfaceShape::Mesh(Arc::new(shape))
 }
 

@@ -1,0 +1,240 @@
+//! Logs with faults of their own: jumping poses, drifting forces, wrong frames and units, and times without samples.
+
+use super::log::{STEEP, Script, task};
+use super::{events, interpreted, interpreted_with};
+use nalgebra::Isometry3;
+use wisch::geometry::{Pose, Vector3};
+use wisch::interpret::{Doubt, EventKind, InterpretConfig, Interpretation, TouchSample};
+use wisch::represent::Task;
+
+/// Interprets the samples of a script after a change. `change` gets the pose of the surface and a sample, and returns the
+/// sample to be kept.
+fn changed(
+    script: &Script,
+    change: impl Fn(&Pose, usize, TouchSample) -> Option<TouchSample>,
+) -> Interpretation {
+    let task: Task = task(80, STEEP);
+    let world_from_surface = task.surface.world_from_surface;
+    let samples: Vec<TouchSample> = (script.samples(&task).into_iter().enumerate())
+        .filter_map(|(k, sample)| change(&world_from_surface, k, sample))
+        .collect();
+    interpreted_with(&samples, &task, &InterpretConfig::from_task(&task))
+}
+
+fn moved(sample: TouchSample, by: Vector3) -> TouchSample {
+    let mut world_from_tool = sample.world_from_tool;
+    world_from_tool.translation.vector += by;
+    TouchSample {
+        world_from_tool,
+        ..sample
+    }
+}
+
+fn one_stroke() -> Script {
+    let plain = Script::default();
+    Script {
+        strokes: vec![plain.strokes[1]],
+        ..plain
+    }
+}
+
+#[test]
+fn poses_that_jump_there_and_back_are_left_out_and_counted() {
+    let truth = interpreted(&one_stroke()).performance.mean;
+    let found = changed(&one_stroke(), |surface, k, sample| {
+        let aside =
+            surface.rotation * Vector3::new(0.0, 0.16 * f64::from(u8::from(k % 600 == 300)), 0.0);
+        Some(moved(sample, aside))
+    });
+    assert!(
+        (found.performance.mean - truth).abs() < 0.01,
+        "{truth}: {:?}",
+        found.performance
+    );
+    assert!(
+        matches!(
+            found.doubts[..],
+            [Doubt::PoseJumps {
+                left_out: 6..=12,
+                lasting: 0,
+                ..
+            }]
+        ),
+        "{:?}",
+        found.doubts
+    );
+    assert!(found.is_conclusive());
+}
+
+#[test]
+fn a_first_pose_of_zeros_is_left_out() {
+    let found = changed(&one_stroke(), |_, k, sample| {
+        let world_from_tool = if k == 0 {
+            Pose::identity()
+        } else {
+            sample.world_from_tool
+        };
+        Some(TouchSample {
+            world_from_tool,
+            ..sample
+        })
+    });
+    assert!(
+        matches!(
+            found.doubts[..],
+            [Doubt::PoseJumps {
+                left_out: 1,
+                lasting: 0,
+                ..
+            }]
+        ),
+        "{:?}",
+        found.doubts
+    );
+}
+
+#[test]
+fn poses_that_jump_and_stay_or_jump_too_often_leave_the_performance_unknown() {
+    let aside = Vector3::new(0.0, 0.16, 0.0);
+    let stays = changed(&one_stroke(), |surface, k, sample| {
+        let by = surface.rotation * aside * f64::from(u8::from(k >= 2500));
+        Some(moved(sample, by))
+    });
+    let often = changed(&one_stroke(), |surface, k, sample| {
+        let by = surface.rotation * aside * f64::from(u8::from(k % 2 == 1));
+        Some(moved(sample, by))
+    });
+    for found in [stays, often] {
+        assert!(!found.is_conclusive(), "{:?}", found.doubts);
+        let is_said = |doubt: &Doubt| matches!(doubt, Doubt::PoseJumps { .. });
+        assert!(found.doubts.iter().any(is_said), "{:?}", found.doubts);
+    }
+}
+
+#[test]
+fn a_force_that_drifts_leaves_the_performance_unknown() {
+    let at_rate = |rate: f64| {
+        changed(&Script::default(), |surface, _, sample| {
+            let force =
+                sample.force + surface.rotation * Vector3::new(0.0, 0.0, rate * sample.time);
+            Some(TouchSample { force, ..sample })
+        })
+    };
+    for (rate, is_conclusive) in [(0.0, true), (0.02, true), (0.4, false), (-1.0, false)] {
+        let found = at_rate(rate);
+        assert_eq!(
+            found.is_conclusive(),
+            is_conclusive,
+            "{rate}: {:?}",
+            found.doubts
+        );
+        let is_said = |doubt: &Doubt| matches!(doubt, Doubt::ForceDrift { .. });
+        assert_eq!(
+            found.doubts.iter().any(is_said),
+            !is_conclusive,
+            "{rate}: {:?}",
+            found.doubts
+        );
+    }
+}
+
+#[test]
+fn a_frame_that_is_not_that_of_the_tool_is_reported() {
+    let leaning = |lean: f64| {
+        changed(&Script::default(), |_, _, sample| {
+            let turn = Isometry3::rotation(Vector3::x() * lean);
+            let world_from_tool = sample.world_from_tool * turn;
+            Some(TouchSample {
+                world_from_tool,
+                ..sample
+            })
+        })
+    };
+    for (lean, expected) in [
+        (0.2, None),
+        (0.8, Some(true)),
+        (1.2, Some(false)),
+        (1.57, Some(false)),
+        (3.1, None),
+    ] {
+        let found = leaning(lean);
+        let told = found.doubts.iter().find_map(|doubt| match doubt {
+            Doubt::ToolLeans { lean } => Some(*lean),
+            _ => None,
+        });
+        assert_eq!(
+            told.is_some(),
+            expected.is_some(),
+            "{lean}: {:?}",
+            found.doubts
+        );
+        assert!(
+            told.is_none_or(|told| (told - lean).abs() < 0.05),
+            "{lean}: {told:?}"
+        );
+        assert_eq!(
+            found.is_conclusive(),
+            expected.unwrap_or(true),
+            "{lean}: {:?}",
+            found.doubts
+        );
+    }
+}
+
+#[test]
+fn a_plane_steeper_than_those_that_are_searched_is_reported_with_its_tilt() {
+    let script = Script {
+        surface: |place| 0.22 * place.y,
+        ..Script::default()
+    };
+    let found = interpreted(&script);
+    let [Doubt::TooSteep { tilt, .. }] = found.doubts[..] else {
+        panic!("{:?}", found.doubts);
+    };
+    assert!((tilt - 0.22_f64.atan()).abs() < 0.01, "{tilt}");
+    assert_eq!(events(&found, EventKind::Push), [], "no person");
+}
+
+#[test]
+fn a_stroke_in_a_gap_is_not_taken_for_missing() {
+    let [start, end] = Script::default().contacts()[1];
+    let found = changed(&Script::default(), |_, _, sample| {
+        (!(start - 0.3..end + 0.3).contains(&sample.time)).then_some(sample)
+    });
+    let [
+        doubt @ Doubt::Incomplete {
+            begins: false,
+            ends: false,
+            missing,
+        },
+    ] = found.doubts[..]
+    else {
+        panic!("{:?}", found.doubts);
+    };
+    assert!(
+        (missing - (end - start + 0.6)).abs() < 0.05 && doubt.is_cut(),
+        "{missing}"
+    );
+}
+
+#[test]
+fn a_force_in_another_unit_is_no_wiping() {
+    for factor in [1.0 / 9.80665, 9.80665, 1000.0] {
+        let found = changed(&Script::default(), |_, _, sample| {
+            let force = sample.force * factor;
+            Some(TouchSample { force, ..sample })
+        });
+        assert!(!found.is_conclusive(), "{factor}: {:?}", found.doubts);
+    }
+}
+
+#[test]
+fn samples_too_far_apart_are_reported() {
+    let found = changed(&Script::default(), |_, k, sample| {
+        (k % 1000 == 0).then_some(sample)
+    });
+    let is_said =
+        |doubt: &Doubt| matches!(doubt, Doubt::Sparse { period } if (period - 1.0).abs() < 0.01);
+    assert!(found.doubts.iter().any(is_said), "{:?}", found.doubts);
+    assert!(!found.is_conclusive());
+}
