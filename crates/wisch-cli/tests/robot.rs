@@ -46,11 +46,11 @@ fn the_shipped_robots_are_fine() {
 #[test]
 fn packages_are_resolved_where_they_are_named() {
     let folder = folder_with(ARM);
-    let (code, out, err) = check(folder.path(), &["arm.urdf"]);
-    assert_eq!(code, 2);
+    let (code, out, _) = check(folder.path(), &["arm.urdf"]);
+    assert_eq!(code, 1);
     assert_eq!(out.matches("add --package rods=DIR").count(), 1, "{out}");
+    assert!(out.contains("not checked for collisions"), "{out}");
     assert!(!out.contains("note "), "{out}");
-    assert!(err.contains("the robot cannot be loaded: 1 error"), "{err}");
 
     let meshes = folder.path().join("elsewhere");
     fs::create_dir(&meshes).expect("made");
@@ -109,12 +109,10 @@ fn packages_are_found_above_the_urdf_and_by_the_task() {
         task.replace("name = \"arm7\"", "urdf = \"arm.urdf\""),
     )
     .expect("written");
-    let (code, out, err) = wisch(folder.path(), &["check", "bare.toml"]);
-    assert_eq!(code, 2, "{out}");
-    assert!(
-        err.contains("the package rods is unknown; add --package rods=DIR"),
-        "{err}"
-    );
+    let (_, _, err) = wisch(folder.path(), &["check", "bare.toml"]);
+    let told = "collision meshes of rod cannot be read, and are not checked for collisions: \
+                mesh \"package:///rods/rod.stl\": the package rods is unknown; add --package rods=DIR";
+    assert!(err.contains(told), "{err}");
 }
 
 #[test]
@@ -127,14 +125,16 @@ fn an_unknown_package_is_one_line_and_each_mesh_a_finding() {
     let text = ARM.replace(&mesh("rod"), &(mesh("rod") + "\n" + &mesh("end")));
     let folder = folder_with(&text);
     let (code, out, _) = check(folder.path(), &["arm.urdf"]);
-    assert_eq!(code, 2);
+    assert_eq!(code, 1);
     assert_eq!(out.matches("add --package rods=DIR").count(), 1, "{out}");
     assert!(out.contains("link \"rod\": 2 meshes: "), "{out}");
     let both = "(meshes \"package://rods/rod.stl\", \"package://rods/end.stl\")";
     assert!(out.contains(both), "{out}");
     let (_, out, _) = check(folder.path(), &["arm.urdf", "--json"]);
     let record: Value = serde_json::from_str(&out).expect("one JSON object");
-    assert_eq!(record["findings"].as_array().map(Vec::len), Some(2));
+    let findings = record["findings"].as_array().expect("findings");
+    let meshes = findings.iter().filter(|found| found["fault"] == "mesh");
+    assert_eq!(meshes.count(), 2);
 }
 
 #[test]
@@ -214,8 +214,8 @@ fn an_srdf_is_checked_with_its_urdf() {
             "arm.srdf:2:29: robot: unknown link \"rdo\"; nearest: rod",
         ),
         (
-            SRDF.replace("0.5", "1.5"),
-            "arm.srdf:3:49: robot: <joint value=\"1.5\">, expected a position within the joint's limits",
+            SRDF.replace("0.5", "half"),
+            "arm.srdf:3:49: robot: <joint value=\"half\">, expected a number within 1e9",
         ),
     ] {
         let folder = folder_with_srdf(text.as_bytes());

@@ -76,6 +76,7 @@ fn an_arm_in_metres_kilograms_and_radians_raises_no_remark() {
 #[test]
 fn both_checks_report_odd_and_assumed_values_of_a_robot() {
     let nut = "<collision><geometry><mesh filename=\"nut.stl\"/></geometry></collision>";
+    let missing = "<collision><geometry><mesh filename=\"bolt.stl\"/></geometry></collision>";
     let no_ready = READY.replace("\"ready\"", "\"home\"");
     let stale = READY.replace(
         "</robot>",
@@ -102,6 +103,14 @@ fn both_checks_report_odd_and_assumed_values_of_a_robot() {
             },
             READY,
             "probably in grams: multiply masses and inertias by 0.001",
+        ),
+        (
+            Arm {
+                tip: missing,
+                ..ARM
+            },
+            READY,
+            "not checked for collisions",
         ),
         (
             Arm { tip: nut, ..ARM },

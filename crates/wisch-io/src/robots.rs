@@ -1,6 +1,6 @@
 //! Shipped robots, and robots of the user.
 
-use crate::assets::{self, read_beside, read_text};
+use crate::assets::{self, read_text};
 use crate::digest::InputDigest;
 use crate::error::Error;
 use crate::task_file::RobotDescription;
@@ -9,7 +9,7 @@ use std::path::{Path, PathBuf};
 use wisch::robot::{
     ASSUMED_BASE_LIMITS, ASSUMED_DENSITY, ASSUMED_SLIDE_RATES, ASSUMED_TURN_RATES, Appearance,
     CapabilityMap, Diagnostic, DiagnosticKind, HOME_STATE, JointKind, LinkId, READY_STATE,
-    RobotHash, RobotModel, Severity, Srdf, VirtualJoint, urdf_on_base,
+    RobotHash, RobotModel, Severity, Srdf, Subject, VirtualJoint, urdf_on_base,
 };
 use wisch::run::RobotSetup;
 use wisch::source_location::UnknownName;
@@ -87,17 +87,18 @@ impl Robot {
     /// # Ok::<(), wisch_io::Error>(())
     /// ```
     pub fn remarks(&self) -> Vec<String> {
-        let is_told = |found: &&Diagnostic| {
-            let is_unit = matches!(
-                found.kind,
-                DiagnosticKind::Units | DiagnosticKind::MeshScale
-            );
-            is_unit || found.kind == DiagnosticKind::Srdf && found.severity == Severity::Warning
+        let is_told = |found: &&Diagnostic| match found.kind {
+            DiagnosticKind::Units | DiagnosticKind::MeshScale => true,
+            DiagnosticKind::Srdf | DiagnosticKind::JointType | DiagnosticKind::CollisionMissing => {
+                found.severity == Severity::Warning
+            }
+            _ => false,
         };
         let passed_over = self.srdf.iter().flat_map(|srdf| &srdf.passed_over);
         let found = self.model.diagnostics().iter().chain(passed_over);
         let mut remarks: Vec<String> = found.filter(is_told).map(Diagnostic::to_string).collect();
         let model = &self.model;
+        remarks.extend(unread_shapes(model));
         let rates = [
             (JointKind::Revolute, "rad", ASSUMED_TURN_RATES),
             (JointKind::Prismatic, "m", ASSUMED_SLIDE_RATES),
@@ -297,6 +298,32 @@ pub fn shipped_robots() -> impl Iterator<Item = &'static str> {
     })
 }
 
+/// Returns the remark that collision meshes of a robot could not be read; `None` if all could.
+///
+/// ```
+/// # let urdf = concat!(env!("CARGO_MANIFEST_DIR"), "/../../robots/arm7.urdf");
+/// assert_eq!(wisch_io::unread_shapes(&wisch_io::Robot::load(urdf)?.model), None);
+/// # Ok::<(), wisch_io::Error>(())
+/// ```
+pub fn unread_shapes(robot: &RobotModel) -> Option<String> {
+    let is_unread = |found: &&Diagnostic| found.kind == DiagnosticKind::Mesh;
+    let first = robot.diagnostics().iter().find(is_unread)?;
+    let unread = robot.diagnostics().iter().filter(is_unread);
+    let mut links: Vec<&str> = unread
+        .filter_map(|found| match &found.subject {
+            Subject::Link(link) => Some(link.as_str()),
+            _ => None,
+        })
+        .collect();
+    links.dedup();
+    Some(format!(
+        "robot {:?}: collision meshes of {} cannot be read, and are not checked for collisions: {}",
+        robot.name(),
+        links.join(", "),
+        first.value
+    ))
+}
+
 fn built_in(name: &str) -> Result<Robot, Error> {
     let text = |extension: &str| {
         let file = BUILT_IN.get_file(format!("{name}.{extension}"))?;
@@ -382,11 +409,12 @@ pub fn robot_meshes(
     urdf: &Path,
     packages: &[(String, PathBuf)],
 ) -> impl FnMut(&str) -> Result<Vec<u8>, String> {
-    let mut read_beside = read_beside(urdf);
+    let beside = urdf.parent().map(Path::to_path_buf).unwrap_or_default();
     let place = urdf.to_owned();
     move |path| {
         let Some(in_package) = path.strip_prefix("package://") else {
-            return read_beside(path.strip_prefix("file://").unwrap_or(path));
+            let path = path.strip_prefix("file://").unwrap_or(path);
+            return read_mesh(&beside.join(path), "there is no such file");
         };
         // "package:///name/…" is written, too.
         let in_package = in_package.trim_start_matches('/');
@@ -396,8 +424,28 @@ pub fn robot_meshes(
             .map(|(_, folder)| folder.clone())
             .or_else(|| find_package(name, rest, &place))
             .ok_or_else(|| format!("the package {name} is unknown; add --package {name}=DIR"))?;
-        assets::read(&folder.join(rest)).map_err(|error| error.to_string())
+        let is_missing = format!("the folder {} has no such file", folder.display());
+        read_mesh(&folder.join(rest), &is_missing)
     }
+}
+
+/// Reads a mesh. The path of a missing file is not part of the error, so that errors about several meshes are alike.
+fn read_mesh(path: &Path, is_missing: &str) -> Result<Vec<u8>, String> {
+    assets::read(path).map_err(|error| match error {
+        Error::NoSuchFile { nearest, .. } => {
+            match nearest.filter(|name| is_in_other_case(name, path)) {
+                None => is_missing.to_owned(),
+                Some(nearest) => format!("{is_missing}; did you mean {nearest}?"),
+            }
+        }
+        error => error.to_string(),
+    })
+}
+
+/// Whether a file name is that of a path in upper or lower case. Meshes of other links have similar names, too.
+fn is_in_other_case(name: &str, path: &Path) -> bool {
+    let own = path.file_name().and_then(|own| own.to_str());
+    own.is_some_and(|own| own.eq_ignore_ascii_case(name))
 }
 
 /// Finds the folder of a ROS package: in `ROS_PACKAGE_PATH`, in `AMENT_PREFIX_PATH`, or among the folders above a URDF and

@@ -87,7 +87,7 @@ fn every_fault_is_found() {
         (
             r#"lower="-1""#,
             r#"lower="2""#,
-            Error,
+            Warning,
             DiagnosticKind::Limit,
         ),
         (
@@ -100,7 +100,7 @@ fn every_fault_is_found() {
         (
             r#"type="revolute""#,
             r#"type="floating""#,
-            Error,
+            Warning,
             DiagnosticKind::JointType,
         ),
         (
@@ -136,7 +136,7 @@ fn every_fault_is_found() {
         (
             "</joint>",
             r#"<mimic joint="k"/></joint>"#,
-            Error,
+            Warning,
             DiagnosticKind::UnknownName,
         ),
         (
@@ -168,13 +168,13 @@ fn every_fault_is_found() {
         (
             r#"<sphere radius="0.1"/>"#,
             r#"<mesh filename="a.stl"/>"#,
-            Error,
+            Warning,
             DiagnosticKind::Mesh,
         ),
         (
             r#"<sphere radius="0.1"/>"#,
             r#"<mesh filename="package://p/a.stl"/>"#,
-            Error,
+            Warning,
             DiagnosticKind::Mesh,
         ),
         (

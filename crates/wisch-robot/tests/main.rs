@@ -9,4 +9,5 @@ mod setup;
 mod sheets;
 mod srdf;
 mod timing;
+mod tolerated;
 mod tool_meshes;

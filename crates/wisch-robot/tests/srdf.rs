@@ -63,11 +63,6 @@ fn faults_of_an_srdf_are_found_and_placed() {
             "arm.srdf:2:21: group \"arm\": link \"link_0\" is no descendant of link \"tcp\"",
         ),
         (
-            "group=\"arm\"",
-            "group=\"amr\"",
-            "arm.srdf:3:3: unknown group \"amr\"; nearest: arm",
-        ),
-        (
             "joint_1",
             "joint_9",
             "arm.srdf:3:40: unknown variable joint \"joint_9\"; nearest: joint_",
@@ -79,11 +74,6 @@ fn faults_of_an_srdf_are_found_and_placed() {
         ),
         (
             "0.5",
-            "5.0",
-            "arm.srdf:3:40: <joint value=\"5.0\">: expected a position within the joint's limits",
-        ),
-        (
-            "0.5",
             "half",
             "arm.srdf:3:40: <joint value=\"half\">: expected a number",
         ),
@@ -91,16 +81,6 @@ fn faults_of_an_srdf_are_found_and_placed() {
             "0.5",
             "NaN",
             "arm.srdf:3:40: <joint value=\"NaN\">: expected a number",
-        ),
-        (
-            "</group_state>",
-            "<joint name=\"joint_1\" value=\"0\"/></group_state>",
-            "arm.srdf:3:75: joint \"joint_1\" is set twice",
-        ),
-        (
-            "  <disable",
-            "<group name=\"arm\"/>  <disable",
-            "arm.srdf:4:1: group \"arm\" is defined twice",
         ),
     ];
     for (good, bad, expected) in table {
@@ -134,6 +114,12 @@ fn pairs_and_postures_that_harm_no_group_are_passed_over() {
             "arm.srdf:4:1: robot: posture \"folded\": it belongs to no group",
             Severity::Note,
         ),
+        (
+            "  <disable",
+            "<group_state name=\"folded\" group=\"amr\"/>  <disable",
+            "arm.srdf:4:1: robot: posture \"folded\": there is no group \"amr\"",
+            Severity::Note,
+        ),
     ] {
         let text = ARM.replacen(good, bad, 1);
         let srdf = Srdf::parse("arm.srdf", &text, &robot).unwrap();
@@ -148,6 +134,63 @@ fn pairs_and_postures_that_harm_no_group_are_passed_over() {
     // The posture in which the robot waits is read as it is meant, or not at all.
     let ready = ARM.replace("\"home\" group=\"arm\"", "\"ready\" group=\"arm\"");
     Srdf::parse("arm.srdf", &ready.replace("joint_1", "joint_9"), &robot).unwrap_err();
+}
+
+#[test]
+fn what_other_programs_read_is_read_with_a_warning() {
+    let robot = robot("arm7");
+    let second = "<group name=\"hand\"><chain base_link=\"tcp\" tip_link=\"tpc\"/></group>";
+    for (good, bad, expected) in [
+        (
+            "0.5",
+            "5.0",
+            "arm.srdf:3:40: robot: posture \"home\": joint \"joint_1\" is at 5, expected a position from -2.8973 to 2.8973; 2.8973 is used instead",
+        ),
+        (
+            "</group_state>",
+            "<joint name=\"joint_1\" value=\"0\"/></group_state>",
+            "arm.srdf:3:75: robot: posture \"home\": joint \"joint_1\" is set twice",
+        ),
+        (
+            "  <disable",
+            "<group name=\"arm\"/>  <disable",
+            "arm.srdf:4:1: robot: group \"arm\" is defined twice",
+        ),
+        (
+            "  <disable",
+            &format!("{second}  <disable"),
+            "arm.srdf:4:20: robot: unknown link \"tpc\"; nearest: tcp",
+        ),
+        (
+            "  <disable",
+            "<group_state name=\"home\" group=\"arm\"/>  <disable",
+            "arm.srdf:4:1: robot: state \"home\" of group \"arm\" is defined twice",
+        ),
+        (
+            "  <disable",
+            "<!-- a--b -->  <disable",
+            "arm.srdf:4:1: robot: a comment contains two hyphens",
+        ),
+    ] {
+        let text = ARM.replacen(good, bad, 1);
+        let srdf = Srdf::parse("arm.srdf", &text, &robot).unwrap();
+        assert_eq!((srdf.groups.len(), srdf.states.len()), (1, 1), "{bad}");
+        assert_eq!(srdf.states[0].positions.len(), 1, "{bad}");
+        let [found] = &srdf.passed_over[..] else {
+            panic!("{:?}", srdf.passed_over);
+        };
+        assert!(found.to_string().starts_with(expected), "{found}");
+        assert_eq!(found.severity, Severity::Warning);
+    }
+    // Links of pairs that the robot does not have share a warning.
+    let pair = "<disable_collisions link1=\"f_1\" link2=\"f_2\"/>";
+    let text = ARM.replace("</robot>", &format!("{pair}</robot>"));
+    let srdf = Srdf::parse("arm.srdf", &text, &robot).unwrap();
+    assert_eq!(
+        srdf.passed_over[0].value,
+        "2 unknown links: \"f_1\", \"f_2\""
+    );
+    assert_eq!(srdf.passed_over.len(), 1);
 }
 
 #[test]
@@ -167,6 +210,13 @@ fn groups_that_are_no_chains_are_listed_as_not_read() {
             "group \"hand\": not one chain"
         ]
     );
+    let found = Srdf::check("arm.srdf", &text, &robot("arm7"));
+    let notes = found
+        .iter()
+        .filter(|found| found.severity == Severity::Note);
+    let notes: Vec<_> = notes.map(|found| found.value.as_str()).collect();
+    let expected = "2 groups are not one chain each, and are ignored: \"arm\", \"hand\"";
+    assert_eq!(notes, [expected]);
     let message = srdf.group("arm").unwrap_err().to_string();
     assert_eq!(
         message,

@@ -73,9 +73,7 @@ pub fn check_robot(args: &RobotCheckArgs, global: &GlobalArgs) -> Result<Outcome
         (srdf_text.as_ref()).map_or_else(|| text.clone(), |(_, srdf)| urdf_on_base(&text, srdf));
     let name = args.file.display().to_string();
     let mut meshes = robot_meshes(&args.file, &args.packages);
-    let mut findings = check(&name, &text, &mut meshes).map_err(|error| {
-        Failure::new(error).with_help("expand xacro files first: xacro robot.xacro > robot.urdf")
-    })?;
+    let mut findings = check(&name, &text, &mut meshes).map_err(Failure::new)?;
     let robot = if count(&findings, Severity::Error) == 0 {
         let read = RobotModel::from_urdf(&name, &text, &mut meshes);
         Some(read.map_err(Failure::new)?)

@@ -2,6 +2,7 @@
 
 use super::collision::{MAX_MESH_EXTENT, Shape, load};
 use super::diagnostics::Diagnostics;
+use super::repair::Repaired;
 use super::urdf::{MAX_SHAPES, Reader, element, elements};
 use crate::geometry::Pose;
 use crate::source_location::Place;
@@ -54,7 +55,8 @@ impl Appearance {
         robot: &RobotModel,
         meshes: &mut dyn FnMut(&str) -> Result<Vec<u8>, String>,
     ) -> Result<Self, RobotError> {
-        let reader = Reader::new(name, text);
+        let repaired = Repaired::new(text);
+        let reader = Reader::new(name, &repaired.text);
         let document = reader.document()?;
         let root = reader.robot(&document)?;
         let mut report = Diagnostics {

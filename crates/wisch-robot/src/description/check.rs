@@ -1,6 +1,7 @@
 //! Checks of a URDF.
 
 mod limits;
+mod tolerated;
 
 use super::collision::{Collision, load_shapes};
 use super::diagnostics::{Diagnostics, words};
@@ -10,6 +11,7 @@ use crate::source_location::UnknownName;
 use crate::{Diagnostic, DiagnosticKind, RobotError, Severity, Subject};
 use limits::check_limits;
 use std::collections::{BTreeMap, BTreeSet};
+use tolerated::tolerate;
 
 /// Most links between the root and a tip; a deeper URDF is rejected.
 pub const MAX_DEPTH: usize = 200;
@@ -62,14 +64,14 @@ impl Checked {
         let mut report = Diagnostics {
             file: name,
             text,
-            diagnostics: Vec::new(),
+            diagnostics: std::mem::take(&mut urdf.findings),
         };
+        tolerate(&mut urdf, &mut report);
         names(&urdf, &mut report);
         tree(&urdf, &mut report);
         for joint in &urdf.joints {
             check_joint(joint, &urdf, &mut report);
         }
-        drop_mimics_of_fixed(&mut urdf, &mut report);
         mimics(&urdf, &mut report);
         inertias(&urdf, &mut report);
         let reach = units::reach(&urdf);
@@ -228,14 +230,6 @@ fn check_joint(j: &UrdfJoint, urdf: &Urdf, report: &mut Diagnostics) {
         "fixed" => return,
         // A planar joint that could not be split has no axis.
         "revolute" | "continuous" | "prismatic" | "planar" => {}
-        "floating" => {
-            let w = words(
-                format!("type {:?}", j.kind),
-                "fixed, revolute, continuous, prismatic or planar",
-                "write it as prismatic x, prismatic y, continuous yaw (and so on), one after the other",
-            );
-            return report.error(DiagnosticKind::JointType, subject(), j.at, w);
-        }
         other => {
             let known = ["fixed", "revolute", "continuous", "prismatic", "planar"];
             let unknown = UnknownName::new("joint type", other, known);
@@ -258,34 +252,6 @@ fn check_joint(j: &UrdfJoint, urdf: &Urdf, report: &mut Diagnostics) {
     }
     let follows = urdf.mimics.iter().any(|m| m.joint == j.name);
     check_limits(j, follows, report);
-}
-
-/// Drops the `<mimic>` of fixed joints, which has no effect; some robots keep it from a version in which the joint
-/// moved.
-fn drop_mimics_of_fixed(urdf: &mut Urdf, report: &mut Diagnostics) {
-    let kinds = urdf.joints.iter().map(|j| (&j.name, &j.kind));
-    let fixed: BTreeSet<&String> = kinds
-        .filter(|(_, kind)| *kind == "fixed")
-        .map(|(name, _)| name)
-        .collect();
-    urdf.mimics.retain(|m| {
-        let is_fixed = fixed.contains(&m.joint);
-        if is_fixed {
-            let w = words(
-                "it is fixed and has a <mimic>, which is ignored",
-                "a joint that moves",
-                "remove the mimic",
-            );
-            report.add(
-                Severity::Note,
-                DiagnosticKind::Mimic,
-                joint(&m.joint),
-                m.at,
-                w,
-            );
-        }
-        !is_fixed
-    });
 }
 
 /// Checks joints that follow others: those must exist, move, and not follow back.

@@ -136,12 +136,26 @@ pub(crate) fn load_shapes(
                 w,
             );
         }
+        let known = report.diagnostics.len();
         let shapes = link
             .shapes
             .iter()
             .filter_map(|shape| load(&link.name, shape, reach, meshes, report))
             .collect();
+        let added = report.diagnostics[known..].iter_mut();
+        for unread in added.filter(|found| found.kind == DiagnosticKind::Mesh) {
+            unread.advice += "; until then this shape is not checked for collisions";
+        }
         all.push(with_capsules(shapes));
+    }
+    if !nothing && all.iter().all(Vec::is_empty) {
+        let w = words(
+            "none of the collision shapes can be used",
+            "<collision> on the links that can touch something",
+            "correct them: without them no collision is detected",
+        );
+        let kind = DiagnosticKind::CollisionMissing;
+        report.add(Severity::Warning, kind, Subject::Robot, 0, w);
     }
     all
 }
@@ -186,13 +200,16 @@ pub(super) fn load(
             let mesh = match read_mesh(file, *scale, meshes) {
                 Ok(mesh) => mesh,
                 Err(problem) => {
+                    // The reader of meshes names the file too.
+                    let name = format!("mesh {file:?}: ");
+                    let problem = problem.strip_prefix(&name).unwrap_or(&problem);
                     let w = words(
-                        format!("mesh {file:?}: {problem}"),
+                        name.clone() + problem,
                         "a readable STL, OBJ, COLLADA or PLY mesh",
                         "correct the path or the file",
                     );
                     report.add(
-                        Severity::Error,
+                        Severity::Warning,
                         DiagnosticKind::Mesh,
                         subject(),
                         shape.at,

@@ -56,6 +56,8 @@ impl fmt::Display for Subject {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[non_exhaustive]
 pub enum DiagnosticKind {
+    /// The text breaks a rule of XML or of its format, but is unambiguous.
+    Syntax,
     /// Two links or two joints of the same name.
     DuplicateName,
     /// A joint names a link, or a mimic names a joint, that does not exist.
@@ -102,6 +104,7 @@ impl DiagnosticKind {
     /// Name of the kind in reports, such as "mesh-scale".
     pub const fn as_str(self) -> &'static str {
         match self {
+            Self::Syntax => "syntax",
             Self::DuplicateName => "duplicate-name",
             Self::UnknownName => "unknown-name",
             Self::JointType => "joint-type",

@@ -1,5 +1,6 @@
 //! The elements of a URDF as typed.
 
+use crate::Diagnostic;
 use crate::geometry::{Pose, Vector3};
 use nalgebra::Matrix3;
 
@@ -9,6 +10,8 @@ pub(crate) struct Urdf {
     pub joints: Vec<UrdfJoint>,
     /// Mimics of several joints, an extension of URDF.
     pub mimics: Vec<UrdfMimic>,
+    /// What was found while the text was read.
+    pub findings: Vec<Diagnostic>,
 }
 
 pub(crate) struct UrdfLink {

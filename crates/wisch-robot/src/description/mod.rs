@@ -7,7 +7,9 @@ mod diagnostics;
 pub(super) mod elements;
 mod link_axis;
 mod planar;
+mod repair;
 mod srdf;
+mod srdf_state;
 mod srdf_writer;
 mod transforms;
 mod units;
@@ -25,5 +27,6 @@ pub use srdf::{
 };
 pub use srdf_writer::SrdfComments;
 pub use transforms::{JointMimic, JointMotion, JointTransform, joint_transforms};
-pub use urdf::{MAX_LINKS, MAX_SHAPES, MAX_URDF_BYTES};
+pub use urdf::{MAX_LINKS, MAX_SHAPES};
 pub use virtual_joint::{ASSUMED_BASE_LIMITS, VirtualJoint, urdf_on_base};
+pub use xml::MAX_URDF_BYTES;

@@ -2,6 +2,7 @@
 
 use super::diagnostics::{Diagnostics, Words, words};
 use super::link_axis::LinkAxis;
+use super::repair::Repaired;
 use super::urdf::{Reader, elements};
 use super::virtual_joint::{VirtualJoint, virtual_joints};
 use crate::source_location::{Place, UnknownName};
@@ -21,6 +22,8 @@ pub const HOME_STATE: &str = "home";
 
 /// Range of the lean of a hand over its tool [rad]: from upright to flat.
 const MAX_LEAN: std::ops::RangeInclusive<f64> = 0.0..=std::f64::consts::FRAC_PI_2;
+/// Number of unknown links that a warning names.
+const LINKS_SHOWN: usize = 12;
 /// Most groups.
 const MAX_GROUPS: usize = 1000;
 
@@ -173,7 +176,7 @@ impl Srdf {
 
     /// Checks an SRDF, and returns all findings. There is an error for each reason for which [`Srdf::parse`] rejects
     /// the text; an unknown name counts once. There is a warning if the SRDF is that of another robot, and one for
-    /// links of pairs that the robot does not have. Each ignored group or posture gets a note. `name` identifies the
+    /// links of pairs that the robot does not have. One note names the ignored groups, and each ignored posture gets a note. `name` identifies the
     /// text in messages.
     ///
     /// ```
@@ -218,17 +221,7 @@ impl Srdf {
             report.add(Severity::Warning, DiagnosticKind::Srdf, subject, at, w);
         }
         report.diagnostics.extend(srdf.passed_over);
-        for IgnoredElement { at, what } in srdf.ignored {
-            report.diagnostics.push(Diagnostic {
-                severity: Severity::Note,
-                at,
-                subject: Subject::Robot,
-                kind: DiagnosticKind::Srdf,
-                value: format!("{what}: it is ignored"),
-                limit: "a group that is a single chain, if it is to wipe".to_owned(),
-                advice: "fine if it is for other programs or for postures only".to_owned(),
-            });
-        }
+        report.diagnostics.extend(ignored_groups(&srdf.ignored));
         report.diagnostics.sort_by_key(|f| (f.at.line, f.at.column));
         report.diagnostics
     }
@@ -242,7 +235,8 @@ impl Srdf {
         text: &str,
         robot: &RobotModel,
     ) -> Result<(Self, Vec<RobotError>), RobotError> {
-        let reader = Reader::new(name, text);
+        let repaired = Repaired::new(text);
+        let reader = Reader::new(name, &repaired.text);
         let document = reader.document()?;
         let root = reader.robot(&document)?;
         let mut srdf = Self {
@@ -265,41 +259,40 @@ impl Srdf {
             }
         }
         srdf.groups.append(&mut of_joints);
+        // MoveIt ignores such groups too. If none is left, the SRDF is that of another robot.
+        if !srdf.groups.is_empty() {
+            let ignored = faults.extract_if(.., |fault| fault.parts("").0.is_some());
+            srdf.passed_over
+                .extend(ignored.map(|fault| ignored_group(&fault)));
+        }
         for (node, joint) in virtual_joints(&document) {
             srdf.passed_over
                 .extend(not_driven(&reader, node, &joint, robot));
             srdf.virtual_joints.push(joint);
         }
-        let mut states = BTreeSet::new();
-        for node in elements(root, "group_state") {
-            if let Some(why) = srdf.why_no_posture(node, robot) {
-                let name = node.attribute("name").unwrap_or_default();
-                let w = words(
-                    format!("posture {name:?}: {why}"),
-                    "joints that move, of a group",
-                    "fine if it is for other programs: it is ignored here",
-                );
-                let found = finding(Severity::Note, reader.place(node), w);
-                srdf.passed_over.push(found);
-                continue;
-            }
-            match reader.state(node, &groups, robot) {
-                Ok(state) if states.insert((state.group.clone(), state.name.clone())) => {
-                    srdf.states.push(state);
-                }
-                Ok(GroupState { name, group, .. }) => {
-                    let problem = format!("state {name:?} of group {group:?} is defined twice");
-                    faults.push(reader.fault(node, problem));
-                }
-                Err(fault) => faults.push(fault),
-            }
-        }
+        faults.extend(srdf.read_states(&reader, root, &groups, robot));
         faults.extend(srdf.read_extensions(&reader, root, robot));
-        let mut stale = BTreeSet::new();
+        faults.extend(srdf.read_pairs(&reader, root, &faults, robot));
+        srdf.passed_over.extend(repaired.findings(name));
+        Ok((srdf, faults))
+    }
+
+    /// Reads the pairs of links that are not checked, and returns their faults, except for links that the robot does not
+    /// have: one warning names those that no earlier fault names.
+    fn read_pairs(
+        &mut self,
+        reader: &Reader,
+        root: Node,
+        earlier: &[RobotError],
+        robot: &RobotModel,
+    ) -> Vec<RobotError> {
+        let mut faults = Vec::new();
+        let mut stale: Vec<(Place, Box<UnknownName>)> = Vec::new();
+        let mut seen: BTreeSet<String> = earlier.iter().filter_map(unknown_name).collect();
         for node in elements(root, "disable_collisions") {
             let link = |attribute| reader.link_of(node, attribute, robot);
             match (link("link1"), link("link2")) {
-                (Ok(a), Ok(b)) => srdf.disabled.push(DisabledPair {
+                (Ok(a), Ok(b)) => self.disabled.push(DisabledPair {
                     a,
                     b,
                     reason: node.attribute("reason").unwrap_or_default().to_owned(),
@@ -308,16 +301,8 @@ impl Srdf {
                     for fault in a.err().into_iter().chain(b.err()) {
                         match fault {
                             RobotError::UnknownAt { at, unknown } => {
-                                let is_same = |fault: &RobotError| matches!(fault, RobotError::UnknownAt { unknown: known, .. } if known.name == unknown.name);
-                                let is_reported = faults.iter().any(is_same);
-                                if !is_reported && stale.insert(unknown.name.clone()) {
-                                    let w = words(
-                                        unknown.to_string(),
-                                        format!("a link of robot {:?}", robot.name()),
-                                        "pairs with it are ignored: remove them, or give the SRDF of this robot",
-                                    );
-                                    let found = finding(Severity::Warning, at, w);
-                                    srdf.passed_over.push(found);
+                                if seen.insert(unknown.name.clone()) {
+                                    stale.push((at, unknown));
                                 }
                             }
                             fault => faults.push(fault),
@@ -326,7 +311,8 @@ impl Srdf {
                 }
             }
         }
-        Ok((srdf, faults))
+        self.passed_over.extend(stale_links(&stale, robot));
+        faults
     }
 
     /// Reads the elements that extend the format, and returns their faults.
@@ -375,32 +361,6 @@ impl Srdf {
         let found = self.states.iter().find(|state| state.name == name);
         let known = self.states.iter().map(|state| state.name.as_str());
         found.ok_or_else(|| unknown("group state", name, known))
-    }
-
-    /// Returns why a posture that belongs to no wiping group is ignored; `None` if it must be read. A wrong joint name
-    /// in a chain's posture or in the ready one remains an error, as the robot would start in another posture.
-    fn why_no_posture(&self, node: Node, robot: &RobotModel) -> Option<String> {
-        let name = node.attribute("name").map_or("", str::trim);
-        let group = node.attribute("group").map_or("", str::trim);
-        if name.starts_with(READY_STATE) {
-            return None;
-        }
-        if group.is_empty() {
-            return Some("it belongs to no group".to_owned());
-        }
-        if self.groups.iter().any(|known| known.name == group) {
-            return None;
-        }
-        elements(node, "joint").find_map(|joint| {
-            let name = joint.attribute("name")?.trim();
-            match robot.joint(name) {
-                Ok(id) if robot.joints()[id.index()].kind == JointKind::Fixed => {
-                    Some(format!("joint {name:?} is fixed"))
-                }
-                Ok(_) => None,
-                Err(_) => Some(format!("the robot has no joint {name:?}")),
-            }
-        })
     }
 
     fn ignore(&mut self, reader: &Reader, node: Node, what: String) {
@@ -473,8 +433,73 @@ fn not_driven(
     Some(finding(severity, reader.place(node), w))
 }
 
+/// Returns the warning about a group that the robot cannot have.
+fn ignored_group(fault: &RobotError) -> Diagnostic {
+    let (at, value, limit) = fault.parts("a group of this robot");
+    let at = at.cloned().unwrap_or_else(|| Place::from_offset("", "", 0));
+    let advice = "the group is ignored: correct it, or give the SRDF of this robot";
+    finding(Severity::Warning, at, words(value, limit, advice))
+}
+
+/// Returns the note about the groups that are ignored.
+fn ignored_groups(ignored: &[IgnoredElement]) -> Option<Diagnostic> {
+    let first = ignored.first()?;
+    let value = match ignored.len() {
+        1 => format!("{}: it is ignored", first.what),
+        count => {
+            let names = ignored
+                .iter()
+                .filter_map(|group| group.what.split('"').nth(1));
+            let names: Vec<String> = names.map(|name| format!("{name:?}")).collect();
+            format!(
+                "{count} groups are not one chain each, and are ignored: {}",
+                names.join(", ")
+            )
+        }
+    };
+    let limit = "a group that is a single chain, if it is to wipe";
+    let advice = "fine if it is for other programs or for postures only";
+    let found = finding(
+        Severity::Note,
+        first.at.clone(),
+        words(value, limit, advice),
+    );
+    Some(found)
+}
+
+/// Returns the name that an error does not know.
+fn unknown_name(fault: &RobotError) -> Option<String> {
+    match fault {
+        RobotError::UnknownAt { unknown, .. } => Some(unknown.name.clone()),
+        _ => None,
+    }
+}
+
+/// Returns the warning about links of pairs that the robot does not have.
+fn stale_links(stale: &[(Place, Box<UnknownName>)], robot: &RobotModel) -> Option<Diagnostic> {
+    let (at, first) = stale.first()?;
+    let value = match stale.len() {
+        1 => first.to_string(),
+        count => {
+            let shown = stale.iter().take(LINKS_SHOWN);
+            let names: Vec<String> = shown.map(|(_, link)| format!("{:?}", link.name)).collect();
+            let more = match count.saturating_sub(LINKS_SHOWN) {
+                0 => String::new(),
+                more => format!(" and {more} more"),
+            };
+            format!("{count} unknown links: {}{more}", names.join(", "))
+        }
+    };
+    let w = words(
+        value,
+        format!("links of robot {:?}", robot.name()),
+        "pairs with them are ignored: remove them, or give the SRDF of this robot",
+    );
+    Some(finding(Severity::Warning, at.clone(), w))
+}
+
 /// Returns a diagnostic of an SRDF that is not an error.
-fn finding(severity: Severity, at: Place, words: Words) -> Diagnostic {
+pub(super) fn finding(severity: Severity, at: Place, words: Words) -> Diagnostic {
     Diagnostic {
         severity,
         at,
@@ -553,7 +578,7 @@ impl RobotModel {
 }
 
 impl Reader<'_> {
-    fn unknown_at<'n>(
+    pub(super) fn unknown_at<'n>(
         &self,
         node: Node,
         kind: &'static str,
@@ -571,43 +596,6 @@ impl Reader<'_> {
         robot.joint(&name).map_err(|_| {
             let known = robot.joints().iter().map(|joint| joint.name.as_str());
             self.unknown_at(node, "joint", &name, known)
-        })
-    }
-
-    fn state(
-        &self,
-        node: Node,
-        groups: &BTreeSet<String>,
-        robot: &RobotModel,
-    ) -> Result<GroupState, RobotError> {
-        let name = self.name(node, "name")?;
-        let group = self.name(node, "group")?;
-        if !groups.contains(&group) {
-            let known = groups.iter().map(String::as_str);
-            return Err(self.unknown_at(node, "group", &group, known));
-        }
-        let mut positions: Vec<(usize, f64)> = Vec::new();
-        for joint in elements(node, "joint") {
-            let joint_name = self.name(joint, "name")?;
-            let position = self.require(joint, "value")?;
-            let Some(variable) = self.variable_of(joint, &joint_name, robot)? else {
-                continue;
-            };
-            if positions.iter().any(|&(known, _)| known == variable) {
-                let problem = format!("joint {joint_name:?} is set twice");
-                return Err(self.fault(joint, problem));
-            }
-            let limits = robot.variable(variable).limits.position;
-            if limits.is_some_and(|l| position < l.lower || position > l.upper) {
-                let expected = "a position within the joint's limits";
-                return Err(self.attribute_fault(joint, "value", expected));
-            }
-            positions.push((variable, position));
-        }
-        Ok(GroupState {
-            name,
-            group,
-            positions,
         })
     }
 
@@ -641,24 +629,5 @@ impl Reader<'_> {
             let known = robot.links().iter().map(|link| link.name.as_str());
             self.unknown_at(node, "link", &name, known)
         })
-    }
-
-    /// Returns the variable of a joint; `None` if it follows others.
-    fn variable_of(
-        &self,
-        node: Node,
-        name: &str,
-        robot: &RobotModel,
-    ) -> Result<Option<usize>, RobotError> {
-        let joint = robot.joint(name).ok();
-        if let Some(id) = joint {
-            let variable = robot.variables().iter().position(|known| *known == id);
-            let follows = !robot.joints()[id.index()].drive.terms.is_empty();
-            if variable.is_some() || follows {
-                return Ok(variable);
-            }
-        }
-        let variables = (0..robot.dof()).map(|i| robot.variable(i).name.as_str());
-        Err(self.unknown_at(node, "variable joint", name, variables))
     }
 }

@@ -17,26 +17,44 @@
 //!
 //! The limits of such a joint apply to the sum, which expresses coupled limits.
 
+use super::diagnostics::{Words, words};
 use super::elements::{
     Urdf, UrdfGeometry, UrdfInertial, UrdfJoint, UrdfLimit, UrdfLink, UrdfMimic, UrdfShape,
 };
 use super::planar;
-use crate::RobotError;
+use super::repair::Repaired;
+use super::xml::{MAX_URDF_BYTES, parsing_options};
 use crate::geometry::{MAX_ATTRIBUTES, Pose, Vector3, most_attributes};
 use crate::source_location::Place;
+use crate::{Diagnostic, DiagnosticKind, RobotError, Severity, Subject};
 use nalgebra::{Matrix3, Translation3, UnitQuaternion};
-use roxmltree::{Document, Node, ParsingOptions};
+use roxmltree::{Document, Node};
+use std::cell::RefCell;
+use std::collections::BTreeSet;
 
-/// Length of the longest text \[bytes\].
-pub const MAX_URDF_BYTES: usize = 8 << 20;
 /// Largest number of links of a robot.
 pub const MAX_LINKS: usize = 1000;
 /// Most collision shapes of a robot.
 pub const MAX_SHAPES: usize = 10_000;
-/// Most nodes (elements, texts, comments) of the XML; limits the memory that a small file can demand.
-const MAX_NODES: u32 = 500_000;
+/// Most elements that deviate from the format.
+const MAX_DEVIATIONS: usize = 1000;
 /// Most terms of all followers.
 const MAX_TERMS: usize = 10_000;
+/// Elements of shapes; `<capsule>` is an extension.
+const SHAPES: [&str; 5] = ["box", "cylinder", "capsule", "sphere", "mesh"];
+/// Elements of xacro that only its sources have.
+const XACRO_SOURCE: [&str; 8] = [
+    "include",
+    "macro",
+    "property",
+    "arg",
+    "if",
+    "unless",
+    "insert_block",
+    "call",
+];
+/// Start of the names of xacro's elements in a text that does not declare its prefix, after the repair.
+const UNDECLARED_XACRO: &str = "xacro_";
 /// Largest absolute number, in any unit.
 const MAX_NUMBER: f64 = 1e9;
 
@@ -44,11 +62,20 @@ const MAX_NUMBER: f64 = 1e9;
 pub(crate) struct Reader<'a> {
     file: &'a str,
     text: &'a str,
+    /// Deviations from the format that leave no doubt.
+    findings: RefCell<Vec<Diagnostic>>,
 }
 
 impl Urdf {
     pub fn read(file: &str, text: &str) -> Result<Self, RobotError> {
-        let reader = Reader { file, text };
+        let repaired = Repaired::new(text);
+        let mut urdf = Self::read_xml(file, &repaired.text)?;
+        urdf.findings.extend(repaired.findings(file));
+        Ok(urdf)
+    }
+
+    fn read_xml(file: &str, text: &str) -> Result<Self, RobotError> {
+        let reader = Reader::new(file, text);
         let document = reader.document()?;
         let root = reader.robot(&document)?;
         let too_large = |what, value, limit| reader.too_large(what, value, limit);
@@ -57,8 +84,9 @@ impl Urdf {
             links: Vec::new(),
             joints: Vec::new(),
             mimics: Vec::new(),
+            findings: Vec::new(),
         };
-        reader.refuse_xacro(root)?;
+        reader.check_xacro(root)?;
         for node in root.children().filter(Node::is_element) {
             match node.tag_name().name() {
                 "link" => urdf.links.push(reader.link(node)?),
@@ -97,6 +125,12 @@ impl Urdf {
         if urdf.links.is_empty() {
             return Err(reader.fault(root, "there is no <link>".to_owned()));
         }
+        let deviations = reader.findings.borrow().len();
+        if deviations > MAX_DEVIATIONS {
+            let what = "elements that deviate from the format";
+            return Err(reader.too_large(what, deviations, MAX_DEVIATIONS));
+        }
+        urdf.findings = reader.findings.into_inner();
         Ok(urdf)
     }
 }
@@ -115,7 +149,28 @@ pub(crate) fn element<'a, 'i>(node: Node<'a, 'i>, name: &'static str) -> Option<
 
 impl<'a> Reader<'a> {
     pub fn new(file: &'a str, text: &'a str) -> Self {
-        Self { file, text }
+        Self {
+            file,
+            text,
+            findings: RefCell::default(),
+        }
+    }
+
+    /// Keeps a warning about an element that deviates from the format, up to the limit.
+    pub fn warn(&self, node: Node, subject: Subject, words: Words) {
+        let mut findings = self.findings.borrow_mut();
+        if findings.len() > MAX_DEVIATIONS {
+            return;
+        }
+        findings.push(Diagnostic {
+            severity: Severity::Warning,
+            at: self.place(node),
+            subject,
+            kind: DiagnosticKind::Syntax,
+            value: words.value,
+            limit: words.limit,
+            advice: words.advice,
+        });
     }
 
     /// Parses the XML, within the limits.
@@ -128,11 +183,7 @@ impl<'a> Reader<'a> {
             let what = "attributes of an element";
             return Err(self.too_large(what, attributes, MAX_ATTRIBUTES));
         }
-        let options = ParsingOptions {
-            nodes_limit: MAX_NODES,
-            ..ParsingOptions::default()
-        };
-        Document::parse_with_options(self.text, options).map_err(|error| {
+        Document::parse_with_options(self.text, parsing_options()).map_err(|error| {
             let at = Place {
                 file: self.file.to_owned(),
                 line: error.pos().row as usize,
@@ -157,23 +208,43 @@ impl<'a> Reader<'a> {
         Err(self.fault(root, problem))
     }
 
+    /// Warns of elements that xacro has left in a URDF, each name once.
+    ///
     /// # Errors
-    /// If the text has an element that xacro would expand.
-    fn refuse_xacro(&self, root: Node) -> Result<(), RobotError> {
+    /// If the text is a source of xacro: it defines or includes something, or has no link.
+    fn check_xacro(&self, root: Node) -> Result<(), RobotError> {
         let is_xacro = |node: &Node| {
             let namespace = node.tag_name().namespace();
-            namespace.is_some_and(|namespace| namespace.contains("xacro"))
+            let is_named = node.tag_name().name().starts_with(UNDECLARED_XACRO);
+            is_named || namespace.is_some_and(|namespace| namespace.contains("xacro"))
         };
-        match root.descendants().filter(Node::is_element).find(is_xacro) {
-            Some(node) => {
-                let name = node.tag_name().name();
-                let problem = format!(
-                    "<xacro:{name}> is not expanded; expected plain URDF: xacro robot.xacro > robot.urdf expands it"
-                );
-                Err(self.fault(node, problem))
+        let has_links = element(root, "link").is_some();
+        let mut known = BTreeSet::new();
+        for node in root.descendants().filter(Node::is_element).filter(is_xacro) {
+            let name = node.tag_name().name();
+            let name = name.strip_prefix(UNDECLARED_XACRO).unwrap_or(name);
+            if XACRO_SOURCE.contains(&name) || !has_links {
+                return Err(self.not_expanded(node, &format!("<xacro:{name}>")));
             }
-            None => Ok(()),
+            if known.insert(name) {
+                let w = words(
+                    format!("<xacro:{name}> is not expanded"),
+                    "plain URDF",
+                    "it is ignored, as other programs do; expand the source of this file again if it stands for links or joints",
+                );
+                self.warn(node, Subject::Robot, w);
+            }
         }
+        Ok(())
+    }
+
+    /// Returns the error about a text that must be expanded first.
+    fn not_expanded(&self, node: Node, what: &str) -> RobotError {
+        let file = self.file;
+        let problem = format!(
+            "{what} is not expanded; expected plain URDF: make it with `xacrodoc {file} -o robot.urdf` (pip install xacrodoc), or in ROS with `xacro {file} > robot.urdf`"
+        );
+        self.fault(node, problem)
     }
 
     pub fn too_large(&self, what: &'static str, value: usize, limit: usize) -> RobotError {
@@ -228,8 +299,13 @@ impl<'a> Reader<'a> {
         let Some(text) = node.attribute(attribute) else {
             return Ok(None);
         };
+        if text.contains("${") || text.contains("$(") {
+            let element = node.tag_name().name();
+            return Err(self.not_expanded(node, &format!("<{element} {attribute}={text:?}>")));
+        }
         let mut numbers = [0.0; N];
-        let mut words = text.split_ascii_whitespace();
+        let is_separator = |c: char| c.is_ascii_whitespace() || c == ',';
+        let mut words = text.split(is_separator).filter(|word| !word.is_empty());
         for number in &mut numbers {
             *number = words
                 .next()
@@ -238,8 +314,23 @@ impl<'a> Reader<'a> {
                 .ok_or_else(|| self.attribute_fault(node, attribute, expected(N)))?;
         }
         match words.next() {
-            None => Ok(Some(numbers)),
+            None => {
+                self.warn_of_commas(node, attribute, text);
+                Ok(Some(numbers))
+            }
             Some(_) => Err(self.attribute_fault(node, attribute, expected(N))),
+        }
+    }
+
+    fn warn_of_commas(&self, node: Node, attribute: &str, text: &str) {
+        if text.contains(',') {
+            let element = node.tag_name().name();
+            let w = words(
+                format!("<{element} {attribute}={text:?}> has commas"),
+                "spaces between the numbers",
+                "the commas are read as spaces; remove them for other programs",
+            );
+            self.warn(node, Subject::Robot, w);
         }
     }
 
@@ -297,7 +388,17 @@ impl<'a> Reader<'a> {
             shapes: Vec::new(),
         };
         for collision in elements(node, "collision") {
-            link.shapes.push(self.shape(collision)?);
+            match self.geometry(collision) {
+                Ok(geometry) => link.shapes.push(self.shape_of(collision, geometry)?),
+                Err(problem) => {
+                    let w = words(
+                        problem,
+                        "<geometry> with a box, cylinder, capsule, sphere or mesh",
+                        "the element is ignored: what it stands for is not checked for collisions",
+                    );
+                    self.warn(collision, Subject::Link(link.name.clone()), w);
+                }
+            }
         }
         Ok(link)
     }
@@ -322,14 +423,27 @@ impl<'a> Reader<'a> {
         })
     }
 
-    /// Reads the shape of a `<collision>` or a `<visual>`.
+    /// Reads the shape of a `<visual>`.
     pub fn shape(&self, node: Node) -> Result<UrdfShape, RobotError> {
+        let geometry = self.geometry(node);
+        self.shape_of(node, geometry.map_err(|problem| self.fault(node, problem))?)
+    }
+
+    /// Returns the element of a known shape in a `<collision>` or a `<visual>`.
+    fn geometry<'n, 'i>(&self, node: Node<'n, 'i>) -> Result<Node<'n, 'i>, String> {
         let geometry = element(node, "geometry")
             .and_then(|geometry| geometry.children().find(Node::is_element))
-            .ok_or_else(|| {
-                let element = node.tag_name().name();
-                self.fault(node, format!("<{element}> has no <geometry>"))
-            })?;
+            .ok_or_else(|| format!("<{}> has no <geometry>", node.tag_name().name()))?;
+        match geometry.tag_name().name() {
+            known if SHAPES.contains(&known) => Ok(geometry),
+            other => Err(format!(
+                "unknown shape <{other}>; known: {}",
+                SHAPES.join(", ")
+            )),
+        }
+    }
+
+    fn shape_of(&self, node: Node, geometry: Node) -> Result<UrdfShape, RobotError> {
         let shape = match geometry.tag_name().name() {
             "box" => {
                 let [x, y, z] = self
@@ -349,17 +463,13 @@ impl<'a> Reader<'a> {
                 length: self.size(geometry, "length")?,
             },
             "sphere" => UrdfGeometry::Sphere(self.size(geometry, "radius")?),
-            "mesh" => {
+            // A mesh.
+            _ => {
                 let [x, y, z] = self.numbers(geometry, "scale")?.unwrap_or([1.0; 3]);
                 UrdfGeometry::Mesh {
                     file: self.name(geometry, "filename")?,
                     scale: Vector3::new(x, y, z),
                 }
-            }
-            other => {
-                let problem =
-                    format!("unknown shape <{other}>; known: box, cylinder, capsule, sphere, mesh");
-                return Err(self.fault(geometry, problem));
             }
         };
         Ok(UrdfShape {
@@ -375,7 +485,10 @@ impl<'a> Reader<'a> {
             Some(end) => self.name(end, "link"),
             None => Err(self.fault(node, format!("joint {name:?} has no <{tag}>"))),
         };
-        let axis = match element(node, "axis") {
+        let kind = self.name(node, "type")?;
+        // Where there is no motion, urdfdom reads no axis either.
+        let axis = element(node, "axis").filter(|_| !matches!(kind.as_str(), "fixed" | "floating"));
+        let axis = match axis {
             Some(axis) => self
                 .numbers(axis, "xyz")?
                 .ok_or_else(|| self.attribute_fault(axis, "xyz", expected(3)))?,
@@ -400,7 +513,6 @@ impl<'a> Reader<'a> {
             })
         };
         let mimic = element(node, "mimic").map(mimic).transpose()?;
-        let kind = self.name(node, "type")?;
         let mut limit = element(node, "limit").map(limit).transpose()?;
         let soft_limits = match (&mut limit, element(node, "safety_controller")) {
             (Some(limit), Some(soft)) if matches!(kind.as_str(), "revolute" | "prismatic") => {

@@ -1,5 +1,6 @@
 //! The virtual joint of an SRDF, which joins the root of a robot to the world. A planar one is a base that drives.
 
+use super::repair::Repaired;
 use super::urdf::{Reader, elements};
 use super::xml::escape;
 use roxmltree::{Document, Node};
@@ -54,7 +55,8 @@ impl VirtualJoint {
     /// # Ok::<(), wisch_robot::RobotError>(())
     /// ```
     pub fn carry(&self, urdf: &str) -> Option<String> {
-        let document = Reader::new("", urdf).document().ok()?;
+        let repaired = Repaired::new(urdf);
+        let document = Reader::new("", &repaired.text).document().ok()?;
         let root = document.root_element();
         let parents = elements(root, "joint").filter_map(|joint| {
             let child = elements(joint, "child").next()?;
@@ -92,7 +94,9 @@ impl VirtualJoint {
 /// assert_eq!(wisch_robot::urdf_on_base(urdf, &srdf.replace("planar", "fixed")), urdf);
 /// ```
 pub fn urdf_on_base(urdf: &str, srdf: &str) -> String {
-    let carried = Reader::new("", srdf).document().ok().and_then(|document| {
+    let repaired = Repaired::new(srdf);
+    let document = Reader::new("", &repaired.text).document();
+    let carried = document.ok().and_then(|document| {
         let joints = virtual_joints(&document);
         joints.into_iter().find_map(|(_, joint)| joint.carry(urdf))
     });

@@ -1,6 +1,20 @@
-//! Text of XML attributes.
+//! Limits within which XML is parsed, and text of its attributes.
 
+use roxmltree::ParsingOptions;
 use std::fmt::Write;
+
+/// Length of the longest text \[bytes\].
+pub const MAX_URDF_BYTES: usize = 8 << 20;
+/// Most nodes (elements, texts, comments) of the XML; limits the memory that a small file can demand.
+const MAX_NODES: u32 = 500_000;
+
+/// Returns the limits within which XML is parsed.
+pub(super) fn parsing_options<'a>() -> ParsingOptions<'a> {
+    ParsingOptions {
+        nodes_limit: MAX_NODES,
+        ..ParsingOptions::default()
+    }
+}
 
 /// Returns a text as the value of an attribute in double quotes.
 pub(super) fn escape(value: &str) -> String {

@@ -6,13 +6,13 @@ mod text;
 use crate::args::{GlobalArgs, RobotSetupArgs};
 use crate::failure::Failure;
 use crate::progress::Progress;
-use crate::terminal::{Outcome, print};
+use crate::terminal::{Outcome, print, remark};
 use proposal::{Proposal, is_mobile, propose};
 use std::path::{Path, PathBuf};
 use text::{FailedRecord, SetupRecord, comments, describe, group_lines, next_steps, tip_note};
 use wisch::robot::setup::{ArmChain, SetupConfig, SetupError, SetupStage, find_arms};
 use wisch::robot::{LinkId, RobotModel, VirtualJoint};
-use wisch_io::{Error, LoadOptions, OutputFile, load_task, read_text, robot_meshes};
+use wisch_io::{Error, LoadOptions, OutputFile, load_task, read_text, robot_meshes, unread_shapes};
 
 /// Extension of the file.
 const EXTENSION: &str = "srdf";
@@ -69,6 +69,11 @@ pub fn set_up(args: &RobotSetupArgs, global: &GlobalArgs) -> Result<Outcome, Fai
     refuse_existing(&out, args.force)?;
     file.finish(text.as_bytes())?;
     drop(progress);
+    if let Some(unread) = unread_shapes(&robot) {
+        remark(&format!(
+            "{unread}; set the robot up again when they can be read"
+        ));
+    }
     tell(args, global, &robot, &proposal, &out)?;
     Ok(Outcome::Done)
 }

@@ -27,7 +27,7 @@ pub(super) fn check_limits(j: &UrdfJoint, follows: bool, report: &mut Diagnostic
     }
 }
 
-/// Checks that a joint has position limits, and that the lower is below the upper.
+/// Checks that a joint has position limits, and that they differ.
 fn check_position_limits(
     j: &UrdfJoint,
     limit: &UrdfLimit,
@@ -36,14 +36,6 @@ fn check_position_limits(
     report: &mut Diagnostics,
 ) {
     match (limit.lower, limit.upper) {
-        (Some(lower), Some(upper)) if lower > upper => {
-            let w = words(
-                format!("lower {lower} {unit} is above upper {upper} {unit}"),
-                "lower <= upper",
-                "swap or correct them",
-            );
-            add_of_joint(report, Severity::Error, DiagnosticKind::Limit, j, w);
-        }
         (Some(lower), Some(upper)) if lower == upper && !follows => {
             let w = words(
                 format!("lower = upper = {lower} {unit}"),
