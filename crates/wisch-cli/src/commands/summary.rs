@@ -109,6 +109,41 @@ fn reach_in_words(summary: &Summary) -> impl Iterator<Item = (&'static str, Stri
     std::iter::once(("out of reach", percent(summary.unreachable_share))).chain(contact)
 }
 
+/// The estimated or predicted performance, and whether the goal is met.
+fn performance_in_words(
+    summary: &Summary,
+    prediction: &PredictionSummary,
+    rounds: &[FinishedRound],
+) -> String {
+    let last = rounds.last().map(|last| &last.round);
+    let goal = last.map(|last| {
+        let target = prediction.target_performance;
+        assess_goal(last.verdict, &last.interpretation, target)
+    });
+    let verdict = match goal {
+        Some(Verdict::UnknowableByTouch) => "unknown, needs a camera",
+        _ => prediction.goal,
+    };
+    let (word, performance) = match &summary.execution {
+        Some(execution) if !execution.is_conclusive => {
+            ("unknown; guessed", execution.final_estimated)
+        }
+        Some(execution) => ("estimated", execution.final_estimated),
+        None => ("predicted", prediction.predicted_performance),
+    };
+    let what = if summary.treatment.is_some() {
+        "points"
+    } else {
+        "particles"
+    };
+    format!(
+        "{word} {} of {} {what} (target {}: {verdict})",
+        percent(performance),
+        summary.particles,
+        percent(prediction.target_performance),
+    )
+}
+
 /// The summary for people. `executor`: name of what executed the motions, if it was not the simulated world.
 pub(super) fn in_words(
     summary: &Summary,
@@ -117,35 +152,9 @@ pub(super) fn in_words(
 ) -> String {
     let mut lines = vec![];
     if let Some(prediction) = &summary.prediction {
-        let last = rounds.last().map(|last| &last.round);
-        let goal = last.map(|last| {
-            let target = prediction.target_performance;
-            assess_goal(last.verdict, &last.interpretation, target)
-        });
-        let verdict = match goal {
-            Some(Verdict::UnknowableByTouch) => "unknown, needs a camera",
-            _ => prediction.goal,
-        };
-        let (word, performance) = match &summary.execution {
-            Some(execution) if !execution.is_conclusive => {
-                ("unknown; guessed", execution.final_estimated)
-            }
-            Some(execution) => ("estimated", execution.final_estimated),
-            None => ("predicted", prediction.predicted_performance),
-        };
         lines.push((
             "performance",
-            format!(
-                "{word} {} of {} {} (target {}: {verdict})",
-                percent(performance),
-                summary.particles,
-                if summary.treatment.is_some() {
-                    "points"
-                } else {
-                    "particles"
-                },
-                percent(prediction.target_performance),
-            ),
+            performance_in_words(summary, prediction, rounds),
         ));
         lines.extend(rounds_in_words(rounds, prediction.target_performance));
         if summary.execution.is_some() {

@@ -15,7 +15,7 @@ const FEW_UNUSABLE: f64 = 0.02;
 const MOST_JUMPS: f64 = 0.05;
 /// Range of the press force over the declared one beyond which the unit of the force must be wrong [1].
 const PLAUSIBLE_FORCE: std::ops::RangeInclusive<f64> = 0.2..=5.0;
-/// Largest drift of the force over its reference with which contact is still told from free motion [1].
+/// Largest drift of the force over its reference with which contact still differs from free motion [1].
 const MOST_DRIFT: f64 = 0.3;
 /// Largest lean of a tool whose underside still faces the surface [rad]; 60°, a cosine of 0.5.
 const MOST_LEAN: f64 = std::f64::consts::FRAC_PI_3;
@@ -314,17 +314,8 @@ impl fmt::Display for Doubt {
                 f,
                 "the log has a sample every {period:.2} s, which is too slow to show contact: record at least 5 samples per second"
             ),
-            Self::ForceDrift { drift, share } => write!(
-                f,
-                "the force of free motion drifts by {drift:.1} N over the log, {:.0} % of the press force: tare the sensor, or correct the force before",
-                100.0 * share
-            ),
-            Self::TooSteep { tilt, searched } => write!(
-                f,
-                "the contacts lie on a plane that is tilted by {:.1}° against the believed surface, beyond the {:.0}° that are searched: check the orientation of the surface",
-                tilt.to_degrees(),
-                searched.to_degrees()
-            ),
+            Self::ForceDrift { drift, share } => write_drift(f, drift, share),
+            Self::TooSteep { tilt, searched } => write_steep(f, tilt, searched),
             Self::ToolLeans { lean } => write_lean(f, lean),
             Self::UnusableWrench { unusable, share } => write_unusable(f, unusable, share),
             Self::HandGuided { share } => write!(
@@ -450,6 +441,25 @@ fn write_incomplete(
         f,
         "the log {}: wiping at that time is not counted",
         parts.join(" and ")
+    )
+}
+
+/// Writes [`Doubt::ForceDrift`].
+fn write_drift(f: &mut fmt::Formatter<'_>, drift: f64, share: f64) -> fmt::Result {
+    write!(
+        f,
+        "the force of free motion drifts by {drift:.1} N over the log, {:.0} % of the press force: tare the sensor, or correct the force before",
+        100.0 * share
+    )
+}
+
+/// Writes [`Doubt::TooSteep`].
+fn write_steep(f: &mut fmt::Formatter<'_>, tilt: f64, searched: f64) -> fmt::Result {
+    write!(
+        f,
+        "the contacts lie on a plane that is tilted by {:.1}° against the believed surface, beyond the {:.0}° that are searched: check the orientation of the surface",
+        tilt.to_degrees(),
+        searched.to_degrees()
     )
 }
 

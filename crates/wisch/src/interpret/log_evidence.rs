@@ -48,7 +48,7 @@ const TRAVEL_IN_GAP: f64 = 0.02;
 /// Longest median time between samples that shows contact [s].
 const LONGEST_PERIOD: f64 = 0.3;
 /// Least drift of the force over its reference that is stated [1].
-const LEAST_DRIFT: f64 = 0.1;
+const LEAST_DRIFT: f64 = 0.2;
 /// Least lean of a tool that is stated [rad]; 30°.
 const LEAST_LEAN: f64 = std::f64::consts::FRAC_PI_6;
 

@@ -21,7 +21,7 @@ const MOST_REGISTERED: usize = 5000;
 const LEAST_SUPPORT: f64 = 0.3;
 /// Least cosine of the angle between tool axis and plane normal at which the underside faces the plane [1].
 const LEAST_FACING: f64 = 0.5;
-/// Steepest plane that is told from contacts on no plane [rad].
+/// Steepest plane that is reported as one [rad].
 const STEEPEST: f64 = 1.0;
 /// Least share of the confident contacts that a plane steeper than those that are searched must hold [1].
 const LEAST_ON_STEEP: f64 = 0.8;

@@ -106,8 +106,12 @@ impl Downsampler {
         &self.pieces
     }
 
-    pub(in crate::interpret) const fn jumps(&self) -> &PoseJumps {
-        &self.jumps
+    /// The jumps so far. A sample after a jump that no further sample confirms counts as left out.
+    pub(in crate::interpret) fn jumps(&self) -> PoseJumps {
+        PoseJumps {
+            left_out: self.jumps.left_out + usize::from(self.jumped.is_some()),
+            ..self.jumps
+        }
     }
 
     /// Adds one sample; a rejected sample changes nothing. A sample that is too far from those before and after it is

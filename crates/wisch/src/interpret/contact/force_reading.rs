@@ -160,6 +160,10 @@ impl ForceReading {
                 && pieces[i].force.z.abs() < 0.5 * config.nominal_force()
         };
         let free: Vec<usize> = (0..pieces.len()).filter(|&i| is_free(i)).collect();
+        // A force that drifts leaves that range.
+        let high: Vec<usize> = (0..pieces.len())
+            .filter(|&i| calm[i] && pieces[i].mean_height > config.free_height_m)
+            .collect();
         let axes = SensorAxes::Surface;
         let known = (free.len() >= MIN_CALM).then(|| bias_and_noise(pieces, &free, axes));
         let (bias, noise) = known.unwrap_or((Vector3::zeros(), f64::INFINITY));
@@ -173,7 +177,7 @@ impl ForceReading {
             is_as_declared: true,
             clock_offset: 0.0,
             has_free_motion: known.is_some(),
-            drift: drift(pieces, &free, axes),
+            drift: drift(pieces, &high, axes),
             lowest: None,
         }
     }

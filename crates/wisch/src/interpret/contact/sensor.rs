@@ -80,6 +80,8 @@ pub(super) fn bias_and_noise(
 /// each step from quarter to quarter must have [1]: a person who pushes gives no steady rise.
 const MIN_QUARTER: usize = 5;
 const LEAST_STEP: f64 = 0.1;
+/// Largest difference of the medians of two quarters over the largest noise and the root of their number of pieces [1].
+const NOISE_OF_MEDIANS: f64 = 2.0;
 
 /// Returns how far the force in free motion drifts from the first to the last piece [N]; 0 if it does not rise steadily.
 pub(super) fn drift(pieces: &[MeasuredPiece], free: &[usize], axes: SensorAxes) -> f64 {
@@ -91,7 +93,13 @@ pub(super) fn drift(pieces: &[MeasuredPiece], free: &[usize], axes: SensorAxes) 
         3 => &free[3 * quarter..],
         _ => &free[k * quarter..(k + 1) * quarter],
     });
-    let at = parts.map(|part| bias_and_noise(pieces, part, axes).0);
+    let found = parts.map(|part| bias_and_noise(pieces, part, axes));
+    let at = found.map(|(force, _)| force);
+    // The medians of noise alone differ by less than this.
+    let noise = found
+        .iter()
+        .fold(0.0, |most: f64, (_, noise)| most.max(*noise));
+    let least = NOISE_OF_MEDIANS * noise / (quarter as f64).sqrt();
     let time = |part: &[usize]| {
         let middle = &pieces[part[part.len() / 2]];
         0.5 * (middle.time[0] + middle.time[1])
@@ -99,7 +107,7 @@ pub(super) fn drift(pieces: &[MeasuredPiece], free: &[usize], axes: SensorAxes) 
     let step = at[3] - at[0];
     let size = step.norm();
     let along = |k: usize| (at[k + 1] - at[k]).dot(&step) / size;
-    if size == 0.0 || (0..3).any(|k| along(k) < LEAST_STEP * size) {
+    if size <= least || (0..3).any(|k| along(k) < LEAST_STEP * size) {
         return 0.0;
     }
     let [first, last] = [time(parts[0]), time(parts[3])];
