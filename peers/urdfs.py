@@ -24,7 +24,6 @@ import os
 import pathlib
 import re
 import resource
-import shutil
 import subprocess
 import tempfile
 import threading
@@ -103,6 +102,8 @@ class Limits:
         """Exit code, or the limit that was exceeded; standard output and errors."""
         def limit():
             resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
+            # Address space is more than memory in use; this keeps the machine alive.
+            resource.setrlimit(resource.RLIMIT_AS, (4 * self.memory, 4 * self.memory))
 
         with tempfile.TemporaryFile() as out, tempfile.TemporaryFile() as errors:
             process = subprocess.Popen([self.program, *arguments], stdout=out, stderr=errors, preexec_fn=limit)
@@ -152,10 +153,10 @@ def check(limits, arguments):
 
 
 def setup(limits, urdf, packages):
-    """Outcome of `wisch robot setup` on a copy of a URDF, whose folders stay where they are."""
-    with tempfile.TemporaryDirectory(dir=urdf.parent) as folder:
-        copy = shutil.copy(urdf, folder)
-        code, out, errors = limits.run(["robot", "setup", "--json", str(copy), *packages])
+    """Outcome of `wisch robot setup`, whose SRDF is written elsewhere."""
+    with tempfile.TemporaryDirectory() as folder:
+        out_file = pathlib.Path(folder) / "robot.srdf"
+        code, out, errors = limits.run(["robot", "setup", "--json", str(urdf), "--out", str(out_file), *packages])
     if code == 0:
         return "written"
     message = next((line for line in errors.splitlines() if line.startswith("error: ")), errors.strip()[-100:])

@@ -10,7 +10,8 @@ const FLOATING: &str = "<robot name=\"arm\"><link name=\"odom\"/><link name=\"ba
 #[test]
 fn a_report_with_an_error_is_one_object() {
     let folder = tempfile::tempdir().unwrap();
-    fs::write(folder.path().join("arm.urdf"), FLOATING).unwrap();
+    let ball = FLOATING.replace("floating", "ball");
+    fs::write(folder.path().join("arm.urdf"), ball).unwrap();
     let (code, out, error) = wisch(folder.path(), &["robot", "check", "arm.urdf", "--json"]);
     assert_eq!(code, 2, "{error}");
     let report: Value = serde_json::from_str(&out).expect("one object");

@@ -52,5 +52,5 @@ pub use records::{
     ShapeRecord, StrokeRecord, Summary, TreatmentSummary, WaypointRecord, WipedRecord,
     planned_path_csv, tcp_path_csv,
 };
-pub use robots::{MAP_EXTENSION, Robot, RobotFiles, robot_meshes, shipped_robots, unread_shapes};
+pub use robots::{MAP_EXTENSION, Robot, RobotFiles, robot_meshes, robot_warnings, shipped_robots};
 pub use task_file::{Intent, ReadFile, RobotDescription, RobotRecord, TaskError, TaskFile};

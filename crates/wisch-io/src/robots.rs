@@ -17,6 +17,9 @@ use wisch::source_location::UnknownName;
 /// The robots folder at the time of the build.
 static BUILT_IN: Dir = include_dir!("$WISCH_SHIPPED/robots");
 
+/// Most warnings about a robot's URDF, and about its SRDF, that are listed one by one.
+const MOST_WARNINGS: usize = 10;
+
 /// Extension of a capability map's file, beside its URDF.
 pub const MAP_EXTENSION: &str = "reach";
 
@@ -79,7 +82,16 @@ impl Robot {
         self.source.as_ref().map(|(path, _)| path.as_path())
     }
 
-    /// Returns remarks on the robot, one sentence each: probable wrong units, SRDF entries of another robot, and assumptions.
+    /// Returns warnings about the robot and its SRDF, one sentence each, as [`robot_warnings`] does.
+    pub fn warnings(&self) -> Vec<String> {
+        let passed_over = self.srdf.iter().flat_map(|srdf| &srdf.passed_over);
+        let of_srdf = passed_over.filter(|found| found.severity == Severity::Warning);
+        let mut warnings = robot_warnings(&self.model);
+        warnings.extend(list_warnings(&self.model, of_srdf));
+        warnings
+    }
+
+    /// Returns remarks on the robot, one sentence each: [`Self::warnings`] and assumptions.
     ///
     /// ```
     /// # let urdf = concat!(env!("CARGO_MANIFEST_DIR"), "/../../robots/arm7.urdf");
@@ -87,18 +99,8 @@ impl Robot {
     /// # Ok::<(), wisch_io::Error>(())
     /// ```
     pub fn remarks(&self) -> Vec<String> {
-        let is_told = |found: &&Diagnostic| match found.kind {
-            DiagnosticKind::Units | DiagnosticKind::MeshScale => true,
-            DiagnosticKind::Srdf | DiagnosticKind::JointType | DiagnosticKind::CollisionMissing => {
-                found.severity == Severity::Warning
-            }
-            _ => false,
-        };
-        let passed_over = self.srdf.iter().flat_map(|srdf| &srdf.passed_over);
-        let found = self.model.diagnostics().iter().chain(passed_over);
-        let mut remarks: Vec<String> = found.filter(is_told).map(Diagnostic::to_string).collect();
+        let mut remarks = self.warnings();
         let model = &self.model;
-        remarks.extend(unread_shapes(model));
         let rates = [
             (JointKind::Revolute, "rad", ASSUMED_TURN_RATES),
             (JointKind::Prismatic, "m", ASSUMED_SLIDE_RATES),
@@ -298,14 +300,48 @@ pub fn shipped_robots() -> impl Iterator<Item = &'static str> {
     })
 }
 
-/// Returns the remark that collision meshes of a robot could not be read; `None` if all could.
+/// Returns warnings about a robot, one sentence each: what was read otherwise than it is written, left out, or probably has a
+/// wrong unit. Meshes of collision shapes that cannot be read are one sentence.
 ///
 /// ```
 /// # let urdf = concat!(env!("CARGO_MANIFEST_DIR"), "/../../robots/arm7.urdf");
-/// assert_eq!(wisch_io::unread_shapes(&wisch_io::Robot::load(urdf)?.model), None);
+/// assert!(wisch_io::robot_warnings(&wisch_io::Robot::load(urdf)?.model).is_empty());
 /// # Ok::<(), wisch_io::Error>(())
 /// ```
-pub fn unread_shapes(robot: &RobotModel) -> Option<String> {
+pub fn robot_warnings(robot: &RobotModel) -> Vec<String> {
+    let is_told = |found: &&Diagnostic| match found.kind {
+        DiagnosticKind::Units | DiagnosticKind::MeshScale => true,
+        DiagnosticKind::JointType
+        | DiagnosticKind::CollisionMissing
+        | DiagnosticKind::Limit
+        | DiagnosticKind::Mimic
+        | DiagnosticKind::UnknownName
+        | DiagnosticKind::Syntax => found.severity == Severity::Warning,
+        _ => false,
+    };
+    let mut warnings = list_warnings(robot, robot.diagnostics().iter().filter(is_told));
+    warnings.extend(describe_unread_meshes(robot));
+    warnings
+}
+
+/// Returns the findings as text, up to a number.
+fn list_warnings<'a>(
+    robot: &RobotModel,
+    found: impl Iterator<Item = &'a Diagnostic>,
+) -> Vec<String> {
+    let mut all: Vec<String> = found.map(Diagnostic::to_string).collect();
+    if let more @ 1.. = all.len().saturating_sub(MOST_WARNINGS) {
+        all.truncate(MOST_WARNINGS);
+        all.push(format!(
+            "robot {:?}: {more} more warnings, which wisch robot check lists",
+            robot.name()
+        ));
+    }
+    all
+}
+
+/// Describes the meshes of collision shapes that cannot be read.
+fn describe_unread_meshes(robot: &RobotModel) -> Option<String> {
     let is_unread = |found: &&Diagnostic| found.kind == DiagnosticKind::Mesh;
     let first = robot.diagnostics().iter().find(is_unread)?;
     let unread = robot.diagnostics().iter().filter(is_unread);

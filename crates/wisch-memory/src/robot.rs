@@ -68,13 +68,20 @@ impl Episode {
         } else {
             BTreeMap::new()
         };
+        // A mesh that the robot had no more when it was recorded is missing here, too; one that the episode lists is not.
+        let mut damaged: Option<String> = None;
         let mut mesh = |name: &str| {
             let file = files
                 .get(name)
                 .ok_or_else(|| format!("{name}: the episode does not hold this mesh"))?;
-            self.attachment(file).map_err(|error| error.to_string())
+            self.attachment(file).map_err(|error| {
+                let error = error.to_string();
+                damaged.get_or_insert_with(|| error.clone());
+                error
+            })
         };
-        RobotModel::from_urdf(&path.display().to_string(), &urdf, &mut mesh)
-            .map_err(|error| broken(error.to_string()))
+        let robot = RobotModel::from_urdf(&path.display().to_string(), &urdf, &mut mesh)
+            .map_err(|error| broken(error.to_string()))?;
+        damaged.map_or(Ok(robot), |error| Err(broken(error)))
     }
 }

@@ -1,7 +1,7 @@
 //! Robots: a URDF as kinematics and dynamics.
 
 use crate::arrays::{self, Matrix, Vector, of_joints, pose_array, vector};
-use crate::error::{of_file, of_robot, refused};
+use crate::error::{of_file, of_robot, plain, refused};
 use nalgebra::DMatrix;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -46,12 +46,23 @@ impl PyRobot {
             )
         })?;
         let robot = given.py().detach(|| Robot::load(&name)).map_err(of_file)?;
+        warn_of(given.py(), &robot)?;
         Ok((Arc::new(robot), false))
     }
 
     fn joints_of(&self, q: &Bound<'_, PyAny>) -> PyResult<Vec<f64>> {
         of_joints("q", q, self.robot.model.dof())
     }
+}
+
+/// Issues a Python warning for each fault of a robot's description that was read with a correction.
+fn warn_of(py: Python<'_>, robot: &Robot) -> PyResult<()> {
+    let category = py.get_type::<pyo3::exceptions::PyUserWarning>();
+    for warning in robot.warnings() {
+        let message = std::ffi::CString::new(warning).map_err(plain)?;
+        PyErr::warn(py, &category, &message, 2)?;
+    }
+    Ok(())
 }
 
 /// Returns a matrix as an array.

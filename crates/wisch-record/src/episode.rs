@@ -93,6 +93,7 @@ struct Options<'a> {
     task_file: String,
     settings: &'a [(String, String)],
     strategy: String,
+    action: &'static str,
     seed: u64,
 }
 
@@ -442,6 +443,7 @@ pub fn attach_task(writer: &EpisodeWriter, loaded: &LoadedTask) -> Result<(), Re
         task_file: loaded.path.display().to_string(),
         settings: &loaded.settings,
         strategy: loaded.run.plan.strategy.to_string(),
+        action: loaded.task.action.as_str(),
         seed: loaded.run.plan.seed,
     };
     Ok(writer.attach("options.json", json(&options)?)?)

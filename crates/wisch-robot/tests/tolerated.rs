@@ -41,13 +41,13 @@ fn deviations_from_the_format_are_warnings() {
         (
             sphere,
             "<plane/>",
-            DiagnosticKind::Syntax,
+            DiagnosticKind::CollisionMissing,
             "unknown shape <plane>; known: box, cylinder, capsule, sphere, mesh",
         ),
         (
             r#"<geometry><sphere radius="0.1"/></geometry>"#,
             "",
-            DiagnosticKind::Syntax,
+            DiagnosticKind::CollisionMissing,
             "<collision> has no <geometry>",
         ),
         (

@@ -159,7 +159,7 @@ fn project_hidden(surface: &Surface, believed_from_real: &Pose, hidden: &[Vec<Po
 }
 
 /// Returns the square cells of a chart that a camera does not see: those behind hulls, in the xy plane of the surface's
-/// frame [m], those that lean too far away, and those below another part of the surface.
+/// frame [m], those that lean too far away, and those below another part of a cylinder or a mesh.
 fn hidden_cells(surface: &Surface, hulls: impl Iterator<Item = Vec<Point2>>) -> Region {
     let hulls = Region::new(hulls.map(|ring| Polygon::new(ring, vec![])).collect());
     let Some(bounds) = Bounds2::from_points(surface.outline.outer().iter().copied()) else {

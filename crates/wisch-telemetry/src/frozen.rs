@@ -1,5 +1,6 @@
 //! Forces that stay the same for long, because their sensor or its driver has stopped.
 
+use std::collections::BTreeMap;
 use wisch::geometry::Vector3;
 
 /// Longest time for which a working sensor repeats a force other than zero \[ns\].
@@ -13,18 +14,32 @@ const LEAST_OTHERS: f64 = 0.3;
 
 /// Returns the intervals in which a force repeats for longer than a working sensor repeats it \[ns\], from the first
 /// repetition to the last; none for a log whose forces have no noise.
+///
+/// A sensor that stops has worked before, and stops at a value of its noise. A force that the log begins with, or to which it
+/// returns, is that of a quiet sensor with a coarse resolution.
 pub(crate) fn find_frozen(entries: &[(i64, Vector3)]) -> Vec<[i64; 2]> {
+    let bits = |force: &Vector3| [force.x, force.y, force.z].map(f64::to_bits);
+    let mut returns: BTreeMap<[u64; 3], usize> = BTreeMap::new();
+    for run in entries
+        .chunk_by(|a, b| a.1 == b.1)
+        .filter(|run| run.len() > 1)
+    {
+        *returns.entry(bits(&run[0].1)).or_default() += 1;
+    }
     let mut frozen = Vec::new();
     let (mut changes, mut others) = (0_usize, 0_usize);
+    let mut is_first = true;
     for run in entries.chunk_by(|a, b| a.1 == b.1) {
         let [first, last] = [run[0].0, run[run.len() - 1].0];
         let is_long = last - first > LONGEST_REPEAT && run.len() > LEAST_REPEATS;
-        if is_long && run[0].1 != Vector3::zeros() {
+        let is_sole = returns.get(&bits(&run[0].1)) == Some(&1);
+        if is_long && !is_first && is_sole && run[0].1 != Vector3::zeros() {
             frozen.push([run[1].0, last]);
         } else if !is_long {
             changes += 1;
             others += run.len();
         }
+        is_first = false;
     }
     let [changes, others, all] = [changes, others, entries.len()].map(|count| count as f64);
     if changes < LEAST_CHANGES * others || others < LEAST_OTHERS * all {
@@ -68,6 +83,13 @@ mod tests {
             find_frozen(&forces(&[300, 100, 200], 0.0)).is_empty(),
             "without noise"
         );
+        let begins = forces(&[0, 100, 500], 1.0);
+        assert!(
+            find_frozen(&begins).is_empty(),
+            "before the sensor has worked"
+        );
+        let returns = forces(&[300, 100, 100, 100, 100], 1.0);
+        assert!(find_frozen(&returns).is_empty(), "a coarse resolution");
         let mut rests = forces(&[300, 100, 200], 1.0);
         for (_, force) in &mut rests[300..400] {
             *force = Vector3::zeros();

@@ -311,9 +311,15 @@ fn combine(raw: RawLog, correction: Correction, options: &LogOptions) -> Result<
     let mut pairs = pair(&raw.poses, &raw.wrenches, options.max_gap)?;
     let mut unusable = UnusableWrenches::default();
     let first = pairs[0].0;
-    let frozen = find_frozen(&raw.wrenches.entries);
+    // A driver that states qualities knows better.
+    let frozen = if raw.qualities.is_empty() {
+        find_frozen(&raw.wrenches.entries)
+    } else {
+        Vec::new()
+    };
     pairs.retain(|(time, ..)| {
-        let is_frozen = frozen.iter().any(|[from, to]| (from..=to).contains(&time));
+        let next = frozen.partition_point(|[_, to]| to < time);
+        let is_frozen = frozen.get(next).is_some_and(|[from, _]| from <= time);
         let quality = match raw.quality_at(*time) {
             WrenchQuality::Ok if is_frozen => WrenchQuality::Stale,
             stated => stated,

@@ -13,7 +13,7 @@ use wisch::follow::{Followed, Workcell};
 use wisch::geometry::{Bounds2, Mesh, Point2};
 use wisch::plan::{BendContact, FreeSpace, NodeRole, Plan, Prediction, predict};
 use wisch::represent::{Action, GoalState, SurfaceShape, Task, dirt_friction};
-use wisch::run::{NoExecutor, Session, Stage, check_score, ignore_events};
+use wisch::run::{NoExecutor, Stage, check_score, ignore_events};
 use wisch_io::{KeptFiles, LoadedTask, ShapeRecord};
 
 /// Number of sample points for free space along the longer side of the surface.
@@ -32,7 +32,7 @@ pub fn check(args: &CheckArgs, global: &GlobalArgs) -> Result<Outcome, Failure> 
     let failure = |error| stage_failure(task_args, error);
     let free_area = FreeArea::of(&prepared.task, &progress).map_err(failure)?;
     progress.say(format!("planning ({})", prepared.run.plan.strategy));
-    let mut session = Session::new(&prepared.task, prepared.run.clone());
+    let mut session = prepared.session();
     (session.run_until(Stage::Planned, &mut NoExecutor, &mut ignore_events))
         .map_err(|error| stage_failure(task_args, error))?;
     let plan = (session.plan()).ok_or_else(|| internal("no plan was made"))?;
@@ -352,9 +352,7 @@ fn slope(prepared: &LoadedTask) -> Option<String> {
         .ok()?
         .friction;
     let kind = prepared.knowledge.medium(&task.medium).ok()?.kind;
-    let places = task.surface.outline.outer().iter();
-    let slopes = places.map(|place| task.surface.normal(*place).z.clamp(-1.0, 1.0).acos());
-    let slope = slopes.fold(0.0, f64::max);
+    let slope = task.surface.steepest_slope();
     if task.action.treats() || slope.tan() <= friction {
         return None;
     }

@@ -73,6 +73,7 @@ struct Options {
     #[serde(default)]
     settings: Vec<(String, String)>,
     strategy: Option<String>,
+    action: Option<String>,
     seed: Option<u64>,
 }
 
@@ -92,7 +93,7 @@ pub(super) fn load_kept(
         task: episode.folder().join("task.toml"),
         strategy: options.strategy.and_then(|name| name.parse().ok()),
         budget: None,
-        action: None,
+        action: options.action.and_then(|name| name.parse().ok()),
         seed: options.seed,
         settings: options.settings,
         knowledge,
@@ -105,13 +106,17 @@ pub(super) fn check_mesh(logged: Option<&str>, task: &Task) -> Result<(), Failur
     let Some(logged) = logged else {
         return Ok(());
     };
-    let own = match &task.surface.shape {
-        SurfaceShape::Mesh(mesh) => format!("has the digest {:032x}", mesh.digest()),
-        _ => "is no mesh".to_owned(),
+    let digest = match &task.surface.shape {
+        SurfaceShape::Mesh(mesh) => Some(format!("{:032x}", mesh.digest())),
+        _ => None,
     };
-    if own.ends_with(logged) {
+    if digest.as_deref() == Some(logged) {
         return Ok(());
     }
+    let own = digest.map_or_else(
+        || "is no mesh".to_owned(),
+        |digest| format!("has the digest {digest}"),
+    );
     Err(Failure::new(format!(
         "the log was recorded on a mesh with the digest {logged}, but the surface of task {:?} {own}",
         task.name

@@ -379,7 +379,14 @@ fn simulate_effect(
         Extent::Plan { explain: true, .. } => {
             job.progress.say("planning with every strategy");
             let considered = session.evaluate_candidates();
-            Some(considered.map_err(|error| job.failed(error))?)
+            let considered = considered.map_err(|error| job.failed(error))?;
+            // The plan of the marked row is the one that is written.
+            let strategy = job.prepared.run.plan.strategy;
+            let row = (considered.iter()).find(|one| !is_given && one.strategy == strategy);
+            if let Some(candidate) = row.and_then(|row| row.candidate.as_ref().ok()) {
+                session = session.with_plan(Some(candidate.plan.clone()));
+            }
+            Some(considered)
         }
         _ => None,
     };

@@ -365,8 +365,6 @@ pub struct Intake<'a> {
     is_stopped: bool,
     stamp_clock: Option<StampClock>,
     pauses: Vec<Pause>,
-    /// Duration of all pauses that have ended [s].
-    paused: f64,
     dropped: usize,
 }
 
@@ -384,7 +382,6 @@ impl<'a> Intake<'a> {
             is_stopped: false,
             stamp_clock: None,
             pauses: Vec::new(),
-            paused: 0.0,
             dropped: 0,
         }
     }
@@ -435,10 +432,7 @@ impl<'a> Intake<'a> {
         let time = record.time_s;
         self.check_pause("resumed", time)?;
         match self.pauses.last_mut() {
-            Some(pause) if pause.end.is_none() => {
-                pause.end = Some(time);
-                self.paused += time - pause.start;
-            }
+            Some(pause) if pause.end.is_none() => pause.end = Some(time),
             _ => return Err(format!("resumed at {time} s, but it is not paused")),
         }
         Ok(())
@@ -456,9 +450,11 @@ impl<'a> Intake<'a> {
 
     /// Time that the motion has run until the last sample, without its pauses \[s\].
     fn time_run(&self) -> f64 {
-        let begun = self.pauses.last().filter(|pause| pause.end.is_none());
-        let now = begun.map_or(0.0, |pause| (self.since - pause.start).max(0.0));
-        self.since - self.paused - now
+        let paused = |pause: &Pause| {
+            let end = pause.end.map_or(self.since, |end| end.min(self.since));
+            (end - pause.start).max(0.0)
+        };
+        self.since - self.pauses.iter().map(paused).sum::<f64>()
     }
 
     /// Time of the last sample or pause \[s\].

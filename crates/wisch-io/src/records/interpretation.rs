@@ -3,7 +3,7 @@
 use super::plan::PoseRecord;
 use serde::Serialize;
 use wisch::interpret::{
-    ContactResidual, Diagnosis, Doubt, Event, EventKind, FittedPlane, Interpretation, ShapeFit,
+    ContactResidual, Diagnosis, Event, EventKind, FittedPlane, Interpretation, ShapeFit,
 };
 use wisch::recover::{Claim, Verdict, assess_log};
 
@@ -192,8 +192,6 @@ impl InterpretationRecord {
     ) -> Self {
         let performance = interpretation.performance;
         let is_collision = |event: &&Event| event.kind == EventKind::Push;
-        let is_cut =
-            interpretation.observation.is_none() && interpretation.doubts.iter().any(Doubt::is_cut);
         let (verdict, reason) = verdict(interpretation, target_performance);
         Self {
             format: INTERPRETATION_FORMAT,
@@ -202,7 +200,7 @@ impl InterpretationRecord {
             action: task.action.to_string(),
             estimated: performance.mean,
             estimated_low: performance.low,
-            estimated_high: if is_cut { 1.0 } else { performance.high },
+            estimated_high: highest(interpretation),
             target_performance,
             goal_met: verdict == "met",
             verdict,
@@ -242,6 +240,15 @@ impl InterpretationRecord {
             events: interpretation.events.iter().map(EventRecord::new).collect(),
             log,
         }
+    }
+}
+
+/// Upper end of the interval of the performance; 1 for a log that may lack a part of the wiping.
+pub(super) fn highest(interpretation: &Interpretation) -> f64 {
+    if interpretation.is_lower_bound() {
+        1.0
+    } else {
+        interpretation.performance.high
     }
 }
 

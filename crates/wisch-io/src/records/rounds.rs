@@ -1,5 +1,6 @@
 //! Summaries of the rounds of a run for `--json`.
 
+use super::interpretation::highest;
 use serde::Serialize;
 use wisch::interpret::EventKind;
 use wisch::run::{Ending, Pause, Round};
@@ -165,7 +166,7 @@ impl RoundSummary {
             estimated: interpretation.performance.mean,
             is_conclusive: interpretation.is_conclusive(),
             estimated_low: interpretation.performance.low,
-            estimated_high: interpretation.performance.high,
+            estimated_high: highest(interpretation),
             estimated_by_touch: interpretation.by_touch.mean,
             detections: interpretation
                 .observation

@@ -56,7 +56,7 @@ class Executor:
         where the tool does not touch), ``phases``, ``joints``, ``press_force_n``, ``stiffness_n_per_m``, ``damping_ratio``,
         ``world_from_surface`` (7), ``duration_s``, ``round`` and ``seed``. The tool's path lies on the believed surface:
         the executor must press. Motions over a curved surface are given only to executors with ``accepts_curved = True``;
-        their ``surface_shape`` states the shape.
+        it presses along the z axis of ``world_from_tool``, or along the normal of ``surface_shape`` with a tool that can tilt.
 
         ``sink(sample)`` takes a dict with ``time_s`` [s], ``world_from_tool`` (7), ``force_n`` (3; of the surroundings on the
         tool [N], in the axes of the world, or of ``wrench_axes``: "world", "tool" or "tip", the link that holds the tool) and,

@@ -14,6 +14,8 @@ use std::ops::Range;
 const END_OF_ROOT: &str = "</robot>";
 /// Most prefixes that a text may leave undeclared.
 const MAX_PREFIXES: usize = 20;
+/// Longest prefix of a name that is replaced [bytes].
+const MAX_PREFIX: usize = 100;
 
 /// A text in which places that are no XML are overwritten. It is as long as the original, so that places stay the same.
 pub(crate) struct Repaired<'a> {
@@ -206,11 +208,12 @@ impl Repair {
                 Some(_) => {}
                 None if matches!(byte, b'"' | b'\'') => quote = Some(byte),
                 None if byte == b'>' => break,
-                None if byte == b':' => {
+                None if byte == b':'
+                    && at - name <= MAX_PREFIX
+                    && prefixes.undeclared.len() < MAX_PREFIXES =>
+                {
                     let prefix = self.bytes[name..at].to_vec();
-                    if !prefixes.declared.contains(&prefix)
-                        && prefixes.undeclared.len() < MAX_PREFIXES
-                    {
+                    if !prefixes.declared.contains(&prefix) {
                         self.bytes[at] = b'_';
                         self.report(prefix, start, prefixes);
                     }
@@ -250,9 +253,11 @@ impl Prefixes {
         let mut at = 0;
         while let Some(found) = repair.find("xmlns:", at) {
             at = found + "xmlns:".len();
-            let name = repair.bytes[at..].iter();
-            let name = name.take_while(|byte| !(byte.is_ascii_whitespace() || **byte == b'='));
-            declared.insert(name.copied().collect());
+            let name = repair.bytes[at..].iter().take(MAX_PREFIX + 1);
+            let ends = |byte: &u8| byte.is_ascii_whitespace() || *byte == b'=';
+            if let Some(length) = name.clone().position(ends) {
+                declared.insert(name.take(length).copied().collect());
+            }
         }
         Self {
             declared,

@@ -377,7 +377,8 @@ impl Srdf {
         robot: &RobotModel,
     ) -> Result<Option<Group>, RobotError> {
         let name = reader.name(node, "name")?;
-        if !names.insert(name.clone()) {
+        // Another definition of the name may be valid if the first is not.
+        if !names.insert(name.clone()) && self.groups.iter().any(|known| known.name == name) {
             return Err(reader.fault(node, format!("group {name:?} is defined twice")));
         }
         if let Some((base, tip)) = joints_in_line(node, robot) {
@@ -397,16 +398,27 @@ impl Srdf {
             );
             return Ok(None);
         }
-        let base = reader.link_of(chain, "base_link", robot)?;
-        let tip = reader.link_of(chain, "tip_link", robot)?;
-        if !robot.is_descendant(tip, base) {
-            let [tip, base] = [tip, base].map(|link| &robot.links()[link.index()].name);
-            let problem = format!("group {name:?}: link {tip:?} is no descendant of link {base:?}");
-            return Err(reader.fault(chain, problem));
-        }
+        let [base, tip] = read_chain(reader, chain, &name, robot)?;
         self.groups.push(Group { name, base, tip });
         Ok(None)
     }
+}
+
+/// Returns base and tip of a group's chain.
+fn read_chain(
+    reader: &Reader,
+    chain: Node,
+    group: &str,
+    robot: &RobotModel,
+) -> Result<[LinkId; 2], RobotError> {
+    let base = reader.link_of(chain, "base_link", robot)?;
+    let tip = reader.link_of(chain, "tip_link", robot)?;
+    if !robot.is_descendant(tip, base) {
+        let [tip, base] = [tip, base].map(|link| &robot.links()[link.index()].name);
+        let problem = format!("group {group:?}: link {tip:?} is no descendant of link {base:?}");
+        return Err(reader.fault(chain, problem));
+    }
+    Ok([base, tip])
 }
 
 /// Returns why a virtual joint moves nothing although its kind says so; `None` if it is fixed, or part of the robot.

@@ -1,13 +1,13 @@
 //! The postures of an SRDF: elements `<group_state>`.
 
 use super::diagnostics::{Words, words};
-use super::srdf::{GroupState, READY_STATE, Srdf, finding};
+use super::srdf::{GroupState, HOME_STATE, READY_STATE, Srdf, finding};
 use super::urdf::{Reader, elements};
 use crate::{JointKind, RobotError, RobotModel, Severity};
 use roxmltree::Node;
 use std::collections::BTreeSet;
 
-/// Most warnings about postures; further ones are left out.
+/// Most notes and warnings about postures; further notes are left out, and further warnings are an error.
 const MAX_WARNINGS: usize = 1000;
 
 impl Srdf {
@@ -29,8 +29,10 @@ impl Srdf {
                     "joints that move, of a group",
                     "fine if it is for other programs: it is ignored here",
                 );
-                let found = finding(Severity::Note, reader.place(node), w);
-                self.passed_over.push(found);
+                if self.passed_over.len() < MAX_WARNINGS {
+                    let found = finding(Severity::Note, reader.place(node), w);
+                    self.passed_over.push(found);
+                }
                 continue;
             }
             match self.read_state(reader, node, groups, robot) {
@@ -43,7 +45,7 @@ impl Srdf {
                         "one definition",
                         "the first is used; remove the other",
                     );
-                    self.warn_at(reader, node, w);
+                    faults.extend(self.warn_at(reader, node, w).err());
                 }
                 Err(fault) => faults.push(fault),
             }
@@ -51,17 +53,22 @@ impl Srdf {
         faults
     }
 
-    /// Keeps a warning about an element, up to the limit.
-    fn warn_at(&mut self, reader: &Reader, node: Node, words: Words) {
-        if self.passed_over.len() >= MAX_WARNINGS {
-            return;
+    /// Keeps a warning about an element. Beyond the limit it is an error, as nothing may change unsaid.
+    fn warn_at(&mut self, reader: &Reader, node: Node, words: Words) -> Result<(), RobotError> {
+        let warnings = self.passed_over.iter();
+        let count = warnings
+            .filter(|found| found.severity == Severity::Warning)
+            .count();
+        if count >= MAX_WARNINGS {
+            return Err(reader.too_large("faulty postures", count + 1, MAX_WARNINGS));
         }
         let found = finding(Severity::Warning, reader.place(node), words);
         self.passed_over.push(found);
+        Ok(())
     }
 
-    /// Returns why a posture that belongs to no wiping group is ignored; `None` if it must be read. A wrong joint name
-    /// in a chain's posture or in the ready one remains an error, as the robot would start in another posture.
+    /// Returns why a posture that belongs to no wiping group is ignored; `None` if it must be read. A wrong name
+    /// in a chain's posture, the ready one or "home" remains an error, as the robot would start in another posture.
     fn why_no_posture(
         &self,
         node: Node,
@@ -70,7 +77,7 @@ impl Srdf {
     ) -> Option<String> {
         let name = node.attribute("name").map_or("", str::trim);
         let group = node.attribute("group").map_or("", str::trim);
-        if name.starts_with(READY_STATE) {
+        if name.starts_with(READY_STATE) || name == HOME_STATE {
             return None;
         }
         if group.is_empty() {
@@ -121,7 +128,7 @@ impl Srdf {
                     "one value for each joint",
                     "the first value is used; remove the other",
                 );
-                self.warn_at(reader, joint, w);
+                self.warn_at(reader, joint, w)?;
                 continue;
             }
             let limits = robot.variable(variable).limits.position;
@@ -134,7 +141,7 @@ impl Srdf {
                     format!("a position from {} to {}", limits.lower, limits.upper),
                     format!("{within} is used instead; correct the value"),
                 );
-                self.warn_at(reader, joint, w);
+                self.warn_at(reader, joint, w)?;
                 position = within;
             }
             positions.push((variable, position));

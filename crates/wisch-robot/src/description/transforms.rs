@@ -61,7 +61,7 @@ impl JointTransform {
 }
 
 /// Returns the transforms of a URDF's joints, without checking anything else, so that it works without the robot's
-/// meshes. A floating joint is fixed, as for [`RobotModel`](crate::RobotModel). Joints of unknown types are left out.
+/// meshes. Floating joints and joints of unknown types are left out.
 ///
 /// ```
 /// let urdf = r#"<robot name="lift"><link name="floor"/><link name="table"/>
@@ -80,7 +80,7 @@ pub fn joint_transforms(file: &str, text: &str) -> Result<Vec<JointTransform>, R
     let mimics = &urdf.mimics;
     let joints = urdf.joints.iter().filter_map(|joint| {
         let motion = match joint.kind.as_str() {
-            "fixed" | "floating" => JointMotion::Fixed,
+            "fixed" => JointMotion::Fixed,
             "revolute" | "continuous" => JointMotion::Revolute(axis(joint.axis)?),
             "prismatic" => JointMotion::Prismatic(axis(joint.axis)?),
             _ => return None,

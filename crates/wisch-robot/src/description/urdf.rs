@@ -158,6 +158,11 @@ impl<'a> Reader<'a> {
 
     /// Keeps a warning about an element that deviates from the format, up to the limit.
     pub fn warn(&self, node: Node, subject: Subject, words: Words) {
+        self.warn_of(DiagnosticKind::Syntax, node, subject, words);
+    }
+
+    /// Keeps a warning of a kind about an element.
+    pub fn warn_of(&self, kind: DiagnosticKind, node: Node, subject: Subject, words: Words) {
         let mut findings = self.findings.borrow_mut();
         if findings.len() > MAX_DEVIATIONS {
             return;
@@ -166,7 +171,7 @@ impl<'a> Reader<'a> {
             severity: Severity::Warning,
             at: self.place(node),
             subject,
-            kind: DiagnosticKind::Syntax,
+            kind,
             value: words.value,
             limit: words.limit,
             advice: words.advice,
@@ -396,7 +401,8 @@ impl<'a> Reader<'a> {
                         "<geometry> with a box, cylinder, capsule, sphere or mesh",
                         "the element is ignored: what it stands for is not checked for collisions",
                     );
-                    self.warn(collision, Subject::Link(link.name.clone()), w);
+                    let kind = DiagnosticKind::CollisionMissing;
+                    self.warn_of(kind, collision, Subject::Link(link.name.clone()), w);
                 }
             }
         }
@@ -542,15 +548,28 @@ impl<'a> Reader<'a> {
         let (Some(lower), Some(upper)) = (lower, upper) else {
             return Ok(None);
         };
+        // Reversed hard limits are exchanged later, with a warning; the soft ones count within them.
+        let is_reversed =
+            matches!((limit.lower, limit.upper), (Some(low), Some(high)) if low > high);
+        let (low, high) = if is_reversed {
+            (limit.upper, limit.lower)
+        } else {
+            (limit.lower, limit.upper)
+        };
         let narrowed = [
-            limit.lower.map_or(lower, |hard| hard.max(lower)),
-            limit.upper.map_or(upper, |hard| hard.min(upper)),
+            low.map_or(lower, |hard| hard.max(lower)),
+            high.map_or(upper, |hard| hard.min(upper)),
         ];
-        let is_narrower = limit.lower != Some(narrowed[0]) || limit.upper != Some(narrowed[1]);
+        let is_narrower = low != Some(narrowed[0]) || high != Some(narrowed[1]);
         if lower >= upper || narrowed[0] >= narrowed[1] || !is_narrower {
             return Ok(None);
         }
-        [limit.lower, limit.upper] = narrowed.map(Some);
+        let [least, most] = narrowed.map(Some);
+        (limit.lower, limit.upper) = if is_reversed {
+            (most, least)
+        } else {
+            (least, most)
+        };
         Ok(Some(narrowed))
     }
 

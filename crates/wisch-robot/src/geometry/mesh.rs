@@ -398,6 +398,13 @@ impl Mesh {
     /// ```
     #[must_use]
     pub fn split_edges(&self, longest: f64) -> Self {
+        self.split_edges_by(|a, b| (a - b).norm(), longest)
+    }
+
+    /// Returns the same surface in triangles none of whose edges has a measure above `most`, as long as they are not too many.
+    /// `measure` of the ends of an edge is the same in both directions.
+    #[must_use]
+    pub fn split_edges_by(&self, measure: impl Fn(&Point3, &Point3) -> f64, most: f64) -> Self {
         const MOST_TRIANGLES: usize = 400_000;
         let mut vertices = self.vertices.clone();
         let mut triangles = self.triangles.clone();
@@ -405,7 +412,7 @@ impl Mesh {
         loop {
             let mut divided = Vec::with_capacity(2 * triangles.len());
             for &[a, b, c] in &triangles {
-                let length = |i: u32, j: u32| (vertices[i as usize] - vertices[j as usize]).norm();
+                let length = |i: u32, j: u32| measure(&vertices[i as usize], &vertices[j as usize]);
                 // Of equal edges that with the smallest numbers, for both neighbours.
                 let shorter = |one: &[u32; 3], other: &[u32; 3]| {
                     let key = |[from, to, _]: &[u32; 3]| (*from.min(to), *from.max(to));
@@ -414,7 +421,7 @@ impl Mesh {
                 };
                 let sides = [[a, b, c], [b, c, a], [c, a, b]];
                 let [from, to, tip] = sides.into_iter().max_by(shorter).unwrap_or([a, b, c]);
-                if length(from, to) <= longest {
+                if length(from, to) <= most {
                     divided.push([a, b, c]);
                     continue;
                 }

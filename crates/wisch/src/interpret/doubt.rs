@@ -112,7 +112,7 @@ pub enum Doubt {
         left_out: usize,
         /// Their share of all samples \[1\].
         share: f64,
-        /// Number of jumps after which the pose stayed elsewhere.
+        /// Number of jumps after which the pose stayed elsewhere, or that took several samples.
         lasting: usize,
         /// Time \[s\] and distance \[m\] of the first jump.
         first: (f64, f64),
@@ -140,6 +140,8 @@ pub enum Doubt {
     ToolLeans {
         /// Median angle between the two lines, from 0 to π/2 \[rad\].
         lean: f64,
+        /// The part of it beyond the tilt that the tool has by design \[rad\].
+        beyond: f64,
     },
     /// The wrenches of these samples were not usable, so that they do not show what the tool touched.
     UnusableWrench {
@@ -197,7 +199,7 @@ impl Doubt {
             } => *matters > MOST_BY_SCALE || !PLAUSIBLE_FORCE.contains(&(force / declared)),
             Self::PoseJumps { share, lasting, .. } => *lasting > 0 || *share > MOST_JUMPS,
             Self::ForceDrift { share, .. } => *share > MOST_DRIFT,
-            Self::ToolLeans { lean } => *lean > MOST_LEAN,
+            Self::ToolLeans { beyond, .. } => *beyond > MOST_LEAN,
             Self::UnusableWrench { share, .. } => *share > MOST_UNUSABLE,
             Self::NoContactForce { .. }
             | Self::NeverNearSurface { .. }
@@ -316,7 +318,7 @@ impl fmt::Display for Doubt {
             ),
             Self::ForceDrift { drift, share } => write_drift(f, drift, share),
             Self::TooSteep { tilt, searched } => write_steep(f, tilt, searched),
-            Self::ToolLeans { lean } => write_lean(f, lean),
+            Self::ToolLeans { lean, beyond } => write_lean(f, lean, beyond),
             Self::UnusableWrench { unusable, share } => write_unusable(f, unusable, share),
             Self::HandGuided { share } => write!(
                 f,
@@ -483,8 +485,12 @@ fn write_jumps(
                 100.0 * share
             )
         }),
-        (lasting > 0)
-            .then(|| format!("{} after which it stays elsewhere", plural(lasting, "jump"))),
+        (lasting > 0).then(|| {
+            format!(
+                "{} that are wider than single samples",
+                plural(lasting, "jump")
+            )
+        }),
     ];
     let parts: Vec<String> = parts.into_iter().flatten().collect();
     write!(
@@ -495,9 +501,9 @@ fn write_jumps(
 }
 
 /// Writes [`Doubt::ToolLeans`].
-fn write_lean(f: &mut fmt::Formatter<'_>, lean: f64) -> fmt::Result {
+fn write_lean(f: &mut fmt::Formatter<'_>, lean: f64, beyond: f64) -> fmt::Result {
     let degrees = lean.to_degrees();
-    let consequence = if lean > MOST_LEAN {
+    let consequence = if beyond > MOST_LEAN {
         "so the area that the tool touched is unknown"
     } else {
         "and the estimate counts a leaning tool"

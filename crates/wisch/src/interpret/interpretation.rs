@@ -84,6 +84,11 @@ impl Interpretation {
         is_felt || self.observation.is_some()
     }
 
+    /// Whether the tool may have wiped more than the log shows, and no observation decides: the estimate is a lower bound.
+    pub fn is_lower_bound(&self) -> bool {
+        self.observation.is_none() && self.doubts.iter().any(Doubt::is_cut)
+    }
+
     /// Updates belief and performance by an observation of the surface after the log.
     pub fn observe(&mut self, update: &ObservationUpdate<'_>) {
         self.belief = self.belief.observe(update);

@@ -90,6 +90,8 @@ const SETTLING: f64 = 0.5;
 pub struct Interpreter {
     surface: Surface,
     footprint: Region,
+    /// Largest angle by which the tool may tilt by design [rad].
+    own_tilt: f64,
     config: InterpretConfig,
     downsampler: Downsampler,
     unusable: UnusableWrenches,
@@ -105,6 +107,9 @@ impl Interpreter {
         Ok(Self {
             surface: task.surface.clone(),
             footprint: task.tool.footprint.clone(),
+            own_tilt: task.tool.tilt.map_or(0.0, |tilt| {
+                tilt.range.min_rad.abs().max(tilt.range.max_rad.abs())
+            }),
             downsampler: Downsampler::new(&task.surface, config.max_pieces),
             config: config.clone(),
             unusable: UnusableWrenches::default(),
@@ -179,7 +184,15 @@ impl Interpreter {
             .iter()
             .any(|doubt| doubt.is_decisive() && is_unscaled(doubt))
         {
-            distribution = distribution.or_unknown(self.config.uncertainty.misread_share);
+            // What is absorbed or off the surface does not come back, whatever this log hides.
+            let least = if matches!(goal, GoalState::Absorbed | GoalState::Skimmed) {
+                let before = believed.performance(goal, &self.surface, deviation);
+                before.estimate().low
+            } else {
+                0.0
+            };
+            let share = self.config.uncertainty.misread_share;
+            distribution = distribution.or_unknown(share, least);
         }
         let LogAnalysis {
             classified,
@@ -280,6 +293,7 @@ impl Interpreter {
         };
         let evidence = LogEvidence {
             steep,
+            own_tilt: self.own_tilt,
             pieces,
             reading: &reading,
             classified: &classified,

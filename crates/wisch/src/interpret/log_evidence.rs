@@ -63,6 +63,8 @@ pub(super) struct LogEvidence<'a> {
     /// Tilt of a plane that holds the contacts and is steeper than those that are searched [rad].
     pub(super) steep: Option<f64>,
     pub(super) surface: &'a Surface,
+    /// Largest angle by which the tool may tilt by design [rad].
+    pub(super) own_tilt: f64,
     /// Settings as declared.
     pub(super) declared: &'a InterpretConfig,
     /// Settings with the log's own nominal force.
@@ -82,7 +84,7 @@ impl LogEvidence<'_> {
         }
         doubts.extend(self.find_sparseness());
         doubts.extend(self.find_drift());
-        if let Some(tilt) = self.steep {
+        if let Some(tilt) = self.steep.filter(|_| led.is_none()) {
             let searched = self.config.plane.cone;
             doubts.push(Doubt::TooSteep { tilt, searched });
             return doubts;
@@ -338,7 +340,8 @@ impl LogEvidence<'_> {
             .collect();
         facing.sort_unstable_by(f64::total_cmp);
         let lean = libm::acos(*facing.get(facing.len() / 2)?);
-        (lean > LEAST_LEAN).then_some(Doubt::ToolLeans { lean })
+        let beyond = (lean - self.own_tilt).max(0.0);
+        (beyond > LEAST_LEAN).then_some(Doubt::ToolLeans { lean, beyond })
     }
 
     /// Returns a doubt if the log is cut while the tool presses, or has gaps in which the tool may have wiped.

@@ -2,7 +2,7 @@
 //! way. A tool that touches with a part of its footprint is planned with that part ([`BendContact`]).
 
 use super::PlanError;
-use crate::geometry::{Mesh, Point2, Point3, Vector2, Vector3};
+use crate::geometry::{Mesh, Point2, Point3, Vector2};
 use crate::represent::{
     ElasticFoundation, LocalPressure, SURFACE_SKIN, Surface, SurfaceShape, Task, dirt_friction,
     effective_pressure,
@@ -194,7 +194,7 @@ pub(super) fn check_bend(task: &Task) -> Result<(), PlanError> {
         }
         check_gap(task, radius)?;
     }
-    let slope = steepest(surface);
+    let slope = surface.steepest_slope();
     // The kind of the medium and the friction of the surface are not part of a task, so the smallest friction counts.
     let friction = dirt_friction(crate::represent::MediumKind::Solid, 0.0);
     if task.treatment.is_none() && slope > libm::atan(friction) {
@@ -254,17 +254,6 @@ fn touched_reach(task: &Task, radius: f64) -> f64 {
         .flat_map(|(_, bend)| yaws().map(|yaw| tool.press_upright(bend, yaw).middle));
     let most = most.fold(0.0, f64::max);
     libm::sqrt(2.0 * most * tool.compression() * radius).min(reach)
-}
-
-/// Largest angle between the surface's normal and the vertical [rad].
-fn steepest(surface: &Surface) -> f64 {
-    let angle = |place: Point2| surface.normal(place).angle(&Vector3::z());
-    let corners = surface.outline.outer().iter().copied();
-    let within: Vec<Point2> = match &surface.shape {
-        SurfaceShape::Mesh(mesh) => mesh.bends().map(|(place, _)| place).collect(),
-        _ => Vec::new(),
-    };
-    corners.chain(within).map(angle).fold(0.0, f64::max)
 }
 
 /// Checks that no object of a scene is within a radius of a curved surface, on its outer side: as on a plane, what lies

@@ -1,6 +1,6 @@
 //! The verdict on a round: whether the goal is met, and what happens next.
 
-use crate::interpret::{Diagnosis, Doubt, Interpretation, PerformanceDistribution};
+use crate::interpret::{Diagnosis, Interpretation, PerformanceDistribution};
 use std::fmt;
 
 /// Smallest rise of the estimate that counts as progress \[1\].
@@ -140,7 +140,7 @@ impl fmt::Display for Claim {
 pub fn assess_log(interpretation: &Interpretation, target: f64) -> Verdict {
     let is_seen = interpretation.observation.is_some();
     // The missing dirt may have been wiped before the log begins, or after it ends.
-    let is_cut = !is_seen && interpretation.doubts.iter().any(Doubt::is_cut);
+    let is_cut = interpretation.is_lower_bound();
     if !interpretation.is_conclusive() {
         Verdict::Undecidable
     } else if is_claimable(&interpretation.distribution, target)

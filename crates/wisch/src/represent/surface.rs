@@ -111,6 +111,29 @@ impl Surface {
         }
     }
 
+    /// Returns the largest angle between the normal and the vertical \[rad\], over the outline and within it.
+    pub fn steepest_slope(&self) -> f64 {
+        let edges = || self.outline.edges();
+        // Every line of a cylinder or a cone, along which the normal is constant, leaves the outline over an edge.
+        let places: Vec<Point2> = match &self.shape {
+            SurfaceShape::Plane => self.outline.outer().to_vec(),
+            SurfaceShape::Cylinder { .. } | SurfaceShape::Cone(_) => edges()
+                .flat_map(|edge| {
+                    (0..=SLOPES_OF_EDGE).map(move |i| {
+                        let share = f64::from(i) / f64::from(SLOPES_OF_EDGE);
+                        edge.start + (edge.end - edge.start) * share
+                    })
+                })
+                .collect(),
+            SurfaceShape::Mesh(mesh) => {
+                let within = mesh.bends().map(|(place, _)| place);
+                self.outline.outer().iter().copied().chain(within).collect()
+            }
+        };
+        let angle = |place: Point2| self.normal(place).angle(&Vector3::z());
+        places.into_iter().map(angle).fold(0.0, f64::max)
+    }
+
     /// Returns why the chart does not fit its shape, if it does not.
     pub fn shape_fault(&self) -> Option<ShapeFault> {
         let (shape, radius, axis) = match self.shape {
@@ -350,7 +373,18 @@ impl Surface {
                 .clamp(LEAST_FACET, MOST_FACET),
             _ => (8.0 * radii.least() * FACET_ERROR).sqrt(),
         };
-        let fine = prism.split_edges(longest);
+        let fine = match &self.shape {
+            // A cone bends less the farther it is from its apex.
+            SurfaceShape::Cone(cone) => {
+                let longest = |at: &Point3| {
+                    let bend = cone.bend(at.xy()).trace().abs();
+                    (8.0 * FACET_ERROR / bend).sqrt()
+                };
+                let excess = |a: &Point3, b: &Point3| (a - b).norm() / longest(a).min(longest(b));
+                prism.split_edges_by(excess, 1.0)
+            }
+            _ => prism.split_edges(longest),
+        };
         // Under a bulge, nothing lies beyond the axis.
         let deepest = -0.9 * radii.bulge;
         let rolled = |p: &Point3| -> Point3 {
@@ -369,6 +403,8 @@ impl Surface {
     }
 }
 
+/// Number of parts of an edge at whose ends the slope is examined.
+const SLOPES_OF_EDGE: u32 = 64;
 /// Largest distance of a facet from the surface that it replaces [m].
 const FACET_ERROR: f64 = 1e-4;
 /// The same over a mesh, where the tightest bend counts everywhere [m], and the range of the facets' lengths [m].

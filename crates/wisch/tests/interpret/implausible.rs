@@ -67,30 +67,56 @@ fn poses_that_jump_there_and_back_are_left_out_and_counted() {
 }
 
 #[test]
-fn a_first_pose_of_zeros_is_left_out() {
-    let found = changed(&one_stroke(), |_, k, sample| {
-        let world_from_tool = if k == 0 {
-            Pose::identity()
-        } else {
-            sample.world_from_tool
-        };
-        Some(TouchSample {
-            world_from_tool,
-            ..sample
-        })
+fn wrong_poses_of_two_samples_are_left_out() {
+    let truth = interpreted(&one_stroke()).performance.mean;
+    let found = changed(&one_stroke(), |surface, k, sample| {
+        let is_aside = f64::from(u8::from([300, 301].contains(&(k % 600))));
+        let by = Vector3::new(0.0, 0.16 * is_aside, 0.0);
+        Some(moved(sample, surface.rotation * by))
     });
     assert!(
-        matches!(
-            found.doubts[..],
-            [Doubt::PoseJumps {
-                left_out: 1,
-                lasting: 0,
-                ..
-            }]
-        ),
+        matches!(found.doubts[..], [Doubt::PoseJumps { lasting: 0, .. }]),
         "{:?}",
         found.doubts
     );
+    let estimate = found.performance;
+    assert!(
+        (estimate.mean - truth).abs() < 0.01,
+        "{truth}: {estimate:?}"
+    );
+}
+
+#[test]
+fn a_wrong_pose_between_which_a_reader_interpolates_leaves_the_performance_unknown() {
+    // A single pose at 100 Hz, forces at 1 kHz.
+    let found = changed(&one_stroke(), |surface, k, sample| {
+        let share = 1.0 - (f64::from((k % 600) as u32) - 300.0).abs() / 10.0;
+        let by = Vector3::new(0.0, 0.16 * share.max(0.0), 0.0);
+        Some(moved(sample, surface.rotation * by))
+    });
+    let is_said = |doubt: &Doubt| matches!(doubt, Doubt::PoseJumps { lasting: 1.., .. });
+    assert!(found.doubts.iter().any(is_said), "{:?}", found.doubts);
+    assert!(!found.is_conclusive());
+}
+
+#[test]
+fn first_poses_of_zeros_are_left_out() {
+    for count in [1, 5] {
+        let found = changed(&one_stroke(), |_, k, sample| {
+            let is_zero = k < count;
+            let measured = sample.world_from_tool;
+            let world_from_tool = if is_zero { Pose::identity() } else { measured };
+            Some(TouchSample {
+                world_from_tool,
+                ..sample
+            })
+        });
+        assert!(
+            matches!(found.doubts[..], [Doubt::PoseJumps { left_out, lasting: 0, .. }] if left_out == count),
+            "{:?}",
+            found.doubts
+        );
+    }
 }
 
 #[test]
@@ -139,6 +165,19 @@ fn a_force_that_drifts_leaves_the_performance_unknown() {
 }
 
 #[test]
+fn a_force_that_settles_in_a_short_approach_is_no_drift() {
+    let [start, _] = Script::default().contacts()[0];
+    let [_, end] = Script::default().contacts()[2];
+    let found = changed(&Script::default(), |surface, _, sample| {
+        let settles = 0.4 * (sample.time / start).min(1.0);
+        let force = sample.force + surface.rotation * Vector3::new(0.0, 0.0, settles);
+        (sample.time < end + 0.3).then_some(TouchSample { force, ..sample })
+    });
+    let is_said = |doubt: &Doubt| matches!(doubt, Doubt::ForceDrift { .. });
+    assert!(!found.doubts.iter().any(is_said), "{:?}", found.doubts);
+}
+
+#[test]
 fn a_frame_that_is_not_that_of_the_tool_is_reported() {
     let leaning = |lean: f64| {
         changed(&Script::default(), |_, _, sample| {
@@ -159,7 +198,7 @@ fn a_frame_that_is_not_that_of_the_tool_is_reported() {
     ] {
         let found = leaning(lean);
         let told = found.doubts.iter().find_map(|doubt| match doubt {
-            Doubt::ToolLeans { lean } => Some(*lean),
+            Doubt::ToolLeans { lean, .. } => Some(*lean),
             _ => None,
         });
         assert_eq!(

@@ -28,14 +28,18 @@ fn leaning(task: &Task, lean: f64) -> Vec<TouchSample> {
         samples.push(TouchSample {
             time,
             world_from_tool: task.surface.world_from_surface * surface_from_tool,
-            force: task.surface.world_from_surface.rotation * Vector3::z() * (PRESS * share),
+            force: task.surface.world_from_surface.rotation * Vector3::z() * (PRESS * share.max(0.0)),
         });
     };
     let way = |i: i32| f64::from(i) * 1e-4;
     (0..1000).for_each(|i| at(0.5, way(i), 1.0, 0.0));
     (0..1000).for_each(|i| at(0.5 + way(i), 0.1, 1.0, 0.0));
     // In the air to the particles.
-    (0..100).for_each(|i| at(0.6 - 0.006 * f64::from(i), 0.1, -9.0, 0.0));
+    let lift = |i: i32| 1.0 - 0.1 * f64::from(i);
+    (0..100).for_each(|i| at(0.6, 0.1, lift(i), 0.0));
+    (0..200).for_each(|i| at(0.6 - 0.003 * f64::from(i), 0.1, -9.0, 0.0));
+    (0..130).for_each(|i| at(0.0, 0.1 - 0.001 * f64::from(i), -9.0, 0.0));
+    (6..100).for_each(|i| at(0.0, -0.03, lift(105 - i), lean));
     (0..600).for_each(|i| at(0.0, way(i) - 0.03, 0.5, lean));
     samples
 }

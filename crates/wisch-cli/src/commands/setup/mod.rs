@@ -12,7 +12,9 @@ use std::path::{Path, PathBuf};
 use text::{FailedRecord, SetupRecord, comments, describe, group_lines, next_steps, tip_note};
 use wisch::robot::setup::{ArmChain, SetupConfig, SetupError, SetupStage, find_arms};
 use wisch::robot::{LinkId, RobotModel, VirtualJoint};
-use wisch_io::{Error, LoadOptions, OutputFile, load_task, read_text, robot_meshes, unread_shapes};
+use wisch_io::{
+    Error, LoadOptions, OutputFile, load_task, read_text, robot_meshes, robot_warnings,
+};
 
 /// Extension of the file.
 const EXTENSION: &str = "srdf";
@@ -69,10 +71,10 @@ pub fn set_up(args: &RobotSetupArgs, global: &GlobalArgs) -> Result<Outcome, Fai
     refuse_existing(&out, args.force)?;
     file.finish(text.as_bytes())?;
     drop(progress);
-    if let Some(unread) = unread_shapes(&robot) {
-        remark(&format!(
-            "{unread}; set the robot up again when they can be read"
-        ));
+    let warnings = robot_warnings(&robot);
+    warnings.iter().for_each(|text| remark(text));
+    if !warnings.is_empty() {
+        remark("set the robot up again after these warnings are corrected");
     }
     tell(args, global, &robot, &proposal, &out)?;
     Ok(Outcome::Done)

@@ -65,14 +65,17 @@ impl PerformanceDistribution {
         }
     }
 
-    /// Returns the distribution if the performance is unknown, that is uniform on [0, 1], with this probability [1].
+    /// Returns the distribution if the performance is unknown with this probability [1], that is uniform from `least` to 1.
     #[must_use]
-    pub(in crate::interpret) fn or_unknown(&self, probability: f64) -> Self {
+    pub(in crate::interpret) fn or_unknown(&self, probability: f64, least: f64) -> Self {
         if probability <= 0.0 {
             return self.clone();
         }
         let step = probability / f64::from(UNKNOWN_STEPS + 1);
-        let unknown = (0..=UNKNOWN_STEPS).map(|i| (f64::from(i) / f64::from(UNKNOWN_STEPS), step));
+        let unknown = (0..=UNKNOWN_STEPS).map(|i| {
+            let share = f64::from(i) / f64::from(UNKNOWN_STEPS);
+            (least + (1.0 - least) * share, step)
+        });
         let known = self
             .shares
             .iter()

@@ -166,8 +166,9 @@ impl ContactClassifier<'_> {
             min_share: LEAST_ON_STEEP,
             ..config.plane.clone()
         };
-        let tilt = fit_plane(&confident, &wide, config.seed)?.tilt();
-        (tilt > config.plane.cone).then_some(tilt)
+        let plane = fit_plane(&confident, &wide, config.seed)?;
+        // Contacts along one line may be those of a tool that is lifted.
+        (plane.directions == 2 && plane.tilt() > config.plane.cone).then(|| plane.tilt())
     }
 
     /// Returns the distance of the underside from the plane beyond the tolerance of contact [m]: the least possible

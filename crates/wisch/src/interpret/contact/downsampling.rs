@@ -5,6 +5,7 @@ use crate::geometry::{Point3, Pose, Vector3, wrap_angle};
 use crate::interpret::error::InterpretError;
 use crate::represent::Surface;
 use nalgebra::UnitQuaternion;
+use std::collections::VecDeque;
 
 /// Longest duration of a piece [s]; events are resolved to a fraction of 50 ms.
 const MAX_DURATION: f64 = 0.01;
@@ -16,8 +17,12 @@ const MAX_TURN: f64 = 0.035;
 const TIME_SLACK: f64 = 1e-6;
 
 /// Fastest motion of a tool [m/s], and least distance of a jump [m]: what is faster and farther is an error of the pose.
-const FASTEST: f64 = 5.0;
+const FASTEST: f64 = 10.0;
 const LEAST_JUMP: f64 = 0.02;
+/// Time over which speeds are compared at high rates [s].
+const SPEED_TIME: f64 = 0.01;
+/// Longest time for which a wrong pose is left out; one that stays longer is taken [s].
+const LONGEST_GLITCH: f64 = 0.1;
 
 /// Largest valid coordinate [m].
 const MAX_POSITION: f64 = 1e4;
@@ -55,7 +60,7 @@ pub(in crate::interpret) struct MeasuredPiece {
 pub(in crate::interpret) struct PoseJumps {
     /// Number of samples that were left out, because the pose jumped there and back.
     pub(in crate::interpret) left_out: usize,
-    /// Number of jumps after which the pose stayed elsewhere.
+    /// Number of jumps after which the pose stayed elsewhere, or that took several samples.
     pub(in crate::interpret) lasting: usize,
     /// Time [s] and distance [m] of the first jump.
     pub(in crate::interpret) first: Option<(f64, f64)>,
@@ -73,11 +78,13 @@ pub(in crate::interpret) struct Downsampler {
     /// Factor by which the limits of a piece have grown.
     coarseness: f64,
     max_pieces: usize,
+    /// Number of samples that were taken, and of all that were pushed.
     samples: usize,
-    /// Last sample that was taken.
-    last: Option<TouchSample>,
-    /// Sample after a jump, which is taken only if the next one is near it.
-    jumped: Option<TouchSample>,
+    pushed: usize,
+    /// Last samples that were taken, over [`SPEED_TIME`].
+    recent: VecDeque<TouchSample>,
+    /// Samples after a jump, which are taken if the pose stays there.
+    jumped: Vec<TouchSample>,
     jumps: PoseJumps,
 }
 
@@ -91,8 +98,9 @@ impl Downsampler {
             coarseness: 1.0,
             max_pieces,
             samples: 0,
-            last: None,
-            jumped: None,
+            pushed: 0,
+            recent: VecDeque::new(),
+            jumped: Vec::new(),
             jumps: PoseJumps::default(),
         }
     }
@@ -106,10 +114,10 @@ impl Downsampler {
         &self.pieces
     }
 
-    /// The jumps so far. A sample after a jump that no further sample confirms counts as left out.
+    /// The jumps so far. Samples after a jump from which the pose has not come back count as left out.
     pub(in crate::interpret) fn jumps(&self) -> PoseJumps {
         PoseJumps {
-            left_out: self.jumps.left_out + usize::from(self.jumped.is_some()),
+            left_out: self.jumps.left_out + self.jumped.len(),
             ..self.jumps
         }
     }
@@ -121,38 +129,67 @@ impl Downsampler {
         sample: &TouchSample,
     ) -> Result<(), InterpretError> {
         self.check(sample)?;
-        let jumped = self.jumped.take();
-        match self.last.and_then(|last| find_jump(&last, sample)) {
+        self.pushed += 1;
+        let jump = self.find_jump(sample);
+        let stays = self.jumped.last().is_some_and(|jumped| {
+            let is_nearer = self
+                .recent
+                .back()
+                .is_none_or(|taken| way_between(jumped, sample) < way_between(taken, sample));
+            is_nearer && find_jump_between(jumped, sample).is_none()
+        });
+        match jump {
+            _ if stays => self.follow_jump(sample),
             None => {
-                self.jumps.left_out += usize::from(jumped.is_some());
+                self.jumps.left_out += self.jumped.len();
+                self.jumped.clear();
                 self.take(sample);
             }
-            Some(distance) => {
+            Some((distance, is_gradual)) => {
                 self.jumps.first.get_or_insert((sample.time, distance));
-                match jumped {
-                    Some(first) if find_jump(&first, sample).is_none() => {
-                        if self.samples == 1 {
-                            // The very first sample was the wrong one, as zeros before the first measurement are.
-                            (self.jumps.left_out, self.samples) = (1, 0);
-                            self.pieces.clear();
-                        } else {
-                            self.jumps.lasting += 1;
-                        }
-                        self.take(&first);
-                        self.take(sample);
-                    }
-                    other => {
-                        self.jumps.left_out += usize::from(other.is_some());
-                        self.jumped = Some(*sample);
-                    }
-                }
+                self.jumps.lasting += usize::from(is_gradual);
+                self.jumps.left_out += self.jumped.len();
+                self.jumped = vec![*sample];
             }
         }
         Ok(())
     }
 
+    /// Adds a sample near those after a jump, and takes all of them once the pose has stayed there for long.
+    fn follow_jump(&mut self, sample: &TouchSample) {
+        self.jumped.push(*sample);
+        if sample.time - self.jumped[0].time <= LONGEST_GLITCH {
+            return;
+        }
+        let rests = (self.pieces.windows(2)).all(|pair| pair[0].position == pair[1].position);
+        if rests {
+            // The poses before were wrong, as zeros before the first measurement are.
+            self.jumps.left_out += self.samples;
+            self.samples = 0;
+            self.pieces.clear();
+            self.coarseness = 1.0;
+        } else {
+            self.jumps.lasting += 1;
+        }
+        self.recent.clear();
+        for sample in std::mem::take(&mut self.jumped) {
+            self.take(&sample);
+        }
+    }
+
+    /// Returns the distance of a sample from the last samples [m] if no tool moves over it in the time between them, and
+    /// whether the pose got there gradually, so that samples of the jump were taken before.
+    fn find_jump(&self, sample: &TouchSample) -> Option<(f64, bool)> {
+        let from = |taken: Option<&TouchSample>| find_jump_between(taken?, sample);
+        let at_once = from(self.recent.back()).map(|distance| (distance, false));
+        at_once.or_else(|| Some((from(self.recent.front())?, true)))
+    }
+
     fn take(&mut self, sample: &TouchSample) {
-        self.last = Some(*sample);
+        self.recent.push_back(*sample);
+        while (self.recent.get(1)).is_some_and(|next| sample.time - next.time >= SPEED_TIME) {
+            self.recent.pop_front();
+        }
         let (surface_from_tool, turn) = if self.surface.shape.is_plane() {
             (self.surface_from_world * sample.world_from_tool, None)
         } else {
@@ -207,16 +244,16 @@ impl Downsampler {
         for (field, value, limit) in fields {
             if value.is_nan() || value.abs() > limit {
                 return Err(InterpretError::Measurement {
-                    sample: self.samples,
+                    sample: self.pushed,
                     field,
                     value,
                     limit,
                 });
             }
         }
-        match self.jumped.or(self.last) {
+        match self.jumped.last().or(self.recent.back()) {
             Some(last) if sample.time <= last.time => Err(InterpretError::TimeNotIncreasing {
-                sample: self.samples,
+                sample: self.pushed,
                 time: sample.time,
                 previous: last.time,
             }),
@@ -237,10 +274,14 @@ impl Downsampler {
     }
 }
 
+fn way_between(from: &TouchSample, to: &TouchSample) -> f64 {
+    let [from, to] = [from, to].map(|sample| sample.world_from_tool.translation.vector);
+    (to - from).norm()
+}
+
 /// Returns the distance between two samples [m] if no tool moves over it in the time between them.
-fn find_jump(from: &TouchSample, to: &TouchSample) -> Option<f64> {
-    let [from_at, to_at] = [from, to].map(|sample| sample.world_from_tool.translation.vector);
-    let distance = (to_at - from_at).norm();
+fn find_jump_between(from: &TouchSample, to: &TouchSample) -> Option<f64> {
+    let distance = way_between(from, to);
     (distance > LEAST_JUMP.max(FASTEST * (to.time - from.time))).then_some(distance)
 }
 

@@ -80,6 +80,8 @@ pub(super) fn bias_and_noise(
 /// each step from quarter to quarter must have [1]: a person who pushes gives no steady rise.
 const MIN_QUARTER: usize = 5;
 const LEAST_STEP: f64 = 0.1;
+/// Least part of the log that the free motion has to span to show a drift [1].
+const LEAST_SPAN: f64 = 0.5;
 /// Largest difference of the medians of two quarters over the largest noise and the root of their number of pieces [1].
 const NOISE_OF_MEDIANS: f64 = 2.0;
 
@@ -112,6 +114,10 @@ pub(super) fn drift(pieces: &[MeasuredPiece], free: &[usize], axes: SensorAxes) 
     }
     let [first, last] = [time(parts[0]), time(parts[3])];
     let all = pieces[pieces.len() - 1].time[1] - pieces[0].time[0];
+    // A short part of the log does not show what the force does in the rest.
+    if last - first < LEAST_SPAN * all {
+        return 0.0;
+    }
     size * (all / (last - first)).max(1.0)
 }
 
