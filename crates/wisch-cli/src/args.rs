@@ -234,7 +234,7 @@ Examples:
 
 Bags and episodes hold camera observations from before and after each round if the task's senses \
 (perception.senses) include sight. The bags of a run and its episode hold the same data: give only one of \
-them. Writes learned.toml: the interactions of the knowledge base with mu, sigma, their standard errors, and \
+them. Writes learned.toml: the interactions of the knowledge base with mu, sigma, their standard deviations, and \
 the travel distance after which the model draws a particle's threshold again.
 
 Exit codes: 0 at least one interaction was learned, 2 an error.")]

@@ -221,7 +221,8 @@ pub struct CalibrationArgs {
     /// The part to do.
     #[command(flatten)]
     pub journal: JournalArgs,
-    /// Also score the estimator with other uncertainties or fewer members on the same rounds; repeatable
+    /// Also score the estimator with other uncertainties or fewer members of the belief, on the same
+    /// rounds; repeatable
     #[arg(long, value_name = "NAME:FIELD=VALUE[,…]")]
     pub variant: Vec<Variant>,
     /// Override a value of every task, such as execution.grains_resist=false; repeatable

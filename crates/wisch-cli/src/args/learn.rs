@@ -17,8 +17,8 @@ pub struct LearnArgs {
     /// Name of an episode of the memory, as listed by `wisch memory list`; repeatable
     #[arg(long = "episode", value_name = "ID")]
     pub episodes: Vec<String>,
-    /// Task file that was executed; repeatable. Each bag or episode uses the task of its name [default: the task
-    /// that an episode keeps; of a bag, the shipped scenario of its name]
+    /// Task file that was executed; repeatable. Each bag or episode uses the task file whose `name` it states [default:
+    /// for an episode, the task that it keeps; for a bag, the shipped scenario of that name]
     #[arg(long = "task", value_name = "FILE", value_hint = ValueHint::FilePath)]
     pub tasks: Vec<PathBuf>,
     /// Knowledge base to update: folder with tools, media, surfaces, interactions [default: built in]
