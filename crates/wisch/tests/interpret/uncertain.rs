@@ -28,7 +28,9 @@ fn leaning(task: &Task, lean: f64) -> Vec<TouchSample> {
         samples.push(TouchSample {
             time,
             world_from_tool: task.surface.world_from_surface * surface_from_tool,
-            force: task.surface.world_from_surface.rotation * Vector3::z() * (PRESS * share.max(0.0)),
+            force: task.surface.world_from_surface.rotation
+                * Vector3::z()
+                * (PRESS * share.max(0.0)),
         });
     };
     let way = |i: i32| f64::from(i) * 1e-4;
