@@ -394,7 +394,7 @@ mod tests {
         }
         let back = push(&mut track, -second).unwrap_err().to_string();
         assert!(
-            back.starts_with("message 4: its time of -1 s is 1.000000009 s before"),
+            back.starts_with("message 4: its time of -1 s is 1.000000009 s earlier"),
             "{back}"
         );
         // Another file may begin before the end of the previous file.
