@@ -1,17 +1,15 @@
 //! The method on a surface that is rolled onto a cone.
 
+use super::curved::{polish, strokes_of, task};
 use proptest::prelude::*;
 use rand::RngExt;
 use rand_chacha::{ChaCha8Rng, rand_core::SeedableRng};
 use std::f64::consts::{FRAC_PI_2, PI};
 use wisch::follow::{FollowConfig, MotionFault, audit, follow};
 use wisch::geometry::{Point2, Point3, Polygon, Pose, Vector2, Vector3};
-use wisch::plan::{BendContact, CoverageStrategy, Plan, PlanConfig, Strategy, plan, predict};
-use wisch::represent::{
-    Action, Cone, ElasticFoundation, ParticleDistribution, ShapeFault, Surface, SurfaceShape, Task,
-    Tool, Treatment,
-};
-use wisch_testkit::{board, cell, faults, planned};
+use wisch::plan::{BendContact, CoverageStrategy, Strategy, predict};
+use wisch::represent::{Action, Cone, ElasticFoundation, ShapeFault, Surface, SurfaceShape};
+use wisch_testkit::{cell, faults, planned};
 
 const fn cone(radius: f64, half_angle: f64, axis: f64) -> SurfaceShape {
     SurfaceShape::Cone(Cone {
@@ -28,23 +26,6 @@ const CONES: [SurfaceShape; 4] = [
     cone(2.0, 1.2, PI),
     cone(-0.4, 0.3, 1.0),
 ];
-
-/// A board without a scene under a soft pad of 10 mm.
-fn task(action: Action, shape: SurfaceShape) -> Task {
-    let mut task = board(action, [0.5, 0.0, 0.2]);
-    task.scene.clear();
-    task.interaction.compression_depth_m = 0.01;
-    task.surface.shape = shape;
-    task
-}
-
-fn strokes_of(task: &Task, strategy: Strategy) -> Plan {
-    let config = PlanConfig {
-        strategy,
-        ..PlanConfig::default()
-    };
-    plan(task, &config).unwrap()
-}
 
 fn point_over(shape: &SurfaceShape, place: Point2, height: f64) -> Vector3 {
     shape.place(place, height).translation.vector
@@ -165,30 +146,11 @@ fn a_plan_and_its_effect_are_those_of_the_unrolled_board() {
     }
 }
 
-/// A polish of a board of 0.6 × 0.4 m by a pad of 10 × 6 cm.
-fn polish(compression: f64, shape: SurfaceShape) -> Task {
-    let mut polish = task(Action::Polish, shape);
-    polish.tool = Tool::pad("pad", Vector3::new(0.1, 0.06, 0.04)).unwrap();
-    polish.surface.outline = Polygon::rectangle(Vector2::new(0.6, 0.4));
-    let places: Vec<Point2> = (0..60)
-        .flat_map(|i| (0..40).map(move |j| [i, j].map(f64::from)))
-        .map(|[i, j]| Point2::new(0.01 * i - 0.295, 0.01 * j - 0.195))
-        .collect();
-    polish.particles = ParticleDistribution::new(&places).unwrap();
-    polish.treatment = Some(Treatment::Polish {
-        passes: 1,
-        max_passes: 20,
-        preston: None,
-    });
-    polish.interaction.compression_depth_m = compression;
-    polish
-}
-
 /// The narrow end of a cone bends most: there, a rigid tool touches least.
 #[test]
 fn a_rigid_tool_touches_less_of_the_narrow_end() {
     let shape = cone(0.5, 0.5, 0.0);
-    let rigid = polish(0.0, shape.clone());
+    let rigid = polish([0.1, 0.06], 0.0, shape.clone());
     let tool = ElasticFoundation::from_interaction(&rigid.tool.footprint, &rigid.interaction);
     let tool = tool.unwrap();
     let share = |x: f64, yaw: f64| {
@@ -204,12 +166,12 @@ fn a_rigid_tool_touches_less_of_the_narrow_end() {
     let plan = strokes_of(&rigid, Strategy::Lanes);
     let done = predict(&rigid, &plan, |_| ()).performance.ratio();
     assert!(done > 0.99, "{done}");
-    let soft = polish(0.01, shape);
+    let soft = polish([0.1, 0.06], 0.01, shape);
     assert_eq!(
         BendContact::from_task(&soft).unwrap().touched_share,
         [1.0; 2]
     );
-    let [bent, flat] = [soft, polish(0.01, SurfaceShape::Plane)]
+    let [bent, flat] = [soft, polish([0.1, 0.06], 0.01, SurfaceShape::Plane)]
         .map(|task| strokes_of(&task, Strategy::Lanes).strokes);
     assert_eq!(bent, flat);
 }

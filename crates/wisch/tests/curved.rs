@@ -23,7 +23,7 @@ const fn cylinder(radius: f64, axis: f64) -> SurfaceShape {
 }
 
 /// A board without a scene under a soft pad of 10 mm.
-fn task(action: Action, shape: SurfaceShape) -> Task {
+pub fn task(action: Action, shape: SurfaceShape) -> Task {
     let mut task = board(action, [0.5, 0.0, 0.2]);
     task.scene.clear();
     task.interaction.compression_depth_m = 0.01;
@@ -72,7 +72,7 @@ fn a_bend_is_one_over_the_radius_across_the_axis() {
     }
 }
 
-fn strokes_of(task: &Task, strategy: Strategy) -> Plan {
+pub fn strokes_of(task: &Task, strategy: Strategy) -> Plan {
     let config = PlanConfig {
         strategy,
         ..PlanConfig::default()
@@ -313,7 +313,7 @@ fn only_what_is_pressed_hard_enough_is_wiped() {
 }
 
 /// A polish of a board of 0.6 × 0.4 m by a pad with these sides along and across the motion [m].
-fn polish(pad: [f64; 2], compression: f64, shape: SurfaceShape) -> Task {
+pub fn polish(pad: [f64; 2], compression: f64, shape: SurfaceShape) -> Task {
     let mut polish = task(Action::Polish, shape);
     polish.tool = Tool::pad("pad", Vector3::new(pad[0], pad[1], 0.04)).unwrap();
     polish.surface.outline = Polygon::rectangle(Vector2::new(0.6, 0.4));

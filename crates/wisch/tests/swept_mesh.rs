@@ -1,4 +1,4 @@
-//! Plans over meshes, judged by a sweep in space: the poses of the tool against points of the mesh as given. The judge shares no
+//! Plans over meshes, compared with a sweep in space: the poses of the tool against points of the mesh as given. The sweep shares no
 //! code with charts, contact and prediction.
 
 use rand::RngExt;
@@ -155,16 +155,16 @@ fn press(places: &[Place], poses: &[Pose], density: f64) -> Sweep {
     found
 }
 
-/// What a judge found: shares of places touched otherwise than predicted, and touched, and the lean [rad].
+/// Result of the comparison: shares of places touched otherwise than predicted, and touched, and the lean [rad].
 #[derive(Debug)]
-struct Verdict {
+struct Comparison {
     otherwise: f64,
     touched: f64,
     lean: f64,
 }
 
 /// Plans, predicts and sweeps. `fault` is planted: the pose of the tool as it is in the frame of the tool as it should be.
-fn judge(name: &str, mesh: &Mesh, fault: &Pose) -> Verdict {
+fn compare_with_sweep(name: &str, mesh: &Mesh, fault: &Pose) -> Comparison {
     let (mut task, world_from_mesh) = polish(mesh);
     // Simplifying the border of the chart takes at most 0.2 mm of it.
     let chart = |place: &Place| task.surface.chart(world_from_mesh * place.point).place;
@@ -173,7 +173,7 @@ fn judge(name: &str, mesh: &Mesh, fault: &Pose) -> Verdict {
         .filter(|(at, _)| task.surface.outline.contains(*at))
         .unzip();
     assert!(places.len() as f64 > 0.995 * PLACES as f64, "{name}");
-    // The plan knows cells of 1 cm, not the places of the judge.
+    // The plan knows cells of 1 cm, not the places of the sweep.
     task.particles = ParticleDistribution::new(&lattice(&task)).unwrap();
     let config = PlanConfig {
         strategy: Strategy::Lanes,
@@ -198,7 +198,7 @@ fn judge(name: &str, mesh: &Mesh, fault: &Pose) -> Verdict {
     let is_predicted = |i| matches!(predicted.fate(i), Fate::Treated { passes } if passes > 0.5);
     let otherwise = (0..places.len()).filter(|&i| is_predicted(i) != half_swept.touched[i]);
     let touched = whole_swept.touched.iter().filter(|&&touched| touched);
-    let found = Verdict {
+    let found = Comparison {
         otherwise: otherwise.count() as f64 / count,
         touched: touched.count() as f64 / count,
         lean: whole_swept.lean,
@@ -233,13 +233,13 @@ fn a_plan_over_a_mesh_touches_in_space_what_it_predicts() {
         ("saddle", curved_meshes::saddle(), 1.0),
         ("door", curved_meshes::door(), 3.0),
     ] {
-        let found = judge(name, &mesh, &Pose::identity());
+        let found = compare_with_sweep(name, &mesh, &Pose::identity());
         assert!(found.otherwise <= OTHERWISE, "{name}: {found:?}");
         assert!(found.touched >= TOUCHED, "{name}: {found:?}");
         assert!(found.lean <= lean.to_radians(), "{name}: {found:?}");
     }
-    // The judge sees a tool that is 1 cm beside its place, 1.5 cm over it, or leans by 5°.
-    let seen = |fault: Pose| judge("planted fault", &curved_meshes::saddle(), &fault);
+    // The sweep sees a tool that is 1 cm beside its place, 1.5 cm over it, or leans by 5°.
+    let seen = |fault: Pose| compare_with_sweep("planted fault", &curved_meshes::saddle(), &fault);
     let beside = seen(Pose::translation(0.0, 0.01, 0.0));
     assert!(beside.otherwise > OTHERWISE, "{beside:?}");
     let above = seen(Pose::translation(0.0, 0.0, 0.015));

@@ -67,11 +67,15 @@ pub(super) fn summary(prepared: &LoadedTask, results: &RunResults, out: &Path) -
     }
 }
 
+/// Returns what is known about the goal after the last round; `None` without an executed round.
+fn goal_of(rounds: &[FinishedRound], target: f64) -> Option<Verdict> {
+    let last = &rounds.last()?.round;
+    Some(assess_goal(last.verdict, &last.interpretation, target))
+}
+
 /// Returns whether the goal is met, not met or unknown.
 fn goal_in_words(results: &RunResults, target: f64) -> &'static str {
-    let last = results.rounds.last().map(|last| &last.round);
-    let goal = last.map(|last| assess_goal(last.verdict, &last.interpretation, target));
-    match goal {
+    match goal_of(&results.rounds, target) {
         _ if results.is_goal_met(target) => "met",
         Some(Verdict::UnknowableByTouch | Verdict::Undecidable) => "unknown",
         _ => "not met",
@@ -115,12 +119,7 @@ fn performance_in_words(
     prediction: &PredictionSummary,
     rounds: &[FinishedRound],
 ) -> String {
-    let last = rounds.last().map(|last| &last.round);
-    let goal = last.map(|last| {
-        let target = prediction.target_performance;
-        assess_goal(last.verdict, &last.interpretation, target)
-    });
-    let verdict = match goal {
+    let verdict = match goal_of(rounds, prediction.target_performance) {
         Some(Verdict::UnknowableByTouch) => "unknown, needs a camera",
         _ => prediction.goal,
     };

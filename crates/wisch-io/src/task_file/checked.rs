@@ -79,20 +79,18 @@ pub(super) fn read(source: &Source<'_>) -> Result<TaskFile, TaskError> {
 
 /// Returns a sentence for each key and value that has another name today.
 fn earlier_names(tree: &Spanned<DeValue<'_>>, source: &Source<'_>) -> Vec<String> {
-    let at = |keys: [&str; 2]| {
-        let mut keys = keys.into_iter().filter(|key| !key.is_empty());
-        keys.try_fold(tree, |value, key| value.get_ref().get(key))
-    };
+    let at = |key: &str| tree.get_ref().get(key);
     let holds_emit = |value: &&Spanned<DeValue<'_>>| value.get_ref().as_str() == Some("emit");
     let is_emitted = |goal: &&Spanned<DeValue<'_>>| {
         let text = goal.get_ref().as_str().unwrap_or_default();
         (text.trim_start().strip_prefix('('))
             .is_some_and(|words| words.trim_start().to_lowercase().starts_with("emitted"))
     };
-    let actions = at(["interaction", "actions"]).and_then(|actions| actions.get_ref().as_array());
+    let actions = at("interaction").and_then(|table| table.get_ref().get("actions"));
+    let actions = actions.and_then(|actions| actions.get_ref().as_array());
     [
         (
-            at(["action", ""]).filter(holds_emit),
+            at("action").filter(holds_emit),
             "action \"emit\"",
             "\"dispense\"",
         ),
@@ -101,9 +99,9 @@ fn earlier_names(tree: &Spanned<DeValue<'_>>, source: &Source<'_>) -> Vec<String
             "action \"emit\"",
             "\"dispense\"",
         ),
-        (at(["emit", ""]), "table [emit]", "[dispense]"),
+        (at("emit"), "table [emit]", "[dispense]"),
         (
-            at(["goal", ""]).filter(is_emitted),
+            at("goal").filter(is_emitted),
             "predicate \"emitted\"",
             "\"dispensed\"",
         ),

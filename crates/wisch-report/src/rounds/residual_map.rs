@@ -206,28 +206,11 @@ pub(crate) fn contacts_figure(input: &RoundsInput, round: &RoundView) -> Option<
         return None;
     }
     let cells = Cells::from_residuals(residuals);
-    let view = view(input, MAP);
-    let panels = [
-        ("above", "contacts above the fitted surface", &cells.mean),
-        (
-            "below",
-            "contacts below the fitted surface",
-            &cells.deviation,
-        ),
-    ]
-    .map(|(stem, name, values)| {
-        let id = format!("round-{}-{stem}", round.number);
-        let drawn = cells.draw(&view, &input.task.surface, &id, values);
-        let (panel, _) = draw_view(input, &view, name, drawn);
-        Panel {
-            height: panel.height + RAMP,
-            body: html! {
-                (panel.body)
-                (draw_colour_scale(panel.height + 10.0, values, "mm, median per cell of 2 cm"))
-            },
-            ..panel
-        }
-    });
+    let named = [
+        ("above", "contacts above the fitted surface"),
+        ("below", "contacts below the fitted surface"),
+    ];
+    let panels = draw_maps(input, round, &cells, named, "mm, median per cell of 2 cm");
     Some(Figure {
         panel: place_in_row(panels.into()),
         entries: Vec::new(),
@@ -408,34 +391,39 @@ fn particle_entries(input: &RoundsInput, round: &RoundView) -> Vec<Entry> {
 
 /// Draws maps of mean and standard deviation by cell.
 fn maps(input: &RoundsInput, round: &RoundView, cells: &Cells) -> [Panel; 2] {
-    let view = view(input, MAP);
     let unit = format!(
         "per cell of {} cm",
         metres(100.0 * cells.side, usize::from(cells.side < 0.01))
     );
-    [
-        (
-            "mean",
-            if input.goal.action().treats() {
-                "mean number of passes"
-            } else {
-                "mean number of particles still to be wiped"
-            },
-            &cells.mean,
-        ),
-        (
-            "deviation",
-            "standard deviation over the replays",
-            &cells.deviation,
-        ),
-    ]
-    .map(|(stem, name, values)| {
+    let mean = if input.goal.action().treats() {
+        "mean number of passes"
+    } else {
+        "mean number of particles still to be wiped"
+    };
+    let named = [
+        ("mean", mean),
+        ("deviation", "standard deviation over the replays"),
+    ];
+    draw_maps(input, round, cells, named, &unit)
+}
+
+/// Draws both values of the cells, each with its colour scale. `named`: identifier and title of each map.
+fn draw_maps(
+    input: &RoundsInput,
+    round: &RoundView,
+    cells: &Cells,
+    named: [(&str, &str); 2],
+    unit: &str,
+) -> [Panel; 2] {
+    let view = view(input, MAP);
+    let [first, second] = named;
+    [(first, &cells.mean), (second, &cells.deviation)].map(|((stem, name), values)| {
         let id = format!("round-{}-{stem}", round.number);
         let drawn = cells.draw(&view, &input.task.surface, &id, values);
         let (panel, _) = draw_view(input, &view, name, drawn);
         Panel {
             height: panel.height + RAMP,
-            body: html! { (panel.body) (draw_colour_scale(panel.height + 10.0, values, &unit)) },
+            body: html! { (panel.body) (draw_colour_scale(panel.height + 10.0, values, unit)) },
             ..panel
         }
     })
