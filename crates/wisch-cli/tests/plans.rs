@@ -248,3 +248,25 @@ fn a_plan_for_known_dirt_is_another_than_one_for_all_that_is_believed() {
     let known = plan(&known, &scenario, &out("known"));
     assert_ne!(believed, known);
 }
+
+#[test]
+fn a_plan_for_another_pose_tool_or_goal_is_used_with_a_remark() {
+    let folder = tempfile::tempdir().unwrap();
+    let (code, _, errors) = wisch(
+        folder.path(),
+        &["plan", "chopping-board", "--out", "p", "--quiet"],
+    );
+    assert_eq!(code, 0, "{errors}");
+    let predict = |set: &[&str]| {
+        let words = ["predict", "chopping-board", "--plan", "p/plan.json"];
+        let words = [&words[..], &["--out", "o"], set].concat();
+        wisch(folder.path(), &words).2
+    };
+    let same = predict(&[]);
+    assert!(!same.contains("the plan "), "{same}");
+    let goal = predict(&["--set", "collect.goal_m=[0.1, 0.0]"]);
+    let needed = "the plan collects at (0.130, -0.080) m, the task collects at (0.100, 0.000) m";
+    assert!(goal.contains(needed), "{goal}");
+    let tool = predict(&["--set", "tool.footprint_m=[0.06, 0.10]"]);
+    assert!(tool.contains("has 58.3 mm"), "{tool}");
+}

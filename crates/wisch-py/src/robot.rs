@@ -46,7 +46,7 @@ impl PyRobot {
             )
         })?;
         let robot = given.py().detach(|| Robot::load(&name)).map_err(of_file)?;
-        warn_of(given.py(), &robot)?;
+        warn_of(given.py(), robot.warnings())?;
         Ok((Arc::new(robot), false))
     }
 
@@ -55,10 +55,10 @@ impl PyRobot {
     }
 }
 
-/// Issues a Python warning for each fault of a robot's description that was read with a correction.
-fn warn_of(py: Python<'_>, robot: &Robot) -> PyResult<()> {
+/// Issues a Python warning for each sentence.
+pub fn warn_of(py: Python<'_>, sentences: Vec<String>) -> PyResult<()> {
     let category = py.get_type::<pyo3::exceptions::PyUserWarning>();
-    for warning in robot.warnings() {
+    for warning in sentences {
         let message = std::ffi::CString::new(warning).map_err(plain)?;
         PyErr::warn(py, &category, &message, 2)?;
     }

@@ -5,7 +5,7 @@ use crate::error::{of_file, of_record, plain, refused};
 use crate::interpret::PyInterpretation;
 use crate::motion::shape_dict;
 use crate::plan::PyPlan;
-use crate::robot::PyRobot;
+use crate::robot::{PyRobot, warn_of};
 use crate::session::{Given, PROGRAM, PySession};
 use crate::telemetry::{PyTelemetry, touches};
 use pyo3::prelude::*;
@@ -539,10 +539,11 @@ impl PyTask {
         Ok(PyPlan::new(task, plan))
     }
 
-    /// Returns the plan of a `plan.json`.
-    fn plan_of_json(&self, json: &str) -> PyResult<PyPlan> {
+    /// Returns the plan of a `plan.json`. Warns if it was made for another pose of the surface, tool or goal.
+    fn plan_of_json(&self, py: Python<'_>, json: &str) -> PyResult<PyPlan> {
         let record = PlanRecord::parse(json).map_err(plain)?;
         let plan = record.to_plan(&self.loaded.task).map_err(plain)?;
+        warn_of(py, record.describe_differences(&self.loaded.task))?;
         Ok(PyPlan::new(&self.loaded.task, plan))
     }
 

@@ -460,6 +460,9 @@ pub(super) fn given_plan(path: &Path, prepared: &mut LoadedTask) -> Result<Plan,
     let in_file = |error| Failure::new(format!("{}: {error}", path.display()));
     let record = PlanRecord::parse(&text).map_err(in_file)?;
     let plan = record.to_plan(&prepared.task).map_err(in_file)?;
+    for sentence in record.describe_differences(&prepared.task) {
+        remark(&format!("{}: {sentence}", path.display()));
+    }
     let over_border = check_strokes(&prepared.task, &plan.strokes);
     for sentence in describe_over_border(&over_border.map_err(internal)?) {
         remark(&format!("{}: {sentence}", path.display()));

@@ -4,6 +4,7 @@ mod event;
 mod followed;
 mod interpretation;
 mod plan;
+mod plan_differences;
 mod rounds;
 mod shape;
 mod summary;
