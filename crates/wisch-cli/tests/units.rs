@@ -3,7 +3,7 @@
 use crate::program::{folder_with, wisch};
 use std::fs;
 use std::path::Path;
-use wisch::geometry::{Mesh, Vector3};
+use wisch::geometry::{Mesh, Pose, Vector3};
 
 /// An arm of six joints: lengths over a metre, masses over a kilogram, the attributes of its limits, and more in its last link.
 struct Arm {
@@ -238,7 +238,10 @@ fn a_posture_of_a_finger_that_is_fixed_absent_or_of_no_group_is_a_note() {
 
 /// The check of a task whose tool is a mesh of this size [m].
 fn check_of_tool(folder: &Path, size: Vector3) -> (i32, String, String) {
-    let mesh = Mesh::cuboid(size).unwrap();
+    check_of_mesh(folder, &Mesh::cuboid(size).unwrap())
+}
+
+fn check_of_mesh(folder: &Path, mesh: &Mesh) -> (i32, String, String) {
     fs::write(folder.join("pad.stl"), mesh.to_binary_stl()).unwrap();
     let settings = ["tool.name=pad", "tool.mesh=pad.stl"];
     let args = [
@@ -290,4 +293,16 @@ fn an_object_much_larger_than_the_surface_is_reported() {
         error.contains("in millimetres: multiply by 0.001"),
         "{error}"
     );
+}
+
+#[test]
+fn a_tool_that_presses_beside_its_origin_is_reported() {
+    let folder = folder_with("arm-board.toml");
+    let pad = Mesh::cuboid(Vector3::new(0.07, 0.11, 0.05)).unwrap();
+    let (_, _, centred) = check_of_mesh(folder.path(), &pad);
+    assert!(!centred.contains("tool centre point"), "{centred}");
+    let moved = pad.transform(&Pose::translation(0.08, 0.0, 0.0));
+    let (_, _, error) = check_of_mesh(folder.path(), &moved);
+    let expected = "the middle of its contact area lies at (80, 0) mm of its origin";
+    assert!(error.contains(expected), "{error}");
 }

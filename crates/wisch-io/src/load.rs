@@ -6,7 +6,7 @@ use crate::error::Error;
 use crate::kept_files::KeptFiles;
 use crate::particles::{ParticleSource, read_observed_image, read_observed_list};
 use crate::robots::Robot;
-use crate::task_file::{Intent, TaskFile, surface_remarks, unit_remarks};
+use crate::task_file::{Intent, TaskFile, surface_remarks, tool_remark, unit_remarks};
 use std::cell::RefCell;
 use std::path::{Path, PathBuf};
 use wisch::geometry::Mesh;
@@ -298,6 +298,7 @@ pub fn parse_task(
     let steep = let_slide(&mut task, &knowledge);
     assumptions.extend(steep.map(|steep| steep.to_string()));
     assumptions.extend(surface_remarks(&task));
+    assumptions.extend(tool_remark(&task));
     assumptions.extend(unit_remarks(&task));
     let simulation = file.simulation(&task, &knowledge, &mut |path| taken_in(path, files(path)))?;
     let mut inputs = inputs.into_inner();

@@ -18,7 +18,7 @@ mod values;
 
 pub use error::TaskError;
 pub use resolve::ReadFile;
-pub(crate) use resolve::{surface_remarks, unit_remarks};
+pub(crate) use resolve::{surface_remarks, tool_remark, unit_remarks};
 
 use crate::particles::ParticleSource;
 use definitions::Definitions;

@@ -25,6 +25,9 @@ const USUAL_OBJECT: f64 = 5.0;
 /// Limits of the longest side of a tool: minimum, maximum, and usual minimum [m].
 const TOOL_EXTENT: [f64; 2] = [5e-3, 3.0];
 const USUAL_TOOL: f64 = 0.03;
+/// Distance of the middle of a contact area from the tool centre point above which a remark is made, over the radius of
+/// the tool's collision sphere [1].
+const BESIDE_CENTRE: f64 = 0.25;
 /// Ratio of a scene mesh's length to the surface's length above which a remark is made [1].
 const PER_SURFACE: f64 = 10.0;
 
@@ -341,6 +344,22 @@ pub(crate) fn surface_remarks(task: &Task) -> Vec<String> {
         ));
     }
     remarks
+}
+
+/// Returns a remark on a tool whose contact area has its middle beside the tool centre point.
+pub(crate) fn tool_remark(task: &Task) -> Option<String> {
+    let tool = &task.tool;
+    let middle = tool.footprint.bounds()?.center();
+    let aside = middle.coords.norm();
+    (aside > BESIDE_CENTRE * tool.collision_radius()).then(|| {
+        format!(
+            "tool {:?}: the middle of its contact area lies at ({:.0}, {:.0}) mm of its origin, the tool centre point. Objects are avoided by {:.0} mm about this point only, and the offset of the surface is estimated as if the tool pressed there: move the origin of the mesh to the middle of the contact area",
+            tool.name,
+            1e3 * middle.x,
+            1e3 * middle.y,
+            1e3 * tool.collision_radius()
+        )
+    })
 }
 
 /// Returns remarks on scene meshes that are probably in other units: objects much longer than the surface.
