@@ -29,7 +29,9 @@ pub use robot::{
     RobotSetupArgs,
 };
 pub use surface::{SurfaceCheckArgs, SurfaceCommand};
-use values::{action_parser, height, package, seconds, setting, share, strategy_parser};
+use values::{
+    action_parser, compression_depth, height, package, seconds, setting, share, strategy_parser,
+};
 
 use clap::{Args, CommandFactory, FromArgMatches, Parser, Subcommand, ValueEnum, ValueHint};
 use std::ffi::OsString;
@@ -553,7 +555,7 @@ pub struct FootprintArgs {
     #[arg(value_name = "TOOL")]
     pub tool: String,
     /// Compression depth under nominal force [m]; required for a mesh file [default: the tool's]
-    #[arg(long, value_name = "METRES", allow_negative_numbers = true)]
+    #[arg(long, value_name = "METRES", allow_negative_numbers = true, value_parser = compression_depth)]
     pub compression_depth_m: Option<f64>,
     /// Draw the footprint into this .svg file
     #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]

@@ -55,6 +55,16 @@ pub(super) fn height(text: &str) -> Result<f64, String> {
     Err(format!("{number} m is outside 0.005 to 0.5 m"))
 }
 
+/// Reads a compression depth \[m\], within the limits of the key `compression_depth_m`.
+pub(super) fn compression_depth(text: &str) -> Result<f64, String> {
+    let number: f64 =
+        (text.parse()).map_err(|_| "not a number; write metres, such as 0.002".to_owned())?;
+    if (0.0..=0.1).contains(&number) {
+        return Ok(number);
+    }
+    Err(format!("{number} m is outside 0 (rigid) to 0.1 m"))
+}
+
 pub(super) fn package(text: &str) -> Result<(String, PathBuf), String> {
     match text.split_once('=') {
         Some((name, folder)) if !name.trim().is_empty() && !folder.is_empty() => {

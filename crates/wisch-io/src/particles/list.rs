@@ -14,8 +14,9 @@ const ESTIMATE_HEADER: [&str; 5] = ["particle", "x_m", "y_m", "fate", "edge"];
 /// Maximum absolute coordinate in a list, surface frame [m].
 const MAX_POSITION: f64 = 100.0;
 
-/// Reads particles from a CSV text: two columns x and y \[m\] in the surface frame, with or without the
-/// header `x,y` or `x_m,y_m`; or a list with fates as [`particles_to_csv`] writes it.
+/// Reads particles from a CSV text: two columns x and y \[m\] in the surface frame, without a header or with one that
+/// names them in either order (`x,y`, `y_m,x_m`; `x_mm,y_mm` for millimetres); or a list with fates as
+/// [`particles_to_csv`] writes it.
 /// Lines that start with `#` are skipped.
 ///
 /// Positions under objects of the scene are accepted.
@@ -141,7 +142,12 @@ fn distribution(rows: &[Row]) -> Result<ParticleDistribution, ParticleSourceErro
 /// The columns of a list.
 #[derive(Clone, Copy, PartialEq)]
 enum Columns {
-    Positions,
+    /// x and y, in this order or the other.
+    Positions {
+        y_is_first: bool,
+        /// Unit of the numbers per metre [1].
+        per_metre: f64,
+    },
     Estimate,
     Treated,
 }
@@ -172,7 +178,11 @@ fn rows(file: &str, text: &[u8]) -> Result<Vec<Row>, ParticleSourceError> {
             Some(columns) => columns,
             None => {
                 let header = header(&cells);
-                let first = *columns.insert(header.unwrap_or(Columns::Positions));
+                let without_header = Columns::Positions {
+                    y_is_first: false,
+                    per_metre: 1.0,
+                };
+                let first = *columns.insert(header.unwrap_or(without_header));
                 if header.is_some() {
                     continue;
                 }
@@ -186,7 +196,10 @@ fn rows(file: &str, text: &[u8]) -> Result<Vec<Row>, ParticleSourceError> {
             .into());
         }
         let row = match columns {
-            Columns::Positions => position_row(&cells),
+            Columns::Positions {
+                y_is_first,
+                per_metre,
+            } => position_row(&cells, y_is_first, per_metre),
             Columns::Estimate => estimate_row(&cells, rows.len()),
             Columns::Treated => treated_row(&cells, rows.len()),
         };
@@ -206,25 +219,50 @@ fn rows(file: &str, text: &[u8]) -> Result<Vec<Row>, ParticleSourceError> {
 }
 
 fn header(cells: &[&str]) -> Option<Columns> {
-    match cells {
-        ["x", "y"] | ["x_m", "y_m"] => Some(Columns::Positions),
-        cells if cells == ESTIMATE_HEADER => Some(Columns::Estimate),
-        cells if cells == TREATED_HEADER => Some(Columns::Treated),
-        _ => None,
+    if cells == ESTIMATE_HEADER {
+        return Some(Columns::Estimate);
     }
+    if cells == TREATED_HEADER {
+        return Some(Columns::Treated);
+    }
+    let [first, second] = cells else {
+        return None;
+    };
+    let (first, second) = (first.to_lowercase(), second.to_lowercase());
+    for (suffix, per_metre) in [("", 1.0), ("_m", 1.0), ("_mm", 1e3)] {
+        let (x, y) = (format!("x{suffix}"), format!("y{suffix}"));
+        let y_is_first = first == y && second == x;
+        if y_is_first || (first == x && second == y) {
+            return Some(Columns::Positions {
+                y_is_first,
+                per_metre,
+            });
+        }
+    }
+    None
 }
 
-fn position_row(cells: &[&str]) -> Result<(Point2, Fate), String> {
-    let [x, y] = cells else {
+fn position_row(
+    cells: &[&str],
+    y_is_first: bool,
+    per_metre: f64,
+) -> Result<(Point2, Fate), String> {
+    let [first, second] = cells else {
         return Err(format!(
             "{} columns, expected 2: x and y in metres",
             cells.len()
         ));
     };
-    Ok((
-        Point2::new(coordinate("x", x)?, coordinate("y", y)?),
-        Fate::OnSurface,
-    ))
+    let (x, y) = if y_is_first {
+        (second, first)
+    } else {
+        (first, second)
+    };
+    let position = Point2::new(
+        read_length("x", x, per_metre)?,
+        length_of("y", y, per_metre)?,
+    );
+    Ok((position, Fate::OnSurface))
 }
 
 fn estimate_row(cells: &[&str], expected: usize) -> Result<(Point2, Fate), String> {
@@ -278,9 +316,14 @@ fn treated_row(cells: &[&str], expected: usize) -> Result<(Point2, Fate), String
 }
 
 fn coordinate(column: &str, cell: &str) -> Result<f64, String> {
+    read_length(column, cell, 1.0)
+}
+
+fn read_length(column: &str, cell: &str, per_metre: f64) -> Result<f64, String> {
     let value: f64 = cell
         .parse()
         .map_err(|_| format!("{column} = {cell:?} is not a number"))?;
+    let value = value / per_metre;
     if value.is_finite() && value.abs() <= MAX_POSITION {
         Ok(value)
     } else {

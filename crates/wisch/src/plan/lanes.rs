@@ -3,7 +3,7 @@
 //!
 //! The tool keeps its heading: its broad side stays across the lanes. Where a lane ends at the surface's
 //! border, the tool moves over the border while the surface still carries it. Before a hole it stops with its
-//! centre on the border, so that nothing is pressed over a hole.
+//! centre on the border, so that its centre is never pressed over a hole.
 
 use super::bend::partial_contact;
 use super::objective::objective;
