@@ -46,8 +46,8 @@ pub struct Log {
     pub axes: Axes,
     /// How these axes were determined.
     pub axes_source: AxesSource,
-    /// Remarks on how the log's transforms were used.
-    pub frames_used: Vec<String>,
+    /// Units and frames in which the log was read, where it does not state them or its transforms give them.
+    pub conventions: Vec<String>,
     /// Name of the executed task; bags written by [`crate::BagWriter`] state it.
     pub task: Option<String>,
     /// Digest of the mesh of the surface, in hexadecimal digits; bags that `wisch run` has written on meshes state it.
@@ -87,7 +87,7 @@ impl Log {
                 skipped.count, skipped.first
             )
         });
-        let known = self.frames_used.iter().chain(&self.remarks).cloned();
+        let known = self.conventions.iter().chain(&self.remarks).cloned();
         known.chain(skipped).chain(self.describe_gaps()).collect()
     }
 
@@ -390,7 +390,7 @@ fn combine(raw: RawLog, correction: Correction, options: &LogOptions) -> Result<
         wrench_name: raw.wrenches.name.clone(),
         axes: sensor.axes,
         axes_source: sensor.source,
-        frames_used: [world.remark, sensor.remark]
+        conventions: [raw.assumed_units.clone(), world.remark, sensor.remark]
             .into_iter()
             .flatten()
             .collect(),
@@ -417,7 +417,7 @@ fn transforms_in_words(raw: &RawLog) -> &'static str {
 /// Pose of the log's reference frame in the task's world.
 struct World<'a> {
     chain: Option<Chain<'a>>,
-    /// Remark on how it was determined, if by transforms.
+    /// Remark on how it was determined, if by transforms or by assumption.
     remark: Option<String>,
 }
 
@@ -434,10 +434,21 @@ impl<'a> World<'a> {
             None => raw.frames.between(world, frame),
         };
         let chain = chain.filter(|_| !frame.is_empty() && frame != world);
-        let remark = chain.as_ref().map(|_| {
-            let by = transforms_in_words(raw);
-            format!("poses in {frame:?} are transformed into {world:?} by {by}")
-        });
+        let remark = match &chain {
+            Some(_) => {
+                let by = transforms_in_words(raw);
+                Some(format!(
+                    "poses in {frame:?} are transformed into {world:?} by {by}"
+                ))
+            }
+            None if options.world_from_log.is_some() || frame == world => None,
+            None if frame.is_empty() => Some(format!(
+                "poses are read in the frame {world:?} of the task, as the log names no frame; --world-from-log states another"
+            )),
+            None => Some(format!(
+                "poses in {frame:?} are read as if this frame were {world:?}, as no transform of the log connects them; --world-from-log states their pose"
+            )),
+        };
         Ok(Self { chain, remark })
     }
 

@@ -59,6 +59,8 @@ pub(crate) struct RawLog {
     pub qualities: Vec<(i64, WrenchQuality)>,
     /// Sign convention of the forces, if the log states it.
     pub sign: Option<WrenchSign>,
+    /// Units that are assumed, in a sentence.
+    pub assumed_units: Option<String>,
     /// Remarks: what the reader assumed or did.
     pub remarks: Vec<String>,
 }

@@ -214,6 +214,7 @@ impl<'a> BagReader<'a> {
             round: self.round,
             looks: self.looks.finish(),
             qualities,
+            assumed_units: None,
             remarks,
         })
     }

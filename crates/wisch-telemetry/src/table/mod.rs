@@ -211,6 +211,35 @@ impl Table<'_> {
         Ok(scaled.times)
     }
 
+    /// States which quantities are read in SI units because nothing states their unit.
+    fn describe_assumed_units(&self) -> Option<String> {
+        let is_open = |kind, given: Option<f64>| {
+            let mut columns = self.layout.columns_of_kind(kind);
+            given.is_none()
+                && !columns.is_empty()
+                && columns.all(|column| {
+                    !self.layout.columns[column].is_unit_known && self.scales[column] == 1.0
+                })
+        };
+        let open: Vec<&str> = [
+            (
+                UnitKind::Length,
+                self.options.length_unit,
+                "positions in metres",
+            ),
+            (
+                UnitKind::Force,
+                self.options.force_unit,
+                "forces in newtons",
+            ),
+        ]
+        .into_iter()
+        .filter_map(|(kind, given, read)| is_open(kind, given).then_some(read))
+        .collect();
+        (!open.is_empty())
+            .then(|| format!("read as {}: the log states no unit", open.join(" and ")))
+    }
+
     /// Converts angles to radians where no unit is stated.
     fn assume_angles(&mut self, largest: f64) {
         let angles = self.layout.angles();
@@ -284,6 +313,7 @@ impl Table<'_> {
             self.remarks
                 .push("commas are read as decimal points".to_owned());
         }
+        let assumed_units = self.describe_assumed_units();
         let unfinished = self.source.is_cut_off();
         if unfinished {
             self.remarks
@@ -302,6 +332,7 @@ impl Table<'_> {
             axes: self.layout.axes.map(|axes| axes.as_str().to_owned()),
             sign: self.layout.sign,
             remarks: self.remarks,
+            assumed_units,
             start: None,
             unfinished,
         })

@@ -3,7 +3,7 @@
 use super::{in_folder, refused};
 use std::fmt::Write;
 use std::fs;
-use wisch::geometry::Vector3;
+use wisch::geometry::{Pose, Vector3};
 use wisch_telemetry::{Axes, AxesSource, Log, LogOptions, OrientationForm, read};
 
 /// Number of samples at 25 Hz: a tool moves at 0.1 m/s along x at a height of 0.8 m, rotated by 0.5 rad about z, with a force
@@ -359,4 +359,27 @@ fn ambiguous_tables_are_refused_with_the_line() {
         let message = refused_text(&text, &LogOptions::default());
         assert!(message.starts_with(expected), "{message}");
     }
+}
+
+#[test]
+fn units_and_frames_that_are_assumed_are_reported() {
+    let open = read_text(&table(NAMES, plain), &LogOptions::default());
+    assert_eq!(
+        open.conventions,
+        [
+            "read as positions in metres and forces in newtons: the log states no unit",
+            "poses are read in the frame \"world\" of the task, as the log names no frame; --world-from-log states another",
+        ]
+    );
+    let stated = NAMES
+        .replace(",x,", ",x_m,")
+        .replace(",fx,fy,fz", ",fx_N,fy_N,fz_N");
+    let stated = read_text(
+        &table(&stated, plain),
+        &LogOptions {
+            world_from_log: Some(Pose::identity()),
+            ..LogOptions::default()
+        },
+    );
+    assert_eq!(stated.conventions, [] as [&str; 0]);
 }

@@ -63,7 +63,7 @@ fn frames_are_resolved_by_the_transforms_of_the_log() {
             (Axes::Tool, AxesSource::Assumed)
         };
         assert_eq!((log.axes, log.axes_source), expected);
-        assert_eq!(log.frames_used.len(), 2, "{:?}", log.frames_used);
+        assert_eq!(log.conventions.len(), 2, "{:?}", log.conventions);
         for (index, sample) in log.samples.iter().enumerate() {
             // The base is rotated by 180° about z: x of the base is -x of the world.
             let at = Vector3::new(1.0 - 1e-3 * index as f64, 0.0, 0.8);
@@ -135,7 +135,7 @@ fn frames_are_resolved_by_the_joints_of_a_robot() {
         (Axes::Named, AxesSource::Logged)
     );
     assert_eq!(
-        log.frames_used,
+        log.conventions,
         [
             "poses in \"camera\" are transformed into \"robot_base\" by the log's transforms and the robot's joints",
             "forces in \"ft_sensor\" are rotated into \"camera\" by the log's transforms and the robot's joints",
@@ -153,7 +153,12 @@ fn frames_are_resolved_by_the_joints_of_a_robot() {
     }
     // Without the robot, no transforms connect the frames.
     let log = read(&path, &LogOptions::default()).unwrap();
-    assert_eq!(log.frames_used, [] as [String; 0]);
+    assert_eq!(
+        log.conventions,
+        [
+            "poses in \"camera\" are read as if this frame were \"world\", as no transform of the log connects them; --world-from-log states their pose"
+        ]
+    );
 }
 
 #[test]
