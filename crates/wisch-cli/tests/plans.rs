@@ -270,3 +270,28 @@ fn a_plan_for_another_pose_tool_or_goal_is_used_with_a_remark() {
     let tool = predict(&["--set", "tool.footprint_m=[0.06, 0.10]"]);
     assert!(tool.contains("has 58.3 mm"), "{tool}");
 }
+
+#[test]
+fn more_passes_than_the_maximum_are_reported() {
+    let folder = tempfile::tempdir().unwrap();
+    let plate = |words: &[&str]| {
+        let words = [&words[..1], &["polish-plate", "--force"], &words[1..]].concat();
+        wisch(folder.path(), &words)
+    };
+    let share_above = |text: &str| {
+        let above = text.split("more than the maximum of 3 on ").nth(1);
+        let above = above.and_then(|rest| rest.split(' ').next());
+        above.map_or(0.0, |share| share.parse::<f64>().unwrap())
+    };
+    let (_, planned, errors) = plate(&["predict", "--out", "once"]);
+    assert!(share_above(&planned) < 1.0, "{planned}{errors}");
+    let path = folder.path().join("once/plan.json");
+    let mut plan: serde_json::Value =
+        serde_json::from_str(&fs::read_to_string(&path).unwrap()).unwrap();
+    let strokes = plan["strokes"].as_array_mut().unwrap();
+    let again = strokes.clone();
+    strokes.extend(again);
+    fs::write(folder.path().join("twice.json"), plan.to_string()).unwrap();
+    let (_, text, _) = plate(&["predict", "--plan", "twice.json", "--out", "twice"]);
+    assert!(share_above(&text) > 90.0, "{text}");
+}

@@ -85,7 +85,7 @@ fn goal_in_words(results: &RunResults, target: f64) -> &'static str {
 /// Averages the passes over the points of a treated surface: as estimated after the last round, else as predicted.
 fn treatment(prepared: &LoadedTask, results: &RunResults) -> Option<TreatmentSummary> {
     let task = &prepared.task;
-    task.treatment?;
+    let treatment = task.treatment?;
     let places: Vec<ParticleDistribution> = match results.rounds.last() {
         Some(last) => {
             let belief = &last.round.interpretation.belief;
@@ -98,10 +98,19 @@ fn treatment(prepared: &LoadedTask, results: &RunResults) -> Option<TreatmentSum
     let [mean_passes, passes_deviation] = spreads.fold([0.0; 2], |[mean, deviation], of_one| {
         [mean + of_one[0] / count, deviation + of_one[1] / count]
     });
+    let above = places
+        .iter()
+        .map(|places| treatment.share_above_limit(places));
+    let above: Option<f64> = above.sum();
     let per_pass = task.depth_per_pass();
     Some(TreatmentSummary {
         mean_passes,
         passes_deviation,
+        max_passes: match treatment {
+            Treatment::Polish { max_passes, .. } => Some(max_passes),
+            Treatment::Dispense { .. } => None,
+        },
+        share_above_max_passes: above.map(|above| above / count),
         mean_depth_m: per_pass.map(|per_pass| per_pass * mean_passes),
     })
 }
@@ -230,10 +239,18 @@ fn treatment_in_words(treatment: &TreatmentSummary, action: &str) -> Vec<(&'stat
     let TreatmentSummary {
         mean_passes,
         passes_deviation,
+        max_passes,
+        share_above_max_passes,
         mean_depth_m,
     } = treatment;
-    let passes =
+    let mut passes =
         format!("mean {mean_passes:.2}, standard deviation {passes_deviation:.2} over the surface");
+    if let (Some(most), Some(above)) = (max_passes, share_above_max_passes)
+        && *above > 0.0
+    {
+        let above = percent(*above);
+        passes += &format!("; more than the maximum of {most} on {above} of the points");
+    }
     let mut lines = vec![("passes", passes)];
     if let Some(depth) = mean_depth_m {
         let name = if action == "dispense" {

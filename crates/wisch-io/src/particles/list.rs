@@ -260,7 +260,7 @@ fn position_row(
     };
     let position = Point2::new(
         read_length("x", x, per_metre)?,
-        length_of("y", y, per_metre)?,
+        read_length("y", y, per_metre)?,
     );
     Ok((position, Fate::OnSurface))
 }

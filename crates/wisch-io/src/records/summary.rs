@@ -69,6 +69,10 @@ pub struct TreatmentSummary {
     pub mean_passes: f64,
     /// Standard deviation of the passes over the points.
     pub passes_deviation: f64,
+    /// Maximum number of passes over any point; null without a limit.
+    pub max_passes: Option<u32>,
+    /// Share of the points polished more often than that; null without a limit.
+    pub share_above_max_passes: Option<f64>,
     /// Mean removed or dispensed thickness; null without a coefficient of Preston's law.
     pub mean_depth_m: Option<f64>,
 }

@@ -68,6 +68,27 @@ impl Treatment {
         let squares: f64 = passes().map(|passes| (passes - mean).powi(2)).sum();
         [mean, (squares / count).sqrt()]
     }
+
+    /// Returns the share of the places that were polished more often than the treatment allows \[1\], counted in whole
+    /// passes; `None` for a treatment without such a limit.
+    ///
+    /// ```
+    /// use wisch::geometry::Point2;
+    /// use wisch::represent::{Fate, ParticleDistribution, Treatment};
+    /// let at = |passes| (Point2::origin(), Fate::Treated { passes });
+    /// let places = ParticleDistribution::with_fates(&[at(2.0), at(3.4), at(3.6), at(7.0)])?;
+    /// let polish = Treatment::Polish { passes: 2, max_passes: 3, preston: None };
+    /// assert_eq!(polish.share_above_limit(&places), Some(0.5));
+    /// # Ok::<(), wisch::represent::ParticleError>(())
+    /// ```
+    pub fn share_above_limit(&self, places: &ParticleDistribution) -> Option<f64> {
+        let Self::Polish { max_passes, .. } = *self else {
+            return None;
+        };
+        let is_above = |fate: Fate| fate.passes().round() > f64::from(max_passes);
+        let above = places.iter().filter(|(_, fate)| is_above(*fate)).count();
+        Some(above as f64 / places.len().max(1) as f64)
+    }
 }
 
 /// Returns about `count` places of a surface: the middles of square cells, row by row along x, except those under an
