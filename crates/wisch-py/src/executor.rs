@@ -12,7 +12,7 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::Duration;
 use wisch::follow::Workcell;
-use wisch::represent::{Observation, Surface, SurfaceShape, Task};
+use wisch::represent::{Observation, Surface, Task};
 use wisch::run::{
     Ending, Execution, Executor, ExecutorError, MotionOrder, RobotState, SampleSink, StampClock,
 };
@@ -285,17 +285,8 @@ fn check_shape(object: &Bound<'_, PyAny>, surface: &Surface) -> PyResult<()> {
             .and_then(|stated| stated.is_truthy())
     };
     let name = &surface.name;
-    match surface.shape {
-        SurfaceShape::Plane => return Ok(()),
-        SurfaceShape::Cylinder { .. } | SurfaceShape::Cone(_) if knows().unwrap_or(false) => {
-            return Ok(());
-        }
-        SurfaceShape::Cylinder { .. } | SurfaceShape::Cone(_) => {}
-        SurfaceShape::Mesh(_) => {
-            return Err(plain(format!(
-                "surface {name:?} is a mesh; executors wipe planes, cylinders and cones"
-            )));
-        }
+    if surface.shape.is_plane() || knows().unwrap_or(false) {
+        return Ok(());
     }
     Err(plain(format!(
         "surface {name:?} is curved, so that its normal differs from place to place; an executor that reads motion.surface_shape states accepts_curved = True"

@@ -19,6 +19,7 @@ mod robot;
 mod round;
 mod session;
 mod task;
+mod task_text;
 mod telemetry;
 mod watchdog;
 

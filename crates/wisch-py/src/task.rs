@@ -7,21 +7,20 @@ use crate::motion::shape_dict;
 use crate::plan::PyPlan;
 use crate::robot::{PyRobot, warn_of};
 use crate::session::{Given, PROGRAM, PySession};
+use crate::task_text::{GivenFiles, TaskText};
 use crate::telemetry::{PyTelemetry, touches};
 use pyo3::prelude::*;
-use pyo3::types::{PyDict, PyFloat, PyInt, PyMapping};
+use pyo3::types::PyDict;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use wisch::geometry::{PlanarPose, Point2};
 use wisch::interpret::UnusableWrenches;
 use wisch::plan::plan_from_strokes;
-use wisch::represent::{ParticleDistribution, ScenePart, Task};
+use wisch::represent::{ScenePart, Task};
 use wisch::run::OwnStrategy;
-use wisch_io::{LoadOptions, LoadedTask, PlanRecord, particles_to_csv, read_beside};
+use wisch_io::{LoadOptions, LoadedTask, PlanRecord, read_beside};
 use wisch_record::{EpisodeTarget, RecordOptions, RunRecord};
 
-/// File name that stands for particles given as an array, in a task from objects.
-const GIVEN_PARTICLES: &str = "particles given as an array.csv";
 /// Name of a task without a file.
 const NO_FILE: &str = "task.toml";
 
@@ -30,6 +29,8 @@ const NO_FILE: &str = "task.toml";
 pub struct PyTask {
     pub loaded: Arc<LoadedTask>,
     options: LoadOptions,
+    /// Contents of the files that stand for objects of Python.
+    given: Arc<GivenFiles>,
 }
 
 /// Reads a task file, or a shipped scenario by its name, with all files that it refers to.
@@ -50,25 +51,33 @@ pub fn load_task(
     strategy: Option<&str>,
     knowledge: Option<PathBuf>,
 ) -> PyResult<PyTask> {
-    let options = options_of(set, seed, action, strategy, knowledge)?;
+    let mut writer = TaskText::default();
+    let options = options_of(&mut writer, set, seed, action, strategy, knowledge)?;
+    if !writer.files.is_empty() {
+        return Err(plain(
+            "a mesh given as arrays in set is only possible in build_task; write it to a file and name that",
+        ));
+    }
     let loaded = py.detach(|| wisch_io::load_task(&path, &options));
     Ok(PyTask {
         loaded: Arc::new(loaded.map_err(of_file)?),
         options,
+        given: Arc::default(),
     })
 }
 
-/// Loads the task of a file's text, with particles from an array if they were given as one.
-fn load(path: &Path, text: String, csv: Option<String>, options: LoadOptions) -> PyResult<PyTask> {
+/// Loads the task of a file's text. `given`: contents of the files that stand for objects of Python.
+fn load(path: &Path, text: String, given: GivenFiles, options: LoadOptions) -> PyResult<PyTask> {
     let mut files = read_beside(path);
-    let mut read = |file: &str| match &csv {
-        Some(csv) if file == GIVEN_PARTICLES => Ok(csv.clone().into_bytes()),
-        _ => files(file),
+    let mut read = |file: &str| match given.get(file) {
+        Some(contents) => Ok(contents.clone()),
+        None => files(file),
     };
     let loaded = wisch_io::parse_task(path, text, &mut read, &options).map_err(of_file)?;
     Ok(PyTask {
         loaded: Arc::new(loaded),
         options,
+        given: Arc::new(given),
     })
 }
 
@@ -87,78 +96,19 @@ pub fn task_of_keys(
     strategy: Option<&str>,
     knowledge: Option<PathBuf>,
 ) -> PyResult<PyTask> {
-    let options = options_of(set, seed, action, strategy, knowledge)?;
-    let csv = particles.map(csv_of).transpose()?;
-    let mut text = text_of(keys)?;
-    if csv.is_some() {
-        text += &format!("\n[particles]\nsource = \"csv\"\nfile = {GIVEN_PARTICLES:?}\n");
+    let mut writer = TaskText::default();
+    let options = options_of(&mut writer, set, seed, action, strategy, knowledge)?;
+    let mut text = writer.keys(keys)?;
+    if let Some(particles) = particles {
+        let source = writer.particles(particles)?;
+        text += &format!("\n[particles]\n{}\n", source.join("\n"));
     }
     let path = path.unwrap_or_else(|| PathBuf::from(NO_FILE));
-    py.detach(|| load(&path, text, csv, options))
-}
-
-fn csv_of(particles: &Bound<'_, PyAny>) -> PyResult<String> {
-    let points = rows::<2>("particles", particles)?;
-    let points: Vec<_> = points.into_iter().map(Into::into).collect();
-    let particles = ParticleDistribution::new(&points).map_err(plain)?;
-    Ok(particles_to_csv(&particles))
-}
-
-/// Returns the text of a task file with these keys: values first, then tables.
-fn text_of(keys: &Bound<'_, PyDict>) -> PyResult<String> {
-    let (mut alone, mut tables) = (String::new(), String::new());
-    for (key, value) in keys {
-        let key: String = key.extract()?;
-        let name = toml::Value::String(key.clone());
-        let Ok(table) = value.cast::<PyMapping>() else {
-            alone += &format!("{name} = {}\n", toml_of(&key, &value)?);
-            continue;
-        };
-        tables += &format!("\n[{name}]\n");
-        for entry in table.keys()?.iter() {
-            let inner: String = entry.extract()?;
-            let value = toml_of(&format!("{key}.{inner}"), &table.get_item(&entry)?)?;
-            tables += &format!("{} = {value}\n", toml::Value::String(inner));
-        }
-    }
-    Ok(alone + &tables)
-}
-
-/// Converts a Python value to TOML.
-fn toml_of(key: &str, value: &Bound<'_, PyAny>) -> PyResult<String> {
-    if let Ok(list) = value.call_method0("tolist") {
-        return toml_of(key, &list);
-    }
-    if let Ok(is_true) = value.extract::<bool>() {
-        return Ok(is_true.to_string());
-    }
-    if let Ok(text) = value.extract::<String>() {
-        return Ok(toml::Value::String(text).to_string());
-    }
-    if let Ok(path) = value.call_method0("__fspath__") {
-        return toml_of(key, &path);
-    }
-    if let Ok(table) = value.cast::<PyMapping>() {
-        let mut entries = Vec::new();
-        for entry in table.keys()?.iter() {
-            let inner: String = entry.extract()?;
-            let value = toml_of(&format!("{key}.{inner}"), &table.get_item(&entry)?)?;
-            entries.push(format!("{} = {value}", toml::Value::String(inner)));
-        }
-        return Ok(format!("{{ {} }}", entries.join(", ")));
-    }
-    if value.is_instance_of::<PyInt>() || value.is_instance_of::<PyFloat>() {
-        return value.str()?.extract();
-    }
-    let items = value.try_iter().map_err(|_| {
-        let found = arrays::kind_of(value);
-        refused(key, found, "numbers, words, lists and dicts")
-    })?;
-    let items: PyResult<Vec<String>> = items.map(|item| toml_of(key, &item?)).collect();
-    Ok(format!("[{}]", items?.join(", ")))
+    py.detach(|| load(&path, text, writer.files, options))
 }
 
 fn options_of(
+    writer: &mut TaskText,
     set: Option<&Bound<'_, PyDict>>,
     seed: Option<u64>,
     action: Option<&str>,
@@ -171,7 +121,7 @@ fn options_of(
         let value = match value.extract() {
             // As on the command line: TOML, or a plain word.
             Ok(text) => text,
-            Err(_) => toml_of(&key, &value)?,
+            Err(_) => writer.value(&key, &value)?,
         };
         settings.push((key, value));
     }
@@ -198,6 +148,7 @@ impl PyTask {
         }
         let function = given.clone().unbind();
         let (loaded, options) = (Arc::clone(&self.loaded), self.options.clone());
+        let files = Arc::clone(&self.given);
         Ok(Given::Strategy(OwnStrategy::new(move |task: &Task| {
             Python::attach(|py| {
                 let task = Self {
@@ -206,6 +157,7 @@ impl PyTask {
                         ..(*loaded).clone()
                     }),
                     options: options.clone(),
+                    given: Arc::clone(&files),
                 };
                 strokes_of(&function.bind(py).call1((Py::new(py, task)?,))?)
             })
@@ -484,17 +436,19 @@ impl PyTask {
         action: Option<&str>,
         strategy: Option<&str>,
     ) -> PyResult<Self> {
-        let csv = csv_of(particles)?;
+        // The meshes that were given for the first task are those of the second, too.
+        let mut writer = TaskText::default();
+        writer.files = (*self.given).clone();
         let mut options = self.options.clone();
-        let laid_over = options_of(set, seed, action, strategy, None)?;
-        let source = format!("{{ source = \"csv\", file = {GIVEN_PARTICLES:?} }}");
+        let laid_over = options_of(&mut writer, set, seed, action, strategy, None)?;
+        let source = format!("{{ {} }}", writer.particles(particles)?.join(", "));
         options.settings.push(("particles".to_owned(), source));
         options.settings.extend(laid_over.settings);
         options.seed = laid_over.seed.or(options.seed);
         options.action = laid_over.action.or(options.action);
         options.strategy = laid_over.strategy.or(options.strategy);
         let (path, text) = (&self.loaded.path, self.loaded.text.clone());
-        py.detach(|| load(path, text, Some(csv), options))
+        py.detach(|| load(path, text, writer.files, options))
     }
 
     /// Interprets poses and forces: a `Telemetry`, or arrays of times (T) [s], poses (T, 7) and forces of the

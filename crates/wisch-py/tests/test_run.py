@@ -154,3 +154,34 @@ def test_a_table_is_read_as_a_log(task, robot, exact, tmp_path):
     with pytest.raises(wisch.WischError) as caught:
         wisch.read_log(tmp_path / "no.mcap")
     assert caught.value.file == str(tmp_path / "no.mcap")
+
+
+class OnCurve:
+    """A robot that presses along the tool's axis, wherever it points."""
+
+    accepts_curved = True
+
+    def __init__(self, force):
+        self.force = force
+
+    def execute(self, motion, sink):
+        x, y, z, w = motion.world_from_tool[:, 3:].T
+        axis = np.column_stack([2 * (x * z + y * w), 2 * (y * z - x * w), 1 - 2 * (x * x + y * y)])
+        touches = (motion.stroke >= 0)[:, None]
+        sink.many(
+            time_s=motion.time_s,
+            world_from_tool=motion.world_from_tool,
+            force_n=touches * self.force * axis,
+            positions=motion.positions,
+        )
+
+
+def test_an_executor_that_accepts_curved_surfaces_wipes_a_mesh():
+    task = wisch.load_task("basin", set={"perception.senses": ["touch"]})
+    robot = OnCurve(task.press_force_n)
+    [first] = task.session(task.robot(), rounds=1).run(robot)
+    assert first.motion.surface_shape["kind"] == "mesh"
+    assert first.performance > 0.5, first
+    robot.accepts_curved = False
+    with pytest.raises(wisch.WischError, match="accepts_curved"):
+        task.session(task.robot(), rounds=1).run(robot)

@@ -99,3 +99,49 @@ def test_an_invalid_particle_is_named():
     places[1, 0] = np.nan
     with pytest.raises(wisch.WischError, match=r"particle 1: position \(NaN, 0.05\)"):
         build(particles=places)
+
+
+def bulge(size=(0.3, 0.2), radius=1.0, cells=24):
+    """Vertices and faces of a piece of a cylinder along y."""
+    x, y = np.meshgrid(np.linspace(-size[0] / 2, size[0] / 2, cells + 1), np.linspace(-size[1] / 2, size[1] / 2, cells + 1))
+    vertices = np.column_stack([x.ravel(), y.ravel(), np.sqrt(radius**2 - x.ravel() ** 2) - radius])
+    corner = (np.arange(cells)[:, None] * (cells + 1) + np.arange(cells)).ravel()
+    lower = np.column_stack([corner, corner + 1, corner + cells + 2])
+    upper = np.column_stack([corner, corner + cells + 2, corner + cells + 1])
+    return vertices, np.vstack([lower, upper])
+
+
+class Trimesh:
+    """What wisch uses of a mesh of the package trimesh."""
+
+    def __init__(self, vertices, faces):
+        self.vertices, self.faces = vertices, faces
+
+
+def test_a_surface_may_be_a_mesh_in_memory(tmp_path):
+    vertices, faces = bulge()
+    places = [[0.1, 0.02], [0.0, 0.05], [-0.1, -0.05]]
+    curved = {"name": "chopping_board", "position_m": [0.0, 0.0, 0.75]}
+    made = build(surface={**curved, "mesh": (vertices, faces)}, particles=places)
+    also = build(surface={**curved, "mesh": {"file": Trimesh(vertices, faces), "towards": [0, 0, 1]}}, particles=places)
+    assert made.session().plan().to_json().count("mesh") >= 1
+    assert also.session().plan().strokes[0] == pytest.approx(made.session().plan().strokes[0])
+    # Another task of it has the same mesh.
+    other = made.with_particles(PLACES, strategy="grid")
+    np.testing.assert_allclose(other.surface_outline, made.surface_outline)
+    size = np.ptp(made.surface_outline, axis=0)
+    assert size == pytest.approx([0.3008, 0.2], abs=2e-3)
+
+
+@pytest.mark.parametrize(
+    "mesh, words",
+    [
+        ((np.zeros((3, 2)), [[0, 1, 2]]), "shape"),
+        ((np.eye(3), [[0, 1, 3]]), "indices of 3 vertices"),
+        ((np.eye(3), [[0, 1, -1]]), "indices of 3 vertices"),
+        ((np.full((3, 3), np.nan), [[0, 1, 2]]), "mesh"),
+    ],
+)
+def test_a_wrong_mesh_in_memory_is_refused(mesh, words):
+    with pytest.raises((wisch.WischError, TypeError, ValueError), match=words):
+        build(surface={"name": "chopping_board", "mesh": mesh})

@@ -29,6 +29,8 @@ def build_task(
     ``keys`` are those of a task file (``wisch new`` writes one with every key explained): ``tool``, ``medium``, ``surface``,
     ``robot``, ``scene``, ``collect``, ``plan``, ``execution``, ``perception``, ... as dicts and lists. A name alone stands for
     ``{"name": ...}``. ``particles`` is an array (N, 2) of positions in the frame of the surface [m], or a dict as in a file.
+    A mesh in memory may stand for a mesh file: an object with ``vertices`` and ``faces``, such as one of trimesh, or a pair of
+    arrays (V, 3) [m] and (T, 3).
     Paths are relative to the working directory, or to the folder of ``path``, which errors name as the task's file.
 
     >>> import numpy as np
