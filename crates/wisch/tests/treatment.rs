@@ -4,7 +4,9 @@ use wisch::geometry::{PlanarPose, Point2, Polygon, Pose, Region, Vector2, Vector
 use wisch::interpret::{
     Belief, Diagnosis, InterpretConfig, Interpretation, TouchSample, Uncertainty, interpret,
 };
-use wisch::plan::{CoverageStrategy, Plan, PlanConfig, Planner, Strategy, plan, predict};
+use wisch::plan::{
+    CoverageStrategy, Plan, PlanConfig, Planner, Strategy, check_strokes, plan, predict,
+};
 use wisch::recover::remaining_dirt;
 use wisch::represent::{
     Action, Effect, EffectModel, Fate, GoalState, Interaction, ParticleDistribution, ParticleField,
@@ -207,14 +209,19 @@ fn only_what_is_missing_is_gone_over_again() {
     assert!(open.is_empty());
 }
 
-#[test]
-fn lanes_keep_clear_of_what_stands_on_the_surface() {
-    let mut task = polish(1, [0.8, 0.5]);
+/// Puts a cup of 6 cm on the surface.
+fn put_cup(task: &mut Task, x: f64, y: f64) {
     let mut cup = board(Action::Absorb, [0.0, 0.0, 0.0]).scene.remove(0);
     cup.mesh = wisch::geometry::Mesh::cylinder(0.03, 0.2, 24).unwrap();
     cup.part = wisch::represent::ScenePart::Obstacle;
-    cup.world_from_object = task.surface.world_from_surface * Pose::translation(0.05, 0.02, 0.1);
+    cup.world_from_object = task.surface.world_from_surface * Pose::translation(x, y, 0.1);
     task.scene = vec![cup];
+}
+
+#[test]
+fn lanes_keep_clear_of_what_stands_on_the_surface() {
+    let mut task = polish(1, [0.8, 0.5]);
+    put_cup(&mut task, 0.05, 0.02);
     let plan = plan(&task, &lanes()).unwrap();
     let middle = Point2::new(0.05, 0.02);
     for pose in plan.strokes.iter().flat_map(|stroke| &stroke.poses) {
@@ -222,6 +229,68 @@ fn lanes_keep_clear_of_what_stands_on_the_surface() {
         assert!(clear >= plan.collision_radius - 1e-3, "{clear}");
     }
     assert!(share(&task, &plan) > 0.8);
+}
+
+/// Outlines whose borders are slanted or notched, with a hole, and beside an object.
+fn odd_outlines() -> Vec<Polygon> {
+    let ring = |points: &[[f64; 2]]| points.iter().copied().map(Point2::from).collect::<Vec<_>>();
+    let mut outlines = vec![
+        Polygon::new(ring(&[[0.0, 0.0], [0.4, 0.0], [0.2, 0.3]]), vec![]),
+        Polygon::new(ring(&[[0.0, 0.0], [0.5, 0.1], [0.1, 0.12]]), vec![]),
+        Polygon::new(
+            ring(&[
+                [0.0, 0.0],
+                [0.5, 0.0],
+                [0.5, 0.2],
+                [0.2, 0.2],
+                [0.2, 0.5],
+                [0.0, 0.5],
+            ]),
+            vec![],
+        ),
+        Polygon::new(
+            ring(&[[0.0, 0.0], [0.4, 0.0], [0.4, 0.4], [0.2, 0.15], [0.0, 0.4]]),
+            vec![],
+        ),
+        Polygon::new(
+            ring(&[[-0.3, -0.2], [0.3, -0.2], [0.3, 0.2], [-0.3, 0.2]]),
+            vec![ring(&[[0.0, -0.08], [0.1, 0.02], [-0.05, 0.1]])],
+        ),
+    ];
+    outlines.extend((1..=12).map(|i| {
+        let angle = |k: u32| f64::from(k) * 2.1 + 0.37 * f64::from(i);
+        let corner = |k: u32| [0.3 * angle(k).cos(), 0.22 * angle(k).sin()];
+        Polygon::new(ring(&[corner(0), corner(1), corner(2)]), vec![])
+    }));
+    outlines
+}
+
+#[test]
+fn lanes_stay_within_the_limits_of_strokes_that_are_given() {
+    for (index, outline) in odd_outlines().into_iter().enumerate() {
+        for mut task in [
+            polish(1, [0.4; 2]),
+            polish(3, [0.4; 2]),
+            paint(1.0, [0.4; 2]),
+        ] {
+            task.surface.outline = outline.clone();
+            if index % 2 == 1 {
+                put_cup(&mut task, 0.05, 0.05);
+            }
+            let occupied = task.occupied_area();
+            let area = DirtArea {
+                outline: &outline,
+                occupied: &occupied,
+            };
+            task.particles = surface_cells(area, 600).unwrap();
+            let plan = plan(&task, &lanes()).unwrap();
+            let checked = check_strokes(&task, &plan.strokes);
+            let (name, share) = (task.action, share(&task, &plan));
+            assert!(checked.is_ok(), "{index} {name}: {checked:?}");
+            // Beside a cup there is little room on the narrow ones.
+            assert!(share > 0.6 || index % 2 == 1, "{index} {name}: {share}");
+        }
+    }
 }
 
 #[test]

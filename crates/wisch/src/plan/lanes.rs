@@ -12,7 +12,7 @@ use super::{
     Strategy, Stroke,
 };
 use crate::geometry::{PlanarPose, Point2, Vector2};
-use crate::represent::{Action, Fate, GoalState, Ground, SurfaceShape, Task, Treatment};
+use crate::represent::{Action, Fate, GoalState, SurfaceShape, Task, Treatment};
 use std::f64::consts::FRAC_PI_2;
 
 /// Distance of the tool centre point beyond the border at most, over the tool's length along the lane [1]. A
@@ -29,6 +29,8 @@ const ROUNDING: f64 = 1e-9;
 const HOLE_MARGIN: f64 = 1e-5;
 /// Sine of the angle below which two directions of lanes are the same [1].
 const SAME_DIRECTION: f64 = 1e-9;
+/// Distances by which a lane is shifted to reach places beside a slanted border, over half of the tool's width [1].
+const SHIFTS_INSIDE: [f64; 6] = [0.25, -0.25, 0.5, -0.5, 0.75, -0.75];
 /// Number of halvings in the search for the end of a lane: exact to a micrometre.
 const HALVINGS: usize = 20;
 
@@ -251,39 +253,85 @@ impl<'a> Lanes<'a> {
         let places = self.places_by_lane(&middles);
         let mut strokes: Vec<Vec<PlanarPose>> = Vec::new();
         let mut at = self.start.x;
-        for (&across, mut of_lane) in middles.iter().zip(places) {
-            let surface = self.space.surface();
-            let is_carried = |at| !matches!(surface.ground(at), Ground::Hole(_));
-            of_lane.retain(|open| {
-                let at = self.in_surface(open.along, across);
-                self.space.is_clear(at) && is_carried(at)
-            });
-            of_lane.sort_by(|a, b| a.along.total_cmp(&b.along));
-            let mut runs: Vec<&[UntreatedPlace]> = of_lane
-                .chunk_by(|a, b| self.is_continuous(a.along, b.along, across))
-                .collect();
-            let [first, last] = [of_lane.first(), of_lane.last()].map(|open| open.map(|o| o.along));
-            let is_backward = match (first, last) {
-                (Some(first), Some(last)) => (at - first).abs() > (at - last).abs(),
-                _ => continue,
-            };
-            if is_backward {
-                runs.reverse();
-            }
-            for run in runs {
-                for way in self.turning_points(run, across, is_backward) {
-                    at = way.last().map_or(at, |turn| turn[0]);
-                    strokes.push(self.poses(&way));
-                }
+        for (&across, of_lane) in middles.iter().zip(places) {
+            let is_carried = |open: &UntreatedPlace| self.supports([open.along, across]);
+            let (of_lane, beside): (Vec<_>, Vec<_>) = of_lane.into_iter().partition(is_carried);
+            self.treat(of_lane, across, &mut at, &mut strokes);
+            // Beside a slanted border, the middle of the lane is beyond it: the tool passes farther inside.
+            if let Some((across, of_lane)) = self.lane_inside(&beside, across) {
+                self.treat(of_lane, across, &mut at, &mut strokes);
             }
         }
         strokes
     }
 
+    /// Returns a lane beside the one at `across` that reaches most of these places, with them; `None` if none is reached.
+    fn lane_inside(
+        &self,
+        places: &[UntreatedPlace],
+        across: f64,
+    ) -> Option<(f64, Vec<UntreatedPlace>)> {
+        let half = self.tool.y / 2.0;
+        let shifted = SHIFTS_INSIDE.map(|shift| {
+            let across = across + shift * half;
+            let is_reached = |open: &&UntreatedPlace| {
+                (open.across - across).abs() <= half && self.supports([open.along, across])
+            };
+            (across, places.iter().filter(is_reached).copied().collect())
+        });
+        let reached = |lane: &(f64, Vec<UntreatedPlace>)| lane.1.len();
+        let best = shifted.into_iter().rev().max_by_key(reached)?;
+        (!best.1.is_empty()).then_some(best)
+    }
+
+    /// Adds the strokes of the lane at `across` over these places. `at`: the tool's coordinate along the lanes [m].
+    fn treat(
+        &mut self,
+        mut of_lane: Vec<UntreatedPlace>,
+        across: f64,
+        at: &mut f64,
+        strokes: &mut Vec<Vec<PlanarPose>>,
+    ) {
+        of_lane.retain(|open| self.space.is_clear(self.in_surface(open.along, across)));
+        of_lane.sort_by(|a, b| a.along.total_cmp(&b.along));
+        let mut runs: Vec<&[UntreatedPlace]> = of_lane
+            .chunk_by(|a, b| self.is_continuous(a.along, b.along, across))
+            .collect();
+        let (Some(first), Some(last)) = (of_lane.first(), of_lane.last()) else {
+            return;
+        };
+        let is_backward = (*at - first.along).abs() > (*at - last.along).abs();
+        if is_backward {
+            runs.reverse();
+        }
+        for run in runs {
+            for way in self.turning_points(run, across, is_backward) {
+                *at = way.last().map_or(*at, |turn| turn[0]);
+                strokes.push(self.poses(&way));
+            }
+        }
+    }
+
     /// Whether a lane continues from one place to the next.
     fn is_continuous(&self, from: f64, to: f64, across: f64) -> bool {
-        let [a, b] = [from, to].map(|along| self.in_surface(along, across));
-        to - from <= 2.0 * self.space.radius() && self.space.is_clear_between(a, b)
+        to - from <= 2.0 * self.space.radius() && self.may_move([from, across], [to, across])
+    }
+
+    /// Whether the tool may be pressed with its centre at these coordinates along and across the lanes [m], as far as
+    /// the surface carries it.
+    fn supports(&self, [along, across]: [f64; 2]) -> bool {
+        let at = self.in_surface(along, across);
+        let surface = self.space.surface();
+        surface.supports_between(at, at, OVERHANG * self.tool.x)
+    }
+
+    /// Whether the tool may move straight between these coordinates along and across the lanes [m]: the surface carries
+    /// it, and it touches nothing.
+    fn may_move(&self, from: [f64; 2], to: [f64; 2]) -> bool {
+        let [from, to] = [from, to].map(|[along, across]| self.in_surface(along, across));
+        let surface = self.space.surface();
+        self.space.is_clear_between(from, to)
+            && surface.supports_between(from, to, OVERHANG * self.tool.x)
     }
 
     /// Returns the turning points of the tool, along and across [m], stroke by stroke. The tool moves to and
@@ -315,9 +363,15 @@ impl<'a> Lanes<'a> {
             }
             let [begin, end] = ends;
             if self.is_lenient {
-                let [again, anew] = [begin, end].map(|end| end.place + end.again);
+                let [again, anew] = [begin, end].map(|end| self.repeat_end(end, across));
                 let turns = [again, begin.place, end.place, anew];
-                whole.extend(turns.map(|along| [along, across]));
+                let turns = turns.map(|along| [along, across]);
+                // Lifted where it cannot slide over to the next pass.
+                if (whole.last()).is_some_and(|&last| !self.may_move(last, turns[0])) {
+                    whole.dedup();
+                    ways.push(std::mem::take(&mut whole));
+                }
+                whole.extend(turns);
             } else {
                 ways.push(vec![[begin.place, across], [end.place, across]]);
             }
@@ -328,13 +382,13 @@ impl<'a> Lanes<'a> {
     }
 
     /// Returns the coordinate of a pass across the lane [m]: shifted, unless the shifted pass would meet an
-    /// obstacle.
+    /// obstacle or leave the surface.
     fn pass_coordinate(&self, run: &[UntreatedPlace], across: f64, pass: u32, passes: u32) -> f64 {
         let shifted = across + self.shift(pass, passes);
-        let at = |open: &UntreatedPlace| self.in_surface(open.along, shifted);
-        let is_clear = run.iter().all(|open| self.space.is_clear(at(open)))
-            && (run.windows(2)).all(|pair| self.space.is_clear_between(at(&pair[0]), at(&pair[1])));
-        if is_clear { shifted } else { across }
+        let at = |open: &UntreatedPlace| [open.along, shifted];
+        let is_possible = run.iter().all(|open| self.may_move(at(open), at(open)))
+            && (run.windows(2)).all(|pair| self.may_move(at(&pair[0]), at(&pair[1])));
+        if is_possible { shifted } else { across }
     }
 
     /// Counts a pass over the places under the tool. Refuses the pass, and returns false, if it serves few
@@ -393,6 +447,26 @@ impl<'a> Lanes<'a> {
             place: last + side * least,
             again: -side * (half - least),
         }
+    }
+
+    /// Returns the coordinate along the lane to which the tool moves back at an end, to repeat it [m]: no farther than the
+    /// surface and the obstacles permit.
+    fn repeat_end(&self, end: LaneEnd, across: f64) -> f64 {
+        let at = |share: f64| end.place + share * end.again;
+        let may_go = |share: f64| self.may_move([end.place, across], [at(share), across]);
+        if may_go(1.0) {
+            return at(1.0);
+        }
+        let (mut least, mut most) = (0.0, 1.0);
+        for _ in 0..HALVINGS {
+            let middle = (least + most) / 2.0;
+            if may_go(middle) {
+                least = middle;
+            } else {
+                most = middle;
+            }
+        }
+        at(least)
     }
 
     /// Returns the tool's poses along the turning points, in the surface frame, no farther apart than the node pitch.

@@ -343,6 +343,43 @@ impl Surface {
         })
     }
 
+    /// Whether a point that moves straight crosses no hole, and is never farther beyond the outer border than `overhang`
+    /// \[m\]: a tool whose centre moves so is carried by the rest of its footprint.
+    ///
+    /// ```
+    /// use wisch::geometry::{Point2, Polygon, Pose, Vector2};
+    /// use wisch::represent::Surface;
+    /// let outline = Polygon::rectangle(Vector2::new(0.4, 0.2));
+    /// let plate = Surface::new("plate", outline, Pose::identity());
+    /// let [inside, beside] = [Point2::origin(), Point2::new(0.21, 0.0)];
+    /// assert!(plate.supports_between(inside, beside, 0.02));
+    /// assert!(!plate.supports_between(inside, beside, 0.005));
+    /// ```
+    pub fn supports_between(&self, from: Point2, to: Point2, overhang: f64) -> bool {
+        let ends_inside = self.outline.contains(from) && self.outline.contains(to);
+        if ends_inside && self.outline.is_convex() {
+            return true;
+        }
+        let is_near = |place: Point2| {
+            let mut edges = self.outline.edges();
+            edges.any(|edge| edge.distance(place) <= overhang + LEAST_PART)
+        };
+        self.split_move(from, to).iter().all(|part| {
+            let [begin, end] = part.shares;
+            match part.ground {
+                Ground::Surface => true,
+                Ground::Hole(_) => false,
+                // Beyond a convex border the distance is greatest at an end, in a notch perhaps in the middle.
+                Ground::Beyond => {
+                    let places = [begin, (begin + end) / 2.0, end];
+                    places
+                        .into_iter()
+                        .all(|share| is_near(from + (to - from) * share))
+                }
+            }
+        })
+    }
+
     /// Returns the edge over which a straight move from `from` (on the surface) to `to` first leaves the surface.
     ///
     /// A move that ends inside but crosses a notch has left the surface.
