@@ -282,6 +282,8 @@ episode_of(Thing, Episode) :-
 
 sure_failure(Action, High) :-
     of_class(Action, 'semco:WipingAction'),
+    % An interval without a performance is a lower bound: the performance is unknown.
+    value_of(Action, 'semco:performance', _),
     value_of(Action, 'semco:performanceHigh', High),
     value_of(Action, 'semco:target', Target),
     High < Target.
