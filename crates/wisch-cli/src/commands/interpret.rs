@@ -117,17 +117,25 @@ pub(super) fn interpret_log(
         counted(log.samples.len(), "sample")
     ));
     let mut interpretation = interpret_samples(source, prepared, &log, &goal)?;
+    let mut observed = None;
     if let Some(file) = observation {
         let sensor = prepared.file.camera.unwrap_or_default();
+        let observation = prepared.observation(file)?;
+        let detections = counted(observation.detections.len(), "detection");
+        observed = Some(format!(
+            "after the log: {detections} of dirt in {}",
+            file.display()
+        ));
         interpretation.observe(&ObservationUpdate {
-            observation: &prepared.observation(file)?,
+            observation: &observation,
             sight: prepared.sight(sensor),
             surface: &prepared.task.surface,
             goal: &goal,
             seed: prepared.task.seed,
         });
     }
-    let remarks = remarks(&log, prepared, &interpretation);
+    let mut remarks = remarks(&log, prepared, &interpretation);
+    remarks.extend(observed);
     let record = InterpretationRecord::new(
         &prepared.task,
         &interpretation,

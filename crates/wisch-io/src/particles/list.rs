@@ -56,8 +56,8 @@ pub fn csv_particles(
     distribution(&rows)
 }
 
-/// Reads an observation in the format of [`csv_particles`]; its detections are the particles on the surface. An empty list
-/// means that no dirt was detected.
+/// Reads an observation in the format of [`csv_particles`]; its detections are the particles on the surface. A header
+/// without rows means that no dirt was detected.
 ///
 /// # Errors
 /// Those of [`csv_particles`], except for an empty list.
@@ -211,8 +211,10 @@ fn rows(file: &str, text: &[u8]) -> Result<Vec<Row>, ParticleSourceError> {
         });
     }
     if rows.is_empty() {
-        return Err(ParticleSourceError::EmptyList {
-            file: file.to_owned(),
+        let file = file.to_owned();
+        return Err(match columns {
+            None => ParticleSourceError::Blank { file },
+            Some(_) => ParticleSourceError::EmptyList { file },
         });
     }
     Ok(rows)

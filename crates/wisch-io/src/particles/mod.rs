@@ -62,6 +62,14 @@ pub enum ParticleSourceError {
         /// The file.
         file: String,
     },
+    /// A file without anything to read.
+    #[error(
+        "{file}: there is neither a row nor a header; a list that is meant to be empty has the header x,y"
+    )]
+    Blank {
+        /// The file.
+        file: String,
+    },
     /// An image that cannot be used.
     #[error("{file}: {problem}")]
     Image {

@@ -50,7 +50,7 @@ fn a_list_is_refused_with_its_line_and_value() {
     for (text, expected) in [
         (
             "",
-            "crumbs.csv: the list has no particles; at least 1 is required",
+            "crumbs.csv: there is neither a row nor a header; a list that is meant to be empty has the header x,y",
         ),
         (
             "x,y\n",
@@ -413,4 +413,8 @@ fn a_list_of_what_is_seen_may_be_empty() {
     assert_eq!(places, [Point2::new(0.1, -0.05)]);
     assert_eq!(seen("x,y\n").expect("nothing").detections, []);
     assert!(seen("x,y\n0.3,0\n").is_err());
+    for blank in ["", "\n\n", "# nothing\n"] {
+        let error = seen(blank).unwrap_err().to_string();
+        assert!(error.contains("neither a row nor a header"), "{error}");
+    }
 }
