@@ -385,7 +385,8 @@ impl PlanRecord {
             graph: SemanticDirectedGraph {
                 nodes: self.nodes.iter().map(node).collect(),
                 edges: self.edges.iter().map(|&[from, to]| (from, to)).collect(),
-                goal: self.goal.into(),
+                // A goal that the task states is what results are compared with.
+                goal: task.goal().unwrap_or(self.goal.into()),
                 max_edge_length: self.max_edge_length_m,
                 unreachable: self.unreachable_nodes.clone(),
             },

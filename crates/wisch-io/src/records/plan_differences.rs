@@ -101,7 +101,7 @@ impl PlanRecord {
             _ => return None,
         };
         Some(format!(
-            "the plan {plan}, the task {of_task}: results are compared with the goal of the plan"
+            "the plan {plan}, the task {of_task}: results are compared with the goal of the task"
         ))
     }
 }
