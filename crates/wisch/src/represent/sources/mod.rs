@@ -13,6 +13,9 @@ use rand_chacha::{ChaCha8Rng, rand_core::SeedableRng};
 const PARTICLE_STREAM: u64 = 1;
 /// Draws per particle from which the free area counts as too small.
 const DRAWS_PER_PARTICLE: usize = 1_000;
+/// Distance of the centre of a cluster from the surface at most, over its standard deviation [1]: 2 % of its particles
+/// then lie on the surface.
+const MOST_OFF: f64 = 2.0;
 /// Least number of draws before sampling is abandoned.
 const MIN_DRAWS: usize = 100_000;
 
@@ -55,6 +58,18 @@ pub enum SourceError {
     Count {
         /// The requested count.
         count: usize,
+    },
+    /// A cluster that lies beside the surface.
+    #[error(
+        "clusters[{cluster}]: its centre is {distance:.3} m off the surface, more than {MOST_OFF} times its sigma ({sigma} m), so that hardly any of its particles would lie on the surface"
+    )]
+    OffSurface {
+        /// Index of the cluster.
+        cluster: usize,
+        /// Distance of its centre from the surface \[m\].
+        distance: f64,
+        /// Its standard deviation \[m\].
+        sigma: f64,
     },
     /// Too few draws hit the free surface.
     #[error(
@@ -112,13 +127,29 @@ pub fn uniform_particles(
 /// Draws `count` particles in heaps; particles off the area are drawn again.
 ///
 /// # Errors
-/// A count of 0 or above [`MAX_PARTICLES`], or clusters that hardly ever hit the area.
+/// A count of 0 or above [`MAX_PARTICLES`], or a cluster that hardly ever hits the area.
 pub fn cluster_particles(
     area: DirtArea<'_>,
     clusters: &[Cluster],
     count: usize,
     seed: u64,
 ) -> Result<ParticleDistribution, SourceError> {
+    for (index, cluster) in clusters.iter().enumerate() {
+        let edges = area.outline.edges();
+        let distance = match area.outline.contains(cluster.center) {
+            true => 0.0,
+            false => edges.fold(f64::INFINITY, |least, edge| {
+                least.min(edge.distance(cluster.center))
+            }),
+        };
+        if distance > MOST_OFF * cluster.sigma {
+            return Err(SourceError::OffSurface {
+                cluster: index,
+                distance,
+                sigma: cluster.sigma,
+            });
+        }
+    }
     let total: f64 = clusters.iter().map(|cluster| cluster.weight).sum();
     sample_by_rejection(area, count, seed, |random| {
         let mut share = random.random::<f64>() * total;

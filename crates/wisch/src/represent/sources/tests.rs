@@ -111,13 +111,14 @@ fn counts_and_places_that_cannot_be_are_refused() {
         sigma: 0.01,
         weight: 1.0,
     };
-    let error = cluster_particles(area, &[elsewhere], 10, 1).unwrap_err();
-    assert!(matches!(
-        error,
-        SourceError::NoRoom {
-            placed: 0,
-            count: 10,
-            ..
-        }
-    ));
+    // Two heaps, of which one lies beside the board: its particles are not drawn from the other.
+    let on_board = Cluster {
+        center: Point2::origin(),
+        ..elsewhere
+    };
+    let error = cluster_particles(area, &[on_board, elsewhere], 10, 1).unwrap_err();
+    assert!(
+        matches!(error, SourceError::OffSurface { cluster: 1, .. }),
+        "{error}"
+    );
 }
