@@ -187,6 +187,13 @@ fn paint_is_as_thick_as_wanted_and_wasted_hardly_anywhere() {
 }
 
 #[test]
+fn a_coat_thinner_than_half_a_pass_is_refused() {
+    let error = plan(&paint(0.4, [0.3, 0.3]), &lanes()).unwrap_err();
+    let words = error.to_string();
+    assert!(words.contains("one pass leaves 0.25"), "{words}");
+}
+
+#[test]
 fn only_what_is_missing_is_gone_over_again() {
     let task = polish(2, [0.5, 0.31]);
     let goal = task.goal().unwrap();

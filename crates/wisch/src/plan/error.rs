@@ -17,6 +17,18 @@ pub enum PlanError {
         /// Required clearance, d_s \[m\].
         diameter: f64,
     },
+    /// A coat thinner than half of what one pass leaves.
+    #[error(
+        "one pass leaves {:.4} mm, more than twice the wanted {:.4} mm: reduce the dispensed volume per metre, or take a wider tool",
+        1e3 * per_pass,
+        1e3 * thickness
+    )]
+    CoatTooThin {
+        /// Wanted thickness \[m\].
+        thickness: f64,
+        /// Thickness that one pass leaves \[m\].
+        per_pass: f64,
+    },
     /// The surface is too large for the tool.
     #[error(
         "surface \"{surface}\": {count} nodes {pitch:.4} m apart exceed the limit of {MAX_NODES}; {advice}"

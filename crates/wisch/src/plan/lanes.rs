@@ -47,6 +47,17 @@ pub(super) fn lanes(
             action: task.action,
         });
     };
+    if let GoalState::Dispensed {
+        thickness,
+        per_pass,
+    } = goal
+        && goal.missing_passes(0.0) == 0
+    {
+        return Err(PlanError::CoatTooThin {
+            thickness,
+            per_pass,
+        });
+    }
     let directions: Vec<Lanes<'_>> = (headings(task).into_iter())
         .map(|heading| Lanes::new(task, space, goal, heading, config.search.margin_m))
         .collect();
