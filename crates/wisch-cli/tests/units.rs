@@ -306,3 +306,33 @@ fn a_tool_that_presses_beside_its_origin_is_reported() {
     let expected = "the middle of its contact area lies at (80, 0) mm of its origin";
     assert!(error.contains(expected), "{error}");
 }
+
+#[test]
+fn what_is_assumed_of_a_pad_of_edges_and_of_points_is_reported() {
+    let folder = folder_with("polish-plate.toml");
+    let check = |settings: &[&str]| {
+        let mut words = vec!["check", "task.toml", "--robot", "none"];
+        words.extend(settings.iter().flat_map(|setting| ["--set", setting]));
+        wisch(folder.path(), &words).2
+    };
+    let pad = ["tool.name=felt", "tool.footprint_m=[0.05, 0.08]"];
+    let assumed = check(&pad);
+    let height = "tool \"felt\" is taken to be 0.05 m high";
+    assert!(assumed.contains(height), "{assumed}");
+    assert!(!assumed.contains("points, which lie"), "{assumed}");
+    let given = check(&[&pad[..], &["tool.height_m=0.01", "particles.count=7"]].concat());
+    assert!(!given.contains(height), "{given}");
+    assert!(given.contains("6 points, which lie"), "{given}");
+
+    let outline = "surface.outline_m=[[0,0],[0,0.3],[0.4,0.3],[0.4,0]]";
+    let path = folder.path().join("task.toml");
+    let text = fs::read_to_string(&path).unwrap();
+    let without_size: Vec<&str> = text
+        .lines()
+        .filter(|line| !line.starts_with("size_m"))
+        .collect();
+    fs::write(&path, without_size.join("\n")).unwrap();
+    let clockwise = check(&[outline]);
+    let expected = "its edges 0, 1, 2, … are numbered 2, 1, 0, 3 in all results";
+    assert!(clockwise.contains(expected), "{clockwise}");
+}

@@ -6,7 +6,9 @@ use crate::error::Error;
 use crate::kept_files::KeptFiles;
 use crate::particles::{ParticleSource, read_observed_image, read_observed_list};
 use crate::robots::Robot;
-use crate::task_file::{Intent, TaskFile, surface_remarks, tool_remark, unit_remarks};
+use crate::task_file::{
+    Intent, TaskFile, points_remark, surface_remarks, tool_remark, unit_remarks,
+};
 use std::cell::RefCell;
 use std::path::{Path, PathBuf};
 use wisch::geometry::Mesh;
@@ -263,7 +265,7 @@ pub fn parse_task(
     let file = TaskFile::parse(&shown, &text, &options.settings)?;
     let source = KnowledgeSource::new(options.knowledge.as_deref());
     let mut knowledge = source.base()?;
-    let mut assumptions = file.earlier_names.clone();
+    let mut assumptions = file.remarks.clone();
     assumptions.extend(file.extend(&mut knowledge)?);
     let chosen = choose(&file, &shown, options.action, &knowledge, &source)?;
     let seed = options.seed.unwrap_or(file.run.plan.seed);
@@ -299,6 +301,7 @@ pub fn parse_task(
     assumptions.extend(steep.map(|steep| steep.to_string()));
     assumptions.extend(surface_remarks(&task));
     assumptions.extend(tool_remark(&task));
+    assumptions.extend(points_remark(&task));
     assumptions.extend(unit_remarks(&task));
     let simulation = file.simulation(&task, &knowledge, &mut |path| taken_in(path, files(path)))?;
     let mut inputs = inputs.into_inner();

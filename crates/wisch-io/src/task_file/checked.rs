@@ -48,9 +48,11 @@ pub(super) fn read(source: &Source<'_>) -> Result<TaskFile, TaskError> {
     let polish = task.polish.as_ref().map(polish).transpose()?;
     let particles = particle_source(&task.particles.value)?;
     let definitions = super::definitions::read(&file)?;
+    let mut remarks = earlier_names(&tree, source);
+    remarks.extend(surface.edge_numbers.clone());
     Ok(TaskFile {
         name: task.name.0.clone(),
-        earlier_names: earlier_names(&tree, source),
+        remarks,
         intent,
         strategy: task.strategy.as_ref().map(|name| name.0.clone()),
         run: run_config(task),
@@ -295,6 +297,7 @@ fn surface(table: &At<SurfaceTable>, scene: &[ObjectRecord]) -> Result<SurfaceRe
     };
     let mut record = SurfaceRecord {
         at: surface.name.place.clone(),
+        edge_numbers: outline.describe_numbering(),
         surface: Surface {
             name: surface.name.value.0.clone(),
             outline: outline.polygon,

@@ -26,6 +26,8 @@ const GRAIN_SIZE: GrainSize = GrainSize {
 #[derive(Debug, Clone)]
 pub(super) struct Definitions {
     tool: Option<ToolEntry>,
+    /// Whether the height of the tool is assumed.
+    has_assumed_height: bool,
     medium: Option<MediumEntry>,
     surface: Option<SurfaceEntry>,
     interaction: Option<Overrides>,
@@ -49,7 +51,10 @@ pub(super) fn read(file: &At<TaskTable>) -> Result<Definitions, TaskError> {
         }),
         None => None,
     };
+    let tool_table = task.tool.as_ref().map(|table| &table.value);
     Ok(Definitions {
+        has_assumed_height: tool_table
+            .is_some_and(|tool| tool.footprint_m.is_some() && tool.height_m.is_none()),
         tool: match &task.tool {
             Some(table) => tool(table)?,
             None => None,
@@ -80,6 +85,11 @@ fn new_name(name: &At<Name>) -> Result<String, TaskError> {
 
 fn tool(table: &At<ToolTable>) -> Result<Option<ToolEntry>, TaskError> {
     let given = &table.value;
+    if let Some(height) = &given.height_m
+        && given.footprint_m.is_none()
+    {
+        return Err(height.inconsistent("this key needs footprint_m, which defines a pad"));
+    }
     let mesh = match (&given.footprint_m, &given.mesh) {
         (None, None) => {
             return match &given.compression_depth_m {
@@ -93,7 +103,9 @@ fn tool(table: &At<ToolTable>) -> Result<Option<ToolEntry>, TaskError> {
         }
         (Some(footprint), None) => {
             let [depth, width] = footprint.value.map(|side| side.0);
-            ToolMesh::Cuboid(Vector3::new(depth, width, PAD_HEIGHT))
+            let height = given.height_m.as_ref();
+            let height = height.map_or(PAD_HEIGHT, |height| height.value.0);
+            ToolMesh::Cuboid(Vector3::new(depth, width, height))
         }
         (None, Some(file)) => ToolMesh::BesideTask(file.value.0.clone()),
     };
@@ -175,6 +187,13 @@ impl TaskFile {
     pub fn extend(&self, knowledge: &mut KnowledgeBase) -> Result<Vec<String>, TaskError> {
         let defined = &self.definitions;
         defined.insert_entries(knowledge);
+        let mut assumed: Vec<String> = (defined.tool.iter())
+            .filter(|_| defined.has_assumed_height)
+            .map(|tool| {
+                let name = &tool.name;
+                format!("tool {name:?} is taken to be {PAD_HEIGHT} m high: set tool.height_m")
+            })
+            .collect();
         let bare;
         let overrides = match (&defined.interaction, &self.intent) {
             (Some(overrides), _) => overrides,
@@ -186,7 +205,7 @@ impl TaskFile {
                 };
                 &bare
             }
-            _ => return Ok(Vec::new()),
+            _ => return Ok(assumed),
         };
         let (tool, medium) = &overrides.pair;
         let surface = &self.surface.surface.name;
@@ -203,13 +222,13 @@ impl TaskFile {
         interaction.surface = SurfaceScope::Named(surface.to_owned());
         let kept = overrides.given.apply(&mut interaction);
         knowledge.insert_interaction(interaction).map_err(unknown)?;
-        if !is_assumed || kept.is_empty() {
-            return Ok(Vec::new());
+        if is_assumed && !kept.is_empty() {
+            assumed.push(format!(
+                "the knowledge base has no interaction of {tool} on {medium} on {surface}: assuming {} (set them in [interaction])",
+                kept.join(", ")
+            ));
         }
-        Ok(vec![format!(
-            "the knowledge base has no interaction of {tool} on {medium} on {surface}: assuming {} (set them in [interaction])",
-            kept.join(", ")
-        )])
+        Ok(assumed)
     }
 }
 

@@ -18,7 +18,7 @@ mod values;
 
 pub use error::TaskError;
 pub use resolve::ReadFile;
-pub(crate) use resolve::{surface_remarks, tool_remark, unit_remarks};
+pub(crate) use resolve::{points_remark, surface_remarks, tool_remark, unit_remarks};
 
 use crate::particles::ParticleSource;
 use definitions::Definitions;
@@ -130,13 +130,15 @@ pub struct TaskFile {
     scene: Vec<ObjectRecord>,
     execution: ExecutionTable,
     definitions: Definitions,
-    /// A sentence for each key and value that has another name today.
-    pub(crate) earlier_names: Vec<String>,
+    /// A sentence for each key and value that has another name today, and for edges that have other numbers.
+    pub(crate) remarks: Vec<String>,
 }
 
 #[derive(Debug, Clone, PartialEq)]
 struct SurfaceRecord {
     at: Place,
+    /// How the edges are numbered, if not as typed.
+    edge_numbers: Option<String>,
     /// The surface; of a mesh, without outline and shape, in the frame of the file.
     surface: Surface,
     mesh: Option<SurfaceMesh>,

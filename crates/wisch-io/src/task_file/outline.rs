@@ -8,6 +8,8 @@ use wisch::geometry::{Edge, Point2, Polygon, Vector2};
 
 /// Maximum number of points of an outline with its holes; every pair of edges is compared.
 const MAX_POINTS: usize = 2_000;
+/// Number of renumbered edges that a message shows.
+const NUMBERS_SHOWN: usize = 6;
 /// Minimum area of a ring [m²]: that of the smallest rectangle.
 const MIN_AREA: f64 = 1e-6;
 
@@ -74,6 +76,21 @@ impl Outline {
         Ok(Self {
             polygon: Polygon::new(self.polygon.outer().to_vec(), rings),
             reversed: self.reversed,
+        })
+    }
+
+    /// Describes how edges are numbered, if the typed points run clockwise.
+    pub(super) fn describe_numbering(&self) -> Option<String> {
+        self.reversed.then(|| {
+            let count = self.polygon.outer().len();
+            let numbers: Vec<String> = (0..count.min(NUMBERS_SHOWN))
+                .map(|typed| self.edge(typed).to_string())
+                .collect();
+            let more = if count > NUMBERS_SHOWN { ", …" } else { "" };
+            format!(
+                "surface.outline_m runs clockwise and is read in the other direction: its edges 0, 1, 2, … are numbered {}{more} in all results",
+                numbers.join(", ")
+            )
         })
     }
 

@@ -362,6 +362,19 @@ pub(crate) fn tool_remark(task: &Task) -> Option<String> {
     })
 }
 
+/// Returns a remark on points of a treated surface that are so few that the tool passes between them.
+pub(crate) fn points_remark(task: &Task) -> Option<String> {
+    let size = task.tool.footprint.bounds()?.size();
+    let count = task.particles.len();
+    let spacing = (task.surface.outline.area() / count.max(1) as f64).sqrt();
+    (task.action.treats() && spacing > size.min() / 2.0).then(|| {
+        format!(
+            "the performance is that of {count} points, which lie {spacing:.3} m apart; the tool is {:.3} m wide, so they say little of the surface between them: increase particles.count",
+            size.min()
+        )
+    })
+}
+
 /// Returns remarks on scene meshes that are probably in other units: objects much longer than the surface.
 pub(crate) fn unit_remarks(task: &Task) -> Vec<String> {
     let bounds = Bounds2::from_points(task.surface.outline.outer().iter().copied());

@@ -114,6 +114,8 @@ pub(super) struct ToolTable {
     pub(super) available: Option<Vec<Name>>,
     /// Sides of a rectangular pad along and across the motion [m]: defines a tool of this task; excludes `mesh`.
     pub(super) footprint_m: Option<At<[FootprintM; 2]>>,
+    /// Height of that pad, from its lower face to its upper one [m]; default 0.05.
+    pub(super) height_m: Option<At<FootprintM>>,
     /// STL, OBJ, DAE or PLY in the tool frame, path relative to this file: defines a tool of this task; excludes
     /// `footprint_m`.
     pub(super) mesh: Option<At<Name>>,

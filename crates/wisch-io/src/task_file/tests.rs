@@ -489,6 +489,11 @@ fn what_a_task_defines_must_hold_together() {
         ),
         (
             "footprint_m = [0.06, 0.12]",
+            "mesh = \"pad.stl\"\nheight_m = 0.01",
+            "7:12: tool.height_m: this key needs footprint_m",
+        ),
+        (
+            "footprint_m = [0.06, 0.12]",
             "footprint_m = [0.06, 0.12]\nmesh = \"pad.stl\"",
             "7:8: tool.mesh: footprint_m and mesh exclude each other",
         ),

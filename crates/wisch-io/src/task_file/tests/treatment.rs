@@ -54,14 +54,14 @@ fn the_earlier_name_of_dispense_is_read_with_a_hint() {
         format!("small.toml:{at}: the {what} today; the earlier name is still read")
     };
     assert_eq!(
-        file.earlier_names,
+        file.remarks,
         [
             hint("4:10", r#"action "emit" is called "dispense""#),
             hint("13:12", r#"action "emit" is called "dispense""#),
             hint("14:1", "table [emit] is called [dispense]"),
         ]
     );
-    assert!(parsed(POLISH).unwrap().earlier_names.is_empty());
+    assert!(parsed(POLISH).unwrap().remarks.is_empty());
 }
 
 #[test]
