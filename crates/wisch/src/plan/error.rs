@@ -45,7 +45,7 @@ pub enum PlanError {
     },
     /// The goal node that the task gives is off the surface.
     #[error(
-        "goal node ({x:.3}, {y:.3}) m is off the surface \"{surface}\"; choose a goal on the surface"
+        "the goal (collect.goal_m) at ({x:.3}, {y:.3}) m is off the surface \"{surface}\"; choose a goal on the surface"
     )]
     GoalOffSurface {
         /// Name of the surface.
@@ -57,7 +57,7 @@ pub enum PlanError {
     },
     /// The goal node that the task gives is too near an obstacle.
     #[error(
-        "goal node ({x:.3}, {y:.3}) m on surface \"{surface}\" is {distance:.3} m from an obstacle, but the tool needs {radius:.3} m; choose another goal, a smaller tool, or move the obstacle"
+        "the goal (collect.goal_m) at ({x:.3}, {y:.3}) m on surface \"{surface}\" is {distance:.3} m from an obstacle, but the tool needs {radius:.3} m; choose another goal, a smaller tool, or move the obstacle"
     )]
     GoalNotFree {
         /// Name of the surface.
