@@ -253,7 +253,9 @@ impl Executor for PyExecutor<'_> {
             };
             let note = format!("in round {}, {at}", order.round);
             let _ = error.value(py).call_method1("add_note", (note,));
+            let pauses = round.intake.pauses().to_vec();
             self.raise(error)
+                .map_err(|error| error.with_execution(pauses, 0))
         })
     }
 

@@ -1,4 +1,4 @@
-//! The lines of a child that wait to be read, so that slow observers do not delay the child.
+//! The lines of a child that wait to be read, so that slow observers neither delay the child nor hide its silence.
 
 use std::collections::VecDeque;
 use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
@@ -11,7 +11,7 @@ const MAX_REAL_TIME_LINES: usize = 20_000;
 /// Most bytes of these lines.
 const MAX_BYTES: usize = 32 << 20;
 
-/// A line, or the reason why there are no more.
+/// A line, or the reason why no more count.
 type Line = Result<String, String>;
 
 /// A bounded queue of lines between the thread that reads a child's output and the thread that takes them.
@@ -25,7 +25,8 @@ pub(super) struct Backlog {
 
 #[derive(Debug, Default)]
 struct Waiting {
-    lines: VecDeque<Line>,
+    /// The lines, each with the time at which it was received.
+    lines: VecDeque<(Instant, Line)>,
     bytes: usize,
     is_real_time: bool,
     dropped: usize,
@@ -33,6 +34,25 @@ struct Waiting {
     has_ended: bool,
     /// Whether no more lines are taken.
     is_closed: bool,
+    /// Whether the reading thread waits for space, so that the child's silence would say nothing.
+    is_full: bool,
+    /// The watch over a motion.
+    watch: Option<Watch>,
+    /// The fault that the last watch has noticed, as it is among the lines; empty if it is none of silence.
+    noticed: Option<String>,
+}
+
+/// Watches whether a child falls silent during a motion.
+#[derive(Debug, Clone, Copy)]
+struct Watch {
+    /// Longest time between two lines.
+    silence: Duration,
+    /// Time at which the last line was received.
+    heard: Instant,
+    /// Whether the motion is paused; then silence is no fault.
+    is_paused: bool,
+    /// Whether the child has reported an error.
+    has_failed: bool,
 }
 
 /// Why no line was taken.
@@ -69,10 +89,76 @@ impl Backlog {
         self.lock().dropped
     }
 
+    /// Begins to watch a motion: from now on, the child sends a line within `silence` until its motion is done.
+    pub fn begin_watch(&self, silence: Duration) {
+        let mut waiting = self.lock();
+        waiting.noticed = None;
+        waiting.watch = Some(Watch {
+            silence,
+            heard: Instant::now(),
+            is_paused: false,
+            has_failed: false,
+        });
+    }
+
+    /// Ends the watch. Returns whether it has noticed a fault.
+    pub fn end_watch(&self) -> bool {
+        let mut waiting = self.lock();
+        waiting.watch = None;
+        self.shared.1.notify_all();
+        waiting.noticed.is_some()
+    }
+
+    /// Removes the fault that the last watch has noticed from the lines that wait.
+    pub fn forget_fault(&self) {
+        let mut waiting = self.lock();
+        if let Some(fault) = waiting.noticed.take() {
+            waiting
+                .lines
+                .retain(|(_, line)| line.as_ref().err() != Some(&fault));
+        }
+    }
+
+    /// Waits until the child falls silent during the motion that is watched, reports an error, or ends its output. Returns
+    /// whether it did; `false` if the watch ends before. Lines that wait to be taken do not count: the time is that of their
+    /// reception.
+    ///
+    /// After a silence, the fault is added behind the lines that wait.
+    pub fn wait_for_fault(&self) -> bool {
+        let mut waiting = self.lock();
+        loop {
+            let Some(watch) = waiting.watch else {
+                return false;
+            };
+            let left = if watch.is_paused || waiting.is_full {
+                Duration::from_secs(1)
+            } else {
+                watch.silence.saturating_sub(watch.heard.elapsed())
+            };
+            let is_over = waiting.has_ended || watch.has_failed;
+            if is_over || left.is_zero() {
+                let mut fault = String::new();
+                if !is_over {
+                    fault = format!("no message for {} s", watch.silence.as_secs_f64());
+                    waiting
+                        .lines
+                        .push_back((Instant::now(), Err(fault.clone())));
+                }
+                waiting.noticed = Some(fault);
+                waiting.watch = None;
+                self.shared.1.notify_all();
+                return true;
+            }
+            waiting = self.wait(waiting, left);
+        }
+    }
+
     /// Adds a line, if need be after waiting for space. Returns whether further lines are taken.
     pub fn push(&self, line: Line) -> bool {
+        let received = Instant::now();
         let length = line.as_ref().map_or(0, String::len);
         let mut waiting = self.lock();
+        waiting.note(&line);
         loop {
             if waiting.is_closed {
                 return false;
@@ -80,24 +166,31 @@ impl Backlog {
             if waiting.has_space(length) || waiting.is_real_time && waiting.drop_sample() {
                 break;
             }
+            waiting.is_full = true;
             waiting = self.wait(waiting, Duration::from_secs(1));
         }
+        if std::mem::take(&mut waiting.is_full)
+            && let Some(watch) = &mut waiting.watch
+        {
+            // The child may have waited, too.
+            watch.heard = Instant::now();
+        }
         waiting.bytes += length;
-        waiting.lines.push_back(line);
+        waiting.lines.push_back((received, line));
         drop(waiting);
         self.shared.1.notify_all();
         true
     }
 
-    /// Takes the oldest line; waits for it until the deadline.
-    pub fn take(&self, deadline: Instant) -> Result<Line, NoLine> {
+    /// Takes the oldest line, with the time of its reception; waits for it until the deadline.
+    pub fn take(&self, deadline: Instant) -> Result<(Instant, Line), NoLine> {
         let mut waiting = self.lock();
         loop {
-            if let Some(line) = waiting.lines.pop_front() {
+            if let Some((received, line)) = waiting.lines.pop_front() {
                 waiting.bytes -= line.as_ref().map_or(0, String::len);
                 drop(waiting);
                 self.shared.1.notify_all();
-                return Ok(line);
+                return Ok((received, line));
             }
             if waiting.has_ended {
                 return Err(NoLine::Ended);
@@ -124,6 +217,21 @@ impl Backlog {
 }
 
 impl Waiting {
+    /// Notes a line that was received, for the watch over the motion.
+    fn note(&mut self, line: &Line) {
+        let Some(watch) = &mut self.watch else {
+            return;
+        };
+        watch.heard = Instant::now();
+        match line.as_deref().map_or("", kind_of) {
+            "paused" => watch.is_paused = true,
+            "resumed" => watch.is_paused = false,
+            "error" => watch.has_failed = true,
+            "done" => self.watch = None,
+            _ => {}
+        }
+    }
+
     fn has_space(&self, length: usize) -> bool {
         let most = if self.is_real_time {
             MAX_REAL_TIME_LINES
@@ -136,11 +244,11 @@ impl Waiting {
 
     /// Drops the oldest sample, if one of the first lines is a sample.
     fn drop_sample(&mut self) -> bool {
-        let is_sample = |line: &Line| line.as_ref().is_ok_and(|line| is_sample(line));
-        let Some(at) = self.lines.iter().position(is_sample) else {
+        let is_sample = |line: &Line| line.as_deref().is_ok_and(|line| kind_of(line) == "sample");
+        let Some(at) = self.lines.iter().position(|(_, line)| is_sample(line)) else {
             return false;
         };
-        if let Some(Ok(line)) = self.lines.remove(at) {
+        if let Some((_, Ok(line))) = self.lines.remove(at) {
             self.bytes -= line.len();
         }
         self.dropped += 1;
@@ -148,10 +256,12 @@ impl Waiting {
     }
 }
 
-/// Whether a line is a message with a sample.
-fn is_sample(line: &str) -> bool {
+/// Returns the kind of the message in a line: the first key of its object; empty for another line.
+fn kind_of(line: &str) -> &str {
     let begin = line.trim_start().strip_prefix('{');
-    begin.is_some_and(|rest| rest.trim_start().starts_with("\"sample\""))
+    let key = begin.and_then(|rest| rest.trim_start().strip_prefix('"'));
+    key.and_then(|rest| rest.split('"').next())
+        .unwrap_or_default()
 }
 
 #[cfg(test)]
@@ -166,6 +276,11 @@ mod tests {
         Instant::now()
     }
 
+    /// Takes a line, without its time.
+    fn take(backlog: &Backlog, deadline: Instant) -> Result<Line, NoLine> {
+        backlog.take(deadline).map(|(_, line)| line)
+    }
+
     #[test]
     fn a_full_backlog_of_a_real_time_child_drops_its_oldest_samples() {
         let backlog = Backlog::default();
@@ -175,13 +290,13 @@ mod tests {
             assert!(backlog.push(sample(number)));
         }
         assert_eq!(backlog.dropped_count(), 11);
-        let first = backlog.take(now()).unwrap().unwrap();
+        let first = take(&backlog, now()).unwrap().unwrap();
         assert!(first.contains("paused"), "other messages are kept: {first}");
-        assert_eq!(backlog.take(now()), Ok(sample(11)));
+        assert_eq!(take(&backlog, now()), Ok(sample(11)));
         backlog.end();
-        let rest = std::iter::from_fn(|| backlog.take(now()).ok()).count();
+        let rest = std::iter::from_fn(|| take(&backlog, now()).ok()).count();
         assert_eq!(rest, MAX_REAL_TIME_LINES - 2);
-        assert_eq!(backlog.take(now()), Err(NoLine::Ended));
+        assert_eq!(take(&backlog, now()), Err(NoLine::Ended));
     }
 
     #[test]
@@ -191,11 +306,11 @@ mod tests {
         let thread = std::thread::spawn(move || (0..500).all(|number| writer.push(sample(number))));
         for number in 0..500 {
             let deadline = now() + Duration::from_secs(60);
-            assert_eq!(backlog.take(deadline), Ok(sample(number)));
+            assert_eq!(take(&backlog, deadline), Ok(sample(number)));
         }
         assert!(thread.join().unwrap());
         assert_eq!(backlog.dropped_count(), 0);
-        assert_eq!(backlog.take(now()), Err(NoLine::TimedOut));
+        assert_eq!(take(&backlog, now()), Err(NoLine::TimedOut));
         backlog.close();
         assert!(!backlog.push(sample(0)));
     }
@@ -210,5 +325,45 @@ mod tests {
         }
         assert!(backlog.lock().bytes <= MAX_BYTES);
         assert_eq!(backlog.dropped_count(), 100 - backlog.lock().lines.len());
+    }
+
+    #[test]
+    fn silence_is_counted_from_the_last_reception_whatever_waits_to_be_taken() {
+        let backlog = Backlog::default();
+        backlog.begin_watch(Duration::from_millis(30));
+        assert!(backlog.push(sample(1)) && backlog.push(sample(2)));
+        assert!(backlog.wait_for_fault(), "nobody has taken a line");
+        let [first, second] = [(); 2].map(|()| take(&backlog, now()));
+        assert_eq!([first, second], [Ok(sample(1)), Ok(sample(2))]);
+        let fault = Err("no message for 0.03 s".to_owned());
+        assert_eq!(take(&backlog, now()), Ok(fault));
+        assert!(!backlog.wait_for_fault(), "it is reported once");
+        assert!(backlog.end_watch());
+        backlog.begin_watch(Duration::ZERO);
+        assert!(backlog.wait_for_fault());
+        backlog.forget_fault();
+        assert_eq!(take(&backlog, now()), Err(NoLine::TimedOut));
+    }
+
+    #[test]
+    fn a_motion_that_is_done_or_paused_may_be_silent_and_a_closed_output_is_no_motion() {
+        let backlog = Backlog::default();
+        let watch = || backlog.begin_watch(Duration::from_millis(1));
+        watch();
+        assert!(backlog.push(Ok("{\"done\": {}}".to_owned())));
+        assert!(!backlog.wait_for_fault() && !backlog.end_watch());
+        watch();
+        assert!(backlog.push(Ok("{ \"paused\": {}}".to_owned())));
+        std::thread::scope(|scope| {
+            let silent = scope.spawn(|| backlog.wait_for_fault());
+            std::thread::sleep(Duration::from_millis(50));
+            assert!(!silent.is_finished());
+            assert!(backlog.push(Ok("{\"resumed\": {}}".to_owned())));
+            backlog.shared.1.notify_all();
+            assert!(silent.join().unwrap());
+        });
+        backlog.begin_watch(Duration::from_secs(60));
+        backlog.end();
+        assert!(backlog.wait_for_fault());
     }
 }

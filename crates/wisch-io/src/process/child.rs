@@ -6,6 +6,7 @@ use std::io::{self, BufRead, BufReader, Read, Write};
 use std::process::{Child, ChildStderr, ChildStdin, Command, ExitStatus, Stdio};
 use std::sync::Mutex;
 use std::sync::mpsc::{Receiver, Sender, channel};
+use std::thread::JoinHandle;
 use std::time::{Duration, Instant};
 
 /// Maximum length of a line [bytes].
@@ -21,7 +22,8 @@ const TERMINATION: Duration = Duration::from_millis(300);
 
 /// The next output of a child.
 pub(super) enum Heard {
-    Line(String),
+    /// A line, and the time of its reception.
+    Line(String, Instant),
     /// The output has ended, with the reason.
     Over(String),
     /// Nothing until the deadline.
@@ -117,13 +119,27 @@ impl ChildGroup {
         &self.lines
     }
 
+    /// Begins to watch a motion for silence, in a thread of its own, which sends `stop` to a child that fails.
+    pub fn watch(&self, silence: Duration, stop: Vec<u8>) -> MotionWatch {
+        self.lines.begin_watch(silence);
+        let (lines, input) = (self.lines.clone(), self.input.clone());
+        MotionWatch {
+            lines: self.lines.clone(),
+            thread: Some(std::thread::spawn(move || {
+                if lines.wait_for_fault() {
+                    let _ = input.map(|input| input.send(stop));
+                }
+            })),
+        }
+    }
+
     /// Waits for a line and checks meanwhile for an interruption.
     pub fn hear(&mut self, deadline: Instant, mut goes_on: impl FnMut() -> bool) -> Heard {
         loop {
             let left = deadline.saturating_duration_since(Instant::now());
             match self.lines.take(Instant::now() + left.min(POLL)) {
-                Ok(Ok(line)) => return Heard::Line(line),
-                Ok(Err(problem)) => return Heard::Over(problem),
+                Ok((received, Ok(line))) => return Heard::Line(line, received),
+                Ok((_, Err(problem))) => return Heard::Over(problem),
                 Err(NoLine::Ended) => {
                     let since = Instant::now();
                     while !self.has_ended() && since.elapsed() < LAST_WORDS {
@@ -134,8 +150,8 @@ impl ChildGroup {
                 // A process that the child has started may keep the standard output open.
                 Err(NoLine::TimedOut) if self.has_ended() => {
                     return match self.lines.take(Instant::now() + LAST_WORDS) {
-                        Ok(Ok(line)) => Heard::Line(line),
-                        Ok(Err(problem)) => Heard::Over(problem),
+                        Ok((received, Ok(line))) => Heard::Line(line, received),
+                        Ok((_, Err(problem))) => Heard::Over(problem),
                         Err(_) => Heard::Over(self.end_in_words()),
                     };
                 }
@@ -212,6 +228,28 @@ impl ChildGroup {
         } else {
             let _ = self.child.kill();
         }
+    }
+}
+
+/// A watch over a motion, which stops a child that falls silent, however long its lines wait to be taken.
+pub(super) struct MotionWatch {
+    lines: Backlog,
+    thread: Option<JoinHandle<()>>,
+}
+
+impl MotionWatch {
+    /// Ends the watch while the motion goes on. Returns whether it has stopped the child.
+    pub fn end(&self) -> bool {
+        self.lines.end_watch()
+    }
+}
+
+impl Drop for MotionWatch {
+    fn drop(&mut self) {
+        self.lines.end_watch();
+        let _ = self.thread.take().map(JoinHandle::join);
+        // Whatever ended the motion, its silence is no fault of what follows.
+        self.lines.forget_fault();
     }
 }
 

@@ -395,6 +395,11 @@ impl<'a> Intake<'a> {
         }
     }
 
+    /// The pauses until now, in the order of time.
+    pub fn pauses(&self) -> &[Pause] {
+        &self.pauses
+    }
+
     /// Whether the motion is paused.
     pub fn is_paused(&self) -> bool {
         self.pauses.last().is_some_and(|pause| pause.end.is_none())

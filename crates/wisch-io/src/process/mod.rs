@@ -18,7 +18,7 @@ pub use intake::{
 pub use pause_switch::PauseSwitch;
 pub use status::{PauseRecord, ResumeRecord, StampClockRecord, WrenchQualityRecord};
 
-use child::{ChildGroup, Heard, shortened};
+use child::{ChildGroup, Heard, MotionWatch, shortened};
 use message::{FromChild, MotionHead, ReadyRecord, ToChild, TrajectoryPoint};
 use printable::printable;
 use progress::Progress;
@@ -208,9 +208,14 @@ impl ProcessExecutor {
         self.stop.load(Ordering::SeqCst)
     }
 
-    fn say(&mut self, message: &ToChild<'_>) -> Result<(), ExecutorError> {
+    fn line(&mut self, message: &ToChild<'_>) -> Result<Vec<u8>, ExecutorError> {
         let mut line = serde_json::to_vec(message).map_err(|error| self.fault(error))?;
         line.push(b'\n');
+        Ok(line)
+    }
+
+    fn say(&mut self, message: &ToChild<'_>) -> Result<(), ExecutorError> {
+        let line = self.line(message)?;
         self.child.say(line);
         Ok(())
     }
@@ -221,13 +226,23 @@ impl ProcessExecutor {
         deadline: Instant,
         heeds: Heeds,
     ) -> Result<Result<FromChild, Unheard>, ExecutorError> {
+        let heard = self.hear_timed(deadline, heeds)?;
+        Ok(heard.map(|(message, _)| message))
+    }
+
+    /// Waits for the next message like [`Self::hear`], and states when it was received.
+    fn hear_timed(
+        &mut self,
+        deadline: Instant,
+        heeds: Heeds,
+    ) -> Result<Result<(FromChild, Instant), Unheard>, ExecutorError> {
         let (stop, pause) = (Arc::clone(&self.stop), Arc::clone(&self.pause));
         let is_stopped = || heeds != Heeds::Nothing && stop.load(Ordering::SeqCst);
         let is_paused =
             || matches!(heeds, Heeds::Operator { paused } if pause.is_wanted() != paused);
         let goes_on = || !(is_stopped() || is_paused());
-        let line = match self.child.hear(deadline, goes_on) {
-            Heard::Line(line) => line,
+        let (line, received) = match self.child.hear(deadline, goes_on) {
+            Heard::Line(line, received) => (line, received),
             Heard::Over(problem) => return Err(self.fault(problem)),
             Heard::Nothing if heeds != Heeds::Nothing && self.is_interrupted() => {
                 return Ok(Err(Unheard::Interrupted));
@@ -237,7 +252,7 @@ impl ProcessExecutor {
         let message = serde_json::from_str(&line);
         match message.map_err(|error| self.fault(line_fault(&line, &error)))? {
             FromChild::Error(problem) => Err(self.fault(problem)),
-            message => Ok(Ok(message)),
+            message => Ok(Ok((message, received))),
         }
     }
 
@@ -333,27 +348,19 @@ impl Executor for ProcessExecutor {
         }
         self.check_shape(order.task)?;
         let clock = self.ready.stamp_clock.map(|clock| clock.0);
-        let intake = Intake::new(order, sink).with_stamp_clock(clock);
+        let mut intake = Intake::new(order, sink).with_stamp_clock(clock);
         self.was_stopped = false;
         self.order(order)?;
         let dropped_before = self.child.backlog().dropped_count();
-        let executed = self.receive(intake, dropped_before).map_err(|error| {
-            // The result that would state them is lost.
-            match self.child.backlog().dropped_count() - dropped_before {
-                0 => error,
-                dropped => {
-                    ExecutorError::new(format!("{error}; {dropped} samples had been dropped"))
-                }
-            }
+        let executed = self.receive(&mut intake, dropped_before).map_err(|error| {
+            let dropped = self.child.backlog().dropped_count() - dropped_before;
+            error.with_execution(intake.pauses().to_vec(), dropped)
         });
-        if executed.is_ok() {
-            self.was_stopped = true;
-        }
         // A robot whose driver failed must not go on while its data are interpreted.
         if executed.is_err() && !self.was_stopped {
-            self.was_stopped = true;
             let _ = self.say(&ToChild::Stop);
         }
+        self.was_stopped = true;
         executed
     }
 
@@ -416,7 +423,7 @@ impl ProcessExecutor {
     fn hear_finished(&mut self, deadline: Instant, limit: Duration) -> Result<(), ExecutorError> {
         loop {
             match self.child.hear(deadline, || true) {
-                Heard::Line(line) => match serde_json::from_str(&line) {
+                Heard::Line(line, _) => match serde_json::from_str(&line) {
                     Ok(FromChild::Finished) => return Ok(()),
                     Ok(FromChild::Error(problem)) => return Err(self.fault(problem)),
                     _ => {}
@@ -449,21 +456,38 @@ impl ProcessExecutor {
     /// Receives the samples of a motion until its end.
     fn receive(
         &mut self,
-        mut intake: Intake<'_>,
+        intake: &mut Intake<'_>,
         dropped_before: usize,
     ) -> Result<Execution, ExecutorError> {
         let silence = (self.ready.max_silence_s).map_or(self.silence, |seconds| {
             self.silence.min(Duration::from_secs_f64(seconds))
         });
+        let stop = self.line(&ToChild::Stop)?;
+        let watch = self.child.watch(silence, stop);
+        let executed = self.receive_watched(intake, &watch, dropped_before);
+        self.was_stopped |= watch.end();
+        executed
+    }
+
+    fn receive_watched(
+        &mut self,
+        intake: &mut Intake<'_>,
+        watch: &MotionWatch,
+        dropped_before: usize,
+    ) -> Result<Execution, ExecutorError> {
         let mut progress = Progress::begin();
+        let mut now = Instant::now();
         loop {
             if progress.told.is_none() && (intake.is_stopped() || self.is_interrupted()) {
                 progress.told = Some(Instant::now());
                 self.was_stopped = true;
-                self.say(&ToChild::Stop)?;
+                // A child that fell silent has received it already.
+                if !watch.end() {
+                    self.say(&ToChild::Stop)?;
+                }
             }
-            self.ask_for_pause(&mut progress, &intake)?;
-            let deadline = progress.deadline(silence, self.silence);
+            self.ask_for_pause(&mut progress, intake, now)?;
+            let deadline = progress.deadline(self.silence);
             let heeds = match progress.told {
                 None if self.ready.pauses => Heeds::Operator {
                     paused: progress.asked.is_some(),
@@ -471,10 +495,14 @@ impl ProcessExecutor {
                 None => Heeds::Interruption,
                 Some(_) => Heeds::Nothing,
             };
-            match self.hear(deadline, heeds)? {
+            let heard = self.hear_timed(deadline, heeds)?;
+            now = heard
+                .as_ref()
+                .map_or_else(|_| Instant::now(), |(_, received)| *received);
+            match heard.map(|(message, _)| message) {
                 Ok(FromChild::Sample(sample)) => {
                     intake.take(&sample).map_err(|e| self.fault(e))?;
-                    progress.hear(&intake);
+                    progress.hear(intake, now);
                 }
                 Ok(FromChild::Paused(pause)) => {
                     intake.pause(&pause).map_err(|e| self.fault(e))?;
@@ -482,7 +510,7 @@ impl ProcessExecutor {
                 }
                 Ok(FromChild::Resumed(resumed)) => {
                     intake.resume(resumed).map_err(|e| self.fault(e))?;
-                    progress.resume(&intake);
+                    progress.resume(intake, now);
                     // Who continues at the robot ends the operator's pause.
                     if progress.asked.take().is_some() {
                         self.pause.end();
@@ -494,18 +522,15 @@ impl ProcessExecutor {
                     return intake.done(done).map_err(|e| self.fault(e));
                 }
                 Ok(other) => return Err(self.unexpected("a sample", &other)),
-                Err(Unheard::Silent) if progress.is_silent(silence) => {
-                    return Err(self.silent(silence));
-                }
                 Err(_) => {}
             }
-            if let Some(problem) = progress.overdue(self.silence, &intake) {
+            if let Some(problem) = progress.overdue(self.silence, intake, now) {
                 return Err(self.fault(problem));
             }
         }
     }
 
-    /// Passes the operator's wish to pause or to continue on to the child, once.
+    /// Passes the operator's wish to pause or to continue on to the child, once. `now`: time until which its messages are known.
     ///
     /// # Errors
     /// If the child goes on although it was asked to pause.
@@ -513,6 +538,7 @@ impl ProcessExecutor {
         &mut self,
         progress: &mut Progress,
         intake: &Intake<'_>,
+        now: Instant,
     ) -> Result<(), ExecutorError> {
         if !self.ready.pauses || progress.told.is_some() {
             return Ok(());
@@ -527,7 +553,8 @@ impl ProcessExecutor {
             })?;
         }
         let goes_on = !intake.is_paused()
-            && (progress.asked).is_some_and(|asked| asked.elapsed() > PAUSE_LIMIT);
+            && (progress.asked)
+                .is_some_and(|asked| now.saturating_duration_since(asked) > PAUSE_LIMIT);
         if goes_on {
             let seconds = PAUSE_LIMIT.as_secs();
             return Err(self.fault(format!("it has not paused {seconds} s after \"pause\"")));

@@ -15,13 +15,11 @@ pub(super) struct Progress {
     /// Time of the last progress, by the clock and by the samples [s].
     at: Instant,
     sample_time: f64,
-    /// Time of the last message.
-    heard: Instant,
     /// Time at which the child received a stop.
     pub told: Option<Instant>,
     /// Time at which the child was asked to pause, if it has to.
     pub asked: Option<Instant>,
-    /// Whether the motion is paused; then silence and a lack of progress are no fault.
+    /// Whether the motion is paused; then a lack of progress is no fault.
     is_paused: bool,
 }
 
@@ -32,66 +30,59 @@ impl Progress {
             mark: 0.0,
             at: now,
             sample_time: 0.0,
-            heard: now,
             told: None,
             asked: None,
             is_paused: false,
         }
     }
 
-    pub fn hear(&mut self, intake: &Intake<'_>) {
-        self.heard = Instant::now();
+    /// Notes a sample. `received`: the time of its reception.
+    pub fn hear(&mut self, intake: &Intake<'_>, received: Instant) {
         let reached = intake.trajectory_time();
         if reached >= self.mark + PROGRESS || reached >= intake.end() && self.mark < intake.end() {
             self.mark = reached;
-            self.at = self.heard;
+            self.at = received;
             self.sample_time = intake.time();
         }
     }
 
-    /// Notes that the motion is paused.
-    pub fn pause(&mut self) {
+    /// Notes that the motion is paused; then a lack of progress is no fault.
+    pub const fn pause(&mut self) {
         self.is_paused = true;
-        self.heard = Instant::now();
     }
 
-    /// Notes that the motion continues; the pause counts neither as silence nor as a lack of progress.
-    pub fn resume(&mut self, intake: &Intake<'_>) {
+    /// Notes that the motion continues; the pause does not count as a lack of progress.
+    pub fn resume(&mut self, intake: &Intake<'_>, received: Instant) {
         self.is_paused = false;
-        self.heard = Instant::now();
-        self.at = self.heard;
+        self.at = received;
         self.sample_time = intake.time_reported();
     }
 
-    /// Whether no message has arrived within the limit of silence, although the motion is not paused.
-    pub fn is_silent(&self, silence: Duration) -> bool {
-        self.told.is_none() && !self.is_paused && self.heard.elapsed() >= silence
-    }
-
-    /// `silence`: limit between messages; `patience`: limit of a motion without progress, and after a stop.
-    pub fn deadline(&self, silence: Duration, patience: Duration) -> Instant {
+    /// `patience`: limit of a motion without progress, and after a stop.
+    pub fn deadline(&self, patience: Duration) -> Instant {
         match self.told {
             Some(told) => told + patience,
             None if self.is_paused => Instant::now() + patience,
             None => {
-                let until = (self.heard + silence).min(self.at + patience + PROGRESS_ALLOWANCE);
+                let until = self.at + patience + PROGRESS_ALLOWANCE;
                 // Whether it pauses is checked in time, too.
                 (self.asked).map_or(until, |asked| until.min(asked + super::PAUSE_LIMIT))
             }
         }
     }
 
-    /// Returns the reason to abandon a child whose motion does not end or progress.
-    pub fn overdue(&self, silence: Duration, intake: &Intake<'_>) -> Option<String> {
+    /// Returns the reason to abandon a child whose motion does not end or progress. `now`: the time at which the last message
+    /// was received, or the time until which none was.
+    pub fn overdue(&self, silence: Duration, intake: &Intake<'_>, now: Instant) -> Option<String> {
         let seconds = silence.as_secs_f64();
         if let Some(told) = self.told {
-            return (told.elapsed() >= silence)
+            return (now.saturating_duration_since(told) >= silence)
                 .then(|| format!("it still sends samples {seconds} s after \"stop\""));
         }
         if self.is_paused {
             return None;
         }
-        let is_late = self.at.elapsed() >= silence + PROGRESS_ALLOWANCE
+        let is_late = now.saturating_duration_since(self.at) >= silence + PROGRESS_ALLOWANCE
             || intake.time() - self.sample_time > seconds + PROGRESS_ALLOWANCE.as_secs_f64();
         is_late.then(|| {
             let (at, end) = (self.mark, intake.end());

@@ -1,7 +1,7 @@
 //! The interface between the method and a world: an executor of motions, in a simulator, on a robot or from a
 //! recording.
 
-use super::{Execution, MotionOrder, RecordedSample, TelemetrySample};
+use super::{Execution, MotionOrder, Pause, RecordedSample, TelemetrySample};
 use crate::follow::Workcell;
 use crate::represent::{Observation, Task};
 use std::collections::VecDeque;
@@ -141,10 +141,12 @@ impl From<Vec<f64>> for RobotState {
 /// let error = ExecutorError::new("the driver is off");
 /// assert!(error.to_string().contains("the driver is off"));
 /// ```
-#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[error("{message}")]
 pub struct ExecutorError {
     message: String,
+    pauses: Vec<Pause>,
+    dropped_samples: usize,
 }
 
 impl ExecutorError {
@@ -152,7 +154,31 @@ impl ExecutorError {
     pub fn new(cause: impl Display) -> Self {
         Self {
             message: cause.to_string(),
+            pauses: Vec::new(),
+            dropped_samples: 0,
         }
+    }
+
+    /// Adds what is known of a motion that ended with this error, beside the samples that the sink has taken.
+    ///
+    /// `pauses`: its pauses, in the order of time. `dropped_samples`: number of samples that did not reach the sink.
+    #[must_use]
+    pub fn with_execution(self, pauses: Vec<Pause>, dropped_samples: usize) -> Self {
+        Self {
+            pauses,
+            dropped_samples,
+            ..self
+        }
+    }
+
+    /// The pauses of the motion that ended with this error.
+    pub fn pauses(&self) -> &[Pause] {
+        &self.pauses
+    }
+
+    /// Number of samples of that motion that did not reach the sink.
+    pub const fn dropped_samples(&self) -> usize {
+        self.dropped_samples
     }
 }
 

@@ -88,21 +88,18 @@ impl Session<'_> {
             is_broken_off |= flow.is_break();
             flow
         });
+        let broken_off = keep_execution(&executed, measured_until, at);
         let executed = match (executed, refused) {
             (_, Some(error)) => Err(error.into()),
             (Err(error), None) => Err(error.into()),
             (Ok(execution), None) => check_positions(execution, &planned.cell, planned.number),
         };
-        let mut execution = match (executed, measured_until) {
+        let mut execution = match (executed, broken_off) {
             (Ok(execution), _) => execution,
             // The data measured until then are still interpreted and get a verdict.
-            (Err(error), Some(duration)) => {
+            (Err(error), Some(broken_off)) => {
                 self.failure = Some(error);
-                Execution {
-                    duration,
-                    ending: Ending::Stopped,
-                    ..Execution::from_positions(&at)
-                }
+                broken_off
             }
             (Err(error), None) => return Err(error),
         };
@@ -138,6 +135,27 @@ impl Session<'_> {
         }
         Ok(())
     }
+}
+
+/// Returns what is known of a motion that an error has ended; `None` if nothing was measured.
+///
+/// `time`: time of the last sample \[s\]. `positions`: last measured positions, or empty.
+fn keep_execution(
+    executed: &Result<Execution, ExecutorError>,
+    time: Option<f64>,
+    positions: Vec<f64>,
+) -> Option<Execution> {
+    let (pauses, dropped_samples) = match executed {
+        Ok(execution) => (&execution.pauses[..], execution.dropped_samples),
+        Err(error) => (error.pauses(), error.dropped_samples()),
+    };
+    time.map(|duration| Execution {
+        duration,
+        ending: Ending::Stopped,
+        positions,
+        pauses: pauses.to_vec(),
+        dropped_samples,
+    })
 }
 
 /// Passes a sample to the interpreter: as touch, or as one without a usable wrench.
