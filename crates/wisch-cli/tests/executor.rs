@@ -240,13 +240,8 @@ fn a_robot_that_cannot_be_prepared_does_not_move_and_one_that_is_not_handed_back
     assert!(err.contains("the brakes are closed"), "{err}");
 }
 
-/// The sensor hangs in the second half of the motion, and the driver says so.
-#[test]
-fn the_bag_of_a_run_with_unusable_wrenches_has_the_same_interpretation() {
-    if !has_python() {
-        return;
-    }
-    let folder = tempfile::tempdir().expect("a folder");
+/// Writes `robot.py`, whose sensor hangs in the second half of the motion, which the driver says.
+fn write_hanging_robot(folder: &Path) {
     let robot = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/echo_robot.py");
     let robot = fs::read_to_string(robot).expect("a robot");
     let hanging = robot
@@ -260,7 +255,59 @@ fn the_bag_of_a_run_with_unusable_wrenches_has_the_same_interpretation() {
             "        hangs = time > motion[\"duration_s\"] / 2\n        presses |= hangs\n        force = motion",
         );
     assert_ne!(hanging, robot);
-    fs::write(folder.path().join("robot.py"), hanging).expect("a copy");
+    fs::write(folder.join("robot.py"), hanging).expect("a copy");
+}
+
+#[test]
+fn the_episode_of_a_run_keeps_qualities_of_wrenches_and_stamps() {
+    if !has_python() {
+        return;
+    }
+    let folder = tempfile::tempdir().expect("a folder");
+    write_hanging_robot(folder.path());
+    let task = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenarios/arm-board.toml");
+    let run = |arguments: &[&str]| {
+        let output = Command::new(assert_cmd::cargo::cargo_bin!("wisch"))
+            .current_dir(folder.path())
+            .args(arguments)
+            .output()
+            .expect("it runs");
+        let err = String::from_utf8_lossy(&output.stderr).into_owned();
+        assert!(output.status.code() < Some(2), "{err}");
+        String::from_utf8(output.stdout).expect("text")
+    };
+    let task = task.display().to_string();
+    let robot = ["--executor", "python3 robot.py", "--touch-only"];
+    let more = ["--rounds", "1", "--memory", "episodes", "--out", "out"];
+    run(&[&["run", &task][..], &robot, &more].concat());
+    let memory = Memory::open(&folder.path().join("episodes")).expect("a memory");
+    let id = memory.episodes().expect("episodes")[0].clone();
+    let telemetry = memory.episode(&id).expect("the episode").telemetry(1);
+    let telemetry = telemetry.expect("telemetry");
+    let (usable, unusable) = telemetry.touch_samples().expect("samples");
+    assert!(unusable.stale > 100 && unusable.count() == unusable.stale);
+    assert_eq!(usable.len() + unusable.count(), telemetry.rows());
+    let half = 0.5 * telemetry.interval().expect("samples")[1];
+    assert!(usable.iter().all(|sample| sample.time <= half + 0.02));
+    let stamps = telemetry.stamps().expect("stamps");
+    let first = stamps[0].expect("a stamp");
+    assert_eq!(first.nanoseconds, 1_764_150_000_000_000_000);
+    assert_eq!(first.clock, wisch::run::StampClock::Epoch);
+    assert!(stamps.iter().all(Option::is_some));
+    let shown = run(&["memory", "show", &id, "--memory", "episodes"]);
+    let count = telemetry.rows();
+    let expected = format!("stamps of round 1: {count} samples from 1764150000.000 s to");
+    assert!(shown.contains(&expected), "{shown}");
+    assert!(shown.contains("is not used as touch"), "{shown}");
+}
+
+#[test]
+fn the_bag_of_a_run_with_unusable_wrenches_has_the_same_interpretation() {
+    if !has_python() {
+        return;
+    }
+    let folder = tempfile::tempdir().expect("a folder");
+    write_hanging_robot(folder.path());
     let output = wisch(
         folder.path(),
         &["--executor", "python3 robot.py", "--touch-only", "--json"],

@@ -4,7 +4,8 @@ use proptest::prelude::*;
 use std::path::Path;
 use wisch::follow::Phase;
 use wisch::geometry::{Pose, Vector3};
-use wisch::run::{SampleStatus, TelemetrySample, Wrench};
+use wisch::interpret::WrenchQuality;
+use wisch::run::{SampleStatus, Stamp, StampClock, TelemetrySample, Wrench};
 use wisch_memory::telemetry::PHASES;
 use wisch_memory::{Mark, Telemetry, TelemetryError, TelemetryHead, TelemetryWriter};
 
@@ -87,6 +88,60 @@ fn a_sample_is_read_back_part_by_part() {
     }
     assert_eq!(PHASES[one("phase") as usize], "wipe");
     telemetry.verify().unwrap();
+}
+
+#[test]
+fn what_the_driver_states_about_samples_is_read_back() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("round-1.parquet");
+    let statuses: Vec<SampleStatus> = (0..)
+        .zip(WrenchQuality::ALL)
+        .map(|(k, wrench)| SampleStatus {
+            stamp: (k != 1).then_some(Stamp {
+                nanoseconds: 1_764_150_000_123_456_789 + k,
+                clock: StampClock::Device,
+            }),
+            wrench,
+            is_paused: k == 2,
+        })
+        .collect();
+    let mut writer = TelemetryWriter::create(&path, head(&[])).unwrap();
+    for (time, status) in (0..).zip(&statuses) {
+        let sample = TelemetrySample {
+            time: f64::from(time),
+            positions: &[],
+            velocities: &[],
+            efforts: &[],
+            world_from_commanded: Pose::identity(),
+            world_from_tool: Pose::identity(),
+            controller: Wrench::default(),
+            external: Wrench::default(),
+            motion: 0,
+            phase: Phase::Wipe(0),
+            status: *status,
+        };
+        writer.write(&sample).unwrap();
+    }
+    writer.finish().unwrap();
+    let telemetry = Telemetry::open(&path).unwrap();
+    let qualities = telemetry.wrench_qualities(0..4).unwrap();
+    assert_eq!(qualities, WrenchQuality::ALL);
+    let stamps: Vec<_> = statuses.iter().map(|status| status.stamp).collect();
+    assert_eq!(telemetry.stamps().unwrap(), stamps);
+    assert_eq!(telemetry.stamp_clock(), Some(StampClock::Device));
+    let paused = telemetry.values("paused", 0..4).unwrap();
+    assert_eq!(paused, [0.0, 0.0, 1.0, 0.0]);
+    let seconds = telemetry.values("stamp", 0..4).unwrap();
+    assert!((seconds[0] - 1_764_150_000.123_457).abs() < 1e-6);
+    assert!(seconds[1].is_nan());
+    let (usable, unusable) = telemetry.touch_samples().unwrap();
+    assert_eq!((usable.len(), unusable.count()), (1, 3));
+    telemetry.verify().unwrap();
+
+    let earlier = ramp(&folder.path().join("earlier.parquet"), &[0.0, 1.0]);
+    let qualities = earlier.wrench_qualities(0..2).unwrap();
+    assert_eq!(qualities, [WrenchQuality::Ok; 2]);
+    assert_eq!(earlier.stamps().unwrap(), [None; 2]);
 }
 
 #[test]

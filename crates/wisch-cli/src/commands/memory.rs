@@ -9,8 +9,8 @@ use serde::Serialize;
 use std::collections::BTreeMap;
 use wisch_memory::catalogue::{EpisodeRow, entries};
 use wisch_memory::{
-    Catalogue, CatalogueNode, EpisodeRecord, Individual, IndividualId, Memory, MemoryError, Value,
-    local_date_and_time,
+    Catalogue, CatalogueNode, Episode, EpisodeRecord, Individual, IndividualId, Memory,
+    MemoryError, Value, local_date_and_time,
 };
 
 /// An episode in the list.
@@ -166,7 +166,8 @@ pub fn show(args: &EpisodeArgs) -> Result<Outcome, Failure> {
         print(&(line + "\n"))?;
     } else {
         let files = episode.files().map_err(broken)?;
-        print(&in_words(&record, &files))?;
+        let stamps = stamps_in_words(&episode, record.rounds.len())?;
+        print(&(in_words(&record, &files) + &stamps))?;
     }
     Ok(Outcome::Done)
 }
@@ -188,6 +189,33 @@ fn in_words(record: &EpisodeRecord, files: &[String]) -> String {
         text += &line(individual, depth, start);
     }
     text + &format!("  files: {}\n", files.join(", "))
+}
+
+/// States the absolute times that the robot's driver has given to the samples, a line for each round that has them.
+fn stamps_in_words(episode: &Episode, rounds: usize) -> Result<String, Failure> {
+    let mut text = String::new();
+    for round in 1..=rounds {
+        if !episode.has_telemetry(round).map_err(broken)? {
+            continue;
+        }
+        let telemetry = episode.telemetry(round).map_err(broken)?;
+        let Some(clock) = telemetry.stamp_clock() else {
+            continue;
+        };
+        let stamps = telemetry.stamps();
+        let stamps = stamps.map_err(|error| broken(MemoryError::from(error)))?;
+        let seconds = |nanoseconds: u64| nanoseconds as f64 / 1e9;
+        let stated = stamps.into_iter().flatten().map(|stamp| stamp.nanoseconds);
+        let stated: Vec<f64> = stated.map(seconds).collect();
+        if let [first, .., last] = stated[..] {
+            let count = counted(stated.len(), "sample");
+            text += &format!(
+                "  stamps of round {round}: {count} from {first:.3} s to {last:.3} s on the clock {:?} of the driver\n",
+                clock.as_str()
+            );
+        }
+    }
+    Ok(text)
 }
 
 /// Formats an individual as one line.

@@ -11,6 +11,7 @@ use crate::telemetry::Telemetry;
 use std::collections::HashMap;
 use std::fmt::Display;
 use std::rc::Rc;
+use wisch::interpret::UnusableWrenches;
 use wisch::robot::RobotModel;
 
 /// File of the robot's description in an episode.
@@ -98,13 +99,18 @@ impl TelemetryPredicates {
                 ],
             ) => {
                 let interval = [number(from)?, number(to)?];
-                self.by_episode(catalogue, interval, Some(of), |spans| {
+                let mut unusable = UnusableWrenches::default();
+                let found = self.by_episode(catalogue, interval, Some(of), |spans| {
                     let mut values = Vec::new();
                     for span in spans {
-                        values.extend(channel_values(span, channel)?);
+                        values.extend(channel_values(span, channel, &mut unusable)?);
                     }
+                    // What was not measured, or not stated.
+                    values.retain(|value| !value.is_nan());
                     Ok(Term::Float(statistic_of(&values, statistic)?))
-                })?
+                });
+                self.state_unusable(channel, unusable);
+                found?
             }
             _ => return Err(AskError::unexpected(request).into()),
         };
@@ -151,7 +157,7 @@ impl TelemetryPredicates {
         catalogue: &Catalogue,
         interval: [f64; 2],
         of: Option<&str>,
-        answer: impl Fn(&[Span]) -> Result<Term, QueryFault>,
+        mut answer: impl FnMut(&[Span]) -> Result<Term, QueryFault>,
     ) -> Result<Vec<Term>, QueryFault> {
         if self.memory.is_none() {
             return Err(fault("the memory has no telemetry".to_owned()));
@@ -198,6 +204,17 @@ impl TelemetryPredicates {
             self.leave_out(&id, &error);
         }
         Ok(answers)
+    }
+
+    /// States how many samples have no usable wrench, and are not counted as force.
+    fn state_unusable(&mut self, channel: &str, unusable: UnusableWrenches) {
+        let count = unusable.count();
+        let remark = format!(
+            "telemetry({channel}, …): the wrench of {count} samples is not usable by its wrench_quality, and is left out"
+        );
+        if count > 0 && !self.remarks.contains(&remark) {
+            self.remarks.push(remark);
+        }
     }
 
     fn leave_out(&mut self, id: &str, error: &QueryFault) {
@@ -431,7 +448,12 @@ fn pose(at: &PoseAt) -> Term {
     ])
 }
 
-fn channel_values(span: &Span, channel: &str) -> Result<Vec<f64>, QueryFault> {
+/// Returns the values of a channel, and counts the samples that are left out because their wrench is not usable.
+fn channel_values(
+    span: &Span,
+    channel: &str,
+    unusable: &mut UnusableWrenches,
+) -> Result<Vec<f64>, QueryFault> {
     let telemetry = &span.telemetry;
     let rows = telemetry
         .rows_between([span.from, span.to])
@@ -446,9 +468,18 @@ fn channel_values(span: &Span, channel: &str) -> Result<Vec<f64>, QueryFault> {
         }
         Ok(squares.into_iter().map(f64::sqrt).collect())
     };
+    let mut usable = |forces: Vec<f64>| -> Result<Vec<f64>, QueryFault> {
+        let qualities = telemetry.wrench_qualities(rows.clone()).map_err(unread)?;
+        for quality in &qualities {
+            unusable.add(*quality);
+        }
+        let forces = forces.into_iter().zip(qualities);
+        let forces = forces.filter(|(_, quality)| quality.is_usable());
+        Ok(forces.map(|(force, _)| force).collect())
+    };
     match channel {
-        "force" => size(&["external/fx", "external/fy", "external/fz"]),
-        "vertical_force" => column("external/fz"),
+        "force" => usable(size(&["external/fx", "external/fy", "external/fz"])?),
+        "vertical_force" => usable(column("external/fz")?),
         "speed" => {
             let times = telemetry.times(rows.clone()).map_err(unread)?;
             let [x, y, z] = ["measured/x", "measured/y", "measured/z"].map(column);

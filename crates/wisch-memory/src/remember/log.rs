@@ -92,7 +92,9 @@ impl RoundLog {
             Phase::FreeMotion | Phase::Lifted | Phase::Lower | Phase::Lift => Kind::Lifted,
             Phase::Wipe(stroke) => Kind::Stroke(stroke),
         };
-        let force = sample.external.force.norm();
+        // Only a usable wrench is a force.
+        let is_usable = sample.status.wrench.is_usable();
+        let force = f64::from(u8::from(is_usable)) * sample.external.force.norm();
         match self.runs.last_mut() {
             Some(run) if run.kind == kind => {
                 run.end = sample.time;

@@ -9,6 +9,7 @@ pub(super) type Place = (usize, usize);
 /// Decoded values of a column in a row group.
 #[derive(Debug, Clone)]
 pub(super) enum Piece {
+    /// Times; a negative one is not stated.
     Times(Arc<[i64]>),
     Codes(Arc<[i32]>),
     Singles(Arc<[f32]>),

@@ -12,10 +12,16 @@
 //! | `measured/x` … `qw` | m, – | pose of the tool from the joint positions |
 //! | `controller/fx` … `mz` | N, Nm | wrench that the controller commands, in the world's axes about the tool centre point |
 //! | `external/fx` … `mz` | N, Nm | wrench of the surroundings on the tool, likewise |
+//! | `wrench_quality` | – | quality of that wrench, as an index in [`WrenchQuality::ALL`](wisch::interpret::WrenchQuality) |
+//! | `paused` | – | 1 while the motion is paused, otherwise 0 |
+//! | `stamp` | ns | absolute time of the measurement on the driver's clock, which the note `stamp_clock` names; −1 if it is not stated |
+//!
+//! Logs, and episodes of earlier versions, lack the last three columns.
 
 mod cache;
 mod error;
 mod reader;
+mod status;
 mod touch;
 mod writer;
 
@@ -40,6 +46,17 @@ const FIXED: [(&str, Kind); 4] = [
 ];
 /// Index of each of [`FIXED`].
 const TIME: usize = 0;
+
+/// Column of absolute stamps, the last one.
+const STAMP: &str = "stamp";
+/// Stands for a stamp that is not stated.
+const NO_STAMP: i64 = -1;
+/// Column of the quality of the external wrench.
+const WRENCH_QUALITY: &str = "wrench_quality";
+/// Column that is 1 during a pause.
+const PAUSED: &str = "paused";
+/// Note that names the clock of the stamps.
+const STAMP_CLOCK_NOTE: &str = "stamp_clock";
 
 /// Parts of a pose.
 pub(crate) const POSE: [&str; 7] = ["x", "y", "z", "qx", "qy", "qz", "qw"];
@@ -74,5 +91,6 @@ fn robot_columns(joints: &[String]) -> Vec<String> {
     ] {
         columns.extend(parts.iter().map(|part| format!("{what}/{part}")));
     }
+    columns.extend([WRENCH_QUALITY, PAUSED].map(str::to_owned));
     columns
 }

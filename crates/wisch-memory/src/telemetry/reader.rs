@@ -2,8 +2,8 @@
 
 use super::cache::{Piece, PieceCache, Place};
 use super::{
-    FIXED, JOINTS_KEY, NANOSECONDS_PER_SECOND, NOTE_PREFIX, SCHEMA_KEY, TELEMETRY_SCHEMA, TIME,
-    TelemetryError, seconds,
+    FIXED, JOINTS_KEY, NANOSECONDS_PER_SECOND, NOTE_PREFIX, SCHEMA_KEY, STAMP, TELEMETRY_SCHEMA,
+    TIME, TelemetryError, seconds,
 };
 use crate::checked_file::CheckedFile;
 use crate::columns::{find_column, open, read_chunk};
@@ -205,7 +205,7 @@ impl Telemetry {
         self.values("time", rows)
     }
 
-    /// Returns the values of a column in some rows, in its unit; times in seconds.
+    /// Returns the values of a column in some rows, in its unit; times in seconds, NaN for a stamp that is not stated.
     ///
     /// # Errors
     /// If the column does not exist, or the file is damaged.
@@ -223,7 +223,10 @@ impl Telemetry {
             let from = rows.start.max(group.rows.start) - group.rows.start;
             let to = rows.end.min(group.rows.end) - group.rows.start;
             match source.piece(&self.path, (index, column))? {
-                Piece::Times(piece) => values.extend(piece[from..to].iter().map(|&t| seconds(t))),
+                Piece::Times(piece) => {
+                    let stated = |time: i64| if time < 0 { f64::NAN } else { seconds(time) };
+                    values.extend(piece[from..to].iter().map(|&time| stated(time)));
+                }
                 Piece::Codes(piece) => values.extend(piece[from..to].iter().map(|&c| f64::from(c))),
                 Piece::Singles(piece) => {
                     values.extend(piece[from..to].iter().map(|&v| f64::from(v)));
@@ -274,7 +277,7 @@ impl Telemetry {
         for index in 0..self.groups.len() {
             for &column in &places {
                 let piece = decode(&source.reader, &self.path, (index, column))?;
-                if let Piece::Times(times) = piece {
+                if let (TIME, Piece::Times(times)) = (column, piece) {
                     for &time in times.iter() {
                         if time <= last {
                             return Err(TelemetryError::Foreign {
@@ -334,9 +337,24 @@ impl Telemetry {
     }
 
     fn times_of(&self, group: usize) -> Result<Arc<[i64]>, TelemetryError> {
-        match self.source().piece(&self.path, (group, TIME))? {
+        self.nanoseconds_of(group, TIME)
+    }
+
+    /// Returns all values of a column of times [ns].
+    pub(super) fn whole_nanoseconds(&self, name: &str) -> Result<Vec<i64>, TelemetryError> {
+        let column = self.column(name)?;
+        let mut times = Vec::with_capacity(self.rows());
+        for group in 0..self.groups.len() {
+            times.extend(self.nanoseconds_of(group, column)?.iter());
+        }
+        Ok(times)
+    }
+
+    /// Returns the values of a column of times in a row group [ns].
+    fn nanoseconds_of(&self, group: usize, column: usize) -> Result<Arc<[i64]>, TelemetryError> {
+        match self.source().piece(&self.path, (group, column))? {
             Piece::Times(times) => Ok(times),
-            _ => unreachable!("the first column holds times"),
+            _ => unreachable!("the column holds times"),
         }
     }
 }
@@ -369,6 +387,9 @@ fn decode(
         TIME => read_chunk::<Int64Type>(reader, group, column).map(|v| Piece::Times(v.into())),
         _ if column < FIXED.len() => {
             read_chunk::<Int32Type>(reader, group, column).map(|v| Piece::Codes(v.into()))
+        }
+        _ if find_column(reader, STAMP) == Some(column) => {
+            read_chunk::<Int64Type>(reader, group, column).map(|v| Piece::Times(v.into()))
         }
         _ => read_chunk::<FloatType>(reader, group, column).map(|v| Piece::Singles(v.into())),
     };

@@ -3,17 +3,23 @@
 use super::{POSE, Telemetry, TelemetryError};
 use nalgebra::{Quaternion, UnitQuaternion};
 use wisch::geometry::{Pose, Vector3};
-use wisch::interpret::TouchSample;
+use wisch::interpret::{TouchSample, UnusableWrenches};
 
 impl Telemetry {
-    /// Returns tool poses and forces of all samples: `measured` in the world, and the force of `external`.
+    /// Returns tool poses and forces of all samples with a usable wrench, and the numbers of the others: `measured` in the
+    /// world, and the force of `external`.
     ///
     /// Numbers have single precision: positions within 1 m are exact to 30 nm, forces within 100 N to 4 µN.
     ///
     /// # Errors
     /// If the telemetry lacks these columns, or the file is damaged.
-    pub fn touch_samples(&self) -> Result<Vec<TouchSample>, TelemetryError> {
+    pub fn touch_samples(&self) -> Result<(Vec<TouchSample>, UnusableWrenches), TelemetryError> {
         let rows = 0..self.rows();
+        let qualities = self.wrench_qualities(rows.clone())?;
+        let mut unusable = UnusableWrenches::default();
+        for quality in &qualities {
+            unusable.add(*quality);
+        }
         let column = |name: String| self.values(&name, rows.clone());
         let times = self.times(rows.clone())?;
         let pose: Vec<Vec<f64>> = (POSE.iter())
@@ -34,6 +40,7 @@ impl Telemetry {
                 force: Vector3::new(force[0][row], force[1][row], force[2][row]),
             }
         };
-        Ok(times.into_iter().enumerate().map(sample).collect())
+        let usable = (times.into_iter().enumerate()).filter(|(row, _)| qualities[*row].is_usable());
+        Ok((usable.map(sample).collect(), unusable))
     }
 }

@@ -1,8 +1,8 @@
 //! Writer of telemetry during an execution, in bounded memory.
 
 use super::{
-    FIXED, JOINTS_KEY, NANOSECONDS_PER_SECOND, NOTE_PREFIX, PHASES, SCHEMA_KEY, TELEMETRY_SCHEMA,
-    TelemetryError, robot_columns, seconds,
+    FIXED, JOINTS_KEY, NANOSECONDS_PER_SECOND, NO_STAMP, NOTE_PREFIX, PHASES, SCHEMA_KEY, STAMP,
+    STAMP_CLOCK_NOTE, TELEMETRY_SCHEMA, TelemetryError, robot_columns, seconds,
 };
 use crate::columns::{Kind, Values, schema, with_encodings, write_group};
 use parquet::basic::{Compression, ZstdLevel};
@@ -18,7 +18,8 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use wisch::follow::Phase;
 use wisch::geometry::flatten_pose;
-use wisch::run::{TelemetrySample, Wrench};
+use wisch::interpret::WrenchQuality;
+use wisch::run::{Stamp, StampClock, TelemetrySample, Wrench};
 
 /// Length of a row group [ns]: reading a second decodes ten seconds.
 const GROUP_TIME: i64 = 10 * NANOSECONDS_PER_SECOND as i64;
@@ -92,6 +93,10 @@ pub struct TelemetryWriter {
     times: Vec<i64>,
     marks: [Vec<i32>; 3],
     columns: Vec<Vec<f32>>,
+    /// Absolute stamps [ns]; `None` for a file without them.
+    stamps: Option<Vec<i64>>,
+    /// The clock of the stamps, if there was one.
+    clock: Option<StampClock>,
     /// Time of the last row, if any [ns].
     last: Option<i64>,
 }
@@ -103,7 +108,7 @@ impl TelemetryWriter {
     /// If two variables have the same name, or the file cannot be written.
     pub fn create(path: &Path, head: TelemetryHead) -> Result<Self, TelemetryError> {
         let columns = robot_columns(&head.joints);
-        Self::with_columns(path, head, &columns)
+        Self::begin(path, head, &columns, Some(Vec::new()))
     }
 
     /// Begins a file with the given columns, for a log without joints.
@@ -115,10 +120,20 @@ impl TelemetryWriter {
         head: TelemetryHead,
         columns: &[String],
     ) -> Result<Self, TelemetryError> {
+        Self::begin(path, head, columns, None)
+    }
+
+    fn begin(
+        path: &Path,
+        head: TelemetryHead,
+        columns: &[String],
+        stamps: Option<Vec<i64>>,
+    ) -> Result<Self, TelemetryError> {
         let mut active = path.as_os_str().to_owned();
         active.push(".active");
         let active = PathBuf::from(active);
         let mut names: BTreeSet<&str> = FIXED.iter().map(|(name, _)| *name).collect();
+        names.extend(stamps.as_ref().map(|_| STAMP));
         if let Some(twice) = columns.iter().find(|name| !names.insert(name)) {
             return Err(TelemetryError::Twice {
                 path: path.to_path_buf(),
@@ -127,7 +142,8 @@ impl TelemetryWriter {
         }
         let kinds = || {
             let own = columns.iter().map(|name| (name.as_str(), Kind::Single));
-            FIXED.into_iter().chain(own)
+            let stamp = stamps.is_some().then_some((STAMP, Kind::Growing));
+            FIXED.into_iter().chain(own).chain(stamp)
         };
         let output = File::create(&active).map_err(|error| TelemetryError::File {
             path: active.clone(),
@@ -147,6 +163,8 @@ impl TelemetryWriter {
             times: Vec::new(),
             marks: Default::default(),
             columns: vec![Vec::new(); columns.len()],
+            stamps,
+            clock: None,
             last: None,
         })
     }
@@ -186,7 +204,15 @@ impl TelemetryWriter {
         };
         let poses = poses.into_iter().flat_map(flatten_pose);
         let wrenches = wrenches.into_iter().flat_map(parts_of_wrench);
-        self.push(sample.time, mark, joints.chain(poses).chain(wrenches))
+        let status = &sample.status;
+        let quality = WrenchQuality::ALL.iter().position(|q| *q == status.wrench);
+        let status_columns = [
+            quality.unwrap_or_default() as f64,
+            f64::from(u8::from(status.is_paused)),
+        ];
+        let values = joints.chain(poses).chain(wrenches).chain(status_columns);
+        let stamp = status.stamp;
+        self.push_stamped(sample.time, mark, stamp, values)
     }
 
     /// Adds a row with a value for each of the file's own columns.
@@ -198,6 +224,16 @@ impl TelemetryWriter {
         &mut self,
         time: f64,
         mark: Mark,
+        values: impl IntoIterator<Item = f64>,
+    ) -> Result<(), TelemetryError> {
+        self.push_stamped(time, mark, None, values)
+    }
+
+    fn push_stamped(
+        &mut self,
+        time: f64,
+        mark: Mark,
+        stamp: Option<Stamp>,
         values: impl IntoIterator<Item = f64>,
     ) -> Result<(), TelemetryError> {
         let time = self.check(time)?;
@@ -226,6 +262,11 @@ impl TelemetryWriter {
             });
         }
         self.times.push(time);
+        if let Some(stamps) = &mut self.stamps {
+            let nanoseconds = stamp.and_then(|stamp| i64::try_from(stamp.nanoseconds).ok());
+            stamps.push(nanoseconds.unwrap_or(NO_STAMP));
+            self.clock = self.clock.or(stamp.map(|stamp| stamp.clock));
+        }
         let stroke = mark.phase.stroke().map_or(-1, code);
         let marks = [code(mark.motion), stroke, code(place_of(mark.phase))];
         for (column, mark) in self.marks.iter_mut().zip(marks) {
@@ -241,6 +282,11 @@ impl TelemetryWriter {
     /// If the file cannot be written or moved; it then keeps the ending `.active`.
     pub fn finish(mut self) -> Result<(), TelemetryError> {
         self.flush()?;
+        if let Some(clock) = self.clock {
+            let key = format!("{NOTE_PREFIX}{STAMP_CLOCK_NOTE}");
+            let note = KeyValue::new(key, clock.as_str().to_owned());
+            self.file.append_key_value_metadata(note);
+        }
         let active = self.active;
         let file_failed = |error| TelemetryError::File {
             path: active.clone(),
@@ -291,12 +337,17 @@ impl TelemetryWriter {
         let marks = self.marks.iter().map(|column| Values::Ints(column));
         let own = self.columns.iter().map(|column| Values::Singles(column));
         let columns = std::iter::once(Values::Longs(&self.times));
+        let stamps = self.stamps.iter().map(|stamps| Values::Longs(stamps));
         let group = self.file.flushed_row_groups().len();
-        write_group(&mut self.file, columns.chain(marks).chain(own))
-            .map_err(|error| failed(&self.active, &format!("row group {group}"), error))?;
+        write_group(
+            &mut self.file,
+            columns.chain(marks).chain(own).chain(stamps),
+        )
+        .map_err(|error| failed(&self.active, &format!("row group {group}"), error))?;
         self.times.clear();
         self.marks.iter_mut().for_each(Vec::clear);
         self.columns.iter_mut().for_each(Vec::clear);
+        self.stamps.iter_mut().for_each(Vec::clear);
         Ok(())
     }
 }

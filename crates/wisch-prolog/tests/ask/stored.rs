@@ -6,6 +6,9 @@ use std::fs;
 use std::path::Path;
 use tempfile::TempDir;
 use wisch::follow::Phase;
+use wisch::geometry::{Pose, Vector3};
+use wisch::interpret::{TouchSample, WrenchQuality};
+use wisch::run::TelemetrySample;
 use wisch_memory::ask::{AskError, EngineCommand, QuerySession};
 use wisch_memory::{
     EPISODE_SCHEMA, EpisodeRecord, Individual, Mark, Memory, Origin, TelemetryHead,
@@ -35,6 +38,11 @@ fn store(memory: &Memory, run: usize) {
         telemetry.push(k as f64 * PERIOD, mark, values).unwrap();
     }
     telemetry.finish().unwrap();
+    writer.commit(&record(run)).unwrap();
+}
+
+fn record(run: usize) -> EpisodeRecord {
+    let [begin, _] = RUNS[run];
     let individual = |class: &str, parent, interval| Individual {
         class: format!("semco:{class}"),
         interval: Some(interval),
@@ -42,9 +50,9 @@ fn store(memory: &Memory, run: usize) {
         relations: BTreeMap::new(),
         values: BTreeMap::new(),
     };
-    let record = EpisodeRecord {
+    EpisodeRecord {
         schema: EPISODE_SCHEMA,
-        id,
+        id: format!("run-{run}"),
         task: "board".to_owned(),
         interval: RUNS[run],
         origin: Origin::Simulated,
@@ -55,8 +63,7 @@ fn store(memory: &Memory, run: usize) {
             individual("WipingEpisode", None, RUNS[run]),
             individual("HumanCollision", Some(0), PUSHES[run]),
         ],
-    };
-    writer.commit(&record).unwrap();
+    }
 }
 
 /// Two runs that wiped at the same time.
@@ -74,6 +81,45 @@ fn asked(memory: &Memory, command: EngineCommand, query: &str) -> Vec<String> {
             .ask(query)
             .unwrap_or_else(|error| panic!("{query}: {error}")),
     )
+}
+
+/// The second run states that its sensor hung in the second half.
+#[test]
+fn wrenches_that_are_not_usable_are_no_forces_and_this_is_stated() {
+    let folder = tempfile::tempdir().unwrap();
+    let memory = Memory::create(&folder.path().join("episodes")).unwrap();
+    let writer = memory.begin("run-1").unwrap();
+    let mut telemetry = writer.telemetry(1, TelemetryHead::default()).unwrap();
+    for k in 0..1000_u64 {
+        let hangs = k >= 500;
+        let force = Vector3::new(0.0, 0.0, if hangs { 90.0 } else { 7.0 });
+        let mut sample = TelemetrySample::from_touch(
+            &TouchSample::new(k as f64 * PERIOD, Pose::identity(), force),
+            0,
+            Phase::Wipe(0),
+        );
+        if hangs {
+            sample.status.wrench = WrenchQuality::Stale;
+        }
+        telemetry.write(&sample).unwrap();
+    }
+    telemetry.finish().unwrap();
+    writer.commit(&record(1)).unwrap();
+    for command in engines() {
+        let mut asker = QuerySession::open(memory.clone(), command.clone()).unwrap();
+        let query = "telemetry(force, [1004, 1014], max, F)";
+        let found = asker.ask(query).unwrap();
+        assert_eq!(shown(&found), ["7.0"]);
+        let remarks = found.remarks.join(" ");
+        assert!(
+            remarks.contains("the wrench of 500 samples is not usable"),
+            "{remarks}"
+        );
+        for (channel, answer) in [("wrench_quality", "1.0"), ("'external/fz'", "90.0")] {
+            let query = format!("telemetry({channel}, [1004, 1014], max, F)");
+            assert_eq!(asked(&memory, command.clone(), &query), [answer], "{query}");
+        }
+    }
 }
 
 #[test]

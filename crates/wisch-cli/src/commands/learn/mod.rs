@@ -342,6 +342,15 @@ fn seen_rounds(
         }
         let mut interpreter = Interpreter::new(&task, &InterpretConfig::from_task(&task))
             .map_err(|error| fault(&error))?;
+        if let count @ 1.. = round.unusable.count() {
+            progress.aside(|| {
+                remark(&format!(
+                    "{}: the wrench of {} is not usable by its quality, and is left out",
+                    round.place.display(),
+                    counted(count, "sample")
+                ));
+            });
+        }
         for sample in &round.samples {
             interpreter.push(sample).map_err(|error| fault(&error))?;
         }

@@ -10,7 +10,7 @@ use crate::terminal::remark;
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 use wisch::geometry::Pose;
-use wisch::interpret::TouchSample;
+use wisch::interpret::{TouchSample, UnusableWrenches};
 use wisch::represent::Observation;
 use wisch_memory::{Episode, MemoryError};
 use wisch_telemetry::{LogOptions, read};
@@ -49,6 +49,8 @@ pub(super) struct RecordedRound {
     pub number: Option<usize>,
     /// Tool poses and measured forces.
     pub samples: Vec<TouchSample>,
+    /// Numbers of further samples, whose wrench is not usable.
+    pub unusable: UnusableWrenches,
     /// Believed pose of the surface, if the file states it.
     pub world_from_surface: Option<Pose>,
     /// Observations before and after the round, in the surface frame.
@@ -89,6 +91,7 @@ impl Source {
                     samples: log.samples,
                     world_from_surface: log.world_from_surface,
                     observations: log.observations,
+                    unusable: log.unusable,
                     unseen: [
                         "topic /wisch/dirt_before is missing: ",
                         "topic /wisch/dirt_after is missing: ",
@@ -100,11 +103,18 @@ impl Source {
             } => {
                 let seen = episode.observations(*number).map_err(broken)?;
                 let telemetry = episode.telemetry(*number).map_err(broken)?;
-                let samples = telemetry.touch_samples();
-                let samples = samples.map_err(|error| broken(MemoryError::from(error)))?;
+                let touch = telemetry.touch_samples();
+                let (samples, unusable) =
+                    touch.map_err(|error| broken(MemoryError::from(error)))?;
                 let place = place(episode, *number);
                 if samples.is_empty() {
-                    return Err(Failure::new("the round has no sample").within(&place));
+                    let lack = match unusable.count() {
+                        0 => "the round has no sample".to_owned(),
+                        count => {
+                            format!("the round has {count} samples, none with a usable wrench")
+                        }
+                    };
+                    return Err(Failure::new(lack).within(&place));
                 }
                 let (round, world_from_surface, observations) = match seen {
                     Some(seen) => (seen.round, Some(seen.world_from_surface), seen.observations),
@@ -118,6 +128,7 @@ impl Source {
                     samples,
                     world_from_surface,
                     observations,
+                    unusable,
                     unseen: [""; 2],
                 })
             }
