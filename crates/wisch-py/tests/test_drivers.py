@@ -690,8 +690,97 @@ def test_a_served_driver_limits_its_silence_and_reports_its_state(rig, monkeypat
     monkeypatch.setattr(sys, "stdout", streams[1])
     executor.serve(rig.driver())
     ready, state = (json.loads(line) for line in streams[1].getvalue().splitlines())
-    assert ready == {"ready": {"version": 2, "reports_state": True, "max_silence_s": 5.0}}
+    able = {"reports_state": True, "prepares": True, "pauses": True, "real_time": True, "stamp_clock": "device"}
+    assert ready == {"ready": {"version": 2, "max_silence_s": 5.0, **able}}
     assert state["state"]["positions"] == rig.q.tolist() and len(state["state"]["velocities"]) == len(rig.q)
+
+
+class PausingSink:
+    """A sink whose operator wants a pause in an interval of the clock."""
+
+    def __init__(self, rig, start, end):
+        self.rig, self.start, self.end, self.told = rig, start, end, []
+
+    def __call__(self, sample):
+        return self.rig.sink(sample)
+
+    @property
+    def wants_pause(self):
+        return self.start <= self.rig.clock() < self.end
+
+    def pause(self, time_s, reason):
+        self.told.append(("pause", time_s, reason))
+
+    def resume(self, time_s):
+        self.told.append(("resume", time_s))
+
+
+def test_an_operator_pauses_a_motion_smoothly_and_lets_it_continue(rig):
+    sink = PausingSink(rig, 0.2, 2.2)
+    assert rig.run(rig.driver(), sink)["ending"] == "complete"
+    (pause, begin, reason), (resume, end) = sink.told
+    assert (pause, reason, resume) == ("pause", "the operator", "resume")
+    assert 0.2 < begin < 0.9 and end == pytest.approx(2.2, abs=3 * PERIOD_S)
+    paused = [s for s in rig.samples if begin < s["time_s"] < end]
+    assert len({s["trajectory_time_s"] for s in paused}) == 1 and len(paused) > 100
+    speeds = np.array([np.abs(s["velocities"]).max() for s in rig.samples if s["time_s"] < 3])
+    assert np.abs(np.diff(speeds)).max() < 0.05, "it does not jerk"
+
+
+def test_a_robot_that_is_moved_in_a_pause_does_not_continue(rig):
+    sink = PausingSink(rig, 0.2, 2.2)
+
+    def push():
+        rig.q, rig.target = rig.q + 0.1, rig.target + 0.1
+        rig.step = lambda: setattr(rig.clock, "now", rig.clock.now + PERIOD_S)
+
+    rig.at(1.5, push)
+    result = rig.run(rig.driver(lag_m=1.0), sink)
+    assert rig.kind(result) == "operator" and "the paused robot has moved by 0.100 rad" in result["ending"]["stop"]["reason"]
+    assert [told[0] for told in sink.told] == ["pause"]
+    assert holds(rig)
+
+
+def test_samples_state_the_clock_of_the_robot_and_whether_the_force_is_tared(rig):
+    driver = rig.driver()
+    rig.run(driver)
+    qualities = [sample["wrench_quality"] for sample in rig.samples]
+    assert qualities[0] == "untared" and qualities[-1] == "ok" and set(qualities) == {"untared", "ok"}
+    stamps = np.array([sample["stamp_ns"] for sample in rig.samples])
+    assert (np.diff(stamps) > 0).all() and driver.stamp_clock == "device"
+    rig.samples.clear()
+    rig.at(rig.clock() + 0.1, lambda: setattr(rig, "is_frozen", True))
+    rig.run(driver)
+    assert "stale" in [sample["wrench_quality"] for sample in rig.samples]
+
+
+def test_a_robot_is_prepared_only_if_it_is_the_expected_one_and_ready(rig):
+    driver = rig.driver()
+    robot = types.SimpleNamespace(joints=rig.motion.joints)
+    driver.prepare(robot)
+    driver.prepare(None)
+    with pytest.raises(WischError, match="expected joints whose names end in"):
+        driver.prepare(types.SimpleNamespace(joints=rig.motion.joints[1:]))
+    rig.protective_stop()
+    with pytest.raises(WischError, match="the robot is not ready"):
+        driver.prepare(robot)
+    assert rig.commands == [], "nothing is commanded"
+
+
+def test_a_robot_is_handed_back_or_what_keeps_it_is_named(rig):
+    driver = rig.driver()
+    rig.run(driver)
+    driver.finish()
+    begin = rig.clock()
+    rig.velocities = rig.velocities + 0.5
+    with pytest.raises(WischError, match="not handed back: it moves at 0.500 rad/s after 1.5 s"):
+        driver.finish()
+    rig.velocities = rig.velocities * 0
+    driver._hold = lambda: None
+    rig.runs, rig.controls = True, True
+    with pytest.raises(WischError, match="not handed back: the driver's (program on the robot|control loop) runs"):
+        driver.finish()
+    assert rig.clock() - begin < 4, "wisch does not wait for long"
 
 
 def test_poses_and_rotation_vectors_agree():

@@ -17,6 +17,8 @@ from ._trajectory import REST_RAD_S, Trajectory
 
 #: Greatest deviation, where a motion starts, between the controller's pose of the tool and that of the motion [m], [rad].
 FRAME_M, FRAME_RAD = 0.03, 0.1
+#: Longest time until the robot is at rest and no longer controlled when a run finishes [s]; wisch waits for 2 s.
+HAND_BACK_S = 1.5
 #: Speeds between sampled points may exceed a limit of the planner by this factor, by rounding [1].
 SPEED_ROUNDING = 1.01
 
@@ -40,6 +42,8 @@ class Arm(Executor):
 
     #: Longest silence during a motion that wisch permits a served driver [s]: longer than any hold takes.
     max_silence_s = 5.0
+    #: wisch never keeps the loop of setpoints waiting, pauses it on request, and learns the time of the robot's clock.
+    is_real_time, can_pause, stamp_clock = True, True, "device"
 
     def __init__(
         self,
@@ -65,7 +69,30 @@ class Arm(Executor):
         self.joints = tuple(joints or self.JOINTS)
         #: Whether the force has been tared since the driver began.
         self.is_tared = False
+        #: Share of its speed at which the present motion runs: below 1 where it pauses [1].
+        self.pace = 1.0
         self._clock, self._sleep = clock, sleep
+
+    def prepare(self, robot) -> None:
+        """Raise WischError if the robot is not one that this driver moves, or is not ready. Nothing moves."""
+        if robot is not None:
+            self._refuse_joints(robot.joints)
+        if fault := self._fault():
+            raise WischError(f"the robot is not ready: {fault[1]}")
+
+    def finish(self) -> None:
+        """Hold and end the control of the robot; raise WischError if that is not confirmed within ``HAND_BACK_S``."""
+        self._hold()
+        begin = self._clock()
+        while left := self._left():
+            if self._clock() - begin > HAND_BACK_S:
+                raise WischError(f"the robot is not handed back: {left} after {HAND_BACK_S} s")
+            self._sleep(self.period_s)
+
+    def _left(self) -> str:
+        """Return what still keeps the robot from being handed back; nothing if it is at rest and no command controls it."""
+        speed = float(np.abs(self._read().velocities).max())
+        return self._describe_control() or ("" if speed <= REST_RAD_S else f"it moves at {speed:.3f} rad/s")
 
     def state(self):
         """Return the joint positions [rad] and velocities [rad/s]."""
@@ -100,10 +127,7 @@ class Arm(Executor):
 
     def _refuse_motion(self, path: Trajectory) -> None:
         """Raise WischError unless the motion is one for this robot, within its limits."""
-        matches = len(path.joints) == len(self.joints)
-        if not matches or not all(name.endswith(end) for name, end in zip(path.joints, self.joints)):
-            given, expected = ", ".join(path.joints), ", ".join(self.joints)
-            raise WischError(f"the motion moves {given}; expected joints whose names end in {expected}, in this order")
+        self._refuse_joints(path.joints)
         if path.press_force_n > self.force_limit_n:
             limit = f"more than force_limit_n = {self.force_limit_n:g} N"
             raise WischError(f"the motion presses with {path.press_force_n:g} N, {limit}")
@@ -112,6 +136,13 @@ class Arm(Executor):
             limit = f"faster than tool_speed_m_s = {self.tool_speed_m_s:g} m/s"
             help = "lower plan.free_speed_m_per_s of the task, or speed of the driver"
             raise WischError(f"the tool moves at {speed:.2f} m/s, {limit}", help=help)
+
+    def _refuse_joints(self, names) -> None:
+        """Raise WischError unless these are the joints of this robot, in its order."""
+        matches = len(names) == len(self.joints)
+        if not matches or not all(name.endswith(end) for name, end in zip(names, self.joints)):
+            given, expected = ", ".join(names), ", ".join(self.joints)
+            raise WischError(f"the motion moves {given}; expected joints whose names end in {expected}, in this order")
 
     def _refuse_state(self, path: Trajectory) -> None:
         """Raise WischError unless the robot is ready, and at rest where the motion starts."""
@@ -170,6 +201,10 @@ class Arm(Executor):
 
     def _fault(self, moving: bool = False) -> tuple[str, str] | None:
         """Return what forbids to move, as kind of stop and reason; None if nothing does."""
+        raise NotImplementedError
+
+    def _describe_control(self) -> str:
+        """Return what of this driver controls the robot, as a text; nothing if nothing does."""
         raise NotImplementedError
 
     def _scaling(self) -> float:

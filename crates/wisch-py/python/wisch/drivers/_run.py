@@ -16,6 +16,8 @@ TARED_N = 3.0
 TOUCH_N = 3.0
 #: Time on the trajectory over which an offset from it fades [s].
 FADE_S = 0.5
+#: Time in which the robot stops for a pause, and reaches its speed again after it [s].
+PAUSE_RAMP_S = 0.5
 
 
 class Run:
@@ -34,6 +36,9 @@ class Run:
         self._offset, self._offset_s = np.zeros(len(path.joints)), 0.0
         self._presses = False
         self._clock_s, self._heard = None, 0.0
+        #: Whether the present reading is that of the sample before, and whether the motion is paused.
+        self._is_stale, self._is_paused = False, False
+        arm.pace = 1.0
 
     def follow(self):
         """Follow the trajectory to its end. Return "complete", or "stopped" if the sink asks for it; raise Stop on a fault."""
@@ -42,11 +47,13 @@ class Run:
         while True:
             period = self.arm._begin_period()
             now = self.arm._clock()
-            self.reading = self._measure(now)
+            before, self.reading = self.reading, self._measure(now)
+            self._is_stale = before is not None and before.clock_s == self.reading.clock_s
             self.elapsed_s = now - begin
             if not self.sink(self._sample()):
                 return "stopped"
             self._supervise()
+            self._heed_pause(min(now - then, 2 * self.arm.period_s))
             if self._advance(now, min(now - then, 2 * self.arm.period_s)):
                 return "complete"
             then = now
@@ -77,7 +84,28 @@ class Run:
             "wrench_axes": "world",
             "positions": self.reading.positions,
             "velocities": self.reading.velocities,
+            "wrench_quality": "stale" if self._is_stale else "ok" if self.arm.is_tared else "untared",
+            "stamp_ns": round(self.reading.clock_s * 1e9),
         }
+
+    def _heed_pause(self, step: float) -> None:
+        """Slow the motion down while the operator wants a pause, and let it continue; ``step`` is the period that passed [s].
+
+        A paused tool that wipes keeps pressing. Raise Stop if somebody has moved the paused robot.
+        """
+        wants = bool(getattr(self.sink, "wants_pause", False))
+        if self._is_paused:
+            off = float(np.abs(self.reading.positions - self._paused_at).max())
+            if not off <= self.arm.start_rad:
+                limit = f"more than start_rad = {self.arm.start_rad:g} rad"
+                raise Stop("operator", f"the paused robot has moved by {off:.3f} rad, {limit}")
+            if not wants:
+                self._is_paused = False
+                self.sink.resume(self.elapsed_s)
+        self.arm.pace = float(np.clip(self.arm.pace + (-step if wants else step) / PAUSE_RAMP_S, 0.0, 1.0))
+        if wants and not self._is_paused and self.arm.pace == 0 and np.abs(self.reading.velocities).max() <= REST_RAD_S:
+            self._is_paused, self._paused_at, self._waits_since = True, self.reading.positions, None
+            self.sink.pause(self.elapsed_s, "the operator")
 
     def _supervise(self) -> None:
         """Raise Stop if the force or the deviation from the trajectory exceeds its limit. A value that is not a number does."""
@@ -103,7 +131,9 @@ class Run:
         with self.arm.guard():
             scaling = self.arm._scaling()
         gate_s = self.path.end_s if self._tare_s is None else self._tare_s
-        self.time_s = min(self.time_s + step * self.arm.speed * scaling, gate_s)
+        self.time_s = min(self.time_s + step * self.arm.speed * self.arm.pace * scaling, gate_s)
+        if self._is_paused:
+            return False
         if self._touches_early():
             self.time_s = self.path.phase(self.time_s)["end_s"]
         if self.time_s < gate_s or not self._is_settled(now):

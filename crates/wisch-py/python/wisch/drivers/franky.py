@@ -98,6 +98,9 @@ class Franky(Arm):
             return "operator", f"the robot mode is {mode}, not Idle"
         return None
 
+    def _describe_control(self) -> str:
+        return "the driver's control loop runs" if self._robot.is_in_control else ""
+
     def _errors(self) -> str:
         """Return the names of the robot's present errors, after a colon, or nothing."""
         errors = self._robot.state.current_errors
@@ -136,14 +139,14 @@ class Franky(Arm):
 
     def _command(self, path, time_s, positions, velocities) -> None:
         if isinstance(self._tracker, self._franky.JointImpedanceTracker):
-            self._tracker.set_target(positions, velocities * self.speed)
+            self._tracker.set_target(positions, velocities * self.speed * self.pace)
             return
         normal, target = path.normal_in_base, compose(invert(path.world_from_base), path.tool(time_s))
         # The spring along the normal is saturated: it ends at most press force / stiffness below the measured tool.
         depth = path.press_force_n / path.stiffness_n_per_m
         height = float((self._measured_m - target[:3]) @ normal)
         target[:3] += max(-SATURATION * depth, height - depth) * normal
-        twist = self._franky.Twist(self.speed * path.tool_velocity_in_base(time_s))
+        twist = self._franky.Twist(self.speed * self.pace * path.tool_velocity_in_base(time_s))
         self._tracker.set_target(self._franky.Affine(target[:3], target[3:]), twist)
 
     def _hold(self) -> None:

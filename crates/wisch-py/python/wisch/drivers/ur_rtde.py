@@ -113,6 +113,9 @@ class UrRtde(Arm):
             return "operator", "the speed scaling is 0: the program is paused, or the speed slider is at 0"
         return None
 
+    def _describe_control(self) -> str:
+        return "the driver's program on the robot runs" if self._control.isProgramRunning() else ""
+
     def _scaling(self) -> float:
         return self._receive.getSpeedScalingCombined()
 
