@@ -113,6 +113,12 @@ fn packages_are_found_above_the_urdf_and_by_the_task() {
     let told = "collision meshes of rod cannot be read, and are not checked for collisions: \
                 mesh \"package:///rods/rod.stl\": the package rods is unknown; add --package rods=DIR";
     assert!(err.contains(told), "{err}");
+    // A sweep with an invalid value ends before its first run.
+    let sweep = ["eval", "sweep", "bare.toml", "--set", "strategy=none"];
+    for args in [&sweep[..], &["robot", "map", "arm.urdf", "--samples", "10"]] {
+        let (_, _, err) = wisch(folder.path(), args);
+        assert!(err.contains(told), "{args:?}: {err}");
+    }
 }
 
 #[test]

@@ -3,7 +3,7 @@
 use crate::args::{GlobalArgs, RobotMapArgs};
 use crate::failure::Failure;
 use crate::progress::Progress;
-use crate::terminal::{Outcome, print};
+use crate::terminal::{Outcome, print, remark};
 use serde::Serialize;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
@@ -11,7 +11,7 @@ use wisch::follow::PlanningGroup;
 use wisch::geometry::Pose;
 use wisch::robot::{CapabilityMap, CollisionModel, MapConfig, MapError, MapRequest, MapStage};
 use wisch_io::OutputFile;
-use wisch_io::{MAP_EXTENSION, Robot, RobotDescription};
+use wisch_io::{MAP_EXTENSION, Robot, RobotDescription, robot_warnings};
 
 /// The schema of the object that `--json` prints.
 const SCHEMA: u32 = 1;
@@ -42,6 +42,9 @@ pub fn map(args: &RobotMapArgs, global: &GlobalArgs) -> Result<Outcome, Failure>
     let description = Robot::description(&args.robot);
     // A path on the command line is relative to the working directory.
     let robot = Robot::read_without_map(&description, Path::new(""), &args.packages)?;
+    for warning in robot_warnings(&robot.model) {
+        progress.aside(|| remark(&warning));
+    }
     let of_robot = |error| Failure::new(format!("{}: {error}", args.robot));
     let group = PlanningGroup::choose(&robot.model, robot.srdf.as_ref(), args.group.as_deref())
         .map_err(of_robot)?;

@@ -6,13 +6,13 @@ use super::wipings::{header, heading, quartiles, row, runs_csv};
 use super::{Provenance, conclude, outcome, write};
 use crate::args::{GlobalArgs, SweepArgs};
 use crate::failure::Failure;
-use crate::terminal::Outcome;
+use crate::terminal::{Outcome, remark};
 use serde::Serialize;
 use std::path::Path;
 use wisch_eval::{
     Axis, Quantity, SweepCase, SweepCell, SweepRun, SweepSetup, WipingExtent, cells, sweep_cells,
 };
-use wisch_io::{LoadOptions, load_task};
+use wisch_io::{LoadOptions, load_task, robot_warnings};
 
 /// Schema number of the record.
 const SCHEMA: u32 = 1;
@@ -112,7 +112,12 @@ fn check(args: &SweepArgs) -> Result<String, Failure> {
         load_task(Path::new(&args.task), &options)
     };
     // First without values, so that an error of the task itself is not blamed on a value.
-    load(Vec::new())?;
+    let loaded = load(Vec::new())?;
+    // A robot that cannot be read is the error of the first run, if the runs need it.
+    if let Ok(Some(robot)) = loaded.robot() {
+        let warnings = robot_warnings(&robot.model);
+        warnings.iter().for_each(|text| remark(text));
+    }
     let firsts = || {
         args.axes
             .iter()
