@@ -1,5 +1,6 @@
 //! The tests of what reaches outside: programs that execute motions.
 
 mod driver;
+mod misbehaviour;
 mod process;
 mod silence;

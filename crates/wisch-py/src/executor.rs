@@ -374,6 +374,7 @@ impl Round<'_> {
             ..
         } = self.stopped();
         let mut done = DoneRecord {
+            round: None,
             duration_s: duration,
             ending: if self.intake.is_stopped() {
                 EndingRecord::Stopped

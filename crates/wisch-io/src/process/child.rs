@@ -3,7 +3,7 @@
 use super::backlog::{Backlog, NoLine};
 use super::printable::{printable, printed};
 use std::io::{self, BufRead, BufReader, Read, Write};
-use std::process::{Child, ChildStderr, ChildStdin, Command, ExitStatus, Stdio};
+use std::process::{Child, ChildStdin, Command, ExitStatus, Stdio};
 use std::sync::Mutex;
 use std::sync::mpsc::{Receiver, Sender, channel};
 use std::thread::JoinHandle;
@@ -13,6 +13,8 @@ use std::time::{Duration, Instant};
 pub(super) const MAX_LINE: u64 = 1 << 20;
 /// Maximum size of a piece of a child's standard error that is copied at once [bytes].
 const MAX_ERROR_LINE: u64 = 1 << 14;
+/// Largest part of a child's standard error that is copied in a second [bytes].
+const MAX_ERROR_RATE: usize = 1 << 18;
 /// Period at which a silent child is checked.
 const POLL: Duration = Duration::from_millis(20);
 /// Time to wait for the last output of a child that has ended.
@@ -95,7 +97,10 @@ impl ChildGroup {
         let errors = child.stderr.take().map(|stderr| {
             let (open, copied) = channel::<()>();
             std::thread::spawn(move || {
-                copy_errors(stderr);
+                copy_errors(stderr, |text| {
+                    // Standard error may be closed.
+                    let _ = writeln!(io::stderr().lock(), "{text}");
+                });
                 drop(open);
             });
             copied
@@ -131,6 +136,12 @@ impl ChildGroup {
                 }
             })),
         }
+    }
+
+    /// Takes a line that has arrived already, or the reason why no more count; `None` if there is neither.
+    pub fn take_unasked(&self) -> Option<Result<String, String>> {
+        let taken = self.lines.take(Instant::now()).ok();
+        taken.map(|(_, line)| line)
     }
 
     /// Waits for a line and checks meanwhile for an interruption.
@@ -288,24 +299,77 @@ fn read_lines(mut output: impl BufRead, lines: &Backlog) {
     }
 }
 
-/// Copies a child's standard error to this program's, line by line, so that no control character reaches a terminal.
-fn copy_errors(stderr: ChildStderr) {
+/// Copies a child's standard error to this program's, line by line, so that no control character reaches a terminal. What
+/// exceeds [`MAX_ERROR_RATE`] is left out, and stated.
+fn copy_errors(stderr: impl Read, print: impl Fn(&str)) {
     let mut stderr = BufReader::new(stderr);
+    let (mut since, mut shown, mut left_out) = (Instant::now(), 0, 0);
+    let state = |left_out: usize| {
+        if left_out > 0 {
+            print(&format!(
+                "wisch: {left_out} bytes of the executor's standard error are left out, because it wrote more than {MAX_ERROR_RATE} bytes in a second"
+            ));
+        }
+    };
     loop {
         let mut line = Vec::new();
         match Read::take(&mut stderr, MAX_ERROR_LINE).read_until(b'\n', &mut line) {
-            Ok(0) | Err(_) => return,
-            Ok(_) => {
+            Ok(0) | Err(_) => return state(left_out),
+            Ok(length) => {
+                if since.elapsed() >= Duration::from_secs(1) {
+                    state(std::mem::take(&mut left_out));
+                    (since, shown) = (Instant::now(), 0);
+                }
+                if shown + length > MAX_ERROR_RATE {
+                    left_out += length;
+                    continue;
+                }
+                shown += length;
                 let text = String::from_utf8_lossy(&line);
-                let shown = printed(text.trim_end_matches(['\n', '\r']));
-                // Standard error may be closed.
-                let _ = writeln!(io::stderr().lock(), "{shown}");
+                print(&printed(text.trim_end_matches(['\n', '\r'])));
             }
         }
     }
 }
 
-/// Returns the beginning of a line, for messages.
-pub(super) fn shortened(line: &str) -> String {
-    format!("\"{}\"", printable(line.trim_end(), 80))
+/// Returns the part of a line that ends soon after a column, or its beginning if that holds the column, for messages.
+/// `column`: from 1, in bytes.
+pub(super) fn shortened(line: &str, column: usize) -> String {
+    let mut start = column.saturating_sub(60).min(line.len());
+    while !line.is_char_boundary(start) {
+        start += 1;
+    }
+    let (before, start) = if column <= 80 {
+        ("", 0)
+    } else {
+        ("…", start)
+    };
+    let part = line.get(start..).unwrap_or_default();
+    format!("\"{before}{}\"", printable(part.trim_end(), 80))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::cell::RefCell;
+
+    #[test]
+    fn a_flood_on_standard_error_is_cut_and_its_size_stated() {
+        let printed = RefCell::new(Vec::new());
+        let flood = ["x".repeat(99), "\n".to_owned()].concat().repeat(100_000);
+        copy_errors(flood.as_bytes(), |text| {
+            printed.borrow_mut().push(text.to_owned());
+        });
+        let printed = printed.into_inner();
+        let (stated, lines): (Vec<_>, Vec<_>) =
+            printed.iter().partition(|line| line.starts_with("wisch: "));
+        assert!(
+            lines.len() < 100_000 && stated.len() < 100,
+            "{}",
+            lines.len()
+        );
+        let count = |line: &&String| line[7..].split(' ').next()?.parse::<usize>().ok();
+        let left_out: usize = stated.iter().filter_map(count).sum();
+        assert_eq!(100 * lines.len() + left_out, flood.len());
+    }
 }

@@ -4,7 +4,7 @@ use super::printable::printable;
 use super::status::{PauseRecord, ResumeRecord, WrenchQualityRecord};
 use nalgebra::UnitQuaternion;
 use serde::Deserialize;
-use wisch::geometry::{Point2, Polygon, Pose, Region, Vector3, restore_pose};
+use wisch::geometry::{Point2, Point3, Polygon, Pose, Region, Vector3, restore_pose};
 use wisch::represent::{MAX_DETECTIONS, Observation};
 use wisch::run::{
     Ending, Execution, MotionOrder, Pause, RobotState, SampleSink, SampleStatus, Stamp, StampClock,
@@ -32,6 +32,8 @@ const MAX_WRENCH: f64 = 1e6;
 const MAX_JOINT: f64 = 1e6;
 /// Largest stamp [ns]: messages of ROS 2 hold seconds in 32 bits.
 const MAX_STAMP_NS: u64 = i32::MAX as u64 * 1_000_000_000;
+/// Largest distance of the tool from the motion [m]: poses in other units are farther away.
+const MAX_ASTRAY: f64 = 10.0;
 /// Largest number of pauses in a motion.
 const MAX_PAUSES: usize = 1_000;
 /// Longest time of a motion with its pauses [s].
@@ -83,6 +85,8 @@ pub struct SampleRecord {
     /// Quality of `force_n` and `moment_nm`.
     #[serde(default)]
     pub wrench_quality: WrenchQualityRecord,
+    /// Number of the round whose motion the sample is of; `None` if it is not stated.
+    pub round: Option<usize>,
 }
 
 /// Axes of a measured force and moment.
@@ -277,6 +281,8 @@ pub struct DoneRecord {
     pub ending: EndingRecord,
     /// Positions of all n variables of the robot at the end, or empty if not measured [rad or m].
     pub positions: Vec<f64>,
+    /// Number of the round whose motion has ended; `None` if it is not stated.
+    pub round: Option<usize>,
 }
 
 /// The joint positions, as an executor reports them.
@@ -503,6 +509,7 @@ impl<'a> Intake<'a> {
     /// does not have one number per joint, or a quaternion is not of unit length. The error states time, value and limit.
     pub fn take(&mut self, sample: &SampleRecord) -> Result<(), String> {
         sample.check(self.since, self.dof)?;
+        self.check_round(&format!("the sample at {} s", sample.time_s), sample.round)?;
         self.since = sample.time_s;
         self.count += 1.0;
         if self.count > BURST + MAX_RATE * (EARLY + self.since) {
@@ -528,6 +535,7 @@ impl<'a> Intake<'a> {
         let at = (self.clock)
             .advance(time_run, reported, positions, &world_from_tool)
             .map_err(|error| format!("at {} s: {error}", self.since))?;
+        self.check_place(at, &world_from_tool)?;
         if !sample.positions.is_empty() {
             self.positions.clone_from(&sample.positions);
         }
@@ -573,6 +581,31 @@ impl<'a> Intake<'a> {
         Ok(())
     }
 
+    /// Checks that a message is of this motion, if it states its round.
+    fn check_round(&self, what: &str, round: Option<usize>) -> Result<(), String> {
+        match round {
+            Some(round) if round != self.order.round => Err(format!(
+                "{what} is of round {round}; expected round {}",
+                self.order.round
+            )),
+            _ => Ok(()),
+        }
+    }
+
+    /// Checks that the tool is where robots are. `time`: trajectory time [s].
+    fn check_place(&self, time: f64, world_from_tool: &Pose) -> Result<(), String> {
+        let tool = Point3::from(world_from_tool.translation.vector);
+        let planned = self.clock.tool_position(time);
+        let distance = planned.map_or(0.0, |planned| (tool - planned).norm());
+        if distance <= MAX_ASTRAY {
+            return Ok(());
+        }
+        Err(format!(
+            "at {} s the tool is {distance:.1} m from the motion, beyond the limit of {MAX_ASTRAY} m; expected metres, and radians",
+            self.since
+        ))
+    }
+
     /// Computes the tool's pose from the positions of the joints.
     fn compute_tool_pose(&self, positions: &[f64]) -> Result<Pose, String> {
         let cell = self.order.cell;
@@ -588,6 +621,7 @@ impl<'a> Intake<'a> {
     /// samples up to its end.
     pub fn done(&self, done: DoneRecord) -> Result<Execution, String> {
         check("at the end positions", &done.positions, MAX_JOINT)?;
+        self.check_round("\"done\"", done.round)?;
         let end = self.end();
         let is_complete = done.ending == EndingRecord::Complete && !self.is_stopped;
         if is_complete && self.time_run() < end - LAST_SAMPLE {

@@ -220,6 +220,25 @@ impl ProcessExecutor {
         Ok(())
     }
 
+    /// Sends a request, unless the child has sent something that nobody asked for.
+    fn ask(&mut self, request: &ToChild<'_>) -> Result<(), ExecutorError> {
+        self.check_unasked()?;
+        self.say(request)
+    }
+
+    /// Refuses a message that has arrived without a request: what would be its answer is not known.
+    fn check_unasked(&mut self) -> Result<(), ExecutorError> {
+        let Some(line) = self.child.take_unasked() else {
+            return Ok(());
+        };
+        let line = line.map_err(|problem| self.fault(problem))?;
+        match serde_json::from_str::<FromChild>(&line) {
+            Ok(FromChild::Error(problem)) => Err(self.fault(problem)),
+            Ok(message) => Err(self.fault(format!("it sent {} without a request", message.kind()))),
+            Err(error) => Err(self.fault(line_fault(&line, &error))),
+        }
+    }
+
     /// Waits for the next message until the deadline, or until what it heeds.
     fn hear(
         &mut self,
@@ -275,7 +294,7 @@ impl ProcessExecutor {
             return Err(self.fault("the motion is empty"));
         }
         let head = MotionHead::new(order, points.len(), version);
-        self.say(&ToChild::Execute(Box::new(head)))?;
+        self.ask(&ToChild::Execute(Box::new(head)))?;
         for point in points {
             self.say(&ToChild::Point(TrajectoryPoint::new(point, version)))?;
         }
@@ -285,7 +304,7 @@ impl ProcessExecutor {
 
 /// Describes a line that is not a message of the protocol.
 fn line_fault(line: &str, error: &serde_json::Error) -> String {
-    let shown = shortened(line);
+    let shown = shortened(line, error.column());
     let words = error.to_string();
     // The line number that follows counts from this line.
     let words = words.split(" at line ").next().unwrap_or_default();
@@ -304,7 +323,7 @@ impl Executor for ProcessExecutor {
         if !self.ready.prepares {
             return Ok(());
         }
-        self.say(&ToChild::Prepare)?;
+        self.ask(&ToChild::Prepare)?;
         // An interruption waits for the answer: a robot half prepared is worse than one that is prepared in vain.
         match self.hear(Instant::now() + self.silence, Heeds::Nothing)? {
             Ok(FromChild::Prepared) => {
@@ -317,8 +336,15 @@ impl Executor for ProcessExecutor {
     }
 
     fn finish(&mut self) -> Result<(), ExecutorError> {
+        let is_well = !self.is_faulty && !self.is_interrupted();
+        // The robot is handed back even if its driver is at fault.
+        let unasked = if is_well {
+            self.check_unasked()
+        } else {
+            Ok(())
+        };
         if !std::mem::take(&mut self.is_prepared) {
-            return Ok(());
+            return unasked;
         }
         self.stop_after_fault();
         self.say(&ToChild::Finish)?;
@@ -329,7 +355,7 @@ impl Executor for ProcessExecutor {
         };
         let deadline = Instant::now() + limit;
         if self.is_faulty || self.is_interrupted() {
-            return self.hear_finished(deadline, limit);
+            return unasked.and(self.hear_finished(deadline, limit));
         }
         match self.hear(deadline, Heeds::Nothing)? {
             Ok(FromChild::Finished) => Ok(()),
@@ -370,7 +396,7 @@ impl Executor for ProcessExecutor {
         if !self.ready.reports_state {
             return Ok(None);
         }
-        self.say(&ToChild::State)?;
+        self.ask(&ToChild::State)?;
         match self.answer()? {
             FromChild::State(state) => state.into_state().map_err(|error| self.fault(error)),
             other => Err(self.unexpected("\"state\"", &other)),
@@ -379,7 +405,7 @@ impl Executor for ProcessExecutor {
 
     fn observe(&mut self, task: &Task) -> Result<Option<Observation>, ExecutorError> {
         self.check_shape(task)?;
-        self.say(&ToChild::Observe {
+        self.ask(&ToChild::Observe {
             surface: &task.surface.name,
         })?;
         match self.answer()? {

@@ -88,6 +88,24 @@ pub enum RunError {
         /// "rad", or "m" for a prismatic joint.
         unit: &'static str,
     },
+    /// The first sample of a motion shows the robot elsewhere.
+    #[error(
+        "round {round}: at {time:.3} s the executor reports joint {joint:?} {distance:.3} {unit} from the start of the motion, more than the limit of {limit} {unit}, so the motion is stopped; expected a robot that stands where the motion begins, and positions in rad and m, in the order of the robot's variables"
+    )]
+    StartsElsewhere {
+        /// The round, from 1.
+        round: usize,
+        /// Time of the sample since the start of the motion \[s\].
+        time: f64,
+        /// The joint with the largest distance.
+        joint: String,
+        /// Its distance from the start of the motion [rad or m].
+        distance: f64,
+        /// The limit [rad or m].
+        limit: f64,
+        /// "rad", or "m" for a prismatic joint.
+        unit: &'static str,
+    },
     /// The robot moves before its motion begins.
     #[error(
         "round {round}: joint {joint:?} moves at {velocity:.3} {unit}/s, more than the limit of {limit} {unit}/s for a robot at rest, so the motion is not executed; wait until the robot stands still"

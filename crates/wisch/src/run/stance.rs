@@ -1,6 +1,6 @@
 //! The robot's position before and after a motion.
 
-use super::{Execution, PlannedRound, RobotState, RunConfig, RunError};
+use super::{Execution, PlannedRound, RobotState, RunConfig, RunError, TelemetrySample};
 use crate::follow::{Followed, Workcell};
 use crate::geometry::{PlanarPose, Point2, Pose, Vector3};
 use nalgebra::{Translation3, UnitQuaternion};
@@ -87,6 +87,48 @@ pub(super) fn check_start(
                 distance,
                 limit,
                 start: start.q[i],
+                unit: joint.kind.unit(),
+            })
+        }
+        _ => Ok(()),
+    }
+}
+
+/// Latest time of a motion's first sample at which the robot is still near the start of the motion [s].
+const BEGINNING: f64 = 1.0;
+/// Distance of a joint from the start of a motion, or from its setpoint, that the beginning of a motion explains [rad or m].
+const NEAR_START: f64 = 0.3;
+
+/// Checks that the first measured positions of a motion are near its start: the robot stands there, and the executor
+/// reports the joints in their order and units. `tolerance`: largest distance before the motion [rad or m].
+pub(super) fn check_first_sample(
+    sample: &TelemetrySample<'_>,
+    planned: &PlannedRound,
+    tolerance: f64,
+) -> Result<(), RunError> {
+    let setpoints = [0.0, sample.time].map(|time| planned.followed.sample(time));
+    let [Some(start), Some(present)] = setpoints else {
+        return Ok(());
+    };
+    if sample.time > BEGINNING || sample.positions.len() != start.q.len() {
+        return Ok(());
+    }
+    let limit = NEAR_START.max(tolerance);
+    let nearest = |(position, (start, present)): (&f64, (&f64, &f64))| {
+        (position - start).abs().min((position - present).abs())
+    };
+    let setpoints = start.q.iter().zip(&present.q);
+    let distances = sample.positions.iter().zip(setpoints).map(nearest);
+    let farthest = distances.enumerate().max_by(|a, b| a.1.total_cmp(&b.1));
+    match farthest {
+        Some((i, distance)) if distance > limit => {
+            let joint = planned.cell.robot().variable(i);
+            Err(RunError::StartsElsewhere {
+                round: planned.number,
+                time: sample.time,
+                joint: joint.name.clone(),
+                distance,
+                limit,
                 unit: joint.kind.unit(),
             })
         }

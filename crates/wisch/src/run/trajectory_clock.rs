@@ -1,7 +1,7 @@
 //! Trajectory time from the reported state of a robot, which may run slower than planned, or pause.
 
 use super::MotionOrder;
-use crate::geometry::Pose;
+use crate::geometry::{Point3, Pose};
 
 /// Period of the path points with which a measured state is compared [s].
 const PERIOD: f64 = 0.01;
@@ -112,6 +112,12 @@ impl TrajectoryClock {
     /// The largest trajectory time so far \[s\].
     pub const fn time_reached(&self) -> f64 {
         self.reached
+    }
+
+    /// The planned position of the tool in the world at a trajectory time \[s\], to a period of [`PERIOD`].
+    pub fn tool_position(&self, time: f64) -> Option<Point3> {
+        let at = self.tool.get((time / PERIOD).round() as usize)?;
+        Some(Point3::new(at[0], at[1], at[2]))
     }
 
     /// Estimates the trajectory time from the measured state, by the better of the two hypotheses [s].

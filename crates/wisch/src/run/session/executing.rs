@@ -5,7 +5,7 @@ use crate::follow::Audit;
 use crate::interpret::{
     InterpretConfig, InterpretError, Interpreter, TouchSample, UnusableWrenches,
 };
-use crate::run::stance::{check_positions, check_rest, check_start};
+use crate::run::stance::{check_first_sample, check_positions, check_rest, check_start};
 use crate::run::stroke_watch::StrokeWatch;
 use crate::run::{
     Ending, Execution, Executor, ExecutorError, MotionOrder, Observer, PlannedRound, RunError,
@@ -59,14 +59,19 @@ impl Session<'_> {
             cell: &planned.cell,
             followed: &planned.followed,
         };
-        let mut refused = None;
+        let mut refused: Option<RunError> = None;
+        let tolerance = self.config.start_tolerance;
         let mut watch = (self.config.end_strokes_early).then(|| StrokeWatch::new(&planned.task));
         let mut ended_early = None;
         let mut is_broken_off = false;
         let mut measured_until: Option<f64> = None;
         let mut at: Vec<f64> = Vec::new();
         let executed = executor.execute(&order, &mut |sample| {
-            if let Err(error) = take_touch(&mut interpreter, sample) {
+            let mut taken = take_touch(&mut interpreter, sample).map_err(RunError::from);
+            if at.is_empty() && !sample.positions.is_empty() {
+                taken = taken.and_then(|()| check_first_sample(sample, &planned, tolerance));
+            }
+            if let Err(error) = taken {
                 refused = Some(error);
                 return ControlFlow::Break(());
             }
@@ -90,7 +95,7 @@ impl Session<'_> {
         });
         let broken_off = keep_execution(&executed, measured_until, at);
         let executed = match (executed, refused) {
-            (_, Some(error)) => Err(error.into()),
+            (_, Some(error)) => Err(error),
             (Err(error), None) => Err(error.into()),
             (Ok(execution), None) => check_positions(execution, &planned.cell, planned.number),
         };
