@@ -179,12 +179,21 @@ fn powder_that_slides_off_a_slope_is_reported_before_anything_is_wiped() {
     );
 
     // What is wet holds up to 1.5, and grains to 0.8.
-    for (slope, kind) in [(0.7, "liquid"), (0.6, "powder")] {
+    for (slope, kind, degrees) in [(0.7, "liquid", 40), (0.6, "powder", 34)] {
         leaning_board(folder.path(), slope, kind);
-        let (code, out, err) = wisch(folder.path(), &["check", "task.toml", "--robot", "none"]);
-        assert_eq!(code, 0, "{out}{err}");
-        let holds = "exceeds the surface's friction of 0.3 for the tool; wisch assumes that chalk stays in place up to";
-        assert!(out.contains(holds) && out.contains("is valid"), "{out}");
+        for command in ["check", "plan"] {
+            let (code, out, err) = wisch(folder.path(), &[command, "task.toml"]);
+            let stays = format!(
+                "note: gravity: chalk is assumed to stay in place on a surface that leans by {degrees}°; "
+            );
+            assert!(code != 2 && err.contains(&stays), "{out}{err}");
+        }
+    }
+    // A level board, and one on which grains rest by every usual friction.
+    for (slope, kind) in [(0.01, "liquid"), (0.19, "powder")] {
+        leaning_board(folder.path(), slope, kind);
+        let (_, _, err) = wisch(folder.path(), &["check", "task.toml"]);
+        assert!(!err.contains("gravity:"), "{err}");
     }
 }
 

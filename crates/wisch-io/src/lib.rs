@@ -7,6 +7,7 @@
 mod assets;
 mod digest;
 mod error;
+mod gravity;
 mod kept_files;
 mod knowledge;
 mod load;

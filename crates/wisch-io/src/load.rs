@@ -3,6 +3,7 @@
 use crate::assets::{KnowledgeSource, read_beside, read_task_text};
 use crate::digest::InputDigest;
 use crate::error::Error;
+use crate::gravity::{gravity_remark, let_slide};
 use crate::kept_files::KeptFiles;
 use crate::particles::{ParticleSource, read_observed_image, read_observed_list};
 use crate::robots::Robot;
@@ -11,13 +12,11 @@ use crate::task_file::{
 };
 use std::cell::RefCell;
 use std::path::{Path, PathBuf};
-use wisch::geometry::Mesh;
 use wisch::goal::{GoalLiteral, resolve_goal};
 use wisch::interpret::{Belief, DirtPrior, member_count};
 use wisch::plan::{CoverageStrategy, Plan, PlanConfig, PlanError, Strategy, plan};
 use wisch::represent::{
     Action, DirtArea, KnowledgeBase, Observation, SensorModel, Sight, SteepSurface, Task,
-    dirt_friction, slide_down,
 };
 use wisch::run::{RunConfig, Session};
 use wisch::source_location::UnknownName;
@@ -298,7 +297,10 @@ pub fn parse_task(
         &mut |path| taken_in(path, source.asset(path)),
     )?;
     let steep = let_slide(&mut task, &knowledge);
-    assumptions.extend(steep.map(|steep| steep.to_string()));
+    assumptions.extend(match steep {
+        Some(steep) => Some(steep.to_string()),
+        None => gravity_remark(&task, &knowledge),
+    });
     assumptions.extend(surface_remarks(&task));
     assumptions.extend(tool_remark(&task));
     assumptions.extend(points_remark(&task));
@@ -349,21 +351,6 @@ fn sight(sensor: SensorModel, task: &Task, knowledge: &KnowledgeBase) -> Sight {
         sensor,
         detection: sensor.mean_detection(sizes),
     }
-}
-
-/// Moves the particles that cannot rest on the surface's slope down to where they come to rest.
-fn let_slide(task: &mut Task, knowledge: &KnowledgeBase) -> Option<SteepSurface> {
-    let kind = knowledge.medium(&task.medium).ok()?.kind;
-    // The planner refuses a curved surface on which dirt slides.
-    if task.action.treats() || !task.surface.shape.is_plane() {
-        return None;
-    }
-    let of_surface = knowledge.surface(&task.surface.name).ok()?.friction;
-    let friction = dirt_friction(kind, of_surface);
-    let obstacles: Vec<Mesh> = task.obstacles_in_surface().collect();
-    let (slid, steep) = slide_down(&task.particles, &task.surface, &obstacles, friction)?;
-    task.particles = slid;
-    Some(steep)
 }
 
 fn strategy_named(name: &str, shown: &str) -> Result<Strategy, Error> {

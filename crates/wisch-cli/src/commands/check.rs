@@ -12,7 +12,7 @@ use std::collections::BTreeSet;
 use wisch::follow::{Followed, Workcell};
 use wisch::geometry::{Bounds2, Mesh, Point2};
 use wisch::plan::{BendContact, FreeSpace, NodeRole, Plan, Prediction, predict};
-use wisch::represent::{Action, GoalState, SurfaceShape, Task, dirt_friction};
+use wisch::represent::{Action, GoalState, SurfaceShape, Task};
 use wisch::run::{NoExecutor, Stage, check_score, ignore_events};
 use wisch_io::{KeptFiles, LoadedTask, ShapeRecord};
 
@@ -210,7 +210,7 @@ fn explanation(prepared: &LoadedTask, found: &Found<'_>, heading: &str) -> Strin
         ));
     }
     lines.push(("surface", surface(task)));
-    lines.extend(slope(prepared).map(|text| ("slope", text)));
+    lines.extend((prepared.steep).map(|steep| ("slope", steep.to_string())));
     lines.push(("tool", tool(task)));
     lines.extend(BendContact::from_task(task).map(|contact| ("contact", contact.to_string())));
     let count = task.particles.len();
@@ -338,31 +338,6 @@ fn surface(task: &Task) -> String {
 /// Returns a number that prints without the sign of a zero, to a millimetre.
 fn positive_zero(number: f64) -> f64 {
     if number.abs() < 5e-4 { 0.0 } else { number }
-}
-
-/// Describes the effect of the surface's slope on the dirt, or returns `None` if the slope is below the tool's friction.
-fn slope(prepared: &LoadedTask) -> Option<String> {
-    if let Some(steep) = &prepared.steep {
-        return Some(steep.to_string());
-    }
-    let task = &prepared.task;
-    let friction = prepared
-        .knowledge
-        .surface(&task.surface.name)
-        .ok()?
-        .friction;
-    let kind = prepared.knowledge.medium(&task.medium).ok()?.kind;
-    let slope = task.surface.steepest_slope();
-    if task.action.treats() || slope.tan() <= friction {
-        return None;
-    }
-    Some(format!(
-        "tan({:.1}°) = {:.2} exceeds the surface's friction of {friction} for the tool; wisch assumes that {} stays in place up to {:.2}",
-        slope.to_degrees(),
-        slope.tan(),
-        task.medium,
-        dirt_friction(kind, friction)
-    ))
 }
 
 fn tool(task: &Task) -> String {

@@ -1,0 +1,58 @@
+//! What gravity does to the dirt of a task: dirt that slides before the first round, and dirt that is assumed to stay.
+
+use wisch::geometry::Mesh;
+use wisch::represent::{
+    Action, KnowledgeBase, MediumKind, SteepSurface, Task, dirt_friction, slide_down,
+};
+
+/// Slope up to which grains of an unknown friction rest on every usual surface, as a tangent [1].
+const RESTING_GRAINS: f64 = 0.2;
+/// Slope up to which a surface counts as level for a liquid, as a tangent [1]: 1°.
+const LEVEL: f64 = 0.0175;
+
+/// Moves the particles that cannot rest on the surface's slope down to where they come to rest.
+pub(crate) fn let_slide(task: &mut Task, knowledge: &KnowledgeBase) -> Option<SteepSurface> {
+    let kind = knowledge.medium(&task.medium).ok()?.kind;
+    // The planner refuses a curved surface on which dirt slides.
+    if task.action.treats() || !task.surface.shape.is_plane() {
+        return None;
+    }
+    let of_surface = knowledge.surface(&task.surface.name).ok()?.friction;
+    let friction = dirt_friction(kind, of_surface);
+    let obstacles: Vec<Mesh> = task.obstacles_in_surface().collect();
+    let (slid, steep) = slide_down(&task.particles, &task.surface, &obstacles, friction)?;
+    task.particles = slid;
+    Some(steep)
+}
+
+/// Returns a remark on dirt that is assumed to stay in place on a surface so steep that gravity may move it.
+pub(crate) fn gravity_remark(task: &Task, knowledge: &KnowledgeBase) -> Option<String> {
+    let kind = knowledge.medium(&task.medium).ok()?.kind;
+    let slope = task.surface.steepest_slope();
+    let level = match kind {
+        MediumKind::Liquid => LEVEL,
+        MediumKind::Solid | MediumKind::Powder => RESTING_GRAINS,
+    };
+    // A polished surface holds no dirt.
+    if task.action == Action::Polish || slope <= level.atan() {
+        return None;
+    }
+    let why = match kind {
+        MediumKind::Liquid => "liquids that run down are not represented".to_owned(),
+        MediumKind::Solid | MediumKind::Powder => {
+            let of_surface = knowledge.surface(&task.surface.name).ok()?.friction;
+            let friction = dirt_friction(kind, of_surface);
+            format!("its friction at rest is assumed to be {friction}")
+        }
+    };
+    let up_to = if task.surface.shape.is_plane() {
+        ""
+    } else {
+        "up to "
+    };
+    Some(format!(
+        "gravity: {} is assumed to stay in place on a surface that leans by {up_to}{:.0}°; {why}",
+        task.medium,
+        slope.to_degrees()
+    ))
+}
