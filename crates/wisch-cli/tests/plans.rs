@@ -198,6 +198,68 @@ fn powder_that_slides_off_a_slope_is_reported_before_anything_is_wiped() {
 }
 
 #[test]
+fn dirt_of_a_declared_friction_slides_on_a_leaning_board_and_in_a_gutter() {
+    let folder = tempfile::tempdir().unwrap();
+    leaning_board(folder.path(), 0.5, "powder");
+    let run = |command: &str, settings: &[&str]| {
+        let settings = settings.iter().flat_map(|setting| ["--set", setting]);
+        let args: Vec<&str> = [command, "task.toml"].into_iter().chain(settings).collect();
+        wisch(folder.path(), &args)
+    };
+    // tan(0.5) = 0.55.
+    let (_, out, err) = run("check", &["medium.static_friction=0.6"]);
+    assert!(
+        out.contains("is valid") && !err.contains("gravity"),
+        "{out}{err}"
+    );
+    let (_, out, err) = run("check", &["medium.static_friction=0.5"]);
+    let slides = "tan(28.6°) = 0.55 exceeds the friction of the dirt on it, 0.5: 60 of 60 particles slide off";
+    assert!(out.contains(slides) && err.contains(slides), "{out}{err}");
+    let gutter = [
+        "surface.shape=cylinder",
+        "surface.radius_m=-0.25",
+        "surface.axis_rad=1.5707963",
+        "surface.rpy_rad=[0, 0, 0]",
+        "surface.holes_m=[]",
+    ];
+    let refused = run("check", &gutter);
+    assert!(
+        refused.0 == 2
+            && refused
+                .2
+                .contains("needs the friction of the dirt (medium.static_friction)"),
+        "{refused:?}"
+    );
+    let declared = ["medium.static_friction=0.6", "medium.kinetic_friction=0.4"];
+    let (_, out, err) = run("check", &[&gutter[..], &declared].concat());
+    assert!(
+        err.contains("particles slide down and come to rest, and 0 of 60"),
+        "{out}{err}"
+    );
+    for (settings, problem) in [
+        (
+            &["medium.kinetic_friction=0.4"][..],
+            "this key needs static_friction",
+        ),
+        (
+            &["medium.static_friction=0.4", "medium.kinetic_friction=0.5"],
+            "0.5 exceeds static_friction, which is 0.4",
+        ),
+        (
+            &["medium.kind=liquid", "medium.static_friction=0.4"],
+            "a liquid has no friction",
+        ),
+        (&["medium.static_friction=3"], "2"),
+    ] {
+        let (code, _, err) = run("check", settings);
+        assert!(
+            code == 2 && err.contains(problem) && err.contains("friction"),
+            "{err}"
+        );
+    }
+}
+
+#[test]
 fn strokes_of_an_edited_plan_over_a_hole_or_off_the_surface_are_refused() {
     let folder = tempfile::tempdir().unwrap();
     leaning_board(folder.path(), 0.2, "liquid");

@@ -1,8 +1,8 @@
 //! What gravity does to the dirt of a task: dirt that slides before the first round, and dirt that is assumed to stay.
 
-use wisch::geometry::Mesh;
 use wisch::represent::{
-    Action, KnowledgeBase, MediumKind, SteepSurface, Task, dirt_friction, slide_down,
+    Action, DirtFriction, DirtMobility, DirtSlide, KnowledgeBase, MediumKind, SteepSurface, Task,
+    dirt_friction, slide_down,
 };
 
 /// Slope up to which grains of an unknown friction rest on every usual surface, as a tangent [1].
@@ -10,19 +10,28 @@ const RESTING_GRAINS: f64 = 0.2;
 /// Slope up to which a surface counts as level for a liquid, as a tangent [1]: 1°.
 const LEVEL: f64 = 0.0175;
 
-/// Moves the particles that cannot rest on the surface's slope down to where they come to rest.
+/// Moves the particles that cannot rest on the surface's slope down to where they come to rest: with the declared friction,
+/// or on a plane with an assumed one.
 pub(crate) fn let_slide(task: &mut Task, knowledge: &KnowledgeBase) -> Option<SteepSurface> {
-    let kind = knowledge.medium(&task.medium).ok()?.kind;
-    // The planner refuses a curved surface on which dirt slides.
-    if task.action.treats() || !task.surface.shape.is_plane() {
-        return None;
-    }
-    let of_surface = knowledge.surface(&task.surface.name).ok()?.friction;
-    let friction = dirt_friction(kind, of_surface);
-    let obstacles: Vec<Mesh> = task.obstacles_in_surface().collect();
-    let (slid, steep) = slide_down(&task.particles, &task.surface, &obstacles, friction)?;
+    let slide = match task.dirt_slide() {
+        Some(slide) => slide,
+        // The planner refuses a curved surface on which dirt of an unknown friction may slide.
+        None if task.action.treats() || !task.surface.shape.is_plane() => return None,
+        None => {
+            let friction = DirtFriction::constant(assume_friction(task, knowledge)?);
+            DirtSlide::new(friction, task.occupied_area())
+        }
+    };
+    let (slid, steep) = slide_down(&task.particles, &task.surface, &slide)?;
     task.particles = slid;
     Some(steep)
+}
+
+/// Returns the friction coefficient that is assumed of a task's dirt at rest [1].
+fn assume_friction(task: &Task, knowledge: &KnowledgeBase) -> Option<f64> {
+    let kind = knowledge.medium(&task.medium).ok()?.kind;
+    let of_surface = knowledge.surface(&task.surface.name).ok()?.friction;
+    Some(dirt_friction(kind, of_surface))
 }
 
 /// Returns a remark on dirt that is assumed to stay in place on a surface so steep that gravity may move it.
@@ -34,15 +43,17 @@ pub(crate) fn gravity_remark(task: &Task, knowledge: &KnowledgeBase) -> Option<S
         MediumKind::Solid | MediumKind::Powder => RESTING_GRAINS,
     };
     // A polished surface holds no dirt.
-    if task.action == Action::Polish || slope <= level.atan() {
+    let is_known = task.mobility != DirtMobility::Unknown;
+    if is_known || task.action == Action::Polish || slope <= level.atan() {
         return None;
     }
     let why = match kind {
         MediumKind::Liquid => "liquids that run down are not represented".to_owned(),
         MediumKind::Solid | MediumKind::Powder => {
-            let of_surface = knowledge.surface(&task.surface.name).ok()?.friction;
-            let friction = dirt_friction(kind, of_surface);
-            format!("its friction at rest is assumed to be {friction}")
+            let friction = assume_friction(task, knowledge)?;
+            format!(
+                "its friction at rest is assumed to be {friction}; declare medium.static_friction and medium.kinetic_friction"
+            )
         }
     };
     let up_to = if task.surface.shape.is_plane() {

@@ -108,7 +108,8 @@ impl LoadedTask {
 
     /// Returns the prior of the dirt locations from the source of the particles.
     pub fn dirt_prior(&self) -> DirtPrior {
-        if self.task.action.treats() || self.steep.is_some() {
+        let slides_unknown = self.steep.is_some() && self.task.dirt_slide().is_none();
+        if self.task.action.treats() || slides_unknown {
             // Points of the surface are known exactly, and sliding dirt ends below its start, wherever that was.
             return DirtPrior::Known;
         }

@@ -80,6 +80,7 @@ fn task(action: Action, size: Vector2, scene: Vec<SceneObject>, count: usize) ->
         particles: ParticleDistribution::default(),
         collect_goal: Some(Point2::new(0.3 * size.x, -0.3 * size.y)),
         treatment: None,
+        mobility: Default::default(),
         tool_start: Point2::new(0.0, -0.5 * size.y - 0.11),
         seed: 1,
     };

@@ -16,7 +16,7 @@ use crate::SimulationSettings;
 use rapier3d_f64::dynamics::{CoefficientCombineRule, RigidBodyBuilder, RigidBodyHandle};
 use rapier3d_f64::geometry::ColliderBuilder;
 use wisch::geometry::{Point2, Point3, Vector2, Vector3};
-use wisch::represent::{ChartPoint, Effect, Fate, Task, dirt_friction};
+use wisch::represent::{ChartPoint, DirtMobility, Effect, Fate, Task, dirt_friction};
 
 /// Density of grains [kg/m³].
 const DENSITY: f64 = 600.0;
@@ -26,12 +26,19 @@ const SIDE_FRICTION: f64 = 1.0;
 const GRIP_RATE: f64 = 200.0;
 /// A grain this far below the surface has fallen off it [m].
 const FALL_DEPTH: f64 = 0.004;
+/// A grain this far over the surface has fallen from a part that faces down [m].
+const FALLEN_HEIGHT: f64 = 0.1;
 
 /// Depth under the tool beyond which the tool's side no longer pushes a grain [m].
 const SIDE_DEPTH: f64 = 4e-3;
 
 /// Speed below which the friction of a heap grows in proportion to the speed [m/s].
 const RUBBING_SPEED: f64 = 0.01;
+
+/// Speed from which a grain slides [m/s].
+const SLIDING_SPEED: f64 = 5e-3;
+/// Smallest friction between tool and surface over which that of a grain is given [1].
+const LEAST_FRICTION: f64 = 1e-3;
 
 /// A grain's body, and the tool's grip on it.
 #[derive(Debug, Clone, Copy)]
@@ -64,6 +71,8 @@ pub(super) struct GrainBodies {
     reach: f64,
     /// Largest diameter of a grain [m].
     max_diameter: f64,
+    /// Friction of grains at rest and sliding, over that of the surface [1]; `None` if it is assumed, and the same for both.
+    declared_friction: Option<[f64; 2]>,
 }
 
 impl GrainBodies {
@@ -76,7 +85,19 @@ impl GrainBodies {
         settings: &SimulationSettings,
     ) -> Self {
         // A grain stays on a slope up to the angle at which the task's dirt slides.
-        let friction = dirt_friction(settings.kind, 0.0);
+        let declared = match settings.mobility {
+            DirtMobility::Slides(friction) => Some(friction),
+            DirtMobility::Unknown => None,
+        };
+        let friction = declared.map_or_else(
+            || dirt_friction(settings.kind, 0.0),
+            |friction| friction.at_rest,
+        );
+        let over_surface = |coefficient| coefficient / settings.friction.max(LEAST_FRICTION);
+        let (in_engine, rule) = match declared {
+            Some(_) => (over_surface(friction), CoefficientCombineRule::Multiply),
+            None => (friction, CoefficientCombineRule::Max),
+        };
         let put = |grain: &super::Grain| {
             if grain.fate != Fate::OnSurface {
                 return None;
@@ -89,8 +110,8 @@ impl GrainBodies {
             );
             let collider = ColliderBuilder::ball(grain.radius)
                 .density(DENSITY)
-                .friction(friction)
-                .friction_combine_rule(CoefficientCombineRule::Max)
+                .friction(in_engine)
+                .friction_combine_rule(rule)
                 .collision_groups(groups_of_grains());
             plant.world.insert_collider(collider, Some(body));
             Some(GrainBody {
@@ -110,6 +131,8 @@ impl GrainBodies {
                 .map(|edge| edge.start.coords.norm())
                 .fold(0.0, f64::max),
             max_diameter: 2.0 * radii.fold(0.0, f64::max),
+            declared_friction: declared
+                .map(|friction| [friction.at_rest, friction.sliding].map(over_surface)),
         }
     }
 
@@ -225,6 +248,15 @@ impl GrainBodies {
                 }
                 body.reset_forces(false);
             }
+            if let Some([at_rest, sliding]) = self.declared_friction {
+                let is_sliding = body.linvel().length() > SLIDING_SPEED;
+                let friction = if is_sliding { sliding } else { at_rest };
+                for &collider in body.colliders() {
+                    if let Some(collider) = plant.world.colliders.get_mut(collider) {
+                        collider.set_friction(friction);
+                    }
+                }
+            }
             let at = body.translation();
             let at = Point3::new(at.x, at.y, at.z);
             let ChartPoint { place: now, height } = plant.real().chart(at);
@@ -234,10 +266,17 @@ impl GrainBodies {
             let has_left =
                 height < grain.radius - FALL_DEPTH || !task.surface.outline.contains(now);
             let edge = task.surface.exit_edge(grain.position, now);
-            if let (true, Some(edge)) = (has_left, edge) {
-                grain.fate = Fate::OffSurface {
+            let off = match edge.filter(|_| has_left) {
+                Some(edge) => Some(Fate::OffSurface {
                     edge: u16::try_from(edge).unwrap_or(u16::MAX),
-                };
+                }),
+                None => {
+                    let has_fallen = self.declared_friction.is_some() && height > FALLEN_HEIGHT;
+                    has_fallen.then_some(Fate::FALLEN)
+                }
+            };
+            if let Some(fate) = off {
+                grain.fate = fate;
                 plant.world.remove_body(held.body);
                 *slot = None;
             }

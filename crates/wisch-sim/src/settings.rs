@@ -5,8 +5,8 @@ use std::f64::consts::TAU;
 use wisch::follow::Followed;
 use wisch::geometry::{Point2, Pose, Vector2, Vector3};
 use wisch::represent::{
-    Cluster, GrainSize, KnowledgeBase, KnowledgeError, LogNormal, MediumKind, SensorModel,
-    SurfaceShape, Task,
+    Cluster, DirtMobility, GrainSize, KnowledgeBase, KnowledgeError, LogNormal, MediumKind,
+    SensorModel, SurfaceShape, Task,
 };
 
 /// Diameters of the drops of a liquid on a surface that they wet [m].
@@ -42,6 +42,8 @@ pub struct SimulationSettings {
     pub grain_size: GrainSize,
     /// Kind of the medium.
     pub kind: MediumKind,
+    /// How the medium moves by its own weight.
+    pub mobility: DirtMobility,
     /// Largest number of particles that are simulated as bodies; a task with more is executed without dirt.
     pub max_bodies: usize,
     /// Where the dirt lies at the start.
@@ -241,6 +243,7 @@ impl SimulationSettings {
             } else {
                 medium.kind
             },
+            mobility: task.mobility,
             max_bodies,
             dirt,
             count: GrainCount::About(task.particles.len()),

@@ -66,6 +66,7 @@ pub fn any_task(seed: u64) -> Result<Task, AnyError> {
         particles,
         collect_goal,
         treatment: None,
+        mobility: Default::default(),
         tool_start: Point2::origin(),
         seed,
     })

@@ -50,6 +50,7 @@ pub fn board(action: Action, [x, y, z]: [f64; 3]) -> Task {
         particles: ParticleDistribution::new(&crumbs).unwrap(),
         collect_goal: None,
         treatment: None,
+        mobility: Default::default(),
         tool_start: Point2::new(-0.2, 0.0),
         seed: 1,
     }

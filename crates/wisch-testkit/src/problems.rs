@@ -100,6 +100,7 @@ impl Problem {
                 particles: ParticleDistribution::new(&particles)?,
                 collect_goal: None,
                 treatment: None,
+                mobility: Default::default(),
                 tool_start: Point2::new(-size.x, -size.y),
                 seed,
             },

@@ -264,6 +264,7 @@ fn floor(targets: &[Point2], [pad, thickness]: [f64; 2], height: f64) -> Result<
         particles: ParticleDistribution::new(targets)?,
         collect_goal: None,
         treatment: None,
+        mobility: Default::default(),
         tool_start: targets.first().copied().unwrap_or_else(Point2::origin),
         seed: 1,
     })

@@ -28,6 +28,7 @@ fn task(action: Action, size: [f64; 2]) -> Task {
         particles: ParticleDistribution::new(&particles).unwrap(),
         collect_goal: None,
         treatment: None,
+        mobility: Default::default(),
         tool_start: Point2::new(-size[0], -size[1]),
         seed: 1,
     }

@@ -42,6 +42,7 @@ fn task(action: Action, size: [f64; 2], scene: Vec<SceneObject>) -> Task {
         particles: ParticleDistribution::new(&lattice(size, 12)).unwrap(),
         collect_goal: Some(Point2::new(0.1, -0.05)),
         treatment: None,
+        mobility: Default::default(),
         tool_start: Point2::new(0.0, -0.3),
         seed: 1,
     }

@@ -11,9 +11,9 @@ use super::grip::{GripRecord, SecondGripRecord};
 use super::source::{Limits, Source, UNIT_NORM};
 use wisch::geometry::Vector3;
 use wisch::represent::{
-    Action, AreaOfEffect, GrainSize, Interaction, KnowledgeBase, KnowledgeError, LogNormal,
-    LogNormalSpread, MediumEntry, MediumKind, Redraw, SurfaceEntry, SurfaceScope, TiltFreedom,
-    ToolEntry, ToolMesh,
+    Action, AreaOfEffect, DirtFriction, GrainSize, Interaction, KnowledgeBase, KnowledgeError,
+    LogNormal, LogNormalSpread, MediumEntry, MediumKind, Redraw, SurfaceEntry, SurfaceScope,
+    TiltFreedom, ToolEntry, ToolMesh,
 };
 use wisch::source_location::Place;
 
@@ -99,6 +99,8 @@ struct MediumRecord {
     name: Spanned<String>,
     kind: KindRecord,
     grain_size_m: Option<Spanned<[f64; 2]>>,
+    static_friction: Option<Spanned<f64>>,
+    kinetic_friction: Option<Spanned<f64>>,
 }
 
 #[derive(Deserialize, Clone, Copy)]
@@ -275,7 +277,39 @@ impl Source<'_> {
             name,
             kind,
             grain_size,
+            friction: self.friction(record, kind)?,
         })
+    }
+
+    /// Returns the friction of a medium, if it is known.
+    fn friction(
+        self,
+        record: &MediumRecord,
+        kind: MediumKind,
+    ) -> Result<Option<DirtFriction>, KnowledgeFileError> {
+        let inconsistent = |problem: &str| KnowledgeFileError::Inconsistent {
+            at: self.place(&record.name),
+            problem: format!("medium {}: {problem}", record.name.get_ref()),
+        };
+        let (at_rest, sliding) = match (&record.static_friction, &record.kinetic_friction) {
+            (None, None) => return Ok(None),
+            (None, Some(_)) => {
+                return Err(inconsistent("kinetic_friction needs static_friction"));
+            }
+            (Some(_), _) if kind == MediumKind::Liquid => {
+                return Err(inconsistent("a liquid has no friction at rest"));
+            }
+            (Some(at_rest), None) => (at_rest, at_rest),
+            (Some(at_rest), Some(sliding)) => (at_rest, sliding),
+        };
+        let friction = DirtFriction {
+            at_rest: self.number("static_friction", at_rest, FRICTION)?,
+            sliding: self.number("kinetic_friction", sliding, FRICTION)?,
+        };
+        if friction.sliding > friction.at_rest {
+            return Err(inconsistent("kinetic_friction exceeds static_friction"));
+        }
+        Ok(Some(friction))
     }
 
     fn surface(self, record: &SurfaceRecord) -> Result<SurfaceEntry, KnowledgeFileError> {

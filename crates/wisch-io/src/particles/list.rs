@@ -45,7 +45,7 @@ pub fn csv_particles(
                     coords.x, coords.y
                 )));
             }
-            Fate::OffSurface { edge } if usize::from(edge) >= edges => {
+            Fate::OffSurface { edge } if usize::from(edge) >= edges && row.fate != Fate::FALLEN => {
                 return Err(at(format!(
                     "edge = {edge}, but the outline has {edges} edges (counted from 0)"
                 )));

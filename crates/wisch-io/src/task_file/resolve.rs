@@ -8,9 +8,9 @@ use wisch::geometry::{
     SheetConfig, Vector2, Vector3, footprint,
 };
 use wisch::represent::{
-    Action, DirtArea, Interaction, KnowledgeBase, MeshShape, Mount, ParticleDistribution,
-    SceneObject, ScenePart, Surface, SurfaceShape, Task, Tool, ToolEntry, ToolMesh, Treatment,
-    cluster_particles, surface_cells, uniform_particles,
+    Action, DirtArea, DirtMobility, Interaction, KnowledgeBase, MeshShape, Mount,
+    ParticleDistribution, SceneObject, ScenePart, Surface, SurfaceShape, Task, Tool, ToolEntry,
+    ToolMesh, Treatment, cluster_particles, surface_cells, uniform_particles,
 };
 use wisch::source_location::Place;
 
@@ -61,7 +61,7 @@ impl TaskFile {
         let tool_at = &self.tool_at;
         let unknown = |error| self.unknown(error, tool_at);
         knowledge.surface(&surface.name).map_err(unknown)?;
-        knowledge.medium(medium).map_err(unknown)?;
+        let friction = knowledge.medium(medium).map_err(unknown)?.friction;
         let entry = knowledge.tool(tool).map_err(unknown)?;
         let interaction = (knowledge.interaction(tool, medium, &surface.name)).map_err(unknown)?;
         if !interaction.actions.contains(&action) {
@@ -113,6 +113,7 @@ impl TaskFile {
             scene,
             tool,
             medium: medium.to_owned(),
+            mobility: friction.map_or(DirtMobility::Unknown, DirtMobility::Slides),
             interaction: interaction.clone(),
             particles: ParticleDistribution::default(),
             collect_goal: self.collect_goal,

@@ -189,6 +189,11 @@ pub(super) struct MediumTable {
     pub(super) kind: Option<At<MediumKindName>>,
     /// Smallest and largest diameter of its grains [m]; not for liquids; default: 0.0005 to 0.002.
     pub(super) grain_size_m: Option<At<[GrainM; 2]>>,
+    /// Coefficient of friction of the dirt at rest on the surface: it slides where the tangent of the slope exceeds it; not
+    /// for liquids; default: the dirt is assumed to stay in place.
+    pub(super) static_friction: Option<At<Friction>>,
+    /// Coefficient of friction of the dirt while it slides, at most `static_friction`; default: `static_friction`.
+    pub(super) kinetic_friction: Option<At<Friction>>,
 }
 
 names! {

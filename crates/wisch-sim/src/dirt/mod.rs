@@ -9,7 +9,9 @@ use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use wisch::geometry::Point2;
 use wisch::random::normal;
-use wisch::represent::{Fate, ParticleDistribution, ParticleError, SourceError};
+use wisch::represent::{
+    DirtMobility, DirtSlide, Fate, ParticleDistribution, ParticleError, SourceError, Surface,
+};
 
 /// Separates the random numbers of grains from those of a task with the same seed.
 const GRAIN_SEED: u64 = 0x6772_6169_6e73_0000;
@@ -47,7 +49,14 @@ impl Dirt {
     ) -> Result<Self, SimulationError> {
         let places = places::draw_positions(&settings.dirt, surface, settings, seed)?;
         let particles = ParticleDistribution::new(&places).map_err(SourceError::from)?;
-        Ok(Self::scatter(&particles, settings, seed))
+        let drawn = Self::scatter(&particles, settings, seed);
+        Ok(match settings.mobility {
+            DirtMobility::Slides(friction) => {
+                let slide = DirtSlide::new(friction, surface.occupied.clone());
+                drawn.settle(&surface.real(settings), &slide)
+            }
+            DirtMobility::Unknown => drawn,
+        })
     }
 
     /// TrueDirt a grain on each particle, with size and threshold drawn from `settings`.
@@ -75,6 +84,18 @@ impl Dirt {
         Self {
             grains: particles.iter().enumerate().map(grain).collect(),
         }
+    }
+
+    /// Returns the dirt after the grains that are too steep to rest have slid.
+    fn settle(mut self, real: &Surface, slide: &DirtSlide) -> Self {
+        for grain in &mut self.grains {
+            if grain.fate == Fate::OnSurface
+                && let Some(end) = slide.find_end(real, grain.position)
+            {
+                (grain.position, grain.fate) = (end.place, end.fate);
+            }
+        }
+        self
     }
 
     /// Returns dirt of the given grains.

@@ -7,7 +7,8 @@ use std::f64::consts::TAU;
 use wisch::geometry::{Bounds2, Point2, Polygon, Pose, Vector2};
 use wisch::random::normal;
 use wisch::represent::{
-    Cluster, DirtArea, OccupiedArea, SourceError, Task, cluster_particles, uniform_particles,
+    Cluster, DirtArea, OccupiedArea, SourceError, Surface, SurfaceShape, Task, cluster_particles,
+    uniform_particles,
 };
 
 /// Separates the random numbers of positions from those of a task with the same seed.
@@ -35,6 +36,8 @@ pub struct WorkSurface {
     pub outline: Polygon,
     /// Area that objects on the surface occupy.
     pub occupied: OccupiedArea,
+    /// Believed shape of the surface.
+    pub shape: SurfaceShape,
 }
 
 impl WorkSurface {
@@ -44,7 +47,16 @@ impl WorkSurface {
             world_from_surface: task.surface.world_from_surface,
             outline: task.surface.outline.clone(),
             occupied: task.occupied_area(),
+            shape: task.surface.shape.clone(),
         }
+    }
+
+    /// Returns the real surface of a world.
+    pub(super) fn real(&self, settings: &SimulationSettings) -> Surface {
+        let world_from_real = self.world_from_surface * settings.believed_from_real;
+        let mut real = Surface::new("surface", self.outline.clone(), world_from_real);
+        real.shape = settings.shape.as_ref().unwrap_or(&self.shape).clone();
+        real
     }
 
     /// Area on which dirt can lie.

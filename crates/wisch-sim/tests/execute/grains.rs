@@ -4,8 +4,9 @@ use super::wiping::{Log, Wiping};
 use nalgebra::{Translation3, UnitQuaternion};
 use proptest::prelude::*;
 use wisch::geometry::{Point2, Pose, Vector3};
-use wisch::represent::{Action, Fate, ParticleDistribution};
+use wisch::represent::{Action, DirtFriction, DirtMobility, Fate, Mount, ParticleDistribution};
 use wisch_sim::Dirt;
+use wisch_testkit::board;
 
 /// How far a grain that nothing touches may creep [m].
 const CREEP: f64 = 1e-4;
@@ -37,6 +38,44 @@ fn depth_in_swept_area(log: &Log, wiping: &Wiping, place: Point2) -> f64 {
         }
     });
     depths.fold(f64::NEG_INFINITY, f64::max)
+}
+
+/// The declared friction counts, although that between tool and surface is 0.4.
+#[test]
+fn grains_rest_up_to_their_declared_friction_and_slide_beyond_it() {
+    let lean: f64 = 0.06;
+    for (share, slides) in [(1.1, false), (0.8, true)] {
+        let mut task = board(Action::Skim, [0.5, 0.0, 0.2]);
+        task.tool.mount = Some(Mount::Hand { lean: 0.8 });
+        // The board's y points up its slope.
+        task.surface.world_from_surface *= Pose::new(Vector3::zeros(), Vector3::x() * lean);
+        task.scene.clear();
+        task.mobility = DirtMobility::Slides(DirtFriction::constant(share * lean.tan()));
+        let mut wiping = Wiping::of_first_stroke(task);
+        wiping.settings.mobility = wiping.task.mobility;
+        wiping.dirt = Dirt::scatter(&wiping.task.particles, &wiping.settings, 1);
+        let log = wiping.execute();
+        let (mut beside, mut fallen) = (0, 0);
+        let grains = wiping.dirt.grains().iter();
+        for (before, after) in grains.zip(log.truth.dirt.grains()) {
+            if depth_in_swept_area(&log, &wiping, before.position) > -0.02 {
+                continue;
+            }
+            beside += 1;
+            fallen += usize::from(after.fate == Fate::OffSurface { edge: 0 });
+            let down = before.position.y - after.position.y;
+            if slides {
+                assert!(down > 0.02, "slid {down} m");
+            } else {
+                assert!(
+                    down.abs() < 1e-3 && after.fate == Fate::OnSurface,
+                    "crept {down} m"
+                );
+            }
+        }
+        assert!(beside >= 6, "{beside}");
+        assert_eq!(fallen > 0, slides, "{fallen} of {beside}");
+    }
 }
 
 #[test]

@@ -231,6 +231,7 @@ pub fn as_believed() -> SimulationSettings {
             max_m: 0.003,
         },
         kind: MediumKind::Solid,
+        mobility: Default::default(),
         max_bodies: 400,
         dirt: TrueDirt::Uniform,
         count: GrainCount::Exactly(80),

@@ -13,7 +13,9 @@ use super::interpretation::{Diagnosis, Interpretation};
 use super::log_evidence::{LEAST_ON_PLANE, LogEvidence};
 use super::wrench_quality::UnusableWrenches;
 use crate::geometry::{PlanarPose, Point2, Pose, Region, Vector3};
-use crate::represent::{Effect, GoalState, ParticleDistribution, ParticleError, Surface, Task};
+use crate::represent::{
+    DirtSlide, Effect, GoalState, ParticleDistribution, ParticleError, Surface, Task,
+};
 use nalgebra::{Translation3, UnitQuaternion};
 
 /// Time before and after a push during which the force includes the hand's [s].
@@ -48,6 +50,7 @@ const SETTLING: f64 = 0.5;
 /// #         second_grip: None,
 /// #     },
 /// #     medium: "breadcrumbs".into(),
+/// #     mobility: DirtMobility::Unknown,
 /// #     interaction: Interaction {
 /// #         tool: "sponge".into(),
 /// #         medium: "breadcrumbs".into(),
@@ -90,6 +93,7 @@ const SETTLING: f64 = 0.5;
 pub struct Interpreter {
     surface: Surface,
     footprint: Region,
+    slide: Option<DirtSlide>,
     /// Largest angle by which the tool may tilt by design [rad].
     own_tilt: f64,
     config: InterpretConfig,
@@ -107,6 +111,7 @@ impl Interpreter {
         Ok(Self {
             surface: task.surface.clone(),
             footprint: task.tool.footprint.clone(),
+            slide: task.dirt_slide(),
             own_tilt: task.tool.tilt.map_or(0.0, |tilt| {
                 tilt.range.min_rad.abs().max(tilt.range.max_rad.abs())
             }),
@@ -391,6 +396,7 @@ impl Interpreter {
         Replay {
             force_ratio: analysis.force_ratio,
             footprint: &self.footprint,
+            slide: self.slide.as_ref(),
             effect,
             surface: &self.surface,
             config: &self.config,

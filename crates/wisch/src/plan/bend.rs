@@ -197,7 +197,7 @@ pub(super) fn check_bend(task: &Task) -> Result<(), PlanError> {
     let slope = surface.steepest_slope();
     // The kind of the medium and the friction of the surface are not part of a task, so the smallest friction counts.
     let friction = dirt_friction(crate::represent::MediumKind::Solid, 0.0);
-    if task.treatment.is_none() && slope > libm::atan(friction) {
+    if task.treatment.is_none() && task.dirt_slide().is_none() && slope > libm::atan(friction) {
         return Err(PlanError::SteepBend {
             surface: surface.name.clone(),
             slope: slope.to_degrees(),

@@ -30,16 +30,19 @@ pub(super) fn objective(task: &Task, plan: &Plan) -> i64 {
     let mut field = ParticleField::new(&task.particles);
     let mut model = task.effect_model(&task.tool.footprint, effect);
     let mut touched = Vec::new();
-    for motion in plan.strokes.iter().flat_map(Stroke::motions) {
-        touched.clear();
-        model.apply_where(&mut field, &task.surface, &motion, |particle, _| {
-            touched.push(particle);
-            true
-        });
-        // Only pushed dirt comes near an edge.
-        if effect == Effect::Push {
-            margin.pass_of(&field, touched.iter().copied());
+    for motions in plan.strokes.iter().map(Stroke::motions) {
+        for motion in motions {
+            touched.clear();
+            model.apply_where(&mut field, &task.surface, &motion, |particle, _| {
+                touched.push(particle);
+                true
+            });
+            // Only pushed dirt comes near an edge.
+            if effect == Effect::Push {
+                margin.pass_of(&field, touched.iter().copied());
+            }
         }
+        model.lift_off(&mut field, &task.surface);
     }
     let (after, goal) = (field.distribution(), &plan.graph.goal);
     DirtTerms::evaluate(&after, goal, &task.surface, Some(&margin)).whole()
@@ -101,6 +104,7 @@ mod tests {
                 second_grip: None,
             },
             medium: "breadcrumbs".into(),
+            mobility: Default::default(),
             interaction: Interaction {
                 tool: "sponge".into(),
                 medium: "breadcrumbs".into(),

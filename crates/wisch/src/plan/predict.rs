@@ -66,6 +66,7 @@ pub fn predict(task: &Task, plan: &Plan, mut watch: impl FnMut(&PredictionProgre
                 field: &field,
             });
         }
+        model.lift_off(&mut field, &task.surface);
     }
     let particles = field.distribution();
     let performance = Performance::evaluate(&particles, &plan.graph.goal, &task.surface);

@@ -18,6 +18,7 @@ use super::acting_part::ActingPart;
 use super::field::{OrientedBox, ParticleField, Slot};
 use super::heap::Heap;
 use super::motion::{CLEARANCE, ToolMotion};
+use super::sliding::DirtSlide;
 use super::swept_rotation::SweptRotation;
 use super::swept_translation::SweptTranslation;
 use super::{Effect, ElasticFoundation, Fate, LocalPressure, Surface};
@@ -88,6 +89,8 @@ pub struct EffectModel {
     near: Vec<Slot>,
     outcomes: Vec<Option<Outcome>>,
     heap: Option<Heap>,
+    /// How the dirt slides by its own weight; `None` if it stays.
+    slide: Option<DirtSlide>,
     /// The part that acts where the surface bends; `None` if the whole footprint acts everywhere.
     acting: Option<ActingPart>,
     /// The pressure of a tool that touches with a part of its footprint.
@@ -124,6 +127,7 @@ impl EffectModel {
             near: Vec::new(),
             outcomes: Vec::new(),
             heap: None,
+            slide: None,
             acting: None,
             pressure: None,
             footprint: footprint.clone(),
@@ -204,6 +208,12 @@ impl EffectModel {
         }
     }
 
+    /// Returns the model with dirt that slides by its own weight whenever the tool lifts off.
+    #[must_use]
+    pub fn with_slide(self, slide: Option<DirtSlide>) -> Self {
+        Self { slide, ..self }
+    }
+
     /// Sets the pressure under the tool in the motions that follow: only the part that it presses acts. `None` if the
     /// whole footprint acts. Motions that turn by less than 6° then count as straight. While the tool turns more, the whole
     /// footprint acts.
@@ -212,10 +222,13 @@ impl EffectModel {
     }
 
     /// Ends the contact. What the tool has carried since the last motion began comes to rest: spread over its heap, or
-    /// exactly where the motion left it if there is no heap.
+    /// exactly where the motion left it if there is no heap. Where the surface is too steep for it, it slides.
     pub fn lift_off(&mut self, field: &mut ParticleField, surface: &Surface) {
         if let Some(heap) = &mut self.heap {
             heap.come_to_rest(field, surface);
+        }
+        if let Some(slide) = &self.slide {
+            slide.settle_field(field, surface);
         }
     }
 

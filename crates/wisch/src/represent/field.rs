@@ -136,13 +136,21 @@ impl ParticleField {
     /// particle that is off the surface stays there.
     pub(super) fn displace(&mut self, index: usize, surface: &Surface, by: Vector2) {
         if self.fate[index].is_on_surface() && !self.drop_beyond_edge(index, surface, by) {
-            let slot = self.slot[index];
-            let to = self.position(slot) + by;
-            self.put(slot, to);
-            let block = slot as usize / BLOCK;
-            self.blocks[block] = join(&self.blocks[block], &Bounds2 { min: to, max: to });
-            self.regroup(block);
+            let to = self.position(self.slot[index]) + by;
+            self.relocate(index, to, self.fate[index]);
         }
+    }
+
+    /// Moves particle `index` of the distribution, which is on the surface, to a place \[m\] with a fate.
+    pub(super) fn relocate(&mut self, index: usize, to: Point2, fate: Fate) {
+        let slot = self.slot[index];
+        if !fate.is_on_surface() {
+            return self.remove(slot, to, fate);
+        }
+        self.put(slot, to);
+        let block = slot as usize / BLOCK;
+        self.blocks[block] = join(&self.blocks[block], &Bounds2 { min: to, max: to });
+        self.regroup(block);
     }
 
     /// Removes particle `index` from the surface if a move by a vector crosses an edge; returns whether it does.

@@ -32,9 +32,10 @@ pub use effect::{EffectModel, MotionEffect};
 pub use field::ParticleField;
 pub use heap::{HEAP_DEPTH, heap_depth, heap_slide};
 pub use knowledge::{
-    Action, AngleRange, AreaOfEffect, Effect, GrainSize, Grip, Interaction, KnowledgeBase,
-    KnowledgeError, LogNormal, LogNormalSpread, MediumEntry, MediumKind, Mount, Place, RankedTool,
-    Redraw, SecondGrip, SurfaceEntry, SurfaceScope, TiltFreedom, ToolEntry, ToolMesh, UnknownName,
+    Action, AngleRange, AreaOfEffect, DirtFriction, DirtMobility, Effect, GrainSize, Grip,
+    Interaction, KnowledgeBase, KnowledgeError, LogNormal, LogNormalSpread, MediumEntry,
+    MediumKind, Mount, Place, RankedTool, Redraw, SecondGrip, SurfaceEntry, SurfaceScope,
+    TiltFreedom, ToolEntry, ToolMesh, UnknownName, dirt_friction,
 };
 pub use mesh_shape::{MeshShape, principal_curvatures};
 pub use metrics::{GoalState, Performance, THICKNESS_TOLERANCE};
@@ -44,7 +45,7 @@ pub use occupied_area::{OccupiedArea, SURFACE_SKIN};
 pub use particles::{Fate, MAX_PARTICLES, ParticleDistribution, ParticleError, ParticleTally};
 pub use scene::{SceneObject, ScenePart};
 pub use shape::{ChartPoint, LeastRadii, MAX_ROLL, RADIUS_RANGE, SurfaceShape};
-pub use sliding::{SteepSurface, dirt_friction, slide_down};
+pub use sliding::{DirtSlide, SlideEnd, SteepSurface, slide_down};
 pub use sources::{
     Cluster, DirtArea, SourceError, cluster_particles, particle_generator, uniform_particles,
 };

@@ -14,9 +14,10 @@ pub enum Fate {
     OnSurface,
     /// A tool absorbed the particle.
     Absorbed,
-    /// The particle was pushed over an edge of the surface's outline.
+    /// The particle went over an edge of the surface's outline.
     OffSurface {
-        /// Index of that edge, see [`crate::geometry::Polygon::edges`].
+        /// Index of that edge, see [`crate::geometry::Polygon::edges`]; [`u16::MAX`] for a particle that fell, see
+        /// [`Fate::FALLEN`].
         edge: u16,
     },
     /// The particle is a place of the surface over which a tool slid.
@@ -27,6 +28,9 @@ pub enum Fate {
 }
 
 impl Fate {
+    /// The particle fell from a surface that faces down, over none of its edges.
+    pub const FALLEN: Self = Self::OffSurface { edge: u16::MAX };
+
     /// Whether the particle is on the surface.
     pub fn is_on_surface(self) -> bool {
         matches!(self, Self::OnSurface | Self::Treated { .. })

@@ -1,9 +1,9 @@
 //! A task with all names resolved, all values checked and in SI units.
 
 use super::{
-    Action, AngleRange, Effect, EffectModel, ElasticFoundation, GoalState, Interaction, Mount,
-    OccupiedArea, ParticleDistribution, SceneObject, ScenePart, SecondGrip, Surface, TiltFreedom,
-    Treatment, effective_pressure,
+    Action, AngleRange, DirtMobility, DirtSlide, Effect, EffectModel, ElasticFoundation, GoalState,
+    Interaction, Mount, OccupiedArea, ParticleDistribution, SceneObject, ScenePart, SecondGrip,
+    Surface, TiltFreedom, Treatment, effective_pressure,
 };
 use crate::geometry::{Mesh, MeshError, Point2, Polygon, Pose, Region, Vector2, Vector3};
 
@@ -110,6 +110,8 @@ pub struct Task {
     pub tool: Tool,
     /// Name of the medium.
     pub medium: String,
+    /// How the medium moves by its own weight.
+    pub mobility: DirtMobility,
     /// Press force, controller settings and likelihood of this tool on this medium and surface.
     pub interaction: Interaction,
     /// Believed places of the dirt.
@@ -161,6 +163,7 @@ impl Task {
             treatment: None,
             tool_start: Point2::origin(),
             seed: 0,
+            mobility: DirtMobility::default(),
             surface,
             tool,
             medium,
@@ -190,13 +193,23 @@ impl Task {
         self.treatment?.depth_per_pass(self.tool.width(), force)
     }
 
+    /// Returns how the dirt slides by its own weight; `None` if it is assumed to stay, and for places of a treated surface.
+    pub fn dirt_slide(&self) -> Option<DirtSlide> {
+        match self.mobility {
+            DirtMobility::Slides(friction) if !self.action.treats() => {
+                Some(DirtSlide::new(friction, self.occupied_area()))
+            }
+            DirtMobility::Slides(_) | DirtMobility::Unknown => None,
+        }
+    }
+
     /// Returns the effect model by which plans are predicted: on a surface that bends, the tool acts only where it presses
     /// hard enough at nominal force.
     ///
     /// # Parameters
     /// - `footprint`: the footprint that counts, at most that of the task's tool (tool frame \[m\]).
     pub fn effect_model(&self, footprint: &Region, effect: Effect) -> EffectModel {
-        let model = EffectModel::new(footprint, effect);
+        let model = EffectModel::new(footprint, effect).with_slide(self.dirt_slide());
         match ElasticFoundation::from_interaction(&self.tool.footprint, &self.interaction) {
             Some(foundation) if !self.surface.shape.is_plane() => {
                 model.with_contact(foundation, effective_pressure(&self.interaction.likelihood))

@@ -39,6 +39,7 @@ pub fn task(count: usize, likelihood: LogNormal) -> Task {
         particles: ParticleDistribution::new(&uniform(count)).unwrap(),
         collect_goal: None,
         treatment: None,
+        mobility: Default::default(),
         tool_start: Point2::new(0.0, -0.3),
         seed: 7,
         surface,

@@ -54,12 +54,17 @@ impl DirtPrior {
         }
         let occupied = task.occupied_area();
         let area = Area::new(&task.surface, &occupied);
+        let slide = task.dirt_slide();
         let one = |member: usize| {
             let mut random = ChaCha8Rng::seed_from_u64(task.seed);
             random.set_stream(STREAM ^ member as u64);
             let points = self.points(task, &area, &mut random);
             // All points lie on the surface, so they are finite.
-            ParticleDistribution::new(&points).unwrap_or_default()
+            let drawn = ParticleDistribution::new(&points).unwrap_or_default();
+            match &slide {
+                Some(slide) => slide.settle(&drawn, &task.surface),
+                None => drawn,
+            }
         };
         Belief::ensemble((0..members).into_par_iter().map(one).collect())
     }

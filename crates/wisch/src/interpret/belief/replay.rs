@@ -12,7 +12,8 @@ use crate::geometry::Region;
 use crate::interpret::config::InterpretConfig;
 use crate::interpret::contact::{ContactMotion, PressureDistribution, StiffnessBelief, ToolOnBend};
 use crate::represent::{
-    Effect, EffectModel, GoalState, ParticleDistribution, ParticleField, Performance, Surface,
+    DirtSlide, Effect, EffectModel, GoalState, ParticleDistribution, ParticleField, Performance,
+    Surface,
 };
 use rayon::prelude::*;
 
@@ -20,6 +21,7 @@ use rayon::prelude::*;
 #[derive(Debug)]
 pub(in crate::interpret) struct Replay<'a> {
     pub(in crate::interpret) footprint: &'a Region,
+    pub(in crate::interpret) slide: Option<&'a DirtSlide>,
     pub(in crate::interpret) effect: Effect,
     pub(in crate::interpret) surface: &'a Surface,
     pub(in crate::interpret) config: &'a InterpretConfig,
@@ -126,7 +128,7 @@ impl Replay<'_> {
         } = state;
         let compression = parameters.compression(self.config, self.stiffness);
         let footprint = self.footprint.scale(parameters.footprint_scale);
-        let mut model = EffectModel::new(&footprint, self.effect);
+        let mut model = EffectModel::new(&footprint, self.effect).with_slide(self.slide.cloned());
         if self.effect == Effect::Push {
             let heap_depth = parameters.heap * self.config.redraw_length_m;
             model = model.with_heap(heap_depth, activation.key);

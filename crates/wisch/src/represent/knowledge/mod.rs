@@ -5,6 +5,7 @@
 
 mod grip;
 mod likelihood;
+mod mobility;
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt;
@@ -13,6 +14,7 @@ use std::str::FromStr;
 pub use crate::source_location::{Place, UnknownName};
 pub use grip::{Grip, Mount, SecondGrip};
 pub use likelihood::{LogNormal, LogNormalSpread, Redraw};
+pub use mobility::{DirtFriction, DirtMobility, dirt_friction};
 
 use crate::geometry::Vector3;
 
@@ -212,6 +214,8 @@ pub struct MediumEntry {
     pub kind: MediumKind,
     /// Grain sizes; `None` for a liquid.
     pub grain_size: Option<GrainSize>,
+    /// Its friction on a surface; `None` if it is unknown.
+    pub friction: Option<DirtFriction>,
 }
 
 /// A surface of the knowledge base.
