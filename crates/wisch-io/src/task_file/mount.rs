@@ -25,6 +25,10 @@ pub(super) fn mount(table: &At<MountTable>) -> Result<Mount, TaskError> {
     let (is_flange, is_hand) = (is_on(MountName::Flange), is_on(MountName::Hand));
     require(is_flange, &given.yaw_rad, "on = \"flange\"")?;
     require(is_flange, &given.distance_m, "on = \"flange\"")?;
+    require(is_flange, &given.holder_radius_m, "on = \"flange\"")?;
+    if let (Some(radius), None) = (&given.holder_radius_m, &given.distance_m) {
+        return Err(radius.inconsistent("this key needs distance_m"));
+    }
     require(is_flange, &given.axis, "on = \"flange\"")?;
     require(is_hand, &given.lean_rad, "on = \"hand\"")?;
     require(given.point_m.is_some(), &given.hand_rpy_rad, "point_m")?;
@@ -48,6 +52,7 @@ pub(super) fn mount(table: &At<MountTable>) -> Result<Mount, TaskError> {
         Mount::Flange {
             yaw: given.yaw_rad.as_ref().map_or(0.0, |yaw| yaw.value.0),
             distance: (given.distance_m.as_ref()).map(|distance| distance.value.0),
+            holder_radius: (given.holder_radius_m.as_ref()).map(|radius| radius.value.0),
             axis: given.axis.as_ref().map(|axis| axis.value.into()),
         }
     })

@@ -6,10 +6,10 @@ use super::execution_tables::ExecutionTable;
 use super::values::{
     AngleRad, BandwidthM, Channel, ColorDistance, ContactSpeed, DampingRatio, DepthM, DistanceM,
     Evaluations, FalseAlarms, FlangeM, FootprintM, FreeSpeed, Friction, GrainM, GripM,
-    HalfAngleRad, HalfSizeM, LawSpread, LeanRad, LiftHeightM, LogForce, LogSpread, MarginM, Name,
-    ParticleCount, Passes, Pixel, PositionErrorM, PositionM, PostureWeight, PressForceN,
-    PrestonPerPa, QuaternionPart, RadiusM, RedrawLengthM, Scale, SchemaVersion, Score, Seed, Share,
-    SizeM, Stiffness, ThicknessM, Variants, VolumePerMetre, names,
+    HalfAngleRad, HalfSizeM, HolderRadiusM, LawSpread, LeanRad, LiftHeightM, LogForce, LogSpread,
+    MarginM, Name, ParticleCount, Passes, Pixel, PositionErrorM, PositionM, PostureWeight,
+    PressForceN, PrestonPerPa, QuaternionPart, RadiusM, RedrawLengthM, Scale, SchemaVersion, Score,
+    Seed, Share, SizeM, Stiffness, ThicknessM, Variants, VolumePerMetre, names,
 };
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::de::{EnumAccess, Error as _, VariantAccess, Visitor};
@@ -139,6 +139,9 @@ pub(super) struct MountTable {
     pub(super) yaw_rad: Option<At<AngleRad>>,
     /// On a flange: distance of the tool's upper face from the origin of the link, along its z axis [m]; default: the hand.
     pub(super) distance_m: Option<At<FlangeM>>,
+    /// With `distance_m`: radius of the holder between flange and tool, for collision checks [m]; default: 0.0315, or half the
+    /// width of the tool if that is less.
+    pub(super) holder_radius_m: Option<At<HolderRadiusM>>,
     /// On a flange: axis of the link that points out of the flange; default: as the robot's SRDF declares, else "z".
     pub(super) axis: Option<At<AxisName>>,
     /// In a hand: angle by which the hand leans back over the tool [rad]; default 0.8.

@@ -80,6 +80,8 @@ ranges! { f64, NumberWithin;
     GripM = (-5.0, 5.0);
     /// Distances of a tool's face from the origin of a link [m].
     FlangeM = (-0.5, 2.0);
+    /// Radii of a holder between a flange and a tool [m].
+    HolderRadiusM = (1e-3, 0.5);
     /// Leans of a hand over its tool, from upright to flat [rad].
     LeanRad = (0.0, FRAC_PI_2);
     /// Tilts [rad]: beyond this a surface is another one, not one badly localised.

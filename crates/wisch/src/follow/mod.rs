@@ -35,6 +35,6 @@ pub use wisch_robot::timing::{
     time_path,
 };
 pub use workcell::{
-    AllowedContact, GRIP_TOLERANCE, HeldTool, LEAN_TOLERANCE, MountSource, PlanarBase,
-    PlanningGroup, SecondArm, Workcell, WorkcellConfig,
+    AllowedContact, GRIP_TOLERANCE, HeldTool, HolderCylinder, LEAN_TOLERANCE, MountSource,
+    PlanarBase, PlanningGroup, SecondArm, Workcell, WorkcellConfig,
 };

@@ -2,11 +2,14 @@
 
 use nalgebra::{UnitQuaternion, Vector3};
 use std::f64::consts::{PI, TAU};
-use wisch::follow::{FollowConfig, Followed, MountSource, Phase, Workcell, WorkcellConfig, follow};
+use wisch::follow::{
+    FollowConfig, FollowError, Followed, MotionFault, MountSource, Phase, Workcell, WorkcellConfig,
+    audit, follow,
+};
 use wisch::geometry::Pose;
 use wisch::represent::{Action, Grip, Mount, Task};
 use wisch::robot::{LinkAxis, RobotModel, Srdf};
-use wisch_testkit::{board, cell, humanoid, planned, root};
+use wisch_testkit::{block, board, cell, humanoid, planned, root};
 
 /// Returns the angle between the tool's normal and the axis of the link that holds it [rad].
 fn lean(cell: &Workcell) -> f64 {
@@ -49,6 +52,7 @@ fn a_tool_is_square_on_a_flange_unless_task_or_robot_declares_otherwise() {
     task.tool.mount = Some(Mount::Flange {
         yaw,
         distance,
+        holder_radius: None,
         axis: None,
     });
     let turned = cell(&task);
@@ -91,6 +95,7 @@ fn a_hand_points_along_the_axis_that_task_or_robot_declares() {
     task.tool.mount = Some(Mount::Flange {
         yaw: 0.0,
         distance: Some(0.1),
+        holder_radius: None,
         axis: Some(LinkAxis::NegativeY),
     });
     let declared = cell(&task);
@@ -99,6 +104,62 @@ fn a_hand_points_along_the_axis_that_task_or_robot_declares() {
     assert!(
         (out - Vector3::new(0.0, -0.1 - height, 0.0)).norm() < 1e-9,
         "{out}"
+    );
+}
+
+#[test]
+fn a_holder_between_flange_and_tool_keeps_clear_of_obstacles() {
+    let mut task = board(Action::Absorb, [0.5, 0.0, 0.2]);
+    task.tool.mount = Some(Mount::Flange {
+        yaw: 0.0,
+        distance: Some(0.3),
+        holder_radius: None,
+        axis: None,
+    });
+    let free = cell(&task);
+    let holder = free
+        .mount()
+        .holder
+        .expect("the tool is far from the flange");
+    assert!(holder.is_assumed && holder.ends[1] - holder.ends[0] > 0.15);
+    let text = free.mount().to_string();
+    assert!(
+        text.contains("holder 0.") && text.contains("(assumed)"),
+        "{text}"
+    );
+    let plan = planned(&task);
+    let config = FollowConfig::default();
+    let followed = follow(&task, &plan, &free, None, &config, &mut |_| ()).unwrap();
+    assert_eq!(followed.abandoned, []);
+    assert!(audit(&followed, &free, &task, &config).unwrap().is_sound());
+
+    // A block half way along the holder, where the robot waits and in the middle of the motion.
+    let middle_at = |q: &[f64]| {
+        let kinematics = free.robot().forward_kinematics(q).unwrap();
+        let half = Pose::translation(0.0, 0.0, f64::midpoint(holder.ends[0], holder.ends[1]));
+        let tip = free.world_from_root() * kinematics.world_from_link(free.tip());
+        (tip * half).translation.vector
+    };
+    let name = format!("holder of {}", task.tool.name);
+    let during = followed.sample(followed.duration() / 2.0).unwrap().q;
+    let mut planted = task.clone();
+    let at = middle_at(&during);
+    (planted.scene).push(block("bar", [0.01, 0.01, 0.01], [at.x, at.y, at.z]));
+    let found = audit(&followed, &cell(&planted), &planted, &config).unwrap();
+    let names_both = |a: &str, b: &str| [a, b].contains(&"bar") && [a, b].contains(&name.as_str());
+    assert!(
+        (found.faults.iter())
+            .any(|fault| matches!(fault, MotionFault::Contact { a, b, .. } if names_both(a, b))),
+        "{:?}",
+        found.faults
+    );
+
+    let at = middle_at(free.ready_posture());
+    (task.scene).push(block("bar", [0.01, 0.01, 0.01], [at.x, at.y, at.z]));
+    let refused = follow(&task, &plan, &cell(&task), None, &config, &mut |_| ());
+    assert!(
+        matches!(&refused, Err(FollowError::StartBlocked { a, b, .. }) if names_both(a, b)),
+        "{refused:?}"
     );
 }
 

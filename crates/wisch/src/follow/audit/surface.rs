@@ -3,6 +3,7 @@
 
 use super::given_mesh::{GivenMesh, OffMesh};
 use super::kinematics::{Frame, moved_by};
+use crate::follow::workcell::name_holder;
 use crate::follow::{FollowConfig, Motion, Phase, TrajectorySample, Workcell};
 use crate::geometry::{Bounds2, Edge, Mesh, Point2, Point3, Vector3, encloses};
 use crate::represent::{Cone, Surface, SurfaceShape, Task};
@@ -202,6 +203,11 @@ impl<'a> SurfaceCheck<'a> {
                 .links
                 .extend(meshes.map(|mesh| Body::new(&link.name, i, mesh).over(&task.surface)));
         }
+        let mount = cell.mount();
+        let holder = mount.holder.and_then(|holder| holder.mesh(mount.axis).ok());
+        check.links.extend(holder.map(|mesh| {
+            Body::new(&name_holder(task), cell.tip().index(), mesh).over(&task.surface)
+        }));
         let frames = check.frames(cell.ready_posture());
         let tool = &check.relaxed;
         let waiting = check.behind(tool, &frames[tool.link], DEPTH_TOLERANCE);

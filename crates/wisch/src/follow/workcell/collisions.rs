@@ -5,7 +5,7 @@ use super::grasp::{relax, without_rim};
 use super::group::{PlanarBase, hand_and_holder, standing_links};
 use super::target_surface::{PlacedTool, TargetSurface, is_tool_behind};
 use crate::follow::FollowError;
-use crate::geometry::Point3;
+use crate::geometry::{Mesh, Point3, Pose};
 use crate::represent::{SceneObject, ScenePart, Surface, Task};
 use crate::robot::{CollisionModel, LinkId, RobotError, RobotModel, Srdf};
 use std::collections::BTreeSet;
@@ -91,6 +91,15 @@ impl<'a> MountedTool<'a> {
             core,
             models,
         })
+    }
+
+    /// Attaches the holder of the tool, which may touch nothing. `mesh`: in the frame of the link that holds the tool \[m\].
+    pub(super) fn add_holder(&mut self, mesh: &Mesh) -> Result<(), FollowError> {
+        let name = rename_if_link(self.robot, &name_holder(self.task));
+        for model in self.models.all() {
+            model.attach(&name, self.mount.tip, Pose::identity(), mesh)?;
+        }
+        Ok(())
     }
 
     /// Allows a second hand to touch the tool that it holds.
@@ -246,6 +255,11 @@ impl ContactModels {
             .into_iter()
             .try_for_each(|model| model.allow(a, b))
     }
+}
+
+/// Returns the name of the holder of a task's tool.
+pub(in crate::follow) fn name_holder(task: &Task) -> String {
+    format!("holder of {}", task.tool.name)
 }
 
 /// Returns a name, marked as one of the scene if a link has it.

@@ -1,6 +1,7 @@
 //! How hands hold a tool, and the tool's shape in the hand.
 
 use super::PlanningGroup;
+use super::holder::HolderCylinder;
 use crate::follow::FollowError;
 use crate::geometry::{Mesh, Point3, Pose, Vector3};
 use crate::represent::{Mount, Tool};
@@ -25,6 +26,8 @@ pub struct HeldTool {
     pub axis: LinkAxis,
     /// Where that comes from.
     pub source: MountSource,
+    /// The holder between a flange and the tool at a declared distance from it, which collision checks include.
+    pub holder: Option<HolderCylinder>,
 }
 
 /// Where the mount of a tool comes from.
@@ -47,6 +50,7 @@ impl HeldTool {
             mount: None,
             axis: LinkAxis::default(),
             source: MountSource::Declared,
+            holder: None,
         }
     }
 
@@ -71,6 +75,14 @@ impl HeldTool {
             .or_else(|| known.map(|holder| holder.axis))
             .unwrap_or_default();
         let hand = tip_from_hand(robot, group.tip, axis, &group.ready)?;
+        let holder = match mount {
+            Mount::Flange {
+                distance: Some(face),
+                holder_radius,
+                ..
+            } => HolderCylinder::between(hand.translation.vector.norm(), face, holder_radius, tool),
+            _ => None,
+        };
         let tip_from_tool = match mount {
             Mount::Flange { yaw, distance, .. } => {
                 let at = |distance| axis.frame() * Pose::translation(0.0, 0.0, distance);
@@ -83,6 +95,7 @@ impl HeldTool {
             mount: Some(mount),
             axis,
             source,
+            holder,
             ..Self::at_pose(robot, group.tip, tip_from_tool)
         })
     }
@@ -92,7 +105,10 @@ impl fmt::Display for HeldTool {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let link = &self.link;
         match self.mount {
-            None => write!(f, "at a given pose on link {link:?}")?,
+            None => write!(
+                f,
+                "at a given pose on link {link:?}; collisions of what is between them are not checked"
+            )?,
             Some(Mount::Flange { .. }) => {
                 let out = self.axis.frame().inverse() * self.tip_from_tool.translation.vector;
                 let (out, axis) = (out.z, self.axis);
@@ -108,10 +124,11 @@ impl fmt::Display for HeldTool {
             Some(Mount::Grip(_)) => write!(f, "by its grip on link {link:?}")?,
         }
         match self.source {
-            MountSource::Declared => Ok(()),
-            MountSource::Srdf => f.write_str(" (from the SRDF)"),
-            MountSource::Assumed => f.write_str(" (assumed)"),
+            MountSource::Declared => {}
+            MountSource::Srdf => f.write_str(" (from the SRDF)")?,
+            MountSource::Assumed => f.write_str(" (assumed)")?,
         }
+        (self.holder.iter()).try_for_each(|holder| write!(f, "; {holder}, checked for collisions"))
     }
 }
 

@@ -3,6 +3,7 @@
 mod collisions;
 mod grasp;
 mod group;
+mod holder;
 pub(super) mod second_arm;
 mod target_surface;
 
@@ -17,9 +18,11 @@ use crate::robot::{
     CollisionModel, IkConfig, IkSolver, Joint, JointKind, LinkId, READY_STATE, Range, RobotModel,
     Srdf,
 };
+pub(in crate::follow) use collisions::name_holder;
 use collisions::{MountedTool, WorkcellCollisions};
 pub use grasp::{HeldTool, MountSource};
 use group::{held_joints, planar_base, set_named_state};
+pub use holder::HolderCylinder;
 use nalgebra::{Translation3, UnitQuaternion};
 use std::f64::consts::TAU;
 pub(in crate::follow) use target_surface::HandBelow;
@@ -139,6 +142,9 @@ impl Workcell {
             tip_from_tool,
         };
         let mut tool = MountedTool::attach(&robot, srdf, task, &placed)?;
+        if let Some(holder) = mount.holder {
+            tool.add_holder(&holder.mesh(mount.axis)?)?;
+        }
         if let Some(second) = &second {
             tool.allow_second_hand(second.chain().tip())?;
         }

@@ -23,6 +23,8 @@ pub enum Mount {
         yaw: f64,
         /// Distance of the tool's upper face from the link's origin, along that axis \[m\]; `None` is the hand.
         distance: Option<f64>,
+        /// Radius of the straight holder between flange and tool at a declared distance \[m\]; `None` assumes it.
+        holder_radius: Option<f64>,
         /// The link's axis that points out of the flange; `None` takes that of the robot's SRDF, else z.
         axis: Option<LinkAxis>,
     },
@@ -41,6 +43,7 @@ impl Mount {
     pub const SQUARE: Self = Self::Flange {
         yaw: 0.0,
         distance: None,
+        holder_radius: None,
         axis: None,
     };
 }
