@@ -28,7 +28,7 @@ pub use robot::{
     RobotCheckArgs, RobotCommand, RobotDoctorArgs, RobotFakeArgs, RobotMapArgs, RobotPushTestArgs,
     RobotSetupArgs,
 };
-pub use surface::{SurfaceCheckArgs, SurfaceCommand};
+pub use surface::{SurfaceCheckArgs, SurfaceCommand, SurfaceMeshArgs, SurfaceSplitArgs};
 use values::{
     action_parser, compression_depth, height, package, seconds, setting, share, strategy_parser,
 };
@@ -295,7 +295,7 @@ Examples:
     /// Set a robot up, check its description, or map the poses that it can reach
     #[command(subcommand, arg_required_else_help = true)]
     Robot(RobotCommand),
-    /// Check whether a mesh is usable as a curved surface
+    /// Check whether a mesh is usable as a curved surface, or divide it into patches
     #[command(subcommand, arg_required_else_help = true)]
     Surface(SurfaceCommand),
     /// Evaluate planning, wiping and estimation in many simulated worlds

@@ -124,7 +124,7 @@ fn flipped_triangles_and_a_hard_tool_are_reported() {
 }
 
 #[test]
-fn a_mesh_that_needs_several_charts_says_so_and_is_cut() {
+fn a_mesh_that_needs_several_charts_says_so_and_is_divided() {
     let folder = tempfile::tempdir().unwrap();
     let bowl = |x: f64, y: f64| {
         let (u, v) = (2.0 * x, 2.0 * y);
@@ -139,18 +139,89 @@ fn a_mesh_that_needs_several_charts_says_so_and_is_cut() {
         "{out}"
     );
     assert!(
-        out.contains("advice      allow several charts, such as --charts"),
+        out.contains(
+            "advice      divide the surface into patches with wisch surface split bowl.ply"
+        ),
         "{out}"
+    );
+    let args = ["surface", "split", "bowl.ply", "--out", "patches"];
+    let (code, out, err) = wisch(folder.path(), &args);
+    assert_eq!((code, err.as_str()), (0, ""), "{out}");
+    assert!(
+        out.contains("patch 2") && out.contains("seams with 1 ("),
+        "{out}"
+    );
+    let (code, out, _) = wisch(folder.path(), &["surface", "split", "bowl.ply", "--json"]);
+    assert_eq!(code, 0);
+    let record: serde_json::Value = serde_json::from_str(&out).unwrap();
+    assert_eq!(record["format"], "wisch-surface-split");
+    let patches = record["patches"].as_array().unwrap();
+    assert!((2..=8).contains(&patches.len()), "{}", patches.len());
+    let area = |patch: &serde_json::Value| patch["area_m2"].as_f64().unwrap();
+    // The solid angle of a rectangle of 2 × 1.2 at the distance 1, on a sphere of 0.3 m radius.
+    let expected = 0.09 * 4.0 * (0.6 / (2.0_f64 * 1.36).sqrt()).asin();
+    let whole: f64 = patches.iter().map(area).sum();
+    assert!((whole / expected - 1.0).abs() < 0.005, "{whole}");
+    for (number, patch) in (1..).zip(patches) {
+        assert_eq!(patch["number"], number);
+        assert!(patch["stretch"]["p99"].as_f64().unwrap() <= 0.03);
+        // Each patch is a mesh that one chart covers.
+        let file = format!("patches/patch-{number}.stl");
+        let (code, out, _) = wisch(folder.path(), &["surface", "check", &file, "--json"]);
+        let checked: serde_json::Value = serde_json::from_str(&out).unwrap();
+        assert_eq!(code, 0, "{out}");
+        let found = checked["chart"]["area_m2"].as_f64().unwrap();
+        assert!((found / area(patch) - 1.0).abs() < 0.02, "{found}");
+        let picture = fs::read_to_string(folder.path().join(format!("patches/patch-{number}.svg")));
+        assert!(picture.unwrap().starts_with("<svg"));
+    }
+    assert!(folder.path().join("patches/patches.svg").exists());
+    let seams = record["seams"].as_array().unwrap();
+    assert!(seams.len() + 1 >= patches.len(), "{seams:?}");
+    // Nothing is replaced, and what is refused writes nothing.
+    let (code, _, err) = wisch(folder.path(), &args);
+    assert!(
+        code == 2 && err.contains("patches: the folder exists already"),
+        "{err}"
     );
     let (code, out, _) = wisch(
         folder.path(),
-        &["surface", "check", "bowl.ply", "--charts", "16"],
+        &[
+            "surface",
+            "split",
+            "bowl.ply",
+            "--max-patches",
+            "2",
+            "--out",
+            "two",
+        ],
     );
-    assert_eq!(code, 0, "{out}");
     assert!(
-        out.contains("usable      yes, in") && out.contains("chart 2"),
+        code == 1 && out.contains("advice      allow more patches"),
         "{out}"
     );
+    assert!(!folder.path().join("two").exists());
+}
+
+#[test]
+fn a_divided_mesh_is_the_same_on_any_number_of_threads() {
+    let folder = tempfile::tempdir().unwrap();
+    let saddle = |x: f64, y: f64| [x, y, x * x - y * y];
+    write_grid(&folder.path().join("saddle.ply"), saddle, 0);
+    let split = |threads| {
+        let args = [
+            "surface",
+            "split",
+            "saddle.ply",
+            "--json",
+            "--threads",
+            threads,
+        ];
+        wisch(folder.path(), &args)
+    };
+    let (code, out, _) = split("1");
+    assert!(code == 0 && out.contains("\"number\":2"), "{out}");
+    assert_eq!(split("16").1, out);
 }
 
 #[test]

@@ -11,6 +11,7 @@
 //! | an episode without a recording, for the same page | its telemetry and events | [`RecordingWriter::record_log`] |
 //! | a tool's footprint | [`wisch::represent::Tool`] | [`footprint_drawing`] |
 //! | an unrolled surface | [`SheetInput`] | [`sheet_drawing`] |
+//! | a surface in patches | [`PatchesInput`] | [`patches_drawing`] |
 //! | the calibration of estimates | [`CalibrationCurve`]s | [`calibration_drawing`] |
 //! | tasks by several strategies, compared with the paper's figures | [`Table1Input`] | [`table1_page`] |
 //! | any of the SVG as PNG, with the feature `png` | its text | `rasterize` |
@@ -44,6 +45,7 @@ mod input;
 mod log_page;
 mod motion;
 mod page;
+mod patches;
 mod pictures;
 mod prediction;
 mod recording;
@@ -64,6 +66,7 @@ pub use motion::{
     BasePose, CandidateBase, MotionInput, ShownContact, ShownMotion, ShownPhase, joint_plots,
     placements_plan,
 };
+pub use patches::{PatchesInput, patches_drawing};
 pub use pictures::pictures;
 pub use prediction::frames::{EffectFrames, Frame};
 pub use recording::{

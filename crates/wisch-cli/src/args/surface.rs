@@ -14,18 +14,61 @@ Examples:
   wisch surface check door.stl --scale 0.001 --tool-size 0.05,0.08 --picture door.svg
   wisch surface check part.stl --towards 0,0,1            one side of a closed body
   wisch surface check cart.ply --seed-point 0.8,-0.2,0.1  the part of the mesh near a point
-  wisch surface check wok.ply --charts 8                  a surface that needs several charts
   wisch surface check door.ply --json | jq .chart.stretch
 
-wisch merges vertices, orients the triangles, smooths the surface to the scale of the tool, and unrolls it into a chart with as little distortion as possible. The chart is usable if at most 1 % of its area is stretched by more than the limit, no triangle lies upside down, and the chart does not cover itself. `surface.mesh` of a task file takes a mesh that one chart covers.
+wisch merges vertices, orients the triangles, smooths the surface to the scale of the tool, and unrolls it into a chart with as little distortion as possible. The chart is usable if at most 1 % of its area is stretched by more than the limit, no triangle lies upside down, and the chart does not cover itself. `surface.mesh` of a task file takes a mesh that one chart covers; `wisch surface split` divides another one.
 
 Exit codes: 0 the mesh is usable, 1 it is not usable as it is, 2 an error.")]
     Check(SurfaceCheckArgs),
+    /// Divide a mesh that does not unroll into one chart into patches that do
+    #[command(after_help = "\
+Examples:
+  wisch surface split wok.ply
+  wisch surface split wok.ply --picture wok.svg
+  wisch surface split tub.stl --scale 0.001 --towards 0,0,1 --out tub-patches
+  wisch surface split wok.ply --json | jq '.patches[].area_m2'
+
+wisch divides the surface into few patches whose charts stay within the limit of the stretch, and numbers them so that each is near the one before. The same mesh and options give the same patches.
+
+Exit codes: 0 the mesh is divided, 1 it is not usable as it is, 2 an error.")]
+    Split(SurfaceSplitArgs),
 }
 
 /// Arguments of `surface check`.
 #[derive(Debug, Args)]
 pub struct SurfaceCheckArgs {
+    #[command(flatten)]
+    pub mesh: SurfaceMeshArgs,
+    /// Draw the surface, unrolled into one chart, into this .svg file
+    #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]
+    pub picture: Option<PathBuf>,
+    /// Print one JSON object instead of the report
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// Arguments of `surface split`.
+#[derive(Debug, Args)]
+pub struct SurfaceSplitArgs {
+    #[command(flatten)]
+    pub mesh: SurfaceMeshArgs,
+    /// Largest number of patches
+    #[arg(long, value_name = "N", default_value_t = MAX_CHARTS as u16, value_parser = clap::value_parser!(u16).range(1..=MAX_CHARTS as i64))]
+    pub max_patches: u16,
+    /// Draw the patches, on the surface unrolled as one piece, into this .svg file
+    #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]
+    pub picture: Option<PathBuf>,
+    /// Write each patch as a mesh and a picture, and a picture of all, into this new folder
+    #[arg(long, value_name = "DIR", value_hint = ValueHint::DirPath)]
+    pub out: Option<PathBuf>,
+    /// Print one JSON object instead of the report
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// A mesh, what of it is meant, and the tool.
+#[derive(Debug, Args)]
+pub struct SurfaceMeshArgs {
     /// Mesh file (.stl, .obj, .dae or .ply)
     #[arg(value_name = "FILE", value_hint = ValueHint::FilePath)]
     pub file: PathBuf,
@@ -54,15 +97,6 @@ pub struct SurfaceCheckArgs {
     /// Largest stretch of lengths on 99 % of the area [1]
     #[arg(long, value_name = "SHARE", default_value_t = 0.03)]
     pub stretch_limit: f64,
-    /// Largest number of charts into which the surface may be cut
-    #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u16).range(1..=MAX_CHARTS as i64))]
-    pub charts: u16,
-    /// Draw the surface, unrolled into one chart, into this .svg file
-    #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]
-    pub picture: Option<PathBuf>,
-    /// Print one JSON object instead of the report
-    #[arg(long)]
-    pub json: bool,
 }
 
 fn number(text: &str) -> Result<f64, String> {

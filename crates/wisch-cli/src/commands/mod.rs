@@ -77,6 +77,7 @@ pub fn run(cli: &Cli) -> Result<Outcome, Failure> {
         Command::Memory(MemoryCommand::Push(args)) => fleet::push(args, &cli.global),
         Command::Memory(MemoryCommand::Pull(args)) => fleet::pull(args, &cli.global),
         Command::Surface(SurfaceCommand::Check(args)) => surface::check_surface(args, &cli.global),
+        Command::Surface(SurfaceCommand::Split(args)) => surface::split_surface(args, &cli.global),
         Command::Robot(RobotCommand::Check(args)) => robot::check_robot(args, &cli.global),
         Command::Robot(RobotCommand::Map(args)) => map::map(args, &cli.global),
         Command::Robot(RobotCommand::Setup(args)) => setup::set_up(args, &cli.global),

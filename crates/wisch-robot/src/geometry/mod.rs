@@ -21,8 +21,9 @@ pub use polygon::encloses;
 pub use polygon::{Bounds2, Edge, Polygon, Region};
 pub use pose::{PlanarPose, Pose, flatten_pose, restore_pose, wrap_angle};
 pub use sheet::{
-    MAX_CHARTS, MAX_SHEET_TRIANGLES, MeshRepairs, MeshSurvey, PartChoice, SIDE_LEAN, Sheet,
-    SheetConfig, SheetError, SheetFoot, SheetPoint, SheetStretch, SheetVertex, TOOL_RADIUS_RANGE,
+    Atlas, AtlasSeam, MAX_CHARTS, MAX_SHEET_TRIANGLES, MeshRepairs, MeshSurvey, PartChoice,
+    SIDE_LEAN, Sheet, SheetConfig, SheetError, SheetFoot, SheetPoint, SheetStretch, SheetVertex,
+    TOOL_RADIUS_RANGE,
 };
 pub use triangulation::prism_below;
 pub use units::LikelyUnit;

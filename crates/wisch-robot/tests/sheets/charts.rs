@@ -2,7 +2,7 @@
 
 use super::shapes::{cap, cylinder, door, grid, saddle, wavy};
 use nalgebra::Matrix2;
-use wisch_robot::geometry::{Mesh, Point2, Point3, Sheet, SheetConfig, SheetError, Vector3};
+use wisch_robot::geometry::{Atlas, Mesh, Point2, Point3, Sheet, SheetConfig, SheetError, Vector3};
 
 fn draft(mesh: &Mesh) -> Sheet {
     Sheet::draft(mesh, &SheetConfig::default()).unwrap()
@@ -301,7 +301,7 @@ fn several_charts_cover_what_one_does_not() {
             stretch_limit: limit,
             ..SheetConfig::default()
         };
-        Sheet::split(mesh, &config, most)
+        Atlas::from_mesh(mesh, &config, most).map(|atlas| atlas.charts().to_vec())
     };
     let area = |sheets: &[Sheet]| sheets.iter().map(Sheet::area).sum::<f64>();
     let wok = cap(40, -0.25, 60f64.to_radians());
@@ -324,4 +324,58 @@ fn several_charts_cover_what_one_does_not() {
     assert_eq!(parts(&wok, 1, 0.2).unwrap().len(), 1);
     let error = parts(&wok, 2, 0.03).err().unwrap();
     assert!(matches!(error, SheetError::Stretched { .. }), "{error}");
+}
+
+#[test]
+fn patches_reach_beyond_their_seams_and_cover_the_mesh_once() {
+    let wok = cap(40, -0.25, 60f64.to_radians());
+    let atlas = Atlas::from_mesh(&wok, &SheetConfig::default(), 8).unwrap();
+    let area = |mesh: &Mesh| {
+        let corners = |t: &[u32; 3]| t.map(|i| mesh.vertices()[i as usize]);
+        let doubled = mesh.triangles().iter().map(|t| {
+            let [a, b, c] = corners(t);
+            (b - a).cross(&(c - a)).norm()
+        });
+        0.5 * doubled.sum::<f64>()
+    };
+    let centre = Point3::new(0.0, 0.0, 0.25);
+    for index in 0..atlas.charts().len() {
+        let own = area(&atlas.patch_mesh(index));
+        let whole = own + area(&atlas.rest_mesh(index).unwrap());
+        let expected = std::f64::consts::PI * 0.25 * 0.25;
+        assert!((whole / expected - 1.0).abs() < 5e-3, "{whole}");
+        let sheet = atlas.patch(index, 0.06).unwrap();
+        // Outline and area end at the seams, and at the rim of the wok.
+        assert!((sheet.area() / own - 1.0).abs() < 5e-3);
+        let mut beyond = 0;
+        for edge in sheet.outline().edges() {
+            let along = (edge.end - edge.start).normalize();
+            let place = edge.start + nalgebra::Vector2::new(along.y, -along.x) * 0.03;
+            let Some(point) = sheet
+                .lift(place)
+                .filter(|_| !sheet.outline().contains(place))
+            else {
+                continue;
+            };
+            // A tangent plane is off by 1.8 mm there.
+            let off = ((point.point - centre).norm() - 0.25).abs();
+            assert!(off < 5e-4, "{index}: {off} at {place}");
+            beyond += 1;
+        }
+        assert!(beyond > 10, "{index}: {beyond}");
+    }
+    // Neighbours meet at seams, which together are the borders of the patches without the rim.
+    let borders: f64 = (atlas.charts().iter())
+        .flat_map(|chart| chart.outline().edges())
+        .map(|edge| (edge.end - edge.start).norm())
+        .sum();
+    let rim = std::f64::consts::TAU * 0.25 * 60f64.to_radians().sin();
+    let seams: f64 = atlas.seams().iter().map(|seam| seam.length).sum();
+    assert!(
+        (2.0 * seams + rim - borders).abs() < 0.03 * borders,
+        "{seams} {borders}"
+    );
+    for seam in atlas.seams() {
+        assert!(seam.patches[0] < seam.patches[1] && seam.length > 0.0);
+    }
 }

@@ -1,11 +1,11 @@
 //! A mesh that was checked for use as a curved surface.
 
 use super::measures::Measures;
-use crate::args::SurfaceCheckArgs;
+use crate::args::SurfaceMeshArgs;
 use crate::failure::Failure;
+use std::path::Path;
 use wisch::geometry::{
-    LikelyUnit, MAX_CHARTS, Mesh, MeshFormat, PartChoice, Point3, Sheet, SheetConfig, SheetError,
-    Vector3,
+    LikelyUnit, Mesh, MeshFormat, PartChoice, Point3, Sheet, SheetConfig, SheetError, Vector3,
 };
 use wisch_io::read;
 
@@ -16,22 +16,29 @@ const NOTICED_SMOOTHING: f64 = 0.25;
 
 /// A checked mesh.
 pub(super) struct CheckedMesh<'a> {
-    pub(super) args: &'a SurfaceCheckArgs,
+    pub(super) args: &'a SurfaceMeshArgs,
+    pub(super) picture: Option<&'a Path>,
     pub(super) name: String,
     pub(super) tool_radius: f64,
     pub(super) triangles: usize,
     pub(super) extent: Vector3,
     /// The chart; none if there cannot be one.
     pub(super) sheet: Option<(Sheet, Measures)>,
-    /// The charts if the surface was cut into several.
-    pub(super) charts: Vec<Sheet>,
     /// Why the mesh is not usable as it is.
     pub(super) problem: Option<SheetError>,
     pub(super) notes: Vec<String>,
 }
 
-/// Reads the mesh and unrolls it.
-pub(super) fn check(args: &SurfaceCheckArgs) -> Result<CheckedMesh<'_>, Failure> {
+/// A mesh that was read, with how it is unrolled.
+pub(super) struct ReadMesh {
+    pub(super) name: String,
+    pub(super) mesh: Mesh,
+    pub(super) config: SheetConfig,
+    pub(super) notes: Vec<String>,
+}
+
+/// Reads the mesh.
+pub(super) fn read_mesh(args: &SurfaceMeshArgs) -> Result<ReadMesh, Failure> {
     let name = args.file.display().to_string();
     let format = MeshFormat::from_file_name(&name).ok_or_else(|| {
         Failure::new(format!(
@@ -53,7 +60,6 @@ pub(super) fn check(args: &SurfaceCheckArgs) -> Result<CheckedMesh<'_>, Failure>
         },
         stretch_limit: args.stretch_limit,
     };
-    let (low, high) = mesh.bounds();
     let mut notes = Vec::new();
     let [least, most] = USUAL_EXTENT;
     if let Some(unit) = LikelyUnit::guess(mesh.extent(), least, most) {
@@ -63,25 +69,31 @@ pub(super) fn check(args: &SurfaceCheckArgs) -> Result<CheckedMesh<'_>, Failure>
             unit.metres * args.scale
         ));
     }
-    let mut charts = Vec::new();
+    Ok(ReadMesh {
+        name,
+        mesh,
+        config,
+        notes,
+    })
+}
+
+/// Reads the mesh and unrolls it.
+pub(super) fn check<'a>(
+    args: &'a SurfaceMeshArgs,
+    picture: Option<&'a Path>,
+) -> Result<CheckedMesh<'a>, Failure> {
+    let ReadMesh {
+        name,
+        mesh,
+        config,
+        mut notes,
+    } = read_mesh(args)?;
+    let (low, high) = mesh.bounds();
     let (sheet, problem) = match Sheet::draft(&mesh, &config) {
         Ok(sheet) => {
-            let mut problem = sheet.check().err();
-            if problem.is_some() && args.charts > 1 {
-                match Sheet::split(&mesh, &config, usize::from(args.charts)) {
-                    Ok(found) => (charts, problem) = (found, None),
-                    Err(error) => problem = Some(error),
-                }
-            }
+            let problem = sheet.check().err();
             let measures = Measures::new(&sheet, args.tool_size, args.compression_depth_m);
-            let smoothed = sheet.smoothed_by();
-            if smoothed > NOTICED_SMOOTHING * args.compression_depth_m {
-                notes.push(format!(
-                    "smoothing to the scale of the tool moved the surface by up to {:.1} mm: the mesh has shapes that a \
-                     tool of {tool_radius:.3} m radius does not follow",
-                    1e3 * smoothed
-                ));
-            }
+            notes.extend(remark_on_smoothing(&sheet, args, &config));
             (Some((sheet, measures)), problem)
         }
         Err(error @ SheetError::Setting { .. }) => return Err(Failure::new(error)),
@@ -89,48 +101,61 @@ pub(super) fn check(args: &SurfaceCheckArgs) -> Result<CheckedMesh<'_>, Failure>
     };
     Ok(CheckedMesh {
         args,
+        picture,
         name,
-        tool_radius,
+        tool_radius: config.tool_radius,
         triangles: mesh.triangles().len(),
         extent: high - low,
         sheet,
-        charts,
         problem,
         notes,
     })
 }
 
+/// A note on a smoothing that the tool's compression does not make up for.
+pub(super) fn remark_on_smoothing(
+    sheet: &Sheet,
+    args: &SurfaceMeshArgs,
+    config: &SheetConfig,
+) -> Option<String> {
+    let smoothed = sheet.smoothed_by();
+    (smoothed > NOTICED_SMOOTHING * args.compression_depth_m).then(|| {
+        format!(
+            "smoothing to the scale of the tool moved the surface by up to {:.1} mm: the mesh has shapes that a tool of \
+             {:.3} m radius does not follow",
+            1e3 * smoothed,
+            config.tool_radius
+        )
+    })
+}
+
+/// Returns what to do about a mesh that does not unroll within the limit.
+///
+/// `divide`: what to do if several charts are needed.
+pub(super) fn advise(problem: &SheetError, divide: &str) -> String {
+    match problem {
+        SheetError::Closed { .. } => {
+            "state the direction from the surface to the tool, such as --towards 0,0,1"
+        }
+        SheetError::NoSide { .. } => "correct --towards, or take a larger --largest-lean",
+        SheetError::TooLarge { .. } => {
+            "state the unit of the file with --scale, take a larger --tool-radius, or cut the mesh"
+        }
+        SheetError::Stretched { .. }
+        | SheetError::Folded { .. }
+        | SheetError::Overlapping { .. } => divide,
+        _ => "repair the mesh in a mesh editor",
+    }
+    .to_owned()
+}
+
 impl CheckedMesh<'_> {
     /// Returns what to do about the problem.
     pub(super) fn advice(&self) -> Option<String> {
-        Some(match self.problem.as_ref()? {
-            SheetError::Closed { .. } => {
-                "state the direction from the surface to the tool, such as --towards 0,0,1".to_owned()
-            }
-            SheetError::NoSide { .. } => {
-                "correct --towards, or take a larger --largest-lean".to_owned()
-            }
-            SheetError::TooLarge { .. } => {
-                "state the unit of the file with --scale, take a larger --tool-radius, or cut the mesh".to_owned()
-            }
-            SheetError::Stretched { .. }
-            | SheetError::Folded { .. }
-            | SheetError::Overlapping { .. }
-                if 2 * usize::from(self.args.charts) > MAX_CHARTS =>
-            {
-                "smooth the mesh in a mesh editor, or take a larger --tool-radius, which smooths it".to_owned()
-            }
-            SheetError::Stretched { .. }
-            | SheetError::Folded { .. }
-            | SheetError::Overlapping { .. } => {
-                let least = self.sheet.as_ref().map_or(1, |(sheet, _)| sheet.estimate_charts());
-                let least = least.clamp(2, MAX_CHARTS).max(2 * usize::from(self.args.charts));
-                format!(
-                    "allow several charts, such as --charts {}, or take a part with --towards and --largest-lean",
-                    least.next_power_of_two().min(MAX_CHARTS)
-                )
-            }
-            _ => "repair the mesh in a mesh editor".to_owned(),
-        })
+        let divide = format!(
+            "divide the surface into patches with wisch surface split {}, or take a part with --towards and --largest-lean",
+            self.name
+        );
+        Some(advise(self.problem.as_ref()?, &divide))
     }
 }

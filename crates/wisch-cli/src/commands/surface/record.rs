@@ -2,6 +2,7 @@
 
 use super::checked::CheckedMesh;
 use super::measures::PlacedValue;
+use crate::args::SurfaceMeshArgs;
 use crate::commands::words::internal;
 use crate::failure::Failure;
 use serde::Serialize;
@@ -28,22 +29,24 @@ struct SurfaceRecord<'a> {
     /// Null without a chart.
     mesh: Option<MeshRecord<'a>>,
     chart: Option<ChartRecord>,
-    /// The charts into which the surface was cut; empty if one suffices or is not enough.
-    charts: Vec<PieceRecord>,
 }
 
+/// The tool for which a mesh was unrolled.
 #[derive(Serialize)]
-struct PieceRecord {
-    triangles: usize,
-    area_m2: f64,
-    stretch: StretchRecord,
-}
-
-#[derive(Serialize)]
-struct ToolRecord {
+pub(super) struct ToolRecord {
     size_m: [f64; 2],
     radius_m: f64,
     compression_depth_m: f64,
+}
+
+impl ToolRecord {
+    pub(super) fn new(args: &SurfaceMeshArgs, radius: f64) -> Self {
+        Self {
+            size_m: args.tool_size,
+            radius_m: radius,
+            compression_depth_m: args.compression_depth_m,
+        }
+    }
 }
 
 #[derive(Serialize)]
@@ -78,8 +81,9 @@ struct ChartRecord {
     needed_compression: PlacedValue,
 }
 
+/// How much a chart stretches lengths.
 #[derive(Serialize)]
-struct StretchRecord {
+pub(super) struct StretchRecord {
     limit: f64,
     most: PlacedValue,
     p99: f64,
@@ -102,11 +106,7 @@ pub(super) fn check_record(checked: &CheckedMesh) -> Result<String, Failure> {
         notes: &checked.notes,
         triangles: checked.triangles,
         extent_m: checked.extent.into(),
-        tool: ToolRecord {
-            size_m: checked.args.tool_size,
-            radius_m: checked.tool_radius,
-            compression_depth_m: checked.args.compression_depth_m,
-        },
+        tool: ToolRecord::new(checked.args, checked.tool_radius),
         mesh: checked.sheet.as_ref().map(|(sheet, _)| {
             let survey = sheet.survey();
             MeshRecord {
@@ -129,7 +129,7 @@ pub(super) fn check_record(checked: &CheckedMesh) -> Result<String, Failure> {
             area_m2: sheet.area(),
             smoothed_by_m: sheet.smoothed_by(),
             estimated_charts: sheet.estimate_charts(),
-            stretch: stretch_record(checked, sheet),
+            stretch: stretch_record(sheet, checked.args.stretch_limit),
             largest_bulge: measures.bulge,
             deepest_hollow: measures.hollow,
             mean_normal: measures.mean_normal.into(),
@@ -138,22 +138,16 @@ pub(super) fn check_record(checked: &CheckedMesh) -> Result<String, Failure> {
             touched_share: measures.touched_share,
             needed_compression: measures.needed_compression,
         }),
-        charts: (checked.charts.iter())
-            .map(|chart| PieceRecord {
-                triangles: chart.triangle_count(),
-                area_m2: chart.area(),
-                stretch: stretch_record(checked, chart),
-            })
-            .collect(),
     };
     let text = serde_json::to_string(&record).map_err(internal)?;
     Ok(text + "\n")
 }
 
-fn stretch_record(checked: &CheckedMesh, sheet: &Sheet) -> StretchRecord {
+/// Describes how much a chart stretches lengths.
+pub(super) fn stretch_record(sheet: &Sheet, limit: f64) -> StretchRecord {
     let stretch = sheet.stretch();
     StretchRecord {
-        limit: checked.args.stretch_limit,
+        limit,
         most: PlacedValue::new(stretch.most, stretch.at),
         p99: stretch.p99,
         p95: stretch.p95,

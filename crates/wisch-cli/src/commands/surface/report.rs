@@ -39,20 +39,10 @@ pub(super) fn report(checked: &CheckedMesh) -> String {
     for note in &checked.notes {
         line("note", note);
     }
-    if let (Some(path), Some(_)) = (&checked.args.picture, &checked.sheet) {
+    if let (Some(path), Some(_)) = (checked.picture, &checked.sheet) {
         line("picture", &path.display().to_string());
     }
     match &checked.problem {
-        None if checked.charts.len() > 1 => {
-            let count = checked.charts.len();
-            line("usable", &format!("yes, in {count} charts"));
-            for (number, chart) in (1..).zip(&checked.charts) {
-                let area = chart.area();
-                let text = format!("{area:.4} m2, {}", describe_chart(chart));
-                line(&format!("chart {number}"), &text);
-                line("", &format!("stretch {}", describe_stretch(chart)));
-            }
-        }
         None => line("usable", "yes, in one chart"),
         Some(problem) => {
             line("usable", "not as it is");
@@ -65,7 +55,7 @@ pub(super) fn report(checked: &CheckedMesh) -> String {
     text
 }
 
-fn describe_part(survey: &MeshSurvey, area: f64) -> String {
+pub(super) fn describe_part(survey: &MeshSurvey, area: f64) -> String {
     let parts = survey.part_areas.len();
     let all: f64 = survey.part_areas.iter().sum();
     let taken = survey.part_areas[survey.taken_part];
@@ -143,7 +133,7 @@ fn describe_borders(survey: &MeshSurvey) -> String {
     }
 }
 
-fn describe_chart(sheet: &Sheet) -> String {
+pub(super) fn describe_chart(sheet: &Sheet) -> String {
     let bounds = wisch::geometry::Bounds2::from_points(sheet.outline().outer().iter().copied());
     let size = bounds.map_or_else(Default::default, |bounds| bounds.size());
     format!(
@@ -210,7 +200,7 @@ fn describe_contact(checked: &CheckedMesh, measures: &Measures) -> String {
 }
 
 /// Formats a place [m].
-fn place(at: &[f64; 3]) -> String {
+pub(super) fn place(at: &[f64; 3]) -> String {
     let [x, y, z] = at;
     format!("({x:.3}, {y:.3}, {z:.3}) m")
 }

@@ -7,12 +7,17 @@ use std::collections::BinaryHeap;
 
 /// Rounds in which cells move to their middles.
 const ROUNDS: usize = 12;
+/// Rounds in which the borders of cells become smoother.
+const SMOOTHING_ROUNDS: usize = 3;
 
 /// Triangles with the distances to their neighbours.
+#[derive(Clone)]
 pub(super) struct CellGraph {
-    neighbours: Vec<[Option<u32>; 3]>,
-    centres: Vec<Point3>,
+    pub(super) neighbours: Vec<[Option<u32>; 3]>,
+    pub(super) centres: Vec<Point3>,
     areas: Vec<f64>,
+    /// Factors of the distances in each triangle.
+    factors: Vec<f64>,
 }
 
 impl CellGraph {
@@ -26,6 +31,15 @@ impl CellGraph {
             neighbours: surface.neighbours(),
             centres: surface.triangles.iter().map(centre).collect(),
             areas: surface.triangles.iter().map(area).collect(),
+            factors: vec![1.0; surface.triangles.len()],
+        }
+    }
+
+    /// Returns the graph with distances that grow by a factor in each triangle.
+    pub(super) fn with_factors(&self, factors: Vec<f64>) -> Self {
+        Self {
+            factors,
+            ..self.clone()
         }
     }
 
@@ -66,8 +80,38 @@ impl CellGraph {
             }
             seeds = middles;
         }
+        let mut cells = self.smooth(&cells);
         cells.retain(|cell| !cell.is_empty());
         cells
+    }
+
+    /// Returns cells with smoother borders: a triangle with two neighbours of another cell goes to that cell.
+    fn smooth(&self, cells: &[Vec<u32>]) -> Vec<Vec<u32>> {
+        let mut owners: Vec<Option<usize>> = vec![None; self.centres.len()];
+        for (owner, cell) in cells.iter().enumerate() {
+            cell.iter().for_each(|&t| owners[t as usize] = Some(owner));
+        }
+        for _ in 0..SMOOTHING_ROUNDS {
+            for t in 0..owners.len() {
+                let around = self.neighbours[t].map(|other| owners[other? as usize]);
+                let [a, b, c] = around;
+                let most = if a == b || a == c {
+                    a
+                } else {
+                    b.filter(|_| b == c)
+                };
+                if most.is_some() && owners[t].is_some() {
+                    owners[t] = most;
+                }
+            }
+        }
+        let mut smooth = vec![Vec::new(); cells.len()];
+        for (t, owner) in (0u32..).zip(owners) {
+            if let Some(owner) = owner {
+                smooth[owner].push(t);
+            }
+        }
+        smooth
     }
 
     /// Returns the triangle nearest to the centroid of some.
@@ -88,8 +132,8 @@ impl CellGraph {
             .unwrap_or(0)
     }
 
-    /// Returns the distance of each triangle to the nearest seed \[m\], and the index of that seed (Dijkstra).
-    fn spread(&self, seeds: &[u32]) -> (Vec<f64>, Vec<Option<u32>>) {
+    /// Returns the distance of each triangle to the nearest seed \[m, times its factors\], and the index of that seed (Dijkstra).
+    pub(super) fn spread(&self, seeds: &[u32]) -> (Vec<f64>, Vec<Option<u32>>) {
         let mut distances = vec![f64::INFINITY; self.centres.len()];
         let mut owners = vec![None; self.centres.len()];
         // Positive numbers have the order of their bits.
@@ -106,7 +150,9 @@ impl CellGraph {
             distances[t as usize] = distance;
             for other in self.neighbours[t as usize].into_iter().flatten() {
                 if owners[other as usize].is_none() {
-                    let step = (self.centres[other as usize] - self.centres[t as usize]).norm();
+                    let [from, to] = [t as usize, other as usize];
+                    let factor = 0.5 * (self.factors[from] + self.factors[to]);
+                    let step = factor * (self.centres[to] - self.centres[from]).norm();
                     queue.push(Reverse(((distance + step).to_bits(), owner, other)));
                 }
             }

@@ -22,6 +22,17 @@ pub(super) struct FlatTriangle {
     pub(super) area: f64,
 }
 
+impl FlatTriangle {
+    /// Returns the triangle with another weight in the chart.
+    pub(super) fn weighted(&self, weight: f64) -> Self {
+        Self {
+            corners: self.corners,
+            cotangents: self.cotangents.map(|cotangent| cotangent * weight),
+            area: self.area * weight,
+        }
+    }
+}
+
 /// Returns each triangle in its own plane.
 pub(super) fn flat_triangles(surface: &Triangles) -> Vec<FlatTriangle> {
     let flat = |&triangle: &[u32; 3]| {

@@ -1,57 +1,22 @@
 //! A surface of a mesh in one chart.
 
-use super::cells::CellGraph;
 use super::error::SheetError;
 use super::flatten::{FlatTriangle, flat_triangles, flatten};
 use super::locate::{ChartGrid, FootFinder, Located};
-use super::part::{MeshSurvey, PartChoice, take_part};
-use super::quadric::{LocalFit, fit_vertices};
-use super::remesh::{has_edges_beyond, remesh, split_long_edges};
+use super::part::MeshSurvey;
+use super::prepared::{Prepared, SheetConfig, too_large};
 use super::stretch::{SheetStretch, chart_from_triangle, measure, triangle_stretches};
 use super::topology::Triangles;
 use crate::geometry::{Mesh, Point2, Point3, Polygon, Pose, Vector2, Vector3};
 use nalgebra::Matrix2;
-use rayon::prelude::*;
-use std::f64::consts::PI;
 
-/// Range of the radius of a tool \[m\].
-pub const TOOL_RADIUS_RANGE: [f64; 2] = [0.002, 2.0];
-/// Largest number of triangles of a chart.
-pub const MAX_SHEET_TRIANGLES: usize = 200_000;
-/// Largest number of charts of a mesh.
-pub const MAX_CHARTS: usize = 64;
-/// Longest edge of a chart's triangles, relative to the radius of the tool [1].
-const EDGE_SHARE: f64 = 0.25;
-/// Largest number of equal cells that are tried.
-const MAX_EQUAL_CELLS: usize = 12;
-/// Longest edge of the samples of a mesh of very many triangles, relative to that of the chart [1].
-const SAMPLE_SHARE: f64 = 1.0 / 3.0;
 /// Share of the area that may be stretched beyond the limit [1].
 const STRETCHED_SHARE: f64 = 0.01;
+/// Weight of a triangle beyond the seams of a patch while the patch is unrolled, relative to one within it [1].
+const WEIGHT_BEYOND: f64 = 0.01;
 /// Integral of the absolute Gaussian curvature that a part with a stretch of 3 % may have \[rad²\]. A cap of a sphere to the
 /// angle θ has 2π(1 − cos θ) ≈ πθ², and a stretch of at least θ²/12: 0.6 leaves 1.6 %.
 const CURVATURE_PER_PART: f64 = 0.6;
-
-/// How a sheet is made of a mesh.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct SheetConfig {
-    /// Radius r_s of the tool's collision sphere \[m\]: shapes much smaller than the tool are smoothed.
-    pub tool_radius: f64,
-    /// Which part and side of the mesh is meant.
-    pub choice: PartChoice,
-    /// Largest stretch of 99 % of the area \[1\].
-    pub stretch_limit: f64,
-}
-
-impl Default for SheetConfig {
-    fn default() -> Self {
-        Self {
-            tool_radius: 0.06,
-            choice: PartChoice::default(),
-            stretch_limit: 0.03,
-        }
-    }
-}
 
 /// A surface of a mesh, unrolled into a chart as rigidly as possible.
 ///
@@ -160,41 +125,19 @@ impl Sheet {
     /// If a setting is out of range, the mesh has no area, the part is closed and no direction to the tool is given, no
     /// triangle faces it, the part has no consistent side, or needs more than [`MAX_SHEET_TRIANGLES`].
     pub fn draft(mesh: &Mesh, config: &SheetConfig) -> Result<Self, SheetError> {
-        Self::with_fits(Prepared::new(mesh, config)?, config).ok_or(too_large(config))
-    }
-
-    /// Makes sheets of a mesh that needs several charts, and at most `most`: cells of about equal size, or those that halving
-    /// the refused charts leads to, if these are fewer.
-    ///
-    /// # Errors
-    /// As [`Sheet::draft`], and as [`Sheet::check`] if `most` charts do not suffice.
-    pub fn split(mesh: &Mesh, config: &SheetConfig, most: usize) -> Result<Vec<Self>, SheetError> {
-        let prepared = Prepared::new(mesh, config)?;
-        let most = most.clamp(1, MAX_CHARTS);
-        let halves = prepared.halve(config, most);
-        let fewer = halves.as_ref().map_or(most, |sheets| sheets.len() - 1);
-        let graph = CellGraph::new(&prepared.surface);
-        for count in 2..=fewer.min(MAX_EQUAL_CELLS) {
-            let cells: Vec<Prepared> = (graph.divide(count).iter())
-                .map(|cell| prepared.select(cell))
-                .collect();
-            let sheets: Result<Vec<Self>, SheetError> = (cells.into_par_iter())
-                .map(|cell| Self::checked(cell, config))
-                .collect::<Vec<_>>()
-                .into_iter()
-                .collect();
-            if sheets.is_ok() {
-                return sheets;
-            }
-        }
-        halves
+        Self::unrolled(Prepared::new(mesh, config)?, config)
     }
 
     /// Makes a sheet of a prepared surface, if one chart suffices.
-    fn checked(prepared: Prepared, config: &SheetConfig) -> Result<Self, SheetError> {
-        let sheet = Self::with_fits(prepared, config).ok_or(too_large(config))?;
+    pub(super) fn checked(prepared: Prepared, config: &SheetConfig) -> Result<Self, SheetError> {
+        let sheet = Self::unrolled(prepared, config)?;
         sheet.check()?;
         Ok(sheet)
+    }
+
+    /// Unrolls a prepared surface, even if its stretch exceeds the limit.
+    pub(super) fn unrolled(prepared: Prepared, config: &SheetConfig) -> Result<Self, SheetError> {
+        Self::with_fits(prepared, config).ok_or(too_large(config))
     }
 
     fn with_fits(prepared: Prepared, config: &SheetConfig) -> Option<Self> {
@@ -203,23 +146,40 @@ impl Sheet {
             fits,
             survey,
             smoothed_by,
+            is_beyond,
+            ..
         } = prepared;
         let flat = flat_triangles(&surface);
-        let places = flatten(&surface, &flat, chart_axes(surface.mean_normal()));
+        let beyond = |t: usize| is_beyond.get(t).copied().unwrap_or(false);
+        let weighted = |weight: f64| -> Vec<FlatTriangle> {
+            (flat.iter().enumerate())
+                .map(|(t, flat)| flat.weighted(if beyond(t) { weight } else { 1.0 }))
+                .collect()
+        };
+        let places = flatten(
+            &surface,
+            &weighted(WEIGHT_BEYOND),
+            chart_axes(surface.mean_normal()),
+        );
         let stretches = triangle_stretches(&surface, &flat, &places);
+        // Only what lies within the seams counts.
+        let within = weighted(0.0);
+        let counted: Vec<f64> = (stretches.iter().enumerate())
+            .map(|(t, &stretch)| if beyond(t) { 0.0 } else { stretch })
+            .collect();
         let limit = config.stretch_limit;
         let stretch = measure(
             &surface,
-            &flat,
+            &within,
             &places,
-            &stretches,
+            &counted,
             limit,
             config.tool_radius,
         );
         let grid = ChartGrid::new(&places, &surface.triangles);
         let overlap = find_overlap(&surface, &places, &grid);
         let mut areas = vec![0.0; surface.vertices.len()];
-        for (triangle, flat) in surface.triangles.iter().zip(&flat) {
+        for (triangle, flat) in surface.triangles.iter().zip(&within) {
             triangle
                 .iter()
                 .for_each(|&i| areas[i as usize] += flat.area / 3.0);
@@ -233,7 +193,7 @@ impl Sheet {
             .collect();
         Some(Self {
             finder: FootFinder::new(&surface)?,
-            outline: outline(&surface, &places),
+            outline: outline(&surface, &is_beyond, &places),
             normals: fits.iter().map(|fit| fit.normal).collect(),
             bends,
             areas,
@@ -483,147 +443,13 @@ impl Sheet {
     }
 }
 
-/// A surface at the scale of a tool, before it is unrolled.
-#[derive(Clone)]
-struct Prepared {
-    surface: Triangles,
-    fits: Vec<LocalFit>,
-    survey: MeshSurvey,
-    smoothed_by: f64,
-}
-
-impl Prepared {
-    fn new(mesh: &Mesh, config: &SheetConfig) -> Result<Self, SheetError> {
-        check_settings(config)?;
-        let part = take_part(mesh, &config.choice)?;
-        let longest = EDGE_SHARE * config.tool_radius;
-        // Triangles of edges up to `longest` have at most this area.
-        let largest = 0.25 * 3f64.sqrt() * longest * longest;
-        if part.surface.area() / largest > MAX_SHEET_TRIANGLES as f64 {
-            return Err(too_large(config));
-        }
-        let mut samples = split_long_edges(&part.surface, longest);
-        if samples.triangles.len() > MAX_SHEET_TRIANGLES {
-            samples = remesh(&part.surface, SAMPLE_SHARE * longest);
-        }
-        let mut surface = remesh(&samples, longest);
-        if surface.triangles.len() > MAX_SHEET_TRIANGLES {
-            return Err(too_large(config));
-        }
-        if surface.triangles.is_empty() {
-            return Err(SheetError::NoArea {
-                triangles: part.surface.triangles.len(),
-            });
-        }
-        // Of a mesh of very many triangles, only the coarser surface has edges that are short everywhere.
-        let samples = if has_edges_beyond(&samples, longest) {
-            surface.clone()
-        } else {
-            samples
-        };
-        let fits = fit_vertices(&surface, &samples, config.tool_radius, longest);
-        let mut smoothed_by: f64 = 0.0;
-        for (vertex, fit) in surface.vertices.iter_mut().zip(&fits) {
-            smoothed_by = smoothed_by.max((*vertex - fit.point).norm());
-            *vertex = fit.point;
-        }
-        Ok(Self {
-            surface,
-            fits,
-            survey: part.survey,
-            smoothed_by,
-        })
-    }
-
-    /// Makes sheets of the surface, of which each that is refused is cut in two; at most `most`.
-    fn halve(&self, config: &SheetConfig, most: usize) -> Result<Vec<Sheet>, SheetError> {
-        let (mut sheets, mut open, mut count) = (Vec::new(), vec![self.clone()], 1);
-        while !open.is_empty() {
-            let drafts: Vec<Result<Sheet, SheetError>> = (open.par_iter())
-                .map(|part| Sheet::checked(part.clone(), config))
-                .collect();
-            let mut refused = Vec::new();
-            for (part, draft) in open.iter().zip(drafts) {
-                match draft {
-                    Ok(sheet) => sheets.push(sheet),
-                    Err(error) if count >= most => return Err(error),
-                    Err(_) => {
-                        count += 1;
-                        let cells = CellGraph::new(&part.surface).divide(2);
-                        refused.extend(cells.iter().map(|cell| part.select(cell)));
-                    }
-                }
-            }
-            open = refused;
-        }
-        Ok(sheets)
-    }
-
-    /// Returns a part of the surface.
-    fn select(&self, triangles: &[u32]) -> Self {
-        let used = self.surface.used_vertices(triangles);
-        let (surface, origins) = self.surface.select(triangles).with_single_fans();
-        let fit = |&origin: &u32| self.fits[used[origin as usize] as usize];
-        Self {
-            surface,
-            fits: origins.iter().map(fit).collect(),
-            survey: self.survey.clone(),
-            smoothed_by: self.smoothed_by,
-        }
-    }
-}
-
-fn too_large(config: &SheetConfig) -> SheetError {
-    SheetError::TooLarge {
-        tool_radius: config.tool_radius,
-        limit: MAX_SHEET_TRIANGLES,
-    }
-}
-
-fn check_settings(config: &SheetConfig) -> Result<(), SheetError> {
-    let check = |name, value: f64, limits: [f64; 2]| {
-        if (limits[0]..=limits[1]).contains(&value) {
-            Ok(())
-        } else {
-            Err(SheetError::Setting {
-                name,
-                value,
-                limits,
-            })
-        }
-    };
-    check("tool radius [m]", config.tool_radius, TOOL_RADIUS_RANGE)?;
-    check("limit of the stretch", config.stretch_limit, [0.001, 1.0])?;
-    if let Some(lean) = config.choice.largest_lean {
-        check("largest lean [rad]", lean, [0.01, PI])?;
-    }
-    let infinite = |v: &f64| !v.is_finite();
-    for vector in [
-        config.choice.towards,
-        config.choice.seed_point.map(|p| p.coords),
-    ] {
-        if let Some(&value) = vector.iter().flat_map(|v| v.iter()).find(|v| infinite(v)) {
-            let limits = [-1e4, 1e4];
-            return Err(SheetError::Setting {
-                name: "coordinate of the seed point or direction",
-                value,
-                limits,
-            });
-        }
-    }
-    if let Some(value) = config
-        .choice
-        .towards
-        .map(|towards| towards.norm())
-        .filter(|&n| n < 1e-9)
-    {
-        return Err(SheetError::Setting {
-            name: "length of the direction to the tool",
-            value,
-            limits: [1e-9, 1e9],
-        });
-    }
-    Ok(())
+/// Returns the places of the vertices of a surface, unrolled as one piece \[m\].
+pub(super) fn unroll_places(surface: &Triangles) -> Vec<Point2> {
+    flatten(
+        surface,
+        &flat_triangles(surface),
+        chart_axes(surface.mean_normal()),
+    )
 }
 
 /// Returns the axes of the projection: x follows the mesh's x, or its y where x is nearly along the normal.
@@ -642,7 +468,7 @@ fn chart_axes(normal: Vector3) -> [Vector3; 2] {
 }
 
 /// Returns unit vectors across a unit normal, the first nearest to `along`.
-fn axes_across(normal: Vector3, along: Vector3) -> [Vector3; 2] {
+pub(super) fn axes_across(normal: Vector3, along: Vector3) -> [Vector3; 2] {
     let x = (along - normal * normal.dot(&along)).try_normalize(1e-12);
     let x = x.unwrap_or_else(|| {
         let axis = Vector3::ith(normal.iamin(), 1.0);
@@ -675,10 +501,20 @@ fn chart_x_axes(surface: &Triangles, flat: &[FlatTriangle], places: &[Point2]) -
     axes
 }
 
-/// Returns the outline of the chart: the border of the largest area around it, and the other borders as holes.
-fn outline(surface: &Triangles, places: &[Point2]) -> Polygon {
-    let mut rings: Vec<Vec<Point2>> = (surface.borders().iter())
-        .map(|border| border.iter().map(|&i| places[i as usize]).collect())
+/// Returns the outline of the chart within the seams: the border of the largest area around it, and the other borders as
+/// holes.
+pub(super) fn outline(surface: &Triangles, is_beyond: &[bool], places: &[Point2]) -> Polygon {
+    let within = Triangles {
+        vertices: surface.vertices.clone(),
+        triangles: (surface.triangles.iter().enumerate())
+            .filter(|&(t, _)| !is_beyond.get(t).copied().unwrap_or(false))
+            .map(|(_, &triangle)| triangle)
+            .collect(),
+    };
+    let (within, origins) = within.with_single_fans();
+    let place = |&i: &u32| places[origins[i as usize] as usize];
+    let mut rings: Vec<Vec<Point2>> = (within.borders().iter())
+        .map(|border| border.iter().map(place).collect())
         .collect();
     rings.sort_by(|one, other| ring_area(other).total_cmp(&ring_area(one)));
     if rings.is_empty() {

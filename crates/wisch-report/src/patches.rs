@@ -1,0 +1,75 @@
+//! The drawing of a surface that is divided into patches.
+
+use crate::draw::{BANDS, Panel, View, px};
+use maud::html;
+use wisch::geometry::{Bounds2, Point2, Polygon, Vector2};
+
+const WIDTH: f64 = 760.0;
+/// Largest height of the map.
+const MAP_HEIGHT: f64 = 560.0;
+/// Room below the map.
+const FOOT: f64 = 12.0;
+/// Distance between the colours of consecutive patches, in bands.
+const COLOUR_STEP: usize = 3;
+
+/// A surface that is divided into patches.
+pub struct PatchesInput<'a> {
+    /// Title of the picture.
+    pub title: &'a str,
+    /// Outlines of the patches, on the surface unrolled as one piece \[m\].
+    pub patches: &'a [Polygon],
+}
+
+/// Draws the patches with their numbers as SVG.
+pub fn patches_drawing(input: &PatchesInput) -> String {
+    let points = input.patches.iter().flat_map(|patch| patch.outer());
+    let bounds = Bounds2::from_points(points.copied()).unwrap_or(Bounds2 {
+        min: Point2::new(-0.5, -0.5),
+        max: Point2::new(0.5, 0.5),
+    });
+    let view = View::with_axes(bounds, Vector2::new(WIDTH, MAP_HEIGHT));
+    // The two lightest and the two darkest colours hide numbers.
+    let band = |index: usize| 2 + (COLOUR_STEP * index) % (BANDS - 3);
+    let body = html! {
+        @for (index, patch) in input.patches.iter().enumerate() {
+            path class=(format!("cell band-{}", band(index))) fill-rule="evenodd" d=(view.rings(patch.rings())) {}
+        }
+        @for patch in input.patches {
+            path class="outline" d=(view.rings(patch.rings())) {}
+        }
+        @for (index, patch) in input.patches.iter().enumerate() {
+            @let (x, y) = view.at(innermost(patch));
+            text class="text strong middle halo" x=(px(x)) y=(px(y + 5.0)) { (index + 1) }
+        }
+        (view.axes())
+    };
+    let what = "Patches on the surface unrolled as one piece, which stretches it; x and y are those of that chart";
+    let panel = Panel {
+        width: WIDTH,
+        height: view.bottom() + FOOT,
+        body,
+    };
+    panel.standalone(input.title, what)
+}
+
+/// Number of places along each side of a patch at which a number may stand.
+const PLACES: u32 = 24;
+
+/// Returns the place within a patch that is farthest from its border.
+fn innermost(patch: &Polygon) -> Point2 {
+    let Some(bounds) = Bounds2::from_points(patch.outer().iter().copied()) else {
+        return Point2::origin();
+    };
+    let share = |i: u32| (f64::from(i) + 0.5) / f64::from(PLACES);
+    let places =
+        (0..PLACES).flat_map(|i| (0..PLACES).map(move |j| Vector2::new(share(i), share(j))));
+    let places = places.map(|share| bounds.min + bounds.size().component_mul(&share));
+    let depth = |place: Point2| {
+        let edges = patch.edges().map(|edge| edge.distance(place));
+        edges.fold(f64::INFINITY, f64::min)
+    };
+    let within = places.filter(|place| patch.contains(*place));
+    let deepest = within.map(|place| (depth(place), place));
+    let deepest = deepest.max_by(|one, two| one.0.total_cmp(&two.0));
+    deepest.map_or(bounds.center(), |(_, place)| place)
+}
