@@ -246,7 +246,9 @@ fn describe_stroke(
     });
     let contact = ContactStatistics::of(during);
     individual.set_number("semco:stroke", stroke as f64);
-    individual.set_number("semco:peakForce", span.peak_force);
+    if let Some(force) = span.peak_force {
+        individual.set_number("semco:peakForce", force);
+    }
     if let Some(share) = contact.contact_share {
         individual.set_number("semco:contactShare", share);
     }

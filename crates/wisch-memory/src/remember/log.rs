@@ -18,8 +18,8 @@ struct Run {
     /// Times of the first and last sample [s].
     start: f64,
     end: f64,
-    /// Largest norm of the external force [N].
-    peak_force: f64,
+    /// Largest norm of the external force, `None` without a usable one [N].
+    peak_force: Option<f64>,
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -39,8 +39,8 @@ pub(super) struct Span {
     pub end: f64,
     /// Number of the stroke, for a stroke.
     pub stroke: Option<usize>,
-    /// Largest norm of the external force [N].
-    pub peak_force: f64,
+    /// Largest norm of the external force, `None` without a usable one [N].
+    pub peak_force: Option<f64>,
 }
 
 /// Kind of a motion.
@@ -69,7 +69,7 @@ impl Span {
             start: event.start,
             end: event.end,
             stroke: (part == Part::Stroke).then_some(stroke),
-            peak_force: event.peak_force,
+            peak_force: Some(event.peak_force),
         })
     }
 
@@ -92,13 +92,13 @@ impl RoundLog {
             Phase::FreeMotion | Phase::Lifted | Phase::Lower | Phase::Lift => Kind::Lifted,
             Phase::Wipe(stroke) => Kind::Stroke(stroke),
         };
-        // Only a usable wrench is a force.
         let is_usable = sample.status.wrench.is_usable();
-        let force = f64::from(u8::from(is_usable)) * sample.external.force.norm();
+        let force = is_usable.then(|| sample.external.force.norm());
         match self.runs.last_mut() {
             Some(run) if run.kind == kind => {
                 run.end = sample.time;
-                run.peak_force = run.peak_force.max(force);
+                let forces = run.peak_force.into_iter().chain(force);
+                run.peak_force = forces.reduce(f64::max);
             }
             last => {
                 // Without a gap: a run lasts until the next begins.
@@ -145,6 +145,7 @@ impl RoundLog {
 mod tests {
     use super::*;
     use wisch::geometry::{Pose, Vector3};
+    use wisch::interpret::{TouchSample, WrenchQuality};
     use wisch::run::{SampleStatus, Wrench};
 
     #[test]
@@ -197,6 +198,22 @@ mod tests {
             ("Drive", 11.0, 11.0, None),
         ];
         assert_eq!(found, expected);
-        assert_eq!(spans[2].peak_force, 5.0);
+        assert_eq!(spans[2].peak_force, Some(5.0));
+    }
+
+    #[test]
+    fn a_force_that_is_not_usable_is_no_peak() {
+        let mut log = RoundLog::default();
+        for (time, wrench) in (0..).zip([WrenchQuality::Stale, WrenchQuality::Ok]) {
+            for (phase, force) in [(Phase::Wipe(time), 90.0), (Phase::Wipe(2), 7.0)] {
+                let force = Vector3::new(0.0, 0.0, force);
+                let touch = TouchSample::new(time as f64, Pose::identity(), force);
+                let mut sample = TelemetrySample::from_touch(&touch, 0, phase);
+                sample.status.wrench = wrench;
+                log.push(&sample);
+            }
+        }
+        let peaks: Vec<_> = (log.spans().iter()).map(|span| span.peak_force).collect();
+        assert_eq!(peaks, [None, None, Some(90.0), Some(7.0)]);
     }
 }
