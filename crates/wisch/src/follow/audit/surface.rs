@@ -3,7 +3,6 @@
 
 use super::given_mesh::{GivenMesh, OffMesh};
 use super::kinematics::{Frame, moved_by};
-use crate::follow::workcell::name_holder;
 use crate::follow::{FollowConfig, Motion, Phase, TrajectorySample, Workcell};
 use crate::geometry::{Bounds2, Edge, Mesh, Point2, Point3, Vector3, encloses};
 use crate::represent::{Cone, Surface, SurfaceShape, Task};
@@ -206,7 +205,12 @@ impl<'a> SurfaceCheck<'a> {
         let mount = cell.mount();
         let holder = mount.holder.and_then(|holder| holder.mesh(mount.axis).ok());
         check.links.extend(holder.map(|mesh| {
-            Body::new(&name_holder(task), cell.tip().index(), mesh).over(&task.surface)
+            Body::new(
+                &format!("holder of {}", task.tool.name),
+                cell.tip().index(),
+                mesh,
+            )
+            .over(&task.surface)
         }));
         let frames = check.frames(cell.ready_posture());
         let tool = &check.relaxed;

@@ -258,7 +258,7 @@ impl ContactModels {
 }
 
 /// Returns the name of the holder of a task's tool.
-pub(in crate::follow) fn name_holder(task: &Task) -> String {
+fn name_holder(task: &Task) -> String {
     format!("holder of {}", task.tool.name)
 }
 

@@ -18,7 +18,6 @@ use crate::robot::{
     CollisionModel, IkConfig, IkSolver, Joint, JointKind, LinkId, READY_STATE, Range, RobotModel,
     Srdf,
 };
-pub(in crate::follow) use collisions::name_holder;
 use collisions::{MountedTool, WorkcellCollisions};
 pub use grasp::{HeldTool, MountSource};
 use group::{held_joints, planar_base, set_named_state};
