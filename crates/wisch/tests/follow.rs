@@ -7,6 +7,7 @@ mod floor;
 mod humanoid;
 mod mount;
 mod order;
+mod speed;
 mod target_surface;
 
 use rayon::prelude::*;

@@ -33,6 +33,10 @@ const LEAST_LEFT: f64 = 1e-3;
 const LINE_STEP: f64 = 1e-3;
 /// Largest step of a variable for which a limit of the tool's speed is computed [rad or m].
 const MAX_STEP: f64 = 0.05;
+/// Number of parts of a step over which the speed of the tool is compared.
+const PARTS: usize = 4;
+/// Relative excess of the tool's speed over its limit that is left as it is [1]; half of what the audit allows.
+const SPEED_EXCESS: f64 = 5e-3;
 /// Largest number of halvings of the blend until the tool stays on its line.
 const HALVINGS: usize = 6;
 
@@ -58,8 +62,8 @@ pub(super) fn time_motion(
     let path = divided.as_deref().unwrap_or(path);
     let mut joints = JointPath::new(path)?;
     if speed.is_finite() {
-        let line = segment_lengths(cell, path)?;
-        joints = joints.with_segment_times(line.iter().map(|way| way / speed).collect())?;
+        let ways = fastest_ways(cell, path)?;
+        joints = joints.with_segment_times(ways.iter().map(|way| way / speed).collect())?;
     }
     let timed = |blend_tolerance| -> Result<Trajectory, FollowError> {
         let timing = TimingConfig {
@@ -67,7 +71,12 @@ pub(super) fn time_motion(
             ..TimingConfig::default()
         };
         let fastest = time_path(&joints, cell.limits(), &timing)?;
-        Ok(slow_to_efforts(cell, fastest)?.with_acceleration_ramp(config.acceleration_ramp))
+        let slowed = slow_to_efforts(cell, fastest)?;
+        slow_to_speed(
+            cell,
+            slowed.with_acceleration_ramp(config.acceleration_ramp),
+            speed,
+        )
     };
     let mut blend = if tool_line.is_empty() {
         FREE_BLEND
@@ -196,18 +205,59 @@ fn worst_grip(cell: &Workcell, trajectory: &Trajectory) -> Result<GripDeviation,
     Ok(worst)
 }
 
-/// Returns the path length of the tool from each configuration to the next [m].
-fn segment_lengths(cell: &Workcell, path: &[Vec<f64>]) -> Result<Vec<f64>, FollowError> {
-    let mut places = Vec::with_capacity(path.len());
-    for q in path {
-        let kinematics = cell.robot().forward_kinematics(q)?;
-        let root_from_tool = kinematics.world_from_link(cell.tip()) * cell.tip_from_tool();
-        places.push(root_from_tool.translation.vector);
+/// Returns the place of the tool centre point in the root frame [m].
+fn locate_tool(cell: &Workcell, q: &[f64]) -> Result<Vector3, FollowError> {
+    let kinematics = cell.robot().forward_kinematics(q)?;
+    let root_from_tool = kinematics.world_from_link(cell.tip()) * cell.tip_from_tool();
+    Ok(root_from_tool.translation.vector)
+}
+
+/// Returns the path length of the tool from each configuration to the next [m]. Where the tool does not move evenly while
+/// the joints do, it is the length that the tool would cover at its greatest speed.
+fn fastest_ways(cell: &Workcell, path: &[Vec<f64>]) -> Result<Vec<f64>, FollowError> {
+    let mut ways = Vec::with_capacity(path.len());
+    for pair in path.windows(2) {
+        let begin = locate_tool(cell, &pair[0])?;
+        let (mut before, mut fastest) = (begin, 0.0_f64);
+        for k in 1..=PARTS {
+            let share = k as f64 / PARTS as f64;
+            let joints = pair[0].iter().zip(&pair[1]);
+            let q: Vec<f64> = joints
+                .map(|(from, to)| from + share * (to - from))
+                .collect();
+            let place = locate_tool(cell, &q)?;
+            fastest = fastest.max(PARTS as f64 * (place - before).norm());
+            before = place;
+        }
+        let mean = (before - begin).norm();
+        let is_even = fastest <= (1.0 + SPEED_EXCESS) * mean;
+        ways.push(if is_even { mean } else { fastest });
     }
-    Ok(places
-        .windows(2)
-        .map(|pair| (pair[1] - pair[0]).norm())
-        .collect())
+    Ok(ways)
+}
+
+/// Slows a motion down until the tool does not exceed a speed [m/s] by more than [`SPEED_EXCESS`].
+fn slow_to_speed(
+    cell: &Workcell,
+    trajectory: Trajectory,
+    speed: f64,
+) -> Result<Trajectory, FollowError> {
+    if speed.is_infinite() {
+        return Ok(trajectory);
+    }
+    let mut fastest = 0.0_f64;
+    let mut before: Option<Vector3> = None;
+    for sample in trajectory.samples(LINE_PERIOD) {
+        let place = locate_tool(cell, &sample.q)?;
+        let step = before.map_or(0.0, |before| (place - before).norm());
+        fastest = fastest.max(step / LINE_PERIOD);
+        before = Some(place);
+    }
+    Ok(if fastest > (1.0 + SPEED_EXCESS) * speed {
+        trajectory.slow_down(fastest / speed)
+    } else {
+        trajectory
+    })
 }
 
 /// Returns the largest deviation of the tool from its line over a motion; zero if it follows none.

@@ -208,7 +208,12 @@ fn moved_within(
 #[test]
 fn a_base_that_moves_while_the_tool_is_down_is_a_fault() {
     let (task, cell) = humanoid();
-    let config = FollowConfig::default();
+    // The base drives faster than a tool may wipe.
+    let config = FollowConfig {
+        contact_speed: 1.0,
+        approach_speed: 1.0,
+        ..FollowConfig::default()
+    };
     for base in ["base_x", "base_y", "base_yaw"] {
         let drives = moved(&cell, Phase::Drive, &[(base, 0.2)]);
         assert_eq!(audit(&drives, &cell, &task, &config).unwrap().faults, []);

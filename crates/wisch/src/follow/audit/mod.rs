@@ -38,6 +38,8 @@ const LAST: f64 = 1e-9;
 const GRAVITY: Vector3 = Vector3::new(0.0, 0.0, -9.81);
 /// Relative excess of an effort over its limit that is allowed for rounding [1].
 const EFFORT_TOLERANCE: f64 = 1e-6;
+/// Relative excess of the tool's speed over its limit that is allowed [1].
+const SPEED_TOLERANCE: f64 = 0.01;
 /// Distances beyond this are all reported as this [m].
 const FAR: f64 = 0.5;
 
@@ -162,6 +164,20 @@ pub enum MotionFault {
         /// Largest rotation \[rad\].
         rotation: f64,
     },
+    /// The tool is faster than the task allows.
+    #[error(
+        "at {time:.3} s: the tool moves at {speed:.4} m/s, more than {limit} m/s, the limit {of}"
+    )]
+    TooFast {
+        /// Time at which it is fastest \[s\].
+        time: f64,
+        /// Speed of the tool centre point [m/s].
+        speed: f64,
+        /// The limit [m/s].
+        limit: f64,
+        /// What the limit is for: `in contact`, `on the way to the surface` or `out of contact`.
+        of: &'static str,
+    },
     /// The second hand leaves its grip on the tool.
     #[error(
         "at {time:.3} s: the second hand is {position:.5} m off its grip and leans {lean:.4} rad beyond its limit"
@@ -209,7 +225,7 @@ fn joint_suffix(fault: &TrajectoryFault, joint: &Option<String>) -> String {
 /// - Position, velocity and acceleration of every joint are within its limits, mimic joints included.
 /// - Efforts for the robot's own weight and inertia are within their limits.
 /// - Bodies keep their clearance at every time.
-/// - The tool keeps its line, and the second hand its grip.
+/// - The tool keeps its limits of speed and its line, and the second hand its grip.
 /// - Each motion begins where and when the last one ends.
 /// - The base stands still while the tool is down.
 /// - Only the pad in contact is in the target surface, and nothing is behind it.
@@ -260,6 +276,7 @@ pub fn audit(
         (audit.faults).extend(surface_faults.map(|fault| surface_fault(fault, motion, task)));
         let samples = self::samples(&motion.trajectory, LINE_PERIOD);
         check_grip(motion, &samples, cell, &mut audit);
+        check_speed(motion, &samples, cell, config, &mut audit.faults);
         check_line(number, motion, &samples, cell, task, config, &mut audit);
     }
     Ok(audit)
@@ -499,6 +516,43 @@ fn check_grip(motion: &Motion, samples: &[TrajectorySample], cell: &Workcell, au
                 lean,
             });
         }
+    }
+}
+
+/// Checks the speed of the tool over a motion against the limit of its phase.
+fn check_speed(
+    motion: &Motion,
+    samples: &[TrajectorySample],
+    cell: &Workcell,
+    config: &FollowConfig,
+    faults: &mut Vec<MotionFault>,
+) {
+    let (limit, of) = match motion.phase {
+        Phase::Wipe(_) => (config.contact_speed, "in contact"),
+        Phase::Lower => (
+            config.approach_speed.min(config.free_speed),
+            "on the way to the surface",
+        ),
+        _ => (config.free_speed, "out of contact"),
+    };
+    let places = samples
+        .iter()
+        .map(|sample| (sample.time, world_from_tool(cell, &sample.q).origin));
+    let places: Vec<(f64, Vector3)> = places.collect();
+    let speeds = places.windows(2).filter_map(|pair| {
+        let [(begin, from), (end, to)] = [pair[0], pair[1]];
+        (end - begin > LAST).then(|| (begin, (to - from).norm() / (end - begin)))
+    });
+    let fastest = speeds.max_by(|a, b| a.1.total_cmp(&b.1));
+    if let Some((time, speed)) = fastest
+        && speed > limit * (1.0 + SPEED_TOLERANCE)
+    {
+        faults.push(MotionFault::TooFast {
+            time: motion.start + time,
+            speed,
+            limit,
+            of,
+        });
     }
 }
 
