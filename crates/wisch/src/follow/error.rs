@@ -45,6 +45,23 @@ pub enum FollowError {
     /// The robot's ready posture is outside its limits.
     #[error("the robot cannot start: {0}")]
     StartOutOfLimits(crate::robot::LimitFault),
+    /// A joint is too slow for a motion.
+    #[error(
+        "joint {joint:?} needs {duration:.0} s for one motion at its {quantity} limit of {limit} {unit}, more than the {} s that a motion may last at the joints' limits; correct the limit in the URDF",
+        super::schedule::MAX_DURATION
+    )]
+    TooSlow {
+        /// Name of the joint.
+        joint: String,
+        /// `velocity` or `acceleration`.
+        quantity: &'static str,
+        /// The limit [rad/s, m/s, rad/s² or m/s²].
+        limit: f64,
+        /// Its unit.
+        unit: String,
+        /// Least duration of the motion \[s\].
+        duration: f64,
+    },
     /// No path was found from where the robot was stopped to its ready posture.
     #[error(
         "no path was found from where the robot was stopped to its ready posture{}",

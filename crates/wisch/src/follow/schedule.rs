@@ -37,6 +37,8 @@ const MAX_STEP: f64 = 0.05;
 const PARTS: usize = 4;
 /// Relative excess of the tool's speed over its limit that is left as it is [1]; half of what the audit allows.
 const SPEED_EXCESS: f64 = 5e-3;
+/// Longest time that a joint may need for one motion at its limits [s].
+pub(super) const MAX_DURATION: f64 = 1200.0;
 /// Largest number of halvings of the blend until the tool stays on its line.
 const HALVINGS: usize = 6;
 
@@ -52,6 +54,7 @@ pub(super) fn time_motion(
     if path.len() < 2 || path.windows(2).all(|pair| pair[0] == pair[1]) {
         return Ok(None);
     }
+    check_duration(cell, path)?;
     let speed = match phase {
         Phase::Wipe(_) => config.contact_speed,
         Phase::Lower => config.approach_speed.min(config.free_speed),
@@ -258,6 +261,43 @@ fn slow_to_speed(
     } else {
         trajectory
     })
+}
+
+/// Checks that no joint needs longer for a path than [`MAX_DURATION`], at its limits of velocity and acceleration.
+fn check_duration(cell: &Workcell, path: &[Vec<f64>]) -> Result<(), FollowError> {
+    for (i, joint) in cell.limits().joints().iter().enumerate() {
+        let travel: f64 = path
+            .windows(2)
+            .map(|pair| (pair[1][i] - pair[0][i]).abs())
+            .sum();
+        let [low, high] = path
+            .iter()
+            .fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], q| {
+                [low.min(q[i]), high.max(q[i])]
+            });
+        let unit = cell.robot().variable(i).kind.unit();
+        // From rest to rest over a distance d with the acceleration a takes at least 2 √(d / a).
+        for (quantity, limit, per, duration) in [
+            ("velocity", joint.velocity, "s", travel / joint.velocity),
+            (
+                "acceleration",
+                joint.acceleration,
+                "s2",
+                2.0 * ((high - low) / joint.acceleration).sqrt(),
+            ),
+        ] {
+            if duration > MAX_DURATION {
+                return Err(FollowError::TooSlow {
+                    joint: joint.name.clone(),
+                    quantity,
+                    limit,
+                    unit: format!("{unit}/{per}"),
+                    duration,
+                });
+            }
+        }
+    }
+    Ok(())
 }
 
 /// Returns the largest deviation of the tool from its line over a motion; zero if it follows none.

@@ -1,4 +1,4 @@
-//! Limits of the tool's speed.
+//! Limits of the tool's speed, and of the time that joints need.
 
 use std::path::Path;
 use wisch::follow::{
@@ -7,9 +7,10 @@ use wisch::follow::{
 };
 use wisch::geometry::Vector3;
 use wisch::represent::Action;
+use wisch::robot::RobotModel;
 use wisch::run::{NoExecutor, Stage, ignore_events};
 use wisch_io::{LoadOptions, load_task};
-use wisch_testkit::{board, cell, planned};
+use wisch_testkit::{board, cell, planned, root};
 
 /// Period at which speeds are measured [s].
 const PERIOD: f64 = 0.005;
@@ -98,5 +99,43 @@ fn the_audit_finds_a_tool_that_is_faster_than_its_limits() {
             "{expected}: {:?}",
             found.faults
         );
+    }
+}
+
+#[test]
+fn a_joint_that_would_need_years_is_an_error_that_names_it() {
+    let task = board(Action::Absorb, [0.5, 0.0, 0.2]);
+    let plan = planned(&task);
+    let text = std::fs::read_to_string(root().join("robots/arm7.urdf")).unwrap();
+    let (head, joint) = text.split_once("<joint name=\"joint_2\"").unwrap();
+    for (attribute, quantity) in [("velocity", "velocity"), ("acceleration", "acceleration")] {
+        let (before, after) = joint.split_once(&format!("{attribute}=\"")).unwrap();
+        let (_, after) = after.split_once('"').unwrap();
+        let slow = format!("{head}<joint name=\"joint_2\"{before}{attribute}=\"1e-9\"{after}");
+        let robot = RobotModel::from_urdf("slow.urdf", &slow, &mut |_| Err(String::new())).unwrap();
+        let cell = Workcell::new(robot, None, &task, &WorkcellConfig::default()).unwrap();
+        let refused = follow(
+            &task,
+            &plan,
+            &cell,
+            None,
+            &FollowConfig::default(),
+            &mut |_| (),
+        );
+        match refused {
+            Err(error @ FollowError::TooSlow { duration, .. }) => {
+                assert!(duration > 1200.0);
+                let text = error.to_string();
+                assert!(
+                    text.contains("joint_2") && text.contains(quantity),
+                    "{text}"
+                );
+                assert!(
+                    text.contains("0.000000001 rad/s") && text.contains("1200 s"),
+                    "{text}"
+                );
+            }
+            other => panic!("{quantity}: {other:?}"),
+        }
     }
 }

@@ -5,6 +5,10 @@ use crate::description::diagnostics::{Diagnostics, Words, words};
 use crate::description::elements::{UrdfJoint, UrdfLimit};
 use crate::{ASSUMED_SLIDE_RATES, ASSUMED_TURN_RATES, DiagnosticKind, Severity};
 
+/// Least limit of velocity or acceleration that is not reported [rad/s, m/s, rad/s² or m/s²]: a turn by 1 rad takes a quarter
+/// of an hour.
+const LEAST_RATE: f64 = 1e-3;
+
 /// Checks the limits of a joint; a follower needs none.
 pub(super) fn check_limits(j: &UrdfJoint, follows: bool, report: &mut Diagnostics) {
     let unit = if j.kind == "prismatic" { "m" } else { "rad" };
@@ -124,6 +128,14 @@ fn check_rate_limit(j: &UrdfJoint, rate: &RateLimit, report: &mut Diagnostics) {
                 format!("its {what} limit is {value} {unit}"),
                 format!("above 0 {unit}"),
                 format!("give the limit of the drive; without it {otherwise}"),
+            );
+            add_of_joint(report, Severity::Warning, DiagnosticKind::Limit, j, w);
+        }
+        Some(value) if rate.assumed.is_some() && value < LEAST_RATE => {
+            let w = words(
+                format!("its {what} limit is {value} {unit}"),
+                format!("at least {LEAST_RATE} {unit}"),
+                "give the limit of the drive; motions that would last too long are refused",
             );
             add_of_joint(report, Severity::Warning, DiagnosticKind::Limit, j, w);
         }
