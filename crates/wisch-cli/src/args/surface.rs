@@ -28,7 +28,7 @@ Examples:
   wisch surface split tub.stl --scale 0.001 --towards 0,0,1 --out tub-patches
   wisch surface split wok.ply --json | jq '.patches[].area_m2'
 
-wisch divides the surface into few patches whose charts stay within the limit of the stretch, and numbers them so that each is near the one before. The same mesh and options give the same patches.
+wisch divides the surface into few patches whose charts stay within the limit of the stretch, and numbers them so that each is near the one before. The same mesh and options give the same patches. `surface.mesh.patch` of a task file takes one of them.
 
 Exit codes: 0 the mesh is divided, 1 it is not usable as it is, 2 an error.")]
     Split(SurfaceSplitArgs),

@@ -5,21 +5,21 @@ use super::deserialize::{At, record};
 use super::execution::camera;
 use super::outline::Outline;
 use super::tables::{
-    EdgeName, FrameName, ObjectTable, ParticlesTable, PolishTable, RobotTable, ShapeName,
-    SurfaceMeshTable, SurfaceTable, TaskTable,
+    EdgeName, FrameName, ObjectTable, ParticlesTable, PatchName, PolishTable, RobotTable,
+    ShapeName, SurfaceMeshTable, SurfaceTable, TaskTable,
 };
 use super::tree::{Source, description, integer};
 use super::values::{AngleRad, Name, PositionM, QuaternionPart, mask, point};
 use super::{
     Frame, Intent, ObjectRecord, RobotDescription, RobotRecord, SCHEMA, Shape, SurfaceMesh,
-    SurfaceRecord, TaskError, TaskFile,
+    SurfacePatch, SurfaceRecord, TaskError, TaskFile,
 };
 use crate::particles::ParticleSource;
 use nalgebra::{Quaternion, Translation3, UnitQuaternion};
 use toml::Spanned;
 use toml::de::DeValue;
 use wisch::follow::FollowConfig;
-use wisch::geometry::{PartChoice, Pose, Vector2, Vector3};
+use wisch::geometry::{MAX_CHARTS, PartChoice, Pose, Vector2, Vector3};
 use wisch::plan::{PlanConfig, SearchConfig, YawRule};
 use wisch::represent::{Cone, Surface, SurfaceShape, Treatment};
 use wisch::run::RunConfig;
@@ -310,7 +310,7 @@ fn surface(table: &At<SurfaceTable>, scene: &[ObjectRecord]) -> Result<SurfaceRe
             skim_edges,
             shape: SurfaceShape::Plane,
         },
-        mesh: surface.mesh.as_ref().map(surface_mesh),
+        mesh: surface.mesh.as_ref().map(surface_mesh).transpose()?,
         carried_by,
     };
     record.surface.shape = surface_shape(table)?;
@@ -320,10 +320,23 @@ fn surface(table: &At<SurfaceTable>, scene: &[ObjectRecord]) -> Result<SurfaceRe
     Ok(record)
 }
 
-fn surface_mesh(table: &At<SurfaceMeshTable>) -> SurfaceMesh {
+fn surface_mesh(table: &At<SurfaceMeshTable>) -> Result<SurfaceMesh, TaskError> {
     let mesh = &table.value;
+    let patch = mesh.patch.as_ref().map(|patch| {
+        let chosen = match patch.value {
+            PatchName::All => SurfacePatch::All,
+            PatchName::Numbered(number) if (1..=MAX_CHARTS as u64).contains(&number) => {
+                SurfacePatch::Indexed(number as usize - 1)
+            }
+            PatchName::Numbered(number) => {
+                let problem = format!("{number} is outside 1 to {MAX_CHARTS}");
+                return Err(patch.inconsistent(problem));
+            }
+        };
+        Ok((chosen, patch.place.clone()))
+    });
     let vector = |given: &[PositionM; 3]| Vector3::from(given.map(|x| x.0));
-    SurfaceMesh {
+    Ok(SurfaceMesh {
         at: mesh.file.place.clone(),
         file: mesh.file.value.0.clone(),
         scale: mesh.scale.0,
@@ -332,7 +345,8 @@ fn surface_mesh(table: &At<SurfaceMeshTable>) -> SurfaceMesh {
             towards: mesh.towards.as_ref().map(vector),
             largest_lean: mesh.largest_lean_rad.map(|lean| lean.0),
         },
-    }
+        patch: patch.transpose()?,
+    })
 }
 
 /// Reads the shape of a surface.

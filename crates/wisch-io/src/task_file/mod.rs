@@ -153,6 +153,16 @@ struct SurfaceMesh {
     file: String,
     scale: f64,
     choice: PartChoice,
+    patch: Option<(SurfacePatch, Place)>,
+}
+
+/// A patch of a divided surface.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum SurfacePatch {
+    /// All patches, one after another.
+    All,
+    /// A patch by its index.
+    Indexed(usize),
 }
 
 #[derive(Debug, Clone, PartialEq)]

@@ -1,11 +1,11 @@
 //! Resolves a task file: looks up knowledge, reads files and places particles.
 
-use super::{Frame, ObjectRecord, Shape, SurfaceMesh, TaskError, TaskFile};
+use super::{Frame, ObjectRecord, Shape, SurfaceMesh, SurfacePatch, TaskError, TaskFile};
 use crate::particles::{ParticleSource, csv_particles, mask_particles};
 use std::sync::Arc;
 use wisch::geometry::{
-    Bounds2, LikelyUnit, Mesh, MeshError, MeshFormat, Point2, Polygon, RIGID_DEPTH, Region,
-    SheetConfig, Vector2, Vector3, footprint,
+    Atlas, Bounds2, LikelyUnit, MAX_CHARTS, Mesh, MeshError, MeshFormat, Point2, Polygon, Pose,
+    RIGID_DEPTH, Region, SheetConfig, SheetError, Vector2, Vector3, footprint,
 };
 use wisch::represent::{
     Action, DirtArea, DirtMobility, Interaction, KnowledgeBase, MeshShape, Mount,
@@ -103,8 +103,9 @@ impl TaskFile {
             mount: self.mount.or(entry.grip.map(Mount::Grip)),
             ..resolved_tool(entry, mesh, interaction, tool_at)?
         };
-        let surface = self.surface(&tool, assets)?;
-        let scene = self.scene(&surface, assets)?;
+        let (surface, rest) = self.surface(&tool, assets)?;
+        let mut scene = self.scene(&surface, assets)?;
+        scene.extend(rest);
         let mut task = Task {
             name: self.name.clone(),
             action,
@@ -152,17 +153,33 @@ impl TaskFile {
         Ok(given)
     }
 
-    /// Returns the surface; of a mesh, with the chart at the scale of a tool.
-    fn surface(&self, tool: &Tool, assets: &mut ReadFile<'_>) -> Result<Surface, TaskError> {
+    /// Whether the task is to wipe all patches of a divided mesh, one after another.
+    pub fn wipes_all_patches(&self) -> bool {
+        let patch = self
+            .surface
+            .mesh
+            .as_ref()
+            .and_then(|mesh| mesh.patch.as_ref());
+        patch.is_some_and(|(patch, _)| *patch == SurfacePatch::All)
+    }
+
+    /// Returns the surface; of a mesh, with the chart at the scale of a tool. Of a patch, also returns the other patches,
+    /// which carry it.
+    fn surface(
+        &self,
+        tool: &Tool,
+        assets: &mut ReadFile<'_>,
+    ) -> Result<(Surface, Option<SceneObject>), TaskError> {
         let surface = self.surface.surface.clone();
         let Some(SurfaceMesh {
             at,
             file,
             scale,
             choice,
+            patch,
         }) = &self.surface.mesh
         else {
-            return Ok(surface);
+            return Ok((surface, None));
         };
         let mesh = scaled_mesh(parsed_mesh(assets, at, file)?, *scale);
         let mesh = mesh.map_err(|error| TaskError::Mesh {
@@ -178,21 +195,64 @@ impl TaskFile {
             choice: *choice,
             ..SheetConfig::default()
         };
-        let (shape, mesh_from_surface) =
-            MeshShape::from_mesh(&mesh, &config).map_err(|error| TaskError::File {
+        let unusable = |error: SheetError| {
+            let radius = config.tool_radius;
+            let advice = match (&error, patch) {
+                // With the radius to the last digit, the command finds the patches of this task.
+                (
+                    SheetError::Stretched { .. }
+                    | SheetError::Folded { .. }
+                    | SheetError::Overlapping { .. },
+                    None,
+                ) => format!(
+                    "surface.mesh.patch takes a part of it, see wisch surface split --tool-radius {radius}"
+                ),
+                _ => format!("wisch surface check --tool-radius {radius:.3} shows more"),
+            };
+            TaskError::File {
                 at: at.clone(),
                 file: file.clone(),
-                problem: format!(
-                    "not usable as a surface: {error}; wisch surface check --tool-radius {:.3} shows more",
-                    config.tool_radius
-                ),
-            })?;
-        Ok(Surface {
+                problem: format!("not usable as a surface: {error}; {advice}"),
+            }
+        };
+        let world_from_mesh = surface.world_from_surface;
+        let (shape, mesh_from_surface, rest) = match patch {
+            None => {
+                let (shape, pose) = MeshShape::from_mesh(&mesh, &config).map_err(unusable)?;
+                (shape, pose, None)
+            }
+            Some((patch, patch_at)) => {
+                let atlas = Atlas::from_mesh(&mesh, &config, MAX_CHARTS).map_err(unusable)?;
+                let index = index_of_patch(*patch, patch_at, atlas.charts().len())?;
+                let (shape, pose) =
+                    MeshShape::from_patch(&mesh, &atlas, index).map_err(unusable)?;
+                let rest = atlas.rest_mesh(index);
+                let rest = rest.map(|rest| self.rest_of_surface(rest, world_from_mesh));
+                (shape, pose, rest)
+            }
+        };
+        let surface = Surface {
             outline: shape.outline(),
-            world_from_surface: surface.world_from_surface * mesh_from_surface,
+            world_from_surface: world_from_mesh * mesh_from_surface,
             shape: SurfaceShape::Mesh(Arc::new(shape)),
             ..surface
-        })
+        };
+        Ok((surface, rest))
+    }
+
+    /// Returns the other patches of a surface as an object that the robot avoids, and that the tool touches where it reaches
+    /// over a seam.
+    fn rest_of_surface(&self, mesh: Mesh, world_from_mesh: Pose) -> SceneObject {
+        let mut name = format!("other patches of {}", self.surface.surface.name);
+        while self.scene.iter().any(|object| object.name == name) {
+            name.push('\'');
+        }
+        SceneObject {
+            name,
+            part: ScenePart::Carrier,
+            mesh,
+            world_from_object: world_from_mesh,
+        }
     }
 
     /// Returns the objects of the scene with their roles.
@@ -246,6 +306,28 @@ impl TaskFile {
         };
         particles.map_err(|error| TaskError::particles(at, error))
     }
+}
+
+/// Returns the index of the patch that is wiped.
+fn index_of_patch(patch: SurfacePatch, at: &Place, count: usize) -> Result<usize, TaskError> {
+    let plural = if count == 1 { "" } else { "es" };
+    let problem = match patch {
+        SurfacePatch::Indexed(index) if index < count => return Ok(index),
+        SurfacePatch::Indexed(index) => {
+            format!(
+                "there is no patch {}: the mesh has {count} patch{plural}",
+                index + 1
+            )
+        }
+        SurfacePatch::All => format!(
+            "only wisch run, follow, predict and plan take \"all\"; choose the number of a patch, of which the mesh has {count}"
+        ),
+    };
+    Err(TaskError::Inconsistent {
+        at: at.clone(),
+        key: "surface.mesh.patch".to_owned(),
+        problem,
+    })
 }
 
 pub(super) fn read(
@@ -320,6 +402,15 @@ pub(crate) fn surface_remarks(task: &Task) -> Vec<String> {
     };
     let (name, survey) = (&task.surface.name, mesh.sheet().survey());
     let mut remarks = Vec::new();
+    if let Some(patch) = mesh.patch() {
+        remarks.push(format!(
+            "surface {name:?} is patch {} of {} of its mesh, {:.3} of {:.3} m2; the robot avoids the other patches, and dirt that is pushed over a seam counts as lost",
+            patch.index + 1,
+            patch.areas.len(),
+            patch.areas[patch.index],
+            patch.areas.iter().sum::<f64>()
+        ));
+    }
     let all: f64 = survey.part_areas.iter().sum();
     let parts = survey.part_areas.len();
     if parts > 1 {
@@ -331,7 +422,7 @@ pub(crate) fn surface_remarks(task: &Task) -> Vec<String> {
     if survey.side_triangles < survey.part_triangles {
         remarks.push(format!(
             "surface {name:?} is the side of its mesh that faces the tool, {:.3} of {all:.3} m2; the rest is no obstacle",
-            mesh.sheet().area()
+            (mesh.patch()).map_or(mesh.sheet().area(), |patch| patch.areas.iter().sum())
         ));
     }
     let size = |bounds: Option<Bounds2>| bounds.map_or(0.0, |bounds| bounds.size().max());

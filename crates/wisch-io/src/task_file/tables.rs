@@ -308,6 +308,57 @@ pub(super) struct SurfaceMeshTable {
     pub(super) seed_point_m: Option<[PositionM; 3]>,
     /// Largest angle of a normal from `towards` [rad]; default: 1.2 for a closed mesh, none for another.
     pub(super) largest_lean_rad: Option<AngleRad>,
+    /// Number of the patch that is wiped, from 1, as `wisch surface split` numbers them, or "all"; default: the surface is
+    /// not divided.
+    pub(super) patch: Option<At<PatchName>>,
+}
+
+/// A patch of a divided surface.
+pub(super) enum PatchName {
+    /// All patches, one after another.
+    All,
+    /// A patch by its number, from 1.
+    Numbered(u64),
+}
+
+/// The names that stand for patches, beside their numbers.
+const PATCH_NAMES: &[&str] = &["all"];
+
+impl<'de> Deserialize<'de> for PatchName {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        struct Patch;
+        impl<'de> Visitor<'de> for Patch {
+            type Value = PatchName;
+            fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                f.write_str("the number of a patch, or \"all\"")
+            }
+            fn visit_u64<E>(self, number: u64) -> Result<PatchName, E> {
+                Ok(PatchName::Numbered(number))
+            }
+            fn visit_enum<A: EnumAccess<'de>>(self, name: A) -> Result<PatchName, A::Error> {
+                let (name, rest): (String, _) = name.variant()?;
+                rest.unit_variant()?;
+                if PATCH_NAMES.contains(&name.as_str()) {
+                    Ok(PatchName::All)
+                } else {
+                    Err(A::Error::unknown_variant(&name, PATCH_NAMES))
+                }
+            }
+        }
+        deserializer.deserialize_enum("patch", PATCH_NAMES, Patch)
+    }
+}
+
+impl JsonSchema for PatchName {
+    fn inline_schema() -> bool {
+        true
+    }
+    fn schema_name() -> Cow<'static, str> {
+        "Patch".into()
+    }
+    fn json_schema(_: &mut SchemaGenerator) -> Schema {
+        json_schema!({ "anyOf": [{ "enum": PATCH_NAMES }, { "type": "integer", "minimum": 1 }] })
+    }
 }
 
 /// Shape of a surface: flat, or rolled onto a cylinder or a cone that touches the xy plane of its frame at the origin.

@@ -2,12 +2,14 @@
 
 use super::LeastRadii;
 use crate::geometry::{
-    Edge, Mesh, Point2, Point3, Polygon, Pose, Sheet, SheetConfig, SheetError, Vector3,
+    Atlas, Edge, Mesh, Point2, Point3, Polygon, Pose, Sheet, SheetConfig, SheetError, Vector3,
 };
 use nalgebra::{Matrix2, Matrix3, Rotation3, Translation3, UnitQuaternion};
 use std::collections::BTreeMap;
 use std::fmt;
 
+/// The prime of FNV-1a with 128 bits.
+const FNV_PRIME: u128 = 0x0000_0000_0100_0000_0000_0000_0000_013B;
 /// Largest distance between the places at which a bend is sampled, relative to the radius of the tool [1].
 const SAMPLE_SHARE: f64 = 0.5;
 
@@ -33,6 +35,16 @@ pub struct MeshShape {
     digest: u128,
     samples: Vec<(Point2, Matrix2<f64>)>,
     tightest: Matrix2<f64>,
+    patch: Option<PatchOfMesh>,
+}
+
+/// Which patch of a divided mesh a shape is.
+#[derive(Debug, Clone, PartialEq)]
+pub struct PatchOfMesh {
+    /// Index among all patches.
+    pub index: usize,
+    /// Areas of all patches \[m²\].
+    pub areas: Vec<f64>,
 }
 
 impl MeshShape {
@@ -42,18 +54,53 @@ impl MeshShape {
     /// If one chart does not suffice, see [`Sheet::from_mesh`].
     pub fn from_mesh(mesh: &Mesh, config: &SheetConfig) -> Result<(Self, Pose), SheetError> {
         let sheet = Sheet::from_mesh(mesh, config)?;
+        Ok(Self::new(sheet, mesh, config.tool_radius))
+    }
+
+    /// Returns the shape of a patch of a divided mesh, and the pose of the surface's frame in the frame of the mesh. The chart
+    /// reaches beyond the seams by the radius of the tool, and the outline does not.
+    ///
+    /// - `mesh`: the whole mesh that was divided, against which motions are audited.
+    /// - `index`: index of the patch.
+    ///
+    /// # Errors
+    /// As [`Atlas::patch`].
+    ///
+    /// # Panics
+    /// If there is no such patch.
+    pub fn from_patch(
+        mesh: &Mesh,
+        atlas: &Atlas,
+        index: usize,
+    ) -> Result<(Self, Pose), SheetError> {
+        let radius = atlas.config().tool_radius;
+        let (shape, mesh_from_surface) = Self::new(atlas.patch(index, radius)?, mesh, radius);
+        let shape = Self {
+            // Of FNV-1a; the index tells the patches of one mesh apart.
+            digest: (shape.digest ^ (index as u128 + 1)).wrapping_mul(FNV_PRIME),
+            patch: Some(PatchOfMesh {
+                index,
+                areas: atlas.charts().iter().map(Sheet::area).collect(),
+            }),
+            ..shape
+        };
+        Ok((shape, mesh_from_surface))
+    }
+
+    fn new(sheet: Sheet, mesh: &Mesh, tool_radius: f64) -> (Self, Pose) {
         let mesh_from_surface = frame(&sheet, Point2::origin(), 0.0);
         let surface_from_mesh = mesh_from_surface.inverse();
         let sheet = sheet.transform(&surface_from_mesh);
-        let samples = sample(&sheet, SAMPLE_SHARE * config.tool_radius);
+        let samples = sample(&sheet, SAMPLE_SHARE * tool_radius);
         let shape = Self {
             tightest: find_tightest(&samples),
             samples,
             mesh: mesh.transform(&surface_from_mesh),
             digest: mesh.digest(),
+            patch: None,
             sheet,
         };
-        Ok((shape, mesh_from_surface))
+        (shape, mesh_from_surface)
     }
 
     /// Returns the shape with another mesh against which motions are audited, such as a scan, in the frame of the surface.
@@ -72,7 +119,13 @@ impl MeshShape {
         &self.mesh
     }
 
-    /// The digest of the mesh from which the shape was made, in its own frame, see [`Mesh::digest`].
+    /// Which patch of a divided mesh the surface is; `None` of a whole mesh.
+    pub fn patch(&self) -> Option<&PatchOfMesh> {
+        self.patch.as_ref()
+    }
+
+    /// The digest of the mesh from which the shape was made, in its own frame, see [`Mesh::digest`]; of a patch, also of its
+    /// index.
     pub fn digest(&self) -> u128 {
         self.digest
     }

@@ -37,7 +37,7 @@ pub use knowledge::{
     MediumKind, Mount, Place, RankedTool, Redraw, SecondGrip, SurfaceEntry, SurfaceScope,
     TiltFreedom, ToolEntry, ToolMesh, UnknownName, dirt_friction,
 };
-pub use mesh_shape::{MeshShape, principal_curvatures};
+pub use mesh_shape::{MeshShape, PatchOfMesh, principal_curvatures};
 pub use metrics::{GoalState, Performance, THICKNESS_TOLERANCE};
 pub use motion::ToolMotion;
 pub use observation::{MAX_DETECTIONS, Observation, SensorModel, Sight};

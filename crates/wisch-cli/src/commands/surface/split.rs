@@ -35,7 +35,7 @@ struct SplitRecord<'a> {
 
 #[derive(Serialize)]
 struct PatchRecord {
-    /// From 1.
+    /// From 1, as in `surface.mesh.patch`.
     number: usize,
     triangles: usize,
     area_m2: f64,

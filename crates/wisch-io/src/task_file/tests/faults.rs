@@ -432,6 +432,22 @@ fn a_mesh_is_a_surface_with_its_border_as_outline() {
             "10:17: file \"block.stl\": not usable as a surface: this mesh is closed",
         ),
         (
+            upwards.replace(" }", ", patch = 2 }"),
+            "10:59: surface.mesh.patch: there is no patch 2: the mesh has 1 patch",
+        ),
+        (
+            upwards.replace(" }", ", patch = \"all\" }"),
+            "10:59: surface.mesh.patch: only wisch run, follow, predict and plan take \"all\"; choose the number of a patch, of which the mesh has 1",
+        ),
+        (
+            upwards.replace(" }", ", patch = 0 }"),
+            "10:59: surface.mesh.patch: 0 is outside 1 to 64",
+        ),
+        (
+            upwards.replace(" }", ", patch = \"every\" }"),
+            "10:59: unknown patch \"every\"; known: all",
+        ),
+        (
             "mesh = { file = \"none.ply\" }".to_owned(),
             "10:17: file \"none.ply\": no such file",
         ),
