@@ -28,6 +28,14 @@ impl Failure {
         }
     }
 
+    /// Puts the part of the work that failed before the sentence.
+    pub fn after(self, part: &str) -> Self {
+        Self {
+            sentence: format!("{part}: {}", self.sentence),
+            ..self
+        }
+    }
+
     /// The advice on what to do.
     pub fn help(&self) -> Option<&str> {
         self.help.as_deref()

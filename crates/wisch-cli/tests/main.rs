@@ -19,6 +19,7 @@ mod memory;
 mod memory_faults;
 mod memory_import;
 mod mesh_files;
+mod patches;
 mod plain_output;
 mod plans;
 mod program;

@@ -27,6 +27,7 @@ pub use kept_files::{ChangedFile, KeptFiles};
 pub use knowledge::{InteractionRevision, KnowledgeFileError, RevisedFile, parse_knowledge};
 pub use load::{
     Derivation, LoadOptions, LoadedTask, load_task, load_task_with, parse_task, read_task_name,
+    wipes_all_patches,
 };
 pub use output::{
     FOLLOWING_FILE, INTERPRETATION_FILE, KilledRuns, Leftover, OutputFile, OutputFolder,

@@ -239,6 +239,15 @@ pub fn read_task_name(path: &Path, settings: &[(String, String)]) -> Result<Stri
     Ok(TaskFile::parse(&shown, &read_task_text(path)?, settings)?.name)
 }
 
+/// Returns whether a task file asks for all patches of a divided mesh, without the files that it names.
+///
+/// # Errors
+/// If the file cannot be read or is invalid.
+pub fn wipes_all_patches(path: &Path, settings: &[(String, String)]) -> Result<bool, Error> {
+    let shown = path.display().to_string();
+    Ok(TaskFile::parse(&shown, &read_task_text(path)?, settings)?.wipes_all_patches())
+}
+
 /// Loads a task from the text of a task file.
 ///
 /// - `path`: nominal path of the file, for error messages; the robot's files are relative to it.

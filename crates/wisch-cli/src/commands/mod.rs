@@ -22,6 +22,7 @@ mod map;
 mod memory;
 mod new;
 mod out_folder;
+mod patches;
 mod prepare;
 mod report;
 mod robot;

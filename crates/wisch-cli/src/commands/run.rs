@@ -6,6 +6,7 @@ use super::follow::{Chosen, read_robot};
 use super::interrupt::stop_on_signal;
 use super::job::Job;
 use super::out_folder::out_folder;
+use super::patches::{PatchesSummary, TaskPatches};
 use super::prepare::{self, stage_failure};
 use super::ros2::raise;
 use super::rounds::{Executed, Kept, execute, remark_episode_folder};
@@ -27,7 +28,7 @@ use wisch::recover::Verdict;
 use wisch::run::{Ending, NoExecutor, RunEvent, Stage};
 use wisch_io::{KeptFiles, KilledRuns, Leftover, Replaceable};
 use wisch_io::{LoadedTask, OutputFolder};
-use wisch_io::{PlanRecord, read_text};
+use wisch_io::{PLAN_FILE, PlanRecord, Summary, read_text, wipes_all_patches};
 use wisch_record::{KeptEpisode, RecordOptions, RunRecord, RunResults, StageSink, write_results};
 use wisch_report::EffectFrames;
 
@@ -138,6 +139,14 @@ pub fn predict_only(args: &PredictArgs, global: &GlobalArgs) -> Result<Outcome, 
     work(&args.task, &args.results, plan, Extent::Predict, global)
 }
 
+/// What a command found on a surface.
+struct Done {
+    summary: Summary,
+    is_met: bool,
+    /// Whether the run waits for its operator, or was interrupted.
+    is_stopped: bool,
+}
+
 fn work(
     task_args: &TaskArgs,
     results: &ResultArgs,
@@ -149,6 +158,100 @@ fn work(
         let failure = Failure::new("--json and --events - both write to standard output");
         return Err(failure.with_help("write the events to a file: --events FILE"));
     }
+    let is_met = if wipes_all_patches(&task_args.task, &task_args.settings)? {
+        work_on_patches(task_args, results, plan_file, extent, global)?
+    } else {
+        let summarised = |summary: &Summary| match results.json {
+            true => print_json(summary),
+            false => Ok(()),
+        };
+        work_on_surface(task_args, results, plan_file, extent, global, &summarised)?.is_met
+    };
+    Ok(if is_met {
+        Outcome::Done
+    } else {
+        Outcome::GoalNotMet
+    })
+}
+
+/// Works on all patches of a divided mesh, one after another; returns whether the goal is met on all.
+fn work_on_patches(
+    task_args: &TaskArgs,
+    results: &ResultArgs,
+    plan_file: Option<&Path>,
+    extent: Extent<'_>,
+    global: &GlobalArgs,
+) -> Result<bool, Failure> {
+    let rounds = extent.rounds();
+    for (option, is_given) in [
+        ("--plan", plan_file.is_some()),
+        ("--resume", rounds.is_some_and(|rounds| rounds.resume)),
+        (
+            "--events",
+            rounds.is_some_and(|rounds| rounds.events.is_some()),
+        ),
+    ] {
+        if is_given {
+            let problem = format!("{option} is for one patch, but surface.mesh.patch = \"all\"");
+            return Err(stage_failure(task_args, problem)
+                .with_help("choose the patch with --set surface.mesh.patch=1"));
+        }
+    }
+    let TaskPatches { tasks, first } = TaskPatches::read(task_args)?;
+    let any_robot = RobotArgs::default();
+    let has_robot = choose_robot(extent, &any_robot, task_args, &first)?.is_some();
+    let out = out_folder(results, &first.task.name, extent.suffix(has_robot));
+    if out.join(PLAN_FILE).exists() {
+        return Err(Failure::new("the folder holds results of another task")
+            .within(&out)
+            .with_help("choose another folder with --out"));
+    }
+    let count = tasks.len();
+    let (mut summaries, mut are_met) = (Vec::new(), true);
+    for (task_args, number) in tasks.iter().zip(1..) {
+        let of_patch = ResultArgs {
+            out: Some(out.join(format!("patch-{number}"))),
+            force: results.force,
+            json: results.json,
+        };
+        let done = work_on_surface(task_args, &of_patch, None, extent, global, &|_| Ok(()))
+            .map_err(|failure| failure.after(&format!("patch {number} of {count}")))?;
+        are_met &= done.is_met;
+        summaries.push(done.summary);
+        if done.is_stopped {
+            are_met = false;
+            if number < count {
+                remark(&format!(
+                    "stopped on patch {number} of {count}: the patches after it are not wiped"
+                ));
+            }
+            break;
+        }
+    }
+    let place = out.display().to_string();
+    let summary = PatchesSummary::new(&first.task.name, summaries, are_met, place);
+    if results.json {
+        print_json(&summary)?;
+    } else if !global.quiet {
+        print(&summary.in_words())?;
+    }
+    Ok(are_met)
+}
+
+fn print_json(summary: &impl serde::Serialize) -> Result<(), Failure> {
+    let line = serde_json::to_string(summary).map_err(internal)?;
+    print(&(line + "\n"))
+}
+
+/// Works on one surface, and prints its summary for people. `summarised` receives the summary as soon as it is complete.
+fn work_on_surface(
+    task_args: &TaskArgs,
+    results: &ResultArgs,
+    plan_file: Option<&Path>,
+    extent: Extent<'_>,
+    global: &GlobalArgs,
+    summarised: &dyn Fn(&Summary) -> Result<(), Failure>,
+) -> Result<Done, Failure> {
     let progress = Progress::start(global);
     progress.say("reading the task");
     let kept = read_kept(extent, task_args, results)?;
@@ -214,10 +317,8 @@ fn work(
     }
 
     let summary = summary(&prepared, &results_of, &out);
-    if results.json {
-        let line = serde_json::to_string(&summary).map_err(internal)?;
-        print(&(line + "\n"))?;
-    } else if !global.quiet && !extent.has_events_on_stdout() {
+    summarised(&summary)?;
+    if !results.json && !global.quiet && !extent.has_events_on_stdout() {
         let texts = in_words(&summary, (&results_of.rounds, &out), extent.executor());
         print(&(texts + &episode_in_words(&episode)))?;
     }
@@ -226,14 +327,14 @@ fn work(
         remark_on(&kept)?;
     }
     let is_interrupted = stop.is_some_and(|stop| stop.load(Ordering::SeqCst));
-    if waits_for_the_operator(&results_of) && !is_interrupted {
+    let waits = waits_for_the_operator(&results_of) && !is_interrupted;
+    if waits {
         remark(WAITS);
     }
-    let is_met = results_of.is_goal_met(prepared.run.target);
-    Ok(if is_met {
-        Outcome::Done
-    } else {
-        Outcome::GoalNotMet
+    Ok(Done {
+        is_met: results_of.is_goal_met(prepared.run.target),
+        summary,
+        is_stopped: waits || is_interrupted,
     })
 }
 

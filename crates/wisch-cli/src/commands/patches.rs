@@ -1,0 +1,219 @@
+//! Tasks over all patches of a divided mesh: a command wipes one patch after another.
+
+use super::prepare::{load, stage_failure};
+use super::words::{counted, internal, percent};
+use crate::args::TaskArgs;
+use crate::failure::Failure;
+use serde::Serialize;
+use wisch::represent::SurfaceShape;
+use wisch_io::{KeptFiles, LoadedTask, ParticleSource, Summary};
+
+/// The schema of the object.
+const SCHEMA: u32 = 1;
+
+/// The patches of a task.
+pub(super) struct TaskPatches {
+    /// Arguments of the task of each patch, in the order of execution.
+    pub tasks: Vec<TaskArgs>,
+    /// The task of the first patch, with the name of the task over all.
+    pub first: LoadedTask,
+}
+
+impl TaskPatches {
+    /// Reads the task, and shares its particles among the patches by their areas.
+    pub fn read(args: &TaskArgs) -> Result<Self, Failure> {
+        let first = load(
+            &with_settings(args, &[("surface.mesh.patch", "1".to_owned())]),
+            &KeptFiles::default(),
+        )?;
+        let SurfaceShape::Mesh(mesh) = &first.task.surface.shape else {
+            return Err(internal("a patch is not of a mesh"));
+        };
+        let areas = mesh.patch().map_or(Vec::new(), |patch| patch.areas.clone());
+        let (ParticleSource::Uniform { count } | ParticleSource::Surface { count }) =
+            first.file.particles
+        else {
+            let problem = "surface.mesh.patch = \"all\" needs particles.source = \"uniform\" or \"surface\", because other sources state places in the chart of one patch";
+            return Err(stage_failure(args, problem)
+                .with_help("wipe the patches one by one: surface.mesh.patch = 1"));
+        };
+        let name = first.task.name.clone();
+        let tasks = share(count, &areas)
+            .into_iter()
+            .zip(1..)
+            .map(|(count, number)| {
+                with_settings(
+                    args,
+                    &[
+                        ("surface.mesh.patch", number.to_string()),
+                        ("particles.count", count.to_string()),
+                        ("name", toml_string(&format!("{name}-patch-{number}"))),
+                    ],
+                )
+            });
+        let tasks = tasks.collect();
+        Ok(Self { tasks, first })
+    }
+}
+
+/// Shares particles by areas: at least one for each.
+fn share(count: usize, areas: &[f64]) -> Vec<usize> {
+    let total: f64 = areas.iter().sum();
+    let (mut sum, mut given) = (0.0, 0);
+    let shares = areas.iter().map(|area| {
+        sum += area;
+        let until = (count as f64 * sum / total).round() as usize;
+        let own = until.saturating_sub(given);
+        given = until;
+        own.max(1)
+    });
+    shares.collect()
+}
+
+fn with_settings(args: &TaskArgs, settings: &[(&str, String)]) -> TaskArgs {
+    let mut args = args.clone();
+    let added = settings
+        .iter()
+        .map(|(key, value)| ((*key).to_owned(), value.clone()));
+    args.settings.extend(added);
+    args
+}
+
+/// Writes a text as a TOML string.
+fn toml_string(text: &str) -> String {
+    serde_json::Value::from(text).to_string()
+}
+
+/// What a command over all patches has found. Shares are in 1, lengths in metres.
+#[derive(Serialize)]
+pub(super) struct PatchesSummary {
+    format: &'static str,
+    schema: u32,
+    task: String,
+    /// Particles of all patches.
+    particles: usize,
+    /// Predicted share of the particles that reach the goal; null without a prediction.
+    predicted_performance: Option<f64>,
+    /// Estimated share after the last round of each patch; null without an execution.
+    estimated: Option<f64>,
+    /// Means of the ends of the patches' 90 % intervals: wide enough if all patches err in the same direction.
+    estimated_low: Option<f64>,
+    estimated_high: Option<f64>,
+    /// True share; null without simulated dirt.
+    final_true: Option<f64>,
+    /// Whether the goal is met on every patch.
+    goal_met: bool,
+    strokes: usize,
+    distance_in_contact_m: f64,
+    distance_total_m: f64,
+    /// The summary of each patch.
+    patches: Vec<Summary>,
+    out: String,
+}
+
+impl PatchesSummary {
+    /// Sums up the patches. `is_met`: whether the goal is met on all.
+    pub fn new(task: &str, patches: Vec<Summary>, is_met: bool, out: String) -> Self {
+        let particles: usize = patches.iter().map(|patch| patch.particles).sum();
+        let mean = |of: &dyn Fn(&Summary) -> Option<f64>| -> Option<f64> {
+            let weighted = (patches.iter()).map(|patch| Some(of(patch)? * patch.particles as f64));
+            let sum: Option<f64> = weighted.sum();
+            Some(sum? / particles.max(1) as f64)
+        };
+        let last = |of: fn(&wisch_io::RoundSummary) -> Option<f64>| {
+            mean(&|patch| of(patch.execution.as_ref()?.rounds.last()?))
+        };
+        Self {
+            format: "wisch-patches",
+            schema: SCHEMA,
+            task: task.to_owned(),
+            particles,
+            predicted_performance: mean(&|patch| {
+                Some(patch.prediction.as_ref()?.predicted_performance)
+            }),
+            estimated: last(|round| Some(round.estimated)),
+            estimated_low: last(|round| Some(round.estimated_low)),
+            estimated_high: last(|round| Some(round.estimated_high)),
+            final_true: last(|round| round.true_performance),
+            goal_met: is_met,
+            strokes: patches.iter().map(|patch| patch.strokes).sum(),
+            distance_in_contact_m: patches
+                .iter()
+                .map(|patch| patch.distance_in_contact_m)
+                .sum(),
+            distance_total_m: patches.iter().map(|patch| patch.distance_total_m).sum(),
+            patches,
+            out,
+        }
+    }
+
+    /// The summary for people.
+    pub fn in_words(&self) -> String {
+        let count = self.patches.len();
+        let mut text = format!("{}: all {count} patches\n", self.task);
+        let mut line = |name: &str, value: &str| text += &format!("  {name:<18} {value}\n");
+        let met = self.patches.iter().filter(|patch| {
+            patch
+                .prediction
+                .as_ref()
+                .is_some_and(|prediction| prediction.goal_met)
+        });
+        if self.predicted_performance.is_some() {
+            line(
+                "goal",
+                &format!(
+                    "met on {} of {}",
+                    met.count(),
+                    counted(count, "patch").replace("patchs", "patches")
+                ),
+            );
+        }
+        let is_treatment = (self.patches.iter()).any(|patch| patch.treatment.is_some());
+        let noun = if is_treatment { "points" } else { "particles" };
+        let particles = format!("{} {noun}", self.particles);
+        match (self.estimated, self.estimated_low, self.estimated_high) {
+            (Some(estimated), Some(low), Some(high)) => line(
+                "performance",
+                &format!(
+                    "estimated {} of {particles} ({} to {})",
+                    percent(estimated),
+                    percent(low),
+                    percent(high)
+                ),
+            ),
+            _ => {
+                if let Some(predicted) = self.predicted_performance {
+                    line(
+                        "performance",
+                        &format!("predicted {} of {particles}", percent(predicted)),
+                    );
+                }
+            }
+        }
+        if let Some(truth) = self.final_true {
+            line("true", &percent(truth));
+        }
+        line("strokes", &self.strokes.to_string());
+        line(
+            "distance",
+            &format!(
+                "{:.2} m in contact, {:.2} m total",
+                self.distance_in_contact_m, self.distance_total_m
+            ),
+        );
+        line("results", &self.out);
+        text
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::share;
+
+    #[test]
+    fn particles_are_shared_by_area() {
+        assert_eq!(share(100, &[0.2, 0.2, 0.1]), [40, 40, 20]);
+        assert_eq!(share(10, &[1.0, 1.0, 1.0]).iter().sum::<usize>(), 10);
+        assert_eq!(share(2, &[1.0, 1e-9, 1.0]), [1, 1, 1]);
+    }
+}

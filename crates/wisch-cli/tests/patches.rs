@@ -1,0 +1,133 @@
+//! Tasks over the patches of a divided mesh.
+
+use crate::program::wisch;
+use crate::surfaces::write_grid;
+use serde_json::Value;
+use std::fs;
+use std::path::Path;
+
+/// Writes a saddle that needs two patches, and a task that polishes it.
+fn write_task(folder: &Path, patch: &str) {
+    let saddle = |x: f64, y: f64| [0.6 * x, 0.667 * y, 0.36 * x * x - 0.444 * y * y];
+    write_grid(&folder.join("saddle.ply"), saddle, 0);
+    let task = format!(
+        "schema = 1\nname = \"saddle\"\naction = \"polish\"\ntool = {{ name = \"sponge\" }}\n\
+         medium = {{ name = \"polishing_paste\" }}\npolish = {{ passes = 1 }}\n\
+         particles = {{ source = \"surface\", count = 400 }}\n\
+         surface = {{ name = \"saddle\", friction = 0.3, mesh = {{ file = \"saddle.ply\"{patch} }} }}\n"
+    );
+    fs::write(folder.join("saddle.toml"), task).unwrap();
+}
+
+#[test]
+fn a_task_over_all_patches_is_one_result() {
+    let folder = tempfile::tempdir().unwrap();
+    write_task(folder.path(), ", patch = \"all\"");
+    let args = ["predict", "saddle.toml", "--out", "all", "--json"];
+    let (code, out, err) = wisch(folder.path(), &args);
+    assert_eq!(code, 0, "{out}\n{err}");
+    let all: Value = serde_json::from_str(&out).unwrap();
+    assert_eq!(all["format"], "wisch-patches");
+    let patches = all["patches"].as_array().unwrap();
+    assert_eq!(patches.len(), 2, "{err}");
+    assert!(
+        err.contains("surface \"saddle\" is patch 2 of 2 of its mesh"),
+        "{err}"
+    );
+    // The particles are shared.
+    let particles: u64 = patches
+        .iter()
+        .map(|patch| patch["particles"].as_u64().unwrap())
+        .sum();
+    assert!((380..=420).contains(&particles), "{particles}");
+    assert_eq!(all["particles"], particles);
+    let performance = all["predicted_performance"].as_f64().unwrap();
+    assert!(performance > 0.97, "{performance}");
+    for (number, patch) in (1..).zip(patches) {
+        assert_eq!(patch["task"], format!("saddle-patch-{number}"));
+        let report = format!("all/patch-{number}/report.html");
+        assert!(folder.path().join(report).exists());
+    }
+    // A patch alone gives the same plan.
+    let shared = patches[1]["particles"].to_string();
+    let count = format!("particles.count={shared}");
+    let args = [
+        "predict",
+        "saddle.toml",
+        "--set",
+        "surface.mesh.patch=2",
+        "--set",
+        &count,
+        "--set",
+        "name=saddle-patch-2",
+        "--out",
+        "second",
+    ];
+    let (code, out, _) = wisch(folder.path(), &args);
+    assert_eq!(code, 0, "{out}");
+    let plan = |folder_of: &str| fs::read(folder.path().join(folder_of).join("plan.json")).unwrap();
+    assert_eq!(plan("all/patch-2"), plan("second"));
+    assert_ne!(plan("all/patch-1"), plan("second"));
+    // The plan of a patch is refused on another.
+    let args = [
+        "predict",
+        "saddle.toml",
+        "--set",
+        "surface.mesh.patch=1",
+        "--plan",
+        "second/plan.json",
+    ];
+    let (code, _, err) = wisch(folder.path(), &args);
+    assert!(code == 2 && err.contains("surface"), "{err}");
+}
+
+#[test]
+fn what_is_for_one_patch_is_refused_for_all() {
+    let folder = tempfile::tempdir().unwrap();
+    let refused = |args: &[&str], expected: &str| {
+        let (code, out, err) = wisch(folder.path(), args);
+        assert_eq!((code, out.as_str()), (2, ""), "{args:?}");
+        assert!(err.contains(expected), "{args:?}: {err}");
+    };
+    write_task(folder.path(), "");
+    refused(
+        &["predict", "saddle.toml"],
+        "surface.mesh.patch takes a part of it, see wisch surface split --tool-radius 0.06",
+    );
+    write_task(folder.path(), ", patch = \"all\"");
+    refused(
+        &["check", "saddle.toml"],
+        "only wisch run, follow, predict and plan take \"all\"; choose the number of a patch, of which the mesh has 2",
+    );
+    refused(
+        &["predict", "saddle.toml", "--plan", "plan.json"],
+        "--plan is for one patch, but surface.mesh.patch = \"all\"",
+    );
+    refused(
+        &["run", "saddle.toml", "--resume"],
+        "--resume is for one patch",
+    );
+    refused(
+        &["predict", "saddle.toml", "--set", "surface.mesh.patch=3"],
+        "there is no patch 3: the mesh has 2 patches",
+    );
+    fs::write(folder.path().join("places.csv"), "x_m,y_m\n0,0\n").unwrap();
+    refused(
+        &[
+            "predict",
+            "saddle.toml",
+            "--action",
+            "absorb",
+            "--set",
+            "medium.name=breadcrumbs",
+            "--set",
+            "particles={ source = \"csv\", file = \"places.csv\" }",
+        ],
+        "surface.mesh.patch = \"all\" needs particles.source = \"uniform\" or \"surface\"",
+    );
+    assert_eq!(
+        fs::read_dir(folder.path()).unwrap().count(),
+        3,
+        "nothing is written"
+    );
+}
