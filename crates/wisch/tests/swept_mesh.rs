@@ -5,7 +5,9 @@ use rand::RngExt;
 use rand_chacha::{ChaCha8Rng, rand_core::SeedableRng};
 use std::sync::Arc;
 use wisch::follow::{ToolPose, Workcell};
-use wisch::geometry::{Bounds2, Mesh, PlanarPose, Point2, Point3, Pose, SheetConfig, Vector3};
+use wisch::geometry::{
+    Atlas, Bounds2, MAX_CHARTS, Mesh, PlanarPose, Point2, Point3, Pose, SheetConfig, Vector3,
+};
 use wisch::plan::{Plan, PlanConfig, Strategy, plan, predict};
 use wisch::represent::{
     Action, Fate, MeshShape, ParticleDistribution, SurfaceShape, Task, Tool, Treatment,
@@ -23,6 +25,9 @@ const STEP: f64 = 1e-3;
 const OTHERWISE: f64 = 0.015;
 /// Least share of places that are touched [1].
 const TOUCHED: f64 = 0.999;
+
+/// The same for a mesh in patches [1].
+const TOUCHED_BY_PATCHES: f64 = 0.995;
 
 /// A point of a mesh with the normal of its triangle, in the frame of the mesh.
 struct Place {
@@ -67,6 +72,21 @@ fn draw_places(mesh: &Mesh, count: usize) -> Vec<Place> {
 
 /// A polish of a mesh, one pass, and the pose of the mesh in the world.
 fn polish(mesh: &Mesh) -> (Task, Pose) {
+    let task = polish_with_pad();
+    let (shape, pose) = MeshShape::from_mesh(mesh, &config(&task)).unwrap();
+    roll(task, shape, pose)
+}
+
+/// The settings with which a mesh is unrolled for the tool of a task.
+fn config(task: &Task) -> SheetConfig {
+    SheetConfig {
+        tool_radius: task.tool.collision_radius(),
+        ..SheetConfig::default()
+    }
+}
+
+/// A polish of a board with the pad, one pass.
+fn polish_with_pad() -> Task {
     let mut task = board(Action::Polish, [0.5, 0.0, 0.2]);
     task.scene.clear();
     task.tool = Tool::pad("pad", Vector3::new(PAD[0], PAD[1], 0.04)).unwrap();
@@ -76,11 +96,11 @@ fn polish(mesh: &Mesh) -> (Task, Pose) {
         max_passes: 20,
         preston: None,
     });
-    let config = SheetConfig {
-        tool_radius: task.tool.collision_radius(),
-        ..SheetConfig::default()
-    };
-    let (shape, mesh_from_surface) = MeshShape::from_mesh(mesh, &config).unwrap();
+    task
+}
+
+/// Rolls the surface of a task onto a shape; also returns the pose of the mesh in the world.
+fn roll(mut task: Task, shape: MeshShape, mesh_from_surface: Pose) -> (Task, Pose) {
     let world_from_mesh = task.surface.world_from_surface;
     task.surface.outline = shape.outline();
     task.surface.world_from_surface *= mesh_from_surface;
@@ -175,11 +195,7 @@ fn compare_with_sweep(name: &str, mesh: &Mesh, fault: &Pose) -> Comparison {
     assert!(places.len() as f64 > 0.995 * PLACES as f64, "{name}");
     // The plan knows cells of 1 cm, not the places of the sweep.
     task.particles = ParticleDistribution::new(&lattice(&task)).unwrap();
-    let config = PlanConfig {
-        strategy: Strategy::Lanes,
-        ..PlanConfig::default()
-    };
-    let whole = plan(&task, &config).unwrap();
+    let whole = plan(&task, &lanes()).unwrap();
     // Every second lane leaves borders between what it touches and what not.
     let half = Plan {
         strokes: whole.strokes.iter().step_by(2).cloned().collect(),
@@ -212,6 +228,14 @@ fn compare_with_sweep(name: &str, mesh: &Mesh, fault: &Pose) -> Comparison {
         whole.contact_distance()
     );
     found
+}
+
+/// Settings of a planner of lanes.
+fn lanes() -> PlanConfig {
+    PlanConfig {
+        strategy: Strategy::Lanes,
+        ..PlanConfig::default()
+    }
 }
 
 /// Centres of square cells of 1 cm in the chart.
@@ -249,4 +273,42 @@ fn a_plan_over_a_mesh_touches_in_space_what_it_predicts() {
         Vector3::x() * 5.0_f64.to_radians(),
     ));
     assert!(leaning.lean > 3.0_f64.to_radians(), "{leaning:?}");
+}
+
+#[test]
+fn plans_over_all_patches_of_a_mesh_touch_what_one_chart_does_not() {
+    for (name, mesh, most_patches) in [
+        ("wok", curved_meshes::bowl(0.25), 8),
+        ("dome", curved_meshes::dome(0.30), 8),
+        ("bathtub", curved_meshes::bathtub(), 12),
+    ] {
+        let task = polish_with_pad();
+        let atlas = Atlas::from_mesh(&mesh, &config(&task), MAX_CHARTS).unwrap();
+        let count = atlas.charts().len();
+        assert!((2..=most_patches).contains(&count), "{name}: {count}");
+        let places = draw_places(&mesh, PLACES);
+        let density = places.len() as f64 / sum_areas(&mesh).last().unwrap();
+        let mut touched = vec![false; places.len()];
+        let (mut strokes, mut way, mut lean) = (0, 0.0, 0.0_f64);
+        for index in 0..count {
+            let (shape, pose) = MeshShape::from_patch(&mesh, &atlas, index).unwrap();
+            let (mut task, world_from_mesh) = roll(task.clone(), shape, pose);
+            task.particles = ParticleDistribution::new(&lattice(&task)).unwrap();
+            let plan = plan(&task, &lanes()).unwrap();
+            let swept = press(&places, &sweep(&task, &plan, &world_from_mesh), density);
+            for (known, new) in touched.iter_mut().zip(swept.touched) {
+                *known |= new;
+            }
+            strokes += plan.strokes.len();
+            way += plan.contact_distance();
+            lean = lean.max(swept.lean);
+        }
+        let share = touched.iter().filter(|&&touched| touched).count() as f64 / places.len() as f64;
+        println!(
+            "{name}: {:.3} % touched, {count} patches, {strokes} strokes of {way:.2} m, lean {:.2}°",
+            100.0 * share,
+            lean.to_degrees()
+        );
+        assert!(share >= TOUCHED_BY_PATCHES, "{name}: {share}");
+    }
 }
