@@ -13,6 +13,8 @@ use std::time::{Duration, Instant};
 const ANSWER: Duration = Duration::from_secs(5);
 /// Longest wait for a switch, by the controller manager [s].
 const SWITCH_TIMEOUT_S: f64 = 3.0;
+/// Longest wait for controllers to be deactivated: wisch waits for 2 s after an error.
+const HAND_BACK: Duration = Duration::from_millis(1500);
 /// Strictness with which a switch that fails in part changes nothing.
 const STRICT: i32 = 2;
 /// Types of the services, in `controller_manager_msgs`.
@@ -97,26 +99,49 @@ impl ControllerManager {
     /// # Errors
     /// If the manager does not answer or refuses.
     pub fn activate(&self, names: Vec<String>) -> Result<(), LinkError> {
-        let shown = names.join(", ");
-        let timeout = Stamp::from_seconds(SWITCH_TIMEOUT_S);
+        self.switch(names, Vec::new(), ANSWER)
+    }
+
+    /// Deactivates controllers, all or none of them.
+    ///
+    /// # Errors
+    /// If the manager does not answer in time, or refuses.
+    pub fn deactivate(&self, names: Vec<String>) -> Result<(), LinkError> {
+        self.switch(Vec::new(), names, HAND_BACK)
+    }
+
+    fn switch(
+        &self,
+        activated: Vec<String>,
+        deactivated: Vec<String>,
+        limit: Duration,
+    ) -> Result<(), LinkError> {
+        let shown = if deactivated.is_empty() {
+            format!("activate {}", activated.join(", "))
+        } else {
+            format!("deactivate {}", deactivated.join(", "))
+        };
+        let timeout = Stamp::from_seconds(SWITCH_TIMEOUT_S.min(limit.as_secs_f64()));
         let (ok, why) = match self {
             Self::Humble(_, switch) => {
                 let request = SwitchOfHumble {
-                    activate_controllers: names,
+                    activate_controllers: activated,
+                    deactivate_controllers: deactivated,
                     strictness: STRICT,
                     timeout,
                     ..SwitchOfHumble::default()
                 };
-                (switch.call(request, ANSWER)?.ok, String::new())
+                (switch.call(request, limit)?.ok, String::new())
             }
             Self::Jazzy(_, switch) => {
                 let request = SwitchOfJazzy {
-                    activate_controllers: names,
+                    activate_controllers: activated,
+                    deactivate_controllers: deactivated,
                     strictness: STRICT,
                     timeout,
                     ..SwitchOfJazzy::default()
                 };
-                let answer = switch.call(request, ANSWER)?;
+                let answer = switch.call(request, limit)?;
                 (answer.ok, format!(": {}", answer.message))
             }
         };
@@ -124,7 +149,7 @@ impl ControllerManager {
             Ok(())
         } else {
             Err(LinkError::new(format!(
-                "the controller manager does not activate {shown}{why}"
+                "the controller manager does not {shown}{why}"
             )))
         }
     }

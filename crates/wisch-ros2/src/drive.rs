@@ -43,6 +43,10 @@ pub(crate) struct Driver {
     tare: Cell<Option<Vector3<f64>>>,
     /// Why the robot has stopped, if it has.
     stopped: Option<String>,
+    /// Controllers that this program has activated; `None` before it has prepared the robot.
+    activated: Option<Vec<String>>,
+    /// Whether the robot rests, as far as this program knows.
+    rests: bool,
 }
 
 /// Serves wisch over the standard streams until the end of input.
@@ -71,13 +75,23 @@ pub(crate) fn serve(robot_file: &Path, options: DriveOptions) {
         "reports_state": true,
         "max_silence_s": MAX_SILENCE_S,
         "real_time": true,
+        "prepares": true,
+        "stamp_clock": "epoch",
         "knot_error_rad": driver.connection.file.motion.knot_error_rad,
     }}));
     loop {
         let answer = match incoming.next() {
             Request::Execute(head) => match driver.execute(*head, &incoming, &outgoing) {
                 Ok(Some(done)) => json!({"done": done}),
-                Ok(None) => return,
+                Ok(None) => break,
+                Err(text) => json!({"error": text}),
+            },
+            Request::Prepare => match driver.prepare() {
+                Ok(()) => json!("prepared"),
+                Err(text) => json!({"error": text}),
+            },
+            Request::Finish => match driver.finish() {
+                Ok(()) => json!("finished"),
                 Err(text) => json!({"error": text}),
             },
             Request::State => match driver.state() {
@@ -87,19 +101,37 @@ pub(crate) fn serve(robot_file: &Path, options: DriveOptions) {
             Request::Observe(_) => json!({"observation": null}),
             // A stop may arrive after the motion has ended.
             Request::Stop => continue,
-            Request::End => return,
+            Request::End => break,
             Request::Hello(_) | Request::Point(_) => json!({"error": "unexpected message"}),
             Request::Invalid(why) => json!({"error": format!("a line is no message: {why}")}),
         };
         outgoing.say_surely(&answer);
         if answer.get("error").is_some() {
+            finish_after_error(&mut driver, &incoming, &outgoing);
             return;
         }
     }
+    // wisch has ended, perhaps without a request to finish.
+    if let Err(text) = driver.finish() {
+        eprintln!("wisch-ros2: {text}");
+    }
+}
+
+/// Waits until wisch asks a prepared driver to finish, or ends, and ignores what else it sends.
+fn finish_after_error(driver: &mut Driver, incoming: &Incoming, outgoing: &Outgoing) {
+    if driver.activated.is_none() {
+        return;
+    }
+    while !matches!(incoming.next(), Request::Finish | Request::End) {}
+    let answer = match driver.finish() {
+        Ok(()) => json!("finished"),
+        Err(text) => json!({"error": text}),
+    };
+    outgoing.say_surely(&answer);
 }
 
 impl Driver {
-    /// Connects to a commissioned robot, and activates its controllers.
+    /// Connects to a commissioned robot.
     ///
     /// # Errors
     /// If anything forbids a motion; the text names it with value and limit.
@@ -117,16 +149,60 @@ impl Driver {
             return Err(fault.clone());
         }
         let guard = Guard::start(&robot_file)?;
-        let driver = Self {
+        Ok(Self {
             connection,
             sign,
             options,
             guard,
             tare: Cell::new(None),
             stopped: None,
+            activated: None,
+            rests: true,
+        })
+    }
+
+    /// Activates the robot's controllers, once.
+    ///
+    /// # Errors
+    /// If a controller does not become active, or a joint moves then.
+    fn prepare(&mut self) -> Result<(), String> {
+        if self.activated.is_some() {
+            return Ok(());
+        }
+        let missing = self.inactive_controllers()?;
+        self.activated = Some(missing.clone());
+        self.activate(missing).map_err(|text| match self.finish() {
+            Ok(()) => text,
+            Err(left) => format!("{text}; {left}"),
+        })
+    }
+
+    /// Deactivates those controllers that were inactive before.
+    ///
+    /// # Errors
+    /// If the robot may still move, or the controller manager refuses.
+    fn finish(&mut self) -> Result<(), String> {
+        let Some(activated) = self.activated.take().filter(|names| !names.is_empty()) else {
+            return Ok(());
         };
-        driver.activate()?;
-        Ok(driver)
+        let inactive = self.inactive_controllers()?;
+        let activated: Vec<String> = (activated.into_iter())
+            .filter(|name| !inactive.contains(name))
+            .collect();
+        if activated.is_empty() {
+            return Ok(());
+        }
+        let speeds = self.connection.readings.lock().joints.clone();
+        let speeds = speeds.map(|joints| joints.velocities).unwrap_or_default();
+        let moves = speeds.iter().any(|speed| speed.abs() > checks::REST);
+        if !self.rests || moves {
+            let names = activated.join(", ");
+            return Err(format!(
+                "the robot has not confirmed that it rests, so {names} stay active"
+            ));
+        }
+        let deactivated = self.connection.manager.deactivate(activated);
+        deactivated.map_err(|error| error.to_string())
     }
 
     /// The measured positions and velocities.
@@ -175,6 +251,7 @@ impl Driver {
         }
         let motion = WipingMotion::new(head, points)?;
         let parts = motion.parts()?;
+        self.prepare()?;
         self.refuse_motion(&motion, &parts)?;
         self.refuse_state(&motion)?;
         if !self.guard.is_alive() {
@@ -187,6 +264,7 @@ impl Driver {
         if let MotionEnding::Stop(_, reason) = &ending {
             self.stopped = Some(reason.clone());
         }
+        self.rests = rests;
         // A guard that stays armed hears nothing from now on, and stops the robot.
         if rests {
             let _ = self.guard.set_armed(false);

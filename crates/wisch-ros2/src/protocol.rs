@@ -20,6 +20,8 @@ const MAX_REASON: usize = 400;
 #[serde(rename_all = "snake_case")]
 pub(crate) enum Request {
     Hello(Value),
+    Prepare,
+    Finish,
     Execute(Box<MotionHead>),
     Point(PointRecord),
     Stop,

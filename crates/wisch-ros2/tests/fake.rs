@@ -6,6 +6,7 @@ use std::process::{Child, ChildStdin, Command, Stdio};
 use std::sync::atomic::{AtomicBool, AtomicU16, Ordering};
 use std::sync::{Arc, Mutex};
 use std::time::{Duration, Instant};
+use wisch::follow::Workcell;
 use wisch::represent::{Observation, Task};
 use wisch::run::{
     Ending, Execution, Executor, ExecutorError, MotionOrder, RobotState, SampleSink, Stage,
@@ -328,6 +329,18 @@ pub struct Recorded {
 }
 
 impl Executor for Recorded {
+    fn prepare(&mut self, cell: &Workcell) -> Result<(), ExecutorError> {
+        let prepared = self.process.prepare(cell);
+        if let Err(error) = &prepared {
+            self.error = Some(error.to_string());
+        }
+        prepared
+    }
+
+    fn finish(&mut self) -> Result<(), ExecutorError> {
+        self.process.finish()
+    }
+
     fn execute(
         &mut self,
         order: &MotionOrder<'_>,

@@ -1,7 +1,8 @@
 //! The fake robot closes the loop: its runs come to the results of the built-in simulation.
 
-use crate::fake::{CHOPPING_BOARD, FIVE, FakeRobot, Scenario, execute_round, task};
-use wisch::run::{Ending, Executor};
+use crate::fake::{ARM_BOARD, CHOPPING_BOARD, FIVE, FakeRobot, Scenario, execute_round, task};
+use std::sync::Arc;
+use wisch::run::{Ending, Executor, RunEvent, Stage};
 use wisch_sim::{WorkSurface, World};
 
 /// What a run comes to.
@@ -73,7 +74,16 @@ fn five_scenarios_have_the_verdicts_and_estimates_of_the_built_in_runs() {
 #[test]
 fn a_run_on_the_fake_robot_has_the_verdict_and_estimate_of_the_built_in_run() {
     let ([built_in, live], fake) = run_both(&CHOPPING_BOARD);
-    assert_eq!(live.verdict, built_in.verdict);
+    let shown = |result: &RunResult| {
+        let RunResult {
+            rounds,
+            verdict,
+            estimate,
+        } = result;
+        format!("{rounds} rounds, {verdict}, {estimate}")
+    };
+    let results = [&live, &built_in].map(shown);
+    assert_eq!(live.verdict, built_in.verdict, "{results:?}");
     let difference = (live.estimate - built_in.estimate).abs();
     assert!(
         difference < 0.01,
@@ -123,4 +133,46 @@ fn in_the_air_there_is_no_force_mode_and_no_tare() {
     );
     let forbidden = |text: &&&str| text.starts_with("force") || text.starts_with("tare");
     assert_eq!(texts.iter().find(forbidden), None);
+}
+
+#[test]
+fn controllers_that_a_run_activates_are_inactive_after_it() {
+    let fake = FakeRobot::commissioned(|file| file);
+    let before = fake.events().len();
+    let options = ["--air", "--speed", "0.9"];
+    let mut executor = crate::fake::start_executor(&fake.robot_file, &options).unwrap();
+    assert_eq!(execute_round(&mut executor), Ok(Ending::Complete));
+    executor.finish().unwrap();
+    let events = fake.events();
+    let place = |text: &str| {
+        let found = events[before..].iter();
+        let places = found
+            .enumerate()
+            .filter(|(_, event)| event.text.starts_with(text));
+        places.map(|(place, _)| place).collect::<Vec<usize>>()
+    };
+    let controllers = "jtc force_mode_controller";
+    let activated = place(&format!("activate {controllers}"));
+    let deactivated = place(&format!("deactivate {controllers}"));
+    let goals = [place("goal with"), place("goal ended")];
+    assert_eq!([activated.len(), deactivated.len()], [1, 1], "{events:#?}");
+    assert!(activated[0] < goals[0][0] && goals[1].last() < deactivated.last());
+}
+
+#[test]
+fn controllers_that_cannot_be_handed_back_are_an_error() {
+    let mut fake = FakeRobot::commissioned(|file| file);
+    let mut executor = crate::fake::start_executor(&fake.robot_file, &["--air"]).unwrap();
+    let loaded = task(&ARM_BOARD);
+    let robot = loaded.robot().unwrap().unwrap();
+    let mut session = loaded.session().with_robot(robot.robot_setup());
+    let observer = &mut |_: &RunEvent<'_>| std::ops::ControlFlow::Continue(());
+    session
+        .run_until(Stage::Audited, &mut executor, observer)
+        .unwrap();
+    let cell = Arc::clone(&session.planned_round().unwrap().cell);
+    executor.prepare(&cell).unwrap();
+    fake.kill();
+    let error = executor.finish().unwrap_err().to_string();
+    assert!(error.contains("/controller_manager"), "{error}");
 }

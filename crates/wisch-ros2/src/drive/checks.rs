@@ -18,25 +18,28 @@ const SETTLE_MOVEMENT: f64 = 2e-3;
 const ACTIVE_TIMEOUT: Duration = Duration::from_secs(3);
 
 impl Driver {
-    /// Activates those controllers of the file that are inactive, and checks that nothing moves then.
+    /// Returns the names of the file's controllers that are inactive.
+    ///
+    /// # Errors
+    /// If the controller manager does not answer.
+    pub(super) fn inactive_controllers(&self) -> Result<Vec<String>, String> {
+        let connection = &self.connection;
+        let listed = connection.manager.list();
+        let listed = listed.map_err(|error| error.to_string())?;
+        let needed = connection.file.motion.controllers.iter();
+        let is_active = |name: &String| {
+            let found = listed.iter().find(|controller| controller.name == *name);
+            found.is_some_and(|controller| controller.is_active)
+        };
+        Ok(needed.filter(|name| !is_active(name)).cloned().collect())
+    }
+
+    /// Activates the controllers that are `missing`, and checks that nothing moves then.
     ///
     /// # Errors
     /// If a controller does not become active, or a joint moves.
-    pub(super) fn activate(&self) -> Result<(), String> {
+    pub(super) fn activate(&self, missing: Vec<String>) -> Result<(), String> {
         let connection = &self.connection;
-        let inactive = || -> Result<Vec<String>, String> {
-            let listed = connection
-                .manager
-                .list()
-                .map_err(|error| error.to_string())?;
-            let needed = connection.file.motion.controllers.iter();
-            let is_active = |name: &String| {
-                let found = listed.iter().find(|controller| controller.name == *name);
-                found.is_some_and(|controller| controller.is_active)
-            };
-            Ok(needed.filter(|name| !is_active(name)).cloned().collect())
-        };
-        let missing = inactive()?;
         if missing.is_empty() {
             return Ok(());
         }
@@ -45,7 +48,7 @@ impl Driver {
         activated.map_err(|error| error.to_string())?;
         let deadline = Instant::now() + ACTIVE_TIMEOUT;
         loop {
-            let missing = inactive()?;
+            let missing = self.inactive_controllers()?;
             if missing.is_empty() {
                 break;
             }

@@ -512,6 +512,9 @@ impl<'a> MotionRun<'a> {
             "efforts": latest.efforts,
             "force_n": [self.force.x, self.force.y, self.force.z],
         });
+        if latest.stamp > 0.0 {
+            sample["stamp_ns"] = json!((latest.stamp * 1e9) as u64);
+        }
         // Without the controller's time, wisch estimates the time on the trajectory from the positions.
         let is_known = self.goal.is_none() || self.is_time_reported;
         if self.robot.file.motion.progress.is_some() && is_known {

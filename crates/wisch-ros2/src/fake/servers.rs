@@ -158,10 +158,14 @@ impl Servers {
             let _ = self.list.send_response(id, answer);
         }
         while let Ok(Some((id, request))) = self.switch.receive_request() {
-            log(&format!(
-                "activate {}",
-                request.activate_controllers.join(" ")
-            ));
+            for (what, names) in [
+                ("activate", &request.activate_controllers),
+                ("deactivate", &request.deactivate_controllers),
+            ] {
+                if !names.is_empty() {
+                    log(&format!("{what} {}", names.join(" ")));
+                }
+            }
             for (name, is_active) in &mut self.controllers {
                 *is_active |= request.activate_controllers.contains(name);
                 *is_active &= !request.deactivate_controllers.contains(name);
