@@ -260,6 +260,60 @@ fn dirt_of_a_declared_friction_slides_on_a_leaning_board_and_in_a_gutter() {
 }
 
 #[test]
+fn a_liquid_of_a_declared_viscosity_runs_down_a_leaning_board() {
+    let folder = tempfile::tempdir().unwrap();
+    leaning_board(folder.path(), 0.5, "liquid");
+    let check = |settings: &[&str]| {
+        let settings = settings.iter().flat_map(|setting| ["--set", setting]);
+        let args: Vec<&str> = ["check", "task.toml"].into_iter().chain(settings).collect();
+        let (code, out, err) = wisch(folder.path(), &args);
+        (code, format!("{out}{err}"))
+    };
+    // 0.1 mm over 0.2 m², and 1 mm.
+    let thin = ["medium.viscosity_pa_s=0.005", "medium.volume_m3=0.00002"];
+    let thick = ["medium.viscosity_pa_s=0.001", "medium.volume_m3=0.0002"];
+    let gutter = [
+        &thin[..],
+        &["surface.shape=cylinder", "surface.radius_m=-2.0"],
+        &["surface.holes_m=[]"],
+    ];
+    for (settings, note) in [
+        (
+            &thin[..],
+            "gravity: chalk runs down the surface, which leans by 29°: a film of 0.100 mm at 3.1 mm/s\n",
+        ),
+        (&thick, "; waves carry part of a film thicker than 0.26"),
+        (
+            &[],
+            "by 29°; declare medium.viscosity_pa_s and medium.volume_m3 to let it run down",
+        ),
+        (&gutter.concat(), "liquids run on planes that face up only"),
+        (
+            &thin[..1],
+            "by 29°; declare medium.viscosity_pa_s and medium.volume_m3",
+        ),
+    ] {
+        let (code, text) = check(settings);
+        assert!(code != 2 && text.contains(note), "{text}");
+    }
+    for (settings, problem) in [
+        (&thin[1..], "volume_m3 needs the viscosity of the liquid"),
+        (
+            &["medium.density_kg_per_m3=900"],
+            "density_kg_per_m3 needs viscosity_pa_s",
+        ),
+        (
+            &["medium.kind=powder", "medium.viscosity_pa_s=0.1"],
+            "only a liquid has a viscosity",
+        ),
+        (&["medium.viscosity_pa_s=0"], "0.0001"),
+    ] {
+        let (code, text) = check(settings);
+        assert!(code == 2 && text.contains(problem), "{text}");
+    }
+}
+
+#[test]
 fn strokes_of_an_edited_plan_over_a_hole_or_off_the_surface_are_refused() {
     let folder = tempfile::tempdir().unwrap();
     leaning_board(folder.path(), 0.2, "liquid");

@@ -305,13 +305,19 @@ fn meaning_cases() -> Vec<Case> {
             "an unreachable collect goal",
             "goal_m = [0.03, 0.0]",
             "goal_m = [-0.15, 0.09]",
-            &["the goal (collect.goal_m) at (-0.150, 0.090) m", "the tool needs 0.065 m"],
+            &[
+                "the goal (collect.goal_m) at (-0.150, 0.090) m",
+                "the tool needs 0.065 m",
+            ],
         ),
         task(
             "a collect goal off the surface",
             "goal_m = [0.03, 0.0]",
             "goal_m = [1.0, 0.0]",
-            &["the goal (collect.goal_m) at (1.000, 0.000) m", "off the surface"],
+            &[
+                "the goal (collect.goal_m) at (1.000, 0.000) m",
+                "off the surface",
+            ],
         ),
         task(
             "no free node",

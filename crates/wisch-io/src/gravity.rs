@@ -1,8 +1,10 @@
-//! What gravity does to the dirt of a task: dirt that slides before the first round, and dirt that is assumed to stay.
+//! What gravity does to the dirt of a task: dirt that slides before the first round, dirt that runs down, and dirt that is
+//! assumed to stay.
 
+use std::f64::consts::FRAC_PI_2;
 use wisch::represent::{
-    Action, DirtFriction, DirtMobility, DirtSlide, KnowledgeBase, MediumKind, SteepSurface, Task,
-    dirt_friction, slide_down,
+    Action, DirtFriction, DirtMobility, DirtSlide, KnowledgeBase, LiquidFilm, MediumKind,
+    SteepSurface, Task, dirt_friction, slide_down,
 };
 
 /// Slope up to which grains of an unknown friction rest on every usual surface, as a tangent [1].
@@ -15,6 +17,7 @@ const LEVEL: f64 = 0.0175;
 pub(crate) fn let_slide(task: &mut Task, knowledge: &KnowledgeBase) -> Option<SteepSurface> {
     let slide = match task.dirt_slide() {
         Some(slide) => slide,
+        None if matches!(task.mobility, DirtMobility::Runs(_)) => return None,
         // The planner refuses a curved surface on which dirt of an unknown friction may slide.
         None if task.action.treats() || !task.surface.shape.is_plane() => return None,
         None => {
@@ -43,12 +46,20 @@ pub(crate) fn gravity_remark(task: &Task, knowledge: &KnowledgeBase) -> Option<S
         MediumKind::Solid | MediumKind::Powder => RESTING_GRAINS,
     };
     // A polished surface holds no dirt.
-    let is_known = task.mobility != DirtMobility::Unknown;
-    if is_known || task.action == Action::Polish || slope <= level.atan() {
+    let slides = matches!(task.mobility, DirtMobility::Slides(_));
+    if slides || task.action == Action::Polish || slope <= level.atan() {
         return None;
     }
+    if let (DirtMobility::Runs(film), true) = (task.mobility, task.has_running_film()) {
+        return Some(describe_film(task, &film, slope));
+    }
     let why = match kind {
-        MediumKind::Liquid => "liquids that run down are not represented".to_owned(),
+        MediumKind::Liquid if !task.surface.shape.is_plane() || slope >= FRAC_PI_2 => {
+            "liquids run on planes that face up only".to_owned()
+        }
+        MediumKind::Liquid => {
+            "declare medium.viscosity_pa_s and medium.volume_m3 to let it run down".to_owned()
+        }
         MediumKind::Solid | MediumKind::Powder => {
             let friction = assume_friction(task, knowledge)?;
             format!(
@@ -66,4 +77,25 @@ pub(crate) fn gravity_remark(task: &Task, knowledge: &KnowledgeBase) -> Option<S
         task.medium,
         slope.to_degrees()
     ))
+}
+
+/// Describes the film that runs down a plane.
+fn describe_film(task: &Task, film: &LiquidFilm, slope: f64) -> String {
+    let volume = film.particle_volume * task.particles.len() as f64;
+    let thickness = volume / task.surface.outline.area();
+    let mut text = format!(
+        "gravity: {} runs down the surface, which leans by {:.0}°: a film of {:.3} mm at {:.1} mm/s",
+        task.medium,
+        slope.to_degrees(),
+        1e3 * thickness,
+        1e3 * film.liquid.speed(thickness, slope),
+    );
+    let thickest = film.liquid.largest_thickness(slope);
+    if thickness > thickest {
+        text += &format!(
+            "; waves carry part of a film thicker than {:.3} mm, which is taken to run no faster",
+            1e3 * thickest
+        );
+    }
+    text
 }

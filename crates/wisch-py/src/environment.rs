@@ -99,6 +99,7 @@ impl Rules {
             to: PlanarPose::new(self.place(x1, y1), heading),
         };
         world.model.apply(&mut world.field, &self.surface, &motion);
+        world.model.lift_off(&mut world.field, &self.surface);
         let way = (motion.from.position - world.tool.position).norm() + motion.travel().1;
         world.tool = motion.to;
         world.strokes += 1;

@@ -16,7 +16,9 @@ use crate::SimulationSettings;
 use rapier3d_f64::dynamics::{CoefficientCombineRule, RigidBodyBuilder, RigidBodyHandle};
 use rapier3d_f64::geometry::ColliderBuilder;
 use wisch::geometry::{Point2, Point3, Vector2, Vector3};
-use wisch::represent::{ChartPoint, DirtMobility, Effect, Fate, Task, dirt_friction};
+use wisch::represent::{
+    ChartPoint, DirtMobility, Effect, Fate, FilmFlow, Task, dirt_friction, mean_distance, run_off,
+};
 
 /// Density of grains [kg/m³].
 const DENSITY: f64 = 600.0;
@@ -35,6 +37,10 @@ const SIDE_DEPTH: f64 = 4e-3;
 /// Speed below which the friction of a heap grows in proportion to the speed [m/s].
 const RUBBING_SPEED: f64 = 0.01;
 
+/// Friction that holds the drops of a film, over the tangent of the slope [1].
+const FILM_FRICTION: f64 = 1.5;
+/// Time after which a film is moved [s].
+const FILM_STEP: f64 = 0.05;
 /// Speed from which a grain slides [m/s].
 const SLIDING_SPEED: f64 = 5e-3;
 /// Smallest friction between tool and surface over which that of a grain is given [1].
@@ -73,6 +79,8 @@ pub(super) struct GrainBodies {
     max_diameter: f64,
     /// Friction of grains at rest and sliding, over that of the surface [1]; `None` if it is assumed, and the same for both.
     declared_friction: Option<[f64; 2]>,
+    /// The film of which the grains are drops, the mean distance of all drops [m], and the time since they were moved [s].
+    film: Option<(FilmFlow, f64, f64)>,
 }
 
 impl GrainBodies {
@@ -87,8 +95,9 @@ impl GrainBodies {
         // A grain stays on a slope up to the angle at which the task's dirt slides.
         let declared = match settings.mobility {
             DirtMobility::Slides(friction) => Some(friction),
-            DirtMobility::Unknown => None,
+            DirtMobility::Unknown | DirtMobility::Runs(_) => None,
         };
+        let film = task.film_flow();
         let friction = declared.map_or_else(
             || dirt_friction(settings.kind, 0.0),
             |friction| friction.at_rest,
@@ -96,6 +105,11 @@ impl GrainBodies {
         let over_surface = |coefficient| coefficient / settings.friction.max(LEAST_FRICTION);
         let (in_engine, rule) = match declared {
             Some(_) => (over_surface(friction), CoefficientCombineRule::Multiply),
+            // The drops of a film move by its law alone.
+            None if film.is_some() => {
+                let held = FILM_FRICTION * libm::tan(plant.real().steepest_slope());
+                (friction.max(held), CoefficientCombineRule::Max)
+            }
             None => (friction, CoefficientCombineRule::Max),
         };
         let put = |grain: &super::Grain| {
@@ -133,6 +147,7 @@ impl GrainBodies {
             max_diameter: 2.0 * radii.fold(0.0, f64::max),
             declared_friction: declared
                 .map(|friction| [friction.at_rest, friction.sliding].map(over_surface)),
+            film: film.map(|film| (film, mean_distance(&task.surface, dirt.grains.len()), 0.0)),
         }
     }
 
@@ -230,6 +245,43 @@ impl GrainBodies {
             let moving = velocity - normal * normal.dot(&velocity);
             let rubbing = moving * (self.drag / moving.norm().max(RUBBING_SPEED));
             plant.resist(&-(along + rubbing), &at);
+        }
+    }
+
+    /// Lets the drops of a film that the tool does not hold run down for a period [s].
+    pub fn run_film(&mut self, plant: &mut Plant, dirt: &mut Dirt, task: &Task, period: f64) {
+        let Some((film, spacing, elapsed)) = &mut self.film else {
+            return;
+        };
+        *elapsed += period;
+        if *elapsed < FILM_STEP {
+            return;
+        }
+        let is_free = |slot: &Option<GrainBody>| {
+            slot.is_some_and(|held| matches!(held.grip, Grip::Beside | Grip::Below))
+        };
+        let free = (0..self.bodies.len()).filter(|&i| is_free(&self.bodies[i]));
+        let free: Vec<usize> = free.collect();
+        let places: Vec<Point2> = free.iter().map(|&i| dirt.grains[i].position).collect();
+        let moved = film.displacements(&places, plant.real(), *spacing, *elapsed);
+        *elapsed = 0.0;
+        for (index, by) in free.into_iter().zip(moved) {
+            let Some(held) = self.bodies[index].filter(|_| by != Vector2::zeros()) else {
+                continue;
+            };
+            let grain = &mut dirt.grains[index];
+            let to = grain.position + by;
+            if let Some(fate) = run_off(&task.surface, grain.position, to) {
+                grain.fate = fate;
+                plant.world.remove_body(held.body);
+                self.bodies[index] = None;
+            } else {
+                let at = plant.real().world_from_place(to, grain.radius);
+                if let Some(body) = plant.world.bodies.get_mut(held.body) {
+                    body.set_translation(vector(&at.translation.vector), true);
+                }
+            }
+            grain.position = to;
         }
     }
 

@@ -264,6 +264,8 @@ impl<'a> Simulation<'a> {
             let period = self.config.period;
             treated.act(&self.plant, &mut self.dirt, &self.tool, period);
         }
+        let period = self.config.period;
+        (self.grains).run_film(&mut self.plant, &mut self.dirt, self.task, period);
         self.plant.step();
         let is_obstructed = self.plant.is_obstructed();
         let was_obstructed = std::mem::replace(&mut self.was_obstructed, is_obstructed);

@@ -195,7 +195,7 @@ fn only_the_effect_model_moves_particles() {
         let text = code(&fs::read_to_string(&file).unwrap());
         let is_effect_model = file.ends_with("represent/effect.rs");
         let expected: &[&str] = if is_effect_model {
-            &["lift_off", "apply", "apply_where"]
+            &["lift_off", "wait", "apply", "apply_where"]
         } else {
             &[]
         };

@@ -7,6 +7,7 @@ mod effect;
 mod follow;
 mod given_strokes;
 mod goal;
+mod gravity;
 mod house;
 mod interpret;
 mod learn;

@@ -12,8 +12,8 @@ use super::source::{Limits, Source, UNIT_NORM};
 use wisch::geometry::Vector3;
 use wisch::represent::{
     Action, AreaOfEffect, DirtFriction, GrainSize, Interaction, KnowledgeBase, KnowledgeError,
-    LogNormal, LogNormalSpread, MediumEntry, MediumKind, Redraw, SurfaceEntry, SurfaceScope,
-    TiltFreedom, ToolEntry, ToolMesh,
+    Liquid, LogNormal, LogNormalSpread, MediumEntry, MediumKind, Redraw, SurfaceEntry,
+    SurfaceScope, TiltFreedom, ToolEntry, ToolMesh,
 };
 use wisch::source_location::Place;
 
@@ -38,6 +38,10 @@ const DAMPING_RATIO: Limits = (Included(0.0), Included(10.0));
 const WEIGHT: Limits = (Included(0.0), Included(1e3));
 /// Limits of a Coulomb coefficient [1]; rubber on glass is near 2.
 const FRICTION: Limits = (Included(0.0), Included(5.0));
+/// Limits of liquids: viscosity [Pa s], density [kg/m³] and adhering layer [m].
+const VISCOSITY: Limits = (Included(1e-4), Included(1e3));
+const DENSITY: Limits = (Included(100.0), Included(2e4));
+const ADHERING: Limits = (Included(0.0), Included(0.01));
 /// Limits of μ, so that the median of f′ is between e⁻¹⁰ and e¹⁰: beyond, every contact or no contact moves grains.
 const MU: Limits = (Included(-10.0), Included(10.0));
 /// Limits of σ [1]: a law wider than ten decades has no meaning.
@@ -101,6 +105,9 @@ struct MediumRecord {
     grain_size_m: Option<Spanned<[f64; 2]>>,
     static_friction: Option<Spanned<f64>>,
     kinetic_friction: Option<Spanned<f64>>,
+    viscosity_pa_s: Option<Spanned<f64>>,
+    density_kg_per_m3: Option<Spanned<f64>>,
+    adhering_thickness_m: Option<Spanned<f64>>,
 }
 
 #[derive(Deserialize, Clone, Copy)]
@@ -278,7 +285,40 @@ impl Source<'_> {
             kind,
             grain_size,
             friction: self.friction(record, kind)?,
+            liquid: self.liquid(record, kind)?,
         })
+    }
+
+    /// Returns how a liquid runs, if that is known.
+    fn liquid(
+        self,
+        record: &MediumRecord,
+        kind: MediumKind,
+    ) -> Result<Option<Liquid>, KnowledgeFileError> {
+        let inconsistent = |problem: &str| KnowledgeFileError::Inconsistent {
+            at: self.place(&record.name),
+            problem: format!("medium {}: {problem}", record.name.get_ref()),
+        };
+        let others = [&record.density_kg_per_m3, &record.adhering_thickness_m];
+        let Some(viscosity) = &record.viscosity_pa_s else {
+            return match others.iter().any(|given| given.is_some()) {
+                true => Err(inconsistent("viscosity_pa_s is missing")),
+                false => Ok(None),
+            };
+        };
+        if kind != MediumKind::Liquid {
+            return Err(inconsistent("only a liquid has a viscosity"));
+        }
+        let number = |key, given: &Option<Spanned<f64>>, limits, usual| match given {
+            Some(given) => self.number(key, given, limits),
+            None => Ok(usual),
+        };
+        let [density, adhering] = others;
+        Ok(Some(Liquid {
+            viscosity: self.number("viscosity_pa_s", viscosity, VISCOSITY)?,
+            density: number("density_kg_per_m3", density, DENSITY, Liquid::WATER.density)?,
+            adhering_thickness: number("adhering_thickness_m", adhering, ADHERING, 0.0)?,
+        }))
     }
 
     /// Returns the friction of a medium, if it is known.

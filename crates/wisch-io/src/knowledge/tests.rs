@@ -266,6 +266,26 @@ fn an_entry_that_contradicts_itself_is_refused() {
             "medium gravel: grain_size_m = [min, max] is missing",
         ),
         (
+            "grain_size_m = [0.01, 0.02]\n",
+            "grain_size_m = [0.01, 0.02]\nkinetic_friction = 0.4\n",
+            "medium gravel: kinetic_friction needs static_friction",
+        ),
+        (
+            "grain_size_m = [0.01, 0.02]\n",
+            "grain_size_m = [0.01, 0.02]\nstatic_friction = 0.3\nkinetic_friction = 0.4\n",
+            "medium gravel: kinetic_friction exceeds static_friction",
+        ),
+        (
+            "grain_size_m = [0.01, 0.02]\n",
+            "grain_size_m = [0.01, 0.02]\nviscosity_pa_s = 0.1\n",
+            "medium gravel: only a liquid has a viscosity",
+        ),
+        (
+            "grain_size_m = [0.01, 0.02]\n",
+            "grain_size_m = [0.01, 0.02]\ndensity_kg_per_m3 = 900.0\n",
+            "medium gravel: viscosity_pa_s is missing",
+        ),
+        (
             "[\"skim\"]",
             "[]",
             "small.toml:24:11: an interaction needs at least one action",

@@ -1,14 +1,15 @@
 //! Tools, media, surfaces and interactions that a task file defines, in addition to the knowledge base or overriding it.
 
 use super::deserialize::At;
+use super::mobility::{self, MediumMotion};
 use super::tables::{InteractionTable, MediumKindName, MediumTable, TaskTable, ToolTable};
-use super::values::{Friction, Name};
+use super::values::Name;
 use super::{Intent, TaskError, TaskFile};
 use crate::knowledge::is_entry_name;
 use wisch::geometry::Vector3;
 use wisch::represent::{
-    AngleRange, DirtFriction, GrainSize, Interaction, KnowledgeBase, KnowledgeError, MediumEntry,
-    MediumKind, SurfaceEntry, SurfaceScope, ToolEntry, ToolMesh,
+    AngleRange, GrainSize, Interaction, KnowledgeBase, KnowledgeError, MediumEntry, SurfaceEntry,
+    SurfaceScope, ToolEntry, ToolMesh,
 };
 use wisch::source_location::Place;
 
@@ -29,8 +30,8 @@ pub(super) struct Definitions {
     /// Whether the height of the tool is assumed.
     has_assumed_height: bool,
     medium: Option<MediumEntry>,
-    /// Friction of a medium, by its name.
-    friction: Option<(String, At<Friction>, DirtFriction)>,
+    /// How the medium moves by its own weight.
+    pub(super) motion: Option<MediumMotion>,
     surface: Option<SurfaceEntry>,
     interaction: Option<Overrides>,
 }
@@ -65,8 +66,8 @@ pub(super) fn read(file: &At<TaskTable>) -> Result<Definitions, TaskError> {
             Some(table) => medium(table)?,
             None => None,
         },
-        friction: match &task.medium {
-            Some(table) => friction(table)?,
+        motion: match &task.medium {
+            Some(table) => mobility::read(table)?,
             None => None,
         },
         surface,
@@ -163,37 +164,8 @@ fn medium(table: &At<MediumTable>) -> Result<Option<MediumEntry>, TaskError> {
         kind: kind.value.into(),
         grain_size,
         friction: None,
+        liquid: None,
     }))
-}
-
-/// Returns the friction of the dirt, with the name of its medium.
-fn friction(
-    table: &At<MediumTable>,
-) -> Result<Option<(String, At<Friction>, DirtFriction)>, TaskError> {
-    let given = &table.value;
-    let (at_rest, sliding) = (&given.static_friction, &given.kinetic_friction);
-    let Some(at_rest) = at_rest else {
-        return match sliding {
-            Some(sliding) => Err(sliding.inconsistent("this key needs static_friction")),
-            None => Ok(None),
-        };
-    };
-    let friction = DirtFriction {
-        at_rest: at_rest.value.0,
-        sliding: sliding.as_ref().map_or(at_rest, |sliding| sliding).value.0,
-    };
-    if let Some(sliding) = sliding
-        && friction.sliding > friction.at_rest
-    {
-        let DirtFriction {
-            at_rest,
-            sliding: value,
-        } = friction;
-        let problem = format!("{value} exceeds static_friction, which is {at_rest}");
-        return Err(sliding.inconsistent(problem));
-    }
-    let name = (given.name.as_ref()).ok_or_else(|| table.missing("name"))?;
-    Ok(Some((name.value.0.clone(), at_rest.clone(), friction)))
 }
 
 fn overrides(table: &At<InteractionTable>, task: &TaskTable) -> Result<Overrides, TaskError> {
@@ -224,7 +196,7 @@ impl TaskFile {
     pub fn extend(&self, knowledge: &mut KnowledgeBase) -> Result<Vec<String>, TaskError> {
         let defined = &self.definitions;
         defined.insert_entries(knowledge);
-        self.set_friction(knowledge)?;
+        self.set_medium_motion(knowledge)?;
         let mut assumed: Vec<String> = (defined.tool.iter())
             .filter(|_| defined.has_assumed_height)
             .map(|tool| {
@@ -267,25 +239,6 @@ impl TaskFile {
             ));
         }
         Ok(assumed)
-    }
-}
-
-impl TaskFile {
-    /// Sets the friction of the dirt in the entry of its medium.
-    fn set_friction(&self, knowledge: &mut KnowledgeBase) -> Result<(), TaskError> {
-        let Some((name, at, friction)) = &self.definitions.friction else {
-            return Ok(());
-        };
-        let known = knowledge.medium(name);
-        let mut entry = known
-            .map_err(|error| self.unknown(error, &at.place))?
-            .clone();
-        if entry.kind == MediumKind::Liquid {
-            return Err(at.inconsistent("a liquid has no friction at rest"));
-        }
-        entry.friction = Some(*friction);
-        knowledge.insert_medium(entry);
-        Ok(())
     }
 }
 

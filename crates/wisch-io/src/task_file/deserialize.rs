@@ -57,6 +57,15 @@ impl<T> At<T> {
         }
     }
 
+    /// Returns the location without the value.
+    pub(super) fn without_value(&self) -> At<()> {
+        At {
+            place: self.place.clone(),
+            path: self.path.clone(),
+            value: (),
+        }
+    }
+
     /// Makes the error of a missing key of this table.
     pub(super) fn missing(&self, key: &'static str) -> TaskError {
         TaskError::Missing {

@@ -7,6 +7,7 @@ mod deserialize;
 mod error;
 mod execution;
 mod execution_tables;
+mod mobility;
 mod mount;
 mod outline;
 mod resolve;

@@ -61,7 +61,7 @@ impl TaskFile {
         let tool_at = &self.tool_at;
         let unknown = |error| self.unknown(error, tool_at);
         knowledge.surface(&surface.name).map_err(unknown)?;
-        let friction = knowledge.medium(medium).map_err(unknown)?.friction;
+        knowledge.medium(medium).map_err(unknown)?;
         let entry = knowledge.tool(tool).map_err(unknown)?;
         let interaction = (knowledge.interaction(tool, medium, &surface.name)).map_err(unknown)?;
         if !interaction.actions.contains(&action) {
@@ -114,7 +114,7 @@ impl TaskFile {
             scene,
             tool,
             medium: medium.to_owned(),
-            mobility: friction.map_or(DirtMobility::Unknown, DirtMobility::Slides),
+            mobility: DirtMobility::Unknown,
             interaction: interaction.clone(),
             particles: ParticleDistribution::default(),
             collect_goal: self.collect_goal,
@@ -126,6 +126,7 @@ impl TaskFile {
             occupied: &task.occupied_area(),
         };
         task.particles = self.particles(area, seed, assets)?;
+        task.mobility = self.mobility(knowledge, medium, task.particles.len());
         Ok(task)
     }
 

@@ -4,12 +4,13 @@ use super::clusters::ClusterTable;
 use super::deserialize::At;
 use super::execution_tables::ExecutionTable;
 use super::values::{
-    AngleRad, BandwidthM, Channel, ColorDistance, ContactSpeed, DampingRatio, DepthM, DistanceM,
-    Evaluations, FalseAlarms, FlangeM, FootprintM, FreeSpeed, Friction, GrainM, GripM,
-    HalfAngleRad, HalfSizeM, HolderRadiusM, LawSpread, LeanRad, LiftHeightM, LogForce, LogSpread,
-    MarginM, Name, ParticleCount, Passes, Pixel, PositionErrorM, PositionM, PostureWeight,
-    PressForceN, PrestonPerPa, QuaternionPart, RadiusM, RedrawLengthM, Scale, SchemaVersion, Score,
-    Seed, Share, SizeM, Stiffness, ThicknessM, Variants, VolumePerMetre, names,
+    AdheringM, AngleRad, BandwidthM, Channel, ColorDistance, ContactSpeed, DampingRatio,
+    DensityKgPerM3, DepthM, DistanceM, Evaluations, FalseAlarms, FlangeM, FootprintM, FreeSpeed,
+    Friction, GrainM, GripM, HalfAngleRad, HalfSizeM, HolderRadiusM, LawSpread, LeanRad,
+    LiftHeightM, LogForce, LogSpread, MarginM, Name, ParticleCount, Passes, Pixel, PositionErrorM,
+    PositionM, PostureWeight, PressForceN, PrestonPerPa, QuaternionPart, RadiusM, RedrawLengthM,
+    Scale, SchemaVersion, Score, Seed, Share, SizeM, Stiffness, ThicknessM, Variants, ViscosityPaS,
+    VolumeM3, VolumePerMetre, names,
 };
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::de::{EnumAccess, Error as _, VariantAccess, Visitor};
@@ -197,6 +198,14 @@ pub(super) struct MediumTable {
     pub(super) static_friction: Option<At<Friction>>,
     /// Coefficient of friction of the dirt while it slides, at most `static_friction`; default: `static_friction`.
     pub(super) kinetic_friction: Option<At<Friction>>,
+    /// Dynamic viscosity of a liquid [Pa s]; with `volume_m3`, a film of it runs down a leaning plane.
+    pub(super) viscosity_pa_s: Option<At<ViscosityPaS>>,
+    /// Density of the liquid [kg/m³]; default: 1000.
+    pub(super) density_kg_per_m3: Option<DensityKgPerM3>,
+    /// Thickness of the layer of the liquid that adheres and does not run [m]; default: 0.
+    pub(super) adhering_thickness_m: Option<AdheringM>,
+    /// Volume of all the liquid on the surface [m³]; default: the liquid is assumed to stay in place.
+    pub(super) volume_m3: Option<At<VolumeM3>>,
 }
 
 names! {

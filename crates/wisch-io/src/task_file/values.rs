@@ -113,6 +113,14 @@ ranges! { f64, NumberWithin;
     DepthM = (0.0, 0.1);
     /// Sides of a tool's footprint [m].
     FootprintM = (1e-3, 2.0);
+    /// Dynamic viscosities [Pa s], from below that of hexane to above that of honey.
+    ViscosityPaS = (1e-4, 1e3);
+    /// Densities of liquids [kg/m³].
+    DensityKgPerM3 = (100.0, 2e4);
+    /// Layers of liquid that adhere [m].
+    AdheringM = (0.0, 0.01);
+    /// Volumes of liquid on a surface [m³], up to a hundred litres.
+    VolumeM3 = (1e-12, 0.1);
     /// Diameters of grains [m].
     GrainM = (1e-7, 0.1);
     /// Forces with which arms press [N].

@@ -55,7 +55,7 @@ impl Dirt {
                 let slide = DirtSlide::new(friction, surface.occupied.clone());
                 drawn.settle(&surface.real(settings), &slide)
             }
-            DirtMobility::Unknown => drawn,
+            DirtMobility::Unknown | DirtMobility::Runs(_) => drawn,
         })
     }
 

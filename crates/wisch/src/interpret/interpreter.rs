@@ -14,7 +14,7 @@ use super::log_evidence::{LEAST_ON_PLANE, LogEvidence};
 use super::wrench_quality::UnusableWrenches;
 use crate::geometry::{PlanarPose, Point2, Pose, Region, Vector3};
 use crate::represent::{
-    DirtSlide, Effect, GoalState, ParticleDistribution, ParticleError, Surface, Task,
+    DirtSlide, Effect, FilmFlow, GoalState, ParticleDistribution, ParticleError, Surface, Task,
 };
 use nalgebra::{Translation3, UnitQuaternion};
 
@@ -94,6 +94,7 @@ pub struct Interpreter {
     surface: Surface,
     footprint: Region,
     slide: Option<DirtSlide>,
+    film: Option<FilmFlow>,
     /// Largest angle by which the tool may tilt by design [rad].
     own_tilt: f64,
     config: InterpretConfig,
@@ -112,6 +113,7 @@ impl Interpreter {
             surface: task.surface.clone(),
             footprint: task.tool.footprint.clone(),
             slide: task.dirt_slide(),
+            film: task.film_flow(),
             own_tilt: task.tool.tilt.map_or(0.0, |tilt| {
                 tilt.range.min_rad.abs().max(tilt.range.max_rad.abs())
             }),
@@ -397,6 +399,8 @@ impl Interpreter {
             force_ratio: analysis.force_ratio,
             footprint: &self.footprint,
             slide: self.slide.as_ref(),
+            film: self.film.as_ref(),
+            span: analysis.span(),
             effect,
             surface: &self.surface,
             config: &self.config,
@@ -464,6 +468,16 @@ struct LogAnalysis {
 }
 
 impl LogAnalysis {
+    /// Times of the first and the last piece of the path [s].
+    fn span(&self) -> [f64; 2] {
+        let path = &self.classified.path;
+        let [begin, end] = [path.first(), path.last()];
+        [
+            begin.map_or(0.0, |piece| piece.time[0]),
+            end.map_or(0.0, |piece| piece.time[1]),
+        ]
+    }
+
     fn evidence<'a>(&'a self, interpreter: &'a Interpreter) -> ContactEvidence<'a> {
         // Without a plane, only the force indicates contact.
         let trusted: &[Event] = if self.classified.plane.is_some() {

@@ -1,6 +1,6 @@
 //! Candidate plans for the same dirt; the caller keeps the one with the best predicted effect.
 
-use super::policies::{plan_by_coverage, sample_particles};
+use super::policies::{plan_by_coverage, sample_task};
 use super::subplans::compose_subplans;
 use super::{CoverageStrategy, FreeSpace, Plan, PlanConfig, PlanError};
 use crate::represent::{Action, ParticleDistribution, Task};
@@ -97,8 +97,5 @@ pub(super) fn reduce_for_comparison(task: &Task) -> Task {
         true => usize::MAX,
         false => MOST_COMPARED,
     };
-    Task {
-        particles: sample_particles(&task.particles, most),
-        ..task.clone()
-    }
+    sample_task(task, most)
 }

@@ -12,6 +12,7 @@ mod error;
 mod given_strokes;
 mod graph;
 mod lanes;
+mod nominal_times;
 mod objective;
 mod planner;
 mod policies;

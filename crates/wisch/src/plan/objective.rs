@@ -1,6 +1,7 @@
 //! The objective by which plans for the same dirt are compared: their predicted effect.
 
 use super::edge_margin::EdgeMargin;
+use super::nominal_times::NominalTimes;
 use super::score::DirtTerms;
 use super::{Plan, Stroke};
 use crate::represent::{Effect, GoalState, ParticleField, Task};
@@ -30,13 +31,18 @@ pub(super) fn objective(task: &Task, plan: &Plan) -> i64 {
     let mut field = ParticleField::new(&task.particles);
     let mut model = task.effect_model(&task.tool.footprint, effect);
     let mut touched = Vec::new();
-    for motions in plan.strokes.iter().map(Stroke::motions) {
-        for motion in motions {
+    let times = NominalTimes::of(task);
+    let poses = plan.strokes.iter().map(|stroke| &stroke.poses[..]);
+    let before = times.before_strokes(plan.tool_start, poses);
+    for (motions, before) in plan.strokes.iter().map(Stroke::motions).zip(before) {
+        model.wait(&mut field, &task.surface, before);
+        for (motion, time) in motions.flat_map(|motion| times.parts(&motion)) {
             touched.clear();
             model.apply_where(&mut field, &task.surface, &motion, |particle, _| {
                 touched.push(particle);
                 true
             });
+            model.wait(&mut field, &task.surface, time);
             // Only pushed dirt comes near an edge.
             if effect == Effect::Push {
                 margin.pass_of(&field, touched.iter().copied());

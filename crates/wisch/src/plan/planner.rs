@@ -240,14 +240,17 @@ impl<'a> Planner<'a> {
             [] => std::slice::from_ref(&self.task.particles),
             some => some,
         };
-        let of_first = Task {
-            particles: dirt[0].clone(),
-            ..self.task.clone()
-        };
         let few = dirt
             .iter()
             .map(|dirt| sample_particles(dirt, MAX_PARTICLES));
-        Ok((of_first, few.collect(), free_space_of(self.task)?))
+        let few: Vec<ParticleDistribution> = few.collect();
+        let share = few[0].len() as f64 / dirt[0].len().max(1) as f64;
+        let of_first = Task {
+            particles: dirt[0].clone(),
+            mobility: self.task.mobility.sample(share),
+            ..self.task.clone()
+        };
+        Ok((of_first, few, free_space_of(self.task)?))
     }
 }
 

@@ -452,11 +452,20 @@ fn choose_yaw(task: &Task, plan: &Plan, rule: YawRule, chains: &[Vec<usize>]) ->
         strokes: headings.strokes(task, &plan.graph, chains),
         ..plan.clone()
     });
-    let few = Task {
-        particles: sample_particles(&task.particles, CHOSEN_BY),
-        ..task.clone()
-    };
+    let few = sample_task(task, CHOSEN_BY);
     best_by_objective(&few, headed).expect("a rule has at least one heading")
+}
+
+/// Returns the task with its dirt, or with a random subset of `most` of its particles, each of which then stands for more
+/// liquid.
+pub(super) fn sample_task(task: &Task, most: usize) -> Task {
+    let particles = sample_particles(&task.particles, most);
+    let share = particles.len() as f64 / task.particles.len().max(1) as f64;
+    Task {
+        mobility: task.mobility.sample(share),
+        particles,
+        ..task.clone()
+    }
 }
 
 /// Returns the dirt, or a random subset of `most` of its particles.

@@ -1,6 +1,7 @@
 //! Prediction: the effect of a plan's strokes by the effect model; paper §3.4, Fig. 7.
 
 use super::Plan;
+use super::nominal_times::NominalTimes;
 use super::score::DirtTerms;
 use crate::geometry::PlanarPose;
 use crate::represent::{ParticleDistribution, ParticleField, Performance, Task};
@@ -55,9 +56,16 @@ pub fn predict(task: &Task, plan: &Plan, mut watch: impl FnMut(&PredictionProgre
     let mut field = ParticleField::new(&task.particles);
     let mut model = task.effect_model(&task.tool.footprint, plan.graph.goal.action().effect());
     let mut distance = 0.0;
+    let times = NominalTimes::of(task);
+    let poses = plan.strokes.iter().map(|stroke| &stroke.poses[..]);
+    let before = times.before_strokes(plan.tool_start, poses);
     for (stroke, motions) in plan.strokes.iter().map(super::Stroke::motions).enumerate() {
+        model.wait(&mut field, &task.surface, before[stroke]);
         for motion in motions {
-            model.apply(&mut field, &task.surface, &motion);
+            for (part, time) in times.parts(&motion) {
+                model.apply(&mut field, &task.surface, &part);
+                model.wait(&mut field, &task.surface, time);
+            }
             distance += motion.travel().1;
             watch(&PredictionProgress {
                 distance,

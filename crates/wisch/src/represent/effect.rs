@@ -16,6 +16,7 @@
 
 use super::acting_part::ActingPart;
 use super::field::{OrientedBox, ParticleField, Slot};
+use super::film::FilmFlow;
 use super::heap::Heap;
 use super::motion::{CLEARANCE, ToolMotion};
 use super::sliding::DirtSlide;
@@ -91,6 +92,8 @@ pub struct EffectModel {
     heap: Option<Heap>,
     /// How the dirt slides by its own weight; `None` if it stays.
     slide: Option<DirtSlide>,
+    /// How a film runs by its own weight; `None` if it stays.
+    film: Option<FilmFlow>,
     /// The part that acts where the surface bends; `None` if the whole footprint acts everywhere.
     acting: Option<ActingPart>,
     /// The pressure of a tool that touches with a part of its footprint.
@@ -128,6 +131,7 @@ impl EffectModel {
             outcomes: Vec::new(),
             heap: None,
             slide: None,
+            film: None,
             acting: None,
             pressure: None,
             footprint: footprint.clone(),
@@ -214,6 +218,12 @@ impl EffectModel {
         Self { slide, ..self }
     }
 
+    /// Returns the model with a film that runs by its own weight while time passes, see [`EffectModel::wait`].
+    #[must_use]
+    pub fn with_film(self, film: Option<FilmFlow>) -> Self {
+        Self { film, ..self }
+    }
+
     /// Sets the pressure under the tool in the motions that follow: only the part that it presses acts. `None` if the
     /// whole footprint acts. Motions that turn by less than 6° then count as straight. While the tool turns more, the whole
     /// footprint acts.
@@ -229,6 +239,13 @@ impl EffectModel {
         }
         if let Some(slide) = &self.slide {
             slide.settle_field(field, surface);
+        }
+    }
+
+    /// Lets a film run for a duration \[s\]. Nothing else changes with time.
+    pub fn wait(&mut self, field: &mut ParticleField, surface: &Surface, duration: f64) {
+        if let Some(film) = &self.film {
+            film.run(field, surface, duration);
         }
     }
 

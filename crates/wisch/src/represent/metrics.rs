@@ -72,10 +72,11 @@ impl GoalState {
         (wanted - passes).round().max(0.0) as u32
     }
 
-    /// Whether a particle misses the goal for good: it fell over a wrong edge, or its coat is too thick.
+    /// Whether a particle misses the goal for good: it went over a wrong edge, or its coat is too thick. Dirt that fell by its own
+    /// weight is not lost, as no tool moved it.
     pub fn is_lost(&self, fate: Fate) -> bool {
         match (self, fate) {
-            (_, Fate::OffSurface { .. }) => true,
+            (_, Fate::OffSurface { .. }) => fate != Fate::FALLEN,
             (
                 Self::Dispensed {
                     thickness,

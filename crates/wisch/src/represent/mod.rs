@@ -5,6 +5,7 @@ mod cone;
 mod contact;
 mod effect;
 mod field;
+mod film;
 mod heap;
 mod knowledge;
 mod mesh_shape;
@@ -30,12 +31,13 @@ pub use contact::{
 };
 pub use effect::{EffectModel, MotionEffect};
 pub use field::ParticleField;
+pub use film::{FilmFlow, MAX_REYNOLDS, mean_distance, run_off};
 pub use heap::{HEAP_DEPTH, heap_depth, heap_slide};
 pub use knowledge::{
     Action, AngleRange, AreaOfEffect, DirtFriction, DirtMobility, Effect, GrainSize, Grip,
-    Interaction, KnowledgeBase, KnowledgeError, LogNormal, LogNormalSpread, MediumEntry,
-    MediumKind, Mount, Place, RankedTool, Redraw, SecondGrip, SurfaceEntry, SurfaceScope,
-    TiltFreedom, ToolEntry, ToolMesh, UnknownName, dirt_friction,
+    Interaction, KnowledgeBase, KnowledgeError, Liquid, LiquidFilm, LogNormal, LogNormalSpread,
+    MediumEntry, MediumKind, Mount, Place, RankedTool, Redraw, SecondGrip, SurfaceEntry,
+    SurfaceScope, TiltFreedom, ToolEntry, ToolMesh, ToolPace, UnknownName, dirt_friction,
 };
 pub use mesh_shape::{MeshShape, PatchOfMesh, principal_curvatures};
 pub use metrics::{GoalState, Performance, THICKNESS_TOLERANCE};

@@ -28,7 +28,8 @@ pub enum Fate {
 }
 
 impl Fate {
-    /// The particle fell from a surface that faces down, over none of its edges.
+    /// The particle fell off by its own weight: from a surface that faces down, or as liquid over an edge over which no dirt
+    /// may be skimmed.
     pub const FALLEN: Self = Self::OffSurface { edge: u16::MAX };
 
     /// Whether the particle is on the surface.

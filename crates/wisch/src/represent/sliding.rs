@@ -102,7 +102,7 @@ pub struct DirtSlide {
     occupied: OccupiedArea,
 }
 
-/// The end of a slide.
+/// The end of the path of a sliding particle.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SlideEnd {
     /// Place in the chart, beyond the border if the particle left the surface \[m\].
@@ -217,22 +217,10 @@ impl DirtSlide {
         let bounds = Bounds2::from_points(surface.outline.outer().iter().copied())?;
         let longest = bounds.size().norm() + BEYOND;
         let length = find_border(surface, from, direction).map_or(longest, |way| way.min(longest));
-        let Some(stop) = self.find_stop(from, direction, length) else {
+        let Some(stop) = find_stop(&self.occupied, from, direction, length) else {
             return Some(SlideEnd::beyond_border(surface, from, direction, length));
         };
         (stop > 0.0).then(|| SlideEnd::resting(from + direction * stop, stop))
-    }
-
-    /// Returns the length of a straight move before its first object [m], if there is one.
-    fn find_stop(&self, from: Point2, direction: Vector2, length: f64) -> Option<f64> {
-        if self.occupied.sections().is_empty() {
-            return None;
-        }
-        let step = STEP.max(length / MAX_STEPS);
-        let count = (length / step) as usize;
-        let way = |i: usize| step * i as f64;
-        let first = (1..=count).find(|&i| self.occupied.contains(from + direction * way(i)))?;
-        Some(way(first - 1))
     }
 
     /// Returns the end of an arc around a cylinder whose axis is level; `None` on other shapes.
@@ -364,6 +352,23 @@ fn find_border(surface: &Surface, from: Point2, direction: Vector2) -> Option<f6
     (surface.outline.edges())
         .filter_map(leaves)
         .reduce(f64::min)
+}
+
+/// Returns the length of a straight move before the first object that occupies an area \[m\], if there is one.
+pub(super) fn find_stop(
+    occupied: &OccupiedArea,
+    from: Point2,
+    direction: Vector2,
+    length: f64,
+) -> Option<f64> {
+    if occupied.sections().is_empty() {
+        return None;
+    }
+    let step = STEP.max(length / MAX_STEPS);
+    let count = (length / step) as usize;
+    let way = |i: usize| step * i as f64;
+    let first = (1..=count).find(|&i| occupied.contains(from + direction * way(i)))?;
+    Some(way(first - 1))
 }
 
 /// Lets dirt slide on a surface that is too steep for it. `None` if no particle slides.

@@ -1,9 +1,9 @@
 //! A task with all names resolved, all values checked and in SI units.
 
 use super::{
-    Action, AngleRange, DirtMobility, DirtSlide, Effect, EffectModel, ElasticFoundation, GoalState,
-    Interaction, Mount, OccupiedArea, ParticleDistribution, SceneObject, ScenePart, SecondGrip,
-    Surface, TiltFreedom, Treatment, effective_pressure,
+    Action, AngleRange, DirtMobility, DirtSlide, Effect, EffectModel, ElasticFoundation, FilmFlow,
+    GoalState, Interaction, Mount, OccupiedArea, ParticleDistribution, SceneObject, ScenePart,
+    SecondGrip, Surface, TiltFreedom, Treatment, effective_pressure,
 };
 use crate::geometry::{Mesh, MeshError, Point2, Polygon, Pose, Region, Vector2, Vector3};
 
@@ -199,7 +199,25 @@ impl Task {
             DirtMobility::Slides(friction) if !self.action.treats() => {
                 Some(DirtSlide::new(friction, self.occupied_area()))
             }
-            DirtMobility::Slides(_) | DirtMobility::Unknown => None,
+            _ => None,
+        }
+    }
+
+    /// Whether the dirt is a film that runs down the surface: liquids run on planes that face up.
+    pub fn has_running_film(&self) -> bool {
+        matches!(self.mobility, DirtMobility::Runs(_))
+            && !self.action.treats()
+            && self.surface.shape.is_plane()
+            && self.surface.normal(Point2::origin()).z > 0.0
+    }
+
+    /// Returns how the dirt runs down the surface; `None` if it does not run, see [`Self::has_running_film`].
+    pub fn film_flow(&self) -> Option<FilmFlow> {
+        match self.mobility {
+            DirtMobility::Runs(film) if self.has_running_film() => {
+                Some(FilmFlow::new(film, self.occupied_area()))
+            }
+            _ => None,
         }
     }
 
@@ -209,7 +227,9 @@ impl Task {
     /// # Parameters
     /// - `footprint`: the footprint that counts, at most that of the task's tool (tool frame \[m\]).
     pub fn effect_model(&self, footprint: &Region, effect: Effect) -> EffectModel {
-        let model = EffectModel::new(footprint, effect).with_slide(self.dirt_slide());
+        let model = EffectModel::new(footprint, effect)
+            .with_slide(self.dirt_slide())
+            .with_film(self.film_flow());
         match ElasticFoundation::from_interaction(&self.tool.footprint, &self.interaction) {
             Some(foundation) if !self.surface.shape.is_plane() => {
                 model.with_contact(foundation, effective_pressure(&self.interaction.likelihood))

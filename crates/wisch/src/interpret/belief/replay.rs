@@ -12,16 +12,22 @@ use crate::geometry::Region;
 use crate::interpret::config::InterpretConfig;
 use crate::interpret::contact::{ContactMotion, PressureDistribution, StiffnessBelief, ToolOnBend};
 use crate::represent::{
-    DirtSlide, Effect, EffectModel, GoalState, ParticleDistribution, ParticleField, Performance,
-    Surface,
+    DirtSlide, Effect, EffectModel, FilmFlow, GoalState, ParticleDistribution, ParticleField,
+    Performance, Surface,
 };
 use rayon::prelude::*;
+
+/// Time after which a film is moved [s].
+const FILM_STEP: f64 = 0.25;
 
 /// Inputs of a replay except for the particles.
 #[derive(Debug)]
 pub(in crate::interpret) struct Replay<'a> {
     pub(in crate::interpret) footprint: &'a Region,
     pub(in crate::interpret) slide: Option<&'a DirtSlide>,
+    pub(in crate::interpret) film: Option<&'a FilmFlow>,
+    /// Times of the first and the last sample [s].
+    pub(in crate::interpret) span: [f64; 2],
     pub(in crate::interpret) effect: Effect,
     pub(in crate::interpret) surface: &'a Surface,
     pub(in crate::interpret) config: &'a InterpretConfig,
@@ -128,7 +134,9 @@ impl Replay<'_> {
         } = state;
         let compression = parameters.compression(self.config, self.stiffness);
         let footprint = self.footprint.scale(parameters.footprint_scale);
-        let mut model = EffectModel::new(&footprint, self.effect).with_slide(self.slide.cloned());
+        let mut model = EffectModel::new(&footprint, self.effect)
+            .with_slide(self.slide.cloned())
+            .with_film(self.film.cloned());
         if self.effect == Effect::Push {
             let heap_depth = parameters.heap * self.config.redraw_length_m;
             model = model.with_heap(heap_depth, activation.key);
@@ -137,8 +145,14 @@ impl Replay<'_> {
         let bounds = footprint.bounds();
         let on_bend = ToolOnBend::new(self.surface, &footprint, compression, self.config);
         let likelihood = &parameters.likelihood;
+        let [mut now, end] = self.span;
         for contact in motions {
             let contact = parameters.apply(contact, force_factor);
+            // A film runs in steps, as it changes little during a motion of a centimetre.
+            if self.film.is_some() && contact.end_time - now >= FILM_STEP {
+                model.wait(&mut field, self.surface, contact.end_time - now);
+                now = contact.end_time;
+            }
             if !contact.continues {
                 model.lift_off(&mut field, self.surface);
             }
@@ -161,6 +175,7 @@ impl Replay<'_> {
             });
         }
         model.lift_off(&mut field, self.surface);
+        model.wait(&mut field, self.surface, end - now);
         field.distribution()
     }
 }

@@ -72,6 +72,8 @@ pub(in crate::interpret) struct ContactMotion {
     pub(in crate::interpret) slope: Vector2,
     /// Whether it begins where the motion before ended, without a lift between them.
     pub(in crate::interpret) continues: bool,
+    /// Time at its end [s].
+    pub(in crate::interpret) end_time: f64,
 }
 
 /// Returns the straight contact motions of a path, in the frame of the real surface. `force` gives f′ of each piece.
@@ -180,6 +182,7 @@ impl Builder {
             force: open.kind.with(open.share()),
             slope: open.slope(),
             continues: open.continues || part > 0,
+            end_time: open.last_time,
         }));
     }
 }

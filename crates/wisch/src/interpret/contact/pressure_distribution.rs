@@ -234,6 +234,7 @@ mod tests {
                 force: NormalizedForce::Mean(force),
                 slope,
                 continues: false,
+                end_time: 0.0,
             };
             let flat = PressureDistribution::of(&contact, pad.bounds(), compression, None).unwrap();
             let bent = bed.press(force, slope, &nalgebra::Matrix2::zeros());

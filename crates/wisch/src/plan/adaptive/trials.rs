@@ -6,7 +6,8 @@ use super::value::{State, Valuation, Value, World};
 use crate::geometry::PlanarPose;
 use crate::plan::PlanScore;
 use crate::plan::edge_margin::EdgeMargin;
-use crate::represent::{Effect, EffectModel, GoalState, Task, ToolMotion};
+use crate::plan::nominal_times::NominalTimes;
+use crate::represent::{Effect, EffectModel, GoalState, Surface, Task, ToolMotion};
 use std::rc::Rc;
 
 /// Distance from the start of a stroke on which the force is still rising [m].
@@ -23,18 +24,23 @@ const MOST_STATES: usize = 256;
 struct Step {
     motion: Option<ToolMotion>,
     is_first: bool,
+    /// Time from the contact before to that of this step [s].
+    before: f64,
     /// Whether the tool is lifted after the step.
     lifts: bool,
 }
 
-fn steps_of(draft: &Draft) -> Vec<Step> {
+fn steps_of(draft: &Draft, task: &Task) -> Vec<Step> {
     let mut steps = Vec::new();
-    for stroke in &draft.strokes {
+    let strokes = draft.strokes.iter().map(|stroke| &stroke[..]);
+    let times = NominalTimes::of(task).before_strokes(task.tool_start, strokes);
+    for (stroke, before) in draft.strokes.iter().zip(times) {
         let motions = stroke.len().saturating_sub(1);
         if motions == 0 {
             steps.push(Step {
                 motion: None,
                 is_first: true,
+                before,
                 lifts: true,
             });
         }
@@ -44,6 +50,7 @@ fn steps_of(draft: &Draft) -> Vec<Step> {
                 to: pair[1],
             }),
             is_first: i == 0,
+            before: if i == 0 { before } else { 0.0 },
             lifts: i + 1 == motions,
         }));
     }
@@ -123,7 +130,7 @@ impl<'a> Trials<'a> {
 
     /// Returns the state of each world after a draft.
     fn simulate(&mut self, draft: &Draft) -> Vec<State> {
-        let steps = steps_of(draft);
+        let steps = steps_of(draft, self.valuation.task());
         let pairs = steps.iter().zip(&self.kept.steps);
         let common = pairs.take_while(|(one, other)| one == other).count();
         let mut states = Vec::with_capacity(self.models.len());
@@ -157,6 +164,7 @@ fn roll_out(
     states: &mut Vec<(usize, Rc<State>)>,
 ) -> State {
     let surface = &task.surface;
+    let times = NominalTimes::of(task);
     let (from, state) = states.last().expect("the state before all steps");
     let (from, mut state) = (*from, State::clone(state));
     model.resume_after(steps[..from].iter().filter(|step| step.lifts).count() as u32);
@@ -167,26 +175,16 @@ fn roll_out(
         if at > from && at % spacing == 0 && is_whole {
             states.push((at, Rc::new(state.clone())));
         }
+        model.wait(&mut state.field, surface, step.before);
         if let Some(mut motion) = step.motion {
             if world.heap.is_some() {
                 motion = delay_contact(motion, step.is_first);
                 motion.from = displace_in_hand(&motion.from, &world.grasp);
                 motion.to = displace_in_hand(&motion.to, &world.grasp);
             }
-            match &mut state.margin {
-                None => {
-                    model.apply(&mut state.field, surface, &motion);
-                }
-                Some(margin) => {
-                    let displaced = state.touched.len();
-                    let touched = &mut state.touched;
-                    model.apply_where(&mut state.field, surface, &motion, |particle, _| {
-                        touched.push(particle);
-                        true
-                    });
-                    margin.pass_of(&state.field, state.touched.iter().copied());
-                    state.touched.drain(..displaced);
-                }
+            for (part, time) in times.parts(&motion) {
+                apply(model, &mut state, surface, &part);
+                model.wait(&mut state.field, surface, time);
             }
         }
         if step.lifts {
@@ -194,6 +192,25 @@ fn roll_out(
         }
     }
     state
+}
+
+/// Applies a motion in contact to a state.
+fn apply(model: &mut EffectModel, state: &mut State, surface: &Surface, motion: &ToolMotion) {
+    match &mut state.margin {
+        None => {
+            model.apply(&mut state.field, surface, motion);
+        }
+        Some(margin) => {
+            let displaced = state.touched.len();
+            let touched = &mut state.touched;
+            model.apply_where(&mut state.field, surface, motion, |particle, _| {
+                touched.push(particle);
+                true
+            });
+            margin.pass_of(&state.field, state.touched.iter().copied());
+            state.touched.drain(..displaced);
+        }
+    }
 }
 
 /// Returns a motion whose contact begins [`LANDING`] late, if it is the first of a stroke.

@@ -39,6 +39,59 @@ impl DirtFriction {
     }
 }
 
+/// Properties of a liquid that decide how a film of it runs.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Liquid {
+    /// Dynamic viscosity [Pa s].
+    pub viscosity: f64,
+    /// Density [kg/m³].
+    pub density: f64,
+    /// Thickness of the layer that adheres to the surface and does not run \[m\].
+    pub adhering_thickness: f64,
+}
+
+impl Liquid {
+    /// Water at 20 °C, no layer of which adheres.
+    pub const WATER: Self = Self {
+        viscosity: 1e-3,
+        density: 1000.0,
+        adhering_thickness: 0.0,
+    };
+}
+
+/// Times that a prediction takes a tool to need, during which a film runs.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ToolPace {
+    /// Speed in contact [m/s].
+    pub contact: f64,
+    /// Speed between strokes [m/s].
+    pub lifted: f64,
+    /// Time to lift off and to land again \[s\].
+    pub landing: f64,
+}
+
+impl Default for ToolPace {
+    /// 0.25 m/s in contact and between strokes, and 1.5 s to lift off and land.
+    fn default() -> Self {
+        Self {
+            contact: 0.25,
+            lifted: 0.25,
+            landing: 1.5,
+        }
+    }
+}
+
+/// A film of liquid, as particles.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct LiquidFilm {
+    /// The liquid.
+    pub liquid: Liquid,
+    /// Volume for which each particle stands [m³].
+    pub particle_volume: f64,
+    /// Times of the tool in predictions.
+    pub pace: ToolPace,
+}
+
 /// What is known about the motion of a medium by its own weight.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub enum DirtMobility {
@@ -47,4 +100,23 @@ pub enum DirtMobility {
     Unknown,
     /// Pieces or grains that slide where the surface is too steep for their friction.
     Slides(DirtFriction),
+    /// A liquid that runs down a plane.
+    Runs(LiquidFilm),
+}
+
+impl DirtMobility {
+    /// Returns the mobility of a subset of the dirt that stands for all of it: each particle is more liquid.
+    ///
+    /// # Parameters
+    /// - `share`: share of the particles in the subset \[1\].
+    #[must_use]
+    pub fn sample(self, share: f64) -> Self {
+        match self {
+            Self::Runs(film) if share > 0.0 => Self::Runs(LiquidFilm {
+                particle_volume: film.particle_volume / share,
+                ..film
+            }),
+            _ => self,
+        }
+    }
 }

@@ -14,7 +14,7 @@ use std::str::FromStr;
 pub use crate::source_location::{Place, UnknownName};
 pub use grip::{Grip, Mount, SecondGrip};
 pub use likelihood::{LogNormal, LogNormalSpread, Redraw};
-pub use mobility::{DirtFriction, DirtMobility, dirt_friction};
+pub use mobility::{DirtFriction, DirtMobility, Liquid, LiquidFilm, ToolPace, dirt_friction};
 
 use crate::geometry::Vector3;
 
@@ -216,6 +216,8 @@ pub struct MediumEntry {
     pub grain_size: Option<GrainSize>,
     /// Its friction on a surface; `None` if it is unknown.
     pub friction: Option<DirtFriction>,
+    /// How it runs, if it is a liquid; `None` if that is unknown.
+    pub liquid: Option<Liquid>,
 }
 
 /// A surface of the knowledge base.

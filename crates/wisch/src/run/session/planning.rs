@@ -56,11 +56,16 @@ impl Session<'_> {
             (None, Some(goal)) => {
                 let treated = task.treatment.and_then(|_| self.belief.median_passes());
                 let is_treated = treated.is_some();
+                let particles = match treated {
+                    Some(places) => places,
+                    None => self.belief.draw_mixture(PLANNING_DRAWS, task.seed)?,
+                };
+                let members = self.belief.members();
+                let of_all: usize = members.iter().map(ParticleDistribution::len).sum();
+                let worlds = (particles.len() * members.len()) as f64 / of_all.max(1) as f64;
                 let task = &Task {
-                    particles: match treated {
-                        Some(places) => places,
-                        None => self.belief.draw_mixture(PLANNING_DRAWS, task.seed)?,
-                    },
+                    particles,
+                    mobility: task.mobility.sample(worlds),
                     ..task.clone()
                 };
                 let mut open = remaining_dirt(task, goal)?;
