@@ -69,7 +69,7 @@ fn every_shipped_scenario_draws_its_dirt_apart() {
         assert_eq!(settings.count, about, "{}", path.display());
         count += 1;
     }
-    assert_eq!(count, 15);
+    assert_eq!(count, 16);
 }
 
 #[test]
