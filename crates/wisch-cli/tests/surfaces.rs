@@ -191,16 +191,16 @@ fn a_mesh_that_needs_several_charts_says_so_and_is_divided() {
             "split",
             "bowl.ply",
             "--max-patches",
-            "2",
+            "1",
             "--out",
-            "two",
+            "one",
         ],
     );
     assert!(
         code == 1 && out.contains("advice      allow more patches"),
         "{out}"
     );
-    assert!(!folder.path().join("two").exists());
+    assert!(!folder.path().join("one").exists());
 }
 
 #[test]
