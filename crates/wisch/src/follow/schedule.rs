@@ -63,23 +63,35 @@ pub(super) fn time_motion(
     // Where the tool follows a line, its steps are short.
     let divided = (speed.is_finite() && tool_line.is_empty()).then(|| divide_steps(path));
     let path = divided.as_deref().unwrap_or(path);
-    let mut joints = JointPath::new(path)?;
-    if speed.is_finite() {
-        let ways = fastest_ways(cell, path)?;
-        joints = joints.with_segment_times(ways.iter().map(|way| way / speed).collect())?;
-    }
-    let timed = |blend_tolerance| -> Result<Trajectory, FollowError> {
+    let joints = JointPath::new(path)?;
+    let time = |joints: &JointPath, blend_tolerance| -> Result<Trajectory, FollowError> {
         let timing = TimingConfig {
             blend_tolerance,
             ..TimingConfig::default()
         };
-        let fastest = time_path(&joints, cell.limits(), &timing)?;
-        let slowed = slow_to_efforts(cell, fastest)?;
-        slow_to_speed(
-            cell,
-            slowed.with_acceleration_ramp(config.acceleration_ramp),
-            speed,
-        )
+        let fastest = time_path(joints, cell.limits(), &timing)?;
+        Ok(slow_to_efforts(cell, fastest)?.with_acceleration_ramp(config.acceleration_ramp))
+    };
+    let ways = (speed.is_finite().then(|| measure_ways(cell, path))).transpose()?;
+    let timed = |blend_tolerance| -> Result<Trajectory, FollowError> {
+        let Some([mean, fastest]) = &ways else {
+            return time(&joints, blend_tolerance);
+        };
+        let keeps = |ways: &[f64]| -> Result<Trajectory, FollowError> {
+            let times = ways.iter().map(|way| way / speed).collect();
+            time(&joints.clone().with_segment_times(times)?, blend_tolerance)
+        };
+        let trajectory = keeps(mean)?;
+        if greatest_speed(cell, &trajectory)? <= (1.0 + SPEED_EXCESS) * speed {
+            return Ok(trajectory);
+        }
+        let trajectory = keeps(fastest)?;
+        let greatest = greatest_speed(cell, &trajectory)?;
+        Ok(if greatest > (1.0 + SPEED_EXCESS) * speed {
+            trajectory.slow_down(greatest / speed)
+        } else {
+            trajectory
+        })
     };
     let mut blend = if tool_line.is_empty() {
         FREE_BLEND
@@ -215,13 +227,13 @@ fn locate_tool(cell: &Workcell, q: &[f64]) -> Result<Vector3, FollowError> {
     Ok(root_from_tool.translation.vector)
 }
 
-/// Returns the path length of the tool from each configuration to the next [m]. Where the tool does not move evenly while
-/// the joints do, it is the length that the tool would cover at its greatest speed.
-fn fastest_ways(cell: &Workcell, path: &[Vec<f64>]) -> Result<Vec<f64>, FollowError> {
-    let mut ways = Vec::with_capacity(path.len());
+/// Returns the distance of the tool from each configuration to the next [m], and the path length that it would cover in the
+/// same time at its greatest speed, where it does not move evenly while the joints do.
+fn measure_ways(cell: &Workcell, path: &[Vec<f64>]) -> Result<[Vec<f64>; 2], FollowError> {
+    let (mut mean, mut fastest) = (Vec::new(), Vec::new());
     for pair in path.windows(2) {
-        let begin = locate_tool(cell, &pair[0])?;
-        let (mut before, mut fastest) = (begin, 0.0_f64);
+        let [begin, end] = [locate_tool(cell, &pair[0])?, locate_tool(cell, &pair[1])?];
+        let (mut before, mut longest) = (begin, 0.0_f64);
         for k in 1..=PARTS {
             let share = k as f64 / PARTS as f64;
             let joints = pair[0].iter().zip(&pair[1]);
@@ -229,38 +241,26 @@ fn fastest_ways(cell: &Workcell, path: &[Vec<f64>]) -> Result<Vec<f64>, FollowEr
                 .map(|(from, to)| from + share * (to - from))
                 .collect();
             let place = locate_tool(cell, &q)?;
-            fastest = fastest.max(PARTS as f64 * (place - before).norm());
+            longest = longest.max((place - before).norm());
             before = place;
         }
-        let mean = (before - begin).norm();
-        let is_even = fastest <= (1.0 + SPEED_EXCESS) * mean;
-        ways.push(if is_even { mean } else { fastest });
+        mean.push((end - begin).norm());
+        fastest.push((PARTS as f64 * longest).max((end - begin).norm()));
     }
-    Ok(ways)
+    Ok([mean, fastest])
 }
 
-/// Slows a motion down until the tool does not exceed a speed [m/s] by more than [`SPEED_EXCESS`].
-fn slow_to_speed(
-    cell: &Workcell,
-    trajectory: Trajectory,
-    speed: f64,
-) -> Result<Trajectory, FollowError> {
-    if speed.is_infinite() {
-        return Ok(trajectory);
-    }
-    let mut fastest = 0.0_f64;
+/// Returns the greatest speed of the tool over a motion [m/s].
+fn greatest_speed(cell: &Workcell, trajectory: &Trajectory) -> Result<f64, FollowError> {
+    let mut greatest = 0.0_f64;
     let mut before: Option<Vector3> = None;
     for sample in trajectory.samples(LINE_PERIOD) {
         let place = locate_tool(cell, &sample.q)?;
         let step = before.map_or(0.0, |before| (place - before).norm());
-        fastest = fastest.max(step / LINE_PERIOD);
+        greatest = greatest.max(step / LINE_PERIOD);
         before = Some(place);
     }
-    Ok(if fastest > (1.0 + SPEED_EXCESS) * speed {
-        trajectory.slow_down(fastest / speed)
-    } else {
-        trajectory
-    })
+    Ok(greatest)
 }
 
 /// Checks that no joint needs longer for a path than [`MAX_DURATION`], at its limits of velocity and acceleration.
