@@ -21,6 +21,56 @@ fn json(path: &Path) -> Value {
     serde_json::from_str(&read(path)).expect("JSON")
 }
 
+/// The number before a per cent sign in the first line that contains a word.
+fn percent_of<'a>(text: &'a str, word: &str) -> &'a str {
+    let line = text
+        .lines()
+        .find(|line| line.contains(word))
+        .expect("a line");
+    let (before, _) = line.split_once(" %").expect("a share");
+    before.rsplit(' ').next().expect("a number")
+}
+
+#[test]
+fn check_and_follow_state_the_same_performance_of_what_the_robot_reaches() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    fs::write(folder.path().join("task.toml"), WALL).expect("written");
+    let (code, checked, err) = wisch(folder.path(), &["check", "task.toml"]);
+    assert_eq!(code, 0, "{checked}{err}");
+    assert!(checked.contains("the robot abandons"), "{checked}");
+    assert!(
+        checked.contains("with the strokes that the robot follows"),
+        "{checked}"
+    );
+    let (_, followed, _) = wisch(folder.path(), &["follow", "task.toml", "--out", "result"]);
+    assert_eq!(
+        percent_of(&checked, "  predicted"),
+        percent_of(&followed, "  performance"),
+        "{checked}{followed}"
+    );
+    assert!(followed.contains("; holder 0."), "{followed}");
+}
+
+/// A wall of which the arm cannot polish the lower part.
+const WALL: &str = r#"
+schema = 1
+name = "wall"
+seed = 3
+action = "polish"
+target_performance = 0.9
+tool = { name = "pad", footprint_m = [0.05, 0.08], compression_depth_m = 0.004, mount = { on = "flange", distance_m = 0.1 } }
+medium = { name = "polishing_paste" }
+robot = { name = "arm7" }
+polish = { passes = 1 }
+particles = { source = "surface", count = 600 }
+[surface]
+name = "plate"
+friction = 0.3
+size_m = [0.30, 0.20]
+position_m = [0.55, 0.0, 0.45]
+rpy_rad = [1.5707963267948966, 0, -1.5707963267948966]
+"#;
+
 #[test]
 fn the_humanoid_follows_the_board() {
     let folder = folder_with("chopping-board.toml");

@@ -50,7 +50,8 @@ pub fn check(args: &CheckArgs, global: &GlobalArgs) -> Result<Outcome, Failure> 
         None => None,
     };
     progress.say("predicting");
-    let prediction = predict(&prepared.task, plan, |_| ());
+    let wiped = robot.as_ref().map_or(plan, |robot| &robot.wiped);
+    let prediction = predict(&prepared.task, wiped, |_| ());
     let least = prepared.run.min_score;
     let refusal = check_score(&prediction, prepared.task.action, least).err();
     let reaches_nothing = robot.as_ref().is_some_and(|robot| robot.reaches_nothing);
@@ -63,7 +64,7 @@ pub fn check(args: &CheckArgs, global: &GlobalArgs) -> Result<Outcome, Failure> 
             prediction,
         };
         let heading = match &refusal {
-            None if reaches_nothing => {
+            _ if reaches_nothing => {
                 "the task is valid, but the robot reaches no stroke of its plan".to_owned()
             }
             None => "the task is valid".to_owned(),
@@ -92,6 +93,10 @@ struct RobotFound {
     lines: Vec<(&'static str, String)>,
     /// Whether every stroke of the plan is abandoned.
     reaches_nothing: bool,
+    /// The plan as the robot executes it: without abandoned nodes.
+    wiped: Plan,
+    /// Whether the robot abandons a part of the plan.
+    abandons: bool,
 }
 
 impl RobotFound {
@@ -118,6 +123,11 @@ impl RobotFound {
         Self {
             lines,
             reaches_nothing: followed.strokes.is_empty() && !plan.strokes.is_empty(),
+            wiped: Plan {
+                strokes: followed.strokes.clone(),
+                ..plan.clone()
+            },
+            abandons: !followed.abandoned.is_empty(),
         }
     }
 }
@@ -242,6 +252,7 @@ fn explanation(prepared: &LoadedTask, found: &Found<'_>, heading: &str) -> Strin
         ),
     ));
     let performance = prediction.performance;
+    let abandons = robot.as_ref().is_some_and(|robot| robot.abandons);
     let dirt = if task.action.treats() {
         "points"
     } else {
@@ -251,8 +262,9 @@ fn explanation(prepared: &LoadedTask, found: &Found<'_>, heading: &str) -> Strin
     lines.push((
         "predicted",
         format!(
-            "{} of the {dirt} reach the goal, {} are lost; score {:.2} (minimum for execution: {:.2})",
+            "{} of the {dirt} reach the goal{}, {} are lost; score {:.2} (minimum for execution: {:.2})",
             percent(performance.ratio()),
+            if abandons { " with the strokes that the robot follows" } else { "" },
             share(performance.lost),
             prediction.score(),
             prepared.run.min_score
@@ -267,15 +279,20 @@ fn explanation(prepared: &LoadedTask, found: &Found<'_>, heading: &str) -> Strin
         )),
     }
     let target = prepared.run.target;
+    let what = if abandons {
+        "what the robot follows"
+    } else {
+        "this plan"
+    };
     lines.push((
         "target",
         match target - performance.ratio() {
             missing if missing > 0.0 => format!(
-                "{}: this plan is predicted to fall short by {:.1} points in one round",
+                "{}: {what} is predicted to fall short by {:.1} points in one round",
                 percent(target),
                 100.0 * missing
             ),
-            _ => format!("{}, which this plan is predicted to reach", percent(target)),
+            _ => format!("{}, which {what} is predicted to reach", percent(target)),
         },
     ));
     let mut text = format!("{}: {heading}\n", task.name);
