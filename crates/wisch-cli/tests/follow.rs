@@ -21,6 +21,36 @@ fn json(path: &Path) -> Value {
     serde_json::from_str(&read(path)).expect("JSON")
 }
 
+/// Compares the lengths of a run with those of the rounds, and the total with the tool's path.
+fn check_distances(result: &Path, in_contact: f64, total: f64) {
+    let rounds = json(&result.join("rounds.json"));
+    let rounds = rounds.as_array().expect("a list");
+    let sum = |key: &str| {
+        rounds
+            .iter()
+            .filter_map(|round| round[key].as_f64())
+            .sum::<f64>()
+    };
+    assert!((sum("distance_in_contact_m") - in_contact).abs() < 1e-9);
+    assert!((sum("distance_total_m") - total).abs() < 1e-9);
+    let path = read(&result.join("trajectories/tcp-path.csv"));
+    let place = |row: &str| -> Vec<f64> {
+        let cells = row.split(',').skip(3).take(3);
+        cells.map(|cell| cell.parse().expect("a number")).collect()
+    };
+    let places: Vec<Vec<f64>> = path.lines().skip(1).map(place).collect();
+    let steps = places.windows(2).map(|pair| {
+        let squares = pair[0].iter().zip(&pair[1]).map(|(a, b)| (b - a).powi(2));
+        squares.sum::<f64>().sqrt()
+    });
+    let of_first: f64 = steps.sum();
+    let first = rounds[0]["distance_total_m"].as_f64().expect("a number");
+    assert!(
+        (first - of_first).abs() < 0.01 * of_first,
+        "{first} m, {of_first} m"
+    );
+}
+
 /// The number before a per cent sign in the first line that contains a word.
 fn percent_of<'a>(text: &'a str, word: &str) -> &'a str {
     let line = text
@@ -99,6 +129,11 @@ fn the_humanoid_follows_the_board() {
     assert!(number("min_clearance_m") >= 5e-3);
 
     let result = folder.path().join("result");
+    check_distances(
+        &result,
+        number("distance_in_contact_m"),
+        number("distance_total_m"),
+    );
     let following = json(&result.join("trajectories/following.json"));
     assert_eq!(following["format"], "wisch-following");
     assert_eq!(following["faults"], serde_json::json!([]));

@@ -184,9 +184,9 @@ pub(crate) fn facts_of(loaded: &LoadedTask, results: &RunResults) -> Vec<(String
     };
     let following = results.following.as_ref();
     let wiped = results.executable_plan();
-    let distance = match (following, results.rounds.is_empty()) {
-        (Some(following), false) => following.total.distance,
-        _ => [wiped.contact_distance(), wiped.total_distance()],
+    let distance = match following {
+        Some(following) => following.total.distance,
+        None => [wiped.contact_distance(), wiped.total_distance()],
     };
     let mut facts = facts(loaded, &wiped, prediction, distance);
     facts.extend(following.iter().flat_map(|following| following.facts()));

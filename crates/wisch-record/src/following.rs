@@ -26,6 +26,23 @@ pub struct FollowedPlan {
     pub total: MotionTotal,
 }
 
+/// What is not checked where no link of a robot has a collision shape.
+pub const NO_SHAPES: &str = "have no collision shapes: only the tool is checked for collisions, with its holder if it has one";
+
+/// Describes the movement of joints in contact and in total: of revolute ones \[rad\], and of prismatic ones \[m\] if there are any.
+pub fn joint_movement_in_words(turned: [f64; 2], slid: Option<[f64; 2]>) -> String {
+    let turns = match (turned, slid) {
+        ([_, all], Some(_)) if all <= 0.0 => None,
+        ([contact, all], _) => Some(format!("{contact:.1} rad in contact, {all:.1} rad total")),
+    };
+    let slides = slid.map(|[contact, all]| format!("{contact:.2} m in contact, {all:.2} m total"));
+    turns
+        .into_iter()
+        .chain(slides)
+        .collect::<Vec<_>>()
+        .join("; ")
+}
+
 /// Totals over the motions of several rounds.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct MotionTotal {
@@ -33,9 +50,11 @@ pub struct MotionTotal {
     pub rounds: usize,
     /// Total duration, and duration of contact \[s\].
     pub time: [f64; 2],
-    /// Movement of the arm's joints in contact, and in total \[rad\].
+    /// Movement of the arm's revolute joints in contact, and in total \[rad\].
     pub joint_movement: [f64; 2],
-    /// Path length of the tool in contact, and in total \[m\].
+    /// Movement of the arm's prismatic joints in contact, and in total \[m\]; `None` for an arm without any.
+    pub slide_movement: Option<[f64; 2]>,
+    /// Path length of the tool in contact, and in total, as in [`wisch::run::ExecutedMotion`] \[m\].
     pub distance: [f64; 2],
     /// Maximum deviation of the tool from its path \[m\], \[rad\].
     pub off_line: [f64; 2],
@@ -60,6 +79,9 @@ impl MotionTotal {
             let duration = round.execution.duration;
             add(&mut total.time, [duration, executed.contact_time]);
             add(&mut total.joint_movement, executed.joint_movement);
+            if let Some(movement) = executed.slide_movement {
+                add(total.slide_movement.get_or_insert_default(), movement);
+            }
             add(&mut total.distance, executed.distance);
             total.add_audit(&round.audit);
         }
@@ -68,14 +90,13 @@ impl MotionTotal {
 
     /// Sums up a motion that is not executed.
     fn of_motion(planned: &PlannedRound, audit: &Audit) -> Self {
-        let PlannedRound { cell, followed, .. } = planned;
-        let wiped = planned.executable_plan();
+        let motion = planned.motion_until(f64::INFINITY);
         let mut total = Self {
             rounds: 0,
-            // An empty sum of f64 is -0.0.
-            time: [followed.duration(), followed.contact_time() + 0.0],
-            joint_movement: followed.joint_movement(cell.arm_variables()),
-            distance: [wiped.contact_distance(), wiped.total_distance()],
+            time: [planned.followed.duration(), motion.contact_time],
+            joint_movement: motion.joint_movement,
+            slide_movement: motion.slide_movement,
+            distance: motion.distance,
             off_line: [0.0; 2],
             clearance: f64::INFINITY,
         };
@@ -118,6 +139,12 @@ impl FollowedPlan {
         })
     }
 
+    /// Whether any link of the robot has a collision shape.
+    fn has_shapes(&self) -> bool {
+        let mut links = self.cell.robot().links().iter();
+        links.any(|link| !link.collision.is_empty())
+    }
+
     /// Returns a plan without the nodes that the robot abandons.
     pub fn plan(&self, plan: &Plan) -> Plan {
         Plan {
@@ -133,6 +160,9 @@ impl FollowedPlan {
         FollowingSummary {
             joint_movement_in_contact_rad: in_contact,
             joint_movement_rad: in_all,
+            joint_movement_in_contact_m: total.slide_movement.map(|[in_contact, _]| in_contact),
+            joint_movement_m: total.slide_movement.map(|[_, in_all]| in_all),
+            has_shapes: self.has_shapes(),
             robot: self.robot.clone(),
             mount: self.cell.mount().to_string(),
             held_joints: self.cell.held_joints(),
@@ -176,7 +206,10 @@ impl FollowedPlan {
             ("Time in contact", format!("{:.1} s{rounds}", total.time[1])),
             (
                 "Joint movement",
-                format!("{in_contact:.1} rad in contact, {in_all:.1} rad in total{rounds}"),
+                format!(
+                    "{}{rounds}",
+                    joint_movement_in_words([in_contact, in_all], total.slide_movement)
+                ),
             ),
             (
                 "Maximum path error",
@@ -201,6 +234,9 @@ impl FollowedPlan {
         if self.cell.second_arm().is_some() {
             let off = format!("{:.2} mm", 1e3 * self.audit.grip.position);
             facts.push(("Maximum grip error of the second hand", off));
+        }
+        if !self.has_shapes() {
+            facts.push(("Links", NO_SHAPES.to_owned()));
         }
         if !self.audit.faults.is_empty() {
             facts.push(("Faults of the motion", self.audit.faults.len().to_string()));

@@ -36,7 +36,7 @@ pub use episode::{EpisodeSink, EpisodeTarget, KeptEpisode, attach_task, begin_ep
 pub use error::RecordError;
 pub use events::EventSink;
 pub use folder::write_results;
-pub use following::{FollowedPlan, MotionTotal};
+pub use following::{FollowedPlan, MotionTotal, NO_SHAPES, joint_movement_in_words};
 pub use logged::episode_recording;
 pub use packed::read_recording;
 pub use page::PageSink;

@@ -11,7 +11,7 @@ use wisch_io::{
     TreatmentSummary,
 };
 use wisch_io::{FOLLOWING_FILE, LoadedTask, PLAN_FILE, REPORT_FILE, path_in_results};
-use wisch_record::{FinishedRound, FollowedPlan, RunResults};
+use wisch_record::{FinishedRound, FollowedPlan, NO_SHAPES, RunResults, joint_movement_in_words};
 
 /// Members of a belief over which a treatment is averaged.
 const SUMMARISED: usize = 64;
@@ -22,12 +22,13 @@ pub(super) fn summary(prepared: &LoadedTask, results: &RunResults, out: &Path) -
     let plan = &results.plan;
     let prediction = results.predicted.as_ref().map(|(prediction, _)| prediction);
     let execution = LoopSummary::new(results.rounds.iter().map(FinishedRound::summary).collect());
-    let [in_contact, in_all] = match &execution {
-        Some(rounds) => [
+    let [in_contact, in_all] = match (&execution, &results.following) {
+        (Some(rounds), _) => [
             rounds.total(|round| round.distance_in_contact_m) + 0.0,
             rounds.total(|round| round.distance_total_m) + 0.0,
         ],
-        None => [plan.contact_distance(), plan.total_distance()],
+        (None, Some(following)) => following.total.distance,
+        (None, None) => [plan.contact_distance(), plan.total_distance()],
     };
     let target_performance = prepared.run.target;
     Summary {
@@ -296,6 +297,9 @@ fn robot_in_words(following: &FollowingSummary, in_rounds: &str) -> Vec<(&'stati
         let joints = following.held_joints.join(", ");
         lines.push(("joints held", format!("{joints}, at their ready positions")));
     }
+    if !following.has_shapes {
+        lines.push(("links", NO_SHAPES.to_owned()));
+    }
     if following.contact_time_s <= 0.0 && following.abandoned_nodes > 0 {
         lines.push((
             "motion",
@@ -342,10 +346,15 @@ fn motion_in_words(following: &FollowingSummary, in_rounds: &str) -> [(&'static 
         ),
         (
             "joint movement",
-            format!(
-                "{:.1} rad in contact, {:.1} rad total{in_rounds}",
-                following.joint_movement_in_contact_rad, following.joint_movement_rad
-            ),
+            joint_movement_in_words(
+                [
+                    following.joint_movement_in_contact_rad,
+                    following.joint_movement_rad,
+                ],
+                (following.joint_movement_in_contact_m)
+                    .zip(following.joint_movement_m)
+                    .map(<[f64; 2]>::from),
+            ) + in_rounds,
         ),
         (
             "motion",

@@ -82,13 +82,19 @@ pub struct RoundSummary {
     pub execution_time_s: f64,
     /// Duration of planned contact until the execution ended.
     pub contact_time_s: f64,
-    /// Path length of the arm's joints in joint space during contact.
+    /// Path length of the arm's revolute joints in joint space during contact.
     pub joint_movement_in_contact_rad: f64,
-    /// Total path length of the arm's joints.
+    /// Total path length of the arm's revolute joints.
     pub joint_movement_rad: f64,
-    /// Path length of the tool in contact.
+    /// Path length of the arm's prismatic joints during contact; left out for an arm without any.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub joint_movement_in_contact_m: Option<f64>,
+    /// Total path length of the arm's prismatic joints; left out for an arm without any.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub joint_movement_m: Option<f64>,
+    /// Path length of the tool in contact, along the strokes that the robot follows.
     pub distance_in_contact_m: f64,
-    /// Total path length of the tool.
+    /// Total path length of the tool in the world, from the ready posture and back.
     pub distance_total_m: f64,
     /// Pauses of the motion; left out without one.
     #[serde(skip_serializing_if = "Vec::is_empty")]
@@ -191,6 +197,8 @@ impl RoundSummary {
             contact_time_s: executed.contact_time + 0.0,
             joint_movement_in_contact_rad: executed.joint_movement[0],
             joint_movement_rad: executed.joint_movement[1],
+            joint_movement_in_contact_m: executed.slide_movement.map(|[in_contact, _]| in_contact),
+            joint_movement_m: executed.slide_movement.map(|[_, in_all]| in_all),
             distance_in_contact_m: executed.distance[0],
             distance_total_m: executed.distance[1],
             pauses: round

@@ -37,9 +37,11 @@ pub struct Summary {
     /// Contact of the tool with the bend of the surface; its key is missing on a plane, and for a tool that hovers.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub bend_contact: Option<super::BendContactRecord>,
-    /// Path length in contact: of all executed rounds, else of the plan.
+    /// Path length of the tool in contact: along the strokes that the robot follows, in all executed rounds or else in the
+    /// motion; without a robot, along the strokes of the plan.
     pub distance_in_contact_m: f64,
-    /// Total path length, of the same.
+    /// Total path length of the tool: with a robot, in the world from its ready posture and back; without one, of the strokes
+    /// and the lifted moves between them.
     pub distance_total_m: f64,
     /// Planning time of the first round; null if the user gave the plan.
     pub planning_time_s: Option<f64>,
@@ -144,10 +146,19 @@ pub struct FollowingSummary {
     pub execution_time_s: f64,
     /// Duration of contact.
     pub contact_time_s: f64,
-    /// Path length of the arm's joints in joint space during contact.
+    /// Path length of the arm's revolute joints in joint space during contact.
     pub joint_movement_in_contact_rad: f64,
-    /// Total path length of the arm's joints.
+    /// Total path length of the arm's revolute joints.
     pub joint_movement_rad: f64,
+    /// Path length of the arm's prismatic joints during contact; its key is missing for an arm without any.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub joint_movement_in_contact_m: Option<f64>,
+    /// Total path length of the arm's prismatic joints; its key is missing for an arm without any.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub joint_movement_m: Option<f64>,
+    /// Whether any link of the robot has a collision shape; not written.
+    #[serde(skip)]
+    pub has_shapes: bool,
     /// Computation time of the motion, including placements and timing.
     pub following_time_s: f64,
     /// Maximum position error of the tool centre point, in all rounds.

@@ -69,7 +69,11 @@ impl Plan {
     /// Length of the tool centre point's path over all strokes, without lifted moves \[m\]; the distance of Table
     /// 1.
     pub fn contact_distance(&self) -> f64 {
-        self.strokes.iter().map(Stroke::length).sum()
+        // An empty sum of f64 is -0.0.
+        self.strokes
+            .iter()
+            .map(Stroke::length)
+            .fold(0.0, |sum, length| sum + length)
     }
 
     /// Returns the plan up to a distance in contact \[m\]; the stroke in progress ends there.
@@ -124,7 +128,7 @@ impl Plan {
                     (leg[1].surface_from_tool.position - leg[0].surface_from_tool.position).norm();
                 flat.hypot(leg[1].height - leg[0].height)
             })
-            .sum()
+            .fold(0.0, |sum, length| sum + length)
     }
 
     /// The corners of the tool centre point's whole path: approach, strokes, lifts and retreat.
