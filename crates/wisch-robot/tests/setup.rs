@@ -350,6 +350,18 @@ fn a_ready_posture_is_free_and_inside_limits_with_the_tool_down() {
 }
 
 #[test]
+fn limits_of_a_thousand_kilometres_do_not_lead_a_slide_away() {
+    let rail = r#"<link name="floor"/>
+        <joint name="rail" type="prismatic"><parent link="floor"/><child link="link_0"/><axis xyz="1 0 0"/>
+          <limit lower="-1e6" upper="1e6" velocity="1" acceleration="1" effort="1000"/></joint>"#;
+    let robot = read(&arm6_with(rail));
+    let arms = find_arms(&robot, &[]).unwrap();
+    let (_, ready) = ready_of(&robot, &arms[0], &quick());
+    assert_eq!(ready.place, "in front of the robot");
+    assert!(ready.tip.coords.norm() < 2.5, "{}", ready.tip);
+}
+
+#[test]
 fn manipulability_agrees_with_the_closed_form_of_two_links() {
     // Yoshikawa 1985: l1 l2 |sin q2| for the position of a planar arm. With its rotation, the Gram determinant of both
     // columns is that of (linear, angular): computed here from the columns by hand.

@@ -11,6 +11,9 @@ pub(super) const MAX_NEAR_VARIABLES: usize = 3;
 const MAX_DRAWS: usize = 2000;
 /// Range of a sliding joint without limits [m].
 const UNLIMITED_SLIDE: f64 = 1.0;
+/// Longest range of a sliding joint that is searched whole [m]. Of a longer one, which stands for no limits, only the part near
+/// 0 is.
+const LONGEST_SLIDE: f64 = 100.0;
 
 /// Returns the posture in the middle of all limits, with 0 for unlimited joints: n positions [rad or m].
 pub fn middle_posture(robot: &RobotModel) -> Vec<f64> {
@@ -79,10 +82,18 @@ pub(super) fn is_within_limits(robot: &RobotModel, q: &[f64]) -> bool {
     robot.limit_faults(q).is_ok_and(|faults| faults.is_empty())
 }
 
-/// Returns the range of a variable: its limits, or π or 1 m about 0.
+/// Returns the range of a variable that is searched: its limits, or π or 1 m about 0. Of a slide with very wide limits it is
+/// the part within 1 m of its position nearest to 0.
 pub(super) fn range_of(robot: &RobotModel, variable: usize) -> (f64, f64) {
     let joint = robot.variable(variable);
     match (joint.limits.position, joint.kind) {
+        (Some(range), JointKind::Prismatic) if range.upper - range.lower > LONGEST_SLIDE => {
+            let middle = 0.0_f64.clamp(range.lower, range.upper);
+            (
+                range.lower.max(middle - UNLIMITED_SLIDE),
+                range.upper.min(middle + UNLIMITED_SLIDE),
+            )
+        }
         (Some(range), _) => (range.lower, range.upper),
         (None, JointKind::Prismatic) => (-UNLIMITED_SLIDE, UNLIMITED_SLIDE),
         (None, _) => (-PI, PI),

@@ -37,6 +37,8 @@ const LEAST_SHARE: f64 = 0.5;
 const AMPLE_RANGE: f64 = 0.35;
 /// Largest share of the score that a place at the border of the region costs [1].
 const BORDER_COST: f64 = 0.3;
+/// Largest distance of the tip from its place in the region in a posture of an arm that cannot point its tool at the surface [m].
+const MAX_OFF: f64 = 1.0;
 /// Share of the score that joints half a turn from the middle of their limits cost, of which 0.9 is kept at most [1].
 const TURN_COST: f64 = 1.5;
 /// Largest angle of a tool that points at the surface \[rad\].
@@ -304,7 +306,11 @@ impl Search<'_> {
             (self.solver).solve_from(&goal, RotationGoal::AboutToolZFree, &start, &DESCENT)?;
         let positions = match outcome {
             IkOutcome::Solved(positions) => positions,
-            IkOutcome::Stuck { best, .. } if !only_straight => best,
+            IkOutcome::Stuck {
+                best,
+                position_error,
+                ..
+            } if !only_straight && position_error <= MAX_OFF => best,
             IkOutcome::Stuck { .. } => return Ok(Candidate::OutOfReach),
         };
         let mut q = self.request.held.to_vec();

@@ -10,7 +10,8 @@ use std::f64::consts::FRAC_PI_3;
 use std::fmt::Write;
 use std::path::Path;
 use wisch::robot::setup::{
-    ArmChain, ProposedGroup, ReadyPosture, SetupConfig, SetupError, find_table, held_posture,
+    ArmChain, LinkPairs, ProposedGroup, ReadyPosture, SetupConfig, SetupError, find_table,
+    held_posture,
 };
 use wisch::robot::{LinkAxis, LinkId, READY_STATE, RobotModel, SrdfComments};
 
@@ -222,7 +223,7 @@ pub fn comments(
             let found = proposal.ready.iter().find(|(moved, _)| moved == group);
             found.map_or_else(
                 || "The same posture, for the joints of this group.".to_owned(),
-                |(_, ready)| describe_ready(ready, seed),
+                |(_, ready)| describe_ready(ready, &proposal.pairs, seed),
             )
         })
     });
@@ -237,6 +238,10 @@ pub fn comments(
         pairs.samples,
         config.never_margin,
     );
+    if pairs.total == 0 {
+        "Fewer than two links have collision shapes: no link is checked against another."
+            .clone_into(&mut about_pairs);
+    }
     if pairs.near > 0 {
         let _ = write!(
             about_pairs,
@@ -260,15 +265,22 @@ pub fn comments(
     }
 }
 
-fn describe_ready(ready: &ReadyPosture, seed: u64) -> String {
+fn describe_ready(ready: &ReadyPosture, pairs: &LinkPairs, seed: u64) -> String {
+    let between = if pairs.total == 0 {
+        ""
+    } else {
+        " between links and tool"
+    };
+    let clearance = clearance(ready, pairs) + between;
+    let (first, rest) = clearance.split_at(1);
     let [x, y, z] = ready.tip.into();
     format!(
         "Tip {} at ({x:.3}, {y:.3}, {z:.3}) m from the root, {:.1} deg from straight at the surface.\n\
-         Clearance {} m between links and tool; {:.0} % of half a range to the nearest limit;\n\
+         {}{rest}; {:.0} % of half a range to the nearest limit;\n\
          manipulability {:.4} (Yoshikawa, in m). Best of {} free of collision, from {} random ones, seed {seed}.",
         ready.place,
         ready.tilt.to_degrees(),
-        clearance(ready),
+        first.to_uppercase(),
         100.0 * ready.limit_share,
         ready.manipulability,
         counted(ready.free, "posture"),
@@ -276,12 +288,14 @@ fn describe_ready(ready: &ReadyPosture, seed: u64) -> String {
     )
 }
 
-/// Clearance in metres; pairs are measured up to 1 m.
-fn clearance(ready: &ReadyPosture) -> String {
-    if ready.clearance < 1.0 {
-        format!("{:.3}", ready.clearance)
+/// Describes the clearance, which is measured up to 1 m.
+fn clearance(ready: &ReadyPosture, pairs: &LinkPairs) -> String {
+    if pairs.total == 0 {
+        "clearance not measured (fewer than two links have collision shapes)".to_owned()
+    } else if ready.clearance < 1.0 {
+        format!("clearance {:.3} m", ready.clearance)
     } else {
-        "over 1".to_owned()
+        "clearance over 1 m".to_owned()
     }
 }
 
@@ -324,10 +338,10 @@ pub fn describe(
         lines.push((
             READY_STATE,
             format!(
-                "{}: {}, clearance {} m, manipulability {:.4}, {:.0} % from the limits",
+                "{}: {}, {}, manipulability {:.4}, {:.0} % from the limits",
                 group.name,
                 ready.place,
-                clearance(ready),
+                clearance(ready, &proposal.pairs),
                 ready.manipulability,
                 100.0 * ready.limit_share
             ),
