@@ -169,6 +169,10 @@ fn what_is_no_urdf_is_an_error() {
     for (text, expected) in [
         ("name = 3", "arm.urdf:1:1: "),
         ("<sdf/>", "arm.urdf:1:1: expected <robot>, found <sdf>"),
+        (
+            "<?xml version=\"1.0\"?>\n<!DOCTYPE robot [<!ENTITY m \"1\">]>\n<robot name=\"arm\"><link name=\"a\"/></robot>",
+            "arm.urdf:2:1: a document type declaration (DTD) is not read",
+        ),
     ] {
         let (code, out, err) = check(folder_with(text).path(), &["arm.urdf", "--json"]);
         assert_eq!(code, 2);
@@ -183,6 +187,64 @@ fn what_is_no_urdf_is_an_error() {
     let (code, _, err) = check(folder_with(ARM).path(), &["arn.urdf"]);
     assert_eq!(code, 2);
     assert!(err.contains("did you mean arm.urdf?"), "{err}");
+}
+
+#[test]
+fn a_chain_of_too_many_joints_and_a_limit_of_years_are_warnings() {
+    let mut text = "<robot name=\"long\"><link name=\"l0\"/>".to_owned();
+    for i in 1..=30 {
+        let velocity = if i == 7 { "1e-9" } else { "1" };
+        text += &format!(
+            "<link name=\"l{i}\"/><joint name=\"j{i}\" type=\"revolute\"><parent link=\"l{}\"/><child link=\"l{i}\"/>\
+             <origin xyz=\"0 0 0.1\"/><axis xyz=\"0 1 0\"/>\
+             <limit lower=\"-1\" upper=\"1\" velocity=\"{velocity}\" effort=\"1\"/></joint>",
+            i - 1
+        );
+    }
+    let (code, out, err) = check(folder_with(&(text + "</robot>")).path(), &["arm.urdf"]);
+    assert_eq!(code, 1, "{err}");
+    assert!(
+        out.contains("has 30 moving joints, expected at most 24"),
+        "{out}"
+    );
+    assert!(
+        out.contains(
+            "joint \"j7\": its velocity limit is 0.000000001 rad/s, expected at least 0.001 rad/s"
+        ),
+        "{out}"
+    );
+}
+
+#[test]
+fn a_ready_posture_in_which_links_overlap_is_a_warning() {
+    let link = |name: &str, length: f64| {
+        format!(
+            "<link name=\"{name}\"><inertial><mass value=\"1\"/><inertia ixx=\"1\" iyy=\"1\" izz=\"1\"/></inertial>\
+             <collision><origin xyz=\"0 0 {}\"/><geometry><box size=\"0.05 0.05 {length}\"/></geometry></collision></link>",
+            length / 2.0
+        )
+    };
+    let joint = |name: &str, parent: &str, child: &str| {
+        format!(
+            "<joint name=\"{name}\" type=\"revolute\"><parent link=\"{parent}\"/><child link=\"{child}\"/>\
+             <origin xyz=\"0 0 0.3\"/><axis xyz=\"0 1 0\"/>\
+             <limit lower=\"-3.2\" upper=\"3.2\" velocity=\"1\" effort=\"9\" acceleration=\"9\"/></joint>"
+        )
+    };
+    let links = link("base", 0.1) + &link("upper", 0.2) + &link("lower", 0.6);
+    let joints = joint("shoulder", "base", "upper") + &joint("elbow", "upper", "lower");
+    let folder = folder_with(&format!("<robot name=\"arm\">{links}{joints}</robot>"));
+    for (elbow, is_free) in [(0.5, true), (3.1, false)] {
+        let srdf = format!(
+            "<robot name=\"arm\"><group name=\"arm\"><chain base_link=\"base\" tip_link=\"lower\"/></group>\
+             <group_state name=\"ready\" group=\"arm\"><joint name=\"elbow\" value=\"{elbow}\"/></group_state></robot>"
+        );
+        fs::write(folder.path().join("arm.srdf"), srdf).expect("written");
+        let (_, out, err) = check(folder.path(), &["arm.urdf"]);
+        let warning =
+            "in the posture in which motions begin, \"base\" and \"lower\" have a clearance of";
+        assert_eq!(out.contains(warning), !is_free, "{elbow}: {out}{err}");
+    }
 }
 
 const SRDF: &str = r#"<robot name="arm">

@@ -4,9 +4,10 @@ use super::prepare::stage_failure;
 use crate::args::{RobotArgs, TaskArgs};
 use crate::failure::Failure;
 use crate::terminal::remark;
+use std::path::Path;
 use wisch::follow::{FollowError, Followed, Workcell, WorkcellConfig, follow};
 use wisch::plan::Plan;
-use wisch::robot::CapabilityMap;
+use wisch::robot::{CapabilityMap, RobotError};
 use wisch_io::{LoadedTask, Robot, RobotDescription, RobotRecord};
 
 /// Value of `--robot` for no robot.
@@ -134,6 +135,18 @@ pub fn describe_stand(cell: &Workcell) -> String {
 fn cannot_follow(error: &FollowError, record: &RobotRecord, task_args: &TaskArgs) -> Failure {
     let failure = stage_failure(task_args, error);
     match (error, &record.description) {
+        (
+            FollowError::Robot(_) | FollowError::TooSlow { .. },
+            RobotDescription::Files { urdf, .. },
+        ) => {
+            let failure = Failure::new(error).within(Path::new(urdf));
+            match error {
+                FollowError::Robot(RobotError::ChainTooLong { .. }) => failure.with_help(
+                    "name a group with a shorter chain in the robot's SRDF, or make joints that need not move fixed",
+                ),
+                _ => failure.with_help(format!("see all findings with wisch robot check {urdf}")),
+            }
+        }
         (FollowError::UnknownGroup(_), _) => {
             failure.with_help("choose a group of the robot's SRDF with --group, or group in [robot]; the default is the first group")
         }

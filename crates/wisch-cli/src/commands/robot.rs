@@ -1,8 +1,10 @@
 //! `wisch robot check`: finds missing or inconsistent data in a robot's URDF and SRDF.
 
 mod findings;
+mod start;
 
 use self::findings::FindingGroup;
+use self::start::{check_chain, check_start};
 use super::words::counted;
 use crate::args::{GlobalArgs, RobotCheckArgs};
 use crate::failure::Failure;
@@ -89,10 +91,14 @@ pub fn check_robot(args: &RobotCheckArgs, global: &GlobalArgs) -> Result<Outcome
         (Some(robot), Some((name, text))) => {
             findings.extend(Srdf::check(&name, &text, robot));
             findings.extend(no_ready(&name, &text, robot));
+            findings.extend(check_start(&name, &text, robot)?);
             Some(name)
         }
         _ => None,
     };
+    if let Some(robot) = &robot {
+        findings.extend(check_chain(&name, &text, robot, srdf.as_deref())?);
+    }
     let (errors, warnings) = (
         count(&findings, Severity::Error),
         count(&findings, Severity::Warning),
@@ -142,15 +148,15 @@ pub fn check_robot(args: &RobotCheckArgs, global: &GlobalArgs) -> Result<Outcome
     }
 }
 
+/// Reads the SRDF of a robot.
+fn read_srdf(path: &str, robot: &RobotModel) -> Result<Srdf, Failure> {
+    let text = read_text(Path::new(path))?;
+    Srdf::parse(path, &text, robot).map_err(Failure::new)
+}
+
 /// Describes the group that wipes by default, how it holds a tool, and which joints it leaves where they are.
 fn describe_group(robot: &RobotModel, srdf: Option<&str>) -> Result<String, Failure> {
-    let srdf = match srdf {
-        None => None,
-        Some(path) => {
-            let text = read_text(Path::new(path))?;
-            Some(Srdf::parse(path, &text, robot).map_err(Failure::new)?)
-        }
-    };
+    let srdf = srdf.map(|path| read_srdf(path, robot)).transpose()?;
     let group = PlanningGroup::choose(robot, srdf.as_ref(), None).map_err(Failure::new)?;
     let [base, tip] = [group.base, group.tip].map(|link| &robot.links()[link.index()].name);
     let mut text = format!("  wipes with the chain from {base:?} to {tip:?}\n");

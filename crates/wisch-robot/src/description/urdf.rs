@@ -194,6 +194,14 @@ impl<'a> Reader<'a> {
                 line: error.pos().row as usize,
                 column: error.pos().col as usize,
             };
+            if matches!(error, roxmltree::Error::DtdDetected) {
+                let offset = self.text.find("<!DOCTYPE").unwrap_or(0);
+                let problem = "a document type declaration (DTD) is not read; remove <!DOCTYPE ...> and write its entities out";
+                return RobotError::Syntax {
+                    at: Place::from_offset(self.file, self.text, offset),
+                    problem: problem.to_owned(),
+                };
+            }
             // The place is named already.
             let text = error.to_string();
             let text = text.strip_suffix(&format!(" at {}", error.pos()));
