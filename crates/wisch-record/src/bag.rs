@@ -23,6 +23,8 @@ pub struct BagSink {
     bag: Option<BagWriter>,
     /// Whether the round of the bag is executed.
     is_executed: bool,
+    /// Whether the bag holds a sample.
+    has_samples: bool,
     /// Believed surface pose of the current plan, and the last observation.
     world_from_surface: Pose,
     seen: Option<Seen>,
@@ -42,6 +44,7 @@ impl BagSink {
             urdf: urdf.map(str::to_owned),
             bag: None,
             is_executed: false,
+            has_samples: false,
             world_from_surface: task.surface.world_from_surface,
             seen: None,
             round: 0,
@@ -59,13 +62,21 @@ impl BagSink {
         self.folder.join(bag_name(self.round))
     }
 
-    /// Finishes the bag of an executed round, also if its interpretation failed.
+    /// Finishes the bag of a round, also if its execution or interpretation failed. Removes the bag of a round that did not
+    /// begin to move.
     ///
     /// # Errors
-    /// If the bag cannot be written.
+    /// If the bag cannot be written or removed.
     pub fn end(&mut self) -> Result<(), WriteError> {
-        let bag = self.bag.take_if(|_| self.is_executed);
-        bag.map_or(Ok(()), BagWriter::finish)
+        let Some(bag) = self.bag.take() else {
+            return Ok(());
+        };
+        if self.is_executed || self.has_samples {
+            return bag.finish();
+        }
+        let path = bag.active_path().to_owned();
+        drop(bag);
+        std::fs::remove_file(&path).map_err(|error| WriteError::File { path, error })
     }
 
     /// Receives one event.
@@ -98,7 +109,10 @@ impl BagSink {
     fn write(&mut self, event: &RunEvent<'_>) -> Result<(), WriteError> {
         match event {
             RunEvent::Executing(planned) => self.begin(planned),
-            RunEvent::Sample(sample) => self.bag.as_mut().map_or(Ok(()), |bag| bag.write(sample)),
+            RunEvent::Sample(sample) => {
+                self.has_samples = true;
+                self.bag.as_mut().map_or(Ok(()), |bag| bag.write(sample))
+            }
             RunEvent::Interpreting { .. } => {
                 self.is_executed = true;
                 Ok(())
@@ -156,6 +170,7 @@ impl BagSink {
         }
         self.bag = Some(bag);
         self.is_executed = false;
+        self.has_samples = false;
         Ok(())
     }
 }
@@ -194,4 +209,53 @@ fn in_world(task: &Task) -> Vec<Point3> {
                 .into()
         })
         .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::ops::ControlFlow;
+    use wisch::run::{Execution, Executor, ExecutorError, MotionOrder, RobotState, SampleSink};
+    use wisch_io::{LoadOptions, load_task};
+
+    /// Stands elsewhere than where its motion begins.
+    struct Elsewhere(usize);
+
+    impl Executor for Elsewhere {
+        fn execute(
+            &mut self,
+            _: &MotionOrder<'_>,
+            _: &mut SampleSink<'_>,
+        ) -> Result<Execution, ExecutorError> {
+            Err(ExecutorError::new("it was executed"))
+        }
+
+        fn state(&mut self) -> Result<Option<RobotState>, ExecutorError> {
+            Ok(Some(vec![2.0; self.0].into()))
+        }
+    }
+
+    #[test]
+    fn a_round_that_does_not_begin_to_move_leaves_no_bag() {
+        let path = concat!(
+            env!("CARGO_MANIFEST_DIR"),
+            "/../../scenarios/arm-board.toml"
+        );
+        let loaded = load_task(path.as_ref(), &LoadOptions::default()).expect("a task");
+        let robot = loaded.robot().expect("a robot").expect("it names one");
+        let folder = tempfile::tempdir().expect("a folder");
+        let mut bags = BagSink::new(folder.path().to_owned(), None, &loaded.task);
+        let mut session = loaded.session().with_robot(robot.robot_setup());
+        let mut executor = Elsewhere(7);
+        let run = session.run(&mut executor, &mut |event| {
+            bags.take_in(event).expect("written");
+            ControlFlow::Continue(())
+        });
+        let error = run.expect_err("it is refused").to_string();
+        assert!(error.contains("from the start of the motion"), "{error}");
+        let count = || std::fs::read_dir(folder.path()).expect("a folder").count();
+        assert_eq!(count(), 1);
+        bags.end().expect("removed");
+        assert_eq!(count(), 0);
+    }
 }

@@ -382,7 +382,12 @@ fn is_result_file(name: &str) -> bool {
         RECORDING_FILE,
         REPORT_FILE,
     ];
-    let is_bag = name.starts_with("round-") && name.ends_with(".mcap");
+    // A run that ends in the middle of a round leaves its bag unfinished.
+    let is_bag = name.starts_with("round-")
+        && name
+            .strip_suffix(".active")
+            .unwrap_or(name)
+            .ends_with(".mcap");
     let is_picture = name.ends_with(".svg") || name.ends_with(".png");
     fixed.contains(&of_first_round(name).as_str()) || is_bag || is_picture
 }
@@ -422,6 +427,7 @@ mod tests {
             assert!(is_result_file(&later), "{later}");
             assert_eq!(of_first_round(&later), name);
         }
+        assert!(is_result_file("round-2.mcap") && is_result_file("round-2.mcap.active"));
         assert!(!is_result_file("notes-round-2.txt"));
     }
 }

@@ -72,7 +72,8 @@ pub enum RunError {
     },
     /// The robot is not where its motion begins.
     #[error(
-        "round {round}: joint {joint:?} is {distance:.3} {unit} from the start of the motion, more than the limit of {limit} {unit} (execution.start_rad), so the motion is not executed; move the joint to {start:.3} {unit}"
+        "round {round}: joint {joint:?} is {distance:.3} {unit} from the start of the motion, more than the limit of {limit} {unit} (execution.start_rad), so the motion is not executed; move the joint to {start:.3} {unit}{}",
+        describe_end_before(*round)
     )]
     Start {
         /// The round, from 1.
@@ -136,4 +137,15 @@ pub enum RunError {
     /// A particle position is not finite.
     #[error(transparent)]
     Particles(#[from] ParticleError),
+}
+
+/// Returns why a robot is not where the motion of a round begins, as a suffix of the message; empty in the first round.
+fn describe_end_before(round: usize) -> String {
+    match round {
+        0 | 1 => String::new(),
+        _ => format!(
+            "; it did not end the motion of round {} where that was planned: something blocked or moved it, or its effort limits are too low",
+            round - 1
+        ),
+    }
 }
