@@ -15,8 +15,8 @@ const FEW_UNUSABLE: f64 = 0.02;
 const MOST_JUMPS: f64 = 0.05;
 /// Range of the press force over the declared one beyond which the unit of the force must be wrong [1].
 const PLAUSIBLE_FORCE: std::ops::RangeInclusive<f64> = 0.2..=5.0;
-/// Largest drift of the force over its reference with which contact still differs from free motion [1].
-const MOST_DRIFT: f64 = 0.3;
+/// Largest change of the bias over the press force with which contact still differs from free motion [1].
+const MOST_BIAS_CHANGE: f64 = 0.3;
 /// Largest lean of a tool whose underside still faces the surface [rad]; 60°, a cosine of 0.5.
 const MOST_LEAN: f64 = std::f64::consts::FRAC_PI_3;
 
@@ -122,12 +122,14 @@ pub enum Doubt {
         /// Median time between two samples \[s\].
         period: f64,
     },
-    /// The force of free motion changes steadily over the log.
-    ForceDrift {
-        /// Change over the whole log \[N\].
-        drift: f64,
+    /// The bias of the force differs between two free motions: it drifts, or the sensor was tared in between.
+    BiasChange {
+        /// Size of the change \[N\].
+        change: f64,
         /// The same over the usual press force \[1\].
         share: f64,
+        /// Times of the two free motions \[s\].
+        times: [f64; 2],
     },
     /// The contacts lie on a plane that is steeper than those that are searched.
     TooSteep {
@@ -198,7 +200,7 @@ impl Doubt {
                 matters,
             } => *matters > MOST_BY_SCALE || !PLAUSIBLE_FORCE.contains(&(force / declared)),
             Self::PoseJumps { share, lasting, .. } => *lasting > 0 || *share > MOST_JUMPS,
-            Self::ForceDrift { share, .. } => *share > MOST_DRIFT,
+            Self::BiasChange { share, .. } => *share > MOST_BIAS_CHANGE,
             Self::ToolLeans { beyond, .. } => *beyond > MOST_LEAN,
             Self::UnusableWrench { share, .. } => *share > MOST_UNUSABLE,
             Self::NoContactForce { .. }
@@ -252,11 +254,7 @@ impl Doubt {
 impl fmt::Display for Doubt {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match *self {
-            Self::NoContactForce { closest, force } => write!(
-                f,
-                "the tool came within {:.1} mm of the believed surface, but its force shows no contact (it stays below {force:.1} N there): check the height of the surface, and the link and frame of the wrench; or the tool did not press",
-                1e3 * closest
-            ),
+            Self::NoContactForce { closest, force } => write_no_contact(f, closest, force),
             Self::NeverNearSurface { closest } => write!(
                 f,
                 "the tool never came within {:.0} mm of the believed surface (closest: {closest:.3} m): check the pose of the surface, the frame of the log and its unit of length",
@@ -274,12 +272,7 @@ impl fmt::Display for Doubt {
                 radius,
                 direction,
                 is_convex,
-            } => write!(
-                f,
-                "the contacts lie on a {} arc of radius {radius:.2} m along the direction at {:.0}° to the surface's x axis, not on a plane; strokes in another direction would show the shape",
-                bulge(is_convex),
-                direction.to_degrees()
-            ),
+            } => write_arc(f, radius, direction, is_convex),
             Self::DoublyCurved { radii, direction } => write_doubly_curved(f, radii, direction),
             Self::NotPlanar { off } => write!(
                 f,
@@ -316,7 +309,11 @@ impl fmt::Display for Doubt {
                 f,
                 "the log has a sample every {period:.2} s, which is too slow to show contact: record at least 5 samples per second"
             ),
-            Self::ForceDrift { drift, share } => write_drift(f, drift, share),
+            Self::BiasChange {
+                change,
+                share,
+                times,
+            } => write_bias_change(f, change, share, times),
             Self::TooSteep { tilt, searched } => write_steep(f, tilt, searched),
             Self::ToolLeans { lean, beyond } => write_lean(f, lean, beyond),
             Self::UnusableWrench { unusable, share } => write_unusable(f, unusable, share),
@@ -348,6 +345,15 @@ impl fmt::Display for Doubt {
     }
 }
 
+/// Writes [`Doubt::NoContactForce`].
+fn write_no_contact(f: &mut fmt::Formatter<'_>, closest: f64, force: f64) -> fmt::Result {
+    write!(
+        f,
+        "the tool came within {:.1} mm of the believed surface, but its force shows no contact (it stays below {force:.1} N there): check the height of the surface, and the link and frame of the wrench; or the tool did not press",
+        1e3 * closest
+    )
+}
+
 /// Writes [`Doubt::Curved`].
 fn write_curved(
     f: &mut fmt::Formatter<'_>,
@@ -360,6 +366,21 @@ fn write_curved(
         f,
         "the contacts lie on a {shape} cylinder of radius {radius:.2} m, whose axis is at {:.0}° to the surface's x axis, not on a plane",
         axis.to_degrees()
+    )
+}
+
+/// Writes [`Doubt::CurvedAlong`].
+fn write_arc(
+    f: &mut fmt::Formatter<'_>,
+    radius: f64,
+    direction: f64,
+    is_convex: bool,
+) -> fmt::Result {
+    write!(
+        f,
+        "the contacts lie on a {} arc of radius {radius:.2} m along the direction at {:.0}° to the surface's x axis, not on a plane; strokes in another direction would show the shape",
+        bulge(is_convex),
+        direction.to_degrees()
     )
 }
 
@@ -446,11 +467,16 @@ fn write_incomplete(
     )
 }
 
-/// Writes [`Doubt::ForceDrift`].
-fn write_drift(f: &mut fmt::Formatter<'_>, drift: f64, share: f64) -> fmt::Result {
+/// Writes [`Doubt::BiasChange`].
+fn write_bias_change(
+    f: &mut fmt::Formatter<'_>,
+    change: f64,
+    share: f64,
+    [before, after]: [f64; 2],
+) -> fmt::Result {
     write!(
         f,
-        "the force of free motion drifts by {drift:.1} N over the log, {:.0} % of the press force: tare the sensor, or correct the force before",
+        "the bias of the force differs by {change:.1} N between the free motion at {before:.1} s and that at {after:.1} s, {:.0} % of the press force: tare the sensor before the log and not during it, or correct the force before",
         100.0 * share
     )
 }

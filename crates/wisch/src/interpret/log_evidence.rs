@@ -47,8 +47,8 @@ const LONGEST_GAP: f64 = 1.0;
 const TRAVEL_IN_GAP: f64 = 0.02;
 /// Longest median time between samples that shows contact [s].
 const LONGEST_PERIOD: f64 = 0.3;
-/// Least drift of the force over its reference that is stated [1].
-const LEAST_DRIFT: f64 = 0.2;
+/// Least change of the bias over the press force that is stated [1].
+const LEAST_BIAS_CHANGE: f64 = 0.2;
 /// Least lean of a tool that is stated [rad]; 30°.
 const LEAST_LEAN: f64 = std::f64::consts::FRAC_PI_6;
 
@@ -83,7 +83,10 @@ impl LogEvidence<'_> {
             return doubts;
         }
         doubts.extend(self.find_sparseness());
-        doubts.extend(self.find_drift());
+        // The force of a hand is no bias.
+        if led.is_none() {
+            doubts.extend(self.find_bias_change());
+        }
         if let Some(tilt) = self.steep.filter(|_| led.is_none()) {
             let searched = self.config.plane.cone;
             doubts.push(Doubt::TooSteep { tilt, searched });
@@ -316,11 +319,16 @@ impl LogEvidence<'_> {
         (period > LONGEST_PERIOD).then_some(Doubt::Sparse { period })
     }
 
-    /// Returns a doubt if the force of free motion drifts.
-    fn find_drift(&self) -> Option<Doubt> {
-        let drift = self.reading.drift;
-        let share = drift / self.reading.reference_force(self.declared.nominal_force());
-        (share > LEAST_DRIFT).then_some(Doubt::ForceDrift { drift, share })
+    /// Returns a doubt if the bias of the force changes during the log.
+    fn find_bias_change(&self) -> Option<Doubt> {
+        let change = self.reading.bias_change?;
+        let reference = self.reading.reference_force(self.declared.nominal_force());
+        let share = change.size / reference;
+        (share > LEAST_BIAS_CHANGE).then_some(Doubt::BiasChange {
+            change: change.size,
+            share,
+            times: change.times,
+        })
     }
 
     /// Returns a doubt if the tool leans in contact, so that the logged frame may not be that of the tool.

@@ -146,7 +146,13 @@ fn a_force_that_drifts_leaves_the_performance_unknown() {
             Some(TouchSample { force, ..sample })
         })
     };
-    for (rate, is_conclusive) in [(0.0, true), (0.02, true), (0.4, false), (-1.0, false)] {
+    for (rate, is_conclusive) in [
+        (0.0, true),
+        (0.02, true),
+        (0.2, false),
+        (0.4, false),
+        (-1.0, false),
+    ] {
         let found = at_rate(rate);
         assert_eq!(
             found.is_conclusive(),
@@ -154,7 +160,7 @@ fn a_force_that_drifts_leaves_the_performance_unknown() {
             "{rate}: {:?}",
             found.doubts
         );
-        let is_said = |doubt: &Doubt| matches!(doubt, Doubt::ForceDrift { .. });
+        let is_said = |doubt: &Doubt| matches!(doubt, Doubt::BiasChange { .. });
         assert_eq!(
             found.doubts.iter().any(is_said),
             !is_conclusive,
@@ -173,8 +179,39 @@ fn a_force_that_settles_in_a_short_approach_is_no_drift() {
         let force = sample.force + surface.rotation * Vector3::new(0.0, 0.0, settles);
         (sample.time < end + 0.3).then_some(TouchSample { force, ..sample })
     });
-    let is_said = |doubt: &Doubt| matches!(doubt, Doubt::ForceDrift { .. });
+    let is_said = |doubt: &Doubt| matches!(doubt, Doubt::BiasChange { .. });
     assert!(!found.doubts.iter().any(is_said), "{:?}", found.doubts);
+}
+
+#[test]
+fn a_bias_that_steps_in_contact_leaves_the_performance_unknown() {
+    let contacts = Script::default().contacts();
+    let middle = |stroke: usize| 0.5 * (contacts[stroke][0] + contacts[stroke][1]);
+    let stepped = |size: f64, from: f64, to: f64| {
+        changed(&Script::default(), |surface, _, sample| {
+            let is_on = (from..to).contains(&sample.time);
+            let step = Vector3::z() * size * f64::from(u8::from(is_on));
+            let force = sample.force + surface.rotation * step;
+            Some(TouchSample { force, ..sample })
+        })
+    };
+    for (size, stroke) in [(12.0, 0), (12.0, 1), (20.0, 2), (-10.0, 1), (5.0, 2)] {
+        let found = stepped(size, middle(stroke), f64::INFINITY);
+        let told = found.doubts.iter().find_map(|doubt| match doubt {
+            Doubt::BiasChange { change, .. } => Some(*change),
+            _ => None,
+        });
+        assert!(
+            told.is_some_and(|told| (told - f64::abs(size)).abs() < 0.5),
+            "{size} N in stroke {stroke}: {:?}",
+            found.doubts
+        );
+        assert!(!found.is_conclusive(), "{size} N in stroke {stroke}");
+    }
+    // A hand that pushes during one free motion is no bias.
+    let pushed = stepped(8.0, contacts[0][1] + 0.4, contacts[1][0] - 0.4);
+    let is_said = |doubt: &Doubt| matches!(doubt, Doubt::BiasChange { .. });
+    assert!(!pushed.doubts.iter().any(is_said), "{:?}", pushed.doubts);
 }
 
 #[test]

@@ -5,9 +5,10 @@
 //! identifies wiping instead: the tool slides at one height over a plane, and the force there differs from the force in
 //! the air above. That difference is the contact force, of any size and direction.
 
+use super::bias_change::{BiasChange, find_bias_change};
 use super::downsampling::MeasuredPiece;
 use super::plane::{PlaneFit, fit_plane};
-use super::sensor::{SensorAxes, bias_and_noise, clock_offset, drift, shift_forces};
+use super::sensor::{SensorAxes, bias_and_noise, clock_offset, shift_forces};
 use super::weighted::{median, mode, spread};
 use crate::geometry::{Point3, Vector3};
 use crate::interpret::config::{InterpretConfig, PlaneConfig};
@@ -95,8 +96,8 @@ pub(in crate::interpret) struct ForceReading {
     pub(in crate::interpret) clock_offset: f64,
     /// Whether the log shows free motion, so that the bias is known.
     pub(in crate::interpret) has_free_motion: bool,
-    /// Steady change of the force in free motion over the whole log [N]; 0 if there is none.
-    pub(in crate::interpret) drift: f64,
+    /// Largest change of the bias during the log; `None` if noise explains the differences.
+    pub(in crate::interpret) bias_change: Option<BiasChange>,
     /// Lowest plane near the believed surface on which the tool slid, with any force.
     pub(in crate::interpret) lowest: Option<PlaneFit>,
 }
@@ -160,9 +161,12 @@ impl ForceReading {
                 && pieces[i].force.z.abs() < 0.5 * config.nominal_force()
         };
         let free: Vec<usize> = (0..pieces.len()).filter(|&i| is_free(i)).collect();
-        // A force that drifts leaves that range.
+        // A force whose bias changes leaves that range.
+        let is_clear: Vec<bool> = (pieces.iter())
+            .map(|piece| piece.mean_height > config.free_height_m)
+            .collect();
         let high: Vec<usize> = (0..pieces.len())
-            .filter(|&i| calm[i] && pieces[i].mean_height > config.free_height_m)
+            .filter(|&i| calm[i] && is_clear[i])
             .collect();
         let axes = SensorAxes::Surface;
         let known = (free.len() >= MIN_CALM).then(|| bias_and_noise(pieces, &free, axes));
@@ -177,7 +181,7 @@ impl ForceReading {
             is_as_declared: true,
             clock_offset: 0.0,
             has_free_motion: known.is_some(),
-            drift: drift(pieces, &high, axes),
+            bias_change: find_bias_change(pieces, &high, &is_clear, axes),
             lowest: None,
         }
     }
@@ -210,7 +214,7 @@ impl ForceReading {
             is_as_declared: true,
             clock_offset: contact.clock_offset,
             has_free_motion: true,
-            drift: drift(&pieces, &contact.free, contact.axes),
+            bias_change: find_bias_change(&pieces, &contact.free, &contact.is_clear, contact.axes),
             lowest: None,
         };
         let least = LEAST_FORCE[0] * contact.step.norm();
@@ -299,6 +303,8 @@ struct SlidingContact {
     /// Pieces that slide on the plane.
     on: Vec<usize>,
     free: Vec<usize>,
+    /// Whether the tool is clear of the plane, by piece.
+    is_clear: Vec<bool>,
     /// Pieces that slide on the plane, or off it by the compression of the tool under another force.
     near: Vec<usize>,
     /// Mean force on the plane minus that above it, in the sensor's axes [N].
@@ -323,8 +329,9 @@ impl Scene<'_> {
         let on: Vec<usize> = indices()
             .filter(|&i| self.slides[i] && distances[i].abs() <= SLIDING_DISTANCE)
             .collect();
+        let is_clear: Vec<bool> = distances.iter().map(|distance| *distance > clear).collect();
         let free: Vec<usize> = (indices())
-            .filter(|&i| self.calm[i] && distances[i] > clear)
+            .filter(|&i| self.calm[i] && is_clear[i])
             .collect();
         let reach = SLIDING_DISTANCE + self.config.nominal_compression();
         let near: Vec<usize> = indices()
@@ -359,7 +366,7 @@ impl Scene<'_> {
             .collect();
         let pressed = median(pressing.clone());
         let is_steady = spread(pressing, pressed) <= MOST_VARIATION * pressed;
-        let is_clear = pressed >= LEAST_SIGNIFICANCE * spread(resting, 0.0);
+        let is_significant = pressed >= LEAST_SIGNIFICANCE * spread(resting, 0.0);
         let normals = on.iter().map(|&i| axes.normal(&pieces[i]));
         let normal = normals.sum::<Vector3>().normalize();
         let is_over = |i: usize| self.surface.outline.contains(pieces[i].position.xy());
@@ -371,7 +378,7 @@ impl Scene<'_> {
         // free motion.
         let is_outward = along.dot(&normal) >= LEAST_ALIGNED;
         let is_possible = is_outward || over >= LEAST_OVER * (over + beside);
-        (is_steady && is_clear && is_possible).then_some(SlidingContact {
+        (is_steady && is_significant && is_possible).then_some(SlidingContact {
             axes,
             step,
             normal,
@@ -379,6 +386,7 @@ impl Scene<'_> {
             weight: pressed * (over + BESIDE * beside),
             on,
             free,
+            is_clear,
             near,
         })
     }

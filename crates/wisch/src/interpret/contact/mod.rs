@@ -1,5 +1,6 @@
 //! Contact of the tool with the surface: places, forces and the plane of the contacts; (9) to (11).
 
+mod bias_change;
 mod classification;
 mod curvature;
 mod downsampling;

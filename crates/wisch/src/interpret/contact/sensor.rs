@@ -76,51 +76,6 @@ pub(super) fn bias_and_noise(
     (bias, NOISE_BY_MEDIAN * median(sizes.collect()))
 }
 
-/// Least number of free pieces in each quarter of the free motion that shows a drift, and least part of the drift that
-/// each step from quarter to quarter must have [1]: a person who pushes gives no steady rise.
-const MIN_QUARTER: usize = 5;
-const LEAST_STEP: f64 = 0.1;
-/// Least part of the log that the free motion has to span to show a drift [1].
-const LEAST_SPAN: f64 = 0.5;
-/// Largest difference of the medians of two quarters over the largest noise and the root of their number of pieces [1].
-const NOISE_OF_MEDIANS: f64 = 2.0;
-
-/// Returns how far the force in free motion drifts from the first to the last piece [N]; 0 if it does not rise steadily.
-pub(super) fn drift(pieces: &[MeasuredPiece], free: &[usize], axes: SensorAxes) -> f64 {
-    let quarter = free.len() / 4;
-    if quarter < MIN_QUARTER {
-        return 0.0;
-    }
-    let parts: [&[usize]; 4] = std::array::from_fn(|k| match k {
-        3 => &free[3 * quarter..],
-        _ => &free[k * quarter..(k + 1) * quarter],
-    });
-    let found = parts.map(|part| bias_and_noise(pieces, part, axes));
-    let at = found.map(|(force, _)| force);
-    // The medians of noise alone differ by less than this.
-    let noise = found
-        .iter()
-        .fold(0.0, |most: f64, (_, noise)| most.max(*noise));
-    let least = NOISE_OF_MEDIANS * noise / (quarter as f64).sqrt();
-    let time = |part: &[usize]| {
-        let middle = &pieces[part[part.len() / 2]];
-        0.5 * (middle.time[0] + middle.time[1])
-    };
-    let step = at[3] - at[0];
-    let size = step.norm();
-    let along = |k: usize| (at[k + 1] - at[k]).dot(&step) / size;
-    if size <= least || (0..3).any(|k| along(k) < LEAST_STEP * size) {
-        return 0.0;
-    }
-    let [first, last] = [time(parts[0]), time(parts[3])];
-    let all = pieces[pieces.len() - 1].time[1] - pieces[0].time[0];
-    // A short part of the log does not show what the force does in the rest.
-    if last - first < LEAST_SPAN * all {
-        return 0.0;
-    }
-    size * (all / (last - first)).max(1.0)
-}
-
 /// Returns the delay of the force's clock behind the position's [s]: the offset at which the forces on the plane and
 /// above it differ most.
 pub(super) fn clock_offset(pieces: &[MeasuredPiece], on: &[usize], free: &[usize]) -> f64 {
