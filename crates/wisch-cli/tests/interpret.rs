@@ -386,6 +386,10 @@ fn wrong_inputs_are_errors_that_say_what_to_do() {
         ("back.csv", format!("{good_names}1{good_line}{good_line}",)),
         ("late.csv", format!("{good_names}1e300{}", &good_line[1..])),
         ("turn.csv", format!("{good_names}0,0,0,0,0,0,0,2,0,0,0\n")),
+        (
+            "still.csv",
+            format!("{good_names}{good_line}{good_line}{good_line}"),
+        ),
         ("cut.mcap", String::from("\u{89}MCAP")),
     ];
     for (name, contents) in files {
@@ -402,6 +406,11 @@ fn wrong_inputs_are_errors_that_say_what_to_do() {
             "names.csv",
             &[],
             &["names.csv: the table has no line of numbers"],
+        ),
+        (
+            "still.csv",
+            &[],
+            &["still.csv: all 3 samples have the same time, 0 s", "--rate"],
         ),
         (
             "column.csv",

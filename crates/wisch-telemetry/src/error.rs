@@ -280,6 +280,14 @@ pub enum ReadFault {
         /// Names of the topics.
         topics: Vec<String>,
     },
+    /// All samples of the log have the same time.
+    #[error("all {count} samples have the same time, {time} s: the time does not advance")]
+    SameTime {
+        /// Number of samples.
+        count: usize,
+        /// Their time \[s\].
+        time: f64,
+    },
     /// All wrenches of the log are stale, saturated or untared.
     #[error(
         "the wrenches of all {count} samples are stale, saturated or untared, so the log shows no touch"

@@ -65,7 +65,7 @@ pub struct Log {
     pub gaps: Vec<[f64; 2]>,
     /// Invalid poses and forces that were dropped.
     pub skipped: Vec<Skipped>,
-    /// Number of poses or forces dropped because their time equals the previous one.
+    /// Number of poses or forces dropped because their time equals the previous one; of a table, number of rows.
     pub repeated: usize,
     /// Number of samples of the more frequent track dropped because the other track is unknown there.
     pub unpaired: usize,

@@ -305,6 +305,12 @@ pub(crate) fn pair<P: Quantity, W: Quantity>(
             limit: max_gap,
         });
     }
+    if let ([(time, ..)], repeated @ 1..) = (&pairs[..], poses.repeated) {
+        return Err(ReadFault::SameTime {
+            count: 1 + repeated,
+            time: seconds(*time),
+        });
+    }
     Ok(pairs)
 }
 

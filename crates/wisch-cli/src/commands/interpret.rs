@@ -370,7 +370,7 @@ fn advice(fault: &ReadFault, log: &Path) -> Option<String> {
         ReadFault::Unknown(error) if error.kind == "column" => {
             "name the columns with --csv-columns".to_owned()
         }
-        ReadFault::NoTime { .. } => {
+        ReadFault::NoTime { .. } | ReadFault::SameTime { .. } => {
             "give the sampling rate with --rate HZ, or the time column with --csv-columns t=NAME".to_owned()
         }
         ReadFault::SeveralColumns { .. } | ReadFault::DuplicateColumn { .. } => {

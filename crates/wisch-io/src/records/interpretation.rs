@@ -168,7 +168,7 @@ pub struct LogRecord {
     pub duration_s: f64,
     /// Time of the log at which the events' times are zero.
     pub start_ns: i64,
-    /// Number of poses or forces that were left out because they had the time of the one before.
+    /// Number of poses or forces that were left out because they had the time of the one before; of a table, number of rows.
     pub repeated: usize,
     /// Number of poses or forces that were left out without a partner.
     pub unpaired: usize,

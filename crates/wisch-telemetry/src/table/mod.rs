@@ -303,7 +303,9 @@ impl Table<'_> {
                 "left out: {without_time} of {number} rows, which state no time"
             ));
         }
-        let (poses, wrenches) = (poses.finish()?, wrenches.finish()?);
+        let (poses, mut wrenches) = (poses.finish()?, wrenches.finish()?);
+        // A row with a pose and a force is left out once.
+        wrenches.repeated = wrenches.repeated.saturating_sub(poses.repeated);
         if poses.entries.is_empty() && wrenches.entries.is_empty() {
             return Err(ReadFault::Empty);
         }

@@ -383,3 +383,23 @@ fn units_and_frames_that_are_assumed_are_reported() {
     );
     assert_eq!(stated.conventions, [] as [&str; 0]);
 }
+
+#[test]
+fn times_that_do_not_advance_are_refused_and_repeated_lines_count_once() {
+    let names = "t,x,y,z,qx,qy,qz,qw,fx,fy,fz";
+    let line = |t: f64, x: f64| format!("{t},{x},0,0.8,0,0,0.2474,0.9689,0,0,10");
+    let constant = table(names, |_, x| line(12.5, x));
+    let found = refused_text(&constant, &LogOptions::default());
+    assert!(
+        found.contains(&format!("all {COUNT} samples have the same time, 12.5 s")),
+        "{found}"
+    );
+    let with_rate = LogOptions {
+        rate: Some(25.0),
+        ..LogOptions::default()
+    };
+    assert_eq!(read_text(&constant, &with_rate).samples.len(), COUNT);
+    let doubled = table(names, |t, x| format!("{}\n{}", line(t, x), line(t, x)));
+    let log = read_text(&doubled, &LogOptions::default());
+    assert_eq!((log.samples.len(), log.repeated), (COUNT, COUNT));
+}
