@@ -335,6 +335,16 @@ fn what_is_odd_about_a_log_is_said() {
 }
 
 #[test]
+fn an_observation_of_dirt_is_refused_where_there_is_none() {
+    let folder = folder(believed());
+    let polish = ["--action", "polish", "--observation", "crumbs.csv"];
+    let shown = refused(folder.path(), "log.mcap", &polish);
+    for part in ["--observation crumbs.csv", "the action polish", "omit"] {
+        assert!(shown.contains(part), "{part} in {shown}");
+    }
+}
+
+#[test]
 fn where_to_collect_has_to_be_known() {
     let folder = folder(believed());
     let shown = refused(folder.path(), "log.mcap", &["--action", "collect"]);

@@ -119,6 +119,14 @@ pub(super) fn interpret_log(
     let mut interpretation = interpret_samples(source, prepared, &log, &goal)?;
     let mut observed = None;
     if let Some(file) = observation {
+        if goal.action().treats() {
+            let problem = format!(
+                "--observation {}: an observation is a list of dirt, and the action {} leaves none to be seen",
+                file.display(),
+                goal.action()
+            );
+            return Err(Failure::new(problem).with_help("omit --observation"));
+        }
         let sensor = prepared.file.camera.unwrap_or_default();
         let observation = prepared.observation(file)?;
         let detections = counted(observation.detections.len(), "detection");
@@ -204,7 +212,7 @@ fn remarks(log: &Log, prepared: &LoadedTask, interpretation: &Interpretation) ->
         }
     }
     // Decisive doubts are shown beside the performance, unless an observation decides.
-    let is_seen = interpretation.observation.is_some();
+    let is_seen = interpretation.observation.is_some() && interpretation.is_conclusive();
     let assumed = (interpretation.doubts.iter()).filter(|doubt| is_seen || !doubt.is_decisive());
     remarks.extend(assumed.map(ToString::to_string));
     remarks

@@ -152,6 +152,15 @@ pub enum Doubt {
         /// Their share of all samples \[1\].
         share: f64,
     },
+    /// An observation after the log shows a number of grains that hardly a member of the belief explains.
+    ObservationContradicts {
+        /// Number of detections.
+        seen: usize,
+        /// Range of the numbers of detections that touch predicts, from the 5th to the 95th percentile.
+        left: [f64; 2],
+        /// The same if nothing had been removed.
+        believed: [f64; 2],
+    },
     /// A person guided the tool by hand: the force is that of the hand as well as that of the surface.
     HandGuided {
         /// Share of the log \[1\].
@@ -202,6 +211,7 @@ impl Doubt {
             Self::PoseJumps { share, lasting, .. } => *lasting > 0 || *share > MOST_JUMPS,
             Self::BiasChange { share, .. } => *share > MOST_BIAS_CHANGE,
             Self::ToolLeans { beyond, .. } => *beyond > MOST_LEAN,
+            Self::ObservationContradicts { seen, believed, .. } => *seen as f64 > believed[1],
             Self::UnusableWrench { share, .. } => *share > MOST_UNUSABLE,
             Self::NoContactForce { .. }
             | Self::NeverNearSurface { .. }
@@ -317,6 +327,11 @@ impl fmt::Display for Doubt {
             Self::TooSteep { tilt, searched } => write_steep(f, tilt, searched),
             Self::ToolLeans { lean, beyond } => write_lean(f, lean, beyond),
             Self::UnusableWrench { unusable, share } => write_unusable(f, unusable, share),
+            Self::ObservationContradicts {
+                seen,
+                left,
+                believed,
+            } => write_contradiction(f, seen, left, believed),
             Self::HandGuided { share } => write!(
                 f,
                 "a person guides the tool by hand for {:.0} % of the log",
@@ -561,6 +576,24 @@ fn write_unusable(
         unusable.count(),
         100.0 * share,
         kinds.join(", ")
+    )
+}
+
+/// Writes [`Doubt::ObservationContradicts`].
+fn write_contradiction(
+    f: &mut fmt::Formatter<'_>,
+    seen: usize,
+    [least, most]: [f64; 2],
+    [fewest, all]: [f64; 2],
+) -> fmt::Result {
+    let advice = if seen as f64 > all {
+        "more than there were believed to be before: check the number of particles of the task"
+    } else {
+        "the log may lack contact, or the tool has another effect than expected"
+    };
+    write!(
+        f,
+        "the observation shows {seen} dirt locations, but after the log {least:.0} to {most:.0} were expected, of {fewest:.0} to {all:.0} before: {advice}"
     )
 }
 

@@ -7,6 +7,9 @@ use super::events::Event;
 use crate::geometry::Pose;
 use crate::represent::Observation;
 
+/// Probability that the performance is unknown if an observation contradicts the number of particles [1].
+const UNKNOWN_SHARE: f64 = 0.5;
+
 /// Conclusion from the fitted plane: where the surface lies, or that there was no contact.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Diagnosis {
@@ -81,7 +84,10 @@ impl Interpretation {
     pub fn is_conclusive(&self) -> bool {
         let is_felt =
             self.diagnosis != Diagnosis::NoContact && !self.doubts.iter().any(Doubt::is_decisive);
-        is_felt || self.observation.is_some()
+        let is_contradicted = (self.doubts.iter()).any(|doubt| {
+            doubt.is_decisive() && matches!(doubt, Doubt::ObservationContradicts { .. })
+        });
+        is_felt || (self.observation.is_some() && !is_contradicted)
     }
 
     /// Whether the tool may have wiped more than the log shows, and no observation decides: the estimate is a lower bound.
@@ -89,11 +95,19 @@ impl Interpretation {
         self.observation.is_none() && self.doubts.iter().any(Doubt::is_cut)
     }
 
-    /// Updates belief and performance by an observation of the surface after the log.
+    /// Updates belief and performance by an observation of the surface after the log. If the log and the belief before it
+    /// contradict the number of grains observed, that is a [`Doubt`].
     pub fn observe(&mut self, update: &ObservationUpdate<'_>) {
+        let contradiction = update.find_contradiction(&self.belief);
         self.belief = self.belief.observe(update);
         // An observation leaves no model error: what the replays omit does not affect what the camera sees.
         self.distribution = self.belief.performance(update.goal, update.surface, 0.0);
+        if let Some(doubt) = contradiction {
+            if doubt.is_decisive() {
+                self.distribution = self.distribution.or_unknown(UNKNOWN_SHARE, 0.0);
+            }
+            self.doubts.push(doubt);
+        }
         self.performance = self.distribution.estimate();
         self.observation = Some(update.observation.clone());
     }

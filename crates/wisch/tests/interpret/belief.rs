@@ -3,7 +3,7 @@
 use super::interpreted_with;
 use super::log::{STEEP, Script, task};
 use wisch::geometry::{Point2, Polygon, Region, Vector2};
-use wisch::interpret::{Belief, DirtPrior, InterpretConfig, ObservationUpdate};
+use wisch::interpret::{Belief, DirtPrior, Doubt, InterpretConfig, ObservationUpdate};
 use wisch::represent::{
     Cluster, Fate, GoalState, Observation, ParticleDistribution, SensorModel, Sight, Task,
 };
@@ -191,6 +191,52 @@ fn an_observation_after_wiping_shows_what_is_left_and_what_is_gone() {
         ..update(&task, &goal, &nothing)
     });
     assert!(after.members() == before.members());
+}
+
+#[test]
+fn an_observation_that_contradicts_touch_raises_a_doubt_and_widens_the_interval() {
+    let task = task(80, STEEP);
+    let goal = GoalState::Absorbed;
+    let config = InterpretConfig::from_task(&task);
+    let members = (0..64).map(|k| {
+        let some = task.particles.remaining().take(60 + k % 21);
+        ParticleDistribution::new(&some.collect::<Vec<_>>()).unwrap()
+    });
+    let belief = Belief::from_members(members.collect()).unwrap();
+    let felt = interpreted_from(&belief, &task, &config);
+    let left = |member: &ParticleDistribution| member.tally().remaining;
+    let most = felt.belief.members().iter().map(left).max().unwrap();
+    let after = |count: usize| {
+        let seen = Observation {
+            detections: places(count, 0.1),
+            hidden: Region::default(),
+        };
+        let mut felt = felt.clone();
+        felt.observe(&update(&task, &goal, &seen));
+        let told = felt.doubts.iter().find_map(|doubt| match doubt {
+            Doubt::ObservationContradicts {
+                seen,
+                left,
+                believed,
+            } => Some((*seen, left[1] <= most as f64, believed[1] <= 80.0)),
+            _ => None,
+        });
+        (felt, told)
+    };
+    let (agrees, told) = after(most);
+    assert_eq!((told, agrees.is_conclusive()), (None, true));
+    // As many as there were believed to be at all: touch is wrong.
+    let (unwiped, told) = after(75);
+    assert_eq!(told, Some((75, true, true)), "{most} left by touch");
+    assert!(unwiped.is_conclusive() && unwiped.performance.low < 0.05);
+    // More than there were: the number is wrong, and the performance open.
+    let (more, told) = after(130);
+    assert_eq!(told, Some((130, true, true)));
+    let estimate = more.performance;
+    assert!(
+        !more.is_conclusive() && estimate.low < 0.1 && estimate.high > 0.8,
+        "{estimate:?}"
+    );
 }
 
 #[test]

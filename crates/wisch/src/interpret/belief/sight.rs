@@ -5,7 +5,8 @@
 //! Parameters and places are therefore updated separately (Rao-Blackwellised):
 //!
 //! - The parameters of the members get importance weights, from how much dirt each member has left within the goal and
-//!   outside it. Where few members carry the weight, systematic resampling follows.
+//!   outside it. Where few members carry the weight, systematic resampling follows. If hardly a member explains the
+//!   numbers observed, the likelihood is flattened, as it would choose the most extreme member alone.
 //! - The places of each member are drawn anew. A Bernoulli trial per detection decides whether it is dirt (Mahler
 //!   2007). Within the goal and outside it, Bayes' rule gives the number of missed grains, from the member's own number
 //!   and the number detected (a binomial likelihood). Missed grains stay where the member has them.
@@ -13,7 +14,9 @@
 //! A particle that is neither detected nor missed is gone. Its fate follows from the task's effect.
 
 use super::ensemble::{Belief, MemberState};
+use super::performance::PerformanceDistribution;
 use crate::geometry::{Point2, PointGrid};
+use crate::interpret::doubt::Doubt;
 use crate::random::normal_pair;
 use crate::represent::{
     Effect, Fate, GoalState, Observation, ParticleDistribution, Sight, Surface,
@@ -28,6 +31,12 @@ use std::collections::HashMap;
 const RESAMPLE_BELOW: f64 = 0.5;
 /// Standard deviation of a member's number of grains beyond sensor errors: a share of it [1], and a number.
 const COUNT_ERROR: [f64; 2] = [0.1, 1.0];
+/// Least effective number of members that explain the number of grains; fewer contradict it.
+const FEWEST_EFFECTIVE: f64 = 8.0;
+/// Bisection steps to the flattened likelihood of as many members.
+const HALVINGS: usize = 30;
+/// Share of the members below and above the range that describes them [1].
+const TAIL: f64 = 0.05;
 /// Radius over which the members' dirt gives the prior probability of dirt at a place [m].
 const NEIGHBOURHOOD: f64 = 0.02;
 /// Prior share of the dirt that lies where no member has any [1].
@@ -78,11 +87,11 @@ impl Belief {
         if self.is_certain() || update.sight.detection <= 0.0 {
             return self.clone();
         }
-        let weights = update.reweight(self);
-        let squares: f64 = weights.iter().map(|weight| weight * weight).sum();
+        let (weights, _) = update.reweight(self);
+        let effective = effective_number(&weights);
         let weighted = self.with_weights(weights);
         let count = weighted.members().len();
-        let is_even = 1.0 / squares >= RESAMPLE_BELOW * count as f64;
+        let is_even = effective >= RESAMPLE_BELOW * count as f64;
         let kept = count.min(update.most_members(self));
         let (chosen, weights) = if is_even && kept == count {
             ((0..count).collect(), weighted.weights().to_vec())
@@ -185,12 +194,11 @@ impl ObservationUpdate<'_> {
         counts
     }
 
-    /// Returns the members' weights, by how much dirt each has left in each region.
-    fn reweight(&self, belief: &Belief) -> Vec<f64> {
+    /// Returns the log-likelihood of the numbers of grains observed, by member.
+    fn log_likelihoods(&self, belief: &Belief) -> Vec<f64> {
         let detections = self.observation.detections.iter().copied();
         let seen = self.count_by_region(detections);
-        // The share of false alarms within the goal is the goal's share of the surface, which is small.
-        let alarms = self.sight.sensor.false_alarms_per_m2 * self.surface.outline.area();
+        let alarms = self.false_alarms();
         let [share, number] = COUNT_ERROR;
         let fit = |member: &ParticleDistribution| {
             let visible = member.remaining().filter(|place| self.is_visible(*place));
@@ -206,14 +214,61 @@ impl ObservationUpdate<'_> {
             });
             fits[0] + fits[1]
         };
-        let fits: Vec<f64> = belief.members().iter().map(fit).collect();
-        let best = fits.iter().copied().fold(f64::NEG_INFINITY, f64::max);
-        let weights = fits.iter().zip(belief.weights());
-        let weights: Vec<f64> = weights
-            .map(|(fit, weight)| weight * libm::exp(fit - best))
-            .collect();
-        let sum: f64 = weights.iter().sum();
-        weights.into_iter().map(|weight| weight / sum).collect()
+        belief.members().iter().map(fit).collect()
+    }
+
+    /// Expected number of false alarms. Their share within the goal is the goal's share of the surface, which is small.
+    fn false_alarms(&self) -> f64 {
+        self.sight.sensor.false_alarms_per_m2 * self.surface.outline.area()
+    }
+
+    /// Returns the members' weights, by how much dirt each has left in each region, and whether hardly a member explains the
+    /// numbers observed, so that the likelihood was flattened.
+    fn reweight(&self, belief: &Belief) -> (Vec<f64>, bool) {
+        let fits = self.log_likelihoods(belief);
+        let flattened = |exponent: f64| weigh(&fits, belief.weights(), exponent);
+        let weights = flattened(1.0);
+        let fewest = FEWEST_EFFECTIVE.min(0.5 * effective_number(belief.weights()));
+        if effective_number(&weights) >= fewest {
+            return (weights, false);
+        }
+        let (mut low, mut high) = (0.0, 1.0);
+        for _ in 0..HALVINGS {
+            let middle = 0.5 * (low + high);
+            if effective_number(&flattened(middle)) >= fewest {
+                low = middle;
+            } else {
+                high = middle;
+            }
+        }
+        (flattened(low), true)
+    }
+
+    /// Returns a doubt if the number of grains in the observation contradicts a belief before it, so that hardly a member
+    /// explains it.
+    pub(in crate::interpret) fn find_contradiction(&self, belief: &Belief) -> Option<Doubt> {
+        if belief.is_certain() || self.sight.detection <= 0.0 || !self.reweight(belief).1 {
+            return None;
+        }
+        let visible = |member: &ParticleDistribution| {
+            let visible = member.remaining().filter(|place| self.is_visible(*place));
+            visible.count() as f64
+        };
+        let detected = |count: f64| self.sight.detection * count + self.false_alarms();
+        let range = |count: &dyn Fn(&ParticleDistribution) -> f64| {
+            let counts = belief
+                .members()
+                .iter()
+                .map(|member| detected(count(member)));
+            let counts = counts.zip(belief.weights().iter().copied());
+            let counts = PerformanceDistribution::from_shares(counts, 0.0);
+            [TAIL, 1.0 - TAIL].map(|share| counts.quantile(share))
+        };
+        Some(Doubt::ObservationContradicts {
+            seen: self.observation.detections.len(),
+            left: range(&visible),
+            believed: range(&|member| member.len() as f64),
+        })
     }
 
     /// Returns a member's dirt after the observation, with the thresholds of the particles it recognises.
@@ -474,6 +529,22 @@ impl MemberUpdate<'_> {
         self.particles.retain(|_| is_there.next().unwrap_or(true));
         self.particles
     }
+}
+
+/// Returns the weights of members with these log-likelihoods; `exponent` flattens the likelihood if it is below 1.
+fn weigh(fits: &[f64], weights: &[f64], exponent: f64) -> Vec<f64> {
+    let best = fits.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+    let weights = fits.iter().zip(weights);
+    let weights: Vec<f64> = weights
+        .map(|(fit, weight)| weight * libm::exp(exponent * (fit - best)))
+        .collect();
+    let sum: f64 = weights.iter().sum();
+    weights.into_iter().map(|weight| weight / sum).collect()
+}
+
+/// Effective number of members with these weights (Kish).
+fn effective_number(weights: &[f64]) -> f64 {
+    1.0 / weights.iter().map(|weight| weight * weight).sum::<f64>()
 }
 
 /// Draws as [`ObservationUpdate::draw_missed_in_region`] does, by logarithms, for counts whose likelihood exceeds the
