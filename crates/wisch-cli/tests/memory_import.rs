@@ -94,6 +94,10 @@ fn the_doubts_of_a_log_are_kept_and_an_unknown_performance_is_no_failure() {
     for doubt in doubts {
         assert!(kept.contains(doubt.as_str().unwrap()), "{kept}: {doubt}");
     }
+    assert!(
+        !round.values.contains_key("semco:contactShare"),
+        "{round:?}"
+    );
     let action = individual(&record, "semco:WipingAction");
     for one in [round, action] {
         assert!(

@@ -138,7 +138,7 @@ fn the_documented_robot_wipes_until_touch_tells_no_more() {
     assert_eq!(last.execution.ending, Ending::Complete);
     assert!(last.interpretation.plane.is_some());
     // The rest of the time near the surface, the tool comes down to it and lifts off.
-    let felt = last.interpretation.contact_share;
+    let felt = last.interpretation.contact_share.unwrap();
     assert!(
         felt > 0.75,
         "contact for {felt} of the time near the surface"

@@ -124,7 +124,11 @@ longest_contact(Episode, Contact, Seconds) :-
 
 contact_time(Round, Seconds) :-
     of_class(Round, 'semco:WipingRound'),
-    aggregate_all(sum(E - S), (part_below(Round, C, 'semco:ToolContact'), timed(C, S, E)), Seconds).
+    aggregate_all(sum(E - S), (part_below(Round, C, 'semco:ToolContact'), timed(C, S, E)), Seconds),
+    (   Seconds > 0
+    ->  true
+    ;   contact_share(Round, _)
+    ).
 
 stick_slip(Stroke, Event) :-
     of_class(Event, 'semco:StickSlip'),

@@ -211,7 +211,9 @@ fn describe(individual: &mut Individual, round: &EpisodeRound<'_>, target: f64) 
 /// Adds what the interpretation found.
 fn describe_touch(individual: &mut Individual, interpretation: &Interpretation) {
     individual.estimate(interpretation);
-    individual.set_number("semco:contactShare", interpretation.contact_share);
+    if let Some(share) = interpretation.contact_share {
+        individual.set_number("semco:contactShare", share);
+    }
     individual.set_number("semco:forceBias", interpretation.force_bias);
     let ContactStatistics { mean_force, .. } = ContactStatistics::of(interpretation.path.iter());
     if let Some(force) = mean_force {

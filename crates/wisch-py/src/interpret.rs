@@ -114,9 +114,9 @@ impl PyInterpretation {
         }
     }
 
-    /// Time in contact divided by the time on or near the surface, 0 to 1.
+    /// Time in contact divided by the time on or near the surface, 0 to 1; None if the tool never was there.
     #[getter]
-    fn contact_share(&self) -> f64 {
+    fn contact_share(&self) -> Option<f64> {
         self.estimate.contact_share
     }
 

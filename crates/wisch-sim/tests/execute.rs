@@ -138,7 +138,7 @@ fn a_rigid_tool_wipes_and_is_understood() {
     let goal = GoalState::Absorbed;
     let found = interpret(&samples, &wiping.task, &believed, &goal, &config).unwrap();
     assert_eq!(found.diagnosis, Diagnosis::Localized);
-    assert!(found.contact_share > 0.8, "{}", found.contact_share);
+    assert!(found.contact_share > Some(0.8), "{:?}", found.contact_share);
 }
 
 /// When the surface first pushes back harder than this [N]: in seconds.

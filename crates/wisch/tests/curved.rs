@@ -532,7 +532,7 @@ fn a_session_wipes_a_bend_as_it_wipes_a_plane() {
             "{:?}",
             found.events
         );
-        performed.push((found.contact_share, found.performance.mean));
+        performed.push((found.contact_share.unwrap(), found.performance.mean));
     }
     let [flat, bends @ ..] = &performed[..] else {
         panic!()

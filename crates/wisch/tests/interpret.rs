@@ -567,7 +567,11 @@ proptest! {
         } else {
             prop_assert_eq!(ends(&interpretation.path), times);
         }
-        prop_assert!((0.0..=1.0).contains(&interpretation.contact_share));
+        prop_assert!(
+            interpretation
+                .contact_share
+                .is_none_or(|share| (0.0..=1.0).contains(&share))
+        );
         for replay in interpretation.belief.members() {
             let tally = replay.tally();
             prop_assert_eq!(tally.initial, tally.remaining + tally.absorbed + tally.off_surface);

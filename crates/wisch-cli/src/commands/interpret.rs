@@ -469,10 +469,13 @@ pub(super) fn summary_lines(record: &InterpretationRecord) -> Vec<(&'static str,
         ("performance", performance_in_words(record)),
         (
             "contact",
-            format!(
-                "in contact for {} of the time on or near the surface",
-                percent(record.contact_share)
-            ),
+            match record.contact_share {
+                Some(share) => format!(
+                    "in contact for {} of the time on or near the surface",
+                    percent(share)
+                ),
+                None => "unknown: the tool was never on or near the surface".to_owned(),
+            },
         ),
         ("surface", surface_in_words(record)),
         (

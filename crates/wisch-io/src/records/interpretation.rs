@@ -45,8 +45,8 @@ pub struct InterpretationRecord {
     pub detections: Option<usize>,
     /// Number of replays.
     pub replays: usize,
-    /// Time in contact over the time that the tool was on or near the surface.
-    pub contact_share: f64,
+    /// Time in contact over the time that the tool was on or near the surface; null if it never was.
+    pub contact_share: Option<f64>,
     /// Number of collisions.
     pub collisions: usize,
     /// Angle between the fitted plane and the believed surface; null without a plane.

@@ -60,8 +60,8 @@ pub struct RoundSummary {
     pub detections: Option<usize>,
     /// True performance; null without simulated dirt.
     pub true_performance: Option<f64>,
-    /// Time in contact over the time that the tool was on or near the surface.
-    pub contact_share: f64,
+    /// Time in contact over the time that the tool was on or near the surface; null if it never was.
+    pub contact_share: Option<f64>,
     /// Number of detected collisions.
     pub collisions: usize,
     /// Start and end of each collision \[s\].

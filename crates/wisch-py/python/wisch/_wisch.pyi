@@ -559,7 +559,7 @@ class Interpretation:
     def world_from_surface(self) -> Floats:
         """Estimated pose of the surface, (7): by touch, if that differs from the believed pose."""
     @property
-    def contact_share(self) -> float:
+    def contact_share(self) -> float | None:
         """Time in contact over time on or near the surface, 0 to 1."""
     @property
     def doubts(self) -> list[str]:

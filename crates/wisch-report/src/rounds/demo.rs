@@ -332,7 +332,7 @@ fn interpretation(
         force_bias: 0.12,
         pressed_force: Some(10.0),
         tool_stiffness: None,
-        contact_share: contact as f64 / near.max(1) as f64,
+        contact_share: Some(contact as f64 / near.max(1) as f64),
         belief,
         distribution,
         by_touch: performance,

@@ -71,7 +71,7 @@ impl Trial<'_> {
             100.0 * interpretation.performance.low,
             100.0 * interpretation.performance.high,
             executed.duration,
-            100.0 * interpretation.contact_share,
+            100.0 * interpretation.contact_share.unwrap_or(f64::NAN),
             interpretation.force_bias,
         );
         print_plane(&interpretation);

@@ -64,8 +64,8 @@ pub struct Interpretation {
     pub pressed_force: Option<f64>,
     /// Belief about the tool's stiffness after this log and those before it; `None` for a rigid tool.
     pub tool_stiffness: Option<ToolStiffness>,
-    /// Time in contact over the time that the tool was on or near the surface \[1\].
-    pub contact_share: f64,
+    /// Time in contact over the time that the tool was on or near the surface \[1\]; `None` where it never was.
+    pub contact_share: Option<f64>,
     /// Belief about the dirt after the log.
     pub belief: Belief,
     /// Distribution of the performance.

@@ -460,7 +460,7 @@ struct LogAnalysis {
     classified: ClassifiedPath,
     believed_from_real: Pose,
     events: Vec<Event>,
-    contact_share: f64,
+    contact_share: Option<f64>,
     doubts: Vec<Doubt>,
     stiffness: Option<MeasuredStiffness>,
     /// Pieces at which the tool was low enough to touch, if no contact was found; empty otherwise.

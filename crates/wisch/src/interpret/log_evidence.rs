@@ -59,7 +59,7 @@ pub(super) struct LogEvidence<'a> {
     pub(super) reading: &'a ForceReading,
     pub(super) classified: &'a ClassifiedPath,
     pub(super) events: &'a [Event],
-    pub(super) contact_share: f64,
+    pub(super) contact_share: Option<f64>,
     /// Tilt of a plane that holds the contacts and is steeper than those that are searched [rad].
     pub(super) steep: Option<f64>,
     pub(super) surface: &'a Surface,
@@ -120,7 +120,7 @@ impl LogEvidence<'_> {
         let share = if time > 0.0 { beside / time } else { 0.0 };
         let (inliers, confident) = (plane.inliers, plane.confident);
         let radius = self.config.redraw_length_m;
-        let contact_share = self.contact_share;
+        let contact_share = self.contact_share.unwrap_or(1.0);
         let all = [
             (
                 (inliers as f64) < LEAST_ON_PLANE * confident as f64,

@@ -314,7 +314,7 @@ mod tests {
             force_bias: 0.0,
             pressed_force: None,
             tool_stiffness: None,
-            contact_share: 1.0,
+            contact_share: Some(1.0),
             belief: Belief::from_particles(ParticleDistribution::default()),
             performance: distribution.estimate(),
             by_touch: distribution.estimate(),

@@ -131,7 +131,7 @@ fn a_gap_in_the_press_is_a_loss_of_contact() {
     assert_near_times(&losses[0], [start + 1.3, start + 1.9]);
     assert_eq!(events(&interpretation, EventKind::Push), []);
     let whole = interpreted(&Script::default());
-    assert!(interpretation.contact_share < whole.contact_share - 0.03);
+    assert!(interpretation.contact_share.unwrap() < whole.contact_share.unwrap() - 0.03);
 }
 
 /// Forces estimated from drives lag; then the sponge seems to be pressed while it already lifts off.

@@ -215,6 +215,15 @@ fn a_bias_that_steps_in_contact_leaves_the_performance_unknown() {
 }
 
 #[test]
+fn a_log_far_above_the_surface_has_no_share_of_contact() {
+    let found = changed(&Script::default(), |surface, _, sample| {
+        Some(moved(sample, surface.rotation * Vector3::z() * 0.3))
+    });
+    assert_eq!(found.contact_share, None);
+    assert!(interpreted(&Script::default()).contact_share > Some(0.8));
+}
+
+#[test]
 fn a_frame_that_is_not_that_of_the_tool_is_reported() {
     let leaning = |lean: f64| {
         changed(&Script::default(), |_, _, sample| {

@@ -125,7 +125,7 @@ fn fault(wipe: &ReliefWipe, found: &Interpretation, flat: &Interpretation) -> Op
     let (truth, estimate) = (flat.performance.mean, found.performance);
     let missed = (estimate.low - truth).max(truth - estimate.high);
     if found.doubts.is_empty() {
-        let lost = flat.contact_share - found.contact_share;
+        let lost = flat.contact_share.unwrap() - found.contact_share.unwrap();
         return (missed > MOST_MISSED || lost > MOST_LOST)
             .then(|| format!("missed by {missed:.2}, {lost:.2} of the contact lost"));
     }
@@ -335,7 +335,7 @@ fn on_a_known_cylinder_contact_is_read_as_on_a_plane() {
             assert_eq!(found.doubts, [], "{radius} {leans}");
             assert_eq!(found.diagnosis, Diagnosis::Localized, "{radius} {leans}");
             assert_eq!(by_hand(&found), 0, "{radius} {leans}");
-            let off = found.contact_share - flat.contact_share;
+            let off = found.contact_share.unwrap() - flat.contact_share.unwrap();
             assert!(off.abs() < 0.01, "{radius} {leans}: {off}");
         }
     }

@@ -32,8 +32,8 @@ impl EventDetector<'_> {
             .collect()
     }
 
-    /// Time in contact over the time on or near the surface [1].
-    pub(in crate::interpret) fn contact_share(&self) -> f64 {
+    /// Time in contact over the time on or near the surface [1]; `None` for no such time.
+    pub(in crate::interpret) fn contact_share(&self) -> Option<f64> {
         let (mut near, mut touching) = (0.0, 0.0);
         for i in 0..self.path.len() {
             let [start, end] = self.span(i);
@@ -45,7 +45,7 @@ impl EventDetector<'_> {
                 touching += end - start;
             }
         }
-        if near > 0.0 { touching / near } else { 0.0 }
+        (near > 0.0).then(|| touching / near)
     }
 
     fn contact_level(&self, i: usize) -> Level {
