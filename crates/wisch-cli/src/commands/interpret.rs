@@ -565,9 +565,12 @@ fn surface_in_words(record: &InterpretationRecord) -> String {
         .registration
         .as_ref()
         .map_or_else(String::new, |fit| {
+            let [x, y, z, w] = fit.believed_from_real.rotation_xyzw;
+            let turned = 2.0 * x.hypot(y).hypot(z).atan2(w.abs());
             format!(
-                "; fitted to the shape in {} of 6 degrees of freedom, {:.2} mm rms",
+                "; fitted to the shape in {} of 6 degrees of freedom: turned by {:.2}°, {:.2} mm rms",
                 fit.determined,
+                turned.to_degrees(),
                 1e3 * fit.rms_m
             )
         });

@@ -428,9 +428,15 @@ impl Interpreter {
     }
 
     fn diagnosis(&self, classified: &ClassifiedPath, believed_from_real: &Pose) -> Diagnosis {
+        // In the chart, a yawed surface is no tilted plane.
+        let is_turned = (classified.registration.as_ref()).is_some_and(|registration| {
+            classified.is_moved
+                && registration.believed_from_real.rotation.angle() >= self.config.relocalize_tilt
+        });
         let is_here = |plane: &FittedPlane| {
             plane.tilt < self.config.relocalize_tilt
                 && plane.offset.abs() < self.config.relocalize_offset_m
+                && !is_turned
         };
         match &classified.plane {
             None if self.config.gap_m > 0.0 => Diagnosis::Hovering,

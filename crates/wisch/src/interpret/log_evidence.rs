@@ -2,7 +2,8 @@
 
 use super::config::InterpretConfig;
 use super::contact::{
-    ClassifiedPath, ContactShape, ForceReading, MeasuredPiece, PathPiece, PressDirection, is_inland,
+    ClassifiedPath, ContactShape, ForceReading, MeasuredPiece, PathPiece, PressDirection, ShapeFit,
+    ToolStiffness, is_inland,
 };
 use super::doubt::{Doubt, NEAR};
 use super::events::{Event, EventKind};
@@ -188,7 +189,9 @@ impl LogEvidence<'_> {
 
     /// Returns a doubt if the contacts lie on a surface that is no plane.
     fn find_curvature(&self) -> Option<Doubt> {
-        let shape = ContactShape::of(self.pieces, self.surface, self.config);
+        let moved = (self.classified.registration.as_ref()).map(|fit| self.moved_pieces(fit));
+        let pieces = moved.as_deref().unwrap_or(self.pieces);
+        let shape = ContactShape::of(pieces, self.surface, self.config);
         if !self.surface.shape.is_plane() {
             let off = shape.map(|(_, off)| off);
             let doubt = off.map(|off| Doubt::OffShape { off });
@@ -217,6 +220,20 @@ impl LogEvidence<'_> {
             ContactShape::Other => Doubt::NotPlanar { off },
         });
         doubt.or_else(|| self.find_steady_contact_off_plane())
+    }
+
+    /// Returns the pieces in the chart of the registered surface.
+    fn moved_pieces(&self, fit: &ShapeFit) -> Vec<MeasuredPiece> {
+        let moved = self.pieces.iter().map(|piece| {
+            let place = Point3::new(piece.position.x, piece.position.y, piece.mean_height);
+            let position = fit.to_fitted_chart(&self.surface.shape, &place);
+            MeasuredPiece {
+                position,
+                mean_height: position.z,
+                ..*piece
+            }
+        });
+        moved.collect()
     }
 
     /// Returns a doubt if the tool slid off the plane with the force with which it slides on it: a hand that pushes gives

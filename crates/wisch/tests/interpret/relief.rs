@@ -388,6 +388,39 @@ fn a_known_cylinder_elsewhere_is_found_along_its_normals() {
     assert!(off < 3e-4, "{off}");
 }
 
+/// Yaw bends the chart of a cylinder, so that the contacts lie on no plane in it.
+#[test]
+fn a_known_cylinder_that_is_yawed_is_found_without_a_doubt() {
+    let rolled = wipe(Relief::Cylinder {
+        curvature: 2.0,
+        axis: 0.5 * PI,
+    });
+    let straight = read_rolled(&rolled, 0.5);
+    for degrees in [2.0, -3.0] {
+        let turn = Vector3::z() * f64::to_radians(degrees);
+        let yawed = ReliefWipe {
+            believed_from_real: Pose::new(Vector3::zeros(), turn),
+            ..rolled.clone()
+        };
+        let found = read_rolled(&yawed, 0.5);
+        assert_eq!(found.doubts, [], "{degrees}°");
+        let turned = found.registration.unwrap().believed_from_real.rotation;
+        assert!(
+            (turned.angle() - turn.norm()).abs() < 0.1_f64.to_radians(),
+            "{degrees}°: {turned:?}"
+        );
+        assert!(
+            matches!(found.diagnosis, Diagnosis::Relocalize { .. }),
+            "{degrees}°: {:?}",
+            found.diagnosis
+        );
+        let off = found.contact_share.unwrap() - straight.contact_share.unwrap();
+        assert!(off.abs() < 0.02, "{degrees}°: {off}");
+        let off = found.performance.mean - straight.performance.mean;
+        assert!(off.abs() < 0.02, "{degrees}°: {off}");
+    }
+}
+
 #[test]
 fn a_wrong_believed_radius_raises_a_doubt() {
     for (believed, real) in [(1.0, 0.5), (1.0, 2.0), (-1.0, 1.0), (0.5, 1e9)] {

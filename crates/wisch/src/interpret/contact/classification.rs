@@ -3,7 +3,7 @@
 use super::downsampling::MeasuredPiece;
 use super::path::{FittedPlane, PathPiece, Touch};
 use super::plane::{PlaneFit, fit_plane};
-use super::registration::{ShapeFit, fit_shape};
+use super::registration::{ShapeFit, fit_shape, in_space};
 use super::residuals::{ContactResidual, map_residuals};
 use crate::geometry::{Bounds2, Point2, Point3, Vector2, Vector3};
 use crate::interpret::config::{InterpretConfig, PlaneConfig, ToolCompliance};
@@ -15,6 +15,10 @@ const POINT_TRAVEL: f64 = 5e-4;
 const POINT_PERIOD: f64 = 0.05;
 /// Least f′ at which a weak contact shows the height of the surface [1].
 const TOUCHING_SHARE: f64 = 0.3;
+/// Least number of contacts on the registered surface over those on the plane, or largest root mean square distance from it
+/// over that from the plane, at which heights are those over the registered surface [1]: a yawed surface bends the chart.
+const LEAST_MORE: f64 = 1.02;
+const MUCH_NEARER: f64 = 0.5;
 /// Most contacts against which a curved surface is registered.
 const MOST_REGISTERED: usize = 5000;
 /// Least share of the tool that the surface must support for a contact with the surface [1].
@@ -41,6 +45,8 @@ pub(in crate::interpret) struct ClassifiedPath {
     pub(in crate::interpret) plane: Option<(PlaneFit, FittedPlane)>,
     /// The pose at which a curved surface fits the contacts.
     pub(in crate::interpret) registration: Option<ShapeFit>,
+    /// Whether heights are those over the registered surface, because the contacts do not lie on a plane in the chart.
+    pub(in crate::interpret) is_moved: bool,
     /// Distances of the contacts from the fitted surface, by place.
     pub(in crate::interpret) residuals: Vec<ContactResidual>,
 }
@@ -69,12 +75,13 @@ impl ContactClassifier<'_> {
             (fit, described)
         });
         let fit = plane.as_ref().map(|(fit, _)| fit);
-        let (registration, residuals) =
+        let (registration, is_moved, residuals) =
             (fit.map(|fit| self.register(fit, pieces))).unwrap_or_default();
+        let moved = registration.as_ref().filter(|_| is_moved);
         let mut path = Vec::with_capacity(pieces.len());
         let (mut off, mut off_spring) = (Vec::new(), Vec::new());
         for piece in pieces {
-            let (classified, [least, by_spring]) = self.classify_piece(piece, fit);
+            let (classified, [least, by_spring]) = self.classify_piece(piece, fit, moved);
             path.push(classified);
             off.push(least);
             off_spring.push(by_spring);
@@ -85,26 +92,25 @@ impl ContactClassifier<'_> {
             off_spring,
             plane,
             registration,
+            is_moved,
             residuals,
         }
     }
 
-    /// Returns the pose at which a curved surface fits the contacts, and the distances of the contacts from the fitted
-    /// surface by place. Without that pose, `fit` counts: a plane over the chart.
+    /// Returns the pose at which a curved surface fits the contacts, whether more contacts lie on it than on `fit`, and the
+    /// distances of the contacts from the fitted surface by place. Without that pose, `fit` counts: a plane over the chart.
     fn register(
         &self,
         fit: &PlaneFit,
         pieces: &[MeasuredPiece],
-    ) -> (Option<ShapeFit>, Vec<ContactResidual>) {
+    ) -> (Option<ShapeFit>, bool, Vec<ContactResidual>) {
         let (config, shape) = (self.config, &self.surface.shape);
         let mut contacts = touching_points(pieces, TOUCHING_SHARE, config);
         let stride = contacts.len().div_ceil(MOST_REGISTERED).max(1);
         contacts = contacts.into_iter().step_by(stride).collect();
-        let in_space = |contact: &Point3| -> Point3 {
-            let lifted = shape.place(contact.xy(), contact.z);
-            lifted.translation.vector.into()
-        };
-        let points: Vec<Point3> = contacts.iter().map(in_space).collect();
+        let points: Vec<Point3> = (contacts.iter())
+            .map(|contact| in_space(shape, contact))
+            .collect();
         let registration = (!shape.is_plane())
             .then(|| fit_shape(&points, shape, &config.plane, config.seed))
             .flatten();
@@ -114,18 +120,30 @@ impl ContactClassifier<'_> {
         };
         let residuals = contacts.iter().zip(&points);
         let residuals = map_residuals(residuals.map(|(at, point)| (at.xy(), height(at, point))));
-        (registration, residuals)
+        let on_plane = contacts.iter().filter(|at| is_on(fit, at, config)).count() as f64;
+        let is_moved = registration.as_ref().is_some_and(|found| {
+            let inliers = found.inliers as f64;
+            let is_nearer = found.rms < MUCH_NEARER * fit.rms && inliers >= on_plane;
+            is_nearer || inliers > LEAST_MORE * on_plane
+        });
+        (registration, is_moved, residuals)
     }
 
     fn classify_piece(
         &self,
         piece: &MeasuredPiece,
         plane: Option<&PlaneFit>,
+        moved: Option<&ShapeFit>,
     ) -> (PathPiece, [f64; 2]) {
         let force = piece.force;
         let normal_force = -force.z;
         let center = Point3::new(piece.position.x, piece.position.y, piece.mean_height);
-        let height = plane.map_or(center.z, |plane| plane.distance(center));
+        let shape = &self.surface.shape;
+        let height = match (moved, plane) {
+            (Some(moved), _) => moved.height(shape, in_space(shape, &center)),
+            (None, Some(plane)) => plane.distance(center),
+            (None, None) => center.z,
+        };
         let off = self.off(center.xy(), height, normal_force);
         let hovers = self.config.gap_m > 0.0;
         let share = if hovers {
