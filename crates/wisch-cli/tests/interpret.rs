@@ -137,6 +137,7 @@ fn a_log_of_a_wiped_board_says_so() {
     for part in [
         "80.0 % estimated",
         "at its believed pose",
+        "N/m ± 20.0 %, assumed as declared",
         "1 contact",
         "axes of the world",
     ] {

@@ -223,7 +223,8 @@ fn describe_touch(individual: &mut Individual, interpretation: &Interpretation) 
         individual.set_number("semco:planeTilt", plane.tilt);
         individual.set_number("semco:planeOffset", plane.offset);
     }
-    if let Some(stiffness) = &interpretation.tool_stiffness {
+    let stiffness = interpretation.tool_stiffness.as_ref();
+    if let Some(stiffness) = stiffness.filter(|stiffness| !stiffness.is_assumed) {
         individual.set_number("semco:toolStiffness", stiffness.n_per_m);
         individual.set_number("semco:toolStiffnessDeviation", stiffness.ln_deviation);
     }

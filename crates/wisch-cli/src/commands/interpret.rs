@@ -490,8 +490,13 @@ pub(super) fn summary_lines(record: &InterpretationRecord) -> Vec<(&'static str,
         ("events", events_in_words(record)),
     ];
     if let Some(stiffness) = &record.tool_stiffness {
+        let assumed = if stiffness.assumed {
+            ", assumed as declared"
+        } else {
+            ""
+        };
         let line = format!(
-            "stiffness {:.0} N/m ± {}",
+            "stiffness {:.0} N/m ± {}{assumed}",
             stiffness.n_per_m,
             percent(stiffness.ln_deviation)
         );

@@ -84,6 +84,8 @@ pub struct ToolStiffnessRecord {
     pub n_per_m: f64,
     /// Standard deviation of its logarithm.
     pub ln_deviation: f64,
+    /// Whether it is the declared one, because no log shows another.
+    pub assumed: bool,
 }
 
 /// The fitted plane, in the frame of the believed surface.
@@ -236,6 +238,7 @@ impl InterpretationRecord {
                 .map(|stiffness| ToolStiffnessRecord {
                     n_per_m: stiffness.n_per_m,
                     ln_deviation: stiffness.ln_deviation,
+                    assumed: stiffness.is_assumed,
                 }),
             events: interpretation.events.iter().map(EventRecord::new).collect(),
             log,

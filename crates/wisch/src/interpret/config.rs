@@ -317,6 +317,21 @@ impl InterpretConfig {
         config
     }
 
+    /// Returns the settings for a tool of another stiffness [N/m], if one is known; a rigid tool stays rigid.
+    #[must_use]
+    pub(super) fn with_stiffness(mut self, stiffness: Option<f64>) -> Self {
+        if let (
+            ToolCompliance::Spring {
+                stiffness_n_per_m, ..
+            },
+            Some(stiffness),
+        ) = (&mut self.compliance, stiffness)
+        {
+            *stiffness_n_per_m = stiffness;
+        }
+        self
+    }
+
     /// Nominal press force [N].
     pub(super) fn nominal_force(&self) -> f64 {
         -self.min_normal_force_n

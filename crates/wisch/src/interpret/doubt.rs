@@ -1,5 +1,6 @@
 //! Whether a log shows wiping of this surface, and if not, why.
 
+use super::contact::STIFFEST;
 use super::wrench_quality::UnusableWrenches;
 use std::fmt;
 
@@ -82,6 +83,13 @@ pub enum Doubt {
         /// Difference of the performance between the two explanations \[1\]: the tool really pressed with this force, or
         /// the force is measured on another scale.
         matters: f64,
+    },
+    /// The heights of the contacts fit a tool of another stiffness than the declared one.
+    StiffnessDiffers {
+        /// Stiffness that the contacts show \[N/m\].
+        found: f64,
+        /// Declared press force over declared compression \[N/m\].
+        declared: f64,
     },
     /// The force of contact points into the surface: the log holds the force of the tool on the surface.
     WrenchSignInverted,
@@ -227,7 +235,8 @@ impl Doubt {
             | Self::Sparse { .. }
             | Self::TooSteep { .. }
             | Self::Scattered { .. } => true,
-            Self::WrenchSignInverted
+            Self::StiffnessDiffers { .. }
+            | Self::WrenchSignInverted
             | Self::WrenchFrameRotated { .. }
             | Self::ClockOffset { .. }
             | Self::Incomplete { .. }
@@ -299,6 +308,7 @@ impl fmt::Display for Doubt {
                 declared,
                 matters,
             } => write_pressed_otherwise(f, force, declared, matters),
+            Self::StiffnessDiffers { found, declared } => write_stiffness(f, found, declared),
             Self::WrenchSignInverted => f.write_str(
                 "the force of contact points into the surface: read with the opposite sign (--wrench-sign)",
             ),
@@ -436,6 +446,15 @@ fn write_pressed_otherwise(
         f,
         "the tool pressed with {force:.1} N, {:.2} × press_force_n ({declared:.1} N){consequence}: set interaction.press_force_n if {force:.1} N is the nominal force",
         force / declared
+    )
+}
+
+/// Writes [`Doubt::StiffnessDiffers`].
+fn write_stiffness(f: &mut fmt::Formatter<'_>, found: f64, declared: f64) -> fmt::Result {
+    let more = if found >= STIFFEST { " or more" } else { "" };
+    write!(
+        f,
+        "the heights of the contacts fit a tool of {found:.0} N/m{more}, not of {declared:.0} N/m as declared (press_force_n over compression_depth_m): contact is read with {found:.0} N/m"
     )
 }
 

@@ -4,7 +4,7 @@ use super::belief::{Belief, ContactEvidence, Exposure, Replay};
 use super::config::InterpretConfig;
 use super::contact::{
     ClassifiedPath, ContactClassifier, Downsampler, FittedPlane, ForceReading, MeasuredStiffness,
-    PlaneFit, StiffnessBelief, ToolOnBend, TouchSample, middle,
+    PlaneFit, StiffnessBelief, ToolOnBend, ToolStiffness, TouchSample, find_stiffness, middle,
 };
 use super::doubt::Doubt;
 use super::error::InterpretError;
@@ -216,10 +216,11 @@ impl Interpreter {
             doubts,
             force_bias: analysis.force_bias,
             pressed_force: analysis.pressed,
-            tool_stiffness: self
-                .config
-                .stiffness()
-                .map(|believed| stiffness.of_tool(believed)),
+            tool_stiffness: self.config.stiffness().map(|declared| {
+                let is_assumed = stiffness == prior;
+                (analysis.found_stiffness)
+                    .unwrap_or_else(|| stiffness.of_tool(declared, is_assumed))
+            }),
             performance: distribution.estimate(),
             by_touch: distribution.estimate(),
             observation: None,
@@ -268,6 +269,8 @@ impl Interpreter {
             tool.level(&mut pieces, &config);
         }
         let pieces = &pieces;
+        let found_stiffness = find_stiffness(pieces, &self.surface, &config);
+        let config = config.with_stiffness(found_stiffness.map(|found| found.n_per_m));
         let classifier = ContactClassifier {
             surface: &self.surface,
             reach: self.reach(),
@@ -300,6 +303,7 @@ impl Interpreter {
         };
         let evidence = LogEvidence {
             steep,
+            found_stiffness,
             own_tilt: self.own_tilt,
             pieces,
             reading: &reading,
@@ -331,7 +335,10 @@ impl Interpreter {
             // A hovering tool has no contact that could begin or be lost.
             events.retain(|event| event.kind.is_by_hand());
         }
-        let stiffness = self.stiffness(&classified, &events, &config);
+        // Landings are measured against the declared stiffness.
+        let stiffness = (found_stiffness.is_none())
+            .then(|| self.stiffness(&classified, &events, &config))
+            .flatten();
         LogAnalysis {
             force_bias: reading.normal_bias(measured),
             pressed: reading.pressed,
@@ -343,6 +350,7 @@ impl Interpreter {
             contact_share,
             doubts,
             stiffness,
+            found_stiffness,
             is_low,
         }
     }
@@ -469,6 +477,8 @@ struct LogAnalysis {
     contact_share: Option<f64>,
     doubts: Vec<Doubt>,
     stiffness: Option<MeasuredStiffness>,
+    /// Stiffness of the tool that the heights of the contacts show, if it is not the declared one.
+    found_stiffness: Option<ToolStiffness>,
     /// Pieces at which the tool was low enough to touch, if no contact was found; empty otherwise.
     is_low: Vec<bool>,
 }

@@ -40,6 +40,8 @@ const MOST_LED: f64 = 0.3;
 const LOW: f64 = 5e-3;
 /// Ratio of the measured press force to the declared one, in either direction, from which they count as different [1].
 const OTHER_FORCE: f64 = 1.2;
+/// Ratio of the tool's stiffness to the declared one, in either direction, from which they count as different [1].
+const OTHER_STIFFNESS: f64 = 1.2;
 /// Least f′ of a tool that presses at the beginning or the end of a log [1].
 const PRESSING: f64 = 0.5;
 /// Longest time between two samples within which nothing is missed [s].
@@ -63,6 +65,8 @@ pub(super) struct LogEvidence<'a> {
     pub(super) contact_share: Option<f64>,
     /// Tilt of a plane that holds the contacts and is steeper than those that are searched [rad].
     pub(super) steep: Option<f64>,
+    /// Stiffness of the tool that the heights of the contacts show, if it is not the declared one.
+    pub(super) found_stiffness: Option<ToolStiffness>,
     pub(super) surface: &'a Surface,
     /// Largest angle by which the tool may tilt by design [rad].
     pub(super) own_tilt: f64,
@@ -319,7 +323,13 @@ impl LogEvidence<'_> {
             });
         let offset = reading.clock_offset;
         let clocks = (offset != 0.0).then_some(Doubt::ClockOffset { offset });
-        turned.into_iter().chain(otherwise).chain(clocks)
+        let stiffness = self.found_stiffness.map(|found| found.n_per_m);
+        let stiffness = stiffness.zip(self.declared.stiffness());
+        let stiffness = stiffness
+            .filter(|(found, declared)| !as_stiff(*declared).contains(found))
+            .map(|(found, declared)| Doubt::StiffnessDiffers { found, declared });
+        let turned = turned.into_iter().chain(otherwise);
+        turned.chain(clocks).chain(stiffness)
     }
 
     fn is_touching(&self, piece: &PathPiece) -> bool {
@@ -411,6 +421,11 @@ impl LogEvidence<'_> {
         }
         sliding
     }
+}
+
+/// Range of stiffnesses that count as the declared one [N/m].
+fn as_stiff(declared: f64) -> std::ops::RangeInclusive<f64> {
+    declared / OTHER_STIFFNESS..=declared * OTHER_STIFFNESS
 }
 
 /// Totals of the contact.

@@ -1,6 +1,6 @@
 //! Logs with faults of their own: jumping poses, drifting forces, wrong frames and units, and times without samples.
 
-use super::log::{STEEP, Script, task};
+use super::log::{DEPTH, PRESS, STEEP, Script, task};
 use super::{events, interpreted, interpreted_with};
 use nalgebra::Isometry3;
 use wisch::geometry::{Pose, Vector3};
@@ -221,6 +221,47 @@ fn a_log_far_above_the_surface_has_no_share_of_contact() {
     });
     assert_eq!(found.contact_share, None);
     assert!(interpreted(&Script::default()).contact_share > Some(0.8));
+}
+
+#[test]
+fn a_tool_harder_or_softer_than_declared_stays_in_contact_as_its_force_changes() {
+    let script = Script {
+        press: |place| if place.x < 0.0 { PRESS } else { 0.4 * PRESS },
+        ..Script::default()
+    };
+    let truth = interpreted(&script).performance;
+    let contacts = script.contacts();
+    // The script's tool is lifted by half of this where it presses with 4 N.
+    for (scale, range) in [(0.0, 20e3..=1e5), (2.0, 800.0..=1200.0)] {
+        let found = changed(&script, |surface, _, sample| {
+            let is_in_contact =
+                (contacts.iter()).any(|[start, end]| (*start..*end).contains(&sample.time));
+            let place = surface.inverse() * sample.world_from_tool;
+            let is_soft = place.translation.x >= 0.0 && is_in_contact;
+            let lift = 0.6 * DEPTH * (scale - 1.0) * f64::from(u8::from(is_soft));
+            Some(moved(sample, surface.rotation * Vector3::z() * lift))
+        });
+        let told = found.doubts.iter().find_map(|doubt| match doubt {
+            Doubt::StiffnessDiffers { found, .. } => Some(*found),
+            _ => None,
+        });
+        assert!(
+            told.is_some_and(|told| range.contains(&told)),
+            "{scale}: {:?}",
+            found.doubts
+        );
+        let estimate = found.performance;
+        assert!(
+            found.is_conclusive() && (estimate.mean - truth.mean).abs() < 0.03,
+            "{scale}: {estimate:?} instead of {truth:?}: {:?}",
+            found.doubts
+        );
+        let stiffness = found.tool_stiffness.unwrap();
+        assert!(!stiffness.is_assumed && range.contains(&stiffness.n_per_m));
+    }
+    // A force that hardly changes shows no stiffness.
+    let stiffness = interpreted(&one_stroke()).tool_stiffness.unwrap();
+    assert!(stiffness.is_assumed && stiffness.n_per_m == PRESS / DEPTH);
 }
 
 #[test]

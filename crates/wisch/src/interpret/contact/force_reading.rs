@@ -503,7 +503,7 @@ fn sliding_planes(
 }
 
 /// Whether the tool moves along the surface rather than towards it, within the height at which contact is searched.
-fn is_sliding(pieces: &[MeasuredPiece], i: usize, config: &InterpretConfig) -> bool {
+pub(super) fn is_sliding(pieces: &[MeasuredPiece], i: usize, config: &InterpretConfig) -> bool {
     let Some([before, after]) = neighbours(pieces, i) else {
         return false;
     };

@@ -2,6 +2,7 @@
 
 mod bias_change;
 mod classification;
+mod compression;
 mod curvature;
 mod downsampling;
 mod force_reading;
@@ -17,6 +18,7 @@ mod tool_on_bend;
 mod weighted;
 
 pub(super) use classification::{ClassifiedPath, ContactClassifier, middle};
+pub(super) use compression::{STIFFEST, find_stiffness};
 pub(super) use curvature::{ContactShape, is_inland};
 pub(super) use downsampling::{Downsampler, MeasuredPiece};
 pub(super) use force_reading::{ForceReading, PressDirection};

@@ -32,6 +32,8 @@ pub struct ToolStiffness {
     pub n_per_m: f64,
     /// Standard deviation of its logarithm \[1\].
     pub ln_deviation: f64,
+    /// Whether it is the declared one, because no log shows another.
+    pub is_assumed: bool,
 }
 
 /// Log-normal belief about a tool's stiffness.
@@ -79,10 +81,11 @@ impl StiffnessBelief {
     }
 
     /// Returns the belief as a stiffness; `n_per_m` is that of the settings [N/m].
-    pub(in crate::interpret) fn of_tool(self, n_per_m: f64) -> ToolStiffness {
+    pub(in crate::interpret) fn of_tool(self, n_per_m: f64, is_assumed: bool) -> ToolStiffness {
         ToolStiffness {
             n_per_m: n_per_m * self.scale(0.0),
             ln_deviation: self.deviation,
+            is_assumed,
         }
     }
 }
@@ -281,7 +284,7 @@ mod tests {
         assert!((believed.deviation - 0.109).abs() < 1e-3, "{believed:?}");
         assert!(believed.scale(-1.0) > prior.scale(-1.0));
         assert!(believed.scale(1.0) / believed.scale(-1.0) < prior.scale(1.0) / prior.scale(-1.0));
-        assert!((believed.of_tool(2000.0).n_per_m - 2000.0 * 1.235).abs() < 5.0);
+        assert!((believed.of_tool(2000.0, false).n_per_m - 2000.0 * 1.235).abs() < 5.0);
     }
 
     #[test]
