@@ -341,7 +341,18 @@ fn what_is_odd_about_a_log_is_said() {
 #[test]
 fn an_observation_of_dirt_is_refused_where_there_is_none() {
     let folder = folder(believed());
-    let polish = ["--action", "polish", "--observation", "crumbs.csv"];
+    let polish = [
+        "--action",
+        "polish",
+        "--set",
+        "interaction.actions=['polish']",
+        "--set",
+        "polish.passes=1",
+        "--set",
+        "particles={source='surface',count=50}",
+        "--observation",
+        "crumbs.csv",
+    ];
     let shown = refused(folder.path(), "log.mcap", &polish);
     for part in ["--observation crumbs.csv", "the action polish", "omit"] {
         assert!(shown.contains(part), "{part} in {shown}");
