@@ -24,6 +24,8 @@ const TAIL: f64 = 0.1;
 const LEAST_RANGE: f64 = 0.3;
 /// Least error of the heights by the declared stiffness over the range of forces [m].
 const LEAST_ERROR: f64 = 5e-4;
+/// Least median distance of the contacts from the fit with the declared stiffness [m]: noise of the force alone gives less.
+const LEAST_OFF: f64 = 2.5e-4;
 /// Largest median distance of the contacts from the fit, over that with the declared stiffness [1].
 const LEAST_BETTER: f64 = 0.5;
 /// Largest median distance of the contacts from the fit [m].
@@ -78,8 +80,9 @@ pub(in crate::interpret) fn find_stiffness(
     let (_, declared_off) = fit(&contacts, Some(1.0 / declared))?;
     let compliance = free.max(1.0 / STIFFEST);
     let is_other = (compliance - 1.0 / declared).abs() * range >= LEAST_ERROR;
+    let is_wrong = declared_off >= LEAST_OFF;
     let is_better = off <= MOST_OFF && off <= LEAST_BETTER * declared_off;
-    (is_other && is_better).then(|| ToolStiffness {
+    (is_other && is_wrong && is_better).then(|| ToolStiffness {
         n_per_m: 1.0 / compliance,
         ln_deviation: (HEIGHT_ERROR / range / compliance).max(LEAST_DEVIATION),
         is_assumed: false,
