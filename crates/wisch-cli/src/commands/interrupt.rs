@@ -5,8 +5,8 @@ use crate::progress::Progress;
 use crate::terminal::{complain_of, remark};
 use signal_hook::consts::{SIGHUP, SIGINT, SIGTERM, SIGUSR1};
 use signal_hook::flag::{register, register_conditional_shutdown};
-use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+use std::sync::{Arc, OnceLock};
 use std::time::Duration;
 use wisch_io::PauseSwitch;
 
@@ -15,14 +15,22 @@ const EXIT_INTERRUPTED: i32 = 130;
 /// Period at which the flag of a signal is checked.
 const PERIOD: Duration = Duration::from_millis(20);
 
+/// The flag of [`stop_on_signal`] and the switch of [`pause_on_signal`]: one of each, as a command over several patches
+/// runs several times, and a signal between two runs counts for the next.
+static STOP: OnceLock<Arc<AtomicBool>> = OnceLock::new();
+static PAUSE: OnceLock<Arc<PauseSwitch>> = OnceLock::new();
+
 /// Installs handlers with which Ctrl-C, SIGTERM and SIGHUP request a clean stop.
 ///
-/// The first signal sets the returned flag: the robot is stopped, and the executed part of the round is interpreted and
+/// The first signal sets the returned flag, the same in every call: the robot is stopped, and the executed part of the round is interpreted and
 /// kept. The second signal ends the program and all executors at once.
 ///
 /// # Errors
 /// If the system refuses a handler.
 pub fn stop_on_signal() -> Result<Arc<AtomicBool>, Failure> {
+    if let Some(stop) = STOP.get() {
+        return Ok(Arc::clone(stop));
+    }
     let signalled = Arc::new(AtomicBool::new(false));
     for signal in [SIGINT, SIGTERM, SIGHUP] {
         register(signal, Arc::clone(&signalled))
@@ -45,7 +53,12 @@ pub fn stop_on_signal() -> Result<Arc<AtomicBool>, Failure> {
             );
         }
     });
-    Ok(stop)
+    Ok(Arc::clone(STOP.get_or_init(|| stop)))
+}
+
+/// Whether a signal has requested a stop since the program began.
+pub fn is_stop_requested() -> bool {
+    (STOP.get()).is_some_and(|stop| stop.load(Ordering::SeqCst))
 }
 
 /// Installs a handler with which SIGUSR1 pauses the motion of an executor, and SIGUSR1 again lets it continue.
@@ -53,6 +66,9 @@ pub fn stop_on_signal() -> Result<Arc<AtomicBool>, Failure> {
 /// # Errors
 /// If the system refuses the handler.
 pub fn pause_on_signal() -> Result<Arc<PauseSwitch>, Failure> {
+    if let Some(switch) = PAUSE.get() {
+        return Ok(Arc::clone(switch));
+    }
     let signalled = Arc::new(AtomicBool::new(false));
     register(SIGUSR1, Arc::clone(&signalled))
         .map_err(|error| Failure::new(format!("signal {SIGUSR1}: {error}")))?;
@@ -72,7 +88,7 @@ pub fn pause_on_signal() -> Result<Arc<PauseSwitch>, Failure> {
             }
         }
     });
-    Ok(switch)
+    Ok(Arc::clone(PAUSE.get_or_init(|| switch)))
 }
 
 /// Installs a handler with which Ctrl-C ends the program at once and prints how to resume.

@@ -106,14 +106,18 @@ pub(super) struct PatchesSummary {
     strokes: usize,
     distance_in_contact_m: f64,
     distance_total_m: f64,
-    /// The summary of each patch.
+    /// Number of patches of the surface.
+    patch_count: usize,
+    /// Whether every estimate is one: false if the performance on a patch is unknown, so that the estimate is a guess.
+    is_conclusive: bool,
+    /// The summary of each patch that was wiped.
     patches: Vec<Summary>,
     out: String,
 }
 
 impl PatchesSummary {
-    /// Sums up the patches. `is_met`: whether the goal is met on all.
-    pub fn new(task: &str, patches: Vec<Summary>, is_met: bool, out: String) -> Self {
+    /// Sums up the patches that were wiped. `count`: number of patches; `is_met`: whether the goal is met on all.
+    pub fn new(task: &str, patches: Vec<Summary>, count: usize, is_met: bool, out: String) -> Self {
         let particles: usize = patches.iter().map(|patch| patch.particles).sum();
         let mean = |of: &dyn Fn(&Summary) -> Option<f64>| -> Option<f64> {
             let weighted = (patches.iter()).map(|patch| Some(of(patch)? * patch.particles as f64));
@@ -142,6 +146,10 @@ impl PatchesSummary {
                 .map(|patch| patch.distance_in_contact_m)
                 .sum(),
             distance_total_m: patches.iter().map(|patch| patch.distance_total_m).sum(),
+            patch_count: count,
+            is_conclusive: (patches.iter()).all(|patch| {
+                (patch.execution.as_ref()).is_none_or(|execution| execution.is_conclusive)
+            }),
             patches,
             out,
         }
@@ -149,8 +157,11 @@ impl PatchesSummary {
 
     /// The summary for people.
     pub fn in_words(&self) -> String {
-        let count = self.patches.len();
-        let mut text = format!("{}: all {count} patches\n", self.task);
+        let count = self.patch_count;
+        let mut text = match self.patches.len() {
+            wiped if wiped == count => format!("{}: all {count} patches\n", self.task),
+            wiped => format!("{}: {wiped} of {count} patches\n", self.task),
+        };
         let mut line = |name: &str, value: &str| text += &format!("  {name:<18} {value}\n");
         let met = self.patches.iter().filter(|patch| {
             patch
@@ -175,7 +186,12 @@ impl PatchesSummary {
             (Some(estimated), Some(low), Some(high)) => line(
                 "performance",
                 &format!(
-                    "estimated {} of {particles} ({} to {})",
+                    "{} {} of {particles} ({} to {})",
+                    if self.is_conclusive {
+                        "estimated"
+                    } else {
+                        "unknown; guessed"
+                    },
                     percent(estimated),
                     percent(low),
                     percent(high)

@@ -3,7 +3,7 @@
 use super::PROGRAM;
 use super::budget::in_evaluations;
 use super::follow::{Chosen, read_robot};
-use super::interrupt::stop_on_signal;
+use super::interrupt::{is_stop_requested, stop_on_signal};
 use super::job::Job;
 use super::out_folder::out_folder;
 use super::patches::{PatchesSummary, TaskPatches};
@@ -218,7 +218,7 @@ fn work_on_patches(
             .map_err(|failure| failure.after(&format!("patch {number} of {count}")))?;
         are_met &= done.is_met;
         summaries.push(done.summary);
-        if done.is_stopped {
+        if done.is_stopped || is_stop_requested() {
             are_met = false;
             if number < count {
                 remark(&format!(
@@ -228,8 +228,9 @@ fn work_on_patches(
             break;
         }
     }
+    are_met &= summaries.len() == count;
     let place = out.display().to_string();
-    let summary = PatchesSummary::new(&first.task.name, summaries, are_met, place);
+    let summary = PatchesSummary::new(&first.task.name, summaries, count, are_met, place);
     if results.json {
         print_json(&summary)?;
     } else if !global.quiet {
@@ -327,14 +328,13 @@ fn work_on_surface(
         remark_on(&kept)?;
     }
     let is_interrupted = stop.is_some_and(|stop| stop.load(Ordering::SeqCst));
-    let waits = waits_for_the_operator(&results_of) && !is_interrupted;
-    if waits {
+    if waits_for_the_operator(&results_of) && !is_interrupted {
         remark(WAITS);
     }
     Ok(Done {
         is_met: results_of.is_goal_met(prepared.run.target),
         summary,
-        is_stopped: waits || is_interrupted,
+        is_stopped: is_interrupted || is_stopped(&results_of),
     })
 }
 
@@ -440,6 +440,14 @@ fn remark_on(kept: &KeptEpisode) -> Result<(), Failure> {
         kept.without.join(", nor ")
     ))
     .with_help("queries of telemetry skip this episode; wisch memory forget ID removes it"))
+}
+
+/// Whether the last round was stopped, whatever its verdict.
+fn is_stopped(results: &RunResults) -> bool {
+    (results.rounds.last()).is_some_and(|done| {
+        let ending = &done.round.execution.ending;
+        matches!(ending, Ending::ProtectiveStop { .. } | Ending::Stopped)
+    })
 }
 
 /// Whether a person or a safety system stopped the last round and no later round cleared the stop.
