@@ -1,7 +1,6 @@
 //! What gravity does to the dirt of a task: dirt that slides before the first round, dirt that runs down, and dirt that is
 //! assumed to stay.
 
-use std::f64::consts::FRAC_PI_2;
 use wisch::represent::{
     Action, DirtFriction, DirtMobility, DirtSlide, KnowledgeBase, LiquidFilm, MediumKind,
     SteepSurface, Task, dirt_friction, slide_down,
@@ -45,7 +44,7 @@ pub(crate) fn gravity_remark(task: &Task, knowledge: &KnowledgeBase) -> Option<S
         MediumKind::Liquid => LEVEL,
         MediumKind::Solid | MediumKind::Powder => RESTING_GRAINS,
     };
-    // A polished surface holds no dirt.
+    // A polished surface holds no dirt, and no law of a coat is known.
     let slides = matches!(task.mobility, DirtMobility::Slides(_));
     if slides || task.action == Action::Polish || slope <= level.atan() {
         return None;
@@ -54,8 +53,11 @@ pub(crate) fn gravity_remark(task: &Task, knowledge: &KnowledgeBase) -> Option<S
         return Some(describe_film(task, &film, slope));
     }
     let why = match kind {
-        MediumKind::Liquid if !task.surface.shape.is_plane() || slope >= FRAC_PI_2 => {
+        MediumKind::Liquid if !task.surface.shape.is_plane() || slope.cos() < -1e-3 => {
             "liquids run on planes that face up only".to_owned()
+        }
+        MediumKind::Liquid if task.action == Action::Dispense => {
+            "wisch lets no coat run down".to_owned()
         }
         MediumKind::Liquid => {
             "declare medium.viscosity_pa_s and medium.volume_m3 to let it run down".to_owned()
@@ -93,7 +95,7 @@ fn describe_film(task: &Task, film: &LiquidFilm, slope: f64) -> String {
     let thickest = film.liquid.largest_thickness(slope);
     if thickness > thickest {
         text += &format!(
-            "; waves carry part of a film thicker than {:.3} mm, which is taken to run no faster",
+            "; waves carry part of a film thicker than {:.3} mm, whose speed is known only roughly",
             1e3 * thickest
         );
     }

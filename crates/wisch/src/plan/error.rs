@@ -151,7 +151,7 @@ pub enum PlanError {
     },
     /// Loose dirt slides on a curved surface.
     #[error(
-        "surface \"{surface}\": its slope reaches {slope:.0}°, on which dirt slides; on a curved surface, this needs the friction of the dirt (medium.static_friction)"
+        "surface \"{surface}\": its slope reaches {slope:.0}°, on which dirt slides; on a curved surface, grains need a declared friction (medium.static_friction), and no liquid runs on it"
     )]
     SteepBend {
         /// Name of the surface.

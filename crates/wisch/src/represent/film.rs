@@ -19,8 +19,12 @@ use crate::geometry::{Point2, Vector2, Vector3};
 /// Acceleration of gravity [m/s²].
 const GRAVITY: f64 = 9.81;
 /// Largest Reynolds number ρ u h/μ up to which a film is taken to run by its viscosity alone [1]: waves on a thicker film
-/// carry part of it. A thicker film runs as fast as one of this number.
+/// carry part of it. The waves on a thicker film run as fast as on one of this number, so that its front runs at most three
+/// times as fast.
 pub const MAX_REYNOLDS: f64 = 30.0;
+/// Vertical component of a normal up to which a surface counts as upright and not as facing down [1]: a right angle that is
+/// rounded in a task file.
+pub(super) const UPRIGHT: f64 = 1e-3;
 /// Number of successive particles over which the thickness is averaged.
 const AVERAGED: usize = 8;
 /// Width of the columns into which a film is divided, over the mean distance of its particles [1].
@@ -39,7 +43,7 @@ pub struct FilmFlow {
 struct Slope {
     /// c = ρ g sin θ / 3μ [1/(m s)].
     rate: f64,
-    /// Thickness beyond which a film runs no faster [m].
+    /// Thickness beyond which the waves on a film run no faster [m].
     thickest: f64,
     /// Thickness that adheres [m].
     adhering: f64,
@@ -113,7 +117,7 @@ impl FilmFlow {
         let mut moved = vec![Vector2::zeros(); places.len()];
         let gravity = surface.world_from_surface.rotation.inverse() * -Vector3::z();
         let sine = gravity.xy().norm();
-        let is_running = surface.shape.is_plane() && gravity.z < 0.0 && duration > 0.0;
+        let is_running = surface.shape.is_plane() && gravity.z < UPRIGHT && duration > 0.0;
         let Some(down) = gravity.xy().try_normalize(1e-9).filter(|_| is_running) else {
             return moved;
         };

@@ -8,6 +8,7 @@
 //! The path is a straight line of the chart on a plane and on a cylinder whose axis is level. On other shapes it is
 //! integrated by the method of Runge and Kutta, on a mesh over its smoothed normals.
 
+use super::film::UPRIGHT;
 use super::{
     DirtFriction, Fate, OccupiedArea, ParticleDistribution, ParticleField, Surface, SurfaceShape,
 };
@@ -154,7 +155,7 @@ impl DirtSlide {
         if pull.is_held(self.friction.at_rest) {
             return None;
         }
-        if pull.into < 0.0 {
+        if pull.into < -UPRIGHT {
             return Some(SlideEnd::falling(from, 0.0));
         }
         match surface.shape {

@@ -1,5 +1,6 @@
 //! A task with all names resolved, all values checked and in SI units.
 
+use super::film::UPRIGHT;
 use super::{
     Action, AngleRange, DirtMobility, DirtSlide, Effect, EffectModel, ElasticFoundation, FilmFlow,
     GoalState, Interaction, Mount, OccupiedArea, ParticleDistribution, SceneObject, ScenePart,
@@ -208,7 +209,7 @@ impl Task {
         matches!(self.mobility, DirtMobility::Runs(_))
             && !self.action.treats()
             && self.surface.shape.is_plane()
-            && self.surface.normal(Point2::origin()).z > 0.0
+            && self.surface.normal(Point2::origin()).z > -UPRIGHT
     }
 
     /// Returns how the dirt runs down the surface; `None` if it does not run, see [`Self::has_running_film`].

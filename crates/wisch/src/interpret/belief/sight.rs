@@ -512,8 +512,8 @@ impl MemberUpdate<'_> {
         // The member has wiped over the edges over which it has lost dirt.
         let crossed: Vec<u16> = (was.iter())
             .filter_map(|(_, fate)| match fate {
-                Fate::OffSurface { edge } => Some(edge),
-                Fate::OnSurface | Fate::Absorbed | Fate::Treated { .. } => None,
+                Fate::OffSurface { edge } if fate != Fate::FALLEN => Some(edge),
+                _ => None,
             })
             .collect();
         let mut is_there = vec![true; self.particles.len()];
