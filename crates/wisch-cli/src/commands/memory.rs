@@ -207,7 +207,7 @@ fn stamps_in_words(episode: &Episode, rounds: usize) -> Result<String, Failure> 
         let seconds = |nanoseconds: u64| nanoseconds as f64 / 1e9;
         let stated = stamps.into_iter().flatten().map(|stamp| stamp.nanoseconds);
         let stated: Vec<f64> = stated.map(seconds).collect();
-        if let [first, .., last] = stated[..] {
+        if let (Some(first), Some(last)) = (stated.first(), stated.last()) {
             let count = counted(stated.len(), "sample");
             text += &format!(
                 "  stamps of round {round}: {count} from {first:.3} s to {last:.3} s on the clock {:?} of the driver\n",

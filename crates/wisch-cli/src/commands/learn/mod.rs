@@ -223,7 +223,9 @@ fn evidence(
                 "reading round {done} of {count}: {}",
                 place.display()
             ));
-            let round = source.read()?;
+            let Some(round) = source.read()? else {
+                continue;
+            };
             let key = match source.task() {
                 Some(key) => key.to_owned(),
                 None => tasks.of("bag", &place, round.task.as_deref())?,

@@ -78,12 +78,12 @@ impl Source {
         }
     }
 
-    /// Reads the round.
-    pub fn read(&self) -> Result<RecordedRound, Failure> {
+    /// Reads the round. A round of an episode of which no wrench is usable is left out with a note.
+    pub fn read(&self) -> Result<Option<RecordedRound>, Failure> {
         match self {
             Self::Bag(path) => {
                 let log = read(path, &LogOptions::default()).map_err(Failure::new)?;
-                Ok(RecordedRound {
+                Ok(Some(RecordedRound {
                     place: path.clone(),
                     task: log.task,
                     surface_mesh: log.surface_mesh,
@@ -96,7 +96,7 @@ impl Source {
                         "topic /wisch/dirt_before is missing: ",
                         "topic /wisch/dirt_after is missing: ",
                     ],
-                })
+                }))
             }
             Self::Episode {
                 episode, number, ..
@@ -108,19 +108,21 @@ impl Source {
                     touch.map_err(|error| broken(MemoryError::from(error)))?;
                 let place = place(episode, *number);
                 if samples.is_empty() {
-                    let lack = match unusable.count() {
-                        0 => "the round has no sample".to_owned(),
-                        count => {
-                            format!("the round has {count} samples, none with a usable wrench")
-                        }
-                    };
-                    return Err(Failure::new(lack).within(&place));
+                    let count = unusable.count();
+                    if count == 0 {
+                        return Err(Failure::new("the round has no sample").within(&place));
+                    }
+                    remark(&format!(
+                        "left out: {}: the round has {count} samples, none with a usable wrench",
+                        place.display()
+                    ));
+                    return Ok(None);
                 }
                 let (round, world_from_surface, observations) = match seen {
                     Some(seen) => (seen.round, Some(seen.world_from_surface), seen.observations),
                     None => (None, None, [None, None]),
                 };
-                Ok(RecordedRound {
+                Ok(Some(RecordedRound {
                     place,
                     task: None,
                     surface_mesh: None,
@@ -130,7 +132,7 @@ impl Source {
                     observations,
                     unusable,
                     unseen: [""; 2],
-                })
+                }))
             }
         }
     }
