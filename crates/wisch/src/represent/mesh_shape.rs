@@ -261,10 +261,11 @@ fn find_tightest(samples: &[(Point2, Matrix2<f64>)]) -> Matrix2<f64> {
     tightest.unwrap_or_else(Matrix2::zeros)
 }
 
-/// Returns the bend at the first vertex of each square cell of the chart.
+/// Returns the bend at the first vertex of each square cell of the chart, of those on the surface: the chart of a patch
+/// reaches beyond its seams.
 fn sample(sheet: &Sheet, cell: f64) -> Vec<(Point2, Matrix2<f64>)> {
     let mut found = BTreeMap::new();
-    for vertex in sheet.vertices() {
+    for vertex in sheet.vertices().filter(|vertex| vertex.area > 0.0) {
         let cell = [vertex.place.x, vertex.place.y].map(|at| (at / cell).floor() as i64);
         found.entry(cell).or_insert((vertex.place, vertex.bend));
     }
