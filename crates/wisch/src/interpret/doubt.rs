@@ -220,7 +220,7 @@ impl Doubt {
             Self::BiasChange { share, .. } => *share > MOST_BIAS_CHANGE,
             Self::ToolLeans { beyond, .. } => *beyond > MOST_LEAN,
             Self::ObservationContradicts { seen, believed, .. } => *seen as f64 > believed[1],
-            Self::UnusableWrench { share, .. } => *share > MOST_UNUSABLE,
+            Self::UnusableWrench { unusable, share } => unusable.lost_share(*share) > MOST_UNUSABLE,
             Self::NoContactForce { .. }
             | Self::NeverNearSurface { .. }
             | Self::NoFreeMotion
@@ -264,7 +264,7 @@ impl Doubt {
     pub fn is_cut(&self) -> bool {
         match self {
             Self::Incomplete { .. } => true,
-            Self::UnusableWrench { share, .. } => *share > FEW_UNUSABLE,
+            Self::UnusableWrench { unusable, share } => unusable.lost_share(*share) > FEW_UNUSABLE,
             _ => false,
         }
     }

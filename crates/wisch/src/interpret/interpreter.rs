@@ -100,8 +100,6 @@ pub struct Interpreter {
     config: InterpretConfig,
     downsampler: Downsampler,
     unusable: UnusableWrenches,
-    /// Samples taken where the tool does not touch by plan.
-    free: usize,
 }
 
 impl Interpreter {
@@ -122,7 +120,6 @@ impl Interpreter {
             downsampler: Downsampler::new(&task.surface, config.max_pieces),
             config: config.clone(),
             unusable: UnusableWrenches::default(),
-            free: 0,
         })
     }
 
@@ -139,12 +136,6 @@ impl Interpreter {
         self.unusable.stale += unusable.stale;
         self.unusable.saturated += unusable.saturated;
         self.unusable.untared += unusable.untared;
-    }
-
-    /// States that the last sample was taken where the tool does not touch by plan, so that it says nothing about the
-    /// share of unusable wrenches in contact.
-    pub const fn count_free(&mut self) {
-        self.free += 1;
     }
 
     /// Interprets the samples so far: contacts, plane, events and doubts, and where the dirt lies after the log if it
@@ -328,8 +319,7 @@ impl Interpreter {
         if let count @ 1.. = self.unusable.count() {
             doubts.push(Doubt::UnusableWrench {
                 unusable: self.unusable,
-                share: count as f64
-                    / (count + self.downsampler.sample_count().saturating_sub(self.free)) as f64,
+                share: count as f64 / (count + self.downsampler.sample_count()) as f64,
             });
         }
         let is_low = if classified.plane.is_none() && config.gap_m == 0.0 {

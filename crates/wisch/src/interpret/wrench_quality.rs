@@ -56,8 +56,38 @@ impl UnusableWrenches {
         }
     }
 
+    /// Returns the share of a log \[1\] of which the touch is lost, if these samples are a `share` of it.
+    ///
+    /// A sensor is untared until it is tared, usually before it first touches: untared samples count as lost touch only if
+    /// they are most of the log.
+    pub fn lost_share(&self, share: f64) -> f64 {
+        let untared = share * self.untared as f64 / self.count().max(1) as f64;
+        if untared > 0.5 {
+            share
+        } else {
+            share - untared
+        }
+    }
+
     /// Number of all these samples.
     pub const fn count(&self) -> usize {
         self.stale + self.saturated + self.untared
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::UnusableWrenches;
+
+    #[test]
+    fn an_approach_with_an_untared_sensor_loses_no_touch() {
+        let of = |stale, untared| UnusableWrenches {
+            stale,
+            saturated: 0,
+            untared,
+        };
+        assert_eq!(of(0, 300).lost_share(0.3), 0.0);
+        assert!((of(100, 200).lost_share(0.3) - 0.1).abs() < 1e-12);
+        assert_eq!(of(0, 900).lost_share(0.9), 0.9);
     }
 }

@@ -1,7 +1,7 @@
 //! The execution of a round's motion.
 
 use super::{Session, Stage, State};
-use crate::follow::{Audit, Phase};
+use crate::follow::Audit;
 use crate::interpret::{
     InterpretConfig, InterpretError, Interpreter, TouchSample, UnusableWrenches,
 };
@@ -168,12 +168,7 @@ fn take_touch(
     interpreter: &mut Interpreter,
     sample: &TelemetrySample<'_>,
 ) -> Result<(), InterpretError> {
-    let is_free = !matches!(sample.phase, Phase::Lower | Phase::Wipe(_) | Phase::Lift);
     if !sample.status.wrench.is_usable() {
-        // A sensor that is tared during the approach loses no touch.
-        if is_free {
-            return Ok(());
-        }
         let mut unusable = UnusableWrenches::default();
         unusable.add(sample.status.wrench);
         interpreter.skip(unusable);
@@ -183,9 +178,5 @@ fn take_touch(
         time: sample.time,
         world_from_tool: sample.world_from_tool,
         force: sample.external.force,
-    })?;
-    if is_free {
-        interpreter.count_free();
-    }
-    Ok(())
+    })
 }
