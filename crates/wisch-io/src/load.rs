@@ -239,11 +239,15 @@ pub fn read_task_name(path: &Path, settings: &[(String, String)]) -> Result<Stri
     Ok(TaskFile::parse(&shown, &read_task_text(path)?, settings)?.name)
 }
 
-/// Returns whether a task file asks for all patches of a divided mesh, without the files that it names.
+/// Returns whether a task file asks for all patches of a divided mesh, without the files that it names. A pipe is not read,
+/// as its text comes once only: the patches of its task are refused when it is loaded.
 ///
 /// # Errors
 /// If the file cannot be read or is invalid.
 pub fn wipes_all_patches(path: &Path, settings: &[(String, String)]) -> Result<bool, Error> {
+    if std::fs::metadata(path).is_ok_and(|found| !found.is_file()) {
+        return Ok(false);
+    }
     let shown = path.display().to_string();
     Ok(TaskFile::parse(&shown, &read_task_text(path)?, settings)?.wipes_all_patches())
 }

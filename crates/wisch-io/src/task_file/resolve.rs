@@ -25,6 +25,8 @@ const USUAL_OBJECT: f64 = 5.0;
 /// Limits of the longest side of a tool: minimum, maximum, and usual minimum [m].
 const TOOL_EXTENT: [f64; 2] = [5e-3, 3.0];
 const USUAL_TOOL: f64 = 0.03;
+/// Largest number of particles of a film that runs: each step compares the particles of a column with each other.
+const MAX_FILM: usize = 50_000;
 /// Distance of the middle of a contact area from the tool centre point above which a remark is made, over the radius of
 /// the tool's collision sphere [1].
 const BESIDE_CENTRE: f64 = 0.25;
@@ -127,6 +129,16 @@ impl TaskFile {
         };
         task.particles = self.particles(area, seed, assets)?;
         task.mobility = self.mobility(knowledge, medium, task.particles.len());
+        let count = task.particles.len();
+        if task.has_running_film() && count > MAX_FILM {
+            return Err(TaskError::Inconsistent {
+                at: self.particles_at.clone(),
+                key: "particles".to_owned(),
+                problem: format!(
+                    "{count} particles exceed the limit of {MAX_FILM} for a film that runs down; give fewer, or no medium.volume_m3"
+                ),
+            });
+        }
         Ok(task)
     }
 

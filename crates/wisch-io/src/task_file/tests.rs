@@ -424,6 +424,7 @@ fn a_task_may_define_what_the_knowledge_does_not_have() {
     assert_eq!(
         assumed,
         [
+            "tool \"felt_pad\" is taken to be 0.05 m high: set tool.height_m",
             "the knowledge base has no interaction of felt_pad on sawdust on workbench: assuming stiffness_n_per_m = 500, damping_ratio = 0.7, nullspace_posture_weight = 0.2, compression_depth_m = 0.002, mu = -1.05, mu_spread = 0.3, ln_sigma_spread = 0.2 (set them in [interaction])"
         ]
     );

@@ -13,6 +13,7 @@
 //! This is exact for any duration, as long as the thickness is constant between the particles from which it is read.
 
 use super::sliding::find_stop;
+use super::surface::UPRIGHT;
 use super::{Fate, Liquid, LiquidFilm, OccupiedArea, ParticleField, Surface};
 use crate::geometry::{Point2, Vector2, Vector3};
 
@@ -22,9 +23,6 @@ const GRAVITY: f64 = 9.81;
 /// carry part of it. The waves on a thicker film run as fast as on one of this number, so that its front runs at most three
 /// times as fast.
 pub const MAX_REYNOLDS: f64 = 30.0;
-/// Vertical component of a normal up to which a surface counts as upright and not as facing down [1]: a right angle that is
-/// rounded in a task file.
-pub(super) const UPRIGHT: f64 = 1e-3;
 /// Number of successive particles over which the thickness is averaged.
 const AVERAGED: usize = 8;
 /// Width of the columns into which a film is divided, over the mean distance of its particles [1].

@@ -8,7 +8,7 @@
 //! The path is a straight line of the chart on a plane and on a cylinder whose axis is level. On other shapes it is
 //! integrated by the method of Runge and Kutta, on a mesh over its smoothed normals.
 
-use super::film::UPRIGHT;
+use super::surface::UPRIGHT;
 use super::{
     DirtFriction, Fate, OccupiedArea, ParticleDistribution, ParticleField, Surface, SurfaceShape,
 };

@@ -269,6 +269,9 @@ pub struct MoveSegment {
     pub shares: [f64; 2],
 }
 
+/// Vertical component of a normal up to which a surface counts as upright and not as facing down [1]: a right angle that is
+/// rounded in a task file.
+pub(super) const UPRIGHT: f64 = 1e-3;
 /// Least length of a part [m]: a move along a border stays on the surface.
 const LEAST_PART: f64 = 1e-6;
 

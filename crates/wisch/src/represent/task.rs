@@ -1,6 +1,6 @@
 //! A task with all names resolved, all values checked and in SI units.
 
-use super::film::UPRIGHT;
+use super::surface::UPRIGHT;
 use super::{
     Action, AngleRange, DirtMobility, DirtSlide, Effect, EffectModel, ElasticFoundation, FilmFlow,
     GoalState, Interaction, Mount, OccupiedArea, ParticleDistribution, SceneObject, ScenePart,
