@@ -349,7 +349,7 @@ fn an_observation_of_dirt_is_refused_where_there_is_none() {
         "--set",
         "polish.passes=1",
         "--set",
-        "particles={source='surface',count=50}",
+        "particles={source='surface',count=500}",
         "--observation",
         "crumbs.csv",
     ];

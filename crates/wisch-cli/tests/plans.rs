@@ -227,7 +227,7 @@ fn dirt_of_a_declared_friction_slides_on_a_leaning_board_and_in_a_gutter() {
         refused.0 == 2
             && refused
                 .2
-                .contains("needs the friction of the dirt (medium.static_friction)"),
+                .contains("grains need a declared friction (medium.static_friction)"),
         "{refused:?}"
     );
     let declared = ["medium.static_friction=0.6", "medium.kinetic_friction=0.4"];

@@ -420,7 +420,7 @@ fn file_cases() -> Vec<Case> {
             b"<COLLADA></COLLADA>",
             &["cup.dae"],
         ),
-        list("an empty list", "", &["no particle"]),
+        list("an empty list", "", &["neither a row nor a header"]),
         list(
             "a list of words",
             "x,y\n0.1,abc\n",
@@ -594,7 +594,7 @@ fn line_cases() -> Vec<Case> {
         line(
             "a depth of NaN",
             &["footprint", "sponge", "--compression-depth-m", "nan"],
-            &["sponge", "compression depth NaN m"],
+            &["NaN m is outside 0 (rigid) to 0.1 m"],
         ),
         line(
             "a drawing of no format",
