@@ -15,7 +15,7 @@ impl PlanRecord {
     /// pose of the surface, the size of the tool, and the goal. Empty if nothing differs.
     ///
     /// ```
-    /// # fn describe(record: &wisch_io::records::PlanRecord, task: &wisch::represent::Task) {
+    /// # fn describe(record: &wisch_io::PlanRecord, task: &wisch::represent::Task) {
     /// for sentence in record.describe_differences(task) {
     ///     eprintln!("plan.json: {sentence}");
     /// }
