@@ -437,8 +437,9 @@ impl PyTask {
         strategy: Option<&str>,
     ) -> PyResult<Self> {
         // The meshes that were given for the first task are those of the second, too.
-        let mut writer = TaskText::default();
-        writer.files = (*self.given).clone();
+        let mut writer = TaskText {
+            files: (*self.given).clone(),
+        };
         let mut options = self.options.clone();
         let laid_over = options_of(&mut writer, set, seed, action, strategy, None)?;
         let source = format!("{{ {} }}", writer.particles(particles)?.join(", "));
