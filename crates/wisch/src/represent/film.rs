@@ -19,7 +19,7 @@ use crate::geometry::{Point2, Vector2, Vector3};
 
 /// Acceleration of gravity [m/s²].
 const GRAVITY: f64 = 9.81;
-/// Largest Reynolds number ρ u h/μ up to which a film is taken to run by its viscosity alone [1]: waves on a thicker film
+/// Largest Reynolds number ρ u h/μ up to which a film is taken to run by its viscosity alone \[1\]: waves on a thicker film
 /// carry part of it. The waves on a thicker film run as fast as on one of this number, so that its front runs at most three
 /// times as fast.
 pub const MAX_REYNOLDS: f64 = 30.0;

@@ -114,7 +114,7 @@ impl TrajectoryClock {
         self.reached
     }
 
-    /// The planned position of the tool in the world at a trajectory time \[s\], to a period of [`PERIOD`].
+    /// The planned position of the tool in the world at a trajectory time \[s\], to 10 ms.
     pub fn tool_position(&self, time: f64) -> Option<Point3> {
         let at = self.tool.get((time / PERIOD).round() as usize)?;
         Some(Point3::new(at[0], at[1], at[2]))

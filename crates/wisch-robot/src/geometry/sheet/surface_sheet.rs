@@ -123,7 +123,7 @@ impl Sheet {
     ///
     /// # Errors
     /// If a setting is out of range, the mesh has no area, the part is closed and no direction to the tool is given, no
-    /// triangle faces it, the part has no consistent side, or needs more than [`MAX_SHEET_TRIANGLES`].
+    /// triangle faces it, the part has no consistent side, or needs more than [`MAX_SHEET_TRIANGLES`](super::MAX_SHEET_TRIANGLES).
     pub fn draft(mesh: &Mesh, config: &SheetConfig) -> Result<Self, SheetError> {
         Self::unrolled(Prepared::new(mesh, config)?, config)
     }

@@ -86,7 +86,7 @@ impl Default for ToolPace {
 pub struct LiquidFilm {
     /// The liquid.
     pub liquid: Liquid,
-    /// Volume for which each particle stands [m³].
+    /// Volume for which each particle stands \[m³\].
     pub particle_volume: f64,
     /// Times of the tool in predictions.
     pub pace: ToolPace,
