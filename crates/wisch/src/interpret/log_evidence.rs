@@ -349,6 +349,13 @@ impl LogEvidence<'_> {
     /// Returns a doubt if the bias of the force changes during the log.
     fn find_bias_change(&self) -> Option<Doubt> {
         let change = self.reading.bias_change?;
+        // A push in between is force on a lifted tool, and no bias, unless the force stays.
+        let [from, to] = change.times;
+        let is_pushed = (self.events.iter())
+            .any(|event| event.kind.is_by_hand() && event.start < to && event.end > from);
+        if is_pushed && !change.persists {
+            return None;
+        }
         let reference = self.reading.reference_force(self.declared.nominal_force());
         let share = change.size / reference;
         (share > LEAST_BIAS_CHANGE).then_some(Doubt::BiasChange {

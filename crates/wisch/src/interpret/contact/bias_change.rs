@@ -18,6 +18,8 @@ pub(in crate::interpret) struct BiasChange {
     pub(in crate::interpret) size: f64,
     /// Times in the middle of the two free motions [s].
     pub(in crate::interpret) times: [f64; 2],
+    /// Whether most of it is still there in the last free motion.
+    pub(in crate::interpret) persists: bool,
 }
 
 /// Bias during a free motion.
@@ -42,6 +44,10 @@ pub(super) fn find_bias_change(
     axes: SensorAxes,
 ) -> Option<BiasChange> {
     let levels = levels(pieces, free, is_clear, axes);
+    let [Some(first), Some(last)] = [levels.first(), levels.last()] else {
+        return None;
+    };
+    let remaining = (last.bias - first.bias).norm();
     let pairs = (levels.iter().enumerate())
         .flat_map(|(i, before)| levels[i + 1..].iter().map(move |after| (before, after)));
     let changes = pairs.filter_map(|(before, after)| {
@@ -51,6 +57,7 @@ pub(super) fn find_bias_change(
         (size > least).then_some(BiasChange {
             size,
             times: [before.time, after.time],
+            persists: remaining > size / 2.0,
         })
     });
     changes.max_by(|a, b| a.size.total_cmp(&b.size))
