@@ -336,3 +336,13 @@ fn what_is_assumed_of_a_pad_of_edges_and_of_points_is_reported() {
     let expected = "its edges 0, 1, 2, … are numbered 2, 1, 0, 3 in all results";
     assert!(clockwise.contains(expected), "{clockwise}");
 }
+
+#[test]
+fn a_film_of_too_many_particles_is_refused() {
+    let folder = tempfile::tempdir().unwrap();
+    let words = ["check", "solar-panel", "--set", "particles.count=60000"];
+    let (code, _, error) = wisch(folder.path(), &words);
+    assert_eq!(code, 2, "{error}");
+    let expected = "60000 particles exceed the limit of 50000 for a film that runs down";
+    assert!(error.contains(expected), "{error}");
+}

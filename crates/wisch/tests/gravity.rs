@@ -2,7 +2,7 @@
 
 use std::f64::consts::FRAC_PI_2;
 use wisch::geometry::{PlanarPose, Point2, Polygon, Pose, Vector2, Vector3};
-use wisch::plan::{Plan, PlanConfig, Planner, plan_from_strokes, predict};
+use wisch::plan::{Plan, PlanConfig, Planner, has_predicted_gain, plan_from_strokes, predict};
 use wisch::represent::{
     Action, DirtFriction, DirtMobility, Fate, Liquid, LiquidFilm, ParticleDistribution, Surface,
     SurfaceShape, Task, Tool, ToolPace,
@@ -82,6 +82,24 @@ fn a_running_film_scores_lanes_from_the_top_down_higher_than_from_the_bottom_up(
             assert!((down - up).abs() < 1e-9, "{down} {up}");
         }
     }
+}
+
+#[test]
+fn what_runs_off_by_itself_is_no_gain_of_a_stroke() {
+    let mut task = panel(0.49);
+    // Dry above the middle.
+    let low: Vec<Point2> = task.particles.remaining().filter(|p| p.y < 0.0).collect();
+    task.particles = ParticleDistribution::new(&low).unwrap();
+    let beside = [0.1, 0.12].map(|x| PlanarPose::new(Point2::new(x, 0.2), 0.0));
+    let beside = plan_of(&task, &[beside.to_vec()]);
+    let left = |plan: &Plan| predict(&task, plan, |_| ()).particles.tally().remaining;
+    assert!(left(&beside) < low.len(), "some of it runs off meanwhile");
+    assert!(!has_predicted_gain(&task, &beside));
+    let through = [-0.15, 0.2].map(|x| PlanarPose::new(Point2::new(x, -0.1), 0.0));
+    assert!(has_predicted_gain(
+        &task,
+        &plan_of(&task, &[through.to_vec()])
+    ));
 }
 
 #[test]

@@ -3,7 +3,7 @@
 use super::policies::{plan_by_coverage, sample_task};
 use super::subplans::compose_subplans;
 use super::{CoverageStrategy, FreeSpace, Plan, PlanConfig, PlanError};
-use crate::represent::{Action, ParticleDistribution, Task};
+use crate::represent::{Action, Task};
 
 /// Bandwidths of the density estimate that are tried beside the configured bandwidth, over half the radius of
 /// the collision sphere [1]. The density's peaks, and with them the strokes, differ from bandwidth to
@@ -19,7 +19,7 @@ pub(super) const MOST_COMPARED: usize = 5000;
 /// Returns candidate plans of a coverage strategy: at least one, and one for each of the first `count` settings
 /// that work.
 ///
-/// Nodes are placed on `remaining`, for example the dirt that is not yet where it belongs. Candidates differ
+/// Nodes are placed on the dirt of `open`, the same task with for example the dirt that is not yet where it belongs. Candidates differ
 /// in the bandwidth of the density estimate, if the strategy uses one, and then in the start of the strokes:
 /// the tool's position, or a corner of the surface. The first candidate is the plan as configured, unless that
 /// fails. If `count` is at least the number of bandwidths, each of their graphs gives a second plan: its
@@ -29,13 +29,13 @@ pub(super) const MOST_COMPARED: usize = 5000;
 /// The error of the first setting, if no setting gives a plan.
 pub(super) fn candidate_plans(
     task: &Task,
-    remaining: &ParticleDistribution,
+    open: &Task,
     space: &FreeSpace,
     strategy: CoverageStrategy,
     config: &PlanConfig,
     count: usize,
 ) -> Result<Vec<Plan>, PlanError> {
-    let mut plans = varied_plans(task, remaining, space, strategy, config, count)?;
+    let mut plans = varied_plans(open, space, strategy, config, count)?;
     let is_rooted = matches!(task.action, Action::Collect | Action::Skim);
     if is_rooted && count >= BANDWIDTHS.len() {
         let graphs = plans.iter().take(BANDWIDTHS.len());
@@ -50,14 +50,12 @@ pub(super) fn candidate_plans(
 /// Returns up to `count` plans, at least one; the first is the plan as configured, unless that fails.
 pub(super) fn varied_plans(
     task: &Task,
-    remaining: &ParticleDistribution,
     space: &FreeSpace,
     strategy: CoverageStrategy,
     config: &PlanConfig,
     count: usize,
 ) -> Result<Vec<Plan>, PlanError> {
     let mut open = task.clone();
-    open.particles = remaining.clone();
     let half_radius = task.tool.collision_radius() / 2.0;
     let mut bandwidths = vec![config.bandwidth];
     if strategy.uses_bandwidth() {

@@ -1,5 +1,6 @@
 //! The time that passes while a plan is carried out, in which a film of liquid runs.
 
+use super::Plan;
 use crate::geometry::{PlanarPose, Point2};
 use crate::represent::{DirtMobility, Task, ToolMotion, ToolPace};
 
@@ -47,6 +48,12 @@ impl NominalTimes {
             let (from, to) = (at(part), at(part + 1));
             (ToolMotion { from, to }, time / f64::from(count))
         })
+    }
+
+    /// Returns the times before the strokes of a plan [s].
+    pub(super) fn before(&self, plan: &Plan) -> Vec<f64> {
+        let poses = plan.strokes.iter().map(|stroke| &stroke.poses[..]);
+        self.before_strokes(plan.tool_start, poses)
     }
 
     /// Returns the times before strokes, given by their poses [s]: from the tool's start, and from stroke to stroke.

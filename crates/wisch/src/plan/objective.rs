@@ -4,16 +4,34 @@ use super::edge_margin::EdgeMargin;
 use super::nominal_times::NominalTimes;
 use super::score::DirtTerms;
 use super::{Plan, Stroke};
-use crate::represent::{Effect, GoalState, ParticleField, Task};
+use crate::represent::{Effect, ParticleField, Task};
 
-/// Objective of doing nothing [particles], see [`objective`].
-pub(super) fn objective_at_rest(task: &Task, goal: &GoalState) -> i64 {
-    DirtTerms::evaluate(&task.particles, goal, &task.surface, None).whole()
+/// Objective of doing nothing for as long as a plan takes [particles], see [`objective`]: a film runs meanwhile.
+pub(super) fn objective_at_rest(task: &Task, plan: &Plan) -> i64 {
+    let goal = &plan.graph.goal;
+    if !task.has_running_film() {
+        return DirtTerms::evaluate(&task.particles, goal, &task.surface, None).whole();
+    }
+    let mut field = ParticleField::new(&task.particles);
+    let mut model = task.effect_model(&task.tool.footprint, goal.action().effect());
+    let times = NominalTimes::of(task);
+    for (motions, before) in plan
+        .strokes
+        .iter()
+        .map(Stroke::motions)
+        .zip(times.before(plan))
+    {
+        model.wait(&mut field, &task.surface, before);
+        for (_, time) in motions.flat_map(|motion| times.parts(&motion)) {
+            model.wait(&mut field, &task.surface, time);
+        }
+    }
+    DirtTerms::evaluate(&field.distribution(), goal, &task.surface, None).whole()
 }
 
-/// Whether a plan is predicted to be better than doing nothing.
+/// Whether a plan is predicted to be better than doing nothing for as long.
 pub fn has_predicted_gain(task: &Task, plan: &Plan) -> bool {
-    objective(task, plan) > objective_at_rest(task, &plan.graph.goal)
+    objective(task, plan) > objective_at_rest(task, plan)
 }
 
 /// Objective of a plan [particles]: the number of particles predicted to end where they belong, less two costs.
@@ -32,9 +50,12 @@ pub(super) fn objective(task: &Task, plan: &Plan) -> i64 {
     let mut model = task.effect_model(&task.tool.footprint, effect);
     let mut touched = Vec::new();
     let times = NominalTimes::of(task);
-    let poses = plan.strokes.iter().map(|stroke| &stroke.poses[..]);
-    let before = times.before_strokes(plan.tool_start, poses);
-    for (motions, before) in plan.strokes.iter().map(Stroke::motions).zip(before) {
+    for (motions, before) in plan
+        .strokes
+        .iter()
+        .map(Stroke::motions)
+        .zip(times.before(plan))
+    {
         model.wait(&mut field, &task.surface, before);
         for (motion, time) in motions.flat_map(|motion| times.parts(&motion)) {
             touched.clear();
@@ -54,7 +75,8 @@ pub(super) fn objective(task: &Task, plan: &Plan) -> i64 {
     DirtTerms::evaluate(&after, goal, &task.surface, Some(&margin)).whole()
 }
 
-/// Returns the plan with the highest objective; of equal plans the one with the shortest path in contact.
+/// Returns the plan with the highest objective; of equal plans the one with the shortest path in contact. Of a film that
+/// runs, what runs off during a plan without it does not count for the plan.
 ///
 /// The objective is the number of particles that reach the goal, less several for each that falls over a wrong
 /// edge, because remaining dirt can be wiped again and lost dirt cannot. Particles pushed so near an edge that
@@ -65,8 +87,14 @@ pub(super) fn best_by_objective(
     plans: impl IntoIterator<Item = Plan>,
 ) -> Option<Plan> {
     let scored = plans.into_iter().map(|plan| {
-        let objective = objective(task, &plan);
-        (objective, plan.contact_distance(), plan)
+        // Where no film runs, doing nothing is worth the same beside every plan.
+        let at_rest = if task.has_running_film() {
+            objective_at_rest(task, &plan)
+        } else {
+            0
+        };
+        let gain = objective(task, &plan) - at_rest;
+        (gain, plan.contact_distance(), plan)
     });
     let best = scored.reduce(|best, next| {
         let is_better = next.0 > best.0 || next.0 == best.0 && next.1 < best.1;
@@ -81,8 +109,8 @@ mod tests {
     use super::*;
     use crate::geometry::{Mesh, PlanarPose, Point2, Polygon, Pose, Region, Vector2, Vector3};
     use crate::represent::{
-        Action, AngleRange, Interaction, LogNormal, LogNormalSpread, ParticleDistribution, Redraw,
-        Surface, SurfaceScope, Tool,
+        Action, AngleRange, GoalState, Interaction, LogNormal, LogNormalSpread,
+        ParticleDistribution, Redraw, Surface, SurfaceScope, Tool,
     };
     use std::f64::consts::FRAC_PI_2;
 
@@ -173,7 +201,7 @@ mod tests {
         };
         let near = towards_the_edge(-0.09, goal);
         let heap = task(&[Point2::new(0.0, -0.06); 50]);
-        assert_eq!(objective_at_rest(&heap, &goal), 50);
+        assert_eq!(objective_at_rest(&heap, &near), 50);
         // The leading edge is 35 mm ahead, and a heap of all crumbs needs 22.8 mm.
         let ends = [-0.08, -0.09, -0.1, -0.104];
         let objectives = ends.map(|end| objective(&heap, &towards_the_edge(end, goal)));

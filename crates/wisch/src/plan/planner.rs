@@ -4,7 +4,7 @@ use super::adaptive::{Valuation, score, search};
 use super::bend::gap_in_hollow;
 use super::candidates::{MOST_COMPARED, candidate_plans, reduce_for_comparison, varied_plans};
 use super::objective::best_by_objective;
-use super::policies::{plan_by_coverage, sample_particles};
+use super::policies::{plan_by_coverage, sample_particles, sample_task};
 use super::subplans::{best_of, free_space_of};
 use super::{CoverageStrategy, FreeSpace, Plan, PlanConfig, PlanError, PlanScore, Strategy};
 use crate::geometry::Point2;
@@ -118,9 +118,9 @@ impl<'a> Planner<'a> {
             let candidates = self.plan_by_every_strategy()?;
             return highest_score(candidates.into_iter().map(|(_, candidate)| candidate));
         }
-        let (task, few, space) = self.prepare()?;
-        let plan = plan_by(strategy, &task, &few, &space, config)?;
-        Ok(finish(plan, &task, &space, config))
+        let prepared = self.prepare()?;
+        let plan = plan_by(strategy, &prepared, config)?;
+        Ok(finish(plan, &prepared.task, &prepared.space, config))
     }
 
     /// Plans by the configured strategy with several settings. A coverage strategy tries `count` settings,
@@ -140,17 +140,14 @@ impl<'a> Planner<'a> {
         let remaining = self.remaining.unwrap_or(&task.particles);
         let strategy = config.strategy.covering();
         let few = reduce_for_comparison(task);
-        let some = match task.action.treats() {
-            true => remaining.clone(),
-            false => sample_particles(remaining, MOST_COMPARED),
-        };
-        let plans = candidate_plans(&few, &some, &space, strategy, config, count)?;
-        let plan = best_by_objective(&few, plans)
-            .map_or_else(|| plan_by_coverage(&few, &space, strategy, config), Ok)?;
         let on = Task {
             particles: remaining.clone(),
             ..task.clone()
         };
+        let open = reduce_for_comparison(&on);
+        let plans = candidate_plans(&few, &open, &space, strategy, config, count)?;
+        let plan = best_by_objective(&few, plans)
+            .map_or_else(|| plan_by_coverage(&few, &space, strategy, config), Ok)?;
         Ok(finish(plan, &on, &space, config))
     }
 
@@ -163,9 +160,13 @@ impl<'a> Planner<'a> {
         let space = free_space_of(self.task)?;
         let task = &reduce_for_comparison(self.task);
         let remaining = self.remaining.unwrap_or(&self.task.particles);
-        let some = sample_particles(remaining, MOST_COMPARED);
+        let on = Task {
+            particles: remaining.clone(),
+            ..self.task.clone()
+        };
+        let open = sample_task(&on, MOST_COMPARED);
         let strategy = self.config.strategy.covering();
-        let plans = varied_plans(task, &some, &space, strategy, self.config, count)?;
+        let plans = varied_plans(&open, &space, strategy, self.config, count)?;
         Ok(best_of(task, &plans, &space))
     }
 
@@ -189,15 +190,15 @@ impl<'a> Planner<'a> {
     /// # Errors
     /// Geometry that the libraries refuse.
     pub fn plan_by_every_strategy(&self) -> Result<Portfolio, PlanError> {
-        let (task, few, space) = self.prepare()?;
-        let (task, config) = (&task, self.config);
-        let valuation = Valuation::new(task, &few, &space, config.search.margin_m, None);
+        let prepared = self.prepare()?;
+        let (task, config) = (&prepared.task, self.config);
+        let valuation = prepared.valuation(config);
         let strategies = (Strategy::ALL.into_iter())
             .filter(|&strategy| strategy != Strategy::Best && strategy.fits(task.action));
         let candidates = strategies.map(|strategy| {
-            let plan = plan_by(strategy, task, &few, &space, config);
+            let plan = plan_by(strategy, &prepared, config);
             let candidate = plan.map(|plan| {
-                let plan = finish(plan, task, &space, config);
+                let plan = finish(plan, task, &prepared.space, config);
                 let score = score(&valuation, &plan);
                 Candidate { plan, score }
             });
@@ -215,9 +216,14 @@ impl<'a> Planner<'a> {
     /// # Errors
     /// Geometry that the libraries refuse.
     pub fn plan_around(&self, plan: &Plan, avoid: &[Point2]) -> Result<Plan, PlanError> {
-        let (task, few, space) = self.prepare()?;
+        let Prepared {
+            task,
+            of_few,
+            few,
+            space,
+        } = self.prepare()?;
         let begun_with = std::slice::from_ref(plan);
-        let found = search(&task, &few, &space, begun_with, Some(avoid), self.config);
+        let found = search(&of_few, &few, &space, begun_with, Some(avoid), self.config);
         let found = found.unwrap_or_else(|| plan.clone());
         Ok(finish(found, &task, &space, self.config))
     }
@@ -227,15 +233,11 @@ impl<'a> Planner<'a> {
     /// # Errors
     /// Geometry that the libraries refuse.
     pub fn score(&self, plan: &Plan) -> Result<PlanScore, PlanError> {
-        let (task, few, space) = self.prepare()?;
-        let margin = self.config.search.margin_m;
-        let valuation = Valuation::new(&task, &few, &space, margin, None);
-        Ok(score(&valuation, plan))
+        Ok(score(&self.prepare()?.valuation(self.config), plan))
     }
 
-    /// Returns the task with the first of the possible distributions, a subset of each distribution for the
-    /// search, and the free space.
-    fn prepare(&self) -> Result<(Task, Vec<ParticleDistribution>, FreeSpace), PlanError> {
+    /// Prepares the planning for all possible distributions.
+    fn prepare(&self) -> Result<Prepared, PlanError> {
         let dirt = match self.dirt {
             [] => std::slice::from_ref(&self.task.particles),
             some => some,
@@ -244,13 +246,41 @@ impl<'a> Planner<'a> {
             .iter()
             .map(|dirt| sample_particles(dirt, MAX_PARTICLES));
         let few: Vec<ParticleDistribution> = few.collect();
-        let share = few[0].len() as f64 / dirt[0].len().max(1) as f64;
-        let of_first = Task {
+        let count = |dirt: &[ParticleDistribution]| -> usize {
+            dirt.iter().map(ParticleDistribution::len).sum()
+        };
+        let share = count(&few) as f64 / count(dirt).max(1) as f64;
+        let task = Task {
             particles: dirt[0].clone(),
-            mobility: self.task.mobility.sample(share),
             ..self.task.clone()
         };
-        Ok((of_first, few, free_space_of(self.task)?))
+        Ok(Prepared {
+            of_few: Task {
+                mobility: task.mobility.sample(share),
+                ..task.clone()
+            },
+            task,
+            few,
+            space: free_space_of(self.task)?,
+        })
+    }
+}
+
+/// What planning for several possible distributions of the dirt needs.
+struct Prepared {
+    /// The task with the first of the distributions.
+    task: Task,
+    /// The same task, whose dirt moves as that of the subsets.
+    of_few: Task,
+    /// A subset of each distribution for the search.
+    few: Vec<ParticleDistribution>,
+    space: FreeSpace,
+}
+
+impl Prepared {
+    fn valuation(&self, config: &PlanConfig) -> Valuation<'_> {
+        let margin = config.search.margin_m;
+        Valuation::new(&self.of_few, &self.few, &self.space, margin, None)
     }
 }
 
@@ -292,17 +322,21 @@ fn check_fits(strategy: Strategy, task: &Task) -> Result<(), PlanError> {
 /// Plans by one strategy, which must not be [`Strategy::Best`].
 fn plan_by(
     strategy: Strategy,
-    task: &Task,
-    dirt: &[ParticleDistribution],
-    space: &FreeSpace,
+    prepared: &Prepared,
     config: &PlanConfig,
 ) -> Result<Plan, PlanError> {
+    let Prepared {
+        task,
+        of_few,
+        few,
+        space,
+    } = prepared;
     match strategy {
         Strategy::Coverage(_) | Strategy::Lanes => {
             plan_by_coverage(task, space, strategy.covering(), config)
         }
         Strategy::Adaptive | Strategy::Best | Strategy::Own => {
-            search_strokes(task, dirt, space, config)
+            search_strokes(of_few, few, space, config)
         }
     }
 }
@@ -340,7 +374,7 @@ fn search_strokes(
     let mut begun_with = Vec::new();
     let mut failure = None;
     for (strategy, count) in START_PLANS {
-        match candidate_plans(task, first, space, strategy, config, count) {
+        match candidate_plans(task, task, space, strategy, config, count) {
             Ok(plans) => begun_with.extend(plans),
             Err(error) => {
                 failure.get_or_insert(error);

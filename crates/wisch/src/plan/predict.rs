@@ -57,8 +57,7 @@ pub fn predict(task: &Task, plan: &Plan, mut watch: impl FnMut(&PredictionProgre
     let mut model = task.effect_model(&task.tool.footprint, plan.graph.goal.action().effect());
     let mut distance = 0.0;
     let times = NominalTimes::of(task);
-    let poses = plan.strokes.iter().map(|stroke| &stroke.poses[..]);
-    let before = times.before_strokes(plan.tool_start, poses);
+    let before = times.before(plan);
     for (stroke, motions) in plan.strokes.iter().map(super::Stroke::motions).enumerate() {
         model.wait(&mut field, &task.surface, before[stroke]);
         for motion in motions {

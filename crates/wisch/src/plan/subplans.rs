@@ -42,17 +42,16 @@ pub(super) fn free_space_of(task: &Task) -> Result<FreeSpace, PlanError> {
     FreeSpace::new(&task.surface, &scene, task.tool.collision_radius())
 }
 
-/// A subplan with its objective and length.
+/// A subplan with its gain over doing nothing for as long [particles], and its length.
 struct ScoredSubplan {
     stroke: Stroke,
-    objective: i64,
+    gain: i64,
     length: f64,
 }
 
 impl ScoredSubplan {
     fn is_better_than(&self, other: &Self) -> bool {
-        self.objective > other.objective
-            || self.objective == other.objective && self.length < other.length
+        self.gain > other.gain || self.gain == other.gain && self.length < other.length
     }
 }
 
@@ -75,19 +74,24 @@ pub(super) fn best_of(task: &Task, plans: &[Plan], space: &FreeSpace) -> Plan {
 
 /// Returns the best of some strokes, if it gains enough.
 fn best_among(task: &Task, plan: &Plan, strokes: &[Stroke]) -> Option<ScoredSubplan> {
-    let now = objective_at_rest(task, &plan.graph.goal);
-    let least = now + (task.particles.len() / GAIN).max(1) as i64;
+    let least = (task.particles.len() / GAIN).max(1) as i64;
     let mut one = with_strokes(plan, Vec::new());
+    let now = objective_at_rest(task, &one);
     let mut best: Option<ScoredSubplan> = None;
     for stroke in strokes {
         one.strokes = vec![stroke.clone()];
+        let at_rest = if task.has_running_film() {
+            objective_at_rest(task, &one)
+        } else {
+            now
+        };
         let found = ScoredSubplan {
-            objective: objective(task, &one),
+            gain: objective(task, &one) - at_rest,
             length: stroke.length(),
             stroke: stroke.clone(),
         };
         let is_better = best.as_ref().is_none_or(|best| found.is_better_than(best));
-        if found.objective >= least && is_better {
+        if found.gain >= least && is_better {
             best = Some(found);
         }
     }

@@ -12,7 +12,7 @@
 //! A particle keeps the volume that lies upstream of it. It therefore moves to the largest y + t L⁻¹((M − M(y, 0))/t).
 //! This is exact for any duration, as long as the thickness is constant between the particles from which it is read.
 
-use super::sliding::find_stop;
+use super::sliding::{find_border, find_stop};
 use super::surface::UPRIGHT;
 use super::{Fate, Liquid, LiquidFilm, OccupiedArea, ParticleField, Surface};
 use crate::geometry::{Point2, Vector2, Vector3};
@@ -149,7 +149,7 @@ impl FilmFlow {
             for (number, &(at, index)) in column.iter().enumerate() {
                 let reach = fastest * duration;
                 let way = slope.find_place(&column[..=number], &waves, reach, duration) - at;
-                let way = self.keep_before_object(places[index], down, way);
+                let way = self.keep_before_object(surface, places[index], down, way);
                 moved[index] = down * way;
             }
         }
@@ -176,9 +176,10 @@ impl FilmFlow {
         }
     }
 
-    /// Returns the part of a straight way [m] before the first object.
-    fn keep_before_object(&self, from: Point2, down: Vector2, way: f64) -> f64 {
-        match find_stop(&self.occupied, from, down, way) {
+    /// Returns the part of a straight way [m] before the first object on the surface.
+    fn keep_before_object(&self, surface: &Surface, from: Point2, down: Vector2, way: f64) -> f64 {
+        let on_surface = find_border(surface, from, down).map_or(way, |border| way.min(border));
+        match find_stop(&self.occupied, from, down, on_surface) {
             Some(stop) => stop,
             None if self.occupied.contains(from + down * way) => 0.0,
             None => way,

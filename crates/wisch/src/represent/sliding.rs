@@ -342,7 +342,7 @@ fn descend(surface: &Surface, from: Point2, distance: f64) -> Point2 {
 }
 
 /// Returns how far a straight move goes until it meets the border of the surface or of a hole [m].
-fn find_border(surface: &Surface, from: Point2, direction: Vector2) -> Option<f64> {
+pub(super) fn find_border(surface: &Surface, from: Point2, direction: Vector2) -> Option<f64> {
     let leaves = |edge: Edge| {
         let border = edge.end - edge.start;
         let divisor = direction.perp(&border);
