@@ -1,6 +1,7 @@
 //! Tasks over the patches of a divided mesh.
 
-use crate::program::wisch;
+use crate::executor::has_python;
+use crate::program::{root, wisch};
 use crate::surfaces::write_grid;
 use serde_json::Value;
 use std::fs;
@@ -130,4 +131,67 @@ fn what_is_for_one_patch_is_refused_for_all() {
         3,
         "nothing is written"
     );
+}
+
+#[test]
+fn no_patch_is_wiped_after_a_stop_whatever_the_verdict() {
+    if !has_python() {
+        return;
+    }
+    let folder = tempfile::tempdir().unwrap();
+    let saddle = |x: f64, y: f64| [0.3 * x, 0.33 * y, 0.18 * x * x - 0.222 * y * y];
+    write_grid(&folder.path().join("saddle.ply"), saddle, 0);
+    let task = r#"
+schema = 1
+name = "saddle"
+action = "polish"
+polish = { passes = 1 }
+tool = { name = "pad", footprint_m = [0.03, 0.04], height_m = 0.05, compression_depth_m = 0.01 }
+medium = { name = "polishing_paste" }
+particles = { source = "surface", count = 400 }
+surface = { name = "saddle", friction = 0.3, position_m = [0.5, 0.0, 0.3], mesh = { file = "saddle.ply", patch = "all" } }
+robot = { name = "arm7" }
+"#;
+    fs::write(folder.path().join("saddle.toml"), task).unwrap();
+    // Stopped on the way to the surface: whether the goal is met cannot be told.
+    let robot = fs::read_to_string(root().join("docs/echo_robot.py")).unwrap();
+    let robot = [
+        (
+            "{\"version\": 1}",
+            "{\"version\": 2, \"accepts_curved\": True}",
+        ),
+        ("for point in points:", "for point in points[:20]:"),
+        (
+            "motion[\"duration_s\"], \"ending\": \"complete\"",
+            "points[19][\"time_s\"], \"ending\": \"stopped\"",
+        ),
+        ("points[-1][\"positions\"]", "points[19][\"positions\"]"),
+    ]
+    .iter()
+    .fold(robot, |text, (from, to)| {
+        assert!(text.contains(from), "{from}");
+        text.replace(from, to)
+    });
+    fs::write(folder.path().join("robot.py"), robot).unwrap();
+    let args = [
+        "run",
+        "saddle.toml",
+        "--executor",
+        "python3 robot.py",
+        "--rounds",
+        "1",
+        "--no-memory",
+        "--json",
+        "--out",
+        "out",
+    ];
+    let (code, out, err) = wisch(folder.path(), &args);
+    assert_eq!(code, 1, "{out}\n{err}");
+    assert!(err.contains("stopped on patch 1 of 2"), "{err}");
+    let all: Value = serde_json::from_str(&out).unwrap();
+    assert_eq!(all["patch_count"], 2);
+    assert_eq!(all["is_conclusive"], false);
+    assert_eq!(all["patches"].as_array().unwrap().len(), 1);
+    assert_eq!(all["goal_met"], false);
+    assert!(!folder.path().join("out/patch-2").exists());
 }

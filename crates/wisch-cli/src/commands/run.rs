@@ -215,7 +215,15 @@ fn work_on_patches(
             json: results.json,
         };
         let done = work_on_surface(task_args, &of_patch, None, extent, global, &|_| Ok(()))
-            .map_err(|failure| failure.after(&format!("patch {number} of {count}")))?;
+            .map_err(|failure| {
+                if number > 1 {
+                    let place = out.display();
+                    remark(&format!(
+                        "the patches before it are finished and kept in {place}"
+                    ));
+                }
+                failure.after(&format!("patch {number} of {count}"))
+            })?;
         are_met &= done.is_met;
         summaries.push(done.summary);
         if done.is_stopped || is_stop_requested() {

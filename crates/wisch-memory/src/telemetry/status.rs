@@ -18,7 +18,11 @@ impl Telemetry {
             return Ok(vec![WrenchQuality::Ok; rows.len()]);
         }
         let codes = self.values(WRENCH_QUALITY, rows)?;
-        let quality = |code: f64| WrenchQuality::ALL.get(code as usize).copied();
+        let quality = |code: f64| {
+            let is_index = code >= 0.0 && code.fract() == 0.0;
+            let known = is_index.then(|| WrenchQuality::ALL.get(code as usize))?;
+            known.copied()
+        };
         let qualities = codes.into_iter().map(|code| {
             quality(code).ok_or_else(|| TelemetryError::Foreign {
                 path: self.path().to_path_buf(),

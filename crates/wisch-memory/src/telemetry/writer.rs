@@ -206,10 +206,8 @@ impl TelemetryWriter {
         let wrenches = wrenches.into_iter().flat_map(parts_of_wrench);
         let status = &sample.status;
         let quality = WrenchQuality::ALL.iter().position(|q| *q == status.wrench);
-        let status_columns = [
-            quality.unwrap_or_default() as f64,
-            f64::from(u8::from(status.is_paused)),
-        ];
+        let quality = quality.expect("all qualities are listed");
+        let status_columns = [quality as f64, f64::from(u8::from(status.is_paused))];
         let values = joints.chain(poses).chain(wrenches).chain(status_columns);
         let stamp = status.stamp;
         self.push_stamped(sample.time, mark, stamp, values)

@@ -55,6 +55,9 @@ struct SeamRecord {
     length_m: f64,
 }
 
+/// What to do about a mesh that needs too many patches.
+const DIVIDE: &str = "allow more patches with --max-patches, take a larger --stretch-limit, or a larger --tool-radius, which smooths the mesh";
+
 /// A divided mesh.
 struct SplitMesh<'a> {
     args: &'a SurfaceMeshArgs,
@@ -146,11 +149,6 @@ impl SplitMesh<'_> {
         &self.read.config
     }
 
-    fn advice(&self) -> Option<String> {
-        let divide = "allow more patches with --max-patches, take a larger --stretch-limit, or a larger --tool-radius, which smooths the mesh";
-        Some(advise(self.atlas.as_ref().err()?, divide))
-    }
-
     fn report(&self, args: &SurfaceSplitArgs) -> String {
         let count = counted(self.read.mesh.triangles().len(), "triangle");
         let mut text = format!("{}: {count}\n", self.read.name);
@@ -159,7 +157,7 @@ impl SplitMesh<'_> {
             Ok(atlas) => atlas,
             Err(problem) => {
                 line("problem", &problem.to_string());
-                line("advice", &self.advice().unwrap_or_default());
+                line("advice", &advise(problem, DIVIDE));
                 return text;
             }
         };
@@ -238,7 +236,11 @@ impl SplitMesh<'_> {
             schema: SCHEMA,
             file: &self.read.name,
             problem: self.atlas.as_ref().err().map(ToString::to_string),
-            advice: self.advice(),
+            advice: self
+                .atlas
+                .as_ref()
+                .err()
+                .map(|problem| advise(problem, DIVIDE)),
             notes: &self.read.notes,
             triangles: self.read.mesh.triangles().len(),
             tool: ToolRecord::new(self.args, self.config().tool_radius),
