@@ -220,7 +220,7 @@ impl TaskFile {
                 ) => format!(
                     "surface.mesh.patch takes a part of it, see wisch surface split --tool-radius {radius}"
                 ),
-                _ => format!("wisch surface check --tool-radius {radius:.3} shows more"),
+                _ => format!("wisch surface check --tool-radius {radius} shows more"),
             };
             TaskError::File {
                 at: at.clone(),
@@ -237,8 +237,7 @@ impl TaskFile {
             Some((patch, patch_at)) => {
                 let atlas = Atlas::from_mesh(&mesh, &config, MAX_CHARTS).map_err(unusable)?;
                 let index = index_of_patch(*patch, patch_at, atlas.charts().len())?;
-                let (shape, pose) =
-                    MeshShape::from_patch(&mesh, &atlas, index).map_err(unusable)?;
+                let (shape, pose) = MeshShape::from_patch(&mesh, &atlas, index);
                 let rest = atlas.rest_mesh(index);
                 let rest = rest.map(|rest| self.rest_of_surface(rest, world_from_mesh));
                 (shape, pose, rest)
@@ -360,7 +359,10 @@ fn parsed_mesh(assets: &mut ReadFile<'_>, at: &Place, file: &str) -> Result<Mesh
         return Err(TaskError::File {
             at: at.clone(),
             file: file.to_owned(),
-            problem: "the name of a mesh file must end in .stl, .obj, .dae or .ply".to_owned(),
+            problem: format!(
+                "the name of a mesh file must end in {}",
+                MeshFormat::EXTENSIONS
+            ),
         });
     };
     let bytes = read(assets, at, file)?;

@@ -63,18 +63,11 @@ impl MeshShape {
     /// - `mesh`: the whole mesh that was divided, against which motions are audited.
     /// - `index`: index of the patch.
     ///
-    /// # Errors
-    /// As [`Atlas::patch`].
-    ///
     /// # Panics
     /// If there is no such patch.
-    pub fn from_patch(
-        mesh: &Mesh,
-        atlas: &Atlas,
-        index: usize,
-    ) -> Result<(Self, Pose), SheetError> {
+    pub fn from_patch(mesh: &Mesh, atlas: &Atlas, index: usize) -> (Self, Pose) {
         let radius = atlas.config().tool_radius;
-        let (shape, mesh_from_surface) = Self::new(atlas.patch(index, radius)?, mesh, radius);
+        let (shape, mesh_from_surface) = Self::new(atlas.patch(index, radius), mesh, radius);
         let shape = Self {
             // Of FNV-1a; the index tells the patches of one mesh apart.
             digest: (shape.digest ^ (index as u128 + 1)).wrapping_mul(FNV_PRIME),
@@ -84,7 +77,7 @@ impl MeshShape {
             }),
             ..shape
         };
-        Ok((shape, mesh_from_surface))
+        (shape, mesh_from_surface)
     }
 
     fn new(sheet: Sheet, mesh: &Mesh, tool_radius: f64) -> (Self, Pose) {
