@@ -57,7 +57,9 @@ pub enum MeshError {
     #[error("it has no triangle")]
     Empty,
     /// The file has vertices, but no face.
-    #[error("it has points and no face (number of points: {points}): a point cloud has to be meshed first")]
+    #[error(
+        "it has points and no face (number of points: {points}): a point cloud has to be meshed first"
+    )]
     PointCloud {
         /// Number of points.
         points: usize,
