@@ -27,8 +27,8 @@ use wisch::plan::{Plan, Strategy, check_strokes, describe_over_border, predict};
 use wisch::recover::Verdict;
 use wisch::run::{AfterStop, Ending, NoExecutor, RunConfig, RunEvent, Stage};
 use wisch_io::{KeptFiles, KilledRuns, Leftover, Replaceable};
-use wisch_io::{LoadedTask, OutputFolder};
-use wisch_io::{PLAN_FILE, PlanRecord, Summary, read_text, wipes_all_patches};
+use wisch_io::{LoadedTask, OutputFile, OutputFolder};
+use wisch_io::{PLAN_FILE, PlanRecord, REPORT_FILE, Summary, read_text, wipes_all_patches};
 use wisch_record::{KeptEpisode, RecordOptions, RunRecord, RunResults, StageSink, write_results};
 use wisch_report::EffectFrames;
 
@@ -199,7 +199,11 @@ fn work_on_patches(
                 .with_help("choose the patch with --set surface.mesh.patch=1"));
         }
     }
-    let TaskPatches { tasks, first } = TaskPatches::read(task_args)?;
+    let TaskPatches {
+        tasks,
+        first,
+        atlas,
+    } = TaskPatches::read(task_args)?;
     let any_robot = RobotArgs::default();
     let has_robot = choose_robot(extent, &any_robot, task_args, &first)?.is_some();
     let out = out_folder(results, &first.task.name, extent.suffix(has_robot));
@@ -233,6 +237,8 @@ fn work_on_patches(
     are_met &= summaries.len() == count;
     let place = out.display().to_string();
     let summary = PatchesSummary::new(&first.task.name, summaries, count, are_met, place);
+    let page = summary.page(&atlas);
+    OutputFile::begin(&out.join(REPORT_FILE))?.finish(page.as_bytes())?;
     if results.json {
         print_json(&summary)?;
     } else if !global.quiet {
