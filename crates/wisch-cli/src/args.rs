@@ -551,7 +551,7 @@ pub struct PredictArgs {
 /// Arguments of `footprint`.
 #[derive(Debug, Args)]
 pub struct FootprintArgs {
-    /// Tool of the knowledge base, or mesh file (.stl, .obj, .dae or .ply)
+    /// Tool of the knowledge base, or mesh file (.stl, .obj, .dae, .ply or .asc)
     #[arg(value_name = "TOOL")]
     pub tool: String,
     /// Compression depth under nominal force [m]; required for a mesh file [default: the tool's]

@@ -44,11 +44,18 @@ fn a_task_over_all_patches_is_one_result() {
     assert_eq!(all["particles"], particles);
     let performance = all["predicted_performance"].as_f64().unwrap();
     assert!(performance > 0.97, "{performance}");
+    let page = fs::read_to_string(folder.path().join("all/report.html")).unwrap();
     for (number, patch) in (1..).zip(patches) {
         assert_eq!(patch["task"], format!("saddle-patch-{number}"));
         let report = format!("all/patch-{number}/report.html");
-        assert!(folder.path().join(report).exists());
+        assert!(folder.path().join(&report).exists());
+        let link = format!("href=\"patch-{number}/report.html\"");
+        assert!(page.contains(&link), "{page}");
     }
+    assert!(
+        page.contains("predicted 100.0 %") || page.contains("predicted 9"),
+        "{page}"
+    );
     // A patch alone gives the same plan.
     let shared = patches[1]["particles"].to_string();
     let count = format!("particles.count={shared}");

@@ -265,9 +265,9 @@ fn wrong_input_is_an_error_with_place_and_limit() {
     for (args, expected) in [
         (
             &["cup.ply"][..],
-            "it has 1 points and no face: a point cloud has to be meshed first",
+            "it has points and no face (number of points: 1): a point cloud has to be meshed first",
         ),
-        (&["cup.step"], "must end in .stl, .obj, .dae or .ply"),
+        (&["cup.step"], "must end in .stl, .obj, .dae, .ply or .asc"),
         (&["none.ply"], "none.ply"),
         (
             &["door.ply", "--tool-radius", "1e-9"],

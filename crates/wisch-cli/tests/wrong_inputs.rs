@@ -342,7 +342,7 @@ fn meaning_cases() -> Vec<Case> {
             "a mesh of no format",
             CUP,
             "mesh = { file = \"tap.step\" }",
-            &["tap.step", "must end in .stl, .obj, .dae or .ply"],
+            &["tap.step", "must end in .stl, .obj, .dae, .ply or .asc"],
         ),
         task(
             "a goal that is no PDDL",

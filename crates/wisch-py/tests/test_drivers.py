@@ -520,6 +520,7 @@ def test_no_command_follows_a_stop_until_the_next_motion(rig):
 REFUSALS = [
     (lambda rig: rig.q.__setitem__(1, 0.15), {}, r"(shoulder_lift_joint|joint2) is 0.050 rad from the start .* start_rad = 0.02 rad"),
     (lambda rig: rig.velocities.__setitem__(0, 0.05), {}, "moves at 0.050 rad/s; a motion begins at rest, below 0.02"),
+    (lambda rig: rig.motion.time_s.__setitem__(5, rig.motion.time_s[4]), {}, "the times of the motion's points do not increase"),
     (lambda rig: None, {"force_limit_n": 8.0}, r"presses with 10 N, more than force_limit_n = 8 N"),
     (lambda rig: None, {"tool_speed_m_s": 0.1}, r"moves at 0.35 m/s, faster than tool_speed_m_s = 0.1 m/s"),
     (lambda rig: rig.motion.joints.pop(), {}, "the motion moves .*; expected joints whose names end in .*, in this order"),

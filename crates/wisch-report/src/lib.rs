@@ -12,6 +12,7 @@
 //! | a tool's footprint | [`wisch::represent::Tool`] | [`footprint_drawing`] |
 //! | an unrolled surface | [`SheetInput`] | [`sheet_drawing`] |
 //! | a surface in patches | [`PatchesInput`] | [`patches_drawing`] |
+//! | a command over all patches | [`PatchesPageInput`] | [`patches_page`] |
 //! | the calibration of estimates | [`CalibrationCurve`]s | [`calibration_drawing`] |
 //! | tasks by several strategies, compared with the paper's figures | [`Table1Input`] | [`table1_page`] |
 //! | any of the SVG as PNG, with the feature `png` | its text | `rasterize` |
@@ -66,7 +67,9 @@ pub use motion::{
     BasePose, CandidateBase, MotionInput, ShownContact, ShownMotion, ShownPhase, joint_plots,
     placements_plan,
 };
-pub use patches::{PatchesInput, patches_drawing};
+pub use patches::{
+    PatchFound, PatchRow, PatchesInput, PatchesPageInput, patches_drawing, patches_page,
+};
 pub use pictures::pictures;
 pub use prediction::frames::{EffectFrames, Frame};
 pub use recording::{

@@ -1,7 +1,8 @@
-//! The drawing of a surface that is divided into patches.
+//! A surface that is divided into patches: its drawing, and the page of a command over all patches.
 
 use crate::draw::{BANDS, Panel, View, px};
-use maud::html;
+use crate::page::document::document;
+use maud::{PreEscaped, html};
 use wisch::geometry::{Bounds2, Point2, Polygon, Vector2};
 
 const WIDTH: f64 = 760.0;
@@ -50,6 +51,90 @@ pub fn patches_drawing(input: &PatchesInput) -> String {
         body,
     };
     panel.standalone(input.title, what)
+}
+
+const STYLE: &str = "table.facts th { padding-right: 1.5em; } table.facts td, table.patches td.text { text-align: left; } \
+                     table.patches { max-width: none; } table.patches th { padding-right: 1em; } figure svg { max-width: 100%; height: auto; }";
+
+/// Input of the page of a command over all patches.
+pub struct PatchesPageInput<'a> {
+    /// Name of the task.
+    pub title: &'a str,
+    /// What was found on all patches: name and value.
+    pub facts: &'a [(String, String)],
+    /// Outlines of all patches, on the surface unrolled as one piece \[m\].
+    pub outlines: &'a [Polygon],
+    /// The patches, in the order of their numbers.
+    pub patches: &'a [PatchRow],
+}
+
+/// A patch on the page of all patches.
+pub struct PatchRow {
+    /// Area \[m²\].
+    pub area: f64,
+    /// What was found on it; none if it was not wiped.
+    pub found: Option<PatchFound>,
+}
+
+/// What was found on a patch.
+pub struct PatchFound {
+    /// Whether the goal is met, in words.
+    pub goal: String,
+    /// The performance, in words.
+    pub performance: String,
+    /// Number of strokes.
+    pub strokes: usize,
+    /// Path length in contact \[m\].
+    pub distance: f64,
+    /// Address of its own page, relative to this one; none if it has none.
+    pub report: Option<String>,
+}
+
+/// Returns one self-contained HTML file, which loads nothing from the network.
+pub fn patches_page(input: &PatchesPageInput) -> String {
+    let outlines = PatchesInput {
+        title: input.title,
+        patches: input.outlines,
+    };
+    let main = html! {
+        h1 { (input.title) }
+        table class="facts" {
+            @for (name, value) in input.facts {
+                tr { th scope="row" { (name) } td { (value) } }
+            }
+        }
+        figure { (PreEscaped(patches_drawing(&outlines))) }
+        p class="note" { "The surface unrolled as one piece, which stretches it. x and y are those of that chart." }
+        div class="scroll" {
+            table class="patches" {
+                thead { tr {
+                    th scope="col" { "patch" } th scope="col" { "area [m²]" } th scope="col" { "goal" }
+                    th scope="col" { "performance" } th scope="col" { "strokes" } th scope="col" { "in contact [m]" }
+                } }
+                tbody {
+                    @for (row, number) in input.patches.iter().zip(1..) {
+                        tr {
+                            th scope="row" {
+                                @match row.found.as_ref().and_then(|found| found.report.as_ref()) {
+                                    Some(report) => a href=(report) { "patch " (number) },
+                                    None => { "patch " (number) },
+                                }
+                            }
+                            td { (format!("{:.4}", row.area)) }
+                            @match &row.found {
+                                Some(found) => {
+                                    td class="text" { (found.goal) } td class="text" { (found.performance) }
+                                    td { (found.strokes) } td { (format!("{:.2}", found.distance)) }
+                                },
+                                None => td class="text" colspan="4" { "not wiped" },
+                            }
+                        }
+                    }
+                }
+            }
+        }
+    };
+    document(input.title, STYLE, &main)
 }
 
 /// Number of places along each side of a patch at which a number may stand.

@@ -283,7 +283,7 @@ fn plans_over_all_patches_of_a_mesh_touch_what_one_chart_does_not() {
         ("bathtub", curved_meshes::bathtub(), 12),
     ] {
         let task = polish_with_pad();
-        let atlas = Atlas::from_mesh(&mesh, &config(&task), MAX_CHARTS).unwrap();
+        let atlas = Arc::new(Atlas::from_mesh(&mesh, &config(&task), MAX_CHARTS).unwrap());
         let count = atlas.charts().len();
         assert!((2..=most_patches).contains(&count), "{name}: {count}");
         let places = draw_places(&mesh, PLACES);
@@ -291,7 +291,7 @@ fn plans_over_all_patches_of_a_mesh_touch_what_one_chart_does_not() {
         let mut touched = vec![false; places.len()];
         let (mut strokes, mut way, mut lean) = (0, 0.0, 0.0_f64);
         for index in 0..count {
-            let (shape, pose) = MeshShape::from_patch(&mesh, &atlas, index).unwrap();
+            let (shape, pose) = MeshShape::from_patch(&mesh, &atlas, index);
             let (mut task, world_from_mesh) = roll(task.clone(), shape, pose);
             task.particles = ParticleDistribution::new(&lattice(&task)).unwrap();
             let plan = plan(&task, &lanes()).unwrap();

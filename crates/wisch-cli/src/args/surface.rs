@@ -15,6 +15,7 @@ Examples:
   wisch surface check part.stl --towards 0,0,1            one side of a closed body
   wisch surface check cart.ply --seed-point 0.8,-0.2,0.1  the part of the mesh near a point
   wisch surface check door.ply --json | jq .chart.stretch
+  wisch surface check terrain.asc                         a height field over x and y
 
 wisch merges vertices, orients the triangles, smooths the surface to the scale of the tool, and unrolls it into a chart with as little distortion as possible. The chart is usable if at most 1 % of its area is stretched by more than the limit, no triangle lies upside down, and the chart does not cover itself. `surface.mesh` of a task file takes a mesh that one chart covers; `wisch surface split` divides another one.
 
@@ -69,7 +70,7 @@ pub struct SurfaceSplitArgs {
 /// A mesh, what of it is meant, and the tool.
 #[derive(Debug, Args)]
 pub struct SurfaceMeshArgs {
-    /// Mesh file (.stl, .obj, .dae or .ply)
+    /// Mesh file (.stl, .obj, .dae or .ply), or height field (.asc, Esri ASCII raster)
     #[arg(value_name = "FILE", value_hint = ValueHint::FilePath)]
     pub file: PathBuf,
     /// Metres per unit of the file, such as 0.001 for millimetres

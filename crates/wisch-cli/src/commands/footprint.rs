@@ -71,8 +71,9 @@ fn of_knowledge(args: &FootprintArgs) -> Result<Touch, Failure> {
     let bytes = source.asset(file).map_err(Failure::new)?;
     let format = MeshFormat::from_file_name(file).ok_or_else(|| {
         Failure::new(format!(
-            "tool {:?}: {file:?} is not a mesh file; its name must end in .stl, .obj, .dae or .ply",
-            entry.name
+            "tool {:?}: {file:?} is not a mesh file; its name must end in {}",
+            entry.name,
+            MeshFormat::EXTENSIONS
         ))
     })?;
     let depth = args
@@ -86,11 +87,14 @@ fn tool_entry<'a>(name: &str, knowledge: &'a KnowledgeBase) -> Result<&'a ToolEn
         let failure = Failure::new(error);
         if Path::new(name).exists() {
             failure.with_help(format!(
-                "{name:?} is a file, but the name of a mesh file must end in .stl, .obj, .dae or .ply"
+                "{name:?} is a file, but the name of a mesh file must end in {}",
+                MeshFormat::EXTENSIONS
             ))
         } else {
-            failure
-                .with_help("name a tool of the knowledge base, or a mesh file (.stl, .obj, .dae or .ply)")
+            failure.with_help(format!(
+                "name a tool of the knowledge base, or a mesh file ({})",
+                MeshFormat::EXTENSIONS
+            ))
         }
     })
 }

@@ -5,8 +5,12 @@ use super::words::{counted, internal, percent};
 use crate::args::TaskArgs;
 use crate::failure::Failure;
 use serde::Serialize;
+use std::path::Path;
+use std::sync::Arc;
+use wisch::geometry::{Atlas, Sheet};
 use wisch::represent::SurfaceShape;
-use wisch_io::{KeptFiles, LoadedTask, ParticleSource, Summary};
+use wisch_io::{KeptFiles, LoadedTask, ParticleSource, REPORT_FILE, Summary};
+use wisch_report::{PatchFound, PatchRow, PatchesPageInput, patches_page};
 
 /// The schema of the object.
 const SCHEMA: u32 = 1;
@@ -17,6 +21,8 @@ pub(super) struct TaskPatches {
     pub tasks: Vec<TaskArgs>,
     /// The task of the first patch, with the name of the task over all.
     pub first: LoadedTask,
+    /// The divided mesh.
+    pub atlas: Arc<Atlas>,
 }
 
 impl TaskPatches {
@@ -29,7 +35,11 @@ impl TaskPatches {
         let SurfaceShape::Mesh(mesh) = &first.task.surface.shape else {
             return Err(internal("a patch is not of a mesh"));
         };
-        let areas = mesh.patch().map_or(Vec::new(), |patch| patch.areas.clone());
+        let patch = (mesh.patch()).ok_or_else(|| internal("the surface is no patch"))?;
+        let (atlas, areas) = (
+            Arc::clone(&patch.atlas),
+            patch.areas().collect::<Vec<f64>>(),
+        );
         let (ParticleSource::Uniform { count } | ParticleSource::Surface { count }) =
             first.file.particles
         else {
@@ -52,7 +62,11 @@ impl TaskPatches {
                 )
             });
         let tasks = tasks.collect();
-        Ok(Self { tasks, first })
+        Ok(Self {
+            tasks,
+            first,
+            atlas,
+        })
     }
 }
 
@@ -162,64 +176,101 @@ impl PatchesSummary {
             wiped if wiped == count => format!("{}: all {count} patches\n", self.task),
             wiped => format!("{}: {wiped} of {count} patches\n", self.task),
         };
-        let mut line = |name: &str, value: &str| text += &format!("  {name:<18} {value}\n");
-        let met = self.patches.iter().filter(|patch| {
-            patch
-                .prediction
-                .as_ref()
-                .is_some_and(|prediction| prediction.goal_met)
-        });
+        for (name, value) in self.facts() {
+            text += &format!("  {name:<18} {value}\n");
+        }
+        text += &format!("  {:<18} {}\n", "results", self.out);
+        text
+    }
+
+    /// The page over all patches, which links to those of the patches.
+    pub fn page(&self, atlas: &Atlas) -> String {
+        let found = |index: usize| {
+            let patch = self.patches.get(index)?;
+            Some(PatchFound {
+                goal: (patch.prediction).map_or("", |found| found.goal).to_owned(),
+                performance: performance_of(patch),
+                strokes: patch.strokes,
+                distance: patch.distance_in_contact_m,
+                report: (Path::new(&patch.out).join(REPORT_FILE).exists())
+                    .then(|| format!("patch-{}/{REPORT_FILE}", index + 1)),
+            })
+        };
+        let rows: Vec<PatchRow> = (atlas.charts().iter().map(Sheet::area).enumerate())
+            .map(|(index, area)| PatchRow {
+                area,
+                found: found(index),
+            })
+            .collect();
+        patches_page(&PatchesPageInput {
+            title: &self.task,
+            facts: &self.facts(),
+            outlines: &atlas.overview(),
+            patches: &rows,
+        })
+    }
+
+    /// What was found on all patches: name and value.
+    fn facts(&self) -> Vec<(String, String)> {
+        let mut facts = Vec::new();
+        let mut add = |name: &str, value: String| facts.push((name.to_owned(), value));
         if self.predicted_performance.is_some() {
-            line(
-                "goal",
-                &format!(
-                    "met on {} of {}",
-                    met.count(),
-                    counted(count, "patch").replace("patchs", "patches")
-                ),
-            );
+            let is_met = |patch: &&Summary| patch.prediction.is_some_and(|found| found.goal_met);
+            let met = self.patches.iter().filter(is_met).count();
+            let patches = counted(self.patch_count, "patch").replace("patchs", "patches");
+            add("goal", format!("met on {met} of {patches}"));
         }
         let is_treatment = (self.patches.iter()).any(|patch| patch.treatment.is_some());
         let noun = if is_treatment { "points" } else { "particles" };
         let particles = format!("{} {noun}", self.particles);
-        match (self.estimated, self.estimated_low, self.estimated_high) {
-            (Some(estimated), Some(low), Some(high)) => line(
+        let estimated = [self.estimated, self.estimated_low, self.estimated_high];
+        if let [Some(estimated), Some(low), Some(high)] = estimated.map(|share| share.map(percent))
+        {
+            let how = if self.is_conclusive {
+                "estimated"
+            } else {
+                "unknown; guessed"
+            };
+            add(
                 "performance",
-                &format!(
-                    "{} {} of {particles} ({} to {})",
-                    if self.is_conclusive {
-                        "estimated"
-                    } else {
-                        "unknown; guessed"
-                    },
-                    percent(estimated),
-                    percent(low),
-                    percent(high)
-                ),
-            ),
-            _ => {
-                if let Some(predicted) = self.predicted_performance {
-                    line(
-                        "performance",
-                        &format!("predicted {} of {particles}", percent(predicted)),
-                    );
-                }
-            }
+                format!("{how} {estimated} of {particles} ({low} to {high})"),
+            );
+        } else if let Some(predicted) = self.predicted_performance {
+            let predicted = percent(predicted);
+            add(
+                "performance",
+                format!("predicted {predicted} of {particles}"),
+            );
         }
         if let Some(truth) = self.final_true {
-            line("true", &percent(truth));
+            add("true", percent(truth));
         }
-        line("strokes", &self.strokes.to_string());
-        line(
+        add("strokes", self.strokes.to_string());
+        let (contact, total) = (self.distance_in_contact_m, self.distance_total_m);
+        add(
             "distance",
-            &format!(
-                "{:.2} m in contact, {:.2} m total",
-                self.distance_in_contact_m, self.distance_total_m
-            ),
+            format!("{contact:.2} m in contact, {total:.2} m total"),
         );
-        line("results", &self.out);
-        text
+        facts
     }
+}
+
+/// The performance on a patch, in words.
+fn performance_of(patch: &Summary) -> String {
+    let last = (patch.execution.as_ref()).and_then(|execution| {
+        let round = execution.rounds.last()?;
+        let [estimated, low, high] =
+            [round.estimated, round.estimated_low, round.estimated_high].map(percent);
+        Some(if execution.is_conclusive {
+            format!("estimated {estimated} ({low} to {high})")
+        } else {
+            format!("unknown; guessed {estimated} ({low} to {high})")
+        })
+    });
+    last.unwrap_or_else(|| match patch.prediction {
+        Some(found) => format!("predicted {}", percent(found.predicted_performance)),
+        None => "not predicted".to_owned(),
+    })
 }
 
 #[cfg(test)]

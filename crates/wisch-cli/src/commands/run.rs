@@ -3,7 +3,7 @@
 use super::PROGRAM;
 use super::budget::in_evaluations;
 use super::follow::{Chosen, read_robot};
-use super::interrupt::{is_stop_requested, stop_on_signal};
+use super::interrupt::{is_stop_requested, pause_on_signal, stop_on_signal};
 use super::job::Job;
 use super::out_folder::out_folder;
 use super::patches::{PatchesSummary, TaskPatches};
@@ -25,10 +25,10 @@ use std::sync::atomic::Ordering;
 use wisch::interpret::Belief;
 use wisch::plan::{Plan, Strategy, check_strokes, describe_over_border, predict};
 use wisch::recover::Verdict;
-use wisch::run::{Ending, NoExecutor, RunEvent, Stage};
+use wisch::run::{AfterStop, Ending, NoExecutor, RunConfig, RunEvent, Stage};
 use wisch_io::{KeptFiles, KilledRuns, Leftover, Replaceable};
-use wisch_io::{LoadedTask, OutputFolder};
-use wisch_io::{PLAN_FILE, PlanRecord, Summary, read_text, wipes_all_patches};
+use wisch_io::{LoadedTask, OutputFile, OutputFolder};
+use wisch_io::{PLAN_FILE, PlanRecord, REPORT_FILE, Summary, read_text, wipes_all_patches};
 use wisch_record::{KeptEpisode, RecordOptions, RunRecord, RunResults, StageSink, write_results};
 use wisch_report::EffectFrames;
 
@@ -36,7 +36,9 @@ use wisch_report::EffectFrames;
 const MOST_IN_A_RUN: usize = 1_000_000;
 
 /// The note after a stop that the operator has to clear.
-const WAITS: &str = "the robot was stopped and waits for its operator; set execution.after_stop = \"retreat\" to resume automatically";
+const WAITS: &str = "the robot was stopped and waits for its operator";
+/// What to do if the next such stop shall not end the run.
+const RETREAT: &str = "set execution.after_stop = \"retreat\" to resume automatically";
 
 /// The last stage of a command, with its options.
 #[derive(Debug, Clone, Copy)]
@@ -197,7 +199,11 @@ fn work_on_patches(
                 .with_help("choose the patch with --set surface.mesh.patch=1"));
         }
     }
-    let TaskPatches { tasks, first } = TaskPatches::read(task_args)?;
+    let TaskPatches {
+        tasks,
+        first,
+        atlas,
+    } = TaskPatches::read(task_args)?;
     let any_robot = RobotArgs::default();
     let has_robot = choose_robot(extent, &any_robot, task_args, &first)?.is_some();
     let out = out_folder(results, &first.task.name, extent.suffix(has_robot));
@@ -239,6 +245,8 @@ fn work_on_patches(
     are_met &= summaries.len() == count;
     let place = out.display().to_string();
     let summary = PatchesSummary::new(&first.task.name, summaries, count, are_met, place);
+    let page = summary.page(&atlas);
+    OutputFile::begin(&out.join(REPORT_FILE))?.finish(page.as_bytes())?;
     if results.json {
         print_json(&summary)?;
     } else if !global.quiet {
@@ -283,6 +291,10 @@ fn work_on_surface(
     let ends_cleanly = |rounds: &LoopArgs| rounds.has_executor() || rounds.live;
     let stop = (extent.rounds().is_some_and(ends_cleanly)).then(stop_on_signal);
     let stop = stop.transpose()?;
+    if extent.rounds().is_some_and(LoopArgs::has_executor) {
+        // A pause that comes before the executor starts holds before the first motion.
+        pause_on_signal()?;
+    }
     // The folder comes before the long computation, so that a missing permission is reported at once.
     let is_replacing_all = results.force || (extent.is_run() && chosen.is_some());
     let folder = begin_folder(&out, extent, is_replacing_all, (&progress, global))?;
@@ -336,8 +348,8 @@ fn work_on_surface(
         remark_on(&kept)?;
     }
     let is_interrupted = stop.is_some_and(|stop| stop.load(Ordering::SeqCst));
-    if waits_for_the_operator(&results_of) && !is_interrupted {
-        remark(WAITS);
+    if let Some(note) = note_on_stop(&results_of, &prepared.run).filter(|_| !is_interrupted) {
+        remark(&note);
     }
     Ok(Done {
         is_met: results_of.is_goal_met(prepared.run.target),
@@ -458,13 +470,24 @@ fn is_stopped(results: &RunResults) -> bool {
     })
 }
 
-/// Whether a person or a safety system stopped the last round and no later round cleared the stop.
-fn waits_for_the_operator(results: &RunResults) -> bool {
-    results.rounds.last().is_some_and(|done| {
-        let ending = &done.round.execution.ending;
-        matches!(ending, Ending::ProtectiveStop { .. } | Ending::Stopped)
-            && done.round.verdict == Verdict::Again
-    })
+/// Returns a note if the run ended because the robot waits for its operator.
+fn note_on_stop(results: &RunResults, config: &RunConfig) -> Option<String> {
+    let last = &results.rounds.last()?.round;
+    if last.verdict != Verdict::Again {
+        return None;
+    }
+    let continues = |after_stop: AfterStop| match &last.execution.ending {
+        Ending::Stopped => after_stop != AfterStop::Wait,
+        Ending::ProtectiveStop { cause, .. } => cause.kind().may_continue(after_stop),
+        Ending::Complete | Ending::Early { .. } => true,
+    };
+    if continues(config.after_stop) {
+        None
+    } else if continues(AfterStop::Retreat) {
+        Some(format!("{WAITS}; {RETREAT}"))
+    } else {
+        Some(WAITS.to_owned())
+    }
 }
 
 /// Prints notes about the leftovers of killed runs.

@@ -2,7 +2,7 @@
 
 use super::{Frame, ObjectRecord, Shape, SurfaceMesh, SurfacePatch, TaskError, TaskFile};
 use crate::particles::{ParticleSource, csv_particles, mask_particles};
-use std::sync::Arc;
+use std::sync::{Arc, Mutex, PoisonError};
 use wisch::geometry::{
     Atlas, Bounds2, LikelyUnit, MAX_CHARTS, Mesh, MeshError, MeshFormat, Point2, Polygon, Pose,
     RIGID_DEPTH, Region, SheetConfig, SheetError, Vector2, Vector3, footprint,
@@ -220,7 +220,7 @@ impl TaskFile {
                 ) => format!(
                     "surface.mesh.patch takes a part of it, see wisch surface split --tool-radius {radius}"
                 ),
-                _ => format!("wisch surface check --tool-radius {radius:.3} shows more"),
+                _ => format!("wisch surface check --tool-radius {radius} shows more"),
             };
             TaskError::File {
                 at: at.clone(),
@@ -235,10 +235,9 @@ impl TaskFile {
                 (shape, pose, None)
             }
             Some((patch, patch_at)) => {
-                let atlas = Atlas::from_mesh(&mesh, &config, MAX_CHARTS).map_err(unusable)?;
+                let atlas = divide(&mesh, &config).map_err(unusable)?;
                 let index = index_of_patch(*patch, patch_at, atlas.charts().len())?;
-                let (shape, pose) =
-                    MeshShape::from_patch(&mesh, &atlas, index).map_err(unusable)?;
+                let (shape, pose) = MeshShape::from_patch(&mesh, &atlas, index);
                 let rest = atlas.rest_mesh(index);
                 let rest = rest.map(|rest| self.rest_of_surface(rest, world_from_mesh));
                 (shape, pose, rest)
@@ -360,7 +359,10 @@ fn parsed_mesh(assets: &mut ReadFile<'_>, at: &Place, file: &str) -> Result<Mesh
         return Err(TaskError::File {
             at: at.clone(),
             file: file.to_owned(),
-            problem: "the name of a mesh file must end in .stl, .obj, .dae or .ply".to_owned(),
+            problem: format!(
+                "the name of a mesh file must end in {}",
+                MeshFormat::EXTENSIONS
+            ),
         });
     };
     let bytes = read(assets, at, file)?;
@@ -403,6 +405,23 @@ fn scale_of_mesh(
     })
 }
 
+/// The last mesh that was divided, because a command over all patches loads a task for each.
+static LAST_DIVISION: Mutex<Option<(Mesh, SheetConfig, Arc<Atlas>)>> = Mutex::new(None);
+
+/// Divides a mesh into patches.
+fn divide(mesh: &Mesh, config: &SheetConfig) -> Result<Arc<Atlas>, SheetError> {
+    let mut last = LAST_DIVISION.lock().unwrap_or_else(PoisonError::into_inner);
+    if let Some((of, with, atlas)) = last.as_ref()
+        && of == mesh
+        && with == config
+    {
+        return Ok(Arc::clone(atlas));
+    }
+    let atlas = Arc::new(Atlas::from_mesh(mesh, config, MAX_CHARTS)?);
+    *last = Some((mesh.clone(), *config, Arc::clone(&atlas)));
+    Ok(atlas)
+}
+
 /// Formats a number without rounding errors in its last digits.
 fn rounded(number: f64) -> f64 {
     format!("{number:.4e}").parse().unwrap_or(number)
@@ -419,9 +438,9 @@ pub(crate) fn surface_remarks(task: &Task) -> Vec<String> {
         remarks.push(format!(
             "surface {name:?} is patch {} of {} of its mesh, {:.3} of {:.3} m2; the robot avoids the other patches, and dirt that is pushed over a seam counts as lost",
             patch.index + 1,
-            patch.areas.len(),
-            patch.areas[patch.index],
-            patch.areas.iter().sum::<f64>()
+            patch.areas().count(),
+            mesh.sheet().area(),
+            patch.areas().sum::<f64>()
         ));
     }
     let all: f64 = survey.part_areas.iter().sum();
@@ -435,7 +454,7 @@ pub(crate) fn surface_remarks(task: &Task) -> Vec<String> {
     if survey.side_triangles < survey.part_triangles {
         remarks.push(format!(
             "surface {name:?} is the side of its mesh that faces the tool, {:.3} of {all:.3} m2; the rest is no obstacle",
-            (mesh.patch()).map_or(mesh.sheet().area(), |patch| patch.areas.iter().sum())
+            (mesh.patch()).map_or(mesh.sheet().area(), |patch| patch.areas().sum())
         ));
     }
     let size = |bounds: Option<Bounds2>| bounds.map_or(0.0, |bounds| bounds.size().max());

@@ -305,7 +305,7 @@ pub(super) struct SurfaceTable {
 #[serde(deny_unknown_fields)]
 #[schemars(inline)]
 pub(super) struct SurfaceMeshTable {
-    /// STL, OBJ, DAE or PLY; path relative to this file.
+    /// STL, OBJ, DAE or PLY, or a height field as Esri ASCII raster (.asc); path relative to this file.
     pub(super) file: At<Name>,
     /// Factor that converts its lengths to metres.
     #[serde(default = "scale")]

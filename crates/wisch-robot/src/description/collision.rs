@@ -269,7 +269,7 @@ fn read_mesh(
     meshes: &mut dyn FnMut(&str) -> Result<Vec<u8>, String>,
 ) -> Result<Mesh, String> {
     let format = MeshFormat::from_file_name(file)
-        .ok_or_else(|| "its name does not end in .stl, .obj, .dae or .ply".to_owned())?;
+        .ok_or_else(|| format!("its name does not end in {}", MeshFormat::EXTENSIONS))?;
     let bytes = meshes(file)?;
     let mesh = Mesh::parse(&bytes, format, file).map_err(|error| error.to_string())?;
     if scale == Vector3::repeat(1.0) {

@@ -1,6 +1,7 @@
 //! Triangle meshes: primitives, changes of frame, cuts, and files in memory.
 
 mod collada;
+mod height_field;
 mod obj_faces;
 mod ply;
 mod read;
@@ -56,7 +57,9 @@ pub enum MeshError {
     #[error("it has no triangle")]
     Empty,
     /// The file has vertices, but no face.
-    #[error("it has {points} points and no face: a point cloud has to be meshed first")]
+    #[error(
+        "it has points and no face (number of points: {points}): a point cloud has to be meshed first"
+    )]
     PointCloud {
         /// Number of points.
         points: usize,

@@ -327,6 +327,27 @@ fn several_charts_cover_what_one_does_not() {
 }
 
 #[test]
+fn rough_terrain_is_divided_or_refused() {
+    // Heights of a fixed noise at the scale of the tool.
+    let terrain = |amplitude: f64| {
+        grid([100, 100], [1.0, 1.0], |x, y| {
+            let waves = (1..=12).map(|i| {
+                let (turn, phase) = (2.4 * f64::from(i), 1.7 * f64::from(i * i));
+                (40.0 * (x * turn.cos() + y * turn.sin()) + phase).sin()
+            });
+            Point3::new(x, y, amplitude * waves.sum::<f64>())
+        })
+    };
+    let divide = |amplitude, most| {
+        let mesh = terrain(amplitude);
+        Atlas::from_mesh(&mesh, &SheetConfig::default(), most).map(|atlas| atlas.charts().len())
+    };
+    assert_eq!(divide(1e-4, 64), Ok(1));
+    let error = divide(0.02, 64).unwrap_err();
+    assert!(matches!(error, SheetError::Stretched { .. }), "{error}");
+}
+
+#[test]
 fn patches_reach_beyond_their_seams_and_cover_the_mesh_once() {
     let wok = cap(40, -0.25, 60f64.to_radians());
     let atlas = Atlas::from_mesh(&wok, &SheetConfig::default(), 8).unwrap();
@@ -344,7 +365,7 @@ fn patches_reach_beyond_their_seams_and_cover_the_mesh_once() {
         let whole = own + area(&atlas.rest_mesh(index).unwrap());
         let expected = std::f64::consts::PI * 0.25 * 0.25;
         assert!((whole / expected - 1.0).abs() < 5e-3, "{whole}");
-        let sheet = atlas.patch(index, 0.06).unwrap();
+        let sheet = atlas.patch(index, 0.06);
         // Outline and area end at the seams, and at the rim of the wok.
         assert!((sheet.area() / own - 1.0).abs() < 5e-3);
         let mut beyond = 0;

@@ -7,6 +7,7 @@ use crate::geometry::{
 use nalgebra::{Matrix2, Matrix3, Rotation3, Translation3, UnitQuaternion};
 use std::collections::BTreeMap;
 use std::fmt;
+use std::sync::Arc;
 
 /// The prime of FNV-1a with 128 bits.
 const FNV_PRIME: u128 = 0x0000_0000_0100_0000_0000_0000_0000_013B;
@@ -39,12 +40,19 @@ pub struct MeshShape {
 }
 
 /// Which patch of a divided mesh a shape is.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Clone)]
 pub struct PatchOfMesh {
     /// Index among all patches.
     pub index: usize,
-    /// Areas of all patches \[m²\].
-    pub areas: Vec<f64>,
+    /// The divided mesh.
+    pub atlas: Arc<Atlas>,
+}
+
+impl PatchOfMesh {
+    /// Iterates over the areas of all patches \[m²\].
+    pub fn areas(&self) -> impl Iterator<Item = f64> + '_ {
+        self.atlas.charts().iter().map(Sheet::area)
+    }
 }
 
 impl MeshShape {
@@ -63,28 +71,21 @@ impl MeshShape {
     /// - `mesh`: the whole mesh that was divided, against which motions are audited.
     /// - `index`: index of the patch.
     ///
-    /// # Errors
-    /// As [`Atlas::patch`].
-    ///
     /// # Panics
     /// If there is no such patch.
-    pub fn from_patch(
-        mesh: &Mesh,
-        atlas: &Atlas,
-        index: usize,
-    ) -> Result<(Self, Pose), SheetError> {
+    pub fn from_patch(mesh: &Mesh, atlas: &Arc<Atlas>, index: usize) -> (Self, Pose) {
         let radius = atlas.config().tool_radius;
-        let (shape, mesh_from_surface) = Self::new(atlas.patch(index, radius)?, mesh, radius);
+        let (shape, mesh_from_surface) = Self::new(atlas.patch(index, radius), mesh, radius);
         let shape = Self {
             // Of FNV-1a; the index tells the patches of one mesh apart.
             digest: (shape.digest ^ (index as u128 + 1)).wrapping_mul(FNV_PRIME),
             patch: Some(PatchOfMesh {
                 index,
-                areas: atlas.charts().iter().map(Sheet::area).collect(),
+                atlas: Arc::clone(atlas),
             }),
             ..shape
         };
-        Ok((shape, mesh_from_surface))
+        (shape, mesh_from_surface)
     }
 
     fn new(sheet: Sheet, mesh: &Mesh, tool_radius: f64) -> (Self, Pose) {

@@ -7,6 +7,9 @@ use crate::geometry::Pose;
 use crate::interpret::TouchSample;
 use crate::represent::Task;
 
+/// Rounding error of a number of periods [1].
+const ROUNDING: f64 = 1e-9;
+
 /// A motion to execute, with all data that a robot's driver needs.
 ///
 /// ```
@@ -84,9 +87,7 @@ impl MotionOrder<'_> {
     /// Returns the setpoints at this period \[s\], from the start to the end, which is the last; none for an
     /// empty motion.
     pub fn setpoints(&self, period: f64) -> impl Iterator<Item = Setpoint> {
-        let duration = self.followed.duration();
-        let count = (duration / period).ceil() as usize + 1;
-        (0..count).filter_map(move |k| self.setpoint((k as f64 * period).min(duration)))
+        period_times(self.followed.duration(), period).filter_map(|time| self.setpoint(time))
     }
 
     /// Returns setpoints between which a quintic polynomial of each variable, through the positions, velocities and
@@ -121,5 +122,35 @@ impl MotionOrder<'_> {
             }
         }
         execution
+    }
+}
+
+/// Returns the times at this period from 0 to the end, which is the last \[s\]. They increase strictly.
+fn period_times(duration: f64, period: f64) -> impl Iterator<Item = f64> {
+    // Rounding of a whole number of periods must not repeat the end.
+    let steps = (duration / period - ROUNDING).ceil().max(0.0) as usize;
+    (0..=steps).map(move |k| {
+        if k == steps {
+            duration
+        } else {
+            k as f64 * period
+        }
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::period_times;
+
+    #[test]
+    fn times_increase_strictly_up_to_the_end() {
+        // 0.07 / 0.01 is more than 7.
+        for duration in [0.0, 0.004, 0.01, 0.07, 0.075, 0.29, 1.1, 1199.99] {
+            let times: Vec<f64> = period_times(duration, 0.01).collect();
+            assert!(times.is_sorted_by(|one, next| one < next), "{duration}");
+            assert_eq!((times[0], times[times.len() - 1]), (0.0, duration));
+            let gaps = times.windows(2).map(|pair| pair[1] - pair[0]);
+            assert!(gaps.fold(0.0, f64::max) < 0.010_001, "{duration}");
+        }
     }
 }

@@ -42,7 +42,8 @@ pub(super) fn read_mesh(args: &SurfaceMeshArgs) -> Result<ReadMesh, Failure> {
     let name = args.file.display().to_string();
     let format = MeshFormat::from_file_name(&name).ok_or_else(|| {
         Failure::new(format!(
-            "{name}: the name of a mesh file must end in .stl, .obj, .dae or .ply"
+            "{name}: the name of a mesh file must end in {}",
+            MeshFormat::EXTENSIONS
         ))
     })?;
     let mesh = Mesh::parse(&read(&args.file)?, format, &name).map_err(Failure::new)?;

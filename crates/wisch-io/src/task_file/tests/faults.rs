@@ -340,7 +340,7 @@ fn what_the_knowledge_or_a_file_lacks_is_refused_with_its_place() {
         ),
         (
             mesh("long.step", ""),
-            "17:17: file \"long.step\": the name of a mesh file must end in .stl, .obj, .dae or .ply",
+            "17:17: file \"long.step\": the name of a mesh file must end in .stl, .obj, .dae, .ply or .asc",
         ),
         (mesh("broken.stl", ""), "17:17: mesh \"broken.stl\": "),
         (

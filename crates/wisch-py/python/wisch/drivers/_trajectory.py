@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from .._errors import WischError
 from ._poses import compose, invert, rotate
 
 #: Joint speed below which a robot or a trajectory is at rest [rad/s]; the limit of the executor protocol.
@@ -27,6 +28,8 @@ class Trajectory:
         self.phases = list(motion.phases)
         self.stiffness_n_per_m = float(motion.stiffness_n_per_m)
         self.press_force_n = float(motion.press_force_n) if motion.gap_m is None else 0.0
+        if len(self.time_s) < 2 or not (np.diff(self.time_s) > 0).all():
+            raise WischError("the times of the motion's points do not increase")
         self.end_s = float(self.time_s[-1])
         self.world_from_base = compose(motion.world_from_root, root_from_base)
         self.base_from_surface = compose(invert(self.world_from_base), motion.world_from_surface)

@@ -1,11 +1,12 @@
-//! Mesh files from bytes in memory: STL, OBJ, COLLADA, PLY.
+//! Mesh files from bytes in memory: STL, OBJ, COLLADA, PLY, and height fields.
 //!
 //! STL and OBJ are parsed by the `mesh-loader` crate, after checks that limit its allocations. COLLADA is read here
 //! (`collada.rs`): mesh-loader 0.1.13 does not return from a `<Name_array>`, panics or aborts on inconsistent counts,
 //! ignores node transforms under 1 cm and misplaces nested nodes. Concave faces of an OBJ are triangulated before
-//! mesh-loader reads them (`obj_faces.rs`), as it cuts every face into a fan. PLY is read in `ply.rs`.
+//! mesh-loader reads them (`obj_faces.rs`), as it cuts every face into a fan. PLY is read in `ply.rs`, height fields in
+//! `height_field.rs`.
 
-use super::{MAX_TRIANGLES, Mesh, MeshError, Point3, collada, obj_faces, ply};
+use super::{MAX_TRIANGLES, Mesh, MeshError, Point3, collada, height_field, obj_faces, ply};
 use std::io;
 use std::path::Path;
 
@@ -27,10 +28,15 @@ pub enum MeshFormat {
     Collada,
     /// PLY, text or binary; only vertices and faces are read.
     Ply,
+    /// Height field over x and y: Esri ASCII raster.
+    HeightField,
 }
 
 impl MeshFormat {
-    /// Returns the format for the extension of a file name, in any case: stl, obj, dae or ply.
+    /// The extensions of mesh files, as messages name them.
+    pub const EXTENSIONS: &str = ".stl, .obj, .dae, .ply or .asc";
+
+    /// Returns the format for the extension of a file name, in any case: stl, obj, dae, ply or asc.
     ///
     /// ```
     /// use wisch_robot::geometry::MeshFormat;
@@ -44,6 +50,7 @@ impl MeshFormat {
             "obj" => Some(Self::Obj),
             "dae" => Some(Self::Collada),
             "ply" => Some(Self::Ply),
+            "asc" => Some(Self::HeightField),
             _ => None,
         }
     }
@@ -53,7 +60,7 @@ impl Mesh {
     /// Reads a mesh from the bytes of a file; `name` is used in error messages only. Several meshes in one file are
     /// merged, and so are coincident vertices.
     ///
-    /// STL, OBJ and PLY have no unit and are read in metres. COLLADA's unit and node transforms are applied. As in ROS, its
+    /// STL, OBJ, PLY and height fields have no unit and are read in metres. COLLADA's unit and node transforms are applied. As in ROS, its
     /// `up_axis` is not: coordinates stay in their original axes.
     ///
     /// # Errors
@@ -64,6 +71,7 @@ impl Mesh {
             MeshFormat::Obj => parse_obj(bytes),
             MeshFormat::Collada => collada::parse(bytes),
             MeshFormat::Ply => ply::parse(bytes),
+            MeshFormat::HeightField => height_field::parse(bytes),
         };
         mesh.map(|mesh| mesh.weld())
             .map_err(|fault| MeshError::InMesh {

@@ -14,7 +14,13 @@ pub const MAX_CHARTS: usize = 64;
 /// Largest number of equal cells that are tried.
 const MAX_EQUAL_CELLS: usize = 12;
 /// Number of times that the part of a patch beyond its seams is made narrower, if it does not unroll.
-const NARROWER: usize = 3;
+const NARROWER: i32 = 3;
+
+/// Triangles that are unrolled while patches are joined, relative to those of the surface; the unions of a smooth bowl take
+/// 20.
+const JOINING: usize = 60;
+/// Number of unions that are unrolled at once.
+const AT_ONCE: usize = 4;
 
 /// Largest square of the border's length of joined patches, relative to that of a disc of the same area [1]; a rectangle of
 /// 1 × 6 has 2.6.
@@ -131,21 +137,13 @@ impl Atlas {
     /// there. Outline, area and stretch are those up to the seams. Where the chart would fold or cover itself beyond the
     /// seams, it reaches less far.
     ///
-    /// # Errors
-    /// As [`Sheet::check`], which then refuses the chart up to the seams, too.
-    ///
     /// # Panics
     /// If there is no patch `index`.
-    pub fn patch(&self, index: usize, reach: f64) -> Result<Sheet, SheetError> {
-        let mut reach = reach;
-        for _ in 0..NARROWER {
-            let sheet = Sheet::checked(self.reaching(index, reach), &self.config);
-            if sheet.is_ok() {
-                return sheet;
-            }
-            reach *= 0.5;
-        }
-        Sheet::checked(self.prepared.select(&self.cells[index]), &self.config)
+    pub fn patch(&self, index: usize, reach: f64) -> Sheet {
+        let mut reaches = (0..NARROWER).map(|halvings| reach * 0.5f64.powi(halvings));
+        reaches
+            .find_map(|reach| Sheet::checked(self.reaching(index, reach), &self.config))
+            .unwrap_or_else(|| self.charts[index].clone())
     }
 
     /// Returns a patch with the triangles beyond its seams up to a distance \[m\].
@@ -213,32 +211,32 @@ impl Search<'_> {
         let Err(refused) = whole.check() else {
             return Ok(vec![(all, whole)]);
         };
-        let joined = self.halve(&all).map(|halves| self.join(halves));
-        let fewest = joined.as_ref().map_or(MAX_EQUAL_CELLS, |cells| cells.len());
+        let halves = self.halve(&all).ok_or(refused.clone())?;
+        let joined = self.join(halves);
         let graphs = [self.graph.clone(), self.graph.with_factors(self.bends())];
         // Fewer cells than half of the estimate have never sufficed.
         let least = (whole.estimate_charts() / 2).max(2);
-        for count in least..=fewest.min(MAX_EQUAL_CELLS).min(most) {
+        for count in least..=joined.len().min(MAX_EQUAL_CELLS).min(most) {
             for graph in &graphs {
                 if let Some(division) = self.unroll_all(graph.divide(count)) {
                     return Ok(division);
                 }
             }
         }
-        joined
-            .filter(|division| division.len() <= most)
-            .ok_or(refused)
+        if joined.len() <= most {
+            Ok(joined)
+        } else {
+            Err(refused)
+        }
     }
 
-    fn unroll(&self, cell: &[u32]) -> Result<Sheet, SheetError> {
+    fn unroll(&self, cell: &[u32]) -> Option<Sheet> {
         Sheet::checked(self.prepared.select(cell), self.config)
     }
 
     /// Unrolls all cells; `None` if one is refused.
     fn unroll_all(&self, cells: Vec<Vec<u32>>) -> Option<Division> {
-        let sheets: Option<Vec<Sheet>> = (cells.par_iter())
-            .map(|cell| self.unroll(cell).ok())
-            .collect();
+        let sheets: Option<Vec<Sheet>> = (cells.par_iter()).map(|cell| self.unroll(cell)).collect();
         Some(cells.into_iter().zip(sheets?).collect())
     }
 
@@ -273,9 +271,8 @@ impl Search<'_> {
             if found.len() + open.len() > MAX_CHARTS {
                 return None;
             }
-            let sheets: Vec<Option<Sheet>> = (open.par_iter())
-                .map(|cell| self.unroll(cell).ok())
-                .collect();
+            let sheets: Vec<Option<Sheet>> =
+                (open.par_iter()).map(|cell| self.unroll(cell)).collect();
             let mut refused = Vec::new();
             for (cell, sheet) in open.into_iter().zip(sheets) {
                 match sheet {
@@ -296,9 +293,11 @@ impl Search<'_> {
         halves.into_iter().map(renamed).collect()
     }
 
-    /// Joins neighbouring cells while their union unrolls within the limit, the smallest unions first.
+    /// Joins neighbouring cells while their union unrolls within the limit, the smallest unions first, as long as the work
+    /// is worth it.
     fn join(&self, mut division: Division) -> Division {
         let mut refused: BTreeSet<Vec<u32>> = BTreeSet::new();
+        let (mut work, most_work) = (0, JOINING * self.graph.neighbours.len());
         loop {
             let mut owners = vec![usize::MAX; self.graph.neighbours.len()];
             for (index, (cell, _)) in division.iter().enumerate() {
@@ -316,19 +315,28 @@ impl Search<'_> {
             let mut pairs: Vec<[usize; 2]> = pairs.into_iter().collect();
             let area = |&[one, two]: &[usize; 2]| division[one].1.area() + division[two].1.area();
             pairs.sort_by(|one, two| area(one).total_cmp(&area(two)).then(one.cmp(two)));
-            let joined = pairs.into_iter().find_map(|[one, two]| {
-                let mut union = [division[one].0.as_slice(), &division[two].0].concat();
-                union.sort_unstable();
-                if refused.contains(&union) {
+            let unions: Vec<([usize; 2], Vec<u32>)> = (pairs.into_iter())
+                .map(|[one, two]| {
+                    let mut union = [division[one].0.as_slice(), &division[two].0].concat();
+                    union.sort_unstable();
+                    ([one, two], union)
+                })
+                .filter(|(_, union)| !refused.contains(union))
+                .collect();
+            let joined = unions.chunks(AT_ONCE).find_map(|unions| {
+                if work > most_work {
                     return None;
                 }
-                match self.unroll(&union) {
-                    Ok(sheet) if is_compact(&sheet) => Some(([one, two], (union, sheet))),
-                    _ => {
-                        refused.insert(union);
-                        None
-                    }
-                }
+                work += unions.iter().map(|(_, union)| union.len()).sum::<usize>();
+                let sheets: Vec<Option<Sheet>> = (unions.par_iter())
+                    .map(|(_, union)| self.unroll(union).filter(is_compact))
+                    .collect();
+                let first = sheets.iter().position(Option::is_some);
+                let before = unions.iter().take(first.unwrap_or(unions.len()));
+                refused.extend(before.map(|(_, union)| union.clone()));
+                let sheet = sheets.into_iter().nth(first?)??;
+                let (pair, union) = unions[first?].clone();
+                Some((pair, (union, sheet)))
             });
             let Some(([one, two], union)) = joined else {
                 return division;

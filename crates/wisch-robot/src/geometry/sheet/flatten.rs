@@ -7,6 +7,8 @@ use std::collections::BTreeMap;
 
 /// Most rounds of rotating triangles and moving vertices. Developable parts need 2, other ones 60 to 120.
 const MAX_ROUNDS: usize = 300;
+/// Rounds after which a chart may be given up. Later rounds change the stretch of few triangles.
+const TRIAL_ROUNDS: usize = 20;
 /// Movement at which the rounds end, relative to the longest edge [1].
 const MOVEMENT: f64 = 1e-7;
 /// Share of the mean diagonal that is added to it [1], so that the matrix can be factorised.
@@ -69,11 +71,12 @@ pub(super) fn flat_triangles(surface: &Triangles) -> Vec<FlatTriangle> {
 
 /// Returns a place in the chart for each vertex \[m\]: the chart's x points along `x_axis`, a unit vector across the mean
 /// normal, and the origin is the centroid of its area. The result has no scale of its own: lengths are those of the
-/// surface as far as possible.
+/// surface as far as possible. The rounds end early if `is_hopeless` says so of the places after [`TRIAL_ROUNDS`].
 pub(super) fn flatten(
     surface: &Triangles,
     flat: &[FlatTriangle],
     [x_axis, y_axis]: [Vector3; 2],
+    is_hopeless: impl Fn(&[Point2]) -> bool,
 ) -> Vec<Point2> {
     let projected: Vec<Point2> = (surface.vertices.iter())
         .map(|p| Point2::new(p.coords.dot(&x_axis), p.coords.dot(&y_axis)))
@@ -89,7 +92,7 @@ pub(super) fn flatten(
         projected.clone()
     };
     let factor = Factor::new(&matrix, &start);
-    let mut places = make_rigid(surface, flat, &factor, start);
+    let mut places = make_rigid(surface, flat, &factor, start, is_hopeless);
     align(surface, flat, &projected, &mut places);
     places
 }
@@ -135,18 +138,23 @@ fn laplacian(surface: &Triangles, flat: &[FlatTriangle]) -> SymmetricMatrix {
     matrix
 }
 
-/// Turns each triangle to the chart, and moves the vertices to fit the turned triangles, until nothing moves.
+/// Turns each triangle to the chart, and moves the vertices to fit the turned triangles, until nothing moves or the chart is
+/// hopeless.
 fn make_rigid(
     surface: &Triangles,
     flat: &[FlatTriangle],
     factor: &Factor,
     mut places: Vec<Point2>,
+    is_hopeless: impl Fn(&[Point2]) -> bool,
 ) -> Vec<Point2> {
     let longest = (surface.triangles.iter())
         .flat_map(|&[a, b, c]| [[a, b], [b, c], [c, a]])
         .map(|[i, j]| (surface.vertices[i as usize] - surface.vertices[j as usize]).norm())
         .fold(0.0, f64::max);
-    for _ in 0..MAX_ROUNDS {
+    for round in 0..MAX_ROUNDS {
+        if round == TRIAL_ROUNDS && is_hopeless(&places) {
+            break;
+        }
         let mut right = vec![[0.0; 2]; places.len()];
         for (triangle, flat) in surface.triangles.iter().zip(flat) {
             let corners = triangle.map(|i| places[i as usize]);

@@ -98,6 +98,11 @@ impl Prepared {
         })
     }
 
+    /// Whether a triangle lies beyond the seams of a patch.
+    pub(super) fn is_beyond(&self, triangle: usize) -> bool {
+        self.is_beyond.get(triangle).copied().unwrap_or(false)
+    }
+
     /// Returns a part of the surface.
     pub(super) fn select(&self, triangles: &[u32]) -> Self {
         let used = self.surface.used_vertices(triangles);

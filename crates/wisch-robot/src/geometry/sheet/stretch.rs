@@ -74,6 +74,15 @@ pub(super) fn triangle_stretches(
         .collect()
 }
 
+/// Returns the share of the area whose stretch exceeds a limit \[1\].
+pub(super) fn share_beyond(flat: &[FlatTriangle], stretches: &[f64], limit: f64) -> f64 {
+    let total: f64 = flat.iter().map(|flat| flat.area).sum();
+    let beyond = (stretches.iter().zip(flat))
+        .filter(|(stretch, _)| **stretch > limit)
+        .fold(0.0, |sum, (_, flat)| sum + flat.area);
+    beyond / total.max(f64::MIN_POSITIVE)
+}
+
 /// Measures a chart; `limit` is that of the stretch \[1\], `radius` that of the tool \[m\].
 pub(super) fn measure(
     surface: &Triangles,
@@ -107,9 +116,6 @@ pub(super) fn measure(
         });
         found.map_or(0.0, |&t| stretches[t])
     };
-    let beyond = (stretches.iter().zip(flat))
-        .filter(|(stretch, _)| **stretch > limit)
-        .fold(0.0, |sum, (_, flat)| sum + flat.area);
     let folded: Vec<usize> = (0..surface.triangles.len())
         .filter(|&t| doubled_area(places, surface.triangles[t]) < 0.0)
         .collect();
@@ -120,7 +126,7 @@ pub(super) fn measure(
         p95: quantile(0.95),
         median: quantile(0.5),
         at_tool_scale: stretch_of_discs(surface, flat, places, radius),
-        share_beyond: beyond / total.max(f64::MIN_POSITIVE),
+        share_beyond: share_beyond(flat, stretches, limit),
         folded: folded.len(),
         folded_at: folded.first().map(|&t| centre(t)),
     }

@@ -5,13 +5,17 @@ use super::flatten::{FlatTriangle, flat_triangles, flatten};
 use super::locate::{ChartGrid, FootFinder, Located};
 use super::part::MeshSurvey;
 use super::prepared::{Prepared, SheetConfig, too_large};
-use super::stretch::{SheetStretch, chart_from_triangle, measure, triangle_stretches};
+use super::stretch::{
+    SheetStretch, chart_from_triangle, measure, share_beyond, triangle_stretches,
+};
 use super::topology::Triangles;
 use crate::geometry::{Mesh, Point2, Point3, Polygon, Pose, Vector2, Vector3};
 use nalgebra::Matrix2;
 
 /// Share of the area that may be stretched beyond the limit [1].
 const STRETCHED_SHARE: f64 = 0.01;
+/// Share of the area stretched beyond the limit after a few rounds at which a patch is given up [1].
+const HOPELESS_SHARE: f64 = 0.3;
 /// Weight of a triangle beyond the seams of a patch while the patch is unrolled, relative to one within it [1].
 const WEIGHT_BEYOND: f64 = 0.01;
 /// Integral of the absolute Gaussian curvature that a part with a stretch of 3 % may have \[rad²\]. A cap of a sphere to the
@@ -128,19 +132,25 @@ impl Sheet {
         Self::unrolled(Prepared::new(mesh, config)?, config)
     }
 
-    /// Makes a sheet of a prepared surface, if one chart suffices.
-    pub(super) fn checked(prepared: Prepared, config: &SheetConfig) -> Result<Self, SheetError> {
-        let sheet = Self::unrolled(prepared, config)?;
-        sheet.check()?;
-        Ok(sheet)
+    /// Makes a sheet of a prepared surface, if one chart suffices; `None` if it does not.
+    pub(super) fn checked(prepared: Prepared, config: &SheetConfig) -> Option<Self> {
+        let unrolled = Unrolled::new(&prepared, |unrolled| {
+            unrolled.share_beyond(config.stretch_limit) > HOPELESS_SHARE
+        });
+        if unrolled.share_beyond(config.stretch_limit) > STRETCHED_SHARE {
+            return None;
+        }
+        let sheet = Self::with_places(prepared, unrolled, config)?;
+        sheet.check().is_ok().then_some(sheet)
     }
 
     /// Unrolls a prepared surface, even if its stretch exceeds the limit.
     pub(super) fn unrolled(prepared: Prepared, config: &SheetConfig) -> Result<Self, SheetError> {
-        Self::with_fits(prepared, config).ok_or(too_large(config))
+        let unrolled = Unrolled::new(&prepared, |_| false);
+        Self::with_places(prepared, unrolled, config).ok_or(too_large(config))
     }
 
-    fn with_fits(prepared: Prepared, config: &SheetConfig) -> Option<Self> {
+    fn with_places(prepared: Prepared, unrolled: Unrolled, config: &SheetConfig) -> Option<Self> {
         let Prepared {
             surface,
             fits,
@@ -149,24 +159,13 @@ impl Sheet {
             is_beyond,
             ..
         } = prepared;
-        let flat = flat_triangles(&surface);
-        let beyond = |t: usize| is_beyond.get(t).copied().unwrap_or(false);
-        let weighted = |weight: f64| -> Vec<FlatTriangle> {
-            (flat.iter().enumerate())
-                .map(|(t, flat)| flat.weighted(if beyond(t) { weight } else { 1.0 }))
-                .collect()
-        };
-        let places = flatten(
-            &surface,
-            &weighted(WEIGHT_BEYOND),
-            chart_axes(surface.mean_normal()),
-        );
-        let stretches = triangle_stretches(&surface, &flat, &places);
-        // Only what lies within the seams counts.
-        let within = weighted(0.0);
-        let counted: Vec<f64> = (stretches.iter().enumerate())
-            .map(|(t, &stretch)| if beyond(t) { 0.0 } else { stretch })
-            .collect();
+        let Unrolled {
+            flat,
+            within,
+            places,
+            stretches,
+            counted,
+        } = unrolled;
         let limit = config.stretch_limit;
         let stretch = measure(
             &surface,
@@ -443,12 +442,62 @@ impl Sheet {
     }
 }
 
+/// A prepared surface with a place in the chart for each vertex.
+struct Unrolled {
+    flat: Vec<FlatTriangle>,
+    /// The same, without weight beyond the seams.
+    within: Vec<FlatTriangle>,
+    places: Vec<Point2>,
+    stretches: Vec<f64>,
+    /// The stretches within the seams, and zero beyond.
+    counted: Vec<f64>,
+}
+
+impl Unrolled {
+    /// Unrolls a surface, with few rounds if `is_hopeless`.
+    fn new(prepared: &Prepared, is_hopeless: impl Fn(&Self) -> bool) -> Self {
+        let surface = &prepared.surface;
+        let flat = flat_triangles(surface);
+        let weighted = |weight: f64| -> Vec<FlatTriangle> {
+            (flat.iter().enumerate())
+                .map(|(t, flat)| flat.weighted(if prepared.is_beyond(t) { weight } else { 1.0 }))
+                .collect()
+        };
+        let with_places = |places: Vec<Point2>| {
+            let stretches = triangle_stretches(surface, &flat, &places);
+            // Only what lies within the seams counts.
+            let counted = (stretches.iter().enumerate())
+                .map(|(t, &stretch)| if prepared.is_beyond(t) { 0.0 } else { stretch })
+                .collect();
+            Self {
+                flat: flat.clone(),
+                within: weighted(0.0),
+                places,
+                stretches,
+                counted,
+            }
+        };
+        with_places(flatten(
+            surface,
+            &weighted(WEIGHT_BEYOND),
+            chart_axes(surface.mean_normal()),
+            |places| is_hopeless(&with_places(places.to_vec())),
+        ))
+    }
+
+    /// Returns the share of the area within the seams that is stretched beyond a limit \[1\].
+    fn share_beyond(&self, limit: f64) -> f64 {
+        share_beyond(&self.within, &self.counted, limit)
+    }
+}
+
 /// Returns the places of the vertices of a surface, unrolled as one piece \[m\].
 pub(super) fn unroll_places(surface: &Triangles) -> Vec<Point2> {
     flatten(
         surface,
         &flat_triangles(surface),
         chart_axes(surface.mean_normal()),
+        |_| false,
     )
 }
 

@@ -163,7 +163,7 @@ fn a_broken_file_says_where() {
         (replaced("7 -0.25", "7 nan"), "vertex 0: x = NaN m exceeds"),
         (
             cloud.into(),
-            "it has 2 points and no face: a point cloud has to be meshed first",
+            "it has points and no face (number of points: 2): a point cloud has to be meshed first",
         ),
         (
             binary[..binary.len() - 1].to_vec(),
