@@ -11,7 +11,7 @@ use crate::record::{EPISODE_SCHEMA, EpisodeRecord, Individual, Origin, Value};
 use log::Span;
 use std::collections::BTreeMap;
 use wisch::geometry::{Point2, Polygon};
-use wisch::interpret::{Diagnosis, Event, EventKind, Interpretation, PathPiece, Touch};
+use wisch::interpret::{Diagnosis, Event, EventKind, InterpretConfig, Interpretation, PathPiece};
 use wisch::recover::{Verdict, assess_goal};
 use wisch::represent::{Action, GoalState, Task};
 use wisch::run::{Ending, PlannedRound};
@@ -192,7 +192,7 @@ impl RecordBuilder {
 /// Adds the facts of a round.
 fn describe(individual: &mut Individual, round: &EpisodeRound<'_>, target: f64) {
     let motion = &round.motion;
-    describe_touch(individual, round.interpretation);
+    describe_touch(individual, &motion.task, round.interpretation);
     individual.set_number("semco:round", motion.number as f64);
     individual.set_number("semco:strokes", motion.followed.strokes.len() as f64);
     individual.set_number(
@@ -209,14 +209,16 @@ fn describe(individual: &mut Individual, round: &EpisodeRound<'_>, target: f64) 
 }
 
 /// Adds what the interpretation found.
-fn describe_touch(individual: &mut Individual, interpretation: &Interpretation) {
+fn describe_touch(individual: &mut Individual, task: &Task, interpretation: &Interpretation) {
     individual.estimate(interpretation);
     if let Some(share) = interpretation.contact_share {
         individual.set_number("semco:contactShare", share);
     }
     individual.set_number("semco:forceBias", interpretation.force_bias);
-    let ContactStatistics { mean_force, .. } = ContactStatistics::of(interpretation.path.iter());
-    if let Some(force) = mean_force {
+    let always = [f64::NEG_INFINITY, f64::INFINITY];
+    let least_share = least_contact(task);
+    let contact = ContactStatistics::during(always, &interpretation.path, least_share);
+    if let Some(force) = contact.mean_force {
         individual.set_number("semco:meanNormalForce", force);
     }
     if let Some(plane) = &interpretation.plane {
@@ -239,15 +241,12 @@ fn describe_touch(individual: &mut Individual, interpretation: &Interpretation) 
 
 fn describe_stroke(
     individual: &mut Individual,
-    stroke: usize,
-    span: &Span,
+    (stroke, span): (usize, &Span),
     interpretation: &Interpretation,
+    least_share: f64,
 ) {
-    let during = interpretation.path.iter().filter(|piece| {
-        let middle = 0.5 * (piece.time[0] + piece.time[1]);
-        (span.start..span.end).contains(&middle)
-    });
-    let contact = ContactStatistics::of(during);
+    let during = [span.start, span.end];
+    let contact = ContactStatistics::during(during, &interpretation.path, least_share);
     individual.set_number("semco:stroke", stroke as f64);
     if let Some(force) = span.peak_force {
         individual.set_number("semco:peakForce", force);
@@ -260,22 +259,26 @@ fn describe_stroke(
     }
 }
 
-/// Contact statistics over parts of the path, weighted by their duration.
+/// Contact statistics over a part of the path, weighted by the time that each piece represents.
 struct ContactStatistics {
     /// Share of the time in contact [1]; `None` for no time.
     contact_share: Option<f64>,
-    /// Mean normal force during contact [N]; `None` without contact.
+    /// Mean normal force during contact [N], negative where the tool presses; `None` without contact.
     mean_force: Option<f64>,
 }
 
 impl ContactStatistics {
-    fn of<'a>(pieces: impl Iterator<Item = &'a PathPiece>) -> Self {
-        // Share = Σ t_contact / Σ t; mean force = Σ F t / Σ t over the parts in contact.
+    /// Computes the statistics from `start` to `end` [s]. `least_share`: least force over the nominal one of a piece in
+    /// contact [1].
+    fn during([start, end]: [f64; 2], path: &[PathPiece], least_share: f64) -> Self {
+        // Share = Σ t_contact / Σ t; mean force = Σ F t / Σ t over the pieces in contact. A piece that the interval cuts
+        // counts with the part inside, because a slow log has few pieces.
         let [mut all, mut contact, mut impulse] = [0.0; 3];
-        for piece in pieces {
-            let duration = piece.time[1] - piece.time[0];
+        for (i, piece) in path.iter().enumerate() {
+            let [first, last] = PathPiece::span(path, i);
+            let duration = (last.min(end) - first.max(start)).max(0.0);
             all += duration;
-            if matches!(piece.touch, Touch::Weak | Touch::Confident) {
+            if piece.is_in_contact(least_share) {
                 contact += duration;
                 impulse += duration * piece.normal_force;
             }
@@ -285,6 +288,11 @@ impl ContactStatistics {
             mean_force: (contact > 0.0).then(|| impulse / contact),
         }
     }
+}
+
+/// Returns the least force over the nominal one of a tool in contact [1], as the contact share of a round counts it.
+fn least_contact(task: &Task) -> f64 {
+    InterpretConfig::from_task(task).events.contact_share[1]
 }
 
 /// Context of a round, from which its motions and events are described.
@@ -304,12 +312,18 @@ impl RoundContext<'_> {
     fn add_parts(&self, individuals: &mut Vec<Individual>, round: usize, spans: &[Span]) {
         let [start, end] = self.during;
         let first = individuals.len();
+        let least_share = least_contact(self.task);
         for span in spans {
             let mut motion = Individual::new(span.class(), Some(round));
             // Rounding must not let a part outlast the whole.
             motion.interval = Some([start + span.start, (start + span.end).min(end)]);
             if let Some(stroke) = span.stroke {
-                describe_stroke(&mut motion, stroke, span, self.interpretation);
+                describe_stroke(
+                    &mut motion,
+                    (stroke, span),
+                    self.interpretation,
+                    least_share,
+                );
             }
             individuals.push(motion);
         }

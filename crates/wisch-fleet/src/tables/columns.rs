@@ -194,7 +194,7 @@ const MEAN_FORCE: Column = column(
     "mean_normal_force_n",
     ColumnKind::Number,
     "N",
-    "mean force of the surroundings on the tool along the surface's normal, during contact",
+    "mean force along the outward normal of the surface during contact, weighted by time; negative where the tool presses",
 );
 const PEAK_FORCE: Column = column(
     "peak_force_n",

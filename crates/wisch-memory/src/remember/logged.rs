@@ -62,7 +62,7 @@ pub fn remember_log(
     action.relate("dul:executesTask", "#2".to_owned());
     action.end_in(state_of(verdict));
     let mut round = Individual::new("semco:WipingRound", Some(1));
-    describe_touch(&mut round, interpretation);
+    describe_touch(&mut round, task, interpretation);
     round.set_number("semco:round", 1.0);
     round.relations = things_of(task);
     round.set_text("semco:verdict", verdict_text(verdict));

@@ -40,14 +40,11 @@ impl Histogram {
             total: 0.0,
             chance: 0.0,
         };
-        let mut last: Option<f64> = None;
-        for piece in path {
-            // A piece lasts from the end of the piece before, even if it has few samples.
-            let begin = last.replace(piece.time[1]).unwrap_or(piece.time[0]);
+        for (i, piece) in path.iter().enumerate() {
             if !matches!(piece.touch, Touch::Weak | Touch::Confident) {
                 continue;
             }
-            let duration = piece.time[1] - begin;
+            let duration = PathPiece::duration(path, i);
             let bin = (BINS as f64 * piece.normalized_force) as usize;
             histogram.shares[bin.min(BINS - 1)] += duration;
             histogram.total += duration;

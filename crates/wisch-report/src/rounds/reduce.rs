@@ -1,5 +1,6 @@
 //! Reduces minutes of a log at 1 kHz to few points for a picture, and keeps its peaks.
 
+use std::ops::RangeInclusive;
 use wisch::geometry::Point3;
 use wisch::interpret::{Interpretation, PathPiece, Touch};
 
@@ -147,7 +148,7 @@ fn stretches_by(path: &[PathPiece], length: f64) -> Vec<Stretch> {
                 .get(i + 1)
                 .is_some_and(|next| next.touch == Touch::FalsePositive);
         if moved >= length || (turns && moved >= length / 8.0) || i + 1 == path.len() {
-            stretches.push(Stretch::of(&path[from..=i], piece.position));
+            stretches.push(Stretch::of(path, from..=i, piece.position));
             from = i + 1;
         }
     }
@@ -155,16 +156,21 @@ fn stretches_by(path: &[PathPiece], length: f64) -> Vec<Stretch> {
 }
 
 impl Stretch {
-    fn of(group: &[PathPiece], end: Point3) -> Self {
-        let duration = |piece: &PathPiece| (piece.time[1] - piece.time[0]).max(1e-9);
+    fn of(path: &[PathPiece], places: RangeInclusive<usize>, end: Point3) -> Self {
+        let group = &path[places.clone()];
+        // A path of a single sample has no duration.
+        let durations = places.map(|i| PathPiece::duration(path, i).max(1e-9));
+        let lasting: Vec<(&PathPiece, f64)> = group.iter().zip(durations).collect();
         let total = |wanted: &dyn Fn(Touch) -> bool| -> f64 {
-            let pieces = group.iter().filter(|piece| wanted(piece.touch));
-            pieces.map(duration).sum()
+            let pieces = (lasting.iter()).filter(|(piece, _)| wanted(piece.touch));
+            pieces.map(|(_, duration)| duration).sum()
         };
         let in_contact = |touch| matches!(touch, Touch::Weak | Touch::Confident);
         let contact = total(&in_contact);
-        let force = group.iter().filter(|piece| in_contact(piece.touch));
-        let force: f64 = force.map(|p| p.normalized_force * duration(p)).sum();
+        let force = (lasting.iter()).filter(|(piece, _)| in_contact(piece.touch));
+        let force: f64 = force
+            .map(|(p, duration)| p.normalized_force * duration)
+            .sum();
         let touch = if group.iter().any(|p| p.touch == Touch::FalsePositive) {
             Touch::FalsePositive
         } else if contact < total(&|touch| touch == Touch::Free) {

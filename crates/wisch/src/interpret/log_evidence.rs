@@ -457,9 +457,9 @@ fn find_hand_guiding(path: &[PathPiece], events: &[Event]) -> Option<Doubt> {
 /// Returns a doubt if the tool pressed too far from the believed surface. Without a plane, heights are those over the
 /// believed surface.
 fn find_distant_contact(path: &[PathPiece], config: &InterpretConfig) -> Option<Doubt> {
-    let is_pressed = |piece: &&PathPiece| piece.normalized_force >= config.confident_share;
-    let mut heights: Vec<(f64, f64)> = (path.iter().filter(is_pressed))
-        .map(|piece| (piece.height, piece.time[1] - piece.time[0]))
+    let is_pressed = |i: &usize| path[*i].normalized_force >= config.confident_share;
+    let mut heights: Vec<(f64, f64)> = ((0..path.len()).filter(is_pressed))
+        .map(|i| (path[i].height, PathPiece::duration(path, i)))
         .collect();
     let pressed: f64 = heights.iter().map(|(_, lasts)| lasts).sum();
     if pressed < LEAST_PRESSING {

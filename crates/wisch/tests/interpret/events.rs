@@ -475,6 +475,16 @@ fn a_log_without_wiping_has_doubts_with_reasons() {
             .to_string()
             .starts_with("the tool pressed 0.200 m above")
     );
+    // A slow log shows the same.
+    for rate in [20.0, 50.0, 100.0, 125.0, 200.0] {
+        let slow = doubts(&Script {
+            surface: |_| 0.2,
+            rate,
+            ..Script::default()
+        });
+        let is_far = |doubt: &Doubt| matches!(doubt, Doubt::ContactFarFromSurface { .. });
+        assert!(slow.iter().any(is_far), "{rate} Hz: {slow:?}");
+    }
     // It presses here and there, at any height, and slides nowhere.
     let dab = |x: f64, y: f64| [Point2::new(x, y), Point2::new(x + 0.002, y)];
     let places = (0..12).map(|i| dab(-0.15 + 0.027 * f64::from(i), 0.02 * f64::from(i % 5)));

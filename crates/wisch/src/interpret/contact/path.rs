@@ -48,7 +48,7 @@ pub enum Touch {
 /// Consecutive samples as one piece, of at most a few milliseconds or a fraction of a millimetre.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PathPiece {
-    /// Time of the first and of the last sample \[s\].
+    /// Time of the first and of the last sample \[s\]; the piece represents the time [`span`](Self::span).
     pub time: [f64; 2],
     /// The tool centre point at the last sample, in the frame of the believed surface \[m\].
     pub position: Point3,
@@ -73,10 +73,69 @@ pub struct PathPiece {
     pub touch: Touch,
 }
 
+/// Longest time that a piece represents before its first sample, and after its last [s]. Of a longer gap in the log, the
+/// rest belongs to no piece.
+const LONGEST_REACH: f64 = 0.5;
+
 impl PathPiece {
     /// Whether the tool was on the fitted plane.
     pub const fn is_on_plane(&self) -> bool {
         matches!(self.touch, Touch::Weak | Touch::Confident)
+    }
+
+    /// Whether the tool is in contact: on the fitted plane, with at least this share of the nominal force \[1\].
+    ///
+    /// [`Interpretation::contact_share`](crate::interpret::Interpretation::contact_share) counts such pieces, with the
+    /// second number of [`EventConfig::contact_share`](crate::interpret::EventConfig::contact_share).
+    pub fn is_in_contact(&self, least_share: f64) -> bool {
+        self.is_on_plane() && self.normalized_force >= least_share
+    }
+
+    /// Returns the time that a piece of a path represents \[s\]: from half way to the piece before, to half way to the
+    /// next one.
+    ///
+    /// A piece of a slow log has a single sample, but represents the time between two samples. Next to a gap, a piece
+    /// represents at most 0.5 s of it.
+    ///
+    /// # Panics
+    /// If the path has no piece of this index.
+    ///
+    /// ```
+    /// use wisch::interpret::{PathPiece, Touch};
+    /// # use wisch::geometry::{Point3, Vector2};
+    /// # let piece = |time: f64| PathPiece {
+    /// #     time: [time, time],
+    /// #     position: Point3::origin(),
+    /// #     heading: 0.0,
+    /// #     normal_force: -10.0,
+    /// #     tangential_force: 0.0,
+    /// #     normalized_force: 1.0,
+    /// #     height: 0.0,
+    /// #     slope: Vector2::zeros(),
+    /// #     touch: Touch::Confident,
+    /// # };
+    /// // Samples at 10 Hz, a piece each.
+    /// let path = [piece(1.0), piece(1.1), piece(1.2)];
+    /// let [start, end] = PathPiece::span(&path, 1);
+    /// assert!((start - 1.05).abs() < 1e-12 && (end - 1.15).abs() < 1e-12);
+    /// ```
+    pub fn span(path: &[Self], index: usize) -> [f64; 2] {
+        let [first, last] = path[index].time;
+        let before = index.checked_sub(1).map_or(first, |i| path[i].time[1]);
+        let after = path.get(index + 1).map_or(last, |next| next.time[0]);
+        [
+            (0.5 * (before + first)).max(first - LONGEST_REACH),
+            (0.5 * (last + after)).min(last + LONGEST_REACH),
+        ]
+    }
+
+    /// Returns the duration of the time that a piece of a path represents \[s\]; see [`span`](Self::span).
+    ///
+    /// # Panics
+    /// If the path has no piece of this index.
+    pub fn duration(path: &[Self], index: usize) -> f64 {
+        let [start, end] = Self::span(path, index);
+        end - start
     }
 }
 
@@ -100,4 +159,32 @@ pub struct FittedPlane {
     pub confident: usize,
     /// Root mean square distance of the contacts used for the fit, weak ones included \[m\].
     pub rms: f64,
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn piece(time: [f64; 2]) -> PathPiece {
+        PathPiece {
+            time,
+            position: Point3::origin(),
+            heading: 0.0,
+            normal_force: -10.0,
+            tangential_force: 0.0,
+            normalized_force: 1.0,
+            height: 0.0,
+            slope: Vector2::zeros(),
+            touch: Touch::Confident,
+        }
+    }
+
+    #[test]
+    fn pieces_share_the_time_between_them_but_not_a_gap() {
+        let path = [[1.0, 1.0], [1.5, 1.75], [10.0, 10.0]].map(piece);
+        let spans = [0, 1, 2].map(|i| PathPiece::span(&path, i));
+        assert_eq!(spans, [[1.0, 1.25], [1.25, 2.25], [9.5, 10.0]]);
+        assert_eq!(PathPiece::duration(&path, 1), 1.0);
+        assert_eq!(PathPiece::duration(&path[..1], 0), 0.0);
+    }
 }

@@ -72,12 +72,9 @@ impl<'a> EventDetector<'a> {
         }
     }
 
-    /// Time span of a piece, up to half way to its neighbours [s].
+    /// Time that a piece represents [s].
     pub(super) fn span(&self, i: usize) -> [f64; 2] {
-        let [first, last] = self.path[i].time;
-        let before = i.checked_sub(1).map_or(first, |j| self.path[j].time[1]);
-        let after = self.path.get(i + 1).map_or(last, |next| next.time[0]);
-        [0.5 * (before + first), 0.5 * (last + after)]
+        PathPiece::span(self.path, i)
     }
 
     /// Measured force at a piece, in the axes of the believed surface [N].
@@ -90,7 +87,7 @@ impl<'a> EventDetector<'a> {
     }
 
     pub(super) fn is_touching(&self, i: usize) -> bool {
-        self.is_on_plane(i) && self.path[i].normalized_force >= self.config.events.contact_share[1]
+        self.path[i].is_in_contact(self.config.events.contact_share[1])
     }
 
     pub(super) fn is_near(&self, i: usize) -> bool {
@@ -178,16 +175,19 @@ impl<'a> EventDetector<'a> {
         let pieces = &self.pieces[first..=last];
         let path = &self.path[first..=last];
         let samples: f64 = pieces.iter().map(|piece| f64::from(piece.samples)).sum();
-        let weighted = pieces
-            .iter()
-            .zip(path)
-            .map(|(piece, classified)| f64::from(piece.samples) * classified.normal_force);
+        // Σ F t / Σ t over the time that the pieces represent; a log of a single sample has no duration.
+        let (mut impulse, mut time) = (0.0, 0.0);
+        for (piece, i) in path.iter().zip(first..) {
+            let duration = PathPiece::duration(self.path, i).max(f64::EPSILON);
+            impulse += piece.normal_force * duration;
+            time += duration;
+        }
         Event {
             kind,
             start: self.span(first)[0],
             end: self.span(last)[1],
             samples: samples as usize,
-            mean_normal_force: weighted.sum::<f64>() / samples,
+            mean_normal_force: impulse / time,
             peak_force: pieces
                 .iter()
                 .map(|piece| piece.peak_force)
