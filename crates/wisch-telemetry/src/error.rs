@@ -128,6 +128,18 @@ pub enum ReadFault {
         /// Length of the file [bytes].
         byte: u64,
     },
+    /// The file ends before the first message that is needed.
+    #[error("{}{}", too_early(*.byte, .what), of_messages(*.messages, .topics))]
+    TooEarly {
+        /// "pose", "wrench" or "message".
+        what: &'static str,
+        /// Length of a file that ends in the middle of a record [bytes]; `None` for a complete bag.
+        byte: Option<u64>,
+        /// Number of complete messages.
+        messages: usize,
+        /// Every topic of these messages.
+        topics: Vec<String>,
+    },
     /// A chunk has an unknown compression.
     #[error(
         "byte {byte}: a chunk is compressed with {compression:?}, but only \"lz4\", \"zstd\" and no compression are read"
@@ -482,6 +494,25 @@ fn join_names(names: &[String]) -> String {
             text
         }
         _ => text,
+    }
+}
+
+fn too_early(byte: Option<u64>, what: &str) -> String {
+    match byte {
+        Some(byte) => format!(
+            "the bag ends at byte {byte} in the middle of a record, before its first {what}: "
+        ),
+        None => "the bag is complete, but ".to_owned(),
+    }
+}
+
+fn of_messages(messages: usize, topics: &[String]) -> String {
+    match messages {
+        0 => "it holds no complete message".to_owned(),
+        _ => format!(
+            "its complete messages ({messages}) are of the topics {}",
+            join_names(topics)
+        ),
     }
 }
 

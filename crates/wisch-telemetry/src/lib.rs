@@ -35,7 +35,7 @@ mod track;
 
 pub use bag::{BagHead, BagRobot, BagScene, BagWriter, ObservationTime, active_path, read_samples};
 pub use error::{ReadError, ReadFault, RecordingKind, WriteError};
-pub use log::{AxesSource, Log, Skipped, read};
+pub use log::{AxesSource, Log, Skipped, is_bag, read};
 pub use options::{
     Axes, AxesChoice, Clock, LogOptions, OrientationForm, Payload, TopicChoice, WrenchSign,
 };

@@ -171,7 +171,7 @@ pub fn read(path: &Path, options: &LogOptions) -> Result<Log, ReadError> {
     {
         return Err(within(path, ReadFault::OtherRecording { kind }));
     }
-    let raw = if is_bag(&parts[0]).map_err(|error| within(path, ReadFault::System(error)))? {
+    let raw = if is_bag_file(&parts[0]).map_err(|error| within(path, ReadFault::System(error)))? {
         let mut reader = BagReader::new(options);
         for part in &parts {
             let read = open_bag(part).and_then(|source| reader.read(part, source));
@@ -297,8 +297,17 @@ fn other_recording(path: &Path) -> std::io::Result<Option<RecordingKind>> {
 const SQLITE: &[u8] = b"SQLite format 3\0";
 const ROS1: &[u8] = b"#ROSBAG V";
 
+/// Returns whether a file is a bag, by its ending or its first bytes. A folder is one if it holds parts of a bag.
+///
+/// # Errors
+/// If the file cannot be read.
+pub fn is_bag(path: &Path) -> std::io::Result<bool> {
+    let parts = list_parts(path)?;
+    is_bag_file(&parts[0])
+}
+
 /// Whether a file is a bag, by its ending or its first bytes.
-fn is_bag(path: &Path) -> std::io::Result<bool> {
+fn is_bag_file(path: &Path) -> std::io::Result<bool> {
     let mut begin = Vec::new();
     let file = File::open(path)?;
     file.take(mcap::MAGIC.len() as u64)

@@ -48,6 +48,9 @@ pub(crate) enum Ending {
 pub(crate) fn entries(source: impl Read, each: &mut Take<'_>) -> Result<Ending, ReadFault> {
     let mut file = Records { source, byte: 0 };
     let magic = file.take(MAGIC.len() as u64)?;
+    if magic.len() < MAGIC.len() && MAGIC.starts_with(&magic) {
+        return Ok(Ending::CutOff { byte: file.byte });
+    }
     if magic != MAGIC {
         let bytes: Vec<String> = magic.iter().map(|byte| format!("{byte:02x}")).collect();
         return Err(ReadFault::NotABag {

@@ -52,7 +52,10 @@ pub(crate) struct BagReader<'a> {
     looks: ObservationCollector,
     /// Times [ns] from which the wrench has a quality.
     qualities: Vec<(i64, WrenchQuality)>,
-    unfinished: bool,
+    /// Number of complete messages.
+    messages: usize,
+    /// Length of the file that ends in the middle of a record, if one does [bytes].
+    cut_at: Option<u64>,
 }
 
 /// Transforms of a topic.
@@ -104,7 +107,8 @@ impl<'a> BagReader<'a> {
             round: None,
             looks: ObservationCollector::default(),
             qualities: Vec::new(),
-            unfinished: false,
+            messages: 0,
+            cut_at: None,
         }
     }
 
@@ -114,7 +118,10 @@ impl<'a> BagReader<'a> {
         self.channels.clear();
         self.part += 1;
         let ending = entries(source, &mut |entry| match entry {
-            Entry::Message(channel, log_time, data) => self.message(channel, log_time, data),
+            Entry::Message(channel, log_time, data) => {
+                self.messages += 1;
+                self.message(channel, log_time, data)
+            }
             Entry::Notes(NOTES, notes) => {
                 self.task = notes.get(TASK_NOTE).cloned();
                 self.surface_mesh = notes.get(MESH_NOTE).cloned();
@@ -126,7 +133,10 @@ impl<'a> BagReader<'a> {
         let is_active = path.extension().is_some_and(|ending| ending == "active");
         match ending {
             Ending::Footer => {}
-            Ending::CutOff { .. } if is_active => self.unfinished = true,
+            Ending::CutOff { byte } if is_active => self.cut_at = Some(byte),
+            Ending::CutOff { byte } if self.messages == 0 => {
+                return Err(without_messages(Some(byte)));
+            }
             Ending::CutOff { byte } => return Err(ReadFault::Truncated { byte }),
         }
         Ok(())
@@ -134,9 +144,13 @@ impl<'a> BagReader<'a> {
 
     /// Returns the contents of all files.
     pub fn finish(mut self) -> Result<RawLog, ReadFault> {
+        if self.messages == 0 {
+            return Err(without_messages(self.cut_at));
+        }
         let options = self.options;
         let (clock, window) = (options.clock, options.reorder_window);
         let mut remarks = Vec::new();
+        let cut = self.cut_at.map(|byte| (byte, self.messages));
         let frame = self.named_frame();
         let pose = match frame {
             Some(_) => None,
@@ -181,12 +195,12 @@ impl<'a> BagReader<'a> {
                 let topic = topic.unwrap_or("/joint_states");
                 match frames.tool_track(frame.as_deref(), topic, options, &mut remarks)? {
                     Some(track) => track,
-                    None => return Err(nothing::<Pose>(&self.topics, &self.unread)),
+                    None => return Err(nothing::<Pose>(&self.topics, &self.unread, cut)),
                 }
             }
         };
         let Some(wrench) = self.wrenches.choose(&self.topics)? else {
-            return Err(nothing::<Vector3>(&self.topics, &self.unread));
+            return Err(nothing::<Vector3>(&self.topics, &self.unread, cut));
         };
         let shift = wrench.offset(clock).shift_onto(reference).unwrap_or(0);
         let axes = wrench.says.axes.clone();
@@ -206,7 +220,7 @@ impl<'a> BagReader<'a> {
             axes,
             sign: is_by_tool.then_some(WrenchSign::ByTool),
             start: says.start,
-            unfinished: self.unfinished,
+            unfinished: self.cut_at.is_some(),
             frames,
             joints: self.joints,
             task: self.task,
@@ -391,11 +405,31 @@ impl<'a> BagReader<'a> {
     }
 }
 
-/// Returns the error that no topic holds the quantity, with the list of topics.
+/// Returns the error that a bag holds no complete message. `byte`: where it is cut, if it is [bytes].
+const fn without_messages(byte: Option<u64>) -> ReadFault {
+    ReadFault::TooEarly {
+        what: "message",
+        byte,
+        messages: 0,
+        topics: Vec::new(),
+    }
+}
+
+/// Returns the error that no topic holds the quantity, with the list of topics. `cut`: length of a file that ends in the
+/// middle of a record [bytes], and number of its complete messages.
 fn nothing<Q: Quantity>(
     topics: &BTreeMap<String, String>,
     unread: &BTreeMap<String, String>,
+    cut: Option<(u64, usize)>,
 ) -> ReadFault {
+    if let Some((byte, messages)) = cut {
+        return ReadFault::TooEarly {
+            what: Q::NAME,
+            byte: Some(byte),
+            messages,
+            topics: topics.keys().cloned().collect(),
+        };
+    }
     let topics = topics
         .iter()
         .filter(|(topic, _)| !unread.contains_key(*topic));
