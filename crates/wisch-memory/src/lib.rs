@@ -9,6 +9,7 @@ mod checked_file;
 mod columns;
 pub mod frames;
 mod id;
+mod known_round;
 pub mod neem;
 mod observations;
 pub mod ontology;
@@ -23,6 +24,9 @@ pub mod view;
 pub use catalogue::{Catalogue, CatalogueNode, IndividualId};
 pub use frames::{FrameError, Frames, LOG_COLUMNS, PoseAt, RoundScene, Sampling, StoredPose};
 pub use id::{date_and_time, episode_id, local_date_and_time};
+pub use known_round::{
+    CUT_REMARK, KnownRound, RecordedMotion, is_same_motion, may_be_same_observations,
+};
 pub use observations::{OBSERVATIONS_SCHEMA, ObservationFault, RoundObservations};
 pub use ontology::Ontology;
 pub use record::{EPISODE_SCHEMA, EpisodeRecord, Individual, Origin, RecordFault, Value};

@@ -19,7 +19,8 @@ pub struct InterpretArgs {
     /// Also replace an output folder that holds a run's measurements
     #[arg(long)]
     pub force: bool,
-    /// Observation of the dirt after the log: a list of dirt locations (.csv), or a photo by the task's camera
+    /// Observation of the dirt after the log: a list of dirt locations (.csv), a bag with /wisch/dirt_after such as the log
+    /// itself, or a photo by the task's camera
     #[arg(long, alias = "seen", value_name = "FILE", value_hint = ValueHint::FilePath)]
     pub observation: Option<PathBuf>,
     /// Print one JSON object instead of the summary

@@ -1,11 +1,11 @@
 //! `wisch memory import`: interprets a robot's log and stores it as an episode.
 
 use super::PROGRAM;
-use super::interpret::{Interpreted, interpret_log, task_args};
+use super::interpret::{Interpreted, goal, interpret_read, read_log, task_args};
 use super::memory::is_date;
 use super::prepare;
 use super::words::{counted, json, percent};
-use crate::args::{GlobalArgs, ImportArgs};
+use crate::args::{GlobalArgs, ImportArgs, LoggedArgs};
 use crate::failure::Failure;
 use crate::progress::Progress;
 use crate::terminal::{Outcome, print, remark};
@@ -21,15 +21,18 @@ use wisch_io::{
 };
 use wisch_memory::catalogue::entries;
 use wisch_memory::{
-    Catalogue, EpisodeHeader, EpisodeRecord, EpisodeWriter, LOG_COLUMNS, Mark, Memory, MemoryError,
-    RoundObservations, RoundScene, Value, remember_log,
+    CUT_REMARK, Catalogue, EpisodeHeader, EpisodeRecord, EpisodeWriter, KnownRound, LOG_COLUMNS,
+    Mark, Memory, MemoryError, Origin, RecordedMotion, RoundObservations, RoundScene, Value,
+    remember_log,
 };
 use wisch_record::{RecordError, attach_task, begin_episode};
-use wisch_telemetry::Log;
+use wisch_telemetry::{Log, LogOptions, read};
 
 const NANOSECONDS_PER_SECOND: f64 = 1e9;
 /// Attachment with the options of the command line that change the interpretation of the log.
 const READING_FILE: &str = "reading.txt";
+/// Longest part of a log that an episode of it may lack without being incomplete [s].
+const MOST_MISSING_S: f64 = 0.5;
 
 /// Reads and interprets the log, and stores it as an episode.
 pub fn import(args: &ImportArgs, global: &GlobalArgs) -> Result<Outcome, Failure> {
@@ -47,7 +50,15 @@ pub fn import(args: &ImportArgs, global: &GlobalArgs) -> Result<Outcome, Failure
         drop(progress);
         return report_known(&memory, &id, &reading, args, global);
     }
-    let interpreted = interpret_log(source, &task_args, &mut prepared, None, &progress)?;
+    let goal = goal(source, &task_args, &mut prepared)?;
+    progress.say("reading the log");
+    let log = read_log(source, &prepared)?;
+    progress.say("checking whether the memory has this round");
+    if let Some(known) = known_round(&memory, source, &log)? {
+        drop(progress);
+        return report_known_round(&memory, &known, (&prepared, &reading, &log), args, global);
+    }
+    let interpreted = interpret_read(source, &prepared, (log, goal), None, &progress)?;
     progress.say("keeping the episode");
     let record = keep(args, &memory, digest, (&prepared, &reading), &interpreted)?;
     drop(progress);
@@ -138,7 +149,10 @@ fn keep(
         "semco:logDigest",
         digest,
     );
-    let remarks = &interpreted.record.log.remarks;
+    let mut remarks = interpreted.record.log.remarks.clone();
+    if log.is_unfinished {
+        remarks.push(CUT_REMARK.to_owned());
+    }
     if !remarks.is_empty() {
         let remarks = remarks.join("; ");
         set_text(&mut record, "semco:WipingRound", "semco:logRemark", remarks);
@@ -246,6 +260,83 @@ fn report_known(
     say(&record, args, global, |place| {
         format!(
             "{}: the memory has this log already; nothing was added\n  episode  {place}\n",
+            record.task
+        )
+    })?;
+    Ok(Outcome::Done)
+}
+
+/// Finds the round of the memory that holds the motion of a log. Options may move the samples of the bag of a run, so that
+/// it is also compared as the run has recorded it.
+fn known_round(
+    memory: &Memory,
+    source: &LoggedArgs,
+    log: &Log,
+) -> Result<Option<KnownRound>, Failure> {
+    let find = |log: &Log| {
+        let known = memory.find_round(&RecordedMotion {
+            samples: &log.samples,
+            is_cut: log.is_unfinished,
+            task: log.task.as_deref(),
+            observations: &log.observations,
+        });
+        known.map_err(cannot_keep)
+    };
+    let known = find(log)?;
+    if known.is_some() || log.round.is_none() {
+        return Ok(known);
+    }
+    match read(&source.log, &LogOptions::default()) {
+        Ok(recorded) if recorded.samples != log.samples => find(&recorded),
+        _ => Ok(None),
+    }
+}
+
+/// Reports a log whose round the memory has already, and adds nothing: a second episode of the same wiping would count
+/// twice in every query and in `wisch learn`.
+fn report_known_round(
+    memory: &Memory,
+    known: &KnownRound,
+    (prepared, reading, log): (&LoadedTask, &str, &Log),
+    args: &ImportArgs,
+    global: &GlobalArgs,
+) -> Result<Outcome, Failure> {
+    let KnownRound { episode: id, round } = known;
+    let record = (memory.episode(id))
+        .and_then(|episode| episode.record())
+        .map_err(cannot_keep)?;
+    let file = args.source.log.display();
+    let kept = record
+        .rounds
+        .get(*round)
+        .copied()
+        .unwrap_or(record.interval[1])
+        - record.rounds[round - 1];
+    if matches!(record.origin, Origin::Imported(_)) {
+        // The part that a longer log adds would be lost.
+        let missing = duration_of(log) - kept;
+        if missing > MOST_MISSING_S {
+            return Err(Failure::new(format!(
+                "{file}: the memory has the first {kept:.1} s of this log already, as episode {id}, of {:.1} s",
+                duration_of(log)
+            ))
+            .with_help(format!(
+                "remove that episode with wisch memory forget {id}, then import the log again"
+            )));
+        }
+        return report_known(memory, id, reading, args, global);
+    }
+    let task = &prepared.task.name;
+    if record.task != *task {
+        return Err(Failure::new(format!(
+            "{file}: the memory has this round already, as round {round} of episode {id}, of task {:?}, not of {task:?}",
+            record.task
+        ))
+        .with_help("read the log with another task by wisch interpret, which keeps no episode"));
+    }
+    say(&record, args, global, |place| {
+        format!(
+            "{}: the memory has this round already, as round {round} of the run {id}; nothing was added\n  episode  {place}\n",
             record.task
         )
     })?;

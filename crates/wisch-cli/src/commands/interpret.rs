@@ -1,5 +1,7 @@
 //! `wisch interpret`: estimates the dirt and the surface from a log of tool poses and forces.
 
+use super::log_advice::unreadable;
+use super::log_observation::{observation_in, unused_remark};
 use super::log_report::page;
 use super::out_folder::folder_name;
 use super::prepare::{self, stage_failure};
@@ -13,7 +15,7 @@ use nalgebra::{Translation3, UnitQuaternion};
 use std::path::{Path, PathBuf};
 use wisch::geometry::{Pose, Vector3};
 use wisch::interpret::{
-    EventKind, InterpretConfig, Interpretation, Interpreter, ObservationUpdate,
+    Belief, EventKind, InterpretConfig, Interpretation, Interpreter, ObservationUpdate,
 };
 use wisch::represent::{GoalState, ParticleDistribution, SurfaceShape};
 use wisch::robot::joint_transforms;
@@ -22,9 +24,7 @@ use wisch_io::{
 };
 use wisch_io::{InterpretationRecord, LogRecord, particles_to_csv};
 use wisch_io::{Leftover, LoadedTask};
-use wisch_telemetry::{
-    AxesChoice, AxesSource, Log, LogOptions, Payload, ReadFault, RecordingKind, TopicChoice, read,
-};
+use wisch_telemetry::{AxesChoice, AxesSource, Log, LogOptions, Payload, TopicChoice, read};
 
 /// Reads the log, interprets it, and writes the results.
 pub fn interpret(args: &InterpretArgs, global: &GlobalArgs) -> Result<Outcome, Failure> {
@@ -42,14 +42,11 @@ pub fn interpret(args: &InterpretArgs, global: &GlobalArgs) -> Result<Outcome, F
     };
     let folder = OutputFolder::begin(&out, Leftover::Remove, replaceable)?;
 
+    let goal = goal(&args.source, &task_args, &mut prepared)?;
+    progress.say("reading the log");
+    let log = read_log(&args.source, &prepared)?;
     let observation = args.observation.as_deref();
-    let interpreted = interpret_log(
-        &args.source,
-        &task_args,
-        &mut prepared,
-        observation,
-        &progress,
-    )?;
+    let interpreted = interpret_read(&args.source, &prepared, (log, goal), observation, &progress)?;
     let record = &interpreted.record;
     let particles = interpreted.estimated(&prepared)?;
     folder.write(INTERPRETATION_FILE, json(record)?)?;
@@ -99,51 +96,45 @@ impl Interpreted {
     }
 }
 
-/// Reads a log and interprets it. `observation`: file with an observation of the dirt after the log, if there is one.
-pub(super) fn interpret_log(
+/// Interprets a log that was read. `observation`: file with an observation of the dirt after the log, if there is one.
+pub(super) fn interpret_read(
     source: &LoggedArgs,
-    task_args: &TaskArgs,
-    prepared: &mut LoadedTask,
+    prepared: &LoadedTask,
+    (log, goal): (Log, GoalState),
     observation: Option<&Path>,
     progress: &Progress,
 ) -> Result<Interpreted, Failure> {
-    let goal = goal(source, task_args, prepared)?;
-    progress.say("reading the log");
-    let log = read_log(source, prepared)?;
     prepare::check_mesh(log.surface_mesh.as_deref(), &prepared.task)
         .map_err(|failure| failure.within(&source.log))?;
+    let seen = match observation {
+        Some(file) => Some(observation_in(file, source, prepared, (&log, &goal))?),
+        None => None,
+    };
     progress.say(format!(
         "interpreting {}",
         counted(log.samples.len(), "sample")
     ));
-    let mut interpretation = interpret_samples(source, prepared, &log, &goal)?;
-    let mut observed = None;
-    if let Some(file) = observation {
-        if goal.action().treats() {
-            let problem = format!(
-                "--observation {}: an observation is a list of dirt, and the action {} leaves none to be seen",
-                file.display(),
-                goal.action()
-            );
-            return Err(Failure::new(problem).with_help("omit --observation"));
-        }
-        let sensor = prepared.file.camera.unwrap_or_default();
-        let observation = prepared.observation(file)?;
-        let detections = counted(observation.detections.len(), "detection");
-        observed = Some(format!(
-            "after the log: {detections} of dirt in {}",
-            file.display()
-        ));
-        interpretation.observe(&ObservationUpdate {
-            observation: &observation,
-            sight: prepared.sight(sensor),
-            surface: &prepared.task.surface,
-            goal: &goal,
-            seed: prepared.task.seed,
-        });
+    let mut believed = prepared.belief();
+    let sight = prepared.sight(prepared.file.camera.unwrap_or_default());
+    let update = |observation, goal| ObservationUpdate {
+        observation,
+        sight,
+        surface: &prepared.task.surface,
+        goal,
+        seed: prepared.task.seed,
+    };
+    if let Some(before) = seen.as_ref().and_then(|seen| seen.before.as_ref()) {
+        believed = believed.observe(&update(before, &goal));
+    }
+    let mut interpretation = interpret_samples(source, prepared, (&log, &believed), &goal)?;
+    if let Some(seen) = &seen {
+        interpretation.observe(&update(&seen.after, &goal));
     }
     let mut remarks = remarks(&log, prepared, &interpretation);
-    remarks.extend(observed);
+    match seen {
+        Some(seen) => remarks.push(seen.remark),
+        None => remarks.extend(unused_remark(&log, source)),
+    }
     let record = InterpretationRecord::new(
         &prepared.task,
         &interpretation,
@@ -236,7 +227,7 @@ pub(super) fn task_args(args: &LoggedArgs) -> TaskArgs {
 }
 
 /// Returns the goal. If the task leaves the collection area open, only the plan has it.
-fn goal(
+pub(super) fn goal(
     args: &LoggedArgs,
     task_args: &TaskArgs,
     prepared: &mut LoadedTask,
@@ -273,16 +264,9 @@ fn check_log_is_kept(log: &Path, out: &Path) -> Result<(), Failure> {
 }
 
 /// Reads the log with the options of the arguments and the task.
-fn read_log(args: &LoggedArgs, prepared: &LoadedTask) -> Result<Log, Failure> {
+pub(super) fn read_log(args: &LoggedArgs, prepared: &LoadedTask) -> Result<Log, Failure> {
     let options = log_options(&args.reading, prepared)?;
-    read(&args.log, &options).map_err(|error| {
-        let advice = advice(&error.fault, &args.log);
-        let failure = Failure::new(error);
-        match advice {
-            Some(advice) => failure.with_help(advice),
-            None => failure,
-        }
-    })
+    read(&args.log, &options).map_err(|error| unreadable(error, &args.log))
 }
 
 fn log_options(args: &LogArgs, prepared: &LoadedTask) -> Result<LogOptions, Failure> {
@@ -350,77 +334,13 @@ fn pose(numbers: &[f64]) -> Option<Pose> {
     ))
 }
 
-/// Returns advice for a log that cannot be read.
-fn advice(fault: &ReadFault, log: &Path) -> Option<String> {
-    Some(match fault {
-        ReadFault::Several { what, .. } => format!("choose one with --{what}-topic"),
-        ReadFault::Nothing { what, unread, .. } if unread.is_empty() => {
-            format!("choose a field of a larger message with --{what}-topic TOPIC:FIELD, or compute the pose from /joint_states with --urdf")
-        }
-        ReadFault::Nothing { .. } | ReadFault::Encoding { .. } => {
-            "wisch reads ROS 2 messages only (cdr with ros2msg schemas): record the topics with ros2 bag record -s mcap, or export poses and forces as a table (CSV) with PlotJuggler or Foxglove".to_owned()
-        }
-        ReadFault::Truncated { .. } => {
-            "append .active to the file name to read the complete part".to_owned()
-        }
-        ReadFault::OtherRecording {
-            kind: RecordingKind::Sqlite | RecordingKind::Ros1,
-        } => {
-            let converted = log.with_extension("converted");
-            format!(
-                "convert it (pip install rosbags): rosbags-convert --src {} --dst {} --dst-storage mcap",
-                log.display(),
-                converted.display()
-            )
-        }
-        ReadFault::Compression { .. } => "recompress it with mcap compress --compression lz4".to_owned(),
-        ReadFault::Apart { .. } => "see --max-gap-s".to_owned(),
-        ReadFault::Unknown(error) if error.kind == "column" => {
-            "name the columns with --csv-columns".to_owned()
-        }
-        ReadFault::NoTime { .. } | ReadFault::SameTime { .. } => {
-            "give the sampling rate with --rate HZ, or the time column with --csv-columns t=NAME".to_owned()
-        }
-        ReadFault::SeveralColumns { .. } | ReadFault::DuplicateColumn { .. } => {
-            "choose one with --csv-columns OURS=THEIRS".to_owned()
-        }
-        ReadFault::ValueCount { count, names, .. } if count > names => {
-            "put values that contain separators in quotes (\"[1, 2]\")".to_owned()
-        }
-        ReadFault::Backwards { .. } => {
-            "allow longer delays with --reorder-s SECONDS, use a bag's recording times with --time log, or split a file that holds two logs".to_owned()
-        }
-        ReadFault::Time { .. } => {
-            "set the unit with --time-unit-s, such as 1e-9 for nanoseconds".to_owned()
-        }
-        ReadFault::StillFrame { .. } => {
-            "choose another frame with --pose-topic /tf:FRAME".to_owned()
-        }
-        ReadFault::BesideUnread { .. } => {
-            "write one column per number, or name the columns with --csv-columns".to_owned()
-        }
-        ReadFault::Table { .. } | ReadFault::ColumnType { .. } => {
-            "export the table again, or as text (CSV)".to_owned()
-        }
-        ReadFault::TooManyRows { .. } | ReadFault::Unpacked { .. } => {
-            "split the log, or reduce its sampling rate".to_owned()
-        }
-        ReadFault::NoArrow => {
-            "export it as Parquet (DataFrame.to_parquet in pandas), or build wisch with --features arrow".to_owned()
-        }
-        ReadFault::NoFile { .. } => "write it to a file first".to_owned(),
-        _ => return None,
-    })
-}
-
 fn interpret_samples(
     args: &LoggedArgs,
     prepared: &LoadedTask,
-    log: &Log,
+    (log, believed): (&Log, &Belief),
     goal: &GoalState,
 ) -> Result<Interpretation, Failure> {
     let task = &prepared.task;
-    let believed = prepared.belief();
     let config = InterpretConfig::from_task(task);
     let interpreted = || {
         let mut interpreter = Interpreter::new(task, &config)?;
@@ -428,7 +348,7 @@ fn interpret_samples(
         for sample in &log.samples {
             interpreter.push(sample)?;
         }
-        interpreter.conclude(&believed, goal)
+        interpreter.conclude(believed, goal)
     };
     interpreted().map_err(|error| Failure::new(error).within(&args.log))
 }

@@ -16,6 +16,8 @@ mod interpret;
 mod interrupt;
 mod job;
 mod learn;
+mod log_advice;
+mod log_observation;
 mod log_report;
 mod look;
 mod map;

@@ -1,6 +1,6 @@
 //! `wisch report`: writes an episode, a folder of results or a log as one HTML page.
 
-use super::interpret::{interpret_log, task_args};
+use super::interpret::{goal, interpret_read, read_log, task_args};
 use super::prepare;
 use crate::args::{GlobalArgs, LoggedArgs, ReportArgs};
 use crate::failure::Failure;
@@ -109,7 +109,10 @@ fn page_of_log(source: &LoggedArgs, global: &GlobalArgs) -> Result<String, Failu
     progress.say("reading the task");
     let task_args = task_args(source);
     let mut prepared = prepare::read(&task_args)?;
-    let interpreted = interpret_log(source, &task_args, &mut prepared, None, &progress)?;
+    let goal = goal(source, &task_args, &mut prepared)?;
+    progress.say("reading the log");
+    let log = read_log(source, &prepared)?;
+    let interpreted = interpret_read(source, &prepared, (log, goal), None, &progress)?;
     Ok(interpreted.page(&prepared))
 }
 

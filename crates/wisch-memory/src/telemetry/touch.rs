@@ -2,6 +2,7 @@
 
 use super::{POSE, Telemetry, TelemetryError};
 use nalgebra::{Quaternion, UnitQuaternion};
+use std::ops::Range;
 use wisch::geometry::{Pose, Vector3};
 use wisch::interpret::{TouchSample, UnusableWrenches};
 
@@ -14,7 +15,14 @@ impl Telemetry {
     /// # Errors
     /// If the telemetry lacks these columns, or the file is damaged.
     pub fn touch_samples(&self) -> Result<(Vec<TouchSample>, UnusableWrenches), TelemetryError> {
-        let rows = 0..self.rows();
+        self.touch_samples_of(0..self.rows())
+    }
+
+    /// Returns the same of some rows.
+    pub(crate) fn touch_samples_of(
+        &self,
+        rows: Range<usize>,
+    ) -> Result<(Vec<TouchSample>, UnusableWrenches), TelemetryError> {
         let qualities = self.wrench_qualities(rows.clone())?;
         let mut unusable = UnusableWrenches::default();
         for quality in &qualities {

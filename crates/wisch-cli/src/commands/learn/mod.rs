@@ -11,7 +11,7 @@ use crate::failure::Failure;
 use crate::progress::Progress;
 use crate::terminal::{Outcome, print, remark};
 use record::{FORMAT, LearnRecord, SCHEMA, exp, in_words, law_record};
-use rounds::{RecordedRound, Recording, recordings};
+use rounds::{KnownRounds, RecordedRound, Recording, recordings};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use wisch::geometry::Point2;
@@ -214,6 +214,7 @@ fn evidence(
     let count: usize = recordings.iter().map(|run| run.sources.len()).sum();
     let mut done = 0;
     let mut laws: BTreeMap<[String; 3], Evidence> = BTreeMap::new();
+    let mut known = KnownRounds::default();
     for run in recordings {
         let mut rounds: BTreeMap<String, Vec<RecordedRound>> = BTreeMap::new();
         for source in &run.sources {
@@ -226,6 +227,17 @@ fn evidence(
             let Some(round) = source.read()? else {
                 continue;
             };
+            round.observations_of_both()?;
+            if let Some(earlier) = known.find(source, &round)? {
+                progress.aside(|| {
+                    remark(&format!(
+                        "counted once: {} holds the same round as {}",
+                        place.display(),
+                        earlier.place().display()
+                    ));
+                });
+                continue;
+            }
             let key = match source.task() {
                 Some(key) => key.to_owned(),
                 None => tasks.of("bag", &place, round.task.as_deref())?,

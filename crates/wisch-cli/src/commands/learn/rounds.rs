@@ -1,5 +1,6 @@
 //! The recorded rounds to learn from, in bags and in episodes of a memory.
 
+use super::super::log_advice::unreadable;
 use super::super::memory::{broken, open};
 use super::super::words::counted;
 use super::Tasks;
@@ -12,8 +13,8 @@ use std::path::{Path, PathBuf};
 use wisch::geometry::Pose;
 use wisch::interpret::{TouchSample, UnusableWrenches};
 use wisch::represent::Observation;
-use wisch_memory::{Episode, MemoryError};
-use wisch_telemetry::{LogOptions, read};
+use wisch_memory::{Episode, MemoryError, is_same_motion, may_be_same_observations};
+use wisch_telemetry::{LogOptions, is_bag, read};
 
 /// The rounds of a run.
 pub(super) struct Recording {
@@ -82,7 +83,8 @@ impl Source {
     pub fn read(&self) -> Result<Option<RecordedRound>, Failure> {
         match self {
             Self::Bag(path) => {
-                let log = read(path, &LogOptions::default()).map_err(Failure::new)?;
+                let log =
+                    read(path, &LogOptions::default()).map_err(|error| unreadable(error, path))?;
                 Ok(Some(RecordedRound {
                     place: path.clone(),
                     task: log.task,
@@ -153,6 +155,37 @@ impl RecordedRound {
                 Err(unseen(&self.place, said, when))
             }
         }
+    }
+}
+
+/// The rounds that were read so far, without their samples.
+#[derive(Default)]
+pub(super) struct KnownRounds<'a> {
+    rounds: Vec<(&'a Source, [Option<Observation>; 2])>,
+}
+
+impl<'a> KnownRounds<'a> {
+    /// Returns the earlier source that holds the same round; `None` for a new round, which is remembered.
+    ///
+    /// # Errors
+    /// If that source cannot be read again.
+    pub fn find(
+        &mut self,
+        source: &'a Source,
+        round: &RecordedRound,
+    ) -> Result<Option<&'a Source>, Failure> {
+        for (known, observations) in &self.rounds {
+            if !may_be_same_observations(&round.observations, observations) {
+                continue;
+            }
+            // Samples of all rounds would not fit the memory of the machine, so those of a likely one are read again.
+            let known_round = known.read()?;
+            if known_round.is_some_and(|known| is_same_motion(&round.samples, &known.samples)) {
+                return Ok(Some(*known));
+            }
+        }
+        self.rounds.push((source, round.observations.clone()));
+        Ok(None)
     }
 }
 
@@ -269,6 +302,7 @@ fn bags(paths: &[PathBuf]) -> Result<BTreeMap<PathBuf, Vec<PathBuf>>, Failure> {
             }
             found
         } else {
+            check_is_bag(path)?;
             vec![path.clone()]
         };
         for bag in found {
@@ -286,6 +320,20 @@ fn bags(paths: &[PathBuf]) -> Result<BTreeMap<PathBuf, Vec<PathBuf>>, Failure> {
         }
     }
     Ok(bags)
+}
+
+/// Refuses a table, which holds no camera observations. A file that cannot be read has its error later.
+fn check_is_bag(path: &Path) -> Result<(), Failure> {
+    if !path.exists() || is_bag(path).unwrap_or(true) {
+        return Ok(());
+    }
+    let problem = format!(
+        "{}: this is no bag, and only bags and episodes hold the camera observations before and after a round from which wisch learns",
+        path.display()
+    );
+    Err(Failure::new(problem).with_help(
+        "give bags (.mcap) or folders of runs whose task has senses = [\"touch\", \"sight\"] in [perception], or a memory with --memory DIR",
+    ))
 }
 
 fn in_folder(folder: &Path) -> Result<Vec<PathBuf>, Failure> {

@@ -1,0 +1,117 @@
+//! Camera observations of the dirt around a log: from a list, a photo or a bag.
+
+use super::log_advice::unreadable;
+use super::words::counted;
+use crate::args::LoggedArgs;
+use crate::failure::Failure;
+use std::path::Path;
+use wisch::represent::{GoalState, Observation};
+use wisch_io::LoadedTask;
+use wisch_telemetry::{Log, LogOptions, is_bag, read};
+
+/// Observations of the dirt around a log, in the frame of the task's surface.
+pub(super) struct LogObservations {
+    /// Before the log, if the bag holds it.
+    pub before: Option<Observation>,
+    /// After the log.
+    pub after: Observation,
+    /// Sentence that states what was observed, and where it is from.
+    pub remark: String,
+}
+
+/// Reads the observation of `--observation`. A bag holds those of the camera before and after the round, as the log itself
+/// may.
+pub(super) fn observation_in(
+    file: &Path,
+    source: &LoggedArgs,
+    prepared: &LoadedTask,
+    (log, goal): (&Log, &GoalState),
+) -> Result<LogObservations, Failure> {
+    if goal.action().treats() {
+        let problem = format!(
+            "--observation {}: an observation is a list of dirt, and the action {} leaves none to be seen",
+            file.display(),
+            goal.action()
+        );
+        return Err(Failure::new(problem).with_help("omit --observation"));
+    }
+    let is_log = is_same_file(file, &source.log);
+    if !is_log && !is_bag(file).unwrap_or(false) {
+        let after = prepared.observation(file)?;
+        let detections = counted(after.detections.len(), "detection");
+        return Ok(LogObservations {
+            before: None,
+            after,
+            remark: format!("after the log: {detections} of dirt in {}", file.display()),
+        });
+    }
+    let other;
+    let bag = if is_log {
+        log
+    } else {
+        other = read(file, &LogOptions::default())
+            .map_err(|error| unreadable(error, file).after("--observation"))?;
+        &other
+    };
+    let surface = &prepared.task.surface;
+    let moved = |seen: &Observation| match bag.world_from_surface {
+        Some(then) if then != surface.world_from_surface => {
+            let now_from_then = surface.world_from_surface.inverse() * then;
+            seen.transform(&now_from_then, &surface.shape)
+        }
+        _ => seen.clone(),
+    };
+    let [before, after] = bag
+        .observations
+        .each_ref()
+        .map(|seen| seen.as_ref().map(moved));
+    let Some(after) = after else {
+        let problem = format!(
+            "--observation {}: topic /wisch/dirt_after is missing: the file holds no camera observation of the dirt after the log",
+            file.display()
+        );
+        return Err(Failure::new(problem).with_help(
+            "give a list of dirt locations (x,y in the frame of the surface [m]), or omit --observation",
+        ));
+    };
+    let detections = |seen: &Observation| counted(seen.detections.len(), "detection");
+    let earlier = (before.as_ref()).map_or_else(String::new, |before| {
+        format!("before the log: {} of dirt; ", detections(before))
+    });
+    let remark = format!(
+        "{earlier}after the log: {} of dirt in {}",
+        detections(&after),
+        file.display()
+    );
+    Ok(LogObservations {
+        before,
+        after,
+        remark,
+    })
+}
+
+fn is_same_file(one: &Path, other: &Path) -> bool {
+    match (one.canonicalize(), other.canonicalize()) {
+        (Ok(one), Ok(other)) => one == other,
+        _ => false,
+    }
+}
+
+/// States that the estimate does not use the observations that the log holds, and how it would.
+pub(super) fn unused_remark(log: &Log, source: &LoggedArgs) -> Option<String> {
+    let held: Vec<&str> = (log.observations.iter())
+        .zip(["before", "after"])
+        .filter_map(|(seen, when)| seen.as_ref().map(|_| when))
+        .collect();
+    let file = source.log.display();
+    let advice = match log.observations[1] {
+        Some(_) => format!("wisch interpret uses them with --observation {file}"),
+        None => "the one after it is missing, so that only a list of dirt locations can be given with --observation".to_owned(),
+    };
+    (!held.is_empty()).then(|| {
+        format!(
+            "the log holds camera observations of the dirt {} it, which this estimate does not use: {advice}",
+            held.join(" and ")
+        )
+    })
+}
