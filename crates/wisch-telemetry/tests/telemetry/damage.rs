@@ -62,7 +62,7 @@ fn a_bag_without_a_complete_message_is_refused_by_its_cause() {
             fs::remove_file(&name).unwrap();
         }
     }
-    // The forces begin later than the poses.
+    // The forces begin later than the pose of the markers.
     let mut bag = BagWriter::create(&path, head(0)).unwrap();
     bag.write_particles(0.0, &[]).unwrap();
     bag.finish().unwrap();
@@ -70,7 +70,7 @@ fn a_bag_without_a_complete_message_is_refused_by_its_cause() {
     fs::write(active_path(&cut), &bytes[..bytes.len() - 20]).unwrap();
     let message = refused(&active_path(&cut), &LogOptions::default());
     assert!(
-        message.contains("before its first pose: its complete messages (")
+        message.contains("before its first wrench: its complete messages (")
             && message.contains("/particles"),
         "{message}"
     );
